@@ -79,7 +79,7 @@ TEST(CellAtlas, KnowsHowFarAlongAndAcrossAPointLies) {
   const auto on = atlas.look({4.1, 3.4, 1.3}).newest;
   ASSERT_TRUE(on);
   EXPECT_EQ(on->cell, 28U);
-  EXPECT_NEAR(on->along_mm, 4.1, 1e-5);
+  EXPECT_NEAR(atlas.cellsOf(on->layer)->along_mm[on->cell] + on->off_mm, 4.1, 1e-5);
   EXPECT_NEAR(on->across_mm, 0.4, 1e-5);
   EXPECT_NEAR(on->across_share, 0.4 / 3.0, 1e-5);
   EXPECT_NEAR(on->error_mm, 0.2, 1e-9);

@@ -17,7 +17,7 @@ class CellSheet;
 struct CellSight {
   std::size_t layer = 0;
   std::size_t cell = 0;
-  double along_mm = 0.0;      ///< from the start of the path
+  double off_mm = 0.0;        ///< along the cell's tangent, from its middle
   double across_mm = 0.0;     ///< from the bead's middle, positive to the left of its way seen against growth
   double across_share = 0.0;  ///< of the bead's width, without sign
   double error_mm = 0.0;  ///< planned less measured height along the growth direction: positive is too low
@@ -64,6 +64,8 @@ class CellAtlas {
   PointSights look(const Point3& point) const;
   /// The first of these alone.
   std::optional<CellSight> newestAt(const Point3& point) const;
+  /// The same of many points, in a fraction of the time.
+  std::vector<std::optional<CellSight>> newestAt(const std::vector<Point3>& points) const;
   /// A cell of the next layer below one that has one there.
   std::optional<CellSight> beneathAt(const Point3& point, std::size_t layer) const;
 

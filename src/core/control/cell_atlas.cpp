@@ -63,6 +63,15 @@ std::optional<CellSight> CellAtlas::newestAt(const Point3& point) const {
   return sight;
 }
 
+std::vector<std::optional<CellSight>> CellAtlas::newestAt(const std::vector<Point3>& points) const {
+  if (sheets_.empty()) return std::vector<std::optional<CellSight>>(points.size());
+  const CellSheet& newest = sheets_.back();
+  std::vector<std::optional<CellSight>> sights = newest.look(points);
+  for (std::size_t i = 0; i < points.size() && sheets_.size() > 1; ++i)
+    if (!sights[i]) sights[i] = beneathAt(points[i], newest.cells()->layer);
+  return sights;
+}
+
 std::optional<CellSight> CellAtlas::beneathAt(const Point3& point, std::size_t layer) const {
   std::optional<CellSight> sight;
   for (auto sheet = sheets_.rbegin(); sheet != sheets_.rend() && !sight; ++sheet)

@@ -121,11 +121,11 @@ inline CellSheet::Footing CellSheet::onBent(std::uint32_t cell, const Point3& po
 
 /// Of cells in a row, pieces of one bead, the nearer along; of several beads the nearer in widths.
 template <class FootingOf>
-CellSheet::Footing CellSheet::best(const Point3& point, FootingOf footing) const {
+CellSheet::Footing CellSheet::best(const StationIndex::Cells& near, FootingOf footing) const {
   Footing best;
   Footing of_bead;
   std::uint32_t last = 0;
-  for (const std::uint32_t cell : index_.near(point)) {
+  for (const std::uint32_t cell : near) {
     if (cell >= laid) break;
     const Footing here = footing(cell);
     if (here.cell == Footing::kNone) continue;
@@ -143,13 +143,53 @@ CellSheet::Footing CellSheet::best(const Point3& point, FootingOf footing) const
 
 std::optional<CellSight> CellSheet::look(const Point3& point) const {
   const Point3 place = index_.placeOf(point);
-  const Footing on = is_plane_ ? best(place, [&](std::uint32_t cell) { return onPlane(cell, place); })
-                               : best(place, [&](std::uint32_t cell) { return onBent(cell, point); });
+  return look(point, place, index_.near(place));
+}
+
+inline void CellSheet::fetch(std::uint32_t cell) const {
+  if (is_plane_)
+    __builtin_prefetch(plane_.data() + cell);
+  else
+    __builtin_prefetch(bent_.data() + cell);
+}
+
+/// Neighbours of a profile lie on different beads, far apart in memory: waiting for each would take longer
+/// than all the rest.
+std::vector<std::optional<CellSight>> CellSheet::look(const std::vector<Point3>& points) const {
+  struct Sought {
+    Point3 place;
+    std::uint32_t square = StationIndex::kNone;
+    StationIndex::Cells near;
+  };
+  std::vector<Sought> sought;
+  sought.reserve(points.size());
+  for (const Point3& point : points) {
+    const Point3 place = index_.placeOf(point);
+    sought.push_back({place, index_.squareOf(place), {}});
+    index_.fetch(sought.back().square);
+  }
+  for (Sought& each : sought) {
+    each.near = index_.cellsIn(each.square);
+    __builtin_prefetch(each.near.first);
+  }
+  for (const Sought& each : sought)
+    if (each.near.first != each.near.last) fetch(*each.near.first);
+  std::vector<std::optional<CellSight>> sights;
+  sights.reserve(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    sights.push_back(look(points[i], sought[i].place, sought[i].near));
+  return sights;
+}
+
+std::optional<CellSight> CellSheet::look(const Point3& point, const Point3& place,
+                                         const StationIndex::Cells& near) const {
+  const Footing on = is_plane_ ? best(near, [&](std::uint32_t cell) { return onPlane(cell, place); })
+                               : best(near, [&](std::uint32_t cell) { return onBent(cell, point); });
   if (on.cell == Footing::kNone) return std::nullopt;
   CellSight sight;
   sight.layer = cells_->layer;
   sight.cell = on.cell;
-  sight.along_mm = cells_->along_mm[on.cell] + static_cast<double>(on.along_mm);
+  sight.off_mm = static_cast<double>(on.along_mm);
   sight.across_mm = static_cast<double>(on.across_mm);
   sight.across_share = static_cast<double>(on.across);
   sight.error_mm = -on.height_mm;

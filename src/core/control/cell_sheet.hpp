@@ -20,6 +20,8 @@ class CellSheet {
 
   /// The cell of the first `laid` ones on which a point lies.
   std::optional<CellSight> look(const Point3& point) const;
+  /// The same of many points, whose cells are fetched from memory all at once.
+  std::vector<std::optional<CellSight>> look(const std::vector<Point3>& points) const;
 
   const std::shared_ptr<const LayerCells>& cells() const { return cells_; }
   bool isPlane() const { return is_plane_; }
@@ -64,7 +66,10 @@ class CellSheet {
   Footing onPlane(std::uint32_t cell, const Point3& place) const;
   Footing onBent(std::uint32_t cell, const Point3& point) const;
   template <class FootingOf>
-  Footing best(const Point3& point, FootingOf footing) const;
+  Footing best(const StationIndex::Cells& near, FootingOf footing) const;
+  std::optional<CellSight> look(const Point3& point, const Point3& place,
+                                const StationIndex::Cells& near) const;
+  void fetch(std::uint32_t cell) const;
 
   std::shared_ptr<const LayerCells> cells_;
   StationIndex index_;

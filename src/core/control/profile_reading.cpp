@@ -59,16 +59,15 @@ class ProfileReader {
     return sheets_.back().cells->height_mm.front();
   }
 
-  /// The returns along one ray: at most one of them counts.
-  void readColumn(const Point3* first, const Point3* last) {
-    std::optional<TakenSight> best;
-    for (const Point3* point = first; point != last; ++point) {
-      const auto taken = take(pose_ * *point);
-      if (!taken) continue;
-      if (best) ++counts.mirrored;
-      if (!best || isBetter(*taken, *best)) best = taken;
-    }
-    if (best) add(best->sight);
+  void read(const SoundPoints& sound) {
+    std::vector<Point3> points;
+    points.reserve(sound.points.size());
+    for (const Point3& point : sound.points) points.push_back(pose_ * point);
+    const std::vector<std::optional<CellSight>> newest = atlas_.newestAt(points);
+    for (const auto& sight : newest)
+      if (sight) fetchEstimate(*sight);
+    for (std::size_t i = 0; i + 1 < sound.columns.size(); ++i)
+      readColumn(points, newest, sound.columns[i], sound.columns[i + 1]);
   }
 
   std::vector<LayerReading> readings() {
@@ -89,6 +88,19 @@ class ProfileReader {
   PointCounts counts;
 
  private:
+  /// The returns along one ray: at most one of them counts.
+  void readColumn(const std::vector<Point3>& points, const std::vector<std::optional<CellSight>>& newest,
+                  std::size_t first, std::size_t last) {
+    std::optional<TakenSight> best;
+    for (std::size_t i = first; i != last; ++i) {
+      const auto taken = take(points[i], newest[i]);
+      if (!taken) continue;
+      if (best) ++counts.mirrored;
+      if (!best || isBetter(*taken, *best)) best = taken;
+    }
+    if (best) add(best->sight);
+  }
+
   struct Sheet {
     std::shared_ptr<const LayerCells> cells;
     bool is_plane;
@@ -109,6 +121,13 @@ class ProfileReader {
     return stamp_sigma_.isZero(0.0) ? sigma : std::hypot(sigma, growth.dot(stamp_sigma_));
   }
 
+  /// Of cells that lie far apart in memory, ahead of when it is asked for.
+  void fetchEstimate(const CellSight& sight) const {
+    if (sight.across_share > 0.5 * settings_.crown_share) return;
+    const Sheet& sheet = sheetOf(sight.layer);
+    if (sheet.estimates) __builtin_prefetch(sheet.estimates->data() + sight.cell);
+  }
+
   TakenSight weighed(const CellSight& sight) const {
     const Sheet& sheet = sheetOf(sight.layer);
     double expected = 0.0;
@@ -122,8 +141,7 @@ class ProfileReader {
   }
 
   /// The cell whose crown the point lies on; none, and counted, where it does not.
-  std::optional<TakenSight> take(const Point3& point) {
-    const auto newest = atlas_.newestAt(point);
+  std::optional<TakenSight> take(const Point3& point, const std::optional<CellSight>& newest) {
     if (!newest) {
       ++counts.off_path;
       return std::nullopt;
@@ -204,8 +222,7 @@ ProfileReadings readProfile(const SensorProfile& profile, const CellAtlas& atlas
   ProfileReader reader(profile, atlas, predictions, settings);
   const SoundPoints sound = soundPoints(profile.points, reader.layerHeight(), settings);
   reader.counts = sound.counts;
-  for (std::size_t i = 0; i + 1 < sound.columns.size(); ++i)
-    reader.readColumn(sound.points.data() + sound.columns[i], sound.points.data() + sound.columns[i + 1]);
+  reader.read(sound);
   ProfileReadings result;
   result.readings = reader.readings();
   result.counts = reader.counts;

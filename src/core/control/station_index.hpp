@@ -31,7 +31,16 @@ class StationIndex {
     const std::uint32_t* end() const { return last; }
   };
   /// @param place  of the point (`placeOf`)
-  Cells near(const Point3& place) const;
+  Cells near(const Point3& place) const { return cellsIn(squareOf(place)); }
+
+  /// The same in two steps, so that what lies in memory for many places can be fetched at once: the square or
+  /// cube, `kNone` where there is none, and what it holds.
+  static constexpr std::uint32_t kNone = 0xFFFFFFFFU;
+  std::uint32_t squareOf(const Point3& place) const;
+  Cells cellsIn(std::uint32_t square) const;
+  void fetch(std::uint32_t square) const {
+    if (square != kNone) __builtin_prefetch(begin_.data() + square);
+  }
 
   std::size_t bytes() const;
 
@@ -42,7 +51,6 @@ class StationIndex {
     std::uint32_t number = kNone;
   };
   using Place = std::array<std::int64_t, 3>;
-  static constexpr std::uint32_t kNone = 0xFFFFFFFFU;
   static constexpr std::uint64_t kSpread = 0x9E3779B97F4A7C15ULL;  ///< of keys over the table
 
   void layOut(const LayerCells& cells);
@@ -82,16 +90,19 @@ inline std::uint32_t StationIndex::numberOf(std::uint64_t key) const {
     if (table_[at].number == kNone || table_[at].key == key) return table_[at].number;
 }
 
-inline StationIndex::Cells StationIndex::near(const Point3& at) const {
+inline std::uint32_t StationIndex::squareOf(const Point3& at) const {
   Place place{};
   for (std::size_t axis = 0; axis < (has_squares_ ? 2U : 3U); ++axis) {
     const double offset = per_mm_ * at[static_cast<Eigen::Index>(axis)];
-    if (!(offset >= 0.0 && offset < static_cast<double>(count_[axis]))) return {};
+    if (!(offset >= 0.0 && offset < static_cast<double>(count_[axis]))) return kNone;
     place[axis] = static_cast<std::int64_t>(offset);
   }
-  const std::uint32_t number = numberOf(keyOf(place));
-  if (number == kNone) return {};
-  return {cells_.data() + begin_[number], cells_.data() + begin_[number + 1]};
+  return numberOf(keyOf(place));
+}
+
+inline StationIndex::Cells StationIndex::cellsIn(std::uint32_t square) const {
+  if (square == kNone) return {};
+  return {cells_.data() + begin_[square], cells_.data() + begin_[square + 1]};
 }
 
 }  // namespace lamina
