@@ -118,4 +118,21 @@ class LiveWall {
   std::size_t cloud_ = 0;
 };
 
+/// What the machine says of its job.
+class ToldMachine {
+ public:
+  ToldMachine() { state_ = node_.advertise<lamina_msgs::MachineState>(names::kMachineState, 1, true); }
+  void say(std::uint8_t state, std::int32_t layer) {
+    lamina_msgs::MachineState message;
+    message.state = state;
+    message.layer = layer;
+    EXPECT_TRUE(waitUntil([this] { return state_.getNumSubscribers() > 0; }));
+    publishLatched(state_, message);
+  }
+
+ private:
+  ros::NodeHandle node_;
+  ros::Publisher state_;
+};
+
 }  // namespace lamina::test

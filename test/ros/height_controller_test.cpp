@@ -36,12 +36,21 @@ using test::SensedWall;
 using test::sensedWall;
 using test::SensedWallCase;
 using test::SensorDoes;
+using test::ToldMachine;
 using test::waitUntil;
 using StateMessage = lamina_msgs::LoopState;
 
 SensedWallCase wallCase() {
   SensedWallCase wall;
   wall.settings = calibratedLoop();
+  return wall;
+}
+
+/// A third as long: for what does not depend on the length.
+SensedWallCase shortWall(std::size_t layers) {
+  SensedWallCase wall = wallCase();
+  wall.length_mm = 20.0;
+  wall.layers = layers;
   return wall;
 }
 
@@ -83,7 +92,7 @@ TEST(HeightController, GivesTheMapsThatAreWorkedOut) {
     cells = *cloud;
   };
   const auto subscriber = node.subscribe<sensor_msgs::PointCloud2>(names::kLoopCells, 10, on_cells);
-  const test::BagPlayer player(folder.file("wall.bag"), {"--rate=4"});
+  const test::BagPlayer player(folder.file("wall.bag"), {"--rate=10"});
   waitUntil([&] { return controller.layers.size() >= wall.layers && cells; });
   ASSERT_EQ(controller.layers.size(), wall.layers);
   ASSERT_EQ(controller.maps.size(), wall.layers);
@@ -120,7 +129,7 @@ TEST(HeightController, GivesTheMapsThatAreWorkedOut) {
 }
 
 TEST(HeightController, ReplaysToTheSameBitsAtAnySpeedAndWithoutAMaster) {
-  SensedWallCase wall = wallCase();
+  const SensedWallCase wall = shortWall(4);
   const test::ScratchFolder folder;
   const std::string bag = folder.file("wall.bag");
   test::writeBag(bag, sensedWall(wall));
@@ -169,8 +178,7 @@ const std::vector<std::string> kUntyped = {"_sensor/time_offset_trusted:=false",
 
 /// A sensor whose clock is late, and that tf has 7 mm off its place: the file says where and when it sees.
 TEST(HeightController, GoesByTheFileOfACalibration) {
-  SensedWallCase wall = wallCase();
-  wall.layers = 4;
+  const SensedWallCase wall = shortWall(4);
   const test::ScratchFolder folder;
   const SensedWall printed = sensedWall(wall);
   test::writeBag(folder.file("right.bag"), printed);
@@ -233,12 +241,10 @@ TEST(HeightController, EndsAtItsStartWithoutTheCalibrationItIsTold) {
   EXPECT_EQ(node.wait(), 1);
 }
 
-/// Two layers; the scan of each takes five seconds, the lift before it more than one.
+/// Two layers; the scan of each takes two seconds and a half, a second longer than the longest silence.
 SensedWallCase slowlyScanned() {
-  SensedWallCase wall = wallCase();
-  wall.layers = 2;
-  wall.length_mm = 20.0;
-  wall.scan_mm_s = 4.0;
+  SensedWallCase wall = shortWall(2);
+  wall.scan_mm_s = 8.0;
   return wall;
 }
 
@@ -257,7 +263,7 @@ double reactionTime(const SensedWallCase& wall, bool loses_tf, std::uint16_t ala
   const std::int64_t fault_ns = scanOf(live.printed, 1);
   if (loses_tf) live.no_tf_from_ns = fault_ns + 100'000'000;
   live.say([&] { return controller.isIn(StateMessage::COASTING); });
-  EXPECT_TRUE(controller.isIn(StateMessage::COASTING)) << alarm;
+  EXPECT_TRUE(waitUntil([&] { return controller.isIn(StateMessage::COASTING); })) << alarm;
   const StateMessage& state = controller.states.back();
   EXPECT_EQ(state.alarm, alarm);
   EXPECT_EQ(state.reaction, StateMessage::COAST + 0);
@@ -289,9 +295,7 @@ TEST(HeightController, CoastsWithinASecondWhenTfStops) {
 /// The machine waited for the map of the third layer in vain: 6116 comes within a second, the layer counts as
 /// coasted, and growth is learnt from what was laid.
 TEST(HeightController, TellsOfAMapThatTheMachineMissed) {
-  SensedWallCase wall = wallCase();
-  wall.layers = 4;
-  wall.length_mm = 20.0;
+  SensedWallCase wall = shortWall(4);
   wall.misses_map = [](std::size_t layer) { return layer == 2; };
   Controller controller({"_monitor/reorder_s:=0.1", "_arrival_hold_s:=0.1"});
   ros::NodeHandle node;
@@ -332,8 +336,7 @@ lamina_msgs::SetLoop::Response setLoop(std::uint8_t request) {
 }
 
 TEST(HeightController, FadesWhenItIsSwitchedOffAmidALayer) {
-  SensedWallCase wall = wallCase();
-  wall.layers = 5;
+  const SensedWallCase wall = shortWall(5);
   Controller controller;
   LiveWall live(wall);
   live.say([&] { return controller.maps.size() >= 4 && controller.states.back().layer == 3; });
@@ -411,9 +414,7 @@ TEST(HeightController, ReadsACalibrationThatComesLater) {
 
 /// The second layer is found four layers too low: the print is held before the map of the third one comes.
 TEST(HeightController, HoldsThePrintWhenAPieceComesOff) {
-  SensedWallCase wall = wallCase();
-  wall.layers = 3;
-  wall.length_mm = 20.0;
+  const SensedWallCase wall = shortWall(3);
   Controller controller({"_pauses_print:=true"});
   ros::NodeHandle node;
   std::optional<std::size_t> maps_when_held;
@@ -435,12 +436,11 @@ TEST(HeightController, HoldsThePrintWhenAPieceComesOff) {
   EXPECT_EQ(*maps_when_held, 2U);
 }
 
-/// Killed amid the fifth of eight layers, and started again: the layers that follow are corrected as if
+/// Killed amid the fifth of seven layers, and started again: the layers that follow are corrected as if
 /// nothing had happened.
 TEST(HeightController, GoesOnWhereItWasKilled) {
   const test::ScratchFolder folder;
-  SensedWallCase wall = wallCase();
-  wall.length_mm = 20.0;
+  const SensedWallCase wall = shortWall(7);
   const std::vector<std::string> parameters = {"_memory_file:=" + folder.file("memory.yaml"),
                                                "_process/material:=steel"};
   std::optional<Controller> controller(std::in_place, parameters);
@@ -450,7 +450,7 @@ TEST(HeightController, GoesOnWhereItWasKilled) {
   controller.emplace(parameters);
   live.waitUntilHeard();
   live.say([] { return false; });
-  ASSERT_TRUE(waitUntil([&] { return !controller->layers.empty() && controller->layers.back().layer == 7; }));
+  ASSERT_TRUE(waitUntil([&] { return !controller->layers.empty() && controller->layers.back().layer == 6; }));
   ASSERT_EQ(controller->maps.front().layer, 4U) << "the layer under way";
   for (const auto& map : controller->maps) {
     const auto& expected = live.printed.maps[map.layer];
@@ -469,8 +469,7 @@ TEST(HeightController, GoesOnWhereItWasKilled) {
 /// Kept of another material: the loop begins at the first layer.
 TEST(HeightController, DoesNotGoOnWithAnotherMaterial) {
   const test::ScratchFolder folder;
-  SensedWallCase wall = wallCase();
-  wall.length_mm = 20.0;
+  const SensedWallCase wall = shortWall(4);
   const std::string memory = "_memory_file:=" + folder.file("memory.yaml");
   std::optional<Controller> controller(std::in_place,
                                        std::vector<std::string>{memory, "_process/material:=steel"});
@@ -480,6 +479,55 @@ TEST(HeightController, DoesNotGoOnWithAnotherMaterial) {
   controller.emplace(std::vector<std::string>{memory, "_process/material:=bronze"});
   ASSERT_TRUE(waitUntil([&] { return !controller->maps.empty(); }));
   EXPECT_EQ(controller->maps.front().layer, 0U);
+}
+
+/// Killed after two layers, and gone on with; then the machine starts the same part once more.
+TEST(HeightController, BeginsAgainWhenTheMachineDoes) {
+  const test::ScratchFolder folder;
+  const std::vector<std::string> parameters = {"_memory_file:=" + folder.file("memory.yaml")};
+  std::optional<Controller> controller(std::in_place, parameters);
+  LiveWall live(shortWall(4));
+  live.say([&] { return controller->layers.size() >= 2; });
+  EXPECT_EQ(controller->end(SIGKILL), -1);
+  controller.emplace(parameters);
+  ASSERT_TRUE(waitUntil([&] { return !controller->maps.empty(); }));
+  EXPECT_EQ(controller->maps.front().layer, 2U);
+  ToldMachine machine;
+  machine.say(lamina_msgs::MachineState::STARTING, -1);
+  ASSERT_TRUE(waitUntil([&] { return controller->maps.back().layer == 0; }));
+  EXPECT_TRUE(controller->maps.back().paths.empty()) << "nothing is known of the first layer";
+  EXPECT_FALSE(std::filesystem::exists(folder.file("memory.yaml")));
+}
+
+/// A part that grows by nine tenths teaches the next one 1 / 0.9 - 1, from its first layer on; one that was
+/// not complete teaches nothing.
+TEST(HeightController, TeachesTheNextPart) {
+  const test::ScratchFolder folder;
+  const SensedWallCase wall = shortWall(3);
+  const SensedWall printed = sensedWall(wall);
+  test::writeBag(folder.file("wall.bag"), printed);
+  const std::string file = folder.file("report/learnt_part.csv");
+  const std::string material = "_process/material:=steel";
+  {
+    Controller first({material, "_output_folder:=" + folder.file("report")});
+    const test::BagPlayer player(folder.file("wall.bag"), {"--rate=10"});
+    ASSERT_TRUE(waitUntil([&] { return first.layers.size() >= wall.layers; }));
+    ToldMachine machine;
+    machine.say(lamina_msgs::MachineState::STOPPED, 2);
+    ros::WallDuration(0.5).sleep();
+    EXPECT_FALSE(std::filesystem::exists(file));
+    machine.say(lamina_msgs::MachineState::COMPLETE, 2);
+    ASSERT_TRUE(waitUntil([&] { return std::filesystem::exists(file); }));
+  }
+  Controller next({material, "_loop/learned:=" + file});
+  ros::NodeHandle node;
+  auto toolpath = node.advertise<lamina_msgs::Toolpath>(names::kToolpath, 1, true);
+  publishLatched(toolpath, test::toolpathMessage(printed));
+  ASSERT_TRUE(waitUntil([&] { return !next.maps.empty(); }));
+  const CorrectionMap map = toCore(next.maps.front());
+  EXPECT_EQ(map.layer, 0U);
+  ASSERT_EQ(map.paths.size(), 1U);
+  EXPECT_NEAR(correctionAt(map.paths[0], 10.0).amount, 1.0 / 0.9 - 1.0, 0.01);
 }
 
 /// A feeder that brings a little more than half: the layers left are planned anew, the print is held, and the
@@ -517,8 +565,7 @@ TEST(HeightController, PlansTheLayersLeftAnewAndGoesOnWithThat) {
 
 TEST(HeightController, LeavesNothingHangingWhenItIsKilled) {
   const test::ScratchFolder folder;
-  SensedWallCase wall = wallCase();
-  wall.layers = 3;
+  const SensedWallCase wall = shortWall(3);
   test::writeBag(folder.file("wall.bag"), sensedWall(wall));
   {
     Controller killed;
