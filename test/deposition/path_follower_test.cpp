@@ -187,5 +187,21 @@ TEST(PathFollower, EndsAtTheEndForAnyWay) {
   }));
 }
 
+/// As a robot does that comes down to its start through the travels of layers to come.
+TEST(PathFollower, IsNotLedAheadByTravelsBeforeItWasSeenOnABead) {
+  Toolpath part;
+  for (const double z : {1.0, 2.0}) {
+    Path back = openPath({{20, 0, z}, {20, 0, z + 5.0}, {0, 0, z + 5.0}, {0, 0, z + 1.0}});
+    back.role = PathRole::Travel;
+    part.layers.push_back({z, 1.0, {openPath({{0, 0, z}, {20, 0, z}}), back}});
+  }
+  PathFollower follower(part, {});
+  for (double z = 9.0; z >= 1.0; z -= 0.1) follower.observe({0, 0, z});
+  EXPECT_EQ(follower.place().path, 0U);
+  for (double x = 0.0; x <= 20.0; x += 0.1) follower.observe({x, 0, 1.0});
+  for (double z = 1.0; z <= 4.0; z += 0.1) follower.observe({20, 0, z});
+  EXPECT_EQ(follower.place().path, 1U) << "then they count";
+}
+
 }  // namespace
 }  // namespace lamina

@@ -39,7 +39,8 @@ void describe(SettingsSchema& schema, FollowingSettings& settings);
 /// or include every corner. Else it is a guess, which counts once `kSureOnTheWay` reports in a row went on
 /// from it like this, or `kSureAhead` found places ahead however far, each a tolerance apart at least: so
 /// neither a crossing, a neighbouring line, a stray report nor a motion that is not of the toolpath leads
-/// ahead. Positions off the toolpath change nothing.
+/// ahead. Positions off the toolpath change nothing. Until the nozzle was found for the first time only what
+/// deposits counts: the way to the start may lead along travels of layers to come.
 ///
 /// Cost of a report is that of the motions up to its place; off the toolpath, of those within the look-ahead.
 class PathFollower {
@@ -91,6 +92,7 @@ class PathFollower {
   Point3 tip_ = Point3::Zero();  ///< where the nozzle was at `place_`
   std::optional<Guess> guess_;
   double look_ahead_mm_;
+  bool is_found_ = false;  ///< since its beginning
 };
 
 }  // namespace lamina

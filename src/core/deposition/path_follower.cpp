@@ -63,6 +63,7 @@ void PathFollower::skipEmptyPaths() {
 void PathFollower::begin(std::size_t path, double look_ahead_mm) {
   place_ = {std::min(path, paths_.size()), 0, 0.0};
   guess_.reset();
+  is_found_ = false;
   look_ahead_mm_ = std::max(look_ahead_mm, settings_.look_ahead_mm);
   skipEmptyPaths();
 }
@@ -88,6 +89,13 @@ std::optional<PathFollower::Found> PathFollower::firstNear(const PathPlace& from
   for (PathPlace at = from; at.path < paths_.size() && way_mm <= look_ahead_mm_;
        at = nextMotion(paths_, at)) {
     const Stretch stretch = stretchFrom(*paths_[at.path], at);
+    // On its way to the start the nozzle may come by any travel.
+    const bool counts = is_found_ || paths_[at.path]->role != PathRole::Travel;
+    if (!counts && nearest) break;
+    if (!counts) {
+      way_mm += stretch.length_mm;
+      continue;
+    }
     const double part = nearestFraction(stretch, tip);
     const double distance = (stretch.start + part * (stretch.end - stretch.start) - tip).norm();
     if (nearest && (stretch.start - tip).norm() > settings_.tolerance_mm) break;
@@ -118,6 +126,7 @@ bool PathFollower::goesOn(const Point3& tip) {
 }
 
 void PathFollower::accept(const PathPlace& place, const Point3& tip) {
+  is_found_ = true;
   place_ = endIfNear(place.fraction < 1.0 ? place : nextMotion(paths_, place));
   tip_ = tip;
   guess_.reset();
