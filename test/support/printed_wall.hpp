@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <utility>
 #include <vector>
 
 #include "lamina/base/random.hpp"
@@ -26,7 +27,8 @@ struct WallCase {
   bool is_supervised = false;  ///< from `Active`; replanned where supervision asks for it
   /// What the loop is in at a layer; `state` where empty.
   std::function<LoopState(std::size_t layer)> state_at = {};
-  FeederDelay lead;  ///< what the feeder is taken to be
+  FeederDelay lead;                    ///< what the feeder is taken to be
+  bool is_commanded_by_place = false;  ///< as by a program: nothing before the layer begins
   std::size_t layers = 40;
   std::size_t measured_every = 1;
   double length_mm = 200.0;
@@ -177,14 +179,30 @@ class WallPrinter {
     bead.along_mm = cells.along_mm;
     bead.planned_mm = cells.height_mm;
     for (double& planned : bead.planned_mm) planned *= flow_;
-    const FeederCommands commands = feederCommands(cells, correction.amount, wall_.lead, wall_.loop);
-    bead.correction = delayed({commands.time_s, commands.amount}, timesOf(cells), wall_.plant);
+    bead.correction = delayed(commanded(correction), timesOf(cells), wall_.plant);
     const NozzleRoom room{plan_[k], -1e9, 0.0};
     const auto shift = nozzleShift(cells, loop_.knowledge(), shift_mm_, room, wall_.loop);
     shift_mm_ = meanOverCells(cells, shift);
     for (std::size_t i = 0; i < heights_.size(); ++i)
       bead.nozzle_far_mm.push_back(topOf(k) - plan_[k] - heights_[i] + shift[i]);
     heights_ = plant_.afterBead(bead, heights_);
+  }
+
+  /// What the feeder is told by time; of a program it knows the end of the layer below.
+  TimedValues commanded(const LayerCorrection& correction) {
+    const LayerCells& cells = loop_.cells();
+    if (!wall_.is_commanded_by_place) {
+      FeederCommands commands = feederCommands(cells, correction.amount, wall_.lead, wall_.loop);
+      return {std::move(commands.time_s), std::move(commands.amount)};
+    }
+    const std::vector<double> times = timesOf(cells);
+    const std::vector<double> led = ledCorrection(cells, correction.amount, wall_.lead, wall_.loop);
+    TimedValues told = told_;
+    for (double& time_s : told.time_s) time_s -= wall_.length_mm / wall_.speed_mm_s;
+    told.time_s.insert(told.time_s.end(), times.begin(), times.end());
+    told.value.insert(told.value.end(), led.begin(), led.end());
+    told_ = {times, led};
+    return told;
   }
 
   void measure(std::size_t k) {
@@ -226,6 +244,7 @@ class WallPrinter {
   std::vector<double> heights_;
   std::vector<double> amount_;
   double shift_mm_ = 0.0;
+  TimedValues told_;  ///< to the feeder in the layer below
 };
 
 inline PrintedWall printedWall(const WallCase& wall) { return WallPrinter(wall).print(); }

@@ -32,7 +32,8 @@ FeederCommands feederCommands(const LayerCells& cells, const std::vector<double>
                               const FeederDelay& feeder, const LoopSettings& settings);
 
 /// The same commands at the places where the nozzle is when they are given, one value per cell, for programs
-/// that command by place. Without delay this is the correction itself.
+/// that command by place. The last dead time of a layer commands what the next one begins with, which is
+/// taken to be what this one begins with. Without delay this is the correction itself.
 std::vector<double> ledCorrection(const LayerCells& cells, const std::vector<double>& amount,
                                   const FeederDelay& feeder, const LoopSettings& settings);
 

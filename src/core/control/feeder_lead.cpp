@@ -26,6 +26,16 @@ double densestStation(const CorrectionMap& map) {
   return least;
 }
 
+/// The same once more, as the layer above is taken to begin as this one does.
+FeederCommands intoNextLayer(FeederCommands commands, double layer_s) {
+  const std::size_t count = commands.time_s.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    commands.time_s.push_back(commands.time_s[i] + layer_s);
+    commands.amount.push_back(commands.amount[i]);
+  }
+  return commands;
+}
+
 bool isPrompt(const FeederDelay& feeder) { return feeder.dead_time_s == 0.0 && feeder.lag_s == 0.0; }
 
 }  // namespace
@@ -59,15 +69,17 @@ FeederCommands feederCommands(const LayerCells& cells, const std::vector<double>
 
 std::vector<double> ledCorrection(const LayerCells& cells, const std::vector<double>& amount,
                                   const FeederDelay& feeder, const LoopSettings& settings) {
-  if (isPrompt(feeder)) return amount;
-  const FeederCommands commands = feederCommands(cells, amount, feeder, settings);
+  if (isPrompt(feeder) || amount.empty()) return amount;
   const std::vector<double> times = timesOf(cells);
+  const CellRun& last = cells.runs.back();
+  const double layer_s = times.back() + 0.5 * last.cellLength() / cells.speed_mm_s.back();
+  const FeederCommands commands = intoNextLayer(feederCommands(cells, amount, feeder, settings), layer_s);
   std::vector<double> led(amount.size());
   std::size_t k = 0;
   for (std::size_t i = 0; i < led.size(); ++i) {
-    while (k + 1 < led.size() && commands.time_s[k + 1] <= times[i]) ++k;
+    while (k + 1 < commands.amount.size() && commands.time_s[k + 1] <= times[i]) ++k;
     led[i] = commands.amount[k];
-    if (k + 1 == led.size() || times[i] <= commands.time_s[k]) continue;
+    if (k + 1 == commands.amount.size() || times[i] <= commands.time_s[k]) continue;
     const double part = (times[i] - commands.time_s[k]) / (commands.time_s[k + 1] - commands.time_s[k]);
     led[i] += part * (commands.amount[k + 1] - commands.amount[k]);
   }
