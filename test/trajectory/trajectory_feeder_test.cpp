@@ -199,6 +199,64 @@ TEST(TrajectoryFeeder, LaysEachMillimetreOnce) {
   }
 }
 
+/// Where the first motion of the second of two layers begins.
+Point3 secondLayerOf(const Toolpath& toolpath) { return toolpath.layers[1].paths[0].points[0]; }
+
+TEST(TrajectoryFeeder, RestsInFrontOfALayerUntilItIsReleased) {
+  const Toolpath toolpath = test::twoLayers();
+  const TimedPath timed = timedGantry(toolpath, powderSettings());
+  TrajectoryFeeder feeder(timed, {});
+  ASSERT_TRUE(feeder.holdAtLayer(1, 0.0));
+  EXPECT_TRUE(feeder.isHeld());
+  EXPECT_EQ(feeder.state(), TrajectoryFeederState::Running);
+  const double rest_s = feeder.restTime();
+  EXPECT_LT(rest_s, timed.duration());
+  while (feeder.next(1e6)) continue;
+  EXPECT_EQ(feeder.state(), TrajectoryFeederState::Running) << "there is more to come";
+  const TiltingGantry gantry;
+  const JointState rest = feeder.at(rest_s + 5.0);
+  EXPECT_EQ(rest.velocity.norm(), 0.0);
+  EXPECT_EQ(rest.process, safeSignals());
+  const Point3 tip = gantry.bedFromNozzle(rest.position).translation();
+  EXPECT_LT((tip - secondLayerOf(toolpath)).norm(), 10.0);
+  EXPECT_FALSE(feeder.holdAtLayer(1, 0.0)) << "it is held already";
+  feeder.release(rest_s + 7.0);
+  EXPECT_FALSE(feeder.isHeld());
+  EXPECT_NEAR(feeder.restTime(), timed.duration() + 7.0, 1.0);
+  EXPECT_FALSE(feeder.holdAtLayer(1, rest_s + 9.0)) << "it has begun";
+  EXPECT_FALSE(feeder.holdAtLayer(2, rest_s + 9.0)) << "there is none";
+  const Outcome outcome = outcomeOf(feeder, toolpath, powderSettings(), feeder.restTime());
+  EXPECT_NEAR(outcome.volume / totals(toolpath).deposited_mm3, 1.0, kVolumeTolerance);
+  EXPECT_LT(outcome.farthest, 0.05 + 1e-6);
+  EXPECT_LT(outcome.acceleration, 1.0 + 1e-6);
+}
+
+/// Before the rest in front of a layer, and while it rests there.
+TEST(TrajectoryFeeder, PausesAndAbortsWhereItIsHeld) {
+  const Toolpath toolpath = test::twoLayers();
+  const TimedPath timed = timedGantry(toolpath, powderSettings());
+  for (const bool rests : {false, true}) {
+    TrajectoryFeeder feeder(timed, {});
+    ASSERT_TRUE(feeder.holdAtLayer(1, 0.0));
+    const double held_s = feeder.restTime();
+    const double now_s = rests ? held_s + 1.0 : 0.2;
+    feeder.pause(now_s);
+    EXPECT_EQ(feeder.state(), TrajectoryFeederState::Paused) << rests;
+    EXPECT_FALSE(feeder.isHeld());
+    EXPECT_EQ(feeder.restTime() < held_s, !rests);
+    feeder.resume(held_s + 3.0);
+    if (feeder.holdAtLayer(1, held_s + 3.0)) feeder.release(feeder.restTime() + 1.0);
+    const Outcome outcome = outcomeOf(feeder, toolpath, powderSettings(), feeder.restTime());
+    EXPECT_NEAR(outcome.volume / totals(toolpath).deposited_mm3, 1.0, kVolumeTolerance) << rests;
+    TrajectoryFeeder aborted(timed, {});
+    ASSERT_TRUE(aborted.holdAtLayer(1, 0.0));
+    aborted.abort(now_s);
+    EXPECT_EQ(aborted.state(), TrajectoryFeederState::Aborted);
+    EXPECT_TRUE(isSafe(aborted, now_s, held_s + 5.0));
+    EXPECT_EQ(aborted.restTime() < held_s, !rests);
+  }
+}
+
 TEST(TrajectoryFeeder, ReplacesWhatIsQueuedWhenPaused) {
   // With jerk limited braking sets in steadily; without, at the first point that is replaced.
   const TimedPath timed = timedGantry(trajectoryFeederLine(), powderSettings(0.01));

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -46,10 +47,19 @@ class TrajectoryFeeder {
   /// or there is no more. To be called until it gives nothing, at least once per duration of a chunk.
   std::optional<TrajectoryChunk> next(double now_s);
 
-  /// Does nothing unless running, or if the motion ends before it could react.
+  /// Does nothing unless running, or if the motion ends before it could react. In front of a layer it stays.
   void pause(double now_s);
   /// Powder and gas settle first. Does nothing unless paused.
   void resume(double now_s);
+  /// Stops where a layer begins, and rests there until it is released: at the end of what comes before, or on
+  /// the travel that the layer begins with. Nothing changes before. An earlier pause ends it.
+  /// @return false if it is not running, has no such layer or cannot stop in front of it any more; then
+  ///   nothing happens
+  bool holdAtLayer(std::size_t layer, double now_s);
+  /// Goes on into the layer; powder and gas settle first. Does nothing unless it is held.
+  void release(double now_s);
+  /// Whether it stops in front of a layer, or rests there.
+  bool isHeld() const;
   /// Does nothing after the end of the motion or an abort.
   void abort(double now_s);
   /// The same, with the tool lifted after it has come to rest.

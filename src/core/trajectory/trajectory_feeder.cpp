@@ -60,8 +60,8 @@ class TrajectoryFeeder::State {
         schedule_(motion_->schedule()) {}
 
   TrajectoryFeederState state() const {
-    return state_ == TrajectoryFeederState::Running && sent_ >= lastStep() ? TrajectoryFeederState::Finished
-                                                                           : state_;
+    const bool is_over = state_ == TrajectoryFeederState::Running && !is_held_ && sent_ >= lastStep();
+    return is_over ? TrajectoryFeederState::Finished : state_;
   }
   double restTime() const { return timeline_.end() + motion_->averaging(); }
   std::vector<ProcessEvent> events() const { return schedule_.events(); }
@@ -87,13 +87,35 @@ class TrajectoryFeeder::State {
   }
 
   void pause(double now_s) {
-    if (state_ != TrajectoryFeederState::Running || !brake(now_s)) return;
+    if (state_ != TrajectoryFeederState::Running) return;
+    if (!brakeFrom(reactionTo(now_s)) && !is_held_) return;
+    is_held_ = false;
     state_ = TrajectoryFeederState::Paused;
     reschedule();
   }
 
+  bool isHeld() const { return is_held_; }
+
+  bool hold(std::size_t layer, double now_s) {
+    if (state_ != TrajectoryFeederState::Running || is_held_) return false;
+    const auto begins = layerBegin(layer);
+    if (!begins || *begins < reactionTo(now_s) || !brakeFrom(*begins)) return false;
+    is_held_ = true;
+    reschedule();
+    return true;
+  }
+
+  void release(double now_s) {
+    if (!is_held_) return;
+    is_held_ = false;
+    goOn(now_s);
+  }
+
   void resume(double now_s) {
-    if (state_ != TrajectoryFeederState::Paused) return;
+    if (state_ == TrajectoryFeederState::Paused) goOn(now_s);
+  }
+
+  void goOn(double now_s) {
     // Averages of the way to rest and of that from it must not meet.
     const double start_s = std::max(timeOf(stepAfter(now_s + settings_.reaction_s)), restTime());
     if (sent_ >= lastStep()) sent_ = std::max(sent_, stepAfter(start_s) - 1);
@@ -106,14 +128,16 @@ class TrajectoryFeeder::State {
 
   bool isOver(double now_s) const {
     return state_ == TrajectoryFeederState::Aborted ||
-           (state_ == TrajectoryFeederState::Running && now_s >= restTime());
+           (state_ == TrajectoryFeederState::Running && !is_held_ && now_s >= restTime());
   }
 
   void abort(double now_s) {
     if (isOver(now_s)) return;
     const bool was_running = state_ == TrajectoryFeederState::Running;
-    if (was_running && !brake(now_s)) rest_ = timeline_.placeAt(timeline_.end());
+    const bool brakes = was_running && brakeFrom(reactionTo(now_s));
+    if (was_running && !brakes) rest_ = timeline_.placeAt(timeline_.end());
     state_ = TrajectoryFeederState::Aborted;
+    is_held_ = false;
     reschedule();
     // What the controller has is replaced from now on: the motion is the same until the reaction.
     schedule_.makeSafeFrom(now_s);
@@ -138,10 +162,23 @@ class TrajectoryFeeder::State {
   }
   long lastStep() const { return stepAfter(restTime()); }
 
-  /// Plans the way to rest; false if the motion ends before that.
-  bool brake(double now_s) {
-    const long step = std::max(0L, stepAfter(now_s + settings_.reaction_s));
-    const double cut_s = timeOf(step);
+  /// When the first motion of a layer begins; nothing if it is not planned.
+  std::optional<double> layerBegin(std::size_t layer) const {
+    const std::vector<Phase>& phases = timeline_.phases();
+    const auto begins = std::partition_point(phases.begin(), phases.end(), [layer](const Phase& phase) {
+      return phase.curve->spanEnd(phase.span).heading_for.layer < layer;
+    });
+    if (begins == phases.end()) return std::nullopt;
+    return begins->time_s;
+  }
+
+  /// The first point that what is asked for now changes.
+  double reactionTo(double now_s) const {
+    return timeOf(std::max(0L, stepAfter(now_s + settings_.reaction_s)));
+  }
+
+  /// Plans the way to rest from a time on; false if the motion ends before that.
+  bool brakeFrom(double cut_s) {
     if (cut_s >= timeline_.end()) return false;
     const MotionPlace place = timeline_.placeAt(cut_s);
     if (cut_s > 0.0) {
@@ -153,7 +190,7 @@ class TrajectoryFeeder::State {
     }
     motion_->plan().appendStop(timeline_, place);
     rest_ = timeline_.placeAt(timeline_.end());
-    sent_ = std::min(sent_, step);
+    sent_ = std::min(sent_, stepBefore(cut_s));
     return true;
   }
 
@@ -172,8 +209,9 @@ class TrajectoryFeeder::State {
   Timeline timeline_;
   ProcessSchedule schedule_;
   TrajectoryFeederState state_ = TrajectoryFeederState::Running;
-  MotionPlace rest_;  ///< where it is paused or aborted
-  long sent_ = -1;    ///< step of the last point handed over
+  bool is_held_ = false;  ///< in front of a layer
+  MotionPlace rest_;      ///< where it is paused, held or aborted
+  long sent_ = -1;        ///< step of the last point handed over
 };
 
 TrajectoryFeeder::TrajectoryFeeder(const TimedPath& path, const TrajectoryFeederSettings& settings) {
@@ -190,6 +228,9 @@ TrajectoryFeeder& TrajectoryFeeder::operator=(TrajectoryFeeder&&) noexcept = def
 std::optional<TrajectoryChunk> TrajectoryFeeder::next(double now_s) { return state_->next(now_s); }
 void TrajectoryFeeder::pause(double now_s) { state_->pause(now_s); }
 void TrajectoryFeeder::resume(double now_s) { state_->resume(now_s); }
+bool TrajectoryFeeder::holdAtLayer(std::size_t layer, double now_s) { return state_->hold(layer, now_s); }
+void TrajectoryFeeder::release(double now_s) { state_->release(now_s); }
+bool TrajectoryFeeder::isHeld() const { return state_->isHeld(); }
 void TrajectoryFeeder::abort(double now_s) { state_->abort(now_s); }
 
 void TrajectoryFeeder::abort(double now_s, const ToolLift& lift, const KinematicModel& model) {
