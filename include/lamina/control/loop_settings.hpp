@@ -55,6 +55,7 @@ struct LoopSettings {
   double lag_s = 0.0;                ///< of the feeder, first order
   double trim = 0.0;                 ///< gain of the trailing sensor times its distance; 0 for none
   double sensor_behind_mm = 0.0;     ///< the trailing sensor, behind the nozzle
+  double trim_lead_mm = 0.0;         ///< ahead of the nozzle, from where on a trim acts
   Replanning replan = Replanning::Hold;
   LossOfSight on_loss = LossOfSight::Hold;
   double silence_s = 2.0;       ///< without a cloud within a scan

@@ -13,7 +13,7 @@ namespace lamina {
 /// How a sensor that trails the nozzle trims the amount within a layer.
 struct TrimSettings {
   double gain_per_mm = 0.0;  ///< change of the amount per relative error and way
-  double behind_mm = 0.0;    ///< the sensor, behind the nozzle
+  double behind_mm = 0.0;    ///< the sensor, behind where trims act
   double step_mm = 0.5;      ///< way from call to call
   double growth = 1.0;       ///< learnt, over commanded growth; 0 predicts nothing
   double range = 0.2;        ///< of the trim, either way

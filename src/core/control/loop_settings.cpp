@@ -39,6 +39,8 @@ void describeMachine(SettingsSchema& schema, LoopSettings& settings) {
                 "Gain of a sensor behind the nozzle times its distance; 0 for none.");
   schema.number("loop.sensor_behind_mm", settings.sensor_behind_mm, {0.0, 1000.0},
                 "Distance of that sensor behind the nozzle.");
+  schema.number("loop.trim_lead_mm", settings.trim_lead_mm, {0.0, 1000.0},
+                "Way ahead of the nozzle that is handed over before a trim can act.");
   schema.number("loop.speed_exponent", settings.speed_exponent, {-2.0, 0.0},
                 "Power of the travel speed that growth goes with; 0 leaves the speed alone.");
   schema.number("loop.least_speed_mm_s", settings.least_speed_mm_s, {0.01, 1e5},

@@ -18,8 +18,8 @@ constexpr double kMostSteps = 1e5;
 std::optional<TrimSettings> trimOf(const LoopSettings& settings, double step_mm, double growth) {
   if (settings.trim == 0.0 || settings.sensor_behind_mm == 0.0) return std::nullopt;
   TrimSettings trim;
-  trim.gain_per_mm = settings.trim / settings.sensor_behind_mm;
-  trim.behind_mm = settings.sensor_behind_mm;
+  trim.behind_mm = settings.sensor_behind_mm + settings.trim_lead_mm;
+  trim.gain_per_mm = settings.trim / trim.behind_mm;
   trim.step_mm = step_mm;
   trim.growth = growth;
   return trim;

@@ -232,7 +232,7 @@ std::vector<SettingProbe> loopProbes() {
           {"a trim behind the nozzle",
            "loop.trim=0.18;loop.sensor_behind_mm=25",
            trimmed,
-           {{"loop.trim=0.1"}, {"loop.sensor_behind_mm=40"}}},
+           {{"loop.trim=0.1"}, {"loop.sensor_behind_mm=40"}, {"loop.trim_lead_mm=10"}}},
           {"a part learnt from", "", learnt, {{"loop.part_learning=0.8"}}}};
 }
 

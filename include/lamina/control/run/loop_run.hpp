@@ -26,6 +26,8 @@
 
 namespace lamina {
 
+class LayerTrim;
+
 /// Where the nozzle tip is at an instant.
 struct StampedTip {
   std::int64_t stamp_ns = 0;
@@ -107,13 +109,14 @@ struct LoopCounts {
 ///
 /// Which cells are laid follows from how far along the toolpath the nozzle has come. A layer is done when the
 /// nozzle has come to its end; then it is judged, and the next one gets its map. The first layer has its map
-/// at once.
+/// at once. With `loop.trim` a layer under way gets further maps, of higher sequence, for what is not laid.
 class LoopRun {
  public:
   /// @throws InvalidInput as `validate` of a toolpath, as `metalSplit` for its speeds, and as `TaughtPart`
   /// for
   ///   the map that it is to be laid by; FileError if that cannot be read
   LoopRun(PlacedPart part, const LoopRunSettings& settings);
+  ~LoopRun();
   LoopRun(const LoopRun&) = delete;
   LoopRun& operator=(const LoopRun&) = delete;
 
@@ -210,6 +213,7 @@ class LoopRun {
   void leaveBehind(std::int64_t stamp_ns);
   std::size_t cellsSolid(std::int64_t stamp_ns);
   void publishMap();
+  void trimLayer();
   void take(LoopStep step);
   bool isCorrecting() const;
   bool isDue(std::size_t layer, const LayerFigures& figures) const;
@@ -236,6 +240,8 @@ class LoopRun {
   std::vector<double> shift_mm_;             ///< of the nozzle, by cell
   double mean_shift_mm_ = 0.0;               ///< of the layer
   double last_amount_ = 0.0;                 ///< where the layer before ended
+  std::unique_ptr<LayerTrim> trim_;          ///< of the layer under way; null if it is not trimmed
+  std::uint64_t map_sequence_ = 0;           ///< of the layer's last map
   bool is_catching_up_ = false;              ///< resumed, and the nozzle was not found yet
   std::map<std::size_t, MissedMap> missed_;  ///< of layers to come
   std::vector<CellEstimate> below_;          ///< of the layer before

@@ -10,6 +10,7 @@
 
 #include "control/run/cloud_order.hpp"
 #include "control/run/layer_ground.hpp"
+#include "control/run/layer_trim.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/control/metal_split.hpp"
 #include "lamina/control/run/run_calibration.hpp"
@@ -83,6 +84,8 @@ LoopRun::LoopRun(PlacedPart part, const LoopRunSettings& settings)
   status_ = afterRequest(settings.request, stability_);
   beginLayer(0);
 }
+
+LoopRun::~LoopRun() = default;
 
 void LoopRun::resume(const LoopMemory& memory) {
   const std::string difference = differenceOf(memory.identity, identity());
@@ -203,6 +206,7 @@ void LoopRun::missMap(const MissedMap& missed) {
   if (is_otherwise || missed.waited_s > 0.0)
     take({status_, {{LoopAlarm::MapLate, LoopReaction::Coast, reasonOf(missed)}}});
   if (!is_otherwise) return;
+  trim_.reset();
   laid_.limited_share = 0.0;
   relayUpTo(loop_->cells().size());
   laid_in_ = LoopState::Coasting;
@@ -336,6 +340,17 @@ void LoopRun::readCloud(const SensedCloud& cloud) {
     for (const LayerReading& reading : read.readings) use(reading);
   }
   loop_->endCloud();
+  if (trim_ && !progress_.place().is_scanning) trimLayer();
+}
+
+/// What is laid stays: the maps differ in what is to come.
+void LoopRun::trimLayer() {
+  if (!trim_->advance(cellsLaid(0.0), loop_->estimates())) return;
+  laid_.amount = trim_->amount();
+  loop_->relay(laid_);
+  last_amount_ = laid_.amount.back();
+  ++map_sequence_;
+  publishMap();
 }
 
 void LoopRun::use(const LayerReading& reading) {
@@ -421,6 +436,11 @@ void LoopRun::beginLayer(std::size_t layer) {
   for (double& error : nozzle_error) error = -error;
   loop_->lay(laid_, nozzle_error);
   last_amount_ = laid_.amount.back();
+  map_sequence_ = 0;
+  trim_.reset();
+  if (status_.state == LoopState::Active && !is_catching_up_)
+    if (auto trim = layerTrim(loop_->cells(), loop_->estimates(), laid_.amount, settings_.loop))
+      trim_ = std::make_unique<LayerTrim>(*std::move(trim));
   atlas_.add(shared);
   atlas_.setLaid(layer, 0);
   atlas_.forgetBelow(below_.empty() ? layer : below_layer_);
@@ -493,9 +513,9 @@ CellCorrections LoopRun::asLaid() const {
 
 void LoopRun::publishMap() {
   const CellCorrections told = asLaid();
-  CorrectionMap map{part_.toolpath_id, *layer_, 0, {}};
+  CorrectionMap map{part_.toolpath_id, *layer_, map_sequence_, {}};
   if (!told.amount.empty() || !told.dz_mm.empty())
-    map = correctionMap(loop_->cells(), told, part_.toolpath_id, 0);
+    map = correctionMap(loop_->cells(), told, part_.toolpath_id, map_sequence_);
   news_.maps.push_back(std::move(map));
 }
 

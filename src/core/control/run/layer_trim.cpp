@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "control/run/layer_trim.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace lamina {
+namespace {
+
+/// Of the layer, in the mean: a distance is taken for as many cells wherever it is.
+double meanCell(const LayerCells& cells) {
+  double length = 0.0;
+  for (const CellRun& run : cells.runs) length += run.length_mm;
+  return length / static_cast<double>(cells.size());
+}
+
+std::size_t inCells(double length_mm, double cell_mm) {
+  return static_cast<std::size_t>(std::lround(length_mm / cell_mm));
+}
+
+}  // namespace
+
+LayerTrim::LayerTrim(const LayerCells& cells, const std::vector<CellEstimate>& laid,
+                     std::vector<double> amount, const LoopSettings& settings, const TrimSettings& trim)
+    : trim_(trim),
+      planned_(std::move(amount)),
+      amount_(planned_),
+      behind_(inCells(settings.sensor_behind_mm, trim.step_mm)),
+      lead_(inCells(settings.trim_lead_mm, trim.step_mm)),
+      least_(settings.least_amount),
+      greatest_(settings.greatest_amount) {
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    predicted_mm_.push_back(laid[i].error());
+    growth_mm_.push_back(laid[i].gain() * cells.height_mm[i] * (1.0 + planned_[i]));
+  }
+}
+
+/// Of growth: positive where it grew more than was expected without trims.
+std::optional<double> LayerTrim::relativeError(std::size_t cell,
+                                               const std::vector<CellEstimate>& estimates) const {
+  if (!estimates[cell].isSeen() || !(growth_mm_[cell] > 0.0)) return std::nullopt;
+  return (predicted_mm_[cell] - estimates[cell].error()) / growth_mm_[cell];
+}
+
+bool LayerTrim::advance(std::size_t laid, const std::vector<CellEstimate>& estimates) {
+  bool changes = false;
+  for (; laid_ < std::min(laid, planned_.size()); ++laid_) {
+    const auto error = laid_ >= behind_ ? relativeError(laid_ - behind_, estimates) : std::nullopt;
+    const double trim = trim_.advance(error);
+    const std::size_t from = laid_ + 1 + lead_;
+    if (std::abs(trim - told_) < kLeastChange || from >= planned_.size()) continue;
+    told_ = trim;
+    changes = true;
+    for (std::size_t i = from; i < planned_.size(); ++i)
+      amount_[i] = std::clamp(planned_[i] + trim, least_, greatest_);
+  }
+  return changes;
+}
+
+std::optional<LayerTrim> layerTrim(const LayerCells& cells, const std::vector<CellEstimate>& laid,
+                                   const std::vector<double>& amount, const LoopSettings& settings) {
+  const bool is_free = settings.process == LoopProcess::Free;
+  if (!is_free || cells.size() == 0) return std::nullopt;
+  const auto trim = trimOf(settings, meanCell(cells), 1.0);
+  if (!trim) return std::nullopt;
+  return LayerTrim(cells, laid, amount, settings, *trim);
+}
+
+}  // namespace lamina
