@@ -99,5 +99,15 @@ TEST(ReplannedToolpath, RefusesLayersWithoutATravelBetweenThem) {
   EXPECT_THROW(replannedToolpath(wound, {5, 0.2}, {{1.6, 1.6, 1.6}, 1.0}), InvalidInput);
 }
 
+TEST(ReplannedToolpath, IsOfThePrintThatItsNameSays) {
+  EXPECT_TRUE(isPlanOf("b-of-a", "a"));
+  EXPECT_TRUE(isPlanOf("c-of-b", "b-of-a")) << "a plan of what is a plan";
+  EXPECT_FALSE(isPlanOf("c-of-a", "b-of-a")) << "of what is no longer driven";
+  EXPECT_FALSE(isPlanOf("b-of-a", "b-of-a")) << "itself";
+  EXPECT_FALSE(isPlanOf("b-of-a", "b"));
+  EXPECT_FALSE(isPlanOf("a", "a"));
+  EXPECT_FALSE(isPlanOf("b-of-a", "ab"));
+}
+
 }  // namespace
 }  // namespace lamina

@@ -35,4 +35,7 @@ Toolpath replannedToolpath(const Toolpath& toolpath, const LayersLeft& left, con
 /// An identity of its own that names its parent: that of the toolpath, `-of-`, and the parent's own.
 std::string replannedId(const Toolpath& replanned, const std::string& parent_id);
 
+/// Whether a plan takes the place of the rest of that toolpath, which may be a plan itself.
+bool isPlanOf(const std::string& plan_id, const std::string& toolpath_id);
+
 }  // namespace lamina

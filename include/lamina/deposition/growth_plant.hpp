@@ -37,8 +37,6 @@ struct PlantSettings {
 
 /// Adds the keys plant.*.
 void describe(SettingsSchema& schema, PlantSettings& settings);
-/// Adds those of the feeder alone: plant.gain, plant.dead_time_s and plant.lag_s.
-void describeFeeder(SettingsSchema& schema, PlantSettings& settings);
 
 /// Whether any of it makes growth other than commanded.
 bool isDisturbed(const PlantSettings& settings);

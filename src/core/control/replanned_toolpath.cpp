@@ -119,4 +119,11 @@ std::string replannedId(const Toolpath& replanned, const std::string& parent_id)
   return toolpathId(replanned) + kParent + parent_id.substr(0, parent_id.find(kParent));
 }
 
+bool isPlanOf(const std::string& plan_id, const std::string& toolpath_id) {
+  const std::size_t own = plan_id.find(kParent);
+  return own != std::string::npos && plan_id != toolpath_id &&
+         plan_id.substr(own + std::string(kParent).size()) ==
+             toolpath_id.substr(0, toolpath_id.find(kParent));
+}
+
 }  // namespace lamina

@@ -50,14 +50,10 @@ std::vector<double> levelled(const std::vector<double>& heights, const PlantBead
 
 }  // namespace
 
-void describeFeeder(SettingsSchema& schema, PlantSettings& settings) {
+void describe(SettingsSchema& schema, PlantSettings& settings) {
   schema.number("plant.gain", settings.gain, {0.05, 5.0}, "Growth over commanded growth at the start.");
   schema.number("plant.dead_time_s", settings.dead_time_s, {0.0, 60.0}, "Dead time of the feeder.");
   schema.number("plant.lag_s", settings.lag_s, {0.0, 60.0}, "Time constant of the feeder.");
-}
-
-void describe(SettingsSchema& schema, PlantSettings& settings) {
-  describeFeeder(schema, settings);
   schema.number("plant.wear", settings.wear, {0.0, 1.0}, "Share of the gain that is lost over the job.");
   schema.number("plant.end_loss", settings.end_loss, {-1.0, 1.0},
                 "Share of the growth lost at ends of beads.");

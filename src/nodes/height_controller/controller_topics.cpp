@@ -32,8 +32,8 @@ std::string ControllerTopics::publish(const CorrectionMap& map) {
 }
 
 void ControllerTopics::publish(const PrintPlan& plan) {
-  lamina_msgs::Toolpath message =
-      toMessage(MachineToolpath{plan.part.toolpath_id, {}, plan.part.bed_from_part, plan.part.toolpath});
+  lamina_msgs::Toolpath message = toMessage(
+      MachineToolpath{plan.part.toolpath_id, plan.part.machine, plan.part.bed_from_part, plan.part.toolpath});
   message.header.stamp = ros::Time::now();
   message.header.frame_id = names::kPartFrame;
   plan_.publish(message);

@@ -18,6 +18,15 @@
 namespace lamina {
 namespace {
 
+/// Layers that a plan takes the place of are to be waited for, not begun.
+void withholdReplaced(LoopNews& news) {
+  if (news.plans.empty()) return;
+  const std::size_t first = news.plans.back().layer;
+  news.maps.erase(std::remove_if(news.maps.begin(), news.maps.end(),
+                                 [first](const CorrectionMap& map) { return map.layer >= first; }),
+                  news.maps.end());
+}
+
 constexpr double kTurn = 0.02;              // s between looks at what is due
 constexpr double kQuietFor = 0.5;           // s without anything new: nothing older comes
 constexpr std::uint32_t kUnboundQueue = 0;  // what is left out is left out, and counted, by the feed
@@ -236,7 +245,8 @@ void HeightController::onTimer() {
 
 void HeightController::publishNews() {
   if (feed_.run() != nullptr) {
-    const LoopNews news = feed_.run()->takeNews();
+    LoopNews news = feed_.run()->takeNews();
+    if (settings_.plans_followed) withholdReplaced(news);
     // First: a print that has to be held does not begin its next layer.
     for (const PrintPlan& plan : news.plans) report(plan);
     for (const RaisedAlarm& alarm : news.alarms) report(alarm);
@@ -269,7 +279,8 @@ void HeightController::report(const PrintPlan& plan) {
 void HeightController::report(const RaisedAlarm& alarm) {
   ROS_WARN("alarm %d: %s", static_cast<int>(alarm.alarm), alarm.reason.c_str());
   // A plan takes the place of layers that must not be begun before.
-  const bool holds = alarm.reaction == LoopReaction::Hold || alarm.reaction == LoopReaction::Replan;
+  const bool is_planned = alarm.reaction == LoopReaction::Replan && !settings_.plans_followed;
+  const bool holds = alarm.reaction == LoopReaction::Hold || is_planned;
   if (!holds || !settings_.pauses_print) return;
   topics_.publish(toMessage(feed_.run()));
   ROS_WARN("%s", print_hold_.hold().c_str());

@@ -18,6 +18,10 @@ void describe(SettingsSchema& schema, HeightControllerSettings& settings) {
       "keeps nothing.");
   schema.flag("pauses_print", settings.pauses_print,
               "Whether alarms that hold the print call the service pause.");
+  schema.flag(
+      "plans_followed", settings.plans_followed,
+      "Whether the executor goes on with layers planned anew by itself: they get no map and do not hold "
+      "the print.");
 }
 
 }  // namespace lamina

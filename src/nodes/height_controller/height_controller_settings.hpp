@@ -16,6 +16,7 @@ struct HeightControllerSettings {
   double arrival_hold_s = 0.2;  ///< real time for which tf waits for clouds sent with it
   std::string memory_file;      ///< what a restarted node goes on from; empty: nothing is kept
   bool pauses_print = true;     ///< where an alarm holds the print
+  bool plans_followed = false;  ///< the executor goes on with plans by itself: they do not hold the print
 };
 
 /// Adds the node's keys.

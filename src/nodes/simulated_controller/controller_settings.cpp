@@ -7,7 +7,7 @@ namespace lamina {
 void describe(SettingsSchema& schema, ControllerSettings& settings) {
   describe(schema, settings.machine, "Machine or robot that is simulated.");
   describe(schema, settings.servo);
-  describeFeeder(schema, settings.plant);
+  describe(schema, settings.plant);
   schema.number("report_hz", settings.report_hz, {0.0, 1000.0, true},
                 "Positions, feedback and process states a second.");
   schema.number("path_tolerance", settings.path_tolerance, {0.0, 1e3},
@@ -15,6 +15,21 @@ void describe(SettingsSchema& schema, ControllerSettings& settings) {
   schema.number(
       "host_wait_s", settings.host_wait_s, {0.0, 3600.0},
       "How late points, their process and goals from rest may come: simulated time stands still for them.");
+  schema.numbers("deposit.area_mm", settings.deposit_area_mm, 4,
+                 "Part of the bed on which what is laid is kept and measured: least x and y, greatest x and "
+                 "y; empty for none.");
+  schema.number("deposit.cell_mm", settings.deposit_cell_mm, {0.02, 10.0},
+                "Cell of the map of what is laid.");
+  schema.number("deposit.bead_width_mm", settings.grown.bead_width_mm, {0.0, 1000.0},
+                "Width over which a bead grows; 0 for that of the first bead.");
+  schema.integer("deposit.layers", settings.grown.layers, {1, 1000000},
+                 "Layers over which plant.wear wears.");
+  describe(schema, settings.sensor);
+  schema.numbers("sensor.mount_mm", settings.sensor_mount_mm, 3,
+                 "Sensor in the frame of the nozzle, looking along its axis, where the URDF has no link "
+                 "sensor; empty for its stand-off above the tip.");
+  schema.flag("profile_while_depositing", settings.profile_while_depositing,
+              "Whether the sensor also measures while something flows.");
 }
 
 }  // namespace lamina

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <vector>
+
 #include "lamina/base/settings.hpp"
-#include "lamina/deposition/growth_plant.hpp"
+#include "lamina/deposition/grown_deposit.hpp"
 #include "lamina/kinematics/cartesian/machine_settings.hpp"
+#include "lamina/monitoring/profile_sensor.hpp"
 #include "lamina/trajectory/simulated_controller.hpp"
 
 namespace lamina {
@@ -12,14 +15,22 @@ namespace lamina {
 struct ControllerSettings {
   MachineSettings machine;
   ServoSettings servo;
-  PlantSettings plant;          ///< of which the feeder counts
-  double report_hz = 50.0;      ///< of positions, feedback and the process
-  double path_tolerance = 0.0;  ///< of every joint while it follows [mm, rad]; 0 for none
-  double host_wait_s = 0.0;     ///< that a slow host may be late with goals and their process
+  PlantSettings plant;                  ///< what is wrong with the process
+  double report_hz = 50.0;              ///< of positions, feedback and the process
+  double path_tolerance = 0.0;          ///< of every joint while it follows [mm, rad]; 0 for none
+  double host_wait_s = 0.0;             ///< that a slow host may be late with goals and their process
+  std::vector<double> deposit_area_mm;  ///< of the bed that keeps what is laid: least x, y, greatest x, y;
+                                        ///< empty keeps and measures nothing
+  double deposit_cell_mm = 0.25;        ///< of the map of what is laid
+  GrownDepositSettings grown;
+  ProfileSensorSettings sensor;
+  std::vector<double> sensor_mount_mm;    ///< sensor in the nozzle's frame, where the URDF has none; empty:
+                                          ///< its stand-off above the tip
+  bool profile_while_depositing = false;  ///< whether the sensor also measures while something flows
 };
 
-/// Adds the keys machine.*, servo.*, those of plant.* that are of the feeder, report_hz, path_tolerance and
-/// host_wait_s.
+/// Adds the keys machine.*, servo.*, plant.*, deposit.*, sensor.*, report_hz, path_tolerance, host_wait_s and
+/// profile_while_depositing.
 void describe(SettingsSchema& schema, ControllerSettings& settings);
 
 }  // namespace lamina

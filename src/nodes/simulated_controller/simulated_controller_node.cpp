@@ -4,6 +4,7 @@
 
 #include <ros/ros.h>
 #include <sensor_msgs/JointState.h>
+#include <sensor_msgs/PointCloud2.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,11 +12,14 @@
 #include "joint_messages.hpp"
 #include "lamina/base/error.hpp"
 #include "names.hpp"
+#include "point_cloud.hpp"
+#include "transforms.hpp"
 
 namespace lamina {
 namespace {
 
 constexpr int kQueue = 1000;
+constexpr std::uint32_t kProfiles = 100000;  // that may wait for a slow subscriber, which sees what it lost
 constexpr double kSlack = 1e-3;  // mm, rad or a share: what rounding and time between cycles leave
 
 /// Linear joints in the middle of their ranges, rotary ones at 0 or as near to it as they get.
@@ -84,6 +88,11 @@ SimulatedControllerNode::SimulatedControllerNode(ros::NodeHandle node, const Con
       node.subscribe<lamina_msgs::ProcessTrajectory>(names::kProcessTrajectory, kQueue, onProcess);
   const boost::function<void(const ros::TimerEvent&)> tick = [this](const ros::TimerEvent&) { onTick(); };
   timer_ = node.createTimer(ros::Duration(1.0 / settings_.report_hz), tick);
+  if (!settings_.deposit_area_mm.empty()) {
+    laid_.emplace(settings_);
+    profile_ = node.advertise<sensor_msgs::PointCloud2>(names::kProfile, kProfiles);
+    mountSensor();
+  }
   server_.registerGoalCallback([this] { onGoal(); });
   server_.registerPreemptCallback([this] { onPreempt(); });
   server_.start();
@@ -233,6 +242,7 @@ void SimulatedControllerNode::report(const ros::Time& now) {
   const ros::Duration behind(behind_s_);
   // Nothing is deposited but on the way of a goal.
   ProcessSignals signals = server_.isActive() ? process_.at(now - behind) : safeSignals();
+  if (laid_) lay(now, signals.flow_mm3_s);
   signals.flow_mm3_s = flow_.at((now - epoch_).toSec(), signals.flow_mm3_s);
   const lamina_msgs::ProcessPoint point = toMessage(signals);
   process.header.stamp = now;
@@ -243,6 +253,41 @@ void SimulatedControllerNode::report(const ros::Time& now) {
   process.gas = point.gas;
   process_state_.publish(process);
   if (server_.isActive()) publishFeedback(now - behind);
+}
+
+/// Where the URDF has no sensor, it looks along the nozzle.
+void SimulatedControllerNode::mountSensor() {
+  if (model_->bedFromLinks(controller_.position()).count(names::kSensorFrame) > 0) return;
+  const std::vector<double>& mount = settings_.sensor_mount_mm;
+  const Point3 place =
+      mount.size() == 3 ? Point3(mount[0], mount[1], mount[2]) : Point3(0, 0, -settings_.sensor.stand_off_mm);
+  nozzle_from_sensor_ = Eigen::Isometry3d(Eigen::Translation3d(place));
+  geometry_msgs::TransformStamped mounted;
+  mounted.header.stamp = epoch_;
+  mounted.header.frame_id = names::kNozzleFrame;
+  mounted.child_frame_id = names::kSensorFrame;
+  mounted.transform = toTransformMessage(*nozzle_from_sensor_);
+  static_tf_.emplace();
+  static_tf_->sendTransform(mounted);
+}
+
+Eigen::Isometry3d SimulatedControllerNode::bedFromSensor() const {
+  if (nozzle_from_sensor_) return model_->bedFromNozzle(controller_.position()) * *nozzle_from_sensor_;
+  return model_->bedFromLinks(controller_.position()).at(names::kSensorFrame);
+}
+
+/// Lays what has flowed since the last report, and looks at it.
+void SimulatedControllerNode::lay(const ros::Time& now, double asked_mm3_s) {
+  const double time_s = (now - epoch_).toSec();
+  laid_->observe({time_s, model_->bedFromNozzle(controller_.position()).translation(), asked_mm3_s});
+  const bool measures = server_.isActive() && (asked_mm3_s == 0.0 || settings_.profile_while_depositing);
+  if (!measures || profile_.getNumSubscribers() == 0) return;
+  const std::vector<Point3> points = laid_->seenFrom(bedFromSensor(), time_s);
+  if (points.empty()) return;
+  sensor_msgs::PointCloud2 message = toCloudMessage(points);
+  message.header.stamp = now + ros::Duration(laid_->stampError());
+  message.header.frame_id = names::kSensorFrame;
+  profile_.publish(message);
 }
 
 void SimulatedControllerNode::publishFeedback(const ros::Time& now) {

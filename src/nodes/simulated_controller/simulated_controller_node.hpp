@@ -4,6 +4,7 @@
 
 #include <actionlib/server/simple_action_server.h>
 #include <ros/node_handle.h>
+#include <tf2_ros/static_transform_broadcaster.h>
 
 #include <cstdint>
 #include <memory>
@@ -13,6 +14,7 @@
 #include "awaited_process.hpp"
 #include "controller_settings.hpp"
 #include "follow_joint_trajectory.hpp"
+#include "laid_material.hpp"
 #include "lamina/base/manual_clock.hpp"
 #include "machine_transforms.hpp"
 #include "process_queue.hpp"
@@ -20,8 +22,8 @@
 namespace lamina {
 
 /// A machine or robot that is not there: follows joint trajectories as its controller would, goal after goal,
-/// and reports where it is and what its process does. Its action and topics:
-/// docs/nodes/simulated_controller.md.
+/// and reports where it is and what its process does; on a part of its bed it keeps what it lays, and looks
+/// at it with a profile sensor. Its action and topics: docs/nodes/simulated_controller.md.
 ///
 /// It has a clock of its own, that of ROS less what it stood still. A report is of the time that it is
 /// stamped with, however late it is made; none is left out. Goals and their process may be later than that by
@@ -49,6 +51,9 @@ class SimulatedControllerNode {
   std::optional<double> nextWait() const;
   ros::Time stampOf(double time_s) const { return epoch_ + ros::Duration(time_s); }
   void report(const ros::Time& now);
+  void lay(const ros::Time& now, double asked_mm3_s);
+  void mountSensor();
+  Eigen::Isometry3d bedFromSensor() const;
   void publishFeedback(const ros::Time& now);
   bool isOutOfTolerance() const;
 
@@ -65,6 +70,11 @@ class SimulatedControllerNode {
   ProcessQueue process_;
   ArrivingFlow flow_;
   AwaitedProcess awaited_;
+  std::optional<LaidMaterial> laid_;  ///< if it keeps what it lays
+  /// In the nozzle's frame [mm]; nothing if the URDF has a sensor.
+  std::optional<Eigen::Isometry3d> nozzle_from_sensor_;
+  std::optional<tf2_ros::StaticTransformBroadcaster> static_tf_;  ///< of that
+  ros::Publisher profile_;
   ros::Publisher position_;
   ros::Publisher process_state_;
   ros::Subscriber process_trajectory_;

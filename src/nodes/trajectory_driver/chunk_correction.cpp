@@ -103,12 +103,13 @@ double ChunkCorrection::alongAt(const JointState& state) const {
   const bool is_return = path.is_closed && state.heading_for.waypoint == 0;
   const std::size_t motion =
       is_return ? path.points.size() - 1 : std::max<std::size_t>(1, state.heading_for.waypoint) - 1;
+  if (motion >= path.motionCount()) return length(path);
   double along = 0.0;
   for (std::size_t m = 0; m < motion; ++m) along += (path.points[path.motionEnd(m)] - path.points[m]).norm();
   const Point3 way = path.points[path.motionEnd(motion)] - path.points[motion];
-  const double length = way.norm();
-  if (!(length > 0.0)) return along;
-  return along + std::clamp((tip - path.points[motion]).dot(way) / length, 0.0, length);
+  const double way_mm = way.norm();
+  if (!(way_mm > 0.0)) return along;
+  return along + std::clamp((tip - path.points[motion]).dot(way) / way_mm, 0.0, way_mm);
 }
 
 /// None where no map is, as on travels: heights go back there.

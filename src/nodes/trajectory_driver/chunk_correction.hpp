@@ -23,7 +23,7 @@ namespace lamina {
 /// A toolpath where it is driven.
 struct DrivenToolpath {
   std::string id;
-  Toolpath toolpath;                                                ///< [mm, part frame]
+  Toolpath toolpath;  ///< as it is timed: its waypoints are those that states head for [mm, part frame]
   Eigen::Isometry3d bed_from_part = Eigen::Isometry3d::Identity();  ///< translation [mm]
 };
 
@@ -48,6 +48,10 @@ class ChunkCorrection {
   /// @param digest  that the map is told under
   /// @return why the map is not used, in words; empty if it is used from now on
   std::string hear(const CorrectionMap& map, const std::string& digest);
+
+  std::size_t layers() const { return driven_.toolpath.layers.size(); }
+  /// Whether a layer has a map.
+  bool isKnown(std::size_t layer) const { return maps_.count(layer) > 0; }
 
   /// The next chunk, corrected. Where a height cannot be reached, or would lead a joint out of its limits, it
   /// stays as it was.

@@ -32,7 +32,7 @@ DriveJob driveJob(const MachineToolpath& placed, const KinematicModel& model, co
     found(check);
     requireClear(check, model);
   }
-  return {placed.id, inTime(std::move(run), model, settings.run.timing)};
+  return {placed, inTime(std::move(run), model, settings.run.timing)};
 }
 
 std::optional<Approach> wayToStart(const JointValues& here, const DriveJob& job, const KinematicModel& model,

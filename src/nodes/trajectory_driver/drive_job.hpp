@@ -18,7 +18,7 @@ namespace lamina {
 
 /// A toolpath that can be driven.
 struct DriveJob {
-  std::string toolpath_id;
+  MachineToolpath placed;
   TimedRun timed;
 };
 

@@ -8,6 +8,8 @@
 #include <limits>
 #include <utility>
 
+#include "lamina/control/replanned_toolpath.hpp"
+
 namespace lamina {
 namespace {
 
@@ -36,6 +38,7 @@ bool DriveSession::step(const ros::Time& now) {
   if (isFinal(status_.state)) return false;
   begin(now);
   watch(now);
+  awaitMap(now);
   feed(now);
   follow(jobTime(now));
   return advance(now);
@@ -81,7 +84,7 @@ void DriveSession::watch(const ros::Time& now) {
 
 void DriveSession::feed(const ros::Time& now) {
   if (given_up_at_) return;
-  if (feeder_.state() == TrajectoryFeederState::Running && fed_s_ > 0.0) {
+  if (feeder_.state() == TrajectoryFeederState::Running && !feeder_.isHeld() && fed_s_ > 0.0) {
     const double queued_s = std::max(0.0, fed_s_ - controllerTime(now));
     status_.feeding.least_queued_s = std::min(status_.feeding.least_queued_s, queued_s);
     if (queued_s == 0.0 && !was_starved_) ++status_.feeding.starvations;
@@ -98,6 +101,51 @@ void DriveSession::feed(const ros::Time& now) {
     links_.controller.send(*chunk, begin_);
     fed_s_ = chunk->points.back().time_s;
   }
+}
+
+/// Maps that come after their layer was handed over change nothing any more: it is not, before they are
+/// there.
+void DriveSession::awaitMap(const ros::Time& now) {
+  if (!motion_.correction || status_.state != PackmlState::Execute || given_up_at_) return;
+  if (feeder_.isHeld()) {
+    const bool is_known = motion_.correction->isKnown(awaited_layer_);
+    const bool waited = isAtRest(now) && (now - *run_at_).toSec() >= settings_.loop.wait_s;
+    if (!is_known && !waited) return;
+    if (!is_known)
+      ROS_WARN("the map of layer %zu has not come within %g s: it is driven as planned (6116)",
+               awaited_layer_, settings_.loop.wait_s);
+    return enterLayer(now);
+  }
+  while (feeder_.state() == TrajectoryFeederState::Running && awaited_layer_ < motion_.correction->layers() &&
+         (motion_.correction->isKnown(awaited_layer_) || !feeder_.holdAtLayer(awaited_layer_, jobTime(now))))
+    ++awaited_layer_;
+}
+
+void DriveSession::enterLayer(const ros::Time& now) {
+  if (isAtRest(now)) expectReports(now);
+  feeder_.release(jobTime(now));
+  ++awaited_layer_;
+  plan_.reset();  // it was for the layer that is entered
+  fed_s_ = 0.0;   // at rest nothing is missing
+}
+
+std::string DriveSession::offer(const lamina_msgs::ToolpathConstPtr& plan) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!isPlanOf(plan->id, motion_.toolpath_id))
+    return "it is no plan of toolpath " + motion_.toolpath_id + ", which is driven";
+  if (!feeder_.isHeld()) return "the machine does not rest in front of the layer that it begins with";
+  plan_ = plan;
+  return {};
+}
+
+lamina_msgs::ToolpathConstPtr DriveSession::plan(const ros::Time& now) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const bool is_due = status_.state == PackmlState::Execute && feeder_.isHeld() && isAtRest(now);
+  return is_due ? plan_ : nullptr;
+}
+
+bool DriveSession::isAtRest(const ros::Time& now) const {
+  return run_at_ && (now - *run_at_).toSec() >= kSettling;
 }
 
 void DriveSession::follow(double now_s) {
@@ -128,7 +176,7 @@ bool DriveSession::advance(const ros::Time& now) {
     run_at_.reset();
   else if (!run_at_)
     run_at_ = isByStamps() ? now : begin_ + ros::Duration(feeder_.restTime());
-  const bool is_at_rest = run_at_ && (now - *run_at_).toSec() >= kSettling;
+  const bool is_at_rest = isAtRest(now);
   const bool is_planned_end =
       feeder_.state() == TrajectoryFeederState::Finished && jobTime(now) >= feeder_.restTime();
   switch (status_.state) {

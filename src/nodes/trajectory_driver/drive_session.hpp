@@ -16,6 +16,7 @@
 #include "lamina/base/error.hpp"
 #include "lamina/streaming/job/packml.hpp"
 #include "lamina/trajectory/timed_path.hpp"
+#include "messages.hpp"
 #include "present_joints.hpp"
 #include "process_publisher.hpp"
 #include "report_watch.hpp"
@@ -64,11 +65,19 @@ class DriveSession {
   bool step(const ros::Time& now);
   void hear(const ControllerReport& report, const ros::Time& now);
 
-  /// A map for what is not handed over yet.
+  /// A map for what is not handed over yet. In front of each layer but the first the motion rests until its
+  /// map has come, no longer than `loop.wait_s`.
   /// @return why it is not used, in words; empty if it is
   std::string correct(const CorrectionMap& map, const std::string& digest);
   /// What became of maps since the last call.
   std::vector<DrivenLayer> takeLayers();
+
+  /// The layers left planned anew, to be gone on with in front of the layer that is held for its map.
+  /// @return why it is not used, in words; empty if it is
+  std::string offer(const lamina_msgs::ToolpathConstPtr& plan);
+  /// That plan, once the machine rests where it begins: the caller ends the session and drives it. Null
+  /// before.
+  lamina_msgs::ToolpathConstPtr plan(const ros::Time& now) const;
 
   /// @return why not; nothing if it is done
   std::optional<std::string> pause(const ros::Time& now);
@@ -93,6 +102,9 @@ class DriveSession {
   void follow(double now_s);
   bool advance(const ros::Time& now);
   bool awaitEnd(const ros::Time& now);
+  void awaitMap(const ros::Time& now);
+  void enterLayer(const ros::Time& now);
+  bool isAtRest(const ros::Time& now) const;
   void brake(const ros::Time& now, const Failure& why, Lift lift);
   void giveUp(const ros::Time& now, const Failure& why);
 
@@ -107,6 +119,8 @@ class DriveSession {
   std::optional<ros::Time> run_at_;  ///< since what is planned is over
   double fed_s_ = 0.0;               ///< end of what was sent
   bool was_starved_ = false;
+  lamina_msgs::ToolpathConstPtr plan_;  ///< for the layer in front of which the motion rests
+  std::size_t awaited_layer_ = 1;       ///< in front of which the motion is to rest for its map
   std::optional<ros::Time> given_up_at_;
   DriveStatus status_;
 

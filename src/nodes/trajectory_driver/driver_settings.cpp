@@ -22,10 +22,14 @@ void describe(SettingsSchema& schema, DriverSettings& settings) {
   describe(schema, settings.approach);
   schema.flag("corrections.use", settings.is_corrected,
               "Whether what is not handed over yet is corrected by the maps on the topic correction.");
+  schema.flag("corrections.follow_plans", settings.follows_plans,
+              "Whether the job goes on with layers that are planned anew; only where it is corrected.");
   schema.text(
       "sensor.calibration", settings.calibration,
       "File that `lamina calibrate` wrote, for the feeder's dead time and lag where they are not stated; "
       "empty for none.");
+  schema.number("loop.wait_s", settings.loop.wait_s, {0.0, 600.0},
+                "Time that the start of a layer waits for its corrections.");
   describeFeeding(schema, settings.loop);
   schema.number("start_delay_s", settings.start_delay_s, {0.0, 60.0},
                 "From the first chunk sent to the first motion.");

@@ -35,7 +35,8 @@ struct DriverSettings {
   TrackingLimits tracking;
   ApproachSettings approach;
   bool is_corrected = false;      ///< by the maps on the topic correction
-  LoopSettings loop;              ///< of which `describeFeeding` counts
+  bool follows_plans = false;     ///< goes on with layers planned anew
+  LoopSettings loop;              ///< of which `describeFeeding` and the wait for maps count
   std::string calibration;        ///< file of results; empty for none
   double start_delay_s = 0.5;     ///< from the first chunk to its first point
   double lift_mm = 10.0;          ///< of the tool after an abort
@@ -44,8 +45,8 @@ struct DriverSettings {
 };
 
 /// Adds the keys machine.*, joints.*, motion.*, trajectory.*, process.*, feeder.*, clearance.*,
-/// tracking.*, approach.*, corrections.use, sensor.calibration, some of loop.*, check_clearance,
-/// start_delay_s, lift_mm, lift_mm_s and controller_wait_s.
+/// tracking.*, approach.*, corrections.*, sensor.calibration, some of loop.*, check_clearance, start_delay_s,
+/// lift_mm, lift_mm_s and controller_wait_s.
 void describe(SettingsSchema& schema, DriverSettings& settings);
 
 }  // namespace lamina

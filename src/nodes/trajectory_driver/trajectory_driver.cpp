@@ -72,12 +72,21 @@ TrajectoryDriver::TrajectoryDriver(ros::NodeHandle node, const DriverSettings& s
   diagnostics_timer_ = node.createTimer(ros::Duration(1.0), update);
   toolpath_subscriber_ = node.subscribe<lamina_msgs::Toolpath>(names::kToolpath, 1, onToolpath);
   const boost::function<void(const lamina_msgs::CorrectionMapConstPtr&)> correct = [this](const auto& map) {
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      map_ = map;
+    }
     onCorrection(*map);
   };
   if (settings_.is_corrected) {
     applied_ = node.advertise<lamina_msgs::AppliedCorrection>(names::kAppliedCorrection, 100);
     correction_ = node.subscribe<lamina_msgs::CorrectionMap>(names::kCorrection, 100, correct);
   }
+  const boost::function<void(const lamina_msgs::ToolpathConstPtr&)> plan = [this](const auto& message) {
+    onPlan(message);
+  };
+  if (settings_.is_corrected && settings_.follows_plans)
+    plan_ = node.subscribe<lamina_msgs::Toolpath>(names::kReplannedToolpath, 1, plan);
   DriveStatus idle;
   idle.state = PackmlState::Idle;
   publishState(idle);
@@ -123,26 +132,87 @@ DriveStatus TrajectoryDriver::drive(const std::string& toolpath_id) {
   const MachineToolpath placed = toolpath(toolpath_id);
   controller_.requirePresent(settings_.controller_wait_s);
   GoalProgress<Server> progress(action_);
-  const DriveJob job = driveJob(
-      placed, *model_, settings_,
-      [this](const MachineCheck& check) { publishLatched(findings_, checkMarkers(check)); }, progress);
+  Driven driven{{}, jobOf(placed, progress)};
+  while (driven.next) {
+    const DriveJob job = *std::move(driven.next);
+    if (job.placed.id != toolpath_id) goOnWith(job);
+    driven = drive(job, progress);
+  }
+  return driven.status;
+}
+
+TrajectoryDriver::Driven TrajectoryDriver::drive(const DriveJob& job, Progress& progress) {
+  const std::string& id = job.placed.id;
   growing_ = std::make_unique<GrowingPart>(job.timed.run.toolpath(), names::kPartFrame);
   const JointValues here = joints_.fresh(settings_.tracking.silence_s, settings_.controller_wait_s);
   if (const auto way = wayToStart(here, job, *model_, settings_, progress)) {
-    ROS_INFO("going to the start of %s: %.1f s", job.toolpath_id.c_str(), way->motion->duration());
-    DriveStatus status = run({*way->motion, job.toolpath_id, PackmlState::Starting});
-    if (status.state != PackmlState::Complete) return status;
+    ROS_INFO("going to the start of %s: %.1f s", id.c_str(), way->motion->duration());
+    DriveStatus status = run({*way->motion, id, PackmlState::Starting}).status;
+    if (status.state != PackmlState::Complete) return {std::move(status), std::nullopt};
   }
+  if (toolpath_publisher_) awaitFirstMap(id);
   const TimedPath& path = *job.timed.trajectory;
-  ROS_INFO("driving %s: %.1f s on %s", job.toolpath_id.c_str(), path.duration(), model_->name().c_str());
-  std::shared_ptr<ChunkCorrection> correction;
-  if (settings_.is_corrected)
-    correction = std::make_shared<ChunkCorrection>(
-        DrivenToolpath{placed.id, placed.toolpath, placed.bed_from_part}, settings_.loop, *model_);
-  DriveStatus status = run({path, job.toolpath_id, PackmlState::Execute, correction});
-  if (status.state == PackmlState::Complete) publishLatched(deposited_, growing_->whole());
-  show(status);
-  return status;
+  ROS_INFO("driving %s: %.1f s on %s", id.c_str(), path.duration(), model_->name().c_str());
+  Driven driven = run({path, id, PackmlState::Execute, correctionOf(job)});
+  if (driven.status.state == PackmlState::Complete) publishLatched(deposited_, growing_->whole());
+  show(driven.status);
+  return driven;
+}
+
+DriveJob TrajectoryDriver::jobOf(const MachineToolpath& placed, Progress& progress) {
+  return driveJob(
+      placed, *model_, settings_,
+      [this](const MachineCheck& check) { publishLatched(findings_, checkMarkers(check)); }, progress);
+}
+
+/// A plan is corrected from its first layer on, by what was learnt before.
+void TrajectoryDriver::awaitFirstMap(const std::string& toolpath_id) const {
+  const ros::Time end = ros::Time::now() + ros::Duration(settings_.loop.wait_s);
+  while (ros::Time::now() < end && !action_.isPreemptRequested() && !isStopRequested() && ros::ok()) {
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      if (map_ && map_->toolpath_id == toolpath_id) return;
+    }
+    ros::Duration(kStep).sleep();
+  }
+}
+
+/// The map of its first layer may have come before.
+std::shared_ptr<ChunkCorrection> TrajectoryDriver::correctionOf(const DriveJob& job) const {
+  if (!settings_.is_corrected) return nullptr;
+  auto correction = std::make_shared<ChunkCorrection>(
+      DrivenToolpath{job.placed.id, job.timed.run.toolpath(), job.placed.bed_from_part}, settings_.loop,
+      *model_);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (map_ && map_->toolpath_id == job.placed.id) correction->hear(toCore(*map_));
+  return correction;
+}
+
+/// The layers left as they are to be driven from here; nothing while there is no plan, or none that can be
+/// driven: then the job is held for the operator.
+std::optional<DriveJob> TrajectoryDriver::plannedAnew(DriveSession& session, const std::string& toolpath_id) {
+  const lamina_msgs::ToolpathConstPtr plan = session.plan(ros::Time::now());
+  if (!plan) return std::nullopt;
+  try {
+    GoalProgress<Server> progress(action_);
+    return jobOf(fromMessage(*plan), progress);
+  } catch (const Error& error) {
+    ROS_ERROR("plan %s of %s cannot be driven, the job is held: %s", plan->id.c_str(), toolpath_id.c_str(),
+              error.what());
+    session.pause(ros::Time::now());
+    return std::nullopt;
+  }
+}
+
+/// Who follows the print follows the plan from here on.
+void TrajectoryDriver::goOnWith(const DriveJob& plan) {
+  ROS_WARN("going on with the layers left as planned anew: %s", plan.placed.id.c_str());
+  job_ = plan.placed.id;
+  if (!toolpath_publisher_) {
+    ros::NodeHandle node;
+    toolpath_publisher_ = node.advertise<lamina_msgs::Toolpath>(names::kToolpath, 1, true);
+  }
+  publishLatched(toolpath_publisher_, stamped(plan.placed, ros::Time::now()));
 }
 
 /// A toolpath may be asked for before it has come through.
@@ -165,7 +235,7 @@ MachineToolpath TrajectoryDriver::toolpath(const std::string& id) {
   return fromMessage(*message);
 }
 
-DriveStatus TrajectoryDriver::run(const DriveMotion& motion) {
+TrajectoryDriver::Driven TrajectoryDriver::run(const DriveMotion& motion) {
   const auto session =
       std::make_shared<DriveSession>(motion, *model_, settings_, DriveLinks{controller_, process_, joints_});
   {
@@ -189,10 +259,18 @@ DriveStatus TrajectoryDriver::run(const DriveMotion& motion) {
       shown = ros::Time::now();
       show(session->status());
     }
+    if (std::optional<DriveJob> plan = plannedAnew(*session, motion.toolpath_id))
+      return {session->status(), std::move(plan)};
     if (!ros::Duration(kStep).sleep()) break;
   }
   tell(session->takeLayers(), motion.toolpath_id);
-  return session->status();
+  return {session->status(), std::nullopt};
+}
+
+void TrajectoryDriver::onPlan(const lamina_msgs::ToolpathConstPtr& message) {
+  const auto job = session();
+  const std::string refusal = job ? job->offer(message) : "nothing is driven";
+  if (!refusal.empty()) ROS_WARN("plan %s is not gone on with: %s", message->id.c_str(), refusal.c_str());
 }
 
 void TrajectoryDriver::tell(const std::vector<DrivenLayer>& layers, const std::string& toolpath_id) {

@@ -10,6 +10,7 @@
 #include <atomic>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 
 #include "controller_client.hpp"
@@ -42,12 +43,25 @@ class TrajectoryDriver {
   using Server = actionlib::SimpleActionServer<lamina_msgs::DriveToolpathAction>;
 
   void onGoal(const lamina_msgs::DriveToolpathGoalConstPtr& goal);
+  /// How a motion ended.
+  struct Driven {
+    DriveStatus status;
+    std::optional<DriveJob> next;  ///< a plan to go on with from here
+  };
+
   DriveStatus drive(const std::string& toolpath_id);
+  Driven drive(const DriveJob& job, Progress& progress);
+  DriveJob jobOf(const MachineToolpath& placed, Progress& progress);
   MachineToolpath toolpath(const std::string& id);
-  DriveStatus run(const DriveMotion& motion);
+  Driven run(const DriveMotion& motion);
+  std::shared_ptr<ChunkCorrection> correctionOf(const DriveJob& job) const;
+  std::optional<DriveJob> plannedAnew(DriveSession& session, const std::string& toolpath_id);
+  void goOnWith(const DriveJob& plan);
+  void awaitFirstMap(const std::string& toolpath_id) const;
   void onCorrection(const lamina_msgs::CorrectionMap& message);
   /// On applied_correction.
   void tell(const std::vector<DrivenLayer>& layers, const std::string& toolpath_id);
+  void onPlan(const lamina_msgs::ToolpathConstPtr& message);
   void show(const DriveStatus& status);
   void publishState(const DriveStatus& status);
 
@@ -65,6 +79,8 @@ class TrajectoryDriver {
   ros::Publisher applied_;
   ros::Subscriber toolpath_subscriber_;
   ros::Subscriber correction_;
+  ros::Subscriber plan_;
+  ros::Publisher toolpath_publisher_;  ///< of plans that are gone on with; advertised with the first
   ros::ServiceServer pause_;
   ros::ServiceServer resume_;
   ros::ServiceServer abort_;
@@ -76,6 +92,7 @@ class TrajectoryDriver {
   mutable std::mutex mutex_;  ///< of what follows up to the controller
   std::shared_ptr<DriveSession> session_;
   lamina_msgs::ToolpathConstPtr toolpath_;
+  lamina_msgs::CorrectionMapConstPtr map_;  ///< that came last
   DriveStatus status_;
 
   std::atomic<bool> is_driving_{false};
@@ -83,7 +100,7 @@ class TrajectoryDriver {
   std::unique_ptr<GrowingPart> growing_;
   ControllerClient controller_;
   // Last, so that its thread ends before what it uses.
-  Server action_;
+  mutable Server action_;
 };
 
 }  // namespace lamina
