@@ -3,6 +3,7 @@
 #include "layer_height_monitor.hpp"
 
 #include <algorithm>
+#include <cstdio>
 
 #include "conversions.hpp"
 #include "height_files.hpp"
@@ -71,6 +72,9 @@ LayerHeightMonitor::~LayerHeightMonitor() {
 
 void LayerHeightMonitor::onToolpath(const lamina_msgs::ToolpathConstPtr& message) {
   if (heights_) intake_.startOver();  // the first toolpath may come after its clouds
+  if (!is_saved_)
+    ROS_WARN_STREAM("the map of toolpath " << toolpath_id_ << " is dropped unsaved: toolpath " << message->id
+                                           << " has come");
   heights_.reset();
   layers_.clear();
   is_announced_ = is_finished_ = false;

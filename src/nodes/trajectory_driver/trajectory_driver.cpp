@@ -184,7 +184,7 @@ std::shared_ptr<ChunkCorrection> TrajectoryDriver::correctionOf(const DriveJob& 
       DrivenToolpath{job.placed.id, job.timed.run.toolpath(), job.placed.bed_from_part}, settings_.loop,
       *model_);
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (map_ && map_->toolpath_id == job.placed.id) correction->hear(toCore(*map_));
+  if (map_ && map_->toolpath_id == job.placed.id) correction->hear(toCore(*map_), map_->digest);
   return correction;
 }
 

@@ -206,14 +206,15 @@ void LoopRun::missMap(const MissedMap& missed) {
   if (is_otherwise || missed.waited_s > 0.0)
     take({status_, {{LoopAlarm::MapLate, LoopReaction::Coast, reasonOf(missed)}}});
   if (!is_otherwise) return;
-  trim_.reset();
   laid_.limited_share = 0.0;
   relayUpTo(loop_->cells().size());
   laid_in_ = LoopState::Coasting;
 }
 
-/// What went to the machine before its map was laid as planned.
+/// What went to the machine before its map was laid as planned. The trim of the layer expected otherwise, and
+/// would take the difference for an error.
 void LoopRun::relayUpTo(std::size_t cell) {
+  trim_.reset();
   LayerCorrection laid = laid_;
   std::fill_n(laid.amount.begin(), cell, 0.0);
   std::fill_n(shift_mm_.begin(), cell, 0.0);
