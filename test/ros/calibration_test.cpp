@@ -139,7 +139,7 @@ template <class Service>
 typename Service::Response finished(const std::string& name) {
   // What the node has of the last stamps may be on its way.
   ros::WallDuration(0.3).sleep();
-  const auto found = step<Service>(name, Service::Request::FINISH);
+  auto found = step<Service>(name, Service::Request::FINISH);
   EXPECT_EQ(found.status.code, lamina_msgs::Status::OK + 0) << found.status.message;
   for (const std::string& sentence : found.report) std::printf("node: %s\n", sentence.c_str());
   return found;

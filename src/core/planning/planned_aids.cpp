@@ -100,7 +100,7 @@ class AidPlanner {
     overhangs_ = std::move(overhangs.held);
     blocked_mm2_ = overhangs.blocked_mm2;
     if (settings.kind == SupportKind::Lattice)
-      supports_ = supportAreas(stack, overhangs_, settings, width(), window_.asked, progress);
+      supports_ = supportAreas(stack, {overhangs_, window_.asked}, settings, width(), progress);
     else
       tree_ = growBranches(stack, branchTips(stack, overhangs_, settings), settings, progress);
   }

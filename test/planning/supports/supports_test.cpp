@@ -327,8 +327,8 @@ TEST(Supports, FallAlongGravityThroughInclinedLayers) {
   const double root = std::sqrt(0.5);
   const StackedMaterial stack = stackedMaterial(inclinedTee(), 0.005, BedPlane{{0, root, root}, 0.0}, nobody);
   SupportSettings settings = withSupports(30.0).supports;
-  const SupportAreas areas =
-      supportAreas(stack, overhangAreas(stack, settings, nobody), settings, 0.4, {0, stack.size()}, nobody);
+  const std::vector<Regions> overhangs = overhangAreas(stack, settings, nobody);
+  const SupportAreas areas = supportAreas(stack, {overhangs, {0, stack.size()}}, settings, 0.4, nobody);
   // Amid the part each layer cuts the columns from the bed to the gap below the slab.
   for (const std::size_t l : {90U, 110U, 130U}) {
     double sum = 0.0;

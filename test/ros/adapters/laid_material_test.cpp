@@ -101,7 +101,7 @@ TEST(LaidMaterial, RefusesAnAreaThatIsNone) {
   ControllerSettings settings = laidSettings();
   settings.deposit_area_mm = {0, 0, 1e5, 1e5};
   try {
-    LaidMaterial{settings};
+    const LaidMaterial material(settings);
     FAIL() << "expected to be refused";
   } catch (const InvalidConfig& error) {
     EXPECT_NE(std::string(error.what()).find("deposit.cell_mm"), std::string::npos) << error.what();

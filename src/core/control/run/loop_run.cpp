@@ -557,7 +557,7 @@ LayerOutcome LoopRun::outcomeOf(const LayerFigures& figures) {
 
 /// By what was stated, and by what the last layer told: how far its growth was off what is learnt of it.
 StabilityReport LoopRun::checkNow() const {
-  const StabilityReport stated = checkStart(part_.toolpath, part_.machine, settings_);
+  StabilityReport stated = checkStart(part_.toolpath, part_.machine, settings_);
   if (!stated.may_start || gain_ratio_ == 1.0) return stated;
   LoopRunSettings as_told = settings_;
   as_told.calibration.gain_ratio *= gain_ratio_;

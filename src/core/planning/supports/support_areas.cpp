@@ -416,10 +416,9 @@ std::optional<ColumnTop> columnTopBelow(const std::vector<LayerBounds>& bounds, 
   return top;
 }
 
-SupportAreas supportAreas(const StackedMaterial& stack, const std::vector<Regions>& overhangs,
-                          const SupportSettings& settings, double bead_width_mm, const LayerSpan& counted,
-                          Progress& progress) {
-  return ColumnStack(stack, overhangs, settings, bead_width_mm).build(counted, progress);
+SupportAreas supportAreas(const StackedMaterial& stack, const CountedOverhangs& overhangs,
+                          const SupportSettings& settings, double bead_width_mm, Progress& progress) {
+  return ColumnStack(stack, overhangs.areas, settings, bead_width_mm).build(overhangs.counted, progress);
 }
 
 }  // namespace lamina

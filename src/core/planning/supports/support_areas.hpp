@@ -54,15 +54,18 @@ struct LayerSpan {
   std::size_t end = 0;
 };
 
+/// What hangs over, by layer, and the layers that totals are of.
+struct CountedOverhangs {
+  const std::vector<Regions>& areas;
+  LayerSpan counted;
+};
+
 /// Columns below what hangs over, from the top down: `F(j) = (F(j+1) + C) \ R(j)`, where C is what is held up
 /// by columns that end in layer j, without what is nearer to the part R(j) than the side gap. In inclined
 /// layers columns fall along gravity. One union and one difference for each layer that is not as the one
 /// above it.
-/// @param overhangs      of each layer
 /// @param bead_width_mm  narrower places have no support
-/// @param counted        layers that the totals are of
-SupportAreas supportAreas(const StackedMaterial& stack, const std::vector<Regions>& overhangs,
-                          const SupportSettings& settings, double bead_width_mm, const LayerSpan& counted,
-                          Progress& progress);
+SupportAreas supportAreas(const StackedMaterial& stack, const CountedOverhangs& overhangs,
+                          const SupportSettings& settings, double bead_width_mm, Progress& progress);
 
 }  // namespace lamina
