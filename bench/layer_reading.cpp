@@ -10,6 +10,7 @@
 #include "lamina/base/random.hpp"
 #include "lamina/control/height_loop.hpp"
 #include "lamina/control/profile_reading.hpp"
+#include "lamina/geometry/shortest_rotation.hpp"
 
 namespace lamina {
 namespace {
@@ -47,7 +48,7 @@ ToolpathLayer rasterLayer(const Raster& raster, const Bead& bead, std::size_t nu
     std::vector<Eigen::Quaterniond> held;
     for (double x = -0.5 * kSide; x <= 0.5 * kSide; x += step) {
       path.points.push_back(raster.point(x, y, top));
-      held.push_back(Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), -raster.growth(x, y)));
+      held.push_back(shortestRotation(Eigen::Vector3d::UnitZ(), -raster.growth(x, y)));
     }
     path.orientation = AlongPath<Eigen::Quaterniond>(std::move(held));
     layer.paths.push_back(std::move(path));

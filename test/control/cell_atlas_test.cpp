@@ -9,6 +9,7 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/base/random.hpp"
+#include "lamina/geometry/shortest_rotation.hpp"
 #include "support/control_layers.hpp"
 #include "support/measured_layers.hpp"
 
@@ -98,7 +99,7 @@ TEST(CellAtlas, MeasuresLayersThatGoAllTheWayRound) {
     std::vector<Eigen::Quaterniond> held;
     for (int k = 0; k < 252; ++k) {  // 126 cells
       path.points.push_back(kRadius * out(k / 252.0) + ring * kBead.width_mm * Eigen::Vector3d::UnitX());
-      held.push_back(Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), -out(k / 252.0)));
+      held.push_back(shortestRotation(Eigen::Vector3d::UnitZ(), -out(k / 252.0)));
     }
     path.orientation = AlongPath<Eigen::Quaterniond>(std::move(held));
     layer.paths.push_back(path);

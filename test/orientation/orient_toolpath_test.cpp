@@ -10,6 +10,7 @@
 #include "lamina/base/error.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/base/random.hpp"
+#include "lamina/geometry/shortest_rotation.hpp"
 #include "lamina/orientation/no_spin.hpp"
 #include "support/directions.hpp"
 #include "support/lofted_solid.hpp"
@@ -38,7 +39,7 @@ Toolpath withRandomToolAxes(std::uint64_t seed, double max_tilt_deg) {
         const double heading = random.uniform(0.0, 2.0 * M_PI);
         const Point3 tool_axis(std::sin(tilt) * std::cos(heading), std::sin(tilt) * std::sin(heading),
                                -std::cos(tilt));
-        frames.push_back(Eigen::Quaterniond::FromTwoVectors(Point3::UnitZ(), tool_axis).normalized());
+        frames.push_back(shortestRotation(Point3::UnitZ(), tool_axis).normalized());
       }
       path.orientation = AlongPath<Eigen::Quaterniond>(frames);
     }
@@ -183,8 +184,7 @@ TEST(OrientToolpath, TheResultDoesNotDependOnThreads) {
 
 TEST(OrientToolpath, AToolAxisAcrossTheHeadingIsRefusedWithItsPlace) {
   Toolpath toolpath = test::twoLayers();
-  toolpath.layers[1].paths[0].orientation =
-      Eigen::Quaterniond::FromTwoVectors(Point3::UnitZ(), Point3::UnitY());
+  toolpath.layers[1].paths[0].orientation = shortestRotation(Point3::UnitZ(), Point3::UnitY());
   try {
     oriented(toolpath, {});
     FAIL() << "no refusal";

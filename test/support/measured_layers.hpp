@@ -9,6 +9,7 @@
 
 #include "lamina/control/layer_cells.hpp"
 #include "lamina/control/profile_reading.hpp"
+#include "lamina/geometry/shortest_rotation.hpp"
 
 namespace lamina::test {
 
@@ -91,7 +92,7 @@ inline MeasuredLayer sphericalLayer(std::size_t rings, const Bead& bead, std::si
     for (std::size_t k = 0; k < 2 * cells; ++k) {
       const double way = static_cast<double>(k) / static_cast<double>(2 * cells);
       path.points.push_back(measured.place(i, way, 0.0, 0.0));
-      held.push_back(Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), -measured.growth(i, way)));
+      held.push_back(shortestRotation(Eigen::Vector3d::UnitZ(), -measured.growth(i, way)));
     }
     path.orientation = AlongPath<Eigen::Quaterniond>(std::move(held));
     measured.layer.paths.push_back(path);

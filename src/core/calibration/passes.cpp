@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "passes.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
@@ -39,7 +38,9 @@ Point2 mainAxis(const std::vector<Leg>& legs, const Point2& near, double least_c
     if (level.norm() > std::abs(leg.step.z()) && std::abs(level.normalized().dot(near)) >= least_cosine)
       sum += leg.seconds() * level.normalized() * level.normalized().transpose();
   }
-  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(sum).eigenvectors().col(1);
+  if (sum.isZero(0.0)) return near;
+  const double angle = 0.5 * std::atan2(2.0 * sum(0, 1), sum(0, 0) - sum(1, 1));
+  return {std::cos(angle), std::sin(angle)};
 }
 
 /// Ways from pass to pass must not turn it.

@@ -212,7 +212,7 @@ std::optional<std::size_t> nextKept(const PoseMatrix& information, const std::ar
 }
 
 void addDirections(SensorPoseFit& fit, const PoseMatrix& information) {
-  const Eigen::SelfAdjointEigenSolver<PoseMatrix> parts(information);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> parts(information);
   for (Eigen::Index i = kPose; i-- > 0;) {
     ObservedDirection direction;
     direction.singular_value = std::sqrt(std::max(0.0, parts.eigenvalues()[i]));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lamina/geometry/shortest_rotation.hpp"
 #include "lamina/geometry/spatial/point_grid.hpp"
 
 namespace lamina {
@@ -34,7 +35,7 @@ std::vector<std::uint32_t> runOfCells(const LayerCells& cells) {
 }  // namespace
 
 Eigen::Matrix<double, 2, 3> planeSquareTo(const Eigen::Vector3d& normal) {
-  const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(normal, Eigen::Vector3d::UnitZ());
+  const Eigen::Quaterniond turn = shortestRotation(normal, Eigen::Vector3d::UnitZ());
   return turn.toRotationMatrix().topRows<2>();
 }
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "lamina/geometry/shortest_rotation.hpp"
+
 namespace lamina {
 namespace {
 
@@ -57,7 +59,7 @@ void StationIndex::layOut(const LayerCells& cells) {
   has_squares_ = std::all_of(cells.growth.begin(), cells.growth.end(), [&](const Eigen::Vector3d& growth) {
     return growth.dot(normal) >= kLeastCosine;
   });
-  if (has_squares_) axes_ = Eigen::Quaterniond::FromTwoVectors(normal, Eigen::Vector3d::UnitZ()).matrix();
+  if (has_squares_) axes_ = shortestRotation(normal, Eigen::Vector3d::UnitZ()).matrix();
   Box3 box;
   double longest = kLeastEdge;
   double widest = kLeastEdge;

@@ -5,6 +5,8 @@
 #include <Eigen/LU>
 #include <cmath>
 
+#include "lamina/geometry/shortest_rotation.hpp"
+
 namespace lamina {
 namespace {
 
@@ -26,7 +28,7 @@ Eigen::Quaterniond turnOf(const Eigen::Matrix3d& linear, const Point3& normal) {
   const bool is_rotation = (linear * linear.transpose()).isIdentity(kStraight) && linear.determinant() > 0.0;
   if (is_rotation) return Eigen::Quaterniond(linear);
   const Point3 mapped = linear.inverse().transpose() * normal;  // as normals of planes are mapped
-  return Eigen::Quaterniond::FromTwoVectors(normal, mapped);
+  return shortestRotation(normal, mapped);
 }
 
 Eigen::Quaterniond unlessStraight(const Eigen::Quaterniond& frame) {
@@ -45,7 +47,7 @@ StatedFrame transformedFrame(const StatedFrame& source, const PointTransform& tr
   StatedFrame stated;
   stated.bed_from_layers = unlessStraight((turn * source.bed_from_layers).normalized());
   const Point3 held = tool_axis.value_or(turn * (source.bed_from_nozzle * Point3::UnitZ()));
-  stated.bed_from_nozzle = Eigen::Quaterniond::FromTwoVectors(-Point3::UnitZ(), held) * nozzleDown();
+  stated.bed_from_nozzle = shortestRotation(-Point3::UnitZ(), held) * nozzleDown();
   if (transform.axes != nullptr)
     stated.bed_from_program = matrixOf([&](const Point3& point) { return transform.axes->inverse(point); });
   return stated;

@@ -18,6 +18,7 @@
 #include "lamina/geometry/mesh/mesh.hpp"
 #include "lamina/geometry/mesh/mesh_topology.hpp"
 #include "lamina/geometry/polygon/polygon.hpp"
+#include "lamina/geometry/shortest_rotation.hpp"
 #include "lamina/parameterization/distortion.hpp"
 #include "lamina/parameterization/flattening.hpp"
 #include "lamina/parameterization/layer_surface.hpp"
@@ -56,9 +57,8 @@ std::optional<std::vector<Point2>> planeParameterization(const Mesh& surface) {
   const Point3 normal = sum.normalized();
   if (!isPlane(surface, normal)) return std::nullopt;
   const bool is_level = std::hypot(normal.x(), normal.y()) <= kFlatness && normal.z() > 0.0;
-  const Eigen::Matrix3d turn =
-      is_level ? Eigen::Matrix3d(Eigen::Matrix3d::Identity())
-               : Eigen::Quaterniond::FromTwoVectors(normal, Point3::UnitZ()).toRotationMatrix();
+  const Eigen::Matrix3d turn = is_level ? Eigen::Matrix3d(Eigen::Matrix3d::Identity())
+                                        : shortestRotation(normal, Point3::UnitZ()).toRotationMatrix();
   std::vector<Point2> plan;
   plan.reserve(surface.vertices.size());
   for (const Point3& vertex : surface.vertices) plan.emplace_back((turn * vertex).head<2>());

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "lamina/base/error.hpp"
+#include "lamina/geometry/shortest_rotation.hpp"
 #include "lamina/toolpath/waypoint_text.hpp"
 #include "trajectory/joint_stations.hpp"
 #include "trajectory/pose_correction.hpp"
@@ -18,7 +19,7 @@ Eigen::Isometry3d halfway(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b
   Eigen::Isometry3d middle = Eigen::Isometry3d::Identity();
   middle.translation() = 0.5 * (a.translation() + b.translation());
   // The turn about the tool axis is no part of what is asked: the tool axes' great circle counts.
-  const auto turn = Eigen::Quaterniond::FromTwoVectors(a.linear().col(2), b.linear().col(2));
+  const auto turn = shortestRotation(a.linear().col(2), b.linear().col(2));
   middle.linear() = Eigen::Quaterniond::Identity().slerp(0.5, turn).toRotationMatrix() * a.linear();
   return middle;
 }

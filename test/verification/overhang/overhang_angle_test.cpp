@@ -8,6 +8,7 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/geometry/parts/parts.hpp"
+#include "lamina/geometry/shortest_rotation.hpp"
 
 namespace lamina {
 namespace {
@@ -38,7 +39,7 @@ Toolpath wallsOf(double lean_deg, double tool_lean_deg) {
       path.points.emplace_back(radius * out + z * Point3::UnitZ());
       const Point3 tool_axis = -std::cos(tool_lean_deg * kOverhangAngleDegree) * Point3::UnitZ() -
                                std::sin(tool_lean_deg * kOverhangAngleDegree) * out;
-      tools.push_back(Eigen::Quaterniond::FromTwoVectors(Point3::UnitZ(), tool_axis));
+      tools.push_back(shortestRotation(Point3::UnitZ(), tool_axis));
     }
     path.orientation = AlongPath<Eigen::Quaterniond>(std::move(tools));
     path.bead = Bead{0.8, 1.0};

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "lamina/geometry/shortest_rotation.hpp"
+
 namespace lamina {
 
 namespace {
@@ -85,7 +87,7 @@ Eigen::Isometry3d RungSolver::passing(const Eigen::Isometry3d& bed_from_nozzle,
     nearest = axis.dot(tool_axis) < 0.0 ? Point3(-axis) : axis;
   }
   Eigen::Isometry3d passed = bed_from_nozzle;
-  passed.linear() = Eigen::Quaterniond::FromTwoVectors(tool_axis, nearest) * bed_from_nozzle.linear();
+  passed.linear() = shortestRotation(tool_axis, nearest) * bed_from_nozzle.linear();
   return passed;
 }
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "lamina/base/error.hpp"
+#include "lamina/geometry/shortest_rotation.hpp"
 #include "planning/seams/seam.hpp"
 #include "planning/travel/travel.hpp"
 #include "planning/walls/curve_inset.hpp"
@@ -53,7 +54,7 @@ AdaptedCurve approached(AdaptedCurve curve, Seam& seam, const std::optional<Poin
 }
 
 Eigen::Quaterniond againstAxis(const Point3& axis) {
-  return (Eigen::Quaterniond::FromTwoVectors(Point3::UnitZ(), axis) * nozzleDown()).normalized();
+  return (shortestRotation(Point3::UnitZ(), axis) * nozzleDown()).normalized();
 }
 
 Path pathAlong(AdaptedCurve curve, double width_mm, double feed_mm_s) {

@@ -8,6 +8,7 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/base/parallel.hpp"
+#include "lamina/geometry/shortest_rotation.hpp"
 #include "lamina/program/gcode/gcode_dialect.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
 #include "lamina/toolpath/process_support.hpp"
@@ -260,7 +261,7 @@ StatedFrame statedFrame(const Toolpath& toolpath, const ProgramFrame& frame) {
   stated.bed_from_layers = bed_from_part * toolpath.part_from_layers;
   const Point3 tool_axis = bed_from_part * toolAxisOf(firstPath(toolpath));
   // The turn about the tool axis is free: none where it points straight down.
-  stated.bed_from_nozzle = Eigen::Quaterniond::FromTwoVectors(-Point3::UnitZ(), tool_axis) * nozzleDown();
+  stated.bed_from_nozzle = shortestRotation(-Point3::UnitZ(), tool_axis) * nozzleDown();
   stated.bed_from_program = frame.program_from_bed.inverse();
   return stated;
 }
