@@ -8,8 +8,8 @@
 
 #include "lamina/orientation/orientation_report.hpp"
 #include "lamina/planning/order/anchoring.hpp"
+#include "lamina/planning/order/fill_starts.hpp"
 #include "lamina/planning/planner.hpp"
-#include "lamina/planning/seams/fill_starts.hpp"
 #include "lamina/toolpath/repositions.hpp"
 #include "lamina/verification/overhang/overhang_angle.hpp"
 

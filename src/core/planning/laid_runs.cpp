@@ -58,4 +58,14 @@ std::vector<RunEnds> fillsSince(const std::vector<Path>& paths, std::size_t befo
   return ends;
 }
 
+Refilling refillingSince(const std::vector<Path>& paths, std::size_t before) {
+  Refilling refilling;
+  for (std::size_t i = before; i < paths.size(); ++i) {
+    if (paths[i].role == PathRole::Travel) continue;
+    ++refilling.runs;
+    refilling.deposited_mm3 += depositedVolume(paths[i]);
+  }
+  return refilling;
+}
+
 }  // namespace lamina

@@ -8,6 +8,7 @@
 #include "lamina/geometry/polygon/polygon.hpp"
 #include "lamina/infill/fill_path.hpp"
 #include "lamina/infill/strategy.hpp"
+#include "lamina/planning/planner.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 #include "planning/order/ordering.hpp"
 
@@ -26,5 +27,8 @@ std::vector<RunEnds> endsOf(const std::vector<Polygon>& loops);
 
 /// Ends of the runs of infill among the paths that follow the first so many.
 std::vector<RunEnds> fillsSince(const std::vector<Path>& paths, std::size_t before);
+
+/// What voids were refilled with: runs and material of the paths that follow the first so many.
+Refilling refillingSince(const std::vector<Path>& paths, std::size_t before);
 
 }  // namespace lamina

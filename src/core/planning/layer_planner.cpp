@@ -29,12 +29,12 @@
 #include "planning/order/anchored_run.hpp"
 #include "planning/order/bed_side.hpp"
 #include "planning/order/ordering.hpp"
+#include "planning/order/start_count.hpp"
 #include "planning/order/support_test.hpp"
 #include "planning/overhangs/overhanging_path.hpp"
 #include "planning/role_feed.hpp"
 #include "planning/run_path.hpp"
 #include "planning/seams/seam.hpp"
-#include "planning/seams/start_count.hpp"
 #include "planning/skins/ironing.hpp"
 #include "planning/skins/skin_areas.hpp"
 #include "planning/tools/tool_beads.hpp"
@@ -184,15 +184,10 @@ class LayerPlanner {
     if (has_skins && bridgesInfill() && infill_.spacing_mm == 0.0)
       walls.infill = addBridgesOverHollow(walls.infill);
     const std::size_t before = result_.paths.size();
-    if (has_skins) {
-      addSkinsAndInfill(walls.infill, before);
-    } else {
-      if (infill_.spacing_mm > 0.0) addInfill(infillArea(walls.infill));
-      keepSeen(walls.infill);
-      starts_ += startsOf(walls.infill, fillsSince(result_.paths, before), pitch_);
-      addFills(std::move(walls.narrow_infill), {});
-      if (!isSolid(infill_)) appendTo(sparse_, walls.infill);
-    }
+    if (has_skins)
+      addSkinsAndInfill(walls.infill);
+    else
+      addInfillAlone(walls.infill, std::move(walls.narrow_infill));
     return walls.unprinted_mm2 + (isSolid(infill_) ? areaMissed(walls.infill, result_.paths, before) : 0.0);
   }
 
@@ -203,7 +198,8 @@ class LayerPlanner {
     for (LaidBridge& bridge : areas.bridges) addFills(std::move(bridge.threads), bridge.area);
     const std::size_t before = result_.paths.size();
     addSkin(areas.hanging, PathRole::BottomSkin);
-    markSince(before, settings_.feed.skin_mm_s * settings_.overhangs.feed_factors.back());
+    markUnsupportedSince(result_.paths, before,
+                         settings_.feed.skin_mm_s * settings_.overhangs.feed_factors.back());
     return std::move(areas.rest);
   }
 
@@ -219,12 +215,6 @@ class LayerPlanner {
     std::vector<Polygon> rest = outlines(addBridges(below_.bridgedOver(below.carrying, below.room, pitch_)));
     for (Polygon& outline : outlines(below.hollow)) rest.push_back(std::move(outline));
     return unite(rest);
-  }
-
-  /// Over nothing: what was deposited since there were so many paths.
-  void markSince(std::size_t before, double feed_mm_s) {
-    for (std::size_t i = before; i < result_.paths.size(); ++i)
-      if (result_.paths[i].role != PathRole::Travel) markUnsupported(result_.paths[i], feed_mm_s);
   }
 
   void addWalls(Walls& walls) {
@@ -332,14 +322,20 @@ class LayerPlanner {
     Regions inside = intersection(walls.infill, overlap_mm > 0.0 ? offset(piece, overlap_mm) : piece);
     if (spans) inside = addBridges(below_.bridged(inside, pitch_));
     if (inside.empty()) return;
-    const std::size_t before = result_.paths.size();
-    if (has_skins) return addSkinsAndInfill(inside, before);
-    if (infill_.spacing_mm > 0.0) addInfill(infillArea(inside));
-    keepSeen(inside);
-    starts_ += startsOf(inside, fillsSince(result_.paths, before), pitch_);
+    if (has_skins) return addSkinsAndInfill(inside);
     std::vector<FillPath> narrow;
     for (const FillPath& run : walls.narrow_infill)
       for (FillPath& part : clipped(run, piece)) narrow.push_back(std::move(part));
+    addInfillAlone(inside, std::move(narrow));
+  }
+
+  /// Inside walls.
+  /// @param narrow  runs where the infill has no room
+  void addInfillAlone(const Regions& inside, std::vector<FillPath> narrow) {
+    const std::size_t before = result_.paths.size();
+    if (infill_.spacing_mm > 0.0) addInfill(infillArea(inside));
+    keepSeen(inside);
+    starts_ += startsOf(inside, fillsSince(result_.paths, before), pitch_);
     addFills(std::move(narrow), {});
     if (!isSolid(infill_)) appendTo(sparse_, inside);
   }
@@ -347,8 +343,8 @@ class LayerPlanner {
   /// Bottom skins first and top skins last, so that nothing is laid over what is seen. A solid infill gets
   /// their roles and stays what it is.
   /// @param inside  walls
-  /// @param before  how many paths there were before
-  void addSkinsAndInfill(const Regions& inside, std::size_t before) {
+  void addSkinsAndInfill(const Regions& inside) {
+    const std::size_t before = result_.paths.size();
     SkinAreas areas = skinAreas(inside, *cover_, skinMeasures(settings_, pitch_));
     const auto lay = [&](const Regions& area, PathRole role) {
       if (!isSolid(infill_)) return addSkin(area, role);
@@ -383,7 +379,7 @@ class LayerPlanner {
     const double across_deg =
         acrossLines(linesOf(context_.strategy, settings_.infill, groupOf(settings_.infill, index_ - 1)));
     addSkin(lowest, PathRole::Skin, std::fmod(across_deg - settings_.skins.angle_deg, 360.0));
-    markSince(before, settings_.feed.bridge_mm_s);
+    markUnsupportedSince(result_.paths, before, settings_.feed.bridge_mm_s);
     return difference(skin, lowest);
   }
 
@@ -491,12 +487,7 @@ class LayerPlanner {
     const Regions solid = isSolid(infill_) && sparse_.empty() ? material : difference(material, sparse_);
     const std::size_t before = result_.paths.size();
     addFills(refill(findVoids(solid, withoutFlow(result_, settings_.bead.flow), {}), settings), material);
-    for (std::size_t i = before; i < result_.paths.size(); ++i) {
-      const Path& path = result_.paths[i];
-      if (path.role == PathRole::Travel) continue;
-      ++refilling_.runs;
-      refilling_.deposited_mm3 += depositedVolume(path);
-    }
+    refilling_ = refillingSince(result_.paths, before);
   }
 
   InfillRequest infillRequest() const {

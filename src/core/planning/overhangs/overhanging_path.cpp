@@ -209,9 +209,12 @@ Path overhanging(Path wall, const BorderDistance& below, const OverhangRules& ru
   return PiecedWall(std::move(wall), rules).laid(pieces);
 }
 
-void markUnsupported(Path& path, double feed_mm_s) {
-  path.feed_mm_s = feed_mm_s;
-  path.values.push_back({kUnsupported, AlongPath<double>(1.0)});
+void markUnsupportedSince(std::vector<Path>& paths, std::size_t before, double feed_mm_s) {
+  for (std::size_t i = before; i < paths.size(); ++i) {
+    if (paths[i].role == PathRole::Travel) continue;
+    paths[i].feed_mm_s = feed_mm_s;
+    paths[i].values.push_back({kUnsupported, AlongPath<double>(1.0)});
+  }
 }
 
 const ProcessValue* unsupportedOf(const Path& path) {

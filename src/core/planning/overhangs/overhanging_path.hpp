@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "lamina/planning/overhangs/overhanging_walls.hpp"
 #include "lamina/toolpath/toolpath.hpp"
@@ -28,8 +29,9 @@ struct OverhangRules {
 /// @param layer  index, from 0: of every second one loops are turned round if the settings say so
 Path overhanging(Path wall, const BorderDistance& below, const OverhangRules& rules, std::size_t layer);
 
-/// The same for a path that is wholly over nothing: at that feed, and told so.
-void markUnsupported(Path& path, double feed_mm_s);
+/// The same for paths that are wholly over nothing, those that follow the first so many and deposit: at that
+/// feed, and told so.
+void markUnsupportedSince(std::vector<Path>& paths, std::size_t before, double feed_mm_s);
 
 /// What a path tells of it; null if it tells nothing.
 const ProcessValue* unsupportedOf(const Path& path);

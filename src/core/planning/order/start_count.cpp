@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "planning/seams/start_count.hpp"
+#include "planning/order/start_count.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "lamina/geometry/polygon/polygon.hpp"
-#include "lamina/planning/seams/fill_starts.hpp"
+#include "lamina/planning/order/fill_starts.hpp"
 #include "planning/order/ordering.hpp"
 
 namespace lamina {
