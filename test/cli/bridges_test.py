@@ -8,7 +8,7 @@ from lamina_command import PLAIN, lamina, told
 
 SKINS = ["--set", "skins.top_layers=4", "--set", "skins.bottom_layers=4", "--set", "skirt.count=0"]
 SPANNING = [*SKINS, "--set", "bridges.use=true"]
-FAN = ["--set", "fan.use=true", "--set", "fan.full_below_s=0", "--set", "fan.off_above_s=1", "--set", "fan.least=0.2"]
+FAN = ["--set", "fan.use=true", "--set", "fan.full_below_s=0", "--set", "fan.least_at_s=1", "--set", "fan.least=0.2"]
 
 
 class Bridges(unittest.TestCase):

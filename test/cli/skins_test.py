@@ -72,7 +72,7 @@ class Skins(unittest.TestCase):
         self.assertAlmostEqual(volumes[0] / volumes[1], 1.0, delta=0.01)
 
     def test_the_fan_has_its_share_of_the_role(self):
-        fan = ["--set", "fan.use=true", "--set", "fan.full_below_s=0", "--set", "fan.off_above_s=1", "--set", "fan.least=0.2"]
+        fan = ["--set", "fan.use=true", "--set", "fan.full_below_s=0", "--set", "fan.least_at_s=1", "--set", "fan.least=0.2"]
         program = self.program(*fan, "--set", "fan.by_role=top_skin=0.8")
         skin = program[program.index(";TYPE:top_skin"):]
         self.assertEqual(re.findall(r"M106 S(\d+)", skin)[0], "204")

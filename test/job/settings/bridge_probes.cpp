@@ -11,7 +11,7 @@ namespace {
 constexpr char kWideBeads[] =
     "slicing.layer_height_mm=0.4;slicing.first_layer_height_mm=0.4;bead.width_mm=0.8;skirt.count=0";
 
-constexpr char kFan[] = ";fan.use=true;fan.full_below_s=0;fan.least=0.2;fan.off_above_s=1";
+constexpr char kFan[] = ";fan.use=true;fan.full_below_s=0;fan.least=0.2;fan.least_at_s=1";
 
 SettingProbe overhangProbe() {
   return {"a cone leans out",

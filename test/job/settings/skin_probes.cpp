@@ -24,7 +24,7 @@ SettingProbe seenSkinProbe() {
 SettingProbe fanProbe() {
   return {"a fan blows harder on what is seen",
           std::string(kThickLayers) + ";skins.top_layers=1;skins.bottom_layers=1;fan.use=true;" +
-              "fan.full_below_s=0;fan.least=0.2;fan.off_above_s=1;fan.by_role=top_skin=0.9",
+              "fan.full_below_s=0;fan.least=0.2;fan.least_at_s=1;fan.by_role=top_skin=0.9",
           toolpathOf("box x_mm=10 y_mm=10 z_mm=3"),
           {{"fan.by_role=top_skin=0.8"}, {"fan.spin_up_s=0.3"}}};
 }

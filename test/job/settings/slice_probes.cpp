@@ -112,8 +112,8 @@ SettingProbe coolingProbe() {
            {"fan.least=0.2", "fan.full_below_s=1"},
            {"fan.greatest=0.8"},
            {"fan.full_below_s=1"},
-           {"fan.off_above_s=20", "fan.full_below_s=1"},
-           {"fan.beyond=none", "fan.full_below_s=1;fan.off_above_s=2"}}};
+           {"fan.least_at_s=20", "fan.full_below_s=1"},
+           {"fan.beyond=none", "fan.full_below_s=1;fan.least_at_s=2"}}};
 }
 
 SettingProbe narrowProbe() {

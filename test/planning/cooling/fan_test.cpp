@@ -37,7 +37,7 @@ FanSettings fanOfBridges() {
   settings.is_used = true;
   settings.off_layers = 0;
   settings.full_below_s = 0.0;
-  settings.off_above_s = 1.0;
+  settings.least_at_s = 1.0;
   settings.least = 0.2;
   settings.bridge = 0.9;
   return settings;
@@ -93,6 +93,14 @@ TEST(FanByRole, IsRefusedWhereItIsNoListOfRolesAndShares) {
     settings.by_role = list;
     EXPECT_THROW(requireConsistent(settings), InvalidConfig) << list;
   }
+}
+
+TEST(FanSettingsSchema, TakesTheFormerNameOfTheTimeOfTheLeastShare) {
+  FanSettings settings;
+  SettingsSchema schema;
+  describe(schema, settings);
+  schema.set("fan.off_above_s", "25");
+  EXPECT_EQ(settings.least_at_s, 25.0);
 }
 
 TEST(FanSpinUp, TellsTheFanEarlierAlongThePath) {

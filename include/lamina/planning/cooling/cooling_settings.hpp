@@ -44,8 +44,8 @@ struct FanSettings {
   double least = 0.35;  ///< shares of its power
   double greatest = 1.0;
   double full_below_s = 5.0;          ///< of layer time: the greatest share
-  double off_above_s = 60.0;          ///< of layer time: `beyond` from here on; between the two, linear
-  WhenSlow beyond = WhenSlow::Least;  ///< above `off_above_s`
+  double least_at_s = 60.0;           ///< of layer time: the least share; between the two, linear
+  WhenSlow beyond = WhenSlow::Least;  ///< of layers that take longer
   double bridge = 1.0;                ///< while a bridge is laid
   double overhang = 1.0;              ///< while walls and skins are laid that nothing carries
   std::string by_role;                ///< shares of other roles, as `support_interface=1,top_skin=0.8`
@@ -54,10 +54,10 @@ struct FanSettings {
 
 /// Adds the keys cooling.*.
 void describe(SettingsSchema& schema, CoolingSettings& settings);
-/// Adds the keys fan.*.
+/// Adds the keys fan.*; `fan.off_above_s`, the former name of `fan.least_at_s`, is taken for one release.
 void describe(SettingsSchema& schema, FanSettings& settings);
 
-/// @throws InvalidConfig if the least share is above the greatest, `full_below_s` is above `off_above_s`, or
+/// @throws InvalidConfig if the least share is above the greatest, `full_below_s` is above `least_at_s`, or
 ///   `by_role` is not a list of roles and shares
 void requireConsistent(const FanSettings& settings);
 /// @throws InvalidConfig if `interval` is Place and `by` is not Dwell

@@ -10,8 +10,8 @@
 
 #include "lamina/base/parallel.hpp"
 #include "lamina/toolpath/timing.hpp"
+#include "planning/cooling/fan_schedule.hpp"
 #include "planning/cooling/fan_spin_up.hpp"
-#include "planning/cooling/fan_switch.hpp"
 #include "planning/cooling/parking.hpp"
 #include "planning/cooling/place_interval.hpp"
 #include "planning/overhangs/overhanging_path.hpp"
@@ -179,17 +179,16 @@ CoolingSummary cool(Toolpath& toolpath, const CoolingSettings& settings, const M
 double fanShare(double layer_time_s, std::size_t layer, const FanSettings& settings) {
   if (layer < static_cast<std::size_t>(settings.off_layers)) return 0.0;
   if (layer_time_s <= settings.full_below_s) return settings.greatest;
-  if (layer_time_s > settings.off_above_s)
+  if (layer_time_s > settings.least_at_s)
     return settings.beyond == FanSettings::WhenSlow::Least ? settings.least : 0.0;
-  const double along =
-      (layer_time_s - settings.full_below_s) / (settings.off_above_s - settings.full_below_s);
+  const double along = (layer_time_s - settings.full_below_s) / (settings.least_at_s - settings.full_below_s);
   return settings.greatest + along * (settings.least - settings.greatest);
 }
 
 void addFan(Toolpath& toolpath, const FanSettings& settings, const MotionLimits& limits) {
   if (settings.is_used) {
     const ToolpathTime time = estimateTime(toolpath, limits);
-    FanSwitch fan(settings);
+    FanSchedule fan(settings);
     for (std::size_t i = 0; i < toolpath.layers.size(); ++i) {
       const std::vector<Path>& paths = toolpath.layers[i].paths;
       if (paths.empty()) continue;

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "lamina/base/error.hpp"
-#include "planning/cooling/fan_switch.hpp"
+#include "planning/cooling/fan_schedule.hpp"
 
 namespace lamina {
 
@@ -37,8 +37,9 @@ void describe(SettingsSchema& schema, FanSettings& fan) {
   schema.number("fan.greatest", fan.greatest, {0.0, 1.0, false}, "Greatest share of the fan's power.");
   schema.number("fan.full_below_s", fan.full_below_s, {0.0, 1e5, false},
                 "Layers of this time or less have the greatest share.");
-  schema.number("fan.off_above_s", fan.off_above_s, {0.0, 1e5, false},
+  schema.number("fan.least_at_s", fan.least_at_s, {0.0, 1e5, false},
                 "Layers of this time have the least share.");
+  schema.renamed("fan.off_above_s", "fan.least_at_s");
   schema.choice<FanSettings::WhenSlow>(
       "fan.beyond", fan.beyond,
       {{"least", FanSettings::WhenSlow::Least}, {"none", FanSettings::WhenSlow::None}},
@@ -57,9 +58,9 @@ void requireConsistent(const FanSettings& fan) {
   if (fan.least > fan.greatest)
     throw InvalidConfig("fan.least is " + std::to_string(fan.least) + "; must be at most fan.greatest, " +
                         std::to_string(fan.greatest));
-  if (fan.full_below_s > fan.off_above_s)
+  if (fan.full_below_s > fan.least_at_s)
     throw InvalidConfig("fan.full_below_s is " + std::to_string(fan.full_below_s) +
-                        " s; must be at most fan.off_above_s, " + std::to_string(fan.off_above_s) + " s");
+                        " s; must be at most fan.least_at_s, " + std::to_string(fan.least_at_s) + " s");
   roleSharesOf(fan);
 }
 

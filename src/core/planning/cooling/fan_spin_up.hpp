@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "lamina/toolpath/motion_limits.hpp"
-#include "planning/cooling/fan_switch.hpp"
+#include "planning/cooling/fan_schedule.hpp"
 
 namespace lamina {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "planning/cooling/fan_switch.hpp"
+#include "planning/cooling/fan_schedule.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -67,7 +67,7 @@ std::array<std::optional<double>, kPathRoles> roleSharesOf(const FanSettings& se
   return shares;
 }
 
-void FanSwitch::add(const std::vector<Path>& paths, std::size_t layer, double share) {
+void FanSchedule::add(const std::vector<Path>& paths, std::size_t layer, double share) {
   const auto laid = std::find_if(paths.begin(), paths.end(),
                                  [](const Path& path) { return path.role != PathRole::Travel; });
   change({layer, 0, 0}, laid == paths.end() ? share : shareOf(laid->role, layer, share));
@@ -76,12 +76,12 @@ void FanSwitch::add(const std::vector<Path>& paths, std::size_t layer, double sh
       addPath(paths[p], {layer, p, 0}, shareOf(paths[p].role, layer, share));
 }
 
-double FanSwitch::shareOf(PathRole role, std::size_t layer, double layer_share) const {
+double FanSchedule::shareOf(PathRole role, std::size_t layer, double layer_share) const {
   if (layer < static_cast<std::size_t>(settings_.off_layers)) return layer_share;
   return by_role_[static_cast<std::size_t>(role)].value_or(layer_share);
 }
 
-void FanSwitch::addPath(const Path& path, const WaypointIndex& begin, double share) {
+void FanSchedule::addPath(const Path& path, const WaypointIndex& begin, double share) {
   const bool spans = path.role == PathRole::Bridge || path.role == PathRole::Skin;
   if (path.role != PathRole::Bridge && unsupportedOf(path) == nullptr) return change(begin, share);
   const HangingMotions hangs(path);
@@ -91,7 +91,7 @@ void FanSwitch::addPath(const Path& path, const WaypointIndex& begin, double sha
                                                       : settings_.overhang);
 }
 
-void FanSwitch::change(const WaypointIndex& before, double share) {
+void FanSchedule::change(const WaypointIndex& before, double share) {
   constexpr double kSteps = 255.0;
   const std::int64_t steps = std::llround(share * kSteps);
   if (std::exchange(steps_, steps) == steps) return;

@@ -25,10 +25,10 @@ struct FanChange {
 };
 
 /// Finds where the fan is to have another share, by 1/255 or more.
-class FanSwitch {
+class FanSchedule {
  public:
   /// @param settings  must outlive this
-  explicit FanSwitch(const FanSettings& settings) : settings_(settings), by_role_(roleSharesOf(settings)) {}
+  explicit FanSchedule(const FanSettings& settings) : settings_(settings), by_role_(roleSharesOf(settings)) {}
 
   /// Of the next layer: at its start, where roles change that have shares of their own, and before and after
   /// what lies over nothing. No fan follows stretches shorter than 2 mm, nor gaps between them.
