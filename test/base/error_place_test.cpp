@@ -22,6 +22,11 @@ Failure rethrown(const std::function<void()>& act) {
   return {};
 }
 
+TEST(ErrorPlace, NamesLayerAndIsland) {
+  EXPECT_EQ(layerPlace(12, 2.4), "layer 12 at 2.4 mm");
+  EXPECT_EQ(islandPlace(0, 0.1 + 0.2, 3), "layer 0 at 0.3 mm, island 3");
+}
+
 TEST(RethrowAt, KeepsTheKindOfEveryErrorAndNamesThePlace) {
   for (int code = 1; code < 50; ++code) {
     const Failure thrown{static_cast<ErrorCode>(code), "too thin"};

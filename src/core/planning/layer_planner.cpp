@@ -17,7 +17,6 @@
 #include "lamina/base/error_place.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
 #include "lamina/geometry/polygon/simplify.hpp"
-#include "lamina/slicing/failing_layer.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 #include "lamina/voids/beads/refill.hpp"
 #include "planning/bridges/hollow_below.hpp"

@@ -23,7 +23,6 @@
 #include "lamina/planning/order/anchoring.hpp"
 #include "lamina/planning/plan_consistency.hpp"
 #include "lamina/planning/plan_settings.hpp"
-#include "lamina/slicing/failing_layer.hpp"
 #include "lamina/slicing/layer.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 #include "planning/compensation/first_layer.hpp"

@@ -14,7 +14,6 @@
 #include "lamina/parameterization/layer_charts.hpp"
 #include "lamina/parameterization/layer_volume.hpp"
 #include "lamina/planning/lift/chart_lift.hpp"
-#include "lamina/slicing/failing_layer.hpp"
 #include "lamina/slicing/unsliceable.hpp"
 
 namespace lamina {
