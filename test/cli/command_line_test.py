@@ -82,7 +82,7 @@ class CommandLine(unittest.TestCase):
         box = self.make_part("box", "--set", "x_mm=10", "--set", "y_mm=10", "--set", "z_mm=1")
         program, picture = self.path("box.gcode"), self.path("box.png")
         machine = ["--set", "machine.name=five_axis_head_table"]
-        tilt = ["--set", "orientation.mode=fixed", "--set", "orientation.fixed_tilt_deg=10"]
+        tilt = ["--set", "orientation.mode=fixed", "--set", "orientation.fixed_lean_deg=10"]
         self.assertEqual(run("slice", box, *machine, *tilt, "-o", program).returncode, 0)
         self.assertIn(b"\n;FIVE_AXIS:tool_tip X Y Z B C\n", content(program))
         told = json.loads(run("preview", program, *machine, "-o", picture, "--json").stdout)

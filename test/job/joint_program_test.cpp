@@ -120,7 +120,7 @@ TEST_F(JointProgramTest, WhatAMachineCannotRunLeavesNoFile) {
   lean();
   EXPECT_NE(refusal("cartesian_gantry", "box.gcode").find("deg"), std::string::npos);
   EXPECT_NE(refusal("irb_4600", "box.gcode").find("is a robot"), std::string::npos);
-  job_.settings.orientation.fixed.tilt_deg = 75.0;
+  job_.settings.orientation.fixed.lean_deg = 75.0;
   job_.settings.orientation.limits.max_off_normal_deg = 90.0;
   const std::string text = refusal("five_axis_head_ab", "box.gcode");  // its joints turn by 60 deg at most
   EXPECT_EQ(text.rfind("layer 0, path 0, waypoint 0: ", 0), 0U) << text;

@@ -47,7 +47,7 @@ class SlicingModes : public ::testing::Test {
   SliceJob job_;
 };
 
-double greatestTiltDeg(const Toolpath& toolpath) {
+double greatestLeanDeg(const Toolpath& toolpath) {
   double greatest = 0.0;
   for (const ToolpathLayer& layer : toolpath.layers)
     for (const Path& path : layer.paths)
@@ -68,8 +68,8 @@ TEST_F(SlicingModes, CurvedLayersFillASphere) {
               0.02 * sliced.summary.mesh_volume_mm3);
   EXPECT_NEAR(sliced.summary.deposited_mm3, sliced.summary.mesh_volume_mm3,
               0.10 * sliced.summary.mesh_volume_mm3);
-  EXPECT_GT(greatestTiltDeg(sliced.toolpath), 80.0);
-  EXPECT_NEAR(sliced.summary.orientation.tilt_deg.value, greatestTiltDeg(sliced.toolpath), 1e-6);
+  EXPECT_GT(greatestLeanDeg(sliced.toolpath), 80.0);
+  EXPECT_NEAR(sliced.summary.orientation.lean_deg.value, greatestLeanDeg(sliced.toolpath), 1e-6);
 }
 
 TEST_F(SlicingModes, BentLayersKeepTheNozzleUprightAndTheVolume) {
@@ -77,7 +77,7 @@ TEST_F(SlicingModes, BentLayersKeepTheNozzleUprightAndTheVolume) {
   job_.output = folder_.file("cone.gcode");
   const SlicedPart sliced = slice("heightfield");
   EXPECT_NO_THROW(validate(sliced.toolpath));
-  EXPECT_LT(greatestTiltDeg(sliced.toolpath), 1e-6);
+  EXPECT_LT(greatestLeanDeg(sliced.toolpath), 1e-6);
   EXPECT_NEAR(sliced.summary.deposited_mm3, sliced.summary.mesh_volume_mm3,
               0.05 * sliced.summary.mesh_volume_mm3);
   EXPECT_FALSE(sliced.summary.notes.empty());
@@ -93,7 +93,7 @@ TEST_F(SlicingModes, AdaptedLayersGrowAlongALeaningWall) {
   job_.settings.planning.infill.density = 0.0;
   const SlicedPart sliced = slice("adapted");
   EXPECT_NO_THROW(validate(sliced.toolpath));
-  EXPECT_NEAR(greatestTiltDeg(sliced.toolpath), 30.0, 0.5);
+  EXPECT_NEAR(greatestLeanDeg(sliced.toolpath), 30.0, 0.5);
   // h cos 30 deg from one layer to the next.
   const double first = sliced.toolpath.layers[5].z_mm;
   EXPECT_NEAR(sliced.toolpath.layers[6].z_mm - first, 0.5 * std::cos(lean), 2e-3);

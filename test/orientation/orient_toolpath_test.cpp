@@ -58,7 +58,7 @@ TEST(OrientToolpath, DefaultsLeaveALevelToolpathAsItIs) {
   const Toolpath given = test::randomToolpath(7);
   const OrientedToolpath result = oriented(given, {});
   EXPECT_EQ(toolpathId(result.toolpath), toolpathId(given));
-  EXPECT_EQ(result.report.tilt_deg.value, 0.0);
+  EXPECT_EQ(result.report.lean_deg.value, 0.0);
   EXPECT_EQ(result.report.step_deg.value, 0.0);
   EXPECT_TRUE(result.report.limits_hit.empty());
 }
@@ -74,7 +74,7 @@ TEST(OrientToolpath, PathsOfOneOrientationHoldItOnce) {
     EXPECT_TRUE(path.orientation.isCommon());
     EXPECT_LE((toolAxisOf(at) - Point3(0, -0.5, -std::sqrt(0.75))).norm(), 1e-12);
   });
-  EXPECT_NEAR(result.report.tilt_deg.value, 30.0, 1e-9);
+  EXPECT_NEAR(result.report.lean_deg.value, 30.0, 1e-9);
 }
 
 TEST(OrientToolpath, ToolAxesStayFramesAreUnitAndSignsSteady) {
@@ -102,11 +102,11 @@ TEST(OrientToolpath, ToolAxesStayFramesAreUnitAndSignsSteady) {
 TEST(OrientToolpath, LimitsAreRespectedAndReported) {
   EXPECT_TRUE(rc::check([](std::uint64_t seed) {
     OrientationSettings settings;
-    settings.limits.max_tilt_deg = 40.0;
+    settings.limits.max_lean_deg = 40.0;
     settings.limits.max_turn_deg_per_mm = 2.0;
     const Toolpath given = withRandomToolAxes(seed, 80.0);
     const OrientedToolpath result = oriented(given, settings);
-    RC_ASSERT(result.report.tilt_deg.value <= 40.0 + 1e-9);
+    RC_ASSERT(result.report.lean_deg.value <= 40.0 + 1e-9);
     for (const ToolpathLayer& layer : result.toolpath.layers) {
       for (const Path& path : layer.paths) {
         for (std::size_t m = 0; m < path.motionCount() && path.role != PathRole::Travel; ++m) {
@@ -121,9 +121,9 @@ TEST(OrientToolpath, LimitsAreRespectedAndReported) {
       RC_ASSERT(hit.waypoints > 0U);
       RC_ASSERT(hit.worst.waypoint <
                 result.toolpath.layers[hit.worst.layer].paths[hit.worst.path].points.size());
-      if (hit.limit == OrientationLimit::Tilt) RC_ASSERT(hit.given_deg == 40.0 && hit.wanted_deg > 40.0);
+      if (hit.limit == OrientationLimit::Lean) RC_ASSERT(hit.given_deg == 40.0 && hit.wanted_deg > 40.0);
     }
-    RC_ASSERT(oriented(given, {}).report.tilt_deg.value <= 40.0 || !result.report.limits_hit.empty());
+    RC_ASSERT(oriented(given, {}).report.lean_deg.value <= 40.0 || !result.report.limits_hit.empty());
   }));
 }
 

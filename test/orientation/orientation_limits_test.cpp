@@ -29,16 +29,16 @@ void requireTurns(const std::vector<Point3>& tool_axes, const std::vector<double
 TEST(OrientationLimits, AnglesAreExactAlsoWhenSmall) {
   EXPECT_NEAR(angleDeg(Point3(1, 0, 0), Point3(std::cos(1e-9), std::sin(1e-9), 0)), 1e-9 * 180.0 / M_PI,
               1e-20);
-  EXPECT_NEAR(tiltDeg(Point3(0.6, 0.0, -0.8)), 36.869897645844, 1e-11);
-  EXPECT_DOUBLE_EQ(tiltDeg(Point3(0, 0, 1)), 180.0);
+  EXPECT_NEAR(leanDeg(Point3(0.6, 0.0, -0.8)), 36.869897645844, 1e-11);
+  EXPECT_DOUBLE_EQ(leanDeg(Point3(0, 0, 1)), 180.0);
 }
 
-TEST(OrientationLimits, TiltIsTakenBackInItsOwnPlane) {
-  const Point3 limited = withTiltLimit(Point3(0.48, 0.36, -0.8), 30.0);
+TEST(OrientationLimits, LeanIsTakenBackInItsOwnPlane) {
+  const Point3 limited = withLeanLimit(Point3(0.48, 0.36, -0.8), 30.0);
   EXPECT_LE((limited - Point3(0.4, 0.3, -std::sqrt(0.75))).norm(), 1e-12);
   const Point3 inside(0.48, 0.36, -0.8);
-  EXPECT_EQ(withTiltLimit(inside, 37.0), inside);
-  EXPECT_LE((withTiltLimit(Point3(0, 0, 1), 90.0) - Point3(1, 0, 0)).norm(), 1e-12);
+  EXPECT_EQ(withLeanLimit(inside, 37.0), inside);
+  EXPECT_LE((withLeanLimit(Point3(0, 0, 1), 90.0) - Point3(1, 0, 0)).norm(), 1e-12);
 }
 
 TEST(OrientationLimits, NoRunTurnsFasterThanItMay) {
@@ -53,7 +53,7 @@ TEST(OrientationLimits, NoRunTurnsFasterThanItMay) {
     requireTurns(tool_axes, lengths, limit);
     for (const Point3& tool_axis : tool_axes) {
       RC_ASSERT(std::abs(tool_axis.norm() - 1.0) <= 1e-12);
-      RC_ASSERT(tiltDeg(tool_axis) <= tilt + 1e-9);
+      RC_ASSERT(leanDeg(tool_axis) <= tilt + 1e-9);
     }
   }));
 }
@@ -74,10 +74,10 @@ TEST(OrientationLimits, ASuddenTurnIsSpreadOverBothSides) {
   const std::vector<Point3> tool_axes = withTurnLimit(wanted, std::vector<double>(19, 1.0), 2.0);
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     const double expected = std::clamp(10.0 + 2.0 * (static_cast<double>(i) - 9.5), 0.0, 20.0);
-    EXPECT_NEAR(tiltDeg(tool_axes[i]), expected, 1.01);
+    EXPECT_NEAR(leanDeg(tool_axes[i]), expected, 1.01);
   }
-  EXPECT_LE(tiltDeg(tool_axes[3]), 1e-9);
-  EXPECT_NEAR(tiltDeg(tool_axes[16]), 20.0, 1e-9);
+  EXPECT_LE(leanDeg(tool_axes[3]), 1e-9);
+  EXPECT_NEAR(leanDeg(tool_axes[16]), 20.0, 1e-9);
 }
 
 TEST(OrientationLimits, AClosedRunReturnsWithinItsLimit) {
@@ -85,9 +85,9 @@ TEST(OrientationLimits, AClosedRunReturnsWithinItsLimit) {
   std::fill(wanted.begin() + 15, wanted.begin() + 25, Point3(0.6, 0.0, -0.8));
   const std::vector<Point3> tool_axes = withTurnLimit(wanted, std::vector<double>(40, 1.0), 4.0);
   EXPECT_LE((tool_axes[0] - wanted[0]).norm(), 1e-12);
-  EXPECT_NEAR(tiltDeg(tool_axes[19]), tiltDeg(tool_axes[20]), 4.0);
+  EXPECT_NEAR(leanDeg(tool_axes[19]), leanDeg(tool_axes[20]), 4.0);
   // The plateau of 10 motions lets the tool reach all but the last degrees.
-  EXPECT_GT(tiltDeg(tool_axes[20]), 35.0);
+  EXPECT_GT(leanDeg(tool_axes[20]), 35.0);
 }
 
 }  // namespace

@@ -15,15 +15,25 @@ TEST(OrientationSettings, EveryKeyTakesItsValue) {
   describe(schema, settings);
   schema.set("orientation.mode", "wall");
   schema.set("orientation.smoothing_window", "5");
-  schema.set("orientation.max_tilt_deg", "30");
+  schema.set("orientation.max_lean_deg", "30");
   schema.set("orientation.heading_deg", "180");
   EXPECT_EQ(settings.mode, OrientationMode::Wall);
   EXPECT_EQ(settings.smoothing_window, 5);
-  EXPECT_EQ(settings.limits.max_tilt_deg, 30.0);
+  EXPECT_EQ(settings.limits.max_lean_deg, 30.0);
   EXPECT_EQ(settings.heading_deg, 180.0);
   EXPECT_NO_THROW(schema.validate());
   EXPECT_THROW(schema.set("orientation.mode", "spinning"), InvalidConfig);
   EXPECT_THROW(schema.set("orientation.lead_deg", "61"), InvalidConfig);
+}
+
+TEST(OrientationSettings, TakeTheFormerNamesOfLean) {
+  OrientationSettings settings;
+  SettingsSchema schema;
+  describe(schema, settings);
+  schema.set("orientation.fixed_tilt_deg", "12");
+  schema.set("orientation.max_tilt_deg", "34");
+  EXPECT_EQ(settings.fixed.lean_deg, 12.0);
+  EXPECT_EQ(settings.limits.max_lean_deg, 34.0);
 }
 
 TEST(OrientationSettings, AnEvenWindowIsRefused) {
@@ -33,13 +43,13 @@ TEST(OrientationSettings, AnEvenWindowIsRefused) {
   EXPECT_THROW(validate(settings), InvalidConfig);
 }
 
-TEST(OrientationSettings, ATurnLimitNeedsATiltLimitItCannotLeave) {
+TEST(OrientationSettings, ATurnLimitNeedsALeanLimitItCannotLeave) {
   OrientationSettings settings;
   settings.limits.max_turn_deg_per_mm = 1.0;
   EXPECT_NO_THROW(validate(settings));
-  settings.limits.max_tilt_deg = 120.0;
+  settings.limits.max_lean_deg = 120.0;
   EXPECT_THROW(validate(settings), InvalidConfig);
-  settings.limits.max_tilt_deg = 90.0;
+  settings.limits.max_lean_deg = 90.0;
   EXPECT_NO_THROW(validate(settings));
 }
 

@@ -17,7 +17,7 @@ struct OrientedToolpath {
 };
 
 /// Holds the nozzle along a toolpath as the settings say: the tool axis by mode, lead and tilt, smoothing,
-/// limits on tilt and then on turn, and about each tool axis the frame that does not spin. Points, beads and
+/// limits on lean and then on turn, and about each tool axis the frame that does not spin. Points, beads and
 /// feeds stay. Runs whose orientation is the same at all waypoints hold it once. Travels turn from the end of
 /// one run to the start of the next in proportion to their length, the shortest way; before the first run and
 /// after the last they hold what that has. From waypoint to waypoint, also from path to path, quaternions

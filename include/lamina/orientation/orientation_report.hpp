@@ -15,20 +15,20 @@ struct GreatestAngle {
   WaypointIndex at;
 };
 
-enum class OrientationLimit { Tilt, Turn };
+enum class OrientationLimit { Lean, Turn };
 
 /// A run on which a limit changed the tool axis.
 struct LimitHit {
-  OrientationLimit limit = OrientationLimit::Tilt;
+  OrientationLimit limit = OrientationLimit::Lean;
   WaypointIndex worst;        ///< where wanted and given differ most
-  double wanted_deg = 0.0;    ///< there: the tilt; for a turn limit the turn on the way there
+  double wanted_deg = 0.0;    ///< there: the lean; for a turn limit the turn on the way there
   double given_deg = 0.0;     ///< there: what it became
   std::size_t waypoints = 0;  ///< of the run at which the tool axis was changed
 };
 
 /// How the nozzle turns along a toolpath, and what limits changed.
 struct OrientationReport {
-  GreatestAngle tilt_deg;                  ///< of the tool axis from straight down
+  GreatestAngle lean_deg;                  ///< of the tool axis from straight down
   GreatestAngle step_deg;                  ///< turn of the nozzle between waypoints that follow each other
   GreatestAngle turn_deg_per_mm;           ///< the same over the length of the motion, in runs
   GreatestAngle travel_deg_per_mm;         ///< and in travels, which no limit changes

@@ -15,7 +15,7 @@ enum class OrientationMode {
 
 /// One direction for the whole part: the nozzle's body leans from the vertical towards a heading.
 struct FixedDirection {
-  double tilt_deg = 0.0;     ///< from the vertical; 0 is straight down
+  double lean_deg = 0.0;     ///< from the vertical; 0 is straight down
   double heading_deg = 0.0;  ///< to which the body leans, from x towards y
 };
 
@@ -26,7 +26,7 @@ struct WallFaces {
 
 /// Bounds on how the nozzle is held.
 struct OrientationLimits {
-  double max_tilt_deg = 180.0;       ///< of the tool axis from straight down; 180 is no limit
+  double max_lean_deg = 180.0;       ///< of the tool axis from straight down; 180 is no limit
   double max_turn_deg_per_mm = 0.0;  ///< of the tool axis along a run; 0 is no limit
   double max_off_normal_deg =
       60.0;  ///< of the tool axis from the layer's normal; a part that needs more is refused
@@ -44,11 +44,12 @@ struct OrientationSettings {
   double heading_deg = 0.0;  ///< of the nozzle's x, from x towards y
 };
 
-/// Adds the keys orientation.*.
+/// Adds the keys orientation.*. The former names of `fixed_lean_deg` and `max_lean_deg`, `fixed_tilt_deg` and
+/// `max_tilt_deg`, are taken for one release.
 void describe(SettingsSchema& schema, OrientationSettings& settings);
 
 /// Checks what bounds of single keys cannot say.
-/// @throws InvalidConfig if the smoothing window is even, or a turn limit goes with a tilt limit of more than
+/// @throws InvalidConfig if the smoothing window is even, or a turn limit goes with a lean limit of more than
 /// 90 degrees (of two tool axes within such a limit the shortest way between them may leave it)
 void validate(const OrientationSettings& settings);
 

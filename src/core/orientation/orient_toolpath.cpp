@@ -103,7 +103,7 @@ double turnDeg(const Eigen::Quaterniond& from, const Eigen::Quaterniond& to) {
 void addPath(OrientationReport& report, const Path& path, WaypointIndex at) {
   const std::vector<Eigen::Quaterniond>& values = path.orientation.values();
   for (at.waypoint = 0; at.waypoint < values.size(); ++at.waypoint)
-    raise(report.tilt_deg, tiltDeg(toolAxisOf(values[at.waypoint])), at);
+    raise(report.lean_deg, leanDeg(toolAxisOf(values[at.waypoint])), at);
   if (path.orientation.isCommon()) return;
   GreatestAngle& per_mm = path.role == PathRole::Travel ? report.travel_deg_per_mm : report.turn_deg_per_mm;
   for (std::size_t m = 0; m < path.motionCount(); ++m) {
@@ -115,7 +115,7 @@ void addPath(OrientationReport& report, const Path& path, WaypointIndex at) {
   }
 }
 
-/// The greatest tilt and turns of a toolpath; limits are not known here.
+/// The greatest lean and turns of a toolpath; limits are not known here.
 OrientationReport measuredTurns(const Toolpath& toolpath) {
   OrientationReport report;
   const Path* before = nullptr;
@@ -155,10 +155,10 @@ ToolAxes givenToolAxes(const Path& run) {
 }
 
 Point3 fixedToolAxis(const FixedDirection& fixed) {
-  const double tilt = fixed.tilt_deg * M_PI / 180.0;
+  const double lean = fixed.lean_deg * M_PI / 180.0;
   const double heading = fixed.heading_deg * M_PI / 180.0;
-  if (tilt == 0.0) return -Point3::UnitZ();
-  return {-std::sin(tilt) * std::cos(heading), -std::sin(tilt) * std::sin(heading), -std::cos(tilt)};
+  if (lean == 0.0) return -Point3::UnitZ();
+  return {-std::sin(lean) * std::cos(heading), -std::sin(lean) * std::sin(heading), -std::cos(lean)};
 }
 
 ToolAxes leaned(ToolAxes tool_axes, const Path& run, const OrientationSettings& settings) {
@@ -191,14 +191,14 @@ class HitCount {
   LimitHit hit_;
 };
 
-ToolAxes tiltLimited(ToolAxes tool_axes, double max_deg, std::vector<LimitHit>& hits, std::size_t waypoints) {
-  HitCount count(OrientationLimit::Tilt);
+ToolAxes leanLimited(ToolAxes tool_axes, double max_deg, std::vector<LimitHit>& hits, std::size_t waypoints) {
+  HitCount count(OrientationLimit::Lean);
   const std::size_t each =
       waypoints / tool_axes.size();  // waypoints per tool axis: all of them if it is common
   for (std::size_t i = 0; i < tool_axes.size(); ++i) {
-    const double wanted = tiltDeg(tool_axes[i]);
+    const double wanted = leanDeg(tool_axes[i]);
     if (wanted <= max_deg + kChangedDeg) continue;
-    tool_axes[i] = withTiltLimit(tool_axes[i], max_deg);
+    tool_axes[i] = withLeanLimit(tool_axes[i], max_deg);
     for (std::size_t k = 0; k < each; ++k) count.add(i + k, wanted, max_deg);
   }
   count.appendTo(hits);
@@ -247,7 +247,7 @@ RunOrientation runOrientation(const Path& run, const OrientationSettings& settin
   tool_axes =
       smoothedToolAxes(tool_axes, run.is_closed ? Course::Closed : Course::Open, settings.smoothing_window);
   tool_axes =
-      tiltLimited(std::move(tool_axes), settings.limits.max_tilt_deg, result.limits_hit, run.points.size());
+      leanLimited(std::move(tool_axes), settings.limits.max_lean_deg, result.limits_hit, run.points.size());
   tool_axes = turnLimited(std::move(tool_axes), run, settings.limits.max_turn_deg_per_mm, result.limits_hit);
   result.orientation = heldAlong(tool_axes, settings.heading_deg);
   return result;

@@ -15,7 +15,7 @@ constexpr double kOpposite = 1e-9;
 double angleBetween(const Point3& a, const Point3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
 
 /// From one direction towards another by at most an angle [rad], the shortest way; between opposite ones the
-/// way through straight down, which no tilt limit forbids.
+/// way through straight down, which no lean limit forbids.
 Point3 towards(const Point3& from, const Point3& to, double at_most) {
   if (angleBetween(from, to) <= at_most) return to;
   Point3 side = to - to.dot(from) * from;
@@ -89,16 +89,16 @@ void followRound(std::vector<Point3>& tool_axes, const std::vector<double>& allo
 
 double angleDeg(const Point3& a, const Point3& b) { return angleBetween(a, b) / kDegree; }
 
-double tiltDeg(const Point3& tool_axis) {
+double leanDeg(const Point3& tool_axis) {
   return std::atan2(tool_axis.head<2>().norm(), -tool_axis.z()) / kDegree;
 }
 
-Point3 withTiltLimit(const Point3& tool_axis, double max_deg) {
-  if (tiltDeg(tool_axis) <= max_deg) return tool_axis;
+Point3 withLeanLimit(const Point3& tool_axis, double max_deg) {
+  if (leanDeg(tool_axis) <= max_deg) return tool_axis;
   const double sideways = tool_axis.head<2>().norm();
   const Point2 heading = sideways > 0.0 ? Point2(tool_axis.head<2>() / sideways) : Point2::UnitX();
-  const double tilt = max_deg * kDegree;
-  return {std::sin(tilt) * heading.x(), std::sin(tilt) * heading.y(), -std::cos(tilt)};
+  const double lean = max_deg * kDegree;
+  return {std::sin(lean) * heading.x(), std::sin(lean) * heading.y(), -std::cos(lean)};
 }
 
 std::vector<Point3> withTurnLimit(const std::vector<Point3>& wanted, const std::vector<double>& lengths,

@@ -16,7 +16,7 @@ void describe(SettingsSchema& schema, OrientationSettings& settings) {
        {"wall", OrientationMode::Wall}},
       "Tool axis against the layer's normal, in one direction everywhere, or along the wall in walls.");
   const Bounds turn{-360.0, 360.0, false};
-  schema.number("orientation.fixed_tilt_deg", settings.fixed.tilt_deg, {0.0, 90.0, false},
+  schema.number("orientation.fixed_lean_deg", settings.fixed.lean_deg, {0.0, 90.0, false},
                 "Mode fixed: lean of the nozzle from the vertical.");
   schema.number("orientation.fixed_heading_deg", settings.fixed.heading_deg, turn,
                 "Mode fixed: where the nozzle leans to; 0 is x, 90 is y.");
@@ -29,7 +29,7 @@ void describe(SettingsSchema& schema, OrientationSettings& settings) {
                 "Lean of the nozzle to the left of the path.");
   schema.integer("orientation.smoothing_window", settings.smoothing_window, {1, 9999, false},
                  "Waypoints over which the tool axis is averaged, an odd number; 1 is none.");
-  schema.number("orientation.max_tilt_deg", settings.limits.max_tilt_deg, {0.0, 180.0, false},
+  schema.number("orientation.max_lean_deg", settings.limits.max_lean_deg, {0.0, 180.0, false},
                 "Greatest angle between the tool axis and straight down; 180 is no limit.");
   schema.number("orientation.max_turn_deg_per_mm", settings.limits.max_turn_deg_per_mm, {0.0, 1000.0, false},
                 "Greatest turn of the tool axis along a run; 0 is no limit.");
@@ -37,6 +37,8 @@ void describe(SettingsSchema& schema, OrientationSettings& settings) {
                 "Greatest angle between tool axis and layer's normal; a part that needs more is refused.");
   schema.number("orientation.heading_deg", settings.heading_deg, turn,
                 "Heading of the nozzle's x, which does not spin about the tool axis; 0 is x, 180 is -x.");
+  schema.renamed("orientation.fixed_tilt_deg", "orientation.fixed_lean_deg");
+  schema.renamed("orientation.max_tilt_deg", "orientation.max_lean_deg");
 }
 
 void validate(const OrientationSettings& settings) {
@@ -44,8 +46,8 @@ void validate(const OrientationSettings& settings) {
     throw InvalidConfig("orientation.smoothing_window is " + std::to_string(settings.smoothing_window) +
                         "; must be odd and at least 1");
   const OrientationLimits& limits = settings.limits;
-  if (limits.max_turn_deg_per_mm > 0.0 && limits.max_tilt_deg > 90.0 && limits.max_tilt_deg < 180.0)
-    throw InvalidConfig("orientation.max_tilt_deg is " + std::to_string(limits.max_tilt_deg) +
+  if (limits.max_turn_deg_per_mm > 0.0 && limits.max_lean_deg > 90.0 && limits.max_lean_deg < 180.0)
+    throw InvalidConfig("orientation.max_lean_deg is " + std::to_string(limits.max_lean_deg) +
                         " deg; with orientation.max_turn_deg_per_mm it must be at most 90, or 180 for none");
 }
 

@@ -27,7 +27,7 @@ void addLimit(const OrientationReport& report, OrientationLimit limit, std::vect
   char text[256];
   std::snprintf(text, sizeof text,
                 "orientation.%s changed %zu runs, most at %s: %.2f deg wanted, %.2f deg given",
-                limit == OrientationLimit::Tilt ? "max_tilt_deg" : "max_turn_deg_per_mm", runs,
+                limit == OrientationLimit::Lean ? "max_lean_deg" : "max_turn_deg_per_mm", runs,
                 toText(worst->worst).c_str(), worst->wanted_deg, worst->given_deg);
   notes.emplace_back(text);
 }
@@ -38,7 +38,7 @@ bool changesOrientation(const OrientationSettings& settings) {
   const OrientationSettings as_sliced;
   return settings.mode != OrientationMode::LayerNormal || settings.lead_deg != 0.0 ||
          settings.tilt_deg != 0.0 || settings.smoothing_window != 1 || settings.heading_deg != 0.0 ||
-         settings.limits.max_tilt_deg != as_sliced.limits.max_tilt_deg ||
+         settings.limits.max_lean_deg != as_sliced.limits.max_lean_deg ||
          settings.limits.max_turn_deg_per_mm != as_sliced.limits.max_turn_deg_per_mm;
 }
 
@@ -73,7 +73,7 @@ void requireNearNormal(const Toolpath& as_sliced, const Toolpath& oriented,
 
 std::vector<std::string> notesOn(const OrientationReport& report) {
   std::vector<std::string> notes;
-  addLimit(report, OrientationLimit::Tilt, notes);
+  addLimit(report, OrientationLimit::Lean, notes);
   addLimit(report, OrientationLimit::Turn, notes);
   if (report.waypoints_without_wall > 0)
     notes.push_back("orientation.mode wall found no wall across the path at " +
