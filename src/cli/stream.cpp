@@ -43,7 +43,7 @@ StreamCommandSettings settingsFrom(const StreamArguments& arguments) {
   describe(schema, settings.stream);
   if (!arguments.corrections.maps.empty()) describeFeeding(schema, settings.feeding);
   for (const SettingText& setting : overridesFrom(arguments.settings)) schema.set(setting.key, setting.text);
-  validate(settings.stream);
+  requireConsistent(settings.stream);
   return settings;
 }
 

@@ -38,19 +38,19 @@ TEST(OrientationSettings, TakeTheFormerNamesOfLean) {
 
 TEST(OrientationSettings, AnEvenWindowIsRefused) {
   OrientationSettings settings;
-  EXPECT_NO_THROW(validate(settings));
+  EXPECT_NO_THROW(requireConsistent(settings));
   settings.smoothing_window = 4;
-  EXPECT_THROW(validate(settings), InvalidConfig);
+  EXPECT_THROW(requireConsistent(settings), InvalidConfig);
 }
 
 TEST(OrientationSettings, ATurnLimitNeedsALeanLimitItCannotLeave) {
   OrientationSettings settings;
   settings.limits.max_turn_deg_per_mm = 1.0;
-  EXPECT_NO_THROW(validate(settings));
+  EXPECT_NO_THROW(requireConsistent(settings));
   settings.limits.max_lean_deg = 120.0;
-  EXPECT_THROW(validate(settings), InvalidConfig);
+  EXPECT_THROW(requireConsistent(settings), InvalidConfig);
   settings.limits.max_lean_deg = 90.0;
-  EXPECT_NO_THROW(validate(settings));
+  EXPECT_NO_THROW(requireConsistent(settings));
 }
 
 }  // namespace

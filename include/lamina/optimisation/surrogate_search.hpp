@@ -51,7 +51,7 @@ struct SurrogateSearchSettings {
 void describe(SettingsSchema& schema, SurrogateSearchSettings& settings);
 
 /// @throws InvalidConfig if fewer iterations are allowed than asked for at least
-void validate(const SurrogateSearchSettings& settings);
+void requireConsistent(const SurrogateSearchSettings& settings);
 
 /// A point proposed on what was known before it, and what came of it.
 struct SurrogateIteration {
@@ -104,8 +104,9 @@ struct SurrogateSearch {
 /// Missing responses of samples are predicted from those that have them. Fitness is relative to the means of
 /// the design, so that it means the same in all iterations.
 /// @param listener  may be empty
-/// @throws InvalidConfig as `validate`, `Fitness` and the designs; InvalidInput if a sample lies outside the
-///   space, or too few could be tried to fit a surrogate; Cancelled; what the evaluator throws
+/// @throws InvalidConfig as `validate`, `requireConsistent`, `Fitness` and the designs; InvalidInput if a
+///   sample lies outside the space, or too few could be tried to fit a surrogate; Cancelled; what the
+///   evaluator throws
 SurrogateSearch searchBySurrogate(const SearchProblem& problem, const Learning& learning,
                                   const SurrogateSearchSettings& settings, const SurrogateListener& listener,
                                   Progress& progress);

@@ -26,8 +26,8 @@ struct OrientedToolpath {
 /// @param toolpath  with the orientations the slicer gave, tool axes against the layers' normals
 /// @param part      what it was sliced from [mm, part frame]; read in mode wall only
 /// @return the same for any number of threads
-/// @throws InvalidConfig as `validate`; InvalidInput if a whole run's tool axis lies across the heading, or a
-/// part has no walls to follow; Cancelled
+/// @throws InvalidConfig as `requireConsistent`; InvalidInput if a whole run's tool axis lies across the
+/// heading, or a part has no walls to follow; Cancelled
 OrientedToolpath orientToolpath(Toolpath toolpath, const OrientationSettings& settings, const Mesh& part,
                                 Progress& progress);
 

@@ -51,6 +51,6 @@ void describe(SettingsSchema& schema, OrientationSettings& settings);
 /// Checks what bounds of single keys cannot say.
 /// @throws InvalidConfig if the smoothing window is even, or a turn limit goes with a lean limit of more than
 /// 90 degrees (of two tool axes within such a limit the shortest way between them may leave it)
-void validate(const OrientationSettings& settings);
+void requireConsistent(const OrientationSettings& settings);
 
 }  // namespace lamina

@@ -241,7 +241,7 @@ void validate(const JobSettings& settings) {
   requireConsistent(settings.flow);
   requireConsistent(settings.hooks);
   requireConsistent(settings.pauses);
-  validate(settings.orientation);
+  requireConsistent(settings.orientation);
   validate(settings.joints);
   requireConsistentPlane(settings);
   requirePlaneLayersFor(settings);

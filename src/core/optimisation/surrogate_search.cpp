@@ -222,7 +222,7 @@ void describe(SettingsSchema& schema, SurrogateSearchSettings& settings) {
   describe(schema, settings.genetic);
 }
 
-void validate(const SurrogateSearchSettings& settings) {
+void requireConsistent(const SurrogateSearchSettings& settings) {
   if (settings.iterations > settings.most_iterations)
     throw InvalidConfig("surrogate.iterations is " + std::to_string(settings.iterations) +
                         "; expected at most surrogate.most_iterations, " +
@@ -249,7 +249,7 @@ SurrogateSearch searchBySurrogate(const SearchProblem& problem, const Learning& 
                                   const SurrogateSearchSettings& settings, const SurrogateListener& listener,
                                   Progress& progress) {
   validate(problem);
-  validate(settings);
+  requireConsistent(settings);
   requireUsableSearch(learning.samples, problem.space, problem.evaluator.responseNames().size());
   return Search(problem, learning.fit, settings).run(learning.samples, listener, progress);
 }

@@ -291,7 +291,7 @@ LayerFindings orientLayer(ToolpathLayer& layer, std::size_t number, const Orient
 
 OrientedToolpath orientToolpath(Toolpath toolpath, const OrientationSettings& settings, const Mesh& part,
                                 Progress& progress) {
-  validate(settings);
+  requireConsistent(settings);
   std::optional<WallNormals> walls;
   if (settings.mode == OrientationMode::Wall)
     walls.emplace(part, layerNormal(toolpath), settings.wall.max_lean_deg);

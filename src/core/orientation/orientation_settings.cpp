@@ -41,7 +41,7 @@ void describe(SettingsSchema& schema, OrientationSettings& settings) {
   schema.renamed("orientation.max_tilt_deg", "orientation.max_lean_deg");
 }
 
-void validate(const OrientationSettings& settings) {
+void requireConsistent(const OrientationSettings& settings) {
   if (settings.smoothing_window < 1 || settings.smoothing_window % 2 == 0)
     throw InvalidConfig("orientation.smoothing_window is " + std::to_string(settings.smoothing_window) +
                         "; must be odd and at least 1");

@@ -22,7 +22,7 @@ SearchSettings searchSettingsOf(const Study& study) {
   for (const SettingText& setting : study.search)
     if (!isOfSurrogateFit(setting.key)) schema.set(setting.key, setting.text);
   schema.validate();
-  validate(settings.surrogate);
+  requireConsistent(settings.surrogate);
   return settings;
 }
 

@@ -13,7 +13,7 @@ int main(int argc, char** argv) {
     lamina::SettingsSchema schema;
     describe(schema, settings);
     lamina::applyParameters(schema, ros::NodeHandle("~"));
-    validate(settings.stream);
+    requireConsistent(settings.stream);
     const auto feeding = lamina::withFeederOf(settings.corrections.calibration, settings.corrections.loop,
                                               buildSpaceOf(settings.machine).name);
     settings.corrections.loop = feeding.loop;

@@ -23,7 +23,7 @@ namespace lamina {
 class Streamer final : public StreamJob {
  public:
   /// @param heard  may be empty
-  /// @throws InvalidConfig as `validate` of the settings
+  /// @throws InvalidConfig as `requireConsistent` of the settings
   Streamer(const StreamableProgram& program, const StreamSettings& settings, ReplyListener heard = {});
   /// @throws InvalidConfig also if a job is to go on that the protocol cannot go on with, or whose firmware
   /// is

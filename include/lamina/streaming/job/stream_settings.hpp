@@ -68,6 +68,6 @@ LinkKind linkOf(const std::string& port);
 int windowLines(const StreamSettings& settings, LinkKind link);
 
 /// @throws InvalidConfig if a line would not fit into the window, or nothing speaks to the firmware
-void validate(const StreamSettings& settings);
+void requireConsistent(const StreamSettings& settings);
 
 }  // namespace lamina

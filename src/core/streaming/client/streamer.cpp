@@ -23,7 +23,7 @@ std::string defectOfRevision(const StreamOrder& order, const std::string& protoc
 }  // namespace
 
 Streamer::Streamer(StreamOrder order) : order_(std::move(order)) {
-  validate(order_.settings);
+  requireConsistent(order_.settings);
   const std::string& firmware = order_.settings.firmware;
   const bool is_any = firmware == kAnyFirmware;
   if (order_.unfinished && (is_any || !firmwareProtocols().find(firmware)->canResume()))

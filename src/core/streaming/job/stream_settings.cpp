@@ -79,7 +79,7 @@ int windowLines(const StreamSettings& settings, LinkKind link) {
   return link == LinkKind::Lossy ? 1 : kReliable;
 }
 
-void validate(const StreamSettings& settings) {
+void requireConsistent(const StreamSettings& settings) {
   if (settings.firmware != kAnyFirmware) firmwareProtocols().find(settings.firmware);
   if (settings.window_bytes >= settings.max_line_bytes) return;
   throw InvalidConfig("stream.window_bytes is " + std::to_string(settings.window_bytes) +
