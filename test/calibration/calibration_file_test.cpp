@@ -18,8 +18,8 @@ Calibration whole() {
   pose.nozzle_from_sensor.translation() = Eigen::Vector3d(25.1, -0.2, -60.03);
   pose.nozzle_from_sensor.rotate(Eigen::AngleAxisd(0.3, Eigen::Vector3d(1, -2, 3).normalized()));
   pose.spread = {0.01, 0.02, 0.0, 0.01, 0.0, 0.03};
-  pose.kept = "z, turn about y";
-  pose.source = {"cross", "2026-11-23T12:30:00Z"};
+  pose.not_found = "z, turn about y";
+  pose.origin = {"cross", "2026-11-23T12:30:00Z"};
   cell.pose = pose;
   cell.feeder = CalibratedFeeder{0.6, 0.01, 0.3, 0.02, {"bead", "2026-11-23T13:00:00Z"}};
   return cell;
@@ -50,10 +50,10 @@ TEST(CalibrationFile, ReadsBackWhatWasWritten) {
   ASSERT_TRUE(read.time && read.pose && read.feeder);
   EXPECT_EQ(read.time->offset_s, 0.08125);
   EXPECT_EQ(read.time->drift_s_per_min, -1e-6);
-  EXPECT_EQ(read.time->source.date, "2026-11-23T12:00:00Z");
+  EXPECT_EQ(read.time->origin.date, "2026-11-23T12:00:00Z");
   EXPECT_LT((read.pose->nozzle_from_sensor.matrix() - cell.pose->nozzle_from_sensor.matrix()).norm(), 1e-12);
   EXPECT_EQ(read.pose->spread, cell.pose->spread);
-  EXPECT_EQ(read.pose->kept, "z, turn about y");
+  EXPECT_EQ(read.pose->not_found, "z, turn about y");
   EXPECT_EQ(read.feeder->lag_s, 0.3);
   EXPECT_EQ(toYaml(read).size(), toYaml(cell).size());
 }
@@ -89,8 +89,8 @@ TEST(CalibrationFile, IsOfOneMachine) {
 }
 
 TEST(CalibrationFile, StatesDatesInUtc) {
-  EXPECT_EQ(calibrationDate(0), "1970-01-01T00:00:00Z");
-  EXPECT_EQ(calibrationDate(1795435200), "2026-11-23T12:00:00Z");
+  EXPECT_EQ(utcText(0), "1970-01-01T00:00:00Z");
+  EXPECT_EQ(utcText(1795435200), "2026-11-23T12:00:00Z");
 }
 
 TEST(CalibrationFile, KeepsAnyTurn) {

@@ -159,7 +159,7 @@ void expectTruth(const Calibration& found) {
   EXPECT_NEAR(found.time->offset_s, kLate, 0.001);
   const Eigen::Isometry3d truth = machineFromUrdf(gantryWithMovedSensor()).nozzle_from_sensor;
   const Eigen::Isometry3d pose = found.pose->nozzle_from_sensor;
-  EXPECT_EQ(found.pose->kept, "");
+  EXPECT_EQ(found.pose->not_found, "");
   EXPECT_LT((pose.translation() - truth.translation()).norm(), 0.05);
   EXPECT_LT(angleBetween(pose, truth), 0.05 * M_PI / 180.0);
 }
@@ -242,7 +242,7 @@ TEST(CalibrationTest, FindsHowLateAnEmulatedFeederFollows) {
   const Calibration kept = readCalibration(told);
   ASSERT_TRUE(kept.feeder && kept.time);
   EXPECT_NEAR(kept.feeder->dead_time_s, found.dead_time, 1e-9);
-  EXPECT_EQ(kept.feeder->source.method, "bead");
+  EXPECT_EQ(kept.feeder->origin.method, "bead");
 }
 
 /// What the services refuse, each by name; nothing is written, and a recording goes on.
@@ -312,7 +312,7 @@ TEST(CalibrationTest, TellsTheMonitorWhenAndFromWhereTheSensorSees) {
   cell.time = CalibratedTime{kLate, 1e-4, 0.0, 0.0, {"bobbing", "2026-11-23T12:00:00Z"}};
   cell.pose = CalibratedPose{};
   cell.pose->nozzle_from_sensor = test::nozzleFromSensor();
-  cell.pose->source = {"cross", "2026-11-23T12:00:01Z"};
+  cell.pose->origin = {"cross", "2026-11-23T12:00:01Z"};
   writeCalibration(file, cell);
   const test::NodeProcess monitor(LAMINA_MONITOR_NODE, {"_sensor/calibration:=" + file, "__ns:=/plates",
                                                         "/tf:=/plates/tf", "/tf_static:=/plates/tf_static"});

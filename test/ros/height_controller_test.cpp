@@ -169,7 +169,7 @@ Calibration wallCalibration(const std::string& machine = "cartesian_gantry") {
   found.time = CalibratedTime{kLate, 1e-4, 0.0, 0.0, {"bobbing", "2026-11-23T12:00:00Z"}};
   found.pose = CalibratedPose{};
   found.pose->nozzle_from_sensor = test::sensorOfWall();
-  found.pose->source = {"cross", "2026-11-23T12:00:01Z"};
+  found.pose->origin = {"cross", "2026-11-23T12:00:01Z"};
   return found;
 }
 

@@ -10,9 +10,11 @@
 namespace lamina {
 
 /// By what and when something was calibrated.
-struct CalibrationSource {
-  std::string method;  ///< "bobbing", "edge", "overlap", "planes", "pyramid", "cross", "pairs", "bead"
-  std::string date;    ///< UTC, as `calibrationDate` gives it
+struct CalibrationOrigin {
+  /// As `--method` of `lamina calibrate` names it: "bobbing", "edge" or "overlap" for the time, "cross",
+  /// "bed", "plane", "pyramid" or "pairs" for the place, "bead" for the feeder.
+  std::string method;
+  std::string date;  ///< UTC, as `utcText` gives it
 };
 
 /// How late the sensor's stamps are.
@@ -21,7 +23,7 @@ struct CalibratedTime {
   double spread_s = 0.0;  ///< standard deviation
   double scatter_s = 0.0;
   double drift_s_per_min = 0.0;
-  CalibrationSource source;
+  CalibrationOrigin origin;
 };
 
 /// Where the sensor sits.
@@ -30,8 +32,9 @@ struct CalibratedPose {
   /// Standard deviations along x, y, z of the nozzle [mm] and of turns about them [deg]; 0 for what was not
   /// found and kept its former value. Six.
   std::vector<double> spread = std::vector<double>(6, 0.0);
-  std::string kept;  ///< what was not found, with commas between: "z, turn about x"; empty if all was
-  CalibrationSource source;
+  /// What kept its former value, with commas between: "z, turn about x"; empty if all was found.
+  std::string not_found;
+  CalibrationOrigin origin;
 };
 
 /// How late a feeder follows what it is told.
@@ -40,7 +43,7 @@ struct CalibratedFeeder {
   double dead_time_spread_s = 0.0;
   double lag_s = 0.0;
   double lag_spread_s = 0.0;
-  CalibrationSource source;
+  CalibrationOrigin origin;
 };
 
 /// What is known of a cell's sensor and feeder; each part may be missing.
@@ -73,6 +76,6 @@ void requireCalibrationOf(const Calibration& calibration, const std::string& mac
 
 /// A time as files state it: "2026-11-23T12:00:00Z".
 /// @param seconds  since 1970
-std::string calibrationDate(long long seconds);
+std::string utcText(long long seconds);
 
 }  // namespace lamina

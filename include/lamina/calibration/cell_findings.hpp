@@ -23,7 +23,7 @@ struct FoundTime {
 
 /// @param method  "bobbing", "edge" or "overlap"; empty: "bobbing"
 /// @param about   where the sensor sits as far as is known, for edge and overlap [mm]
-/// @param date    as `calibrationDate` gives it
+/// @param date    as `utcText` gives it
 /// @throws InvalidInput if the method is none of these; as `offsetByBobbing`, `offsetByPasses`
 FoundTime findTime(const SensorRecording& recording, const std::string& method,
                    const Eigen::Isometry3d& about, const CalibrationSettings& settings,
@@ -54,7 +54,7 @@ struct FoundPose {
 /// @param time_offset_s  of the sensor's stamps
 /// @throws InvalidInput as `fitSensorPose`
 FoundPose findPose(const std::vector<SensorView>& views, const Eigen::Isometry3d& about, double time_offset_s,
-                   const CalibrationSettings& settings, const CalibrationSource& source);
+                   const CalibrationSettings& settings, const CalibrationOrigin& origin);
 
 /// What a scan of the feeder's beads tells of it.
 struct FoundFeeder {

@@ -84,8 +84,8 @@ SensorPoseFit fitSensorPose(const std::vector<SensorView>& views, const Eigen::I
 /// "x", "y", "z", "turn about x", ... of the nozzle.
 const char* directionName(std::size_t direction);
 
-/// What was kept, with commas between; empty if all was found.
-std::string keptDirections(const SensorPoseFit& fit);
+/// What kept its former value, with commas between; empty if all was found.
+std::string directionsNotFound(const SensorPoseFit& fit);
 
 /// A sentence for each direction that is not observable, and what it is mixed with; none if all are.
 std::vector<std::string> observability(const SensorPoseFit& fit, const SensorPoseSettings& settings);

@@ -39,7 +39,7 @@ void printPose(const SensorArguments& arguments, const FoundPose& found, OutputF
                                    {"xyz_mm", {at.x(), at.y(), at.z()}},
                                    {"quaternion_wxyz", {turn.w(), turn.x(), turn.y(), turn.z()}},
                                    {"spread", pose.spread},
-                                   {"kept", pose.kept},
+                                   {"kept", pose.not_found},
                                    {"not_observable", found.not_observable},
                                    {"output", arguments.common.cell}};
     json.update(figures);
@@ -56,7 +56,7 @@ void calibrateByPairs(const SensorArguments& arguments, Calibration cell, Output
   FoundPose found;
   found.pose.nozzle_from_sensor = fit.nozzle_from_sensor;
   found.pose.spread = {fit.rms_mm, fit.rms_mm, fit.rms_mm, fit.rms_deg, fit.rms_deg, fit.rms_deg};
-  found.pose.source = foundNow(arguments.method);
+  found.pose.origin = foundNow(arguments.method);
   found.fit.rms_mm = fit.rms_mm;
   cell.pose = found.pose;
   keepCell(arguments.common, cell);

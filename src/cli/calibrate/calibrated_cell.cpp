@@ -73,9 +73,9 @@ Eigen::Isometry3d knownSensorPose(const Calibration& cell, const MachineSettings
   return bed_from_nozzle.inverse() * *space.tip_from_sensor;
 }
 
-CalibrationSource foundNow(const std::string& method) {
+CalibrationOrigin foundNow(const std::string& method) {
   const auto now = std::chrono::system_clock::now().time_since_epoch();
-  return {method, calibrationDate(std::chrono::duration_cast<std::chrono::seconds>(now).count())};
+  return {method, utcText(std::chrono::duration_cast<std::chrono::seconds>(now).count())};
 }
 
 void keepCell(const CalibrateArguments& arguments, const Calibration& cell) {

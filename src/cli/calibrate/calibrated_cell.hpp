@@ -50,7 +50,7 @@ Calibration cellSoFar(const CalibrateArguments& arguments, const MachineSettings
 Eigen::Isometry3d knownSensorPose(const Calibration& cell, const MachineSettings& machine);
 
 /// A method, found now.
-CalibrationSource foundNow(const std::string& method);
+CalibrationOrigin foundNow(const std::string& method);
 
 /// Writes the calibration file if one was named.
 /// @throws FileError

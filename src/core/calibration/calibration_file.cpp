@@ -28,9 +28,9 @@ struct StatedCalibration {
   CalibratedFeeder feeder;
 };
 
-void describeSource(SettingsSchema& schema, const std::string& key, CalibrationSource& source) {
-  schema.text(key + "_method", source.method, "How it was found.");
-  schema.text(key + "_date", source.date, "When it was found, UTC.");
+void describeOrigin(SettingsSchema& schema, const std::string& key, CalibrationOrigin& origin) {
+  schema.text(key + "_method", origin.method, "How it was found.");
+  schema.text(key + "_date", origin.date, "When it was found, UTC.");
 }
 
 /// Keys of a part begin alike.
@@ -49,21 +49,21 @@ void describe(SettingsSchema& schema, StatedCalibration& stated) {
                 "Standard deviation from piece to piece of the recording.");
   schema.number("sensor.time_offset_drift_s_per_min", stated.time.drift_s_per_min, offset,
                 "Its change over the recording.");
-  describeSource(schema, kTimeKeys, stated.time.source);
+  describeOrigin(schema, kTimeKeys, stated.time.origin);
   schema.numbers("sensor.pose_xyz_mm", stated.place_mm, 3, "The sensor's origin, seen from the nozzle.");
   schema.numbers("sensor.pose_rpy_deg", stated.turn_deg, 3,
                  "Its turn from the nozzle's frame: roll, pitch, yaw as in URDF.");
   schema.numbers("sensor.pose_spread", stated.pose.spread, 6,
                  "Standard deviations: x, y, z [mm], turns about them [deg]; 0 for what was kept.");
-  schema.text("sensor.pose_kept", stated.pose.kept, "What was not found and kept its former value.");
-  describeSource(schema, kPoseKeys, stated.pose.source);
+  schema.text("sensor.pose_kept", stated.pose.not_found, "What was not found and kept its former value.");
+  describeOrigin(schema, kPoseKeys, stated.pose.origin);
   schema.number("feeder.delay_dead_time_s", stated.feeder.dead_time_s, spread,
                 "Dead time of feeder and link.");
   schema.number("feeder.delay_dead_time_spread_s", stated.feeder.dead_time_spread_s, spread,
                 "Its standard deviation.");
   schema.number("feeder.delay_lag_s", stated.feeder.lag_s, spread, "First-order lag of the feeder.");
   schema.number("feeder.delay_lag_spread_s", stated.feeder.lag_spread_s, spread, "Its standard deviation.");
-  describeSource(schema, kFeederKeys, stated.feeder.source);
+  describeOrigin(schema, kFeederKeys, stated.feeder.origin);
 }
 
 bool belongsTo(const std::string& key, const std::string& part) {
@@ -83,7 +83,7 @@ bool isStated(const std::string& part, const std::set<std::string>& keys, const 
   return true;
 }
 
-void requireSource(const CalibrationSource& stated, const char* part, const std::string& source) {
+void requireOrigin(const CalibrationOrigin& stated, const char* part, const std::string& source) {
   if (stated.method.empty() || stated.date.empty())
     throw InvalidConfig("'" + source + "': method or date of '" + part + "' is empty; expected both");
 }
@@ -171,15 +171,15 @@ Calibration calibrationFromYaml(const std::string& yaml, const std::string& sour
   for (const SettingText& setting : settings) schema.set(setting.key, setting.text);
   Calibration calibration{stated.machine, stated.sensor, {}, {}, {}};
   if (isStated(kTimeKeys, keys, schema, source)) {
-    requireSource(stated.time.source, kTimeKeys, source);
+    requireOrigin(stated.time.origin, kTimeKeys, source);
     calibration.time = stated.time;
   }
   if (isStated(kPoseKeys, keys, schema, source)) {
-    requireSource(stated.pose.source, kPoseKeys, source);
+    requireOrigin(stated.pose.origin, kPoseKeys, source);
     calibration.pose = poseOf(stated, source);
   }
   if (isStated(kFeederKeys, keys, schema, source)) {
-    requireSource(stated.feeder.source, kFeederKeys, source);
+    requireOrigin(stated.feeder.origin, kFeederKeys, source);
     calibration.feeder = stated.feeder;
   }
   return calibration;
@@ -197,7 +197,7 @@ void requireCalibrationOf(const Calibration& calibration, const std::string& mac
                         "'; expected that of '" + machine + "'");
 }
 
-std::string calibrationDate(long long seconds) {
+std::string utcText(long long seconds) {
   const std::time_t time = seconds;
   std::tm parts{};
   ::gmtime_r(&time, &parts);

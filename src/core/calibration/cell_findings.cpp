@@ -87,7 +87,7 @@ SensorTarget sensorTarget(const std::string& method, const KnownPyramid& pyramid
 }
 
 FoundPose findPose(const std::vector<SensorView>& views, const Eigen::Isometry3d& about, double time_offset_s,
-                   const CalibrationSettings& settings, const CalibrationSource& source) {
+                   const CalibrationSettings& settings, const CalibrationOrigin& origin) {
   SensorPoseSettings how;
   how.time_offset_s = time_offset_s;
   how.max_sigma_mm = settings.max_sigma_mm;
@@ -97,8 +97,8 @@ FoundPose findPose(const std::vector<SensorView>& views, const Eigen::Isometry3d
   found.fit = fitSensorPose(views, about, how);
   found.pose.nozzle_from_sensor = found.fit.nozzle_from_sensor;
   found.pose.spread.assign(found.fit.sigma.begin(), found.fit.sigma.end());
-  found.pose.kept = keptDirections(found.fit);
-  found.pose.source = source;
+  found.pose.not_found = directionsNotFound(found.fit);
+  found.pose.origin = origin;
   found.not_observable = observability(found.fit, how);
   return found;
 }
@@ -122,11 +122,11 @@ std::vector<std::string> inWords(const FoundTime& found) {
   const TimeOffset& fit = found.fit;
   std::vector<std::string> sentences = {
       worded("time offset %.3f ms by %s: true time is the stamp less that", fit.offset_s * 1e3,
-             found.time.source.method.c_str()),
+             found.time.origin.method.c_str()),
       worded("spread      %.3f ms; %.3f ms from piece to piece of %zu; drift %.3f ms/min", fit.spread_s * 1e3,
              fit.scatter_s * 1e3, fit.pieces_s.size(), fit.drift_s_per_min * 1e3),
       worded("agreement   %.4f over %zu profiles", fit.agreement, fit.profiles)};
-  if (found.time.source.method == "overlap" && !fit.is_skew_known)
+  if (found.time.origin.method == "overlap" && !fit.is_skew_known)
     sentences.emplace_back(
         "caution     swaths lie to one side only: a turn of the sensor's line counts as time");
   return sentences;
@@ -137,7 +137,7 @@ std::vector<std::string> inWords(const FoundPose& found) {
   const Eigen::Vector3d at = pose.nozzle_from_sensor.translation();
   std::vector<std::string> sentences = {
       worded("sensor      at %.3f, %.3f, %.3f mm of the nozzle, by %s", at.x(), at.y(), at.z(),
-             pose.source.method.c_str()),
+             pose.origin.method.c_str()),
       worded("spread      %.4f, %.4f, %.4f mm; %.4f, %.4f, %.4f deg", pose.spread[0], pose.spread[1],
              pose.spread[2], pose.spread[3], pose.spread[4], pose.spread[5]),
       worded("points      %.4f mm rms from their target", found.fit.rms_mm)};

@@ -38,7 +38,7 @@ const char* directionName(std::size_t direction) {
   return kNames.at(direction);
 }
 
-std::string keptDirections(const SensorPoseFit& fit) {
+std::string directionsNotFound(const SensorPoseFit& fit) {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < kDirections; ++i)
     if (fit.is_kept[i]) names.emplace_back(directionName(i));

@@ -143,7 +143,7 @@ CellCalibrator::Evidence CellCalibrator::evidence(const std::string& service, co
     throw InvalidInput("the recording has " + std::to_string(found.recording.poses.size()) +
                        " poses of the nozzle and " + std::to_string(found.recording.profiles.size()) +
                        " clouds; expected two and one");
-  found.date = calibrationDate(static_cast<long long>(ros::WallTime::now().sec));
+  found.date = utcText(static_cast<long long>(ros::WallTime::now().sec));
   return found;
 }
 
@@ -219,7 +219,7 @@ bool CellCalibrator::onSensor(lamina_msgs::CalibrateSensor::Request& request,
     response.nozzle_from_sensor = toMessage(found.pose.nozzle_from_sensor);
     for (std::size_t i = 0; i < found.pose.spread.size(); ++i)
       response.spread.push_back(i < 3 ? toMetres(found.pose.spread[i]) : kRadian * found.pose.spread[i]);
-    response.kept = found.pose.kept;
+    response.kept = found.pose.not_found;
     response.not_observable = found.not_observable;
     for (const ObservedDirection& direction : found.fit.directions)
       response.singular_values.push_back(direction.singular_value);

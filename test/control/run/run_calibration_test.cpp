@@ -24,8 +24,8 @@ Calibration found() {
   pose.nozzle_from_sensor.translation() = Point3(25.0, -1.5, -60.0);
   const double degrees = 180.0 / M_PI;
   pose.spread = {0.06, 0.02, 0.007, 3e-4 * degrees, 4e-4 * degrees, 0.0};
-  pose.kept = "z";
-  pose.source = {"cross", "2026-11-23T12:00:01Z"};
+  pose.not_found = "z";
+  pose.origin = {"cross", "2026-11-23T12:00:01Z"};
   calibration.pose = pose;
   calibration.feeder = CalibratedFeeder{0.5, 0.03, 0.2, 0.04, {"bead", "2026-11-23T12:00:02Z"}};
   return calibration;

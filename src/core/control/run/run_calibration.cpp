@@ -32,8 +32,8 @@ std::string inWords(const Point3& at) {
 }
 
 /// "by bobbing on 2026-11-23T12:00:00Z, of 'cell.yaml'".
-std::string foundBy(const CalibrationSource& source, const std::string& file) {
-  return "by " + source.method + " on " + source.date + ", of '" + file + "'";
+std::string foundBy(const CalibrationOrigin& origin, const std::string& file) {
+  return "by " + origin.method + " on " + origin.date + ", of '" + file + "'";
 }
 
 std::string nowhere(const std::string& file) {
@@ -49,7 +49,7 @@ std::string takeTime(CellCalibration& known, const std::optional<CalibratedTime>
   if (known.is_time_offset_trusted) {
     const std::string stated = "time offset of " + milliseconds(known.time_offset_s) + " as stated";
     return time ? stated + "; not the " + milliseconds(time->offset_s) + " found " +
-                      foundBy(time->source, known.file)
+                      foundBy(time->origin, known.file)
                 : stated;
   }
   if (!time) return "time offset not known: " + nowhere(known.file);
@@ -57,7 +57,7 @@ std::string takeTime(CellCalibration& known, const std::optional<CalibratedTime>
   known.is_time_offset_trusted = true;
   fill(known.time_offset_sigma_s, time->spread_s);
   return "time offset of " + milliseconds(known.time_offset_s) + ", standard deviation " +
-         milliseconds(known.time_offset_sigma_s) + ", " + foundBy(time->source, known.file);
+         milliseconds(known.time_offset_sigma_s) + ", " + foundBy(time->origin, known.file);
 }
 
 /// Off by which a point on the bed lies, below the sensor at the height of the nozzle tip.
@@ -71,16 +71,16 @@ std::string takePose(LoopRunSettings& settings, const std::optional<CalibratedPo
   CellCalibration& known = settings.calibration;
   if (known.is_place_trusted) {
     const std::string stated = "place of the sensor as tf has it, as stated";
-    return pose ? stated + "; not the one found " + foundBy(pose->source, known.file) : stated;
+    return pose ? stated + "; not the one found " + foundBy(pose->origin, known.file) : stated;
   }
   if (!pose) return "place of the sensor not known: " + nowhere(known.file);
   known.nozzle_from_sensor = pose->nozzle_from_sensor;
   known.is_place_trusted = true;
   fill(known.place_error_mm, placeErrorOfPose(*pose));
   fill(settings.sight.pose_sigma_mm, pose->spread[2]);
-  const std::string kept = pose->kept.empty() ? "" : "; " + pose->kept + " not found, as before";
+  const std::string kept = pose->not_found.empty() ? "" : "; " + pose->not_found + " not found, as before";
   return "sensor at " + inWords(pose->nozzle_from_sensor.translation()) + ", off along the path by " +
-         millimetres(known.place_error_mm) + ", " + foundBy(pose->source, known.file) + kept;
+         millimetres(known.place_error_mm) + ", " + foundBy(pose->origin, known.file) + kept;
 }
 
 std::string takeFeeder(LoopRunSettings& settings, const std::optional<CalibratedFeeder>& feeder) {
@@ -92,7 +92,7 @@ std::string takeFeeder(LoopRunSettings& settings, const std::optional<Calibrated
     const std::string stated =
         "feeder's " + delay(settings.loop.dead_time_s, settings.loop.lag_s) + " as stated";
     return feeder ? stated + "; not the " + delay(feeder->dead_time_s, feeder->lag_s) + " found " +
-                        foundBy(feeder->source, known.file)
+                        foundBy(feeder->origin, known.file)
                   : stated;
   }
   if (!feeder) return "feeder taken to follow at once: its delay is " + nowhere(known.file);
@@ -100,7 +100,7 @@ std::string takeFeeder(LoopRunSettings& settings, const std::optional<Calibrated
   settings.loop.lag_s = feeder->lag_s;
   fill(known.feeder_uncertainty_s, std::hypot(feeder->dead_time_spread_s, feeder->lag_spread_s));
   return "feeder's " + delay(feeder->dead_time_s, feeder->lag_s) + ", off by " +
-         milliseconds(known.feeder_uncertainty_s) + ", " + foundBy(feeder->source, known.file);
+         milliseconds(known.feeder_uncertainty_s) + ", " + foundBy(feeder->origin, known.file);
 }
 
 }  // namespace
