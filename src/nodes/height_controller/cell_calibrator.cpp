@@ -147,12 +147,16 @@ CellCalibrator::Evidence CellCalibrator::evidence(const std::string& service, co
   return found;
 }
 
-/// @return where it is kept, as a sentence
-std::string CellCalibrator::keep(const Calibration& cell) {
-  if (file_.empty()) return "kept in no file: sensor.calibration names none";
+/// @return the report, and where the calibration is kept
+std::vector<std::string> CellCalibrator::keep(const Calibration& cell, std::vector<std::string> report) {
+  if (file_.empty()) {
+    report.emplace_back("kept in no file: sensor.calibration names none");
+    return report;
+  }
   writeCalibration(file_, cell);
   is_written_ = true;
-  return "written to  " + file_;
+  report.push_back("written to  " + file_);
+  return report;
 }
 
 template <class Request, class Response>
@@ -201,8 +205,7 @@ bool CellCalibrator::onTime(lamina_msgs::CalibrateTime::Request& request,
     response.drift = found.fit.drift_s_per_min;
     response.agreement = found.fit.agreement;
     response.profiles = static_cast<std::uint32_t>(found.fit.profiles);
-    response.report = inWords(found);
-    response.report.push_back(keep(by.cell));
+    response.report = keep(by.cell, inWords(found));
   });
 }
 
@@ -225,8 +228,7 @@ bool CellCalibrator::onSensor(lamina_msgs::CalibrateSensor::Request& request,
       response.singular_values.push_back(direction.singular_value);
     response.rms = toMetres(found.fit.rms_mm);
     response.points = static_cast<std::uint32_t>(found.fit.points);
-    response.report = inWords(found);
-    response.report.push_back(keep(by.cell));
+    response.report = keep(by.cell, inWords(found));
   });
 }
 
@@ -243,8 +245,7 @@ bool CellCalibrator::onFeeder(lamina_msgs::CalibrateFeeder::Request& request,
     response.gain = found.fit.gain;
     response.rms = found.fit.rms;
     response.sections = static_cast<std::uint32_t>(found.fit.sections);
-    response.report = inWords(found);
-    response.report.push_back(keep(by.cell));
+    response.report = keep(by.cell, inWords(found));
   });
 }
 

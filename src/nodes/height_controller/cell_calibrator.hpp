@@ -78,7 +78,7 @@ class CellCalibrator {
   Calibration cellOf(const std::string& machine) const;
   template <class Request>
   Evidence evidence(const std::string& service, const Request& request);
-  std::string keep(const Calibration& cell);
+  std::vector<std::string> keep(const Calibration& cell, std::vector<std::string> report);
 
   const std::string file_;
   const double most_bytes_;
