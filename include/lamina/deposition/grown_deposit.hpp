@@ -18,6 +18,9 @@ struct GrownDepositSettings {
   int layers = 100;            ///< of the job, over which the gain wears
 };
 
+/// Adds the keys deposit.bead_width_mm and deposit.layers.
+void describe(SettingsSchema& schema, GrownDepositSettings& settings);
+
 /// A straight piece of a bead as a machine ran it.
 struct GrownPiece {
   Point3 start = Point3::Zero();  ///< nozzle tip [mm, bed]

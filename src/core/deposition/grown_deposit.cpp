@@ -67,6 +67,12 @@ void forCellsBeside(const HeightGrid& grid, const Stripe& stripe, See see) {
 
 }  // namespace
 
+void describe(SettingsSchema& schema, GrownDepositSettings& settings) {
+  schema.number("deposit.bead_width_mm", settings.bead_width_mm, {0.0, 1000.0},
+                "Width over which a bead grows as plant.* says; 0 for that of the first bead.");
+  schema.integer("deposit.layers", settings.layers, {1, 1000000}, "Layers over which plant.wear wears.");
+}
+
 GrownDeposit::GrownDeposit(HeightMap ground, PlantSettings plant, const GrownDepositSettings& settings)
     : surface_(std::move(ground)),
       plant_(std::move(plant)),

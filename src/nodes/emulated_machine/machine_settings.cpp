@@ -30,10 +30,7 @@ void describe(SettingsSchema& schema, EmulatedMachineSettings& settings) {
                 "Time between publications of the deposited material.");
   schema.flag("profile_while_depositing", settings.profile_while_depositing,
               "Whether the sensor also measures during motions that deposit.");
-  schema.number("deposit.bead_width_mm", settings.grown.bead_width_mm, {0.0, 1000.0},
-                "Width over which a bead grows if plant.* is set; 0 for that of the first bead.");
-  schema.integer("deposit.layers", settings.grown.layers, {1, 1000000},
-                 "Layers over which plant.wear wears.");
+  describe(schema, settings.grown);
   describe(schema, settings.plant);
   describe(schema, settings.emulator);
   describe(schema, settings.sensor);

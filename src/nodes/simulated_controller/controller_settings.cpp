@@ -20,10 +20,7 @@ void describe(SettingsSchema& schema, ControllerSettings& settings) {
                  "y; empty for none.");
   schema.number("deposit.cell_mm", settings.deposit_cell_mm, {0.02, 10.0},
                 "Cell of the map of what is laid.");
-  schema.number("deposit.bead_width_mm", settings.grown.bead_width_mm, {0.0, 1000.0},
-                "Width over which a bead grows; 0 for that of the first bead.");
-  schema.integer("deposit.layers", settings.grown.layers, {1, 1000000},
-                 "Layers over which plant.wear wears.");
+  describe(schema, settings.grown);
   describe(schema, settings.sensor);
   schema.numbers("sensor.mount_mm", settings.sensor_mount_mm, 3,
                  "Sensor in the frame of the nozzle, looking along its axis, where the URDF has no link "
