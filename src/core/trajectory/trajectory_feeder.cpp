@@ -172,7 +172,7 @@ class TrajectoryFeeder::State {
     return begins->time_s;
   }
 
-  /// The first point that what is asked for now changes.
+  /// Time of the first point that a request made now can still change.
   double reactionTo(double now_s) const {
     return timeOf(std::max(0L, stepAfter(now_s + settings_.reaction_s)));
   }
