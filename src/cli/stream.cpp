@@ -64,8 +64,8 @@ StreamableProgram programFrom(const StreamArguments& arguments, const StreamComm
       .madeFrom(std::move(origin));
 }
 
-JobBeginning beginningOf(const StreamArguments& arguments) {
-  return arguments.mode == StreamMode::Resume ? JobBeginning::GoOn : JobBeginning::Anew;
+JobStart startOf(const StreamArguments& arguments) {
+  return arguments.mode == StreamMode::Resume ? JobStart::Resume : JobStart::New;
 }
 
 /// Streams to the end, or to the safe stop after Ctrl-C.
@@ -80,7 +80,7 @@ StreamStatus streamWhole(const StreamableProgram& program, const StreamSettings&
     progress.report(toString(status.state),
                     static_cast<double>(status.lines_acknowledged) / static_cast<double>(status.lines_total));
   };
-  StreamSession session(program, settings, arguments.port, report, {{}, journal, beginningOf(arguments)});
+  StreamSession session(program, settings, arguments.port, report, {{}, journal, startOf(arguments)});
   LiveInput input;
   while (!session.waitFor(kPollInterval)) {
     if (arguments.is_live) input.follow(session);
@@ -186,7 +186,7 @@ void runStream(const StreamArguments& arguments, Chosen& chosen) {
   const StreamableProgram program = programFrom(arguments, settings);
   const SteadyClock clock;
   const double start = clock.now();
-  const StreamJournal journal = journalFor(journal_path, program, arguments.port, beginningOf(arguments));
+  const StreamJournal journal = journalFor(journal_path, program, arguments.port, startOf(arguments));
   const StreamStatus status = streamWhole(program, settings.stream, arguments, journal);
   chosen.counts = countsOf(status);
   throwIfFailed(status);

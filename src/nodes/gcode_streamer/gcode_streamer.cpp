@@ -103,7 +103,7 @@ StreamStatus GcodeStreamer::stream(const lamina_msgs::StreamProgramGoal& goal) {
   beginJob(goal, program);
   StreamStatus status;
   try {
-    status = streamProgram(program, goal.resume ? JobBeginning::GoOn : JobBeginning::Anew);
+    status = streamProgram(program, goal.resume ? JobStart::Resume : JobStart::New);
   } catch (const Error&) {
     status.failure = currentFailure();
     startup_.endJob(program, status);
@@ -126,9 +126,9 @@ void GcodeStreamer::beginJob(const lamina_msgs::StreamProgramGoal& goal, const S
   startup_.beginJob(identity);
 }
 
-StreamStatus GcodeStreamer::streamProgram(const StreamableProgram& program, JobBeginning beginning) {
+StreamStatus GcodeStreamer::streamProgram(const StreamableProgram& program, JobStart start) {
   const StreamJournal journal =
-      journalFor(journalPath(settings_.stream, settings_.port.name), program, settings_.port, beginning);
+      journalFor(journalPath(settings_.stream, settings_.port.name), program, settings_.port, start);
   const std::shared_ptr<LayerCorrector> corrector = correctorFor(program);
   {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -138,7 +138,7 @@ StreamStatus GcodeStreamer::streamProgram(const StreamableProgram& program, JobB
   }
   const auto session = std::make_shared<StreamSession>(
       program, settings_.stream, settings_.port, [this](const StreamStatus& status) { onStatus(status); },
-      SessionOptions{[this](const FirmwareReply& reply) { startup_.heard(reply); }, journal, beginning,
+      SessionOptions{[this](const FirmwareReply& reply) { startup_.heard(reply); }, journal, start,
                      corrector});
   {
     const std::lock_guard<std::mutex> lock(mutex_);

@@ -41,7 +41,7 @@ class GcodeStreamer {
   void onGoal(const lamina_msgs::StreamProgramGoalConstPtr& goal);
   StreamStatus stream(const lamina_msgs::StreamProgramGoal& goal);
   void beginJob(const lamina_msgs::StreamProgramGoal& goal, const StreamableProgram& program);
-  StreamStatus streamProgram(const StreamableProgram& program, JobBeginning beginning);
+  StreamStatus streamProgram(const StreamableProgram& program, JobStart start);
   StreamableProgram programFor(const lamina_msgs::StreamProgramGoal& goal) const;
   StreamableProgram programFromToolpath(const std::string& id) const;
   void finish(const StreamStatus& status, double duration_s);

@@ -133,8 +133,7 @@ TEST_P(UploadSessionTest, KeepsWhatItHasUploadedAndHowFarTheMachineIs) {
   const std::string path = folder.file("port.progress");
   const auto program = StreamableProgram::fromText("part.gcode", test::hotProgram(600));
   {
-    StreamSession session(program, {}, {server.address(), 0}, {},
-                          {{}, beginJournal(path), JobBeginning::Anew});
+    StreamSession session(program, {}, {server.address(), 0}, {}, {{}, beginJournal(path), JobStart::New});
     while (session.status().lines_acknowledged == 0 && !session.isOver()) session.waitFor(0.01);
     const JournalledProgress known = readJournal(path);
     EXPECT_EQ(known.progress.state, PackmlState::Execute);
@@ -152,7 +151,7 @@ TEST_P(UploadSessionTest, KeepsWhatItHasUploadedAndHowFarTheMachineIs) {
   EXPECT_EQ(known.taken_through, 602U);
   server.with([](EmulatedPrintServer& emulated) { emulated.printer.restart(); });
   StreamSession again(program, {}, {server.address(), 0}, {},
-                      {{}, followJournal(path, program, server.address()), JobBeginning::GoOn});
+                      {{}, followJournal(path, program, server.address()), JobStart::Resume});
   ASSERT_TRUE(again.waitFor(30.0));
   EXPECT_EQ(again.status().failure.code, ErrorCode::Rejected);
   EXPECT_NE(again.status().failure.message.find("had read line 602 of 602"), std::string::npos)

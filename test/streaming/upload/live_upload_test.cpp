@@ -169,7 +169,7 @@ std::shared_ptr<const UploadOrder> following(const std::string& text) {
                     "",
                     60.0,
                     10.0,
-                    UploadAim::Follow,
+                    JobStart::Resume,
                     "lamina/part-"};
   return std::make_shared<const UploadOrder>(std::move(order));
 }

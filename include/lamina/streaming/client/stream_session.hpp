@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
 
 #include "lamina/streaming/client/streamer.hpp"
+#include "lamina/streaming/job/job_start.hpp"
 #include "lamina/streaming/journal/job_journal.hpp"
 
 namespace lamina {
@@ -23,19 +23,13 @@ struct MachinePort {
 /// @throws InvalidInput if it is a web address that cannot be one: "https://..."
 bool isPrintServer(const MachinePort& port);
 
-/// How a job begins.
-enum class JobBeginning : std::uint8_t {
-  Anew,  ///< at a print server the program is uploaded and started
-  GoOn,  ///< with the job of an earlier session; at a print server its print is followed, nothing is started
-};
-
 /// What a session may do besides.
 struct SessionOptions {
   ReplyListener heard;    ///< given every line of the machine, from the session's thread; a print server says
                           ///< none
   StreamJournal journal;  ///< where the progress is kept (`beginJournal`), and the job to go on with
                           ///< (`resumeJournal`), or the print to follow (`followJournal`)
-  JobBeginning beginning = JobBeginning::Anew;  ///< of no effect at a serial port, where the journal says it
+  JobStart start = JobStart::New;  ///< of no effect at a serial port, where the journal says it
   /// What becomes of the lines on their way; null if they go as they are. Of a job that is revised no
   /// progress is kept, as its lines are not those of the program.
   std::shared_ptr<ProgramRevision> revision = nullptr;
@@ -45,7 +39,7 @@ struct SessionOptions {
 /// @param path  as `journalPath`
 /// @throws as `beginJournal`, `resumeJournal` and `followJournal`
 StreamJournal journalFor(const std::string& path, const StreamableProgram& program, const MachinePort& port,
-                         JobBeginning beginning);
+                         JobStart start);
 
 /// A job under way, in a thread of its own: a streamer at a port, or an upload to a print server, which
 /// prints by itself. All calls may come from any thread.

@@ -180,8 +180,8 @@ class LinkSession final : public SessionKind {
 bool isPrintServer(const MachinePort& port) { return isWebAddress(port.name); }
 
 StreamJournal journalFor(const std::string& path, const StreamableProgram& program, const MachinePort& port,
-                         JobBeginning beginning) {
-  if (beginning == JobBeginning::Anew) return beginJournal(path);
+                         JobStart start) {
+  if (start == JobStart::New) return beginJournal(path);
   return isPrintServer(port) ? followJournal(path, program, port.name)
                              : resumeJournal(path, program, port.name);
 }

@@ -35,7 +35,7 @@ void UploadJournal::begin(const UploadJob& job) {
   if (!where_.unfinished) keepUnfinished(where_.path);
   job_.protocol = job.firmware();
   job_.firmware_name = job.status().firmware_name;
-  job_.uploaded_as = job.file();
+  job_.uploaded_as = job.printedFile();
   file_ = std::make_unique<ProgressFile>(where_.path, job_, stampedNow(kept_));
 }
 

@@ -57,17 +57,13 @@ std::string fileNameFor(const ProgramBody& body) {
 }
 
 std::shared_ptr<const UploadOrder> orderFor(const StreamableProgram& program, const StreamSettings& settings,
-                                            UploadAim aim) {
+                                            JobStart start) {
   ProgramBody body(program);
   std::string file = fileNameFor(body);
   std::string earlier = fileStemFor(body);
   return std::make_shared<const UploadOrder>(
       UploadOrder{std::move(body), std::move(file), credentialFrom(settings), settings.silence_timeout_s,
-                  settings.connect_timeout_s, aim, std::move(earlier)});
-}
-
-UploadAim aimOf(JobBeginning beginning) {
-  return beginning == JobBeginning::GoOn ? UploadAim::Follow : UploadAim::Print;
+                  settings.connect_timeout_s, start, std::move(earlier)});
 }
 
 /// An upload job and the client that asks its questions.
@@ -77,7 +73,7 @@ class UploadSession final : public SessionKind {
                 StreamSession::Observer observer, SessionOptions options)
       : record_(port.name, std::move(observer)),
         journal_(std::move(options.journal), program, port.name),
-        order_(orderFor(program, settings, aimOf(options.beginning))),
+        order_(orderFor(program, settings, options.start)),
         job_(settings, order_),
         client_(context_, httpAddressOf(port.name), events()),
         timer_(context_, clock_, [this] { onDeadline(); }) {

@@ -52,7 +52,7 @@ std::string onCard(const std::string& file) { return "0:/gcodes/" + file; }
 bool isOfDuet(const std::optional<nlohmann::json>& tree) { return tree && tree->contains("err"); }
 
 std::optional<HttpRequest> Duet::request(UploadStep step) {
-  const std::string escaped = escapedForUrl(onCard(file()));
+  const std::string escaped = escapedForUrl(onCard(printedFile()));
   switch (step) {
     case UploadStep::Connect:
       return connect();
@@ -63,7 +63,7 @@ std::optional<HttpRequest> Duet::request(UploadStep step) {
     case UploadStep::Verify:
       return get("/rr_fileinfo?name=" + escaped);
     case UploadStep::Start:
-      return code("M32 \"" + onCard(file()) + "\"");
+      return code("M32 \"" + onCard(printedFile()) + "\"");
     case UploadStep::Pause:
       return code("M25");
     case UploadStep::Resume:
@@ -109,7 +109,8 @@ HttpRequest Duet::query() const {
 HttpRequest Duet::upload() const {
   std::array<char, 9> crc{};
   std::snprintf(crc.data(), crc.size(), "%08x", order().body.crc32());
-  HttpRequest request = get("/rr_upload?name=" + escapedForUrl(onCard(file())) + "&crc32=" + crc.data());
+  HttpRequest request =
+      get("/rr_upload?name=" + escapedForUrl(onCard(printedFile())) + "&crc32=" + crc.data());
   request.method = "POST";
   request.sends_program = true;
   request.timeout_s = order().upload_timeout_s;
@@ -193,7 +194,7 @@ ServerAnswer Duet::readReply(const HttpResponse& response) {
   part_ = Part::Model;
   if (!isSuccess(response)) return answerOfStatus("the question what the printer has said", response);
   // The board says it once; a print of less than a second has no duration to tell it by.
-  if (response.body.find("Finished printing file " + onCard(file())) != std::string::npos)
+  if (response.body.find("Finished printing file " + onCard(printedFile())) != std::string::npos)
     has_finished_ = true;
   for (const std::string& line : complaintsIn(response.body)) complaints.push_back(line);
   if (has_finished_ && last_report.state == PrintState::Stopped && isOurs())

@@ -36,7 +36,7 @@ class DuetWithComputer final : public PrintServer {
 };
 
 std::optional<HttpRequest> DuetWithComputer::request(UploadStep step) {
-  const std::string path = "/machine/file/" + escapedForUrl("gcodes/" + file());
+  const std::string path = "/machine/file/" + escapedForUrl("gcodes/" + printedFile());
   switch (step) {
     case UploadStep::Connect:
       return HttpRequest{
@@ -56,7 +56,7 @@ std::optional<HttpRequest> DuetWithComputer::request(UploadStep step) {
       return request;
     }
     case UploadStep::Start:
-      return code("M32 \"0:/gcodes/" + file() + "\"");
+      return code("M32 \"0:/gcodes/" + printedFile() + "\"");
     case UploadStep::Pause:
       return code("M25");
     case UploadStep::Resume:

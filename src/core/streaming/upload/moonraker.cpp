@@ -72,7 +72,7 @@ std::optional<HttpRequest> Moonraker::request(UploadStep step) {
 }
 
 std::optional<HttpRequest> Moonraker::plainRequest(UploadStep step) const {
-  const std::string escaped = escapedForUrl(file());
+  const std::string escaped = escapedForUrl(printedFile());
   switch (step) {
     case UploadStep::Connect:
       return HttpRequest{"GET", "/server/info"};
@@ -134,14 +134,14 @@ HttpRequest Moonraker::upload() const {
   const auto field = [&](const std::string& name, const std::string& value) {
     return boundary + "\r\nContent-Disposition: form-data; name=\"" + name + "\"\r\n\r\n" + value + "\r\n";
   };
-  const std::size_t slash = file().rfind('/');
+  const std::size_t slash = printedFile().rfind('/');
   HttpRequest request{"POST", "/server/files/upload"};
   request.headers.emplace_back("Content-Type",
                                std::string("multipart/form-data; boundary=") + kGivenBoundary);
-  request.head = field("root", "gcodes") + field("path", file().substr(0, slash)) +
+  request.head = field("root", "gcodes") + field("path", printedFile().substr(0, slash)) +
                  field("checksum", order().body.sha256()) + boundary +
-                 "\r\nContent-Disposition: form-data; name=\"file\"; filename=\"" + file().substr(slash + 1) +
-                 "\"\r\nContent-Type: application/octet-stream\r\n\r\n";
+                 "\r\nContent-Disposition: form-data; name=\"file\"; filename=\"" +
+                 printedFile().substr(slash + 1) + "\"\r\nContent-Type: application/octet-stream\r\n\r\n";
   request.sends_program = true;
   request.tail = "\r\n" + boundary + "--\r\n";
   request.timeout_s = order().upload_timeout_s;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "lamina/base/error.hpp"
+#include "lamina/streaming/job/job_start.hpp"
 #include "streaming/job/change_commands.hpp"
 #include "streaming/upload/http_exchange.hpp"
 #include "streaming/upload/machine_report.hpp"
@@ -51,12 +52,6 @@ struct ServerAnswer {
 
 using AnswerKind = ServerAnswer::Kind;
 
-/// What is done with a program.
-enum class UploadAim : std::uint8_t {
-  Print,
-  Follow,  ///< the print of it that was begun earlier, as the machine knows it
-};
-
 /// What is uploaded, and under which name.
 struct UploadOrder {
   ProgramBody body;
@@ -64,7 +59,7 @@ struct UploadOrder {
   std::string credential;          ///< password or key; empty for none
   double upload_timeout_s = 60.0;  ///< without a byte either way, and for the server to store the file
   double command_timeout_s = 10.0;
-  UploadAim aim = UploadAim::Print;
+  JobStart start = JobStart::New;
   std::string earlier_files = {};  ///< how the names of files begin that hold the same program
 };
 
@@ -73,7 +68,7 @@ struct UploadOrder {
 class PrintServer {
  public:
   explicit PrintServer(std::shared_ptr<const UploadOrder> order)
-      : program_file(order->file), order_(std::move(order)) {}
+      : printed_file(order->file), order_(std::move(order)) {}
   virtual ~PrintServer() = default;
   PrintServer(const PrintServer&) = delete;
   PrintServer& operator=(const PrintServer&) = delete;
@@ -93,8 +88,8 @@ class PrintServer {
   virtual std::string emergencyStop() const { return {}; }
 
   /// The file of the print: the one that is ordered, unless another is followed.
-  const std::string& file() const { return program_file; }
-  void follow(std::string file) { program_file = std::move(file); }
+  const std::string& printedFile() const { return printed_file; }
+  void follow(std::string file) { printed_file = std::move(file); }
 
   /// What the machine has complained of since the last call, in its own words: commands that it does not
   /// know, and errors, whoever caused them.
@@ -103,7 +98,7 @@ class PrintServer {
   const std::string& name() const { return server_name; }  ///< as it gives it, once connected
   const MachineReport& report() const { return last_report; }
   /// The last report is of the print that was ordered.
-  bool isOurs() const { return last_report.file == program_file; }
+  bool isOurs() const { return last_report.file == printed_file; }
 
  protected:
   const UploadOrder& order() const { return *order_; }
@@ -111,7 +106,7 @@ class PrintServer {
   std::string otherOutputsOff() const;
 
   std::string server_name;
-  std::string program_file;
+  std::string printed_file;
   std::string given_command;
   std::vector<std::string> complaints;
   MachineReport last_report;

@@ -66,7 +66,7 @@ void UploadJob::countStalls() {
 
 void UploadJob::check(double now) {
   const MachineReport& report = server().report();
-  if (order_->aim == UploadAim::Follow) return recognise(now);
+  if (order_->start == JobStart::Resume) return recognise(now);
   if (!report.is_ready)
     return abort({ErrorCode::Rejected, "the printer is not ready: " + report.condition}, now);
   if (report.isPrintUnderWay()) {

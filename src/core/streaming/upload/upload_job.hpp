@@ -64,7 +64,7 @@ class UploadJob {
   /// The firmware behind the server that answers, as `stream.firmware` names it.
   const char* firmware() const { return server().firmware(); }
   /// The file of the print, below the server's folder of programs.
-  const std::string& file() const { return server().file(); }
+  const std::string& printedFile() const { return server().printedFile(); }
 
  private:
   enum class Phase : std::uint8_t {
