@@ -119,9 +119,9 @@ SlicedPart SlicingService::runShown(const SliceJob& job, Progress& progress) {
 SlicingService::Findings SlicingService::find(const SlicedPart& sliced, const JobSettings& settings,
                                               Progress& progress) {
   Findings findings;
-  if (settings.overhang.is_reported)
+  if (settings.overhang.is_shown)
     findings.overhangs = findOverhangs(sliced.toolpath, sliced.bed_from_part, settings.overhang, progress);
-  if (!settings.clearance.is_reported) return findings;
+  if (!settings.clearance.is_shown) return findings;
   const CartesianMachine machine = machineOf(settings.machine);
   findings.clearance =
       checkClearance({sliced.toolpath, sliced.bed_from_part, machine}, settings.clearance, progress);

@@ -75,8 +75,8 @@ class ThreemfReader {
     return weld(faces_, name_);
   }
 
-  /// Those that say how the part is laid.
-  std::vector<MeshVolume> readVolumes(std::string_view bytes) {
+  /// Those whose settings say how the part is laid, modifiers too.
+  std::vector<MeshVolume> volumesWithSettings(std::string_view bytes) {
     words_ = slicerWords(bytes, name_);
     if (!hasWords()) return {};
     addItems(bytes, [](const Handle&) {});
@@ -336,7 +336,7 @@ Mesh readThreemfByLib3mf(std::string_view bytes, const std::string& name) {
 }
 
 std::vector<MeshVolume> readThreemfVolumes(std::string_view bytes, const std::string& name) {
-  return ThreemfReader(name).readVolumes(bytes);
+  return ThreemfReader(name).volumesWithSettings(bytes);
 }
 
 std::vector<MeshObject> readThreemfObjects(std::string_view bytes, const std::string& name) {

@@ -101,7 +101,7 @@ class ColumnStack {
   }
   void widenCovers(Progress& progress);
   /// What of the layer is not within all of the next ones above and below, half a bead narrower all round.
-  Regions bareEnds(std::size_t layer) const;
+  Regions uncoveredEnds(std::size_t layer) const;
 
   const StackedMaterial& stack_;
   const std::vector<Regions>& overhangs_;
@@ -306,9 +306,9 @@ void ColumnStack::widenCovers(Progress& progress) {
 
 /// Narrower by half a bead, to a cover wider by that: what is left is what is a bead wide and not covered,
 /// and outlines that follow each other do not meet.
-Regions ColumnStack::bareEnds(std::size_t layer) const {
+Regions ColumnStack::uncoveredEnds(std::size_t layer) const {
   std::optional<Regions> narrower;
-  Regions bare;
+  Regions uncovered;
   for (const int step : {1, -1})
     for (int m = 1; m <= settings_.interface_layers; ++m) {
       const auto at = static_cast<std::ptrdiff_t>(layer) + static_cast<std::ptrdiff_t>(m) * step;
@@ -318,9 +318,9 @@ Regions ColumnStack::bareEnds(std::size_t layer) const {
       if (!narrower) narrower = offset(*columns_[layer], -0.5 * width_);
       if (next >= count_) return *narrower;
       const Point2 rise = stack_.fall() * (stack_.bounds[next].top_mm - stack_.bounds[layer].top_mm);
-      bare = united(bare, differenceByPieces(*narrower, shifted(*covers_[next], rise)));
+      uncovered = united(uncovered, differenceByPieces(*narrower, shifted(*covers_[next], rise)));
     }
-  return bare;
+  return uncovered;
 }
 
 LayerSupport ColumnStack::sectionsOf(std::size_t layer) const {
@@ -337,9 +337,9 @@ LayerSupport ColumnStack::sectionsOf(std::size_t layer) const {
   const LayerBounds& bounds = stack_.bounds[layer];
   SupportSection section{bounds.bottom_mm, bounds.top_mm, full, nothing()};
   if (has_interfaces) {
-    const Regions bare = bareEnds(layer);
-    if (!bare.empty()) {
-      const Regions ends = grownByPieces(bare, 0.5 * width_);
+    const Regions uncovered = uncoveredEnds(layer);
+    if (!uncovered.empty()) {
+      const Regions ends = grownByPieces(uncovered, 0.5 * width_);
       section.interface = share(intersection(ends, *full));
       section.lattice = share(differenceByPieces(*full, ends));
     }

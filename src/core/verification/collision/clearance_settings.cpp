@@ -5,7 +5,7 @@
 namespace lamina {
 
 void describe(SettingsSchema& schema, ClearanceSettings& settings) {
-  schema.flag("clearance.report", settings.is_reported,
+  schema.flag("clearance.report", settings.is_shown,
               "Whether the slicing node checks the head for collisions and shows them.");
   schema.number("clearance.spacing_mm", settings.spacing_mm, {0.01, 100.0, false},
                 "Greatest distance between the places of the nozzle that are checked for collisions.");

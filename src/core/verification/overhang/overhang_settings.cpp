@@ -5,7 +5,7 @@
 namespace lamina {
 
 void describe(SettingsSchema& schema, OverhangSettings& settings) {
-  schema.flag("overhang.report", settings.is_reported,
+  schema.flag("overhang.report", settings.is_shown,
               "Whether the slicing node looks for beads with nothing below them and shows them.");
   schema.number("overhang.step_mm", settings.step_mm, {0.01, 100.0, false},
                 "Greatest distance between the places of a bead that are looked at.");
