@@ -27,9 +27,7 @@ Eigen::Isometry3d yawed(const Eigen::Isometry3d& bed_from_nozzle, double yaw) {
   return turned;
 }
 
-std::string marginText(double margin) {
-  return jointValueText({true}, std::asin(std::clamp(margin, 0.0, 1.0)));
-}
+std::string marginText(double margin) { return angleText(std::asin(std::clamp(margin, 0.0, 1.0))); }
 
 }  // namespace
 
@@ -214,8 +212,7 @@ RungSolver::Hindrance RungSolver::hindrance(const Station& station) const {
     }
   if (best_margin >= 0.0)
     return {JointFault::Singular, marginText(best_margin) + " from a singularity; must be " +
-                                      jointValueText({true}, settings_.least_margin_deg * kDegree) +
-                                      " or more"};
+                                      angleText(settings_.least_margin_deg * kDegree) + " or more"};
   if (!collision.empty()) return {JointFault::SelfCollision, collision};
   if (std::isfinite(least_outside)) return limitHindrance(least);
   return {JointFault::OutOfReach, "no values of the joints of " + model_->name() + " bring the nozzle there"};

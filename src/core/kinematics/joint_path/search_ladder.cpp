@@ -52,8 +52,8 @@ StationFault jump(const StationTask& task, std::size_t station, const LadderSear
   if (cut.is_wound)
     return {station, JointFault::JointUnwinding,
             joint + " is at its limit and would have to be wound back by " + turn + " while depositing"};
-  const std::string length = jointValueText({}, task.stations[station].motion.length_mm);
-  const std::string most = jointValueText({true}, task.settings.max_turn_deg * M_PI / 180.0);
+  const std::string length = lengthText(task.stations[station].motion.length_mm);
+  const std::string most = angleText(task.settings.max_turn_deg * M_PI / 180.0);
   return {station, JointFault::Jump,
           joint + " would have to turn by " + turn + " within " + length + "; at most " + most};
 }

@@ -12,6 +12,7 @@ namespace lamina {
 namespace {
 
 constexpr double kTurn = 2.0 * M_PI;
+constexpr int kDigits = 4;
 constexpr double kLimitTolerance = 1e-9;  // mm, rad: rounding of inverse solutions
 
 }  // namespace
@@ -53,14 +54,22 @@ double stepBetween(const JointRange& range, double from, double to) {
   return step - kTurn * std::ceil(step / kTurn - 0.5);
 }
 
-std::string jointValueText(const JointRange& range, double value) {
+std::string angleText(double angle_rad) {
   std::ostringstream text;
-  text.precision(4);
-  if (range.is_rotary)
-    text << value * 180.0 / M_PI << " deg";
-  else
-    text << value << " mm";
+  text.precision(kDigits);
+  text << angle_rad * 180.0 / M_PI << " deg";
   return text.str();
+}
+
+std::string lengthText(double length_mm) {
+  std::ostringstream text;
+  text.precision(kDigits);
+  text << length_mm << " mm";
+  return text.str();
+}
+
+std::string jointValueText(const JointRange& range, double value) {
+  return range.is_rotary ? angleText(value) : lengthText(value);
 }
 
 }  // namespace lamina

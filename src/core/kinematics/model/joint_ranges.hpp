@@ -32,7 +32,11 @@ bool isWithin(const JointRange& range, double value);
 /// From one value to another: of a joint that winds the shorter way round.
 double stepBetween(const JointRange& range, double from, double to);
 
-/// "12.5 deg", "310 mm".
+/// "12.5 deg".
+std::string angleText(double angle_rad);
+/// "310 mm".
+std::string lengthText(double length_mm);
+/// One of both, as the joint is.
 std::string jointValueText(const JointRange& range, double value);
 
 }  // namespace lamina
