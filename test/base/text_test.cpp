@@ -26,5 +26,17 @@ TEST(Text, IsBrokenBetweenWords) {
   EXPECT_EQ(brokenInto(9, ""), std::vector<std::string>(1));
 }
 
+TEST(Text, IsSplitAtWhiteSpace) {
+  const std::vector<std::string> words = {"G28", "X", "Y"};
+  EXPECT_EQ(splitIntoWords("  G28 X\t\nY "), words);
+  EXPECT_TRUE(splitIntoWords(" \n").empty());
+}
+
+TEST(Text, CountsThingsInSentences) {
+  EXPECT_EQ(countedSubject(1, "layer"), "1 layer was");
+  EXPECT_EQ(countedSubject(0, "layer"), "0 layers were");
+  EXPECT_EQ(countedSubject(12, "cloud"), "12 clouds were");
+}
+
 }  // namespace
 }  // namespace lamina

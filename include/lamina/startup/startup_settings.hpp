@@ -59,9 +59,6 @@ struct StartupSettings {
 /// Adds the keys startup.*.
 void describe(SettingsSchema& schema, StartupSettings& settings);
 
-/// The words of a text.
-std::vector<std::string> wordsOf(const std::string& text);
-
 /// @throws InvalidConfig if there is none, one is no number, or one stands twice
 std::vector<int> vacuumZones(const StartupSettings& settings);
 

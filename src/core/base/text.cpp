@@ -26,10 +26,20 @@ std::string listed(const std::vector<std::string>& names, std::string_view separ
   return list;
 }
 
+std::vector<std::string> splitIntoWords(const std::string& text) {
+  std::vector<std::string> words;
+  std::istringstream stream(text);
+  for (std::string word; stream >> word;) words.push_back(word);
+  return words;
+}
+
+std::string countedSubject(std::size_t count, const std::string& noun) {
+  return std::to_string(count) + " " + noun + (count == 1 ? " was" : "s were");
+}
+
 std::vector<std::string> brokenInto(std::size_t longest_line, const std::string& text) {
   std::vector<std::string> lines(1);
-  std::istringstream words(text);
-  for (std::string word; words >> word;) {
+  for (const std::string& word : splitIntoWords(text)) {
     if (!lines.back().empty() && lines.back().size() + 1 + word.size() > longest_line) lines.emplace_back();
     lines.back() += (lines.back().empty() ? "" : " ") + word;
   }

@@ -39,7 +39,7 @@ bool isIndex(const std::string& word) {
 
 /// The heights of a row of the grid, "2 +0.100 -0.050"; none if the text is no such row.
 std::vector<double> rowOf(std::string_view text) {
-  const std::vector<std::string> words = wordsOf(std::string(text));
+  const std::vector<std::string> words = splitIntoWords(std::string(text));
   std::vector<double> heights;
   if (words.size() < 2 || !isIndex(words[0])) return heights;
   for (std::size_t i = 1; i < words.size(); ++i) {

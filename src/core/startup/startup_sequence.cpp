@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/text.hpp"
 
 namespace lamina {
 namespace {
@@ -45,7 +46,7 @@ const std::vector<Rule>& rules() {
 
 std::vector<Step> stepsFromText(const std::string& key, const std::string& text) {
   std::vector<Step> steps;
-  for (const std::string& name : wordsOf(text)) {
+  for (const std::string& name : splitIntoWords(text)) {
     const auto step = startupStepFromText(name);
     if (!step) {
       std::string known;
@@ -131,7 +132,7 @@ void requireCheckable(const std::vector<Step>& order, const StartupSettings& set
 
 void requireUnused(const StartupSettings& settings, const std::vector<Step>& order) {
   for (const Step step : allStartupSteps())
-    if (!has(order, step) && !wordsOf(settings.after[static_cast<std::size_t>(step)]).empty())
+    if (!has(order, step) && !splitIntoWords(settings.after[static_cast<std::size_t>(step)]).empty())
       throw InvalidConfig(std::string("startup.after_") + toString(step) +
                           " is given; expected that step in startup.sequence");
 }

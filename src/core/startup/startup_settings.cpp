@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <charconv>
-#include <sstream>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/text.hpp"
 
 namespace lamina {
 namespace {
@@ -100,16 +100,9 @@ void describe(SettingsSchema& schema, StartupSettings& settings) {
   describeVacuum(schema, settings);
 }
 
-std::vector<std::string> wordsOf(const std::string& text) {
-  std::istringstream stream(text);
-  std::vector<std::string> words;
-  for (std::string word; stream >> word;) words.push_back(word);
-  return words;
-}
-
 std::vector<int> vacuumZones(const StartupSettings& settings) {
   std::vector<int> zones;
-  for (const std::string& word : wordsOf(settings.vacuum_zones)) {
+  for (const std::string& word : splitIntoWords(settings.vacuum_zones)) {
     int zone = 0;
     const auto read = std::from_chars(word.data(), word.data() + word.size(), zone);
     if (read.ec != std::errc() || read.ptr != word.data() + word.size())

@@ -8,6 +8,7 @@
 #include "conversions.hpp"
 #include "height_files.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/text.hpp"
 #include "names.hpp"
 #include "profile_counts.hpp"
 #include "status.hpp"
@@ -212,9 +213,10 @@ void LayerHeightMonitor::diagnose(diagnostic_updater::DiagnosticStatusWrapper& s
   if (!toolpath_fault_.empty())
     status.summary(DiagnosticStatus::ERROR, "toolpath refused: " + toolpath_fault_);
   else if (missed > 0)
-    status.summary(DiagnosticStatus::WARN, std::to_string(missed) + " layers were not seen");
+    status.summary(DiagnosticStatus::WARN,
+                   countedSubject(static_cast<std::size_t>(missed), "layer") + " not seen");
   else if (bad > 0)
-    status.summary(DiagnosticStatus::WARN, std::to_string(bad) + " clouds were not used");
+    status.summary(DiagnosticStatus::WARN, countedSubject(bad, "cloud") + " not used");
   else
     status.summary(DiagnosticStatus::OK, heights_ ? "measuring" : "waiting for a toolpath");
   status.add("toolpath", toolpath_id_);

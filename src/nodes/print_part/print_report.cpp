@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "conversions.hpp"
+#include "lamina/base/text.hpp"
 
 namespace lamina {
 namespace {
@@ -83,7 +84,7 @@ std::string measurementFault(const PrintReport& report) {
   if (layers.empty() && report.has_everything) return "";
   if (layers.empty())
     return "layer_height_monitor did not receive the last position and profile of the machine; expected both";
-  return std::to_string(layers.size()) + " layers were not seen or cut short: " + listed(layers) +
+  return countedSubject(layers.size(), "layer") + " not seen or cut short: " + listed(layers) +
          "; expected every layer with a scan pass to be measured";
 }
 
