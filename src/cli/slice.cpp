@@ -9,6 +9,7 @@
 
 #include "arguments/profile_options.hpp"
 #include "arguments/setting_options.hpp"
+#include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/job/output_files.hpp"
@@ -102,7 +103,7 @@ void printLean(const OverhangAngle& lean) {
   if (lean.beyond_bead_mm2 <= 0.0) return;
   std::printf("overhang    %.1f %% of the surface puts a layer out by more than a bead",
               100.0 * lean.shareBeyondBead());
-  std::printf(", at most %.1f deg at (%.2f, %.2f, %.2f)\n", lean.greatest_rad * 180.0 / M_PI,
+  std::printf(", at most %.1f deg at (%.2f, %.2f, %.2f)\n", toDegrees(lean.greatest_rad),
               lean.greatest_at.x(), lean.greatest_at.y(), lean.greatest_at.z());
 }
 
@@ -133,7 +134,7 @@ nlohmann::ordered_json jsonOf(const SliceSummary& s, const std::string& output) 
       {"mode", s.mode},
       {"mode_reason", s.mode_reason},
       {"notes", s.notes},
-      {"steepest_lean_deg", s.lean.greatest_rad * 180.0 / M_PI},
+      {"steepest_lean_deg", toDegrees(s.lean.greatest_rad)},
       {"steepest_lean_at_mm", {s.lean.greatest_at.x(), s.lean.greatest_at.y(), s.lean.greatest_at.z()}},
       {"overhang_per_layer_mm", std::isfinite(s.lean.overhang_mm) ? nlohmann::ordered_json(s.lean.overhang_mm)
                                                                   : nlohmann::ordered_json()},

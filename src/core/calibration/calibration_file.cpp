@@ -8,14 +8,13 @@
 #include <ctime>
 #include <set>
 
+#include "lamina/base/angle.hpp"
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/settings_yaml.hpp"
 
 namespace lamina {
 namespace {
-
-constexpr double kDegree = M_PI / 180.0;
 
 /// All that a file can state, as it states it.
 struct StatedCalibration {

@@ -8,6 +8,7 @@
 #include <string>
 #include <tuple>
 
+#include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 
 namespace lamina {
@@ -20,8 +21,8 @@ constexpr double kLeastHeight = 0.2;  // of the bead, below which a point counts
 constexpr double kHighHeight = 0.4;   // of the bead, above which a point counts as bead
 constexpr std::size_t kLeastCrestPoints = 8;
 constexpr double kSearchMm = 12.0;
-constexpr double kSearchTurn = 5.0 * M_PI / 180.0;
-constexpr double kSearchTurnStep = 0.5 * M_PI / 180.0;
+constexpr double kSearchTurn = toRadians(5.0);
+constexpr double kSearchTurnStep = toRadians(0.5);
 constexpr std::size_t kMostSearched = 400;  // points
 constexpr std::size_t kLeastSearched = 20;
 constexpr double kLeastOnBeads = 0.6;

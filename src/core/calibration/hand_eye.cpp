@@ -5,13 +5,14 @@
 #include <Eigen/SVD>
 #include <cmath>
 
+#include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 #include "recording_table.hpp"
 
 namespace lamina {
 namespace {
 
-constexpr double kLeastTurn = 5.0 * M_PI / 180.0;
+constexpr double kLeastTurn = toRadians(5.0);
 constexpr double kUnitLength = 0.01;  // of a quaternion, by which it may be off
 
 Eigen::Vector3d rotationVector(const Eigen::Matrix3d& turn) {
@@ -45,12 +46,12 @@ Eigen::Matrix3d commonTurn(const std::vector<RelativeMotion>& motions, HandEyeFi
   for (const double value : parts.singularValues()) fit.turn_values.push_back(std::sqrt(value));
   if (fit.turn_values[0] < kLeastTurn)
     throw InvalidInput(
-        "the head turns by " + std::to_string(fit.turn_values[0] * 180.0 / M_PI) +
+        "the head turns by " + std::to_string(toDegrees(fit.turn_values[0])) +
         " deg over all poses; expected at least 5 deg: without turns, neither turn nor place of the "
         "sensor can be told from poses of a body");
   if (fit.turn_values[1] < kLeastTurn)
     throw InvalidInput(
-        "the head turns about one axis, by " + std::to_string(fit.turn_values[1] * 180.0 / M_PI) +
+        "the head turns about one axis, by " + std::to_string(toDegrees(fit.turn_values[1])) +
         " deg about any other; expected at least 5 deg about two axes: the sensor's turn about that "
         "axis and its place along it cannot be told");
   Eigen::Vector3d signs(1.0, 1.0, 1.0);
@@ -87,7 +88,7 @@ void addDisagreement(const std::vector<BodySight>& sights, HandEyeFit& fit) {
     squared_rad += rotationVector(bodies.front().linear().transpose() * body.linear()).squaredNorm();
   }
   fit.rms_mm = std::sqrt(squared_mm / static_cast<double>(sights.size()));
-  fit.rms_deg = std::sqrt(squared_rad / static_cast<double>(sights.size())) * 180.0 / M_PI;
+  fit.rms_deg = toDegrees(std::sqrt(squared_rad / static_cast<double>(sights.size())));
 }
 
 Eigen::Isometry3d sightPose(const RecordingTable& table, std::size_t row, const std::string& prefix) {

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "lag_search.hpp"
+#include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/calibration/time_offset.hpp"
 #include "passes.hpp"
@@ -363,7 +364,7 @@ void combine(TimeOffset& offset, const Comparison& comparison, const std::vector
   }
   offset.offset_s = 0.5 * (kinds[0].mean() + kinds[1].mean());
   const double apart_s = kinds[0].mean() - kinds[1].mean();
-  offset.skew_deg = std::atan(apart_s * comparison.passes.speed_mm_s / aside) * 180.0 / M_PI;
+  offset.skew_deg = toDegrees(std::atan(apart_s * comparison.passes.speed_mm_s / aside));
   offset.scatter_s = std::max(lineOfValues(times, kinds[0].offsets_s).deviation,
                               lineOfValues(times, kinds[1].offsets_s).deviation);
 }

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "cross_crests.hpp"
+#include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/calibration/sensor_pose.hpp"
 #include "robust_fit.hpp"
@@ -23,7 +24,6 @@ constexpr double kPoseTurnStep = 1e-6;
 constexpr int kMostRounds = 8;
 constexpr double kSettledMm = 5e-4;
 constexpr double kSettledRad = 1e-5;
-constexpr double kRadPerDeg = M_PI / 180.0;
 
 using Pose = Eigen::Matrix<double, kPose, 1>;
 using PoseMatrix = Eigen::Matrix<double, kPose, kPose>;
@@ -177,7 +177,7 @@ PoseMatrix scaledInformation(PoseProblem& problem, const Pose& pose, const Senso
   }
   Pose units;
   units << Eigen::Vector3d::Constant(settings.max_sigma_mm),
-      Eigen::Vector3d::Constant(settings.max_sigma_deg * kRadPerDeg);
+      Eigen::Vector3d::Constant(settings.max_sigma_deg * kDegree);
   return units.asDiagonal() * own * units.asDiagonal();
 }
 

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "control/profile_points.hpp"
+#include "lamina/base/angle.hpp"
 
 namespace lamina {
 namespace {
@@ -15,7 +16,6 @@ namespace {
 constexpr double kSureSquared = 1.0;     // one standard deviation: nothing else is asked
 constexpr double kGateSquared = 16.0;    // four standard deviations
 constexpr double kUnitsPerMm = 1 << 30;  // sums of whole units do not depend on the order of points
-constexpr double kRadPerDeg = M_PI / 180.0;
 
 /// Points in a row on the crown of one cell.
 struct CrownRun {
@@ -51,7 +51,7 @@ class ProfileReader {
             prediction.estimates->size() == sheets_.back().cells->size())
           sheets_.back().estimates = prediction.estimates;
     }
-    least_cosine_ = std::cos(std::min(settings.greatest_angle_deg, 89.9) * kRadPerDeg);
+    least_cosine_ = std::cos(std::min(settings.greatest_angle_deg, 89.9) * kDegree);
   }
 
   double layerHeight() const {

@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 #include <cmath>
 
+#include "lamina/base/angle.hpp"
 #include "lamina/geometry/shortest_rotation.hpp"
 
 namespace lamina {
@@ -55,7 +56,7 @@ StatedFrame transformedFrame(const StatedFrame& source, const PointTransform& tr
 
 double toolAxisOffNormalDeg(const StatedFrame& frame) {
   const Point3 tool_axis = frame.bed_from_nozzle * Point3::UnitZ();
-  return angleBetween(tool_axis, -(frame.bed_from_layers * Point3::UnitZ())) * 180.0 / M_PI;
+  return toDegrees(angleBetween(tool_axis, -(frame.bed_from_layers * Point3::UnitZ())));
 }
 
 }  // namespace lamina

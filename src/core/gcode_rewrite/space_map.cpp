@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 
 namespace lamina {
@@ -13,8 +14,6 @@ namespace {
 
 constexpr double kWorstCondition = 1e6;
 constexpr double kOrthonormal = 1e-12;  // what rounding leaves of products of rotations
-
-double radians(double degrees) { return degrees * M_PI / 180.0; }
 
 }  // namespace
 
@@ -48,7 +47,7 @@ AffineMap operator*(const AffineMap& after, const AffineMap& before) {
 AffineMap rotation(const Point3& axis, double angle_deg) {
   if (!(axis.norm() > 1e-9)) throw InvalidInput("the axis has no direction; it must be longer than 1e-9");
   Eigen::Affine3d matrix = Eigen::Affine3d::Identity();
-  matrix.linear() = Eigen::AngleAxisd(radians(angle_deg), axis.normalized()).toRotationMatrix();
+  matrix.linear() = Eigen::AngleAxisd(toRadians(angle_deg), axis.normalized()).toRotationMatrix();
   return AffineMap(matrix);
 }
 
@@ -66,7 +65,7 @@ AffineMap shear(int moved, int along, double factor) {
 AffineMap beltAxes(double gantry_deg) {
   if (!(gantry_deg >= 15.0 && gantry_deg <= 90.0))
     throw InvalidInput("the gantry leans by " + std::to_string(gantry_deg) + " deg; must be in [15, 90]");
-  const double angle = radians(gantry_deg);
+  const double angle = toRadians(gantry_deg);
   Eigen::Affine3d matrix = Eigen::Affine3d::Identity();
   matrix.linear() << 1.0, 0.0, 0.0,     //
       0.0, 0.0, 1.0 / std::sin(angle),  //

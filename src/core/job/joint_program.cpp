@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "joint_program.hpp"
+#include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/job/kinematic_model_run.hpp"
 #include "lamina/job/rapid_files.hpp"
@@ -85,7 +86,7 @@ ToolpathAsRun toolpathAsRun(KinematicModelRun run, const KinematicModel& model) 
   return result;
 }
 
-constexpr double kHeldToolAxis = 0.01 * M_PI / 180.0;  // rad: as a program of linear axes holds it
+constexpr double kHeldToolAxis = toRadians(0.01);  // rad: as a program of linear axes holds it
 
 bool isGcode(const SliceJob& job) { return std::filesystem::path(job.output).extension() == ".gcode"; }
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <sstream>
 
+#include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 
 namespace lamina {
@@ -22,7 +23,7 @@ Point3 acrossHeading(double heading_deg) {
     const Point3 across[4] = {{0, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {1, 0, 0}};
     return across[quarter];
   }
-  const double heading = heading_deg * M_PI / 180.0;
+  const double heading = toRadians(heading_deg);
   return {-std::sin(heading), std::cos(heading), 0.0};
 }
 

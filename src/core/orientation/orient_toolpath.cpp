@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/orientation/lead_and_tilt.hpp"
@@ -97,7 +98,7 @@ void raise(GreatestAngle& greatest, double value, const WaypointIndex& at) {
 }
 
 double turnDeg(const Eigen::Quaterniond& from, const Eigen::Quaterniond& to) {
-  return from.angularDistance(to) * 180.0 / M_PI;
+  return toDegrees(from.angularDistance(to));
 }
 
 void addPath(OrientationReport& report, const Path& path, WaypointIndex at) {
@@ -155,8 +156,8 @@ ToolAxes givenToolAxes(const Path& run) {
 }
 
 Point3 fixedToolAxis(const FixedDirection& fixed) {
-  const double lean = fixed.lean_deg * M_PI / 180.0;
-  const double heading = fixed.heading_deg * M_PI / 180.0;
+  const double lean = toRadians(fixed.lean_deg);
+  const double heading = toRadians(fixed.heading_deg);
   if (lean == 0.0) return -Point3::UnitZ();
   return {-std::sin(lean) * std::cos(heading), -std::sin(lean) * std::sin(heading), -std::cos(lean)};
 }

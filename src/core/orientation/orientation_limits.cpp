@@ -6,10 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lamina/base/angle.hpp"
+
 namespace lamina {
 namespace {
 
-constexpr double kDegree = M_PI / 180.0;
 constexpr double kOpposite = 1e-9;
 
 double angleBetween(const Point3& a, const Point3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }

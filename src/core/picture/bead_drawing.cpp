@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lamina/base/angle.hpp"
+
 namespace lamina {
 namespace {
 
-constexpr double kAzimuth = -32.0 * M_PI / 180.0;
-constexpr double kElevation = 30.0 * M_PI / 180.0;
+constexpr double kAzimuth = toRadians(-32.0);
+constexpr double kElevation = toRadians(30.0);
 constexpr double kDarkest = 0.58;
 constexpr int kShades = 100;
 constexpr double kLeastStep = 0.6;  // px: finer detail cannot be seen

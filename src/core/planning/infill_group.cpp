@@ -8,6 +8,7 @@
 #include <numeric>
 #include <utility>
 
+#include "lamina/base/angle.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
 #include "lamina/toolpath/toolpath.hpp"
@@ -59,8 +60,8 @@ InfillRequest requestOf(const PlanSettings& settings, const InfillSpacing& spaci
   request.spacing_mm = spacing.spacing_mm;
   const std::size_t turns = isSolid(spacing) ? layer : groupOf(infill, layer);
   const double turn_deg = infill.alternation_deg * static_cast<double>(turns);
-  request.angle_rad = std::fmod(infill.angle_deg + turn_deg, 360.0) * M_PI / 180.0;
-  request.turn_rad = std::fmod(turn_deg, 360.0) * M_PI / 180.0;
+  request.angle_rad = toRadians(std::fmod(infill.angle_deg + turn_deg, 360.0));
+  request.turn_rad = toRadians(std::fmod(turn_deg, 360.0));
   request.layer = layer;
   request.links = infill.links;
   request.settings = settings.fill;

@@ -13,6 +13,7 @@
 #include "geometry/polygon/inside.hpp"
 #include "infill/contour/corner_smoothing.hpp"
 #include "infill/drops/drop_fill.hpp"
+#include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/error_place.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
@@ -390,8 +391,8 @@ class LayerPlanner {
   void addSkin(const Regions& area, PathRole role, double turn_deg) {
     InfillRequest request = infillRequest();
     request.pitch_mm = request.spacing_mm = beads_.skins.pitch_mm;
-    request.angle_rad = (settings_.skins.angle_deg + turn_deg) * M_PI / 180.0;
-    request.turn_rad = turn_deg * M_PI / 180.0;
+    request.angle_rad = toRadians(settings_.skins.angle_deg + turn_deg);
+    request.turn_rad = toRadians(turn_deg);
     addFitted(area, role, std::move(request), context_.skin_strategy);
   }
 
@@ -431,7 +432,7 @@ class LayerPlanner {
   void ironSeen(const Regions& seen) {
     if (seen.empty()) return;
     const double turn_deg = settings_.skins.angle_deg + 90.0 * static_cast<double>(index_ % 4 + 1);
-    addFills(ironingLines(seen, settings_.ironing, turn_deg * M_PI / 180.0), seen);
+    addFills(ironingLines(seen, settings_.ironing, toRadians(turn_deg)), seen);
   }
 
   void addWall(const Regions& centre_lines, PathRole role) {

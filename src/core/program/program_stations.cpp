@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/kinematics/model/joint_limits.hpp"
@@ -13,7 +14,6 @@ namespace {
 
 constexpr double kSameTip = 1e-3;       // mm: below what machines hold, above what solvers leave
 constexpr double kSameToolAxis = 1e-4;  // rad
-constexpr double kDegrees = 180.0 / M_PI;
 
 [[noreturn]] void refuseFaults(const JointPath& joints, const KinematicModel& model) {
   const FaultyWaypoint& first = joints.faults.front();
@@ -41,7 +41,7 @@ void requireSamePose(const Eigen::Isometry3d& given, const Eigen::Isometry3d& ex
   const double turn = std::atan2(tool_axis.cross(wanted).norm(), tool_axis.dot(wanted));
   if (!(off_mm <= kSameTip && turn <= kSameToolAxis))
     throw InvalidInput(toText(at) + ": the joints bring the nozzle " + std::to_string(off_mm) + " mm and " +
-                       std::to_string(turn * kDegrees) +
+                       std::to_string(turn * kDegreesPerRadian) +
                        " deg off the waypoint; expected those of this toolpath where it stands");
 }
 

@@ -14,6 +14,7 @@
 
 #include "gyroid.hpp"
 #include "infill/pattern/gyroid.hpp"
+#include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/text.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
@@ -218,7 +219,7 @@ InfillRequest requestOf(const LayerFill& fill) {
   request.spacing_mm = fill.pitch_mm / fill.density;
   request.layer = fill.layer;
   request.turn_rad = fill.layer % 2 == 0 ? 0.0 : 0.5 * M_PI;
-  request.angle_rad = fill.settings.angle_deg * M_PI / 180.0 + request.turn_rad;
+  request.angle_rad = toRadians(fill.settings.angle_deg) + request.turn_rad;
   request.settings.perimeters.end_gap = 0.0;
   return request;
 }
@@ -250,7 +251,7 @@ std::vector<ScaffoldRun> rings(const Regions& regions, const LayerFill& fill) {
 
 std::vector<ScaffoldRun> gyroidRuns(const Regions& regions, const LayerFill& fill) {
   const GyroidSlice slice{gyroidCell(fill.density / fill.pitch_mm), fill.top_mm,
-                          fill.settings.angle_deg * M_PI / 180.0};
+                          toRadians(fill.settings.angle_deg)};
   std::vector<ScaffoldRun> runs;
   for (const Region& region : offset(regions, -0.5 * fill.pitch_mm))
     for (Polyline& line : gyroidLines(slice, region.outer)) runs.push_back({std::move(line)});

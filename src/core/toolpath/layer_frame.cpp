@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <vector>
 
+#include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 
 namespace lamina {
@@ -46,7 +47,7 @@ bool hasPlaneLayers(const Toolpath& toolpath) {
   return true;
 }
 
-double inclinationDeg(const Toolpath& toolpath) { return inclination(toolpath) * 180.0 / M_PI; }
+double inclinationDeg(const Toolpath& toolpath) { return toDegrees(inclination(toolpath)); }
 
 Point3 layerNormal(const Toolpath& toolpath) { return toolpath.part_from_layers * Point3::UnitZ(); }
 

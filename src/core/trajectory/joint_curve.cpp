@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lamina/base/angle.hpp"
+
 namespace lamina {
 namespace {
 
@@ -80,7 +82,7 @@ double JointCurve::tipTolerance(std::size_t station) const {
 double JointCurve::toolAxisTolerance(std::size_t station) const {
   const double share = settings_.jerk_ramp_s > 0.0 ? 0.5 : 1.0;
   const double line_deg = stations_.each[station].is_smooth ? 0.5 * settings_.line_tolerance_deg : 0.0;
-  return share * std::max(line_deg, settings_.blend_tolerance_deg) * M_PI / 180.0;
+  return toRadians(share * std::max(line_deg, settings_.blend_tolerance_deg));
 }
 
 JointValues JointCurve::tangent(std::size_t span) const {

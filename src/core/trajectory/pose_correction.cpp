@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lamina/base/angle.hpp"
 #include "lamina/geometry/vector.hpp"
 
 namespace lamina {
@@ -29,7 +30,7 @@ Residual residual(const Eigen::Isometry3d& is, const Eigen::Isometry3d& asked) {
 PoseCorrection::PoseCorrection(const KinematicModel& model, const TrajectorySettings& settings)
     : model_(model),
       tip_mm_(0.5 * settings.line_tolerance_mm),
-      tool_axis_rad_(0.5 * settings.line_tolerance_deg * M_PI / 180.0),
+      tool_axis_rad_(toRadians(0.5 * settings.line_tolerance_deg)),
       speeds_(static_cast<Eigen::Index>(model.joints().size())) {
   for (Eigen::Index j = 0; j < speeds_.size(); ++j) speeds_[j] = model.joints()[j].max_speed;
 }

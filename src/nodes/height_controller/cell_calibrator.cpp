@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "conversions.hpp"
+#include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 #include "names.hpp"
 #include "request_settings.hpp"
@@ -16,7 +17,6 @@
 namespace lamina {
 namespace {
 
-constexpr double kRadian = M_PI / 180.0;
 constexpr double kBytesOfTransform = 200.0;  // a pose and its place among the others
 
 /// The same in each of the three services.
@@ -221,7 +221,7 @@ bool CellCalibrator::onSensor(lamina_msgs::CalibrateSensor::Request& request,
     by.cell.pose = found.pose;
     response.nozzle_from_sensor = toMessage(found.pose.nozzle_from_sensor);
     for (std::size_t i = 0; i < found.pose.spread.size(); ++i)
-      response.spread.push_back(i < 3 ? toMetres(found.pose.spread[i]) : kRadian * found.pose.spread[i]);
+      response.spread.push_back(i < 3 ? toMetres(found.pose.spread[i]) : kDegree * found.pose.spread[i]);
     response.kept = found.pose.not_found;
     response.not_observable = found.not_observable;
     for (const ObservedDirection& direction : found.fit.directions)

@@ -7,10 +7,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lamina/base/angle.hpp"
+
 namespace lamina {
 namespace {
 
-constexpr double kDegree = 3.14159265358979323846 / 180.0;
 constexpr double kGreatestAngle = 90.0;
 constexpr double kMargin = 24.0;  // room for the marks
 constexpr int kSize = 120;

@@ -6,12 +6,11 @@
 #include <cstdio>
 #include <optional>
 
+#include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 
 namespace lamina {
 namespace {
-
-constexpr double kRadian = M_PI / 180.0;
 
 std::string milliseconds(double seconds) {
   char text[48];
@@ -63,7 +62,7 @@ std::string takeTime(CellCalibration& known, const std::optional<CalibratedTime>
 /// Off by which a point on the bed lies, below the sensor at the height of the nozzle tip.
 double placeErrorOfPose(const CalibratedPose& pose) {
   const double distance_mm = std::abs(pose.nozzle_from_sensor.translation().z());
-  const double turn = std::hypot(pose.spread[3], pose.spread[4]) * kRadian;
+  const double turn = std::hypot(pose.spread[3], pose.spread[4]) * kDegree;
   return std::hypot(pose.spread[0], pose.spread[1], distance_mm * turn);
 }
 

@@ -10,11 +10,13 @@
 #include <map>
 #include <utility>
 
+#include "lamina/base/angle.hpp"
+
 namespace lamina {
 namespace {
 
-constexpr double kOnFace = 1e-9;                    // of the size of all points
-constexpr double kSamePlane = 1e-2 * M_PI / 180.0;  // rad
+constexpr double kOnFace = 1e-9;                // of the size of all points
+constexpr double kSamePlane = toRadians(1e-2);  // rad
 
 using Corners = std::array<std::size_t, 3>;
 

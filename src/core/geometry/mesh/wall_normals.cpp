@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/geometry/mesh/mesh_topology.hpp"
 #include "lamina/geometry/spatial/nearest_triangle.hpp"
@@ -23,7 +24,7 @@ Point3 normalOf(const Mesh& mesh, const Triangle& corner) {
 }
 
 Mesh wallsOf(const Mesh& part, const Point3& up, double max_lean_deg) {
-  const double steepest = std::sin(max_lean_deg * M_PI / 180.0);
+  const double steepest = std::sin(toRadians(max_lean_deg));
   Mesh walls;
   for (const Triangle& corner : part.triangles) {
     const Point3 normal = normalOf(part, corner);

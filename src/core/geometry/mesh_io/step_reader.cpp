@@ -36,13 +36,13 @@
 #include <utility>
 
 #include "indexed_faces.hpp"
+#include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 #include "step_module.hpp"
 
 namespace lamina {
 namespace {
 
-constexpr double kRadians = 3.14159265358979323846 / 180.0;
 constexpr std::size_t kMostTriangles = 200'000'000;
 // By default the library takes a tenth of the deflection, below which angles do not count.
 constexpr double kShortestEdge = 0.001;  // mm
@@ -150,7 +150,7 @@ class StepReader {
     IMeshTools_Parameters parameters;
     parameters.Deflection = tessellation_.deflection_mm;
     parameters.MinSize = kShortestEdge;
-    parameters.Angle = tessellation_.deflection_deg * kRadians;
+    parameters.Angle = tessellation_.deflection_deg * kDegree;
     // The library's own order of threads must not show in the mesh.
     parameters.InParallel = false;
     BRepMesh_IncrementalMesh mesher(solid, parameters);

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 #include "loft.hpp"
 #include "shapes.hpp"
@@ -58,8 +59,8 @@ Mesh build(const Blade& shape) {
   for (int i = 0; i <= shape.sections; ++i) {
     // Measured from mid-height, so that the part stays in the middle of its box.
     const double fraction = static_cast<double>(i) / shape.sections - 0.5;
-    const Eigen::Rotation2Dd turn(fraction * shape.twist_deg * M_PI / 180.0);
-    const double shift = fraction * shape.height_mm * std::tan(shape.lean_deg * M_PI / 180.0);
+    const Eigen::Rotation2Dd turn(toRadians(fraction * shape.twist_deg));
+    const double shift = fraction * shape.height_mm * std::tan(toRadians(shape.lean_deg));
     std::vector<Point3> ring;
     for (const Point2& point : outline) {
       const Point2 turned = turn * point;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
 
+#include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 #include "loft.hpp"
 #include "shapes.hpp"
@@ -20,7 +21,7 @@ Mesh build(const CurvedWall& shape) {
   if (0.5 * shape.thickness_mm >= shape.radius_mm)
     throw InvalidConfig("thickness_mm is " + std::to_string(shape.thickness_mm) +
                         "; must be less than twice radius_mm, " + std::to_string(2.0 * shape.radius_mm));
-  const double start = -0.5 * shape.angle_deg * M_PI / 180.0;
+  const double start = toRadians(-0.5 * shape.angle_deg);
   const auto point_at = [&](double radius, int i) {
     const double angle = start * (1.0 - 2.0 * i / shape.segments);
     return Point2(radius * std::cos(angle) - shape.radius_mm, radius * std::sin(angle));

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <utility>
 
+#include "lamina/base/angle.hpp"
+
 namespace lamina {
 namespace {
 
@@ -130,7 +132,7 @@ class PathRunner {
   void arc() {
     Point2 radii(std::abs(data_.number()), 0.0);
     radii.y() = std::abs(data_.number());
-    const double turn_rad = data_.number() * M_PI / 180.0;
+    const double turn_rad = toRadians(data_.number());
     const bool is_large = data_.flag();
     const bool is_sweep = data_.flag();
     const Point2 end = point();

@@ -8,12 +8,12 @@
 #include <cmath>
 #include <utility>
 
+#include "lamina/base/angle.hpp"
 #include "lamina/base/text.hpp"
 
 namespace lamina {
 namespace {
 
-constexpr double kDegree = M_PI / 180.0;
 constexpr double kMmPerInch = 25.4;
 
 void skipSeparators(std::string_view& text) {

@@ -9,12 +9,13 @@
 
 #include "geometry/polygon/chain_splitting.hpp"
 #include "geometry/polygon/plane_vectors.hpp"
+#include "lamina/base/angle.hpp"
 
 namespace lamina {
 namespace {
 
 /// Turns of this much are corners.
-constexpr double kCorner = 30.0 * M_PI / 180.0;
+constexpr double kCorner = toRadians(30.0);
 /// Windows shorter than this, and points nearer to each other, make no curve [mm].
 constexpr double kShortestSide = 1e-6;
 

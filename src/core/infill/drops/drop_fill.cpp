@@ -7,13 +7,14 @@
 #include <string>
 
 #include "geometry/polygon/plane_vectors.hpp"
+#include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
 
 namespace lamina {
 namespace {
 
-constexpr double kCorner = 50.0 * M_PI / 180.0;
+constexpr double kCorner = toRadians(50.0);
 constexpr double kRounding = 1e-6;  // of a pitch: an outline exactly n pitches long has room for n
 constexpr double kMostDrops = 5e6;  // of a layer
 constexpr double kWidest = 1.25;    // pitches, from drop to drop along the border

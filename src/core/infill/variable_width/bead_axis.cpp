@@ -9,6 +9,7 @@
 
 #include "geometry/medial_axis/axis_graph.hpp"
 #include "geometry/polygon/chain_splitting.hpp"
+#include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 
 namespace lamina {
@@ -19,9 +20,9 @@ constexpr double kTolerance = 0.01;
 /// In pitches; the end of a bead covers what reaches less beyond it.
 constexpr double kLeastReach = 0.5;
 /// A round end leaves 0.4 of its squared radius open in such a corner.
-constexpr double kWidestCorner = 75.0 * M_PI / 180.0;
+constexpr double kWidestCorner = toRadians(75.0);
 /// Wider ones are bends of the border.
-constexpr double kBend = 120.0 * M_PI / 180.0;
+constexpr double kBend = toRadians(120.0);
 
 AxisPoint whereRadiusIs(const AxisPoint& a, const AxisPoint& b, double radius) {
   const double t = (radius - a.radius_mm) / (b.radius_mm - a.radius_mm);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/geometry/mesh/hull_faces.hpp"
@@ -23,7 +24,7 @@ Point3 turnDown(const Point3& direction) {
   const double about_x = across > 1e-12 ? -0.5 * M_PI - std::atan2(direction.z(), direction.y()) : 0.0;
   const double about_y = std::atan2(direction.x(), across);
   const auto degrees = [](double angle) {
-    const double turned = std::remainder(angle * 180.0 / M_PI, 360.0);
+    const double turned = std::remainder(toDegrees(angle), 360.0);
     if (std::abs(turned) < 1e-9) return 0.0;
     return turned <= -180.0 + 1e-9 ? 180.0 : turned;
   };
@@ -42,7 +43,7 @@ Laying layingOn(const HullFace& face, const Mesh& part, const LayingSettings& se
     highest = std::max(highest, up.dot(vertex));
   }
   laying.height_mm = highest - lowest;
-  const double hangs_from = std::sin(settings.overhang_deg * M_PI / 180.0) + kSameLean;
+  const double hangs_from = std::sin(toRadians(settings.overhang_deg)) + kSameLean;
   for (const Triangle& corners : part.triangles) {
     const Point3& a = part.vertices[corners[0]];
     const Point3& b = part.vertices[corners[1]];

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/strict_yaml.hpp"
+#include "lamina/base/angle.hpp"
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 
@@ -140,7 +141,7 @@ void requirePartSetting(const SettingText& setting, const std::string& part) {
 }
 
 Eigen::Quaterniond turnOf(const Point3& turn_deg) {
-  const Point3 angles = turn_deg * (M_PI / 180.0);
+  const Point3 angles = turn_deg * kDegree;
   return Eigen::AngleAxisd(angles.z(), Point3::UnitZ()) * Eigen::AngleAxisd(angles.y(), Point3::UnitY()) *
          Eigen::AngleAxisd(angles.x(), Point3::UnitX());
 }

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/slicing/planar/layer_plane.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
@@ -14,8 +15,7 @@
 namespace lamina {
 namespace {
 
-constexpr double kToolAxisTolerance = 0.01 * M_PI / 180.0;  // as that of reach
-constexpr double kDegrees = 180.0 / M_PI;
+constexpr double kToolAxisTolerance = toRadians(0.01);  // as that of reach
 
 double angleBetween(const Point3& a, const Point3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
 
@@ -36,8 +36,9 @@ std::string text(const Point3& direction) {
 std::string planeOf(const Point3& tool_axis) {
   // Adding 0 makes -0 a 0.
   const double angle = std::atan2(tool_axis.head<2>().norm(), -tool_axis.z());
-  return "slicing.plane.angle_deg " + number(angle * kDegrees) + " and slicing.plane.axis_heading_deg " +
-         number(std::atan2(-tool_axis.x(), tool_axis.y()) * kDegrees + 0.0);
+  return "slicing.plane.angle_deg " + number(angle * kDegreesPerRadian) +
+         " and slicing.plane.axis_heading_deg " +
+         number(std::atan2(-tool_axis.x(), tool_axis.y()) * kDegreesPerRadian + 0.0);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "lamina/base/angle.hpp"
 #include "lamina/verification/overhang/overhang_angle.hpp"
 
 namespace lamina {
@@ -39,7 +40,7 @@ GentleSlopes gentleSlopes(const Mesh& mesh, double max_slope_deg, double layer_h
     slopes.area_mm2 += 0.5 * doubled;
     const double highest = std::max({a.z(), mesh.vertices[corner[1]].z(), mesh.vertices[corner[2]].z()});
     if (cross.z() < -kUpright * doubled && highest > on_bed) slopes.hanging_mm2 += 0.5 * doubled;
-    const double slope_deg = std::atan2(cross.head<2>().norm(), std::abs(cross.z())) * 180.0 / M_PI;
+    const double slope_deg = toDegrees(std::atan2(cross.head<2>().norm(), std::abs(cross.z())));
     if (slope_deg < kLevelDeg || slope_deg > kSteepDeg) continue;
     slopes.gentle_mm2 += 0.5 * doubled;
     if (cross.z() < 0.0) continue;

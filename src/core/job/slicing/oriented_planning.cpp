@@ -11,6 +11,7 @@
 #include "job/joint_program.hpp"
 #include "job/slicing/mode_choice.hpp"
 #include "job/slicing/tool_orientation.hpp"
+#include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/infill/strategy.hpp"
 #include "lamina/kinematics/model/toolpath_reach.hpp"
@@ -140,7 +141,7 @@ void requireWithin(const BuildSpace& space, const SliceJob& job, SlicedPart& sli
   if (is_program || (is_as_planned && !is_five_axis))
     return requireReachable(sliced.toolpath, sliced.bed_from_part, space);
   if (!is_five_axis) requireTipsReachable(sliced.toolpath, sliced.bed_from_part, space);
-  const double turn_deg = greatestToolAxisTurn(sliced.toolpath, sliced.bed_from_part, space) * 180.0 / M_PI;
+  const double turn_deg = toDegrees(greatestToolAxisTurn(sliced.toolpath, sliced.bed_from_part, space));
   if (turn_deg < 0.01) return;
   const char* format = canTurnToolAxis(space)
                            ? "the nozzle turns by up to %.1f deg, which takes the rotary joints of %s"

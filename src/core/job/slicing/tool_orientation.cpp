@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/toolpath/waypoint_text.hpp"
 
@@ -56,7 +57,7 @@ void requireNearNormal(const Toolpath& as_sliced, const Toolpath& oriented,
       for (std::size_t w = 0; w < before.points.size(); ++w) {
         const Point3 normal = tool_axis(before, w);
         const Point3 held = tool_axis(oriented.layers[l].paths[p], w);
-        const double angle = std::atan2(normal.cross(held).norm(), normal.dot(held)) * 180.0 / M_PI;
+        const double angle = toDegrees(std::atan2(normal.cross(held).norm(), normal.dot(held)));
         if (angle <= greatest) continue;
         greatest = angle;
         place = {l, p, w};

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "kinematics/model/joint_ranges.hpp"
+#include "lamina/base/angle.hpp"
 #include "lamina/base/parallel.hpp"
 
 namespace lamina {
@@ -44,7 +45,7 @@ bool isSteady(const JointValues& from, const JointValues& to, const std::vector<
 /// The deviation of a motion that is curved shrinks with the square of the steps.
 int stepsFor(const MotionDeviation& deviation, const MotionDivision& division) {
   const double excess = std::max(deviation.tip_mm / division.tip_tolerance_mm,
-                                 deviation.tool_axis / (division.tool_axis_tolerance_deg * M_PI / 180.0));
+                                 deviation.tool_axis / toRadians(division.tool_axis_tolerance_deg));
   if (!(excess > 1.0)) return 1;
   return std::min(kMostSteps, std::max(2, static_cast<int>(std::ceil(std::sqrt(excess)))));
 }
@@ -75,7 +76,7 @@ std::vector<MotionDeviation> motionDeviations(const JointPath& path, const Toolp
                                               const KinematicModel& model,
                                               const JointPathSettings& settings) {
   const std::vector<JointRange> ranges = jointRanges(model.joints());
-  const double most_turn = settings.max_turn_deg * M_PI / 180.0;
+  const double most_turn = toRadians(settings.max_turn_deg);
   const std::vector<char> is_wound_up = unwindingAt(path);
   std::vector<MotionDeviation> deviations(path.at.size());
   NoProgress silent;

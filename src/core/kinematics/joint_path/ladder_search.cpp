@@ -7,6 +7,8 @@
 #include <limits>
 #include <utility>
 
+#include "lamina/base/angle.hpp"
+
 namespace lamina {
 
 namespace {
@@ -33,7 +35,7 @@ LadderSearch::LadderSearch(std::vector<JointRange> ranges, const JointPathSettin
   for (const JointRange& range : ranges_) {
     weights_.push_back(1.0 / (range.max_speed * range.max_speed));
     half_periods_.push_back(range.winds ? M_PI : kNever);
-    most_turn_.push_back(range.is_rotary ? settings_.max_turn_deg * M_PI / 180.0 : kNever);
+    most_turn_.push_back(range.is_rotary ? toRadians(settings_.max_turn_deg) : kNever);
   }
 }
 

@@ -7,6 +7,8 @@
 #include <numeric>
 #include <utility>
 
+#include "lamina/base/angle.hpp"
+
 namespace lamina {
 
 namespace {
@@ -107,7 +109,7 @@ void addSteps(const Path& path, const MotionDivision& division, std::vector<int>
     const std::size_t end = path.motionEnd(m);
     const double turn = path.orientation.at(m).angularDistance(path.orientation.at(end));
     steps.push_back(std::max(stepsOf((path.points[end] - path.points[m]).norm(), division.max_step_mm),
-                             stepsOf(turn, division.max_step_deg * M_PI / 180.0)));
+                             stepsOf(turn, toRadians(division.max_step_deg))));
   }
 }
 

@@ -6,13 +6,13 @@
 #include <cmath>
 #include <limits>
 
+#include "lamina/base/angle.hpp"
 #include "lamina/geometry/shortest_rotation.hpp"
 
 namespace lamina {
 
 namespace {
 
-constexpr double kDegree = M_PI / 180.0;
 /// Nearer to a singularity than this [rad] a pose is taken into it: a joint would swing for less than
 /// a waypoint's orientation is accurate to.
 constexpr double kExactlySingular = 1e-7;

@@ -6,14 +6,15 @@
 
 #include "kinematics/joint_path/ladder_search.hpp"
 #include "kinematics/joint_path/station_joints.hpp"
+#include "lamina/base/angle.hpp"
 #include "lamina/base/parallel.hpp"
 
 namespace lamina {
 
 namespace {
 
-constexpr std::size_t kBlock = 64;                      // rungs held at a time, twice
-constexpr double kSteadyToolAxis = 0.1 * M_PI / 180.0;  // far below what a head is held to
+constexpr std::size_t kBlock = 64;                  // rungs held at a time, twice
+constexpr double kSteadyToolAxis = toRadians(0.1);  // far below what a head is held to
 const std::string kStage = "joints";
 
 /// Whether half of the steps of the joints turn the nozzle half of the way.
@@ -53,7 +54,7 @@ StationFault jump(const StationTask& task, std::size_t station, const LadderSear
     return {station, JointFault::JointUnwinding,
             joint + " is at its limit and would have to be wound back by " + turn + " while depositing"};
   const std::string length = lengthText(task.stations[station].motion.length_mm);
-  const std::string most = angleText(task.settings.max_turn_deg * M_PI / 180.0);
+  const std::string most = angleText(toRadians(task.settings.max_turn_deg));
   return {station, JointFault::Jump,
           joint + " would have to turn by " + turn + " within " + length + "; at most " + most};
 }

@@ -6,6 +6,8 @@
 
 #include "kinematics/joint_path/station_joints.hpp"
 
+#include "lamina/base/angle.hpp"
+
 namespace lamina {
 
 namespace {
@@ -34,7 +36,7 @@ Slowest slowest(const JointValues& from, const JointValues& to, const std::vecto
 
 std::vector<StationFault> slowPassages(const std::vector<StationJoints>& joints, const StationTask& task) {
   std::vector<StationFault> faults;
-  const double near = std::sin(task.settings.singular_margin_deg * M_PI / 180.0);
+  const double near = std::sin(toRadians(task.settings.singular_margin_deg));
   for (std::size_t i = 1; i < joints.size(); ++i) {
     const StationMotion& motion = task.stations[i].motion;
     if (!joints[i].is_linked || motion.way != StationWay::Deposition || motion.length_mm <= kInPlace)

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "kinematics/joint_path/station_joints.hpp"
+#include "lamina/base/angle.hpp"
 #include "lamina/base/parallel.hpp"
 
 namespace lamina {
@@ -94,7 +95,7 @@ class SampleSmoothing {
     for (std::size_t j = 0; j < ranges.size(); ++j) {
       const auto index = static_cast<Eigen::Index>(j);
       const double step = stepBetween(ranges[j], from[index], to[index]);
-      if (ranges[j].is_rotary && std::abs(step) > settings_.max_turn_deg * M_PI / 180.0) return false;
+      if (ranges[j].is_rotary && std::abs(step) > toRadians(settings_.max_turn_deg)) return false;
     }
     return true;
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "kinematics/joint_path/stations.hpp"
+#include "lamina/base/angle.hpp"
 #include "lamina/kinematics/arm/external_axis.hpp"
 
 namespace lamina {
@@ -15,7 +16,6 @@ void setExternalAxes(std::vector<Station>& stations, const KinematicModel& model
   const bool has_external = std::any_of(joints.begin(), joints.end(),
                                         [](const DrivenJoint& joint) { return isExternal(joint.name); });
   if (!has_external) return;
-  constexpr double kDegree = M_PI / 180.0;
   const TableHeading heading{settings.external_azimuth_deg * kDegree};
   double value = settings.external_deg * kDegree;
   for (Station& station : stations) {

@@ -8,6 +8,7 @@
 
 #include "kinematics/joint_path/station_joints.hpp"
 #include "kinematics/joint_path/taut_string.hpp"
+#include "lamina/base/angle.hpp"
 #include "lamina/base/parallel.hpp"
 
 namespace lamina {
@@ -47,7 +48,7 @@ std::optional<SwingJoints> swingJoints(const KinematicModel& model, const std::v
 class SwingSteadying {
  public:
   SwingSteadying(const StationTask& task, const SwingJoints& joints)
-      : task_(task), joints_(joints), tolerance_(task.settings.swing_tolerance_deg * M_PI / 180.0) {}
+      : task_(task), joints_(joints), tolerance_(toRadians(task.settings.swing_tolerance_deg)) {}
 
   void steady(std::vector<StationJoints>& stations, std::size_t begin, std::size_t end) const {
     const std::vector<Gate> gates = gatesOf(stations, begin, end);

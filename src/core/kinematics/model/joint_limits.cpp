@@ -4,12 +4,14 @@
 
 #include <cmath>
 
+#include "lamina/base/angle.hpp"
+
 namespace lamina {
 namespace {
 
 /// As people read it: degrees for what turns.
 std::string shown(JointKind kind, double value) {
-  return std::to_string(kind == JointKind::Linear ? value : value * 180.0 / M_PI);
+  return std::to_string(kind == JointKind::Linear ? value : toDegrees(value));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 
 namespace lamina {
@@ -57,7 +58,7 @@ double stepBetween(const JointRange& range, double from, double to) {
 std::string angleText(double angle_rad) {
   std::ostringstream text;
   text.precision(kDigits);
-  text << angle_rad * 180.0 / M_PI << " deg";
+  text << toDegrees(angle_rad) << " deg";
   return text.str();
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "kinematics/model/serial_chain.hpp"
+#include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/geometry/vector.hpp"
 
@@ -34,8 +35,8 @@ using ToolAxisTurns = boost::container::static_vector<ToolAxisTurn, 2>;
 
 double sineBetween(const Point3& a, const Point3& b);
 
-constexpr double kToolAxisTolerance = 0.01 * M_PI / 180.0;  // far below what a head is built to
-constexpr double kOnAxis = 1e-10;                           // sine: less than any pose is known to
+constexpr double kToolAxisTolerance = toRadians(0.01);  // far below what a head is built to
+constexpr double kOnAxis = 1e-10;                       // sine: less than any pose is known to
 
 /// A direction as seen along an axis. The part across it is kept beside that along it, since near the axis
 /// the cosine no longer determines the angle.

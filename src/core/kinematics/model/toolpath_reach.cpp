@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "kinematics/model/link_motion.hpp"
+#include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/base/text.hpp"
@@ -17,8 +18,8 @@
 namespace lamina {
 namespace {
 
-constexpr double kReachedToolAxis = 0.01 * M_PI / 180.0;  // far below what a head is built to
-constexpr double kReachTolerance = 1e-6;                  // mm: rounding of transforms
+constexpr double kReachedToolAxis = toRadians(0.01);  // far below what a head is built to
+constexpr double kReachTolerance = 1e-6;              // mm: rounding of transforms
 
 std::string number(double value) {
   char text[32];
@@ -44,7 +45,7 @@ std::string toolAxisFault(const BuildSpace& space, const Point3& tool_axis) {
   const Point3 own = toolAxis(space);
   const double angle = std::atan2(own.cross(tool_axis).norm(), own.dot(tool_axis));
   if (angle <= kReachedToolAxis) return "";
-  const std::string turn = "the nozzle would have to turn by " + number(angle * 180.0 / M_PI) + " deg; ";
+  const std::string turn = "the nozzle would have to turn by " + number(toDegrees(angle)) + " deg; ";
   if (!canTurnToolAxis(space)) return turn + "the head of " + space.name + " is fixed";
   return turn + "the linear axes of " + space.name + " alone hold it as it is with joints " +
          listed(space.rotary_joints, " and ") + " at zero";

@@ -5,15 +5,16 @@
 #include <cmath>
 #include <cstdio>
 
+#include "lamina/base/angle.hpp"
+
 namespace lamina {
 namespace {
 
-constexpr double kDegrees = 180.0 / M_PI;
 constexpr double kRounding = 1e-9;  // rad
 
 std::string degrees(double angle) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.3f", kDegrees * angle);
+  std::snprintf(text, sizeof text, "%.3f", kDegreesPerRadian * angle);
   return text;
 }
 

@@ -7,12 +7,13 @@
 #include <iterator>
 #include <utility>
 
+#include "lamina/base/angle.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
 
 namespace lamina {
 namespace {
 
-constexpr double kSharpCorner = 100.0 * M_PI / 180.0;  // within the part
+constexpr double kSharpCorner = toRadians(100.0);  // within the part
 constexpr int kEarSides = 48;
 
 /// Where an edge crosses the borders, as shares of it, with both its ends.

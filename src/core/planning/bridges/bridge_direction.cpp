@@ -10,6 +10,7 @@
 
 #include "geometry/polygon/plane_vectors.hpp"
 #include "infill/rectilinear/raster.hpp"
+#include "lamina/base/angle.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
 #include "lamina/geometry/polygon/simplify.hpp"
 #include "planning/overhangs/border_distance.hpp"
@@ -19,7 +20,7 @@ namespace {
 
 constexpr double kSimplification = 0.03;  // pitches
 constexpr double kEquallyHeld = 0.03;     // of the length
-constexpr double kSameDirection = M_PI / 180.0;
+constexpr double kSameDirection = kDegree;
 constexpr double kSameSpan = 1e-6;     // mm
 constexpr int kDirectionsAround = 36;  // every 5 deg
 constexpr std::size_t kMostChordEnds = 12;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "lamina/base/angle.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
 #include "lamina/planning/bridges/bridge_direction.hpp"
 #include "planning/bridges/bridge_threads.hpp"
@@ -78,7 +79,7 @@ class AreaSharer {
     const BridgeSettings& settings = measures_.settings;
     const BridgeSearch search{settings.anchor_mm, measures_.thread_pitch_mm, settings.least_held};
     return settings.angle_deg < 0.0 ? bridgeDirection(piece, near, search)
-                                    : bridgeAlong(settings.angle_deg * M_PI / 180.0, piece, near, search);
+                                    : bridgeAlong(toRadians(settings.angle_deg), piece, near, search);
   }
 
   const Regions& inside_;

@@ -4,10 +4,11 @@
 
 #include <cmath>
 
+#include "lamina/base/angle.hpp"
+
 namespace lamina {
 namespace {
 
-constexpr double kDegree = M_PI / 180.0;
 constexpr double kEquallyOften = 1e-9;
 
 /// Where the ways across all lines add up, each turned to the side of the first one: across that sum a way

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/parameterization/chart_lookup.hpp"
 #include "planning/lift/bead_bounds.hpp"
@@ -42,7 +43,7 @@ class Thinning {
   Thinning(const LiftedLine& line, const LiftSettings& settings)
       : line_(line),
         settings_(settings),
-        chord_(2.0 * std::sin(0.5 * settings.normal_tolerance_deg * M_PI / 180.0)) {}
+        chord_(2.0 * std::sin(toRadians(0.5 * settings.normal_tolerance_deg))) {}
 
   std::vector<std::size_t> needed() const {
     std::vector<std::size_t> kept = {0};

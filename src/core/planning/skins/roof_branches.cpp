@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "infill/lightning/branches.hpp"
+#include "lamina/base/angle.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
 #include "lamina/toolpath/toolpath.hpp"
@@ -52,7 +53,7 @@ std::vector<std::vector<Polyline>> branchesUnderSkins(const std::vector<LayerCov
       covers.size(),
       [&](std::size_t i) { within[i] = insideWalls(covers[i], settings, pitchOf(settings, heights_mm[i])); },
       progress, "skins");
-  const double slope = std::tan(settings.fill.lightning.angle_deg * M_PI / 180.0);
+  const double slope = std::tan(toRadians(settings.fill.lightning.angle_deg));
   std::vector<BranchLayer> layers(covers.size());
   const auto lay_roof = [&](std::size_t i) {
     layers[i].inside = within[i].inside;

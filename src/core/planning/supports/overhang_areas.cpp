@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "lamina/base/angle.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
 #include "planning/supports/piecewise.hpp"
@@ -72,7 +73,7 @@ Regions heldByBridges(const Regions& overhang, const Regions& below, const Holdi
 std::vector<Regions> overhangAreas(const StackedMaterial& stack, const SupportSettings& settings,
                                    Progress& progress, const std::optional<HoldingBridges>& bridges) {
   std::vector<Regions> overhangs(stack.size());
-  const double lean = std::tan(settings.angle_deg * M_PI / 180.0);
+  const double lean = std::tan(toRadians(settings.angle_deg));
   const auto find = [&](std::size_t i) {
     if (i == 0 || stack.material[i] == stack.material[i - 1]) return;
     const Regions below = united(*stack.material[i - 1], stack.bedIn(i - 1));

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "infill/rectilinear/zigzag.hpp"
+#include "lamina/base/angle.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
 #include "planning/supports/piecewise.hpp"
@@ -130,7 +131,7 @@ class LatticePlanner {
     lines.pitch_mm = pitch_mm;
     lines.spacing_mm = planWidth(supportBead(role, height_mm_)) /
                        (is_lattice ? supports.density : supports.interface_density);
-    lines.angle_rad = (supports.raster_angle_deg + (is_lattice ? 0.0 : 90.0)) * M_PI / 180.0;
+    lines.angle_rad = toRadians(supports.raster_angle_deg + (is_lattice ? 0.0 : 90.0));
     lines.walls = supports.walls;
     lines.away = away_;
     return lines;

@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "lamina/base/angle.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
 #include "planning/supports/piecewise.hpp"
@@ -97,7 +98,7 @@ class BlockedPlaces {
   /// From the bed up: a branch can go no farther aside in a layer than its lean allows.
   static void addOutOfReach(const StackedMaterial& stack, const SupportSettings& settings,
                             std::vector<SharedRegions>& blocked) {
-    const double lean = kSurelyReached * std::tan(settings.branch_angle_deg * M_PI / 180.0);
+    const double lean = kSurelyReached * std::tan(toRadians(settings.branch_angle_deg));
     SharedRegions own_below;
     for (std::size_t k = 0; k < blocked.size(); ++k) {
       const SharedRegions own = blocked[k];
@@ -138,8 +139,8 @@ class BranchGrower {
         tips_(std::move(tips)),
         count_(highestLayer()),
         blocked_(stack, count_, settings, progress),
-        lean_(std::tan(settings.branch_angle_deg * M_PI / 180.0)),
-        taper_(std::tan(settings.branch_taper_deg * M_PI / 180.0)) {}
+        lean_(std::tan(toRadians(settings.branch_angle_deg))),
+        taper_(std::tan(toRadians(settings.branch_taper_deg))) {}
 
   SupportTree grow() {
     discs_.resize(stack_.size());

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/program/gcode/gcode_line.hpp"
 #include "lamina/program/gcode/toolpath_from_gcode.hpp"
@@ -152,7 +153,7 @@ class FiveAxisInterpreter {
       if (std::isnan(values_[i]))
         refuse(std::string("axis ") + letters_[i].letter + " has no value yet; expected one before it moves");
       const bool is_linear = letters_[i].kind == JointKind::Linear;
-      if (!is_linear) joints[letters_[i].joint] = values_[i] * M_PI / 180.0;
+      if (!is_linear) joints[letters_[i].joint] = toRadians(values_[i]);
       if (is_linear && has_joints_) joints[letters_[i].joint] = values_[i];
     }
     Eigen::Isometry3d bed_from_nozzle = machine_.bedFromNozzle(joints);

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/geometry/vector.hpp"
 #include "lamina/kinematics/model/kinematic_model.hpp"
@@ -165,8 +166,8 @@ class FiveAxisLines {
   double waiting_s_ = 0.0;  ///< of motions too short to be written
 };
 
-constexpr double kLinearScale = 1e4;                 // 4 decimals
-constexpr double kRotaryScale = 1e5 * 180.0 / M_PI;  // 5 decimals of a degree
+constexpr double kLinearScale = 1e4;             // 4 decimals
+constexpr double kRotaryScale = toDegrees(1e5);  // 5 decimals of a degree
 constexpr double kFilamentScale = 1e5;
 constexpr std::size_t kLinear = 3;
 
@@ -250,7 +251,7 @@ void FiveAxisLines::turn(const JointValues& joints, std::string& text) {
     const double way = std::abs(joints[letter.joint] - joints_[letter.joint]);
     const double speed = machine_.joints()[static_cast<std::size_t>(letter.joint)].max_speed;
     time_s = std::max(time_s, way / speed);
-    if (axis >= kLinear) square_deg += way * way * (180.0 / M_PI) * (180.0 / M_PI);
+    if (axis >= kLinear) square_deg += way * way * kDegreesPerRadian * kDegreesPerRadian;
     // The same tip comes of other linear joints where rotary ones turn.
     has_changed |= axis >= kLinear && unitsOf(axis, joints, tip_) != axes_[axis];
   }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/geometry/shortest_rotation.hpp"
@@ -65,7 +66,7 @@ void requireToolAxis(const Path& path, const Point3& tool_axis) {
     const double turn = std::atan2(tool_axis.cross(wanted).norm(), tool_axis.dot(wanted));
     if (!(turn <= kSameToolAxis))
       refuse(path, i,
-             "the nozzle would have to turn by " + std::to_string(turn * 180.0 / M_PI) +
+             "the nozzle would have to turn by " + std::to_string(toDegrees(turn)) +
                  " deg; a three-axis program holds it as at the first waypoint");
   }
 }

@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/geometry/mesh/mesh.hpp"
 #include "lamina/geometry/moving_average.hpp"
@@ -34,7 +35,7 @@ bool isAt(const Mesh& mesh, const Triangle& corner, double z) {
 double leanDeg(const Mesh& mesh, const Triangle& corner) {
   const Point3& a = mesh.vertices[corner[0]];
   const Point3 normal = (mesh.vertices[corner[1]] - a).cross(mesh.vertices[corner[2]] - a);
-  return std::atan2(std::abs(normal.z()), normal.head<2>().norm()) * 180.0 / M_PI;
+  return toDegrees(std::atan2(std::abs(normal.z()), normal.head<2>().norm()));
 }
 
 /// Refuses a part one of whose faces leans too far from the vertical. The flat bottom and the flat top of

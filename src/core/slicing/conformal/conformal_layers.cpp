@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/geometry/mesh/mesh_topology.hpp"
@@ -19,7 +20,6 @@
 namespace lamina {
 namespace {
 
-constexpr double kRadiansPerDegree = M_PI / 180.0;
 // Of a layer: how much of another one a thickness may hold by rounding.
 constexpr double kRounding = 1e-9;
 
@@ -38,7 +38,7 @@ Point3 directionOf(const ConformalSettings& settings) {
 /// The faces that look in the direction.
 TriangleNumbers facesTowards(const Mesh& mesh, const ConformalSettings& settings) {
   const Point3 direction = directionOf(settings);
-  const double least = std::cos(settings.max_tilt_deg * kRadiansPerDegree) - kRounding;
+  const double least = std::cos(settings.max_tilt_deg * kDegree) - kRounding;
   TriangleNumbers chosen;
   for (std::uint32_t number = 0; number < mesh.triangles.size(); ++number) {
     const Triangle& corner = mesh.triangles[number];

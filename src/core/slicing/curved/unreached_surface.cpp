@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lamina/base/angle.hpp"
 #include "lamina/geometry/mesh/mesh_topology.hpp"
 #include "lamina/geometry/spatial/nearest_triangle.hpp"
 
@@ -56,7 +57,7 @@ std::vector<Point3> unreached(const std::vector<Point3>& points, const Mesh& sou
                               double steepest_deg) {
   const MeshTopology topology = pairHalfEdges(source);
   const NearestTriangle nearest(source);
-  const double per_mm = std::tan(steepest_deg * M_PI / 180.0);
+  const double per_mm = std::tan(toRadians(steepest_deg));
   std::vector<Point3> result;
   for (const Point3& point : points) {
     const NearestPlace place = nearest.nearest(point);

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/geometry/mesh/subdivision.hpp"
 #include "lamina/geometry/voxel/height_grid.hpp"
@@ -115,7 +116,7 @@ LimitedBend limitedBend(HeightGrid cells, double base_mm, const std::vector<doub
     bend.share = share;
   };
   const double range = asked.greatest - asked.least;
-  const double allowed = std::tan(settings.max_slope_deg * M_PI / 180.0);
+  const double allowed = std::tan(toRadians(settings.max_slope_deg));
   const double most = range > thick - thin ? (thick - thin) / range : 1.0;
   take(most);
   if (steepestSlope(bend.field, top) <= allowed) return bend;
@@ -221,7 +222,7 @@ class Fit {
 
   /// @return whether there are any
   bool drawSteepPlaces(const std::vector<double>& solution) {
-    const double allowed = std::tan(settings_.max_slope_deg * M_PI / 180.0);
+    const double allowed = std::tan(toRadians(settings_.max_slope_deg));
     std::vector<double> factor(solution.size());
     for (std::size_t i = 0; i < solution.size(); ++i) factor[i] = std::exp(solution[i]);
     bool is_steep = false;
@@ -304,7 +305,7 @@ Place placeOfCell(const TopSurface& top, const HeightGrid& cells, std::size_t ce
 /// @return for each cell 1 or 0; corners of a followed one have a prolonged height
 std::vector<char> followedCells(const TopSurface& top, const HeightGrid& cells,
                                 const HeightFieldSettings& settings) {
-  const double steepest = std::tan(settings.max_slope_deg * M_PI / 180.0) * (1.0 + 1e-9);
+  const double steepest = std::tan(toRadians(settings.max_slope_deg)) * (1.0 + 1e-9);
   std::vector<Place> places(cells.cellCount());
   double highest = 0.0;
   for (std::size_t cell = 0; cell < places.size(); ++cell) {
@@ -394,7 +395,7 @@ std::vector<SurfacePlace> followedPlaces(const std::vector<char>& is_followed, c
 HeightFieldReport reportOf(const HeightField& field, const std::vector<char>& is_followed,
                            const TopSurface& top, const SlicingSettings& slicing) {
   HeightFieldReport report;
-  report.greatest_slope_deg = std::atan(steepestSlope(field, top)) * 180.0 / M_PI;
+  report.greatest_slope_deg = toDegrees(std::atan(steepestSlope(field, top)));
   const FactorRange range = factorRange(field, top);
   report.least_thickness_mm = range.least * slicing.layer_height_mm;
   report.greatest_thickness_mm = range.greatest * slicing.layer_height_mm;

@@ -4,18 +4,16 @@
 
 #include <cmath>
 
+#include "lamina/base/angle.hpp"
+
 namespace lamina {
-namespace {
-
-constexpr double kRadians = M_PI / 180.0;
-
-}  // namespace
+namespace {}  // namespace
 
 Eigen::Quaterniond partFromLayers(const PlaneSettings& plane) {
   if (plane.angle_deg == 0.0) return Eigen::Quaterniond::Identity();
-  const double heading = plane.axis_heading_deg * kRadians;
+  const double heading = plane.axis_heading_deg * kDegree;
   const Point3 axis(std::cos(heading), std::sin(heading), 0.0);
-  return Eigen::Quaterniond(Eigen::AngleAxisd(plane.angle_deg * kRadians, axis));
+  return Eigen::Quaterniond(Eigen::AngleAxisd(plane.angle_deg * kDegree, axis));
 }
 
 Mesh turned(Mesh mesh, const Eigen::Quaterniond& rotation) {

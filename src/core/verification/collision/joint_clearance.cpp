@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
@@ -23,7 +24,7 @@ namespace lamina {
 namespace {
 
 constexpr double kFreshWidths = 1.5;  // of the bead: what the nozzle has just left is soft, and has its shape
-constexpr double kJointTurn = 5.0 * M_PI / 180.0;  // of a joint between places
+constexpr double kJointTurn = toRadians(5.0);  // of a joint between places
 
 const Path& pathAt(const JointRun& run, std::size_t station) {
   const WaypointIndex& at = run.path.at[station];

@@ -14,6 +14,7 @@
 
 #include "kinematics/model/link_motion.hpp"
 #include "kinematics/model/link_tree.hpp"
+#include "lamina/base/angle.hpp"
 #include "lamina/kinematics/model/kinematic_model.hpp"
 #include "lamina/kinematics/model/link_bodies.hpp"
 #include "verification/collision/solid.hpp"
@@ -65,7 +66,7 @@ class CollisionTable {
 namespace {
 
 constexpr double kTurn = 2.0 * M_PI;
-constexpr double kFinest = 2.0 * M_PI / 180.0;
+constexpr double kFinest = toRadians(2.0);
 
 std::string namesOf(const RigidGroup& group) {
   std::string names;

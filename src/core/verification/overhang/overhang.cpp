@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/verification/overhang/overhang_settings.hpp"
@@ -244,7 +245,7 @@ double greatestSideways(const Toolpath& toolpath) {
         const Point3 tool_axis = toolAxisAt(path, i, layers_from_part);
         if (!(tool_axis.z() <= -kFlattestToolAxis))
           throw InvalidInput("layer " + std::to_string(l) + ": the tool axis is inclined by " +
-                             std::to_string(std::acos(std::clamp(-tool_axis.z(), -1.0, 1.0)) * 180.0 / M_PI) +
+                             std::to_string(toDegrees(std::acos(std::clamp(-tool_axis.z(), -1.0, 1.0)))) +
                              " deg to the layers' normal; overhangs are found up to 84 deg");
         greatest = std::max(greatest, tool_axis.head<2>().norm() / -tool_axis.z());
       }

@@ -10,6 +10,7 @@
 
 #include "geometry/polygon/plane_vectors.hpp"
 #include "geometry/polygon/point_diagram.hpp"
+#include "lamina/base/angle.hpp"
 #include "lamina/geometry/spatial/point_grid.hpp"
 
 namespace lamina {
@@ -58,8 +59,8 @@ std::vector<VoidPoint> voronoiPoints(const std::vector<Point2>& drops) {
   return points;
 }
 
-constexpr double kReach = 1.2;                      // diameters: drops within are neighbours
-constexpr double kWidestGap = 95.0 * M_PI / 180.0;  // a square lattice has gaps of 90 degrees
+constexpr double kReach = 1.2;                  // diameters: drops within are neighbours
+constexpr double kWidestGap = toRadians(95.0);  // a square lattice has gaps of 90 degrees
 
 /// Directions to the neighbours, in order.
 std::vector<double> directionsAround(const PointGrid& grid, std::uint32_t drop, double reach) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "geometry/polygon/plane_vectors.hpp"
+#include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/geometry/spatial/point_grid.hpp"
 #include "lamina/voids/beads/void_class.hpp"
@@ -111,7 +112,7 @@ class VoidKinds {
 };
 
 constexpr std::size_t kNoContour = std::numeric_limits<std::size_t>::max();
-constexpr double kCriticalCorner = 60.0 * M_PI / 180.0;
+constexpr double kCriticalCorner = toRadians(60.0);
 constexpr double kBounding = 0.02;  // diameters: drops as far as the nearest bound a void
 
 double cornerAngle(const Polygon& outline, std::size_t i) {

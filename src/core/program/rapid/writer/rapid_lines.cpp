@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "program/rapid/writer/rapid_lines.hpp"
 
+#include "lamina/base/angle.hpp"
 #include "lamina/kinematics/arm/abb_configuration.hpp"
 #include "program/rapid/rapid_words.hpp"
 
@@ -11,7 +12,6 @@ namespace {
 constexpr int kPositionDecimals = 4;
 constexpr int kOrientationDecimals = 7;
 constexpr int kAxisDecimals = 3;
-constexpr double kDegrees = 180.0 / M_PI;
 
 bool isExternal(const DrivenJoint& joint) { return joint.name.rfind("external_", 0) == 0; }
 
@@ -170,7 +170,7 @@ void RapidLines::appendAxes(const RapidPlace& place, std::string& text) const {
   for (std::size_t j = 0; j < arm_->joints().size(); ++j) {
     const double value = joints[static_cast<Eigen::Index>(j)];
     if (isExternal(arm_->joints()[j]))
-      external.push_back(arm_->joints()[j].kind == JointKind::Linear ? value : value * kDegrees);
+      external.push_back(arm_->joints()[j].kind == JointKind::Linear ? value : value * kDegreesPerRadian);
   }
   if (external.empty()) external.push_back(settings_.external_axis);
   text += (settings_.configuration == RapidConfiguration::Fixed ? rapidConfiguration(settings_)

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/toolpath/process_support.hpp"
 
@@ -39,7 +40,7 @@ class PathChecks {
       const Point3 wanted = path_.orientation.at(i) * Point3::UnitZ();
       const double turn = std::atan2(tool_axis.cross(wanted).norm(), tool_axis.dot(wanted));
       if (!(turn <= kSamePose))
-        refuse(i, "the nozzle would have to turn by " + std::to_string(turn * 180.0 / M_PI) +
+        refuse(i, "the nozzle would have to turn by " + std::to_string(toDegrees(turn)) +
                       " deg; a program of rapid.variant " + toString(variant_) +
                       " holds it as at the first waypoint");
     }
