@@ -3,6 +3,7 @@
 #include <lamina/geometry/mesh_io/mesh_reader.hpp>
 #include <lamina/planning/planner.hpp>
 #include <lamina/program/gcode/gcode_writer.hpp>
+#include <lamina/slicing/layer.hpp>
 
 int main(int count, char** arguments) {
   if (count != 3) return 2;
