@@ -158,10 +158,13 @@ class ChordDivider {
 
   Polyline divided(const Polyline& curve) const {
     Polyline result{curve.front()};
+    const auto add = [&result](const Point2& point) {
+      if (point != result.back()) result.push_back(point);
+    };
     Point2 normal = section_.valueAndSlope(curve.front()).gradient;
     for (std::size_t i = 1; i < curve.size(); ++i) {
       const Point2 next = section_.valueAndSlope(curve[i]).gradient;
-      addMotion({curve[i - 1], normal}, {curve[i], next}, kDeepest, result);
+      forEachOnMotion({curve[i - 1], normal}, {curve[i], next}, kDeepest, add);
       normal = next;
     }
     return result;
@@ -174,15 +177,18 @@ class ChordDivider {
     Point2 normal;  ///< of any length
   };
 
-  void addMotion(const SurfacePoint& from, const SurfacePoint& to, int depth, Polyline& result) const {
+  /// The points of a motion behind its first one.
+  template <class Visit>
+  void forEachOnMotion(const SurfacePoint& from, const SurfacePoint& to, int depth,
+                       const Visit& visit) const {
     const Point2 chord = to.point - from.point;
     if (depth > 0 && sagOf(chord, from.normal, to.normal) > chord_error_) {
       const SurfacePoint between = onSurface(0.5 * (from.point + to.point), chord);
-      addMotion(from, between, depth - 1, result);
-      addMotion(between, to, depth - 1, result);
+      forEachOnMotion(from, between, depth - 1, visit);
+      forEachOnMotion(between, to, depth - 1, visit);
       return;
     }
-    if (to.point != result.back()) result.push_back(to.point);
+    visit(to.point);
   }
 
   /// Of an arc that leaves the chord by the larger of both angles.

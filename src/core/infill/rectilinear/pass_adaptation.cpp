@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "geometry/polygon/plane_vectors.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
@@ -28,13 +29,13 @@ std::vector<Point2> densified(const std::vector<Polygon>& outlines, double step)
 }
 
 /// How far a line through `point` goes along a unit vector until it meets an edge; negative behind the point.
-void crossEdge(const Point2& point, const Point2& along, const Point2& a, const Point2& b,
-               std::vector<double>& found) {
+/// Nothing if it does not.
+std::optional<double> wayToEdge(const Point2& point, const Point2& along, const Point2& a, const Point2& b) {
   const Point2 across = leftOf(along);
   const double from = (a - point).dot(across);
   const double to = (b - point).dot(across);
-  if ((from < 0.0) == (to < 0.0)) return;
-  found.push_back((a - point).dot(along) + from / (from - to) * (b - a).dot(along));
+  if ((from < 0.0) == (to < 0.0)) return std::nullopt;
+  return (a - point).dot(along) + from / (from - to) * (b - a).dot(along);
 }
 
 Point2 middleOf(const Polyline& pass) { return 0.5 * (pass.front() + pass.back()); }
@@ -83,7 +84,8 @@ Point2 PerimeterApproach::clipped(const Point2& point, const Point2& outward) co
   std::vector<double> crossings;
   for (const Polygon& outline : inwards_)
     for (std::size_t i = 0; i < outline.size(); ++i)
-      crossEdge(point, outward, outline[i], outline[i + 1 < outline.size() ? i + 1 : 0], crossings);
+      if (const auto way = wayToEdge(point, outward, outline[i], outline[i + 1 < outline.size() ? i + 1 : 0]))
+        crossings.push_back(*way);
   std::sort(crossings.begin(), crossings.end());
   const auto ahead = std::lower_bound(crossings.begin(), crossings.end(), 0.0);
   const bool is_inside = (crossings.end() - ahead) % 2 != 0;

@@ -107,32 +107,33 @@ class RunBuilder {
 
   Polyline trace(std::uint32_t c, const RasterFrame& frame) {
     Polyline points;
+    const auto add = [&](const Point2& point) {
+      const Point2 turned = frame.outOfRaster(point);
+      if (points.empty() || points.back() != turned) points.push_back(turned);
+    };
     for (std::uint32_t next = kNone; c != kNone; c = next) {
       next = following(c);
       is_done_[lineOf(c)] = true;
-      append(points, pointAt(c), frame);
-      append(points, pointAt(otherEnd(c)), frame);
-      if (next != kNone) appendLink(points, otherEnd(c), next, frame);
+      add(pointAt(c));
+      add(pointAt(otherEnd(c)));
+      if (next != kNone) forEachOnLink(otherEnd(c), next, add);
     }
     return points;
   }
 
+  /// The points of the outline from a crossing to another.
   /// @param to  on the line above
-  void appendLink(Polyline& points, std::uint32_t from, std::uint32_t to, const RasterFrame& frame) const {
+  template <class Visit>
+  void forEachOnLink(std::uint32_t from, std::uint32_t to, const Visit& visit) const {
     const bool is_along_walk = climbs(raster_.crossings[from]);
     const Crossing& start = raster_.crossings[is_along_walk ? from : to];
     const std::size_t count = pointsBetween(start, raster_.crossings[is_along_walk ? to : from]);
     for (std::size_t step = 0; step < count; ++step)
-      append(points, outlinePoint(start, is_along_walk ? step : count - 1 - step), frame);
+      visit(outlinePoint(start, is_along_walk ? step : count - 1 - step));
   }
 
   bool climbs(const Crossing& crossing) const {
     return outlinePoint(crossing, 0).y() > raster_.outlines[crossing.outline][crossing.edge].y();
-  }
-
-  static void append(Polyline& points, const Point2& point, const RasterFrame& frame) {
-    const Point2 turned = frame.outOfRaster(point);
-    if (points.empty() || points.back() != turned) points.push_back(turned);
   }
 
   const Raster& raster_;
