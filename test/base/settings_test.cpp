@@ -27,7 +27,7 @@ struct Lamp {
 
 void describe(SettingsSchema& schema, Lamp& lamp) {
   schema.number("lamp.power_w", lamp.power_w, {0.0, 100.0, true}, "Power.");
-  schema.integer("lamp.count", lamp.count, {0, 10, false}, "How many.");
+  schema.integer("lamp.count", lamp.count, {0, 10}, "How many.");
   schema.flag("lamp.is_on", lamp.is_on, "Whether it shines.");
   schema.text("lamp.name", lamp.name, "Its name.");
   schema.choice("shade.shape", lamp.shape, std::vector<std::string>{"round", "square"}, "Form of the shade.");
@@ -169,7 +169,7 @@ class SettingTables : public testing::Test {
  protected:
   SettingTables() {
     schema_.table("hooks.at", table_, "Code by layer.");
-    schema_.list("hooks.layers", list_, {0.0, 10.0, false}, "Layers.");
+    schema_.list("hooks.layers", list_, {0.0, 10.0}, "Layers.");
   }
 
   SettingTable table_;

@@ -14,9 +14,9 @@ void describe(SettingsSchema& schema, PlatformInertia& inertia) {
                 "Moment of inertia of the mobile platform about its x, through its centre of mass.");
   schema.number("platform.inertia_y_kg_m2", inertia.platform_kg_m2.y(), turned, "The same about y.");
   schema.number("platform.inertia_z_kg_m2", inertia.platform_kg_m2.z(), turned, "The same about z.");
-  schema.number("platform.centre_z_mm", inertia.centre_mm.z(), {-1000.0, 1000.0, false},
+  schema.number("platform.centre_z_mm", inertia.centre_mm.z(), {-1000.0, 1000.0},
                 "Height of the centre of mass over the middle of the platform's joints.");
-  schema.number("platform.viscous_friction_nm_s", inertia.viscous_friction, {0.0, 1000.0, false},
+  schema.number("platform.viscous_friction_nm_s", inertia.viscous_friction, {0.0, 1000.0},
                 "Torque that brakes each motor, per rad/s of its crank.");
 }
 

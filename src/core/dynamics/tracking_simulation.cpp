@@ -47,7 +47,7 @@ Eigen::Isometry3d inMillimetres(Eigen::Isometry3d pose) {
 
 void describe(SettingsSchema& schema, TrackingSettings& settings) {
   describe(schema, settings.inertia);
-  schema.number("platform.unknown_load_kg", settings.unknown_load_kg, {0.0, 1000.0, false},
+  schema.number("platform.unknown_load_kg", settings.unknown_load_kg, {0.0, 1000.0},
                 "Mass on the platform that its controller does not know of.");
   describe(schema, settings.gains);
   schema.number("simulation.step_s", settings.step_s, {0.0, 1e-3, true},

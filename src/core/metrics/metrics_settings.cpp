@@ -6,7 +6,7 @@ namespace lamina {
 namespace {
 
 void describe(SettingsSchema& schema, SurfaceFillSettings& settings) {
-  schema.number("metrics.depth_mm", settings.depth_mm, {0.0, 1000.0, false},
+  schema.number("metrics.depth_mm", settings.depth_mm, {0.0, 1000.0},
                 "Depth below a face within which a bead counts for it; 0 takes what fits the bead.");
   schema.choice<BeadLine>("metrics.bead_line", settings.line,
                           {{"middle", BeadLine::Middle}, {"tip", BeadLine::Tip}},
@@ -40,7 +40,7 @@ void describe(SettingsSchema& schema, VolumeErrorSettings& settings) {
                              {"generated", StrandEnds::Generated},
                              {"commercial", StrandEnds::Commercial}},
                             "What each segment's volume leaves out: nothing, a diameter, or half of one.");
-  schema.number("metrics.fill_share", settings.fill_share, {0.0, 1.0, false},
+  schema.number("metrics.fill_share", settings.fill_share, {0.0, 1.0},
                 "Share of the part's volume that is asked for.");
 }
 
@@ -50,7 +50,7 @@ void describe(SettingsSchema& schema, MetricsSettings& settings) {
   schema.flag("metrics.surface", settings.measures_surface, "Whether under- and overfill are measured.");
   schema.flag("metrics.simulate_platform", settings.simulates_platform,
               "Whether the six-legged platform is simulated for energy and tracking errors.");
-  schema.number("metrics.speed_mm_s", settings.speed_mm_s, {0.0, 1e4, false},
+  schema.number("metrics.speed_mm_s", settings.speed_mm_s, {0.0, 1e4},
                 "Speed of every motion in the metrics; 0 for the toolpath's own feeds.");
   schema.number("metrics.acceleration_mm_s2", settings.acceleration_mm_s2, {0.0, 1e6, true},
                 "Acceleration of every motion in the metrics, from rest to rest.");

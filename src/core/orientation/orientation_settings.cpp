@@ -15,25 +15,25 @@ void describe(SettingsSchema& schema, OrientationSettings& settings) {
        {"fixed", OrientationMode::Fixed},
        {"wall", OrientationMode::Wall}},
       "Tool axis against the layer's normal, in one direction everywhere, or along the wall in walls.");
-  const Bounds turn{-360.0, 360.0, false};
-  schema.number("orientation.fixed_lean_deg", settings.fixed.lean_deg, {0.0, 90.0, false},
+  const Bounds turn{-360.0, 360.0};
+  schema.number("orientation.fixed_lean_deg", settings.fixed.lean_deg, {0.0, 90.0},
                 "Mode fixed: lean of the nozzle from the vertical.");
   schema.number("orientation.fixed_heading_deg", settings.fixed.heading_deg, turn,
                 "Mode fixed: where the nozzle leans to; 0 is x, 90 is y.");
   schema.number("orientation.wall_max_lean_deg", settings.wall.max_lean_deg, {0.0, 89.0, true},
                 "Mode wall: faces that lean more from the layers' normal are no walls.");
-  const Bounds lean{-60.0, 60.0, false};
+  const Bounds lean{-60.0, 60.0};
   schema.number("orientation.lead_deg", settings.lead_deg, lean,
                 "Lean of the nozzle towards where it travels.");
   schema.number("orientation.tilt_deg", settings.tilt_deg, lean,
                 "Lean of the nozzle to the left of the path.");
-  schema.integer("orientation.smoothing_window", settings.smoothing_window, {1, 9999, false},
+  schema.integer("orientation.smoothing_window", settings.smoothing_window, {1, 9999},
                  "Waypoints over which the tool axis is averaged, an odd number; 1 is none.");
-  schema.number("orientation.max_lean_deg", settings.limits.max_lean_deg, {0.0, 180.0, false},
+  schema.number("orientation.max_lean_deg", settings.limits.max_lean_deg, {0.0, 180.0},
                 "Greatest angle between the tool axis and straight down; 180 is no limit.");
-  schema.number("orientation.max_turn_deg_per_mm", settings.limits.max_turn_deg_per_mm, {0.0, 1000.0, false},
+  schema.number("orientation.max_turn_deg_per_mm", settings.limits.max_turn_deg_per_mm, {0.0, 1000.0},
                 "Greatest turn of the tool axis along a run; 0 is no limit.");
-  schema.number("orientation.max_off_normal_deg", settings.limits.max_off_normal_deg, {0.0, 180.0, false},
+  schema.number("orientation.max_off_normal_deg", settings.limits.max_off_normal_deg, {0.0, 180.0},
                 "Greatest angle between tool axis and layer's normal; a part that needs more is refused.");
   schema.number("orientation.heading_deg", settings.heading_deg, turn,
                 "Heading of the nozzle's x, which does not spin about the tool axis; 0 is x, 180 is -x.");

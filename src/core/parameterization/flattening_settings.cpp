@@ -15,10 +15,10 @@ void describe(SettingsSchema& schema, FlatteningSettings& settings) {
   schema.renamedChoice("flattening.method", "rigid", "arap");
   schema.renamedChoice("flattening.method", "mds", "landmark_mds");
   schema.renamedChoice("flattening.method", "stress", "smacof");
-  schema.integer("flattening.landmarks", settings.landmarks, {4.0, 100000.0, false},
+  schema.integer("flattening.landmarks", settings.landmarks, {4.0, 100000.0},
                  "Vertices from which geodesic distances are taken; pieces with fewer vertices use all.");
   schema.number(
-      "flattening.tolerance", settings.tolerance, {0.001, 0.5, false},
+      "flattening.tolerance", settings.tolerance, {0.001, 0.5},
       "Share by which lengths on the layer may differ from those in its plan; beyond it the layer is "
       "cut.");
 }

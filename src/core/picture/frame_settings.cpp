@@ -5,7 +5,7 @@
 namespace lamina {
 
 void describe(SettingsSchema& schema, FrameSettings& settings) {
-  schema.number("frames.every_mm", settings.every_mm, {0.0, 1e6, false},
+  schema.number("frames.every_mm", settings.every_mm, {0.0, 1e6},
                 "Way between the nozzle's frames that are shown; 0 shows none.");
   schema.number("frames.length_mm", settings.length_mm, {0.0, 1e3, true}, "Length of a frame's axes.");
 }

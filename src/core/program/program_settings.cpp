@@ -26,7 +26,7 @@ void describe(SettingsSchema& schema, ProgramSettings& settings) {
       "replaced.");
   schema.text("program.end_code", settings.end_code, "G-code after the last motion.");
   schema.number(
-      "program.arcs_tolerance_mm", settings.arcs_tolerance_mm, {0.0, 1.0, false},
+      "program.arcs_tolerance_mm", settings.arcs_tolerance_mm, {0.0, 1.0},
       "By how much arcs (G2, G3) may leave the waypoints and chords that they stand for; 0 for none.");
   schema.text("program.thumbnails", settings.thumbnails,
               "Pictures of the part in G-code, with commas between them: \"220x124 png, 16x16 qoi\"; formats "

@@ -6,9 +6,9 @@ namespace lamina {
 namespace {
 
 void describeShape(SettingsSchema& schema, ScaffoldSettings& settings) {
-  schema.number("scaffold.corner_x_mm", settings.corner_x_mm, {-1e4, 1e4, false},
+  schema.number("scaffold.corner_x_mm", settings.corner_x_mm, {-1e4, 1e4},
                 "Low corner of the part on the bed.");
-  schema.number("scaffold.corner_y_mm", settings.corner_y_mm, {-1e4, 1e4, false},
+  schema.number("scaffold.corner_y_mm", settings.corner_y_mm, {-1e4, 1e4},
                 "Low corner of the part on the bed.");
   schema.number("scaffold.length_mm", settings.length_mm, {0.0, 1000.0, true},
                 "Along x; of cubes and sinusoidal scaffolds along y and of cubes the height too.");
@@ -19,17 +19,17 @@ void describeShape(SettingsSchema& schema, ScaffoldSettings& settings) {
 }
 
 void describeBeads(SettingsSchema& schema, ScaffoldSettings& settings) {
-  schema.number("scaffold.layer_height_mm", settings.layer_height_mm, {0.01, 10.0, false}, "Of each layer.");
-  schema.number("scaffold.first_layer_height_mm", settings.first_layer_height_mm, {0.0, 10.0, false},
+  schema.number("scaffold.layer_height_mm", settings.layer_height_mm, {0.01, 10.0}, "Of each layer.");
+  schema.number("scaffold.first_layer_height_mm", settings.first_layer_height_mm, {0.0, 10.0},
                 "Of the first layer; 0 takes that of the others.");
-  schema.number("scaffold.bead_width_mm", settings.bead_width_mm, {0.01, 20.0, false},
+  schema.number("scaffold.bead_width_mm", settings.bead_width_mm, {0.01, 20.0},
                 "Width of the beads; at least the height of the layers.");
-  schema.number("scaffold.bead_fill", settings.bead_fill, {0.0, 1.0, false},
+  schema.number("scaffold.bead_fill", settings.bead_fill, {0.0, 1.0},
                 "Section of a bead over its width times height; 0 takes that of the kind.");
   schema.number("scaffold.feed_mm_s", settings.feed_mm_s, {0.0, 1000.0, true}, "While depositing.");
   schema.number("scaffold.travel_feed_mm_s", settings.travel_feed_mm_s, {0.0, 1000.0, true},
                 "Between deposits.");
-  schema.number("scaffold.away_mm", settings.away_mm, {0.0, 1000.0, false},
+  schema.number("scaffold.away_mm", settings.away_mm, {0.0, 1000.0},
                 "How far the nozzle leaves the part between layers; 0 stays above it.");
 }
 
@@ -43,10 +43,10 @@ void describeFill(SettingsSchema& schema, ScaffoldSettings& settings) {
                 {{"packed", FullSpacing::Packed}, {"width", FullSpacing::Width}},
                 "Spacing of lines at density 1: what a stadium fills, or the width of a bead.");
   schema.number("scaffold.density", settings.density, {0.0, 1.0, true}, "Filled part inside the perimeters.");
-  schema.number("scaffold.angle_deg", settings.angle_deg, {-360.0, 360.0, false},
+  schema.number("scaffold.angle_deg", settings.angle_deg, {-360.0, 360.0},
                 "Of the lines of the first layer.");
-  schema.integer("scaffold.perimeters", settings.perimeters, {0, 100, false}, "Around the fill.");
-  schema.integer("scaffold.solid_layers", settings.solid_layers, {0, 1000, false},
+  schema.integer("scaffold.perimeters", settings.perimeters, {0, 100}, "Around the fill.");
+  schema.integer("scaffold.solid_layers", settings.solid_layers, {0, 1000},
                  "Filled at density 1 at the bottom, and as many at the top.");
 }
 
@@ -59,10 +59,10 @@ void describeWaves(SettingsSchema& schema, ScaffoldSettings& settings) {
   schema.choice("scaffold.arrangement", settings.arrangement,
                 {{"parallel", FilamentArrangement::Parallel}, {"mirrored", FilamentArrangement::Mirrored}},
                 "Whether each filament is the same as the one before, or its mirror image.");
-  schema.number("scaffold.amplitude_mm", settings.amplitude_mm, {0.0, 100.0, false}, "Of the wave.");
-  schema.integer("scaffold.cycles", settings.cycles, {0, 1000, false}, "Of the wave along the length.");
-  schema.integer("scaffold.filaments", settings.filaments, {2, 1000, false}, "Of each layer.");
-  schema.integer("scaffold.cycle_segments", settings.cycle_segments, {4, 1000, false},
+  schema.number("scaffold.amplitude_mm", settings.amplitude_mm, {0.0, 100.0}, "Of the wave.");
+  schema.integer("scaffold.cycles", settings.cycles, {0, 1000}, "Of the wave along the length.");
+  schema.integer("scaffold.filaments", settings.filaments, {2, 1000}, "Of each layer.");
+  schema.integer("scaffold.cycle_segments", settings.cycle_segments, {4, 1000},
                  "Straight segments of each cycle.");
 }
 

@@ -10,9 +10,9 @@ namespace lamina {
 namespace {
 
 void describe(SettingsSchema& schema, PlaneSettings& plane) {
-  schema.number("slicing.plane.angle_deg", plane.angle_deg, {0.0, 75.0, false},
+  schema.number("slicing.plane.angle_deg", plane.angle_deg, {0.0, 75.0},
                 "Inclination of the layers; 0 are level ones.");
-  schema.number("slicing.plane.axis_heading_deg", plane.axis_heading_deg, {-360.0, 360.0, false},
+  schema.number("slicing.plane.axis_heading_deg", plane.axis_heading_deg, {-360.0, 360.0},
                 "Horizontal axis about which they are turned: 0 is x, 90 is y, 180 turns the other way.");
   schema.choice<ToolAxis>("slicing.plane.tool_axis", plane.tool_axis,
                           {{"normal", ToolAxis::Normal}, {"down", ToolAxis::Down}},
@@ -28,7 +28,7 @@ void describe(SettingsSchema& schema, AdaptiveSettings& adaptive) {
   schema.number("adaptive.greatest_mm", adaptive.greatest_mm, height, "Greatest height of adaptive layers.");
   schema.number("adaptive.greatest_ratio", adaptive.greatest_ratio, {1.0, 100.0, true},
                 "Greatest ratio of the heights of neighbouring adaptive layers.");
-  schema.number("adaptive.quantum_mm", adaptive.quantum_mm, {0.0, 10.0, false},
+  schema.number("adaptive.quantum_mm", adaptive.quantum_mm, {0.0, 10.0},
                 "Adaptive heights are multiples of it, as of a motor's step; 0 for any height.");
 }
 

@@ -7,7 +7,7 @@ namespace lamina {
 void describe(SettingsSchema& schema, StiffnessSettings& settings) {
   schema.number("stiffness.youngs_modulus_mpa", settings.material.youngs_modulus_mpa, {0.0, 1e7, true},
                 "Young's modulus of the material.");
-  schema.number("stiffness.poissons_ratio", settings.material.poissons_ratio, {0.0, 0.49, false},
+  schema.number("stiffness.poissons_ratio", settings.material.poissons_ratio, {0.0, 0.49},
                 "Poisson's ratio of the material; nearer to 0.5 the elements lock.");
   schema.choice("stiffness.load", settings.load,
                 {{"compression", Load::Compression}, {"bending", Load::Bending}},
@@ -20,12 +20,12 @@ void describe(SettingsSchema& schema, StiffnessSettings& settings) {
                 "By which the punch moves under bending.");
   schema.number("stiffness.span_mm", settings.span_mm, {0.0, 1e5, true},
                 "Between the supports under bending.");
-  schema.number("stiffness.area_mm2", settings.area_mm2, {0.0, 1e10, false},
+  schema.number("stiffness.area_mm2", settings.area_mm2, {0.0, 1e10},
                 "Section under compression as if solid; 0 for that of the box around the part.");
-  schema.number("stiffness.residual", settings.residual, {1e-12, 0.1, false},
+  schema.number("stiffness.residual", settings.residual, {1e-12, 0.1},
                 "At which iterations stop: unbalanced forces over those at the start.");
-  schema.integer("stiffness.iterations", settings.iterations, {1.0, 1e6, false}, "Iterations at most.");
-  schema.integer("stiffness.memory_mb", settings.memory_mb, {0.0, 1e8, false},
+  schema.integer("stiffness.iterations", settings.iterations, {1.0, 1e6}, "Iterations at most.");
+  schema.integer("stiffness.memory_mb", settings.memory_mb, {0.0, 1e8},
                  "Memory that may be used, in MiB; 0 for what is free.");
 }
 

@@ -14,7 +14,7 @@ void describe(SettingsSchema& schema, SweepSettings& settings) {
   schema.choice<CutHeight>(
       "sweep.cut_height", settings.cut_height, {{"bead", CutHeight::Bead}, {"absolute", CutHeight::Absolute}},
       "Height from which the width that decides on cuts is found; absolute is as published.");
-  schema.number("sweep.voxel_mm", settings.voxel_mm, {1e-3, 10.0, false},
+  schema.number("sweep.voxel_mm", settings.voxel_mm, {1e-3, 10.0},
                 "Step of the lattice on which the surface of swept beads is found.");
 }
 

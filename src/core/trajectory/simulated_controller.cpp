@@ -36,14 +36,14 @@ JointValues rateBetween(const JointState& a, const JointState& b, double time_s)
 }  // namespace
 
 void describe(SettingsSchema& schema, ServoSettings& settings) {
-  schema.number("servo.rate_hz", settings.rate_hz, {1.0, 10000.0, false},
+  schema.number("servo.rate_hz", settings.rate_hz, {1.0, 10000.0},
                 "Cycles of the simulated controller per second.");
-  schema.number("servo.lag_s", settings.lag_s, {0.0, 10.0, false},
+  schema.number("servo.lag_s", settings.lag_s, {0.0, 10.0},
                 "Time constant with which simulated joints follow.");
-  schema.number("servo.damping", settings.damping, {0.0, 10.0, false},
+  schema.number("servo.damping", settings.damping, {0.0, 10.0},
                 "Damping of a lag of second order; 0 for one of first order.");
   schema.number(
-      "servo.brake_s", settings.brake_s, {0.0, 10.0, false},
+      "servo.brake_s", settings.brake_s, {0.0, 10.0},
       "Time in which a joint comes to rest from its greatest speed when nothing is left to follow.");
 }
 

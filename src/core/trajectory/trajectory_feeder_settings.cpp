@@ -7,13 +7,13 @@
 namespace lamina {
 
 void describe(SettingsSchema& schema, TrajectoryFeederSettings& settings) {
-  schema.number("feeder.rate_hz", settings.rate_hz, {1.0, 10000.0, false},
+  schema.number("feeder.rate_hz", settings.rate_hz, {1.0, 10000.0},
                 "Points of a joint trajectory per second.");
-  schema.integer("feeder.points", settings.points, {1.0, 100000.0, false},
+  schema.integer("feeder.points", settings.points, {1.0, 100000.0},
                  "Points that are sent to the controller at once.");
-  schema.number("feeder.ahead_s", settings.ahead_s, {0.0, 60.0, false},
+  schema.number("feeder.ahead_s", settings.ahead_s, {0.0, 60.0},
                 "How much motion the controller has waiting at least.");
-  schema.number("feeder.reaction_s", settings.reaction_s, {0.0, 10.0, false},
+  schema.number("feeder.reaction_s", settings.reaction_s, {0.0, 10.0},
                 "From a pause or abort to the first point that differs for it.");
   for (const char* key : {"rate_hz", "points", "ahead_s", "reaction_s"})
     schema.renamed(std::string("hand_over.") + key, std::string("feeder.") + key);

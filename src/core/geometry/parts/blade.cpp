@@ -42,12 +42,12 @@ Polygon aerofoil(const Blade& shape) {
 void describe(SettingsSchema& schema, Blade& shape) {
   schema.number("chord_mm", shape.chord_mm, kLength, "length of the section from leading to trailing edge");
   schema.number("thickness_mm", shape.thickness_mm, kLength, "greatest thickness of the section");
-  schema.number("camber_mm", shape.camber_mm, {0.0, 10000.0, false}, "rise of the section's middle line");
+  schema.number("camber_mm", shape.camber_mm, {0.0, 10000.0}, "rise of the section's middle line");
   schema.number("height_mm", shape.height_mm, kLength, "height");
-  schema.number("twist_deg", shape.twist_deg, {-360.0, 360.0, false}, "turn of the top against the bottom");
-  schema.number("lean_deg", shape.lean_deg, {-60.0, 60.0, false}, "lean of the blade's axis towards +y");
-  schema.integer("points", shape.points, {8.0, 10000.0, false}, "points around the section");
-  schema.integer("sections", shape.sections, {1.0, 10000.0, false}, "sections over the height");
+  schema.number("twist_deg", shape.twist_deg, {-360.0, 360.0}, "turn of the top against the bottom");
+  schema.number("lean_deg", shape.lean_deg, {-60.0, 60.0}, "lean of the blade's axis towards +y");
+  schema.integer("points", shape.points, {8.0, 10000.0}, "points around the section");
+  schema.integer("sections", shape.sections, {1.0, 10000.0}, "sections over the height");
 }
 
 Mesh build(const Blade& shape) {

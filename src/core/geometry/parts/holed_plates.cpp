@@ -84,7 +84,7 @@ void describe(SettingsSchema& schema, ThroughHolePlate& shape) {
   schema.number("y_mm", shape.y_mm, kLength, "size along y");
   schema.number("z_mm", shape.z_mm, kLength, "size along z");
   schema.number("hole_radius_mm", shape.hole_radius_mm, kLength, "radius of the hole");
-  schema.integer("segments", shape.segments, {4.0, 100000.0, false},
+  schema.integer("segments", shape.segments, {4.0, 100000.0},
                  "flat segments around the hole, a multiple of 4");
 }
 
@@ -108,7 +108,7 @@ void describe(SettingsSchema& schema, BlindHolePlate& shape) {
   schema.number("z_mm", shape.z_mm, kLength, "size along z");
   schema.number("hole_radius_mm", shape.hole_radius_mm, kLength, "radius of the hole");
   schema.number("hole_depth_mm", shape.hole_depth_mm, kLength, "depth of the hole from the top");
-  schema.integer("segments", shape.segments, {4.0, 100000.0, false},
+  schema.integer("segments", shape.segments, {4.0, 100000.0},
                  "flat segments around the hole, a multiple of 4");
 }
 

@@ -74,7 +74,7 @@ Mesh build(const Cylinder& shape) {
 
 void describe(SettingsSchema& schema, Sphere& shape) {
   schema.number("radius_mm", shape.radius_mm, kLength, "radius");
-  schema.integer("segments", shape.segments, {4.0, 4000.0, false},
+  schema.integer("segments", shape.segments, {4.0, 4000.0},
                  "flat segments around the equator, half as many up");
 }
 
@@ -91,8 +91,7 @@ Mesh build(const Sphere& shape) {
 
 void describe(SettingsSchema& schema, Cone& shape) {
   schema.number("radius_mm", shape.radius_mm, kLength, "radius of the base");
-  schema.number("top_radius_mm", shape.top_radius_mm, {0.0, 10000.0, false},
-                "radius at the top; 0 gives a tip");
+  schema.number("top_radius_mm", shape.top_radius_mm, {0.0, 10000.0}, "radius at the top; 0 gives a tip");
   schema.number("height_mm", shape.height_mm, kLength, "height");
   schema.integer("segments", shape.segments, kSegments, kSegmentsMeaning);
 }
@@ -125,7 +124,7 @@ Mesh build(const Tube& shape) {
 void describe(SettingsSchema& schema, SemiCone& shape) {
   schema.number("radius_mm", shape.radius_mm, kLength, "radius of the base");
   schema.number("height_mm", shape.height_mm, kLength, "height of the tip");
-  schema.integer("segments", shape.segments, {2.0, 100000.0, false}, "flat segments around the half circle");
+  schema.integer("segments", shape.segments, {2.0, 100000.0}, "flat segments around the half circle");
 }
 
 Mesh build(const SemiCone& shape) {

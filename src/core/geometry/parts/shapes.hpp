@@ -155,6 +155,6 @@ Mesh build(const BlindHolePlate& shape);
 /// Bounds of a length that must be there [mm].
 constexpr Bounds kLength = {0.0, 10000.0, true};
 /// Bounds of a number of flat segments around a full circle.
-constexpr Bounds kSegments = {3.0, 100000.0, false};
+constexpr Bounds kSegments = {3.0, 100000.0};
 
 }  // namespace lamina

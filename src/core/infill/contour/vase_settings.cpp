@@ -21,7 +21,7 @@ std::vector<std::string> baseStrategies() {
 }  // namespace
 
 void describe(SettingsSchema& schema, VaseSettings& settings) {
-  schema.integer("vase.base_layers", settings.base_layers, {0, 100000, false},
+  schema.integer("vase.base_layers", settings.base_layers, {0, 100000},
                  "Solid layers below the rising wall of infill.strategy vase.");
   schema.choice("vase.base_strategy", settings.base_strategy, baseStrategies(),
                 "How these layers are filled.");

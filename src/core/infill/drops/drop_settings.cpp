@@ -9,14 +9,14 @@ double lineSpacing(const DropSettings& settings) {
 }
 
 void describe(SettingsSchema& schema, DropSettings& settings) {
-  schema.number("drops.diameter_mm", settings.diameter_mm, {0.001, 100.0, false}, "Diameter of a drop.");
-  schema.number("drops.pitch_mm", settings.pitch_mm, {0.001, 100.0, false},
+  schema.number("drops.diameter_mm", settings.diameter_mm, {0.001, 100.0}, "Diameter of a drop.");
+  schema.number("drops.pitch_mm", settings.pitch_mm, {0.001, 100.0},
                 "Distance of neighbouring drops of a line.");
-  schema.number("drops.line_spacing_mm", settings.line_spacing_mm, {0.0, 100.0, false},
+  schema.number("drops.line_spacing_mm", settings.line_spacing_mm, {0.0, 100.0},
                 "Distance of neighbouring lines and contours of drops; 0 takes the pitch.");
-  schema.integer("drops.contours", settings.contours, {1, 100, false},
+  schema.integer("drops.contours", settings.contours, {1, 100},
                  "Number of contours round a raster or dense fill of drops.");
-  schema.number("drops.most_overlap", settings.most_overlap, {0.0, 0.9, false},
+  schema.number("drops.most_overlap", settings.most_overlap, {0.0, 0.9},
                 "Most that two drops of a fill overlap, as part of the diameter; drops nearer are left out.");
 }
 

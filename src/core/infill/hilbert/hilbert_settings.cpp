@@ -5,7 +5,7 @@
 namespace lamina {
 
 void describe(SettingsSchema& schema, HilbertSettings& settings) {
-  schema.integer("hilbert.angles", settings.angles, {1, 3600, false},
+  schema.integer("hilbert.angles", settings.angles, {1, 3600},
                  "Turns of the curve that are tried for the fewest jumps.");
 }
 

@@ -15,11 +15,11 @@ void describe(SettingsSchema& schema, RasterSettings& settings) {
                  {"ends", SectionOrder::Ends},
                  {"optimised", SectionOrder::Optimised}},
                 "Order of the sections of a raster: greedy by midpoints or ends, or improved from there.");
-  schema.number("raster.narrowest", settings.narrowest, {0.05, 1.0, false},
+  schema.number("raster.narrowest", settings.narrowest, {0.05, 1.0},
                 "Narrowest bead of a solid raster, in pitches.");
-  schema.number("raster.longest_connection_mm", settings.longest_connection_mm, {0.0, 100000.0, false},
+  schema.number("raster.longest_connection_mm", settings.longest_connection_mm, {0.0, 100000.0},
                 "Sections of a solid raster are connected along the border up to this way; 0 connects none.");
-  schema.number("raster.most_connection", settings.most_connection, {0.0, 1.0, false},
+  schema.number("raster.most_connection", settings.most_connection, {0.0, 1.0},
                 "Part of a region's area that these connections may overfill.");
 }
 

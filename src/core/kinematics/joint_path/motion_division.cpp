@@ -116,13 +116,13 @@ void addSteps(const Path& path, const MotionDivision& division, std::vector<int>
 }  // namespace
 
 void describe(SettingsSchema& schema, MotionDivision& division) {
-  schema.number("joints.max_step_mm", division.max_step_mm, {0.01, 1e6, false},
+  schema.number("joints.max_step_mm", division.max_step_mm, {0.01, 1e6},
                 "Length above which a motion is divided before joints are found.");
-  schema.number("joints.max_step_deg", division.max_step_deg, {0.1, 180.0, false},
+  schema.number("joints.max_step_deg", division.max_step_deg, {0.1, 180.0},
                 "Turn of the nozzle above which a motion is divided before joints are found.");
-  schema.number("joints.tip_tolerance_mm", division.tip_tolerance_mm, {1e-4, 100.0, false},
+  schema.number("joints.tip_tolerance_mm", division.tip_tolerance_mm, {1e-4, 100.0},
                 "How far steady joints may lead the nozzle tip off a motion's straight line.");
-  schema.number("joints.tool_axis_tolerance_deg", division.tool_axis_tolerance_deg, {1e-3, 90.0, false},
+  schema.number("joints.tool_axis_tolerance_deg", division.tool_axis_tolerance_deg, {1e-3, 90.0},
                 "How far steady joints may lead the tool axis off a motion's steady turn.");
   schema.renamed("joints.jet_tolerance_deg", "joints.tool_axis_tolerance_deg");
 }

@@ -6,9 +6,9 @@ namespace lamina {
 namespace {
 
 void describe(SettingsSchema& schema, BrimSettings& brim) {
-  schema.number("brim.width_mm", brim.width_mm, {0.0, 100.0, false},
+  schema.number("brim.width_mm", brim.width_mm, {0.0, 100.0},
                 "Width of the loops round the first layer, to the nearest whole loop; 0 for none.");
-  schema.number("brim.gap_mm", brim.gap_mm, {0.0, 100.0, false}, "Free space between brim and part.");
+  schema.number("brim.gap_mm", brim.gap_mm, {0.0, 100.0}, "Free space between brim and part.");
   schema.choice<BrimWhere>(
       "brim.where", brim.where,
       {{"outside", BrimWhere::Outside}, {"inside", BrimWhere::Inside}, {"both", BrimWhere::Both}},
@@ -17,13 +17,13 @@ void describe(SettingsSchema& schema, BrimSettings& brim) {
 }
 
 void describe(SettingsSchema& schema, RaftSettings& raft) {
-  schema.integer("raft.layers", raft.layers, {0, 100, false}, "Number of layers below the part; 0 for none.");
+  schema.integer("raft.layers", raft.layers, {0, 100}, "Number of layers below the part; 0 for none.");
   schema.number("raft.base_height_mm", raft.base_height_mm, {0.0, 10.0, true},
                 "Height of the first of them.");
-  schema.integer("raft.top_layers", raft.top_layers, {0, 100, false}, "How many of them are solid.");
-  schema.number("raft.margin_mm", raft.margin_mm, {0.0, 100.0, false},
+  schema.integer("raft.top_layers", raft.top_layers, {0, 100}, "How many of them are solid.");
+  schema.number("raft.margin_mm", raft.margin_mm, {0.0, 100.0},
                 "By how much the raft is wider than what stands on it.");
-  schema.number("raft.gap_mm", raft.gap_mm, {0.0, 10.0, false}, "Free space between raft and part.");
+  schema.number("raft.gap_mm", raft.gap_mm, {0.0, 10.0}, "Free space between raft and part.");
 }
 
 void describe(SettingsSchema& schema, PrimeSettings& prime) {

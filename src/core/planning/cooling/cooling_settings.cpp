@@ -10,7 +10,7 @@
 namespace lamina {
 
 void describe(SettingsSchema& schema, CoolingSettings& cooling) {
-  schema.number("cooling.least_layer_time_s", cooling.least_layer_time_s, {0.0, 1e5, false},
+  schema.number("cooling.least_layer_time_s", cooling.least_layer_time_s, {0.0, 1e5},
                 "Time that each layer takes at least; 0 for none.");
   schema.choice<CoolingBy>(
       "cooling.by", cooling.by,
@@ -18,8 +18,7 @@ void describe(SettingsSchema& schema, CoolingSettings& cooling) {
       "What makes a layer take that long.");
   schema.number("cooling.least_feed_mm_s", cooling.least_feed_mm_s, {0.0, 10000.0, true},
                 "Slower than this nothing is laid.");
-  schema.number("cooling.lift_mm", cooling.lift_mm, {0.0, 1000.0, false},
-                "Lift of the nozzle while it waits.");
+  schema.number("cooling.lift_mm", cooling.lift_mm, {0.0, 1000.0}, "Lift of the nozzle while it waits.");
   schema.choice<ParkPlace>(
       "cooling.park", cooling.park,
       {{"outside", ParkPlace::Outside}, {"corner", ParkPlace::Corner}, {"stay", ParkPlace::Stay}},
@@ -32,25 +31,24 @@ void describe(SettingsSchema& schema, CoolingSettings& cooling) {
 
 void describe(SettingsSchema& schema, FanSettings& fan) {
   schema.flag("fan.use", fan.is_used, "Whether the fan that cools the part is controlled.");
-  schema.integer("fan.off_layers", fan.off_layers, {0, 100000, false}, "So many first layers without fan.");
-  schema.number("fan.least", fan.least, {0.0, 1.0, false}, "Least share of the fan's power.");
-  schema.number("fan.greatest", fan.greatest, {0.0, 1.0, false}, "Greatest share of the fan's power.");
-  schema.number("fan.full_below_s", fan.full_below_s, {0.0, 1e5, false},
+  schema.integer("fan.off_layers", fan.off_layers, {0, 100000}, "So many first layers without fan.");
+  schema.number("fan.least", fan.least, {0.0, 1.0}, "Least share of the fan's power.");
+  schema.number("fan.greatest", fan.greatest, {0.0, 1.0}, "Greatest share of the fan's power.");
+  schema.number("fan.full_below_s", fan.full_below_s, {0.0, 1e5},
                 "Layers of this time or less have the greatest share.");
-  schema.number("fan.least_at_s", fan.least_at_s, {0.0, 1e5, false},
-                "Layers of this time have the least share.");
+  schema.number("fan.least_at_s", fan.least_at_s, {0.0, 1e5}, "Layers of this time have the least share.");
   schema.renamed("fan.off_above_s", "fan.least_at_s");
   schema.choice<FanSettings::WhenSlow>(
       "fan.beyond", fan.beyond,
       {{"least", FanSettings::WhenSlow::Least}, {"none", FanSettings::WhenSlow::None}},
       "What layers of more time have.");
-  schema.number("fan.bridge", fan.bridge, {0.0, 1.0, false}, "Share while a bridge is laid (bridges.use).");
-  schema.number("fan.overhang", fan.overhang, {0.0, 1.0, false},
+  schema.number("fan.bridge", fan.bridge, {0.0, 1.0}, "Share while a bridge is laid (bridges.use).");
+  schema.number("fan.overhang", fan.overhang, {0.0, 1.0},
                 "Share while walls are laid that nothing carries (overhangs.use).");
   schema.text("fan.by_role", fan.by_role,
               "Shares while roles are laid, as support_interface=1,top_skin=0.8; others have that of the "
               "layer.");
-  schema.number("fan.spin_up_s", fan.spin_up_s, {0.0, 60.0, false},
+  schema.number("fan.spin_up_s", fan.spin_up_s, {0.0, 60.0},
                 "By how much the fan is told earlier to blow more.");
 }
 

@@ -10,15 +10,15 @@
 namespace lamina {
 
 void describe(SettingsSchema& schema, FlowSettings& flow) {
-  schema.number("flow.greatest_mm3_s", flow.greatest_mm3_s, {0.0, 1e6, false},
+  schema.number("flow.greatest_mm3_s", flow.greatest_mm3_s, {0.0, 1e6},
                 "Greatest volume per time that is deposited; feeds are lowered to it; 0 for no limit.");
-  schema.number("flow.greatest_slope_mm3_s2", flow.greatest_slope_mm3_s2, {0.0, 1e9, false},
+  schema.number("flow.greatest_slope_mm3_s2", flow.greatest_slope_mm3_s2, {0.0, 1e9},
                 "Greatest change of that along a run, per time; 0 for no limit.");
-  schema.number("flow.coast_mm3", flow.coast_mm3, {0.0, 1e6, false},
+  schema.number("flow.coast_mm3", flow.coast_mm3, {0.0, 1e6},
                 "Volume at the end of each run that is not pushed; 0 for none.");
-  schema.number("flow.coast_longest_mm", flow.coast_longest_mm, {0.0, 1000.0, false},
+  schema.number("flow.coast_longest_mm", flow.coast_longest_mm, {0.0, 1000.0},
                 "Longest way that is laid so; at most half the run.");
-  schema.number("flow.advance_s", flow.advance_s, {0.0, 10.0, false},
+  schema.number("flow.advance_s", flow.advance_s, {0.0, 10.0},
                 "Pressure advance that the firmware is told; 0 leaves it alone.");
   schema.text("flow.advance_by_role", flow.advance_by_role,
               "Roles that have another, as 'outer_wall=0.04, infill=0.06'.");
@@ -27,9 +27,9 @@ void describe(SettingsSchema& schema, FlowSettings& flow) {
                               {"klipper", AdvanceWord::Klipper},
                               {"reprapfirmware", AdvanceWord::RepRapFirmware}},
                              "Firmware by whose word it is told.");
-  schema.number("flow.lag_s", flow.lag_s, {0.0, 100.0, false},
+  schema.number("flow.lag_s", flow.lag_s, {0.0, 100.0},
                 "Time constant by which the flow follows what is pushed, made up for in the program.");
-  schema.number("flow.dead_time_s", flow.dead_time_s, {0.0, 100.0, false},
+  schema.number("flow.dead_time_s", flow.dead_time_s, {0.0, 100.0},
                 "Time before the flow follows at all, made up for likewise.");
 }
 

@@ -77,9 +77,9 @@ void describe(SettingsSchema& schema, HookSettings& hooks) {
 }
 
 void describe(SettingsSchema& schema, PauseSettings& pauses) {
-  schema.list("pause.at_layers", pauses.at_layers, {0.0, 1e7, false},
+  schema.list("pause.at_layers", pauses.at_layers, {0.0, 1e7},
               "Layers, by their numbers from 0, before which the machine waits for its operator.");
-  schema.list("pause.at_heights_mm", pauses.at_heights_mm, {0.0, 1e5, false},
+  schema.list("pause.at_heights_mm", pauses.at_heights_mm, {0.0, 1e5},
               "Heights over the bed that material has reached when the machine waits.");
 }
 

@@ -400,13 +400,13 @@ class LayerLifter {
 }  // namespace
 
 void describe(SettingsSchema& schema, LiftSettings& settings) {
-  schema.number("lifting.position_tolerance_mm", settings.position_tolerance_mm, {1e-5, 1.0, false},
+  schema.number("lifting.position_tolerance_mm", settings.position_tolerance_mm, {1e-5, 1.0},
                 "How far paths may leave a curved layer between their waypoints.");
-  schema.number("lifting.normal_tolerance_deg", settings.normal_tolerance_deg, {1e-3, 30.0, false},
+  schema.number("lifting.normal_tolerance_deg", settings.normal_tolerance_deg, {1e-3, 30.0},
                 "How far the nozzle may leave the normal of a curved layer between waypoints.");
-  schema.number("lifting.height_tolerance", settings.height_tolerance, {1e-3, 1.0, false},
+  schema.number("lifting.height_tolerance", settings.height_tolerance, {1e-3, 1.0},
                 "Part by which the height of a curved layer may vary along one motion.");
-  schema.number("lifting.widest_bead", settings.widest_bead, {1.0, 10.0, false},
+  schema.number("lifting.widest_bead", settings.widest_bead, {1.0, 10.0},
                 "Widest bead on a curved layer, in planned widths; what would need a wider one is left out.");
 }
 

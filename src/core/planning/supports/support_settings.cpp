@@ -5,21 +5,20 @@
 namespace lamina {
 namespace {
 
-constexpr Bounds kGap{0.0, 100.0, false};
+constexpr Bounds kGap{0.0, 100.0};
 constexpr Bounds kDensity{0.0, 1.0, true};
-constexpr Bounds kTool{-1, 255, false};
+constexpr Bounds kTool{-1, 255};
 
 void describeBranches(SettingsSchema& schema, SupportSettings& supports) {
-  schema.number("supports.tip_mm", supports.tip_mm, {0.01, 100.0, false},
+  schema.number("supports.tip_mm", supports.tip_mm, {0.01, 100.0},
                 "Diameter of what holds up a hanging point, and of the tips of branches.");
-  schema.number("supports.tip_spacing_mm", supports.tip_spacing_mm, {0.1, 100.0, false},
+  schema.number("supports.tip_spacing_mm", supports.tip_spacing_mm, {0.1, 100.0},
                 "Distance of neighbouring tips of branches.");
-  schema.number("supports.branch_angle_deg", supports.branch_angle_deg, {0.0, 80.0, false},
+  schema.number("supports.branch_angle_deg", supports.branch_angle_deg, {0.0, 80.0},
                 "Most lean of a branch from the vertical.");
-  schema.number("supports.branch_taper_deg", supports.branch_taper_deg, {0.0, 45.0, false},
+  schema.number("supports.branch_taper_deg", supports.branch_taper_deg, {0.0, 45.0},
                 "Angle by which each side of a branch widens towards its foot.");
-  schema.number("supports.branch_mm", supports.branch_mm, {0.1, 100.0, false},
-                "Greatest diameter of a branch.");
+  schema.number("supports.branch_mm", supports.branch_mm, {0.1, 100.0}, "Greatest diameter of a branch.");
 }
 
 void describeSizes(SettingsSchema& schema, SupportSettings& supports) {
@@ -29,7 +28,7 @@ void describeSizes(SettingsSchema& schema, SupportSettings& supports) {
                 "Least distance between a support and the part it stands on.");
   schema.number("supports.side_gap_mm", supports.side_gap_mm, kGap,
                 "Distance between supports and the part beside them.");
-  schema.integer("supports.interface_layers", supports.interface_layers, {0, 100, false},
+  schema.integer("supports.interface_layers", supports.interface_layers, {0, 100},
                  "Number of dense layers where a support meets the part.");
   schema.number("supports.interface_density", supports.interface_density, kDensity,
                 "Part of these layers that is filled.");
@@ -51,12 +50,12 @@ void describe(SettingsSchema& schema, SupportSettings& supports) {
                              "Whether supports stand on the bed only, or on the part too.");
   schema.flag("supports.under_bridges", supports.under_bridges,
               "Whether overhangs that bridges span are held up too.");
-  schema.number("supports.angle_deg", supports.angle_deg, {0.0, 89.0, false},
+  schema.number("supports.angle_deg", supports.angle_deg, {0.0, 89.0},
                 "Lean of walls from the layers' normal beyond which they are held up.");
   schema.number("supports.density", supports.density, kDensity, "Part of the columns that is filled.");
-  schema.number("supports.raster_angle_deg", supports.raster_angle_deg, {-180.0, 180.0, false},
+  schema.number("supports.raster_angle_deg", supports.raster_angle_deg, {-180.0, 180.0},
                 "Direction of the lines in all layers, from x.");
-  schema.integer("supports.walls", supports.walls, {0, 100, false}, "Number of loops round each column.");
+  schema.integer("supports.walls", supports.walls, {0, 100}, "Number of loops round each column.");
   describeSizes(schema, supports);
   describeBranches(schema, supports);
   schema.integer("supports.tool", supports.tool, kTool,

@@ -18,11 +18,11 @@ constexpr std::size_t kMostTools = 64;
 void describeTool(SettingsSchema& schema, Tool& tool, std::vector<double>& offset) {
   schema.text("name", tool.name, "");
   schema.numbers("offset_mm", offset, 3, "");
-  schema.number("nozzle_mm", tool.nozzle_mm, {0.0, 100.0, false}, "");
+  schema.number("nozzle_mm", tool.nozzle_mm, {0.0, 100.0}, "");
   schema.text("material", tool.material, "");
-  schema.number("temperature_c", tool.temperature_c, {0.0, 500.0, false}, "");
-  schema.number("standby_c", tool.standby_c, {0.0, 500.0, false}, "");
-  schema.number("heat_s", tool.heat_s, {0.0, 1e4, false}, "");
+  schema.number("temperature_c", tool.temperature_c, {0.0, 500.0}, "");
+  schema.number("standby_c", tool.standby_c, {0.0, 500.0}, "");
+  schema.number("heat_s", tool.heat_s, {0.0, 1e4}, "");
 }
 
 /// An entry "0.name" as the number of its tool and the key.
@@ -50,26 +50,26 @@ std::array<std::pair<const char*, int>, 5> assigned(const ToolSettings& settings
 }  // namespace
 
 void describe(SettingsSchema& schema, ToolSettings& settings) {
-  const Bounds tool{0.0, 63.0, false};
+  const Bounds tool{0.0, 63.0};
   schema.integer("tool.walls", settings.walls, tool, "Tool that lays walls, by its number from 0.");
   schema.integer("tool.infill", settings.infill, tool, "Tool that lays infill.");
   schema.integer("tool.skin", settings.skin, tool, "Tool that lays skins, bridges and ironing.");
-  schema.integer("tool.support", settings.support, {-1.0, 63.0, false},
+  schema.integer("tool.support", settings.support, {-1.0, 63.0},
                  "Tool that lays supports, brims and rafts; -1 is that of walls.");
-  schema.integer("tool.interface", settings.interface, {-1.0, 63.0, false},
+  schema.integer("tool.interface", settings.interface, {-1.0, 63.0},
                  "Tool that lays what lies between supports and part; -1 is that of supports.");
   schema.table(
       "tools.list", settings.list,
       "The machine's tools: a list of name, offset_mm, nozzle_mm, material, temperature_c, standby_c, "
       "heat_s.");
   schema.list(
-      "tools.purge_mm3", settings.purge_mm3, {0.0, 1e6, false},
+      "tools.purge_mm3", settings.purge_mm3, {0.0, 1e6},
       "Volume that a tool lays into the prime tower when it is taken: one number, or one for each pair "
       "of tools, row by row of the tool before; none for no tower.");
   schema.flag(
       "tools.purge_into_infill", settings.purge_into_infill,
       "Whether a tool that is taken lays infill first, and only the rest of its purge into the tower.");
-  schema.number("tools.tower_mm", settings.tower_mm, {0.0, 1000.0, false},
+  schema.number("tools.tower_mm", settings.tower_mm, {0.0, 1000.0},
                 "Side of the prime tower; 0 is as wide as its purges need.");
   schema.numbers("tools.tower_at_mm", settings.tower_at_mm, 2,
                  "Middle of the prime tower in the part's frame, x and y; empty is beside the part.");

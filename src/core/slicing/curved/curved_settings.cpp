@@ -6,7 +6,7 @@ namespace lamina {
 
 void describe(SettingsSchema& schema, CurvedSettings& settings) {
   schema.number(
-      "curved.normal_limit", settings.normal_limit, {0.0, 0.9, false},
+      "curved.normal_limit", settings.normal_limit, {0.0, 0.9},
       "Surfaces whose unit normal has a z within this of 0 count as upright: neither lower nor upper.");
   schema.number("curved.longest_edge_mm", settings.longest_edge_mm, {0.0, 100.0, true},
                 "Longer edges of the surfaces that layers grow from are halved.");

@@ -5,9 +5,9 @@
 namespace lamina {
 
 void describe(SettingsSchema& schema, EmulatedSettings& settings) {
-  const Bounds times{0.0, 3600.0, false};
+  const Bounds times{0.0, 3600.0};
   const Bounds rates{0.0, 1e6, true};
-  schema.number("emulator.speed_up", settings.speed_up, {0.0, 1000.0, false},
+  schema.number("emulator.speed_up", settings.speed_up, {0.0, 1000.0},
                 "Machine time per wall time; 0 for as fast as possible.");
   schema.integer("emulator.block_queue", settings.block_queue, {1, 4096}, "Motions planned ahead.");
   schema.integer("emulator.command_queue", settings.command_queue, {1, 256}, "Lines taken and not yet run.");
@@ -19,7 +19,7 @@ void describe(SettingsSchema& schema, EmulatedSettings& settings) {
               "Whether M108, M112 and M410 are heard at once, however full the queues are.");
   schema.number("emulator.busy_interval_s", settings.busy_interval_s, {0.0, 3600.0, true},
                 "Wall time between two busy messages.");
-  schema.number("emulator.ambient_c", settings.ambient_c, {-50.0, 100.0, false}, "Temperature of the room.");
+  schema.number("emulator.ambient_c", settings.ambient_c, {-50.0, 100.0}, "Temperature of the room.");
   schema.number("emulator.nozzle_heating_c_s", settings.nozzle_heating_c_s, rates,
                 "How fast the nozzle heats.");
   schema.number("emulator.bed_heating_c_s", settings.bed_heating_c_s, rates, "How fast the bed heats.");

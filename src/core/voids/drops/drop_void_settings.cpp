@@ -10,7 +10,7 @@ double leastDistance(const DropVoidSettings& settings, double diameter_mm) {
 
 void describe(SettingsSchema& schema, DropVoidSettings& settings) {
   schema.flag("drop_voids.fill", settings.is_on, "Whether voids between drops are filled with drops.");
-  schema.number("drop_voids.overlap", settings.overlap, {0.0, 0.95, false},
+  schema.number("drop_voids.overlap", settings.overlap, {0.0, 0.95},
                 "Overlap of a new drop with any other that is allowed.");
   schema.choice<OverlapDefinition>("drop_voids.definition", settings.definition,
                                    {{"linear", OverlapDefinition::Linear}, {"area", OverlapDefinition::Area}},
@@ -21,7 +21,7 @@ void describe(SettingsSchema& schema, DropVoidSettings& settings) {
   schema.choice<VoidPasses>("drop_voids.passes", settings.passes,
                             {{"single", VoidPasses::Single}, {"until_full", VoidPasses::UntilFull}},
                             "Whether voids are searched once, or again until no drop finds room.");
-  schema.number("drop_voids.least_share", settings.least_share, {0.0, 1.0, false},
+  schema.number("drop_voids.least_share", settings.least_share, {0.0, 1.0},
                 "New drops per drop of the program; with fewer, filling is said not to be worth it.");
 }
 
