@@ -83,6 +83,9 @@ TEST(MeasurementFault, NamesLayersThatWereNotSeenOrCutShort) {
   report.unreported = {3};
   const std::string fault = lamina::measurementFault(report);
   EXPECT_EQ(fault.find("3 layers were not seen or cut short: 1, 2, 3;"), 0U) << fault;
+  report.layers = {layer(0, 1e-5, -2e-5, 12)};
+  const std::string fault_of_one = lamina::measurementFault(report);
+  EXPECT_EQ(fault_of_one.find("1 layer was not seen or cut short: 3;"), 0U) << fault_of_one;
 }
 
 TEST(SummaryText, SaysNothingOfLayersNotSeenWhereAllWereSeen) {
