@@ -256,7 +256,7 @@ std::int64_t scanOf(const SensedWall& printed, std::size_t layer) {
   return 0;
 }
 
-/// Seconds from the fault to the state that it should lead to.
+/// Seconds of the machine's clock from the fault to the state that it should lead to.
 double reactionTime(const SensedWallCase& wall, bool loses_tf, std::uint16_t alarm) {
   Controller controller({"_loop/silence_s:=1.5", "_monitor/reorder_s:=0.2", "_arrival_hold_s:=0.1"});
   LiveWall live(wall);
@@ -271,7 +271,7 @@ double reactionTime(const SensedWallCase& wall, bool loses_tf, std::uint16_t ala
   EXPECT_EQ(state.layer, 1U);
   EXPECT_EQ(state.state_name, "coasting");
   EXPECT_FALSE(state.reason.empty());
-  return (ros::Time::now() - test::timeOf(fault_ns)).toSec();
+  return (live.now() - test::timeOf(fault_ns)).toSec();
 }
 
 TEST(HeightController, CoastsWithinASecondWhenTheSensorFallsSilent) {
