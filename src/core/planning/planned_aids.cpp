@@ -16,6 +16,7 @@
 #include "planning/adhesion/brim.hpp"
 #include "planning/adhesion/prime_line.hpp"
 #include "planning/order/near_origin.hpp"
+#include "planning/skins/skin_areas.hpp"
 #include "planning/skirt.hpp"
 #include "planning/supports/branch_loops.hpp"
 #include "planning/supports/branch_tips.hpp"
@@ -90,6 +91,7 @@ class AidPlanner {
  private:
   double layerHeight() const { return window_.place.layer_height_mm; }
   double width() const { return settings_.bead.width_mm; }
+  WallBeads walls() const { return {width(), wallThickness(settings_, planWidth({width(), layerHeight()}))}; }
 
   void findSupports(Progress& progress) {
     const SupportSettings& settings = settings_.supports;
@@ -100,9 +102,9 @@ class AidPlanner {
     overhangs_ = std::move(overhangs.held);
     blocked_mm2_ = overhangs.blocked_mm2;
     if (settings.kind == SupportKind::Lattice)
-      supports_ = supportAreas(stack, {overhangs_, window_.asked}, settings, width(), progress);
+      supports_ = supportAreas(stack, {overhangs_, window_.asked}, settings, walls(), progress);
     else
-      tree_ = growBranches(stack, branchTips(stack, overhangs_, settings), settings, progress);
+      tree_ = growBranches(stack, branchTips(stack, overhangs_, walls(), settings), settings, progress);
   }
 
   /// Supports stand on a brim's outer side, or on the brim.

@@ -37,8 +37,8 @@ SupportSettings branching() {
 SupportTree treeBelow(const std::vector<Layer>& layers, const SupportSettings& settings) {
   NoProgress nobody;
   const StackedMaterial stack = stackedMaterial(layers, 0.005, {}, nobody);
-  return growBranches(stack, branchTips(stack, overhangAreas(stack, settings, nobody), settings), settings,
-                      nobody);
+  const std::vector<Regions> overhangs = overhangAreas(stack, settings, nobody);
+  return growBranches(stack, branchTips(stack, overhangs, {0.4, 0.8}, settings), settings, nobody);
 }
 
 Plan plannedWithBranches(const std::vector<Layer>& layers, const SupportSettings& supports) {

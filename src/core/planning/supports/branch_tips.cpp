@@ -16,23 +16,25 @@ namespace {
 /// farther from a tip than a spacing: it is near a place tried, which is near a tip.
 constexpr double kNearestTips = 0.6;
 constexpr double kTried = 0.25;
-constexpr double kClear = 0.01;  // mm: off the border of where a branch has room
+constexpr double kClear = 0.01;      // mm: off the border of where a branch has room
+constexpr double kSameLayer = 1e-6;  // mm
+constexpr double kRim = 0.05;        // mm, beside that border: where tips below ledges are
 
 /// Tips by their place, so that neighbours are found at once.
 class TipGrid {
  public:
-  explicit TipGrid(double cell_mm) : cell_(cell_mm) {}
+  TipGrid(double cell_mm, double height_mm) : cell_(cell_mm), height_(height_mm) {}
 
   void add(const Point2& at, double height_mm) { cells_[keyOf(at)].emplace_back(at, height_mm); }
 
-  /// Whether a tip of about that height is nearer than a cell.
+  /// Whether a tip of about that height is nearer aside than a cell.
   bool hasNear(const Point2& at, double height_mm) const {
     for (const double x : {-1.0, 0.0, 1.0})
       for (const double y : {-1.0, 0.0, 1.0}) {
         const auto found = cells_.find(keyOf(at + cell_ * Point2(x, y)));
         if (found == cells_.end()) continue;
         for (const auto& [tip, tip_height] : found->second)
-          if ((tip - at).norm() < cell_ && std::abs(tip_height - height_mm) < cell_) return true;
+          if ((tip - at).norm() < cell_ && std::abs(tip_height - height_mm) < height_) return true;
       }
     return false;
   }
@@ -45,6 +47,7 @@ class TipGrid {
   }
 
   double cell_;
+  double height_;
   std::unordered_map<std::int64_t, std::vector<std::pair<Point2, double>>> cells_;
 };
 
@@ -80,30 +83,73 @@ Regions roomFor(const Region& piece, const Regions& near_part, double tip_mm) {
   return free.empty() ? inside : free;
 }
 
+class TipSpread {
+ public:
+  TipSpread(const StackedMaterial& stack, const WallBeads& walls, const SupportSettings& settings)
+      : stack_(stack),
+        walls_(walls),
+        settings_(settings),
+        near_(kNearestTips * settings.tip_spacing_mm, kNearestTips * settings.tip_spacing_mm),
+        beside_(kNearestTips * settings.tip_spacing_mm, kSameLayer) {}
+
+  void holdUp(const Regions& overhang, std::size_t layer) {
+    const std::optional<ColumnTop> top = columnTopBelow(stack_.bounds, layer, settings_.top_gap_mm);
+    if (!top || overhang.empty()) return;
+    const std::size_t last = top->caps.empty() ? top->full_layers - 1 : top->caps.back().layer;
+    const double height = stack_.bounds[layer].bottom_mm;
+    for (const Region& room : besideLedges(overhang, layer, last))
+      for (const Point2& place : placesIn(room, kTried * settings_.tip_spacing_mm))
+        if (!beside_.hasNear(place, height)) add({place, layer, *top}, height);
+    const double reach = settings_.side_gap_mm + radius() + kClear;
+    const Regions near_part = offset(within(*stack_.material[last], boxOf(overhang), 3.0 * reach), reach);
+    for (const Region& piece : overhang)
+      for (const Region& room : roomFor(piece, near_part, settings_.tip_mm))
+        for (const Point2& place : placesIn(room, kTried * settings_.tip_spacing_mm))
+          if (!near_.hasNear(place, height)) add({place, layer, *top}, height);
+  }
+
+  std::vector<BranchTip> tips() && { return std::move(tips_); }
+
+ private:
+  double radius() const { return 0.5 * settings_.tip_mm; }
+
+  void add(BranchTip tip, double height_mm) {
+    near_.add(tip.at, height_mm);
+    beside_.add(tip.at, height_mm);
+    tips_.push_back(std::move(tip));
+  }
+
+  /// Along the nearest places to the part that a tip may have: no part of it lies below a layer that is not
+  /// held up by it.
+  Regions besideLedges(const Regions& overhang, std::size_t layer, std::size_t last) const {
+    const Regions ledges =
+        ledgesIn(overhang, *stack_.material[layer], *stack_.material[last], walls_, settings_);
+    if (ledges.empty()) return {};
+    const double gap = ledgeGap(settings_) + kClear;
+    const Box2 box = boxOf(ledges);
+    Regions part;
+    for (std::size_t k = last; k < layer; ++k) {
+      const double reach = radius() + (k == last ? gap : kClear);
+      part = united(part, offset(within(*stack_.material[k], box, 4.0 * reach), reach));
+    }
+    return intersection(difference(offset(part, kRim), part), offset(ledges, radius()));
+  }
+
+  const StackedMaterial& stack_;
+  const WallBeads& walls_;
+  const SupportSettings& settings_;
+  TipGrid near_;
+  TipGrid beside_;  ///< of one layer each
+  std::vector<BranchTip> tips_;
+};
+
 }  // namespace
 
 std::vector<BranchTip> branchTips(const StackedMaterial& stack, const std::vector<Regions>& overhangs,
-                                  const SupportSettings& settings) {
-  const double spacing = settings.tip_spacing_mm;
-  TipGrid grid(kNearestTips * spacing);
-  std::vector<BranchTip> tips;
-  for (std::size_t j = overhangs.size(); j-- > 0;) {
-    if (overhangs[j].empty()) continue;
-    const std::optional<ColumnTop> top = columnTopBelow(stack.bounds, j, settings.top_gap_mm);
-    if (!top) continue;
-    const std::size_t last = top->caps.empty() ? top->full_layers - 1 : top->caps.back().layer;
-    const double reach = settings.side_gap_mm + 0.5 * settings.tip_mm + kClear;
-    const Regions near_part = offset(within(*stack.material[last], boxOf(overhangs[j]), 3.0 * reach), reach);
-    const double height = stack.bounds[j].bottom_mm;
-    for (const Region& piece : overhangs[j])
-      for (const Region& room : roomFor(piece, near_part, settings.tip_mm))
-        for (const Point2& place : placesIn(room, kTried * spacing)) {
-          if (grid.hasNear(place, height)) continue;
-          grid.add(place, height);
-          tips.push_back({place, j, *top});
-        }
-  }
-  return tips;
+                                  const WallBeads& walls, const SupportSettings& settings) {
+  TipSpread spread(stack, walls, settings);
+  for (std::size_t j = overhangs.size(); j-- > 0;) spread.holdUp(overhangs[j], j);
+  return std::move(spread).tips();
 }
 
 }  // namespace lamina

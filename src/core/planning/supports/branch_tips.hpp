@@ -18,9 +18,10 @@ struct BranchTip {
 };
 
 /// Tips spread over what hangs over, on its rim first: every place of it lies within
-/// `supports.tip_spacing_mm` of one, but where it is nearer to the part than a tip may be.
+/// `supports.tip_spacing_mm` of one, but where it is nearer to the part than a tip may be. Below ledges
+/// (`ledgesIn`) tips follow the wall of each layer, as near to it as `ledgeGap`.
 /// @param overhangs  of each layer
 std::vector<BranchTip> branchTips(const StackedMaterial& stack, const std::vector<Regions>& overhangs,
-                                  const SupportSettings& settings);
+                                  const WallBeads& walls, const SupportSettings& settings);
 
 }  // namespace lamina

@@ -3,6 +3,7 @@
 #include "planning/supports/support_areas.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <numeric>
 #include <utility>
@@ -21,7 +22,8 @@ constexpr double kLeastOnBed = 0.25;  // of a layer: a lower bead on the bed has
 constexpr double kOverhangDetail = 0.6;
 constexpr double kFallingDetail = 0.4;
 constexpr int kSweepSteps = 4;
-constexpr double kTolerance = 0.05;  // bead widths: the outlines of a support need no more
+constexpr double kLayerRounding = 1e-6;  // of a layer
+constexpr double kTolerance = 0.05;      // bead widths: the outlines of a support need no more
 
 const SharedRegions& nothing() {
   static const SharedRegions empty = std::make_shared<const Regions>();
@@ -66,8 +68,8 @@ struct ColumnCap {
 class ColumnStack {
  public:
   ColumnStack(const StackedMaterial& stack, const std::vector<Regions>& overhangs,
-              const SupportSettings& settings, double bead_width_mm)
-      : stack_(stack), overhangs_(overhangs), settings_(settings), width_(bead_width_mm) {}
+              const SupportSettings& settings, const WallBeads& walls)
+      : stack_(stack), overhangs_(overhangs), settings_(settings), walls_(walls), width_(walls.width_mm) {}
 
   SupportAreas build(const LayerSpan& counted, Progress& progress);
 
@@ -79,17 +81,20 @@ class ColumnStack {
   void joinAndThin(Progress& progress);
   /// On the bed, or on the part too.
   void keepThoseThatStand();
+  void reachLedges();
   void endAboveThePart(Progress& progress);
   void dropNarrow(Progress& progress);
   void placeCaps(std::size_t layer);
   LayerSupport sectionsOf(std::size_t layer) const;
   double unsupported(std::size_t layer) const;
+  Regions ledgesOf(std::size_t layer) const;
 
   /// In inclined layers all that it sweeps as it falls by its own height, so that one layer's columns stand
   /// beside those of the next.
   Regions heldUp(std::size_t layer) const {
     const Regions& hangs = overhangs_[layer];
     Regions held = settings_.expand_mm > 0.0 ? offset(hangs, settings_.expand_mm) : hangs;
+    held = united(held, ledges_[layer]);
     if (!isLevel()) held = swept(held, stack_.fall() * stack_.bounds[layer].height());
     return withoutDetail(held, kOverhangDetail * width_);
   }
@@ -106,7 +111,9 @@ class ColumnStack {
   const StackedMaterial& stack_;
   const std::vector<Regions>& overhangs_;
   const SupportSettings& settings_;
+  WallBeads walls_;
   double width_;
+  std::vector<Regions> ledges_;                  ///< of each layer; none in inclined ones
   std::vector<Regions> held_;                    ///< of each layer, what columns hold up
   std::size_t count_ = 0;                        ///< of layers from the bed that may have support
   std::vector<std::vector<std::size_t>> joins_;  ///< for each, layers whose columns have it as last full one
@@ -118,10 +125,25 @@ class ColumnStack {
   std::vector<SharedRegions> covers_;   ///< of interfaces: the whole ones, half a bead wider
 };
 
+/// Without what would come up under a layer between the column and what it holds up.
+Regions ColumnStack::ledgesOf(std::size_t layer) const {
+  const std::optional<ColumnTop> top = columnTopBelow(stack_.bounds, layer, settings_.top_gap_mm);
+  if (!isLevel() || !top || top->full_layers == 0) return {};
+  const std::size_t last = top->full_layers - 1;
+  Regions ledges =
+      ledgesIn(overhangs_[layer], *stack_.material[layer], *stack_.material[last], walls_, settings_);
+  for (std::size_t k = last + 1; k < layer && !ledges.empty(); ++k)
+    ledges = differenceByPieces(ledges, within(*stack_.material[k], boxOf(ledges), 1.0));
+  return ledges;
+}
+
 void ColumnStack::placeTops(Progress& progress) {
+  ledges_.resize(stack_.size());
   held_.resize(stack_.size());
   const auto hold = [&](std::size_t j) {
-    if (!overhangs_[j].empty()) held_[j] = heldUp(j);
+    if (overhangs_[j].empty()) return;
+    ledges_[j] = ledgesOf(j);
+    held_[j] = heldUp(j);
   };
   parallelFor(stack_.size(), hold, progress, "supports");
   joins_.resize(stack_.size());
@@ -243,6 +265,31 @@ void ColumnStack::keepThoseThatStand() {
     kept[k] = share(intersection(*columns_[k], shifted(foot, rise)));
   }
   columns_ = std::move(kept);
+}
+
+/// Below ledges columns come nearer to the part than the gap at its side, each layer by no more than the one
+/// below carries.
+void ColumnStack::reachLedges() {
+  const double gap = ledgeGap(settings_);
+  const double step = ledgeStep(walls_);
+  const auto reach =
+      static_cast<std::size_t>(std::ceil((settings_.side_gap_mm - gap) / step - kLayerRounding));
+  std::vector<Regions> near(count_);
+  for (std::size_t j = 0; j < stack_.size(); ++j) {
+    if (ledges_[j].empty()) continue;
+    const std::size_t tops = columnTopBelow(stack_.bounds, j, settings_.top_gap_mm)->full_layers;
+    for (std::size_t k = tops - std::min(tops, reach); k < tops; ++k) near[k] = united(near[k], ledges_[j]);
+  }
+  for (std::size_t k = 1; k < count_; ++k) {
+    if (near[k].empty()) continue;
+    const Box2 box = boxOf(near[k]);
+    const Regions carried = grownByPieces(within(*columns_[k - 1], box, 3.0 * step), step);
+    Regions nearer = intersection(intersection(near[k], *falling_[k]), carried);
+    if (nearer.empty()) continue;
+    const Regions part = grownByPieces(within(*stack_.material[k], box, 3.0 * gap), gap);
+    nearer = differenceByPieces(nearer, part);
+    if (!nearer.empty()) columns_[k] = share(united(*columns_[k], nearer));
+  }
 }
 
 void ColumnStack::endAboveThePart(Progress& progress) {
@@ -369,6 +416,7 @@ SupportAreas ColumnStack::build(const LayerSpan& counted, Progress& progress) {
   keepAway(progress);
   joinAndThin(progress);
   keepThoseThatStand();
+  reachLedges();
   if (settings_.foot == SupportFoot::Everywhere) endAboveThePart(progress);
   dropNarrow(progress);
   if (settings_.interface_layers > 0) widenCovers(progress);
@@ -417,8 +465,8 @@ std::optional<ColumnTop> columnTopBelow(const std::vector<LayerBounds>& bounds, 
 }
 
 SupportAreas supportAreas(const StackedMaterial& stack, const CountedOverhangs& overhangs,
-                          const SupportSettings& settings, double bead_width_mm, Progress& progress) {
-  return ColumnStack(stack, overhangs.areas, settings, bead_width_mm).build(overhangs.counted, progress);
+                          const SupportSettings& settings, const WallBeads& walls, Progress& progress) {
+  return ColumnStack(stack, overhangs.areas, settings, walls).build(overhangs.counted, progress);
 }
 
 }  // namespace lamina

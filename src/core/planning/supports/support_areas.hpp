@@ -9,6 +9,7 @@
 #include "lamina/base/progress.hpp"
 #include "lamina/planning/planner.hpp"
 #include "lamina/planning/supports/support_settings.hpp"
+#include "planning/supports/ledges.hpp"
 #include "planning/supports/stacked_material.hpp"
 
 namespace lamina {
@@ -62,10 +63,9 @@ struct CountedOverhangs {
 
 /// Columns below what hangs over, from the top down: `F(j) = (F(j+1) + C) \ R(j)`, where C is what is held up
 /// by columns that end in layer j, without what is nearer to the part R(j) than the side gap. In inclined
-/// layers columns fall along gravity. One union and one difference for each layer that is not as the one
-/// above it.
-/// @param bead_width_mm  narrower places have no support
+/// layers columns fall along gravity. In level ones columns come as near as `ledgeGap` below walls that would
+/// hang within the side gap. One union and one difference for each layer that is not as the one above it.
 SupportAreas supportAreas(const StackedMaterial& stack, const CountedOverhangs& overhangs,
-                          const SupportSettings& settings, double bead_width_mm, Progress& progress);
+                          const SupportSettings& settings, const WallBeads& walls, Progress& progress);
 
 }  // namespace lamina

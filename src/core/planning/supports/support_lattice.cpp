@@ -16,6 +16,8 @@
 namespace lamina {
 namespace {
 
+constexpr double kRimLines = 1.5;  // from the rim of an interface to its middle: narrower ones are all rim
+
 using SharedRuns = std::shared_ptr<const std::vector<FillPath>>;
 
 /// Lines of one role.
@@ -56,8 +58,16 @@ bool isWithoutRoom(const Regions& regions, double radius_mm) {
   return offset(regions, -radius_mm).empty();
 }
 
-/// With their loops round them, outermost first. Lines might miss a column that is narrower than their
-/// distance: it is a loop.
+/// Lines might miss a column that is narrower than their distance, and the rim of an interface that follows a
+/// ledge, where walls lie: they are loops.
+bool isForLoops(const Regions& centred, const LatticeLines& lines) {
+  const bool is_interface = lines.role == PathRole::SupportInterface;
+  const double room_mm =
+      is_interface ? kRimLines * lines.spacing_mm : 0.5 * (lines.spacing_mm - lines.pitch_mm);
+  return lines.walls == 0 && isWithoutRoom(centred, room_mm);
+}
+
+/// With their loops round them, outermost first.
 SharedRuns linesIn(const Regions& area, const LatticeLines& lines) {
   std::vector<FillPath> runs;
   Regions inside = area;
@@ -70,11 +80,10 @@ SharedRuns linesIn(const Regions& area, const LatticeLines& lines) {
   request.spacing_mm = lines.spacing_mm;
   request.angle_rad = lines.angle_rad;
   for (const Region& column : inside) {
-    const Regions centred = offset({column}, -0.5 * lines.pitch_mm);
-    const bool is_narrow =
-        lines.walls == 0 && isWithoutRoom(centred, 0.5 * (lines.spacing_mm - lines.pitch_mm));
-    if (is_narrow) {
-      addLoops(centred, lines.role, runs);
+    Regions centred = offset({column}, -0.5 * lines.pitch_mm);
+    if (isForLoops(centred, lines)) {
+      for (; !centred.empty(); centred = offset(centred, -lines.spacing_mm))
+        addLoops(centred, lines.role, runs);
       continue;
     }
     for (FillPath& run : rasterAtPlace(centred, request, phaseOf(lines))) {

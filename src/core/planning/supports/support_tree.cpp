@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "geometry/polygon/plane_vectors.hpp"
 #include "lamina/base/angle.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
@@ -179,7 +180,7 @@ class BranchGrower {
     const double radius = 0.5 * settings_.tip_mm;
     std::size_t k = layer;
     if (waiting_.empty()) waiting_.resize(count_);
-    if (blocked_.contain(tips_[tip].at, radius, k)) {
+    if (blocked_.contain(tips_[tip].at, radius, k) && !keepsLedgeGap(tips_[tip].at, k)) {
       if (k == 0 || contains(outlines(*stack_.material[k]), tips_[tip].at)) {
         feet_[tip] = BranchFoot::None;
         return;
@@ -245,6 +246,32 @@ class BranchGrower {
     return goals;
   }
 
+  bool isNearPart(const Point2& at, std::size_t layer, double distance_mm) const {
+    const std::vector<Polygon> borders = outlines(*stack_.material[layer]);
+    for (const Polygon& border : borders)
+      for (std::size_t i = 0, j = border.size() - 1; i < border.size(); j = i++)
+        if ((nearestOnSegment(border[j], border[i], at) - at).norm() < distance_mm) return true;
+    return contains(borders, at);
+  }
+
+  /// As thin as a tip.
+  bool keepsLedgeGap(const Point2& at, std::size_t layer) const {
+    return !isNearPart(at, layer, ledgeGap(settings_) + 0.5 * settings_.tip_mm);
+  }
+
+  /// Where a branch goes that has no way at the full gap: out to where it has, or straight down.
+  std::optional<Point2> besidePart(const Point2& from, std::size_t layer, double step_mm) const {
+    const double gap = settings_.side_gap_mm - ledgeGap(settings_);
+    const std::optional<Point2> free =
+        blocked_.nearestFree(from, 0.5 * settings_.tip_mm, layer, gap + step_mm);
+    if (free) {
+      const Point2 way = *free - from;
+      const Point2 at = from + std::min(1.0, step_mm / way.norm()) * way;
+      if (keepsLedgeGap(at, layer)) return at;
+    }
+    return keepsLedgeGap(from, layer) ? std::make_optional(from) : std::nullopt;
+  }
+
   std::optional<BranchEnd> moved(BranchEnd end, const Point2& goal, std::size_t layer, double height_mm) {
     const double step = lean_ * height_mm;
     const Point2 from = end.at;
@@ -264,14 +291,16 @@ class BranchGrower {
       const std::optional<Point2> free = blocked_.nearestFree(from, radius, layer, step);
       if (free && !blocked_.contain(*free, radius, layer)) return settle(*free, radius);
     }
+    if (const std::optional<Point2> at = besidePart(from, layer, step))
+      return settle(*at, 0.5 * settings_.tip_mm);
     rest(end, layer + 1);
     return std::nullopt;
   }
 
-  /// A branch that can go no farther stands on the part if that is below it, a gap above.
+  /// A branch that can go no farther stands on the part if any of that is below it, a gap above.
   void rest(const BranchEnd& end, std::size_t layer) {
-    const std::vector<Polygon> below = outlines(*stack_.material[layer - 1]);
-    const bool is_on_part = settings_.foot == SupportFoot::Everywhere && contains(below, end.at);
+    const bool is_on_part =
+        settings_.foot == SupportFoot::Everywhere && isNearPart(end.at, layer - 1, end.radius_mm);
     feet_[end.branch] = is_on_part ? BranchFoot::Part : BranchFoot::None;
     if (!is_on_part) return;
     const double least = stack_.bounds[layer - 1].top_mm + settings_.bottom_gap_mm - kMeeting;

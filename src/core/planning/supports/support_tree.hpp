@@ -30,10 +30,10 @@ struct SupportTree {
 
 /// Branches from tips to bed or part, layer by layer from the top: each leans by at most
 /// `supports.branch_angle_deg`, towards its nearest neighbour where both would meet above the bed, and keeps
-/// `supports.side_gap_mm` from the part; those that meet go on as one. It widens by
-/// `supports.branch_taper_deg` on each side with the way to its farthest tip, up to `supports.branch_mm`, but
-/// where the part leaves no room. With `supports.foot: bed` branches keep out of where the bed is out of
-/// reach.
+/// `supports.side_gap_mm` from the part, or `ledgeGap` where it has no other way; those that meet go on as
+/// one. It widens by `supports.branch_taper_deg` on each side with the way to its farthest tip, up to
+/// `supports.branch_mm`, but where the part leaves no room. With `supports.foot: bed` branches keep out of
+/// where the bed is out of reach.
 /// @param tips  as of `branchTips`
 SupportTree growBranches(const StackedMaterial& stack, std::vector<BranchTip> tips,
                          const SupportSettings& settings, Progress& progress);
