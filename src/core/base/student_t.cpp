@@ -6,14 +6,17 @@
 #include <cmath>
 #include <string>
 
+#include "base/plain_doubles.hpp"
 #include "lamina/base/error.hpp"
 
 namespace lamina {
 namespace {
 
-boost::math::students_t distribution(std::size_t degrees_of_freedom) {
+using StudentT = boost::math::students_t_distribution<double, PlainDoubles>;
+
+StudentT distribution(std::size_t degrees_of_freedom) {
   if (degrees_of_freedom == 0) throw InvalidInput("degrees of freedom are 0; must be at least 1");
-  return boost::math::students_t(static_cast<double>(degrees_of_freedom));
+  return StudentT(static_cast<double>(degrees_of_freedom));
 }
 
 double squaredError(const Sample& sample) {

@@ -7,6 +7,7 @@
 #include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
 
+#include "base/plain_doubles.hpp"
 #include "lamina/base/error.hpp"
 
 namespace lamina {
@@ -121,8 +122,8 @@ AnalysisOfVariance analyseVariance(const std::vector<double>& response, const st
     source.f = source.sum_of_squares / freedom / (full.residual / left);
     if (!std::isfinite(source.f))
       throw InvalidInput("the response has no spread but by its factors; there is nothing to judge them by");
-    source.probability =
-        boost::math::cdf(boost::math::complement(boost::math::fisher_f(freedom, left), source.f));
+    source.probability = boost::math::cdf(boost::math::complement(
+        boost::math::fisher_f_distribution<double, PlainDoubles>(freedom, left), source.f));
     analysis.sources.push_back(source);
   }
   return analysis;

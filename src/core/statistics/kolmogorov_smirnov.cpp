@@ -8,6 +8,7 @@
 #include <cmath>
 #include <string>
 
+#include "base/plain_doubles.hpp"
 #include "lamina/base/error.hpp"
 
 namespace lamina {
@@ -84,7 +85,7 @@ KolmogorovSmirnov testNormality(const std::vector<double>& values, double mean, 
   for (const double value : sorted)
     if (!std::isfinite(value)) throw InvalidInput("a value of the sample is not finite");
   std::sort(sorted.begin(), sorted.end());
-  const boost::math::normal normal(mean, deviation);
+  const boost::math::normal_distribution<double, PlainDoubles> normal(mean, deviation);
   const auto n = static_cast<double>(sorted.size());
   KolmogorovSmirnov test;
   test.count = sorted.size();

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <string>
 
+#include "base/plain_doubles.hpp"
 #include "lamina/base/error.hpp"
 
 namespace lamina {
@@ -85,15 +86,17 @@ KruskalWallis testRanks(const std::vector<std::vector<double>>& groups) {
     test.h += count * from_middle * from_middle / variance;
   }
   test.degrees_of_freedom = groups.size() - 1;
-  test.probability = boost::math::cdf(boost::math::complement(
-      boost::math::chi_squared(static_cast<double>(test.degrees_of_freedom)), test.h));
+  test.probability =
+      boost::math::cdf(boost::math::complement(boost::math::chi_squared_distribution<double, PlainDoubles>(
+                                                   static_cast<double>(test.degrees_of_freedom)),
+                                               test.h));
   compareAll(groups, variance, test);
   return test;
 }
 
 double probabilityOfRangeAbove(double q, std::size_t count) {
   constexpr double kFarOut = 8.5;  // standard deviations beyond which nothing is left of a normal value
-  const boost::math::normal normal;
+  const boost::math::normal_distribution<double, PlainDoubles> normal;
   const auto k = static_cast<double>(count);
   // The least value is at x, the other k - 1 between x and x + q.
   const auto density = [&](double x) {
