@@ -23,6 +23,25 @@ double gain2(const MotionSegment& segment) { return 2.0 * segment.acceleration_m
                      "; must be positive");
 }
 
+/// The square of `junctionSpeed` [mm²/s²].
+double junctionSpeed2(const MotionSegment& before, const MotionSegment& after, double junction_deviation_mm) {
+  if (before.direction.isZero() || after.direction.isZero()) return 0.0;
+  const double feed2 = squared(std::min(before.feed_mm_s, after.feed_mm_s));
+  const double cos_turn = std::clamp(before.direction.dot(after.direction), -1.0, 1.0);
+  const double cos_half2 = 0.5 * (1.0 + cos_turn);  // of half the turn
+  const double sin_half2 = 0.5 * (1.0 - cos_turn);
+  if (sin_half2 < 1e-14) return feed2;
+  if (cos_half2 < 1e-14) return 0.0;
+  // Circle in the corner: its distance from the corner is r (1 / cos(turn / 2) - 1), it touches at r tan(turn
+  // / 2).
+  const double cos_half = std::sqrt(cos_half2);
+  const double per_sine = 1.0 / std::sqrt(sin_half2);
+  const double by_deviation = junction_deviation_mm * cos_half * (1.0 + cos_half) * squared(per_sine);
+  const double by_length = 0.5 * std::min(before.length_mm, after.length_mm) * cos_half * per_sine;
+  const double acceleration = std::min(before.acceleration_mm_s2, after.acceleration_mm_s2);
+  return std::min(feed2, acceleration * std::min(by_deviation, by_length));
+}
+
 void requirePositive(double value, const char* what, const char* unit) {
   if (!(value > 0.0 && std::isfinite(value))) refuse(value, what, unit);
 }
@@ -54,31 +73,19 @@ SpeedProfile speedProfile(const MotionSegment& segment, double entry_mm_s, doubl
   profile.acceleration_mm_s2 = a;
   profile.entry_mm_s = entry_mm_s;
   profile.exit_mm_s = exit_mm_s;
+  const bool has_peak = peak2 < squared(segment.feed_mm_s);
   // Rounding must not put the peak below either end.
-  profile.cruise_mm_s = std::max({std::min(segment.feed_mm_s, std::sqrt(peak2)), entry_mm_s, exit_mm_s});
+  profile.cruise_mm_s = std::max({has_peak ? std::sqrt(peak2) : segment.feed_mm_s, entry_mm_s, exit_mm_s});
+  profile.duration_s = (2.0 * profile.cruise_mm_s - entry_mm_s - exit_mm_s) / a;
+  if (has_peak) return profile;
   const double ramps_mm =
       (2.0 * squared(profile.cruise_mm_s) - squared(entry_mm_s) - squared(exit_mm_s)) / (2.0 * a);
-  const double cruise_s = std::max(0.0, segment.length_mm - ramps_mm) / profile.cruise_mm_s;
-  profile.duration_s = (2.0 * profile.cruise_mm_s - entry_mm_s - exit_mm_s) / a + cruise_s;
+  profile.duration_s += std::max(0.0, segment.length_mm - ramps_mm) / profile.cruise_mm_s;
   return profile;
 }
 
 double junctionSpeed(const MotionSegment& before, const MotionSegment& after, double junction_deviation_mm) {
-  if (before.direction.isZero() || after.direction.isZero()) return 0.0;
-  const double feed = std::min(before.feed_mm_s, after.feed_mm_s);
-  const double cos_turn = std::clamp(before.direction.dot(after.direction), -1.0, 1.0);
-  const double cos_half2 = 0.5 * (1.0 + cos_turn);  // of half the turn
-  const double sin_half2 = 0.5 * (1.0 - cos_turn);
-  if (sin_half2 < 1e-14) return feed;
-  if (cos_half2 < 1e-14) return 0.0;
-  // Circle in the corner: its distance from the corner is r (1 / cos(turn / 2) - 1), it touches at r tan(turn
-  // / 2).
-  const double cos_half = std::sqrt(cos_half2);
-  const double by_deviation = junction_deviation_mm * cos_half * (1.0 + cos_half) / sin_half2;
-  const double by_length =
-      0.5 * std::min(before.length_mm, after.length_mm) * std::sqrt(cos_half2 / sin_half2);
-  const double acceleration = std::min(before.acceleration_mm_s2, after.acceleration_mm_s2);
-  return std::min(feed, std::sqrt(acceleration * std::min(by_deviation, by_length)));
+  return std::sqrt(junctionSpeed2(before, after, junction_deviation_mm));
 }
 
 void MotionPlanner::add(const MotionSegment& segment) {
@@ -87,7 +94,7 @@ void MotionPlanner::add(const MotionSegment& segment) {
   requirePositive(segment.acceleration_mm_s2, "acceleration", "mm/s2");
   Waiting added{segment};
   if (!waiting_.empty())
-    added.entry_limit2 = squared(junctionSpeed(waiting_.back().segment, segment, junction_deviation_mm_));
+    added.entry_limit2 = junctionSpeed2(waiting_.back().segment, segment, junction_deviation_mm_);
   waiting_.push_back(added);
   if (waiting_.size() < look_at_) return;
   settle(Ending::Open);
@@ -128,12 +135,15 @@ void MotionPlanner::settle(Ending ending) {
     waiting_[i].entry_brake2 = brake2;
   }
   const std::size_t settled = settledCount(ending);
+  double entry_mm_s = std::sqrt(entry2_);
   for (std::size_t i = 0; i < settled; ++i) {
     const MotionSegment& segment = waiting_[i].segment;
     const double exit_limit2 = i + 1 < waiting_.size() ? waiting_[i + 1].entry_brake2 : 0.0;
     const double exit2 = std::min(exit_limit2, entry2_ + gain2(segment));
-    ready_.push_back(speedProfile(segment, std::sqrt(entry2_), std::sqrt(exit2)));
+    const double exit_mm_s = std::sqrt(exit2);
+    ready_.push_back(speedProfile(segment, entry_mm_s, exit_mm_s));
     entry2_ = exit2;
+    entry_mm_s = exit_mm_s;
   }
   waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(settled));
 }
