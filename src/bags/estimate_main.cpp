@@ -8,7 +8,7 @@
 int main(int argc, char** argv) {
   using namespace lamina::cli;
   try {
-    return runCommandLine(argc, argv, {addEstimate});
+    return runCommandLine(argc, argv, {{"estimate", addEstimate}});
   } catch (...) {
     std::fputs("lamina: cannot start; out of memory?\n", stderr);
     return 1;

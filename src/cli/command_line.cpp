@@ -43,14 +43,47 @@ void addPluginOption(CLI::App& app, std::vector<std::string>& plugins) {
   for (CLI::App* subcommand : app.get_subcommands({})) subcommand->fallthrough();
 }
 
+/// The one that is called, or all where none is named first: for their help, and for what to say of a wrong
+/// name.
+void addSubcommands(CLI::App& app, Chosen& chosen, const std::vector<Subcommand>& subcommands,
+                    const std::string& called) {
+  const auto found = std::find_if(subcommands.begin(), subcommands.end(),
+                                  [&called](const Subcommand& each) { return each.name == called; });
+  if (!called.empty() && found != subcommands.end()) return found->add(app, chosen);
+  for (const Subcommand& each : subcommands) each.add(app, chosen);
+}
+
+/// Whether the subcommand is what is read first: options before it may ask for what concerns all.
+bool standsFirst(const std::string& subcommand, int argc, char** argv) {
+  for (int i = 1; i < argc; ++i) {
+    if (std::string(argv[i]) == "--plugin")
+      ++i;
+    else
+      return argv[i] == subcommand;
+  }
+  return false;
+}
+
 }  // namespace
 
-int runCommandLine(int argc, char** argv, const std::vector<AddSubcommand>& subcommands) {
+std::string subcommandOf(int argc, char** argv) {
+  for (int i = 1; i < argc; ++i) {
+    std::string argument = argv[i];
+    if (argument == "--plugin")
+      ++i;
+    else if (argument.empty() || argument.front() != '-')
+      return argument;
+  }
+  return {};
+}
+
+int runCommandLine(int argc, char** argv, const std::vector<Subcommand>& subcommands) {
   CLI::App app{"Lamina: from mesh to deposited layers on printers and robots", "lamina"};
   app.require_subcommand(1);
   Chosen chosen;
   chosen.format = formatAskedFor({argv + 1, argv + argc});
-  for (const AddSubcommand add : subcommands) add(app, chosen);
+  const std::string called = subcommandOf(argc, argv);
+  addSubcommands(app, chosen, subcommands, standsFirst(called, argc, argv) ? called : std::string());
   std::vector<std::string> plugins;
   addPluginOption(app, plugins);
   try {

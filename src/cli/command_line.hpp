@@ -2,16 +2,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "subcommand.hpp"
 
 namespace lamina::cli {
 
-using AddSubcommand = void (*)(CLI::App& app, Chosen& chosen);
+/// A subcommand by the name that it is called by. That of several, which `lamina --help` lists, has none.
+struct Subcommand {
+  const char* name;
+  void (*add)(CLI::App& app, Chosen& chosen);
+};
 
-/// Runs the subcommand that the arguments name, of those given. Never throws but for want of memory.
+/// The first argument that is neither an option before the subcommand nor its value; empty if there is none.
+std::string subcommandOf(int argc, char** argv);
+
+/// Runs the subcommand that the arguments name, of those given. Options of the others are not set up then:
+/// they take memory. Never throws but for want of memory.
 /// @return the exit code of the process
-int runCommandLine(int argc, char** argv, const std::vector<AddSubcommand>& subcommands);
+int runCommandLine(int argc, char** argv, const std::vector<Subcommand>& subcommands);
 
 }  // namespace lamina::cli

@@ -10,13 +10,36 @@ int main(int argc, char** argv) {
   using namespace lamina::cli;
   try {
     runSeparateCommand(argc, argv);
-    return runCommandLine(
-        argc, argv,
-        {addCalibrate,       addCheck,      addCoordinates, addCorrect, addDeposit, addEmulate,  addFillVoids,
-         addHeights,         addIncline,    addInfo,        addLay,     addMetrics, addOverhang, addPart,
-         addPores,           addPreview,    addProfiles,    addReplan,  addResume,  addRotate,   addScaffold,
-         addSlice,           addStatistics, addStiffness,   addStream,  addSweep,   addTrack,    addVoids,
-         addSeparateCommands});
+    return runCommandLine(argc, argv,
+                          {{"calibrate", addCalibrate},
+                           {"check", addCheck},
+                           {"coordinates", addCoordinates},
+                           {"correct", addCorrect},
+                           {"deposit", addDeposit},
+                           {"emulate", addEmulate},
+                           {"fill-voids", addFillVoids},
+                           {"heights", addHeights},
+                           {"incline", addIncline},
+                           {"info", addInfo},
+                           {"lay", addLay},
+                           {"metrics", addMetrics},
+                           {"overhang", addOverhang},
+                           {"part", addPart},
+                           {"pores", addPores},
+                           {"preview", addPreview},
+                           {"profiles", addProfiles},
+                           {"replan", addReplan},
+                           {"resume", addResume},
+                           {"rotate", addRotate},
+                           {"scaffold", addScaffold},
+                           {"slice", addSlice},
+                           {"statistics", addStatistics},
+                           {"stiffness", addStiffness},
+                           {"stream", addStream},
+                           {"sweep", addSweep},
+                           {"track", addTrack},
+                           {"voids", addVoids},
+                           {"", addSeparateCommands}});
   } catch (const lamina::Error& error) {
     std::fprintf(stderr, "lamina: %s\n", error.what());
     return 1;

@@ -7,7 +7,7 @@
 int main(int argc, char** argv) {
   using namespace lamina::cli;
   try {
-    return runCommandLine(argc, argv, {addDecide, addOptimise});
+    return runCommandLine(argc, argv, {{"decide", addDecide}, {"optimise", addOptimise}});
   } catch (...) {
     std::fputs("lamina: cannot start; out of memory?\n", stderr);
     return 1;

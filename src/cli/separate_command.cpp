@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <string>
 
+#include "command_line.hpp"
 #include "lamina/base/error.hpp"
 
 namespace lamina::cli {
@@ -26,18 +27,6 @@ constexpr std::array kSeparateCommands = {
     SeparateCommand{"estimate", "lamina-estimate", kEstimateDescription},
     SeparateCommand{"optimise", "lamina-optimise", kOptimiseDescription},
 };
-
-/// The first argument that is neither an option before the subcommand nor its value; empty if there is none.
-std::string subcommandOf(int argc, char** argv) {
-  for (int i = 1; i < argc; ++i) {
-    std::string argument = argv[i];
-    if (argument == "--plugin")
-      ++i;
-    else if (argument.empty() || argument.front() != '-')
-      return argument;
-  }
-  return {};
-}
 
 }  // namespace
 
