@@ -13,6 +13,7 @@
 #include "lamina/job/output_writer.hpp"
 #include "lamina/job/rapid_files.hpp"
 #include "lamina/program/rapid/reader/rapid_reader.hpp"
+#include "lamina/streaming/journal/job_journal.hpp"
 #include "subcommand.hpp"
 
 namespace lamina::cli {
@@ -102,7 +103,7 @@ void correctRapid(const CorrectArguments& arguments, const CorrectSettings& sett
   if (!isRapidFile(arguments.output))
     throw InvalidInput("the program is " + arguments.program + ", the output " + arguments.output +
                        "; expected a RAPID program of it, with the suffix .mod");
-  PlannedCorrection correction = correctionFrom(arguments.corrections, settings.feeding);
+  PlannedCorrection correction = correctionFrom(arguments.corrections, settings.feeding, {});
   Toolpath read = readRapidFile(arguments.program);
   requireSamePaths(read, correction.planned.toolpath, kReadTolerance);
   correction.planned.toolpath = std::move(read);
@@ -118,9 +119,13 @@ void correct(const CorrectArguments& arguments, OutputFormat format) {
                                     arguments.corrections.toolpath, arguments.settings.config});
   const CorrectSettings settings = settingsFrom(arguments);
   if (isRapidFile(arguments.program)) return correctRapid(arguments, settings, format);
-  const PlannedCorrection correction = correctionFrom(arguments.corrections, settings.feeding);
-  const CorrectedProgram corrected =
-      correctedByMaps(arguments.program, readFile(arguments.program), correction);
+  const std::string program = readFile(arguments.program);
+  // Only a record asks of which program its lines are.
+  const bool is_recorded = recordedJob(arguments.corrections.maps).has_value();
+  const PlannedCorrection correction =
+      correctionFrom(arguments.corrections, settings.feeding,
+                     is_recorded ? sha256Of(StreamableProgram::fromText(arguments.program, program)) : "");
+  const CorrectedProgram corrected = correctedByMaps(arguments.program, program, correction);
   writeFile(arguments.output, corrected.text);
   print(arguments, correction, corrected.report, format);
 }

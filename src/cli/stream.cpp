@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <chrono>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -54,10 +55,14 @@ StreamableProgram programFrom(const StreamArguments& arguments, const StreamComm
       throw InvalidInput("--toolpath is given without --corrections; expected both, or neither");
     return StreamableProgram::fromFile(arguments.program, settings.stream);
   }
-  const PlannedCorrection correction = correctionFrom(arguments.corrections, settings.feeding);
   const std::string planned = readFile(arguments.program);
   ProgramOrigin origin{sha256Of(StreamableProgram::fromText(arguments.program, planned, settings.stream)),
                        {}};
+  const PlannedCorrection correction =
+      correctionFrom(arguments.corrections, settings.feeding, origin.program_sha256);
+  if (const auto recorded = recordedJob(arguments.corrections.maps))
+    origin.record = RevisionRecord{std::filesystem::absolute(arguments.corrections.maps).string(),
+                                   recorded->job, feedingText(settings.feeding)};
   for (const FiledMap& each : correction.maps) origin.maps.push_back({each.map.layer, digestOf(each.map)});
   std::string corrected = correctedByMaps(arguments.program, planned, correction).text;
   return StreamableProgram::fromText(arguments.program, std::move(corrected), settings.stream)

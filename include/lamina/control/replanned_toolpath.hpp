@@ -38,4 +38,13 @@ std::string replannedId(const Toolpath& replanned, const std::string& parent_id)
 /// Whether a plan takes the place of the rest of that toolpath, which may be a plan itself.
 bool isPlanOf(const std::string& plan_id, const std::string& toolpath_id);
 
+/// Where a machine is when a plan comes.
+enum class PlanMoment {
+  InFrontOfLayer,  ///< held for the map of the layer that the plan begins with
+  Elsewhere,
+};
+
+/// Why a machine that runs a toolpath cannot go over to a plan, in words; empty if it can.
+std::string refusalOfPlan(const std::string& plan_id, const std::string& toolpath_id, PlanMoment moment);
+
 }  // namespace lamina

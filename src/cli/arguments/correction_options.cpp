@@ -25,11 +25,14 @@ void addToolpathOption(CLI::App& subcommand, CorrectionOptions& options) {
                         "toolpath.csv beside these");
 }
 
-PlannedCorrection correctionFrom(const CorrectionOptions& options, const LoopSettings& feeding) {
+PlannedCorrection correctionFrom(const CorrectionOptions& options, const LoopSettings& feeding,
+                                 const std::string& program_sha256) {
   const std::string toolpath = options.toolpath.empty() ? toolpathBeside(options.maps) : options.toolpath;
   std::vector<FiledMap> maps = readCorrectionFiles(options.maps);
   PlannedCorrection correction{readProgrammedToolpath(readFile(toolpath), toolpath), std::move(maps),
                                feeding};
+  const std::optional<RecordedJob> recorded = recordedJob(options.maps);
+  correction.is_recorded_program = recorded && recorded->program_sha256 == program_sha256;
   requireOfProgram(correction);
   return correction;
 }

@@ -19,8 +19,10 @@ struct CorrectionOptions {
 void addToolpathOption(CLI::App& subcommand, CorrectionOptions& options);
 
 /// Reads toolpath and maps, and refuses them if they do not belong together.
+/// @param program_sha256  of the program that is to be corrected, without corrections
 /// @throws FileError, InvalidProgram, InvalidInput as `readProgrammedToolpath`, `readCorrectionFiles` and
 ///   `requireOfProgram`
-PlannedCorrection correctionFrom(const CorrectionOptions& options, const LoopSettings& feeding);
+PlannedCorrection correctionFrom(const CorrectionOptions& options, const LoopSettings& feeding,
+                                 const std::string& program_sha256);
 
 }  // namespace lamina::cli

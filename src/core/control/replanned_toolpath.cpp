@@ -126,4 +126,11 @@ bool isPlanOf(const std::string& plan_id, const std::string& toolpath_id) {
              toolpath_id.substr(0, toolpath_id.find(kParent));
 }
 
+std::string refusalOfPlan(const std::string& plan_id, const std::string& toolpath_id, PlanMoment moment) {
+  if (!isPlanOf(plan_id, toolpath_id)) return "it is no plan of toolpath " + toolpath_id + ", which is run";
+  if (moment == PlanMoment::Elsewhere)
+    return "the machine does not rest in front of the layer that it begins with";
+  return {};
+}
+
 }  // namespace lamina

@@ -15,6 +15,8 @@ struct StreamCorrectionSettings {
   std::string folder;       ///< for the record of what was applied; empty for none
   LoopSettings loop;        ///< of which waiting and feeding count
   std::string calibration;  ///< file of results; empty for none
+  /// Whether the layers left of a toolpath are gone on with as planned anew, once there is a plan.
+  bool follows_plans = false;
 };
 
 /// Adds the keys corrections.*, sensor.calibration, loop.wait_s and those that `describeFeeding` adds.

@@ -69,6 +69,13 @@ GcodeStreamer::GcodeStreamer(ros::NodeHandle node, const GcodeStreamerSettings& 
     applied_ = node.advertise<lamina_msgs::AppliedCorrection>(names::kAppliedCorrection, 100);
     correction_ = node.subscribe<lamina_msgs::CorrectionMap>(names::kCorrection, 100, correct);
   }
+  const boost::function<void(const lamina_msgs::ToolpathConstPtr&)> plan = [this](const auto& message) {
+    onPlan(message);
+  };
+  if (settings_.corrections.is_used && settings_.corrections.follows_plans) {
+    toolpath_publisher_ = node.advertise<lamina_msgs::Toolpath>(names::kToolpath, 1, true);
+    plan_ = node.subscribe<lamina_msgs::Toolpath>(names::kReplannedToolpath, 1, plan);
+  }
   updater_.setHardwareID(settings_.port.name);
   updater_.add("stream", this, &GcodeStreamer::diagnose);
   const boost::function<void(const ros::TimerEvent&)> update = [this](const ros::TimerEvent&) {
@@ -98,6 +105,7 @@ StreamStatus GcodeStreamer::stream(const lamina_msgs::StreamProgramGoal& goal) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     job_ = goal.program.empty() ? goal.toolpath_id : goal.program;
+    is_of_toolpath_ = goal.program.empty();
   }
   const StreamableProgram program = programFor(goal);
   beginJob(goal, program);
@@ -127,19 +135,22 @@ void GcodeStreamer::beginJob(const lamina_msgs::StreamProgramGoal& goal, const S
 }
 
 StreamStatus GcodeStreamer::streamProgram(const StreamableProgram& program, JobStart start) {
+  if (start == JobStart::Resume && settings_.corrections.is_used)
+    throw InvalidConfig(
+        "corrections.use is set, but a job that is gone on with cannot be corrected as it runs; expected "
+        "`lamina stream --corrections RECORD --resume`, or corrections.use false");
   const StreamJournal journal =
       journalFor(journalPath(settings_.stream, settings_.port.name), program, settings_.port, start);
-  const std::shared_ptr<LayerCorrector> corrector = correctorFor(program);
+  const std::shared_ptr<CorrectedStream> corrected = correctionOf(program);
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (corrector && first_layer_map_) corrector->hear(*first_layer_map_);
-    corrector_ = corrector;
-    decisions_told_ = 0;
+    if (corrected && first_layer_map_) corrected->hear(*first_layer_map_);
+    corrected_ = corrected;
   }
   const auto session = std::make_shared<StreamSession>(
       program, settings_.stream, settings_.port, [this](const StreamStatus& status) { onStatus(status); },
       SessionOptions{[this](const FirmwareReply& reply) { startup_.heard(reply); }, journal, start,
-                     corrector});
+                     corrected});
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     session_ = session;
@@ -151,11 +162,11 @@ StreamStatus GcodeStreamer::streamProgram(const StreamableProgram& program, JobS
     action_.publishFeedback(toFeedback(status));
     onSteps(startup_.steps());
     publishState(status);
-    if (corrector) tellDecisions(*corrector);
+    if (corrected) tellDecisions(*corrected);
     if (action_.isPreemptRequested()) session->abort({ErrorCode::Cancelled, "the goal was cancelled"});
     if (!ros::ok()) session->abort({ErrorCode::Cancelled, "the node was ended"});
   }
-  if (corrector) tellDecisions(*corrector);
+  if (corrected) tellDecisions(*corrected);
   const std::lock_guard<std::mutex> lock(mutex_);
   session_.reset();
   return session->status();
@@ -177,16 +188,20 @@ StreamableProgram GcodeStreamer::programFromToolpath(const std::string& id) cons
   if (message->id != id) {
     throw InvalidInput("toolpath " + id + " is asked for; the one published last is " + message->id);
   }
-  const MachineToolpath placed = fromMessage(*message);
+  return programFromToolpath(fromMessage(*message), settings_.program);
+}
+
+StreamableProgram GcodeStreamer::programFromToolpath(const MachineToolpath& placed,
+                                                     const ProgramSettings& settings) const {
   requireRunsOn(placed, machine_);
   std::string text;
   ProgramFrame frame(placed.bed_from_part);
   frame.program_from_bed = programFromBed(machine_);
-  writeFlavoured(placed.toolpath, frame, settings_.program, [&](std::string_view piece) { text += piece; });
-  return StreamableProgram::fromText("toolpath " + id, std::move(text), settings_.stream);
+  writeFlavoured(placed.toolpath, frame, settings, [&](std::string_view piece) { text += piece; });
+  return StreamableProgram::fromText("toolpath " + placed.id, std::move(text), settings_.stream);
 }
 
-std::shared_ptr<LayerCorrector> GcodeStreamer::correctorFor(const StreamableProgram& program) const {
+std::shared_ptr<CorrectedStream> GcodeStreamer::correctionOf(const StreamableProgram& program) const {
   if (!settings_.corrections.is_used) return nullptr;
   lamina_msgs::ToolpathConstPtr message;
   {
@@ -202,17 +217,68 @@ std::shared_ptr<LayerCorrector> GcodeStreamer::correctorFor(const StreamableProg
         ", whose programs are in values of its axes; expected a machine whose programs are in "
         "coordinates of the bed");
   const MachineToolpath planned = fromMessage(*message);
-  return std::make_shared<LayerCorrector>(
-      program, ProgrammedToolpath{planned.id, placed(planned.toolpath, planned.bed_from_part)},
-      settings_.corrections);
+  return std::make_shared<CorrectedStream>(
+      std::make_shared<LayerCorrector>(
+          program, ProgrammedToolpath{planned.id, placed(planned.toolpath, planned.bed_from_part)},
+          settings_.corrections),
+      settings_.corrections.follows_plans ? CorrectedStream::Plans::Followed
+                                          : CorrectedStream::Plans::Refused);
+}
+
+void GcodeStreamer::onPlan(const lamina_msgs::ToolpathConstPtr& message) {
+  std::shared_ptr<CorrectedStream> corrected;
+  std::shared_ptr<StreamSession> job;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (is_of_toolpath_) corrected = corrected_;
+    job = session_;
+  }
+  if (!corrected || !job) {
+    ROS_WARN("plan %s is not gone on with: no toolpath is streamed", message->id.c_str());
+    return;
+  }
+  try {
+    const std::string refusal = goOverTo(*message, *corrected);
+    if (!refusal.empty()) ROS_WARN("plan %s is not gone on with: %s", message->id.c_str(), refusal.c_str());
+  } catch (const Error& error) {
+    ROS_ERROR("plan %s cannot be streamed, the job is held: %s", message->id.c_str(), error.what());
+    job->pause();
+  }
+}
+
+/// Who follows the print follows the plan from here on.
+std::string GcodeStreamer::goOverTo(const lamina_msgs::Toolpath& message, CorrectedStream& corrected) {
+  const MachineToolpath plan = fromMessage(message);
+  std::string refusal = corrected.goOverTo(plan.id, [&](const LayerCorrector& present, std::size_t layer) {
+    return programOf(plan, present, layer);
+  });
+  if (!refusal.empty()) return refusal;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    job_ = plan.id;
+  }
+  ROS_WARN("going on with the layers left as planned anew: %s", plan.id.c_str());
+  publishLatched(toolpath_publisher_, stamped(plan, ros::Time::now()));
+  return {};
+}
+
+PlannedProgram GcodeStreamer::programOf(const MachineToolpath& plan, const LayerCorrector& present,
+                                        std::size_t layer) const {
+  const StreamableProgram program =
+      programFromToolpath(plan, settingsToGoOn(settings_.program, present.toolpath(), layer));
+  StreamCorrectionSettings corrections = settings_.corrections;
+  if (!corrections.folder.empty()) corrections.folder += "/" + plan.id;
+  return {program, std::make_shared<LayerCorrector>(
+                       program, ProgrammedToolpath{plan.id, placed(plan.toolpath, plan.bed_from_part)},
+                       corrections, FirstLayer::Awaited)};
 }
 
 void GcodeStreamer::onCorrection(const lamina_msgs::CorrectionMap& message) {
   try {
     CorrectionMap map = toCore(message);
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (corrector_) {
-      const std::string refusal = corrector_->hear(std::move(map));
+    if (corrected_) {
+      const std::string refusal = corrected_->hear(std::move(map));
       if (!refusal.empty()) ROS_WARN("a correction is not used: %s", refusal.c_str());
     } else if (map.layer == 0) {
       // Of the layers above nothing can be known before the job.
@@ -223,12 +289,15 @@ void GcodeStreamer::onCorrection(const lamina_msgs::CorrectionMap& message) {
   }
 }
 
-void GcodeStreamer::tellDecisions(const LayerCorrector& corrector) {
-  const std::vector<LayerDecision> decisions = corrector.decisions();
-  for (; decisions_told_ < decisions.size(); ++decisions_told_) {
-    const LayerDecision& each = decisions[decisions_told_];
+void GcodeStreamer::tellDecisions(CorrectedStream& corrected) {
+  for (const auto& [toolpath_id, each] : corrected.takeDecisions()) {
+    if (each.is_later) {
+      ROS_DEBUG("layer %lu is trimmed from line %lu on", static_cast<unsigned long>(each.layer),
+                static_cast<unsigned long>(each.from_line));
+      continue;
+    }
     lamina_msgs::AppliedCorrection message =
-        toMessage({each.layer, each.waited_s, each.refusal, {}}, corrector.plannedId(), each.digest);
+        toMessage({each.layer, each.waited_s, each.refusal, {}}, toolpath_id, each.digest);
     message.header.stamp = ros::Time::now();
     applied_.publish(message);
     if (!each.digest.empty())
@@ -236,18 +305,18 @@ void GcodeStreamer::tellDecisions(const LayerCorrector& corrector) {
     else if (!each.refusal.empty())
       ROS_WARN("layer %lu is laid as planned: %s", static_cast<unsigned long>(each.layer),
                each.refusal.c_str());
-    else if (each.layer > 0)
+    else if (each.layer > 0 || each.waited_s > 0.0)
       ROS_WARN("%d: no map of layer %lu within %.1f s: it is laid as planned",
                static_cast<int>(LoopAlarm::MapLate), static_cast<unsigned long>(each.layer), each.waited_s);
   }
-  const std::string failure = corrector.recordFailure();
+  const std::string failure = corrected.recordFailure();
   if (!failure.empty()) ROS_WARN_ONCE("the corrections are not recorded: %s", failure.c_str());
 }
 
 void GcodeStreamer::finish(const StreamStatus& status, double duration_s) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    corrector_.reset();
+    corrected_.reset();
     first_layer_map_.reset();
   }
   const lamina_msgs::StreamProgramResult result = toResult(status, duration_s);

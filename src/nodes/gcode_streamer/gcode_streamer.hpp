@@ -12,9 +12,10 @@
 #include <optional>
 #include <string>
 
+#include "conversions.hpp"
+#include "corrected_stream.hpp"
 #include "lamina/kinematics/cartesian/cartesian_machine.hpp"
 #include "lamina/streaming/client/stream_session.hpp"
-#include "layer_corrector.hpp"
 #include "messages.hpp"
 #include "startup_service.hpp"
 #include "streamer_settings.hpp"
@@ -25,7 +26,8 @@ namespace lamina {
 /// services and topics: docs/nodes/gcode_streamer.md.
 ///
 /// With `corrections.use`, the lines of each layer are corrected before they are numbered, by the map that
-/// has come for it when the machine rests in front of it.
+/// has come for it when the machine rests in front of it, and by later ones within it. With
+/// `corrections.follow_plans` layers left that are planned anew take the place of those of a toolpath.
 ///
 /// A machine with a start-up sequence (`startup.*`) takes a job only when every step is satisfied.
 ///
@@ -44,12 +46,18 @@ class GcodeStreamer {
   StreamStatus streamProgram(const StreamableProgram& program, JobStart start);
   StreamableProgram programFor(const lamina_msgs::StreamProgramGoal& goal) const;
   StreamableProgram programFromToolpath(const std::string& id) const;
+  StreamableProgram programFromToolpath(const MachineToolpath& placed, const ProgramSettings& settings) const;
   void finish(const StreamStatus& status, double duration_s);
 
   /// What corrects the program on its way; null if programs are not corrected.
-  std::shared_ptr<LayerCorrector> correctorFor(const StreamableProgram& program) const;
+  std::shared_ptr<CorrectedStream> correctionOf(const StreamableProgram& program) const;
   void onCorrection(const lamina_msgs::CorrectionMap& message);
-  void tellDecisions(const LayerCorrector& corrector);
+  void tellDecisions(CorrectedStream& corrected);
+
+  void onPlan(const lamina_msgs::ToolpathConstPtr& message);
+  std::string goOverTo(const lamina_msgs::Toolpath& message, CorrectedStream& corrected);
+  PlannedProgram programOf(const MachineToolpath& plan, const LayerCorrector& present,
+                           std::size_t layer) const;
 
   bool onPause(Trigger::Request& request, Trigger::Response& response);
   bool onResume(Trigger::Request& request, Trigger::Response& response);
@@ -73,6 +81,8 @@ class GcodeStreamer {
   ros::Publisher applied_;
   ros::Subscriber toolpath_subscriber_;
   ros::Subscriber correction_;
+  ros::Subscriber plan_;
+  ros::Publisher toolpath_publisher_;  ///< of plans that are gone on with
   ros::ServiceServer pause_;
   ros::ServiceServer resume_;
   ros::ServiceServer abort_;
@@ -82,9 +92,9 @@ class GcodeStreamer {
 
   mutable std::mutex mutex_;  ///< of everything below
   std::shared_ptr<StreamSession> session_;
-  std::shared_ptr<LayerCorrector> corrector_;     ///< of the job under way
+  std::shared_ptr<CorrectedStream> corrected_;    ///< the job under way
   std::optional<CorrectionMap> first_layer_map_;  ///< that came while there was no job
-  std::size_t decisions_told_ = 0;                ///< of the job under way
+  bool is_of_toolpath_ = false;                   ///< the job under way, and not of a file
   lamina_msgs::ToolpathConstPtr toolpath_;
   StreamStatus status_;
   std::string job_;

@@ -5,34 +5,98 @@
 #include <filesystem>
 #include <utility>
 
-#include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/control/feeder_lead.hpp"
 #include "lamina/control/program/planned_correction.hpp"
+#include "lamina/control/replanned_toolpath.hpp"
 #include "lamina/streaming/journal/job_journal.hpp"
 
 namespace lamina {
+namespace {
+
+AppliedRow laterRow(const CorrectionMap& map, std::uint64_t from_line) {
+  return {map.layer, map.sequence, digestOf(map), from_line, true};
+}
+
+/// The folder of the record, of a program that can be corrected: of another one nothing is written.
+std::string folderFor(const StreamableProgram& program, const ProgrammedToolpath& toolpath,
+                      const StreamCorrectionSettings& settings) {
+  requireLaysToolpath(program.name(), *program.openText(), toolpath.toolpath);
+  return settings.folder;
+}
+
+}  // namespace
+
 LayerCorrector::LayerCorrector(const StreamableProgram& program, ProgrammedToolpath toolpath,
-                               StreamCorrectionSettings settings)
+                               StreamCorrectionSettings settings, FirstLayer first)
     : toolpath_(std::move(toolpath)),
       settings_(std::move(settings)),
-      program_sha256_(sha256Of(program)),
+      first_(first),
       programmed_id_(toolpathId(toolpath_.toolpath)),
-      corrector_(toolpath_.toolpath, {}, {}) {
-  requireLaysToolpath(program.name(), *program.openText(), toolpath_.toolpath);
-  if (settings_.folder.empty()) return;
-  std::filesystem::create_directories(settings_.folder);
-  writeFile(settings_.folder + "/" + kProgrammedToolpathFile, programmedToolpathCsv(toolpath_));
-}
+      corrector_(toolpath_.toolpath, {}, {}),
+      record_(folderFor(program, toolpath_, settings_), sha256Of(program), toolpath_) {}
 
 std::string LayerCorrector::hear(CorrectionMap map) {
   const std::string defect = defectOf(map, toolpath_);
   if (!defect.empty()) return "the map " + defect;
-  const std::lock_guard<std::mutex> lock(mutex_);
-  if (!decisions_.empty() && map.layer <= decisions_.back().layer)
-    return "the map of layer " + std::to_string(map.layer) + " comes when that layer is on its way";
-  heard_[map.layer] = std::move(map);
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (decisions_.empty() || map.layer > decisions_.back().layer) {
+      heard_[map.layer] = std::move(map);
+      return {};
+    }
+    if (!trims(map))
+      return "the map of layer " + std::to_string(map.layer) + " comes when that layer is on its way";
+  }
+  return hearTrim(std::move(map));
+}
+
+/// Of a layer that is laid as planned the loop was told so: nothing takes the place of no map.
+bool LayerCorrector::trims(const CorrectionMap& map) const {
+  const LayerDecision& last = decisions_.back();
+  return map.layer == last.layer && !last.digest.empty() && map.sequence > last.sequence;
+}
+
+/// A map is written before the line that it holds from, which must not wait for a disk.
+std::string LayerCorrector::hearTrim(CorrectionMap map) {
+  try {
+    CorrectionMap ready = led(map);
+    record_.keep(laterRow(map, 0), map);
+    const std::lock_guard<std::mutex> lock(mutex_);
+    trim_ = Trim{std::move(map), std::move(ready)};
+  } catch (const Error& error) {
+    return error.what();
+  }
   return {};
+}
+
+void LayerCorrector::takeTrim(std::uint64_t line) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  next_line_ = line + 1;
+  const std::optional<Trim> trim = std::exchange(trim_, std::nullopt);
+  if (!trim || !trims(trim->map)) return;
+  corrector_.trim(trim->led);
+  const AppliedRow row = laterRow(trim->map, line);
+  record_.add(row);
+  decisions_.push_back({row.layer, row.sequence, row.digest, {}, 0.0, line, true});
+}
+
+std::string LayerCorrector::awaitPlan(const std::string& plan_id) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  std::string refusal =
+      refusalOfPlan(plan_id, toolpath_.id, awaited_ ? PlanMoment::InFrontOfLayer : PlanMoment::Elsewhere);
+  is_planning_ = is_planning_ || refusal.empty();
+  return refusal;
+}
+
+void LayerCorrector::dropPlan() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  is_planning_ = false;
+}
+
+std::optional<std::size_t> LayerCorrector::awaitedLayer() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return awaited_;
 }
 
 bool LayerCorrector::isKnown(std::int32_t layer) {
@@ -40,70 +104,69 @@ bool LayerCorrector::isKnown(std::int32_t layer) {
   const auto number = static_cast<std::size_t>(layer);
   const std::lock_guard<std::mutex> lock(mutex_);
   if (!decisions_.empty() && number <= decisions_.back().layer) return true;
+  if (is_planning_) return false;
   const auto found = heard_.find(number);
-  if (found == heard_.end() && number > 0) return false;
-  apply({number, 0, {}, {}, 0.0}, found == heard_.end() ? nullptr : &found->second);
-  return true;
+  const bool is_there = found != heard_.end();
+  const bool is_awaited = !is_there && (number > 0 || first_ == FirstLayer::Awaited);
+  if (is_awaited)
+    awaited_ = number;
+  else
+    apply({number, 0, {}, {}}, is_there ? &found->second : nullptr);
+  return !is_awaited;
 }
 
 void LayerCorrector::decide(std::int32_t layer) {
   if (layer < 0 || isKnown(layer)) return;
   const std::lock_guard<std::mutex> lock(mutex_);
-  apply({static_cast<std::size_t>(layer), 0, {}, {}, settings_.loop.wait_s}, nullptr);
+  if (!is_planning_) apply({static_cast<std::size_t>(layer), 0, {}, {}, settings_.loop.wait_s}, nullptr);
+}
+
+/// As the program has it.
+CorrectionMap LayerCorrector::led(const CorrectionMap& map) const {
+  const ToolpathLayer& of_map = toolpath_.toolpath.layers[map.layer];
+  CorrectionMap ready = ledMap(map, of_map, feederOf(settings_.loop), settings_.loop);
+  ready.toolpath_id = programmed_id_;
+  return ready;
 }
 
 /// A map that cannot be applied leaves its layer as planned: the print goes on.
 void LayerCorrector::apply(LayerDecision decision, const CorrectionMap* map) {
   const std::size_t layer = decision.layer;
+  decision.from_line = next_line_;
   try {
     if (map != nullptr) {
-      const ToolpathLayer& of_map = toolpath_.toolpath.layers[layer];
-      CorrectionMap led = ledMap(*map, of_map, feederOf(settings_.loop), settings_.loop);
-      led.toolpath_id = programmed_id_;
-      corrector_.add(led);
+      corrector_.add(led(*map));
       decision.sequence = map->sequence;
       decision.digest = digestOf(*map);
+      record_.keep({layer, map->sequence, decision.digest}, *map);
     }
   } catch (const Error& error) {
     decision.refusal = error.what();
-    map = nullptr;
   }
+  record_.add({layer, decision.sequence, decision.digest, decision.from_line});
   decisions_.push_back(std::move(decision));
-  keepRecord(map);
+  awaited_.reset();
+  trim_.reset();
   heard_.erase(heard_.begin(), heard_.upper_bound(layer));
 }
 
 std::string LayerCorrector::revised(std::string_view line, std::uint64_t number) {
+  takeTrim(number);
   std::string out;
   corrector_.read(line, number, out);
   return out;
 }
 
-/// What was laid can be laid again from the program and this. A disk that fails does not stop the machine.
-void LayerCorrector::keepRecord(const CorrectionMap* map) {
-  if (settings_.folder.empty() || !record_failure_.empty()) return;
-  try {
-    if (map != nullptr)
-      writeFile(settings_.folder + "/layer_" + std::to_string(map->layer) + ".csv", correctionMapCsv(*map));
-    std::string record =
-        "# program_sha256 " + program_sha256_ + "\n# toolpath " + toolpath_.id + "\nlayer,sequence,digest\n";
-    for (const LayerDecision& each : decisions_)
-      record += std::to_string(each.layer) + "," + std::to_string(each.sequence) + "," +
-                (each.digest.empty() ? "none" : each.digest) + "\n";
-    writeFile(settings_.folder + "/" + kAppliedMapsFile, record);
-  } catch (const Error& error) {
-    record_failure_ = error.what();
-  }
+std::optional<RevisionRecord> LayerCorrector::record() const {
+  const std::optional<RecordedJob> of = record_.of();
+  if (!of) return std::nullopt;
+  return RevisionRecord{std::filesystem::absolute(record_.folder()).string(), of->job,
+                        feedingText(settings_.loop)};
 }
 
 std::vector<LayerDecision> LayerCorrector::decisions() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return decisions_;
-}
-
-std::string LayerCorrector::recordFailure() const {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  return record_failure_;
 }
 
 }  // namespace lamina

@@ -9,6 +9,10 @@ void describe(SettingsSchema& schema, StreamCorrectionSettings& settings) {
               "Whether programs are corrected, layer by layer, by the maps on the topic correction.");
   schema.text("corrections.folder", settings.folder,
               "Folder for the maps that were applied and the record of them; empty for none.");
+  schema.flag(
+      "corrections.follow_plans", settings.follows_plans,
+      "Whether the layers left are gone on with as planned anew (replanned_toolpath), in front of the "
+      "layer that is waited for, where the job is of a toolpath.");
   schema.number("loop.wait_s", settings.loop.wait_s, {0.0, 600.0},
                 "Time that the start of a layer waits for its corrections.");
   schema.text(

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "lamina/control/feeder_lead.hpp"
+#include "lamina/control/program/correction_files.hpp"
 
 namespace lamina {
 namespace {
@@ -22,21 +23,13 @@ JointValues turnedNear(JointValues values, const JointValues& near, const std::v
   return values;
 }
 
-/// Why a map cannot be applied to a trajectory; empty if it can.
-std::string defectForDriving(const CorrectionMap& map, const Toolpath& toolpath) {
-  const std::string of_layer = "the map of layer " + std::to_string(map.layer);
-  if (map.layer >= toolpath.layers.size())
-    return of_layer + " is of a toolpath with more layers than " + std::to_string(toolpath.layers.size());
-  const double most_mm = toolpath.layers[map.layer].height_mm;
+/// Why a map of the toolpath cannot be applied to a trajectory, as the rest of a sentence; empty if it can.
+std::string defectOfSpeeds(const CorrectionMap& map) {
   for (const PathCorrection& path : map.paths)
-    for (const PlaceCorrection& place : path.stations) {
-      if (std::abs(place.dz_mm) > most_mm)
-        return of_layer + " moves the nozzle by " + std::to_string(place.dz_mm) +
-               " mm; expected no more than the layer, " + std::to_string(most_mm) + " mm";
+    for (const PlaceCorrection& place : path.stations)
       if (place.speed != 0.0)
-        return of_layer + " changes the speed by " + std::to_string(place.speed) +
-               "; expected 0, as the motion is timed before it is handed over";
-    }
+        return "of layer " + std::to_string(map.layer) + " changes the speed by " +
+               std::to_string(place.speed) + "; expected 0, as the motion is timed before it is handed over";
   return {};
 }
 
@@ -50,14 +43,15 @@ ChunkCorrection::ChunkCorrection(DrivenToolpath toolpath, const LoopSettings& se
       part_from_bed_(driven_.bed_from_part.inverse()) {}
 
 std::string ChunkCorrection::hear(const CorrectionMap& map, const std::string& digest) {
-  if (map.toolpath_id != driven_.id)
-    return "the map is of toolpath " + map.toolpath_id + "; driven is " + driven_.id;
-  std::string defect = defectForDriving(map, driven_.toolpath);
+  std::string defect = lamina::defectOf(map, driven_.id, driven_.toolpath);
+  const bool is_of_layer = map.toolpath_id == driven_.id && map.layer < layers();
+  if (defect.empty()) defect = defectOfSpeeds(map);
   if (defect.empty() && handed_layer_ && map.layer < *handed_layer_)
-    defect = "the map of layer " + std::to_string(map.layer) + " comes when layer " +
-             std::to_string(*handed_layer_) + " is on its way";
+    defect = "of layer " + std::to_string(map.layer) + " comes when layer " + std::to_string(*handed_layer_) +
+             " is on its way";
   if (!defect.empty()) {
-    miss(map.layer, defect);
+    defect = "the map " + defect;
+    if (is_of_layer) miss(map.layer, defect);
     return defect;
   }
   maps_[map.layer] = ledMap(map, driven_.toolpath.layers[map.layer], feederOf(settings_), settings_);

@@ -131,11 +131,10 @@ void DriveSession::enterLayer(const ros::Time& now) {
 
 std::string DriveSession::offer(const lamina_msgs::ToolpathConstPtr& plan) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (!isPlanOf(plan->id, motion_.toolpath_id))
-    return "it is no plan of toolpath " + motion_.toolpath_id + ", which is driven";
-  if (!feeder_.isHeld()) return "the machine does not rest in front of the layer that it begins with";
-  plan_ = plan;
-  return {};
+  std::string refusal = refusalOfPlan(plan->id, motion_.toolpath_id,
+                                      feeder_.isHeld() ? PlanMoment::InFrontOfLayer : PlanMoment::Elsewhere);
+  if (refusal.empty()) plan_ = plan;
+  return refusal;
 }
 
 lamina_msgs::ToolpathConstPtr DriveSession::plan(const ros::Time& now) const {

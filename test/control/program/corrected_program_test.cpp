@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "lamina/base/error.hpp"
@@ -304,6 +305,30 @@ TEST(CorrectedProgram, TakesMapsUntilTheirLayersBegin) {
     begin = end + 1;
   }
   EXPECT_EQ(text, expected);
+}
+
+/// The second of three beads is read by another map than the first: half and a tenth more.
+TEST(CorrectedProgram, TakesLaterMapsForLinesThatAreNotRead) {
+  const Toolpath part = beadPart();
+  const std::string program = programOf(part);
+  const CorrectionMap begun = evenMap(part, 0, {0.5, 0.0, 0.0});
+  CorrectionMap later = evenMap(part, 0, {0.1, 0.0, 0.0});
+  later.sequence = 2;
+  // The first deposit of the program is the first line that pushes filament while it moves in x.
+  const std::size_t first = program.find(" E", program.find(";LAYER:0"));
+  const auto line = static_cast<std::size_t>(
+      1 + std::count(program.begin(), program.begin() + static_cast<std::ptrdiff_t>(first), '\n'));
+  const double bead_mm = played(program).laid_mm / 6.0;
+  const auto laid = [&](std::size_t from_line) {
+    return played(correctedProgram(program, part, {begun}, {}, {{from_line, later}}).text).laid_mm;
+  };
+  EXPECT_NEAR(laid(line), (6.0 + 3.0 * 0.1) * bead_mm, 1e-4);
+  EXPECT_NEAR(laid(line + 1), (6.0 + 0.5 + 2.0 * 0.1) * bead_mm, 1e-4);
+  EXPECT_EQ(correctedProgram(program, part, {begun}, {}, {{program.size(), later}}).text,
+            correctedProgram(program, part, {begun}, {}).text);
+  CorrectionMap other = later;
+  other.toolpath_id = "other";
+  EXPECT_THROW(correctedProgram(program, part, {begun}, {}, {{line, other}}), InvalidInput);
 }
 
 }  // namespace

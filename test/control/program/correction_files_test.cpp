@@ -93,6 +93,36 @@ TEST(CorrectionFiles, ARecordSaysWhichMapsCount) {
   EXPECT_NE(refusalOf(here).find("record.csv: layer 7 was laid by map"), std::string::npos);
 }
 
+TEST(CorrectionFiles, ARecordSaysFromWhereLaterMapsOfALayerHold) {
+  const test::ScratchFolder folder;
+  const std::string here = std::filesystem::path(folder.file("x")).parent_path();
+  CorrectionMap later = mapOfLayer(1);
+  later.sequence = 4;
+  const AppliedRow begun{1, 1, digestOf(mapOfLayer(1)), 20};
+  const AppliedRow trimmed{1, 4, digestOf(later), 33, true};
+  EXPECT_EQ(appliedMapFile(begun), "layer_1.csv");
+  EXPECT_EQ(appliedMapFile(trimmed), "layer_1_4.csv");
+  writeMap(folder.file(appliedMapFile(begun)), mapOfLayer(1));
+  writeMap(folder.file(appliedMapFile(trimmed)), later);
+  EXPECT_NE(refusalOf(here).find("expected one map per layer"), std::string::npos) << "no record yet";
+  writeFile(folder.file("record.csv"),
+            appliedRecordCsv({"0", "planned", "first"}, {{0, 0, "", 2}, begun, trimmed}));
+  const std::vector<FiledMap> maps = readCorrectionFiles(here);
+  ASSERT_EQ(maps.size(), 2U);
+  EXPECT_EQ(maps[0].map.sequence, 1U);
+  EXPECT_EQ(maps[0].from_line, 20U);
+  const auto of = recordedJob(here);
+  ASSERT_TRUE(of);
+  EXPECT_EQ(of->program_sha256, "0");
+  EXPECT_EQ(of->toolpath_id, "planned");
+  EXPECT_EQ(of->job, "first");
+  EXPECT_EQ(maps[1].map.sequence, 4U);
+  EXPECT_EQ(maps[1].from_line, 33U);
+  writeFile(folder.file("record.csv"), "layer,sequence,digest,from_line\n1,1," + begun.digest + ",soon\n");
+  EXPECT_NE(refusalOf(here).find("record.csv, line 2: 'soon' stands for"), std::string::npos)
+      << refusalOf(here);
+}
+
 TEST(CorrectionFiles, AMapOfAnotherProgramIsTold) {
   const ProgrammedToolpath planned{"planned", test::stackedBeads(2)};
   EXPECT_EQ(defectOf(mapOfLayer(1), planned), "");

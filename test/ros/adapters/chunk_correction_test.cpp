@@ -151,10 +151,11 @@ TEST_F(CorrectedChunks, NameTheJointThatEndsAHeight) {
 TEST_F(CorrectedChunks, DoNotTakeMapsThatCannotBeFollowed) {
   CorrectionMap other = risingMap(0.0);
   other.toolpath_id = "other";
-  EXPECT_NE(correction.hear(other, "digest").find("of toolpath other; driven is beads"), std::string::npos);
+  EXPECT_NE(correction.hear(other, "digest").find("of toolpath other; expected toolpath beads"),
+            std::string::npos);
   CorrectionMap beyond = risingMap(0.0);
   beyond.layer = 1;
-  EXPECT_NE(correction.hear(beyond, "digest").find("more layers than 1"), std::string::npos);
+  EXPECT_NE(correction.hear(beyond, "digest").find("the toolpath has 1"), std::string::npos);
   EXPECT_NE(correction.hear(risingMap(1.6), "digest").find("moves the nozzle by 1.6"), std::string::npos);
   CorrectionMap fast = risingMap(0.0);
   fast.paths[0].stations[3].speed = 0.1;

@@ -10,8 +10,11 @@
 #include "lamina/base/error.hpp"
 #include "lamina/control/feeder_lead.hpp"
 #include "lamina/control/program/planned_correction.hpp"
+#include "lamina/control/replanned_toolpath.hpp"
+#include "lamina/program/gcode/gcode_reader.hpp"
 #include "lamina/program/gcode/gcode_writer.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
+#include "nodes/gcode_streamer/corrected_stream.hpp"
 #include "support/control_layers.hpp"
 #include "support/scratch_folder.hpp"
 
@@ -76,7 +79,8 @@ TEST(LayerCorrector, AppliesTheLatestMapOfEachLayer) {
   const CorrectionMap latest = constantMap(1, 0.1, 2);
   EXPECT_EQ(corrector.hear(latest), "");
   EXPECT_TRUE(corrector.isKnown(1));
-  EXPECT_NE(corrector.hear(constantMap(1, 0.5, 3)).find("on its way"), std::string::npos);
+  EXPECT_NE(corrector.hear(constantMap(1, 0.5, 2)).find("on its way"), std::string::npos) << "no later one";
+  EXPECT_NE(corrector.hear(constantMap(0, 0.5, 3)).find("on its way"), std::string::npos);
   CorrectionMap expected = latest;
   expected.toolpath_id = toolpathId(programmed().toolpath);
   EXPECT_EQ(sent(corrector), correctedProgram(textOf(beads()), programmed().toolpath, {expected}, {}).text);
@@ -130,15 +134,112 @@ TEST(LayerCorrector, RecordsWhatWasAppliedSoThatItCanBeLaidAgain) {
   EXPECT_EQ(corrector.recordFailure(), "");
   const std::string record = readFile(settings.folder + "/record.csv");
   EXPECT_NE(record.find("# toolpath " + toolpathId(beads())), std::string::npos) << record;
-  EXPECT_NE(record.find("layer,sequence,digest\n0,0,none\n1,0,none\n2,1," + digestOf(map) + "\n"),
-            std::string::npos)
-      << record;
+  EXPECT_NE(record.find("layer,sequence,digest,from_line\n0,0,none,"), std::string::npos) << record;
+  EXPECT_NE(record.find("\n1,0,none,"), std::string::npos) << record;
+  EXPECT_NE(record.find("\n2,1," + digestOf(map) + ","), std::string::npos) << record;
   const std::string kept = readFile(settings.folder + "/layer_2.csv");
   EXPECT_EQ(digestOf(readCorrectionMap(kept, "layer_2.csv")), digestOf(map));
   const PlannedCorrection again{
       readProgrammedToolpath(readFile(settings.folder + "/toolpath.csv"), "toolpath.csv"),
-      readCorrectionFiles(settings.folder), settings.loop};
+      readCorrectionFiles(settings.folder), settings.loop, true};
   EXPECT_EQ(correctedByMaps("beads", textOf(beads()), again).text, laid) << "made again from the record";
+}
+
+/// In the layer that is under way, the first of its two beads is laid by the map that it began with.
+TEST(LayerCorrector, TrimsALayerThatIsUnderWay) {
+  const test::ScratchFolder folder;
+  StreamCorrectionSettings settings = used();
+  settings.folder = folder.file("record");
+  LayerCorrector corrector(beadProgram(), programmed(), settings);
+  EXPECT_EQ(corrector.hear(constantMap(1, 0.3)), "");
+  std::istringstream text(textOf(beads()));
+  std::string laid, line;
+  std::int32_t layer = -1;
+  int deposits = 0;
+  for (std::uint64_t number = 1; std::getline(text, line); ++number) {
+    if (line.compare(0, 7, ";LAYER:") == 0) corrector.decide(++layer);
+    laid += corrector.revised(line, number) + "\n";
+    deposits += line.find(" E") != std::string::npos && line.find("G1 X") != std::string::npos ? 1 : 0;
+    if (deposits != 3 || layer != 1 || corrector.decisions().back().sequence != 1) continue;
+    EXPECT_EQ(corrector.hear(constantMap(1, 0.1, 2)), "");
+    EXPECT_EQ(corrector.hear(constantMap(1, -0.1, 3)), "") << "before the next line";
+  }
+  EXPECT_NE(corrector.hear(constantMap(2, 0.2, 9)).find("on its way"), std::string::npos)
+      << "it was told to be laid as planned";
+  EXPECT_EQ(deposits, 6);
+  EXPECT_EQ(corrector.recordFailure(), "");
+  const std::vector<LayerDecision> decisions = corrector.decisions();
+  ASSERT_EQ(decisions.size(), 4U);
+  EXPECT_EQ(decisions[2].layer, 1U);
+  EXPECT_EQ(decisions[2].sequence, 3U);
+  EXPECT_GT(decisions[2].from_line, 0U);
+  const CorrectionReport report =
+      correctedByMaps("beads", textOf(beads()), {programmed(), {{"", constantMap(1, 0.1)}}, {}}).report;
+  const double bead_mm = 0.5 * report.planned_mm;
+  const auto filament = [](const std::string& program) {
+    double sum = 0.0;
+    GcodeHandlers handlers;
+    handlers.motion = [&](const GcodeMotion& motion) { sum += motion.extrusion_mm; };
+    GcodeReader reader({}, handlers);
+    reader.read(program);
+    reader.finish();
+    return sum;
+  };
+  EXPECT_NEAR(filament(laid) - filament(textOf(beads())), (0.3 - 0.1) * bead_mm, 1e-4);
+  const PlannedCorrection again{
+      readProgrammedToolpath(readFile(settings.folder + "/toolpath.csv"), "toolpath.csv"),
+      readCorrectionFiles(settings.folder), settings.loop, true};
+  EXPECT_EQ(again.maps.size(), 2U);
+  EXPECT_EQ(correctedByMaps("beads", textOf(beads()), again).text, laid) << "made again from the record";
+}
+
+TEST(LayerCorrector, GoesOverToAPlanWhereItWaits) {
+  const auto first = std::make_shared<LayerCorrector>(beadProgram(), programmed(), used());
+  CorrectedStream stream(first);
+  const std::string id = replannedId(beads(), toolpathId(beads()));
+  std::size_t from = 0;
+  const auto write = [&](const LayerCorrector&, std::size_t layer) {
+    from = layer;
+    EXPECT_FALSE(stream.isKnown(1));
+    stream.decide(1);
+    EXPECT_FALSE(stream.isKnown(1)) << "it waits while the plan is written";
+    return PlannedProgram{beadProgram(), std::make_shared<LayerCorrector>(
+                                             beadProgram(), ProgrammedToolpath{id, programmed().toolpath},
+                                             used(), FirstLayer::Awaited)};
+  };
+  EXPECT_TRUE(stream.isKnown(0));
+  EXPECT_NE(stream.goOverTo(id, write).find("does not rest in front of the layer"), std::string::npos);
+  EXPECT_FALSE(stream.isKnown(1));
+  EXPECT_NE(stream.goOverTo("other", write).find("no plan of toolpath"), std::string::npos);
+  EXPECT_FALSE(stream.successor(1));
+  EXPECT_THROW(stream.goOverTo(id, [](const auto&, auto) -> PlannedProgram { throw InvalidInput("no"); }),
+               InvalidInput);
+  EXPECT_EQ(stream.goOverTo(id, write), "");
+  EXPECT_EQ(from, 1U);
+  CorrectionMap of_plan = constantMap(0, 0.2);
+  of_plan.toolpath_id = id;
+  EXPECT_FALSE(stream.isKnown(1)) << "the layer planned first is not begun any more";
+  ASSERT_TRUE(stream.successor(1));
+  EXPECT_FALSE(stream.isKnown(0)) << "the first layer of a plan waits, too";
+  EXPECT_EQ(stream.hear(of_plan), "");
+  EXPECT_TRUE(stream.isKnown(0));
+  const std::vector<StreamDecision> told = stream.takeDecisions();
+  ASSERT_EQ(told.size(), 2U);
+  EXPECT_EQ(told[0].toolpath_id, toolpathId(beads()));
+  EXPECT_EQ(told[1].toolpath_id, id);
+  EXPECT_EQ(told[1].decision.digest, digestOf(of_plan));
+}
+
+TEST(LayerCorrector, AProgramThatGoesOnPushesForthWhatWasPulledBack) {
+  Toolpath part = beads();
+  EXPECT_EQ(settingsToGoOn({}, part, 1).start_code, "");
+  part.layers[1].paths.front().process.is_retracted = true;
+  EXPECT_EQ(settingsToGoOn({}, part, 1).start_code, "") << "pulled back behind the beginning of the layer";
+  Path scan = part.layers[1].paths.front();
+  part.layers[0].paths.push_back(scan);
+  EXPECT_EQ(settingsToGoOn({}, part, 1).start_code, "M83\nG1 E0.80000 F2100.000");
+  part.layers[0].paths[0].tool = 1;
+  EXPECT_THROW(settingsToGoOn({}, part, 1), InvalidInput);
 }
 
 TEST(LayerCorrector, ReadsItsSettings) {
@@ -151,7 +252,8 @@ TEST(LayerCorrector, ReadsItsSettings) {
   schema.set("loop.wait_s", "5");
   EXPECT_TRUE(settings.is_used);
   EXPECT_EQ(settings.folder, "here");
-  EXPECT_EQ(LayerCorrector(beadProgram(), programmed(), {true, "", settings.loop, ""}).waitTime(), 5.0);
+  EXPECT_EQ(LayerCorrector(beadProgram(), programmed(), {true, "", settings.loop, "", false}).waitTime(),
+            5.0);
 }
 
 }  // namespace

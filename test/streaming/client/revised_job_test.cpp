@@ -170,6 +170,50 @@ TEST(RevisedJob, EndsWhereALineCannotBeRevised) {
       << link.streamer.status().failure.message;
 }
 
+/// In front of layer 1 another program takes the place of the rest, once, when the machine has waited.
+class ReplacedRest final : public ProgramRevision {
+ public:
+  explicit ReplacedRest(StreamableProgram rest) : rest_(std::move(rest)) {}
+
+  bool isKnown(std::int32_t layer) override { return has_gone_over || layer != 1; }
+  void decide(std::int32_t layer) override { ADD_FAILURE() << "layer " << layer << " was given up"; }
+  double waitTime() const override { return 5.0; }
+  std::optional<StreamableProgram> successor(std::int32_t layer) override {
+    EXPECT_EQ(layer, 1);
+    if (++asked < 20) return std::nullopt;
+    has_gone_over = true;
+    return rest_;
+  }
+  std::string revised(std::string_view line, std::uint64_t number) override {
+    if (has_gone_over) numbers.push_back(number);
+    return std::string(line);
+  }
+
+  int asked = 0;
+  bool has_gone_over = false;
+  std::vector<std::uint64_t> numbers;  ///< of the lines of the rest
+
+ private:
+  StreamableProgram rest_;
+};
+
+TEST(RevisedJob, GoesOverToAProgramThatTakesThePlaceOfTheRest) {
+  const std::string text = "G21\nG90\n;LAYER:0\nG1 X1 F600\n;LAYER:1\nG1 X2\n";
+  const std::string rest = "M83\n;LAYER:0\nG1 X3\n;LAYER:1\nG1 X4\nG1 X5\n";
+  const auto revision = std::make_shared<ReplacedRest>(StreamableProgram::fromText("rest", rest));
+  SimulatedLink link(revisedOrder(StreamableProgram::fromText("planned", text), revision), swiftMachine(),
+                     {});
+  link.run();
+  const StreamStatus& status = link.streamer.status();
+  EXPECT_EQ(status.state, PackmlState::Complete) << status.failure.message;
+  EXPECT_EQ(link.numberedCommands(),
+            (std::vector<std::string>{"G21", "G90", "G1 X1 F600", "M83", "G1 X3", "G1 X4", "G1 X5"}));
+  EXPECT_EQ(status.lines_total, 7U);
+  EXPECT_EQ(status.lines_acknowledged, 7U);
+  EXPECT_EQ(status.layer, 1) << "of the rest";
+  EXPECT_EQ(revision->numbers, (std::vector<std::uint64_t>{1, 2, 3, 4, 5, 6}));
+}
+
 TEST(RevisedJob, IsRefusedByFirmwareThatCannotWaitForALayer) {
   const auto program = StreamableProgram::fromText("cut", "G21\nG90\n;LAYER:0\nG1 X1 F100\n");
   StreamOrder order = revisedOrder(program, std::make_shared<HalvedLayers>());

@@ -188,6 +188,44 @@ TEST(JobJournal, GoesOnByTheSameCorrectionsOnly) {
             std::string::npos);
 }
 
+/// Of a job that was corrected on its way, what its record makes is gone on with, as far as it goes.
+TEST(JobJournal, GoesOnByTheRecordOfAJobCorrectedOnItsWayOnly) {
+  const test::ScratchFolder folder;
+  const std::string path = folder.file("port.progress");
+  const auto planned = journalled("G28\nG1 X1\n");
+  const auto made = journalled("G28\nG1 X1\nG1 X2\nG1 X3\n");
+  JournalledJob job = jobOf(planned);
+  job.revision = RevisionRecord{"/prints/record", "first", "loop.lag_s=0"};
+  JobProgress known;
+  known.taken_through = 3;
+  known.sent_through = 260;
+  { const ProgressFile file(path, job, known); }
+  const auto originOf = [&](const std::string& recorded, const std::string& settings) {
+    return ProgramOrigin{
+        job.program_sha256, {{1, "0123456789abcdef"}}, RevisionRecord{"/moved/record", recorded, settings}};
+  };
+  const ProgramOrigin origin = originOf("first", "loop.lag_s=0");
+  const StreamJournal journal = resumeJournal(path, made.madeFrom(origin), "/dev/printer");
+  ASSERT_TRUE(journal.unfinished);
+  EXPECT_EQ(journal.unfinished->job.lines_total, 4U);
+  EXPECT_EQ(journal.unfinished->job.line_base, job.line_base);
+  EXPECT_EQ(journal.unfinished->job.program_sha256, sha256Of(made));
+  EXPECT_FALSE(journal.unfinished->job.revision) << "from here on it is a program as any other";
+  EXPECT_EQ(journal.unfinished->progress.taken_through, 3U);
+  EXPECT_EQ(journal.unfinished->progress.sent_through, 4U);
+  const auto refusal = [&](const ProgramOrigin& other) { return refusalToGoOn(path, made.madeFrom(other)); };
+  EXPECT_NE(refusalToGoOn(path, planned).find("is recorded in /prints/record"), std::string::npos);
+  EXPECT_NE(
+      refusal(originOf("second", "loop.lag_s=0")).find("of job 'second'; the job to go on with is 'first'"),
+      std::string::npos);
+  EXPECT_NE(refusal(originOf("first", "loop.lag_s=1")).find("corrected is with loop.lag_s=1"),
+            std::string::npos);
+  ProgramOrigin other = origin;
+  other.program_sha256 = "another";
+  EXPECT_NE(refusal(other).find("has the SHA-256 another"), std::string::npos);
+  EXPECT_NE(refusalToGoOn(path, planned.madeFrom(origin)).find("fewer than were taken"), std::string::npos);
+}
+
 TEST(JobJournal, FollowsAPrintWhateverIsKnownOfIt) {
   const test::ScratchFolder folder;
   const std::string path = folder.file("port.progress");

@@ -88,6 +88,20 @@ TEST(JobProgress, SaysWhatACorrectedProgramWasMadeFrom) {
   }
 }
 
+/// What a program becomes on its way may have any number of lines.
+TEST(JobProgress, SaysWhereItIsRecordedWhatAProgramWasCorrectedBy) {
+  JournalledJob job = anyJob();
+  job.lines_total = 100;
+  EXPECT_THROW(decodeJournal(fileAt(7, job), "file"), FileError) << "326 lines were sent";
+  job.revision = RevisionRecord{"/prints/record", "0123", "loop.lag_s=0.5"};
+  const JournalledJob read = decodeJournal(fileAt(7, job), "file").job;
+  ASSERT_TRUE(read.revision);
+  EXPECT_EQ(read.revision->folder, "/prints/record");
+  EXPECT_EQ(read.revision->job, "0123");
+  EXPECT_EQ(read.revision->settings, "loop.lag_s=0.5");
+  EXPECT_EQ(read.lines_total, 100U);
+}
+
 TEST(JobProgress, NamesTheFileOfAPrintServersPrint) {
   JournalledJob job = anyJob();
   EXPECT_EQ(decodeJournal(fileAt(7, job), "file").job.uploaded_as, "");

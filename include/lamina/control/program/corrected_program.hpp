@@ -54,6 +54,11 @@ class ProgramCorrector {
   /// @throws InvalidInput as the constructor; if the layer has begun
   void add(const CorrectionMap& map);
 
+  /// A later map of a layer, part of which may be read: it takes the place of the one before on lines that
+  /// are read from now on.
+  /// @throws InvalidInput as the constructor
+  void trim(const CorrectionMap& map);
+
   /// Appends what a line becomes, each line with its line feed but the last.
   /// @param line  without its line feed
   /// @throws InvalidProgram naming the line of what cannot be corrected: G91 or G20 within the part, E that
@@ -67,13 +72,21 @@ class ProgramCorrector {
   std::unique_ptr<Writer> writer_;
 };
 
+/// A later map of a layer, and where it takes the place of the one before.
+struct LaterMap {
+  std::size_t from_line = 0;  ///< of the program, from 1
+  CorrectionMap map;
+};
+
 /// A whole program that is held in memory. With corrections of nothing it is the same to the last byte.
-/// @throws as `ProgramCorrector`
 struct CorrectedProgram {
   std::string text;
   CorrectionReport report;
 };
+/// @param trims  ascending by line; of equal lines the last one holds
+/// @throws as `ProgramCorrector`
 CorrectedProgram correctedProgram(std::string_view program, const Toolpath& toolpath,
-                                  const std::vector<CorrectionMap>& maps, const CorrectionWriting& writing);
+                                  const std::vector<CorrectionMap>& maps, const CorrectionWriting& writing,
+                                  const std::vector<LaterMap>& trims = {});
 
 }  // namespace lamina

@@ -16,8 +16,10 @@ namespace lamina {
 /// What programs are corrected by before they are run.
 struct PlannedCorrection {
   ProgrammedToolpath planned;
-  std::vector<FiledMap> maps;  ///< one per layer at most
+  std::vector<FiledMap> maps;  ///< by layer and line, ascending
   LoopSettings feeding;        ///< dead time, lag and limits of the feeder, by which amounts are led
+  /// Whether it is the program that the lines of the maps are of; of another one each holds for its layer.
+  bool is_recorded_program = false;
 };
 
 /// Refuses maps of another program.
@@ -25,9 +27,12 @@ struct PlannedCorrection {
 void requireOfProgram(const PlannedCorrection& correction);
 
 /// The maps as they are written into a program: led for the feeder, and under the id that the toolpath has in
-/// coordinates of the program.
+/// coordinates of the program. One for each, in their order.
 /// @throws InvalidInput as `ledMap`
 std::vector<CorrectionMap> ledMaps(const PlannedCorrection& correction);
+
+/// The settings of a feeder that amounts are led by, as `key=value` with spaces between.
+std::string feedingText(const LoopSettings& feeding);
 
 /// Refuses a program that is not of a toolpath. It is read whole, so that what cannot be corrected is refused
 /// before any of it runs.
@@ -38,7 +43,7 @@ void requireLaysToolpath(const std::string& name, std::istream& program, const T
 /// A whole G-code program with each layer corrected by its map, line for line as the streamer corrects it
 /// where the same maps come in time. With maps of nothing it is the same to the last byte.
 /// @param name  of the program in errors
-/// @throws InvalidInput as `requireOfProgram` and `ledMaps`; if two maps are of one layer
+/// @throws InvalidInput as `requireOfProgram` and `ledMaps`; if two maps are of one layer, naming the file
 /// @throws InvalidProgram as `requireLaysToolpath`
 CorrectedProgram correctedByMaps(const std::string& name, const std::string& program,
                                  const PlannedCorrection& correction);

@@ -30,8 +30,8 @@ struct SessionOptions {
   StreamJournal journal;  ///< where the progress is kept (`beginJournal`), and the job to go on with
                           ///< (`resumeJournal`), or the print to follow (`followJournal`)
   JobStart start = JobStart::New;  ///< of no effect at a serial port, where the journal says it
-  /// What becomes of the lines on their way; null if they go as they are. Of a job that is revised no
-  /// progress is kept, as its lines are not those of the program.
+  /// What becomes of the lines on their way; null if they go as they are. Of a job that is revised progress
+  /// is kept where the revision keeps a record, from which its lines can be made again.
   std::shared_ptr<ProgramRevision> revision = nullptr;
 };
 

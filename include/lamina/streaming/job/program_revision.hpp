@@ -3,8 +3,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
+
+#include "lamina/streaming/job/streamable_program.hpp"
 
 namespace lamina {
 
@@ -19,6 +22,15 @@ class ProgramRevision {
   virtual bool isKnown(std::int32_t layer) = 0;
   /// The layer was waited for long enough: it is decided by what is known now.
   virtual void decide(std::int32_t layer) = 0;
+  /// A program that takes the place of what is left, in front of a layer that is not known yet; nothing while
+  /// it goes on. Once it is given the revision is of that one: lines and layers count from its beginning.
+  virtual std::optional<StreamableProgram> successor(std::int32_t /*layer*/) { return std::nullopt; }
+  /// The record from which the lines that were given can be made again, as far as they were; nothing where
+  /// none is kept, or not for every line.
+  virtual std::optional<RevisionRecord> record() const { return std::nullopt; }
+  /// Why it is kept no more; empty while all is well.
+  virtual std::string recordFailure() const { return {}; }
+
   /// How long the machine, at rest, waits for a layer [s].
   virtual double waitTime() const = 0;
 

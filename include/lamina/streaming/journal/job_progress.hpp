@@ -26,6 +26,9 @@ struct JournalledJob {
       0;  ///< number of the line before the program's first, by which the job is known again
   std::string uploaded_as;  ///< file that a print server prints by itself; empty where lines are streamed
   std::optional<ProgramOrigin> origin;  ///< of a corrected program
+  /// Of a program that is corrected on its way: what it becomes is in the record, and its digest and lines
+  /// are those of the program without corrections.
+  std::optional<RevisionRecord> revision = std::nullopt;
 };
 
 /// How far a job is. Lines are those of the program that carry a command, from 1. Of a print server's print

@@ -70,14 +70,16 @@ class ProgramCorrector::Writer {
   }
 
   void add(const CorrectionMap& map) {
-    if (map.toolpath_id != toolpath_id_)
-      throw InvalidInput("the correction map of layer " + std::to_string(map.layer) + " is of toolpath '" +
-                         map.toolpath_id + "'; expected '" + toolpath_id_ + "'");
-    requireShiftsWithinLayer(map, toolpath_);
+    requireOfToolpath(map);
     if (cursor_.hasBegun(map.layer))
       throw InvalidInput("the correction map of layer " + std::to_string(map.layer) +
                          " comes while that layer is laid; expected it before");
     corrections_.add(map);
+  }
+
+  void trim(const CorrectionMap& map) {
+    requireOfToolpath(map);
+    corrections_.replace(map);
   }
 
   void read(std::string_view line, std::size_t number, std::string& out) {
@@ -99,6 +101,13 @@ class ProgramCorrector::Writer {
   const CorrectionReport& report() const { return report_; }
 
  private:
+  void requireOfToolpath(const CorrectionMap& map) const {
+    if (map.toolpath_id != toolpath_id_)
+      throw InvalidInput("the correction map of layer " + std::to_string(map.layer) + " is of toolpath '" +
+                         map.toolpath_id + "'; expected '" + toolpath_id_ + "'");
+    requireShiftsWithinLayer(map, toolpath_);
+  }
+
   bool isAbsolute() const { return !tracker_.isExtrusionRelative(); }
   bool hasOffset() const { return isAbsolute() && std::abs(offset_mm_) > kNoOffset; }
 
@@ -335,6 +344,8 @@ ProgramCorrector::~ProgramCorrector() = default;
 
 void ProgramCorrector::add(const CorrectionMap& map) { writer_->add(map); }
 
+void ProgramCorrector::trim(const CorrectionMap& map) { writer_->trim(map); }
+
 void ProgramCorrector::read(std::string_view line, std::size_t number, std::string& out) {
   writer_->read(line, number, out);
 }
@@ -342,14 +353,18 @@ void ProgramCorrector::read(std::string_view line, std::size_t number, std::stri
 const CorrectionReport& ProgramCorrector::report() const { return writer_->report(); }
 
 CorrectedProgram correctedProgram(std::string_view program, const Toolpath& toolpath,
-                                  const std::vector<CorrectionMap>& maps, const CorrectionWriting& writing) {
+                                  const std::vector<CorrectionMap>& maps, const CorrectionWriting& writing,
+                                  const std::vector<LaterMap>& trims) {
   ProgramCorrector corrector(toolpath, maps, writing);
   CorrectedProgram corrected;
   corrected.text.reserve(program.size() + program.size() / 8);
   std::size_t number = 0;
+  auto trim = trims.begin();
   for (std::size_t begin = 0; begin < program.size();) {
     const std::size_t end = std::min(program.find('\n', begin), program.size());
-    corrector.read(program.substr(begin, end - begin), ++number, corrected.text);
+    ++number;
+    for (; trim != trims.end() && trim->from_line <= number; ++trim) corrector.trim(trim->map);
+    corrector.read(program.substr(begin, end - begin), number, corrected.text);
     if (end < program.size()) corrected.text += '\n';
     begin = end + 1;
   }

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <map>
+#include <string>
 #include <utility>
 
 #include "lamina/base/atomic_file.hpp"
@@ -19,14 +19,28 @@ namespace {
 
 constexpr std::string_view kIdLine = "#TOOLPATH: ";
 constexpr char kNoMapApplied[] = "none";
+constexpr std::string_view kProgramLine = "# program_sha256 ";
+constexpr std::string_view kToolpathLine = "# toolpath ";
+constexpr std::string_view kJobLine = "# job ";
+constexpr char kFromLine[] = "from_line";
+
+bool isNumber(std::string_view text) {
+  return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+/// `<layer>` and `<layer>_<sequence>`.
+bool namesMap(std::string_view text) {
+  const std::size_t split = text.find('_');
+  return isNumber(text.substr(0, split)) &&
+         (split == std::string_view::npos || isNumber(text.substr(split + 1)));
+}
 
 bool isMapFile(const std::string& name) {
   constexpr std::string_view kEnd = ".csv";
   for (const std::string_view begin : {std::string_view("correction_"), std::string_view("layer_")}) {
     if (name.size() <= begin.size() + kEnd.size() || name.compare(0, begin.size(), begin) != 0) continue;
     const std::string number = name.substr(begin.size(), name.size() - begin.size() - kEnd.size());
-    const bool is_number = number.find_first_not_of("0123456789") == std::string::npos;
-    if (is_number && name.compare(name.size() - kEnd.size(), kEnd.size(), kEnd) == 0) return true;
+    if (namesMap(number) && name.compare(name.size() - kEnd.size(), kEnd.size(), kEnd) == 0) return true;
   }
   return false;
 }
@@ -42,41 +56,70 @@ std::vector<std::string> mapFilesIn(const std::string& folder) {
   return files;
 }
 
-/// Digests of the maps that a record says were applied, by layer.
-std::map<std::string, std::string> appliedDigests(const std::string& record) {
+/// What stands behind these words at the beginning of a line; empty if none begins with them.
+std::string statedBehind(std::string_view words, std::string_view text) {
+  while (!text.empty()) {
+    const std::string_view line = text.substr(0, text.find('\n'));
+    if (line.substr(0, words.size()) == words) return std::string(line.substr(words.size()));
+    text.remove_prefix(std::min(line.size() + 1, text.size()));
+  }
+  return {};
+}
+
+std::size_t countOf(const std::string& text, const std::string& record, std::size_t line) {
+  constexpr std::size_t kMostDigits = 18;
+  if (isNumber(text) && text.size() <= kMostDigits) return std::stoull(text);
+  throw InvalidInput(record + ", line " + std::to_string(line) + ": '" + text +
+                     "' stands for a layer, sequence or line; expected a whole number");
+}
+
+/// The maps that a record says were applied. Records of before layers had several maps state no lines.
+std::vector<AppliedRow> appliedRows(const std::string& record) {
   const CsvTable table = readCsvTable(record);
   const std::size_t layer = columnOf(table, "layer");
+  const std::size_t sequence = columnOf(table, "sequence");
   const std::size_t digest = columnOf(table, "digest");
-  std::map<std::string, std::string> applied;
-  for (const std::vector<std::string>& row : table.rows)
-    if (row[digest] != kNoMapApplied) applied[row[layer]] = row[digest];
+  const bool has_lines =
+      std::find(table.columns.begin(), table.columns.end(), kFromLine) != table.columns.end();
+  std::vector<AppliedRow> applied;
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    const std::vector<std::string>& row = table.rows[i];
+    const auto count = [&](std::size_t column) { return countOf(row[column], record, table.lines[i]); };
+    if (row[digest] == kNoMapApplied) continue;
+    applied.push_back({count(layer), count(sequence), row[digest],
+                       has_lines ? count(columnOf(table, kFromLine)) : std::size_t{0}, false});
+  }
   return applied;
+}
+
+/// The map that a row tells of, among those of the folder.
+FiledMap appliedMap(const AppliedRow& row, const std::vector<FiledMap>& maps, const std::string& record) {
+  const FiledMap* of_layer = nullptr;
+  for (const FiledMap& each : maps) {
+    if (each.map.layer != row.layer) continue;
+    if (digestOf(each.map) == row.digest) return {each.file, each.map, row.from_line};
+    if (of_layer == nullptr) of_layer = &each;
+  }
+  const std::string laid = "layer " + std::to_string(row.layer) + " was laid by ";
+  if (of_layer != nullptr && of_layer->map.sequence == row.sequence)
+    throw InvalidInput(of_layer->file + ": the map's digest is " + digestOf(of_layer->map) + "; " + record +
+                       " says that " + laid + row.digest);
+  throw InvalidInput(record + ": " + laid + "map " + row.digest + ", which is not in the folder");
 }
 
 /// Only those that were applied are left; each must be there.
 void keepApplied(std::vector<FiledMap>& maps, const std::string& record) {
-  std::map<std::string, std::string> applied = appliedDigests(record);
   std::vector<FiledMap> kept;
-  for (FiledMap& each : maps) {
-    const auto found = applied.find(std::to_string(each.map.layer));
-    if (found == applied.end()) continue;
-    if (found->second != digestOf(each.map))
-      throw InvalidInput(each.file + ": the map's digest is " + digestOf(each.map) + "; " + record +
-                         " says that layer " + found->first + " was laid by " + found->second);
-    applied.erase(found);
-    kept.push_back(std::move(each));
-  }
-  if (!applied.empty())
-    throw InvalidInput(record + ": layer " + applied.begin()->first + " was laid by map " +
-                       applied.begin()->second + ", which is not in the folder");
+  for (const AppliedRow& row : appliedRows(record)) kept.push_back(appliedMap(row, maps, record));
   maps = std::move(kept);
 }
 
 void sortByLayer(std::vector<FiledMap>& maps) {
+  const auto place = [](const FiledMap& each) { return std::make_pair(each.map.layer, each.from_line); };
   std::stable_sort(maps.begin(), maps.end(),
-                   [](const FiledMap& a, const FiledMap& b) { return a.map.layer < b.map.layer; });
+                   [&](const FiledMap& a, const FiledMap& b) { return place(a) < place(b); });
   for (std::size_t i = 1; i < maps.size(); ++i)
-    if (maps[i].map.layer == maps[i - 1].map.layer)
+    if (place(maps[i]) == place(maps[i - 1]))
       throw InvalidInput(maps[i].file + ": the map is of layer " + std::to_string(maps[i].map.layer) +
                          ", as that of " + maps[i - 1].file + "; expected one map per layer");
 }
@@ -115,11 +158,40 @@ std::vector<FiledMap> readCorrectionFiles(const std::string& path) {
   return maps;
 }
 
+std::string appliedRecordCsv(const RecordedJob& of, const std::vector<AppliedRow>& rows) {
+  const auto line = [](std::string_view name, const std::string& value) {
+    return std::string(name) + value + "\n";
+  };
+  std::string text = line(kProgramLine, of.program_sha256) + line(kToolpathLine, of.toolpath_id) +
+                     line(kJobLine, of.job) + "layer,sequence,digest," + kFromLine + "\n";
+  for (const AppliedRow& row : rows)
+    text += std::to_string(row.layer) + "," + std::to_string(row.sequence) + "," +
+            (row.digest.empty() ? kNoMapApplied : row.digest) + "," + std::to_string(row.from_line) + "\n";
+  return text;
+}
+
+std::optional<RecordedJob> recordedJob(const std::string& folder) {
+  const std::string record = folder + "/" + kAppliedMapsFile;
+  if (!std::filesystem::exists(record)) return std::nullopt;
+  const std::string text = readFile(record);
+  return RecordedJob{statedBehind(kProgramLine, text), statedBehind(kToolpathLine, text),
+                     statedBehind(kJobLine, text)};
+}
+
+std::string appliedMapFile(const AppliedRow& row) {
+  return "layer_" + std::to_string(row.layer) + (row.is_later ? "_" + std::to_string(row.sequence) : "") +
+         ".csv";
+}
+
 std::string defectOf(const CorrectionMap& map, const ProgrammedToolpath& planned) {
-  if (map.toolpath_id != planned.id)
-    return "is of toolpath " + map.toolpath_id + "; expected toolpath " + planned.id;
+  return defectOf(map, planned.id, planned.toolpath);
+}
+
+std::string defectOf(const CorrectionMap& map, const std::string& toolpath_id, const Toolpath& toolpath) {
+  if (map.toolpath_id != toolpath_id)
+    return "is of toolpath " + map.toolpath_id + "; expected toolpath " + toolpath_id;
   const std::string layer = "layer " + std::to_string(map.layer);
-  const std::vector<ToolpathLayer>& layers = planned.toolpath.layers;
+  const std::vector<ToolpathLayer>& layers = toolpath.layers;
   if (map.layer >= layers.size())
     return "is of " + layer + "; the toolpath has " + std::to_string(layers.size());
   const double most_mm = layers[map.layer].height_mm;

@@ -46,6 +46,11 @@ void CorrectionsByPath::add(const CorrectionMap& map) {
                        "; expected one a layer");
 }
 
+void CorrectionsByPath::replace(const CorrectionMap& map) {
+  validate(map);
+  maps_[map.layer] = map;
+}
+
 const PathCorrection* CorrectionsByPath::find(std::size_t layer, std::size_t path) const {
   const auto map = maps_.find(layer);
   if (map == maps_.end()) return nullptr;

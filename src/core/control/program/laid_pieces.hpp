@@ -22,6 +22,9 @@ class CorrectionsByPath {
  public:
   /// @throws InvalidInput as `validate`; if there is a map of the layer already
   void add(const CorrectionMap& map);
+  /// In place of the map of the layer, if there is one.
+  /// @throws InvalidInput as `validate`
+  void replace(const CorrectionMap& map);
 
   /// None if nothing is known of the path.
   const PathCorrection* find(std::size_t layer, std::size_t path) const;

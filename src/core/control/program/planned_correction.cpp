@@ -9,6 +9,37 @@
 #include "lamina/control/feeder_lead.hpp"
 
 namespace lamina {
+namespace {
+
+struct MapsOfProgram {
+  std::vector<CorrectionMap> of_layers;
+  std::vector<LaterMap> of_lines;
+};
+
+void requireOneMap(const std::vector<CorrectionMap>& of_layers, const FiledMap& next) {
+  if (of_layers.empty() || of_layers.back().layer != next.map.layer) return;
+  throw InvalidInput(
+      next.file + ": the map of layer " + std::to_string(next.map.layer) + " holds from line " +
+      std::to_string(next.from_line) +
+      " on of the program that it was recorded of; expected that program, or one map per layer");
+}
+
+MapsOfProgram mapsOfProgram(const PlannedCorrection& correction) {
+  MapsOfProgram maps;
+  std::vector<CorrectionMap> led = ledMaps(correction);
+  for (std::size_t i = 0; i < led.size(); ++i) {
+    const FiledMap& filed = correction.maps[i];
+    if (correction.is_recorded_program && filed.from_line > 0) {
+      maps.of_lines.push_back({filed.from_line, std::move(led[i])});
+      continue;
+    }
+    requireOneMap(maps.of_layers, filed);
+    maps.of_layers.push_back(std::move(led[i]));
+  }
+  return maps;
+}
+
+}  // namespace
 
 void requireOfProgram(const PlannedCorrection& correction) {
   for (const FiledMap& each : correction.maps) {
@@ -29,6 +60,16 @@ std::vector<CorrectionMap> ledMaps(const PlannedCorrection& correction) {
     maps.push_back(std::move(led));
   }
   return maps;
+}
+
+std::string feedingText(const LoopSettings& feeding) {
+  LoopSettings shown = feeding;
+  SettingsSchema schema;
+  describeFeeding(schema, shown);
+  std::string text;
+  for (const Setting& setting : schema.settings())
+    text += (text.empty() ? "" : " ") + setting.key + "=" + setting.get();
+  return text;
 }
 
 void requireLaysToolpath(const std::string& name, std::istream& program, const Toolpath& toolpath) {
@@ -58,10 +99,10 @@ void requireLaysToolpath(const std::string& name, std::istream& program, const T
 CorrectedProgram correctedByMaps(const std::string& name, const std::string& program,
                                  const PlannedCorrection& correction) {
   requireOfProgram(correction);
-  const std::vector<CorrectionMap> maps = ledMaps(correction);
+  const MapsOfProgram maps = mapsOfProgram(correction);
   std::istringstream text(program);
   requireLaysToolpath(name, text, correction.planned.toolpath);
-  return correctedProgram(program, correction.planned.toolpath, maps, {});
+  return correctedProgram(program, correction.planned.toolpath, maps.of_layers, {}, maps.of_lines);
 }
 
 }  // namespace lamina

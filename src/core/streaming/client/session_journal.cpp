@@ -3,6 +3,7 @@
 #include "streaming/client/session_journal.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <random>
 #include <utility>
 
@@ -23,8 +24,11 @@ std::uint64_t anyLineBase() {
 
 }  // namespace
 
-SessionJournal::SessionJournal(StreamJournal where, const StreamableProgram& program, const std::string& port)
-    : where_(std::move(where)) {
+SessionJournal::SessionJournal(StreamJournal where, const StreamableProgram& program, const std::string& port,
+                               std::shared_ptr<const ProgramRevision> revision)
+    : where_(std::move(where)), revision_(std::move(revision)) {
+  const std::optional<RevisionRecord> record = revision_ ? revision_->record() : std::nullopt;
+  if (revision_ && !record) where_ = {};
   job_.line_base = anyLineBase();
   if (where_.path.empty()) return;
   if (where_.unfinished) {
@@ -34,6 +38,11 @@ SessionJournal::SessionJournal(StreamJournal where, const StreamableProgram& pro
   const std::uint64_t line_base = job_.line_base;
   job_ = describedJob(program, port);
   job_.line_base = line_base;
+  job_.revision = record;
+}
+
+std::uint64_t SessionJournal::mostLines() const {
+  return job_.revision ? std::numeric_limits<std::uint64_t>::max() : job_.lines_total;
 }
 
 StreamOrder SessionJournal::placed(StreamOrder order) const {
@@ -51,10 +60,10 @@ void SessionJournal::begin(const Streamer& streamer) {
   job_.firmware_name = status.firmware_name;
   JobProgress known;
   known.taken_through = status.lines_acknowledged;
-  known.sent_through = std::min(job_.lines_total, status.lines_sent + kFirstAhead);
+  known.sent_through = std::min(mostLines(), status.lines_sent + kFirstAhead);
   known.layer = status.layer;
   if (!where_.unfinished) keepUnfinished(where_.path);
-  writer_ = std::make_unique<JournalWriter>(ProgressFile(where_.path, job_, known), known, job_.lines_total);
+  writer_ = std::make_unique<JournalWriter>(ProgressFile(where_.path, job_, known), known, mostLines());
 }
 
 void SessionJournal::followLink(const Streamer& streamer) {
@@ -78,7 +87,11 @@ void SessionJournal::keep(const Streamer& streamer, double now) {
     followLink(streamer);
     StreamStatus status = streamer.status();
     if (isCutOff()) status.state = PackmlState::Execute;
+    const std::string unrecorded = revision_ ? revision_->recordFailure() : std::string();
+    // What is sent from now on cannot be made again: the job is none to go on with.
+    if (!unrecorded.empty()) status.state = PackmlState::Aborted;
     writer_->record(status, now);
+    if (!unrecorded.empty()) throw FileError("the corrections are not recorded: " + unrecorded);
   } catch (const Error& error) {
     failure_ = std::string(error.what()) + "; the job goes on, but could not be gone on with after a fault";
     writer_.reset();

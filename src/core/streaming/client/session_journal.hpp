@@ -16,7 +16,9 @@ namespace lamina {
 class SessionJournal {
  public:
   /// @throws FileError if the program is gone
-  SessionJournal(StreamJournal where, const StreamableProgram& program, const std::string& port);
+  /// @param revision  of the lines on their way, or null: their progress is kept where a record tells of them
+  SessionJournal(StreamJournal where, const StreamableProgram& program, const std::string& port,
+                 std::shared_ptr<const ProgramRevision> revision);
 
   /// The order with what the journal adds to it: where lines count from, and what was left behind.
   StreamOrder placed(StreamOrder order) const;
@@ -31,9 +33,12 @@ class SessionJournal {
  private:
   void begin(const Streamer& streamer);
   void followLink(const Streamer& streamer);
+  /// As of a job that may have any number of lines, where it is revised.
+  std::uint64_t mostLines() const;
 
   StreamJournal where_;
   JournalledJob job_;
+  std::shared_ptr<const ProgramRevision> revision_;
   std::unique_ptr<JournalWriter> writer_;
   bool has_begun_ = false;
   bool is_cut_off_ = false;    ///< the link is lost

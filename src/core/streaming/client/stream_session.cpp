@@ -35,7 +35,7 @@ class LinkSession final : public SessionKind {
               StreamSession::Observer observer, SessionOptions options)
       : port_(std::move(port)),
         record_(port_.name, std::move(observer)),
-        journal_(options.revision ? StreamJournal{} : std::move(options.journal), program, port_.name),
+        journal_(std::move(options.journal), program, port_.name, options.revision),
         streamer_(journal_.placed({program,
                                    atPort(settings, port_.name),
                                    std::move(options.heard),

@@ -44,7 +44,11 @@ void RevisedLines::end(const Failure& why) {
 
 void RevisedLines::readOn() {
   while (!line_ && !is_over_) {
-    if (awaited_ && !revision_->isKnown(*awaited_)) return;
+    if (awaited_ && !revision_->isKnown(*awaited_)) {
+      const std::optional<StreamableProgram> successor = revision_->successor(*awaited_);
+      if (!successor) return;
+      goOnWith(*successor);
+    }
     awaited_.reset();
     line_ = revised_.next();
     if (line_) {
@@ -61,6 +65,13 @@ void RevisedLines::readOn() {
     }
   }
   if (is_over_ && failure_.code != ErrorCode::Ok) line_.reset();
+}
+
+void RevisedLines::goOnWith(const StreamableProgram& successor) {
+  program_ = successor;
+  text_ = program_.openText();
+  number_ = 0;
+  read_ = 0;
 }
 
 void RevisedLines::readLine() {

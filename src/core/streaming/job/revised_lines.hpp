@@ -34,8 +34,8 @@ class GrowingCommands {
 };
 
 /// The lines of a program as they are revised. Where a layer begins, the next line is not known until it is
-/// known what becomes of the layer. They end early, with a failure, where the program was changed or cannot
-/// be revised.
+/// known what becomes of the layer; there another program may take the place of the rest. They end early,
+/// with a failure, where the program was changed or cannot be revised.
 class RevisedLines {
  public:
   /// @param defectOf  what the firmware would misread of a command, in words; empty for nothing
@@ -52,13 +52,14 @@ class RevisedLines {
   double waitTime() const { return revision_->waitTime(); }
 
   /// Commands of the whole program, as far as it is revised.
-  std::uint64_t total() const { return program_.lines() + given_ - read_; }
+  std::uint64_t total() const { return given_ + program_.lines() - read_; }
   /// Why the lines ended; Ok if at the end of the program.
   const Failure& failure() const { return failure_; }
 
  private:
   void readOn();
   void readLine();
+  void goOnWith(const StreamableProgram& successor);
   void end(const Failure& why);
 
   StreamableProgram program_;
@@ -69,7 +70,7 @@ class RevisedLines {
   std::uint64_t number_ = 0;  ///< lines of the text that were read
   GrowingCommands planned_;
   GrowingCommands revised_;
-  std::uint64_t read_ = 0;   ///< commands of the program
+  std::uint64_t read_ = 0;   ///< commands of the program, or of the one that took its place
   std::uint64_t given_ = 0;  ///< commands that these became
   MotionTime time_;
   std::optional<ProgramLine> line_;  ///< the next one

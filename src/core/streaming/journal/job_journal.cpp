@@ -109,6 +109,39 @@ void requireSameCorrections(const JournalledJob& job, const StreamableProgram& p
   if (!difference.empty()) throw InvalidInput(difference + what_is_known);
 }
 
+/// A job that was corrected on its way is gone on with by what its record says.
+/// @return the same job as one of the program that the record makes
+/// @throws InvalidInput if the program is not made by that record, or by other settings
+JournalledProgress asRecorded(JournalledProgress known, const StreamableProgram& program,
+                              const std::string& port, const std::string& what_is_known) {
+  const RevisionRecord recorded = known.job.revision.value_or(RevisionRecord());
+  const std::optional<ProgramOrigin>& given = program.origin();
+  if (!given || !given->record)
+    throw InvalidInput("no recorded corrections are given; the job to go on with is recorded in " +
+                       recorded.folder + what_is_known);
+  if (given->record->job != recorded.job)
+    throw InvalidInput("the corrections in " + given->record->folder + " are of job '" + given->record->job +
+                       "'; the job to go on with is '" + recorded.job + "', recorded in " + recorded.folder +
+                       what_is_known);
+  if (given->program_sha256 != known.job.program_sha256)
+    throw InvalidProgram(program.name() + " has the SHA-256 " + given->program_sha256.substr(0, 12) +
+                         "...; the job to go on with has " + known.job.program_sha256.substr(0, 12) + "..." +
+                         what_is_known);
+  if (given->record->settings != recorded.settings)
+    throw InvalidInput("corrected is with " + given->record->settings + "; the job to go on with was with " +
+                       recorded.settings + what_is_known);
+  JournalledJob job = describedJob(program, port);
+  job.protocol = known.job.protocol;
+  job.firmware_name = known.job.firmware_name;
+  job.line_base = known.job.line_base;
+  known.progress.sent_through = std::min(known.progress.sent_through, job.lines_total);
+  if (known.progress.taken_through > known.progress.sent_through)
+    throw InvalidInput("the record makes a program of " + std::to_string(job.lines_total) +
+                       " lines, fewer than were taken" + what_is_known);
+  known.job = std::move(job);
+  return known;
+}
+
 /// What is known of a program, and what else may differ of a corrected one.
 std::string otherProgramText(const JournalledJob& job, const StreamableProgram& program) {
   const bool is_same_base =
@@ -161,6 +194,7 @@ StreamJournal resumeJournal(const std::string& path, const StreamableProgram& pr
   if (known.job.port != port)
     throw InvalidInput("the port is " + port + "; the job to go on with was at " + known.job.port +
                        what_is_known);
+  if (known.job.revision) return {path, asRecorded(known, program, port, what_is_known)};
   requireSameCorrections(known.job, program, what_is_known);
   const std::string digest = sha256Of(program);
   if (known.job.program_sha256 != digest || known.job.lines_total != program.lines())
@@ -221,7 +255,10 @@ std::string describeProgress(const JournalledProgress& known) {
   const std::string line = std::to_string(progress.taken_through);
   const std::string when = std::string(", ") + toString(progress.state) + " at " + timeText(progress.time_ms);
   std::string text = known.job.program + " at " + known.job.port;
-  if (known.job.origin) text += ", corrected by " + mapCountText(*known.job.origin);
+  if (known.job.revision)
+    text += ", corrected on its way as recorded in " + known.job.revision->folder;
+  else if (known.job.origin)
+    text += ", corrected by " + mapCountText(*known.job.origin);
   if (!known.job.uploaded_as.empty()) {
     text += ", uploaded as " + known.job.uploaded_as + when + ": the machine had read line " + line + " of " +
             total;

@@ -102,6 +102,12 @@ std::optional<JournalledJob> decodeJob(std::string_view bytes) {
   job.line_base = reader.integer(8);
   if (!reader.isAtEnd()) job.uploaded_as = reader.text();
   if (!reader.isAtEnd()) job.origin = readOrigin(reader);
+  if (!reader.isAtEnd()) {
+    job.revision.emplace();
+    job.revision->folder = reader.text();
+    job.revision->job = reader.text();
+    job.revision->settings = reader.text();
+  }
   if (reader.isShort() || !reader.isAtEnd()) return std::nullopt;
   return job;
 }
@@ -152,8 +158,14 @@ std::string encodeJob(const JournalledJob& job) {
   appendText(bytes, job.firmware_name);
   append(bytes, job.lines_total, 8);
   append(bytes, job.line_base, 8);
-  if (!job.uploaded_as.empty() || job.origin) appendText(bytes, job.uploaded_as);
-  if (job.origin) appendOrigin(bytes, *job.origin);
+  const bool has_origin = job.origin || job.revision;
+  if (!job.uploaded_as.empty() || has_origin) appendText(bytes, job.uploaded_as);
+  if (has_origin) appendOrigin(bytes, job.origin.value_or(ProgramOrigin{job.program_sha256, {}}));
+  if (job.revision) {
+    appendText(bytes, job.revision->folder);
+    appendText(bytes, job.revision->job);
+    appendText(bytes, job.revision->settings);
+  }
   append(bytes, crc32Of(bytes), kCrcBytes);
   return bytes;
 }
@@ -178,7 +190,8 @@ JournalledProgress decodeJournal(std::string_view bytes, const std::string& name
     if (progress && (!newest || progress->sequence > newest->sequence)) newest = progress;
   }
   if (!newest) throwNoJournal(name, "both its records are damaged");
-  if (newest->taken_through > newest->sent_through || newest->sent_through > job->lines_total)
+  const bool is_beyond = !job->revision && newest->sent_through > job->lines_total;
+  if (newest->taken_through > newest->sent_through || is_beyond)
     throwNoJournal(name, "its line numbers contradict each other");
   return {*job, *newest};
 }

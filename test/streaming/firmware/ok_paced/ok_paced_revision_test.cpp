@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <functional>
+#include <optional>
 #include <set>
+#include <utility>
 
 #include "lamina/base/error.hpp"
 #include "streaming/emulator/ok_paced/emulated_klipper.hpp"
@@ -29,6 +31,7 @@ class SplitLayers final : public ProgramRevision {
     given_up.push_back(layer);
     decided.insert(layer);
   }
+  std::optional<StreamableProgram> successor(std::int32_t) override { return std::exchange(rest, {}); }
   double waitTime() const override { return 2.0; }
   std::string revised(std::string_view line, std::uint64_t) override {
     const std::string text(line);
@@ -40,6 +43,7 @@ class SplitLayers final : public ProgramRevision {
   std::function<bool(std::int32_t)> known_from = [](std::int32_t) { return true; };
   std::set<std::int32_t> decided;
   std::vector<std::int32_t> given_up;
+  std::optional<StreamableProgram> rest;  ///< takes the place of what is left at the first layer not known
 
  private:
   std::int32_t layer_ = -1;
@@ -112,6 +116,19 @@ TEST_P(OkPacedRevision, SendsEveryLineOnceAsItWasRevised) {
     EXPECT_EQ(streamer.status().lines_total, splitCommands().size()) << "no layer had to be waited for";
     EXPECT_EQ(streamer.status().lines_acknowledged, streamer.status().lines_total);
   }
+}
+
+TEST_P(OkPacedRevision, GoesOverToAProgramThatTakesThePlaceOfTheRest) {
+  const auto machine = firmware({});
+  auto streamer = streamerOf("G90\n;LAYER:0\nG1 X1\n;LAYER:4\nG1 X2\n");
+  revision->known_from = [](std::int32_t layer) { return layer != 4; };
+  revision->rest = StreamableProgram::fromText("rest", "M83\n;LAYER:0\nG1 X3\nG1 X4\n");
+  test::PacedLink link(streamer, *machine);
+  link.run();
+  EXPECT_EQ(streamer.status().state, PackmlState::Complete) << streamer.status().failure.message;
+  EXPECT_EQ(ran, (std::vector<std::string>{"G90", "G1 X1", "M83", "G1 X3", "G1 X4"}));
+  EXPECT_EQ(streamer.status().lines_total, 5U);
+  EXPECT_EQ(streamer.status().lines_acknowledged, 5U);
 }
 
 TEST_P(OkPacedRevision, RestsInFrontOfALayerUntilItIsKnown) {

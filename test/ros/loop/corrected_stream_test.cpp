@@ -1,0 +1,257 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The node gcode_streamer under a loop that trims layers and plans those left anew.
+#include <actionlib/client/simple_action_client.h>
+#include <gtest/gtest.h>
+#include <ros/ros.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <fstream>
+
+#include "conversions.hpp"
+#include "correction_messages.hpp"
+#include "lamina/base/atomic_file.hpp"
+#include "lamina/control/program/planned_correction.hpp"
+#include "lamina/control/replanned_toolpath.hpp"
+#include "lamina/program/gcode/gcode_writer.hpp"
+#include "lamina/streaming/job/streamable_program.hpp"
+#include "lamina/toolpath/layer_frame.hpp"
+#include "latched.hpp"
+#include "messages.hpp"
+#include "names.hpp"
+#include "ros/node_process.hpp"
+#include "ros/ros_home.hpp"
+#include "ros/wait_until.hpp"
+#include "streamed_machine.hpp"
+#include "support/control_layers.hpp"
+#include "support/scratch_folder.hpp"
+
+namespace lamina {
+namespace {
+
+using lamina_msgs::MachineState;
+using test::kPatience;
+using test::waitUntil;
+using Client = actionlib::SimpleActionClient<lamina_msgs::StreamProgramAction>;
+
+/// Three layers of two beads of 40 mm, each of them many motions.
+MachineToolpath finePart() {
+  MachineToolpath placed;
+  placed.toolpath = test::stackedBeads(3);
+  for (ToolpathLayer& layer : placed.toolpath.layers)
+    for (Path& path : layer.paths) {
+      if (path.role == PathRole::Travel) continue;
+      const Point3 start = path.firstPoint();
+      path.points.clear();
+      for (int i = 0; i <= 80; ++i) path.points.push_back(start + Point3(0.5 * i, 0.0, 0.0));
+    }
+  placed.bed_from_part = Eigen::Translation3d(50.0, 60.0, 0.0);
+  placed.id = toolpathId(placed.toolpath);
+  return placed;
+}
+
+CorrectionMap evenMap(const MachineToolpath& part, std::size_t layer, double amount, std::uint64_t sequence) {
+  const LayerCells cells = layerCells(part.toolpath.layers[layer], layer, 0.5);
+  return correctionMap(cells, {std::vector<double>(cells.size(), amount), {}, {}}, part.id, sequence);
+}
+
+std::string textOf(const MachineToolpath& part, const ProgramSettings& settings = {}) {
+  std::string text;
+  writeGcode(part.toolpath, part.bed_from_part, settings, [&](std::string_view piece) { text += piece; });
+  return text;
+}
+
+std::vector<std::string> commandsOf(const std::string& text) {
+  std::vector<std::string> commands;
+  ProgramCursor cursor = StreamableProgram::fromText("program", text).open();
+  while (const auto line = cursor.next()) commands.push_back(line->command);
+  return commands;
+}
+
+/// A node of a name of its own, at a machine of its own, and what the loop has to do with it.
+class CorrectedCell {
+ public:
+  CorrectedCell(const std::string& name, double speed_up, std::vector<std::string> parameters)
+      : port(test::inRosHome("corrected_stream_" + name)),
+        machine(speed_up, port),
+        space_("/" + name),
+        toolpath(node_.advertise<lamina_msgs::Toolpath>(space_ + "/toolpath", 1, true)),
+        correction(node_.advertise<lamina_msgs::CorrectionMap>(space_ + "/correction", 10, true)),
+        plan(node_.advertise<lamina_msgs::Toolpath>(space_ + "/replanned_toolpath", 1, true)) {
+    parameters.insert(parameters.begin(),
+                      {"__ns:=" + space_, "_port:=" + port, "_corrections/use:=true", "_loop/wait_s:=30"});
+    arguments_ = std::move(parameters);
+    listen();
+  }
+
+  void begin(const MachineToolpath& part) {
+    node = std::make_unique<test::NodeProcess>(LAMINA_NODE, arguments_);
+    publishLatched(toolpath, toMessage(part));
+    EXPECT_TRUE(waitUntil([&] {
+      return toolpath.getNumSubscribers() > 0 && correction.getNumSubscribers() > 0 &&
+             uses_.getNumPublishers() > 0 && !states.empty();
+    }));
+    client = std::make_unique<Client>(space_ + "/stream_program", true);
+    EXPECT_TRUE(client->waitForServer(ros::Duration(kPatience)));
+  }
+  void send(const CorrectionMap& map) { publishLatched(correction, toMessage(map)); }
+  bool isTold(std::size_t layers) {
+    return waitUntil([&] { return applied.size() >= layers; });
+  }
+
+  std::string port;
+  test::StreamedMachine machine;
+  std::unique_ptr<test::NodeProcess> node;
+  std::unique_ptr<Client> client;
+  std::vector<lamina_msgs::AppliedCorrection> applied;
+  std::vector<std::string> states;
+  std::vector<lamina_msgs::Toolpath> toolpaths;  ///< told by anybody
+
+ private:
+  void listen() {
+    const boost::function<void(const lamina_msgs::AppliedCorrectionConstPtr&)> on_applied =
+        [this](const auto& message) { applied.push_back(*message); };
+    const boost::function<void(const lamina_msgs::MachineStateConstPtr&)> on_state =
+        [this](const auto& message) {
+          if (states.empty() || states.back() != message->state_name) states.push_back(message->state_name);
+        };
+    const boost::function<void(const lamina_msgs::ToolpathConstPtr&)> on_toolpath =
+        [this](const auto& message) { toolpaths.push_back(*message); };
+    uses_ = node_.subscribe<lamina_msgs::AppliedCorrection>(space_ + "/applied_correction", 100, on_applied);
+    states_ = node_.subscribe<MachineState>(space_ + "/machine_state", 1000, on_state);
+    toolpaths_ = node_.subscribe<lamina_msgs::Toolpath>(space_ + "/toolpath", 10, on_toolpath);
+  }
+
+  std::string space_;
+  ros::NodeHandle node_;
+
+ public:
+  ros::Publisher toolpath, correction, plan;
+
+ private:
+  ros::Subscriber uses_, states_, toolpaths_;
+  std::vector<std::string> arguments_;
+};
+
+/// A layer that is under way is trimmed for what was not sent. What was applied says what was run.
+TEST(CorrectedStream, TrimsALayerThatIsUnderWay) {
+  const test::ScratchFolder folder;
+  const MachineToolpath part = finePart();
+  CorrectedCell cell("trimmed", 10.0, {"_corrections/folder:=" + folder.file("record")});
+  cell.begin(part);
+  writeFile(folder.file("part.gcode"), textOf(part));
+  lamina_msgs::StreamProgramGoal goal;
+  goal.program = folder.file("part.gcode");
+  cell.client->sendGoal(goal);
+  ASSERT_TRUE(cell.isTold(1));
+  cell.send(evenMap(part, 1, 0.3, 1));
+  ASSERT_TRUE(cell.isTold(2));
+  cell.send(evenMap(part, 1, -0.2, 2));
+  cell.send(evenMap(part, 2, 0.0, 1));
+  EXPECT_TRUE(waitUntil([&] { return cell.client->getState().isDone(); }));
+  EXPECT_EQ(cell.client->getState().toString(), "SUCCEEDED") << cell.client->getState().getText();
+  const PlannedCorrection applied{
+      readProgrammedToolpath(readFile(folder.file("record/toolpath.csv")), "toolpath.csv"),
+      readCorrectionFiles(folder.file("record")),
+      {},
+      true};
+  ASSERT_EQ(applied.maps.size(), 3U);
+  EXPECT_EQ(applied.maps[1].map.layer, 1U);
+  EXPECT_GT(applied.maps[1].from_line, applied.maps[0].from_line);
+  const CorrectedProgram made = correctedByMaps("part.gcode", textOf(part), applied);
+  EXPECT_EQ(cell.machine.commands(), commandsOf(made.text)) << "made again from the record";
+  // Some of the layer's 160 motions are laid by the first map, the others by the trim.
+  EXPECT_LT(made.report.corrected_mm, 1.3 * made.report.planned_mm);
+  EXPECT_GT(made.report.corrected_mm, 0.8 * made.report.planned_mm);
+}
+
+/// A node that is killed amid a trimmed layer: what was sent is made again from its record, and the rest is
+/// laid as planned, each line once.
+TEST(CorrectedStream, IsGoneOnWithByItsRecordAfterAKill) {
+  const test::ScratchFolder folder;
+  const MachineToolpath part = finePart();
+  const std::string journal = folder.file("job.progress");
+  CorrectedCell cell("killed", 10.0,
+                     {"_corrections/folder:=" + folder.file("record"), "_stream/journal:=" + journal});
+  cell.begin(part);
+  writeFile(folder.file("part.gcode"), textOf(part));
+  lamina_msgs::StreamProgramGoal goal;
+  goal.program = folder.file("part.gcode");
+  cell.client->sendGoal(goal);
+  ASSERT_TRUE(cell.isTold(1));
+  cell.send(evenMap(part, 1, 0.3, 1));
+  ASSERT_TRUE(cell.isTold(2));
+  cell.send(evenMap(part, 1, -0.2, 2));
+  const std::string trimmed = folder.file("record/layer_1_2.csv");
+  ASSERT_TRUE(waitUntil([&] { return std::ifstream(trimmed).good(); }));
+  const std::size_t ran = cell.machine.commands().size();
+  ASSERT_TRUE(waitUntil([&] { return cell.machine.commands().size() > ran + 20; }));
+  EXPECT_EQ(cell.node->end(SIGKILL), -1);
+  const std::string go_on = std::string(LAMINA_COMMAND) + " stream " + goal.program + " --port " + cell.port +
+                            " --set stream.journal=" + journal + " --resume";
+  EXPECT_NE(std::system((go_on + " 2> /dev/null").c_str()), 0) << "without the record";
+  const std::string by_record = go_on + " --corrections " + folder.file("record");
+  EXPECT_NE(std::system((by_record + " --set loop.lag_s=1 2> /dev/null").c_str()), 0) << "by other settings";
+  EXPECT_EQ(std::system((by_record + " > /dev/null").c_str()), 0);
+  const PlannedCorrection applied{
+      readProgrammedToolpath(readFile(folder.file("record/toolpath.csv")), "toolpath.csv"),
+      readCorrectionFiles(folder.file("record")),
+      {},
+      true};
+  EXPECT_EQ(applied.maps.size(), 2U);
+  EXPECT_EQ(cell.machine.commands(), commandsOf(correctedByMaps("part.gcode", textOf(part), applied).text));
+}
+
+/// In front of the second layer the two left are planned anew, as one of 2 mm.
+TEST(CorrectedStream, GoesOverToLayersPlannedAnew) {
+  const MachineToolpath part = finePart();
+  CorrectedCell cell("planned", 0.0, {"_corrections/follow_plans:=true"});
+  cell.begin(part);
+  lamina_msgs::StreamProgramGoal goal;
+  goal.toolpath_id = part.id;
+  cell.client->sendGoal(goal);
+  ASSERT_TRUE(cell.isTold(1));
+  MachineToolpath plan = part;
+  plan.toolpath = replannedToolpath(part.toolpath, {1, 0.0}, {{2.0}, 1.0});
+  plan.id = replannedId(plan.toolpath, part.id);
+  const auto isFollowed = [&] { return !cell.toolpaths.empty() && cell.toolpaths.back().id == plan.id; };
+  // It is taken once the machine waits for the layer.
+  ASSERT_TRUE(waitUntil([&] {
+    if (!isFollowed()) cell.plan.publish(toMessage(plan));
+    return isFollowed();
+  }));
+  CorrectionMap map = evenMap(plan, 0, 0.25, 1);
+  cell.send(map);
+  EXPECT_TRUE(waitUntil([&] { return cell.client->getState().isDone(); }));
+  EXPECT_EQ(cell.client->getState().toString(), "SUCCEEDED") << cell.client->getState().getText();
+  std::vector<std::string> expected;
+  for (const std::string& command : commandsOf(textOf(part))) {
+    if (command.find("Z3") != std::string::npos) break;  // the travel to the second layer
+    expected.push_back(command);
+  }
+  ProgramSettings going_on;
+  going_on.start_code.clear();
+  map.toolpath_id = toolpathId(placed(plan.toolpath, plan.bed_from_part));
+  const std::string rest =
+      correctedProgram(textOf(plan, going_on), placed(plan.toolpath, plan.bed_from_part), {map}, {}).text;
+  for (const std::string& command : commandsOf(rest)) expected.push_back(command);
+  EXPECT_EQ(cell.machine.commands(), expected);
+  EXPECT_TRUE(waitUntil([&] { return cell.states.back() == "Complete"; }));
+  EXPECT_EQ(cell.states, (std::vector<std::string>{"Idle", "Starting", "Execute", "Completing", "Complete"}))
+      << "one job to its end";
+  ASSERT_TRUE(cell.isTold(2));
+  EXPECT_EQ(cell.applied[0].toolpath_id, part.id);
+  EXPECT_EQ(cell.applied[1].toolpath_id, plan.id);
+  EXPECT_EQ(cell.applied[1].digest, toMessage(evenMap(plan, 0, 0.25, 1)).digest);
+}
+
+}  // namespace
+}  // namespace lamina
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "corrected_stream_test");
+  const ros::NodeHandle keeps_ros_started;
+  return RUN_ALL_TESTS();
+}
