@@ -160,6 +160,29 @@ TEST(StepReader, WhatIsNoSolidIsRefused) {
   EXPECT_NE(refusal(empty).find("no solid"), std::string::npos) << refusal(empty);
 }
 
+/// The file, the shell of its last solid without a face.
+std::string withEmptyShell(std::string step) {
+  const std::string shell = "CLOSED_SHELL('',(";
+  const std::size_t faces = step.rfind(shell) + shell.size();
+  return step.erase(faces, step.find(')', faces) - faces);
+}
+
+TEST(StepReader, ASolidThatCannotBeReadIsRefusedByName) {
+  gp_Trsf aside;
+  aside.SetTranslation(gp_Vec(50.0, 0.0, 0.0));
+  std::string step = stepOf(compoundOf({cylinder(), plateWithHole().Moved(TopLoc_Location(aside))}));
+  const std::string unnamed = "MANIFOLD_SOLID_BREP(''";
+  const std::size_t last = step.rfind(unnamed);
+  ASSERT_NE(last, std::string::npos);
+  step.replace(last, unnamed.size(), "MANIFOLD_SOLID_BREP('boss'");
+  ASSERT_EQ(refusal(step), "read");
+  const std::string why = refusal(withEmptyShell(step));
+  EXPECT_NE(why.find("the solid 'boss' (#"), std::string::npos) << why;
+  EXPECT_NE(why.find("expected a solid"), std::string::npos) << why;
+  const std::string alone = refusal(withEmptyShell(stepOf(cylinder())));
+  EXPECT_NE(alone.find("the solid 'part "), std::string::npos) << alone;
+}
+
 TEST(StepReader, RefusesShorterPieces) {
   const std::string step = stepOf(cylinder());
   for (std::size_t length = 20; length < step.size() / 2; length += 997)

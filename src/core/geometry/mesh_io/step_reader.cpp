@@ -26,12 +26,15 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
+#include <TopoDS_TShape.hxx>
 #include <TransferBRep.hxx>
 #include <Transfer_TransientProcess.hxx>
 #include <XSControl_TransferReader.hxx>
 #include <XSControl_WorkSession.hxx>
 #include <algorithm>
 #include <istream>
+#include <map>
+#include <set>
 #include <streambuf>
 #include <utility>
 
@@ -80,6 +83,12 @@ class StepReader {
 
   std::vector<MeshObject> read(std::string_view bytes) {
     load(bytes);
+    const int roots = reader_.NbRootsForTransfer();
+    const int transferred = reader_.TransferRoots();
+    findItems();
+    if (transferred < roots)
+      refuse("has " + std::to_string(roots) + " shapes of its own, of which Open CASCADE reads " +
+             std::to_string(transferred) + "; expected all of them");
     std::vector<MeshObject> objects;
     for (int i = 1; i <= reader_.NbShapes(); ++i) {
       const TopoDS_Shape shape = reader_.Shape(i);
@@ -97,7 +106,21 @@ class StepReader {
     std::istream stream(&buffer);
     if (reader_.ReadStream(name_.c_str(), stream) != IFSelect_RetDone)
       refuse("is no readable STEP file: damaged, or cut off");
-    reader_.TransferRoots();
+  }
+
+  /// Which solids the items of the file became: one that became none would be missing from the part.
+  void findItems() {
+    const Handle(Interface_InterfaceModel) model = reader_.WS()->Model();
+    const Handle(Transfer_TransientProcess) process = reader_.WS()->TransferReader()->TransientProcess();
+    for (int i = 1; i <= model->NbEntities(); ++i) {
+      const auto item = Handle(StepShape_ManifoldSolidBrep)::DownCast(model->Value(i));
+      if (item.IsNull()) continue;
+      TopExp_Explorer solid(TransferBRep::ShapeResult(process, item), TopAbs_SOLID);
+      if (!solid.More())
+        refuse("has the solid '" + nameOf(item) + "' (" + model->StringLabel(item)->ToCString() +
+               "), of which Open CASCADE reads nothing; expected a solid with closed shells");
+      for (; solid.More(); solid.Next()) items_.emplace(solid.Current().TShape().get(), item);
+    }
   }
 
   /// Free faces enclose nothing, and dropping them would lose what somebody drew.
@@ -108,38 +131,29 @@ class StepReader {
       refuse("has " + std::to_string(faces) + " faces that belong to no solid; expected solids alone");
   }
 
-  /// Of the solid itself, or else of the product that it is of.
+  /// Of what the file states that the solid is of.
   std::string nameOf(const TopoDS_Shape& solid) const {
-    const Handle(StepShape_ManifoldSolidBrep) item = itemOf(solid);
-    if (item.IsNull()) return {};
-    std::string name = textOf(item->Name());
-    return name.empty() || name == "NONE" ? nameAbove(item, reader_.WS()->Graph()) : name;
+    const auto item = items_.find(solid.TShape().get());
+    return item == items_.end() ? std::string() : nameOf(item->second);
   }
 
-  /// What the file states that the solid is of; none if it is of no single item.
-  Handle(StepShape_ManifoldSolidBrep) itemOf(const TopoDS_Shape& solid) const {
-    const Handle(Interface_InterfaceModel) model = reader_.WS()->Model();
-    const Handle(Transfer_TransientProcess) process = reader_.WS()->TransferReader()->TransientProcess();
-    for (int i = 1; i <= model->NbEntities(); ++i) {
-      auto item = Handle(StepShape_ManifoldSolidBrep)::DownCast(model->Value(i));
-      if (item.IsNull()) continue;
-      const TopoDS_Shape result = TransferBRep::ShapeResult(process, item);
-      for (TopExp_Explorer of_item(result, TopAbs_SOLID); of_item.More(); of_item.Next())
-        if (of_item.Current().IsPartner(solid)) return item;
-    }
-    return {};
+  /// Of the item itself, or else of the product that it is of.
+  std::string nameOf(const Handle(StepShape_ManifoldSolidBrep) & item) const {
+    std::string name = textOf(item->Name());
+    return name.empty() || name == "NONE" ? nameAbove(item, reader_.WS()->Graph()) : name;
   }
 
   /// Breadth first through what refers to the entity.
   static std::string nameAbove(const Handle(Standard_Transient) & entity, const Interface_Graph& graph) {
     std::vector<Handle(Standard_Transient)> level = {entity};
+    std::set<const Standard_Transient*> seen = {entity.get()};
     for (int step = 0; step < kMostSteps && !level.empty(); ++step) {
       std::vector<Handle(Standard_Transient)> next;
       for (const auto& one : level) {
         std::string name = productName(one);
         if (!name.empty()) return name;
         for (Interface_EntityIterator above = graph.Sharings(one); above.More(); above.Next())
-          next.push_back(above.Value());
+          if (seen.insert(above.Value().get()).second) next.push_back(above.Value());
       }
       level = std::move(next);
     }
@@ -190,6 +204,8 @@ class StepReader {
   const std::string& name_;
   const Tessellation& tessellation_;
   STEPControl_Reader reader_;
+  /// What the file has each solid as; the first where it is of several.
+  std::map<const TopoDS_TShape*, Handle(StepShape_ManifoldSolidBrep)> items_;
   std::size_t triangles_ = 0;
 };
 
