@@ -17,10 +17,10 @@ namespace {
 
 using test::rectangle;
 
-constexpr double kFullGap = 0.6;      // mm
-constexpr double kLeastGap = 0.2;     // mm: as above the supports
-constexpr std::size_t kUpper = 60;    // layers below it stand back
-constexpr double kThreeBeads = 1.2;   // mm
+constexpr double kFullGap = 0.6;     // mm
+constexpr double kLeastGap = 0.2;    // mm: as above the supports
+constexpr std::size_t kUpper = 60;   // layers below it stand back
+constexpr double kThreeBeads = 1.2;  // mm
 constexpr WallBeads kWallsOfPrinter{0.4, 0.8};
 
 /// A block of 20 x 20 mm whose upper layers jut out at x = 10 mm.
@@ -102,7 +102,8 @@ TEST(Ledges, LieWhereWallsHangWithinTheGap) {
   // As long as three beads, and shorter.
   EXPECT_TRUE(ledges({Region{rectangle(10, -0.5, 10.5, 0.5), {}}}).empty());
   EXPECT_FALSE(ledges({Region{rectangle(10, -0.6, 10.5, 0.6), {}}}).empty());
-  // A column of a bead stands beyond the gap of a narrow one: 0.45 mm, and 0.6 + 0.4 + 0.16 - 0.3 mm round it.
+  // A column of a bead stands beyond the gap of a narrow one: 0.45 mm, and 0.6 + 0.4 + 0.16 - 0.3 mm round
+  // it.
   const Regions narrow = ledges({Region{rectangle(10, -5, 10.45, 5), {}}});
   ASSERT_EQ(narrow.size(), 1U);
   EXPECT_NEAR(boundingBox({narrow[0].outer}).high.x(), 10.45 + 0.86, 1e-3);

@@ -35,11 +35,10 @@ Regions ledgesIn(const Regions& overhang, const Regions& layer, const Regions& b
   const Regions inside = offset(within(layer, box, 3.0 * walls.thickness_mm), -walls.thickness_mm);
   Regions ledges =
       intersection(differenceByPieces(wide, inside), grownByPieces(within(below, box, 3.0 * gap), gap));
-  ledges.erase(std::remove_if(ledges.begin(), ledges.end(),
-                              [&](const Region& ledge) {
-                                return boxOf({ledge}).size().norm() < kLongest * width;
-                              }),
-               ledges.end());
+  ledges.erase(
+      std::remove_if(ledges.begin(), ledges.end(),
+                     [&](const Region& ledge) { return boxOf({ledge}).size().norm() < kLongest * width; }),
+      ledges.end());
   if (ledges.empty()) return {};
   const double column = gap + std::max(width, settings.least_width_mm) + kDetail * width;
   const Regions narrow = difference(ledges, withoutNarrow(overhang, column));
