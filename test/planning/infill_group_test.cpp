@@ -127,5 +127,42 @@ TEST(InfillGroup, IsOfLevelLayersPlannedByThemselves) {
   EXPECT_THROW(test::plan(block(2), settings), InvalidConfig);
 }
 
+/// In inclined layers so far along the belt; the bed lies far below.
+Toolpath farAlong(std::vector<Layer> layers, const PlanSettings& settings, double out_mm) {
+  for (Layer& layer : layers)
+    for (Polygon& contour : layer.section.contours)
+      for (Point2& point : contour) point.y() += out_mm;
+  const double angle = M_PI / 9.0;
+  const Point3 up(0.0, std::sin(angle), std::cos(angle));
+  NoProgress nobody;
+  Plan plan =
+      planPart("part", layers, settings, LayerIncline{{up, out_mm * std::sin(angle) - 50.0}, {}}, nobody);
+  validate(plan.toolpath);
+  return plan.toolpath;
+}
+
+TEST(InfillGroup, IsTheSameFarAlongABelt) {
+  const double near = sparseVolume(farAlong(block(12), sharedInfill(3), 0.0).layers);
+  EXPECT_GT(near, 0.0);
+  for (const double out_mm : {12500.0, 31000.0}) {
+    const Toolpath plan = farAlong(block(12), sharedInfill(3), out_mm);
+    for (std::size_t l = 0; l < 12; ++l) EXPECT_EQ(hasInfill(plan.layers[l]), l % 3 == 2) << l;
+    EXPECT_NEAR(sparseVolume(plan.layers), near, 0.02 * near) << out_mm;
+  }
+}
+
+TEST(Lightning, HoldsUpSkinsFarAlongABelt) {
+  PlanSettings settings = sharedInfill(1);
+  settings.infill.strategy = "lightning";
+  settings.skins.top_layers = settings.skins.bottom_layers = 2;
+  const double near = sparseVolume(farAlong(block(30), settings, 0.0).layers);
+  EXPECT_GT(near, 0.0);
+  for (const double out_mm : {12500.0, 31000.0}) {
+    const double far = sparseVolume(farAlong(block(30), settings, out_mm).layers);
+    // Places that are to be held lie on a grid, at other phases out there.
+    EXPECT_NEAR(far, near, 0.1 * near) << out_mm;
+  }
+}
+
 }  // namespace
 }  // namespace lamina

@@ -12,6 +12,7 @@
 #include "lamina/base/parallel.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
 #include "lamina/toolpath/toolpath.hpp"
+#include "planning/order/near_origin.hpp"
 #include "planning/skins/skin_areas.hpp"
 
 namespace lamina {
@@ -31,18 +32,28 @@ bool isOuter(std::size_t layer, std::size_t layers, const InfillSettings& infill
   return layer < outer || layer + outer >= layers;
 }
 
-/// What is sparse in all layers of a stretch. Layers that are the same are looked at once.
+/// Layers of a stack, worked on that far from where they lie.
+struct GroupStretch {
+  std::size_t begin;
+  std::size_t end;
+  Point2 away;
+};
+
+/// What is sparse in all layers of a stretch, near the origin. Layers that are the same are looked at once.
 Regions commonSparse(const std::vector<LayerCover>& covers, const std::vector<double>& heights_mm,
-                     const PlanSettings& settings, std::size_t begin, std::size_t end) {
+                     const PlanSettings& settings, const GroupStretch& stretch) {
+  const auto& [begin, end, away] = stretch;
   for (std::size_t i = begin; i < end; ++i)
     if (isOuter(i, covers.size(), settings.infill)) return {};
-  Regions common = sparseOf(covers[begin], settings, heights_mm[begin]);
+  const auto sparse_in = [&](std::size_t i) {
+    return sparseOf(away.isZero() ? covers[i] : moved(covers[i], -away), settings, heights_mm[i]);
+  };
+  Regions common = sparse_in(begin);
   for (std::size_t i = begin + 1; i < end; ++i) {
     const bool is_same = covers[i].material == covers[i - 1].material &&
                          covers[i].whole == covers[i - 1].whole && covers[i].isCovered() &&
                          heights_mm[i] == heights_mm[i - 1];
-    if (!is_same && !common.empty())
-      common = intersection(common, sparseOf(covers[i], settings, heights_mm[i]));
+    if (!is_same && !common.empty()) common = intersection(common, sparse_in(i));
   }
   return common;
 }
@@ -82,7 +93,7 @@ GroupedInfill groupedInfill(const Regions& area, const InfillGroup& group, doubl
 
 std::vector<InfillGroup> infillGroups(const std::vector<LayerCover>& covers,
                                       const std::vector<double>& heights_mm, const PlanSettings& settings,
-                                      Progress& progress) {
+                                      StackPlace place, Progress& progress) {
   if (settings.infill.every_layers == 1) return {};
   const auto size = static_cast<std::size_t>(settings.infill.every_layers);
   std::vector<InfillGroup> groups(covers.size());
@@ -90,9 +101,11 @@ std::vector<InfillGroup> infillGroups(const std::vector<LayerCover>& covers,
     const std::size_t begin = number * size;
     const std::size_t end = std::min(begin + size, covers.size());
     InfillGroup group;
-    Regions common = commonSparse(covers, heights_mm, settings, begin, end);
+    Point2 away = Point2::Zero();
+    if (place == StackPlace::AlongBelt) away = distanceFromOrigin(*covers[begin].material);
+    Regions common = commonSparse(covers, heights_mm, settings, {begin, end, away});
     if (!common.empty()) common = offset(common, settings.infill.wall_overlap * settings.bead.width_mm);
-    group.common = std::make_shared<const Regions>(std::move(common));
+    group.common = std::make_shared<const Regions>(moved(std::move(common), away));
     const auto at = [&](std::size_t i) { return heights_mm.begin() + static_cast<std::ptrdiff_t>(i); };
     group.height_mm = std::accumulate(at(begin), at(end), 0.0);
     for (std::size_t i = begin; i < end; ++i) {
@@ -105,13 +118,7 @@ std::vector<InfillGroup> infillGroups(const std::vector<LayerCover>& covers,
 }
 
 InfillGroup moved(const InfillGroup& group, const Point2& by) {
-  Regions common = *group.common;
-  for (Region& region : common) {
-    for (Point2& point : region.outer) point += by;
-    for (Polygon& hole : region.holes)
-      for (Point2& point : hole) point += by;
-  }
-  return {std::make_shared<const Regions>(std::move(common)), group.is_last, group.height_mm};
+  return {std::make_shared<const Regions>(moved(*group.common, by)), group.is_last, group.height_mm};
 }
 
 }  // namespace lamina

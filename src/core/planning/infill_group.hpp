@@ -9,6 +9,7 @@
 #include "lamina/infill/strategy.hpp"
 #include "lamina/planning/plan_settings.hpp"
 #include "planning/skins/layer_cover.hpp"
+#include "planning/skins/stack_covers.hpp"
 #include "planning/walls/infill_spacing.hpp"
 
 namespace lamina {
@@ -39,9 +40,10 @@ GroupedInfill groupedInfill(const Regions& area, const InfillGroup& group, doubl
 /// same. None if each layer has an infill of its own.
 /// @param covers      of all layers
 /// @param heights_mm  of all layers
+/// @param place       where they lie
 std::vector<InfillGroup> infillGroups(const std::vector<LayerCover>& covers,
                                       const std::vector<double>& heights_mm, const PlanSettings& settings,
-                                      Progress& progress);
+                                      StackPlace place, Progress& progress);
 
 /// The same elsewhere in the plane of the layers.
 InfillGroup moved(const InfillGroup& group, const Point2& by);

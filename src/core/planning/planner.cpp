@@ -248,16 +248,16 @@ bool takesCovers(const PlanContext& context) {
 
 StackCover stackCover(const std::vector<Layer>& layers, const PlanContext& context, Progress& progress) {
   if (!takesCovers(context)) return {};
+  const StackPlace place = context.bed ? StackPlace::AlongBelt : StackPlace::NearOrigin;
   StackCover stack;
-  stack.covers = stackCovers(layers, context.settings,
-                             context.bed ? StackPlace::AlongBelt : StackPlace::NearOrigin, progress);
+  stack.covers = stackCovers(layers, context.settings, place, progress);
   if (isSolid(context.settings.infill)) return stack;
   std::vector<double> heights_mm;
   heights_mm.reserve(layers.size());
   for (const Layer& layer : layers) heights_mm.push_back(layer.bounds.height());
-  stack.groups = infillGroups(stack.covers, heights_mm, context.settings, progress);
+  stack.groups = infillGroups(stack.covers, heights_mm, context.settings, place, progress);
   if (context.strategy.growth != FillGrowth::FromAbove) return stack;
-  stack.branches = branchesUnderSkins(stack.covers, heights_mm, context.settings, progress);
+  stack.branches = branchesUnderSkins(stack.covers, heights_mm, context.settings, place, progress);
   return stack;
 }
 

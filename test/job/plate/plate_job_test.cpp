@@ -14,6 +14,7 @@
 #include "lamina/geometry/mesh_io/mesh_writer.hpp"
 #include "lamina/program/gcode/toolpath_from_gcode.hpp"
 #include "lamina/slicing/planar/planar_slicer.hpp"
+#include "lamina/toolpath/layer_frame.hpp"
 #include "support/scratch_folder.hpp"
 #include "support/shapes.hpp"
 #include "support/solids.hpp"
@@ -448,9 +449,40 @@ TEST_F(PlateJobTest, PartsFollowEachOtherAlongABelt) {
 
   job_.plate.parts.front().at_mm = Point2(10, 10);
   EXPECT_NE(refusal().find("at_mm"), std::string::npos) << refusal();
-  job_.plate.parts.front().at_mm.reset();
+}
+
+TEST_F(PlateJobTest, PartsStandBesideEachOtherInInclinedLayers) {
   job_.settings.machine.name = "gantry_45";
-  EXPECT_NE(refusal().find("has no belt"), std::string::npos) << refusal();
+  job_.settings.slicing.plane.angle_deg = 45.0;
+  add(box("cube", {20, 20, 20}), Point2(70, 60));
+  add(box("low", {30, 15, 5}), Point2(110, 75));
+  const std::vector<PlatePart> both = job_.plate.parts;
+  std::map<std::string, double> single;
+  for (const PlatePart& part : both) {
+    job_.plate.parts = {part};
+    const SlicedPlate plate = run();
+    single[plate.parts.front().name] = laidIn(plate.sliced.toolpath);
+  }
+  job_.plate.parts = both;
+  const SlicedPlate plate = run();
+  const Toolpath& toolpath = plate.sliced.toolpath;
+  const auto laid = volumesByPart(toolpath);
+  for (const auto& [name, volume_mm3] : single) EXPECT_NEAR(laid.at(name), volume_mm3, 1e-6) << name;
+  EXPECT_TRUE(hasPlaneLayers(toolpath));
+  EXPECT_NEAR(inclinationDeg(toolpath), 45.0, 1e-9);
+  double level_mm = -1e9;
+  for (const ToolpathLayer& layer : toolpath.layers) {
+    EXPECT_GE(layer.z_mm, level_mm) << "nothing is laid below what is finished";
+    level_mm = layer.z_mm;
+  }
+  const Box3 of_both = depositionBox(toolpath);
+  EXPECT_GT(of_both.low.x(), 60.0);
+  EXPECT_LT(of_both.low.x(), 60.5);
+  EXPECT_GT(of_both.high.x(), 124.5);
+  EXPECT_LT(of_both.high.x(), 125.0);
+
+  job_.settings.plate.order = PlateOrder::ByPart;
+  EXPECT_NE(refusal().find("plate.order is by_part in inclined layers"), std::string::npos) << refusal();
 }
 
 }  // namespace

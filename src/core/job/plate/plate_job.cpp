@@ -17,6 +17,7 @@
 #include "job/plate/plate_toolpath.hpp"
 #include "job/plate/plate_tower.hpp"
 #include "job/slice_run.hpp"
+#include "job/slicing/inclined_layers.hpp"
 #include "job/slicing/oriented_planning.hpp"
 #include "job/slicing/part_slicing.hpp"
 #include "lamina/base/error.hpp"
@@ -26,6 +27,8 @@
 #include "lamina/job/output_files.hpp"
 #include "lamina/job/part/copies.hpp"
 #include "lamina/job/slicing/slicing_mode.hpp"
+#include "lamina/slicing/planar/layer_plane.hpp"
+#include "lamina/toolpath/layer_frame.hpp"
 
 namespace lamina {
 namespace {
@@ -67,6 +70,23 @@ void requirePlateSettings(const JobSettings& settings) {
 }
 
 bool isInclined(const JobSettings& settings) { return settings.slicing.plane.angle_deg != 0.0; }
+
+bool hasBelt(const BuildSpace& space) {
+  return std::find(space.is_endless.begin(), space.is_endless.end(), true) != space.is_endless.end();
+}
+
+/// Finished parts would lie in the planes of those to come, and a tower stands on level layers.
+void requireInclinable(const JobSettings& settings) {
+  if (!isInclined(settings)) return;
+  if (settings.plate.order == PlateOrder::ByPart)
+    throw InvalidConfig(
+        "plate.order is by_part in inclined layers, on a machine without a belt; expected by_layer");
+  const std::vector<double>& purge_mm3 = settings.planning.tools.purge_mm3;
+  if (!purge_mm3.empty())
+    throw InvalidConfig(
+        "tools.purge_mm3 is " + std::to_string(purge_mm3.front()) +
+        " mm3 for a plate in inclined layers; expected none: a prime tower stands on level ones");
+}
 
 /// On a belt parts follow each other as they are given.
 void requireNoPlaces(const Plate& plate) {
@@ -313,7 +333,9 @@ class PlateSlicer {
     Laps laps;
     Sources sources(job_.settings.input);
     items_ = itemsOf(job_.plate, sources, job_.settings);
-    if (isInclined(job_.settings)) return sliceAlongBelt(of_plate, laps.lap(), progress, reports);
+    if (isInclined(job_.settings) && hasBelt(space_))
+      return sliceAlongBelt(of_plate, laps.lap(), progress, reports);
+    requireInclinable(job_.settings);
     requireMergeable(items_, job_.settings.plate.order);
     const double read_s = laps.lap();
     arrange(items_, boundingBox(space_), job_.settings);
@@ -369,20 +391,28 @@ class PlateSlicer {
     }
   }
 
-  Toolpath joined(const std::vector<std::size_t>& order) const {
+  /// In the frame of the layers, in which those of inclined ones are level too.
+  Toolpath joined(const std::vector<std::size_t>& order) {
     std::vector<PlateToolpath> parts;
     std::vector<LabelledPart> labelled;
+    const PlaneSettings& plane = job_.settings.slicing.plane;
+    const Eigen::Quaterniond layers_from_part = partFromLayers(plane).conjugate();
+    if (isInclined(job_.settings))
+      for (auto& [key, plan] : plans_) plan.toolpath = inLayerFrame(std::move(plan.toolpath));
     for (const PlateItem& item : items_) {
       const SlicedPart& plan = plans_.at(planKey(item));
       const Point2& at = item.place.at_mm;
-      parts.push_back({item.name, &plan.toolpath, {at.x(), at.y(), plan.bed_from_part.translation().z()}});
+      const Point3 on_bed(at.x(), at.y(), plan.bed_from_part.translation().z());
+      parts.push_back(
+          {item.name, &plan.toolpath, isInclined(job_.settings) ? layers_from_part * on_bed : on_bed});
       labelled.push_back({item.name, moved(hullOf(item.mesh), item.place.at_mm)});
     }
     const PlanSettings& settings = job_.settings.planning;
     Toolpath plate =
         order.empty() ? mergedByLayer(parts, settings.travel) : partAfterPart(parts, order, settings.travel);
-    addSkirt(plate, parts, settings);
+    if (!isInclined(job_.settings)) addSkirt(plate, parts, settings);
     if (!settings.tools.purge_mm3.empty()) plate = withTower(std::move(plate), settings);
+    plate = inPartFrame(std::move(plate), plane);
     addLabels(plate, labelled, job_.settings.plate.labels);
     plate.part_name = namesOf(items_);
     return plate;

@@ -16,15 +16,15 @@ namespace lamina {
 /// The toolpath of a part, and where on the plate it stands.
 struct PlateToolpath {
   std::string name;
-  const Toolpath* toolpath = nullptr;  ///< level layers [frame of the part]
-  Point3 at = Point3::Zero();          ///< of the part's origin [bed frame]
+  const Toolpath* toolpath = nullptr;  ///< [frame of the part's layers]
+  Point3 at = Point3::Zero();          ///< of the part's origin [bed, turned as the layers are]
 };
 
-/// The parts layer by layer, in the frame of the bed: layers of one height are one layer, others follow each
-/// other by the height of their tops. Within a layer the tool at work comes first, then the others by their
-/// numbers, and with each the nozzle goes on to the nearest part. The travels that
-/// led from layer to layer of a part are made anew. Where another part begins, the path before ends with its
-/// `PartMark`, so that the retraction on the way there is of the part to come.
+/// The parts layer by layer, in the frame of the bed, turned as their layers are: layers of one height are
+/// one layer, others follow each other by the height of their tops. Within a layer the tool at work comes
+/// first, then the others by their numbers, and with each the nozzle goes on to the nearest part. The travels
+/// that led from layer to layer of a part are made anew. Where another part begins, the path before ends with
+/// its `PartMark`, so that the retraction on the way there is of the part to come.
 Toolpath mergedByLayer(const std::vector<PlateToolpath>& parts, const TravelSettings& travel);
 
 /// One part after the other, in that order of indices; in between the nozzle rises above all parts.

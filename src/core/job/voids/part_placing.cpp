@@ -8,6 +8,7 @@
 
 #include "lamina/base/parallel.hpp"
 #include "lamina/job/part/placement.hpp"
+#include "planning/order/near_origin.hpp"
 #include "toolpath/deposited_segment.hpp"
 
 namespace lamina {
@@ -169,15 +170,6 @@ Point2 findPlace(const Toolpath& program, const std::vector<Regions>& contours, 
   candidates.add(placePart(box, bed, job.settings.placement).translation().head<2>());
   candidates.add(Point2::Zero());
   return placing.best(candidates.places());
-}
-
-Regions moved(Regions regions, const Point2& by) {
-  for (Region& region : regions) {
-    for (Point2& point : region.outer) point += by;
-    for (Polygon& hole : region.holes)
-      for (Point2& point : hole) point += by;
-  }
-  return regions;
 }
 
 Box2 depositedBox(const ToolpathLayer& layer) {

@@ -18,9 +18,6 @@ namespace lamina {
 Point2 findPlace(const Toolpath& program, const std::vector<Regions>& contours, const Box3& box,
                  const VoidJob& job);
 
-/// The contours at another place.
-Regions moved(Regions regions, const Point2& by);
-
 /// Box of the edges of all beads but skirts; empty if there are none.
 Box2 depositedBox(const ToolpathLayer& layer);
 

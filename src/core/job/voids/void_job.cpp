@@ -15,6 +15,7 @@
 #include "lamina/slicing/planar/planar_slicer.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
 #include "lamina/toolpath/toolpath.hpp"
+#include "planning/order/near_origin.hpp"
 
 namespace lamina {
 namespace {

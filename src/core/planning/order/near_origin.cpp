@@ -14,12 +14,20 @@ double wholeMetres(double middle_mm) {
   return std::abs(middle_mm) < kNear ? 0.0 : std::round(middle_mm / kMetre) * kMetre;
 }
 
-}  // namespace
-
-Point2 distanceFromOrigin(const Layer& layer) {
-  const Box2 box = boundingBox(layer.section.contours);
+Point2 wholeMetres(const Box2& box) {
   if (box.isEmpty()) return Point2::Zero();
   return {wholeMetres(box.centre().x()), wholeMetres(box.centre().y())};
+}
+
+}  // namespace
+
+Point2 distanceFromOrigin(const Layer& layer) { return wholeMetres(boundingBox(layer.section.contours)); }
+
+Point2 distanceFromOrigin(const Regions& regions) {
+  Box2 box;
+  for (const Region& region : regions)
+    for (const Point2& point : region.outer) box.include(point);
+  return wholeMetres(box);
 }
 
 std::vector<StackStretch> stretchesAlongBelt(const std::vector<Layer>& layers) {
@@ -39,6 +47,16 @@ Layer moved(Layer layer, const Point2& by) {
   for (Polygon& contour : layer.section.contours)
     for (Point2& point : contour) point += by;
   return layer;
+}
+
+Regions moved(Regions regions, const Point2& by) {
+  if (by.isZero()) return regions;
+  for (Region& region : regions) {
+    for (Point2& point : region.outer) point += by;
+    for (Polygon& hole : region.holes)
+      for (Point2& point : hole) point += by;
+  }
+  return regions;
 }
 
 }  // namespace lamina

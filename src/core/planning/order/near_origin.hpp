@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "lamina/geometry/polygon/polygon.hpp"
 #include "lamina/slicing/layer.hpp"
 
 namespace lamina {
@@ -13,6 +14,7 @@ namespace lamina {
 /// areas are refused beyond 10 m, and layers on a belt may be anywhere. Zero within 5 m, so that usual parts
 /// are planned where they are.
 Point2 distanceFromOrigin(const Layer& layer);
+Point2 distanceFromOrigin(const Regions& regions);
 
 /// Layers that follow each other and lie equally far out.
 struct StackStretch {
@@ -24,7 +26,8 @@ struct StackStretch {
 /// All layers of a stack, as few stretches as there are. Empty layers belong to those before them.
 std::vector<StackStretch> stretchesAlongBelt(const std::vector<Layer>& layers);
 
-/// The layer at another place of its plane.
+/// The same at another place of the plane.
 Layer moved(Layer layer, const Point2& by);
+Regions moved(Regions regions, const Point2& by);
 
 }  // namespace lamina

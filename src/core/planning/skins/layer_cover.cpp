@@ -7,6 +7,7 @@
 
 #include "lamina/base/parallel.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
+#include "planning/order/near_origin.hpp"
 
 namespace lamina {
 namespace {
@@ -150,13 +151,7 @@ WholeCovers wholeCovers(const std::vector<SharedRegions>& layers, const std::vec
 
 LayerCover moved(const LayerCover& cover, const Point2& by) {
   const auto moved_regions = [&by](const SharedRegions& regions) {
-    Regions copy = *regions;
-    for (Region& region : copy) {
-      for (Point2& point : region.outer) point += by;
-      for (Polygon& hole : region.holes)
-        for (Point2& point : hole) point += by;
-    }
-    return std::make_shared<const Regions>(std::move(copy));
+    return std::make_shared<const Regions>(moved(*regions, by));
   };
   LayerCover at;
   at.material = moved_regions(cover.material);

@@ -12,6 +12,7 @@
 #include "lamina/base/parallel.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
 #include "lamina/toolpath/toolpath.hpp"
+#include "planning/order/near_origin.hpp"
 #include "planning/skins/skin_areas.hpp"
 #include "planning/tools/tool_beads.hpp"
 #include "planning/walls/infill_spacing.hpp"
@@ -19,11 +20,12 @@
 namespace lamina {
 namespace {
 
-/// What the walls of a layer leave, shared out.
+/// What the walls of a layer leave, shared out, that far from where it lies.
 struct InsideWalls {
   Regions inside;
   Regions solid;
   Regions sparse;
+  Point2 away = Point2::Zero();
 };
 
 double pitchOf(const PlanSettings& settings, double height_mm) {
@@ -31,8 +33,11 @@ double pitchOf(const PlanSettings& settings, double height_mm) {
                                       : planWidth({settings.bead.width_mm, height_mm});
 }
 
-InsideWalls insideWalls(const LayerCover& cover, const PlanSettings& settings, double pitch_mm) {
+InsideWalls insideWalls(const LayerCover& at, const PlanSettings& settings, double pitch_mm,
+                        StackPlace place) {
   InsideWalls within;
+  if (place == StackPlace::AlongBelt) within.away = distanceFromOrigin(*at.material);
+  const LayerCover cover = within.away.isZero() ? at : moved(at, -within.away);
   const double walls = wallThickness(settings, pitch_mm);
   within.inside = walls > 0.0 ? offset(*cover.material, -walls) : *cover.material;
   within.sparse = cover.isCovered()
@@ -46,19 +51,24 @@ InsideWalls insideWalls(const LayerCover& cover, const PlanSettings& settings, d
 
 std::vector<std::vector<Polyline>> branchesUnderSkins(const std::vector<LayerCover>& covers,
                                                       const std::vector<double>& heights_mm,
-                                                      const PlanSettings& settings, Progress& progress) {
+                                                      const PlanSettings& settings, StackPlace place,
+                                                      Progress& progress) {
   if (covers.empty()) return {};
   std::vector<InsideWalls> within(covers.size());
   parallelFor(
       covers.size(),
-      [&](std::size_t i) { within[i] = insideWalls(covers[i], settings, pitchOf(settings, heights_mm[i])); },
+      [&](std::size_t i) {
+        within[i] = insideWalls(covers[i], settings, pitchOf(settings, heights_mm[i]), place);
+      },
       progress, "skins");
   const double slope = std::tan(toRadians(settings.fill.lightning.angle_deg));
   std::vector<BranchLayer> layers(covers.size());
   const auto lay_roof = [&](std::size_t i) {
-    layers[i].inside = within[i].inside;
+    const Point2& away = within[i].away;
+    layers[i].inside = moved(within[i].inside, away);
     if (i + 1 < covers.size() && !within[i + 1].solid.empty())
-      layers[i].roof = intersection(within[i + 1].solid, within[i].sparse);
+      layers[i].roof =
+          moved(intersection(moved(within[i + 1].solid, within[i + 1].away - away), within[i].sparse), away);
     layers[i].reach_mm = slope * heights_mm[std::min(i + 1, covers.size() - 1)];
   };
   parallelFor(covers.size(), lay_roof, progress, "skins");

@@ -7,6 +7,7 @@
 #include "lamina/base/progress.hpp"
 #include "lamina/planning/plan_settings.hpp"
 #include "planning/skins/layer_cover.hpp"
+#include "planning/skins/stack_covers.hpp"
 
 namespace lamina {
 
@@ -14,9 +15,11 @@ namespace lamina {
 /// that lies on what the infill of a layer is to fill, between the walls.
 /// @param covers      of each layer, from the bottom
 /// @param heights_mm  of each layer
+/// @param place       where they lie
 /// @return as many as layers; the same for any number of threads
 std::vector<std::vector<Polyline>> branchesUnderSkins(const std::vector<LayerCover>& covers,
                                                       const std::vector<double>& heights_mm,
-                                                      const PlanSettings& settings, Progress& progress);
+                                                      const PlanSettings& settings, StackPlace place,
+                                                      Progress& progress);
 
 }  // namespace lamina
