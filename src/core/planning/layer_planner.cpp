@@ -218,8 +218,7 @@ class LayerPlanner {
   }
 
   void addWalls(Walls& walls) {
-    const std::size_t count = walls.walls.size();
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0, count = walls.walls.size(); i < count; ++i) {
       const std::size_t k = settings_.walls.order == WallOrder::OutsideIn ? i : count - 1 - i;
       addWall(walls.walls[k].centre_lines, k == 0 ? PathRole::OuterWall : PathRole::InnerWall);
       addFills(std::move(walls.walls[k].thin), {});
@@ -356,11 +355,11 @@ class LayerPlanner {
     areas.skin = withoutLowest(std::move(areas.skin), inside);
     lay(areas.bottom_skin, PathRole::BottomSkin);
     lay(areas.skin, PathRole::Skin);
-    if (isSolid(infill_)) {
+    addSkin(areas.thickening, PathRole::InnerWall);
+    if (isSolid(infill_))
       lay(areas.sparse, PathRole::Infill);
-    } else if (infill_.spacing_mm > 0.0 && !areas.sparse.empty()) {
+    else if (infill_.spacing_mm > 0.0 && !areas.sparse.empty())
       addInfill(infillArea(overlap() > 0.0 ? offset(areas.sparse, overlap()) : areas.sparse));
-    }
     travels_.addSeen(areas.top_skin);
     lay(areas.top_skin, PathRole::TopSkin);
     if (settings_.ironing.is_used) appendTo(seen_, areas.top_skin);
@@ -408,11 +407,12 @@ class LayerPlanner {
     for (FillPath& fill : fills) {
       fill.role = role;
       for (double& width : fill.width_mm) width *= beads_.of(role).pitch_mm / request.pitch_mm;
+      if (role != PathRole::Infill) fill = withoutShortMotions(std::move(fill), settings_.bead.width_mm);
     }
     for (FillPath& narrow : parts.narrow) narrow.role = role;
     if (goes_one_way)
       for (const FillPath& fill : std::exchange(fills, {})) addFill(fill, area);
-    for (FillPath& narrow : parts.narrow) fills.push_back(std::move(narrow));
+    std::move(parts.narrow.begin(), parts.narrow.end(), std::back_inserter(fills));
     addFills(std::move(fills), area);
   }
 

@@ -10,6 +10,12 @@
 
 namespace lamina {
 
+/// A run without motions shorter than a bead is wide where these lie within a twentieth of a bead of a
+/// straight one, with the volume they had: the ends of lines in a narrow place. Others stay, as do runs of
+/// one width.
+/// @param bead_mm  width of a nominal bead
+FillPath withoutShortMotions(FillPath run, double bead_mm);
+
 /// The beads of a run by its plan widths [mm], one per waypoint.
 /// @param area_per_width  cross-section of a bead by its plan width [mm]; the layer height, unless
 ///                        `bead.pitch_mm` says that beads are no stadiums

@@ -118,6 +118,17 @@ TEST(Cooling, WaitsForWhatTheLeastFeedLacks) {
   EXPECT_NEAR(summary.dwell_s / 5, 8.0 - (38.4 + kInnerLoop) / 10.0, 0.25);
 }
 
+TEST(Cooling, WaitsOnTheSpotForAllThatTheLeastFeedLacks) {
+  Toolpath toolpath = tower();
+  CoolingSettings settings = atLeast(8.0);
+  settings.park = ParkPlace::Stay;
+  settings.lift_mm = 0.0;
+  const CoolingSummary summary = cooled(toolpath, settings);
+  EXPECT_NEAR(layerTime(toolpath, 2), 8.0, 0.05);
+  EXPECT_NEAR(summary.dwell_s / 5, 0.61, 0.02)
+      << "8 s less the loops at 10 mm/s, 7.39 s, and the way to the next";
+}
+
 TEST(Cooling, OnlyWaitsWhereFeedsBelongToTheProcess) {
   Toolpath toolpath = tower();
   CoolingSettings settings = atLeast(20.0);

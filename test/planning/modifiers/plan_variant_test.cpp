@@ -13,6 +13,7 @@
 #include "lamina/base/random.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
 #include "lamina/infill/line_link.hpp"
+#include "lamina/voids/beads/void_map.hpp"
 #include "planning/modifiers/run_clipping.hpp"
 #include "support/planned_layers.hpp"
 #include "support/shapes.hpp"
@@ -79,6 +80,26 @@ TEST(PlanVariant, FillsEachHalfByItsDensity) {
   EXPECT_NEAR(right, 0.5 * volume(test::plan(cube(), sparse(0.6)), RoleKind::Infill), 0.04 * right);
   EXPECT_NEAR(volume(toolpath, RoleKind::Wall), volume(test::plan(cube(), sparse(0.15)), RoleKind::Wall),
               1e-6);
+}
+
+TEST(PlanVariant, LeavesNothingOpenBetweenSolidHalves) {
+  PlanSettings solid;
+  solid.skirt.count = 0;
+  solid.infill.density = 1.0;
+  PlanSettings across = solid;
+  across.infill.angle_deg += 30.0;
+  const Toolpath toolpath = variedPlan(solid, {variantOf(across, kRightHalf)});
+  for (const std::size_t l : {4U, 5U}) {
+    const LayerVoids found = findVoids({Region{rectangle(0, 0, 20, 20), {}}}, toolpath.layers[l], {});
+    for (const Void& each : found.voids) {
+      Box2 box;
+      for (const Point2& point : each.outline.outer) box.include(point);
+      if (box.high.x() < 9.0 || box.low.x() > 11.0) continue;
+      // Where lines turn back there are gaps between them as beside walls; none goes along the border.
+      EXPECT_LT(box.size().y(), 2.0 * test::kLayerPitch) << l;
+      EXPECT_LT(each.area_mm2, 0.3 * test::kLayerPitch * test::kLayerPitch) << l;
+    }
+  }
 }
 
 TEST(PlanVariant, OfWholeLayersIsTheirPlan) {

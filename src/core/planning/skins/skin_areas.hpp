@@ -13,6 +13,8 @@ struct SkinMeasures {
   double narrowest_mm = 0.0;      ///< what is narrower is no skin
   double anchor_mm = 0.0;         ///< by which a skin grows into the infill
   double least_infill_mm2 = 0.0;  ///< smaller areas of infill become skin
+  double thinnest_mm = 0.0;  ///< what is narrower than a skin but not than this gets a bead; 0: nothing does
+  double bead_mm = 0.0;      ///< by half of which the area of such a bead is wider than what is seen
 };
 
 /// From the outline to the border of what the walls leave [mm].
@@ -26,6 +28,7 @@ struct SkinAreas {
   Regions bottom_skin;  ///< seen from below
   Regions skin;         ///< solid and hidden
   Regions top_skin;     ///< seen from above; from both sides, this one
+  Regions thickening;   ///< too narrow for a skin, beside walls that lean: for one bead more
   Regions sparse;       ///< for the infill
 };
 
