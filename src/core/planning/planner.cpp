@@ -3,6 +3,7 @@
 #include "lamina/planning/planner.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
@@ -207,6 +208,37 @@ LayerVariant variantAt(const VariantPlan& plan, std::size_t index) {
   if (!plan.stack.branches.empty()) variant.branches = &plan.stack.branches[index];
   variant.area = &plan.areas[index];
   return variant;
+}
+
+/// Gives back what covers a layer once all that look at it are planned: it and the one above.
+class CoverRelease {
+ public:
+  explicit CoverRelease(std::vector<LayerCover>& covers) : covers_(covers), left_(covers.size()) {
+    for (std::atomic<int>& each : left_) each = 2;
+    if (!left_.empty()) left_.back() = 1;
+  }
+  /// From any thread, once for each layer.
+  void layerIsPlanned(std::size_t index) {
+    if (left_.empty()) return;
+    drop(index);
+    if (index > 0) drop(index - 1);
+  }
+
+ private:
+  void drop(std::size_t index) {
+    if (--left_[index] == 0) covers_[index] = {};
+  }
+
+  std::vector<LayerCover>& covers_;
+  std::vector<std::atomic<int>> left_;  ///< layers that are yet to look at it
+};
+
+/// With room for the travel to the layer and no more: all layers are held at once.
+void takeRoomNeeded(std::vector<Path>& paths) {
+  std::vector<Path> exact;
+  exact.reserve(paths.size() + 1);
+  std::move(paths.begin(), paths.end(), std::back_inserter(exact));
+  paths = std::move(exact);
 }
 
 /// What the layers of a plan are planned from.
@@ -416,6 +448,7 @@ Plan planInContext(const std::vector<Layer>& layers, const PlanContext& of_setti
   const PlanContext base = baseContext(context);
   const PlanContext on_bed = bedContext(base_layers > 0 ? base : context);
   std::vector<PlannedLayer> planned(layers.size());
+  CoverRelease release(of_stack.stack.covers);
   parallelFor(
       layers.size(),
       [&](std::size_t i) {
@@ -423,6 +456,8 @@ Plan planInContext(const std::vector<Layer>& layers, const PlanContext& of_setti
         planned[i] = planAnywhere(stackedAt(layers, of_stack, i), i, i == 0 ? on_bed : above);
         if (i == 0) scaleFlow(planned[i].layer, context.settings.first_layer.flow);
         if (context.lift) liftLayer(planned[i], i, context.lift);
+        takeRoomNeeded(planned[i].layer.paths);
+        release.layerIsPlanned(i);
       },
       progress, "plan");
   Plan plan = inOne(std::move(planned));

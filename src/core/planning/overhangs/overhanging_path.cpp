@@ -141,6 +141,10 @@ class PiecedWall {
     std::vector<double> feeds;
     std::vector<Bead> beads;
     std::vector<double> shares;
+    const std::size_t waypoints = pieces.size() + 1;
+    feeds.reserve(waypoints);
+    beads.reserve(waypoints);
+    shares.reserve(waypoints);
     for (std::size_t i = 0; i < pieces.size(); ++i) {
       feeds.push_back(spans[i] ? rules_.bridge_feed_mm_s : feedOf(pieces[i]));
       beads.push_back(beadOf(pieces[i]));
@@ -151,7 +155,9 @@ class PiecedWall {
     if (std::all_of(shares.begin(), shares.end(), [](double share) { return share == 0.0; }))
       return std::move(wall_);
     Path path = wall_;
-    path.points = {wall_.points.front()};
+    path.points.clear();
+    path.points.reserve(waypoints);
+    path.points.push_back(wall_.points.front());
     for (const WallPiece& piece : pieces) path.points.push_back(piece.end);
     if (wall_.is_closed) path.points.pop_back();
     path.feed_mm_s = along(std::move(feeds));
