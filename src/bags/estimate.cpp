@@ -207,7 +207,9 @@ void estimate(const EstimateArguments& arguments, OutputFormat format) {
 void addEstimate(CLI::App& app, Chosen& chosen) {
   CLI::App* subcommand = app.add_subcommand("estimate", kEstimateDescription);
   const auto arguments = std::make_shared<EstimateArguments>();
-  subcommand->add_option("bag", arguments->bag, "Bag with toolpath, profile, /tf and /tf_static");
+  subcommand->add_option(
+      "bag", arguments->bag,
+      "Bag with toolpath, profile, /tf and /tf_static, and applied_correction where a machine told of it");
   subcommand->add_option("-o,--output", arguments->output,
                          "Folder for the report, the figures and the map of each layer");
   subcommand->add_option("--namespace", arguments->space, "Namespace in which the topics were recorded");

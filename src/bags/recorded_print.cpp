@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "correction_messages.hpp"
 #include "lamina/base/error.hpp"
 #include "names.hpp"
 
@@ -31,6 +32,7 @@ class PrintReader {
   PrintReader(const std::string& space, const LoopRunSettings& settings, const PrintReceivers& receivers)
       : toolpath_(inSpace(space, names::kToolpath)),
         profile_(inSpace(space, names::kProfile)),
+        applied_(inSpace(space, names::kAppliedCorrection)),
         feed_(settings, kQueueMb),
         receivers_(receivers) {}
 
@@ -41,8 +43,11 @@ class PrintReader {
       begin(message);
     else if (topic == profile_)
       add(message.instantiate<sensor_msgs::PointCloud2>(), recorded);
+    else if (topic == applied_)
+      behind_.emplace_back(recorded,
+                           Late{nullptr, {}, message.instantiate<lamina_msgs::AppliedCorrection>()});
     else if (topic == "/tf")
-      behind_.emplace_back(recorded, Late{message.instantiate<tf2_msgs::TFMessage>(), ros::Time()});
+      behind_.emplace_back(recorded, Late{message.instantiate<tf2_msgs::TFMessage>(), {}, nullptr});
     else if (topic == "/tf_static")
       addFixed(message.instantiate<tf2_msgs::TFMessage>());
     else
@@ -56,10 +61,11 @@ class PrintReader {
   }
 
  private:
-  /// What is used later than it was recorded: transforms, or that a cloud has come.
+  /// What is used later than it was recorded: transforms, what the machine applied, or that a cloud has come.
   struct Late {
     tf2_msgs::TFMessageConstPtr transforms;
     ros::Time heard;
+    lamina_msgs::AppliedCorrectionConstPtr applied;
   };
 
   static std::string inSpace(const std::string& space, const char* name) {
@@ -79,7 +85,7 @@ class PrintReader {
   void add(const sensor_msgs::PointCloud2ConstPtr& cloud, const ros::Time& recorded) {
     if (!cloud) return;
     feed_.add(cloud);
-    behind_.emplace_back(recorded, Late{nullptr, cloud->header.stamp});
+    behind_.emplace_back(recorded, Late{nullptr, cloud->header.stamp, nullptr});
   }
 
   void addFixed(const tf2_msgs::TFMessageConstPtr& message) {
@@ -91,6 +97,10 @@ class PrintReader {
     bool is_new = false;
     for (; !behind_.empty() && behind_.front().first <= until; behind_.pop_front()) {
       const Late& late = behind_.front().second;
+      if (late.applied) {
+        note(*late.applied);
+        continue;
+      }
       if (!late.transforms) {
         feed_.hear(late.heard);
         continue;
@@ -100,6 +110,14 @@ class PrintReader {
     }
     if (!is_new) return;
     feed_.pass();
+    tell();
+  }
+
+  /// By what came before it, as the node does.
+  void note(const lamina_msgs::AppliedCorrection& applied) {
+    if (feed_.run() == nullptr || applied.toolpath_id != feed_.run()->part().toolpath_id) return;
+    feed_.pass();
+    if (const auto missed = missedOf(applied)) feed_.run()->missMap(*missed);
     tell();
   }
 
@@ -116,6 +134,7 @@ class PrintReader {
 
   std::string toolpath_;
   std::string profile_;
+  std::string applied_;
   LoopFeed feed_;
   PrintReceivers receivers_;
   std::deque<std::pair<ros::Time, Late>> behind_;

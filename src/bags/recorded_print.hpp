@@ -25,7 +25,8 @@ struct PrintReceivers {
 };
 
 /// Runs the loop over the prints of a bag as the node height_controller does, without a master: over
-/// `toolpath`, `profile`, `/tf` and `/tf_static`. Memory is that of the bag's index and of one layer.
+/// `toolpath`, `profile`, `/tf`, `/tf_static`, and `applied_correction` where it was recorded. Memory is that
+/// of the bag's index and of one layer.
 /// @param space  namespace in which the topics were recorded; empty for none
 /// @throws FileError if it is no bag, or broken
 BagFigures runRecordedPrints(const std::string& path, const std::string& space,

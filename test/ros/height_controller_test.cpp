@@ -5,7 +5,6 @@
 #include <std_srvs/Trigger.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -21,6 +20,7 @@
 #include "lamina/calibration/calibration_file.hpp"
 #include "lamina/control/program/correction_files.hpp"
 #include "latched.hpp"
+#include "loop/estimated_bag.hpp"
 #include "support/scratch_folder.hpp"
 #include "wait_until.hpp"
 #include "wall_messages.hpp"
@@ -30,8 +30,10 @@ namespace {
 
 using test::calibratedLoop;
 using test::Controller;
+using test::estimate;
 using test::LiveWall;
 using test::NodeProcess;
+using test::replayed;
 using test::SensedWall;
 using test::sensedWall;
 using test::SensedWallCase;
@@ -52,32 +54,6 @@ SensedWallCase shortWall(std::size_t layers) {
   wall.length_mm = 20.0;
   wall.layers = layers;
   return wall;
-}
-
-/// What `lamina estimate` says of a bag, with a loop that is told of its sensor by `known`.
-nlohmann::json estimate(const std::string& bag, const std::string& more = "",
-                        const std::string& known =
-                            "--set sensor.time_offset_trusted=true "
-                            "--set sensor.place_trusted=true") {
-  const std::string command =
-      std::string(LAMINA_COMMAND) + " estimate " + bag +
-      " --json --set request=active --set sight.sigma_mm=0.01 --set loop.reading_correlation=0 " + known +
-      " " + more;
-  FILE* pipe = popen(command.c_str(), "r");
-  std::string text;
-  std::array<char, 4096> part{};
-  for (std::size_t read = 0; (read = fread(part.data(), 1, part.size(), pipe)) > 0;)
-    text.append(part.data(), read);
-  EXPECT_EQ(pclose(pipe), 0) << command;
-  return nlohmann::json::parse(text);
-}
-
-std::vector<std::string> replayed(const std::string& bag, std::size_t layers, const std::string& rate,
-                                  const std::vector<std::string>& parameters = {}) {
-  Controller controller(parameters);
-  const test::BagPlayer player(bag, {"--rate=" + rate, "--delay=0.5"});
-  waitUntil([&] { return controller.layers.size() >= layers; });
-  return controller.digests();
 }
 
 TEST(HeightController, GivesTheMapsThatAreWorkedOut) {
