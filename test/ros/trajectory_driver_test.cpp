@@ -3,8 +3,10 @@
 #include <actionlib/server/simple_action_server.h>
 #include <gtest/gtest.h>
 
+#include "correction_messages.hpp"
 #include "drive_cell.hpp"
 #include "follow_joint_trajectory.hpp"
+#include "lamina/control/correction_map.hpp"
 #include "node_process.hpp"
 
 namespace lamina {
@@ -259,6 +261,66 @@ class FaultyController {
   ros::Timer timer_;
   Server server_;
 };
+
+/// Eight beads side by side in one layer.
+Toolpath eightBeads() {
+  ToolpathLayer layer{kHeight, kHeight, {}};
+  for (int bead = 0; bead < 8; ++bead) {
+    const double y = 5.0 * bead;
+    if (bead > 0)
+      layer.paths.push_back(
+          straight(PathRole::Travel, layer.paths.back().points.back(), {-kHalf, y, kHeight}));
+    layer.paths.push_back(straight(PathRole::OuterWall, {-kHalf, y, kHeight}, {kHalf, y, kHeight}));
+  }
+  return {"eight beads", {layer}};
+}
+
+CorrectionMap evenMap(const Toolpath& part, double amount, std::uint64_t sequence) {
+  const LayerCells cells = layerCells(part.layers[0], 0, 0.5);
+  return correctionMap(cells, {std::vector<double>(cells.size(), amount), {}, {}}, toolpathId(part),
+                       sequence);
+}
+
+/// A map that comes while the first bead is laid holds for what is not handed over by then: the last one.
+TEST(TrajectoryDriver, TrimsALayerThatIsUnderWay) {
+  const Toolpath part = eightBeads();
+  ros::NodeHandle node("/trimmed");
+  auto correction = node.advertise<lamina_msgs::CorrectionMap>(names::kCorrection, 10, true);
+  std::vector<lamina_msgs::AppliedCorrection> applied;
+  const boost::function<void(const lamina_msgs::AppliedCorrectionConstPtr&)> on_applied =
+      [&](const auto& message) { applied.push_back(*message); };
+  const auto uses =
+      node.subscribe<lamina_msgs::AppliedCorrection>(names::kAppliedCorrection, 100, on_applied);
+  DriveCell cell("/trimmed", "five_axis_head_table");
+  ASSERT_TRUE(waitUntil([&] { return correction.getNumSubscribers() > 0 && uses.getNumPublishers() > 0; }));
+  publishLatched(correction, toMessage(evenMap(part, 0.2, 1)));
+  cell.drive(part);
+  ASSERT_TRUE(waitUntil([&] { return cell.isDepositing() || cell.isDone(); }));
+  publishLatched(correction, toMessage(evenMap(part, -0.1, 2)));
+  ASSERT_TRUE(cell.ends());
+  ASSERT_EQ(cell.result().status.code, Status::OK + 0) << cell.result().status.message;
+  const double planned = 1e-9 * 30.0 * crossSection(Bead{1.0, kHeight});  // m^3/s
+  std::size_t first = 0;
+  std::size_t last = 0;
+  for (const auto& report : cell.reports) {
+    const Point3 tip = cell.tip(report);
+    if (!(report.process.flow > 0.0) || std::abs(tip.x()) > 10.0) continue;
+    const bool is_first = std::abs(tip.y()) < kLag;
+    const bool is_last = std::abs(tip.y() - 35.0) < kLag;
+    if (is_first) {
+      EXPECT_NEAR(report.process.flow / planned, 1.2, 0.02) << tip.transpose();
+    }
+    if (is_last) {
+      EXPECT_NEAR(report.process.flow / planned, 0.9, 0.02) << tip.transpose();
+    }
+    first += is_first ? 1 : 0;
+    last += is_last ? 1 : 0;
+  }
+  EXPECT_GT(first, 5U);
+  EXPECT_GT(last, 5U);
+  ASSERT_EQ(applied.size(), 1U) << "of the map that the layer begins with";
+  EXPECT_EQ(applied[0].digest, toMessage(evenMap(part, 0.2, 1)).digest);
+}
 
 TEST(TrajectoryDriver, EndsInAbortedIfTheControllerFails) {
   DriveCell cell("faulty", "five_axis_head_table");
