@@ -202,6 +202,10 @@ TEST(TrajectoryFeeder, LaysEachMillimetreOnce) {
 /// Where the first motion of the second of two layers begins.
 Point3 secondLayerOf(const Toolpath& toolpath) { return toolpath.layers[1].paths[0].points[0]; }
 
+PathRole roleAt(const Toolpath& toolpath, const WaypointIndex& at) {
+  return toolpath.layers.at(at.layer).paths.at(at.path).role;
+}
+
 TEST(TrajectoryFeeder, RestsInFrontOfALayerUntilItIsReleased) {
   const Toolpath toolpath = test::twoLayers();
   const TimedPath timed = timedGantry(toolpath, powderSettings());
@@ -218,7 +222,9 @@ TEST(TrajectoryFeeder, RestsInFrontOfALayerUntilItIsReleased) {
   EXPECT_EQ(rest.velocity.norm(), 0.0);
   EXPECT_EQ(rest.process, safeSignals());
   const Point3 tip = gantry.bedFromNozzle(rest.position).translation();
-  EXPECT_LT((tip - secondLayerOf(toolpath)).norm(), 10.0);
+  EXPECT_LT((tip - secondLayerOf(toolpath)).norm(), 1e-6);
+  EXPECT_EQ(rest.heading_for.layer, 0U);
+  EXPECT_EQ(roleAt(toolpath, rest.heading_for), PathRole::Travel);
   EXPECT_FALSE(feeder.holdAtLayer(1, 0.0)) << "it is held already";
   feeder.release(rest_s + 7.0);
   EXPECT_FALSE(feeder.isHeld());
@@ -229,6 +235,71 @@ TEST(TrajectoryFeeder, RestsInFrontOfALayerUntilItIsReleased) {
   EXPECT_NEAR(outcome.volume / totals(toolpath).deposited_mm3, 1.0, kVolumeTolerance);
   EXPECT_LT(outcome.farthest, 0.05 + 1e-6);
   EXPECT_LT(outcome.acceleration, 1.0 + 1e-6);
+}
+
+/// The travel goes straight on from layer to layer: the motion does not rest where the layer begins.
+TEST(TrajectoryFeeder, RestsOnTheTravelThatALayerBeginsWith) {
+  const auto travel = [](const Point3& from, const Point3& to) {
+    Path path = test::straightPath(from, to);
+    path.role = PathRole::Travel;
+    path.bead = Bead{};
+    return path;
+  };
+  const Toolpath toolpath{
+      "joined",
+      {{0.2, 0.2, {test::straightPath({0, 0, 0.2}, {10, 0, 0.2}), travel({10, 0, 0.2}, {10, 20, 0.2})}},
+       {0.4, 0.2, {travel({10, 20, 0.2}, {10, 40, 0.2}), test::straightPath({10, 40, 0.2}, {20, 40, 0.2})}}}};
+  const TimedPath timed = timedGantry(toolpath, powderSettings());
+  TrajectoryFeeder feeder(timed, {});
+  ASSERT_TRUE(feeder.holdAtLayer(1, 0.0));
+  const JointState rest = feeder.at(feeder.restTime() + 1.0);
+  EXPECT_EQ(rest.velocity.norm(), 0.0);
+  EXPECT_EQ(rest.heading_for.layer, 1U);
+  EXPECT_EQ(roleAt(toolpath, rest.heading_for), PathRole::Travel);
+}
+
+/// One bead goes on from layer to layer: to stop there would leave a mark on it.
+TEST(TrajectoryFeeder, DoesNotRestOnABeadThatGoesOnFromLayerToLayer) {
+  const Toolpath toolpath{"endless",
+                          {{0.2, 0.2, {test::straightPath({0, 0, 0.2}, {30, 0, 0.2})}},
+                           {0.4, 0.2, {test::straightPath({30, 0, 0.2}, {60, 0, 0.2})}}}};
+  const TimedPath timed = timedGantry(toolpath, powderSettings());
+  TrajectoryFeeder feeder(timed, {});
+  const double middle_s = 0.5 * timed.duration();
+  ASSERT_GT(timed.at(middle_s).velocity.norm(), 1.0) << "it does not rest between the layers";
+  EXPECT_FALSE(feeder.holdAtLayer(1, 0.0));
+  EXPECT_FALSE(feeder.isHeld());
+  EXPECT_EQ(feeder.restTime(), timed.duration());
+  for (double time_s = 0.0; time_s < timed.duration(); time_s += 0.05)
+    expectSame(feeder.at(time_s), timed.at(time_s));
+}
+
+/// Held in front of a layer, paused and resumed at any time on the way there or at rest: it ends in front of
+/// the layer, and goes on only once it is released.
+TEST(TrajectoryFeeder, IsHeldAgainOnceAPauseInFrontOfALayerIsOver) {
+  ASSERT_TRUE(rc::check("a pause anywhere up to the layer", [] {
+    const Toolpath toolpath = test::twoLayers();
+    const TimedPath timed = timedGantry(toolpath, powderSettings(*rc::gen::element(0.0, 0.01)));
+    TrajectoryFeeder feeder(timed, {});
+    RC_ASSERT(feeder.holdAtLayer(1, 0.0));
+    const double held_s = feeder.restTime();
+    const double now_s = held_s * 0.001 * *rc::gen::inRange(1, 1100);
+    while (feeder.next(now_s)) continue;
+    feeder.pause(now_s);
+    RC_ASSERT(feeder.state() == TrajectoryFeederState::Paused);
+    feeder.release(now_s);
+    RC_ASSERT(feeder.state() == TrajectoryFeederState::Paused);
+    const double resume_s = feeder.restTime() + 1.0;
+    feeder.resume(resume_s);
+    RC_ASSERT(feeder.state() == TrajectoryFeederState::Running);
+    RC_ASSERT(feeder.isHeld() || feeder.holdAtLayer(1, resume_s));
+    const double rest_s = feeder.restTime();
+    RC_ASSERT(feeder.at(rest_s + 100.0).heading_for.layer == 0U);
+    feeder.release(std::max(resume_s, rest_s) + 1.0);
+    RC_ASSERT(!feeder.isHeld());
+    const Outcome outcome = outcomeOf(feeder, toolpath, powderSettings(), feeder.restTime());
+    RC_ASSERT(std::abs(outcome.volume / totals(toolpath).deposited_mm3 - 1.0) < kVolumeTolerance);
+  }));
 }
 
 /// Before the rest in front of a layer, and while it rests there.
@@ -242,10 +313,13 @@ TEST(TrajectoryFeeder, PausesAndAbortsWhereItIsHeld) {
     const double now_s = rests ? held_s + 1.0 : 0.2;
     feeder.pause(now_s);
     EXPECT_EQ(feeder.state(), TrajectoryFeederState::Paused) << rests;
-    EXPECT_FALSE(feeder.isHeld());
+    EXPECT_EQ(feeder.isHeld(), rests) << "a pause on the way ends it";
     EXPECT_EQ(feeder.restTime() < held_s, !rests);
     feeder.resume(held_s + 3.0);
-    if (feeder.holdAtLayer(1, held_s + 3.0)) feeder.release(feeder.restTime() + 1.0);
+    EXPECT_EQ(feeder.holdAtLayer(1, held_s + 3.0), !rests);
+    ASSERT_TRUE(feeder.isHeld());
+    EXPECT_EQ(feeder.restTime() > held_s, !rests) << "in front of the layer nothing moves";
+    feeder.release(std::max(feeder.restTime(), held_s + 3.0) + 1.0);
     const Outcome outcome = outcomeOf(feeder, toolpath, powderSettings(), feeder.restTime());
     EXPECT_NEAR(outcome.volume / totals(toolpath).deposited_mm3, 1.0, kVolumeTolerance) << rests;
     TrajectoryFeeder aborted(timed, {});
@@ -313,6 +387,9 @@ TEST(TrajectoryFeeder, AbortsWhilePausedAndBeforeTheStart) {
   unstarted.abort(0.0);
   EXPECT_TRUE(isSafe(unstarted, 0.0, 2.0));
   EXPECT_NEAR(unstarted.at(2.0).position[0], 0.0, 1e-12);
+  TrajectoryFeeder reacting(timed, {250.0, 50, 0.5, 0.3});
+  reacting.abort(-0.1);
+  EXPECT_NEAR(reacting.at(2.0).position[0], 0.0, 1e-12) << "what was not handed over needs no reaction";
 }
 
 TEST(TrajectoryFeeder, DoesNothingAfterTheEnd) {

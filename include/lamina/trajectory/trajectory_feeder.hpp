@@ -49,16 +49,19 @@ class TrajectoryFeeder {
 
   /// Does nothing unless running, or if the motion ends before it could react. In front of a layer it stays.
   void pause(double now_s);
-  /// Powder and gas settle first. Does nothing unless paused.
+  /// Powder and gas settle first. Paused where it is held in front of a layer, it is held there again. Does
+  /// nothing unless paused.
   void resume(double now_s);
   /// Stops where a layer begins, and rests there until it is released: at the end of what comes before, or on
-  /// the travel that the layer begins with. Nothing changes before. An earlier pause ends it.
-  /// @return false if it is not running, has no such layer or cannot stop in front of it any more; then
-  ///   nothing happens
+  /// the travel that the layer begins with. Nothing changes before. A pause that ends below the layer ends
+  /// it.
+  /// @return false if it is not running, has no such layer, cannot stop in front of it any more, or would
+  /// have
+  ///   to stop on the layer's first bead, which goes on from what comes before; then nothing happens
   bool holdAtLayer(std::size_t layer, double now_s);
-  /// Goes on into the layer; powder and gas settle first. Does nothing unless it is held.
+  /// Goes on into the layer; powder and gas settle first. Does nothing unless it is running and held.
   void release(double now_s);
-  /// Whether it stops in front of a layer, or rests there.
+  /// Whether it stops in front of a layer, or rests there, paused or not.
   bool isHeld() const;
   /// Does nothing after the end of the motion or an abort.
   void abort(double now_s);

@@ -60,7 +60,7 @@ class TrajectoryFeeder::State {
         schedule_(motion_->schedule()) {}
 
   TrajectoryFeederState state() const {
-    const bool is_over = state_ == TrajectoryFeederState::Running && !is_held_ && sent_ >= lastStep();
+    const bool is_over = state_ == TrajectoryFeederState::Running && !isHeld() && sent_ >= lastStep();
     return is_over ? TrajectoryFeederState::Finished : state_;
   }
   double restTime() const { return timeline_.end() + motion_->averaging(); }
@@ -88,31 +88,43 @@ class TrajectoryFeeder::State {
 
   void pause(double now_s) {
     if (state_ != TrajectoryFeederState::Running) return;
-    if (!brakeFrom(reactionTo(now_s)) && !is_held_) return;
-    is_held_ = false;
+    if (held_layer_)
+      pauseHeld(now_s);
+    else if (!brakeFrom(reactionTo(now_s)))
+      return;
     state_ = TrajectoryFeederState::Paused;
     reschedule();
   }
 
-  bool isHeld() const { return is_held_; }
+  bool isHeld() const { return held_layer_.has_value(); }
 
   bool hold(std::size_t layer, double now_s) {
-    if (state_ != TrajectoryFeederState::Running || is_held_) return false;
+    if (state_ != TrajectoryFeederState::Running || isHeld()) return false;
     const auto begins = layerBegin(layer);
-    if (!begins || *begins < reactionTo(now_s) || !brakeFrom(*begins)) return false;
-    is_held_ = true;
+    if (!begins || *begins < reactionTo(now_s)) return false;
+    const WayToRest before = wayToRest();
+    if (!brakeFrom(*begins)) return false;
+    if (restsOnBeadFrom(layer)) {
+      goBackTo(before);
+      return false;
+    }
+    held_layer_ = layer;
     reschedule();
     return true;
   }
 
   void release(double now_s) {
-    if (!is_held_) return;
-    is_held_ = false;
+    if (state_ != TrajectoryFeederState::Running || !isHeld()) return;
+    held_layer_.reset();
     goOn(now_s);
   }
 
   void resume(double now_s) {
-    if (state_ == TrajectoryFeederState::Paused) goOn(now_s);
+    if (state_ != TrajectoryFeederState::Paused) return;
+    if (isHeld())
+      state_ = TrajectoryFeederState::Running;
+    else
+      goOn(now_s);
   }
 
   void goOn(double now_s) {
@@ -128,7 +140,7 @@ class TrajectoryFeeder::State {
 
   bool isOver(double now_s) const {
     return state_ == TrajectoryFeederState::Aborted ||
-           (state_ == TrajectoryFeederState::Running && !is_held_ && now_s >= restTime());
+           (state_ == TrajectoryFeederState::Running && !isHeld() && now_s >= restTime());
   }
 
   void abort(double now_s) {
@@ -137,7 +149,7 @@ class TrajectoryFeeder::State {
     const bool brakes = was_running && brakeFrom(reactionTo(now_s));
     if (was_running && !brakes) rest_ = timeline_.placeAt(timeline_.end());
     state_ = TrajectoryFeederState::Aborted;
-    is_held_ = false;
+    held_layer_.reset();
     reschedule();
     // What the controller has is replaced from now on: the motion is the same until the reaction.
     schedule_.makeSafeFrom(now_s);
@@ -153,6 +165,37 @@ class TrajectoryFeeder::State {
   }
 
  private:
+  /// What braking changes.
+  struct WayToRest {
+    Timeline timeline;
+    MotionPlace rest;
+    long sent = -1;
+  };
+  WayToRest wayToRest() const { return {timeline_, rest_, sent_}; }
+  void goBackTo(const WayToRest& way) {
+    timeline_ = way.timeline;
+    rest_ = way.rest;
+    sent_ = way.sent;
+  }
+
+  std::size_t layerOf(const MotionPlace& place) const {
+    return place.curve->spanEnd(place.span).heading_for.layer;
+  }
+
+  /// Whether it comes to rest where a layer, or one above it, is being laid.
+  bool restsOnBeadFrom(std::size_t layer) const {
+    return layerOf(rest_) >= layer && rest_.along > 0.0 && rest_.curve->spanEnd(rest_.span).area_mm2 > 0.0;
+  }
+
+  /// A way to rest that would end beyond where the layer begins is no shorter than the one that it is on.
+  void pauseHeld(double now_s) {
+    const WayToRest held = wayToRest();
+    if (brakeFrom(reactionTo(now_s)) && layerOf(rest_) < *held_layer_)
+      held_layer_.reset();
+    else
+      goBackTo(held);
+  }
+
   double timeOf(long step) const { return static_cast<double>(step) / settings_.rate_hz; }
   long stepAfter(double time_s) const {
     return static_cast<long>(std::ceil(time_s * settings_.rate_hz - kGridSlack));
@@ -172,8 +215,9 @@ class TrajectoryFeeder::State {
     return begins->time_s;
   }
 
-  /// Time of the first point that a request made now can still change.
+  /// Time of the first point that a request made now can still change. Before the start nothing has moved.
   double reactionTo(double now_s) const {
+    if (sent_ < 0 && now_s <= 0.0) return 0.0;
     return timeOf(std::max(0L, stepAfter(now_s + settings_.reaction_s)));
   }
 
@@ -209,9 +253,9 @@ class TrajectoryFeeder::State {
   Timeline timeline_;
   ProcessSchedule schedule_;
   TrajectoryFeederState state_ = TrajectoryFeederState::Running;
-  bool is_held_ = false;  ///< in front of a layer
-  MotionPlace rest_;      ///< where it is paused, held or aborted
-  long sent_ = -1;        ///< step of the last point handed over
+  std::optional<std::size_t> held_layer_;  ///< in front of which it stops, or is paused
+  MotionPlace rest_;                       ///< where it is paused, held or aborted
+  long sent_ = -1;                         ///< step of the last point handed over
 };
 
 TrajectoryFeeder::TrajectoryFeeder(const TimedPath& path, const TrajectoryFeederSettings& settings) {
