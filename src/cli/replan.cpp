@@ -92,7 +92,7 @@ void replan(const ReplanArguments& arguments, OutputFormat format) {
                        std::to_string(measured.mean_error_mm) + " mm above layer " +
                        std::to_string(measured.layer) + "; expected more layers left, or a smaller error");
   const PlacedToolpath planned{replannedToolpath(input.toolpath, left, *heights), {}};
-  const std::string id = replannedId(planned.toolpath, toolpathId(input.toolpath));
+  const std::string id = replannedId(planned.toolpath, left.first, toolpathId(input.toolpath));
   writeOutput(arguments.output, planned, settings.program);
   print(arguments, planned, id, *heights, format);
 }

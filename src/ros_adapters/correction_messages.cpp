@@ -96,9 +96,13 @@ lamina_msgs::AppliedCorrection toMessage(const MissedMap& missed, const std::str
 std::optional<MissedMap> missedOf(const lamina_msgs::AppliedCorrection& message) {
   MissedMap missed{message.layer, message.waited, message.reason, {}};
   if (message.digest.empty()) return missed;
-  if (message.from_path == 0 && !(message.from_along > 0.0)) return std::nullopt;
+  if (!message.reason.empty()) return std::nullopt;
   missed.held_from = PlaceOnLayer{message.from_path, toMillimetres(message.from_along)};
   return missed;
+}
+
+bool isRefusalOfPlan(const lamina_msgs::AppliedCorrection& message) {
+  return message.layer == 0 && message.digest.empty() && message.waited == 0.0 && !message.reason.empty();
 }
 
 }  // namespace lamina

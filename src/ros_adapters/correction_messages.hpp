@@ -26,7 +26,12 @@ CorrectionMap toCore(const lamina_msgs::CorrectionMap& message);
 lamina_msgs::AppliedCorrection toMessage(const MissedMap& missed, const std::string& toolpath_id,
                                          const std::string& digest);
 
-/// What the machine did not have of a layer's map; nothing if it had all of it.
+/// What the machine did not have of a layer's map: of one that it had all of, it holds from the beginning.
+/// Nothing where a later map of the layer is not used.
 std::optional<MissedMap> missedOf(const lamina_msgs::AppliedCorrection& message);
+
+/// Whether a message of a plan says that the plan is not gone on with: as planned, without a wait, from its
+/// first layer on.
+bool isRefusalOfPlan(const lamina_msgs::AppliedCorrection& message);
 
 }  // namespace lamina

@@ -44,7 +44,7 @@ class Replan(unittest.TestCase):
         left = self.tops[-1] - self.tops[9]
         self.assertAlmostEqual(tops[0], self.tops[9] - 0.3 + (left + 0.3) / len(tops), places=6)
         self.assertAlmostEqual(done["flow"], 1.25)
-        self.assertRegex(done["toolpath_id"], "^[0-9a-f]{16}-of-[0-9a-f]{16}$")
+        self.assertRegex(done["toolpath_id"], "^[0-9a-f]{16}-from-[0-9]+-of-[0-9a-f]{16}$")
 
     def test_adds_whole_layers_and_writes_programs(self):
         figures = self.write("9,1,0.41,1")

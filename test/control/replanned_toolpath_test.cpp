@@ -54,9 +54,22 @@ TEST(ReplannedToolpath, HasAnIdentityThatNamesItsParent) {
   const NewHeights heights{{1.6, 1.6}, 1.0};
   const Toolpath first = replannedToolpath(eightLayers(), {6, 0.2}, heights);
   const std::string parent = toolpathId(eightLayers());
-  const std::string id = replannedId(first, parent);
-  EXPECT_EQ(id, toolpathId(first) + "-of-" + parent);
-  EXPECT_EQ(replannedId(eightLayers(), id), parent + "-of-" + toolpathId(first)) << "of a plan of a plan";
+  const std::string id = replannedId(first, 6, parent);
+  EXPECT_EQ(id, toolpathId(first) + "-from-6-of-" + parent);
+  EXPECT_EQ(replannedId(eightLayers(), 1, id), parent + "-from-1-of-" + toolpathId(first))
+      << "of a plan of a plan";
+}
+
+TEST(ReplannedToolpath, IsBegunInPlaceOfTheLayerThatItsIdentityNames) {
+  EXPECT_EQ(firstLayerOf("b-from-6-of-a"), 6U);
+  EXPECT_EQ(firstLayerOf("c-from-12-of-b"), 12U);
+  EXPECT_FALSE(firstLayerOf("a"));
+  EXPECT_FALSE(firstLayerOf("b-of-a"));
+  EXPECT_FALSE(firstLayerOf("b-from--of-a"));
+  EXPECT_FALSE(firstLayerOf("b-from-6x-of-a"));
+  EXPECT_FALSE(firstLayerOf("b-from--6-of-a"));
+  EXPECT_FALSE(firstLayerOf("b-of-a-from-6"));
+  EXPECT_FALSE(firstLayerOf("b-from-99999999999999999999999-of-a"));
 }
 
 /// Layers that lean grow along their normal.
@@ -102,6 +115,9 @@ TEST(ReplannedToolpath, RefusesLayersWithoutATravelBetweenThem) {
 TEST(ReplannedToolpath, IsOfThePrintThatItsNameSays) {
   EXPECT_TRUE(isPlanOf("b-of-a", "a"));
   EXPECT_TRUE(isPlanOf("c-of-b", "b-of-a")) << "a plan of what is a plan";
+  EXPECT_TRUE(isPlanOf("b-from-3-of-a", "a"));
+  EXPECT_TRUE(isPlanOf("c-from-2-of-b", "b-from-3-of-a"));
+  EXPECT_FALSE(isPlanOf("c-from-2-of-a", "b-from-3-of-a"));
   EXPECT_FALSE(isPlanOf("c-of-a", "b-of-a")) << "of what is no longer driven";
   EXPECT_FALSE(isPlanOf("b-of-a", "b-of-a")) << "itself";
   EXPECT_FALSE(isPlanOf("b-of-a", "b"));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 
 #include "lamina/control/replanning.hpp"
@@ -32,8 +33,9 @@ PartUnderWay partUnderWay(const Toolpath& toolpath, const LayersLeft& left, doub
 /// @throws InvalidInput as `partUnderWay`, or naming the layer where no travel leads to the next one
 Toolpath replannedToolpath(const Toolpath& toolpath, const LayersLeft& left, const NewHeights& heights);
 
-/// An identity of its own that names its parent: that of the toolpath, `-of-`, and the parent's own.
-std::string replannedId(const Toolpath& replanned, const std::string& parent_id);
+/// An identity of its own that names its parent: that of the toolpath, `-from-`, the layer of the parent in
+/// whose place its first one comes, `-of-`, and the parent's own.
+std::string replannedId(const Toolpath& replanned, std::size_t first_layer, const std::string& parent_id);
 
 /// Whether a plan takes the place of the rest of that toolpath, which may be a plan itself.
 bool isPlanOf(const std::string& plan_id, const std::string& toolpath_id);
@@ -46,5 +48,8 @@ enum class PlanMoment {
 
 /// Why a machine that runs a toolpath cannot go over to a plan, in words; empty if it can.
 std::string refusalOfPlan(const std::string& plan_id, const std::string& toolpath_id, PlanMoment moment);
+
+/// The layer of the parent in whose place a plan's first one comes; nothing if the identity names none.
+std::optional<std::size_t> firstLayerOf(const std::string& plan_id);
 
 }  // namespace lamina

@@ -3,7 +3,9 @@
 #include "lamina/control/replanned_toolpath.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -15,7 +17,13 @@ namespace {
 
 constexpr double kSameHeight = 1e-3;  // mm, as files round
 constexpr double kJoined = 1e-6;      // mm
+constexpr char kFirstLayer[] = "-from-";
 constexpr char kParent[] = "-of-";
+
+/// An identity without what it says of a parent.
+std::string ownId(const std::string& id) {
+  return id.substr(0, std::min(id.find(kFirstLayer), id.find(kParent)));
+}
 
 bool isTravel(const Path& path) { return path.role == PathRole::Travel; }
 
@@ -115,15 +123,27 @@ Toolpath replannedToolpath(const Toolpath& toolpath, const LayersLeft& left, con
   return replanned;
 }
 
-std::string replannedId(const Toolpath& replanned, const std::string& parent_id) {
-  return toolpathId(replanned) + kParent + parent_id.substr(0, parent_id.find(kParent));
+std::string replannedId(const Toolpath& replanned, std::size_t first_layer, const std::string& parent_id) {
+  return toolpathId(replanned) + kFirstLayer + std::to_string(first_layer) + kParent + ownId(parent_id);
 }
 
 bool isPlanOf(const std::string& plan_id, const std::string& toolpath_id) {
   const std::size_t own = plan_id.find(kParent);
   return own != std::string::npos && plan_id != toolpath_id &&
-         plan_id.substr(own + std::string(kParent).size()) ==
-             toolpath_id.substr(0, toolpath_id.find(kParent));
+         plan_id.substr(own + std::string(kParent).size()) == ownId(toolpath_id);
+}
+
+std::optional<std::size_t> firstLayerOf(const std::string& plan_id) {
+  const std::size_t layer = plan_id.find(kFirstLayer);
+  const std::size_t end = plan_id.find(kParent);
+  if (layer == std::string::npos || end == std::string::npos) return std::nullopt;
+  const std::size_t begin = layer + std::string(kFirstLayer).size();
+  std::size_t first = 0;
+  if (begin >= end) return std::nullopt;
+  const char* const digits = plan_id.data();
+  const auto [read, error] = std::from_chars(digits + begin, digits + end, first);
+  if (error != std::errc() || read != digits + end) return std::nullopt;
+  return first;
 }
 
 std::string refusalOfPlan(const std::string& plan_id, const std::string& toolpath_id, PlanMoment moment) {

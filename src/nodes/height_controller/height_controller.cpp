@@ -9,6 +9,7 @@
 #include "correction_messages.hpp"
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/control/replanned_toolpath.hpp"
 #include "lamina/control/report/loop_report.hpp"
 #include "lamina/control/run/run_calibration.hpp"
 #include "loop/loop_messages.hpp"
@@ -178,8 +179,13 @@ void HeightController::onMachineState(const lamina_msgs::MachineStateConstPtr& m
 
 /// The machine may be ahead of what tf has said of it so far.
 void HeightController::onApplied(const lamina_msgs::AppliedCorrectionConstPtr& message) {
-  if (feed_.run() == nullptr || message->toolpath_id != feed_.run()->part().toolpath_id) return;
-  if (const auto missed = missedOf(*message)) feed_.run()->missMap(*missed);
+  if (feed_.run() == nullptr) return;
+  if (isPlanOf(message->toolpath_id, feed_.run()->part().toolpath_id) && isRefusalOfPlan(*message))
+    feed_.run()->refusePlan(message->toolpath_id, message->reason);
+  else if (message->toolpath_id != feed_.run()->part().toolpath_id)
+    return;
+  else if (const auto missed = missedOf(*message))
+    feed_.run()->missMap(*missed);
   publishNews();
 }
 

@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
 #include <string>
 #include <utility>
 
+#include "lamina/control/replanned_toolpath.hpp"
 #include "support/sensed_wall.hpp"
 
 namespace lamina {
@@ -97,6 +99,43 @@ TEST(ReplannedRun, FollowsNoPlanButItsLatest) {
   EXPECT_EQ(run.part().toolpath_id, printed.part.toolpath_id);
 }
 
+/// A print as its poses and clouds come.
+void replay(const SensedWall& printed, LoopRun& run, const std::function<bool()>& is_over) {
+  std::size_t cloud = 0;
+  for (const StampedTip& pose : printed.tips) {
+    for (; cloud < printed.clouds.size() && printed.clouds[cloud].stamp_ns <= pose.stamp_ns; ++cloud)
+      run.see(printed.clouds[cloud]);
+    run.observe(pose);
+    if (is_over()) return;
+  }
+}
+
+/// The layer that the plan was to begin with is laid by its map after all, which may not have been passed on.
+TEST(ReplannedRun, GoesOnAsBeforeWhereAPlanIsRefused) {
+  const SensedWallCase wall = cloggedPrint(Replanning::Scale);
+  const SensedWall printed = sensedWall(wall);
+  LoopRun run(printed.part, wall.settings);
+  LoopNews news;
+  replay(printed, run, [&] { return !(news = run.takeNews()).plans.empty(); });
+  ASSERT_EQ(news.plans.size(), 1U);
+  const PrintPlan plan = news.plans.front();
+  EXPECT_EQ(firstLayerOf(plan.part.toolpath_id), plan.layer);
+  ASSERT_FALSE(news.maps.empty());
+  EXPECT_FALSE(run.refusePlan("another", "it is out of reach"));
+  EXPECT_TRUE(run.takeNews().alarms.empty());
+  EXPECT_TRUE(run.refusePlan(plan.part.toolpath_id, "it is out of reach"));
+  const LoopNews after = run.takeNews();
+  ASSERT_EQ(after.alarms.size(), 1U);
+  EXPECT_EQ(after.alarms[0].alarm, LoopAlarm::Saturated);
+  EXPECT_EQ(after.alarms[0].reaction, LoopReaction::Warn);
+  EXPECT_NE(after.alarms[0].reason.find("out of reach"), std::string::npos) << after.alarms[0].reason;
+  ASSERT_EQ(after.maps.size(), 1U);
+  EXPECT_EQ(after.maps[0].layer, plan.layer);
+  EXPECT_EQ(digestOf(after.maps[0]), digestOf(news.maps.back()));
+  EXPECT_FALSE(run.refusePlan(plan.part.toolpath_id, "it is out of reach")) << "once";
+  EXPECT_FALSE(run.follow(plan.part.toolpath_id));
+}
+
 /// A layer that is not plane cannot be planned anew: the operator is asked.
 TEST(ReplannedRun, HoldsWhereItCannotPlan) {
   SensedWallCase wall = cloggedPrint(Replanning::Scale);
@@ -106,13 +145,7 @@ TEST(ReplannedRun, HoldsWhereItCannotPlan) {
   part.toolpath.layers.back().paths[1].points[0].z() += 0.1;
   LoopRun run(part, wall.settings);
   bool is_held = false;
-  std::size_t cloud = 0;
-  for (const StampedTip& pose : printed.tips) {
-    for (; cloud < printed.clouds.size() && printed.clouds[cloud].stamp_ns <= pose.stamp_ns; ++cloud)
-      run.see(printed.clouds[cloud]);
-    run.observe(pose);
-    if (run.place().layer > kClogLayer + 3) break;
-  }
+  replay(printed, run, [&] { return run.place().layer > kClogLayer + 3; });
   for (const RaisedAlarm& alarm : run.takeNews().alarms)
     is_held |= alarm.alarm == LoopAlarm::Saturated && alarm.reaction == LoopReaction::Hold &&
                alarm.reason.find("plane") != std::string::npos;

@@ -242,6 +242,39 @@ TEST(SupervisedRun, LearnsFromALayerWhoseMapHeldFromAPlaceOn) {
   EXPECT_NEAR(printed.layers[kFaultyLayer].figures.gain_mean, gain[kFaultyLayer], 0.003);
 }
 
+/// Told as missed, and then as laid by its map from twenty millimetres on: the later word holds.
+TEST(SupervisedRun, LearnsFromAMapThatCameAfterItWasGivenUp) {
+  SensedWallCase wall;
+  wall.settings = calibratedLoop();
+  missAMap(wall);
+  wall.missed_mm = 20.0;
+  wall.operates = [](std::size_t layer, LoopRun& run) {
+    if (layer + 1 == kFaultyLayer) run.missMap({kFaultyLayer, 2.0, {}, {}});
+  };
+  const std::vector<double> gain = test::wallTruth(wall).gain;
+  const SensedWall printed = sensedWall(wall);
+  EXPECT_EQ(printed.layers[kFaultyLayer].state, LoopState::Active);
+  for (const CellOutcome& cell : printed.layers[kFaultyLayer].cells)
+    EXPECT_EQ(cell.amount == 0.0, cell.at.x() < 20.0) << cell.at.x();
+  EXPECT_NEAR(printed.layers[kFaultyLayer].figures.gain_mean, gain[kFaultyLayer], 0.003);
+}
+
+/// Neither a map that held from the beginning nor a layer that there is not changes anything.
+TEST(SupervisedRun, LearnsNothingFromMapsThatWereNotMissed) {
+  SensedWallCase wall;
+  wall.settings = calibratedLoop();
+  const SensedWall expected = sensedWall(wall);
+  wall.operates = [](std::size_t layer, LoopRun& run) {
+    run.missMap({layer, 0.0, {}, PlaceOnLayer{}});
+    run.missMap({100 + layer, 2.0, {}, {}});
+  };
+  const SensedWall printed = sensedWall(wall);
+  ASSERT_EQ(printed.maps.size(), expected.maps.size());
+  for (std::size_t k = 0; k < printed.maps.size(); ++k)
+    EXPECT_EQ(digestOf(printed.maps[k]), digestOf(expected.maps[k])) << k;
+  EXPECT_EQ(printed.alarms.size(), expected.alarms.size());
+}
+
 /// Nothing is missed where nothing was to be changed.
 TEST(SupervisedRun, TellsNothingOfAnEmptyMapThatWasNotWaitedFor) {
   SensedWallCase wall;

@@ -22,6 +22,7 @@ constexpr double kHandedMm = 10.0;     // way that the machine has ahead, and th
 
 struct DriftCase {
   double trim = 0.0;
+  bool is_confirmed = false;  ///< the machine tells of each layer that all of it is laid by its map
   double behind_mm = 25.0;
   double growth = 1.0;  ///< over commanded growth
   double length_mm = 6000.0;
@@ -85,6 +86,7 @@ class TrailedWall {
     double squares = 0.0;
     growth_.clear();
     takeMaps(run);
+    if (drift_.is_confirmed) run.missMap({k, 0.0, {}, PlaceOnLayer{}});
     for (std::size_t i = 0; i < heights_.size(); ++i) {
       const double x = kReportMm * static_cast<double>(i);
       // What is handed over is by the map that was there then.
@@ -161,6 +163,10 @@ TEST(TrimmedRun, WithoutATrimALayerHasOneMap) {
   trimmed.print();
   for (std::size_t k = 0; k < kLayers; ++k) EXPECT_EQ(plain.mapsOf(k), 1U) << k;
   EXPECT_GT(trimmed.mapsOf(kLayers - 1), 1U);
+  drift.is_confirmed = true;
+  TrailedWall confirmed(drift);
+  confirmed.print();
+  EXPECT_EQ(confirmed.mapsOf(kLayers - 1), trimmed.mapsOf(kLayers - 1)) << "nothing was missed";
 }
 
 }  // namespace

@@ -14,6 +14,10 @@ namespace {
 
 using lamina::CorrectionMap;
 using lamina::digestOf;
+using lamina::isRefusalOfPlan;
+using lamina::MissedMap;
+using lamina::missedOf;
+using lamina::PlaceOnLayer;
 using lamina::toCore;
 
 CorrectionMap twoPaths() {
@@ -53,6 +57,31 @@ TEST(CorrectionMessages, KeepTheDigestThroughMetres) {
     }
   };
   ASSERT_TRUE(rc::check(property));
+}
+
+TEST(CorrectionMessages, TellWhatALayerMissesOfItsMap) {
+  const auto none = missedOf(toMessage(MissedMap{7, 2.5, "none came", {}}, "part", ""));
+  ASSERT_TRUE(none);
+  EXPECT_EQ(none->layer, 7U);
+  EXPECT_EQ(none->waited_s, 2.5);
+  EXPECT_EQ(none->reason, "none came");
+  EXPECT_FALSE(none->held_from);
+  const auto late = missedOf(toMessage(MissedMap{7, 0.0, {}, PlaceOnLayer{2, 12.5}}, "part", "digest"));
+  ASSERT_TRUE(late && late->held_from);
+  EXPECT_EQ(late->held_from->path, 2U);
+  EXPECT_DOUBLE_EQ(late->held_from->along_mm, 12.5);
+  const auto whole = missedOf(toMessage(MissedMap{7, 0.0, {}, {}}, "part", "digest"));
+  ASSERT_TRUE(whole && whole->held_from) << "it takes the place of what was told before";
+  EXPECT_EQ(whole->held_from->path, 0U);
+  EXPECT_EQ(whole->held_from->along_mm, 0.0);
+  EXPECT_FALSE(missedOf(toMessage(MissedMap{7, 0.0, "speeds", {}}, "part", "digest"))) << "of a later map";
+}
+
+TEST(CorrectionMessages, TellOfPlansThatAreNotFollowed) {
+  EXPECT_TRUE(isRefusalOfPlan(toMessage(MissedMap{0, 0.0, "out of reach", {}}, "plan", "")));
+  EXPECT_FALSE(isRefusalOfPlan(toMessage(MissedMap{0, 2.0, "none came within 2 s", {}}, "plan", "")))
+      << "its first map is missed";
+  EXPECT_FALSE(isRefusalOfPlan(toMessage(MissedMap{0, 0.0, {}, {}}, "plan", "digest")));
 }
 
 void expectRefused(const lamina_msgs::CorrectionMap& message, const std::string& why) {

@@ -143,14 +143,19 @@ class LoopRun {
   /// A cloud of that stamp has come, and no pose of the nozzle is known for it yet.
   void hear(std::int64_t stamp_ns);
   /// The machine lays a layer, or its beginning, as planned. The estimate of a layer that is under way, or
-  /// still to come, takes that into account; that of one that is done does not any more. 6116 is raised where
-  /// all of the layer is laid as planned that was to be laid otherwise, or was waited for.
+  /// still to come, takes that into account; that of one that is done, or that the toolpath does not have,
+  /// does not. 6116 is raised where all of the layer is laid as planned that was to be laid otherwise, or was
+  /// waited for. What is told of a layer later takes the place of what was told of it before.
   void missMap(const MissedMap& missed);
 
   /// The machine goes on with the plan of that identity, from its first layer on: so does the loop, with what
   /// it has learnt. What waits is worked off before.
   /// @return whether that is the plan offered last; else nothing changes
   bool follow(const std::string& toolpath_id);
+  /// The machine does not go on with the plan of that identity: 6113 is raised as a warning with the reason,
+  /// and the layer that the plan was to begin with has its map once more, as it may have been withheld.
+  /// @return whether that is the plan offered last; else nothing changes
+  bool refusePlan(const std::string& toolpath_id, const std::string& reason);
 
   /// Works off what waits: nothing older comes.
   void passAll();
@@ -204,7 +209,7 @@ class LoopRun {
   void blockIfLump();
   LayerCorrection wanted() const;
   void layAsPlanned(const std::string& reason);
-  void relayUpTo(std::size_t cell);
+  void layMapFrom(std::size_t cell);
   void takeMissed();
   void shiftNozzle();
   CellCorrections asLaid() const;
@@ -236,6 +241,14 @@ class LoopRun {
   std::optional<HeightLoop> plan_loop_;  ///< as it goes on by that plan
   std::optional<std::size_t> layer_;  ///< under way; none before the first and after the last one with cells
   LoopState laid_in_ = LoopState::Off;
+  /// How the layer under way is to be laid by its last map.
+  struct Mapped {
+    LayerCorrection correction;
+    std::vector<double> shift_mm;
+    LoopState in = LoopState::Off;
+  };
+  Mapped mapped_;
+  bool is_missed_ = false;  ///< it is not laid by all of that
   LayerCorrection laid_;
   std::vector<double> shift_mm_;             ///< of the nozzle, by cell
   double mean_shift_mm_ = 0.0;               ///< of the layer

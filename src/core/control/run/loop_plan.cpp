@@ -33,6 +33,19 @@ bool LoopRun::follow(const std::string& toolpath_id) {
   return true;
 }
 
+bool LoopRun::refusePlan(const std::string& toolpath_id, const std::string& reason) {
+  if (!plan_ || plan_->part.toolpath_id != toolpath_id) return false;
+  take({status_,
+        {{LoopAlarm::Saturated, LoopReaction::Warn,
+          "layer " + std::to_string(plan_->layer) + " is laid as before, not by plan " + toolpath_id + ": " +
+              reason}}});
+  const bool is_next = layer_ == plan_->layer;
+  plan_.reset();
+  plan_loop_.reset();
+  if (is_next) publishMap();
+  return true;
+}
+
 /// Why amounts alone will not do; empty where they will.
 std::string LoopRun::reasonToPlan(const LayerFigures& figures) const {
   for (const RaisedAlarm& alarm : layer_alarms_)
@@ -74,8 +87,8 @@ void LoopRun::offerPlan(const LayerFigures& figures, const std::string& reason) 
     throw InvalidInput("no number of layers of 0.7 to 1.3 of their heights comes to the planned top");
   PrintPlan plan;
   plan.part = {{}, part_.bed_from_part, replannedToolpath(part_.toolpath, left, *heights), part_.machine};
-  plan.part.toolpath_id = replannedId(plan.part.toolpath, part_.toolpath_id);
   plan.layer = left.first;
+  plan.part.toolpath_id = replannedId(plan.part.toolpath, plan.layer, part_.toolpath_id);
   plan.raised_mm = -figures.mean_error_mm;
   plan.flow = heights->flow;
   plan.short_mm = short_mm_ + part_.toolpath.layers.back().z_mm - plan.part.toolpath.layers.back().z_mm;

@@ -195,29 +195,35 @@ void LoopRun::hear(std::int64_t stamp_ns) {
 }
 
 void LoopRun::missMap(const MissedMap& missed) {
-  if (!layer_ || missed.layer < *layer_) return;
+  if (!layer_ || missed.layer < *layer_ || missed.layer >= part_.toolpath.layers.size()) return;
   if (missed.layer > *layer_) {
     missed_[missed.layer] = missed;
     return;
   }
-  const bool is_otherwise = !isAllZero(laid_.amount) || !isAllZero(shift_mm_);
   if (missed.held_from)
-    return relayUpTo(cellsPassed(loop_->cells(), missed.held_from->path, missed.held_from->along_mm, 0.0));
+    return layMapFrom(cellsPassed(loop_->cells(), missed.held_from->path, missed.held_from->along_mm, 0.0));
+  const bool is_otherwise = !isAllZero(laid_.amount) || !isAllZero(shift_mm_);
   if (is_otherwise || missed.waited_s > 0.0)
     take({status_, {{LoopAlarm::MapLate, LoopReaction::Coast, reasonOf(missed)}}});
   if (!is_otherwise) return;
-  laid_.limited_share = 0.0;
-  relayUpTo(loop_->cells().size());
-  laid_in_ = LoopState::Coasting;
+  layMapFrom(loop_->cells().size());
 }
 
 /// What went to the machine before its map was laid as planned. The trim of the layer expected otherwise, and
 /// would take the difference for an error.
-void LoopRun::relayUpTo(std::size_t cell) {
+void LoopRun::layMapFrom(std::size_t cell) {
+  if (cell == 0 && !is_missed_) return;
+  is_missed_ = cell > 0;
   trim_.reset();
-  LayerCorrection laid = laid_;
+  LayerCorrection laid = mapped_.correction;
+  shift_mm_ = mapped_.shift_mm;
+  laid_in_ = mapped_.in;
   std::fill_n(laid.amount.begin(), cell, 0.0);
   std::fill_n(shift_mm_.begin(), cell, 0.0);
+  if (cell == laid.amount.size()) {
+    laid.limited_share = 0.0;
+    laid_in_ = LoopState::Coasting;
+  }
   loop_->relay(laid);
   laid_ = std::move(laid);
   mean_shift_mm_ = meanOverCells(loop_->cells(), shift_mm_);
@@ -438,6 +444,7 @@ void LoopRun::beginLayer(std::size_t layer) {
   loop_->lay(laid_, nozzle_error);
   last_amount_ = laid_.amount.back();
   map_sequence_ = 0;
+  is_missed_ = false;
   trim_.reset();
   if (status_.state == LoopState::Active && !is_catching_up_)
     if (auto trim = layerTrim(loop_->cells(), loop_->estimates(), laid_.amount, settings_.loop))
@@ -513,6 +520,7 @@ CellCorrections LoopRun::asLaid() const {
 }
 
 void LoopRun::publishMap() {
+  mapped_ = {laid_, shift_mm_, laid_in_};
   const CellCorrections told = asLaid();
   CorrectionMap map{part_.toolpath_id, *layer_, map_sequence_, {}};
   if (!told.amount.empty() || !told.dz_mm.empty())
