@@ -201,6 +201,55 @@ INSTANTIATE_TEST_SUITE_P(TrajectoryDriver, DrivenMachine,
                                          std::pair{"table", "five_axis_head_table"}),
                          [](const auto& machine) { return std::string(machine.param.first); });
 
+/// It waits for longer than a controller may be silent, which reports nothing at rest; a pause meanwhile does
+/// not let it into the layer; a plan that begins elsewhere is refused and told of; an abort lifts the tool.
+TEST(TrajectoryDriver, StaysInFrontOfALayerWithoutAMapAndLiftsTheToolFromThere) {
+  DriveCell cell("waiting", "five_axis_head_table");
+  ros::NodeHandle node("waiting");
+  auto plans = node.advertise<lamina_msgs::Toolpath>(names::kReplannedToolpath, 1, true);
+  std::vector<lamina_msgs::AppliedCorrection> applied;
+  const boost::function<void(const lamina_msgs::AppliedCorrectionConstPtr&)> on_applied =
+      [&](const auto& message) { applied.push_back(*message); };
+  const auto uses =
+      node.subscribe<lamina_msgs::AppliedCorrection>(names::kAppliedCorrection, 100, on_applied);
+  Toolpath part = twoBeads();
+  const Point3 end(-kHalf, 35, kHeight);
+  const Point3 above(-kHalf, 35, 2.0 * kHeight);
+  part.layers[0].paths.push_back(straight(PathRole::Travel, end, above));
+  part.layers.push_back({above.z(), kHeight, {straight(PathRole::OuterWall, above, {kHalf, 35, above.z()})}});
+  cell.drive(part);
+  const auto stays = [&](double time_s) {
+    const auto now = [&] { return cell.reports.back().process.header.stamp; };
+    const ros::Time from = now();
+    return waitUntil([&] { return now() > from + ros::Duration(time_s); }) &&
+           cell.reports[cell.lastDeposit()].process.header.stamp < from;
+  };
+  ASSERT_TRUE(waitUntil([&] { return cell.isDepositing() || cell.isDone(); }));
+  ASSERT_TRUE(waitUntil([&] {
+    return cell.isDone() || (!cell.isDepositing() && (cell.tip(cell.reports.back()) - above).norm() < 1e-3);
+  }));
+  ASSERT_FALSE(cell.isDone()) << cell.result().status.message;
+  EXPECT_TRUE(stays(7.0)) << "longer than the controller may be silent";
+  ASSERT_TRUE(cell.calls("pause"));
+  ASSERT_TRUE(cell.comesTo("Held")) << cell.state;
+  ASSERT_TRUE(cell.calls("resume"));
+  ASSERT_TRUE(cell.comesTo("Execute")) << cell.state;
+  EXPECT_TRUE(stays(3.0)) << "a pause lets it into no layer";
+  lamina_msgs::Toolpath plan;
+  plan.id = "plan-from-0-of-" + toolpathId(part);
+  publishLatched(plans, plan);
+  ASSERT_TRUE(waitUntil([&] { return !applied.empty(); }));
+  EXPECT_EQ(applied.back().toolpath_id, plan.id);
+  EXPECT_NE(applied.back().reason.find("held in front of layer 1"), std::string::npos)
+      << applied.back().reason;
+  ASSERT_TRUE(cell.calls("abort"));
+  ASSERT_TRUE(cell.ends());
+  EXPECT_EQ(cell.result().status.code, Status::CANCELLED + 0) << cell.result().status.message;
+  EXPECT_TRUE(cell.comesTo("Aborted")) << cell.state;
+  EXPECT_TRUE(cell.staysSafe());
+  EXPECT_GT(cell.tip(cell.reports.back()).z(), above.z() + 9.0) << "the tool is off the part";
+}
+
 TEST(TrajectoryDriver, AbortsAndLeavesTheMachineSafeWhenAskedToStop) {
   for (const int signal : {SIGINT, SIGTERM}) {
     DriveCell cell("told", "five_axis_head_table");

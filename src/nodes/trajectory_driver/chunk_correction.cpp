@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <utility>
 
 #include "lamina/control/feeder_lead.hpp"
@@ -55,15 +56,42 @@ std::string ChunkCorrection::hear(const CorrectionMap& map, const std::string& d
     return defect;
   }
   maps_[map.layer] = ledMap(map, driven_.toolpath.layers[map.layer], feederOf(settings_), settings_);
-  if (!told_.insert(map.layer).second) return {};
-  MissedMap missed{map.layer, 0.0, {}, {}};
-  if (handed_layer_ == map.layer) missed.held_from = handed_;
-  layers_.push_back({digest, std::move(missed)});
+  tellMapOf(map.layer, digest);
   return {};
 }
 
-void ChunkCorrection::miss(std::size_t layer, const std::string& reason) {
-  if (told_.insert(layer).second) layers_.push_back({{}, {layer, 0.0, reason, {}}});
+void ChunkCorrection::tellMapOf(std::size_t layer, const std::string& digest) {
+  Told& told = told_[layer];
+  const bool is_trim = !told.digest.empty();
+  told.digest = digest;
+  if (is_trim) return;
+  if (handed_layer_ == layer) told.held_from = handed_;
+  layers_.push_back({driven_.id, digest, {layer, 0.0, {}, told.held_from}});
+}
+
+void ChunkCorrection::miss(std::size_t layer, const std::string& reason, double waited_s) {
+  if (layer >= layers()) return;
+  const auto [entry, is_first] = told_.try_emplace(layer);
+  const Told& told = entry->second;
+  if (!is_first && told.digest.empty()) return;
+  layers_.push_back({driven_.id, told.digest, {layer, waited_s, reason, told.held_from}});
+}
+
+void ChunkCorrection::giveUp(std::size_t layer, double waited_s) {
+  char reason[48];
+  std::snprintf(reason, sizeof reason, "none came within %.3g s", waited_s);
+  miss(layer, reason, waited_s);
+}
+
+void ChunkCorrection::refusePlan(const std::string& plan_id, const std::string& reason) {
+  layers_.push_back({plan_id, {}, {0, 0.0, "the plan is not gone on with: " + reason, {}}});
+}
+
+void ChunkCorrection::end() { missUntold(layers()); }
+
+void ChunkCorrection::missUntold(std::size_t end) {
+  for (std::size_t layer = handed_layer_.value_or(end); layer < end; ++layer)
+    if (told_.count(layer) == 0) miss(layer, "none came before the layer had been handed over");
 }
 
 /// A layer that lies behind without a map will have none.
@@ -71,8 +99,7 @@ void ChunkCorrection::noteHandedOver(const TrajectoryChunk& chunk) {
   for (auto point = chunk.points.rbegin(); point != chunk.points.rend(); ++point) {
     const WaypointIndex& at = point->heading_for;
     if (driven_.toolpath.layers[at.layer].paths[at.path].role == PathRole::Travel) continue;
-    for (std::size_t layer = handed_layer_.value_or(at.layer); layer < at.layer; ++layer)
-      miss(layer, "none came before the layer had been handed over");
+    missUntold(at.layer);
     handed_layer_ = at.layer;
     handed_ = {at.path, alongAt(*point)};
     return;

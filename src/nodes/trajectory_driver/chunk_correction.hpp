@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,8 +28,9 @@ struct DrivenToolpath {
 
 /// What became of a layer's map.
 struct DrivenLayer {
+  std::string toolpath_id;
   std::string digest;  ///< of the map; empty if the layer is driven as planned
-  MissedMap missed;    ///< what of the layer had been handed over before
+  MissedMap missed;    ///< what of the layer had been handed over before, and why a map is not used
 };
 
 /// Corrects a trajectory by the maps that came before it is handed over: the flow by the amount, the nozzle
@@ -49,6 +49,15 @@ class ChunkCorrection {
   /// @return why the map is not used, in words; empty if it is used from now on
   std::string hear(const CorrectionMap& map, const std::string& digest);
 
+  /// The layer is handed over as planned, having been waited for. A map that comes later is used for what is
+  /// left of it.
+  void giveUp(std::size_t layer, double waited_s);
+  /// The plan is not gone on with: its first layer is told of as not laid, with the reason.
+  void refusePlan(const std::string& plan_id, const std::string& reason);
+  /// All was handed over: what has no map by now was driven as planned.
+  void end();
+
+  const std::string& toolpathId() const { return driven_.id; }
   std::size_t layers() const { return driven_.toolpath.layers.size(); }
   /// Whether a layer has a map.
   bool isKnown(std::size_t layer) const { return maps_.count(layer) > 0; }
@@ -61,8 +70,9 @@ class ChunkCorrection {
   /// limits. Empty if there was none, or once it was taken.
   std::string takeRefusal() { return std::exchange(refusal_, {}); }
 
-  /// Of the layers that it became clear of since the last call, once each: when their map came, or when all
-  /// of them was handed over without one.
+  /// Since the last call, each change of what a layer is driven by: its map came, none came in time, all of
+  /// it was handed over without one, or a later map of it is not used. Later maps that are used change
+  /// nothing: the layer is driven by its maps. Layers that the toolpath does not have are left out.
   std::vector<DrivenLayer> takeLayers() { return std::exchange(layers_, {}); }
 
  private:
@@ -72,7 +82,15 @@ class ChunkCorrection {
     double dz_mm = 0.0;
   };
 
-  void miss(std::size_t layer, const std::string& reason);
+  /// What a layer was told to be driven by.
+  struct Told {
+    std::string digest;
+    std::optional<PlaceOnLayer> held_from;
+  };
+
+  void miss(std::size_t layer, const std::string& reason, double waited_s = 0.0);
+  void missUntold(std::size_t end);
+  void tellMapOf(std::size_t layer, const std::string& digest);
   void noteHandedOver(const TrajectoryChunk& chunk);
   const PathCorrection* find(const WaypointIndex& heading_for) const;
   Asked askedAt(const JointState& state) const;
@@ -91,7 +109,7 @@ class ChunkCorrection {
   std::string refusal_;
   std::optional<std::size_t> handed_layer_;  ///< of which something was deposited by what was handed over
   PlaceOnLayer handed_;                      ///< the last of it
-  std::set<std::size_t> told_;               ///< layers
+  std::map<std::size_t, Told> told_;         ///< by layer
   std::vector<DrivenLayer> layers_;
 };
 

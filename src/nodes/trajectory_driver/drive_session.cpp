@@ -8,8 +8,6 @@
 #include <limits>
 #include <utility>
 
-#include "lamina/control/replanned_toolpath.hpp"
-
 namespace lamina {
 namespace {
 
@@ -31,6 +29,7 @@ DriveSession::DriveSession(const DriveMotion& motion, const KinematicModel& mode
   links_.controller.begin();
   status_.feeding.least_queued_s = std::numeric_limits<double>::infinity();
   status_.state = motion.running;
+  if (motion_.correction) wait_.emplace(feeder_, *motion_.correction, settings_.loop.wait_s);
 }
 
 bool DriveSession::step(const ros::Time& now) {
@@ -103,44 +102,43 @@ void DriveSession::feed(const ros::Time& now) {
   }
 }
 
-/// Maps that come after their layer was handed over change nothing any more: it is not, before they are
-/// there.
 void DriveSession::awaitMap(const ros::Time& now) {
-  if (!motion_.correction || status_.state != PackmlState::Execute || given_up_at_) return;
-  if (feeder_.isHeld()) {
-    const bool is_known = motion_.correction->isKnown(awaited_layer_);
-    const bool waited = isAtRest(now) && (now - *run_at_).toSec() >= settings_.loop.wait_s;
-    if (!is_known && !waited) return;
-    if (!is_known)
-      ROS_WARN("the map of layer %zu has not come within %g s: it is driven as planned (6116)",
-               awaited_layer_, settings_.loop.wait_s);
-    return enterLayer(now);
+  if (!wait_ || status_.state != PackmlState::Execute || given_up_at_) return;
+  const bool is_at_rest = isAtRest(now);
+  if (wait_->look(jobTime(now), is_at_rest ? MapWait::Motion::Rests : MapWait::Motion::Moves)) {
+    if (is_at_rest) expectReports(now);
+    fed_s_ = 0.0;  // at rest nothing is missing
   }
-  while (feeder_.state() == TrajectoryFeederState::Running && awaited_layer_ < motion_.correction->layers() &&
-         (motion_.correction->isKnown(awaited_layer_) || !feeder_.holdAtLayer(awaited_layer_, jobTime(now))))
-    ++awaited_layer_;
-}
-
-void DriveSession::enterLayer(const ros::Time& now) {
-  if (isAtRest(now)) expectReports(now);
-  feeder_.release(jobTime(now));
-  ++awaited_layer_;
-  plan_.reset();  // it was for the layer that is entered
-  fed_s_ = 0.0;   // at rest nothing is missing
+  const std::string notice = wait_->takeNotice();
+  if (!notice.empty()) ROS_WARN("%s", notice.c_str());
 }
 
 std::string DriveSession::offer(const lamina_msgs::ToolpathConstPtr& plan) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  std::string refusal = refusalOfPlan(plan->id, motion_.toolpath_id,
-                                      feeder_.isHeld() ? PlanMoment::InFrontOfLayer : PlanMoment::Elsewhere);
-  if (refusal.empty()) plan_ = plan;
-  return refusal;
+  return wait_ ? wait_->offer(plan) : "the machine is on its way to the start";
 }
 
 lamina_msgs::ToolpathConstPtr DriveSession::plan(const ros::Time& now) const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  const bool is_due = status_.state == PackmlState::Execute && feeder_.isHeld() && isAtRest(now);
-  return is_due ? plan_ : nullptr;
+  return duePlan(now);
+}
+
+lamina_msgs::ToolpathConstPtr DriveSession::duePlan(const ros::Time& now) const {
+  const bool is_due =
+      wait_ && status_.state == PackmlState::Execute && !given_up_at_ && feeder_.isHeld() && isAtRest(now);
+  return is_due ? wait_->plan() : nullptr;
+}
+
+void DriveSession::refuse(const std::string& plan_id, const std::string& reason) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (wait_) wait_->refuse(plan_id, reason);
+}
+
+bool DriveSession::leaveFor(const std::string& plan_id, const ros::Time& now) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const lamina_msgs::ToolpathConstPtr due = duePlan(now);
+  is_left_ = due && due->id == plan_id;
+  return is_left_;
 }
 
 bool DriveSession::isAtRest(const ros::Time& now) const {
@@ -189,7 +187,9 @@ bool DriveSession::advance(const ros::Time& now) {
       if (is_at_rest) status_.state = PackmlState::Aborted;
       return !is_at_rest;
     case PackmlState::Execute:
-      if (is_planned_end) status_.state = PackmlState::Completing;
+      if (!is_planned_end) return true;
+      status_.state = PackmlState::Completing;
+      if (motion_.correction) motion_.correction->end();
       return true;
     default:  // Starting or Completing
       if (!is_planned_end) return true;
@@ -235,6 +235,7 @@ void DriveSession::expectReports(const ros::Time& from) {
 std::optional<std::string> DriveSession::pause(const ros::Time& now) {
   const std::lock_guard<std::mutex> lock(mutex_);
   begin(now);
+  if (is_left_) return std::string("the machine goes over to the layers left as planned anew");
   if (status_.state != PackmlState::Execute)
     return std::string("state is ") + toString(status_.state) + "; only Execute can be paused";
   feeder_.pause(jobTime(now));
@@ -249,7 +250,11 @@ std::optional<std::string> DriveSession::resume(const ros::Time& now) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (status_.state != PackmlState::Held)
     return std::string("state is ") + toString(status_.state) + "; only Held can be resumed";
-  feeder_.resume(jobTime(now));
+  if (wait_)
+    wait_->resume(jobTime(now));
+  else
+    feeder_.resume(jobTime(now));
+  if (!isRun(now)) run_at_.reset();
   expectReports(now);
   fed_s_ = 0.0;  // at rest nothing is missing
   status_.state = PackmlState::Unholding;
@@ -259,9 +264,9 @@ std::optional<std::string> DriveSession::resume(const ros::Time& now) {
 
 void DriveSession::abort(const ros::Time& now, const Failure& why) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (isFinal(status_.state) || status_.state == PackmlState::Aborting) return;
+  if (isFinal(status_.state) || status_.state == PackmlState::Aborting || is_left_) return;
   begin(now);
-  if (status_.state == PackmlState::Held) expectReports(now);
+  if (isAtRest(now)) expectReports(now);
   brake(now, why, settings_.lift_mm > 0.0 ? Lift::Yes : Lift::No);
 }
 

@@ -16,6 +16,7 @@
 #include "lamina/base/error.hpp"
 #include "lamina/streaming/job/packml.hpp"
 #include "lamina/trajectory/timed_path.hpp"
+#include "map_wait.hpp"
 #include "messages.hpp"
 #include "present_joints.hpp"
 #include "process_publisher.hpp"
@@ -72,12 +73,17 @@ class DriveSession {
   /// What became of maps since the last call.
   std::vector<DrivenLayer> takeLayers();
 
-  /// The layers left planned anew, to be gone on with in front of the layer that is held for its map.
+  /// The layers left planned anew, to be gone on with in front of the layer that is held for its map, which
+  /// must be the one that the plan begins with.
   /// @return why it is not used, in words; empty if it is
   std::string offer(const lamina_msgs::ToolpathConstPtr& plan);
-  /// That plan, once the machine rests where it begins: the caller ends the session and drives it. Null
-  /// before.
+  /// That plan, while the machine rests where it begins, neither paused nor aborted. Null else.
   lamina_msgs::ToolpathConstPtr plan(const ros::Time& now) const;
+  /// It cannot be driven: it is not given again.
+  void refuse(const std::string& plan_id, const std::string& reason);
+  /// Whether the plan is gone over to now: the session is over, can no longer be paused, and the caller
+  /// drives the plan.
+  bool leaveFor(const std::string& plan_id, const ros::Time& now);
 
   /// @return why not; nothing if it is done
   std::optional<std::string> pause(const ros::Time& now);
@@ -103,7 +109,7 @@ class DriveSession {
   bool advance(const ros::Time& now);
   bool awaitEnd(const ros::Time& now);
   void awaitMap(const ros::Time& now);
-  void enterLayer(const ros::Time& now);
+  lamina_msgs::ToolpathConstPtr duePlan(const ros::Time& now) const;
   bool isAtRest(const ros::Time& now) const;
   void brake(const ros::Time& now, const Failure& why, Lift lift);
   void giveUp(const ros::Time& now, const Failure& why);
@@ -119,8 +125,8 @@ class DriveSession {
   std::optional<ros::Time> run_at_;  ///< since what is planned is over
   double fed_s_ = 0.0;               ///< end of what was sent
   bool was_starved_ = false;
-  lamina_msgs::ToolpathConstPtr plan_;  ///< for the layer in front of which the motion rests
-  std::size_t awaited_layer_ = 1;       ///< in front of which the motion is to rest for its map
+  std::optional<MapWait> wait_;  ///< none if it is driven as planned
+  bool is_left_ = false;         ///< for a plan
   std::optional<ros::Time> given_up_at_;
   DriveStatus status_;
 

@@ -4,6 +4,11 @@
 
 #include <ros/ros.h>
 
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
+
 #include "correction_messages.hpp"
 #include "drive_messages.hpp"
 #include "joint_messages.hpp"
@@ -22,18 +27,30 @@ constexpr double kShowPeriod = 0.1;   // s between reports
 const ros::WallDuration kFlush(0.2);  // that last messages need to leave the node
 
 /// Nothing to report to but a goal that may be cancelled.
-template <class Server>
 class GoalProgress final : public Progress {
  public:
-  explicit GoalProgress(Server& server) : server_(server) {}
+  explicit GoalProgress(std::function<bool()> is_cancelled) : is_cancelled_(std::move(is_cancelled)) {}
   void report(const std::string&, double) override {}
-  bool isCancelled() const override {
-    return server_.isPreemptRequested() || isStopRequested() || !ros::ok();
-  }
+  bool isCancelled() const override { return is_cancelled_(); }
 
  private:
-  Server& server_;
+  std::function<bool()> is_cancelled_;
 };
+
+/// Of two motions one after the other; where the machine is, and in what state, is of the later one.
+DriveStatus joined(const DriveStatus& before, DriveStatus after) {
+  if (!(before.time_s > 0.0)) return after;
+  const double time_s = before.time_s + after.time_s;
+  after.rms_tip_error_mm = std::sqrt((std::pow(before.rms_tip_error_mm, 2) * before.time_s +
+                                      std::pow(after.rms_tip_error_mm, 2) * after.time_s) /
+                                     time_s);
+  after.time_s = time_s;
+  after.duration_s += before.duration_s;
+  after.worst_tip_error_mm = std::max(before.worst_tip_error_mm, after.worst_tip_error_mm);
+  after.feeding.starvations += before.feeding.starvations;
+  after.feeding.least_queued_s = std::min(before.feeding.least_queued_s, after.feeding.least_queued_s);
+  return after;
+}
 
 }  // namespace
 
@@ -56,10 +73,12 @@ TrajectoryDriver::TrajectoryDriver(ros::NodeHandle node, const DriverSettings& s
       action_(
           node, names::kDriveToolpath,
           [this](const lamina_msgs::DriveToolpathGoalConstPtr& goal) { onGoal(goal); }, false) {
-  const boost::function<void(const lamina_msgs::ToolpathConstPtr&)> onToolpath =
-      [this](const auto& toolpath) {
+  // Plans that this node publishes take no toolpath's place: that may be driven once more.
+  const boost::function<void(const ros::MessageEvent<const lamina_msgs::Toolpath>&)> onToolpath =
+      [this](const auto& event) {
+        if (event.getPublisherName() == ros::this_node::getName()) return;
         const std::lock_guard<std::mutex> lock(mutex_);
-        toolpath_ = toolpath;
+        toolpath_ = event.getConstMessage();
       };
   updater_.setHardwareID(model_->name());
   updater_.add("drive", [this](diagnostic_updater::DiagnosticStatusWrapper& diagnostics) {
@@ -72,10 +91,6 @@ TrajectoryDriver::TrajectoryDriver(ros::NodeHandle node, const DriverSettings& s
   diagnostics_timer_ = node.createTimer(ros::Duration(1.0), update);
   toolpath_subscriber_ = node.subscribe<lamina_msgs::Toolpath>(names::kToolpath, 1, onToolpath);
   const boost::function<void(const lamina_msgs::CorrectionMapConstPtr&)> correct = [this](const auto& map) {
-    {
-      const std::lock_guard<std::mutex> lock(mutex_);
-      map_ = map;
-    }
     onCorrection(*map);
   };
   if (settings_.is_corrected) {
@@ -99,17 +114,11 @@ void TrajectoryDriver::awaitRest() const {
 }
 
 void TrajectoryDriver::onGoal(const lamina_msgs::DriveToolpathGoalConstPtr& goal) {
+  is_abort_requested_ = false;
   is_driving_ = true;
-  DriveStatus status;
   job_ = goal->toolpath_id;
-  publishState(status);
-  try {
-    status = drive(goal->toolpath_id);
-  } catch (...) {
-    // Nothing has moved of the job: it was refused, or the machine is not there.
-    status.failure = currentFailure();
-    status.state = PackmlState::Aborted;
-  }
+  publishState(DriveStatus());
+  const DriveStatus status = drive(goal->toolpath_id);
   publishState(status);
   const lamina_msgs::DriveToolpathResult result = toResult(status);
   if (status.failure.code == ErrorCode::Ok) {
@@ -128,32 +137,55 @@ void TrajectoryDriver::onGoal(const lamina_msgs::DriveToolpathGoalConstPtr& goal
   is_driving_ = false;
 }
 
-DriveStatus TrajectoryDriver::drive(const std::string& toolpath_id) {
-  const MachineToolpath placed = toolpath(toolpath_id);
-  controller_.requirePresent(settings_.controller_wait_s);
-  GoalProgress<Server> progress(action_);
-  Driven driven{{}, jobOf(placed, progress)};
-  while (driven.next) {
-    const DriveJob job = *std::move(driven.next);
-    if (job.placed.id != toolpath_id) goOnWith(job);
-    driven = drive(job, progress);
-  }
-  return driven.status;
+bool TrajectoryDriver::isCancelled() const {
+  return is_abort_requested_ || action_.isPreemptRequested() || isStopRequested() || !ros::ok();
 }
 
-TrajectoryDriver::Driven TrajectoryDriver::drive(const DriveJob& job, Progress& progress) {
+/// What was driven counts, whatever comes after it.
+DriveStatus TrajectoryDriver::drive(const std::string& toolpath_id) {
+  DriveStatus so_far;
+  try {
+    const MachineToolpath placed = toolpath(toolpath_id);
+    controller_.requirePresent(settings_.controller_wait_s);
+    GoalProgress progress([this] { return isCancelled(); });
+    Driven driven = drive(prepared(placed, progress), MapOfFirstLayer::AsItIs);
+    so_far = driven.status;
+    while (driven.next) {
+      const PreparedJob plan = *std::move(driven.next);
+      goOnWith(plan.job);
+      driven = drive(plan, MapOfFirstLayer::Awaited);
+      so_far = joined(so_far, driven.status);
+    }
+  } catch (...) {
+    so_far.failure = currentFailure();
+    so_far.state = PackmlState::Aborted;
+  }
+  return so_far;
+}
+
+/// By the time that it is prepared the machine is to stand where it is to go to the start from.
+TrajectoryDriver::PreparedJob TrajectoryDriver::prepared(const MachineToolpath& placed, Progress& progress) {
+  PreparedJob prepared{jobOf(placed, progress), std::nullopt};
+  const JointValues here = joints_.fresh(settings_.tracking.silence_s, settings_.controller_wait_s);
+  prepared.way = wayToStart(here, prepared.job, *model_, settings_, progress);
+  return prepared;
+}
+
+TrajectoryDriver::Driven TrajectoryDriver::drive(const PreparedJob& prepared, MapOfFirstLayer first_map) {
+  const DriveJob& job = prepared.job;
   const std::string& id = job.placed.id;
   growing_ = std::make_unique<GrowingPart>(job.timed.run.toolpath(), names::kPartFrame);
-  const JointValues here = joints_.fresh(settings_.tracking.silence_s, settings_.controller_wait_s);
-  if (const auto way = wayToStart(here, job, *model_, settings_, progress)) {
-    ROS_INFO("going to the start of %s: %.1f s", id.c_str(), way->motion->duration());
-    DriveStatus status = run({*way->motion, id, PackmlState::Starting}).status;
+  if (prepared.way) {
+    const TimedPath& way = *prepared.way->motion;
+    ROS_INFO("going to the start of %s: %.1f s", id.c_str(), way.duration());
+    DriveStatus status = run({way, id, PackmlState::Starting}).status;
     if (status.state != PackmlState::Complete) return {std::move(status), std::nullopt};
   }
-  if (toolpath_publisher_) awaitFirstMap(id);
+  const std::shared_ptr<ChunkCorrection> correction = correctionOf(job);
+  if (correction && first_map == MapOfFirstLayer::Awaited) awaitFirstMap(*correction);
   const TimedPath& path = *job.timed.trajectory;
   ROS_INFO("driving %s: %.1f s on %s", id.c_str(), path.duration(), model_->name().c_str());
-  Driven driven = run({path, id, PackmlState::Execute, correctionOf(job)});
+  Driven driven = run({path, id, PackmlState::Execute, correction});
   if (driven.status.state == PackmlState::Complete) publishLatched(deposited_, growing_->whole());
   show(driven.status);
   return driven;
@@ -165,43 +197,56 @@ DriveJob TrajectoryDriver::jobOf(const MachineToolpath& placed, Progress& progre
       [this](const MachineCheck& check) { publishLatched(findings_, checkMarkers(check)); }, progress);
 }
 
+std::shared_ptr<ChunkCorrection> TrajectoryDriver::correctionOf(const DriveJob& job) const {
+  if (!settings_.is_corrected) return nullptr;
+  return std::make_shared<ChunkCorrection>(
+      DrivenToolpath{job.placed.id, job.timed.run.toolpath(), job.placed.bed_from_part}, settings_.loop,
+      *model_);
+}
+
 /// A plan is corrected from its first layer on, by what was learnt before.
-void TrajectoryDriver::awaitFirstMap(const std::string& toolpath_id) const {
-  const ros::Time end = ros::Time::now() + ros::Duration(settings_.loop.wait_s);
-  while (ros::Time::now() < end && !action_.isPreemptRequested() && !isStopRequested() && ros::ok()) {
-    {
-      const std::lock_guard<std::mutex> lock(mutex_);
-      if (map_ && map_->toolpath_id == toolpath_id) return;
-    }
+void TrajectoryDriver::awaitFirstMap(ChunkCorrection& correction) const {
+  const ros::Time begin = ros::Time::now();
+  while (!isCancelled()) {
+    const std::optional<HeardMap> last = lastMap();
+    if (last && last->map.toolpath_id == correction.toolpathId()) correction.hear(last->map, last->digest);
+    const double waited_s = (ros::Time::now() - begin).toSec();
+    if (correction.isKnown(0)) return;
+    if (waited_s >= settings_.loop.wait_s) return correction.giveUp(0, waited_s);
     ros::Duration(kStep).sleep();
   }
 }
 
-/// The map of its first layer may have come before.
-std::shared_ptr<ChunkCorrection> TrajectoryDriver::correctionOf(const DriveJob& job) const {
-  if (!settings_.is_corrected) return nullptr;
-  auto correction = std::make_shared<ChunkCorrection>(
-      DrivenToolpath{job.placed.id, job.timed.run.toolpath(), job.placed.bed_from_part}, settings_.loop,
-      *model_);
+std::optional<TrajectoryDriver::HeardMap> TrajectoryDriver::lastMap() const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (map_ && map_->toolpath_id == job.placed.id) correction->hear(toCore(*map_), map_->digest);
-  return correction;
+  return map_;
 }
 
-/// The layers left as they are to be driven from here; nothing while there is no plan, or none that can be
-/// driven: then the job is held for the operator.
-std::optional<DriveJob> TrajectoryDriver::plannedAnew(DriveSession& session, const std::string& toolpath_id) {
+/// The layers left as they are to be driven from here, made ready beside the motion, which can be paused and
+/// aborted meanwhile; nothing while there is no plan, or none that can be driven: then the job is held for
+/// the operator.
+std::optional<TrajectoryDriver::PreparedJob> TrajectoryDriver::plannedAnew(DriveSession& session,
+                                                                           std::optional<PlanInWork>& work) {
   const lamina_msgs::ToolpathConstPtr plan = session.plan(ros::Time::now());
   if (!plan) return std::nullopt;
-  try {
-    GoalProgress<Server> progress(action_);
-    return jobOf(fromMessage(*plan), progress);
-  } catch (const Error& error) {
-    ROS_ERROR("plan %s of %s cannot be driven, the job is held: %s", plan->id.c_str(), toolpath_id.c_str(),
-              error.what());
-    session.pause(ros::Time::now());
+  if (work && work->id != plan->id) work->result->giveUp();
+  if (work && !work->result->isDone()) return std::nullopt;
+  if (!work || work->id != plan->id) {
+    work = PlanInWork{plan->id, std::make_unique<WorkBeside<PreparedJob>>([this, plan](Progress& progress) {
+                        return prepared(fromMessage(*plan), progress);
+                      })};
     return std::nullopt;
   }
+  const PlanInWork done = *std::exchange(work, std::nullopt);
+  try {
+    PreparedJob job = done.result->take();
+    if (session.leaveFor(plan->id, ros::Time::now())) return job;
+  } catch (const Error& error) {
+    ROS_ERROR("plan %s cannot be driven, the job is held: %s", plan->id.c_str(), error.what());
+    session.refuse(plan->id, error.what());
+    session.pause(ros::Time::now());
+  }
+  return std::nullopt;
 }
 
 /// Who follows the print follows the plan from here on.
@@ -225,6 +270,7 @@ MachineToolpath TrajectoryDriver::toolpath(const std::string& id) {
     }
     const bool is_there = message && message->id == id;
     if (is_there || ros::Time::now() >= end) break;
+    if (is_abort_requested_) throw Cancelled("aborted on request");
     if (action_.isPreemptRequested()) throw Cancelled("the goal was cancelled");
     if (isStopRequested() || !ros::ok()) throw Cancelled("the node was ended");
     ros::Duration(kStep).sleep();
@@ -242,29 +288,44 @@ TrajectoryDriver::Driven TrajectoryDriver::run(const DriveMotion& motion) {
     const std::lock_guard<std::mutex> lock(mutex_);
     session_ = session;
   }
+  if (motion.correction) correctByLastMap(*session, motion.toolpath_id);
   // However it ends, nothing burns or flows, and no session is left behind.
   const std::shared_ptr<void> safe_end(nullptr, [this](void*) {
     process_.makeSafe(ros::Time::now());
     const std::lock_guard<std::mutex> lock(mutex_);
     session_.reset();
   });
+  std::optional<PlanInWork> plan;
   ros::Time shown;
-  while (session->step(ros::Time::now())) {
-    if (action_.isPreemptRequested())
-      session->abort(ros::Time::now(), {ErrorCode::Cancelled, "the goal was cancelled"});
-    if (isStopRequested() || !ros::ok())
-      session->abort(ros::Time::now(), {ErrorCode::Cancelled, "the node was ended"});
-    tell(session->takeLayers(), motion.toolpath_id);
+  for (abortIfCancelled(*session); session->step(ros::Time::now());) {
+    abortIfCancelled(*session);
+    tell(session->takeLayers());
     if ((ros::Time::now() - shown).toSec() >= kShowPeriod) {
       shown = ros::Time::now();
       show(session->status());
     }
-    if (std::optional<DriveJob> plan = plannedAnew(*session, motion.toolpath_id))
-      return {session->status(), std::move(plan)};
+    if (std::optional<PreparedJob> next = plannedAnew(*session, plan)) {
+      tell(session->takeLayers());
+      return {session->status(), std::move(next)};
+    }
     if (!ros::Duration(kStep).sleep()) break;
   }
-  tell(session->takeLayers(), motion.toolpath_id);
+  tell(session->takeLayers());
   return {session->status(), std::nullopt};
+}
+
+void TrajectoryDriver::abortIfCancelled(DriveSession& session) const {
+  if (is_abort_requested_) session.abort(ros::Time::now(), {ErrorCode::Cancelled, "aborted on request"});
+  if (action_.isPreemptRequested())
+    session.abort(ros::Time::now(), {ErrorCode::Cancelled, "the goal was cancelled"});
+  if (isStopRequested() || !ros::ok())
+    session.abort(ros::Time::now(), {ErrorCode::Cancelled, "the node was ended"});
+}
+
+/// That came before there was a session to correct.
+void TrajectoryDriver::correctByLastMap(DriveSession& session, const std::string& toolpath_id) const {
+  const std::optional<HeardMap> last = lastMap();
+  if (last && last->map.toolpath_id == toolpath_id) session.correct(last->map, last->digest);
 }
 
 void TrajectoryDriver::onPlan(const lamina_msgs::ToolpathConstPtr& message) {
@@ -273,9 +334,9 @@ void TrajectoryDriver::onPlan(const lamina_msgs::ToolpathConstPtr& message) {
   if (!refusal.empty()) ROS_WARN("plan %s is not gone on with: %s", message->id.c_str(), refusal.c_str());
 }
 
-void TrajectoryDriver::tell(const std::vector<DrivenLayer>& layers, const std::string& toolpath_id) {
+void TrajectoryDriver::tell(const std::vector<DrivenLayer>& layers) {
   for (const DrivenLayer& layer : layers) {
-    lamina_msgs::AppliedCorrection message = toMessage(layer.missed, toolpath_id, layer.digest);
+    lamina_msgs::AppliedCorrection message = toMessage(layer.missed, layer.toolpath_id, layer.digest);
     message.header.stamp = ros::Time::now();
     applied_.publish(message);
   }
@@ -284,7 +345,12 @@ void TrajectoryDriver::tell(const std::vector<DrivenLayer>& layers, const std::s
 void TrajectoryDriver::onCorrection(const lamina_msgs::CorrectionMap& message) {
   try {
     const CorrectionMap map = toCore(message);
-    const auto job = session();
+    std::shared_ptr<DriveSession> job;
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      map_ = HeardMap{map, message.digest};
+      job = session_;
+    }
     const std::string refusal = job ? job->correct(map, message.digest) : "nothing is driven";
     if (refusal.empty())
       ROS_INFO("layer %lu is corrected by map %s from here on", static_cast<unsigned long>(map.layer),
@@ -341,10 +407,12 @@ bool TrajectoryDriver::onResume(Trigger::Request&, Trigger::Response& response) 
 }
 
 bool TrajectoryDriver::onAbort(Trigger::Request&, Trigger::Response& response) {
-  const auto job = session();
-  response.success = job != nullptr;
-  response.message = job ? "stopping" : "no toolpath is being driven";
-  if (job) job->abort(ros::Time::now(), {ErrorCode::Cancelled, "aborted on request"});
+  response.success = is_driving_;
+  response.message = is_driving_ ? "stopping" : "no toolpath is being driven";
+  if (!is_driving_) return true;
+  // What runs next, if nothing does just now, sees it before it moves.
+  is_abort_requested_ = true;
+  if (const auto job = session()) job->abort(ros::Time::now(), {ErrorCode::Cancelled, "aborted on request"});
   return true;
 }
 

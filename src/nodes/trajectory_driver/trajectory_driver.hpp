@@ -22,6 +22,7 @@
 #include "messages.hpp"
 #include "present_joints.hpp"
 #include "process_publisher.hpp"
+#include "work_beside.hpp"
 
 namespace lamina {
 
@@ -43,24 +44,46 @@ class TrajectoryDriver {
   using Server = actionlib::SimpleActionServer<lamina_msgs::DriveToolpathAction>;
 
   void onGoal(const lamina_msgs::DriveToolpathGoalConstPtr& goal);
+  /// What is driven, and the way there.
+  struct PreparedJob {
+    DriveJob job;
+    std::optional<Approach> way;  ///< none if the machine stands at the start
+  };
   /// How a motion ended.
   struct Driven {
     DriveStatus status;
-    std::optional<DriveJob> next;  ///< a plan to go on with from here
+    std::optional<PreparedJob> next;  ///< a plan to go on with from here
   };
+  /// A plan that is made ready.
+  struct PlanInWork {
+    std::string id;
+    std::unique_ptr<WorkBeside<PreparedJob>> result;
+  };
+  struct HeardMap {
+    CorrectionMap map;
+    std::string digest;
+  };
+  /// Whether a job that begins waits for the map of its first layer.
+  enum class MapOfFirstLayer { AsItIs, Awaited };
 
+  /// Aborted, preempted, or the node ends.
+  bool isCancelled() const;
   DriveStatus drive(const std::string& toolpath_id);
-  Driven drive(const DriveJob& job, Progress& progress);
+  PreparedJob prepared(const MachineToolpath& placed, Progress& progress);
+  Driven drive(const PreparedJob& prepared, MapOfFirstLayer first_map);
   DriveJob jobOf(const MachineToolpath& placed, Progress& progress);
   MachineToolpath toolpath(const std::string& id);
   Driven run(const DriveMotion& motion);
   std::shared_ptr<ChunkCorrection> correctionOf(const DriveJob& job) const;
-  std::optional<DriveJob> plannedAnew(DriveSession& session, const std::string& toolpath_id);
+  std::optional<PreparedJob> plannedAnew(DriveSession& session, std::optional<PlanInWork>& work);
+  void abortIfCancelled(DriveSession& session) const;
   void goOnWith(const DriveJob& plan);
-  void awaitFirstMap(const std::string& toolpath_id) const;
+  void awaitFirstMap(ChunkCorrection& correction) const;
+  std::optional<HeardMap> lastMap() const;
+  void correctByLastMap(DriveSession& session, const std::string& toolpath_id) const;
   void onCorrection(const lamina_msgs::CorrectionMap& message);
   /// On applied_correction.
-  void tell(const std::vector<DrivenLayer>& layers, const std::string& toolpath_id);
+  void tell(const std::vector<DrivenLayer>& layers);
   void onPlan(const lamina_msgs::ToolpathConstPtr& message);
   void show(const DriveStatus& status);
   void publishState(const DriveStatus& status);
@@ -92,10 +115,11 @@ class TrajectoryDriver {
   mutable std::mutex mutex_;  ///< of what follows up to the controller
   std::shared_ptr<DriveSession> session_;
   lamina_msgs::ToolpathConstPtr toolpath_;
-  lamina_msgs::CorrectionMapConstPtr map_;  ///< that came last
+  std::optional<HeardMap> map_;  ///< that came last
   DriveStatus status_;
 
   std::atomic<bool> is_driving_{false};
+  std::atomic<bool> is_abort_requested_{false};  ///< of the goal
   std::string job_;
   std::unique_ptr<GrowingPart> growing_;
   ControllerClient controller_;

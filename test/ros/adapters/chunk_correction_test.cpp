@@ -175,7 +175,14 @@ TEST_F(CorrectedChunks, TellFromWhereAMapHolds) {
   EXPECT_EQ(told[0].missed.held_from->path, 0U);
   EXPECT_NEAR(told[0].missed.held_from->along_mm, 1.2 * kSpeed, 1e-6);
   EXPECT_EQ(correction.hear(risingMap(0.1), "later"), "");
-  EXPECT_TRUE(correction.takeLayers().empty()) << "once";
+  EXPECT_TRUE(correction.takeLayers().empty()) << "a trim of what is driven by a map";
+  const std::string refusal = correction.hear(risingMap(1.6), "too much");
+  const std::vector<DrivenLayer> stays = correction.takeLayers();
+  ASSERT_EQ(stays.size(), 1U) << "that a trim is not used";
+  EXPECT_EQ(stays[0].digest, "later");
+  EXPECT_EQ(stays[0].missed.reason, refusal);
+  ASSERT_TRUE(stays[0].missed.held_from);
+  EXPECT_NEAR(stays[0].missed.held_from->along_mm, 1.2 * kSpeed, 1e-6);
 }
 
 TEST_F(CorrectedChunks, TellThatAMapHoldsFromTheBeginning) {
@@ -192,6 +199,21 @@ TEST_F(CorrectedChunks, TellThatAMapIsNotTaken) {
   ASSERT_EQ(told.size(), 1U);
   EXPECT_EQ(told[0].digest, "");
   EXPECT_EQ(told[0].missed.reason, refusal);
+  correction.hear(risingMap(1.6), "digest");
+  EXPECT_TRUE(correction.takeLayers().empty()) << "once";
+  EXPECT_EQ(correction.hear(risingMap(0.3), "better"), "");
+  const std::vector<DrivenLayer> after = correction.takeLayers();
+  ASSERT_EQ(after.size(), 1U) << "it is driven by a map after all";
+  EXPECT_EQ(after[0].digest, "better");
+  EXPECT_EQ(after[0].missed.reason, "");
+}
+
+TEST_F(CorrectedChunks, TellNothingOfLayersThatAreNotThere) {
+  CorrectionMap beyond = risingMap(0.0);
+  beyond.layer = 1;
+  EXPECT_NE(correction.hear(beyond, "digest"), "");
+  correction.giveUp(7, 2.0);
+  EXPECT_TRUE(correction.takeLayers().empty());
 }
 
 /// Of two layers the first is handed over without a map, which then comes too late.
