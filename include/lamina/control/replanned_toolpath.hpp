@@ -40,16 +40,14 @@ std::string replannedId(const Toolpath& replanned, std::size_t first_layer, cons
 /// Whether a plan takes the place of the rest of that toolpath, which may be a plan itself.
 bool isPlanOf(const std::string& plan_id, const std::string& toolpath_id);
 
-/// Where a machine is when a plan comes.
-enum class PlanMoment {
-  InFrontOfLayer,  ///< held for the map of the layer that the plan begins with
-  Elsewhere,
-};
-
-/// Why a machine that runs a toolpath cannot go over to a plan, in words; empty if it can.
-std::string refusalOfPlan(const std::string& plan_id, const std::string& toolpath_id, PlanMoment moment);
-
 /// The layer of the parent in whose place a plan's first one comes; nothing if the identity names none.
 std::optional<std::size_t> firstLayerOf(const std::string& plan_id);
+
+/// Why a machine that runs a toolpath cannot go over to a plan, in words; empty if it can.
+///
+/// @param awaited  layer in front of which the machine is held for its map; none where it is held in front of
+/// none
+std::string refusalOfPlan(const std::string& plan_id, const std::string& toolpath_id,
+                          std::optional<std::size_t> awaited);
 
 }  // namespace lamina

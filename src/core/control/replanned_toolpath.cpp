@@ -146,10 +146,16 @@ std::optional<std::size_t> firstLayerOf(const std::string& plan_id) {
   return first;
 }
 
-std::string refusalOfPlan(const std::string& plan_id, const std::string& toolpath_id, PlanMoment moment) {
+std::string refusalOfPlan(const std::string& plan_id, const std::string& toolpath_id,
+                          std::optional<std::size_t> awaited) {
   if (!isPlanOf(plan_id, toolpath_id)) return "it is no plan of toolpath " + toolpath_id + ", which is run";
-  if (moment == PlanMoment::Elsewhere)
-    return "the machine does not rest in front of the layer that it begins with";
+  const std::optional<std::size_t> first = firstLayerOf(plan_id);
+  if (!first)
+    return "its identity does not say which layer it begins with; expected <own>-from-<layer>-of-<parent>";
+  const std::string begins =
+      "it begins with layer " + std::to_string(*first) + "; the machine is held in front of ";
+  if (!awaited) return begins + "none";
+  if (*first != *awaited) return begins + "layer " + std::to_string(*awaited);
   return {};
 }
 

@@ -4,7 +4,7 @@
 
 namespace lamina {
 
-// Compiled once: for opposite directions Eigen instantiates a singular value decomposition, seconds in every source.
+// Compiled once: for opposite directions Eigen instantiates a singular value decomposition.
 Eigen::Quaterniond shortestRotation(const Point3& from, const Point3& to) {
   return Eigen::Quaterniond::FromTwoVectors(from, to);
 }

@@ -83,8 +83,7 @@ void LayerCorrector::takeTrim(std::uint64_t line) {
 
 std::string LayerCorrector::awaitPlan(const std::string& plan_id) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  std::string refusal =
-      refusalOfPlan(plan_id, toolpath_.id, awaited_ ? PlanMoment::InFrontOfLayer : PlanMoment::Elsewhere);
+  std::string refusal = refusalOfPlan(plan_id, toolpath_.id, awaited_);
   is_planning_ = is_planning_ || refusal.empty();
   return refusal;
 }

@@ -65,21 +65,9 @@ void MapWait::resume(double now_s) {
   if (!feeder_.isHeld()) holdAtNext(now_s);
 }
 
-/// The layer that a plan begins with must be the one that comes next.
-std::string MapWait::refusalOf(const std::string& plan_id) const {
-  if (!isPlanOf(plan_id, correction_.toolpathId()))
-    return "it is no plan of toolpath " + correction_.toolpathId() + ", which is driven";
-  const std::optional<std::size_t> first = firstLayerOf(plan_id);
-  if (!first)
-    return "its identity does not say which layer it begins with; expected <own>-from-<layer>-of-<parent>";
-  if (!feeder_.isHeld()) return "it begins with " + nameOf(*first) + "; the machine is held in front of none";
-  if (*first != awaited_)
-    return "it begins with " + nameOf(*first) + "; the machine is held in front of " + nameOf(awaited_);
-  return {};
-}
-
 std::string MapWait::offer(const lamina_msgs::ToolpathConstPtr& plan) {
-  std::string refusal = refusalOf(plan->id);
+  const auto held = feeder_.isHeld() ? std::optional(awaited_) : std::nullopt;
+  std::string refusal = refusalOfPlan(plan->id, correction_.toolpathId(), held);
   if (refusal.empty())
     plan_ = plan;
   else if (isPlanOf(plan->id, correction_.toolpathId()))

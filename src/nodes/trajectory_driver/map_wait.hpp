@@ -46,7 +46,6 @@ class MapWait {
  private:
   void holdAtNext(double now_s);
   void enter(double now_s);
-  std::string refusalOf(const std::string& plan_id) const;
 
   TrajectoryFeeder& feeder_;
   ChunkCorrection& correction_;

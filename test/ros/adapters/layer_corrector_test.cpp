@@ -196,7 +196,7 @@ TEST(LayerCorrector, TrimsALayerThatIsUnderWay) {
 TEST(LayerCorrector, GoesOverToAPlanWhereItWaits) {
   const auto first = std::make_shared<LayerCorrector>(beadProgram(), programmed(), used());
   CorrectedStream stream(first);
-  const std::string id = replannedId(beads(), toolpathId(beads()));
+  const std::string id = replannedId(beads(), 1, toolpathId(beads()));
   std::size_t from = 0;
   const auto write = [&](const LayerCorrector&, std::size_t layer) {
     from = layer;
@@ -208,7 +208,7 @@ TEST(LayerCorrector, GoesOverToAPlanWhereItWaits) {
                                              used(), FirstLayer::Awaited)};
   };
   EXPECT_TRUE(stream.isKnown(0));
-  EXPECT_NE(stream.goOverTo(id, write).find("does not rest in front of the layer"), std::string::npos);
+  EXPECT_NE(stream.goOverTo(id, write).find("held in front of none"), std::string::npos);
   EXPECT_FALSE(stream.isKnown(1));
   EXPECT_NE(stream.goOverTo("other", write).find("no plan of toolpath"), std::string::npos);
   EXPECT_FALSE(stream.successor(1));
