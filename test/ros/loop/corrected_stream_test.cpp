@@ -214,7 +214,7 @@ TEST(CorrectedStream, GoesOverToLayersPlannedAnew) {
   ASSERT_TRUE(cell.isTold(1));
   MachineToolpath plan = part;
   plan.toolpath = replannedToolpath(part.toolpath, {1, 0.0}, {{2.0}, 1.0});
-  plan.id = replannedId(plan.toolpath, part.id);
+  plan.id = replannedId(plan.toolpath, 1, part.id);
   const auto isFollowed = [&] { return !cell.toolpaths.empty() && cell.toolpaths.back().id == plan.id; };
   // It is taken once the machine waits for the layer.
   ASSERT_TRUE(waitUntil([&] {
