@@ -34,15 +34,17 @@ bool isOuter(std::size_t layer, std::size_t layers, const InfillSettings& infill
 
 /// Layers of a stack, worked on that far from where they lie.
 struct GroupStretch {
-  std::size_t begin;
-  std::size_t end;
-  Point2 away;
+  std::size_t begin = 0;
+  std::size_t end = 0;
+  Point2 away = Point2::Zero();
 };
 
 /// What is sparse in all layers of a stretch, near the origin. Layers that are the same are looked at once.
 Regions commonSparse(const std::vector<LayerCover>& covers, const std::vector<double>& heights_mm,
                      const PlanSettings& settings, const GroupStretch& stretch) {
-  const auto& [begin, end, away] = stretch;
+  const std::size_t begin = stretch.begin;
+  const std::size_t end = stretch.end;
+  const Point2& away = stretch.away;
   for (std::size_t i = begin; i < end; ++i)
     if (isOuter(i, covers.size(), settings.infill)) return {};
   const auto sparse_in = [&](std::size_t i) {
