@@ -283,6 +283,7 @@ class LayerPlanner {
     starts_ += planner.starts_;
     bridging_ += planner.bridging_;
     appendTo(sparse_, planner.sparse_);
+    do_sparse_overlap_ = do_sparse_overlap_ || planner.do_sparse_overlap_;
     if (plan.context == &context_)
       appendTo(seen_, planner.seen_);
     else if (!planner.seen_.empty())
@@ -321,6 +322,7 @@ class LayerPlanner {
     Regions inside = intersection(walls.infill, overlap_mm > 0.0 ? offset(piece, overlap_mm) : piece);
     if (spans) inside = addBridges(below_.bridged(inside, pitch_));
     if (inside.empty()) return;
+    do_sparse_overlap_ = overlap_mm > 0.0;
     if (has_skins) return addSkinsAndInfill(inside);
     std::vector<FillPath> narrow;
     for (const FillPath& run : walls.narrow_infill)
@@ -482,6 +484,7 @@ class LayerPlanner {
 
   /// What a sparse infill leaves open stays so.
   void refillVoids(const Regions& material) {
+    if (do_sparse_overlap_) sparse_ = unite(outlines(sparse_));
     RefillSettings settings;
     settings.least_area = settings_.voids.least_area;
     const Regions solid = isSolid(infill_) && sparse_.empty() ? material : difference(material, sparse_);
@@ -572,6 +575,7 @@ class LayerPlanner {
   Bridging bridging_;
   FillStarts starts_;
   Regions sparse_;                    ///< what the infill of all islands does not fill
+  bool do_sparse_overlap_ = false;    ///< each other, where pieces reach over their borders
   Regions seen_;                      ///< what is to be ironed
   std::vector<IslandPiece> seen_by_;  ///< the same, by other plans
   ToolpathLayer result_;

@@ -5,7 +5,10 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "geometry/polygon/divided_area.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
@@ -69,6 +72,21 @@ TEST(CrossedOutlines, ThatStayApartAreNestedOrNot) {
   EXPECT_EQ(areaIn(CrossedOutlines({}, a).common()), 0.0);
 }
 
+TEST(CrossedOutlines, AreFoundInAnAreaThatOverlapsItself) {
+  const Regions a = {{rectangle(4, 4, 6, 6), {}}};
+  const Regions nested = {{rectangle(0, 0, 10, 10), {}}, {rectangle(2, 2, 8, 8), {}}};
+  const Regions overlapping = {{rectangle(0, 0, 7, 10), {}}, {rectangle(3, 1, 10, 9), {}}};
+  for (const Regions& around : {nested, overlapping}) {
+    EXPECT_NEAR(area(intersection(a, around)), 4.0, 1e-9);
+    EXPECT_TRUE(difference(a, around).empty());
+  }
+  // Of the whole a square is left out twice.
+  const Regions whole = {{rectangle(-1, -1, 11, 11), {}}};
+  EXPECT_NEAR(area(difference(whole, nested)), 44.0, 1e-6);
+  EXPECT_NEAR(area(intersection(nested, whole)), 100.0, 1e-6);
+  EXPECT_NEAR(area(difference(whole, unite(outlines(overlapping)))), 144.0 - 94.0, 1e-6);
+}
+
 TEST(CrossedOutlines, SayNothingWhereTheyTouch) {
   const Regions a = {{rectangle(0, 0, 10, 10), {}}};
   EXPECT_FALSE(CrossedOutlines(a, a).common());
@@ -113,6 +131,51 @@ TEST(CrossedOutlines, ShareOutRandomRings) {
     }
   }));
   EXPECT_GT(clear, 80) << "of a hundred, or the property says nothing";
+}
+
+/// Where outlines of the one cross those of the other, and the corners of both.
+std::vector<Point2> exactCorners(const Regions& a, const Regions& b) {
+  std::vector<Point2> corners;
+  for (const Regions& regions : {a, b})
+    for (const Polygon& outline : outlines(regions))
+      corners.insert(corners.end(), outline.begin(), outline.end());
+  for (const Polygon& of_a : outlines(a))
+    for (const Polygon& of_b : outlines(b))
+      for (std::size_t i = 0; i < of_a.size(); ++i)
+        for (std::size_t j = 0; j < of_b.size(); ++j) {
+          const Point2& from = of_a[i];
+          const Point2 way = of_a[(i + 1) % of_a.size()] - from;
+          const Point2 other = of_b[(j + 1) % of_b.size()] - of_b[j];
+          Eigen::Matrix2d ways;
+          ways << way, -other;
+          if (std::abs(ways.determinant()) < 1e-12) continue;
+          const Point2 along = ways.inverse() * (of_b[j] - from);
+          if ((along.array() >= 0.0).all() && (along.array() <= 1.0).all())
+            corners.push_back(from + along.x() * way);
+        }
+  return corners;
+}
+
+TEST(CrossedOutlines, HaveTheExactCorners) {
+  std::size_t seen = 0;
+  EXPECT_TRUE(rc::check("random rings", [&seen] {
+    Random random(*rc::gen::arbitrary<std::uint64_t>());
+    const Regions a = randomRing(random, {0, 0});
+    const Regions b = randomRing(random, {random.uniform(0, 6), random.uniform(0, 6)});
+    const CrossedOutlines crossed(a, b);
+    const std::vector<Point2> exact = exactCorners(a, b);
+    for (const std::optional<Regions>& found : {crossed.common(), crossed.rest()}) {
+      if (!found) continue;
+      for (const Polygon& outline : outlines(*found))
+        for (const Point2& corner : outline) {
+          double nearest = 1.0;
+          for (const Point2& other : exact) nearest = std::min(nearest, (other - corner).norm());
+          RC_ASSERT(nearest <= 1e-5);
+          ++seen;
+        }
+    }
+  }));
+  EXPECT_GT(seen, 5000U);
 }
 
 /// What is left of an area meets it, but for rounding.

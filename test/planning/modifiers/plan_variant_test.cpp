@@ -138,6 +138,23 @@ TEST(PlanVariant, EndsInnerWallsAtItsBorder) {
   }
 }
 
+/// Both fills run over the border between them, where neither leaves anything to be filled.
+TEST(PlanVariant, IsNotRefilledWhereSparseFillsOverlap) {
+  PlanSettings light = sparse(0.15);
+  light.infill.wall_overlap = 0.9;
+  light.voids.refill = VoidRefill::Beads;
+  PlanSettings dense = light;
+  dense.infill.density = 0.3;
+  const Regions slanted = {Region{{{8, -1}, {21, -1}, {21, 21}, {12, 21}}, {}}};
+  NoProgress nobody;
+  const std::vector<Layer> layers = {cube().front()};
+  std::vector<PlanVariant> variants = {variantOf(dense, slanted)};
+  const Box2 bed{{-100.0, -100.0}, {100.0, 100.0}};
+  const Plan plan = planPart("part", layers, light, VariedBed{bed, variants}, nobody);
+  EXPECT_EQ(plan.refilling.runs, 0U);
+  EXPECT_EQ(plan.refilling.deposited_mm3, 0.0);
+}
+
 TEST(PlanVariant, ChangesFeedsOfWallsOnItsBorder) {
   PlanSettings slow = sparse(0.15);
   slow.feed.outer_wall_mm_s = 10.0;

@@ -14,10 +14,10 @@ enum class Join {
   Round,  ///< an arc, true within 0.005 mm
 };
 
-// Regions given to these wind round each point once or not at all, as those do that they return. Where
-// outlines meet they work on a grid of 1e-5 mm: results lie within that of the exact ones. They give the same
-// regions for the same input, refuse points farther than 10 m from the origin with InvalidInput, and islands
-// inside holes become regions of their own.
+// Regions given to these wind round each point once or not at all, as those do that they return; what may
+// overlap itself goes through `unite` before. Where outlines meet they work on a grid of 1e-5 mm: results lie
+// within that of the exact ones. They give the same regions for the same input, refuse points farther than
+// 10 m from the origin with InvalidInput, and islands inside holes become regions of their own.
 
 /// The area that the outlines wind round at least once, clockwise and counter-clockwise counted against each
 /// other.

@@ -32,16 +32,29 @@ Polygon tidied(Polygon outline) {
   return outline;
 }
 
+/// How often the outline winds round the point, counter-clockwise.
+int windingRound(const Polygon& outline, const Point2& point) {
+  int winding = 0;
+  for (std::size_t i = 0, j = outline.size() - 1; i < outline.size(); j = i++) {
+    const Point2& a = outline[j];
+    const Point2& b = outline[i];
+    if ((a.y() > point.y()) == (b.y() > point.y())) continue;
+    if (point.x() < a.x() + (b.x() - a.x()) * (point.y() - a.y()) / (b.y() - a.y()))
+      winding += b.y() > a.y() ? 1 : -1;
+  }
+  return winding;
+}
+
 }  // namespace
 
 bool CrossedOutlines::Area::encloses(const Point2& point) const {
-  bool is_inside = false;
+  int winding = 0;
   for (const Outline& outline : outlines) {
     const bool is_near =
         (outline.box.low.array() <= point.array()).all() && (point.array() <= outline.box.high.array()).all();
-    if (is_near && lamina::encloses(*outline.points, point)) is_inside = !is_inside;
+    if (is_near) winding += windingRound(*outline.points, point);
   }
-  return is_inside;
+  return winding != 0;
 }
 
 CrossedOutlines::Area CrossedOutlines::areaOf(const Regions& regions) {
