@@ -201,6 +201,8 @@ class AidPlanner {
     append(raft_area_, occupied);
     append(offset(skirt_, 0.5 * width()), occupied);
     LayerAids& aids = aidsOf(0);
+    // The skirt lies round the raft, which lies below the part.
+    occupied = unite(outlines(occupied));
     aids.insert(aids.begin(), makePrimeLine(settings, boundsOf(0), *context_.level_bed, occupied));
   }
 
@@ -248,17 +250,18 @@ std::size_t greatestReach(const std::vector<Layer>& layers, const BedPlane& bed,
   return static_cast<std::size_t>(std::ceil(way_mm / least_mm) + settings.interface_layers) + 2;
 }
 
-void add(SupportTotals& sum, const SupportTotals& more) {
-  sum.overhang_mm2 += more.overhang_mm2;
-  sum.unsupported_mm2 += more.unsupported_mm2;
-  sum.area_mm2 = std::max(sum.area_mm2, more.area_mm2);
-  sum.support_mm3 += more.support_mm3;
-  sum.interface_mm3 += more.interface_mm3;
+/// @throws InvalidInput if there are any
+void requireNoRegions(const SupportRegions& regions) {
+  if ((regions.variants == nullptr || regions.variants->empty()) && regions.marks == nullptr) return;
+  throw InvalidInput(
+      "layers far out on a belt have regions with supports of their own; expected none: supports are planned "
+      "stretch by stretch there");
 }
 
 /// Stretch by stretch near the origin, each with the layers beside it that decide of it.
 PlannedAids aidsAlongBelt(const std::vector<Layer>& layers, const PlanContext& context,
                           const SupportRegions& support_regions, Progress& progress) {
+  requireNoRegions(support_regions);
   PlannedAids all;
   all.layers.resize(layers.size());
   const std::size_t reach = greatestReach(layers, *context.bed, context.settings.supports);
@@ -271,15 +274,27 @@ PlannedAids aidsAlongBelt(const std::vector<Layer>& layers, const PlanContext& c
     there.bed->level_mm -= there.bed->up.head<2>().dot(stretch.away);
     const AidWindow window = {{stretch.begin - begin, stretch.end - begin},
                               {heightAmid(layers), stretch.away}};
-    PlannedAids planned = AidPlanner(near, there, support_regions, window).plan(progress);
+    PlannedAids planned = AidPlanner(near, there, {}, window).plan(progress);
     for (std::size_t i = stretch.begin; i < stretch.end; ++i)
       all.layers[i] = moved(std::move(planned.layers[i - begin]), stretch.away);
-    add(all.supports, planned.supports);
+    all.supports = sumOf(all.supports, planned.supports);
   }
   return all;
 }
 
 }  // namespace
+
+SupportTotals sumOf(const SupportTotals& a, const SupportTotals& b) {
+  SupportTotals sum;
+  sum.overhang_mm2 = a.overhang_mm2 + b.overhang_mm2;
+  sum.unsupported_mm2 = a.unsupported_mm2 + b.unsupported_mm2;
+  sum.blocked_mm2 = a.blocked_mm2 + b.blocked_mm2;
+  sum.area_mm2 = std::max(a.area_mm2, b.area_mm2);
+  sum.support_mm3 = a.support_mm3 + b.support_mm3;
+  sum.interface_mm3 = a.interface_mm3 + b.interface_mm3;
+  sum.dropped_branches = a.dropped_branches + b.dropped_branches;
+  return sum;
+}
 
 PlannedAids planAids(const std::vector<Layer>& layers, const PlanContext& context,
                      const SupportRegions& support_regions, Progress& progress) {

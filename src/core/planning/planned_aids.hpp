@@ -21,11 +21,16 @@ struct PlannedAids {
   SupportTotals supports;
 };
 
+/// Of both, whose layers are others: the layer with the most support is that of one of them.
+SupportTotals sumOf(const SupportTotals& a, const SupportTotals& b);
+
 /// Supports of layers in parallel planes; skirt, brim, raft and prime line of level ones. Lifted layers have
 /// none, parts of drops neither.
 /// @param layers           in the frame of the layers
 /// @param support_regions  where supports are asked for otherwise
-/// @throws InvalidConfig if a prime line has no room
+/// @throws InvalidConfig if a prime line has no room; InvalidInput if there are such regions in layers far
+/// out
+///   on a belt
 PlannedAids planAids(const std::vector<Layer>& layers, const PlanContext& context,
                      const SupportRegions& support_regions, Progress& progress);
 

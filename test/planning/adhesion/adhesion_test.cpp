@@ -9,6 +9,7 @@
 #include "lamina/base/error.hpp"
 #include "planning/adhesion/brim.hpp"
 #include "planning/adhesion/prime_line.hpp"
+#include "planning/planned_aids.hpp"
 #include "planning/skirt.hpp"
 #include "support/planned_layers.hpp"
 #include "support/shapes.hpp"
@@ -247,6 +248,52 @@ TEST(PrimeLine, IsRefusedWhereItHasNoRoom) {
   settings.adhesion.prime.line = PrimeLine::Front;
   EXPECT_THROW(plannedOn({{-40, -40}, {40, 40}}, settings), InvalidConfig) << "longer than the bed";
   EXPECT_THROW(plannedOn({{-60, -14}, {60, 40}}, settings), InvalidConfig) << "across the skirt";
+}
+
+TEST(PrimeLine, IsRefusedWithinWhatLiesBelowThePart) {
+  PlanSettings settings;
+  settings.adhesion.prime.line = PrimeLine::Front;
+  settings.adhesion.prime.length_mm = 4.0;
+  const Box2 within{{-4.0, -4.0}, {4.0, 4.0}};
+  for (const int raft_layers : {0, 2})
+    for (const int skirts : {0, 1}) {
+      settings.adhesion.raft.layers = raft_layers;
+      settings.skirt.count = skirts;
+      EXPECT_THROW(plannedOn(within, settings), InvalidConfig) << raft_layers << ", " << skirts;
+    }
+}
+
+TEST(SupportTotals, OfOtherLayersAreAdded) {
+  const SupportTotals a{1.0, 2.0, 3.0, 40.0, 5.0, 6.0, 7};
+  const SupportTotals b{10.0, 20.0, 30.0, 4.0, 50.0, 60.0, 70};
+  const SupportTotals sum = sumOf(a, b);
+  EXPECT_EQ(sum.overhang_mm2, 11.0);
+  EXPECT_EQ(sum.unsupported_mm2, 22.0);
+  EXPECT_EQ(sum.blocked_mm2, 33.0);
+  EXPECT_EQ(sum.area_mm2, 40.0) << "of the layer with the most";
+  EXPECT_EQ(sum.support_mm3, 55.0);
+  EXPECT_EQ(sum.interface_mm3, 66.0);
+  EXPECT_EQ(sum.dropped_branches, 77U);
+}
+
+/// Their areas are those of the whole stack, and layers of a stretch are moved.
+TEST(PlannedAids, OfLayersFarOutHaveNoRegions) {
+  std::vector<Layer> layers = cubeLayers();
+  for (Layer& layer : layers)
+    for (Polygon& contour : layer.section.contours)
+      for (Point2& point : contour) point.y() += 12000.0;
+  PlanContext context;
+  context.settings.supports.use = true;
+  const double root = std::sqrt(0.5);
+  context.bed = BedPlane{{0.0, root, root}, root * 12000.0};
+  NoProgress nobody;
+  const std::vector<PlanVariant> none;
+  EXPECT_NO_THROW(planAids(layers, context, {&none, nullptr}, nobody));
+  SupportMarks marks;
+  marks.never.resize(layers.size());
+  EXPECT_THROW(planAids(layers, context, {nullptr, &marks}, nobody), InvalidInput);
+  const std::vector<PlanVariant> one = {{context.settings, std::vector<Regions>(layers.size())}};
+  EXPECT_THROW(planAids(layers, context, {&one, nullptr}, nobody), InvalidInput);
 }
 
 }  // namespace
