@@ -7,6 +7,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <mutex>
+#include <set>
+#include <string>
 
 #include "job/plate/plate_toolpath.hpp"
 #include "lamina/base/atomic_file.hpp"
@@ -483,6 +486,49 @@ TEST_F(PlateJobTest, PartsStandBesideEachOtherInInclinedLayers) {
 
   job_.settings.plate.order = PlateOrder::ByPart;
   EXPECT_NE(refusal().find("plate.order is by_part in inclined layers"), std::string::npos) << refusal();
+}
+
+/// Keeps the names of what is being done.
+class StagesSeen final : public Progress {
+ public:
+  void report(const std::string& stage, double) override {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    stages_.insert(stage);
+  }
+  bool isCancelled() const override { return false; }
+  const std::set<std::string>& stages() const { return stages_; }
+
+ private:
+  std::mutex mutex_;
+  std::set<std::string> stages_;
+};
+
+TEST_F(PlateJobTest, RefusesWhatInclinedLayersDoNotTakeBeforeItIsPlanned) {
+  job_.settings.machine.name = "belt_45";
+  job_.settings.slicing.plane.angle_deg = 45.0;
+  add(box("a", {20, 20, 20}));
+  add(box("b", {20, 20, 20}));
+  job_.settings.planning.tools.list = {{"0.name", "black"}, {"1.name", "white"}};
+  job_.settings.planning.tools.infill = 1;
+  const auto refusalUnplanned = [this] {
+    StagesSeen seen;
+    try {
+      runPlateJob(job_, seen);
+    } catch (const InvalidConfig& error) {
+      EXPECT_EQ(seen.stages().count("plan"), 0U);
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  job_.settings.planning.tools.purge_mm3 = {40.0};
+  const std::string tower = refusalUnplanned();
+  EXPECT_NE(tower.find("tools.purge_mm3 is 40"), std::string::npos) << tower;
+  EXPECT_NE(tower.find("slicing.plane.angle_deg 45"), std::string::npos) << tower;
+  job_.settings.planning.tools.purge_mm3.clear();
+  job_.settings.machine.name = "gantry_45";
+  job_.settings.plate.order = PlateOrder::ByPart;
+  const std::string by_part = refusalUnplanned();
+  EXPECT_NE(by_part.find("plate.order is by_part in inclined layers"), std::string::npos) << by_part;
 }
 
 }  // namespace

@@ -29,6 +29,7 @@
 #include "lamina/job/slicing/slicing_mode.hpp"
 #include "lamina/slicing/planar/layer_plane.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
+#include "planning/planned_aids.hpp"
 
 namespace lamina {
 namespace {
@@ -89,7 +90,13 @@ void requireInclinable(const JobSettings& settings) {
 }
 
 /// On a belt parts follow each other as they are given.
-void requireNoPlaces(const Plate& plate) {
+void requireBeltSettings(const JobSettings& settings, const Plate& plate) {
+  const std::vector<double>& purge_mm3 = settings.planning.tools.purge_mm3;
+  if (!purge_mm3.empty())
+    throw InvalidConfig("tools.purge_mm3 is " + std::to_string(purge_mm3.front()) +
+                        " mm3 with slicing.plane.angle_deg " +
+                        std::to_string(settings.slicing.plane.angle_deg) +
+                        "; expected none: a prime tower stands on level layers");
   for (const PlatePart& part : plate.parts)
     if (part.at_mm)
       throw InvalidConfig("part '" + part.file +
@@ -267,16 +274,6 @@ SlicedPart planned(const PlateItem& item, const SliceJob& of_plate, const BuildS
   }
 }
 
-void addSupports(SupportTotals& sum, const SupportTotals& of_part) {
-  sum.overhang_mm2 += of_part.overhang_mm2;
-  sum.unsupported_mm2 += of_part.unsupported_mm2;
-  sum.blocked_mm2 += of_part.blocked_mm2;
-  sum.area_mm2 += of_part.area_mm2;
-  sum.support_mm3 += of_part.support_mm3;
-  sum.interface_mm3 += of_part.interface_mm3;
-  sum.dropped_branches += of_part.dropped_branches;
-}
-
 void addSummary(SliceSummary& sum, const PlatedPart& part) {
   const SliceSummary& of_part = part.summary;
   for (const std::string& note : of_part.notes) sum.notes.push_back("part '" + part.name + "': " + note);
@@ -294,7 +291,9 @@ void addSummary(SliceSummary& sum, const PlatedPart& part) {
   sum.anchored.in_air += of_part.anchored.in_air;
   sum.refilling.runs += of_part.refilling.runs;
   sum.bridging += of_part.bridging;
-  addSupports(sum.supports, of_part.supports);
+  const double area_mm2 = sum.supports.area_mm2 + of_part.supports.area_mm2;
+  sum.supports = sumOf(sum.supports, of_part.supports);
+  sum.supports.area_mm2 = area_mm2;  // parts stand beside each other
   sum.raft_mm = std::max(sum.raft_mm, of_part.raft_mm);
   sum.refilling.deposited_mm3 += of_part.refilling.deposited_mm3;
 }
@@ -330,12 +329,15 @@ class PlateSlicer {
 
   SlicedPart slice(const SliceJob& of_plate, Progress& progress, std::vector<PlatedPart>& reports) {
     requirePlateSettings(job_.settings);
+    const bool is_along_belt = isInclined(job_.settings) && hasBelt(space_);
+    if (is_along_belt)
+      requireBeltSettings(job_.settings, job_.plate);
+    else
+      requireInclinable(job_.settings);
     Laps laps;
     Sources sources(job_.settings.input);
     items_ = itemsOf(job_.plate, sources, job_.settings);
-    if (isInclined(job_.settings) && hasBelt(space_))
-      return sliceAlongBelt(of_plate, laps.lap(), progress, reports);
-    requireInclinable(job_.settings);
+    if (is_along_belt) return sliceAlongBelt(of_plate, laps.lap(), progress, reports);
     requireMergeable(items_, job_.settings.plate.order);
     const double read_s = laps.lap();
     arrange(items_, boundingBox(space_), job_.settings);
@@ -356,7 +358,6 @@ class PlateSlicer {
  private:
   SlicedPart sliceAlongBelt(const SliceJob& of_plate, double read_s, Progress& progress,
                             std::vector<PlatedPart>& reports) {
-    requireNoPlaces(job_.plate);
     for (PlateItem& item : items_) {
       item.turn = turnOf(item.part.turn_deg);
       stand(item);
