@@ -65,6 +65,26 @@ TEST(InfillOfSeveralLayers, IsNoHigherThanTheNozzleLays) {
   EXPECT_NE(refusalOf({of_three, high, {"machine.nozzle_mm", "2"}, {"slicing.heights", "adaptive"}}), "");
 }
 
+TEST(Layers, AreNoHigherThanTheNozzlesOfSupports) {
+  const std::vector<SettingText> tools = {{"slicing.layer_height_mm", "0.3"},
+                                          {"tools.list.0.nozzle_mm", "0.4"},
+                                          {"tools.list.1.nozzle_mm", "0.25"}};
+  const auto refusalWith = [&](std::vector<SettingText> more) {
+    more.insert(more.begin(), tools.begin(), tools.end());
+    return refusalOf(more);
+  };
+  const std::string refused =
+      "a layer height is 0.3 mm and nozzle_mm of tool 1 in tools.list 0.25 mm; a layer is no higher than the "
+      "nozzles that lay it are wide";
+  const SettingText use = {"supports.use", "true"};
+  EXPECT_EQ(refusalWith({use}), "");
+  for (const char* key : {"supports.tool", "supports.interface_tool", "tool.support", "tool.interface"}) {
+    EXPECT_EQ(refusalWith({use, {key, "1"}}), refused) << key;
+    EXPECT_EQ(refusalWith({{key, "1"}}), "") << key << " lays nothing";
+  }
+  EXPECT_EQ(refusalWith({use, {"supports.tool", "1"}, {"tool.support", "0"}}), "") << "tool.support holds";
+}
+
 TEST(UnknownCapabilities, RefuseNothing) {
   EXPECT_EQ(refusalOf({{"program.nozzle_temperature_c", "500"}}), "");
 }

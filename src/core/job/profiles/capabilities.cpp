@@ -3,11 +3,13 @@
 #include "lamina/job/profiles/capabilities.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdio>
 #include <vector>
 
 #include "lamina/base/error.hpp"
 #include "lamina/job/job_settings.hpp"
+#include "planning/tools/tool_order.hpp"
 
 namespace lamina {
 namespace {
@@ -66,17 +68,13 @@ double nozzleOf(PathRole role, const ToolSettings& settings) {
 
 /// Layers are those that the finest nozzle at work can lay.
 void requireLayersForTools(const JobSettings& settings) {
-  const ToolSettings& tools = settings.planning.tools;
-  if (tools.list.empty()) return;
+  const std::vector<Tool> tools = toolsOf(settings.planning.tools);
   const double height_mm = std::max(settings.slicing.layer_height_mm, settings.slicing.first_layer_height_mm);
-  std::vector<PathRole> roles = {PathRole::OuterWall, PathRole::Infill, PathRole::Skin};
-  if (settings.planning.supports.use)
-    roles.insert(roles.end(), {PathRole::Support, PathRole::SupportInterface});
-  for (const PathRole role : roles) {
-    const double nozzle_mm = nozzleOf(role, tools);
+  for (const std::uint32_t tool : toolsAtWork(settings.planning)) {
+    const double nozzle_mm = tool < tools.size() ? tools[tool].nozzle_mm : 0.0;
     if (nozzle_mm <= 0.0 || height_mm <= nozzle_mm * (1.0 + 1e-9)) continue;
     throw InvalidConfig("a layer height is " + textOf(height_mm) + " mm and nozzle_mm of tool " +
-                        std::to_string(toolFor(role, tools)) + " in tools.list " + textOf(nozzle_mm) +
+                        std::to_string(tool) + " in tools.list " + textOf(nozzle_mm) +
                         " mm; a layer is no higher than the nozzles that lay it are wide");
   }
 }

@@ -240,6 +240,24 @@ std::uint32_t toolOf(const Path& path, const ToolSettings& settings) {
   return static_cast<std::uint32_t>(toolFor(path.role, settings));
 }
 
+std::vector<std::uint32_t> toolsAtWork(const PlanSettings& settings) {
+  std::vector<std::uint32_t> tools;
+  const auto add = [&](PathRole role, int own) {
+    Path path;
+    path.role = role;
+    path.tool = static_cast<std::uint32_t>(std::max(0, own));
+    const std::uint32_t tool = toolOf(path, settings.tools);
+    if (std::find(tools.begin(), tools.end(), tool) == tools.end()) tools.push_back(tool);
+  };
+  for (const PathRole role : {PathRole::OuterWall, PathRole::Infill, PathRole::Skin}) add(role, 0);
+  const SupportSettings& supports = settings.supports;
+  if (!supports.use) return tools;
+  add(PathRole::Support, supports.tool);
+  if (supports.kind == SupportKind::Lattice && supports.interface_layers > 0)
+    add(PathRole::SupportInterface, supports.interface_tool);
+  return tools;
+}
+
 void arrangeTools(std::vector<ToolpathLayer>& layers, const PlanSettings& settings,
                   const TravelMaker& travel) {
   const Box2 part = boxOf(layers);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "lamina/planning/plan_settings.hpp"
@@ -15,6 +16,10 @@ bool usesTools(const PlanSettings& settings);
 
 /// Which tool lays a path: supports that `supports.*` gave one keep it, unless `tool.*` names another.
 std::uint32_t toolOf(const Path& path, const ToolSettings& settings);
+
+/// The tools that lay walls, infill, skins and, where they are used, supports, as `toolOf` says: each once,
+/// in that order.
+std::vector<std::uint32_t> toolsAtWork(const PlanSettings& settings);
 
 /// Lays each layer tool by tool: first the one that ended the layer before, then the others by their numbers,
 /// each in the order that was planned. Travels between paths that follow each other no longer are made anew;
