@@ -354,6 +354,38 @@ class Regions(unittest.TestCase):
                 file.writestr(name, text)
         self.assertEqual(self.alike(path, box((-1, -1, -1), (21, 21, 5)) + ", settings: {walls.count: 3}"), [])
 
+    def test_what_orca_says_of_plates_is_no_setting(self):
+        def entries_with(change):
+            path = self.orca([])
+            with zipfile.ZipFile(path) as file:
+                entries = {name: file.read(name).decode() for name in file.namelist()}
+            entry = "Metadata/model_settings.config"
+            entries[entry] = change(entries[entry])
+            with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as file:
+                for name, text in entries.items():
+                    file.writestr(name, text)
+            return path
+        plate = ('  <plate>\n    <metadata key="plater_id" value="1"/>\n    <metadata key="plater_name" value=""/>\n    '
+                 '<metadata key="locked" value="false"/>\n    <metadata key="print_sequence" value="by object"/>\n    '
+                 '<metadata key="wall_loops" value="4"/>\n    <model_instance>\n      <metadata key="object_id" value="3"/>\n'
+                 '      <metadata key="instance_id" value="0"/>\n    </model_instance>\n  </plate>\n  <assemble>\n   '
+                 '<assemble_item object_id="3" instance_id="0" transform="1 0 0 0 1 0 0 0 1 0 0 0" offset="0 0 0"/>\n'
+                 '  </assemble>\n</config>')
+        plain, program = self.program(entries_with(lambda text: text))
+        counted = '<metadata key="extruder" value="1"/>\n    <metadata face_count="24"/>'
+        part = entries_with(lambda text: text.replace("</config>", plate).replace(
+            '<metadata key="extruder" value="1"/>', counted, 1))
+        summary, found = self.program(part)
+        self.assertEqual(summary["notes"], plain["notes"])
+        self.assertEqual(found, program)
+
+    def test_a_part_that_is_listed_twice_is_refused(self):
+        part = self.threemf([((0, 0, 0), (20, 20, 4))], "Metadata/model_settings.config", '<config><object id="1">'
+                            + '<part id="4" subtype="modifier_part"/>' * 2 + "</object></config>")
+        done = lamina("slice", part)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("part 4 is listed twice", done.stderr)
+
     def test_a_piece_of_the_part_has_a_tool_of_its_own(self):
         halves = [((0, 0, 0), (10, 20, 2)), ((10, 0, 0), (20, 20, 2))]
         config = ('<?xml version="1.0"?><config><object id="4"><volume firstid="0" lastid="11"><metadata type="volume" '

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -10,6 +11,9 @@
 #include "lamina/geometry/mesh/mesh.hpp"
 
 namespace lamina {
+
+/// Of what a file may become.
+inline constexpr std::size_t kMostTriangles = 200'000'000;
 
 /// Triangles as an indexed format stores them: positions may repeat or go unused, indices are not yet
 /// checked.

@@ -46,7 +46,6 @@
 namespace lamina {
 namespace {
 
-constexpr std::size_t kMostTriangles = 200'000'000;
 // By default the library takes a tenth of the deflection, below which angles do not count.
 constexpr double kShortestEdge = 0.001;  // mm
 constexpr int kMostSteps = 8;  // from an item up to its product, over representations and their relations

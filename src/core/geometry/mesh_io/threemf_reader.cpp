@@ -226,12 +226,11 @@ class ThreemfReader {
   }
 
   void addMesh(const Handle& mesh, const Eigen::Affine3d& part_from_mesh) {
-    constexpr std::size_t kMostTriangles = 200000000;
     const std::size_t first = faces_.positions.size();
     const auto vertices = get<DWORD>(NMR::lib3mf_meshobject_getvertexcount, mesh);
     const auto triangles = get<DWORD>(NMR::lib3mf_meshobject_gettrianglecount, mesh);
     if (faces_.triangles.size() + triangles > kMostTriangles || first + vertices > kMostTriangles)
-      refuse("more than 200000000 triangles or vertices; fewer are supported");
+      refuse("more than " + std::to_string(kMostTriangles) + " triangles or vertices; fewer are supported");
     for (DWORD i = 0; i < vertices; ++i) {
       NMR::MODELMESHVERTEX vertex{};
       require(NMR::lib3mf_meshobject_getvertex(mesh.get(), i, &vertex));
@@ -252,6 +251,10 @@ class ThreemfReader {
     std::vector<bool> is_of_part(triangles, true);
     for (const VolumeRange& range : ranges) {
       IndexedFaces volume;
+      if (range.first < triangles && range.first <= range.last)
+        volume_triangles_ += std::min<std::size_t>(range.last, triangles - 1) - range.first + 1;
+      if (volume_triangles_ > kMostTriangles)
+        refuse("volumes of more than " + std::to_string(kMostTriangles) + " triangles; fewer are supported");
       for (std::size_t i = range.first; i <= range.last && i < triangles; ++i) {
         if (range.kind != VolumeKind::Material) is_of_part[i] = false;
         addAlone(triangleAt(static_cast<DWORD>(i)), volume);
@@ -326,6 +329,7 @@ class ThreemfReader {
   std::map<DWORD, std::size_t> built_;   ///< places of objects among those that are built
   std::map<DWORD, std::size_t> orders_;  ///< of objects, by the numbers that the library gives them
   std::vector<std::pair<MeshVolume, IndexedFaces>> volume_faces_;  ///< volumes without their meshes
+  std::size_t volume_triangles_ = 0;
   int objects_ = 0;
 };
 

@@ -11,6 +11,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -113,13 +114,17 @@ class ListScanner {
 
  private:
   void begin(const XmlTag& tag) {
-    if (tag.name == "object") object_ = numberOf(scanner_, tag, "id");
+    if (tag.name == "object") {
+      object_ = numberOf(scanner_, tag, "id");
+      within_ = Within::Object;
+    }
     if (tag.name == "volume") {
       within_ = Within::Volume;
       range_ = {VolumeKind::Material, numberOf(scanner_, tag, "firstid"), numberOf(scanner_, tag, "lastid")};
     }
     if (tag.name == "part") beginPart(tag);
     if (tag.name == "metadata") addWord(tag);
+    if (tag.is_empty) end(tag);
   }
 
   void beginPart(const XmlTag& tag) {
@@ -127,11 +132,15 @@ class ListScanner {
     const auto kind = kindOfVolume(tag.attribute("subtype"));
     range_ = {kind.value_or(VolumeKind::Material), 0, std::numeric_limits<std::size_t>::max()};
     part_ = numberOf(scanner_, tag, "id");
-    if (tag.is_empty) end(tag);
+    // Each is all triangles of an object.
+    if (!parts_.insert(part_).second)
+      scanner_.refuse(tag.line, "part " + std::to_string(part_) + " is listed twice; expected each once");
   }
 
   void addWord(const XmlTag& tag) {
     const std::string key = tag.attribute("key");
+    // Of plates, and of where objects stand on them; counts of faces have no key.
+    if (within_ == Within::Outside || key.empty()) return;
     const std::string value = tag.attribute("value");
     if (key == "volume_type") range_.kind = kindOfVolume(value).value_or(VolumeKind::Material);
     if (saysOrigin(key)) return;
@@ -139,6 +148,7 @@ class ListScanner {
   }
 
   void end(const XmlTag& tag) {
+    if (tag.name == "object") within_ = Within::Outside;
     if (tag.name != "volume" && tag.name != "part") return;
     // Of material there is nothing to say but settings.
     const std::uint32_t number = within_ == Within::Volume ? object_ : part_;
@@ -147,12 +157,13 @@ class ListScanner {
     within_ = Within::Object;
   }
 
-  enum class Within : std::uint8_t { Object, Volume, Part };
+  enum class Within : std::uint8_t { Outside, Object, Volume, Part };
 
   XmlScanner scanner_;
-  Within within_ = Within::Object;
+  Within within_ = Within::Outside;
   std::uint32_t object_ = 0;
   std::uint32_t part_ = 0;
+  std::set<std::uint32_t> parts_;  ///< so far
   VolumeRange range_;
   NumberedObjects found_;
 };

@@ -45,9 +45,8 @@ struct SlicerWords {
 /// `Metadata/model_settings.config` whole objects, and Cura's objects have settings in the model itself. Of
 /// heights tell `Metadata/Prusa_Slicer_layer_config_ranges.xml` and `Metadata/layer_config_ranges.xml`. Empty
 /// where there is none of them.
-/// @throws InvalidMesh if one of them cannot be read, has heights that are none, or lists an object with
-/// volumes
-///   that are no material which the model does not have
+/// @throws InvalidMesh if one of them cannot be read, has heights that are none, lists a part twice, or an
+///   object with volumes that are no material which the model does not have
 SlicerWords slicerWords(std::string_view archive, const std::string& name);
 
 }  // namespace lamina
