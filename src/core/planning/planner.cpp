@@ -318,7 +318,7 @@ void requireFlowFor(VoidRefill refill, double flow_of_region, double flow) {
 /// Walls go on from region to region, of one width.
 void requireSameNozzle(const ToolSettings& of_region, const ToolSettings& of_part) {
   const double share =
-      nozzleShare(toolFor(PathRole::OuterWall, of_region), toolFor(PathRole::OuterWall, of_part), of_part);
+      nozzleShare({toolFor(PathRole::OuterWall, of_region), toolFor(PathRole::OuterWall, of_part)}, of_part);
   if (share == 1.0) return;
   throw InvalidConfig("tool.walls is " + std::to_string(of_region.walls) + " in a region and " +
                       std::to_string(of_part.walls) + " elsewhere, whose nozzle_mm is " +

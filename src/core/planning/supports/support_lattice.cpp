@@ -128,7 +128,7 @@ class LatticePlanner {
     ToolSettings tools = settings_.tools;
     if (tools.support < 0 && supports.tool > 0) tools.support = supports.tool;
     if (tools.interface < 0 && supports.interface_tool > 0) tools.interface = supports.interface_tool;
-    const double share = nozzleShare(toolFor(role, tools), toolFor(PathRole::OuterWall, tools), tools);
+    const double share = nozzleShare({toolFor(role, tools), toolFor(PathRole::OuterWall, tools)}, tools);
     return {share * settings_.bead.width_mm, height_mm};
   }
 

@@ -6,20 +6,21 @@
 
 namespace lamina {
 
-double nozzleShare(std::size_t tool, std::size_t of, const ToolSettings& settings) {
-  if (tool == of || settings.list.empty()) return 1.0;
+double nozzleShare(const ComparedTools& compared, const ToolSettings& settings) {
+  if (compared.tool == compared.by || settings.list.empty()) return 1.0;
   const std::vector<Tool> tools = toolsOf(settings);
-  if (tool >= tools.size() || of >= tools.size()) return 1.0;
-  const double nozzle_mm = tools[tool].nozzle_mm;
-  const double of_mm = tools[of].nozzle_mm;
-  return nozzle_mm > 0.0 && of_mm > 0.0 ? nozzle_mm / of_mm : 1.0;
+  if (compared.tool >= tools.size() || compared.by >= tools.size()) return 1.0;
+  const double nozzle_mm = tools[compared.tool].nozzle_mm;
+  const double by_mm = tools[compared.by].nozzle_mm;
+  return nozzle_mm > 0.0 && by_mm > 0.0 ? nozzle_mm / by_mm : 1.0;
 }
 
 RoleBead beadOf(PathRole role, const PlanSettings& settings, double height_mm) {
   // Threads over a gap and what is ironed are spaced as the walls' beads are.
   const bool is_of_walls = role == PathRole::Bridge || role == PathRole::Ironing;
   const std::size_t walls = toolFor(PathRole::OuterWall, settings.tools);
-  const double share = is_of_walls ? 1.0 : nozzleShare(toolFor(role, settings.tools), walls, settings.tools);
+  const double share =
+      is_of_walls ? 1.0 : nozzleShare({toolFor(role, settings.tools), walls}, settings.tools);
   const BeadSettings& bead = settings.bead;
   RoleBead of_role;
   of_role.bead = {share * bead.width_mm, height_mm};

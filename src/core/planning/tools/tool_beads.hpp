@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
+
 #include "lamina/planning/plan_settings.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 
@@ -29,7 +31,13 @@ struct LayerBeads {
 
 LayerBeads beadsByRole(const PlanSettings& settings, double height_mm);
 
-/// The nozzle of the tool of a role by that of another one's; 1 where either is not known.
-double nozzleShare(std::size_t tool, std::size_t of, const ToolSettings& settings);
+/// A tool and the one that its nozzle is measured by.
+struct ComparedTools {
+  std::size_t tool = 0;
+  std::size_t by = 0;
+};
+
+/// The nozzle of the one by that of the other; 1 where either is not known.
+double nozzleShare(const ComparedTools& compared, const ToolSettings& settings);
 
 }  // namespace lamina
