@@ -141,10 +141,7 @@ class EdgeBands {
 double clearance(const Region& region, const Point2& point) {
   double nearest = std::numeric_limits<double>::infinity();
   forEachEdge(region, [&](const BorderEdge& edge) {
-    const Point2 along = edge.to - edge.from;
-    const double squared = along.squaredNorm();
-    const double at = squared > 0.0 ? std::clamp((point - edge.from).dot(along) / squared, 0.0, 1.0) : 0.0;
-    nearest = std::min(nearest, (edge.from + at * along - point).squaredNorm());
+    nearest = std::min(nearest, (nearestOnSegment(edge.from, edge.to, point) - point).squaredNorm());
   });
   return std::sqrt(nearest);
 }
