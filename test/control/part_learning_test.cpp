@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <string>
 
 #include "lamina/base/error.hpp"
 #include "lamina/deposition/growth_plant.hpp"
@@ -125,6 +127,22 @@ TEST(PartLearning, RefusesLayersWithoutAValuePerCell) {
   LaidPart part = laidPart({}, 1);
   part.layers[3].growth_error_mm.pop_back();
   EXPECT_THROW(learntFromPart({}, kPart, part.layers, PartEnd::Complete, LoopSettings()), InvalidInput);
+}
+
+TEST(PartLearning, RefusesAMapOfOtherCells) {
+  const PartMap map = learntFromPart({}, kPart, {evenLayer(0.9, 0.0)}, PartEnd::Complete, LoopSettings());
+  for (const std::ptrdiff_t more : {-1, 1, 1000}) {
+    PartMap other = map;
+    const std::size_t cells = map.amount[0].size();
+    other.amount[0].resize(cells + static_cast<std::size_t>(more), 0.1);
+    try {
+      learntFromPart(other, kPart, {evenLayer(0.9, 0.0)}, PartEnd::Complete, LoopSettings());
+      FAIL() << more;
+    } catch (const InvalidInput& error) {
+      EXPECT_NE(std::string(error.what()).find("has " + std::to_string(cells) + " cells"), std::string::npos)
+          << error.what();
+    }
+  }
 }
 
 TEST(PartLearning, RefusesAMapOfAnotherMachine) {

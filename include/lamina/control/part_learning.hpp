@@ -41,7 +41,9 @@ enum class PartEnd { Complete, Aborted };
 /// its two neighbours where their cells are as many. K is `part_learning`, and of the first parts, whose mean
 /// is taken, one over their number where that is more. Within the limits of the loop. Cells that were not
 /// seen keep what they had.
-/// @throws InvalidInput if the identities differ, naming what; or the part has other layers than the map
+/// @throws InvalidInput if the identities differ, naming what; or the part has other layers than the map, or
+/// a
+///   layer of it other cells
 PartMap learntFromPart(const PartMap& before, const PartIdentity& identity,
                        const std::vector<LaidLayer>& part, PartEnd end, const LoopSettings& settings);
 

@@ -75,7 +75,13 @@ PartMap learntFromPart(const PartMap& before, const PartIdentity& identity,
     throw InvalidInput("the part has " + std::to_string(part.size()) + " layers; expected " +
                        std::to_string(before.amount.size()) + ", as the learnt map");
   if (end == PartEnd::Aborted) return before;
-  for (std::size_t k = 0; k < part.size(); ++k) requireOnePerCell(part[k], k);
+  for (std::size_t k = 0; k < part.size(); ++k) {
+    requireOnePerCell(part[k], k);
+    if (!is_first && before.amount[k].size() != part[k].cells.size())
+      throw InvalidInput("layer " + std::to_string(k) + " of the part has " +
+                         std::to_string(part[k].cells.size()) + " cells; expected " +
+                         std::to_string(before.amount[k].size()) + ", as the learnt map");
+  }
   PartMap learnt{identity, before.parts + 1, {}};
   // A mean of all parts so far, until a new one would count less than it should.
   const double share = std::max(settings.part_learning, 1.0 / static_cast<double>(learnt.parts));
