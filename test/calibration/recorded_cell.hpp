@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "lamina/base/random.hpp"
+#include "lamina/calibration/calibration_program.hpp"
 #include "lamina/calibration/sensor_recording.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 
@@ -127,6 +128,17 @@ inline SensorRecording record(const RecordedCell& cell,
 inline SensorRecording record(const RecordedCell& cell, const LinearMotion& motion) {
   return record(
       cell, [&](double time) { return nozzleAt(motion.at(time)); }, motion.duration());
+}
+
+/// As the program for bobbing asks for, at its speeds.
+inline LinearMotion bobbing(const CalibrationSettings& settings) {
+  const Toolpath toolpath = bobbingToolpath(settings, {25.0, 0.0});
+  std::vector<LinearMotion::Way> ways;
+  for (const Path& path : toolpath.layers[0].paths)
+    for (std::size_t i = 0; i < path.points.size(); ++i)
+      if (ways.empty() || path.points[i] != ways.back().to)
+        ways.push_back({path.points[i], path.feed_mm_s.at(i)});
+  return {toolpath.layers[0].paths[0].firstPoint() + Point3(0, 0, 1), ways};
 }
 
 }  // namespace lamina::test

@@ -9,25 +9,15 @@
 #include <vector>
 
 #include "lamina/base/error.hpp"
-#include "lamina/calibration/calibration_program.hpp"
 #include "recorded_cell.hpp"
 
 namespace lamina {
 namespace {
 
+using test::bobbing;
+
 constexpr double kOffsets[] = {-0.25, -0.0317, 0.0, 0.08, 0.1234, 0.5};
 constexpr double kFewOffsets[] = {-0.25, 0.0317, 0.5};  // by passes, a search takes seconds
-
-/// As the program for bobbing asks for, at its speeds.
-test::LinearMotion bobbing(const CalibrationSettings& settings) {
-  const Toolpath toolpath = bobbingToolpath(settings, {25.0, 0.0});
-  std::vector<test::LinearMotion::Way> ways;
-  for (const Path& path : toolpath.layers[0].paths)
-    for (std::size_t i = 0; i < path.points.size(); ++i)
-      if (ways.empty() || path.points[i] != ways.back().to)
-        ways.push_back({path.points[i], path.feed_mm_s.at(i)});
-  return {toolpath.layers[0].paths[0].firstPoint() + Point3(0, 0, 1), ways};
-}
 
 test::RecordedCell spoilt(double offset_s, std::uint64_t seed) {
   test::RecordedCell cell;

@@ -291,6 +291,61 @@ TEST(CalibrationTest, RefusesByName) {
   EXPECT_EQ(readFile(told), before);
 }
 
+/// What would be refused when the machine has moved.
+TEST(CalibrationTest, RefusesAtTheBeginning) {
+  using lamina_msgs::CalibrateSensor;
+  using lamina_msgs::CalibrateTime;
+  const test::NodeProcess loop(LAMINA_LOOP_NODE, {"__name:=asked"});
+  ASSERT_TRUE(test::waitUntil([] { return ros::service::exists(names::kCalibrateFeeder, false); }));
+  const auto expectRefused = [](const lamina_msgs::Status& status, const std::string& words) {
+    EXPECT_NE(status.code, lamina_msgs::Status::OK + 0);
+    EXPECT_NE(status.message.find(words), std::string::npos) << words << " in: " << status.message;
+  };
+  for (const std::uint8_t when : {CalibrateTime::Request::BEGIN, CalibrateTime::Request::FINISH})
+    expectRefused(step<CalibrateTime>(names::kCalibrateTime, when, "bob").status,
+                  "expected one of bobbing, edge, overlap");
+  expectRefused(
+      step<CalibrateSensor>(names::kCalibrateSensor, CalibrateSensor::Request::BEGIN, "pairs").status,
+      "expected one of cross");
+  CalibrateSensor pyramid;
+  pyramid.request.method = "pyramid";
+  pyramid.request.top = {std::nan("")};
+  ASSERT_TRUE(ros::service::call(names::kCalibrateSensor, pyramid));
+  expectRefused(pyramid.response.status, "expected a finite one");
+  CalibrateTime unknown;
+  unknown.request.settings = {settingMessage("calibrate.bobs", "1")};
+  ASSERT_TRUE(ros::service::call(names::kCalibrateTime, unknown));
+  expectRefused(unknown.response.status, "calibrate.bobs");
+  // Nothing has begun.
+  begin<CalibrateSensor>(names::kCalibrateSensor);
+}
+
+/// More than is to be kept; what is under way ends when that is told.
+TEST(CalibrationTest, GivesUpARecordingThatTakesTooMuch) {
+  using lamina_msgs::CalibrateTime;
+  const test::NodeProcess loop(LAMINA_LOOP_NODE, {"_queue_mb:=0.01", "__name:=small"});
+  ASSERT_TRUE(test::waitUntil([] { return ros::service::exists(names::kCalibrateFeeder, false); }));
+  ros::NodeHandle node;
+  auto profile = node.advertise<sensor_msgs::PointCloud2>(names::kProfile, 10);
+  ASSERT_TRUE(test::waitUntil([&] { return profile.getNumSubscribers() > 0; }));
+  begin<CalibrateTime>(names::kCalibrateTime);
+  sensor_msgs::PointCloud2 cloud = toCloudMessage(std::vector<Point3>(100, Point3(0.0, 0.0, 60.0)));
+  cloud.header.frame_id = names::kSensorFrame;
+  cloud.header.stamp = ros::Time(1000.0);
+  std::string why;
+  const bool is_given_up = test::waitUntil([&] {
+    for (int i = 0; i < 20; ++i) {
+      cloud.header.stamp += ros::Duration(0.01);
+      profile.publish(cloud);
+    }
+    why = step<CalibrateTime>(names::kCalibrateTime, CalibrateTime::Request::FINISH).status.message;
+    return why.find("was given up") != std::string::npos;
+  });
+  EXPECT_TRUE(is_given_up) << why;
+  EXPECT_NE(why.find("queue_mb = 0.01"), std::string::npos) << why;
+  begin<CalibrateTime>(names::kCalibrateTime);
+}
+
 /// One file serves all: what it is of has to be the machine of the node.
 TEST(CalibrationTest, OfAnotherMachineIsRefusedByItsName) {
   const test::ScratchFolder folder;

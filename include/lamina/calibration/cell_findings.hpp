@@ -21,7 +21,11 @@ struct FoundTime {
   TimeOffset fit;
 };
 
-/// @param method  "bobbing", "edge" or "overlap"; empty: "bobbing"
+/// By what the time offset is found: that method, or "bobbing" if it is empty.
+/// @throws InvalidInput if it is none of "bobbing", "edge" and "overlap"
+std::string timeMethod(const std::string& method);
+
+/// @param method  as of `timeMethod`
 /// @param about   where the sensor sits as far as is known, for edge and overlap [mm]
 /// @param date    as `utcText` gives it
 /// @throws InvalidInput if the method is none of these; as `offsetByBobbing`, `offsetByPasses`
@@ -39,7 +43,7 @@ struct KnownPyramid {
 /// What a recording is over.
 /// @param method  "cross", "bed", "plane" or "pyramid"; empty: "cross"
 /// @throws InvalidInput if the method is none of these; InvalidConfig if the pyramid has other than 3, 2 or
-///   0, and 1 or 0 values, or its base is not wider than its top, and all above 0
+///   0, and 1 or 0 values, one of them is not finite, or its base is not wider than its top, and all above 0
 SensorTarget sensorTarget(const std::string& method, const KnownPyramid& pyramid,
                           const CalibrationSettings& settings);
 

@@ -3,6 +3,7 @@
 #include "lamina/calibration/cell_findings.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "lamina/base/error.hpp"
@@ -20,16 +21,20 @@ std::string oneOf(const std::string& what, const std::string& method, const std:
   throw InvalidInput(what + " cannot be calibrated by '" + method + "'; expected one of " + names);
 }
 
-void requireValues(const char* what, std::size_t count, std::size_t expected) {
-  if (count == 0 || count == expected) return;
-  throw InvalidConfig(std::string(what) + " of the pyramid has " + std::to_string(count) +
-                      " values; expected " + std::to_string(expected) + ", or none");
+void requireValues(const char* what, const std::vector<double>& values, std::size_t expected) {
+  if (!values.empty() && values.size() != expected)
+    throw InvalidConfig(std::string(what) + " of the pyramid has " + std::to_string(values.size()) +
+                        " values; expected " + std::to_string(expected) + ", or none");
+  for (const double value : values)
+    if (!std::isfinite(value))
+      throw InvalidConfig(std::string(what) + " of the pyramid has the value " + std::to_string(value) +
+                          " mm; expected a finite one");
 }
 
 PyramidTarget pyramidTarget(const KnownPyramid& known, const CalibrationSettings& settings) {
-  requireValues("the size", known.size_mm.size(), 3);
-  requireValues("the middle", known.touched_mm.size(), 2);
-  requireValues("the top", known.top_mm.size(), 1);
+  requireValues("the size", known.size_mm, 3);
+  requireValues("the middle", known.touched_mm, 2);
+  requireValues("the top", known.top_mm, 1);
   PyramidTarget target;
   if (!known.size_mm.empty()) {
     target.base_mm = known.size_mm[0];
@@ -59,10 +64,14 @@ std::string worded(const char* format, Values... values) {
 
 }  // namespace
 
+std::string timeMethod(const std::string& method) {
+  return oneOf("the time offset", method, {"bobbing", "edge", "overlap"});
+}
+
 FoundTime findTime(const SensorRecording& recording, const std::string& method,
                    const Eigen::Isometry3d& about, const CalibrationSettings& settings,
                    const std::string& date) {
-  const std::string by = oneOf("the time offset", method, {"bobbing", "edge", "overlap"});
+  const std::string by = timeMethod(method);
   FoundTime found;
   if (by == "bobbing") {
     found.fit = offsetByBobbing(recording, settings.search_s);

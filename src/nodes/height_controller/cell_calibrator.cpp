@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <memory>
 #include <utility>
 
 #include "conversions.hpp"
@@ -19,14 +20,17 @@ namespace {
 
 constexpr double kBytesOfTransform = 200.0;  // a pose and its place among the others
 
-/// The same in each of the three services.
 enum class Step : std::uint8_t { Begin = 0, Finish = 1, Drop = 2 };
-static_assert(lamina_msgs::CalibrateTime::Request::FINISH == static_cast<std::uint8_t>(Step::Finish));
-static_assert(lamina_msgs::CalibrateSensor::Request::FINISH == static_cast<std::uint8_t>(Step::Finish));
-static_assert(lamina_msgs::CalibrateFeeder::Request::FINISH == static_cast<std::uint8_t>(Step::Finish));
-static_assert(lamina_msgs::CalibrateTime::Request::DROP == static_cast<std::uint8_t>(Step::Drop));
-static_assert(lamina_msgs::CalibrateSensor::Request::DROP == static_cast<std::uint8_t>(Step::Drop));
-static_assert(lamina_msgs::CalibrateFeeder::Request::DROP == static_cast<std::uint8_t>(Step::Drop));
+
+template <class Request>
+constexpr bool hasSteps() {
+  return Request::BEGIN == static_cast<std::uint8_t>(Step::Begin) &&
+         Request::FINISH == static_cast<std::uint8_t>(Step::Finish) &&
+         Request::DROP == static_cast<std::uint8_t>(Step::Drop);
+}
+static_assert(hasSteps<lamina_msgs::CalibrateTime::Request>());
+static_assert(hasSteps<lamina_msgs::CalibrateSensor::Request>());
+static_assert(hasSteps<lamina_msgs::CalibrateFeeder::Request>());
 
 std::vector<double> inMillimetres(const std::vector<double>& metres) {
   std::vector<double> all;
@@ -46,9 +50,6 @@ Eigen::Isometry3d knownPlace(const Calibration& cell, const std::optional<Eigen:
 
 }  // namespace
 
-CellCalibrator::Recording::Recording(std::string begun_by)
-    : service(std::move(begun_by)), gathered(names::kBedFrame, names::kNozzleFrame) {}
-
 CellCalibrator::CellCalibrator(const ros::NodeHandle& node, std::string file, double most_mb)
     : file_(std::move(file)), most_bytes_(1e6 * most_mb), spinner_(1, &queue_) {
   ros::NodeHandle own(node);
@@ -64,24 +65,35 @@ CellCalibrator::~CellCalibrator() {
   spinner_.stop();
 }
 
-void CellCalibrator::add(const sensor_msgs::PointCloud2& cloud) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  if (!recording_) return;
-  recording_->bytes += static_cast<double>(cloud.width) * cloud.height * sizeof(Point3);
-  if (recording_->bytes <= most_bytes_) recording_->gathered.add(cloud);
+void CellCalibrator::add(const sensor_msgs::PointCloud2ConstPtr& cloud) {
+  const double points = static_cast<double>(cloud->width) * cloud->height;
+  hear(cloud, std::max(points * sizeof(Point3), static_cast<double>(cloud->data.size())));
 }
 
 void CellCalibrator::add(const geometry_msgs::TransformStamped& transform) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  if (!recording_) return;
-  recording_->bytes += kBytesOfTransform;
-  if (recording_->bytes <= most_bytes_) recording_->gathered.add(transform);
+  hear(transform, kBytesOfTransform);
 }
 
 void CellCalibrator::addFixed(const geometry_msgs::TransformStamped& transform) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    fixed_[transform.child_frame_id] = transform;
+  }
+  hear(FixedTransform{transform}, kBytesOfTransform);
+}
+
+void CellCalibrator::hear(Heard heard, double bytes) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  fixed_[transform.child_frame_id] = transform;
-  if (recording_) recording_->gathered.addFixed(transform);
+  if (!recording_ || recording_->is_given_up) return;
+  recording_->bytes += bytes;
+  if (recording_->bytes <= most_bytes_) {
+    recording_->heard.push_back(std::move(heard));
+    return;
+  }
+  recording_->is_given_up = true;
+  recording_->heard = {};
+  ROS_WARN("%s: the recording takes more than queue_mb = %g MB, and is given up", recording_->service.c_str(),
+           most_bytes_ / 1e6);
 }
 
 void CellCalibrator::setMachine(const std::string& machine) {
@@ -93,8 +105,9 @@ void CellCalibrator::begin(const std::string& service) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (recording_)
     throw Rejected(recording_->service + " has begun a recording; expected it to be finished or dropped");
-  recording_ = std::make_unique<Recording>(service);
-  for (const auto& [frame, transform] : fixed_) recording_->gathered.addFixed(transform);
+  recording_ = std::make_unique<Recording>(Recording{service, {}, 0.0, false});
+  gathered_ = std::make_unique<RecordingGatherer>(names::kBedFrame, names::kNozzleFrame);
+  for (const auto& [frame, transform] : fixed_) gathered_->addFixed(transform);
 }
 
 /// @throws Rejected
@@ -105,9 +118,12 @@ void CellCalibrator::requireBegun(const std::string& service) const {
 }
 
 void CellCalibrator::end(const std::string& service) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  requireBegun(service);
-  recording_.reset();
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    requireBegun(service);
+    recording_.reset();
+  }
+  gathered_.reset();
 }
 
 /// What the file holds so far; without one, an empty calibration of the machine.
@@ -123,22 +139,39 @@ Calibration CellCalibrator::cellOf(const std::string& machine) const {
   return kept;
 }
 
-template <class Request>
-CellCalibrator::Evidence CellCalibrator::evidence(const std::string& service, const Request& request) {
-  Evidence found;
-  SettingsSchema schema;
-  describe(schema, found.settings);
-  applyRequest(schema, request.settings);
-  found.cell = cellOf(request.machine);
+/// What came since the last call; of a recording that was given up nothing is left.
+std::vector<CellCalibrator::Heard> CellCalibrator::takeHeard(const std::string& service) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     requireBegun(service);
-    if (recording_->bytes > most_bytes_)
-      throw InvalidInput("the recording takes " + std::to_string(recording_->bytes / 1e6) +
-                         " MB; expected at most queue_mb = " + std::to_string(most_bytes_ / 1e6) + " MB");
-    found.recording = recording_->gathered.recording();
-    found.nozzle_from_sensor = recording_->gathered.nozzleFromSensor();
+    if (!recording_->is_given_up) return std::exchange(recording_->heard, {});
+    recording_.reset();
   }
+  gathered_.reset();
+  throw InvalidInput("the recording took more than queue_mb = " + std::to_string(most_bytes_ / 1e6) +
+                     " MB, and was given up; expected a shorter one, or a greater queue_mb");
+}
+
+void CellCalibrator::gather(const std::string& service) {
+  for (Heard& heard : takeHeard(service)) {
+    if (const auto* const cloud = std::get_if<sensor_msgs::PointCloud2ConstPtr>(&heard))
+      gathered_->add(**cloud);
+    else if (const auto* const moving = std::get_if<geometry_msgs::TransformStamped>(&heard))
+      gathered_->add(*moving);
+    else if (const auto* const fixed = std::get_if<FixedTransform>(&heard))
+      gathered_->addFixed(fixed->transform);
+    heard = sensor_msgs::PointCloud2ConstPtr();  // a cloud is not kept twice
+  }
+}
+
+CellCalibrator::Evidence CellCalibrator::evidence(const std::string& service, const Calibration& cell,
+                                                  const CalibrationSettings& settings) {
+  gather(service);
+  Evidence found;
+  found.cell = cell;
+  found.settings = settings;
+  found.recording = gathered_->recording();
+  found.nozzle_from_sensor = gathered_->nozzleFromSensor();
   if (found.recording.poses.size() < 2 || found.recording.profiles.empty())
     throw InvalidInput("the recording has " + std::to_string(found.recording.poses.size()) +
                        " poses of the nozzle and " + std::to_string(found.recording.profiles.size()) +
@@ -159,21 +192,32 @@ std::vector<std::string> CellCalibrator::keep(const Calibration& cell, std::vect
   return report;
 }
 
+/// What would be refused at the end is refused before the machine moves.
 template <class Request, class Response>
 bool CellCalibrator::answer(const std::string& service, const Request& request, Response& response,
-                            const std::function<void(Evidence&)>& evaluate) {
+                            const Work& work) {
+  const auto checkedSettings = [&] {
+    CalibrationSettings settings;
+    SettingsSchema schema;
+    describe(schema, settings);
+    applyRequest(schema, request.settings);
+    work.check(settings);
+    return settings;
+  };
   try {
     switch (static_cast<Step>(request.step)) {
       case Step::Begin:
-        cellOf(request.machine);  // what would be refused at the end is refused before the machine moves
+        checkedSettings();
+        cellOf(request.machine);
         begin(service);
         break;
       case Step::Drop:
         end(service);
         break;
       case Step::Finish: {
-        Evidence found = evidence(service, request);
-        evaluate(found);
+        const CalibrationSettings settings = checkedSettings();
+        Evidence found = evidence(service, cellOf(request.machine), settings);
+        work.evaluate(found);
         end(service);
         break;
       }
@@ -192,11 +236,12 @@ bool CellCalibrator::answer(const std::string& service, const Request& request, 
 
 bool CellCalibrator::onTime(lamina_msgs::CalibrateTime::Request& request,
                             lamina_msgs::CalibrateTime::Response& response) {
-  return answer(names::kCalibrateTime, request, response, [&](Evidence& by) {
+  const auto check = [&](const CalibrationSettings&) { timeMethod(request.method); };
+  const auto evaluate = [&](Evidence& by) {
     // Bobbing does without the place of the sensor.
-    const bool is_bobbing = request.method.empty() || request.method == "bobbing";
-    const Eigen::Isometry3d about =
-        is_bobbing ? Eigen::Isometry3d::Identity() : knownPlace(by.cell, by.nozzle_from_sensor);
+    const Eigen::Isometry3d about = timeMethod(request.method) == "bobbing"
+                                        ? Eigen::Isometry3d::Identity()
+                                        : knownPlace(by.cell, by.nozzle_from_sensor);
     const FoundTime found = findTime(by.recording, request.method, about, by.settings, by.date);
     by.cell.time = found.time;
     response.time_offset = found.fit.offset_s;
@@ -206,18 +251,22 @@ bool CellCalibrator::onTime(lamina_msgs::CalibrateTime::Request& request,
     response.agreement = found.fit.agreement;
     response.profiles = static_cast<std::uint32_t>(found.fit.profiles);
     response.report = keep(by.cell, inWords(found));
-  });
+  };
+  return answer(names::kCalibrateTime, request, response, {check, evaluate});
 }
 
 bool CellCalibrator::onSensor(lamina_msgs::CalibrateSensor::Request& request,
                               lamina_msgs::CalibrateSensor::Response& response) {
-  return answer(names::kCalibrateSensor, request, response, [&](Evidence& by) {
+  const auto target = [&](const CalibrationSettings& settings) {
     const KnownPyramid pyramid{inMillimetres(request.pyramid), inMillimetres(request.touched),
                                inMillimetres(request.top)};
-    const SensorTarget target = sensorTarget(request.method, pyramid, by.settings);
+    return sensorTarget(request.method, pyramid, settings);
+  };
+  const auto evaluate = [&](Evidence& by) {
     const std::string method = request.method.empty() ? "cross" : request.method;
-    const FoundPose found = findPose({{target, by.recording}}, knownPlace(by.cell, by.nozzle_from_sensor),
-                                     timeOffsetOf(by.cell), by.settings, {method, by.date});
+    const FoundPose found =
+        findPose({{target(by.settings), by.recording}}, knownPlace(by.cell, by.nozzle_from_sensor),
+                 timeOffsetOf(by.cell), by.settings, {method, by.date});
     by.cell.pose = found.pose;
     response.nozzle_from_sensor = toMessage(found.pose.nozzle_from_sensor);
     for (std::size_t i = 0; i < found.pose.spread.size(); ++i)
@@ -229,12 +278,14 @@ bool CellCalibrator::onSensor(lamina_msgs::CalibrateSensor::Request& request,
     response.rms = toMetres(found.fit.rms_mm);
     response.points = static_cast<std::uint32_t>(found.fit.points);
     response.report = keep(by.cell, inWords(found));
-  });
+  };
+  return answer(names::kCalibrateSensor, request, response, {target, evaluate});
 }
 
 bool CellCalibrator::onFeeder(lamina_msgs::CalibrateFeeder::Request& request,
                               lamina_msgs::CalibrateFeeder::Response& response) {
-  return answer(names::kCalibrateFeeder, request, response, [&](Evidence& by) {
+  const auto check = [](const CalibrationSettings&) {};
+  const auto evaluate = [&](Evidence& by) {
     const FoundFeeder found = findFeeder(by.recording, knownPlace(by.cell, by.nozzle_from_sensor),
                                          timeOffsetOf(by.cell), by.settings, by.date);
     by.cell.feeder = found.feeder;
@@ -246,7 +297,8 @@ bool CellCalibrator::onFeeder(lamina_msgs::CalibrateFeeder::Request& request,
     response.rms = found.fit.rms;
     response.sections = static_cast<std::uint32_t>(found.fit.sections);
     response.report = keep(by.cell, inWords(found));
-  });
+  };
+  return answer(names::kCalibrateFeeder, request, response, {check, evaluate});
 }
 
 }  // namespace lamina

@@ -14,6 +14,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "lamina/calibration/cell_findings.hpp"
@@ -37,7 +38,7 @@ class CellCalibrator {
   CellCalibrator(const CellCalibrator&) = delete;
   CellCalibrator& operator=(const CellCalibrator&) = delete;
 
-  void add(const sensor_msgs::PointCloud2& cloud);
+  void add(const sensor_msgs::PointCloud2ConstPtr& cloud);
   void add(const geometry_msgs::TransformStamped& transform);
   void addFixed(const geometry_msgs::TransformStamped& transform);
   /// What the toolpath published last is for.
@@ -47,13 +48,17 @@ class CellCalibrator {
   bool takeWritten() { return is_written_.exchange(false); }
 
  private:
+  struct FixedTransform {
+    geometry_msgs::TransformStamped transform;
+  };
+  using Heard =
+      std::variant<sensor_msgs::PointCloud2ConstPtr, geometry_msgs::TransformStamped, FixedTransform>;
   /// One recording under way.
   struct Recording {
-    explicit Recording(std::string begun_by);
-
-    std::string service;  ///< that began it
-    RecordingGatherer gathered;
+    std::string service;       ///< that began it
+    std::vector<Heard> heard;  ///< and is not gathered yet
     double bytes = 0.0;
+    bool is_given_up = false;  ///< as it takes too much memory
   };
   /// What an evaluation begins with.
   struct Evidence {
@@ -69,15 +74,21 @@ class CellCalibrator {
                 lamina_msgs::CalibrateSensor::Response& response);
   bool onFeeder(lamina_msgs::CalibrateFeeder::Request& request,
                 lamina_msgs::CalibrateFeeder::Response& response);
+  /// How one of the services does its work.
+  struct Work {
+    std::function<void(const CalibrationSettings&)> check;  ///< throws where the request is to be refused
+    std::function<void(Evidence&)> evaluate;
+  };
   template <class Request, class Response>
-  bool answer(const std::string& service, const Request& request, Response& response,
-              const std::function<void(Evidence&)>& evaluate);
+  bool answer(const std::string& service, const Request& request, Response& response, const Work& work);
   void begin(const std::string& service);
+  void hear(Heard heard, double bytes);
   void requireBegun(const std::string& service) const;
   void end(const std::string& service);
   Calibration cellOf(const std::string& machine) const;
-  template <class Request>
-  Evidence evidence(const std::string& service, const Request& request);
+  std::vector<Heard> takeHeard(const std::string& service);
+  void gather(const std::string& service);
+  Evidence evidence(const std::string& service, const Calibration& cell, const CalibrationSettings& settings);
   std::vector<std::string> keep(const Calibration& cell, std::vector<std::string> report);
 
   const std::string file_;
@@ -87,6 +98,9 @@ class CellCalibrator {
   std::unique_ptr<Recording> recording_;
   std::string machine_;
   std::atomic<bool> is_written_{false};
+  /// Of the recording under way, on the services' thread alone: clouds and poses are many, and a print must
+  /// not wait until they are copied.
+  std::unique_ptr<RecordingGatherer> gathered_;
   ros::CallbackQueue queue_;
   ros::AsyncSpinner spinner_;
   std::vector<ros::ServiceServer> services_;

@@ -138,7 +138,7 @@ void HeightController::onCloud(const sensor_msgs::PointCloud2ConstPtr& cloud) {
   last_arrival_s_ = clock_.now();
   is_quiet_ = false;
   feed_.add(cloud);
-  calibrator_.add(*cloud);
+  calibrator_.add(cloud);
   hold_.add(last_arrival_s_, [this, stamp = cloud->header.stamp] { feed_.hear(stamp); });
 }
 
