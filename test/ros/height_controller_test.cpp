@@ -537,6 +537,12 @@ TEST(HeightController, PlansTheLayersLeftAnewAndGoesOnWithThat) {
   EXPECT_EQ(controller.maps.back().layer, 0U);
   EXPECT_FALSE(controller.maps.back().paths.empty()) << "it corrects at once by what it has learnt";
   EXPECT_TRUE(controller.isIn(StateMessage::ACTIVE));
+  const std::size_t maps = controller.maps.size();
+  driven.publish(*plan);
+  ros::WallDuration(0.5).sleep();
+  driven.publish(test::toolpathMessage(live.printed));
+  ASSERT_TRUE(waitUntil([&] { return controller.maps.size() > maps; }));
+  EXPECT_EQ(controller.maps[maps].toolpath_id, live.printed.part.toolpath_id) << "no plan is begun twice";
 }
 
 TEST(HeightController, LeavesNothingHangingWhenItIsKilled) {

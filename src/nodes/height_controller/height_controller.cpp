@@ -86,6 +86,7 @@ HeightController::~HeightController() {
 }
 
 void HeightController::onToolpath(const lamina_msgs::ToolpathConstPtr& message) {
+  if (isFollowedPlan(message->id)) return;
   hold_.releaseAll();
   if (feed_.run() != nullptr) {
     feed_.finish();
@@ -100,6 +101,13 @@ void HeightController::onToolpath(const lamina_msgs::ToolpathConstPtr& message) 
   // What was kept is of the print that a node before this one was over.
   if (is_first && feed_.run() != nullptr) memory_.resume(*feed_.run());
   publishNews();
+}
+
+/// Latched messages may come twice, and a plan is gone on with once: begun anew, the loop would have learnt
+/// nothing.
+bool HeightController::isFollowedPlan(const std::string& toolpath_id) const {
+  return feed_.run() != nullptr && feed_.run()->part().toolpath_id == toolpath_id &&
+         firstLayerOf(toolpath_id).has_value();
 }
 
 void HeightController::beginPrint(const lamina_msgs::Toolpath& toolpath) {

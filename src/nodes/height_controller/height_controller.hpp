@@ -52,6 +52,7 @@ class HeightController {
   bool onReadCalibration(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   bool onSetLoop(lamina_msgs::SetLoop::Request& request, lamina_msgs::SetLoop::Response& response);
   void onTimer();
+  bool isFollowedPlan(const std::string& toolpath_id) const;
   void beginPrint(const lamina_msgs::Toolpath& toolpath);
   void beginAgainIfOver(const lamina_msgs::MachineState& machine);
   void know(const LoopRunSettings& settings);
