@@ -175,6 +175,12 @@ TEST(RobotLoop, GoesOnWithTheLayersLeftPlannedAnew) {
   const double off_mm = cell.meanOfTop();
   ROS_INFO("top of the wall: %.3f mm off, planned anew %zu times", off_mm, cell.driven.size() - 1);
   EXPECT_LT(std::abs(off_mm), 0.5 * kLayer) << cell.history();
+  // The plan that the driver published took no toolpath's place.
+  cell.ask(toolpathId(scannedWall()));
+  EXPECT_TRUE(waitUntil([&] { return cell.state == "Execute" || cell.isDone(); }));
+  EXPECT_TRUE(cell.calls("abort"));
+  ASSERT_TRUE(cell.ends());
+  EXPECT_EQ(cell.result().status.code, lamina_msgs::Status::CANCELLED + 0) << cell.result().status.message;
 }
 
 }  // namespace
