@@ -52,6 +52,8 @@ std::string CorrectedStream::goOverTo(const std::string& plan_id, const PlanWrit
   try {
     PlannedProgram plan = write(*present, *layer);
     const std::lock_guard<std::mutex> lock(mutex_);
+    // The same plan may have come twice, and have been gone over to while it was written again.
+    if (next_ || corrector_ != present) return "the machine goes over to another plan already";
     next_ = std::move(plan);
   } catch (...) {
     present->dropPlan();

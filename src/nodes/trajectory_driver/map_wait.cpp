@@ -44,13 +44,19 @@ bool MapWait::look(double now_s, Motion motion) {
 
 void MapWait::enter(double now_s) {
   feeder_.release(now_s);
-  ++awaited_;
+  passLayer();
   rests_at_.reset();
+}
+
+/// A plan that begins with a layer that was entered comes too late.
+void MapWait::passLayer() {
+  ++awaited_;
+  plan_.reset();
 }
 
 void MapWait::holdAtNext(double now_s) {
   if (feeder_.state() != TrajectoryFeederState::Running) return;
-  for (; awaited_ < correction_.layers(); ++awaited_) {
+  for (; awaited_ < correction_.layers(); passLayer()) {
     if (correction_.isKnown(awaited_)) continue;
     if (feeder_.holdAtLayer(awaited_, now_s)) return;
     if (!std::exchange(has_passed_, true))

@@ -46,6 +46,7 @@ class MapWait {
  private:
   void holdAtNext(double now_s);
   void enter(double now_s);
+  void passLayer();
 
   TrajectoryFeeder& feeder_;
   ChunkCorrection& correction_;

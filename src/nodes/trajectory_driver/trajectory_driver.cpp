@@ -241,9 +241,10 @@ std::optional<TrajectoryDriver::PreparedJob> TrajectoryDriver::plannedAnew(Drive
   try {
     PreparedJob job = done.result->take();
     if (session.leaveFor(plan->id, ros::Time::now())) return job;
-  } catch (const Error& error) {
-    ROS_ERROR("plan %s cannot be driven, the job is held: %s", plan->id.c_str(), error.what());
-    session.refuse(plan->id, error.what());
+  } catch (...) {
+    const Failure failure = currentFailure();
+    ROS_ERROR("plan %s cannot be driven, the job is held: %s", plan->id.c_str(), failure.message.c_str());
+    session.refuse(plan->id, failure.message);
     session.pause(ros::Time::now());
   }
   return std::nullopt;

@@ -216,6 +216,8 @@ TEST(LayerCorrector, GoesOverToAPlanWhereItWaits) {
                InvalidInput);
   EXPECT_EQ(stream.goOverTo(id, write), "");
   EXPECT_EQ(from, 1U);
+  EXPECT_NE(stream.goOverTo(id, write).find("goes over to another plan"), std::string::npos)
+      << "it came twice";
   CorrectionMap of_plan = constantMap(0, 0.2);
   of_plan.toolpath_id = id;
   EXPECT_FALSE(stream.isKnown(1)) << "the layer planned first is not begun any more";

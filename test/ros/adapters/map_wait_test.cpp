@@ -133,6 +133,19 @@ TEST_F(MapWaits, RefusePlansOfALayerThatWasEntered) {
   EXPECT_EQ(wait.offer(planOf("plan-from-2-of-wall")), "");
 }
 
+/// Paused on the way to rest, and gone on with by the map of that layer.
+TEST_F(MapWaits, ForgetAPlanOfALayerThatIsEnteredWithoutIt) {
+  drive(3.0 * kLook);
+  ASSERT_TRUE(feeder.isHeld());
+  EXPECT_EQ(wait.offer(planOf("plan-from-1-of-wall")), "");
+  feeder.pause(now_s);
+  drive(feeder.restTime() - now_s + 2.0 * kSettling);
+  hearMap(1);
+  wait.resume(now_s);
+  ASSERT_TRUE(feeder.isHeld()) << "in front of the second layer";
+  EXPECT_EQ(wait.plan(), nullptr);
+}
+
 TEST_F(MapWaits, RefusePlansOfOtherToolpathsAndOfNoLayer) {
   driveToRest();
   correction.takeLayers();
