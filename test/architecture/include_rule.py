@@ -50,6 +50,7 @@ ARROWS = {
     "control/program": ["control", "gcode_rewrite"],
     "control/run": ["control", "deposition", "calibration"],
     "control/report": ["control/run", "picture"],
+    "cell": ["base"],
     "picture": ["verification/overhang", "pores"],
     "job": ["planning", "orientation", "gcode_rewrite", "dynamics", "startup", "streaming/emulator", "deposition", "sweep", "scaffold",
             "stiffness", "metrics", "study", "verification/collision", "monitoring", "control/program",

@@ -6,6 +6,7 @@
 
 #include <cctype>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <string>
 
@@ -37,10 +38,21 @@ TEST(PackmlState, HasTheNumbersOfTheMessage) {
   }
 }
 
+TEST(PackmlState, HasOneMoreThatTheMessageNamesInAComment) {
+  std::ifstream file(std::string(LAMINA_SOURCE_DIR) + "/msg/MachineState.msg");
+  const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  EXPECT_NE(text.find("# UNSUSPENDING is 16"), std::string::npos);
+  EXPECT_EQ(static_cast<int>(State::Unsuspending), 16);
+  EXPECT_STREQ(toString(State::Unsuspending), "Unsuspending");
+}
+
 TEST(PackmlState, MovesAlongTheArrowsOfTheModelOnly) {
   EXPECT_TRUE(isLegalTransition(State::Execute, State::Holding));
   EXPECT_TRUE(isLegalTransition(State::Held, State::Unholding));
   EXPECT_TRUE(isLegalTransition(State::Clearing, State::Stopped));
+  EXPECT_TRUE(isLegalTransition(State::Suspended, State::Unsuspending));
+  EXPECT_TRUE(isLegalTransition(State::Unsuspending, State::Execute));
+  EXPECT_FALSE(isLegalTransition(State::Suspended, State::Execute));
   EXPECT_FALSE(isLegalTransition(State::Idle, State::Execute));
   EXPECT_FALSE(isLegalTransition(State::Held, State::Execute));
   EXPECT_FALSE(isLegalTransition(State::Complete, State::Execute));

@@ -7,7 +7,8 @@
 namespace lamina {
 
 /// State of a job on a machine, in the names of PackML (ISA-TR88). The numbers are those of
-/// msg/MachineState.msg; a test compares them.
+/// msg/MachineState.msg; a test compares them. The unit as a whole has the standard's numbers
+/// (`cell/packml_model.hpp`).
 enum class PackmlState : std::uint8_t {
   Idle = 0,
   Starting = 1,
@@ -25,6 +26,7 @@ enum class PackmlState : std::uint8_t {
   Aborted = 13,
   Clearing = 14,
   Resetting = 15,
+  Unsuspending = 16,
 };
 
 /// The state as a cell controller writes it: "Execute".

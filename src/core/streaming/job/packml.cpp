@@ -11,7 +11,7 @@ namespace {
 
 using State = PackmlState;
 
-constexpr std::array<std::pair<State, State>, 17> kArrows = {{
+constexpr std::array<std::pair<State, State>, 18> kArrows = {{
     {State::Idle, State::Starting},
     {State::Starting, State::Execute},
     {State::Execute, State::Holding},
@@ -20,7 +20,8 @@ constexpr std::array<std::pair<State, State>, 17> kArrows = {{
     {State::Unholding, State::Execute},
     {State::Execute, State::Suspending},
     {State::Suspending, State::Suspended},
-    {State::Suspended, State::Execute},
+    {State::Suspended, State::Unsuspending},
+    {State::Unsuspending, State::Execute},
     {State::Execute, State::Completing},
     {State::Completing, State::Complete},
     {State::Complete, State::Resetting},
@@ -40,9 +41,10 @@ bool canStop(State state) {
 }  // namespace
 
 const char* toString(PackmlState state) {
-  constexpr std::array<const char*, 16> kNames = {
-      "Idle",       "Starting", "Execute",  "Holding", "Held",     "Unholding", "Suspending", "Suspended",
-      "Completing", "Complete", "Stopping", "Stopped", "Aborting", "Aborted",   "Clearing",   "Resetting"};
+  constexpr std::array<const char*, 17> kNames = {
+      "Idle",       "Starting",  "Execute",    "Holding",   "Held",        "Unholding",
+      "Suspending", "Suspended", "Completing", "Complete",  "Stopping",    "Stopped",
+      "Aborting",   "Aborted",   "Clearing",   "Resetting", "Unsuspending"};
   const auto index = static_cast<std::size_t>(state);
   return index < kNames.size() ? kNames[index] : "Unknown";
 }

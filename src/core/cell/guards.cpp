@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/cell/guards.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lamina/base/text.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kLargestClockOffset = 0.005;           // [s]
+constexpr double kSmallestDisk = 1024.0 * 1024 * 1024;  // [bytes]
+
+std::vector<UnmetGuard> againstInterlocks(const PlcInterlocks& plc) {
+  if (!plc.is_alive) return {{2101, "the PLC's heartbeat does not come; its interlocks count as not given"}};
+  std::vector<UnmetGuard> unmet;
+  if (!plc.is_plate_there) unmet.push_back({1201, "the PLC reports no build plate"});
+  if (!plc.is_plate_clamped) unmet.push_back({1202, "the PLC reports the build plate not clamped"});
+  if (plc.is_zone_taken) unmet.push_back({1204, "the PLC reports another robot in the zone"});
+  std::vector<std::string> missing;
+  if (!plc.has_material) missing.emplace_back("material");
+  if (!plc.has_gas) missing.emplace_back("gas");
+  if (!plc.has_cooling) missing.emplace_back("cooling");
+  if (!plc.has_vacuum) missing.emplace_back("vacuum");
+  if (!missing.empty()) unmet.push_back({1205, "the PLC reports no " + listed(missing)});
+  if (plc.is_blocked) unmet.push_back({1206, "the PLC reports that parts cannot be taken away"});
+  return unmet;
+}
+
+void append(std::vector<UnmetGuard>& unmet, const std::vector<UnmetGuard>& more) {
+  unmet.insert(unmet.end(), more.begin(), more.end());
+}
+
+std::vector<UnmetGuard> inOrder(std::vector<UnmetGuard> unmet) {
+  std::stable_sort(unmet.begin(), unmet.end(),
+                   [](const UnmetGuard& a, const UnmetGuard& b) { return a.code < b.code; });
+  return unmet;
+}
+
+}  // namespace
+
+std::vector<UnmetGuard> againstStart(const StartConditions& found) {
+  std::vector<UnmetGuard> unmet;
+  if (found.mode != kProduction)
+    unmet.push_back({1301, "the mode is " + std::to_string(found.mode) + "; expected 1 (Production)"});
+  if (found.job.empty()) unmet.push_back({1302, "no job of the queue is allowed to start; release one"});
+  if (!found.unready.empty() && !found.runs_startup)
+    unmet.push_back({1303, "the start-up is not done: " + listed(found.unready, "; ")});
+  if (!found.job.empty() && !found.is_checked)
+    unmet.push_back({1304, "the program of '" + found.job + "' was not checked for this machine"});
+  if (!found.loop_blocked.empty())
+    unmet.push_back({1305, "the height loop is blocked: " + found.loop_blocked});
+  if (!found.is_part_removed) unmet.push_back({1203, "the last part was not confirmed as removed"});
+  if (found.needs_plc) append(unmet, againstInterlocks(found.plc));
+  if (found.needs_clouds && found.clock_offset_s && std::abs(*found.clock_offset_s) > kLargestClockOffset)
+    unmet.push_back({8003, "the sensor's clock is off by " +
+                               std::to_string(std::lround(*found.clock_offset_s * 1e3)) +
+                               " ms; expected at most 5 ms"});
+  if (!found.journal_error.empty())
+    unmet.push_back({7003, "the journal cannot be written: " + found.journal_error});
+  if (found.free_bytes < kSmallestDisk)
+    unmet.push_back({7002, "the journal's disk has " +
+                               std::to_string(std::lround(found.free_bytes / 1048576.0)) +
+                               " MiB left; expected at least 1024 MiB"});
+  if (!found.torn.empty())
+    unmet.push_back({7101, "no longer with the hash they were released with: " + listed(found.torn)});
+  return inOrder(std::move(unmet));
+}
+
+std::vector<UnmetGuard> againstContinuing(const ContinueConditions& found) {
+  std::vector<UnmetGuard> unmet;
+  if (!found.is_position_known) unmet.push_back({1306, "the position is not known; home or prove it first"});
+  if (!found.out_of_band.empty()) unmet.push_back({1307, "out of band: " + listed(found.out_of_band)});
+  if (found.needs_plc) append(unmet, againstInterlocks(found.plc));
+  if (!found.has_master) unmet.push_back({8002, "the ROS master does not answer"});
+  return inOrder(std::move(unmet));
+}
+
+}  // namespace lamina

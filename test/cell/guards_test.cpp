@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/cell/guards.hpp"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "lamina/cell/unit_counters.hpp"
+
+namespace lamina {
+namespace {
+
+const PlcInterlocks kAllGiven = {true, true, true, true, true, true, true, false, false};
+
+StartConditions readyToStart() {
+  StartConditions found;
+  found.job = "bracket";
+  found.is_checked = true;
+  found.needs_plc = true;
+  found.plc = kAllGiven;
+  found.clock_offset_s = 0.001;
+  found.needs_clouds = true;
+  found.free_bytes = 2e9;
+  return found;
+}
+
+TEST(Guards, LetAReadyUnitStart) { EXPECT_TRUE(againstStart(readyToStart()).empty()); }
+
+TEST(Guards, EachStopsTheStartAlone) {
+  const std::vector<std::pair<int, std::function<void(StartConditions&)>>> each = {
+      {1301, [](StartConditions& found) { found.mode = kMaintenance; }},
+      {1302, [](StartConditions& found) { found.job.clear(); }},
+      {1303, [](StartConditions& found) { found.unready = {"bed is 40 degC; expected 60"}; }},
+      {1304, [](StartConditions& found) { found.is_checked = false; }},
+      {1305, [](StartConditions& found) { found.loop_blocked = "not calibrated"; }},
+      {1203, [](StartConditions& found) { found.is_part_removed = false; }},
+      {2101, [](StartConditions& found) { found.plc.is_alive = false; }},
+      {1201, [](StartConditions& found) { found.plc.is_plate_there = false; }},
+      {1202, [](StartConditions& found) { found.plc.is_plate_clamped = false; }},
+      {1204, [](StartConditions& found) { found.plc.is_zone_taken = true; }},
+      {1205, [](StartConditions& found) { found.plc.has_gas = false; }},
+      {1206, [](StartConditions& found) { found.plc.is_blocked = true; }},
+      {8003, [](StartConditions& found) { found.clock_offset_s = -0.006; }},
+      {7003, [](StartConditions& found) { found.journal_error = "read-only"; }},
+      {7002, [](StartConditions& found) { found.free_bytes = 1e9; }},
+      {7101, [](StartConditions& found) { found.torn = {"bracket.gcode"}; }},
+  };
+  for (const auto& [code, spoil] : each) {
+    StartConditions found = readyToStart();
+    spoil(found);
+    const std::vector<UnmetGuard> unmet = againstStart(found);
+    ASSERT_EQ(unmet.size(), 1U) << code;
+    EXPECT_EQ(unmet.front().code, code);
+    EXPECT_FALSE(unmet.front().sentence.empty());
+  }
+}
+
+TEST(Guards, AreAllToldAtOnce) {
+  StartConditions found = readyToStart();
+  found.job.clear();
+  found.plc.has_gas = found.plc.has_vacuum = false;
+  found.free_bytes = 0.0;
+  const std::vector<UnmetGuard> unmet = againstStart(found);
+  ASSERT_EQ(unmet.size(), 3U);
+  EXPECT_EQ(unmet[0].sentence, "the PLC reports no gas, vacuum");
+  EXPECT_EQ(unmet[1].code, 1302);
+  EXPECT_EQ(unmet[2].sentence, "the journal's disk has 0 MiB left; expected at least 1024 MiB");
+}
+
+TEST(Guards, LeaveOutWhatTheCellDoesNotHave) {
+  StartConditions found = readyToStart();
+  found.needs_plc = false;
+  found.plc = {};
+  found.clock_offset_s.reset();
+  found.unready = {"bed is cold"};
+  found.runs_startup = true;
+  EXPECT_TRUE(againstStart(found).empty());
+}
+
+TEST(Guards, HoldAUnitThatIsNotSureOfItself) {
+  ContinueConditions found;
+  found.is_position_known = true;
+  EXPECT_TRUE(againstContinuing(found).empty());
+  found.is_position_known = false;
+  found.out_of_band = {"nozzle is 180 degC; expected 210 +- 5"};
+  found.has_master = false;
+  const std::vector<UnmetGuard> unmet = againstContinuing(found);
+  ASSERT_EQ(unmet.size(), 3U);
+  EXPECT_EQ(unmet[2].code, 8002);
+}
+
+TEST(UnitCounters, RollOverAsTheStandardsTagsDo) {
+  EXPECT_EQ(rolledOver(2147483647.0), 2147483647U);
+  EXPECT_EQ(rolledOver(2147483648.0), 0U);
+  EXPECT_EQ(rolledOver(2147483658.9), 10U);
+  EXPECT_EQ(rolledOver(-1.0), 0U);
+}
+
+TEST(UnitCounters, GiveEffectiveness) {
+  UnitCounters counters;
+  counters = counted(counters, kProduction, UnitState::Execute, 80.0);
+  counters = counted(counters, kProduction, UnitState::Held, 20.0);
+  counters = counted(counters, kManual, UnitState::Execute, 1000.0);
+  counters.parts = 4;
+  counters.defective = 1;
+  const Effectiveness found = effectiveness(counters, 60.0);
+  EXPECT_DOUBLE_EQ(found.availability, 0.8);
+  EXPECT_DOUBLE_EQ(found.performance, 0.75);
+  EXPECT_DOUBLE_EQ(found.quality, 0.75);
+  EXPECT_DOUBLE_EQ(found.overall(), 0.45);
+  EXPECT_DOUBLE_EQ(effectiveness(UnitCounters{}, 60.0).overall(), 0.0);
+}
+
+}  // namespace
+}  // namespace lamina
