@@ -51,6 +51,7 @@ ARROWS = {
     "control/run": ["control", "deposition", "calibration"],
     "control/report": ["control/run", "picture"],
     "cell": ["base"],
+    "modbus": ["cell"],
     "picture": ["verification/overhang", "pores"],
     "job": ["planning", "orientation", "gcode_rewrite", "dynamics", "startup", "streaming/emulator", "deposition", "sweep", "scaffold",
             "stiffness", "metrics", "study", "verification/collision", "monitoring", "control/program",

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace lamina {
+
+// Requests to a Modbus TCP server, as bytes, and its answers.
+// Source: MODBUS Application Protocol 1.1b3; MODBUS Messaging on TCP/IP 1.0b; docs/plc.md.
+
+/// The functions that the server answers.
+enum class ModbusFunction : std::uint8_t {
+  ReadHolding = 3,
+  ReadInput = 4,
+  WriteOne = 6,
+  WriteMany = 16,
+  ReadWrite = 23,  ///< writes first, then reads
+};
+
+/// A request whose length is what its function and byte count ask for.
+struct ModbusRequest {
+  std::uint16_t transaction = 0;
+  std::uint8_t unit = 1;
+  ModbusFunction function = ModbusFunction::ReadHolding;
+  std::uint16_t read_address = 0;  ///< of the first register read
+  std::uint16_t read_count = 0;    ///< 1 to 125; 0 if nothing is read
+  std::uint16_t write_address = 0;
+  std::vector<std::uint16_t> written;  ///< empty if nothing is written
+};
+
+enum class ModbusException : std::uint8_t {
+  IllegalFunction = 1,
+  IllegalAddress = 2,
+  IllegalValue = 3,
+  ServerBusy = 6,
+};
+
+/// A frame that is answered with an exception, and nothing else.
+struct RefusedRequest {
+  std::uint16_t transaction = 0;
+  std::uint8_t unit = 1;
+  std::uint8_t function = 0;  ///< as it came
+  ModbusException exception = ModbusException::IllegalFunction;
+};
+
+/// A frame after which nothing on the connection can be believed: it is closed.
+struct BrokenFrame {
+  std::string reason;
+};
+
+using ModbusFrame = std::variant<ModbusRequest, RefusedRequest, BrokenFrame>;
+
+/// Takes the bytes of a connection as they come and gives frames. The length of a frame is that of its
+/// header, and must be what its function asks for: a frame that holds more, behind which a second one could
+/// hide, is broken, as is one for another protocol, or a unit other than 1 and 255. After a broken frame
+/// nothing more is read.
+class FrameReader {
+ public:
+  void add(std::string_view bytes, double now_s);
+
+  /// The next whole frame; nothing if more bytes are needed.
+  std::optional<ModbusFrame> next();
+
+  /// True if a frame has begun that is not whole.
+  bool isWithin() const { return !bytes_.empty(); }
+
+  /// [s] that the oldest byte of a frame that is not whole has waited; 0 if there is none.
+  double waited(double now_s) const;
+
+ private:
+  std::string bytes_;
+  double since_s_ = 0.0;  ///< when the first of the bytes came
+  double last_s_ = 0.0;   ///< and the last
+  bool is_broken_ = false;
+};
+
+/// The answer to a request that read those registers, or wrote. @p read has `read_count` values.
+std::string modbusAnswer(const ModbusRequest& request, const std::vector<std::uint16_t>& read);
+
+/// The answer that refuses a request.
+std::string modbusRefusal(const RefusedRequest& refused);
+RefusedRequest refused(const ModbusRequest& request, ModbusException exception);
+
+}  // namespace lamina

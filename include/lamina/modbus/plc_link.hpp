@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lamina/modbus/modbus_frame.hpp"
+#include "lamina/modbus/register_map.hpp"
+
+namespace lamina {
+
+/// What the PLC's silence leads to.
+enum class WatchdogAction : std::uint8_t { Hold, Stop, None };
+
+struct PlcLinkSettings {
+  WordOrder word_order = WordOrder::HighFirst;
+  double watchdog_s = 2.0;   ///< without a change of the heartbeat
+  double abandon_s = 300.0;  ///< of silence while the unit is held: it is stopped
+  WatchdogAction watchdog_action = WatchdogAction::Hold;
+};
+
+/// Who may command: only maintenance changes it.
+enum class RemoteAccess : std::uint8_t { Locked, Allowed };
+
+/// What the PLC asks for, once.
+struct PlcOrder {
+  enum class Kind : std::uint8_t { Command, Mode, Job, Acknowledge };
+  Kind kind = Kind::Command;
+  std::uint32_t value = 0;  ///< command, mode, job or alarm, by number
+  std::uint16_t sequence = 0;
+};
+
+/// What the watchdog has found since it was last asked.
+enum class WatchdogEvent : std::uint8_t {
+  Nothing,
+  Lost,       ///< raise 2101
+  Back,       ///< end 2101
+  Abandoned,  ///< stop a held unit
+};
+
+/// The PLC's end of the unit: answers requests from the registers, and finds in them what is asked for. Takes
+/// requests and times, gives answers and orders; no network.
+///
+/// A command is taken once, when its sequence changes to a value other than 0. One connection writes: the
+/// first that does, until it is closed; others are answered ServerBusy.
+class PlcLink {
+ public:
+  explicit PlcLink(const PlcLinkSettings& settings) : settings_(settings) {}
+
+  /// The answer to a request: bytes for the connection it came on.
+  std::string answer(int connection, const ModbusRequest& request, double now_s);
+
+  /// A connection was closed.
+  void close(int connection);
+
+  void setRemoteAccess(RemoteAccess access) { access_ = access; }
+  void setStatus(const PlcStatus& status) { status_ = status; }
+
+  /// The orders since the last call, oldest first. What cannot be followed was answered and is not among
+  /// them: commands while remote access is locked, or while the watchdog is lost, but for Stop, Hold and
+  /// Abort.
+  std::vector<PlcOrder> takeOrders();
+
+  /// Tells the PLC what became of an order.
+  void setResult(const PlcOrder& order, CommandResult result);
+
+  /// Looks at the heartbeat. The watchdog is armed by the first change of the heartbeat while remote access
+  /// is allowed; an event comes once, and none if the watchdog has no action.
+  WatchdogEvent watch(double now_s);
+
+  bool isAlive() const { return watchdog_ == Watchdog::Good; }
+
+  /// As written last.
+  PlcInputs inputs() const { return plcInputs(holding_, settings_.word_order); }
+
+  /// As read by the PLC at that time.
+  InputRegisters registers(double now_s) const;
+
+ private:
+  enum class Watchdog : std::uint8_t { Unarmed, Good, Lost, Abandoned };
+
+  std::optional<ModbusException> write(int connection, const ModbusRequest& request, double now_s);
+  void findOrders(const PlcInputs& before);
+  void order(const PlcOrder& order);
+  WatchdogEvent changeOfHeartbeat(double silent_s);
+
+  PlcLinkSettings settings_;
+  RemoteAccess access_ = RemoteAccess::Locked;
+  PlcStatus status_;
+  LinkFigures figures_;
+  HoldingRegisters holding_{};
+  std::optional<int> writer_;
+  Watchdog watchdog_ = Watchdog::Unarmed;
+  double heard_s_ = 0.0;
+  bool was_refused_ = false;
+  std::vector<PlcOrder> orders_;
+};
+
+}  // namespace lamina

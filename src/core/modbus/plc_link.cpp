@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/modbus/plc_link.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace lamina {
+namespace {
+
+constexpr double kHeartbeatInterval = 0.5;  // [s]
+
+bool isStopping(std::uint32_t command) {
+  const auto known = unitCommand(static_cast<int>(std::min<std::uint32_t>(command, 1000)));
+  return known && precedence(*known) <= precedence(UnitCommand::Hold);
+}
+
+template <std::size_t kCount>
+std::vector<std::uint16_t> slice(const std::array<std::uint16_t, kCount>& registers, std::size_t at,
+                                 std::size_t count) {
+  const auto first = registers.begin() + static_cast<std::ptrdiff_t>(at);
+  return {first, first + static_cast<std::ptrdiff_t>(count)};
+}
+
+}  // namespace
+
+std::string PlcLink::answer(int connection, const ModbusRequest& request, double now_s) {
+  const bool is_input = request.function == ModbusFunction::ReadInput;
+  const std::size_t size = is_input ? kInputRegisters : kHoldingRegisters;
+  const std::size_t end = std::size_t{request.read_address} + request.read_count;
+  if (request.read_count > 0 && end > size)
+    return modbusRefusal(refused(request, ModbusException::IllegalAddress));
+  if (!request.written.empty())
+    if (const auto exception = write(connection, request, now_s))
+      return modbusRefusal(refused(request, *exception));
+  if (request.read_count == 0) return modbusAnswer(request, {});
+  return modbusAnswer(request, is_input ? slice(registers(now_s), request.read_address, request.read_count)
+                                        : slice(holding_, request.read_address, request.read_count));
+}
+
+std::optional<ModbusException> PlcLink::write(int connection, const ModbusRequest& request, double now_s) {
+  HoldingRegisters after = holding_;
+  for (std::size_t i = 0; i < request.written.size(); ++i) {
+    const std::size_t address = request.write_address + i;
+    if (!isWritable(address)) return ModbusException::IllegalAddress;
+    after.at(address) = request.written[i];
+  }
+  if (!areInRange(after, settings_.word_order)) return ModbusException::IllegalValue;
+  if (writer_.value_or(connection) != connection) return ModbusException::ServerBusy;
+  writer_ = connection;
+  const PlcInputs before = inputs();
+  holding_ = after;
+  if (inputs().heartbeat != before.heartbeat) {
+    figures_.plc_heartbeat = inputs().heartbeat;
+    heard_s_ = now_s;
+    if (watchdog_ == Watchdog::Unarmed && access_ == RemoteAccess::Allowed) watchdog_ = Watchdog::Good;
+  }
+  findOrders(before);
+  return std::nullopt;
+}
+
+void PlcLink::findOrders(const PlcInputs& before) {
+  using Kind = PlcOrder::Kind;
+  const PlcInputs now = inputs();
+  const auto is_new = [](std::uint16_t sequence, std::uint16_t last) {
+    return sequence != 0 && sequence != last;
+  };
+  if (is_new(now.mode_sequence, before.mode_sequence)) order({Kind::Mode, now.mode, now.mode_sequence});
+  if (is_new(now.job_sequence, before.job_sequence)) order({Kind::Job, now.job, now.job_sequence});
+  if (is_new(now.acknowledged_alarm, before.acknowledged_alarm))
+    order({Kind::Acknowledge, now.acknowledged_alarm, 0});
+  if (is_new(now.command_sequence, before.command_sequence))
+    order({Kind::Command, now.command, now.command_sequence});
+}
+
+void PlcLink::order(const PlcOrder& order) {
+  const bool is_command = order.kind == PlcOrder::Kind::Command;
+  const bool stops = is_command && isStopping(order.value);
+  if (is_command && !unitCommand(static_cast<int>(std::min<std::uint32_t>(order.value, 1000))))
+    return setResult(order, CommandResult::BadValue);
+  if (access_ == RemoteAccess::Locked && !stops) return setResult(order, CommandResult::RemoteLocked);
+  if ((watchdog_ == Watchdog::Lost || watchdog_ == Watchdog::Abandoned) && !stops)
+    return setResult(order, CommandResult::WatchdogLost);
+  orders_.push_back(order);
+}
+
+void PlcLink::close(int connection) {
+  if (writer_ == connection) writer_.reset();
+}
+
+std::vector<PlcOrder> PlcLink::takeOrders() { return std::exchange(orders_, {}); }
+
+void PlcLink::setResult(const PlcOrder& order, CommandResult result) {
+  if (order.kind == PlcOrder::Kind::Acknowledge) return;
+  was_refused_ = result != CommandResult::Accepted;
+  figures_.result = static_cast<std::uint16_t>(result);
+  figures_.answered_sequence = order.sequence;
+  if (order.kind == PlcOrder::Kind::Command) figures_.last_command = static_cast<std::uint16_t>(order.value);
+}
+
+WatchdogEvent PlcLink::watch(double now_s) {
+  const WatchdogEvent event = changeOfHeartbeat(now_s - heard_s_);
+  return settings_.watchdog_action == WatchdogAction::None ? WatchdogEvent::Nothing : event;
+}
+
+WatchdogEvent PlcLink::changeOfHeartbeat(double silent_s) {
+  if (watchdog_ == Watchdog::Unarmed) return WatchdogEvent::Nothing;
+  if (silent_s <= settings_.watchdog_s) {
+    const bool was_lost = std::exchange(watchdog_, Watchdog::Good) != Watchdog::Good;
+    return was_lost ? WatchdogEvent::Back : WatchdogEvent::Nothing;
+  }
+  if (watchdog_ == Watchdog::Good) {
+    watchdog_ = Watchdog::Lost;
+    return WatchdogEvent::Lost;
+  }
+  if (watchdog_ == Watchdog::Lost && silent_s > settings_.abandon_s) {
+    watchdog_ = Watchdog::Abandoned;
+    return WatchdogEvent::Abandoned;
+  }
+  return WatchdogEvent::Nothing;
+}
+
+InputRegisters PlcLink::registers(double now_s) const {
+  PlcStatus status = status_;
+  if (isAlive()) status.flags.push_back(StatusFlag::WatchdogGood);
+  if (access_ == RemoteAccess::Allowed) status.flags.push_back(StatusFlag::RemoteAllowed);
+  if (was_refused_) status.flags.push_back(StatusFlag::CommandRefused);
+  LinkFigures figures = figures_;
+  figures.heartbeat = static_cast<std::uint16_t>(std::fmod(std::floor(now_s / kHeartbeatInterval), 65536.0));
+  return inputRegisters(status, figures, settings_.word_order);
+}
+
+}  // namespace lamina

@@ -1,0 +1,259 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/modbus/plc_link.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace lamina {
+namespace {
+
+ModbusRequest reading(ModbusFunction function, std::uint16_t address, std::uint16_t count) {
+  ModbusRequest request;
+  request.function = function;
+  request.read_address = address;
+  request.read_count = count;
+  return request;
+}
+
+ModbusRequest writing(std::uint16_t address, const std::vector<std::uint16_t>& values) {
+  ModbusRequest request;
+  request.function = ModbusFunction::WriteMany;
+  request.write_address = address;
+  request.written = values;
+  return request;
+}
+
+/// The values in an answer to a read.
+std::vector<std::uint16_t> valuesOf(const std::string& answer) {
+  std::vector<std::uint16_t> values;
+  for (std::size_t at = 9; at + 1 < answer.size(); at += 2)
+    values.push_back(static_cast<std::uint16_t>((static_cast<unsigned char>(answer[at]) << 8) |
+                                                static_cast<unsigned char>(answer[at + 1])));
+  return values;
+}
+
+/// The exception code in an answer; 0 if it is none.
+int exceptionOf(const std::string& answer) {
+  return (static_cast<unsigned char>(answer[7]) & 0x80) != 0 ? static_cast<unsigned char>(answer[8]) : 0;
+}
+
+PlcLink openLink() {
+  PlcLink link{PlcLinkSettings{}};
+  link.setRemoteAccess(RemoteAccess::Allowed);
+  return link;
+}
+
+TEST(RegisterMap, LetsAProgrammerCheckItsWordOrder) {
+  const InputRegisters high = inputRegisters({}, {}, WordOrder::HighFirst);
+  EXPECT_EQ(high[0], 1);
+  EXPECT_EQ(high[4], 0x1234);
+  EXPECT_EQ(high[5], 0x5678);
+  EXPECT_EQ(high[6], 0x449a);  // 1234.5 is 0x449A5000
+  EXPECT_EQ(high[7], 0x5000);
+  const InputRegisters low = inputRegisters({}, {}, WordOrder::LowFirst);
+  EXPECT_EQ(low[4], 0x5678);
+  EXPECT_EQ(low[6], 0x5000);
+}
+
+TEST(RegisterMap, ShowsTheUnitItsJobAndAlarms) {
+  PlcStatus status;
+  status.flags = {StatusFlag::Alarm, StatusFlag::ResumeWaits};
+  status.state = UnitState::Held;
+  status.state_requested = UnitState::Unholding;
+  status.stop_reason = 3202;
+  status.stop_value = -2;
+  status.job.id = 70000;
+  status.job.layer = -1;
+  status.job.name = "a";
+  ActiveAlarm hold;
+  hold.id = 3202;
+  hold.category = AlarmCategory::Hold;
+  hold.value = 20.4;
+  ActiveAlarm warning;
+  warning.id = 8003;
+  warning.category = AlarmCategory::Warning;
+  status.alarms = {warning, hold};
+  status.process.bed_c = 1.0F;
+  status.counters.parts = 3;
+  status.utc_s = 65536.25;
+  status.is_clock_synchronised = true;
+  const InputRegisters found = inputRegisters(status, {}, WordOrder::HighFirst);
+  EXPECT_EQ(found[3], 0x8020);
+  EXPECT_EQ(found[8], 1);
+  EXPECT_EQ(found[10], 11);
+  EXPECT_EQ(found[11], 12);
+  EXPECT_EQ(found[15], 3202);
+  EXPECT_EQ(found[16], 0xffff);
+  EXPECT_EQ(found[17], 0xfffe);
+  EXPECT_EQ(found[18], 1);
+  EXPECT_EQ(found[19], 1);
+  EXPECT_EQ(found[20], 3202);
+  EXPECT_EQ(found[21], 20);
+  EXPECT_EQ(found[22], 0);
+  EXPECT_EQ(found[40], 1);
+  EXPECT_EQ(found[41], 4464);
+  EXPECT_EQ(found[45], 0xffff);
+  EXPECT_EQ(found[52], 0xffff);
+  EXPECT_EQ(found[53], 0xffff);
+  EXPECT_EQ(found[62], 0x3f80);
+  EXPECT_EQ(found[81], 3);
+  EXPECT_EQ(found[90], 1);
+  EXPECT_EQ(found[91], 0);
+  EXPECT_EQ(found[92], 250);
+  EXPECT_EQ(found[93], 1);
+  EXPECT_EQ(found[100], 0x6100);
+}
+
+TEST(RegisterMap, CutsNamesBetweenCharacters) {
+  PlcStatus status;
+  status.job.name = std::string(63, 'x') + "\xc3\xa9";  // the last is two bytes, of which one would fit
+  const InputRegisters found = inputRegisters(status, {}, WordOrder::HighFirst);
+  EXPECT_EQ(found[131], 0x7800);
+}
+
+TEST(RegisterMap, ReadsWhatThePlcWrites) {
+  HoldingRegisters written{};
+  written[5] = 1;
+  written[6] = 2;
+  written[8] = 0b0101;
+  written[9] = 0b10;
+  written[10] = 0b100;
+  written[11] = 0b1010;
+  written[12] = 0x3f40;  // 0.75
+  written[20] = 0x4142;
+  written[21] = 0x4300;
+  const PlcInputs found = plcInputs(written, WordOrder::HighFirst);
+  EXPECT_EQ(found.job, 65538U);
+  EXPECT_TRUE(found.has_material && found.has_cooling && !found.has_gas && !found.has_vacuum);
+  EXPECT_TRUE(found.is_starved && !found.is_blocked);
+  EXPECT_TRUE(found.is_emergency_stop_pressed && !found.is_guard_closed);
+  EXPECT_TRUE(found.is_plate_clamped && found.is_zone_taken && !found.is_plate_there &&
+              !found.is_part_removed);
+  EXPECT_DOUBLE_EQ(found.speed, 0.75);
+  EXPECT_EQ(found.badge, "ABC");
+  EXPECT_DOUBLE_EQ(plcInputs({}, WordOrder::HighFirst).speed, 1.0);
+}
+
+TEST(PlcLink, AnswersOutsideTheMapWithAnException) {
+  PlcLink link = openLink();
+  EXPECT_EQ(exceptionOf(link.answer(1, reading(ModbusFunction::ReadInput, 8, 124), 0.0)), 0);
+  EXPECT_EQ(exceptionOf(link.answer(1, reading(ModbusFunction::ReadInput, 8, 125), 0.0)), 2);
+  EXPECT_EQ(exceptionOf(link.answer(1, reading(ModbusFunction::ReadHolding, 36, 1), 0.0)), 2);
+  EXPECT_EQ(exceptionOf(link.answer(1, reading(ModbusFunction::ReadHolding, 65535, 125), 0.0)), 2);
+  EXPECT_EQ(exceptionOf(link.answer(1, writing(14, {1, 2}), 0.0)), 2) << "15 is not for writing";
+  EXPECT_EQ(exceptionOf(link.answer(1, writing(12, {0x3f00, 0}), 0.0)), 0) << "0.5";
+  EXPECT_EQ(exceptionOf(link.answer(1, writing(12, {0x4000, 0}), 0.0)), 3) << "2.0";
+  EXPECT_DOUBLE_EQ(link.inputs().speed, 0.5) << "what is refused changes nothing";
+}
+
+TEST(PlcLink, TakesACommandOnceWhenItsSequenceChanges) {
+  PlcLink link = openLink();
+  const auto command = [&](std::uint16_t number, std::uint16_t sequence) {
+    link.answer(1, writing(1, {number, sequence}), 0.0);
+    return link.takeOrders();
+  };
+  ASSERT_EQ(command(2, 5).size(), 1U);
+  EXPECT_TRUE(command(2, 5).empty()) << "a repeated sequence does nothing";
+  EXPECT_TRUE(command(3, 5).empty())
+      << "nothing follows from a register that changes while its sequence stays";
+  EXPECT_TRUE(command(3, 0).empty());
+  const std::vector<PlcOrder> orders = command(3, 6);
+  ASSERT_EQ(orders.size(), 1U);
+  EXPECT_EQ(orders[0].value, 3U);
+  link.setResult(orders[0], CommandResult::NotInThisState);
+  const InputRegisters found = link.registers(0.0);
+  EXPECT_EQ(found[12], 3);
+  EXPECT_EQ(found[13], 6);
+  EXPECT_EQ(found[14], 2);
+  EXPECT_EQ(found[3] & 0b100, 0b100) << "refused";
+}
+
+TEST(PlcLink, AnswersByItselfWhatCannotBeFollowed) {
+  PlcLink link{PlcLinkSettings{}};
+  link.answer(1, writing(1, {2, 1}), 0.0);
+  EXPECT_TRUE(link.takeOrders().empty());
+  EXPECT_EQ(link.registers(0.0)[14], 4) << "remote access is locked";
+  link.answer(1, writing(1, {8, 2}), 0.0);
+  EXPECT_EQ(link.takeOrders().size(), 1U) << "what stops is always taken";
+  link.setRemoteAccess(RemoteAccess::Allowed);
+  link.answer(1, writing(1, {11, 3}), 0.0);
+  EXPECT_TRUE(link.takeOrders().empty());
+  EXPECT_EQ(link.registers(0.0)[14], 8) << "no such command";
+}
+
+TEST(PlcLink, OrdersModeJobAndAcknowledgement) {
+  PlcLink link = openLink();
+  link.answer(1, writing(3, {2, 1, 0, 77, 1}), 0.0);
+  link.answer(1, writing(14, {3202}), 0.0);
+  const std::vector<PlcOrder> orders = link.takeOrders();
+  ASSERT_EQ(orders.size(), 3U);
+  EXPECT_EQ(orders[0].kind, PlcOrder::Kind::Mode);
+  EXPECT_EQ(orders[1].kind, PlcOrder::Kind::Job);
+  EXPECT_EQ(orders[1].value, 77U);
+  EXPECT_EQ(orders[2].kind, PlcOrder::Kind::Acknowledge);
+  EXPECT_EQ(orders[2].value, 3202U);
+}
+
+TEST(PlcLink, LetsOneConnectionWrite) {
+  PlcLink link = openLink();
+  EXPECT_EQ(exceptionOf(link.answer(1, writing(0, {1}), 0.0)), 0);
+  EXPECT_EQ(exceptionOf(link.answer(2, writing(0, {2}), 0.0)), 6);
+  EXPECT_EQ(exceptionOf(link.answer(2, reading(ModbusFunction::ReadHolding, 0, 1), 0.0)), 0);
+  link.close(1);
+  EXPECT_EQ(exceptionOf(link.answer(2, writing(0, {2}), 0.0)), 0);
+}
+
+TEST(PlcLink, WatchesTheHeartbeatOnceItHasComeWithAccess) {
+  PlcLink link{PlcLinkSettings{}};
+  link.answer(1, writing(0, {1}), 0.0);
+  EXPECT_EQ(link.watch(100.0), WatchdogEvent::Nothing) << "not armed";
+  link.setRemoteAccess(RemoteAccess::Allowed);
+  link.answer(1, writing(0, {2}), 100.0);
+  EXPECT_TRUE(link.isAlive());
+  EXPECT_EQ(link.watch(102.0), WatchdogEvent::Nothing);
+  EXPECT_EQ(link.watch(102.1), WatchdogEvent::Lost);
+  EXPECT_EQ(link.watch(102.2), WatchdogEvent::Nothing) << "told once";
+  EXPECT_FALSE(link.isAlive());
+  link.answer(1, writing(1, {2, 9}), 102.3);
+  EXPECT_TRUE(link.takeOrders().empty());
+  EXPECT_EQ(link.registers(102.3)[14], 9);
+  link.answer(1, writing(0, {2}), 103.0);
+  EXPECT_EQ(link.watch(103.0), WatchdogEvent::Nothing) << "the same heartbeat is none";
+  link.answer(1, writing(0, {3}), 104.0);
+  EXPECT_EQ(link.watch(104.0), WatchdogEvent::Back);
+  EXPECT_EQ(link.watch(106.1), WatchdogEvent::Lost);
+  EXPECT_EQ(link.watch(404.0), WatchdogEvent::Nothing);
+  EXPECT_EQ(link.watch(404.1), WatchdogEvent::Abandoned);
+}
+
+TEST(PlcLink, SaysNothingOfASilentPlcIfAskedNotTo) {
+  PlcLinkSettings settings;
+  settings.watchdog_action = WatchdogAction::None;
+  PlcLink link(settings);
+  link.setRemoteAccess(RemoteAccess::Allowed);
+  link.answer(1, writing(0, {1}), 0.0);
+  EXPECT_EQ(link.watch(50.0), WatchdogEvent::Nothing);
+  EXPECT_FALSE(link.isAlive()) << "its interlocks count as not given";
+}
+
+TEST(PlcLink, BeatsTwiceASecond) {
+  const PlcLink link = openLink();
+  EXPECT_EQ(link.registers(10.0)[1], 20);
+  EXPECT_EQ(link.registers(10.5)[1], 21);
+  EXPECT_EQ(link.registers(32768.0)[1], 0);
+}
+
+TEST(PlcLink, WritesBeforeItReadsInOneRequest) {
+  PlcLink link = openLink();
+  ModbusRequest request = writing(0, {42});
+  request.function = ModbusFunction::ReadWrite;
+  request.read_address = 0;
+  request.read_count = 1;
+  EXPECT_EQ(valuesOf(link.answer(1, request, 0.0)), (std::vector<std::uint16_t>{42}));
+}
+
+}  // namespace
+}  // namespace lamina
