@@ -17,6 +17,7 @@ find_package(fcl REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(OpenSSL REQUIRED)
+find_package(SQLite3 REQUIRED)
 
 # Searches: without their libraries (tools/install-dependencies --all) there is no `lamina optimise`, no node `optimiser`.
 find_package(Pagmo QUIET)

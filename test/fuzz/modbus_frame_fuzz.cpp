@@ -7,7 +7,7 @@
 
 #include "lamina/modbus/plc_link.hpp"
 
-/// Any bytes, in two pieces, are answered, refused or closed upon; what is answered begins with what was asked.
+/// Any bytes, in two pieces, are answered, refused or closed upon.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   if (size == 0) return 0;
   const std::string_view stream(reinterpret_cast<const char*>(bytes) + 1, size - 1);

@@ -18,7 +18,7 @@
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/percent_encoding.hpp"
-#include "streaming/job/sha256_module.hpp"
+#include "lamina/base/sha256.hpp"
 
 namespace lamina {
 namespace {

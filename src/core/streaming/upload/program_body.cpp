@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/sha256.hpp"
 #include "lamina/base/text.hpp"
-#include "streaming/job/sha256_module.hpp"
 
 namespace lamina {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "streaming/job/sha256_module.hpp"
+#include "base/sha256_module.hpp"
 
 #include <openssl/evp.h>
 
@@ -31,7 +31,7 @@ std::string digestOfBytes(const ByteSource& source) {
   std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
   unsigned length = 0;
   if (!is_good || EVP_DigestFinal_ex(context.get(), digest.data(), &length) != 1)
-    throw FileError("cannot compute the SHA-256 of the program: OpenSSL refuses");
+    throw FileError("cannot compute a SHA-256: OpenSSL refuses");
   std::string digits;
   for (unsigned i = 0; i < length; ++i) {
     digits += kDigits[digest[i] >> 4U];

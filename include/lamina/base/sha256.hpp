@@ -5,19 +5,20 @@
 #include <cstddef>
 #include <functional>
 #include <string>
+#include <string_view>
 
 namespace lamina {
 
 /// Puts the next bytes into a buffer of that size, and gives their number; 0 at the end.
 using ByteSource = std::function<std::size_t(char* buffer, std::size_t size)>;
 
-/// What the module `sha256` offers: OpenSSL's digest, which only kept or uploaded programs need.
-struct Sha256Module {
-  std::string (*digest_of)(const ByteSource& source) = nullptr;
-};
-
-/// 64 hexadecimal digits of all bytes.
-/// @throws FileError if OpenSSL refuses
+/// SHA-256 of all bytes, as 64 hexadecimal digits. Source: FIPS 180-4, by OpenSSL.
+/// @throws FileError if OpenSSL cannot be loaded or refuses
 std::string sha256Of(const ByteSource& source);
+std::string sha256Of(std::string_view bytes);
+
+/// The same of a file.
+/// @throws FileError also if the file cannot be read
+std::string sha256OfFile(const std::string& path);
 
 }  // namespace lamina

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lamina/journal/cell_journal.hpp"
+
+namespace lamina {
+
+/// Files by the digest of their bytes, in a folder beside the journal; read-only once they are there.
+class ArtefactStore {
+ public:
+  /// Makes the folder if it is missing, for its owner alone.
+  /// @throws FileError if it cannot be made
+  explicit ArtefactStore(std::string folder);
+
+  /// Copies a file into the store, durably, and gives what it is known by. The same bytes are kept once.
+  /// @throws FileError if the file cannot be read or the store not written
+  Artefact keep(const std::string& path, const std::string& kind, const std::string& name);
+
+  /// Where the bytes of an artefact are.
+  std::string pathOf(const Artefact& artefact) const;
+
+  /// The names of those whose file is gone, or no longer has its digest.
+  std::vector<std::string> torn(const std::vector<Artefact>& artefacts) const;
+
+ private:
+  std::string folder_;
+};
+
+}  // namespace lamina

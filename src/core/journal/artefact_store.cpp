@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/journal/artefact_store.hpp"
+
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <utility>
+
+#include "lamina/base/atomic_file.hpp"
+#include "lamina/base/error.hpp"
+#include "lamina/base/sha256.hpp"
+
+namespace lamina {
+namespace {
+
+void copyInto(const std::string& path, const std::string& target) {
+  std::ifstream from(path, std::ios::binary);
+  if (!from) throw FileError(path + ": cannot be read");
+  AtomicFile to(target);
+  std::array<char, 65536> piece{};
+  while (from) {
+    from.read(piece.data(), piece.size());
+    to.write({piece.data(), static_cast<std::size_t>(from.gcount())});
+  }
+  if (from.bad()) throw FileError(path + ": cannot be read to its end");
+  to.commit();
+  std::error_code ignored;
+  std::filesystem::permissions(
+      target, std::filesystem::perms::owner_read | std::filesystem::perms::group_read, ignored);
+}
+
+}  // namespace
+
+ArtefactStore::ArtefactStore(std::string folder) : folder_(std::move(folder)) {
+  std::error_code error;
+  std::filesystem::create_directories(folder_, error);
+  if (!std::filesystem::is_directory(folder_))
+    throw FileError(folder_ + ": cannot be made: " + (error ? error.message() : "it is no folder"));
+  std::filesystem::permissions(folder_, std::filesystem::perms::owner_all, error);
+}
+
+Artefact ArtefactStore::keep(const std::string& path, const std::string& kind, const std::string& name) {
+  Artefact artefact{sha256OfFile(path), 0, kind, name};
+  const std::string target = pathOf(artefact);
+  if (!std::filesystem::exists(target) || sha256OfFile(target) != artefact.sha256) copyInto(path, target);
+  // The file may have changed between the two times that it was read.
+  if (sha256OfFile(target) != artefact.sha256) throw FileError(path + ": changed while it was kept");
+  artefact.bytes = std::filesystem::file_size(target);
+  return artefact;
+}
+
+std::string ArtefactStore::pathOf(const Artefact& artefact) const { return folder_ + '/' + artefact.sha256; }
+
+std::vector<std::string> ArtefactStore::torn(const std::vector<Artefact>& artefacts) const {
+  std::vector<std::string> torn;
+  for (const Artefact& artefact : artefacts) {
+    try {
+      if (sha256OfFile(pathOf(artefact)) != artefact.sha256) torn.push_back(artefact.name);
+    } catch (const FileError&) {
+      torn.push_back(artefact.name);
+    }
+  }
+  return torn;
+}
+
+}  // namespace lamina

@@ -1,0 +1,514 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/journal/cell_journal.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <utility>
+
+#include "journal/database.hpp"
+#include "lamina/base/error.hpp"
+#include "lamina/base/sha256.hpp"
+
+namespace lamina {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kVersion = 1;
+
+// Times are seconds since 1970, UTC. What a later version adds is added by statements of its own: files are
+// brought forward, never back.
+constexpr const char* kTables = R"sql(
+CREATE TABLE artefact (id INTEGER PRIMARY KEY, sha256 TEXT NOT NULL UNIQUE, bytes INTEGER NOT NULL, kind TEXT NOT NULL,
+  name TEXT NOT NULL, created REAL NOT NULL) STRICT;
+CREATE TABLE job (id INTEGER PRIMARY KEY AUTOINCREMENT, digest TEXT NOT NULL, name TEXT NOT NULL, part TEXT NOT NULL,
+  machine TEXT NOT NULL, state INTEGER NOT NULL, position INTEGER NOT NULL, created REAL NOT NULL, created_by TEXT NOT NULL,
+  released_by TEXT NOT NULL DEFAULT '', is_removed INTEGER NOT NULL DEFAULT 0) STRICT;
+CREATE TABLE job_artefact (job INTEGER NOT NULL REFERENCES job, artefact INTEGER NOT NULL REFERENCES artefact,
+  kind TEXT NOT NULL, name TEXT NOT NULL, PRIMARY KEY (job, kind, name)) STRICT;
+CREATE TABLE execution (id INTEGER PRIMARY KEY AUTOINCREMENT, job INTEGER NOT NULL REFERENCES job, attempt INTEGER NOT NULL,
+  started REAL NOT NULL, ended REAL, outcome INTEGER, reason TEXT NOT NULL DEFAULT '', operator TEXT NOT NULL) STRICT;
+CREATE UNIQUE INDEX one_open_execution ON execution (ended IS NULL) WHERE ended IS NULL;
+CREATE TABLE progress (execution INTEGER PRIMARY KEY REFERENCES execution, sent_through INTEGER NOT NULL,
+  taken_through INTEGER NOT NULL, layer INTEGER NOT NULL, path_mm REAL NOT NULL, laid_mm3 REAL NOT NULL,
+  updated REAL NOT NULL) STRICT;
+CREATE TABLE transition (id INTEGER PRIMARY KEY, time REAL NOT NULL, mode INTEGER NOT NULL, from_state INTEGER NOT NULL,
+  to_state INTEGER NOT NULL, command INTEGER NOT NULL, source TEXT NOT NULL, reason TEXT NOT NULL) STRICT;
+CREATE TABLE alarm (id INTEGER PRIMARY KEY, execution INTEGER REFERENCES execution, time REAL NOT NULL, alarm INTEGER NOT NULL,
+  value REAL NOT NULL, category TEXT NOT NULL, message TEXT NOT NULL) STRICT;
+CREATE INDEX alarm_by_execution ON alarm (execution, time);
+CREATE TABLE counter (name TEXT PRIMARY KEY, value REAL NOT NULL) STRICT;
+CREATE TABLE audit (id INTEGER PRIMARY KEY AUTOINCREMENT, time REAL NOT NULL, who TEXT NOT NULL, origin TEXT NOT NULL, what TEXT NOT NULL,
+  result TEXT NOT NULL, digest TEXT NOT NULL) STRICT;
+)sql";
+
+constexpr const char* kJobColumns =
+    "SELECT id, name, part, machine, digest, state, position, created_by, released_by FROM job ";
+
+Database openDatabase(const std::string& path) {
+  Database database(path);
+  database.run("PRAGMA journal_mode = WAL");
+  database.run("PRAGMA synchronous = FULL");
+  database.run("PRAGMA foreign_keys = ON");
+  return database;
+}
+
+bool isWhole(const Database& database) {
+  Statement check = database.prepare("PRAGMA quick_check");
+  return check.step() && check.text(0) == "ok";
+}
+
+int versionOf(const Database& database) {
+  Statement version = database.prepare("PRAGMA user_version");
+  return version.step() ? static_cast<int>(version.integer(0)) : 0;
+}
+
+/// The database, with its tables; nothing if it is damaged.
+std::optional<Database> openWhole(const std::string& path) {
+  try {
+    Database database = openDatabase(path);
+    if (!isWhole(database)) return std::nullopt;
+    return database;
+  } catch (const DamagedDatabase&) {
+    return std::nullopt;
+  }
+}
+
+/// Moves a damaged journal and what belongs to it to a name that is free.
+std::string moveAside(const std::string& path) {
+  std::string aside;
+  for (int number = 1; aside.empty() || fs::exists(aside); ++number)
+    aside = path + ".damaged" + std::to_string(number);
+  std::error_code error;
+  fs::rename(path, aside, error);
+  if (error) throw FileError(path + ": is damaged and cannot be moved aside: " + error.message());
+  for (const char* suffix : {"-wal", "-shm"}) fs::rename(path + suffix, aside + suffix, error);
+  return aside;
+}
+
+QueuedJob jobIn(const Statement& row) {
+  QueuedJob job;
+  job.id = row.integer(0);
+  job.name = row.text(1);
+  job.part = row.text(2);
+  job.machine = row.text(3);
+  job.digest = row.text(4);
+  job.state = static_cast<JobState>(row.integer(5));
+  job.position = row.integer(6);
+  job.created_by = row.text(7);
+  job.released_by = row.text(8);
+  return job;
+}
+
+std::string auditDigest(const std::string& before, const AuditRow& row) {
+  std::array<char, 40> time{};
+  std::snprintf(time.data(), time.size(), "%.6f", row.time_s);
+  std::string text = before;
+  for (const std::string& field : {std::string(time.data()), row.who, row.from, row.what, row.result})
+    text += std::to_string(field.size()) + ':' + field;  // lengths: no two rows read alike
+  return sha256Of(text);
+}
+
+AuditRow auditIn(const Statement& row) {
+  return {row.number(0), row.text(1), row.text(2), row.text(3), row.text(4)};
+}
+
+}  // namespace
+
+const char* toString(JobState state) {
+  switch (state) {
+    case JobState::NotAllowedToStart:
+      return "NotAllowedToStart";
+    case JobState::AllowedToStart:
+      return "AllowedToStart";
+    case JobState::Running:
+      return "Running";
+    case JobState::Interrupted:
+      return "Interrupted";
+    case JobState::Ended:
+      return "Ended";
+    case JobState::Aborted:
+      return "Aborted";
+  }
+  return "Unknown";
+}
+
+std::string jobDigest(const std::vector<Artefact>& artefacts) {
+  std::vector<std::string> lines;
+  for (const Artefact& artefact : artefacts) lines.push_back(artefact.kind + ' ' + artefact.sha256 + '\n');
+  std::sort(lines.begin(), lines.end());
+  std::string text;
+  for (const std::string& line : lines) text += line;
+  return sha256Of(text);
+}
+
+struct CellJournal::Store {
+  mutable Database database;
+
+  void requireState(std::int64_t id, JobState expected, const char* to_do) const;
+  void setState(std::int64_t id, JobState state);
+  std::int64_t jobOf(std::int64_t execution) const;
+  void addAudit(const AuditRow& row);
+  void addArtefacts(std::int64_t job, const std::vector<Artefact>& artefacts, double time_s);
+  std::vector<Artefact> artefactsOf(std::int64_t job) const;
+  std::optional<JobState> stateOf(std::int64_t id) const;
+};
+
+CellJournal::CellJournal(const std::string& path) {
+  auto database = openWhole(path);
+  if (!database) {
+    moved_aside_ = moveAside(path);
+    database = openDatabase(path);
+  }
+  store_ = std::make_unique<Store>(Store{std::move(*database)});
+  const int version = versionOf(store_->database);
+  if (version > kVersion)
+    throw FileError(path + ": written by a newer version of Lamina (" + std::to_string(version) +
+                    "); expected at most " + std::to_string(kVersion));
+  if (version == kVersion) return;
+  Transaction transaction(store_->database);
+  store_->database.run(kTables);
+  store_->database.run("PRAGMA user_version = " + std::to_string(kVersion));
+  transaction.commit();
+}
+
+CellJournal::~CellJournal() = default;
+CellJournal::CellJournal(CellJournal&&) noexcept = default;
+CellJournal& CellJournal::operator=(CellJournal&&) noexcept = default;
+
+std::optional<JobState> CellJournal::Store::stateOf(std::int64_t id) const {
+  Statement row = database.prepare("SELECT state FROM job WHERE id = ? AND is_removed = 0");
+  if (!row.bind(id).step()) return std::nullopt;
+  return static_cast<JobState>(row.integer(0));
+}
+
+void CellJournal::Store::requireState(std::int64_t id, JobState expected, const char* to_do) const {
+  const auto found = stateOf(id);
+  const std::string job = "job " + std::to_string(id);
+  if (!found) throw InvalidInput(job + " is not in the queue");
+  if (*found != expected)
+    throw InvalidInput(job + " cannot be " + to_do + ": it is " + toString(*found) + "; expected " +
+                       toString(expected));
+}
+
+void CellJournal::Store::setState(std::int64_t id, JobState state) {
+  database.prepare("UPDATE job SET state = ? WHERE id = ?").bind(std::int64_t(state)).bind(id).run();
+}
+
+std::int64_t CellJournal::Store::jobOf(std::int64_t execution) const {
+  Statement row = database.prepare("SELECT job FROM execution WHERE id = ? AND ended IS NULL");
+  if (!row.bind(execution).step())
+    throw InvalidInput("execution " + std::to_string(execution) + " is not under way");
+  return row.integer(0);
+}
+
+void CellJournal::Store::addArtefacts(std::int64_t job, const std::vector<Artefact>& artefacts,
+                                      double time_s) {
+  for (const Artefact& artefact : artefacts) {
+    database
+        .prepare("INSERT OR IGNORE INTO artefact (sha256, bytes, kind, name, created) VALUES (?, ?, ?, ?, ?)")
+        .bind(artefact.sha256)
+        .bind(static_cast<std::int64_t>(artefact.bytes))
+        .bind(artefact.kind)
+        .bind(artefact.name)
+        .bind(time_s)
+        .run();
+    database
+        .prepare(
+            "INSERT INTO job_artefact (job, artefact, kind, name) SELECT ?, id, ?, ? FROM artefact WHERE "
+            "sha256 = ?")
+        .bind(job)
+        .bind(artefact.kind)
+        .bind(artefact.name)
+        .bind(artefact.sha256)
+        .run();
+  }
+}
+
+std::vector<Artefact> CellJournal::Store::artefactsOf(std::int64_t job) const {
+  Statement rows = database.prepare(
+      "SELECT a.sha256, a.bytes, j.kind, j.name FROM job_artefact j JOIN artefact a ON a.id = j.artefact "
+      "WHERE j.job = ? ORDER BY j.kind, j.name");
+  rows.bind(job);
+  std::vector<Artefact> artefacts;
+  while (rows.step())
+    artefacts.push_back(
+        {rows.text(0), static_cast<std::uint64_t>(rows.integer(1)), rows.text(2), rows.text(3)});
+  return artefacts;
+}
+
+void CellJournal::Store::addAudit(const AuditRow& row) {
+  Statement last = database.prepare("SELECT digest FROM audit ORDER BY id DESC LIMIT 1");
+  const std::string before = last.step() ? last.text(0) : "";
+  database.prepare("INSERT INTO audit (time, who, origin, what, result, digest) VALUES (?, ?, ?, ?, ?, ?)")
+      .bind(row.time_s)
+      .bind(row.who)
+      .bind(row.from)
+      .bind(row.what)
+      .bind(row.result)
+      .bind(auditDigest(before, row))
+      .run();
+}
+
+std::int64_t CellJournal::addJob(const NewJob& job, double time_s) {
+  Transaction transaction(store_->database);
+  store_->database
+      .prepare(
+          "INSERT INTO job (digest, name, part, machine, state, position, created, created_by) "
+          "VALUES (?, ?, ?, ?, 1, (SELECT COALESCE(MAX(position), 0) + 1 FROM job), ?, ?)")
+      .bind(jobDigest(job.artefacts))
+      .bind(job.name)
+      .bind(job.part)
+      .bind(job.machine)
+      .bind(time_s)
+      .bind(job.created_by)
+      .run();
+  const std::int64_t id = store_->database.lastId();
+  store_->addArtefacts(id, job.artefacts, time_s);
+  store_->addAudit({time_s, job.created_by, "", "add job " + std::to_string(id), "done"});
+  transaction.commit();
+  return id;
+}
+
+std::vector<QueuedJob> CellJournal::queue() const {
+  Statement rows = store_->database.prepare(std::string(kJobColumns) +
+                                            "WHERE is_removed = 0 AND state <= 4 ORDER BY position, id");
+  std::vector<QueuedJob> jobs;
+  while (rows.step()) jobs.push_back(jobIn(rows));
+  for (QueuedJob& job : jobs) job.artefacts = store_->artefactsOf(job.id);
+  return jobs;
+}
+
+QueuedJob CellJournal::job(std::int64_t id) const {
+  Statement row = store_->database.prepare(std::string(kJobColumns) + "WHERE id = ?");
+  if (!row.bind(id).step()) throw InvalidInput("job " + std::to_string(id) + " is not known");
+  QueuedJob job = jobIn(row);
+  job.artefacts = store_->artefactsOf(id);
+  return job;
+}
+
+std::optional<QueuedJob> CellJournal::next() const {
+  Statement row = store_->database.prepare(
+      std::string(kJobColumns) + "WHERE is_removed = 0 AND state = 2 ORDER BY position, id LIMIT 1");
+  if (!row.step()) return std::nullopt;
+  return job(row.integer(0));
+}
+
+void CellJournal::release(std::int64_t id, const std::string& by, double time_s) {
+  Transaction transaction(store_->database);
+  store_->requireState(id, JobState::NotAllowedToStart, "released");
+  store_->database.prepare("UPDATE job SET state = 2, released_by = ? WHERE id = ?").bind(by).bind(id).run();
+  store_->addAudit({time_s, by, "", "release job " + std::to_string(id), "done"});
+  transaction.commit();
+}
+
+void CellJournal::revoke(std::int64_t id, const std::string& by, double time_s) {
+  Transaction transaction(store_->database);
+  store_->requireState(id, JobState::AllowedToStart, "revoked");
+  store_->database.prepare("UPDATE job SET state = 1, released_by = '' WHERE id = ?").bind(id).run();
+  store_->addAudit({time_s, by, "", "revoke job " + std::to_string(id), "done"});
+  transaction.commit();
+}
+
+void CellJournal::moveToFront(std::int64_t id, const std::string& by, double time_s) {
+  Transaction transaction(store_->database);
+  if (!store_->stateOf(id)) throw InvalidInput("job " + std::to_string(id) + " is not in the queue");
+  store_->database.prepare("UPDATE job SET position = (SELECT MIN(position) - 1 FROM job) WHERE id = ?")
+      .bind(id)
+      .run();
+  store_->addAudit({time_s, by, "", "move job " + std::to_string(id) + " to the front", "done"});
+  transaction.commit();
+}
+
+void CellJournal::remove(std::int64_t id, const std::string& by, double time_s) {
+  Transaction transaction(store_->database);
+  const auto state = store_->stateOf(id);
+  if (!state) throw InvalidInput("job " + std::to_string(id) + " is not in the queue");
+  if (*state == JobState::Running || *state == JobState::Interrupted)
+    throw InvalidInput("job " + std::to_string(id) + " cannot be removed: it is " + toString(*state) +
+                       "; stop it first");
+  store_->database.prepare("UPDATE job SET is_removed = 1 WHERE id = ?").bind(id).run();
+  store_->addAudit({time_s, by, "", "remove job " + std::to_string(id), "done"});
+  transaction.commit();
+}
+
+std::int64_t CellJournal::begin(std::int64_t job, const std::string& by, double time_s) {
+  Transaction transaction(store_->database);
+  store_->requireState(job, JobState::AllowedToStart, "begun");
+  if (const auto running = open())
+    throw InvalidInput("job " + std::to_string(job) + " cannot be begun: job " +
+                       std::to_string(running->job) + " has not ended");
+  store_->database
+      .prepare(
+          "INSERT INTO execution (job, attempt, started, operator) "
+          "VALUES (?, (SELECT COUNT(*) + 1 FROM execution WHERE job = ?), ?, ?)")
+      .bind(job)
+      .bind(job)
+      .bind(time_s)
+      .bind(by)
+      .run();
+  const std::int64_t id = store_->database.lastId();
+  store_->setState(job, JobState::Running);
+  store_->addAudit({time_s, by, "", "begin job " + std::to_string(job), "done"});
+  transaction.commit();
+  return id;
+}
+
+void CellJournal::setProgress(std::int64_t execution, const ExecutionProgress& progress, double time_s) {
+  store_->database
+      .prepare(
+          "INSERT OR REPLACE INTO progress (execution, sent_through, taken_through, layer, path_mm, "
+          "laid_mm3, "
+          "updated) VALUES (?, ?, ?, ?, ?, ?, ?)")
+      .bind(execution)
+      .bind(static_cast<std::int64_t>(progress.sent_through))
+      .bind(static_cast<std::int64_t>(progress.taken_through))
+      .bind(std::int64_t{progress.layer})
+      .bind(progress.path_mm)
+      .bind(progress.laid_mm3)
+      .bind(time_s)
+      .run();
+}
+
+void CellJournal::interrupt(std::int64_t execution, const std::string& reason, double time_s) {
+  Transaction transaction(store_->database);
+  store_->setState(store_->jobOf(execution), JobState::Interrupted);
+  store_->database.prepare("UPDATE execution SET reason = ? WHERE id = ?").bind(reason).bind(execution).run();
+  store_->addAudit({time_s, "unit", "", "interrupt execution " + std::to_string(execution), reason});
+  transaction.commit();
+}
+
+void CellJournal::goOn(std::int64_t execution, double time_s) {
+  Transaction transaction(store_->database);
+  store_->setState(store_->jobOf(execution), JobState::Running);
+  store_->addAudit({time_s, "unit", "", "go on with execution " + std::to_string(execution), "done"});
+  transaction.commit();
+}
+
+void CellJournal::end(std::int64_t execution, JobState outcome, const std::string& reason, double time_s) {
+  Transaction transaction(store_->database);
+  store_->setState(store_->jobOf(execution), outcome);
+  store_->database.prepare("UPDATE execution SET ended = ?, outcome = ?, reason = ? WHERE id = ?")
+      .bind(time_s)
+      .bind(std::int64_t(outcome))
+      .bind(reason)
+      .bind(execution)
+      .run();
+  store_->addAudit({time_s, "unit", "", "end execution " + std::to_string(execution), toString(outcome)});
+  transaction.commit();
+}
+
+std::optional<OpenExecution> CellJournal::open() const {
+  Statement row = store_->database.prepare(
+      "SELECT e.id, e.job, e.attempt, e.started, p.sent_through, p.taken_through, p.layer, p.path_mm, "
+      "p.laid_mm3 "
+      "FROM execution e LEFT JOIN progress p ON p.execution = e.id WHERE e.ended IS NULL");
+  if (!row.step()) return std::nullopt;
+  OpenExecution execution{
+      row.integer(0), row.integer(1), static_cast<int>(row.integer(2)), row.number(3), {}};
+  if (!row.isNull(4))
+    execution.progress = {static_cast<std::uint64_t>(row.integer(4)),
+                          static_cast<std::uint64_t>(row.integer(5)),
+                          static_cast<std::int32_t>(row.integer(6)), row.number(7), row.number(8)};
+  return execution;
+}
+
+void CellJournal::add(const TransitionRow& row) {
+  store_->database
+      .prepare(
+          "INSERT INTO transition (time, mode, from_state, to_state, command, source, reason) "
+          "VALUES (?, ?, ?, ?, ?, ?, ?)")
+      .bind(row.time_s)
+      .bind(std::int64_t{row.mode})
+      .bind(std::int64_t{row.from})
+      .bind(std::int64_t{row.to})
+      .bind(std::int64_t{row.command})
+      .bind(row.source)
+      .bind(row.reason)
+      .run();
+}
+
+void CellJournal::add(const AlarmRow& row) {
+  const auto running = open();
+  store_->database
+      .prepare(
+          "INSERT INTO alarm (execution, time, alarm, value, category, message) VALUES (?, ?, ?, ?, ?, ?)")
+      .bind(running ? std::optional<std::int64_t>(running->id) : std::nullopt)
+      .bind(row.time_s)
+      .bind(std::int64_t{row.alarm})
+      .bind(row.value)
+      .bind(std::string(1, row.category))
+      .bind(row.message)
+      .run();
+}
+
+std::vector<TransitionRow> CellJournal::transitions(std::size_t most) const {
+  Statement rows = store_->database.prepare(
+      "SELECT time, mode, from_state, to_state, command, source, reason FROM transition ORDER BY id DESC "
+      "LIMIT ?");
+  rows.bind(static_cast<std::int64_t>(most));
+  std::vector<TransitionRow> found;
+  while (rows.step())
+    found.push_back({rows.number(0), static_cast<int>(rows.integer(1)), static_cast<int>(rows.integer(2)),
+                     static_cast<int>(rows.integer(3)), static_cast<int>(rows.integer(4)), rows.text(5),
+                     rows.text(6)});
+  std::reverse(found.begin(), found.end());
+  return found;
+}
+
+std::vector<AlarmRow> CellJournal::alarms(std::size_t most) const {
+  Statement rows = store_->database.prepare(
+      "SELECT time, alarm, value, category, message FROM alarm ORDER BY id DESC LIMIT ?");
+  rows.bind(static_cast<std::int64_t>(most));
+  std::vector<AlarmRow> found;
+  while (rows.step())
+    found.push_back({rows.number(0), static_cast<int>(rows.integer(1)), rows.number(2), rows.text(3).at(0),
+                     rows.text(4)});
+  std::reverse(found.begin(), found.end());
+  return found;
+}
+
+void CellJournal::setCounters(const std::map<std::string, double>& counters) {
+  Transaction transaction(store_->database);
+  for (const auto& [name, value] : counters)
+    store_->database.prepare("INSERT OR REPLACE INTO counter (name, value) VALUES (?, ?)")
+        .bind(name)
+        .bind(value)
+        .run();
+  transaction.commit();
+}
+
+std::map<std::string, double> CellJournal::counters() const {
+  Statement rows = store_->database.prepare("SELECT name, value FROM counter");
+  std::map<std::string, double> counters;
+  while (rows.step()) counters[rows.text(0)] = rows.number(1);
+  return counters;
+}
+
+void CellJournal::add(const AuditRow& row) {
+  Transaction transaction(store_->database);
+  store_->addAudit(row);
+  transaction.commit();
+}
+
+std::optional<std::int64_t> CellJournal::firstBadAudit() const {
+  Statement rows =
+      store_->database.prepare("SELECT time, who, origin, what, result, digest, id FROM audit ORDER BY id");
+  std::string before;
+  std::int64_t number = 1;
+  for (; rows.step(); ++number) {
+    if (rows.integer(6) != number || rows.text(5) != auditDigest(before, auditIn(rows))) return number;
+    before = rows.text(5);
+  }
+  // The database remembers how many there were.
+  Statement written = store_->database.prepare("SELECT seq FROM sqlite_sequence WHERE name = 'audit'");
+  if (written.step() && written.integer(0) >= number) return number;
+  return std::nullopt;
+}
+
+void CellJournal::backUp(const std::string& path) const { store_->database.copyTo(path); }
+
+}  // namespace lamina

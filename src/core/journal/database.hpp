@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <sqlite3.h>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "lamina/base/error.hpp"
+
+namespace lamina {
+
+/// The file is no database, or not a whole one.
+class DamagedDatabase : public FileError {
+ public:
+  using FileError::FileError;
+};
+
+/// A prepared statement of SQLite. Parameters are bound in their order; rows are read after `step`.
+class Statement {
+ public:
+  /// @throws FileError if the statement is not SQL, or a table is missing
+  Statement(sqlite3* database, const std::string& sql);
+
+  Statement& bind(std::int64_t value);
+  Statement& bind(double value);
+  Statement& bind(const std::string& text);
+  Statement& bind(const std::optional<std::int64_t>& value);
+  Statement& bind(const std::optional<double>& value);
+
+  /// @return true if there is a row to read
+  /// @throws FileError as SQLite says: locked for too long, disk full, damaged
+  bool step();
+
+  /// For statements without rows.
+  void run() { step(); }
+
+  std::int64_t integer(int column) const;
+  double number(int column) const;
+  std::string text(int column) const;
+  bool isNull(int column) const;
+
+ private:
+  struct Finalise {
+    void operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
+  };
+  void check(int result) const;
+
+  sqlite3* database_;
+  std::unique_ptr<sqlite3_stmt, Finalise> statement_;
+  int bound_ = 0;
+};
+
+/// A database file, for one thread.
+class Database {
+ public:
+  /// Opens the file, and makes it if it is missing.
+  /// @throws FileError with path and reason
+  explicit Database(const std::string& path);
+
+  /// Runs statements without parameters or rows.
+  void run(const std::string& sql);
+  Statement prepare(const std::string& sql) const { return {database_.get(), sql}; }
+  std::int64_t lastId() const { return sqlite3_last_insert_rowid(database_.get()); }
+  std::int64_t changes() const { return sqlite3_changes(database_.get()); }
+  /// Copies everything into another file, by SQLite's backup interface.
+  void copyTo(const std::string& path) const;
+
+ private:
+  struct Close {
+    void operator()(sqlite3* database) const { sqlite3_close(database); }
+  };
+  std::unique_ptr<sqlite3, Close> database_;
+};
+
+/// Statements that are kept together or not at all: rolled back unless committed.
+class Transaction {
+ public:
+  explicit Transaction(Database& database) : database_(database) { database_.run("BEGIN IMMEDIATE"); }
+  ~Transaction();
+  Transaction(const Transaction&) = delete;
+  Transaction& operator=(const Transaction&) = delete;
+  void commit();
+
+ private:
+  Database& database_;
+  bool is_open_ = true;
+};
+
+}  // namespace lamina
