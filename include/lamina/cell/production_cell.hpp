@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "lamina/cell/guards.hpp"
+#include "lamina/cell/unit_machine.hpp"
+#include "lamina/journal/artefact_store.hpp"
+#include "lamina/journal/cell_journal.hpp"
+
+namespace lamina {
+
+/// An instant, by two clocks.
+struct CellTime {
+  double steady_s = 0.0;  ///< never goes back: for durations
+  double utc_s = 0.0;     ///< since 1970: for the journal
+};
+
+/// What an executor does.
+enum class ExecutorPhase : std::uint8_t {
+  Resting,  ///< no job, or one that was stopped or aborted; at rest
+  Starting,
+  Running,
+  Pausing,
+  Paused,
+  Resuming,
+  Stopping,
+  Done,  ///< the job has run to its end
+};
+
+/// How a job is begun by an executor.
+enum class ExecutionStart : std::uint8_t { Anew, Resume };
+
+/// What an executor last said.
+struct ExecutorReport {
+  ExecutorPhase phase = ExecutorPhase::Resting;
+  std::uint64_t order = 0;  ///< the start that it speaks of; 0 for a job that was there before
+  std::string program;      ///< path of the job's program
+  std::uint64_t lines = 0;
+  ExecutionProgress progress;
+  int alarm = 0;        ///< why the job ended, an ID of the table; 0 if it was asked to, or has not
+  std::string failure;  ///< the same in a sentence
+};
+
+/// What moves the machine, as the cell orders it about. Orders return at once; what becomes of them is seen
+/// in reports.
+class Executor {
+ public:
+  virtual ~Executor() = default;
+  /// @param order  that its reports are to name, from 1
+  virtual void start(const std::string& program, ExecutionStart start, std::uint64_t order) = 0;
+  virtual void pause() = 0;
+  virtual void resume() = 0;
+  /// Ends the job: controlled, and the machine is left as its settings say.
+  virtual void stop() = 0;
+  /// Ends the job as fast as the executor can.
+  virtual void abort() = 0;
+};
+
+/// What Start is to do with a job that was cut off.
+enum class CutOffJob : std::uint8_t { Undecided, Resume, Discard };
+
+/// What only the surroundings know of the guards; the run itself fills in job, files, mode and journal.
+struct CellSurroundings {
+  StartConditions start;
+  ContinueConditions go_on;
+};
+
+/// A cell at work: the unit, its journal and one executor. Commands, reports and times come in; orders to the
+/// executor, rows of the journal and the unit's status come out.
+///
+/// A change is written into the journal before it is acted upon; what stops is acted upon first. A journal
+/// that cannot be written raises 7003. After a restart, a job that the executor still runs is adopted; one
+/// that was cut off waits in Aborted for Clear, Reset, and a Start that says what to do with it.
+class ProductionCell {
+ public:
+  /// @param seen  what the executor says just now; nothing if it does not answer
+  ProductionCell(UnitSettings settings, CellJournal& journal, ArtefactStore& artefacts, Executor& executor,
+                 const std::optional<ExecutorReport>& seen, CellTime now);
+
+  const UnitStatus& status() const { return unit_.status(); }
+  const ExecutorReport& report() const { return report_; }
+  /// The job that runs or was cut off; nothing if there is none.
+  std::optional<QueuedJob> currentJob() const;
+  /// True if a job was cut off, and nobody has said what becomes of it.
+  bool resumeWaits() const { return execution_ && !is_running_; }
+
+  CommandAnswer command(UnitRequest request, const CellSurroundings& found, CutOffJob cut_off, CellTime now);
+  CommandAnswer changeMode(int mode, const std::string& source, CellTime now);
+  CommandAnswer acknowledge(int alarm, const std::string& by, CellTime now);
+
+  void raise(int alarm, double value, const std::string& message, CellTime now);
+  void end(int alarm, CellTime now);
+
+  void onReport(const ExecutorReport& report, CellTime now);
+
+  /// Lets time pass. Call it ten times a second or more often.
+  void tick(CellTime now);
+
+  /// The last part was taken away.
+  void confirmRemoval(const std::string& by, CellTime now);
+  bool isPartOnPlate() const { return is_part_on_plate_; }
+
+ private:
+  std::vector<UnmetGuard> unmet(const UnitRequest& request, const CellSurroundings& found,
+                                CutOffJob cut_off) const;
+  void settle(CellTime now);
+  bool isComplete() const;
+  void onEnd(CellTime now);
+  std::string programOf(const QueuedJob& job) const;
+  void act(const UnitChange& change, CellTime now);
+  void begin(CellTime now);
+  void interrupt(CellTime now);
+  void close(JobState outcome, const std::string& reason, CellTime now);
+  void keepCounters();
+  void write(CellTime now, const std::function<void()>& rows);
+
+  CellJournal& journal_;
+  ArtefactStore& artefacts_;
+  Executor& executor_;
+  UnitMachine unit_;
+  ExecutorReport report_;
+  std::optional<std::int64_t> execution_;  ///< that has no end yet
+  bool is_running_ = false;                ///< by the executor, in this run of the cell
+  std::uint64_t order_ = 0;                ///< the last start
+  bool is_part_on_plate_ = false;
+  CutOffJob cut_off_ = CutOffJob::Undecided;
+  std::string operator_;
+  double progress_written_s_ = 0.0;
+  std::int32_t layer_written_ = -1;
+  double counters_written_s_ = 0.0;
+};
+
+}  // namespace lamina

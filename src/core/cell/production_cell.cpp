@@ -1,0 +1,378 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/cell/production_cell.hpp"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "lamina/base/error.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr int kJournalDamaged = 7001;
+constexpr int kJournalNotWritable = 7003;
+constexpr char kPartOnPlate[] = "part_on_plate";
+constexpr double kProgressInterval = 0.1;   // [s] between two commits
+constexpr double kCountersInterval = 10.0;  // [s]
+
+bool isAtRest(ExecutorPhase phase) { return phase == ExecutorPhase::Resting || phase == ExecutorPhase::Done; }
+
+/// After these the machine may still hold what it had: the job is offered to be gone on with.
+bool isResumable(int alarm) { return alarm == 2201 || alarm == 2202 || alarm == 3101 || alarm == 3105; }
+
+UnitState adoptedState(ExecutorPhase phase) {
+  switch (phase) {
+    case ExecutorPhase::Starting:
+      return UnitState::Starting;
+    case ExecutorPhase::Pausing:
+      return UnitState::Holding;
+    case ExecutorPhase::Paused:
+      return UnitState::Held;
+    case ExecutorPhase::Resuming:
+      return UnitState::Unholding;
+    case ExecutorPhase::Stopping:
+      return UnitState::Stopping;
+    default:
+      return UnitState::Execute;
+  }
+}
+
+const Artefact* programArtefact(const QueuedJob& job) {
+  const auto found = std::find_if(job.artefacts.begin(), job.artefacts.end(),
+                                  [](const Artefact& artefact) { return artefact.kind == "program"; });
+  return found == job.artefacts.end() ? nullptr : &*found;
+}
+
+/// True if the executor still runs the job that the journal has open.
+bool isStillRun(const CellJournal& journal, const ArtefactStore& artefacts,
+                const std::optional<ExecutorReport>& seen) {
+  const auto open = journal.open();
+  if (!open || !seen || isAtRest(seen->phase)) return false;
+  const QueuedJob job = journal.job(open->job);
+  const Artefact* program = programArtefact(job);
+  return program != nullptr && artefacts.pathOf(*program) == seen->program;
+}
+
+UnitState firstState(const CellJournal& journal, const ArtefactStore& artefacts,
+                     const std::optional<ExecutorReport>& seen) {
+  if (isStillRun(journal, artefacts, seen)) return adoptedState(seen->phase);
+  return journal.open() || !journal.movedAside().empty() ? UnitState::Aborted : UnitState::Stopped;
+}
+
+std::string timeName(int mode, std::size_t state) {
+  return "mode." + std::to_string(mode) + ".state." + std::to_string(state);
+}
+
+std::map<std::string, double> namedCounters(const UnitCounters& counters) {
+  std::map<std::string, double> named = {{"parts", static_cast<double>(counters.parts)},
+                                         {"defective", static_cast<double>(counters.defective)},
+                                         {"material_mm3", counters.material_mm3}};
+  for (const auto& [mode, times] : counters.times_s)
+    for (std::size_t i = 0; i < times.size(); ++i) named[timeName(mode, i + 1)] = times.at(i);
+  return named;
+}
+
+UnitCounters countersOf(const std::map<std::string, double>& named, const std::vector<UnitMode>& modes) {
+  const auto value = [&named](const std::string& name) {
+    const auto found = named.find(name);
+    return found == named.end() ? 0.0 : found->second;
+  };
+  UnitCounters counters;
+  counters.parts = static_cast<std::uint64_t>(value("parts"));
+  counters.defective = static_cast<std::uint64_t>(value("defective"));
+  counters.material_mm3 = value("material_mm3");
+  for (const UnitMode& mode : modes)
+    for (const UnitState state : unitStates()) {
+      const double time_s = value(timeName(mode.number, static_cast<std::size_t>(state)));
+      if (time_s > 0.0) counters = counted(std::move(counters), mode.number, state, time_s);
+    }
+  return counters;
+}
+
+TransitionRow rowOf(const UnitChange& change, double utc_s) {
+  return {utc_s,
+          change.mode,
+          static_cast<int>(change.from),
+          static_cast<int>(change.to),
+          change.command ? static_cast<int>(*change.command) : 0,
+          change.source,
+          change.reason};
+}
+
+}  // namespace
+
+ProductionCell::ProductionCell(UnitSettings settings, CellJournal& journal, ArtefactStore& artefacts,
+                               Executor& executor, const std::optional<ExecutorReport>& seen, CellTime now)
+    : journal_(journal),
+      artefacts_(artefacts),
+      executor_(executor),
+      unit_(settings, firstState(journal, artefacts, seen), countersOf(journal.counters(), settings.modes),
+            now.steady_s) {
+  if (const auto open = journal_.open()) execution_ = open->id;
+  is_running_ = isStillRun(journal_, artefacts_, seen);
+  const auto counters = journal_.counters();
+  const auto on_plate = counters.find(kPartOnPlate);
+  is_part_on_plate_ = on_plate != counters.end() && on_plate->second > 0.0;
+  if (is_running_) report_ = *seen;
+  if (!journal_.movedAside().empty())
+    raise(kJournalDamaged, 0.0, "moved to " + journal_.movedAside() + "; a new journal has begun", now);
+}
+
+std::optional<QueuedJob> ProductionCell::currentJob() const {
+  const auto open = journal_.open();
+  if (!open) return std::nullopt;
+  return journal_.job(open->job);
+}
+
+CommandAnswer ProductionCell::command(UnitRequest request, const CellSurroundings& found, CutOffJob cut_off,
+                                      CellTime now) {
+  for (UnmetGuard& guard : unmet(request, found, cut_off)) request.unmet.push_back(std::move(guard));
+  const CutOffJob before = std::exchange(cut_off_, cut_off);
+  const std::string operator_before = std::exchange(operator_, request.source);
+  const CommandAnswer answer = unit_.command(request, now.steady_s);
+  if (answer.result != CommandResult::Accepted) {
+    cut_off_ = before;
+    operator_ = operator_before;
+  }
+  write(now, [&] {
+    journal_.add(AuditRow{now.utc_s, request.source, "", toString(request.command),
+                          answer.reason.empty() ? "accepted" : answer.reason});
+  });
+  settle(now);
+  return answer;
+}
+
+std::vector<UnmetGuard> ProductionCell::unmet(const UnitRequest& request, const CellSurroundings& found,
+                                              CutOffJob cut_off) const {
+  if (request.command == UnitCommand::Unhold || request.command == UnitCommand::Unsuspend)
+    return againstContinuing(found.go_on);
+  if (request.command != UnitCommand::Start) return {};
+  StartConditions conditions = found.start;
+  conditions.mode = unit_.status().mode;
+  conditions.is_part_removed = conditions.is_part_removed && !is_part_on_plate_;
+  std::vector<UnmetGuard> against;
+  auto job = journal_.next();
+  if (const auto interrupted = currentJob()) {
+    if (cut_off == CutOffJob::Undecided)
+      against.push_back({1308, "job " + std::to_string(interrupted->id) + " was cut off after line " +
+                                   std::to_string(journal_.open()->progress.taken_through) +
+                                   "; say whether it is resumed or discarded"});
+    if (cut_off != CutOffJob::Discard) job = interrupted;
+    if (cut_off == CutOffJob::Resume) conditions.is_part_removed = true;
+  }
+  conditions.job = job ? job->name : "";
+  if (job) conditions.torn = artefacts_.torn(job->artefacts);
+  for (UnmetGuard& guard : againstStart(conditions)) against.push_back(std::move(guard));
+  return against;
+}
+
+CommandAnswer ProductionCell::changeMode(int mode, const std::string& source, CellTime now) {
+  const CommandAnswer answer = unit_.changeMode(mode, source, now.steady_s);
+  settle(now);
+  return answer;
+}
+
+CommandAnswer ProductionCell::acknowledge(int alarm, const std::string& by, CellTime now) {
+  const CommandAnswer answer = unit_.acknowledge(alarm, by, now.steady_s);
+  write(now, [&] {
+    journal_.add(AuditRow{now.utc_s, by, "", "acknowledge " + std::to_string(alarm),
+                          answer.reason.empty() ? "accepted" : answer.reason});
+  });
+  return answer;
+}
+
+void ProductionCell::raise(int alarm, double value, const std::string& message, CellTime now) {
+  const AlarmKind& kind = alarmKind(alarm);
+  const bool is_to_be_told = unit_.raise(alarm, value, message, now.steady_s);
+  if (kind.category >= AlarmCategory::Stop) settle(now);
+  if (is_to_be_told)
+    write(now, [&] { journal_.add(AlarmRow{now.utc_s, alarm, value, letterOf(kind.category), message}); });
+  settle(now);
+}
+
+void ProductionCell::end(int alarm, CellTime now) { unit_.end(alarm, now.steady_s); }
+
+void ProductionCell::onReport(const ExecutorReport& report, CellTime now) {
+  if (report.order != order_) return;  // of a job that is no longer this one
+  const bool has_ended = is_running_ && isAtRest(report.phase);
+  report_ = report;
+  const bool is_due = report.progress.layer != layer_written_ || has_ended ||
+                      now.steady_s - progress_written_s_ >= kProgressInterval;
+  if (execution_ && is_running_ && is_due) {
+    progress_written_s_ = now.steady_s;
+    layer_written_ = report.progress.layer;
+    write(now, [&] { journal_.setProgress(*execution_, report.progress, now.utc_s); });
+  }
+  if (has_ended && report.phase == ExecutorPhase::Resting) onEnd(now);
+  tick(now);
+}
+
+/// The executor is at rest before the job is done: nobody here has asked it to, or the unit is stopping.
+void ProductionCell::onEnd(CellTime now) {
+  const UnitState state = unit_.status().state;
+  if (state == UnitState::Stopping || state == UnitState::Aborting) return;
+  if (report_.alarm != 0) return raise(report_.alarm, 0.0, report_.failure, now);
+  unit_.command({UnitCommand::Stop, "executor", {}, {}}, now.steady_s);
+  settle(now);
+}
+
+void ProductionCell::tick(CellTime now) {
+  unit_.tick(now.steady_s);
+  settle(now);
+  while (isComplete()) {
+    const std::uint32_t before = unit_.status().sequence;
+    unit_.complete(unit_.status().state, now.steady_s);
+    settle(now);
+    if (unit_.status().sequence == before) break;
+  }
+  if (now.steady_s - counters_written_s_ < kCountersInterval) return;
+  counters_written_s_ = now.steady_s;
+  write(now, [this] { keepCounters(); });
+}
+
+bool ProductionCell::isComplete() const {
+  const ExecutorPhase phase = report_.phase;
+  switch (unit_.status().state) {
+    case UnitState::Clearing:
+    case UnitState::Resetting:
+    case UnitState::Stopping:
+    case UnitState::Aborting:
+      return !is_running_ || isAtRest(phase);
+    case UnitState::Starting:
+    case UnitState::Unholding:
+    case UnitState::Unsuspending:
+      return phase == ExecutorPhase::Running || phase == ExecutorPhase::Done;
+    case UnitState::Holding:
+    case UnitState::Suspending:
+      return phase == ExecutorPhase::Paused || phase == ExecutorPhase::Done;
+    case UnitState::Execute:
+      return phase == ExecutorPhase::Done;
+    case UnitState::Completing:
+      return true;
+    default:
+      return false;
+  }
+}
+
+void ProductionCell::settle(CellTime now) {
+  // Acting on a change may raise an alarm, which is a change again; no chain of them is longer than the
+  // states.
+  for (std::size_t round = 0; round < unitStates().size(); ++round) {
+    const std::vector<UnitChange> changes = unit_.takeChanges();
+    if (changes.empty()) return;
+    for (const UnitChange& change : changes) {
+      const bool acts_first = change.to == UnitState::Stopping || change.to == UnitState::Aborting;
+      if (acts_first) act(change, now);
+      write(now, [&] { journal_.add(rowOf(change, now.utc_s)); });
+      if (!acts_first && unit_.status().sequence == change.sequence) act(change, now);
+    }
+  }
+}
+
+void ProductionCell::act(const UnitChange& change, CellTime now) {
+  if (change.from == change.to) return;
+  switch (change.to) {
+    case UnitState::Starting:
+      return begin(now);
+    case UnitState::Holding:
+    case UnitState::Suspending:
+      return executor_.pause();
+    case UnitState::Unholding:
+    case UnitState::Unsuspending:
+      return executor_.resume();
+    case UnitState::Stopping:
+      if (is_running_) executor_.stop();
+      return;
+    case UnitState::Aborting:
+      return executor_.abort();
+    case UnitState::Held:
+    case UnitState::Suspended:
+      return interrupt(now);
+    case UnitState::Execute:
+      if (change.from == UnitState::Starting) return;
+      return write(now, [&] {
+        if (execution_) journal_.goOn(*execution_, now.utc_s);
+      });
+    case UnitState::Completing:
+      unit_.countPart(PartVerdict::Good, report_.progress.laid_mm3);
+      is_part_on_plate_ = true;
+      return close(JobState::Ended, "", now);
+    case UnitState::Stopped:
+    case UnitState::Aborted:
+      if (is_running_) close(JobState::Aborted, change.reason, now);
+      return;
+    default:
+      return;
+  }
+}
+
+void ProductionCell::begin(CellTime now) {
+  write(now, [&] {
+    if (execution_ && cut_off_ == CutOffJob::Discard)
+      close(JobState::Aborted, "discarded by " + operator_, now);
+    const bool resumes = execution_.has_value();
+    const QueuedJob job = resumes ? *currentJob() : journal_.next().value();
+    if (resumes)
+      journal_.goOn(*execution_, now.utc_s);
+    else
+      execution_ = journal_.begin(job.id, operator_, now.utc_s);
+    is_running_ = true;
+    report_ = {};
+    report_.phase = ExecutorPhase::Starting;
+    layer_written_ = -1;
+    executor_.start(programOf(job), resumes ? ExecutionStart::Resume : ExecutionStart::Anew, ++order_);
+  });
+}
+
+void ProductionCell::interrupt(CellTime now) {
+  const auto& reason = unit_.status().stop_reason;
+  write(now, [&] {
+    if (execution_) journal_.interrupt(*execution_, reason ? reason->message : "", now.utc_s);
+  });
+}
+
+void ProductionCell::close(JobState outcome, const std::string& reason, CellTime now) {
+  if (!execution_) return;
+  const bool is_cut_off = outcome == JobState::Aborted && unit_.status().stop_reason &&
+                          isResumable(unit_.status().stop_reason->id) && is_running_;
+  is_running_ = false;
+  write(now, [&] {
+    if (is_cut_off) return journal_.interrupt(*execution_, reason, now.utc_s);
+    journal_.end(*execution_, outcome, reason, now.utc_s);
+    execution_.reset();
+  });
+  write(now, [this] { keepCounters(); });
+}
+
+std::string ProductionCell::programOf(const QueuedJob& job) const {
+  const Artefact* program = programArtefact(job);
+  if (program == nullptr) throw InvalidInput("job " + std::to_string(job.id) + " has no program");
+  return artefacts_.pathOf(*program);
+}
+
+void ProductionCell::keepCounters() {
+  auto named = namedCounters(unit_.status().counters);
+  named[kPartOnPlate] = is_part_on_plate_ ? 1.0 : 0.0;
+  journal_.setCounters(named);
+}
+
+void ProductionCell::write(CellTime now, const std::function<void()>& rows) {
+  try {
+    rows();
+  } catch (const Error& error) {
+    // The alarm itself is not written: what could not be written just now would fail again.
+    unit_.raise(kJournalNotWritable, 0.0, error.what(), now.steady_s);
+  }
+}
+
+void ProductionCell::confirmRemoval(const std::string& by, CellTime now) {
+  if (!std::exchange(is_part_on_plate_, false)) return;
+  write(now, [&] {
+    journal_.add(AuditRow{now.utc_s, by, "", "part removed", "confirmed"});
+    keepCounters();
+  });
+}
+
+}  // namespace lamina
