@@ -7,17 +7,22 @@
 // lamina/Toolpath and so on. Include this instead of <lamina/Toolpath.h>.
 
 #define lamina lamina_msgs
+#include <lamina/AcknowledgeAlarm.h>
 #include <lamina/AppliedCorrection.h>
 #include <lamina/Bead.h>
 #include <lamina/CalibrateFeeder.h>
 #include <lamina/CalibrateSensor.h>
 #include <lamina/CalibrateTime.h>
+#include <lamina/CellAlarms.h>
+#include <lamina/CellJob.h>
 #include <lamina/ChangeJob.h>
+#include <lamina/ChangeQueue.h>
 #include <lamina/ComputeStiffnessAction.h>
 #include <lamina/CorrectionMap.h>
 #include <lamina/DepositionState.h>
 #include <lamina/DepositionSummary.h>
 #include <lamina/DriveToolpathAction.h>
+#include <lamina/EnqueueJob.h>
 #include <lamina/FillVoids.h>
 #include <lamina/FilledVoid.h>
 #include <lamina/FinishMeasuring.h>
@@ -25,6 +30,7 @@
 #include <lamina/InclineAction.h>
 #include <lamina/InclineGcode.h>
 #include <lamina/InclineSummary.h>
+#include <lamina/JobQueue.h>
 #include <lamina/LayerHeight.h>
 #include <lamina/LoadProgram.h>
 #include <lamina/LoopFigures.h>
@@ -33,12 +39,15 @@
 #include <lamina/MachineState.h>
 #include <lamina/Measuring.h>
 #include <lamina/OptimiseAction.h>
+#include <lamina/PackmlCommand.h>
+#include <lamina/PackmlStatus.h>
 #include <lamina/ProcessState.h>
 #include <lamina/ProcessTrajectory.h>
 #include <lamina/ProcessValue.h>
 #include <lamina/ProfileCounts.h>
 #include <lamina/RunStartup.h>
 #include <lamina/SetLoop.h>
+#include <lamina/SetUnitMode.h>
 #include <lamina/Setting.h>
 #include <lamina/SimulateDepositionAction.h>
 #include <lamina/SliceAction.h>

@@ -50,6 +50,10 @@ inline constexpr char kSourceLayers[] = "source_layers";    ///< visualization_m
 inline constexpr char kInclinedLayers[] =
     "inclined_layers";  ///< visualization_msgs/MarkerArray, of the panel
 
+inline constexpr char kPackmlStatus[] = "packml_status";  ///< lamina/PackmlStatus, latched
+inline constexpr char kAlarms[] = "alarms";                ///< lamina/CellAlarms, latched
+inline constexpr char kJobQueue[] = "job_queue";           ///< lamina/JobQueue, latched
+
 // Services.
 inline constexpr char kSliceMesh[] = "slice_mesh";  ///< lamina/SliceMesh
 inline constexpr char kFillVoids[] = "fill_voids";  ///< lamina/FillVoids
@@ -68,6 +72,13 @@ inline constexpr char kCalibrateFeeder[] = "calibrate_feeder";  ///< lamina/Cali
 inline constexpr char kSetLoop[] = "set_loop";                  ///< lamina/SetLoop
 inline constexpr char kMachineRest[] = "machine_rest";          ///< lamina/MachineRest
 inline constexpr char kFinishMeasuring[] = "finish_measuring";  ///< lamina/FinishMeasuring
+
+inline constexpr char kPackmlCommand[] = "packml_command";        ///< lamina/PackmlCommand
+inline constexpr char kSetUnitMode[] = "set_mode";                ///< lamina/SetUnitMode
+inline constexpr char kEnqueueJob[] = "enqueue_job";              ///< lamina/EnqueueJob
+inline constexpr char kChangeQueue[] = "change_queue";            ///< lamina/ChangeQueue
+inline constexpr char kAcknowledgeAlarm[] = "acknowledge_alarm";  ///< lamina/AcknowledgeAlarm
+inline constexpr char kConfirmRemoval[] = "confirm_removal";      ///< std_srvs/Trigger
 
 // Actions.
 inline constexpr char kSlice[] = "slice";                             ///< lamina/Slice

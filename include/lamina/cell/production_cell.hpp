@@ -110,6 +110,7 @@ class ProductionCell {
                                 CutOffJob cut_off) const;
   void settle(CellTime now);
   bool isComplete() const;
+  bool isAtWork() const;
   void onEnd(CellTime now);
   std::string programOf(const QueuedJob& job) const;
   void act(const UnitChange& change, CellTime now);

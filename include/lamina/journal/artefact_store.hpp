@@ -9,7 +9,8 @@
 
 namespace lamina {
 
-/// Files by the digest of their bytes, in a folder beside the journal; read-only once they are there.
+/// Files by the digest of their bytes and the suffix of their names, in a folder beside the journal;
+/// read-only once they are there.
 class ArtefactStore {
  public:
   /// Makes the folder if it is missing, for its owner alone.

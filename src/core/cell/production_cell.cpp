@@ -239,7 +239,7 @@ bool ProductionCell::isComplete() const {
     case UnitState::Resetting:
     case UnitState::Stopping:
     case UnitState::Aborting:
-      return !is_running_ || isAtRest(phase);
+      return !isAtWork();
     case UnitState::Starting:
     case UnitState::Unholding:
     case UnitState::Unsuspending:
@@ -283,10 +283,11 @@ void ProductionCell::act(const UnitChange& change, CellTime now) {
     case UnitState::Unsuspending:
       return executor_.resume();
     case UnitState::Stopping:
-      if (is_running_) executor_.stop();
+      if (isAtWork()) executor_.stop();
       return;
     case UnitState::Aborting:
-      return executor_.abort();
+      if (isAtWork()) executor_.abort();
+      return;
     case UnitState::Held:
     case UnitState::Suspended:
       return interrupt(now);
@@ -325,6 +326,8 @@ void ProductionCell::begin(CellTime now) {
     executor_.start(programOf(job), resumes ? ExecutionStart::Resume : ExecutionStart::Anew, ++order_);
   });
 }
+
+bool ProductionCell::isAtWork() const { return is_running_ && !isAtRest(report_.phase); }
 
 void ProductionCell::interrupt(CellTime now) {
   const auto& reason = unit_.status().stop_reason;

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/journal/artefact_store.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <utility>
@@ -30,6 +32,15 @@ void copyInto(const std::string& path, const std::string& target) {
       target, std::filesystem::perms::owner_read | std::filesystem::perms::group_read, ignored);
 }
 
+/// The suffix of a name if it is a plain one, so that readers know what kind of file it is.
+std::string suffixOf(const std::string& name) {
+  const std::string suffix = std::filesystem::path(name).extension();
+  const bool is_plain =
+      suffix.size() > 1 && suffix.size() <= 8 &&
+      std::all_of(suffix.begin() + 1, suffix.end(), [](unsigned char c) { return std::isalnum(c) != 0; });
+  return is_plain ? suffix : "";
+}
+
 }  // namespace
 
 ArtefactStore::ArtefactStore(std::string folder) : folder_(std::move(folder)) {
@@ -50,7 +61,9 @@ Artefact ArtefactStore::keep(const std::string& path, const std::string& kind, c
   return artefact;
 }
 
-std::string ArtefactStore::pathOf(const Artefact& artefact) const { return folder_ + '/' + artefact.sha256; }
+std::string ArtefactStore::pathOf(const Artefact& artefact) const {
+  return folder_ + '/' + artefact.sha256 + suffixOf(artefact.name);
+}
 
 std::vector<std::string> ArtefactStore::torn(const std::vector<Artefact>& artefacts) const {
   std::vector<std::string> torn;

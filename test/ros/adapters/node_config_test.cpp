@@ -8,6 +8,7 @@
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/job/job_settings.hpp"
 #include "lamina/startup/startup_sequence.hpp"
+#include "nodes/cell_controller/cell_settings.hpp"
 #include "nodes/deposition_simulator/simulator_settings.hpp"
 #include "nodes/emulated_machine/machine_settings.hpp"
 #include "nodes/gcode_incliner/incliner_settings.hpp"
@@ -34,6 +35,13 @@ void expectDefaults(const std::string& node, const lamina::SettingsSchema& schem
   for (const auto& setting : lamina::settingsFromYaml(lamina::readFile(path), path))
     shipped[setting.key] = setting.text;
   EXPECT_EQ(shipped, valuesOf(schema));
+}
+
+TEST(NodeConfig, OfCellControllerIsCompleteAndHasTheDefaults) {
+  lamina::CellControllerSettings settings;
+  lamina::SettingsSchema schema;
+  describe(schema, settings);
+  expectDefaults("cell_controller", schema);
 }
 
 TEST(NodeConfig, OfDepositionSimulatorIsCompleteAndHasTheDefaults) {

@@ -9,6 +9,7 @@
 #include "job/settings/covered_schemas.hpp"
 #include "job/settings/setting_probe.hpp"
 #include "lamina/base/atomic_file.hpp"
+#include "nodes/cell_controller/cell_settings.hpp"
 #include "nodes/deposition_simulator/simulator_settings.hpp"
 #include "nodes/emulated_machine/machine_settings.hpp"
 #include "nodes/gcode_incliner/incliner_settings.hpp"
@@ -30,10 +31,10 @@ namespace {
 std::set<std::string> nodeKeys() {
   std::set<std::string> keys;
   for (const auto& of_node :
-       {keysOf<DepositionSimulatorSettings>(), keysOf<EmulatedMachineSettings>(),
-        keysOf<GcodeInclinerSettings>(), keysOf<GcodeStreamerSettings>(), keysOf<HeightControllerSettings>(),
-        keysOf<LayerHeightMonitorSettings>(), keysOf<OptimiserSettings>(), keysOf<ControllerSettings>(),
-        keysOf<DriverSettings>(), keysOf<PublisherSettings>()})
+       {keysOf<CellControllerSettings>(), keysOf<DepositionSimulatorSettings>(),
+        keysOf<EmulatedMachineSettings>(), keysOf<GcodeInclinerSettings>(), keysOf<GcodeStreamerSettings>(),
+        keysOf<HeightControllerSettings>(), keysOf<LayerHeightMonitorSettings>(), keysOf<OptimiserSettings>(),
+        keysOf<ControllerSettings>(), keysOf<DriverSettings>(), keysOf<PublisherSettings>()})
     keys.insert(of_node.begin(), of_node.end());
   for (const std::string& key : coreKeys()) keys.erase(key);
   return keys;
@@ -80,16 +81,19 @@ const std::vector<TestedElsewhere>& nodeTests() {
       {"deposit.cell_mm", "ros/emulated_belt.test", "cell_mm"},
       {"deposit.model", "ros/deposition_following_test.cpp", "model"},
       {"deposit.period_s", "ros/deposition_following.test", "period_s"},
+      {"executor.patience_s", "ros/cell/cell_controller_test.cpp", "executor/patience_s"},
       {"faults", "ros/gcode_streamer_test.cpp", "faults"},
       {"filament_diameter_mm", "ros/told_machine_test.cpp", "filament_diameter_mm"},
       {"following.period_s", "ros/deposition_following.test", "following/period_s"},
       {"host_wait_s", "ros/trajectory_driver.test", "host_wait_s"},
+      {"journal.folder", "ros/cell/cell_controller_test.cpp", "journal/folder"},
       {"lift_mm", "ros/trajectory_driver.test", "lift_mm"},
       {"lift_mm_s", "ros/trajectory_driver.test", "lift_mm_s"},
       {"load_program", "ros/inclined_playback_test.cpp", "load_program"},
       {"map_period_s", "ros/layer_height_monitor.test", "map_period_s"},
       {"mode", "ros/deposition_following.test", "mode"},
       {"output_folder", "ros/end_to_end.test", "output_folder"},
+      {"packml.hold_anywhere", "ros/cell/cell_controller_test.cpp", "packml/hold_anywhere"},
       {"path_tolerance", "ros/simulated_controller.test", "path_tolerance"},
       {"path_spacing_mm", "ros/trajectory_publisher.test", "path_spacing_mm"},
       {"port", "ros/gcode_streamer.test", "port"},

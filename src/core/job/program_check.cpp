@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/job/program_check.hpp"
+
+#include <cstdio>
+
+#include "lamina/base/error.hpp"
+#include "lamina/program/gcode/gcode_reader.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kTolerance = 1e-3;  // [mm]: digits of programs
+
+std::string describeBox(const Box3& box) {
+  char text[160];
+  std::snprintf(text, sizeof text, "(%.1f, %.1f, %.1f) to (%.1f, %.1f, %.1f) mm", box.low.x(), box.low.y(),
+                box.low.z(), box.high.x(), box.high.y(), box.high.z());
+  return text;
+}
+
+}  // namespace
+
+void requirePrintable(const std::string& path, const MachineSettings& machine) {
+  const BuildSpace space = buildSpaceOf(machine);
+  const Box3 box = boundingBox(space);
+  const Eigen::Affine3d bed_from_program = space.program_from_bed.inverse();
+  const bool is_bounded = !space.is_endless[0] && !space.is_endless[1] && !space.is_endless[2];
+  std::size_t extrusions = 0;
+  GcodeHandlers handlers;
+  handlers.dwell = [](std::size_t, double) {};
+  handlers.other = [](std::size_t, std::string_view) {};
+  handlers.motion = [&](const GcodeMotion& motion) {
+    if (motion.extrusion_mm <= 0.0 || motion.start == motion.end) return;
+    ++extrusions;
+    const Point3 tip = bed_from_program * motion.end;
+    const bool is_within = (tip.array() >= box.low.array() - kTolerance).all() &&
+                           (tip.array() <= box.high.array() + kTolerance).all();
+    if (is_within || !is_bounded) return;
+    char place[96];
+    std::snprintf(place, sizeof place, "(%.3f, %.3f, %.3f) mm", tip.x(), tip.y(), tip.z());
+    throw Unreachable("line " + std::to_string(motion.line) + " extrudes to " + place + "; " + space.name +
+                      " reaches " + describeBox(box));
+  };
+  readGcodeFile(path, {}, handlers);
+  if (extrusions == 0)
+    throw InvalidProgram(path + ": extrudes nothing; expected a program that prints a part");
+}
+
+}  // namespace lamina

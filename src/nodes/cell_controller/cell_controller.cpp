@@ -1,0 +1,243 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cell_controller.hpp"
+
+#include <ros/callback_queue.h>
+
+#include <filesystem>
+#include <utility>
+
+#include "lamina/base/error.hpp"
+#include "lamina/job/program_check.hpp"
+#include "latched.hpp"
+#include "names.hpp"
+#include "refusal_text.hpp"
+#include "status.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kTickInterval = 0.02;   // [s]
+constexpr double kStatusInterval = 0.5;  // [s]
+constexpr int kExecutorLost = 2201;
+constexpr int kExecutorSilent = 2202;
+
+UnitSettings unitSettings(const CellControllerSettings& settings) {
+  UnitSettings unit;
+  unit.hold_rule = settings.is_held_on_the_way ? HoldRule::AlsoOnTheWay : HoldRule::InExecute;
+  return unit;
+}
+
+std::string madeFolder(const std::string& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw FileError(folder + ": cannot be made: " + error.message());
+  return folder;
+}
+
+std::uint8_t numberOf(CommandResult result) { return static_cast<std::uint8_t>(result); }
+
+}  // namespace
+
+CellController::CellController(ros::NodeHandle node, const CellControllerSettings& settings)
+    : settings_(settings),
+      unit_settings_(unitSettings(settings)),
+      status_(node.advertise<lamina_msgs::PackmlStatus>(names::kPackmlStatus, 100, true)),
+      alarms_(node.advertise<lamina_msgs::CellAlarms>(names::kAlarms, 100, true)),
+      queue_(node.advertise<lamina_msgs::JobQueue>(names::kJobQueue, 10, true)),
+      journal_(madeFolder(settings.folder) + "/cell.db"),
+      artefacts_(settings.folder + "/artefacts"),
+      executor_(node, [this](const ExecutorReport& report) { onReport(report); }) {
+  const auto seen = awaitExecutor();
+  is_executor_lost_ = !executor_.isThere();
+  cell_ = std::make_unique<ProductionCell>(unit_settings_, journal_, artefacts_, executor_, seen, now());
+  services_ = {node.advertiseService(names::kPackmlCommand, &CellController::onCommand, this),
+               node.advertiseService(names::kSetUnitMode, &CellController::onMode, this),
+               node.advertiseService(names::kEnqueueJob, &CellController::onEnqueue, this),
+               node.advertiseService(names::kChangeQueue, &CellController::onChange, this),
+               node.advertiseService(names::kAcknowledgeAlarm, &CellController::onAcknowledge, this),
+               node.advertiseService(names::kConfirmRemoval, &CellController::onRemoval, this)};
+  const boost::function<void(const ros::WallTimerEvent&)> tick = [this](const auto&) { onTick(); };
+  timer_ = node.createWallTimer(ros::WallDuration(kTickInterval), tick);
+  ROS_INFO_STREAM("the unit is in " << toString(cell_->status().state));
+  publish();
+  publishQueue();
+}
+
+std::optional<ExecutorReport> CellController::awaitExecutor() const {
+  const double until_s = clock_.now() + settings_.patience_s;
+  while (ros::ok() && !(executor_.seen() && executor_.isThere()) && clock_.now() < until_s)
+    ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.05));
+  return executor_.seen();
+}
+
+CellTime CellController::now() const { return {clock_.now(), ros::WallTime::now().toSec()}; }
+
+CellSurroundings CellController::surroundings() const {
+  CellSurroundings found;
+  // Programs are checked as they are put into the queue, and kept by their digests.
+  found.start.is_checked = true;
+  for (const lamina_msgs::StartupStep& step : executor_.machine().startup)
+    if (step.state != lamina_msgs::StartupStep::DONE && step.state != lamina_msgs::StartupStep::SKIPPED)
+      found.start.unready.push_back(step.name + " is " + step.state_name + ": " + step.reason);
+  std::error_code error;
+  const auto space = std::filesystem::space(settings_.folder, error);
+  found.start.free_bytes = error ? 0.0 : static_cast<double>(space.available);
+  found.go_on.is_position_known = !is_executor_lost_;
+  return found;
+}
+
+bool CellController::onCommand(lamina_msgs::PackmlCommand::Request& request,
+                               lamina_msgs::PackmlCommand::Response& response) {
+  using Request = lamina_msgs::PackmlCommand::Request;
+  const auto command = unitCommand(request.command);
+  if (!command || request.cut_off > Request::DISCARD) {
+    response.result = numberOf(CommandResult::BadValue);
+    response.message = "command " + std::to_string(request.command) + " with cut_off " +
+                       std::to_string(request.cut_off) + " is not known; expected 1 to 10, and 0 to 2";
+    return true;
+  }
+  UnitRequest asked{*command, request.source, std::nullopt, {}};
+  if (request.expected_sequence >= 0)
+    asked.expected_sequence = static_cast<std::uint32_t>(request.expected_sequence);
+  if (*command == UnitCommand::Start && is_executor_lost_)
+    asked.unmet.push_back({kExecutorLost, "the executor gives no sign of life"});
+  const CommandAnswer answer =
+      cell_->command(std::move(asked), surroundings(), static_cast<CutOffJob>(request.cut_off), now());
+  response.result = numberOf(answer.result);
+  response.message = answer.reason;
+  ROS_INFO_STREAM(toString(*command) << " by '" << request.source
+                                     << "': " << (answer.reason.empty() ? "accepted" : answer.reason));
+  publish();
+  publishQueue();
+  return true;
+}
+
+bool CellController::onMode(lamina_msgs::SetUnitMode::Request& request,
+                            lamina_msgs::SetUnitMode::Response& response) {
+  const CommandAnswer answer = cell_->changeMode(request.mode, request.source, now());
+  response.result = numberOf(answer.result);
+  response.message = answer.reason;
+  publish();
+  return true;
+}
+
+bool CellController::onEnqueue(lamina_msgs::EnqueueJob::Request& request,
+                               lamina_msgs::EnqueueJob::Response& response) {
+  try {
+    response.job = static_cast<std::uint32_t>(enqueue(request));
+  } catch (...) {
+    const Failure failure = currentFailure();
+    ROS_ERROR_STREAM(refusalText({"put into the queue", request.program, ""}, failure));
+    response.status = toMessage(failure);
+  }
+  publishQueue();
+  return true;
+}
+
+std::int64_t CellController::enqueue(const lamina_msgs::EnqueueJob::Request& request) {
+  const std::string file = std::filesystem::path(request.program).filename();
+  const Artefact program = artefacts_.keep(request.program, "program", file);
+  requirePrintable(artefacts_.pathOf(program), settings_.machine);
+  return journal_.addJob({request.name.empty() ? file : request.name,
+                          request.part,
+                          settings_.machine.name,
+                          {program},
+                          request.source},
+                         now().utc_s);
+}
+
+bool CellController::onChange(lamina_msgs::ChangeQueue::Request& request,
+                              lamina_msgs::ChangeQueue::Response& response) {
+  try {
+    change(request);
+  } catch (...) {
+    const Failure failure = currentFailure();
+    ROS_ERROR_STREAM(refusalText({"change job", std::to_string(request.job), ""}, failure));
+    response.status = toMessage(failure);
+  }
+  publishQueue();
+  return true;
+}
+
+void CellController::change(const lamina_msgs::ChangeQueue::Request& request) {
+  using Request = lamina_msgs::ChangeQueue::Request;
+  const double utc_s = now().utc_s;
+  switch (request.change) {
+    case Request::RELEASE:
+      return journal_.release(request.job, request.source, utc_s);
+    case Request::REVOKE:
+      return journal_.revoke(request.job, request.source, utc_s);
+    case Request::MOVE_TO_FRONT:
+      return journal_.moveToFront(request.job, request.source, utc_s);
+    case Request::REMOVE:
+      return journal_.remove(request.job, request.source, utc_s);
+    default:
+      throw InvalidInput("change is " + std::to_string(request.change) + "; expected 0 to 3");
+  }
+}
+
+bool CellController::onAcknowledge(lamina_msgs::AcknowledgeAlarm::Request& request,
+                                   lamina_msgs::AcknowledgeAlarm::Response& response) {
+  const CommandAnswer answer = cell_->acknowledge(request.id, request.source, now());
+  response.result = numberOf(answer.result);
+  response.message = answer.reason;
+  publish();
+  return true;
+}
+
+bool CellController::onRemoval(Trigger::Request& /*request*/, Trigger::Response& response) {
+  response.success = cell_->isPartOnPlate();
+  if (!response.success) response.message = "there is no part on the plate";
+  cell_->confirmRemoval("operator", now());
+  publish();
+  return true;
+}
+
+void CellController::onReport(const ExecutorReport& report) {
+  if (cell_) cell_->onReport(report, now());
+}
+
+void CellController::onTick() {
+  const CellTime at = now();
+  watchExecutor(at);
+  cell_->tick(at);
+  const bool has_changed = cell_->status().sequence != published_sequence_;
+  if (has_changed || at.steady_s - published_s_ >= kStatusInterval) publish();
+  if (has_changed) publishQueue();
+}
+
+void CellController::watchExecutor(CellTime now) {
+  const std::string fault = executor_.takeFault();
+  if (!fault.empty()) cell_->raise(kExecutorSilent, 0.0, fault, now);
+  const bool is_lost = !executor_.isThere();
+  if (is_lost == is_executor_lost_) return;
+  is_executor_lost_ = is_lost;
+  if (is_lost)
+    cell_->raise(kExecutorLost, 0.0, "gcode_streamer gives no sign of life", now);
+  else
+    cell_->end(kExecutorLost, now);
+}
+
+void CellController::publish() {
+  const ros::Time stamp = ros::Time::now();
+  lamina_msgs::PackmlStatus status =
+      toMessage(*cell_, unit_settings_.modes, unit_settings_.hold_rule, clock_.now());
+  status.header.stamp = stamp;
+  published_sequence_ = status.sequence;
+  published_s_ = clock_.now();
+  publishLatched(status_, status);
+  lamina_msgs::CellAlarms alarms;
+  alarms.header.stamp = stamp;
+  for (const ActiveAlarm& alarm : cell_->status().alarms.all()) alarms.alarms.push_back(toMessage(alarm));
+  publishLatched(alarms_, alarms);
+}
+
+void CellController::publishQueue() {
+  lamina_msgs::JobQueue queue;
+  queue.header.stamp = ros::Time::now();
+  for (const QueuedJob& job : journal_.queue()) queue.jobs.push_back(toMessage(job));
+  publishLatched(queue_, queue);
+}
+
+}  // namespace lamina

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/node_handle.h>
+#include <std_srvs/Trigger.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cell_messages.hpp"
+#include "cell_settings.hpp"
+#include "lamina/base/clock.hpp"
+#include "lamina/cell/production_cell.hpp"
+#include "lamina/journal/artefact_store.hpp"
+#include "lamina/journal/cell_journal.hpp"
+#include "stream_executor.hpp"
+
+namespace lamina {
+
+/// The unit of a cell on ROS: takes commands and jobs, orders gcode_streamer about, and says where everything
+/// is. Its topics and services: docs/nodes/cell_controller.md.
+///
+/// All callbacks run in one thread, which never waits for the executor.
+class CellController {
+ public:
+  /// Waits for the executor's last state as long as its patience says.
+  /// @throws FileError if the journal cannot be opened
+  CellController(ros::NodeHandle node, const CellControllerSettings& settings);
+
+ private:
+  using Trigger = std_srvs::Trigger;
+
+  std::optional<ExecutorReport> awaitExecutor() const;
+  bool onCommand(lamina_msgs::PackmlCommand::Request& request,
+                 lamina_msgs::PackmlCommand::Response& response);
+  bool onMode(lamina_msgs::SetUnitMode::Request& request, lamina_msgs::SetUnitMode::Response& response);
+  bool onEnqueue(lamina_msgs::EnqueueJob::Request& request, lamina_msgs::EnqueueJob::Response& response);
+  bool onChange(lamina_msgs::ChangeQueue::Request& request, lamina_msgs::ChangeQueue::Response& response);
+  bool onAcknowledge(lamina_msgs::AcknowledgeAlarm::Request& request,
+                     lamina_msgs::AcknowledgeAlarm::Response& response);
+  bool onRemoval(Trigger::Request& request, Trigger::Response& response);
+  std::int64_t enqueue(const lamina_msgs::EnqueueJob::Request& request);
+  void change(const lamina_msgs::ChangeQueue::Request& request);
+
+  CellSurroundings surroundings() const;
+  void onReport(const ExecutorReport& report);
+  void onTick();
+  void watchExecutor(CellTime now);
+  void publish();
+  void publishQueue();
+  CellTime now() const;
+
+  CellControllerSettings settings_;
+  UnitSettings unit_settings_;
+  SteadyClock clock_;
+  ros::Publisher status_;
+  ros::Publisher alarms_;
+  ros::Publisher queue_;
+  CellJournal journal_;
+  ArtefactStore artefacts_;
+  StreamExecutor executor_;
+  std::unique_ptr<ProductionCell> cell_;
+  std::vector<ros::ServiceServer> services_;
+  ros::WallTimer timer_;
+  std::uint32_t published_sequence_ = 0;
+  double published_s_ = 0.0;
+  bool is_executor_lost_ = false;
+};
+
+}  // namespace lamina

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cell_messages.hpp"
+
+#include <algorithm>
+
+namespace lamina {
+
+lamina_msgs::CellAlarm toMessage(const ActiveAlarm& alarm) {
+  const AlarmKind& kind = alarmKind(alarm.id);
+  lamina_msgs::CellAlarm message;
+  message.id = alarm.id;
+  message.category = std::string(1, letterOf(alarm.category));
+  message.title = kind.title;
+  message.remedy = kind.remedy;
+  message.value = alarm.value;
+  message.message = alarm.message;
+  message.is_gone = alarm.gone_s.has_value();
+  message.is_acknowledged = alarm.acknowledged_s.has_value();
+  message.acknowledged_by = alarm.acknowledged_by;
+  message.times = static_cast<std::uint32_t>(alarm.times);
+  return message;
+}
+
+lamina_msgs::CellJob toMessage(const QueuedJob& job) {
+  lamina_msgs::CellJob message;
+  message.id = static_cast<std::uint32_t>(job.id);
+  message.name = job.name;
+  message.part = job.part;
+  message.machine = job.machine;
+  message.digest = job.digest;
+  message.state = static_cast<std::uint8_t>(job.state);
+  message.state_name = toString(job.state);
+  message.created_by = job.created_by;
+  message.released_by = job.released_by;
+  return message;
+}
+
+lamina_msgs::PackmlStatus toMessage(const ProductionCell& cell, const std::vector<UnitMode>& modes,
+                                    HoldRule rule, double now_s) {
+  const UnitStatus& unit = cell.status();
+  lamina_msgs::PackmlStatus message;
+  message.state = static_cast<std::uint8_t>(unit.state);
+  message.state_name = toString(unit.state);
+  message.sequence = unit.sequence;
+  message.in_state = now_s - unit.state_since_s;
+  message.mode = static_cast<std::uint8_t>(unit.mode);
+  const auto mode = std::find_if(modes.begin(), modes.end(),
+                                 [&unit](const UnitMode& known) { return known.number == unit.mode; });
+  if (mode != modes.end()) message.mode_name = mode->name;
+  message.in_mode = now_s - unit.mode_since_s;
+  for (const UnitCommand command : acceptedIn(unit.state, rule))
+    message.accepted_now.push_back(static_cast<std::uint8_t>(command));
+  if (unit.stop_reason) {
+    message.stop_reason = unit.stop_reason->id;
+    message.stop_value = unit.stop_reason->value;
+    message.stop_message = unit.stop_reason->message;
+  }
+  if (const auto job = cell.currentJob()) message.job = toMessage(*job);
+  message.resume_waits = cell.resumeWaits();
+  message.is_part_on_plate = cell.isPartOnPlate();
+  const ExecutorReport& report = cell.report();
+  message.lines = static_cast<std::uint32_t>(report.lines);
+  message.lines_acknowledged = static_cast<std::uint32_t>(report.progress.taken_through);
+  message.layer = report.progress.layer;
+  if (report.lines > 0)
+    message.fraction = static_cast<double>(report.progress.taken_through) / static_cast<double>(report.lines);
+  message.parts = static_cast<std::uint32_t>(unit.counters.parts);
+  message.defective = static_cast<std::uint32_t>(unit.counters.defective);
+  message.running = timeIn(unit.counters, kProduction, UnitState::Execute);
+  return message;
+}
+
+}  // namespace lamina

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "lamina/base/settings.hpp"
+#include "lamina/kinematics/cartesian/machine_settings.hpp"
+
+namespace lamina {
+
+/// Parameters of the node cell_controller.
+struct CellControllerSettings {
+  MachineSettings machine;
+  std::string folder = "cell";     ///< of journal and files
+  double patience_s = 2.0;         ///< for the executor: at the start, and for each order
+  bool is_held_on_the_way = true;  ///< Hold is accepted on the way to and from Execute
+};
+
+/// Adds the node's keys.
+void describe(SettingsSchema& schema, CellControllerSettings& settings);
+
+}  // namespace lamina

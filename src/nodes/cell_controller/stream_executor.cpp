@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "stream_executor.hpp"
+
+#include <std_srvs/Trigger.h>
+
+#include <utility>
+
+#include "lamina/streaming/job/packml.hpp"
+#include "names.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kLongestSilence = 2.0;  // [s] of an executor that says five times a second that it is there
+
+/// The alarm that a job's failure raises.
+int alarmOf(const lamina_msgs::Status& status) {
+  using Status = lamina_msgs::Status;
+  switch (status.code) {
+    case Status::OK:
+    case Status::CANCELLED:
+      return 0;
+    case Status::DISCONNECTED:
+      return 3101;
+    case Status::TIMED_OUT:
+      return 3105;
+    default:
+      return 3106;
+  }
+}
+
+ExecutorPhase phaseOf(PackmlState state) {
+  switch (state) {
+    case PackmlState::Starting:
+      return ExecutorPhase::Starting;
+    case PackmlState::Execute:
+    case PackmlState::Completing:
+      return ExecutorPhase::Running;
+    case PackmlState::Holding:
+    case PackmlState::Suspending:
+      return ExecutorPhase::Pausing;
+    case PackmlState::Held:
+    case PackmlState::Suspended:
+      return ExecutorPhase::Paused;
+    case PackmlState::Unholding:
+    case PackmlState::Unsuspending:
+      return ExecutorPhase::Resuming;
+    case PackmlState::Stopping:
+    case PackmlState::Aborting:
+    case PackmlState::Clearing:
+    case PackmlState::Resetting:
+      return ExecutorPhase::Stopping;
+    case PackmlState::Complete:
+      return ExecutorPhase::Done;
+    case PackmlState::Idle:
+    case PackmlState::Stopped:
+    case PackmlState::Aborted:
+      return ExecutorPhase::Resting;
+  }
+  return ExecutorPhase::Resting;
+}
+
+bool isEnd(ExecutorPhase phase) { return phase == ExecutorPhase::Resting || phase == ExecutorPhase::Done; }
+
+}  // namespace
+
+StreamExecutor::StreamExecutor(ros::NodeHandle node, std::function<void(const ExecutorReport&)> report)
+    : report_(std::move(report)),
+      client_(node, names::kStreamProgram, false),
+      pause_(node.serviceClient<std_srvs::Trigger>(names::kPause)),
+      resume_(node.serviceClient<std_srvs::Trigger>(names::kResume)),
+      abort_(node.serviceClient<std_srvs::Trigger>(names::kAbort)),
+      state_(node.subscribe(names::kMachineState, 100, &StreamExecutor::onState, this)),
+      signs_(
+          node.subscribe(std::string(names::kStreamProgram) + "/status", 10, &StreamExecutor::onSign, this)),
+      last_sign_(ros::WallTime::now()) {}
+
+void StreamExecutor::start(const std::string& program, ExecutionStart start, std::uint64_t order) {
+  lamina_msgs::StreamProgramGoal goal;
+  goal.program = program;
+  goal.resume = start == ExecutionStart::Resume;
+  order_ = last_order_ = order;
+  has_begun_ = false;
+  last_ = {};
+  client_.sendGoal(goal,
+                   [this, order](const auto& state, const auto& result) { onDone(order, state, result); });
+}
+
+void StreamExecutor::pause() { call(pause_, "pause"); }
+
+void StreamExecutor::resume() { call(resume_, "resume"); }
+
+void StreamExecutor::stop() { call(abort_, "stop"); }
+
+void StreamExecutor::abort() { call(abort_, "abort"); }
+
+void StreamExecutor::call(ros::ServiceClient& service, const std::string& order) {
+  orders_.give([this, &service, order] {
+    std_srvs::Trigger request;
+    const ros::WallTime began = ros::WallTime::now();
+    std::string fault;
+    if (!service.call(request))
+      fault = "the executor does not answer the order to " + order;
+    else if (!request.response.success)
+      fault = "the executor refuses the order to " + order + ": " + request.response.message;
+    ROS_DEBUG_STREAM("order to " << order << " took " << (ros::WallTime::now() - began).toSec() << " s");
+    const std::lock_guard<std::mutex> lock(mutex_);
+    fault_ = fault;
+  });
+}
+
+std::string StreamExecutor::takeFault() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return std::exchange(fault_, {});
+}
+
+std::optional<ExecutorReport> StreamExecutor::seen() const {
+  if (!has_machine_) return std::nullopt;
+  return reportOf(machine_);
+}
+
+bool StreamExecutor::isThere() const {
+  // A goal that is sent before both ends know each other is lost without a word.
+  return (ros::WallTime::now() - last_sign_).toSec() < kLongestSilence && client_.isServerConnected();
+}
+
+void StreamExecutor::onSign(const actionlib_msgs::GoalStatusArrayConstPtr& /*signs*/) {
+  last_sign_ = ros::WallTime::now();
+}
+
+void StreamExecutor::onState(const lamina_msgs::MachineStateConstPtr& state) {
+  machine_ = *state;
+  has_machine_ = true;
+  last_sign_ = ros::WallTime::now();
+  const ExecutorReport report = reportOf(*state);
+  if (order_ && has_begun_ && state->state == lamina_msgs::MachineState::IDLE) return onRestart(report);
+  // A job that was started here ends by its result alone: a latched state may be that of the job before.
+  if (order_ ? isEnd(report.phase) : last_order_ != 0) return;
+  has_begun_ = true;
+  last_ = report;
+  report_(report);
+}
+
+/// A job never comes back to Idle: this is another process, which knows nothing of the job.
+void StreamExecutor::onRestart(ExecutorReport report) {
+  client_.stopTrackingGoal();
+  order_.reset();
+  report.phase = ExecutorPhase::Resting;
+  report.alarm = 2202;
+  report.failure = "gcode_streamer was started anew; its job was cut off";
+  report.program = last_.program;
+  report.lines = last_.lines;
+  report.progress = last_.progress;
+  report_(report);
+}
+
+void StreamExecutor::onDone(std::uint64_t order, const actionlib::SimpleClientGoalState& state,
+                            const lamina_msgs::StreamProgramResultConstPtr& result) {
+  if (order_ != order) return;
+  order_.reset();
+  ExecutorReport report = reportOf(machine_);
+  report.order = order;
+  const bool is_done = result != nullptr && result->status.code == lamina_msgs::Status::OK;
+  report.phase = is_done ? ExecutorPhase::Done : ExecutorPhase::Resting;
+  report.alarm = result == nullptr ? 2202 : alarmOf(result->status);
+  report.failure =
+      result == nullptr ? "the executor gave no result: " + state.toString() : result->status.message;
+  if (result != nullptr) report.progress.taken_through = result->lines_acknowledged;
+  report_(report);
+}
+
+ExecutorReport StreamExecutor::reportOf(const lamina_msgs::MachineState& state) const {
+  ExecutorReport report;
+  report.phase = phaseOf(static_cast<PackmlState>(state.state));
+  report.order = order_.value_or(last_order_);
+  report.program = state.job;
+  report.lines = state.lines_total;
+  report.progress.sent_through = state.lines_sent;
+  report.progress.taken_through = state.lines_acknowledged;
+  report.progress.layer = state.layer;
+  report.alarm = alarmOf(state.status);
+  report.failure = state.status.message;
+  return report;
+}
+
+}  // namespace lamina

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <actionlib/client/simple_action_client.h>
+#include <actionlib_msgs/GoalStatusArray.h>
+#include <ros/node_handle.h>
+
+#include <atomic>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "lamina/cell/production_cell.hpp"
+#include "messages.hpp"
+#include "order_thread.hpp"
+
+namespace lamina {
+
+/// The node gcode_streamer as the cell's executor. Reports come from the node's own callbacks.
+class StreamExecutor final : public Executor {
+ public:
+  /// @param report  takes what the executor says
+  StreamExecutor(ros::NodeHandle node, std::function<void(const ExecutorReport&)> report);
+
+  void start(const std::string& program, ExecutionStart start, std::uint64_t order) override;
+  void pause() override;
+  void resume() override;
+  void stop() override;
+  void abort() override;
+
+  /// What the executor said last of a job that nobody here has started; nothing if it has said nothing.
+  std::optional<ExecutorReport> seen() const;
+
+  /// The last state of the machine.
+  const lamina_msgs::MachineState& machine() const { return machine_; }
+
+  /// Whether it gives signs of life, and would take a job.
+  bool isThere() const;
+
+  /// Why the last order was not followed, once; empty if it was.
+  std::string takeFault();
+
+ private:
+  using Client = actionlib::SimpleActionClient<lamina_msgs::StreamProgramAction>;
+
+  void onState(const lamina_msgs::MachineStateConstPtr& state);
+  void onRestart(ExecutorReport report);
+  void onDone(std::uint64_t order, const actionlib::SimpleClientGoalState& state,
+              const lamina_msgs::StreamProgramResultConstPtr& result);
+  void onSign(const actionlib_msgs::GoalStatusArrayConstPtr& signs);
+  void call(ros::ServiceClient& service, const std::string& order);
+  ExecutorReport reportOf(const lamina_msgs::MachineState& state) const;
+
+  std::function<void(const ExecutorReport&)> report_;
+  Client client_;
+  ros::ServiceClient pause_;
+  ros::ServiceClient resume_;
+  ros::ServiceClient abort_;
+  ros::Subscriber state_;
+  ros::Subscriber signs_;
+  lamina_msgs::MachineState machine_;
+  bool has_machine_ = false;
+  std::optional<std::uint64_t> order_;  ///< under way
+  std::uint64_t last_order_ = 0;
+  bool has_begun_ = false;  ///< what was ordered last
+  ExecutorReport last_;     ///< of it
+  ros::WallTime last_sign_;
+  std::mutex mutex_;  ///< of the fault
+  std::string fault_;
+  OrderThread orders_;  ///< last, so that it ends before what it uses
+};
+
+}  // namespace lamina
