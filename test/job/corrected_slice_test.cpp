@@ -10,21 +10,11 @@
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/control/program/corrected_program.hpp"
 #include "lamina/job/slice_job.hpp"
-#include "lamina/program/gcode/gcode_reader.hpp"
+#include "support/corrected_programs.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace lamina::test {
 namespace {
-
-double filamentOf(const std::string& program) {
-  double sum = 0.0;
-  GcodeHandlers handlers;
-  handlers.motion = [&](const GcodeMotion& motion) { sum += motion.extrusion_mm; };
-  GcodeReader reader({}, handlers);
-  reader.read(program);
-  reader.finish();
-  return sum;
-}
 
 /// A wave of the amount along all paths of all layers.
 std::vector<CorrectionMap> wavesOn(const Toolpath& toolpath, double amplitude) {

@@ -197,16 +197,30 @@ TEST(SupervisedRun, TellsAndReactsToEachMishap) {
   }
 }
 
+/// The gain of each layer is that of what was laid, and the one without its map was laid as planned.
+void expectLearntFromAMiss(const SensedWall& printed, const SensedWallCase& wall) {
+  const std::vector<double> gain = test::wallTruth(wall).gain;
+  for (std::size_t k = 0; k < wall.layers; ++k)
+    EXPECT_NEAR(printed.layers[k].figures.gain_mean, gain[k], 0.003) << k;
+  EXPECT_EQ(printed.layers[kFaultyLayer].state, LoopState::Coasting);
+}
+
+/// A layer whose map holds from twenty millimetres on, and what is learnt of it.
+void expectLaidFromTwentyOn(const SensedWall& printed, const SensedWallCase& wall) {
+  EXPECT_EQ(printed.layers[kFaultyLayer].state, LoopState::Active);
+  for (const CellOutcome& cell : printed.layers[kFaultyLayer].cells)
+    EXPECT_EQ(cell.amount == 0.0, cell.at.x() < 20.0) << cell.at.x();
+  EXPECT_NEAR(printed.layers[kFaultyLayer].figures.gain_mean, test::wallTruth(wall).gain[kFaultyLayer],
+              0.003);
+}
+
 /// A layer that is laid as planned where a tenth more was asked for: growth is learnt from what was laid.
 TEST(SupervisedRun, LearnsFromALayerWhoseMapWasMissed) {
   SensedWallCase wall;
   wall.settings = calibratedLoop();
-  const std::vector<double> gain = test::wallTruth(wall).gain;
   missAMap(wall);
   const SensedWall printed = sensedWall(wall);
-  for (std::size_t k = 0; k < wall.layers; ++k)
-    EXPECT_NEAR(printed.layers[k].figures.gain_mean, gain[k], 0.003) << k;
-  EXPECT_EQ(printed.layers[kFaultyLayer].state, LoopState::Coasting);
+  expectLearntFromAMiss(printed, wall);
   EXPECT_TRUE(printed.maps[kFaultyLayer + 1].paths.size() == 1) << "the next one is corrected";
 }
 
@@ -216,11 +230,8 @@ TEST(SupervisedRun, LearnsFromAMissThatIsToldBeforeTheLayer) {
   wall.settings = calibratedLoop();
   missAMap(wall);
   wall.is_miss_told_early = true;
-  const std::vector<double> gain = test::wallTruth(wall).gain;
   const SensedWall printed = sensedWall(wall);
-  for (std::size_t k = 0; k < wall.layers; ++k)
-    EXPECT_NEAR(printed.layers[k].figures.gain_mean, gain[k], 0.003) << k;
-  EXPECT_EQ(printed.layers[kFaultyLayer].state, LoopState::Coasting);
+  expectLearntFromAMiss(printed, wall);
   const auto late = std::count_if(printed.alarms.begin(), printed.alarms.end(),
                                   [](const RaisedAlarm& alarm) { return alarm.alarm == LoopAlarm::MapLate; });
   EXPECT_EQ(late, 1);
@@ -233,13 +244,9 @@ TEST(SupervisedRun, LearnsFromALayerWhoseMapHeldFromAPlaceOn) {
   wall.settings = calibratedLoop();
   missAMap(wall);
   wall.missed_mm = 20.0;
-  const std::vector<double> gain = test::wallTruth(wall).gain;
   const SensedWall printed = sensedWall(wall);
   for (const RaisedAlarm& alarm : printed.alarms) EXPECT_NE(alarm.alarm, LoopAlarm::MapLate);
-  EXPECT_EQ(printed.layers[kFaultyLayer].state, LoopState::Active);
-  for (const CellOutcome& cell : printed.layers[kFaultyLayer].cells)
-    EXPECT_EQ(cell.amount == 0.0, cell.at.x() < 20.0) << cell.at.x();
-  EXPECT_NEAR(printed.layers[kFaultyLayer].figures.gain_mean, gain[kFaultyLayer], 0.003);
+  expectLaidFromTwentyOn(printed, wall);
 }
 
 /// Told as missed, and then as laid by its map from twenty millimetres on: the later word holds.
@@ -251,12 +258,7 @@ TEST(SupervisedRun, LearnsFromAMapThatCameAfterItWasGivenUp) {
   wall.operates = [](std::size_t layer, LoopRun& run) {
     if (layer + 1 == kFaultyLayer) run.missMap({kFaultyLayer, 2.0, {}, {}});
   };
-  const std::vector<double> gain = test::wallTruth(wall).gain;
-  const SensedWall printed = sensedWall(wall);
-  EXPECT_EQ(printed.layers[kFaultyLayer].state, LoopState::Active);
-  for (const CellOutcome& cell : printed.layers[kFaultyLayer].cells)
-    EXPECT_EQ(cell.amount == 0.0, cell.at.x() < 20.0) << cell.at.x();
-  EXPECT_NEAR(printed.layers[kFaultyLayer].figures.gain_mean, gain[kFaultyLayer], 0.003);
+  expectLaidFromTwentyOn(sensedWall(wall), wall);
 }
 
 /// Neither a map that held from the beginning nor a layer that there is not changes anything.

@@ -11,11 +11,11 @@
 #include "lamina/control/feeder_lead.hpp"
 #include "lamina/control/program/planned_correction.hpp"
 #include "lamina/control/replanned_toolpath.hpp"
-#include "lamina/program/gcode/gcode_reader.hpp"
 #include "lamina/program/gcode/gcode_writer.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
 #include "nodes/gcode_streamer/corrected_stream.hpp"
 #include "support/control_layers.hpp"
+#include "support/corrected_programs.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace lamina {
@@ -139,9 +139,7 @@ TEST(LayerCorrector, RecordsWhatWasAppliedSoThatItCanBeLaidAgain) {
   EXPECT_NE(record.find("\n2,1," + digestOf(map) + ","), std::string::npos) << record;
   const std::string kept = readFile(settings.folder + "/layer_2.csv");
   EXPECT_EQ(digestOf(readCorrectionMap(kept, "layer_2.csv")), digestOf(map));
-  const PlannedCorrection again{
-      readProgrammedToolpath(readFile(settings.folder + "/toolpath.csv"), "toolpath.csv"),
-      readCorrectionFiles(settings.folder), settings.loop, true};
+  const PlannedCorrection again = test::recordedIn(settings.folder, settings.loop);
   EXPECT_EQ(correctedByMaps("beads", textOf(beads()), again).text, laid) << "made again from the record";
 }
 
@@ -176,19 +174,8 @@ TEST(LayerCorrector, TrimsALayerThatIsUnderWay) {
   const CorrectionReport report =
       correctedByMaps("beads", textOf(beads()), {programmed(), {{"", constantMap(1, 0.1)}}, {}}).report;
   const double bead_mm = 0.5 * report.planned_mm;
-  const auto filament = [](const std::string& program) {
-    double sum = 0.0;
-    GcodeHandlers handlers;
-    handlers.motion = [&](const GcodeMotion& motion) { sum += motion.extrusion_mm; };
-    GcodeReader reader({}, handlers);
-    reader.read(program);
-    reader.finish();
-    return sum;
-  };
-  EXPECT_NEAR(filament(laid) - filament(textOf(beads())), (0.3 - 0.1) * bead_mm, 1e-4);
-  const PlannedCorrection again{
-      readProgrammedToolpath(readFile(settings.folder + "/toolpath.csv"), "toolpath.csv"),
-      readCorrectionFiles(settings.folder), settings.loop, true};
+  EXPECT_NEAR(test::filamentOf(laid) - test::filamentOf(textOf(beads())), (0.3 - 0.1) * bead_mm, 1e-4);
+  const PlannedCorrection again = test::recordedIn(settings.folder, settings.loop);
   EXPECT_EQ(again.maps.size(), 2U);
   EXPECT_EQ(correctedByMaps("beads", textOf(beads()), again).text, laid) << "made again from the record";
 }

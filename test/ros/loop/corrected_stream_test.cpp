@@ -25,6 +25,7 @@
 #include "ros/wait_until.hpp"
 #include "streamed_machine.hpp"
 #include "support/control_layers.hpp"
+#include "support/corrected_programs.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace lamina {
@@ -134,28 +135,30 @@ class CorrectedCell {
   std::vector<std::string> arguments_;
 };
 
-/// A layer that is under way is trimmed for what was not sent. What was applied says what was run.
-TEST(CorrectedStream, TrimsALayerThatIsUnderWay) {
-  const test::ScratchFolder folder;
-  const MachineToolpath part = finePart();
-  CorrectedCell cell("trimmed", 10.0, {"_corrections/folder:=" + folder.file("record")});
+/// Streams the program of a part, whose second layer begins by a map and is trimmed by another.
+void beginTrimmed(CorrectedCell& cell, const MachineToolpath& part, const std::string& program) {
   cell.begin(part);
-  writeFile(folder.file("part.gcode"), textOf(part));
+  writeFile(program, textOf(part));
   lamina_msgs::StreamProgramGoal goal;
-  goal.program = folder.file("part.gcode");
+  goal.program = program;
   cell.client->sendGoal(goal);
   ASSERT_TRUE(cell.isTold(1));
   cell.send(evenMap(part, 1, 0.3, 1));
   ASSERT_TRUE(cell.isTold(2));
   cell.send(evenMap(part, 1, -0.2, 2));
+}
+
+/// A layer that is under way is trimmed for what was not sent. What was applied says what was run.
+TEST(CorrectedStream, TrimsALayerThatIsUnderWay) {
+  const test::ScratchFolder folder;
+  const MachineToolpath part = finePart();
+  CorrectedCell cell("trimmed", 10.0, {"_corrections/folder:=" + folder.file("record")});
+  const std::string program = folder.file("part.gcode");
+  ASSERT_NO_FATAL_FAILURE(beginTrimmed(cell, part, program));
   cell.send(evenMap(part, 2, 0.0, 1));
   EXPECT_TRUE(waitUntil([&] { return cell.client->getState().isDone(); }));
   EXPECT_EQ(cell.client->getState().toString(), "SUCCEEDED") << cell.client->getState().getText();
-  const PlannedCorrection applied{
-      readProgrammedToolpath(readFile(folder.file("record/toolpath.csv")), "toolpath.csv"),
-      readCorrectionFiles(folder.file("record")),
-      {},
-      true};
+  const PlannedCorrection applied = test::recordedIn(folder.file("record"));
   ASSERT_EQ(applied.maps.size(), 3U);
   EXPECT_EQ(applied.maps[1].map.layer, 1U);
   EXPECT_GT(applied.maps[1].from_line, applied.maps[0].from_line);
@@ -174,31 +177,20 @@ TEST(CorrectedStream, IsGoneOnWithByItsRecordAfterAKill) {
   const std::string journal = folder.file("job.progress");
   CorrectedCell cell("killed", 10.0,
                      {"_corrections/folder:=" + folder.file("record"), "_stream/journal:=" + journal});
-  cell.begin(part);
-  writeFile(folder.file("part.gcode"), textOf(part));
-  lamina_msgs::StreamProgramGoal goal;
-  goal.program = folder.file("part.gcode");
-  cell.client->sendGoal(goal);
-  ASSERT_TRUE(cell.isTold(1));
-  cell.send(evenMap(part, 1, 0.3, 1));
-  ASSERT_TRUE(cell.isTold(2));
-  cell.send(evenMap(part, 1, -0.2, 2));
+  const std::string program = folder.file("part.gcode");
+  ASSERT_NO_FATAL_FAILURE(beginTrimmed(cell, part, program));
   const std::string trimmed = folder.file("record/layer_1_2.csv");
   ASSERT_TRUE(waitUntil([&] { return std::ifstream(trimmed).good(); }));
   const std::size_t ran = cell.machine.commands().size();
   ASSERT_TRUE(waitUntil([&] { return cell.machine.commands().size() > ran + 20; }));
   EXPECT_EQ(cell.node->end(SIGKILL), -1);
-  const std::string go_on = std::string(LAMINA_COMMAND) + " stream " + goal.program + " --port " + cell.port +
+  const std::string go_on = std::string(LAMINA_COMMAND) + " stream " + program + " --port " + cell.port +
                             " --set stream.journal=" + journal + " --resume";
   EXPECT_NE(std::system((go_on + " 2> /dev/null").c_str()), 0) << "without the record";
   const std::string by_record = go_on + " --corrections " + folder.file("record");
   EXPECT_NE(std::system((by_record + " --set loop.lag_s=1 2> /dev/null").c_str()), 0) << "by other settings";
   EXPECT_EQ(std::system((by_record + " > /dev/null").c_str()), 0);
-  const PlannedCorrection applied{
-      readProgrammedToolpath(readFile(folder.file("record/toolpath.csv")), "toolpath.csv"),
-      readCorrectionFiles(folder.file("record")),
-      {},
-      true};
+  const PlannedCorrection applied = test::recordedIn(folder.file("record"));
   EXPECT_EQ(applied.maps.size(), 2U);
   EXPECT_EQ(cell.machine.commands(), commandsOf(correctedByMaps("part.gcode", textOf(part), applied).text));
 }
