@@ -160,6 +160,27 @@ TEST(RevisedJob, IsPausedAndAbortedWhileItWaits) {
   }
 }
 
+/// Its map may come only once the operator lets the job go on.
+TEST(RevisedJob, WaitsAnewForALayerAfterAPause) {
+  const auto program = spiralOf(250);
+  const auto revision = std::make_shared<HalvedLayers>();
+  double known_at = 1e9;
+  SimulatedLink link(revisedOrder(program, revision), swiftMachine(), {});
+  revision->known_from = [&](std::int32_t layer) { return layer != 1 || link.now >= known_at; };
+  link.start();
+  while (revision->asked.count(1) == 0) link.step();
+  for (int i = 0; i < 50; ++i) link.step();
+  EXPECT_TRUE(link.streamer.pause(link.now));
+  link.runUntil(link.now + 10.0);
+  EXPECT_TRUE(link.streamer.resume(link.now));
+  link.collect();
+  known_at = link.now + 1.5;
+  link.run();
+  EXPECT_TRUE(revision->given_up.empty()) << "within two seconds of the machine's rest";
+  EXPECT_EQ(link.streamer.status().state, PackmlState::Complete) << link.streamer.status().failure.message;
+  EXPECT_EQ(link.numberedCommands(), halvedCommands(program));
+}
+
 TEST(RevisedJob, EndsWhereALineCannotBeRevised) {
   const auto program = StreamableProgram::fromText("odd", "G28\n;LAYER:0\nG1 X1\nM117 REFUSED\nG1 X2\n");
   SimulatedLink link(revisedOrder(program, std::make_shared<HalvedLayers>()), swiftMachine(), {});

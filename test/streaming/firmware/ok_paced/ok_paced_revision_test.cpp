@@ -197,6 +197,24 @@ TEST_P(OkPacedRevision, IsPausedAndStoppedWhileItWaits) {
   }
 }
 
+TEST_P(OkPacedRevision, WaitsAnewForALayerAfterAPause) {
+  double known_at = 1e9;
+  const auto machine = firmware({});
+  auto streamer = streamerOf(layeredText());
+  test::PacedLink link(streamer, *machine);
+  revision->known_from = [&](std::int32_t layer) { return layer != 1 || link.now >= known_at; };
+  link.run([&] { return streamer.status().lines_acknowledged == 3U + kLinesPerLayer + 1U; });
+  for (int i = 0; i < 20; ++i) link.step();
+  EXPECT_TRUE(streamer.pause(link.now));
+  link.now += 10.0;
+  EXPECT_TRUE(streamer.resume(link.now));
+  known_at = link.now + 1.5;
+  link.run();
+  EXPECT_TRUE(revision->given_up.empty()) << "within two seconds of the machine's rest";
+  EXPECT_EQ(streamer.status().state, PackmlState::Complete) << streamer.status().failure.message;
+  EXPECT_EQ(ran, splitCommands());
+}
+
 TEST_P(OkPacedRevision, EndsWhereALineCannotBeRevised) {
   const auto machine = firmware({});
   auto streamer = streamerOf("G28\n;LAYER:0\nG1 X1\nM117 REFUSED\nG1 X2\n");

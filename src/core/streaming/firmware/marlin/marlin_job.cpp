@@ -245,6 +245,7 @@ bool MarlinJob::pause(double now) {
 
 bool MarlinJob::resume(double now) {
   if (record_.status.state != PackmlState::Held && record_.status.state != PackmlState::Holding) return false;
+  layer_due_ = 0.0;  // the time to wait for a layer begins anew
   is_paused_by_machine_ = false;
   if (record_.status.state == PackmlState::Holding) record_.enter(PackmlState::Held);
   record_.enter(PackmlState::Unholding);
