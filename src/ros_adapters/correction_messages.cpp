@@ -101,6 +101,10 @@ std::optional<MissedMap> missedOf(const lamina_msgs::AppliedCorrection& message)
   return missed;
 }
 
+MissedMap refusedPlan(const std::string& reason) {
+  return {0, 0.0, "the plan is not gone on with: " + reason, {}};
+}
+
 bool isRefusalOfPlan(const lamina_msgs::AppliedCorrection& message) {
   return message.layer == 0 && message.digest.empty() && message.waited == 0.0 && !message.reason.empty();
 }

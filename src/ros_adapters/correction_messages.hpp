@@ -30,6 +30,9 @@ lamina_msgs::AppliedCorrection toMessage(const MissedMap& missed, const std::str
 /// Nothing where a later map of the layer is not used.
 std::optional<MissedMap> missedOf(const lamina_msgs::AppliedCorrection& message);
 
+/// What is told of the first layer of a plan that is not gone on with, under the plan's identity.
+MissedMap refusedPlan(const std::string& reason);
+
 /// Whether a message of a plan says that the plan is not gone on with: as planned, without a wait, from its
 /// first layer on.
 bool isRefusalOfPlan(const lamina_msgs::AppliedCorrection& message);

@@ -49,17 +49,25 @@ std::string CorrectedStream::goOverTo(const std::string& plan_id, const PlanWrit
   std::string refusal = present->awaitPlan(plan_id);
   const std::optional<std::size_t> layer = present->awaitedLayer();
   if (!refusal.empty() || !layer) return refusal;
-  try {
-    PlannedProgram plan = write(*present, *layer);
-    const std::lock_guard<std::mutex> lock(mutex_);
-    // The same plan may have come twice, and have been gone over to while it was written again.
-    if (next_ || corrector_ != present) return "the machine goes over to another plan already";
-    next_ = std::move(plan);
-  } catch (...) {
-    present->dropPlan();
-    throw;
-  }
+  PlannedProgram plan = write(*present, *layer);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  // The same plan may have come twice, and have been gone over to while it was written again.
+  if (next_ || corrector_ != present) return "the machine goes over to another plan already";
+  next_ = std::move(plan);
   return {};
+}
+
+bool CorrectedStream::isFollowing(const std::string& toolpath_id) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return corrector_->plannedId() == toolpath_id || (next_ && next_->corrector->plannedId() == toolpath_id);
+}
+
+std::string CorrectedStream::takeRecordFailure() {
+  std::string failure = recordFailure();
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (failure == failure_taken_) return {};
+  failure_taken_ = failure;
+  return failure;
 }
 
 std::optional<StreamableProgram> CorrectedStream::successor(std::int32_t /*layer*/) {

@@ -47,8 +47,14 @@ class CorrectedStream final : public ProgramRevision {
   /// The machine goes over to a plan from the layer on in front of which it rests, which waits until the
   /// plan's program is written.
   /// @return why not, in words; empty if it does
-  /// @throws as `write`; the layers left are then as they were
+  /// @throws as `write`; the layer then waits on, until `dropPlan`
   std::string goOverTo(const std::string& plan_id, const PlanWriter& write);
+  /// Of a plan that could not be written: its layer is waited for as before.
+  void dropPlan() { corrector()->dropPlan(); }
+  /// Whether the machine lays that toolpath, or goes over to it.
+  bool isFollowing(const std::string& toolpath_id) const;
+  /// As maps name what is laid.
+  std::string toolpathId() const { return corrector()->plannedId(); }
 
   bool isKnown(std::int32_t layer) override { return corrector()->isKnown(layer); }
   void decide(std::int32_t layer) override { corrector()->decide(layer); }
@@ -64,6 +70,8 @@ class CorrectedStream final : public ProgramRevision {
     return plans_ == Plans::Refused ? corrector()->record() : std::nullopt;
   }
   std::string recordFailure() const override { return corrector()->recordFailure(); }
+  /// The same, of each record once; then empty.
+  std::string takeRecordFailure();
 
  private:
   std::shared_ptr<LayerCorrector> corrector() const;
@@ -75,6 +83,7 @@ class CorrectedStream final : public ProgramRevision {
   std::optional<PlannedProgram> next_;
   std::vector<StreamDecision> decisions_;
   std::size_t collected_ = 0;  ///< of the corrector's
+  std::string failure_taken_;  ///< of a record
 };
 
 /// How the program of a plan is written that begins where another one rests, hot and homed: without the start

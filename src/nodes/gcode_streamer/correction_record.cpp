@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "correction_record.hpp"
 
+#include <unistd.h>
+
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
 #include <random>
 #include <utility>
@@ -23,13 +27,19 @@ std::string anyName() {
 
 }  // namespace
 
-CorrectionRecord::CorrectionRecord(std::string folder, std::string program_sha256,
-                                   const ProgrammedToolpath& toolpath)
-    : folder_(std::move(folder)), of_{std::move(program_sha256), toolpath.id, anyName()} {
+CorrectionRecord::CorrectionRecord(std::string folder, std::string program_sha256, std::string toolpath_id)
+    : folder_(std::move(folder)), of_{std::move(program_sha256), std::move(toolpath_id), anyName()} {
   if (folder_.empty()) return;
   std::error_code failure;
   std::filesystem::create_directories(folder_, failure);
   if (failure) throw FileError("cannot make the folder " + folder_ + ": " + failure.message());
+  if (::access(folder_.c_str(), W_OK | X_OK) != 0)
+    throw FileError("cannot record corrections in the folder " + folder_ + ": " + std::strerror(errno));
+}
+
+void CorrectionRecord::begin(const ProgrammedToolpath& toolpath) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (folder_.empty() || std::exchange(has_begun_, true)) return;
   writeFile(folder_ + "/" + kProgrammedToolpathFile, programmedToolpathCsv(toolpath));
   writeFile(folder_ + "/" + kAppliedMapsFile, appliedRecordCsv(of_, rows_));
 }

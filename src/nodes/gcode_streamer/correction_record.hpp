@@ -16,10 +16,15 @@ namespace lamina {
 /// then on. May be called from any thread.
 class CorrectionRecord {
  public:
-  /// Makes the folder, and a record of nothing in place of that of a job before.
+  /// Makes the folder, and leaves what is in it: the record of a job before, as long as none begins.
   /// @param folder  empty to keep nothing
   /// @throws FileError if nothing can be written there
-  CorrectionRecord(std::string folder, std::string program_sha256, const ProgrammedToolpath& toolpath);
+  CorrectionRecord(std::string folder, std::string program_sha256, std::string toolpath_id);
+
+  /// The job begins: a record of nothing, and the toolpath, in place of those of a job before. Once.
+  /// @param toolpath  that of the id
+  /// @throws FileError if they cannot be written
+  void begin(const ProgrammedToolpath& toolpath);
 
   /// To be called before the row that tells of the map.
   void keep(const AppliedRow& row, const CorrectionMap& map);
@@ -39,6 +44,7 @@ class CorrectionRecord {
 
   const std::string folder_;
   mutable std::mutex mutex_;  ///< of what is below
+  bool has_begun_ = false;
   RecordedJob of_;
   std::vector<AppliedRow> rows_;
   std::string failure_;

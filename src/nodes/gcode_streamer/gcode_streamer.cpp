@@ -8,6 +8,7 @@
 #include "conversions.hpp"
 #include "correction_messages.hpp"
 #include "lamina/base/clock.hpp"
+#include "lamina/control/replanned_toolpath.hpp"
 #include "lamina/control/supervision.hpp"
 #include "lamina/program/gcode/gcode_flavour.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
@@ -22,6 +23,15 @@ namespace lamina {
 namespace {
 
 constexpr double kFeedbackPeriod = 0.1;  // s
+constexpr double kHoldStep = 0.01;       // s between looks whether the job holds
+constexpr int kHoldSteps = 100;          // a session takes what is asked of it far sooner
+
+/// Returns once the session has taken it.
+void hold(StreamSession& job) {
+  job.pause();
+  for (int i = 0; i < kHoldSteps && job.status().state == PackmlState::Execute; ++i)
+    ros::WallDuration(kHoldStep).sleep();
+}
 
 /// Reports of steps that are no longer in the state they were in.
 void logChanges(const std::vector<lamina_msgs::StartupStep>& before,
@@ -56,10 +66,12 @@ GcodeStreamer::GcodeStreamer(ros::NodeHandle node, const GcodeStreamerSettings& 
   if (settings_.stream.position_interval_s > 0) {
     position_ = node.advertise<sensor_msgs::JointState>(names::kMachinePosition, 100);
   }
-  const boost::function<void(const lamina_msgs::ToolpathConstPtr&)> onToolpath =
-      [this](const auto& toolpath) {
+  // Plans that this node publishes take no toolpath's place: that may be streamed once more.
+  const boost::function<void(const ros::MessageEvent<const lamina_msgs::Toolpath>&)> onToolpath =
+      [this](const auto& event) {
+        if (event.getPublisherName() == ros::this_node::getName()) return;
         const std::lock_guard<std::mutex> lock(mutex_);
-        toolpath_ = toolpath;
+        toolpath_ = event.getConstMessage();
       };
   toolpath_subscriber_ = node.subscribe<lamina_msgs::Toolpath>(names::kToolpath, 1, onToolpath);
   const boost::function<void(const lamina_msgs::CorrectionMapConstPtr&)> correct = [this](const auto& map) {
@@ -228,26 +240,45 @@ std::shared_ptr<CorrectedStream> GcodeStreamer::correctionOf(const StreamablePro
 void GcodeStreamer::onPlan(const lamina_msgs::ToolpathConstPtr& message) {
   std::shared_ptr<CorrectedStream> corrected;
   std::shared_ptr<StreamSession> job;
+  bool is_of_toolpath = false;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (is_of_toolpath_) corrected = corrected_;
+    corrected = corrected_;
     job = session_;
+    is_of_toolpath = is_of_toolpath_;
   }
   if (!corrected || !job) {
-    ROS_WARN("plan %s is not gone on with: no toolpath is streamed", message->id.c_str());
+    ROS_WARN("plan %s is not gone on with: nothing is streamed", message->id.c_str());
     return;
   }
+  if (corrected->isFollowing(message->id)) return;  // it came twice
   try {
-    const std::string refusal = goOverTo(*message, *corrected);
-    if (!refusal.empty()) ROS_WARN("plan %s is not gone on with: %s", message->id.c_str(), refusal.c_str());
+    const std::string refusal = is_of_toolpath ? goOverTo(*message, *corrected, job)
+                                               : "the job is of a file; expected one of a toolpath";
+    if (refusal.empty()) return;
+    ROS_WARN("plan %s is not gone on with: %s", message->id.c_str(), refusal.c_str());
+    refusePlan(message->id, *corrected, refusal);
   } catch (const Error& error) {
     ROS_ERROR("plan %s cannot be streamed, the job is held: %s", message->id.c_str(), error.what());
-    job->pause();
+    // Held first: the layer has been waited for long enough, and would begin as planned.
+    hold(*job);
+    corrected->dropPlan();
+    refusePlan(message->id, *corrected, error.what());
   }
 }
 
+/// So that the loop gives the layer that the plan was to begin with its map, and plans on from what is laid.
+void GcodeStreamer::refusePlan(const std::string& plan_id, const CorrectedStream& corrected,
+                               const std::string& reason) {
+  if (!isPlanOf(plan_id, corrected.toolpathId())) return;
+  lamina_msgs::AppliedCorrection message = toMessage(refusedPlan(reason), plan_id, "");
+  message.header.stamp = ros::Time::now();
+  applied_.publish(message);
+}
+
 /// Who follows the print follows the plan from here on.
-std::string GcodeStreamer::goOverTo(const lamina_msgs::Toolpath& message, CorrectedStream& corrected) {
+std::string GcodeStreamer::goOverTo(const lamina_msgs::Toolpath& message, CorrectedStream& corrected,
+                                    const std::shared_ptr<StreamSession>& job) {
   const MachineToolpath plan = fromMessage(message);
   std::string refusal = corrected.goOverTo(plan.id, [&](const LayerCorrector& present, std::size_t layer) {
     return programOf(plan, present, layer);
@@ -255,6 +286,7 @@ std::string GcodeStreamer::goOverTo(const lamina_msgs::Toolpath& message, Correc
   if (!refusal.empty()) return refusal;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
+    if (session_ != job) return "the job has ended";
     job_ = plan.id;
   }
   ROS_WARN("going on with the layers left as planned anew: %s", plan.id.c_str());
@@ -268,22 +300,27 @@ PlannedProgram GcodeStreamer::programOf(const MachineToolpath& plan, const Layer
       programFromToolpath(plan, settingsToGoOn(settings_.program, present.toolpath(), layer));
   StreamCorrectionSettings corrections = settings_.corrections;
   if (!corrections.folder.empty()) corrections.folder += "/" + plan.id;
-  return {program, std::make_shared<LayerCorrector>(
-                       program, ProgrammedToolpath{plan.id, placed(plan.toolpath, plan.bed_from_part)},
-                       corrections, FirstLayer::Awaited)};
+  PlannedProgram planned{program,
+                         std::make_shared<LayerCorrector>(
+                             program, ProgrammedToolpath{plan.id, placed(plan.toolpath, plan.bed_from_part)},
+                             corrections, FirstLayer::Awaited)};
+  planned.corrector->beginRecord();
+  return planned;
 }
 
 void GcodeStreamer::onCorrection(const lamina_msgs::CorrectionMap& message) {
   try {
     CorrectionMap map = toCore(message);
-    const std::lock_guard<std::mutex> lock(mutex_);
-    if (corrected_) {
-      const std::string refusal = corrected_->hear(std::move(map));
-      if (!refusal.empty()) ROS_WARN("a correction is not used: %s", refusal.c_str());
-    } else if (map.layer == 0) {
+    std::shared_ptr<CorrectedStream> corrected;
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      corrected = corrected_;
       // Of the layers above nothing can be known before the job.
-      first_layer_map_ = std::move(map);
+      if (!corrected && map.layer == 0) first_layer_map_ = map;
     }
+    if (!corrected) return;
+    const std::string refusal = corrected->hear(std::move(map));
+    if (!refusal.empty()) ROS_WARN("a correction is not used: %s", refusal.c_str());
   } catch (const Error& error) {
     ROS_WARN("a correction is not used: %s", error.what());
   }
@@ -309,13 +346,15 @@ void GcodeStreamer::tellDecisions(CorrectedStream& corrected) {
       ROS_WARN("%d: no map of layer %lu within %.1f s: it is laid as planned",
                static_cast<int>(LoopAlarm::MapLate), static_cast<unsigned long>(each.layer), each.waited_s);
   }
-  const std::string failure = corrected.recordFailure();
-  if (!failure.empty()) ROS_WARN_ONCE("the corrections are not recorded: %s", failure.c_str());
+  const std::string failure = corrected.takeRecordFailure();
+  if (!failure.empty()) ROS_WARN("the corrections are not recorded: %s", failure.c_str());
 }
 
 void GcodeStreamer::finish(const StreamStatus& status, double duration_s) {
+  std::string job;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
+    job = job_;
     corrected_.reset();
     first_layer_map_.reset();
   }
@@ -327,7 +366,7 @@ void GcodeStreamer::finish(const StreamStatus& status, double duration_s) {
     action_.setSucceeded(result);
     return;
   }
-  ROS_ERROR_STREAM(refusalText({"stream", job_, ""}, status.failure));
+  ROS_ERROR_STREAM(refusalText({"stream", job, ""}, status.failure));
   if (action_.isPreemptRequested()) {
     action_.setPreempted(result, status.failure.message);
   } else {

@@ -55,7 +55,9 @@ class GcodeStreamer {
   void tellDecisions(CorrectedStream& corrected);
 
   void onPlan(const lamina_msgs::ToolpathConstPtr& message);
-  std::string goOverTo(const lamina_msgs::Toolpath& message, CorrectedStream& corrected);
+  std::string goOverTo(const lamina_msgs::Toolpath& message, CorrectedStream& corrected,
+                       const std::shared_ptr<StreamSession>& job);
+  void refusePlan(const std::string& plan_id, const CorrectedStream& corrected, const std::string& reason);
   PlannedProgram programOf(const MachineToolpath& plan, const LayerCorrector& present,
                            std::size_t layer) const;
 

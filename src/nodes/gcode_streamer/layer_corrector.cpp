@@ -34,7 +34,7 @@ LayerCorrector::LayerCorrector(const StreamableProgram& program, ProgrammedToolp
       first_(first),
       programmed_id_(toolpathId(toolpath_.toolpath)),
       corrector_(toolpath_.toolpath, {}, {}),
-      record_(folderFor(program, toolpath_, settings_), sha256Of(program), toolpath_) {}
+      record_(folderFor(program, toolpath_, settings_), sha256Of(program), toolpath_.id) {}
 
 std::string LayerCorrector::hear(CorrectionMap map) {
   const std::string defect = defectOf(map, toolpath_);
@@ -149,7 +149,9 @@ void LayerCorrector::apply(LayerDecision decision, const CorrectionMap* map) {
   heard_.erase(heard_.begin(), heard_.upper_bound(layer));
 }
 
+/// A job that fails before its first line leaves the record of the one before.
 std::string LayerCorrector::revised(std::string_view line, std::uint64_t number) {
+  beginRecord();
   takeTrim(number);
   std::string out;
   corrector_.read(line, number, out);

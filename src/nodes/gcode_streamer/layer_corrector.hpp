@@ -46,6 +46,10 @@ class LayerCorrector final : public ProgramRevision {
   LayerCorrector(const StreamableProgram& program, ProgrammedToolpath toolpath,
                  StreamCorrectionSettings settings, FirstLayer first = FirstLayer::AsPlanned);
 
+  /// The record of a job before gives way to this one's: now, or else with the first line.
+  /// @throws FileError if it cannot be written
+  void beginRecord() { record_.begin(toolpath_); }
+
   /// @return why the map is not used, in words; empty if it is kept for its layer
   std::string hear(CorrectionMap map);
 

@@ -20,6 +20,8 @@ int main(int argc, char** argv) {
     ROS_INFO_STREAM("settings:" << lamina::describeSettings(schema));
     if (settings.corrections.is_used) ROS_INFO_STREAM(feeding.source);
     const lamina::GcodeStreamer streamer(ros::NodeHandle(), settings);
-    ros::spin();
+    // What is asked of a job is answered while a plan is written.
+    ros::MultiThreadedSpinner spinner(2);
+    spinner.spin();
   });
 }

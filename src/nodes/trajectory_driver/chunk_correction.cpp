@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "correction_messages.hpp"
 #include "lamina/control/feeder_lead.hpp"
 #include "lamina/control/program/correction_files.hpp"
 
@@ -84,7 +85,7 @@ void ChunkCorrection::giveUp(std::size_t layer, double waited_s) {
 }
 
 void ChunkCorrection::refusePlan(const std::string& plan_id, const std::string& reason) {
-  layers_.push_back({plan_id, {}, {0, 0.0, "the plan is not gone on with: " + reason, {}}});
+  layers_.push_back({plan_id, {}, refusedPlan(reason)});
 }
 
 void ChunkCorrection::end() { missUntold(layers()); }

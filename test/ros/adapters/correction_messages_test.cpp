@@ -18,6 +18,7 @@ using lamina::isRefusalOfPlan;
 using lamina::MissedMap;
 using lamina::missedOf;
 using lamina::PlaceOnLayer;
+using lamina::refusedPlan;
 using lamina::toCore;
 
 CorrectionMap twoPaths() {
@@ -78,7 +79,9 @@ TEST(CorrectionMessages, TellWhatALayerMissesOfItsMap) {
 }
 
 TEST(CorrectionMessages, TellOfPlansThatAreNotFollowed) {
-  EXPECT_TRUE(isRefusalOfPlan(toMessage(MissedMap{0, 0.0, "out of reach", {}}, "plan", "")));
+  const auto refused = toMessage(refusedPlan("out of reach"), "plan", "");
+  EXPECT_TRUE(isRefusalOfPlan(refused));
+  EXPECT_EQ(refused.reason, "the plan is not gone on with: out of reach");
   EXPECT_FALSE(isRefusalOfPlan(toMessage(MissedMap{0, 2.0, "none came within 2 s", {}}, "plan", "")))
       << "its first map is missed";
   EXPECT_FALSE(isRefusalOfPlan(toMessage(MissedMap{0, 0.0, {}, {}}, "plan", "digest")));

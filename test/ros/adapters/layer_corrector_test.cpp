@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <sstream>
 
 #include "lamina/base/atomic_file.hpp"
@@ -143,6 +144,49 @@ TEST(LayerCorrector, RecordsWhatWasAppliedSoThatItCanBeLaidAgain) {
   EXPECT_EQ(correctedByMaps("beads", textOf(beads()), again).text, laid) << "made again from the record";
 }
 
+/// What cannot begin leaves what is known of the job before.
+TEST(LayerCorrector, TakesThePlaceOfARecordWithItsFirstLine) {
+  const test::ScratchFolder folder;
+  StreamCorrectionSettings settings = used();
+  settings.folder = folder.file("record");
+  LayerCorrector before(beadProgram(), programmed(), settings);
+  EXPECT_EQ(before.hear(constantMap(1, 0.2)), "");
+  sent(before);
+  const std::string known = readFile(settings.folder + "/record.csv");
+  LayerCorrector next(beadProgram(), programmed(), settings);
+  EXPECT_EQ(readFile(settings.folder + "/record.csv"), known);
+  EXPECT_EQ(next.revised("; begins", 1), "; begins");
+  const std::string begun = readFile(settings.folder + "/record.csv");
+  EXPECT_EQ(begun.find("\n1,1,"), std::string::npos) << begun;
+  EXPECT_NE(recordedJob(settings.folder)->job, "");
+  EXPECT_EQ(recordedJob(settings.folder)->job, next.record()->job);
+}
+
+TEST(LayerCorrector, RefusesAFolderThatIsNone) {
+  const test::ScratchFolder folder;
+  writeFile(folder.file("record"), "a file");
+  StreamCorrectionSettings settings = used();
+  settings.folder = folder.file("record");
+  EXPECT_THROW(LayerCorrector(beadProgram(), programmed(), settings), FileError);
+}
+
+/// A record that fails is told of in each job.
+TEST(LayerCorrector, TellsOfARecordThatFailsOnceAJob) {
+  for (int job = 0; job < 2; ++job) {
+    const test::ScratchFolder folder;
+    StreamCorrectionSettings settings = used();
+    settings.folder = folder.file("record");
+    CorrectedStream stream(std::make_shared<LayerCorrector>(beadProgram(), programmed(), settings));
+    EXPECT_EQ(stream.takeRecordFailure(), "");
+    EXPECT_EQ(stream.revised("; begins", 1), "; begins");
+    std::filesystem::remove_all(settings.folder);
+    EXPECT_TRUE(stream.isKnown(0));
+    EXPECT_NE(stream.takeRecordFailure().find("record.csv"), std::string::npos);
+    EXPECT_EQ(stream.takeRecordFailure(), "");
+    EXPECT_NE(stream.recordFailure(), "");
+  }
+}
+
 /// In the layer that is under way, the first of its two beads is laid by the map that it began with.
 TEST(LayerCorrector, TrimsALayerThatIsUnderWay) {
   const test::ScratchFolder folder;
@@ -201,7 +245,12 @@ TEST(LayerCorrector, GoesOverToAPlanWhereItWaits) {
   EXPECT_FALSE(stream.successor(1));
   EXPECT_THROW(stream.goOverTo(id, [](const auto&, auto) -> PlannedProgram { throw InvalidInput("no"); }),
                InvalidInput);
+  stream.decide(1);
+  EXPECT_FALSE(stream.isKnown(1)) << "until the plan is dropped";
+  stream.dropPlan();
+  EXPECT_FALSE(stream.isFollowing(id));
   EXPECT_EQ(stream.goOverTo(id, write), "");
+  EXPECT_TRUE(stream.isFollowing(id));
   EXPECT_EQ(from, 1U);
   EXPECT_NE(stream.goOverTo(id, write).find("goes over to another plan"), std::string::npos)
       << "it came twice";

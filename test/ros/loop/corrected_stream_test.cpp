@@ -4,10 +4,13 @@
 #include <actionlib/client/simple_action_client.h>
 #include <gtest/gtest.h>
 #include <ros/ros.h>
+#include <std_srvs/Trigger.h>
 
 #include <csignal>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
+#include <functional>
 
 #include "conversions.hpp"
 #include "correction_messages.hpp"
@@ -97,6 +100,27 @@ class CorrectedCell {
     EXPECT_TRUE(client->waitForServer(ros::Duration(kPatience)));
   }
   void send(const CorrectionMap& map) { publishLatched(correction, toMessage(map)); }
+  void stream(const MachineToolpath& part) {
+    lamina_msgs::StreamProgramGoal goal;
+    goal.toolpath_id = part.id;
+    client->sendGoal(goal);
+  }
+  bool isAnswered(const std::string& service) {
+    std_srvs::Trigger trigger;
+    return ros::service::call(space_ + "/" + service, trigger) && trigger.response.success != 0;
+  }
+  /// A plan is tried once the machine waits for its layer, and refused before: it is offered until then.
+  bool offer(const MachineToolpath& planned, const std::function<bool()>& is_taken) {
+    const lamina_msgs::Toolpath message = toMessage(planned);
+    std::size_t answers = refusals.size();
+    return waitUntil([&] {
+      if (is_taken()) return true;
+      if (refusals.size() < answers) return false;
+      plan.publish(message);
+      ++answers;
+      return false;
+    });
+  }
   bool isTold(std::size_t layers) {
     return waitUntil([&] { return applied.size() >= layers; });
   }
@@ -106,13 +130,14 @@ class CorrectedCell {
   std::unique_ptr<test::NodeProcess> node;
   std::unique_ptr<Client> client;
   std::vector<lamina_msgs::AppliedCorrection> applied;
+  std::vector<lamina_msgs::AppliedCorrection> refusals;  ///< of plans
   std::vector<std::string> states;
   std::vector<lamina_msgs::Toolpath> toolpaths;  ///< told by anybody
 
  private:
   void listen() {
     const boost::function<void(const lamina_msgs::AppliedCorrectionConstPtr&)> on_applied =
-        [this](const auto& message) { applied.push_back(*message); };
+        [this](const auto& message) { (isRefusalOfPlan(*message) ? refusals : applied).push_back(*message); };
     const boost::function<void(const lamina_msgs::MachineStateConstPtr&)> on_state =
         [this](const auto& message) {
           if (states.empty() || states.back() != message->state_name) states.push_back(message->state_name);
@@ -195,24 +220,24 @@ TEST(CorrectedStream, IsGoneOnWithByItsRecordAfterAKill) {
   EXPECT_EQ(cell.machine.commands(), commandsOf(correctedByMaps("part.gcode", textOf(part), applied).text));
 }
 
-/// In front of the second layer the two left are planned anew, as one of 2 mm.
+/// The layers left from one on planned anew, as one of 2 mm.
+MachineToolpath planOf(const MachineToolpath& part, std::size_t layer) {
+  MachineToolpath plan = part;
+  plan.toolpath = replannedToolpath(part.toolpath, {layer, 0.0}, {{2.0}, 1.0});
+  plan.id = replannedId(plan.toolpath, layer, part.id);
+  return plan;
+}
+
+/// In front of the second layer the two left are planned anew.
 TEST(CorrectedStream, GoesOverToLayersPlannedAnew) {
   const MachineToolpath part = finePart();
   CorrectedCell cell("planned", 0.0, {"_corrections/follow_plans:=true"});
   cell.begin(part);
-  lamina_msgs::StreamProgramGoal goal;
-  goal.toolpath_id = part.id;
-  cell.client->sendGoal(goal);
+  cell.stream(part);
   ASSERT_TRUE(cell.isTold(1));
-  MachineToolpath plan = part;
-  plan.toolpath = replannedToolpath(part.toolpath, {1, 0.0}, {{2.0}, 1.0});
-  plan.id = replannedId(plan.toolpath, 1, part.id);
+  const MachineToolpath plan = planOf(part, 1);
   const auto isFollowed = [&] { return !cell.toolpaths.empty() && cell.toolpaths.back().id == plan.id; };
-  // It is taken once the machine waits for the layer.
-  ASSERT_TRUE(waitUntil([&] {
-    if (!isFollowed()) cell.plan.publish(toMessage(plan));
-    return isFollowed();
-  }));
+  ASSERT_TRUE(cell.offer(plan, isFollowed));
   CorrectionMap map = evenMap(plan, 0, 0.25, 1);
   cell.send(map);
   EXPECT_TRUE(waitUntil([&] { return cell.client->getState().isDone(); }));
@@ -236,6 +261,76 @@ TEST(CorrectedStream, GoesOverToLayersPlannedAnew) {
   EXPECT_EQ(cell.applied[0].toolpath_id, part.id);
   EXPECT_EQ(cell.applied[1].toolpath_id, plan.id);
   EXPECT_EQ(cell.applied[1].digest, toMessage(evenMap(plan, 0, 0.25, 1)).digest);
+  cell.stream(part);
+  EXPECT_TRUE(cell.isTold(3)) << "what it published itself takes no toolpath's place: "
+                              << cell.client->getState().getText();
+  EXPECT_EQ(cell.applied.back().toolpath_id, part.id);
+  cell.client->cancelGoal();
+  EXPECT_TRUE(waitUntil([&] { return cell.client->getState().isDone(); }));
+}
+
+/// The loop is told of plans that are not gone on with; where one cannot be written, the job is held, and
+/// once it is let go on its layer is waited for anew.
+TEST(CorrectedStream, TellsOfPlansThatItDoesNotGoOnWith) {
+  const MachineToolpath part = finePart();
+  CorrectedCell cell("refused", 0.0, {"_corrections/follow_plans:=true"});
+  cell.begin(part);
+  cell.stream(part);
+  ASSERT_TRUE(cell.isTold(1));
+  const MachineToolpath elsewhere = planOf(part, 2);
+  cell.plan.publish(toMessage(elsewhere));
+  ASSERT_TRUE(waitUntil([&] { return !cell.refusals.empty(); }));
+  EXPECT_EQ(cell.refusals[0].toolpath_id, elsewhere.id);
+  EXPECT_NE(cell.refusals[0].reason.find("it begins with layer 2"), std::string::npos)
+      << cell.refusals[0].reason;
+  MachineToolpath foreign = planOf(part, 1);
+  foreign.machine = "another_machine";
+  const auto isHeld = [&] { return !cell.states.empty() && cell.states.back() == "Held"; };
+  ASSERT_TRUE(cell.offer(foreign, isHeld));
+  ASSERT_TRUE(
+      waitUntil([&] { return cell.refusals.back().reason.find("another_machine") != std::string::npos; }));
+  EXPECT_EQ(cell.refusals.back().toolpath_id, foreign.id);
+  EXPECT_EQ(cell.toolpaths.back().id, part.id);
+  EXPECT_TRUE(cell.isAnswered("resume"));
+  cell.send(evenMap(part, 1, 0.2, 1));
+  EXPECT_TRUE(cell.isTold(2));
+  EXPECT_EQ(cell.applied.back().digest, toMessage(evenMap(part, 1, 0.2, 1)).digest);
+  cell.send(evenMap(part, 2, 0.0, 1));
+  EXPECT_TRUE(waitUntil([&] { return cell.client->getState().isDone(); }));
+  EXPECT_EQ(cell.client->getState().toString(), "SUCCEEDED") << cell.client->getState().getText();
+}
+
+/// While a plan of half a million points is written the node takes what is asked of it, and a job that has
+/// ended meanwhile is not gone on with.
+TEST(CorrectedStream, AnswersWhileAPlanIsWritten) {
+  const test::ScratchFolder folder;
+  const MachineToolpath part = finePart();
+  CorrectedCell cell("busy", 0.0,
+                     {"_corrections/follow_plans:=true", "_corrections/folder:=" + folder.file("record"),
+                      "_loop/wait_s:=600"});
+  cell.begin(part);
+  cell.stream(part);
+  ASSERT_TRUE(cell.isTold(1));
+  MachineToolpath plan = planOf(part, 1);
+  for (Path& path : plan.toolpath.layers[0].paths) {
+    if (path.role == PathRole::Travel) continue;
+    const Point3 start = path.firstPoint();
+    const Point3 end = path.points.back();
+    constexpr int kSteps = 250'000;
+    path.points.clear();
+    for (int i = 0; i <= kSteps; ++i) path.points.push_back(start + (i / double{kSteps}) * (end - start));
+  }
+  plan.id = replannedId(plan.toolpath, 1, part.id);
+  // Its record begins while it is written.
+  const std::string record = folder.file("record") + "/" + plan.id;
+  ASSERT_TRUE(cell.offer(plan, [&] { return std::filesystem::exists(record); }));
+  const std::size_t refused = cell.refusals.size();
+  EXPECT_TRUE(cell.isAnswered("abort"));
+  EXPECT_TRUE(waitUntil([&] { return cell.client->getState().isDone(); }));
+  EXPECT_TRUE(waitUntil([&] { return cell.refusals.size() > refused; }));
+  EXPECT_NE(cell.refusals.back().reason.find("the job has ended"), std::string::npos)
+      << cell.refusals.back().reason;
+  EXPECT_EQ(cell.toolpaths.back().id, part.id);
 }
 
 }  // namespace
