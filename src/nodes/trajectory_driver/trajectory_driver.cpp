@@ -290,13 +290,14 @@ TrajectoryDriver::Driven TrajectoryDriver::run(const DriveMotion& motion) {
     session_ = session;
   }
   if (motion.correction) correctByLastMap(*session, motion.toolpath_id);
+  // Before what makes all safe, which then does not wait for the end of a plan's computation.
+  std::optional<PlanInWork> plan;
   // However it ends, nothing burns or flows, and no session is left behind.
   const std::shared_ptr<void> safe_end(nullptr, [this](void*) {
     process_.makeSafe(ros::Time::now());
     const std::lock_guard<std::mutex> lock(mutex_);
     session_.reset();
   });
-  std::optional<PlanInWork> plan;
   ros::Time shown;
   for (abortIfCancelled(*session); session->step(ros::Time::now());) {
     abortIfCancelled(*session);
