@@ -40,6 +40,7 @@ struct EstimatedPrint {
   std::map<std::size_t, std::string> digests;  ///< of the latest map of each layer
   std::vector<std::string> map_digests;        ///< of all maps, in the order in which they were made
   std::vector<RaisedAlarm> alarms;
+  std::vector<PrintPlan> plans;  ///< that were offered
   LoopStatus status;
   LoopCounts counts;
   FeedCounts feed;
@@ -87,6 +88,7 @@ class Estimation {
   void take(const LoopNews& news) {
     EstimatedPrint& print = prints_.back();
     print.alarms.insert(print.alarms.end(), news.alarms.begin(), news.alarms.end());
+    print.plans.insert(print.plans.end(), news.plans.begin(), news.plans.end());
     takeMaps(news.maps);
     for (const LayerOutcome& layer : news.layers) print.record.add(layer, print.digests[layer.figures.layer]);
   }
@@ -134,7 +136,13 @@ nlohmann::ordered_json jsonOf(const LayerRecord& layer) {
           {"map_digest", layer.map_digest}};
 }
 
+nlohmann::ordered_json jsonOf(const PrintPlan& plan) {
+  return {{"toolpath_id", plan.part.toolpath_id}, {"layer", plan.layer}, {"reason", plan.reason}};
+}
+
 nlohmann::ordered_json jsonOf(const EstimatedPrint& print) {
+  nlohmann::ordered_json plans = nlohmann::ordered_json::array();
+  for (const PrintPlan& plan : print.plans) plans.push_back(jsonOf(plan));
   nlohmann::ordered_json layers = nlohmann::ordered_json::array();
   for (const LayerRecord& layer : print.record.layers()) layers.push_back(jsonOf(layer));
   return {{"part", print.record.partName()},
@@ -143,11 +151,13 @@ nlohmann::ordered_json jsonOf(const EstimatedPrint& print) {
           {"reason", print.status.reason},
           {"layers", layers},
           {"map_digests", print.map_digests},
+          {"plans", plans},
           {"clouds", print.feed.received},
           {"clouds_read", print.counts.clouds_read},
           {"clouds_late", print.counts.clouds_late},
           {"readings_used", print.counts.readings_used},
-          {"readings_contested", print.counts.readings_contested}};
+          {"readings_contested", print.counts.readings_contested},
+          {"trims_refused", print.counts.trims_refused}};
 }
 
 void printText(const EstimatedPrint& print) {

@@ -11,7 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include "correction_messages.hpp"
 #include "lamina/base/error.hpp"
 #include "names.hpp"
 
@@ -115,9 +114,8 @@ class PrintReader {
 
   /// By what came before it, as the node does.
   void note(const lamina_msgs::AppliedCorrection& applied) {
-    if (feed_.run() == nullptr || applied.toolpath_id != feed_.run()->part().toolpath_id) return;
     feed_.pass();
-    if (const auto missed = missedOf(applied)) feed_.run()->missMap(*missed);
+    feed_.add(applied);
     tell();
   }
 

@@ -6,7 +6,6 @@
 #include <cstdio>
 #include <limits>
 
-#include "correction_messages.hpp"
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/control/replanned_toolpath.hpp"
@@ -187,14 +186,7 @@ void HeightController::onMachineState(const lamina_msgs::MachineStateConstPtr& m
 
 /// The machine may be ahead of what tf has said of it so far.
 void HeightController::onApplied(const lamina_msgs::AppliedCorrectionConstPtr& message) {
-  if (feed_.run() == nullptr) return;
-  if (isPlanOf(message->toolpath_id, feed_.run()->part().toolpath_id) && isRefusalOfPlan(*message))
-    feed_.run()->refusePlan(message->toolpath_id, message->reason);
-  else if (message->toolpath_id != feed_.run()->part().toolpath_id)
-    return;
-  else if (const auto missed = missedOf(*message))
-    feed_.run()->missMap(*missed);
-  publishNews();
+  if (feed_.add(*message)) publishNews();
 }
 
 bool HeightController::onSetLoop(lamina_msgs::SetLoop::Request& request,
@@ -372,6 +364,7 @@ void HeightController::diagnose(diagnostic_updater::DiagnosticStatusWrapper& sta
   status.add("readings used", counts.readings_used);
   status.add("readings contested", counts.readings_contested);
   status.add("readings believed", counts.readings_believed);
+  status.add("further maps not used", counts.trims_refused);
   status.add("points received", counts.points.received);
   status.add("points used", counts.points.used);
   status.add("points on no laid cell", counts.points.off_path);

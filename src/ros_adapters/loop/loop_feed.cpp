@@ -8,7 +8,9 @@
 #include <utility>
 
 #include "conversions.hpp"
+#include "correction_messages.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/control/replanned_toolpath.hpp"
 #include "names.hpp"
 #include "point_cloud.hpp"
 #include "transforms.hpp"
@@ -92,6 +94,19 @@ void LoopFeed::settle(const sensor_msgs::PointCloud2& cloud) {
 
 void LoopFeed::hear(const ros::Time& stamp) {
   if (const auto taken = takenAt(stamp)) heard_ = *taken;
+}
+
+bool LoopFeed::add(const lamina_msgs::AppliedCorrection& applied) {
+  if (!run_) return false;
+  const std::string& toolpath_id = run_->part().toolpath_id;
+  if (isPlanOf(applied.toolpath_id, toolpath_id) && isRefusalOfPlan(applied))
+    return run_->refusePlan(applied.toolpath_id, applied.reason);
+  if (applied.toolpath_id != toolpath_id) return false;
+  if (const auto missed = missedOf(applied))
+    run_->missMap(*missed);
+  else
+    run_->refuseTrim(applied.layer, applied.reason);
+  return true;
 }
 
 void LoopFeed::pass() {

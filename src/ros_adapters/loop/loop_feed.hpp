@@ -48,6 +48,9 @@ class LoopFeed {
   void add(const sensor_msgs::PointCloud2ConstPtr& cloud);
   /// That a cloud of that stamp has come; to be said with the transforms that came with it.
   void hear(const ros::Time& stamp);
+  /// What a machine made of a map of the print under way, or of a plan of it.
+  /// @return whether it is of that print
+  bool add(const lamina_msgs::AppliedCorrection& applied);
 
   /// Of the print under way, from its next layer on, and of those that follow.
   /// @throws Rejected with the reason where the loop is blocked

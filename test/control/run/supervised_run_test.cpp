@@ -277,6 +277,33 @@ TEST(SupervisedRun, LearnsNothingFromMapsThatWereNotMissed) {
   EXPECT_EQ(printed.alarms.size(), expected.alarms.size());
 }
 
+/// Told once a layer, however many further maps it has, and counted each time: nothing is learnt from that.
+TEST(SupervisedRun, TellsOfFurtherMapsThatAreNotUsed) {
+  SensedWallCase wall;
+  wall.settings = calibratedLoop();
+  const SensedWall expected = sensedWall(wall);
+  wall.operates = [](std::size_t layer, LoopRun& run) {
+    if (layer != kFaultyLayer) return;
+    run.refuseTrim(layer, "it changes the speed");
+    run.refuseTrim(layer, "it changes the speed");
+    run.refuseTrim(100, "of no layer");
+  };
+  const SensedWall printed = sensedWall(wall);
+  EXPECT_EQ(expected.counts.trims_refused, 0U);
+  EXPECT_EQ(printed.counts.trims_refused, 2U);
+  ASSERT_EQ(printed.alarms.size(), expected.alarms.size() + 1);
+  const auto& alarms = printed.layers[kFaultyLayer].alarms;
+  const auto told = std::find_if(alarms.begin(), alarms.end(), [](const RaisedAlarm& alarm) {
+    return alarm.alarm == LoopAlarm::MapLate && alarm.reaction == LoopReaction::Warn;
+  });
+  ASSERT_NE(told, alarms.end()) << "in the report of the layer";
+  EXPECT_NE(told->reason.find("of layer 5 is not used: it changes the speed"), std::string::npos)
+      << told->reason;
+  ASSERT_EQ(printed.maps.size(), expected.maps.size());
+  for (std::size_t k = 0; k < printed.maps.size(); ++k)
+    EXPECT_EQ(digestOf(printed.maps[k]), digestOf(expected.maps[k])) << k;
+}
+
 /// Nothing is missed where nothing was to be changed.
 TEST(SupervisedRun, TellsNothingOfAnEmptyMapThatWasNotWaitedFor) {
   SensedWallCase wall;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "correction_messages.hpp"
 #include "estimated_bag.hpp"
@@ -41,6 +42,45 @@ TEST(MissedMapInABag, IsTakenIntoAccount) {
   const std::vector<std::string> expected = told["map_digests"];
   EXPECT_NE(expected[3], untold[3]);
   EXPECT_EQ(test::replayed(bag, wall.layers, "4"), expected);
+}
+
+std::size_t alarmsOf(const nlohmann::json& layer, int alarm) {
+  return static_cast<std::size_t>(std::count(layer["alarms"].begin(), layer["alarms"].end(), alarm));
+}
+
+/// As the node does: a plan that the machine did not go on with, and a further map that it did not use.
+TEST(MissedMapInABag, TellsOfAPlanThatWasRefused) {
+  test::SensedWallCase wall;
+  wall.settings = test::calibratedLoop();
+  wall.length_mm = 20.0;
+  wall.layers = 8;
+  const test::ScratchFolder folder;
+  const std::string bag = folder.file("wall.bag");
+  const test::SensedWall printed = test::sensedWall(wall);
+  test::writeBag(bag, printed);
+  const std::string replans = "--set loop.replan=scale --set loop.greatest_amount=0.05";
+  const nlohmann::json untold = test::estimate(bag, replans)["prints"][0];
+  ASSERT_FALSE(untold["plans"].empty()) << "growth of 0.9 needs amounts of a ninth";
+  const std::string plan_id = untold["plans"][0]["toolpath_id"];
+  const std::size_t layer = untold["plans"][0]["layer"];
+  const double top_mm = printed.part.toolpath.layers[layer].z_mm;
+  const auto amid = std::find_if(printed.tips.begin(), printed.tips.end(), [top_mm](const StampedTip& pose) {
+    return std::abs(pose.tip.z() - top_mm) < 1e-6 && pose.tip.x() > 10.0;
+  });
+  ASSERT_NE(amid, printed.tips.end());
+  {
+    rosbag::Bag more(bag, rosbag::bagmode::Append);
+    const std::string topic = std::string("/") + names::kAppliedCorrection;
+    const ros::Time stamp = test::timeOf(amid->stamp_ns);
+    more.write(topic, stamp, toMessage(refusedPlan("it is out of reach"), plan_id, ""));
+    more.write(topic, stamp, toMessage({layer, 0.0, "it is late", {}}, printed.part.toolpath_id, "digest"));
+  }
+  const nlohmann::json told = test::estimate(bag, replans)["prints"][0];
+  EXPECT_EQ(alarmsOf(told["layers"][layer], 6113), alarmsOf(untold["layers"][layer], 6113) + 1);
+  EXPECT_EQ(alarmsOf(told["layers"][layer], 6116), 1U);
+  EXPECT_EQ(told["trims_refused"], 1);
+  const std::vector<std::string> maps = told["map_digests"];
+  EXPECT_EQ(maps.size(), untold["map_digests"].size() + 1) << "the layer has its map once more";
 }
 
 }  // namespace

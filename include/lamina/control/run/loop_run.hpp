@@ -100,6 +100,7 @@ struct LoopCounts {
   std::uint64_t readings_contested = 0;
   std::uint64_t readings_believed = 0;
   std::uint64_t readings_below = 0;  ///< of a layer that is done
+  std::uint64_t trims_refused = 0;   ///< further maps of a layer that the machine did not use
   PointCounts points;                ///< of the clouds read
 };
 
@@ -147,6 +148,10 @@ class LoopRun {
   /// does not. 6116 is raised where all of the layer is laid as planned that was to be laid otherwise, or was
   /// waited for. What is told of a layer later takes the place of what was told of it before.
   void missMap(const MissedMap& missed);
+  /// The machine does not use a further map of a layer. It is counted, and 6116 raised as a warning with the
+  /// reason, once a layer; the estimate takes the layer to be laid by it all the same. Of a layer that the
+  /// toolpath does not have nothing happens.
+  void refuseTrim(std::size_t layer, const std::string& reason);
 
   /// The machine goes on with the plan of that identity, from its first layer on: so does the loop, with what
   /// it has learnt. What waits is worked off before.
@@ -255,6 +260,7 @@ class LoopRun {
   double last_amount_ = 0.0;                 ///< where the layer before ended
   std::unique_ptr<LayerTrim> trim_;          ///< of the layer under way; null if it is not trimmed
   std::uint64_t map_sequence_ = 0;           ///< of the layer's last map
+  std::optional<std::size_t> trim_refused_;  ///< layer of which that was told last
   bool is_catching_up_ = false;              ///< resumed, and the nozzle was not found yet
   std::map<std::size_t, MissedMap> missed_;  ///< of layers to come
   std::vector<CellEstimate> below_;          ///< of the layer before

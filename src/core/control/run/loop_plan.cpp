@@ -26,6 +26,7 @@ bool LoopRun::follow(const std::string& toolpath_id) {
   mean_shift_mm_ = last_amount_ = 0.0;
   short_mm_ = plan_->short_mm;
   layer_alarms_.clear();
+  trim_refused_.reset();
   plan_.reset();
   plan_loop_.reset();
   taught_.abandon();

@@ -209,6 +209,15 @@ void LoopRun::missMap(const MissedMap& missed) {
   layMapFrom(loop_->cells().size());
 }
 
+void LoopRun::refuseTrim(std::size_t layer, const std::string& reason) {
+  if (layer >= part_.toolpath.layers.size()) return;
+  ++counts_.trims_refused;
+  if (std::exchange(trim_refused_, layer) == layer) return;
+  take({status_,
+        {{LoopAlarm::MapLate, LoopReaction::Warn,
+          "a further map of layer " + std::to_string(layer) + " is not used: " + reason}}});
+}
+
 /// What went to the machine before its map was laid as planned. The trim of the layer expected otherwise, and
 /// would take the difference for an error.
 void LoopRun::layMapFrom(std::size_t cell) {
