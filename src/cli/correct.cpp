@@ -22,7 +22,7 @@ namespace {
 /// The command line of `lamina correct` as it was typed.
 struct CorrectArguments {
   std::string program;
-  CorrectionOptions corrections;
+  CorrectionFiles corrections;
   std::string output;
   SettingOptions settings;
 };

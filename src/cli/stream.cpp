@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <chrono>
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -27,7 +26,7 @@ struct StreamArguments {
   std::string program;
   MachinePort port;
   std::vector<std::string> settings;
-  CorrectionOptions corrections;
+  CorrectionFiles corrections;
   StreamMode mode = StreamMode::Begin;
   bool is_live = false;
 };
@@ -55,18 +54,11 @@ StreamableProgram programFrom(const StreamArguments& arguments, const StreamComm
       throw InvalidInput("--toolpath is given without --corrections; expected both, or neither");
     return StreamableProgram::fromFile(arguments.program, settings.stream);
   }
-  const std::string planned = readFile(arguments.program);
-  ProgramOrigin origin{sha256Of(StreamableProgram::fromText(arguments.program, planned, settings.stream)),
-                       {}};
+  const auto planned =
+      StreamableProgram::fromText(arguments.program, readFile(arguments.program), settings.stream);
   const PlannedCorrection correction =
-      correctionFrom(arguments.corrections, settings.feeding, origin.program_sha256);
-  if (const auto recorded = recordedJob(arguments.corrections.maps))
-    origin.record = RevisionRecord{std::filesystem::absolute(arguments.corrections.maps).string(),
-                                   recorded->job, feedingText(settings.feeding)};
-  for (const FiledMap& each : correction.maps) origin.maps.push_back({each.map.layer, digestOf(each.map)});
-  std::string corrected = correctedByMaps(arguments.program, planned, correction).text;
-  return StreamableProgram::fromText(arguments.program, std::move(corrected), settings.stream)
-      .madeFrom(std::move(origin));
+      correctionFrom(arguments.corrections, settings.feeding, sha256Of(planned));
+  return programByMaps(planned, arguments.corrections, correction, settings.stream);
 }
 
 JobStart startOf(const StreamArguments& arguments) {

@@ -146,42 +146,54 @@ void GcodeStreamer::beginJob(const lamina_msgs::StreamProgramGoal& goal, const S
   startup_.beginJob(identity);
 }
 
+/// A job that is gone on with lays by maps what its record says, and the rest as planned.
 StreamStatus GcodeStreamer::streamProgram(const StreamableProgram& program, JobStart start) {
+  std::optional<RecordedProgram> recorded;
   if (start == JobStart::Resume && settings_.corrections.is_used)
-    throw InvalidConfig(
-        "corrections.use is set, but a job that is gone on with cannot be corrected as it runs; expected "
-        "`lamina stream --corrections RECORD --resume`, or corrections.use false");
+    recorded = recordedProgram(program, settings_.corrections, settings_.stream);
+  const StreamableProgram& sent = recorded ? recorded->program : program;
   const StreamJournal journal =
-      journalFor(journalPath(settings_.stream, settings_.port.name), program, settings_.port, start);
-  const std::shared_ptr<CorrectedStream> corrected = correctionOf(program);
+      journalFor(journalPath(settings_.stream, settings_.port.name), sent, settings_.port, start);
+  const std::shared_ptr<CorrectedStream> corrected = recorded ? nullptr : correctionOf(program);
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (corrected && first_layer_map_) corrected->hear(*first_layer_map_);
     corrected_ = corrected;
   }
   const auto session = std::make_shared<StreamSession>(
-      program, settings_.stream, settings_.port, [this](const StreamStatus& status) { onStatus(status); },
+      sent, settings_.stream, settings_.port, [this](const StreamStatus& status) { onStatus(status); },
       SessionOptions{[this](const FirmwareReply& reply) { startup_.heard(reply); }, journal, start,
                      corrected});
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     session_ = session;
   }
-  ROS_INFO("streaming %s, %lu lines, to %s", program.name().c_str(),
-           static_cast<unsigned long>(program.lines()), settings_.port.name.c_str());
-  while (!session->waitFor(kFeedbackPeriod)) {
-    const StreamStatus status = session->status();
+  ROS_INFO("streaming %s, %lu lines, to %s", program.name().c_str(), static_cast<unsigned long>(sent.lines()),
+           settings_.port.name.c_str());
+  const StreamStatus status = follow(*session, [&](const StreamStatus& now) {
+    if (corrected) tellDecisions(*corrected);
+    if (recorded) tellLaidAsPlanned(*recorded, now.layer);
+  });
+  const std::lock_guard<std::mutex> lock(mutex_);
+  session_.reset();
+  return status;
+}
+
+/// To the end of the job; what is due besides is looked at as often as it is reported.
+StreamStatus GcodeStreamer::follow(StreamSession& session,
+                                   const std::function<void(const StreamStatus&)>& look) {
+  while (!session.waitFor(kFeedbackPeriod)) {
+    const StreamStatus status = session.status();
     action_.publishFeedback(toFeedback(status));
     onSteps(startup_.steps());
     publishState(status);
-    if (corrected) tellDecisions(*corrected);
-    if (action_.isPreemptRequested()) session->abort({ErrorCode::Cancelled, "the goal was cancelled"});
-    if (!ros::ok()) session->abort({ErrorCode::Cancelled, "the node was ended"});
+    look(status);
+    if (action_.isPreemptRequested()) session.abort({ErrorCode::Cancelled, "the goal was cancelled"});
+    if (!ros::ok()) session.abort({ErrorCode::Cancelled, "the node was ended"});
   }
-  if (corrected) tellDecisions(*corrected);
-  const std::lock_guard<std::mutex> lock(mutex_);
-  session_.reset();
-  return session->status();
+  StreamStatus status = session.status();
+  look(status);
+  return status;
 }
 
 StreamableProgram GcodeStreamer::programFor(const lamina_msgs::StreamProgramGoal& goal) const {
@@ -348,6 +360,17 @@ void GcodeStreamer::tellDecisions(CorrectedStream& corrected) {
   }
   const std::string failure = corrected.takeRecordFailure();
   if (!failure.empty()) ROS_WARN("the corrections are not recorded: %s", failure.c_str());
+}
+
+/// As they come: the loop takes layers to be laid by its maps until it is told otherwise.
+void GcodeStreamer::tellLaidAsPlanned(RecordedProgram& recorded, std::int32_t layer) {
+  for (; static_cast<std::int64_t>(recorded.next_planned) <= layer; ++recorded.next_planned) {
+    lamina_msgs::AppliedCorrection message =
+        toMessage({recorded.next_planned, 0.0, "the job is gone on with from its record, without maps", {}},
+                  recorded.toolpath_id, "");
+    message.header.stamp = ros::Time::now();
+    applied_.publish(message);
+  }
 }
 
 void GcodeStreamer::finish(const StreamStatus& status, double duration_s) {

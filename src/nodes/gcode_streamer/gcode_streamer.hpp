@@ -7,6 +7,8 @@
 #include <ros/node_handle.h>
 #include <std_srvs/Trigger.h>
 
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -17,6 +19,7 @@
 #include "lamina/kinematics/cartesian/cartesian_machine.hpp"
 #include "lamina/streaming/client/stream_session.hpp"
 #include "messages.hpp"
+#include "recorded_program.hpp"
 #include "startup_service.hpp"
 #include "streamer_settings.hpp"
 
@@ -44,6 +47,7 @@ class GcodeStreamer {
   StreamStatus stream(const lamina_msgs::StreamProgramGoal& goal);
   void beginJob(const lamina_msgs::StreamProgramGoal& goal, const StreamableProgram& program);
   StreamStatus streamProgram(const StreamableProgram& program, JobStart start);
+  StreamStatus follow(StreamSession& session, const std::function<void(const StreamStatus&)>& look);
   StreamableProgram programFor(const lamina_msgs::StreamProgramGoal& goal) const;
   StreamableProgram programFromToolpath(const std::string& id) const;
   StreamableProgram programFromToolpath(const MachineToolpath& placed, const ProgramSettings& settings) const;
@@ -53,6 +57,7 @@ class GcodeStreamer {
   std::shared_ptr<CorrectedStream> correctionOf(const StreamableProgram& program) const;
   void onCorrection(const lamina_msgs::CorrectionMap& message);
   void tellDecisions(CorrectedStream& corrected);
+  void tellLaidAsPlanned(RecordedProgram& recorded, std::int32_t layer);
 
   void onPlan(const lamina_msgs::ToolpathConstPtr& message);
   std::string goOverTo(const lamina_msgs::Toolpath& message, CorrectedStream& corrected,

@@ -220,6 +220,37 @@ TEST(CorrectedStream, IsGoneOnWithByItsRecordAfterAKill) {
   EXPECT_EQ(cell.machine.commands(), commandsOf(correctedByMaps("part.gcode", textOf(part), applied).text));
 }
 
+/// The same by a node that takes the place of the one that was killed: the layers left are told to the loop.
+TEST(CorrectedStream, GoesOnByItsRecordItself) {
+  const test::ScratchFolder folder;
+  const MachineToolpath part = finePart();
+  CorrectedCell cell(
+      "resumed", 10.0,
+      {"_corrections/folder:=" + folder.file("record"), "_stream/journal:=" + folder.file("job.progress")});
+  const std::string program = folder.file("part.gcode");
+  ASSERT_NO_FATAL_FAILURE(beginTrimmed(cell, part, program));
+  ASSERT_TRUE(waitUntil([&] { return std::ifstream(folder.file("record/layer_1_2.csv")).good(); }));
+  const std::size_t ran = cell.machine.commands().size();
+  ASSERT_TRUE(waitUntil([&] { return cell.machine.commands().size() > ran + 20; }));
+  EXPECT_EQ(cell.node->end(SIGKILL), -1);
+  cell.begin(part);
+  lamina_msgs::StreamProgramGoal goal;
+  goal.program = program;
+  goal.resume = true;
+  cell.client->sendGoal(goal);
+  EXPECT_TRUE(waitUntil([&] { return cell.client->getState().isDone(); }));
+  EXPECT_EQ(cell.client->getState().toString(), "SUCCEEDED") << cell.client->getState().getText();
+  const PlannedCorrection applied = test::recordedIn(folder.file("record"));
+  EXPECT_EQ(applied.maps.size(), 2U);
+  EXPECT_EQ(cell.machine.commands(), commandsOf(correctedByMaps("part.gcode", textOf(part), applied).text))
+      << "every line once";
+  ASSERT_TRUE(cell.isTold(3));
+  EXPECT_EQ(cell.applied.back().layer, 2U);
+  EXPECT_EQ(cell.applied.back().digest, "");
+  EXPECT_NE(cell.applied.back().reason.find("gone on with from its record"), std::string::npos)
+      << cell.applied.back().reason;
+}
+
 /// The layers left from one on planned anew, as one of 2 mm.
 MachineToolpath planOf(const MachineToolpath& part, std::size_t layer) {
   MachineToolpath plan = part;
