@@ -170,7 +170,7 @@ StreamStatus GcodeStreamer::streamProgram(const StreamableProgram& program, JobS
   }
   ROS_INFO("streaming %s, %lu lines, to %s", program.name().c_str(), static_cast<unsigned long>(sent.lines()),
            settings_.port.name.c_str());
-  const StreamStatus status = follow(*session, [&](const StreamStatus& now) {
+  StreamStatus status = follow(*session, [&](const StreamStatus& now) {
     if (corrected) tellDecisions(*corrected);
     if (recorded) tellLaidAsPlanned(*recorded, now.layer);
   });

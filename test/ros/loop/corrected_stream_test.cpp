@@ -331,7 +331,7 @@ TEST(CorrectedStream, TellsOfPlansThatItDoesNotGoOnWith) {
   EXPECT_EQ(cell.client->getState().toString(), "SUCCEEDED") << cell.client->getState().getText();
 }
 
-/// While a plan of half a million points is written the node takes what is asked of it, and a job that has
+/// While a plan of a million points is written the node takes what is asked of it, and a job that has
 /// ended meanwhile is not gone on with.
 TEST(CorrectedStream, AnswersWhileAPlanIsWritten) {
   const test::ScratchFolder folder;
@@ -347,7 +347,7 @@ TEST(CorrectedStream, AnswersWhileAPlanIsWritten) {
     if (path.role == PathRole::Travel) continue;
     const Point3 start = path.firstPoint();
     const Point3 end = path.points.back();
-    constexpr int kSteps = 250'000;
+    constexpr int kSteps = 500'000;
     path.points.clear();
     for (int i = 0; i <= kSteps; ++i) path.points.push_back(start + (i / double{kSteps}) * (end - start));
   }
