@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "planning/supports/stacked_material.hpp"
+#include "planning/order/near_origin.hpp"
 
 namespace lamina {
 
@@ -14,7 +14,7 @@ LayerAids moved(LayerAids aids, const Point2& by) {
     for (FillPath& run : runs)
       for (Point2& point : run.points) point += by;
     group.runs = std::make_shared<const std::vector<FillPath>>(std::move(runs));
-    if (group.area) group.area = std::make_shared<const Regions>(shifted(*group.area, by));
+    if (group.area) group.area = std::make_shared<const Regions>(moved(*group.area, by));
   }
   return aids;
 }

@@ -126,16 +126,6 @@ StackedMaterial stackedMaterial(const std::vector<Layer>& layers, double toleran
   return stack;
 }
 
-Regions shifted(Regions regions, const Point2& by) {
-  if (by.isZero()) return regions;
-  for (Region& region : regions) {
-    for (Point2& point : region.outer) point += by;
-    for (Polygon& hole : region.holes)
-      for (Point2& point : hole) point += by;
-  }
-  return regions;
-}
-
 Regions united(const Regions& a, const Regions& b) {
   if (a.empty()) return b;
   if (b.empty()) return a;

@@ -32,9 +32,6 @@ struct StackedMaterial {
 StackedMaterial stackedMaterial(const std::vector<Layer>& layers, double tolerance_mm,
                                 const std::optional<BedPlane>& bed, Progress& progress);
 
-/// Regions elsewhere in their plane.
-Regions shifted(Regions regions, const Point2& by);
-
 /// What either is; one of them as it is if the other is empty.
 Regions united(const Regions& a, const Regions& b);
 

@@ -10,6 +10,7 @@
 
 #include "lamina/base/parallel.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
+#include "planning/order/near_origin.hpp"
 #include "planning/supports/piecewise.hpp"
 
 namespace lamina {
@@ -38,7 +39,7 @@ SharedRegions share(Regions regions) {
 Regions swept(const Regions& regions, const Point2& way) {
   std::vector<Polygon> passed;
   for (int i = 0; i <= kSweepSteps; ++i)
-    for (Polygon& border : outlines(shifted(regions, static_cast<double>(i) / kSweepSteps * way)))
+    for (Polygon& border : outlines(moved(regions, static_cast<double>(i) / kSweepSteps * way)))
       passed.push_back(std::move(border));
   return unite(passed);
 }
@@ -156,8 +157,7 @@ void ColumnStack::placeTops(Progress& progress) {
     count_ = std::max(count_, top->full_layers);
     for (const ColumnTop::Cap& cap : top->caps) {
       const Point2 fall = stack_.fall() * (stack_.bounds[j].bottom_mm - cap.top_mm);
-      caps_[cap.layer].push_back(
-          {cap.bottom_mm, cap.top_mm, top->full_layers, share(shifted(held_[j], fall))});
+      caps_[cap.layer].push_back({cap.bottom_mm, cap.top_mm, top->full_layers, share(moved(held_[j], fall))});
       count_ = std::max(count_, cap.layer + 1);
     }
   }
@@ -197,10 +197,9 @@ void ColumnStack::drop() {
       falling_[k] = falling_[k + 1];
       continue;
     }
-    Regions area =
-        is_top ? Regions{} : shifted(*falling_[k + 1], fallBetween(stack_.bounds[k + 1].top_mm, k));
+    Regions area = is_top ? Regions{} : moved(*falling_[k + 1], fallBetween(stack_.bounds[k + 1].top_mm, k));
     for (const std::size_t j : joins_[k])
-      area = united(area, shifted(held_[j], fallBetween(stack_.bounds[j].bottom_mm, k)));
+      area = united(area, moved(held_[j], fallBetween(stack_.bounds[j].bottom_mm, k)));
     if (area.empty()) continue;
     const Regions stops = united(within(*stack_.material[k], boxOf(area), 1.0), stack_.bedIn(k));
     falling_[k] = share(simplified(differenceByPieces(area, stops), kFallingDetail * width_));
@@ -262,7 +261,7 @@ void ColumnStack::keepThoseThatStand() {
     }
     const Point2 rise = -fallBetween(stack_.bounds[k].top_mm, k - 1);
     const Regions foot = united(*kept[k - 1], on_part ? *blocked_[k - 1] : stack_.bedIn(k - 1));
-    kept[k] = share(intersection(*columns_[k], shifted(foot, rise)));
+    kept[k] = share(intersection(*columns_[k], moved(foot, rise)));
   }
   columns_ = std::move(kept);
 }
@@ -299,7 +298,7 @@ void ColumnStack::endAboveThePart(Progress& progress) {
     for (std::size_t i = k; i-- > 0 && stack_.bounds[i].top_mm > least && !ended[k]->empty();)
       if (stack_.material[i] != stack_.material[k] && !stack_.material[i]->empty())
         ended[k] = share(differenceByPieces(
-            *ended[k], shifted(*stack_.material[i], -fallBetween(stack_.bounds[k].top_mm, i))));
+            *ended[k], moved(*stack_.material[i], -fallBetween(stack_.bounds[k].top_mm, i))));
   };
   parallelFor(count_, end_layer, progress, "supports");
   columns_ = std::move(ended);
@@ -329,7 +328,7 @@ void ColumnStack::placeCaps(std::size_t layer) {
     if (cap.full_layers > 0) {
       const std::size_t foot = cap.full_layers - 1;
       const Point2 rise = -stack_.fall() * (cap.top_mm - stack_.bounds[foot].top_mm);
-      area = intersection(area, shifted(*columns_[foot], rise));
+      area = intersection(area, moved(*columns_[foot], rise));
     }
     const Regions with_cap = withoutNarrow(united(*whole_[layer], area), narrowest());
     cap.area = share(difference(with_cap, *whole_[layer]));
@@ -365,7 +364,7 @@ Regions ColumnStack::uncoveredEnds(std::size_t layer) const {
       if (!narrower) narrower = offset(*columns_[layer], -0.5 * width_);
       if (next >= count_) return *narrower;
       const Point2 rise = stack_.fall() * (stack_.bounds[next].top_mm - stack_.bounds[layer].top_mm);
-      uncovered = united(uncovered, differenceByPieces(*narrower, shifted(*covers_[next], rise)));
+      uncovered = united(uncovered, differenceByPieces(*narrower, moved(*covers_[next], rise)));
     }
   return uncovered;
 }
@@ -403,7 +402,7 @@ double ColumnStack::unsupported(std::size_t layer) const {
   const std::size_t last = top->caps.empty() ? top->full_layers - 1 : top->caps.back().layer;
   const Point2 rise = -fallBetween(stack_.bounds[layer].bottom_mm, last);
   const double reach = settings_.side_gap_mm + kTolerance * width_;
-  const Regions beside = within(shifted(*whole_[last], rise), boxOf(overhangs_[layer]), 3.0 * reach);
+  const Regions beside = within(moved(*whole_[last], rise), boxOf(overhangs_[layer]), 3.0 * reach);
   return area(differenceByPieces(overhangs_[layer], grownByPieces(beside, reach)));
 }
 

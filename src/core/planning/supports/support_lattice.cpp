@@ -10,6 +10,7 @@
 #include "lamina/base/angle.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
+#include "planning/order/near_origin.hpp"
 #include "planning/supports/piecewise.hpp"
 #include "planning/tools/tool_beads.hpp"
 
@@ -41,7 +42,7 @@ Point2 phaseOf(const LatticeLines& lines) {
 std::vector<FillPath> rasterAtPlace(const Regions& centred, const InfillRequest& request,
                                     const Point2& phase) {
   if (phase.isZero()) return rasterRuns(centred, request);
-  std::vector<FillPath> runs = rasterRuns(shifted(centred, phase), request);
+  std::vector<FillPath> runs = rasterRuns(moved(centred, phase), request);
   for (FillPath& run : runs)
     for (Point2& point : run.points) point -= phase;
   return runs;
