@@ -32,7 +32,7 @@ TrackSettings settingsFrom(const SettingOptions& options) {
   TrackSettings settings;
   SettingsSchema schema;
   describe(schema, settings.tracking);
-  schema.number("motion.acceleration_mm_s2", settings.motion.acceleration_mm_s2, {0.0, 1e6, true},
+  schema.number("motion.acceleration_mm_s2", settings.motion.acceleration_mm_s2, Bounds::above(0.0, 1e6),
                 "Acceleration of the nozzle along the path.");
   applySettings(schema, options.config, overridesFrom(options.assignments));
   schema.validate();

@@ -26,7 +26,7 @@ struct Lamp {
 };
 
 void describe(SettingsSchema& schema, Lamp& lamp) {
-  schema.number("lamp.power_w", lamp.power_w, {0.0, 100.0, true}, "Power.");
+  schema.number("lamp.power_w", lamp.power_w, Bounds::above(0.0, 100.0), "Power.");
   schema.integer("lamp.count", lamp.count, {0, 10}, "How many.");
   schema.flag("lamp.is_on", lamp.is_on, "Whether it shines.");
   schema.text("lamp.name", lamp.name, "Its name.");

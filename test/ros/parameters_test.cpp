@@ -20,7 +20,7 @@ struct Example {
 
 lamina::SettingsSchema describe(Example& example) {
   lamina::SettingsSchema schema;
-  schema.number("slicing.height_mm", example.height_mm, {0.0, 10.0, true}, "Height.");
+  schema.number("slicing.height_mm", example.height_mm, lamina::Bounds::above(0.0, 10.0), "Height.");
   schema.integer("walls.count", example.count, {0.0, 100.0}, "Walls.");
   schema.flag("walls.on", example.is_on, "Whether there are walls.");
   schema.text("machine.name", example.name, "Machine.");

@@ -10,69 +10,72 @@
 
 namespace lamina {
 
-/// Bounds of a numeric setting, both included unless said otherwise.
+/// Closed interval of values that a numeric setting may take, in the unit of its key: `{low, high}`. An
+/// infinite end is open.
 struct Bounds {
   double low = 0.0;
   double high = 0.0;
-  bool excludes_low = false;
+  bool excludes_low = false;  ///< the interval is (low, high]
+
+  /// The interval (low, high].
+  static constexpr Bounds above(double low, double high) { return {low, high, true}; }
 };
 
-/// One configuration key bound to the field that holds it. Values travel as text, as they stand in YAML, in
-/// `--set` and in a ROS request.
+/// A configuration key and the field that it sets. Values are passed as text, written as in YAML, in `--set`
+/// and in a ROS request.
 struct Setting {
   std::string key;  ///< dotted, unit last: "slicing.layer_height_mm"
   /// "number", "integer", "flag", "text", "3 numbers", "numbers", "table", or the choices "a | b | c"
   std::string type;
-  std::string bounds;   ///< as a person reads it: "(0, 10]"; empty if there are none
+  std::string bounds;   ///< written as an interval: "(0, 10]"; empty if the type has none
   std::string meaning;  ///< one sentence
   std::function<void(const std::string& text)> set;  ///< throws InvalidConfig naming key, value and bound
-  std::function<std::string()> get;
-  /// Of a table: sets one entry. Empty for others.
+  std::function<std::string()> get;                  ///< the field's value as text that `set` takes
+  /// Sets one entry of a table. Empty for every other type.
   std::function<void(const std::string& entry, const std::string& text)> set_entry = {};
 };
 
-/// Texts by their names: what a map, or a list of maps, in YAML holds. A name is what stands behind the
-/// table's key, with dots: "12", "0.nozzle_mm".
+/// Entries of a YAML map, or of a list of maps, as texts. The name of an entry is its key without that of the
+/// table: "12" in a map, "0.nozzle_mm" in a list.
 using SettingTable = std::map<std::string, std::string>;
 
-/// The settings of one or more stages: each stage's `describe(schema, settings)` adds its own keys. The bound
-/// structs must outlive the schema.
+/// The settings of one or more stages. Each stage adds its keys by a function `describe(schema, settings)`.
+/// The schema refers to the fields of `settings`, which must outlive it.
 class SettingsSchema {
  public:
   void number(const std::string& key, double& field, Bounds bounds, const std::string& meaning);
   void integer(const std::string& key, int& field, Bounds bounds, const std::string& meaning);
   void flag(const std::string& key, bool& field, const std::string& meaning);
   void text(const std::string& key, std::string& field, const std::string& meaning);
-  /// Finite numbers with commas between them, `count` of them or none.
+  /// A list of exactly `count` finite numbers, separated by commas, or an empty one.
   void numbers(const std::string& key, std::vector<double>& field, std::size_t count,
                const std::string& meaning);
-  /// Any count of numbers within bounds, with commas between them.
+  /// A list of any length, separated by commas, of numbers within the bounds.
   void list(const std::string& key, std::vector<double>& field, Bounds bounds, const std::string& meaning);
-  /// Entries by any name, each settable as `key.name`; as text, all of them as a YAML map or list in one line
-  /// ("{12: M117 nuts}").
+  /// A table of entries with any names. `key.name` sets one of them; `key` sets the table, from a YAML map or
+  /// list in one line ("{12: M117 nuts}").
   void table(const std::string& key, SettingTable& field, const std::string& meaning);
   /// A text that must be one of `choices`.
   void choice(const std::string& key, std::string& field, const std::vector<std::string>& choices,
               const std::string& meaning);
-  /// An enumeration by its names.
+  /// A value of an enumeration, as text its name in `choices`.
   template <class Enum>
   void choice(const std::string& key, Enum& field, const std::vector<std::pair<std::string, Enum>>& choices,
               const std::string& meaning);
 
-  /// A key, or one value of a choice, that had another name in the release before: that name is still taken.
+  /// Accepts the name that a key, or a value of a choice, had in the release before.
   void renamed(const std::string& former_key, const std::string& key);
   void renamedChoice(const std::string& key, const std::string& former_name, const std::string& name);
 
   const std::vector<Setting>& settings() const { return settings_; }
 
-  /// The setting of a key or of a former name of it, or the table that the key is an entry of; null if there
-  /// is none.
+  /// The setting of that key or former key; for the key of an entry, its table. Null if there is none.
   const Setting* find(const std::string& key) const;
 
   /// @throws InvalidConfig if the key is unknown (names the nearest one) or the value does not fit
   void set(const std::string& key, const std::string& text);
 
-  /// Checks what the fields hold now, however it came there.
+  /// Checks the values that the fields hold now, also those that were not set through the schema.
   /// @throws InvalidConfig naming key, value and bound
   void validate() const;
 
@@ -81,22 +84,22 @@ class SettingsSchema {
                  const std::function<void(std::size_t)>& choose, std::function<std::string()> get);
 
   std::vector<Setting> settings_;
-  std::vector<std::pair<std::string, std::string>> former_keys_;  ///< and what each is now
+  std::vector<std::pair<std::string, std::string>> former_keys_;  ///< former key, present key
 };
 
-/// A key and its value as text.
+/// The key of a setting and a value for it as text.
 struct SettingText {
   std::string key;
   std::string text;
 };
 
-/// Reads a YAML document into dotted keys, in document order. An empty document gives nothing. A list of
-/// single values is one text with commas; entries of other lists have their number as key.
+/// Reads a YAML document into dotted keys, in document order. An empty document gives none. A list of scalars
+/// becomes one text, separated by commas. In any other list an entry's key is its index, from 0.
 /// @throws InvalidConfig if it is not YAML, not a map, or a key stands twice; names the line
 std::vector<SettingText> settingsFromYaml(const std::string& yaml, const std::string& source_name);
 
-/// Sets what a YAML file holds, and then `overrides`, in order.
-/// @param yaml_path  empty for none
+/// Sets the values of a YAML file, and after them `overrides`, in their order.
+/// @param yaml_path  empty for no file
 /// @throws InvalidConfig naming key, value and bound (and the file, if it is no YAML); FileError
 void applySettings(SettingsSchema& schema, const std::string& yaml_path,
                    const std::vector<SettingText>& overrides);

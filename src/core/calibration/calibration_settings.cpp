@@ -6,12 +6,12 @@ namespace lamina {
 
 void describe(SettingsSchema& schema, CalibrationSettings& settings) {
   const Bounds place{-1e5, 1e5};
-  const Bounds length{0.0, 1000.0, true};
-  const Bounds frequency{0.0, 50.0, true};
-  const Bounds speed{0.0, 1000.0, true};
+  const Bounds length = Bounds::above(0.0, 1000.0);
+  const Bounds frequency = Bounds::above(0.0, 50.0);
+  const Bounds speed = Bounds::above(0.0, 1000.0);
   schema.number("calibrate.x_mm", settings.x_mm, place, "Middle of what is laid and scanned, on the bed.");
   schema.number("calibrate.y_mm", settings.y_mm, place, "Middle of what is laid and scanned, on the bed.");
-  schema.number("calibrate.search_s", settings.search_s, {0.0, 5.0, true},
+  schema.number("calibrate.search_s", settings.search_s, Bounds::above(0.0, 5.0),
                 "Greatest time offset looked for, either way.");
   schema.number("calibrate.bob_mm", settings.bob_mm, length, "Height of bobbing, either way.");
   schema.number("calibrate.bob_low_hz", settings.bob_low_hz, frequency, "Frequency of bobbing at first.");
@@ -26,20 +26,22 @@ void describe(SettingsSchema& schema, CalibrationSettings& settings) {
   schema.number("calibrate.swath_mm", settings.swath_mm, length, "Length of the sensor's line on the bed.");
   schema.number("calibrate.square_mm", settings.square_mm, {10.0, 1000.0},
                 "Side of the square that is laid around the cross.");
-  schema.number("calibrate.bead_width_mm", settings.bead_width_mm, {0.0, 100.0, true}, "Width of beads.");
-  schema.number("calibrate.bead_height_mm", settings.bead_height_mm, {0.0, 100.0, true}, "Height of beads.");
+  schema.number("calibrate.bead_width_mm", settings.bead_width_mm, Bounds::above(0.0, 100.0),
+                "Width of beads.");
+  schema.number("calibrate.bead_height_mm", settings.bead_height_mm, Bounds::above(0.0, 100.0),
+                "Height of beads.");
   schema.number("calibrate.bead_mm_s", settings.bead_mm_s, speed, "Speed at which beads are laid.");
-  schema.number("calibrate.step", settings.step, {0.0, 0.9, true},
+  schema.number("calibrate.step", settings.step, Bounds::above(0.0, 0.9),
                 "Share by which the amount of the feeder's bead is stepped up and down.");
   schema.number("calibrate.step_mm", settings.step_mm, length, "Length of the feeder's bead between steps.");
   schema.number("calibrate.feeder_mm_s", settings.feeder_mm_s, speed, "Speed of the feeder's bead.");
   schema.number("calibrate.feeder_gap_mm", settings.feeder_gap_mm, length,
                 "Distance of the feeder's two beads.");
-  schema.number("calibrate.max_sigma_mm", settings.max_sigma_mm, {0.0, 10.0, true},
+  schema.number("calibrate.max_sigma_mm", settings.max_sigma_mm, Bounds::above(0.0, 10.0),
                 "A shift of the sensor with a greater standard deviation counts as not found.");
-  schema.number("calibrate.max_sigma_deg", settings.max_sigma_deg, {0.0, 10.0, true},
+  schema.number("calibrate.max_sigma_deg", settings.max_sigma_deg, Bounds::above(0.0, 10.0),
                 "A turn of the sensor with a greater standard deviation counts as not found.");
-  schema.number("calibrate.noise_mm", settings.noise_mm, {0.0, 10.0, true},
+  schema.number("calibrate.noise_mm", settings.noise_mm, Bounds::above(0.0, 10.0),
                 "Standard deviation of a point, at least.");
 }
 

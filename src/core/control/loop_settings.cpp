@@ -9,7 +9,7 @@ void describeLaw(SettingsSchema& schema, LoopSettings& settings) {
   schema.choice("loop.process", settings.process,
                 {{"free", LoopProcess::Free}, {"pressed", LoopProcess::Pressed}},
                 "What sets the top of a bead: its volume, or the nozzle.");
-  schema.number("loop.gain", settings.gain, {0.0, 1.9, true},
+  schema.number("loop.gain", settings.gain, Bounds::above(0.0, 1.9),
                 "Share of the height error that a layer corrects.");
   schema.number("loop.learning", settings.learning, {0.0, 1.0},
                 "Share of the growth measured that a layer learns.");
@@ -18,7 +18,7 @@ void describeLaw(SettingsSchema& schema, LoopSettings& settings) {
   schema.choice("loop.narrow_low_pass", settings.narrow_low_pass,
                 {{"refused", NarrowLowPass::Refused}, {"raised", NarrowLowPass::Raised}},
                 "What is done with a low-pass that is too narrow for the calibrations.");
-  schema.number("loop.layer_volume", settings.layer_volume, {0.0, 10.0, true},
+  schema.number("loop.layer_volume", settings.layer_volume, Bounds::above(0.0, 10.0),
                 "Greatest relative change of the volume of a whole layer.");
   schema.integer("loop.first_layers", settings.first_layers, {0.0, 1000.0},
                  "Layers that are learnt from and not corrected.");
@@ -61,13 +61,13 @@ void describeSupervision(SettingsSchema& schema, LoopSettings& settings) {
                 "What is done where corrections have come to their limits.");
   schema.choice("loop.on_loss", settings.on_loss, {{"hold", LossOfSight::Hold}, {"open", LossOfSight::Open}},
                 "What is done after three layers without a measurement.");
-  schema.number("loop.silence_s", settings.silence_s, {0.0, 3600.0, true},
+  schema.number("loop.silence_s", settings.silence_s, Bounds::above(0.0, 3600.0),
                 "Time without a cloud, within a scan, after which the sensor is lost.");
   schema.number("loop.wait_s", settings.wait_s, {0.0, 600.0},
                 "Time that the start of a layer waits for its corrections.");
   schema.number("loop.alarm_layers", settings.alarm_layers, {0.1, 100.0},
                 "Height error that raises an alarm, in layer heights.");
-  schema.number("loop.part_learning", settings.part_learning, {0.0, 1.0, true},
+  schema.number("loop.part_learning", settings.part_learning, Bounds::above(0.0, 1.0),
                 "Share of the height error that the next part corrects.");
 }
 

@@ -230,17 +230,17 @@ ProfileReadings readProfile(const SensorProfile& profile, const CellAtlas& atlas
 }
 
 void describe(SettingsSchema& schema, SightSettings& settings) {
-  schema.number("sight.window_layers", settings.window_layers, {0.0, 10.0, true},
+  schema.number("sight.window_layers", settings.window_layers, Bounds::above(0.0, 10.0),
                 "Reach of a cell along its growth, in layer heights.");
-  schema.number("sight.crown_share", settings.crown_share, {0.0, 1.0, true},
+  schema.number("sight.crown_share", settings.crown_share, Bounds::above(0.0, 1.0),
                 "Part of a bead's width, around its middle, that is measured.");
-  schema.number("sight.sigma_mm", settings.sigma_mm, {0.0, 10.0, true},
+  schema.number("sight.sigma_mm", settings.sigma_mm, Bounds::above(0.0, 10.0),
                 "Standard deviation of a point along the beam.");
   schema.number("sight.spacing_mm", settings.spacing_mm, {0.0, 100.0},
                 "Distance of neighbouring points of a profile.");
   schema.number("sight.pose_sigma_mm", settings.pose_sigma_mm, {0.0, 10.0},
                 "Standard deviation of the sensor's place.");
-  schema.number("sight.greatest_angle_deg", settings.greatest_angle_deg, {0.0, 90.0, true},
+  schema.number("sight.greatest_angle_deg", settings.greatest_angle_deg, Bounds::above(0.0, 90.0),
                 "Greatest angle between beam and growth at which a cell is measured.");
   schema.number("sight.least_depth_mm", settings.least_depth_mm, {0.0, 1e5},
                 "Least depth of the sensor's window.");

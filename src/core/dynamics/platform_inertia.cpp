@@ -5,8 +5,8 @@
 namespace lamina {
 
 void describe(SettingsSchema& schema, PlatformInertia& inertia) {
-  const Bounds mass{0.0, 1000.0, true};
-  const Bounds turned{0.0, 1000.0, true};
+  const Bounds mass = Bounds::above(0.0, 1000.0);
+  const Bounds turned = Bounds::above(0.0, 1000.0);
   schema.number("platform.mass_kg", inertia.platform_kg, mass, "Mass of the mobile platform with its tool.");
   schema.number("platform.crank_mass_kg", inertia.crank_kg, mass, "Mass of each crank, a slender rod.");
   schema.number("platform.coupler_mass_kg", inertia.coupler_kg, mass, "Mass of each coupler, a slender rod.");

@@ -10,12 +10,12 @@
 namespace lamina {
 
 void describe(SettingsSchema& schema, SlidingModeGains& gains) {
-  schema.number("controller.k1", gains.k1, {0.0, 1e6, true}, "Gain on the rate of the error.");
-  schema.number("controller.k2", gains.k2, {0.0, 1e9, true}, "Gain on the error.");
-  schema.number("controller.k3", gains.k3, {0.0, 1e12, true}, "Gain on the integral of the error.");
+  schema.number("controller.k1", gains.k1, Bounds::above(0.0, 1e6), "Gain on the rate of the error.");
+  schema.number("controller.k2", gains.k2, Bounds::above(0.0, 1e9), "Gain on the error.");
+  schema.number("controller.k3", gains.k3, Bounds::above(0.0, 1e12), "Gain on the integral of the error.");
   schema.number("controller.reach_rad_s2", gains.reach, {0.0, 1e6},
                 "Greatest acceleration with which it answers a distance from the sliding surface.");
-  schema.number("controller.boundary_rad_s", gains.boundary, {0.0, 1e6, true},
+  schema.number("controller.boundary_rad_s", gains.boundary, Bounds::above(0.0, 1e6),
                 "Distance from the sliding surface at which that answer is greatest.");
 }
 

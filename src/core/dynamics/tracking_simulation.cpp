@@ -50,7 +50,7 @@ void describe(SettingsSchema& schema, TrackingSettings& settings) {
   schema.number("platform.unknown_load_kg", settings.unknown_load_kg, {0.0, 1000.0},
                 "Mass on the platform that its controller does not know of.");
   describe(schema, settings.gains);
-  schema.number("simulation.step_s", settings.step_s, {0.0, 1e-3, true},
+  schema.number("simulation.step_s", settings.step_s, Bounds::above(0.0, 1e-3),
                 "Step of the integration in time, at most 1 ms.");
 }
 

@@ -18,13 +18,13 @@ namespace {
 void describe(SettingsSchema& schema, InputSettings& input) {
   schema.choice<LengthUnit>("input.unit", input.units.unit, lengthUnits(),
                             "Unit of mesh files that state none.");
-  schema.number("input.scale", input.units.scale, {0.0, 1e6, true}, "Factor on the size of the part.");
+  schema.number("input.scale", input.units.scale, Bounds::above(0.0, 1e6), "Factor on the size of the part.");
   schema.choice<RepairPolicy>("input.repair", input.repair,
                               {{"repair", RepairPolicy::Repair}, {"strict", RepairPolicy::Strict}},
                               "Whether a broken mesh is repaired or refused.");
-  schema.number("input.deflection_mm", input.tessellation.deflection_mm, {0.0, 100.0, true},
+  schema.number("input.deflection_mm", input.tessellation.deflection_mm, Bounds::above(0.0, 100.0),
                 "Farthest that the triangles of a solid (STEP) lie from its curved faces.");
-  schema.number("input.deflection_deg", input.tessellation.deflection_deg, {0.0, 90.0, true},
+  schema.number("input.deflection_deg", input.tessellation.deflection_deg, Bounds::above(0.0, 90.0),
                 "Greatest angle between edges of these triangles along a curve.");
   schema.number("input.extrude_mm", input.extrude_mm, {0.0, 1e6},
                 "Height of the part that an outline (SVG) becomes; 0 refuses outlines.");

@@ -25,7 +25,7 @@ void describe(SettingsSchema& schema, SurfaceFillSettings& settings) {
       "metrics.uncovered_faces", settings.uncovered,
       {{"count", UncoveredFaces::Count}, {"skip", UncoveredFaces::Skip}},
       "Whether faces that no bead comes near are underfilled in full, or left out.");
-  schema.number("metrics.surface_step_mm", settings.step_mm, {0.0, 1.0, true},
+  schema.number("metrics.surface_step_mm", settings.step_mm, Bounds::above(0.0, 1.0),
                 "Distance between the lines along which areas on faces are measured, at most.");
 }
 
@@ -33,7 +33,7 @@ void describe(SettingsSchema& schema, VolumeErrorSettings& settings) {
   schema.choice<VolumeSection>("metrics.volume_section", settings.section,
                                {{"strand", VolumeSection::Strand}, {"bead", VolumeSection::Bead}},
                                "Whether volume is that of a strand of one section, or of the beads.");
-  schema.number("metrics.strand_area_mm2", settings.strand_area_mm2, {0.0, 100.0, true},
+  schema.number("metrics.strand_area_mm2", settings.strand_area_mm2, Bounds::above(0.0, 100.0),
                 "Section of that strand.");
   schema.choice<StrandEnds>("metrics.strand_ends", settings.ends,
                             {{"whole", StrandEnds::Whole},
@@ -52,7 +52,7 @@ void describe(SettingsSchema& schema, MetricsSettings& settings) {
               "Whether the six-legged platform is simulated for energy and tracking errors.");
   schema.number("metrics.speed_mm_s", settings.speed_mm_s, {0.0, 1e4},
                 "Speed of every motion in the metrics; 0 for the toolpath's own feeds.");
-  schema.number("metrics.acceleration_mm_s2", settings.acceleration_mm_s2, {0.0, 1e6, true},
+  schema.number("metrics.acceleration_mm_s2", settings.acceleration_mm_s2, Bounds::above(0.0, 1e6),
                 "Acceleration of every motion in the metrics, from rest to rest.");
   describe(schema, settings.surface);
   describe(schema, settings.volume);

@@ -143,14 +143,15 @@ const char* toString(LayerSight sight) {
 }
 
 void describe(SettingsSchema& schema, MonitorSettings& settings) {
-  schema.number("monitor.cell_mm", settings.cell_mm, {0.0, 100.0, true}, "Cell size of the height maps.");
+  schema.number("monitor.cell_mm", settings.cell_mm, Bounds::above(0.0, 100.0),
+                "Cell size of the height maps.");
   schema.number("monitor.margin_mm", settings.margin_mm, {0.0, 1000.0},
                 "Extent of the height maps around what the toolpath deposits.");
-  schema.number("scan.clearance_mm", settings.scan_clearance_mm, {0.0, 100.0, true},
+  schema.number("scan.clearance_mm", settings.scan_clearance_mm, Bounds::above(0.0, 100.0),
                 "Clearance that the toolpath's scan passes were planned with.");
-  schema.number("pose_gap_mm", settings.pose_gap_mm, {0.0, 1e6, true},
+  schema.number("pose_gap_mm", settings.pose_gap_mm, Bounds::above(0.0, 1e6),
                 "Between two known poses of the nozzle; profiles in a longer gap are not placed.");
-  schema.number("quiet_s", settings.quiet_s, {0.0, 3600.0, true},
+  schema.number("quiet_s", settings.quiet_s, Bounds::above(0.0, 3600.0),
                 "A scan that shows nothing new of its layer for that long, by the stamps, is over.");
 }
 

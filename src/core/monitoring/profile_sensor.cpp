@@ -148,7 +148,7 @@ void describeDefects(SettingsSchema& schema, ProfileSensorSettings& settings) {
 }  // namespace
 
 void describe(SettingsSchema& schema, ProfileSensorSettings& settings) {
-  const Bounds length{0.0, 1000.0, true};
+  const Bounds length = Bounds::above(0.0, 1000.0);
   schema.number("sensor.width_mm", settings.width_mm, length, "Width of the line of light at the stand-off.");
   schema.integer("sensor.points", settings.points, {1, 100000}, "Points of a profile.");
   schema.number("sensor.stand_off_mm", settings.stand_off_mm, length, "Distance of the middle of the range.");

@@ -67,7 +67,7 @@ void describe(SettingsSchema& schema, GeneticSettings& settings) {
   schema.integer("genetic.generations", settings.generations, {1, 100000}, "Generations of the search.");
   schema.number("genetic.mutation_probability", settings.mutation_probability, {0.0, 1.0},
                 "Probability that a child is changed in one variable.");
-  schema.number("genetic.mutation_step", settings.mutation_step, {0.0, 1.0, true},
+  schema.number("genetic.mutation_step", settings.mutation_step, Bounds::above(0.0, 1.0),
                 "Greatest change of a variable, as a share of its range.");
 }
 

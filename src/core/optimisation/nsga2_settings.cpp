@@ -20,7 +20,7 @@ void describe(SettingsSchema& schema, Nsga2Settings& settings) {
                 "Blend: mutants a generation, of the population.");
   schema.number("nsga2.mutation_rate", settings.mutation_rate, {0.0, 1.0},
                 "Blend: share of the variables of a mutant that change; at least one does.");
-  schema.number("nsga2.mutation_step", settings.mutation_step, {0.0, 1.0, true},
+  schema.number("nsga2.mutation_step", settings.mutation_step, Bounds::above(0.0, 1.0),
                 "Blend: standard deviation of a change, of the range of the variable.");
   schema.number("nsga2.crossover_probability", settings.crossover_probability, {0.0, 1.0},
                 "Sbx: that a pair is crossed.");

@@ -207,7 +207,7 @@ void describe(SettingsSchema& schema, SurrogateSearchSettings& settings) {
                  "Proposed points to try at least, unless one has been tried already.");
   schema.integer("surrogate.most_iterations", settings.most_iterations, {1, 100000},
                  "Proposed points to try at most.");
-  schema.number("surrogate.accepted_mape_percent", settings.accepted_mape_percent, {0.0, 100.0, true},
+  schema.number("surrogate.accepted_mape_percent", settings.accepted_mape_percent, Bounds::above(0.0, 100.0),
                 "Mean absolute error of predictions below which a point is accepted.");
   schema.number("surrogate.least_improvement_percent", settings.least_improvement_percent, {0.0, 100.0},
                 "Expected improvement of the best fitness below which the search ends.");

@@ -20,7 +20,7 @@ void describe(SettingsSchema& schema, OrientationSettings& settings) {
                 "Mode fixed: lean of the nozzle from the vertical.");
   schema.number("orientation.fixed_heading_deg", settings.fixed.heading_deg, turn,
                 "Mode fixed: where the nozzle leans to; 0 is x, 90 is y.");
-  schema.number("orientation.wall_max_lean_deg", settings.wall.max_lean_deg, {0.0, 89.0, true},
+  schema.number("orientation.wall_max_lean_deg", settings.wall.max_lean_deg, Bounds::above(0.0, 89.0),
                 "Mode wall: faces that lean more from the layers' normal are no walls.");
   const Bounds lean{-60.0, 60.0};
   schema.number("orientation.lead_deg", settings.lead_deg, lean,

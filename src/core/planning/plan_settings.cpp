@@ -7,7 +7,7 @@
 namespace lamina {
 namespace {
 
-constexpr Bounds kFeed{0.0, 10000.0, true};
+constexpr Bounds kFeed = Bounds::above(0.0, 10000.0);
 constexpr Bounds kAngle{-360.0, 360.0};
 
 void describe(SettingsSchema& schema, BeadSettings& bead) {
@@ -77,7 +77,7 @@ void describe(SettingsSchema& schema, SkinSettings& skins) {
 
 void describe(SettingsSchema& schema, IroningSettings& ironing) {
   schema.flag("ironing.use", ironing.is_used, "Whether skins seen from above are passed over once more.");
-  schema.number("ironing.flow", ironing.flow, {0.0, 1.0, true},
+  schema.number("ironing.flow", ironing.flow, Bounds::above(0.0, 1.0),
                 "What is laid then, as a share of the layer's height.");
   schema.number("ironing.spacing_mm", ironing.spacing_mm, {0.01, 100.0},
                 "Distance of neighbouring lines of ironing.");

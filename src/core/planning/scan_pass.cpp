@@ -106,10 +106,10 @@ Toolpath withScanPasses(Toolpath toolpath, const ScanSettings& settings, const P
 void describe(SettingsSchema& schema, ScanSettings& settings) {
   schema.integer("scan.every_layers", settings.every_layers, {0, 1000000},
                  "A scan with the profile sensor follows each n-th layer and the last; 0 scans none.");
-  schema.number("scan.clearance_mm", settings.clearance_mm, {0.0, 100.0, true},
+  schema.number("scan.clearance_mm", settings.clearance_mm, Bounds::above(0.0, 100.0),
                 "The nozzle flies at least that far above the layer just finished.");
-  schema.number("scan.feed_mm_s", settings.feed_mm_s, {0.0, 1000.0, true}, "Speed of the scan.");
-  schema.number("scan.swath_mm", settings.swath_mm, {0.0, 1000.0, true},
+  schema.number("scan.feed_mm_s", settings.feed_mm_s, Bounds::above(0.0, 1000.0), "Speed of the scan.");
+  schema.number("scan.swath_mm", settings.swath_mm, Bounds::above(0.0, 1000.0),
                 "Length of the sensor's line on the layer.");
   schema.number("scan.margin_mm", settings.margin_mm, {0.0, 100.0}, "Scanned beyond the layer on each side.");
 }

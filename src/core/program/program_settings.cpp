@@ -9,16 +9,16 @@ namespace lamina {
 void describe(SettingsSchema& schema, ProgramSettings& settings) {
   schema.choice("program.flavour", settings.flavour, gcodeFlavours().names(),
                 "Flavour of G-code for machines with linear axes.");
-  schema.number("program.filament_diameter_mm", settings.filament_diameter_mm, {0.0, 20.0, true},
+  schema.number("program.filament_diameter_mm", settings.filament_diameter_mm, Bounds::above(0.0, 20.0),
                 "Diameter of the filament.");
-  schema.number("program.flow", settings.flow, {0.0, 10.0, true}, "Factor on all extrusion.");
+  schema.number("program.flow", settings.flow, Bounds::above(0.0, 10.0), "Factor on all extrusion.");
   schema.number("program.nozzle_temperature_c", settings.nozzle_temperature_c, {0.0, 500.0},
                 "Nozzle temperature while printing; 0 leaves the heater alone.");
   schema.number("program.bed_temperature_c", settings.bed_temperature_c, {0.0, 200.0},
                 "Bed temperature while printing; 0 leaves the heater alone.");
   schema.number("program.retraction_length_mm", settings.retraction_length_mm, {0.0, 50.0},
                 "Filament pulled back on retracted paths.");
-  schema.number("program.retraction_feed_mm_s", settings.retraction_feed_mm_s, {0.0, 500.0, true},
+  schema.number("program.retraction_feed_mm_s", settings.retraction_feed_mm_s, Bounds::above(0.0, 500.0),
                 "Speed of the filament while it is pulled back and pushed forth.");
   schema.text(
       "program.start_code", settings.start_code,

@@ -10,11 +10,11 @@ void describeShape(SettingsSchema& schema, ScaffoldSettings& settings) {
                 "Low corner of the part on the bed.");
   schema.number("scaffold.corner_y_mm", settings.corner_y_mm, {-1e4, 1e4},
                 "Low corner of the part on the bed.");
-  schema.number("scaffold.length_mm", settings.length_mm, {0.0, 1000.0, true},
+  schema.number("scaffold.length_mm", settings.length_mm, Bounds::above(0.0, 1000.0),
                 "Along x; of cubes and sinusoidal scaffolds along y and of cubes the height too.");
-  schema.number("scaffold.breadth_mm", settings.breadth_mm, {0.0, 1000.0, true}, "Along y, of a box.");
-  schema.number("scaffold.diameter_mm", settings.diameter_mm, {0.0, 1000.0, true}, "Of a cylinder.");
-  schema.number("scaffold.height_mm", settings.height_mm, {0.0, 1000.0, true},
+  schema.number("scaffold.breadth_mm", settings.breadth_mm, Bounds::above(0.0, 1000.0), "Along y, of a box.");
+  schema.number("scaffold.diameter_mm", settings.diameter_mm, Bounds::above(0.0, 1000.0), "Of a cylinder.");
+  schema.number("scaffold.height_mm", settings.height_mm, Bounds::above(0.0, 1000.0),
                 "Height of the part, rounded to whole layers.");
 }
 
@@ -26,8 +26,8 @@ void describeBeads(SettingsSchema& schema, ScaffoldSettings& settings) {
                 "Width of the beads; at least the height of the layers.");
   schema.number("scaffold.bead_fill", settings.bead_fill, {0.0, 1.0},
                 "Section of a bead over its width times height; 0 takes that of the kind.");
-  schema.number("scaffold.feed_mm_s", settings.feed_mm_s, {0.0, 1000.0, true}, "While depositing.");
-  schema.number("scaffold.travel_feed_mm_s", settings.travel_feed_mm_s, {0.0, 1000.0, true},
+  schema.number("scaffold.feed_mm_s", settings.feed_mm_s, Bounds::above(0.0, 1000.0), "While depositing.");
+  schema.number("scaffold.travel_feed_mm_s", settings.travel_feed_mm_s, Bounds::above(0.0, 1000.0),
                 "Between deposits.");
   schema.number("scaffold.away_mm", settings.away_mm, {0.0, 1000.0},
                 "How far the nozzle leaves the part between layers; 0 stays above it.");
@@ -42,7 +42,8 @@ void describeFill(SettingsSchema& schema, ScaffoldSettings& settings) {
   schema.choice("scaffold.full_spacing", settings.full_spacing,
                 {{"packed", FullSpacing::Packed}, {"width", FullSpacing::Width}},
                 "Spacing of lines at density 1: what a stadium fills, or the width of a bead.");
-  schema.number("scaffold.density", settings.density, {0.0, 1.0, true}, "Filled part inside the perimeters.");
+  schema.number("scaffold.density", settings.density, Bounds::above(0.0, 1.0),
+                "Filled part inside the perimeters.");
   schema.number("scaffold.angle_deg", settings.angle_deg, {-360.0, 360.0},
                 "Of the lines of the first layer.");
   schema.integer("scaffold.perimeters", settings.perimeters, {0, 100}, "Around the fill.");

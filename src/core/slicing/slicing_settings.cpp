@@ -21,12 +21,12 @@ void describe(SettingsSchema& schema, PlaneSettings& plane) {
 }
 
 void describe(SettingsSchema& schema, AdaptiveSettings& adaptive) {
-  const Bounds height{0.0, 10.0, true};
+  const Bounds height = Bounds::above(0.0, 10.0);
   schema.number("adaptive.cusp_mm", adaptive.cusp_mm, height,
                 "Greatest step that an adaptive layer leaves on the surface, along its normal.");
   schema.number("adaptive.least_mm", adaptive.least_mm, height, "Least height of adaptive layers.");
   schema.number("adaptive.greatest_mm", adaptive.greatest_mm, height, "Greatest height of adaptive layers.");
-  schema.number("adaptive.greatest_ratio", adaptive.greatest_ratio, {1.0, 100.0, true},
+  schema.number("adaptive.greatest_ratio", adaptive.greatest_ratio, Bounds::above(1.0, 100.0),
                 "Greatest ratio of the heights of neighbouring adaptive layers.");
   schema.number("adaptive.quantum_mm", adaptive.quantum_mm, {0.0, 10.0},
                 "Adaptive heights are multiples of it, as of a motor's step; 0 for any height.");
@@ -35,7 +35,7 @@ void describe(SettingsSchema& schema, AdaptiveSettings& adaptive) {
 }  // namespace
 
 void describe(SettingsSchema& schema, SlicingSettings& settings) {
-  const Bounds height{0.0, 10.0, true};
+  const Bounds height = Bounds::above(0.0, 10.0);
   schema.number("slicing.layer_height_mm", settings.layer_height_mm, height,
                 "Height of every layer but the first.");
   schema.number("slicing.first_layer_height_mm", settings.first_layer_height_mm, height,

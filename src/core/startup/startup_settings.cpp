@@ -23,9 +23,9 @@ void describeSequence(SettingsSchema& schema, StartupSettings& settings) {
     schema.text(std::string("startup.after_") + toString(step),
                 settings.after[static_cast<std::size_t>(step)],
                 std::string("Further steps that ") + toString(step) + " must wait for.");
-  schema.number("startup.speed_up", settings.speed_up, {0.0, 1000.0, true},
+  schema.number("startup.speed_up", settings.speed_up, Bounds::above(0.0, 1000.0),
                 "Machine time per wall time, as emulator.speed_up; 1 for a real machine.");
-  schema.number("startup.check_interval_s", settings.check_interval_s, {0.0, 3600.0, true},
+  schema.number("startup.check_interval_s", settings.check_interval_s, Bounds::above(0.0, 3600.0),
                 "Wall time between two looks at the machine while no job is under way.");
   schema.text("startup.check_code", settings.check_code,
               "G-code that makes the machine report its condition.");
@@ -39,11 +39,12 @@ void describeDrying(SettingsSchema& schema, StartupSettings& settings) {
               "replaced.");
   schema.text("startup.dry_label", settings.dry_label,
               "Text before the dryer's temperature in reports; empty if it is not reported.");
-  schema.number("startup.dry_target_c", settings.dry_target_c, {0.0, 300.0, true}, "Temperature of drying.");
+  schema.number("startup.dry_target_c", settings.dry_target_c, Bounds::above(0.0, 300.0),
+                "Temperature of drying.");
   schema.number("startup.dry_tolerance_c", settings.dry_tolerance_c, {0.0, 100.0},
                 "How far below the target still counts as drying.");
-  schema.number("startup.dry_h", settings.dry_h, {0.0, 1000.0, true}, "Time of drying.");
-  schema.number("startup.dry_valid_h", settings.dry_valid_h, {0.0, 10000.0, true},
+  schema.number("startup.dry_h", settings.dry_h, Bounds::above(0.0, 1000.0), "Time of drying.");
+  schema.number("startup.dry_valid_h", settings.dry_valid_h, Bounds::above(0.0, 10000.0),
                 "Time after which pellets not known to be kept dry must be dried again.");
 }
 
@@ -51,14 +52,15 @@ void describeBed(SettingsSchema& schema, StartupSettings& settings) {
   schema.text("startup.bed_code", settings.bed_code,
               "G-code that sets the bed's target; empty if the operator heats it and confirms. {target_c} is "
               "replaced.");
-  schema.number("startup.bed_target_c", settings.bed_target_c, {0.0, 150.0, true}, "Temperature of the bed.");
-  schema.number("startup.bed_tolerance_c", settings.bed_tolerance_c, {0.0, 50.0, true},
+  schema.number("startup.bed_target_c", settings.bed_target_c, Bounds::above(0.0, 150.0),
+                "Temperature of the bed.");
+  schema.number("startup.bed_tolerance_c", settings.bed_tolerance_c, Bounds::above(0.0, 50.0),
                 "How far from the target the bed counts as hot.");
-  schema.number("startup.bed_rate_c_min", settings.bed_rate_c_min, {0.0, 600.0, true},
+  schema.number("startup.bed_rate_c_min", settings.bed_rate_c_min, Bounds::above(0.0, 600.0),
                 "Rate at which the bed's target is raised.");
-  schema.number("startup.bed_max_rate_c_min", settings.bed_max_rate_c_min, {0.0, 6000.0, true},
+  schema.number("startup.bed_max_rate_c_min", settings.bed_max_rate_c_min, Bounds::above(0.0, 6000.0),
                 "Fastest the bed may be seen to heat.");
-  schema.number("startup.bed_timeout_min", settings.bed_timeout_min, {0.0, 1440.0, true},
+  schema.number("startup.bed_timeout_min", settings.bed_timeout_min, Bounds::above(0.0, 1440.0),
                 "Time within which the bed must be hot.");
 }
 
@@ -68,9 +70,9 @@ void describeAxes(SettingsSchema& schema, StartupSettings& settings) {
   schema.text("startup.home_label", settings.home_label,
               "Text before the letters of the homed axes in reports; empty if they are not reported.");
   schema.text("startup.map_code", settings.map_code, "G-code that takes the height map and prints it.");
-  schema.number("startup.map_flat_mm", settings.map_flat_mm, {0.0, 100.0, true},
+  schema.number("startup.map_flat_mm", settings.map_flat_mm, Bounds::above(0.0, 100.0),
                 "Most that the highest point may be above the lowest.");
-  schema.number("startup.map_valid_h", settings.map_valid_h, {0.0, 10000.0, true},
+  schema.number("startup.map_valid_h", settings.map_valid_h, Bounds::above(0.0, 10000.0),
                 "Time after which the height map must be taken again.");
 }
 
@@ -82,7 +84,7 @@ void describeVacuum(SettingsSchema& schema, StartupSettings& settings) {
               "G-code that closes a zone. {zone} is replaced.");
   schema.text("startup.vacuum_label", settings.vacuum_label,
               "Text before a zone's pressure [kPa] in reports. {zone} is replaced.");
-  schema.number("startup.vacuum_max_kpa", settings.vacuum_max_kpa, {0.0, 101.0, true},
+  schema.number("startup.vacuum_max_kpa", settings.vacuum_max_kpa, Bounds::above(0.0, 101.0),
                 "Absolute pressure that every zone must stay under.");
   schema.number("startup.vacuum_evacuate_s", settings.vacuum_evacuate_s, {0.0, 3600.0},
                 "Time until the pressure must be reached.");

@@ -5,7 +5,7 @@
 namespace lamina {
 
 void describe(SettingsSchema& schema, StiffnessSettings& settings) {
-  schema.number("stiffness.youngs_modulus_mpa", settings.material.youngs_modulus_mpa, {0.0, 1e7, true},
+  schema.number("stiffness.youngs_modulus_mpa", settings.material.youngs_modulus_mpa, Bounds::above(0.0, 1e7),
                 "Young's modulus of the material.");
   schema.number("stiffness.poissons_ratio", settings.material.poissons_ratio, {0.0, 0.49},
                 "Poisson's ratio of the material; nearer to 0.5 the elements lock.");
@@ -14,11 +14,11 @@ void describe(SettingsSchema& schema, StiffnessSettings& settings) {
                 "Between two plates, or on two supports by a punch half way between them.");
   schema.choice("stiffness.axis", settings.axis, {{"x", 0}, {"y", 1}, {"z", 2}},
                 "Along which the load acts.");
-  schema.number("stiffness.compression_mm", settings.compression_mm, {0.0, 1000.0, true},
+  schema.number("stiffness.compression_mm", settings.compression_mm, Bounds::above(0.0, 1000.0),
                 "By which the plates approach under compression.");
-  schema.number("stiffness.deflection_mm", settings.deflection_mm, {0.0, 1000.0, true},
+  schema.number("stiffness.deflection_mm", settings.deflection_mm, Bounds::above(0.0, 1000.0),
                 "By which the punch moves under bending.");
-  schema.number("stiffness.span_mm", settings.span_mm, {0.0, 1e5, true},
+  schema.number("stiffness.span_mm", settings.span_mm, Bounds::above(0.0, 1e5),
                 "Between the supports under bending.");
   schema.number("stiffness.area_mm2", settings.area_mm2, {0.0, 1e10},
                 "Section under compression as if solid; 0 for that of the box around the part.");

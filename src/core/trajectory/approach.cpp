@@ -64,8 +64,8 @@ void describe(SettingsSchema& schema, ApproachSettings& settings) {
   schema.number(
       "approach.lift_mm", settings.lift_mm, {0.0, 1e3},
       "How far the nozzle is lifted where the machine stands, and comes down on the start of a job.");
-  schema.number("approach.lift_mm_s", settings.lift_mm_s, {0.0, 1e3, true}, "Speed of that.");
-  schema.number("approach.joint_speed", settings.joint_speed, {0.0, 1.0, true},
+  schema.number("approach.lift_mm_s", settings.lift_mm_s, Bounds::above(0.0, 1e3), "Speed of that.");
+  schema.number("approach.joint_speed", settings.joint_speed, Bounds::above(0.0, 1.0),
                 "Speed of the joints in between, of their greatest speeds.");
 }
 

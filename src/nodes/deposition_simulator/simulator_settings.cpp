@@ -6,9 +6,9 @@ namespace lamina {
 
 void describe(SettingsSchema& schema, SimulationSettings& settings) {
   describe(schema, settings.deposition);
-  schema.number("program.filament_diameter_mm", settings.reading.filament_diameter_mm, {0.0, 20.0, true},
-                "Diameter of the filament of programs that are read.");
-  schema.number("program.flow", settings.reading.flow, {0.0, 10.0, true},
+  schema.number("program.filament_diameter_mm", settings.reading.filament_diameter_mm,
+                Bounds::above(0.0, 20.0), "Diameter of the filament of programs that are read.");
+  schema.number("program.flow", settings.reading.flow, Bounds::above(0.0, 10.0),
                 "Factor on all extrusion of programs that are read.");
   describe(schema, settings.reading.drops);
   describe(schema, settings.reading.five_axis);

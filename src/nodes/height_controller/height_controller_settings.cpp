@@ -8,7 +8,7 @@ void describe(SettingsSchema& schema, HeightControllerSettings& settings) {
   describe(schema, settings.run);
   schema.text("output_folder", settings.output_folder,
               "Where reports and figures of each print are saved; empty saves nothing.");
-  schema.number("queue_mb", settings.queue_mb, {0.0, 1e6, true},
+  schema.number("queue_mb", settings.queue_mb, Bounds::above(0.0, 1e6),
                 "Memory of the clouds that may wait for tf; with more, the oldest are pushed out.");
   schema.number("arrival_hold_s", settings.arrival_hold_s, {0.0, 10.0},
                 "Real time for which tf waits for clouds that were sent with it and come later.");

@@ -14,9 +14,9 @@ void describe(SettingsSchema& schema, LayerHeightMonitorSettings& settings) {
       "are as they are.");
   schema.number("silence_s", settings.silence_s, {0.0, 3600.0},
                 "A scan is given up when no profile has come for that long, in real time; 0: never.");
-  schema.number("map_period_s", settings.map_period_s, {0.0, 3600.0, true},
+  schema.number("map_period_s", settings.map_period_s, Bounds::above(0.0, 3600.0),
                 "Time between publications of the maps, in real time.");
-  schema.number("queue_mb", settings.queue_mb, {0.0, 1e6, true},
+  schema.number("queue_mb", settings.queue_mb, Bounds::above(0.0, 1e6),
                 "Memory of the clouds that may wait for tf; with more, the oldest are pushed out.");
 }
 

@@ -39,9 +39,9 @@ auto resultOf(Client& client, const std::string& action) {
 void describe(SettingsSchema& schema, PrintPartSettings& settings) {
   schema.text("part", settings.part, "Mesh file to print, or the name of a parametric part.");
   schema.text("output_folder", settings.output_folder, "Folder for the program, pictures and reports.");
-  schema.number("patience_s", settings.patience_s, {0.0, 3600.0, true},
+  schema.number("patience_s", settings.patience_s, Bounds::above(0.0, 3600.0),
                 "How long another node may stay silent.");
-  schema.number("scan.clearance_mm", settings.scan_clearance_mm, {0.0, 100.0, true},
+  schema.number("scan.clearance_mm", settings.scan_clearance_mm, Bounds::above(0.0, 100.0),
                 "Clearance that the scan passes are planned with.");
 }
 

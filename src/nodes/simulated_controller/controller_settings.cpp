@@ -8,7 +8,7 @@ void describe(SettingsSchema& schema, ControllerSettings& settings) {
   describe(schema, settings.machine, "Machine or robot that is simulated.");
   describe(schema, settings.servo);
   describe(schema, settings.plant);
-  schema.number("report_hz", settings.report_hz, {0.0, 1000.0, true},
+  schema.number("report_hz", settings.report_hz, Bounds::above(0.0, 1000.0),
                 "Positions, feedback and process states a second.");
   schema.number("path_tolerance", settings.path_tolerance, {0.0, 1e3},
                 "Error of a joint, in mm or rad, that aborts the goal; 0 for none.");

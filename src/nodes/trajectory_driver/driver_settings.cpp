@@ -14,7 +14,7 @@ void describe(SettingsSchema& schema, DriverSettings& settings) {
   schema.number(
       "tracking.tip_mm", settings.tracking.tip_mm, {0.0, 1e3},
       "Error of the nozzle tip that aborts the job, ten times that on the way to its start; 0 for no limit.");
-  schema.number("tracking.silence_s", settings.tracking.silence_s, {0.0, 60.0, true},
+  schema.number("tracking.silence_s", settings.tracking.silence_s, Bounds::above(0.0, 60.0),
                 "Time without a report of the controller that aborts the job.");
   schema.choice<SilenceBy>("tracking.silence_by", settings.tracking.silence_by,
                            {{"arrival", SilenceBy::Arrival}, {"stamps", SilenceBy::Stamps}},
@@ -34,7 +34,7 @@ void describe(SettingsSchema& schema, DriverSettings& settings) {
   schema.number("start_delay_s", settings.start_delay_s, {0.0, 60.0},
                 "From the first chunk sent to the first motion.");
   schema.number("lift_mm", settings.lift_mm, {0.0, 1e3}, "How far the tool is lifted after an abort.");
-  schema.number("lift_mm_s", settings.lift_mm_s, {0.0, 1e3, true}, "Speed at which it is lifted.");
+  schema.number("lift_mm_s", settings.lift_mm_s, Bounds::above(0.0, 1e3), "Speed at which it is lifted.");
   schema.number("controller_wait_s", settings.controller_wait_s, {0.0, 600.0},
                 "How long a job waits for its toolpath and the controller, and to hear of the joints and, by "
                 "stamps, of it.");

@@ -48,7 +48,7 @@ void describe(SettingsSchema& schema, LoopRunSettings& settings) {
               "Material that is laid; what was learnt of another one is not gone on with.");
   schema.number("head.clearance_mm", settings.head_clearance_mm, {0.0, 1000.0},
                 "Height of the head above the nozzle tip, which a lump may not reach.");
-  schema.number("monitor.cell_mm", settings.cell_mm, {0.0, 100.0, true},
+  schema.number("monitor.cell_mm", settings.cell_mm, Bounds::above(0.0, 100.0),
                 "Length of a cell along a path at most.");
   schema.number("monitor.settle_mm", settings.settle_mm, {0.0, 1000.0},
                 "Way by which the nozzle has left a cell behind before it is read; 0: a bead's width.");

@@ -11,7 +11,7 @@ namespace lamina {
 
 void describe(SettingsSchema& schema, CurvedWall& shape) {
   schema.number("radius_mm", shape.radius_mm, kLength, "radius of the middle of the wall");
-  schema.number("angle_deg", shape.angle_deg, {0.0, 350.0, true}, "angle that the wall goes round");
+  schema.number("angle_deg", shape.angle_deg, Bounds::above(0.0, 350.0), "angle that the wall goes round");
   schema.number("thickness_mm", shape.thickness_mm, kLength, "thickness");
   schema.number("height_mm", shape.height_mm, kLength, "height");
   schema.integer("segments", shape.segments, kSegments, "flat segments along the wall");

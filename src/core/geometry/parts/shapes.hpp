@@ -153,7 +153,7 @@ Mesh build(const ThroughHolePlate& shape);
 Mesh build(const BlindHolePlate& shape);
 
 /// Bounds of a length that must be there [mm].
-constexpr Bounds kLength = {0.0, 10000.0, true};
+constexpr Bounds kLength = Bounds::above(0.0, 10000.0);
 /// Bounds of a number of flat segments around a full circle.
 constexpr Bounds kSegments = {3.0, 100000.0};
 

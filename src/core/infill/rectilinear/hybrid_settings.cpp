@@ -10,7 +10,7 @@ void describeAdaptation(SettingsSchema& schema, HybridSettings& settings) {
                 "A curve is added where the outermost line is farther from the perimeter, in spacings.");
   schema.number("hybrid.delete_below", settings.delete_below, {0.0, 10.0},
                 "The outermost line is replaced by a curve where it is nearer, in spacings.");
-  schema.number("hybrid.approach", settings.approach, {0.0, 10.0, true},
+  schema.number("hybrid.approach", settings.approach, Bounds::above(0.0, 10.0),
                 "Distance of that curve, and of line ends, from the perimeter, in spacings.");
   schema.integer("hybrid.curve_points", settings.curve_points, {2, 10000}, "Points of that curve.");
   schema.number("hybrid.end_margin", settings.end_margin, {0.0, 10.0},

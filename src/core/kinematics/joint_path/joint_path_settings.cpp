@@ -55,7 +55,7 @@ void describeExternal(SettingsSchema& schema, JointPathSettings& settings) {
 
 void describe(SettingsSchema& schema, JointPathSettings& settings) {
   describeYaw(schema, settings);
-  schema.number("joints.max_turn_deg", settings.max_turn_deg, {0.0, 360.0, true},
+  schema.number("joints.max_turn_deg", settings.max_turn_deg, Bounds::above(0.0, 360.0),
                 "Turn of a joint in one motion, other than a travel, above which it is a jump.");
   schema.choice<BranchChange>("joints.branch_change", settings.branch_change,
                               {{"travel", BranchChange::OnTravel}, {"never", BranchChange::Never}},

@@ -18,7 +18,7 @@ void describe(SettingsSchema& schema, BrimSettings& brim) {
 
 void describe(SettingsSchema& schema, RaftSettings& raft) {
   schema.integer("raft.layers", raft.layers, {0, 100}, "Number of layers below the part; 0 for none.");
-  schema.number("raft.base_height_mm", raft.base_height_mm, {0.0, 10.0, true},
+  schema.number("raft.base_height_mm", raft.base_height_mm, Bounds::above(0.0, 10.0),
                 "Height of the first of them.");
   schema.integer("raft.top_layers", raft.top_layers, {0, 100}, "How many of them are solid.");
   schema.number("raft.margin_mm", raft.margin_mm, {0.0, 100.0},
@@ -31,8 +31,8 @@ void describe(SettingsSchema& schema, PrimeSettings& prime) {
       "prime.line", prime.line,
       {{"none", PrimeLine::None}, {"front", PrimeLine::Front}, {"left", PrimeLine::Left}},
       "At which edge of the bed the nozzle is filled first.");
-  schema.number("prime.length_mm", prime.length_mm, {0.0, 10000.0, true}, "Length of that line.");
-  schema.number("prime.section_mm2", prime.section_mm2, {0.0, 100.0, true},
+  schema.number("prime.length_mm", prime.length_mm, Bounds::above(0.0, 10000.0), "Length of that line.");
+  schema.number("prime.section_mm2", prime.section_mm2, Bounds::above(0.0, 100.0),
                 "Cross-section of that line's bead.");
 }
 

@@ -18,7 +18,7 @@ Bridging& Bridging::operator+=(const Bridging& other) {
 void describe(SettingsSchema& schema, BridgeSettings& bridges) {
   schema.flag("bridges.use", bridges.is_used,
               "Whether what lies over nothing is laid as threads from one side to the other.");
-  schema.number("bridges.anchor_mm", bridges.anchor_mm, {0.0, 50.0, true},
+  schema.number("bridges.anchor_mm", bridges.anchor_mm, Bounds::above(0.0, 50.0),
                 "By how much threads go on over what holds them.");
   schema.number("bridges.least_held", bridges.least_held, {0.0, 1.0},
                 "Share of the threads that both sides hold; below it there is no bridge.");

@@ -7,7 +7,7 @@ namespace lamina {
 void describe(SettingsSchema& schema, FirstLayerSettings& first) {
   schema.number("first_layer.width_factor", first.width_factor, {0.1, 5.0},
                 "Factor on the width of the first layer's beads.");
-  schema.number("first_layer.feed_factor", first.feed_factor, {0.0, 10.0, true},
+  schema.number("first_layer.feed_factor", first.feed_factor, Bounds::above(0.0, 10.0),
                 "Factor on the feeds of the first layer, travels excepted.");
   schema.number("first_layer.flow", first.flow, {0.1, 5.0},
                 "Factor on what is deposited in the first layer.");

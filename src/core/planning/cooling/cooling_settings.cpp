@@ -16,7 +16,7 @@ void describe(SettingsSchema& schema, CoolingSettings& cooling) {
       "cooling.by", cooling.by,
       {{"slow_then_dwell", CoolingBy::SlowThenDwell}, {"slow", CoolingBy::Slow}, {"dwell", CoolingBy::Dwell}},
       "What makes a layer take that long.");
-  schema.number("cooling.least_feed_mm_s", cooling.least_feed_mm_s, {0.0, 10000.0, true},
+  schema.number("cooling.least_feed_mm_s", cooling.least_feed_mm_s, Bounds::above(0.0, 10000.0),
                 "Slower than this nothing is laid.");
   schema.number("cooling.lift_mm", cooling.lift_mm, {0.0, 1000.0}, "Lift of the nozzle while it waits.");
   schema.choice<ParkPlace>(

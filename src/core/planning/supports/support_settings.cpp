@@ -6,7 +6,7 @@ namespace lamina {
 namespace {
 
 constexpr Bounds kGap{0.0, 100.0};
-constexpr Bounds kDensity{0.0, 1.0, true};
+constexpr Bounds kDensity = Bounds::above(0.0, 1.0);
 constexpr Bounds kTool{-1, 255};
 
 void describeBranches(SettingsSchema& schema, SupportSettings& supports) {

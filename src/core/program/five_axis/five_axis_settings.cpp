@@ -24,7 +24,7 @@ void describe(SettingsSchema& schema, FiveAxisSettings& settings) {
               "Line that turns tool-tip coordinates off; empty for that of the dialect.");
   schema.text("five_axis.letters", settings.letters,
               "Letters of rotary joints that programs name otherwise: \"b=U,c=V\".");
-  schema.number("five_axis.chord_tolerance_mm", settings.chord_tolerance_mm, {0.0, 10.0, true},
+  schema.number("five_axis.chord_tolerance_mm", settings.chord_tolerance_mm, Bounds::above(0.0, 10.0),
                 "By how much the tip may leave its line while joints move from one line to the next.");
 }
 

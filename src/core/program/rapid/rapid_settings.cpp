@@ -58,7 +58,7 @@ void describeCell(SettingsSchema& schema, RapidSettings& settings) {
                  "Tip of the tool over the flange [mm], and its orientation w x y z.");
   schema.numbers("rapid.tool_centre_of_gravity_mm", settings.tool_centre_of_gravity_mm, 3,
                  "Centre of gravity of the tool over the flange.");
-  schema.number("rapid.tool_mass_kg", settings.tool_mass_kg, {0.0, 1000.0, true}, "Mass of the tool.");
+  schema.number("rapid.tool_mass_kg", settings.tool_mass_kg, Bounds::above(0.0, 1000.0), "Mass of the tool.");
   schema.numbers("rapid.work_object_frame", settings.work_object_frame, 7,
                  "The bed over the robot's world [mm], and its orientation w x y z.");
   schema.text("rapid.positioner", settings.positioner,
@@ -79,9 +79,9 @@ void describeCell(SettingsSchema& schema, RapidSettings& settings) {
 }
 
 void describeValues(SettingsSchema& schema, RapidSettings& settings) {
-  schema.number("rapid.zone_mm", settings.zone_mm, {0.0, 200.0, true},
+  schema.number("rapid.zone_mm", settings.zone_mm, Bounds::above(0.0, 200.0),
                 "Radius of rapid.zone where that is a name which RAPID does not know.");
-  schema.number("rapid.turn_speed_deg_s", settings.turn_speed_deg_s, {0.0, 1000.0, true},
+  schema.number("rapid.turn_speed_deg_s", settings.turn_speed_deg_s, Bounds::above(0.0, 1000.0),
                 "Speed at which the tool turns, in each speed that is declared.");
   schema.number("rapid.powder_wait_s", settings.powder_wait_s, {0.0, 600.0},
                 "Wait from powder and gas on to the first move.");

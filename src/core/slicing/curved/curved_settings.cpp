@@ -8,9 +8,9 @@ void describe(SettingsSchema& schema, CurvedSettings& settings) {
   schema.number(
       "curved.normal_limit", settings.normal_limit, {0.0, 0.9},
       "Surfaces whose unit normal has a z within this of 0 count as upright: neither lower nor upper.");
-  schema.number("curved.longest_edge_mm", settings.longest_edge_mm, {0.0, 100.0, true},
+  schema.number("curved.longest_edge_mm", settings.longest_edge_mm, Bounds::above(0.0, 100.0),
                 "Longer edges of the surfaces that layers grow from are halved.");
-  schema.number("curved.largest_gap_percent", settings.largest_gap_percent, {0.0, 100.0, true},
+  schema.number("curved.largest_gap_percent", settings.largest_gap_percent, Bounds::above(0.0, 100.0),
                 "Of the part: how much may be in no layer or in more than one before it is refused.");
 }
 

@@ -6,7 +6,7 @@ namespace lamina {
 
 void describe(SettingsSchema& schema, EmulatedSettings& settings) {
   const Bounds times{0.0, 3600.0};
-  const Bounds rates{0.0, 1e6, true};
+  const Bounds rates = Bounds::above(0.0, 1e6);
   schema.number("emulator.speed_up", settings.speed_up, {0.0, 1000.0},
                 "Machine time per wall time; 0 for as fast as possible.");
   schema.integer("emulator.block_queue", settings.block_queue, {1, 4096}, "Motions planned ahead.");
@@ -17,7 +17,7 @@ void describe(SettingsSchema& schema, EmulatedSettings& settings) {
                  "Longest line; what it has more is cut off.");
   schema.flag("emulator.emergency_parser", settings.emergency_parser,
               "Whether M108, M112 and M410 are heard at once, however full the queues are.");
-  schema.number("emulator.busy_interval_s", settings.busy_interval_s, {0.0, 3600.0, true},
+  schema.number("emulator.busy_interval_s", settings.busy_interval_s, Bounds::above(0.0, 3600.0),
                 "Wall time between two busy messages.");
   schema.number("emulator.ambient_c", settings.ambient_c, {-50.0, 100.0}, "Temperature of the room.");
   schema.number("emulator.nozzle_heating_c_s", settings.nozzle_heating_c_s, rates,
@@ -32,7 +32,7 @@ void describe(SettingsSchema& schema, EmulatedSettings& settings) {
   schema.number("emulator.dryer_heating_c_s", settings.dryer_heating_c_s, rates, "How fast the dryer heats.");
   schema.integer("emulator.vacuum_zones", settings.vacuum_zones, {0, 64},
                  "Vacuum zones, on the pins from 1 on: M42 switches them, M43 reports their pressure.");
-  schema.number("emulator.vacuum_time_s", settings.vacuum_time_s, {0.0, 3600.0, true},
+  schema.number("emulator.vacuum_time_s", settings.vacuum_time_s, Bounds::above(0.0, 3600.0),
                 "Time in which the excess pressure of a zone falls to its e-th part.");
   schema.number("emulator.vacuum_kpa", settings.vacuum_kpa, {0.0, 101.325},
                 "Pressure of a tight zone in the end.");

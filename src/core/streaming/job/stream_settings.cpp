@@ -13,7 +13,7 @@
 namespace lamina {
 
 void describe(SettingsSchema& schema, StreamSettings& settings) {
-  const Bounds times{0.0, 86400.0, true};
+  const Bounds times = Bounds::above(0.0, 86400.0);
   std::vector<std::string> firmware = firmwareProtocols().names();
   firmware.insert(firmware.begin(), kAnyFirmware);
   schema.choice("stream.firmware", settings.firmware, firmware,

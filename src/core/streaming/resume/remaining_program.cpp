@@ -155,19 +155,19 @@ void describe(SettingsSchema& schema, ResumeSettings& settings) {
   schema.number("resume.purge_mm3", settings.purge_mm3, {0.0, 10000.0},
                 "Volume of material that is purged beside the part.");
   schema.numbers("resume.purge_at_mm", settings.purge_at_mm, 2, "Where it is purged, x and y.");
-  schema.number("resume.clearance_mm", settings.clearance_mm, {0.0, 1000.0, true},
+  schema.number("resume.clearance_mm", settings.clearance_mm, Bounds::above(0.0, 1000.0),
                 "Distance from all that was deposited, until the approach.");
   schema.numbers("resume.tool_axis", settings.tool_axis, 3,
                  "Direction from the nozzle's tip into the tool, along which it approaches.");
   schema.number("resume.ramp_mm", settings.ramp_mm, {0.0, 1000.0},
                 "Length that is deposited at half speed at least, in whole lines.");
-  schema.number("resume.filament_diameter_mm", settings.filament_diameter_mm, {0.0, 20.0, true},
+  schema.number("resume.filament_diameter_mm", settings.filament_diameter_mm, Bounds::above(0.0, 20.0),
                 "Diameter of the filament, for the purge.");
   schema.number("resume.retraction_mm", settings.retraction_mm, {0.0, 50.0},
                 "Filament that is pulled back between purge and part.");
-  schema.number("resume.travel_feed_mm_s", settings.travel_feed_mm_s, {0.0, 1000.0, true},
+  schema.number("resume.travel_feed_mm_s", settings.travel_feed_mm_s, Bounds::above(0.0, 1000.0),
                 "Speed of the motions that are added.");
-  schema.number("resume.purge_feed_mm_s", settings.purge_feed_mm_s, {0.0, 100.0, true},
+  schema.number("resume.purge_feed_mm_s", settings.purge_feed_mm_s, Bounds::above(0.0, 100.0),
                 "Speed of the filament while it is purged.");
 }
 
