@@ -37,9 +37,9 @@
 #include "planning/skins/stack_covers.hpp"
 #include "planning/tools/tool_beads.hpp"
 #include "planning/tools/tool_order.hpp"
+#include "planning/travel/retraction.hpp"
 #include "planning/travel/space_travel.hpp"
 #include "planning/travel/travel.hpp"
-#include "planning/travel/wiping.hpp"
 #include "planning/walls/rising_wall.hpp"
 
 namespace lamina {

@@ -6,6 +6,7 @@
 
 #include "geometry/polygon/plane_vectors.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
+#include "planning/travel/retraction.hpp"
 
 namespace lamina {
 namespace {
@@ -34,8 +35,7 @@ std::optional<Path> LayerTravels::between(const Point3& from, const Point3& to, 
   const Point2 end = to.head<2>();
   if (over == TravelOver::Infill && settings_.comb == Combing::NoSkin && crossesSeen({start, end}))
     over = TravelOver::Anything;
-  const bool is_far = (end - start).norm() > settings_.retraction_threshold_mm;
-  if (settings_.comb != Combing::None && over == TravelOver::Anything && is_far)
+  if (settings_.comb != Combing::None && isRetracted((end - start).norm(), over, settings_))
     if (const std::optional<Polyline> way = combed(start, end)) return along(*way, from.z());
   if (settings_.hop != Hopping::OverSkin || crossesSeen({start, end}))
     return makeTravel(from, to, settings_, over);
@@ -74,7 +74,7 @@ Path LayerTravels::along(const Polyline& way, double z) const {
   Path path;
   path.role = PathRole::Travel;
   path.feed_mm_s = settings_.feed_mm_s;
-  path.process.is_retracted = length(way) > settings_.comb_longest_mm;
+  path.process.is_retracted = isRetractedInside(length(way), settings_);
   const bool hops = path.process.is_retracted && settings_.hop_mm > 0.0 &&
                     (settings_.hop != Hopping::OverSkin || crossesSeen(way));
   const auto at = [z](const Point2& point, double lift) { return Point3(point.x(), point.y(), z + lift); };

@@ -11,6 +11,7 @@
 
 #include "planning/lift/held_along.hpp"
 #include "planning/nozzle_frame.hpp"
+#include "planning/travel/retraction.hpp"
 
 namespace lamina {
 namespace {
@@ -99,7 +100,7 @@ std::optional<Path> makeSpaceTravel(const NozzlePose& from, const NozzlePose& to
   Path path;
   path.role = PathRole::Travel;
   path.feed_mm_s = settings.feed_mm_s;
-  path.process.is_retracted = distance > settings.retraction_threshold_mm;
+  path.process.is_retracted = isRetracted(distance, TravelOver::Anything, settings);
   Route route = path.process.is_retracted ? above(from, to, settings.hop_mm, highest_mm) : nearby(from, to);
   path.points = std::move(route.points);
   path.orientation = heldAlong(std::move(route.orientations));

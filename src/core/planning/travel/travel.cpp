@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "planning/travel/retraction.hpp"
+
 namespace lamina {
 
 std::optional<Path> makeTravel(const Point3& from, const Point3& to, const TravelSettings& settings,
@@ -12,8 +14,7 @@ std::optional<Path> makeTravel(const Point3& from, const Point3& to, const Trave
   Path path;
   path.role = PathRole::Travel;
   path.feed_mm_s = settings.feed_mm_s;
-  path.process.is_retracted =
-      over == TravelOver::Anything && (to - from).head<2>().norm() > settings.retraction_threshold_mm;
+  path.process.is_retracted = isRetracted((to - from).head<2>().norm(), over, settings);
   const double z = std::max(from.z(), to.z()) + (path.process.is_retracted ? settings.hop_mm : 0.0);
   path.points.reserve(4);
   for (const Point3& point : {from, Point3(from.x(), from.y(), z), Point3(to.x(), to.y(), z), to})

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "planning/travel/wiping.hpp"
+#include "planning/travel/retraction.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -61,6 +61,14 @@ void wipeBefore(Path& travel, std::vector<Path>& before, const TravelSettings& s
 }
 
 }  // namespace
+
+bool isRetracted(double distance_mm, TravelOver over, const TravelSettings& settings) {
+  return over == TravelOver::Anything && distance_mm > settings.retraction_threshold_mm;
+}
+
+bool isRetractedInside(double way_mm, const TravelSettings& settings) {
+  return way_mm > settings.comb_longest_mm;
+}
 
 void addWipes(std::vector<ToolpathLayer>& layers, const TravelSettings& settings) {
   if (settings.wipe_mm == 0.0) return;
