@@ -4,7 +4,6 @@
 
 #include <nav_msgs/Path.h>
 #include <ros/ros.h>
-#include <tf2_msgs/TFMessage.h>
 #include <trajectory_msgs/JointTrajectory.h>
 
 #include <algorithm>
@@ -24,17 +23,11 @@ constexpr int kBurst =
     20000;  // positions: what a machine in accelerated time may report while a subscriber is busy
 constexpr std::uint32_t kNoBound = 0;  // of a queue: between poses tf goes straight, so none may be lost
 
-geometry_msgs::TransformStamped named(const std::string& parent, const std::string& child,
-                                      const geometry_msgs::Pose& pose) {
-  geometry_msgs::TransformStamped message;
-  message.header.stamp = ros::Time::now();
-  message.header.frame_id = parent;
-  message.child_frame_id = child;
-  message.transform.translation.x = pose.position.x;
-  message.transform.translation.y = pose.position.y;
-  message.transform.translation.z = pose.position.z;
-  message.transform.rotation = pose.orientation;
-  return message;
+/// The machine's description, for those who read it from the parameter server, unless there is one already.
+const std::string& described(const KinematicModel& model, ros::NodeHandle& node) {
+  constexpr char kDescription[] = "robot_description";
+  if (!node.hasParam(kDescription)) node.setParam(kDescription, model.urdf());
+  return model.urdf();
 }
 
 /// The machine of three linear axes that a kinematic model is, if it is one.
@@ -72,8 +65,7 @@ TrajectoryPublisher::TrajectoryPublisher(ros::NodeHandle node, const PublisherSe
     : settings_(settings),
       model_(kinematicModelOf(settings.machine)),
       linear_(linearMachine(*model_)),
-      transforms_(model_->urdf()) {
-  describeMachine(node);
+      tf_(node, described(*model_, node), settings.mode) {
   advertise(node);
   toolpath_ = node.subscribe(names::kToolpath, 1, &TrajectoryPublisher::onToolpath, this);
   if (!settings_.load_program.empty()) load(settings_.load_program);
@@ -90,19 +82,7 @@ TrajectoryPublisher::TrajectoryPublisher(ros::NodeHandle node, const PublisherSe
       settings_.mode == TrajectoryMode::Follow ? "following its reports" : "waiting for a toolpath to play");
 }
 
-void TrajectoryPublisher::describeMachine(ros::NodeHandle& node) {
-  constexpr char kDescription[] = "robot_description";
-  if (!node.hasParam(kDescription)) node.setParam(kDescription, model_->urdf());
-  auto fixed = transforms_.fixed(ros::Time::now());
-  if (transforms_.rootLink() != names::kWorldFrame)
-    fixed.push_back(
-        named(names::kWorldFrame, transforms_.rootLink(), toMessage(Eigen::Isometry3d::Identity())));
-  static_tf_.sendTransform(fixed);
-}
-
 void TrajectoryPublisher::advertise(ros::NodeHandle& node) {
-  // A machine at rest reports nothing more to those who come later.
-  tf_ = node.advertise<tf2_msgs::TFMessage>("/tf", kNoBound, settings_.mode == TrajectoryMode::Follow);
   joint_states_ = node.advertise<sensor_msgs::JointState>(names::kJointStates, kBurst);
   nozzle_path_ = node.advertise<nav_msgs::Path>(names::kNozzlePath, 1, true);
   ros::NodeHandle own("~");
@@ -156,7 +136,7 @@ void TrajectoryPublisher::accept(MachineToolpath placed) {
   const MachineToolpath& accepted = shown->placed;
   nav_msgs::Path path = nozzlePath(accepted.toolpath, settings_.path_spacing_mm);
   path.header.stamp = ros::Time::now();
-  static_tf_.sendTransform(named(names::kBedFrame, names::kPartFrame, toMessage(accepted.bed_from_part)));
+  tf_.sendPart(toMessage(accepted.bed_from_part));
   publishLatched(nozzle_path_, path);
   ROS_INFO("toolpath %s of '%s': %zu layers", accepted.id.c_str(), accepted.toolpath.part_name.c_str(),
            accepted.toolpath.layers.size());
@@ -169,7 +149,7 @@ std::unique_ptr<Playback> TrajectoryPublisher::playbackOf(const MachineToolpath&
   if (linear_) return linearPlayback(placed, *linear_, settings_.run.timing.motion);
   NoProgress nobody;
   KinematicModelRun run = runOn(*model_, placed.toolpath, placed.bed_from_part, settings_.run.joints, nobody);
-  return jointPlayback(inTime(std::move(run), *model_, settings_.run.timing), *model_, transforms_);
+  return jointPlayback(inTime(std::move(run), *model_, settings_.run.timing), *model_, tf_.machine());
 }
 
 void TrajectoryPublisher::onMachinePosition(const sensor_msgs::JointStateConstPtr& message) {
@@ -223,15 +203,13 @@ void TrajectoryPublisher::announceLayer(const ros::Time& stamp) {
                       begun < starts.size() ? starts[begun] : shown_->playback->time().total_s};
   trajectory_msgs::JointTrajectory trajectory = shown_->playback->trajectory(span, 1.0 / settings_.rate_hz);
   trajectory.header.stamp = stamp;
-  trajectory.header.frame_id = transforms_.rootLink();
+  trajectory.header.frame_id = tf_.machine().rootLink();
   publishLatched(joint_trajectory_, trajectory);
 }
 
 void TrajectoryPublisher::publishPosition(const JointPositions& positions,
                                           const sensor_msgs::JointState& state) {
-  tf2_msgs::TFMessage transforms;
-  transforms.transforms = transforms_.moving(positions, state.header.stamp);
-  tf_.publish(transforms);
+  tf_.sendLinks(positions, state.header.stamp);
   joint_states_.publish(state);
 }
 

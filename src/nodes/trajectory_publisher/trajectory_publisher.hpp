@@ -5,7 +5,6 @@
 #include <ros/node_handle.h>
 #include <sensor_msgs/JointState.h>
 #include <std_srvs/Trigger.h>
-#include <tf2_ros/static_transform_broadcaster.h>
 
 #include <memory>
 #include <optional>
@@ -13,10 +12,10 @@
 #include "conversions.hpp"
 #include "lamina/kinematics/cartesian/cartesian_machine.hpp"
 #include "lamina/kinematics/model/kinematic_model.hpp"
-#include "machine_transforms.hpp"
 #include "messages.hpp"
 #include "playback.hpp"
 #include "publisher_settings.hpp"
+#include "tf_broadcast.hpp"
 
 namespace lamina {
 
@@ -40,7 +39,6 @@ class TrajectoryPublisher {
   };
 
   void advertise(ros::NodeHandle& node);
-  void describeMachine(ros::NodeHandle& node);
   bool onLoadProgram(lamina_msgs::LoadProgram::Request& request,
                      lamina_msgs::LoadProgram::Response& response);
   /// @return the toolpath's id
@@ -58,9 +56,7 @@ class TrajectoryPublisher {
   PublisherSettings settings_;
   std::unique_ptr<const KinematicModel> model_;
   std::optional<CartesianMachine> linear_;  ///< the same, if all its axes are linear
-  MachineTransforms transforms_;
-  tf2_ros::StaticTransformBroadcaster static_tf_;
-  ros::Publisher tf_;
+  TfBroadcast tf_;
   ros::Publisher joint_states_;
   ros::Publisher nozzle_path_;
   ros::Publisher joint_trajectory_;
