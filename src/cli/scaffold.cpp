@@ -10,7 +10,7 @@
 #include "lamina/base/error.hpp"
 #include "lamina/job/output_files.hpp"
 #include "lamina/job/output_writer.hpp"
-#include "lamina/program/gcode/gcode_flavour.hpp"
+#include "lamina/program/gcode/gcode_dialect.hpp"
 #include "subcommand.hpp"
 
 namespace lamina::cli {
@@ -48,12 +48,12 @@ void listKinds(OutputFormat format) {
   if (format == OutputFormat::Json) std::printf("%s\n", kinds.dump(2).c_str());
 }
 
-/// The flavour of G-code that the dialect of the command line names; Marlin's has Lamina's comments.
+/// The dialect of G-code that the command line names; "lamina" is Marlin's, which has Lamina's comments.
 /// @throws InvalidConfig if there is none
-std::string flavourOf(const std::string& dialect) {
-  std::string flavour = dialect == "lamina" ? "marlin" : dialect;
-  gcodeFlavours().find(flavour);
-  return flavour;
+std::string dialectOf(const std::string& named) {
+  std::string dialect = named == "lamina" ? "marlin" : named;
+  gcodeDialects().find(dialect);
+  return dialect;
 }
 
 void print(const ScaffoldArguments& arguments, const Toolpath& toolpath, OutputFormat format) {
@@ -82,11 +82,11 @@ void scaffold(const ScaffoldArguments& arguments, OutputFormat format) {
   if (arguments.lists) return listKinds(format);
   if (arguments.kind.empty()) throw InvalidConfig("no scaffold named; 'lamina scaffold --list' names them");
   ScaffoldJob job{scaffoldDefaults(arguments.kind), {}};
-  job.program.flavour = "fullcontrol";
+  job.program.dialect = "fullcontrol";
   SettingsSchema schema;
   describe(schema, job);
   applySettings(schema, arguments.settings.config, overridesFrom(arguments.settings.assignments));
-  if (!arguments.dialect.empty()) job.program.flavour = flavourOf(arguments.dialect);
+  if (!arguments.dialect.empty()) job.program.dialect = dialectOf(arguments.dialect);
   if (arguments.prints_config) return printConfig(schema, format);
   if (arguments.output.empty()) throw InvalidConfig("no output named; expected -o FILE.gcode or FILE.csv");
   requireSuffix(arguments.output, outputSuffixes());
@@ -105,7 +105,7 @@ void addScaffold(CLI::App& app, Chosen& chosen) {
   subcommand->add_option("kind", arguments->kind, "What to make; --list names the kinds");
   subcommand->add_option("-o,--output", arguments->output, "File to write (.gcode, .csv, .mod)");
   subcommand->add_option("--dialect", arguments->dialect,
-                         "Of G-code, as program.flavour: fullcontrol, the default, or lamina");
+                         "Of G-code, as program.dialect: fullcontrol, the default, or lamina");
   subcommand->add_flag("--list", arguments->lists, "List the kinds instead");
   subcommand->add_flag("--print-config", arguments->prints_config, "Print the settings of the kind instead");
   addSettingOptions(*subcommand, arguments->settings, "Settings (YAML) of scaffold and program");

@@ -39,7 +39,7 @@ class Arcs(unittest.TestCase):
         self.assertAlmostEqual(filament(self.lines("chords.gcode")), filament(self.lines("arcs.gcode", *ARCS)), delta=2e-5)
 
     def test_refuse_what_has_no_arcs(self):
-        for settings in (("program.flavour=fullcontrol",), ("machine.name=belt_45", "slicing.plane.angle_deg=45"),
+        for settings in (("program.dialect=fullcontrol",), ("machine.name=belt_45", "slicing.plane.angle_deg=45"),
                          ("slicing.mode=curved",), ("infill.strategy=drops_raster",)):
             done = lamina("slice", self.part, *ARCS, *(word for each in settings for word in ("--set", each)), "-o", self.path("no.gcode"))
             self.assertEqual(done.returncode, 1, settings)

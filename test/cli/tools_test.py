@@ -203,7 +203,7 @@ class Tools(unittest.TestCase):
         self.assertEqual([line for line in lines if line in ("T0", "T1")], ["T1"])
 
     def test_refuse_what_cannot_be(self):
-        for settings, word in ((("tool.infill=2",), "tool.infill"), (("program.flavour=fullcontrol",), "tool 1"),
+        for settings, word in ((("tool.infill=2",), "tool.infill"), (("program.dialect=fullcontrol",), "tool 1"),
                                (("tools.purge_mm3=100", "tools.tower_mm=10"), "tools.tower_mm"),
                                (("tools.purge_mm3=100", "tools.tower_at_mm=400,0"), "reach")):
             done = lamina("slice", self.part, *TOOLS, *(word for each in settings for word in ("--set", each)), "-o", self.path("no.gcode"))

@@ -51,7 +51,7 @@ class Tree(unittest.TestCase):
         run_commands_with_libraries_of_their_own(TREE)
 
     def test_profiles_are_found_in_the_tree(self):
-        place = run(TREE / "bin/lamina", "slice", "--explain", "program.flavour", "--machine", "voron_2_4_250")
+        place = run(TREE / "bin/lamina", "slice", "--explain", "program.dialect", "--machine", "voron_2_4_250")
         self.assertIn(str(TREE / "share/lamina/profiles/machines/klipper_printer.yaml"), place)
 
     @unittest.skipUnless(HAS_ROS, "built without ROS")

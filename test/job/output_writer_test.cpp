@@ -82,14 +82,14 @@ TEST(OutputWriter, ThatWasAddedIsChosenByItsSuffix) {
   EXPECT_EQ(readFile(folder.file("a.points")), "0\n5\n");
 }
 
-TEST(OutputWriter, WritesGcodeInTheFlavourOfTheSettings) {
+TEST(OutputWriter, WritesGcodeInTheDialectOfTheSettings) {
   const test::ScratchFolder folder;
   ProgramSettings settings;
-  settings.flavour = "fullcontrol";
+  settings.dialect = "fullcontrol";
   const Toolpath toolpath = oneLine();
   writeOutput(folder.file("a.gcode"), {toolpath, Eigen::Isometry3d::Identity()}, settings);
   EXPECT_NE(readFile(folder.file("a.gcode")).find(";END OF THE START GCODE"), std::string::npos);
-  settings.flavour = "morse";
+  settings.dialect = "morse";
   EXPECT_THROW(writeOutput(folder.file("a.gcode"), {toolpath, Eigen::Isometry3d::Identity()}, settings),
                InvalidConfig);
 }

@@ -15,7 +15,7 @@ namespace lamina {
 
 /// How a toolpath is written as a program.
 struct ProgramSettings {
-  std::string flavour = "marlin";  ///< of G-code for linear axes, by its name (`gcodeFlavours`)
+  std::string dialect = "marlin";  ///< of G-code for linear axes, by its name (`gcodeDialects`)
   double filament_diameter_mm = 1.75;
   double flow = 1.0;                    ///< factor on all extrusion
   double nozzle_temperature_c = 210.0;  ///< 0 leaves the heater alone

@@ -29,10 +29,10 @@ CarriedCooling carriedBy(const SliceJob& job) {
   const std::string suffix = std::filesystem::path(job.output).extension().string();
   if (suffix == ".mod") return {false, false, "RAPID"};
   if (suffix != ".gcode") return {};
-  const std::string& flavour = job.settings.program.flavour;
-  const std::string by = "G-code of flavour '" + flavour + "'";
-  if (flavour == "fullcontrol") return {false, false, by};
-  return {true, gcodeDialect(flavour).has_fan, by};
+  const std::string& dialect = job.settings.program.dialect;
+  const std::string by = "G-code of dialect '" + dialect + "'";
+  if (dialect == "fullcontrol") return {false, false, by};
+  return {true, gcodeDialect(dialect).has_fan, by};
 }
 
 /// Where a job is run.

@@ -11,13 +11,13 @@
 #include "lamina/job/rapid_files.hpp"
 #include "lamina/program/csv/csv_writer.hpp"
 #include "lamina/program/five_axis/five_axis_writer.hpp"
-#include "lamina/program/gcode/gcode_flavour.hpp"
+#include "lamina/program/gcode/gcode_dialect.hpp"
 
 namespace lamina {
 namespace {
 
 void writeProgram(const PlacedToolpath& placed, const ProgramSettings& settings, const TextSink& sink) {
-  if (!placed.joints) return writeFlavoured(placed.toolpath, placed.frame, settings, sink);
+  if (!placed.joints) return writeInDialect(placed.toolpath, placed.frame, settings, sink);
   const FiveAxisMotion motion{placed.toolpath, placed.frame.bed_from_part, placed.joints->model,
                               placed.joints->path};
   writeFiveAxis(motion, settings.five_axis, settings, sink);

@@ -40,10 +40,10 @@ bool writesGcode(const SliceJob& job) { return std::filesystem::path(job.output)
 
 /// What the program says at its start beyond the start code.
 std::string accelerations(const JobSettings& settings) {
-  const GcodeDialect& dialect = gcodeDialect(settings.program.flavour);
+  const GcodeDialect& dialect = gcodeDialect(settings.program.dialect);
   if (!settings.program.states_accelerations) return "";
   if (dialect.accelerations.empty())
-    throw InvalidConfig("program.accelerations is true with program.flavour '" + dialect.name +
+    throw InvalidConfig("program.accelerations is true with program.dialect '" + dialect.name +
                         "', which has no word for it; expected false");
   return "\n" + dialectLine(dialect.accelerations,
                             {{"deposit", std::llround(settings.motion.acceleration_mm_s2)},
@@ -112,7 +112,7 @@ SlicedPart runIn(const BuildSpace& space, const SliceJob& job, const SliceFuncti
   addHeatAfterFirstLayer(sliced.toolpath, job.settings.planning.first_layer, job.settings.program);
   hookPart(sliced, job.settings, space);
   if (job.settings.program.states_progress && writesGcode(job))
-    addProgressMarks(sliced.toolpath, gcodeDialect(job.settings.program.flavour), job.settings.motion);
+    addProgressMarks(sliced.toolpath, gcodeDialect(job.settings.program.dialect), job.settings.motion);
   const std::optional<JointProgram> joint_program = planJointProgram(job, space, sliced, progress);
   sliced.summary.plan_s = laps.lap() - sliced.summary.read_s - sliced.summary.slice_s;
   progress.report("write", 0.0);

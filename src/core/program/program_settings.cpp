@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/program/program_settings.hpp"
 
-#include "lamina/program/gcode/gcode_flavour.hpp"
+#include "lamina/program/gcode/gcode_dialect.hpp"
 
 namespace lamina {
 
 void describe(SettingsSchema& schema, ProgramSettings& settings) {
-  schema.choice("program.flavour", settings.flavour, gcodeFlavours().names(),
-                "Flavour of G-code for machines with linear axes.");
+  schema.choice("program.dialect", settings.dialect, gcodeDialects().names(),
+                "Dialect of G-code for machines with linear axes.");
+  schema.renamed("program.flavour", "program.dialect");
   schema.number("program.filament_diameter_mm", settings.filament_diameter_mm, Bounds::above(0.0, 20.0),
                 "Diameter of the filament.");
   schema.number("program.flow", settings.flow, Bounds::above(0.0, 10.0), "Factor on all extrusion.");

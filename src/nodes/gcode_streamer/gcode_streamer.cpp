@@ -10,7 +10,7 @@
 #include "lamina/base/clock.hpp"
 #include "lamina/control/replanned_toolpath.hpp"
 #include "lamina/control/supervision.hpp"
-#include "lamina/program/gcode/gcode_flavour.hpp"
+#include "lamina/program/gcode/gcode_dialect.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
 #include "latched.hpp"
 #include "names.hpp"
@@ -221,7 +221,7 @@ StreamableProgram GcodeStreamer::programFromToolpath(const MachineToolpath& plac
   std::string text;
   ProgramFrame frame(placed.bed_from_part);
   frame.program_from_bed = programFromBed(machine_);
-  writeFlavoured(placed.toolpath, frame, settings, [&](std::string_view piece) { text += piece; });
+  writeInDialect(placed.toolpath, frame, settings, [&](std::string_view piece) { text += piece; });
   return StreamableProgram::fromText("toolpath " + placed.id, std::move(text), settings_.stream);
 }
 

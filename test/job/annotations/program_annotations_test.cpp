@@ -151,7 +151,7 @@ TEST_F(ProgramAnnotationsTest, TellTheProgressByEveryHundredth) {
 TEST_F(ProgramAnnotationsTest, SetAccelerationsInTheWordsOfTheDialect) {
   const SettingText on = {"program.accelerations", "true"};
   EXPECT_NE(programWith({on}).find("\nM204 P1500 T3000\n"), std::string::npos);
-  EXPECT_NE(programWith({on, {"program.flavour", "klipper"}}).find("\nSET_VELOCITY_LIMIT ACCEL=1500\n"),
+  EXPECT_NE(programWith({on, {"program.dialect", "klipper"}}).find("\nSET_VELOCITY_LIMIT ACCEL=1500\n"),
             std::string::npos);
 }
 

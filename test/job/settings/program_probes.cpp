@@ -16,7 +16,7 @@ SettingProbe gcodeProbe() {
           kSmall,
           programOf(kPlate, ".gcode"),
           {{"program.filament_diameter_mm=2.85"},
-           {"program.flavour=fullcontrol"},
+           {"program.dialect=fullcontrol"},
            {"program.flow=1.1"},
            {"program.nozzle_temperature_c=200"},
            {"program.bed_temperature_c=50"},

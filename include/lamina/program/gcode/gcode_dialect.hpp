@@ -2,14 +2,38 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
+#include "lamina/base/registry.hpp"
+#include "lamina/program/program_frame.hpp"
+#include "lamina/program/program_settings.hpp"
+#include "lamina/program/text_sink.hpp"
+#include "lamina/toolpath/toolpath.hpp"
+
 namespace lamina {
 
-/// What a firmware takes besides motions. Numbers in braces are put in by `dialectLine`.
+/// Writes a toolpath as G-code of linear axes, in the coordinates that the frame's axes give. What it
+/// refuses, it refuses before the first piece is written.
+/// @throws InvalidInput, InvalidConfig as `writeGcode`
+using GcodeDialectWriter = std::function<void(const Toolpath& toolpath, const ProgramFrame& frame,
+                                              const ProgramSettings& settings, const TextSink& sink)>;
+
+/// The writers of all dialects of G-code by the dialect's name, those of plug-ins too: "marlin", "klipper",
+/// "reprapfirmware", "grbl" (`writeGcode`), "fullcontrol" (`writeFullControl`). Whoever adds one calls
+/// `gcodeDialects().add("name", write)`.
+Registry<GcodeDialectWriter>& gcodeDialects();
+
+/// Writes in the dialect that `program.dialect` names.
+/// @throws InvalidConfig if there is none of that name; as the dialect's writer
+void writeInDialect(const Toolpath& toolpath, const ProgramFrame& frame, const ProgramSettings& settings,
+                    const TextSink& sink);
+
+/// What a firmware understands besides motions, by which `writeGcode` tells dialects apart. Numbers in braces
+/// are put in by `dialectLine`.
 struct GcodeDialect {
-  std::string name;          ///< the flavour, as `program.flavour` gives it
+  std::string name;          ///< as `program.dialect` gives it
   bool has_extruder = true;  ///< E words; without them what deposits is switched by code of the machine
   bool has_heaters = true;
   bool has_fan = true;
@@ -20,13 +44,10 @@ struct GcodeDialect {
   std::string accelerations;       ///< {deposit}, {travel} [mm/s²]; empty if there is none
 };
 
-/// The dialects that `writeGcode` writes: marlin, klipper, reprapfirmware, grbl.
-const std::vector<GcodeDialect>& gcodeDialects();
-
-/// The dialect of that name; Marlin's if the flavour has none of its own (fullcontrol, plug-ins).
+/// The dialect of that name; Marlin's for one that a writer of its own writes (fullcontrol, plug-ins).
 const GcodeDialect& gcodeDialect(const std::string& name);
 
-/// A word of a dialect's command that stands for a number.
+/// A placeholder in a command of a dialect, and the number that replaces it.
 struct DialectWord {
   std::string name;
   long long value = 0;

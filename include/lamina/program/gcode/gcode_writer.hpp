@@ -9,7 +9,7 @@
 
 namespace lamina {
 
-/// Writes the toolpath as G-code in the dialect that `program.flavour` names (`gcodeDialect`), in the
+/// Writes the toolpath as G-code in the dialect that `program.dialect` names (`gcodeDialect`), in the
 /// coordinates that the frame's axes give: those of the bed as a rule.
 ///
 /// After the start code the program is in mm (G21), absolute (G90), with relative extrusion (M83). Each layer

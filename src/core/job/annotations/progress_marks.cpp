@@ -35,7 +35,7 @@ void addBefore(Path& path, std::size_t motion, MachineCode code) {
 
 void addProgressMarks(Toolpath& toolpath, const GcodeDialect& dialect, const MotionLimits& limits) {
   if (dialect.progress.empty())
-    throw InvalidConfig("program.progress is true with program.flavour '" + dialect.name +
+    throw InvalidConfig("program.progress is true with program.dialect '" + dialect.name +
                         "', which has no word for it; expected false");
   const double total_s = estimateTime(toolpath, limits).total_s;
   if (total_s <= 0.0) return;

@@ -121,8 +121,8 @@ const Path& firstDeposit(const Toolpath& toolpath) {
 void writeFullControl(const Toolpath& toolpath, const ProgramFrame& frame, const ProgramSettings& settings,
                       const TextSink& sink) {
   requireWritableSteps(toolpath, frame);
-  requireSupported(toolpath, {}, "G-code of flavour fullcontrol");
-  if (settings.arcs_tolerance_mm > 0.0) refuseArcs(settings, "G-code of flavour fullcontrol");
+  requireSupported(toolpath, {}, "G-code of dialect fullcontrol");
+  if (settings.arcs_tolerance_mm > 0.0) refuseArcs(settings, "G-code of dialect fullcontrol");
   const std::string start_code = expandCode("program.start_code", settings.start_code, settings, frame);
   const std::string end_code = expandCode("program.end_code", settings.end_code, settings, frame);
   MotionWriter writer((frame.program_from_bed * frame.bed_from_part).translation(),

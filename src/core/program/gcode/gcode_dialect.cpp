@@ -3,6 +3,10 @@
 #include "lamina/program/gcode/gcode_dialect.hpp"
 
 #include <algorithm>
+#include <map>
+
+#include "lamina/program/gcode/full_control_writer.hpp"
+#include "lamina/program/gcode/gcode_writer.hpp"
 
 namespace lamina {
 namespace {
@@ -39,15 +43,31 @@ GcodeDialect grbl() {
   return dialect;
 }
 
-}  // namespace
-
-const std::vector<GcodeDialect>& gcodeDialects() {
+const std::vector<GcodeDialect>& firmwareDialects() {
   static const std::vector<GcodeDialect> dialects = {marlin(), klipper(), repRapFirmware(), grbl()};
   return dialects;
 }
 
+std::map<std::string, GcodeDialectWriter> dialectWriters() {
+  std::map<std::string, GcodeDialectWriter> writers = {{"fullcontrol", writeFullControl}};
+  for (const GcodeDialect& dialect : firmwareDialects()) writers[dialect.name] = writeGcode;
+  return writers;
+}
+
+}  // namespace
+
+Registry<GcodeDialectWriter>& gcodeDialects() {
+  static Registry<GcodeDialectWriter> registry("program.dialect", dialectWriters());
+  return registry;
+}
+
+void writeInDialect(const Toolpath& toolpath, const ProgramFrame& frame, const ProgramSettings& settings,
+                    const TextSink& sink) {
+  gcodeDialects().find(settings.dialect)(toolpath, frame, settings, sink);
+}
+
 const GcodeDialect& gcodeDialect(const std::string& name) {
-  const std::vector<GcodeDialect>& dialects = gcodeDialects();
+  const std::vector<GcodeDialect>& dialects = firmwareDialects();
   const auto found = std::find_if(dialects.begin(), dialects.end(),
                                   [&](const GcodeDialect& dialect) { return dialect.name == name; });
   return found == dialects.end() ? dialects.front() : *found;

@@ -173,7 +173,7 @@ void requireValues(const Toolpath& toolpath, const GcodeDialect& dialect) {
       for (const ProcessValue& value : toolpath.layers[l].paths[p].values)
         if (value.name != kWipeShare)
           throw InvalidInput("toolpath layer " + std::to_string(l) + ", path " + std::to_string(p) +
-                             ": process value '" + value.name + "' cannot be carried by G-code of flavour " +
+                             ": process value '" + value.name + "' cannot be carried by G-code of dialect " +
                              dialect.name);
 }
 
@@ -196,13 +196,13 @@ void requireCarried(const Toolpath& toolpath, Deposit deposit, const GcodeDialec
   if (dialect.has_fan) elements.push_back(Element::Fan);
   if (dialect.has_pause) elements.push_back(Element::Pause);
   if (dialect.has_tools) elements.push_back(Element::Tool);
-  requireSupported(toolpath, elements, "G-code of flavour " + dialect.name);
+  requireSupported(toolpath, elements, "G-code of dialect " + dialect.name);
   requireValues(toolpath, dialect);
 }
 
 void requireNoHeat(const std::string& key, double temperature_c, const GcodeDialect& dialect) {
   if (!dialect.has_heaters && temperature_c > 0.0)
-    throw InvalidConfig(key + " is " + std::to_string(temperature_c) + " degrees C with program.flavour '" +
+    throw InvalidConfig(key + " is " + std::to_string(temperature_c) + " degrees C with program.dialect '" +
                         dialect.name + "', which knows no heaters; expected 0");
 }
 
@@ -213,7 +213,7 @@ void requireNoHeat(const ProgramSettings& settings, const GcodeDialect& dialect)
   requireNoHeat("program.bed_temperature_c", settings.bed_temperature_c, dialect);
   for (const char* const command : {"M104 S0", "M109 S0", "M140 S0", "M190 S0"})
     if (settings.end_code.find(command) != std::string::npos)
-      throw InvalidConfig(std::string("program.end_code holds '") + command + "' with program.flavour '" +
+      throw InvalidConfig(std::string("program.end_code holds '") + command + "' with program.dialect '" +
                           dialect.name + "', which knows no heaters; expected code of its own");
 }
 
@@ -286,7 +286,7 @@ void writeGcode(const Toolpath& toolpath, const ProgramFrame& frame, const Progr
                 const TextSink& sink) {
   const Path& first = firstPath(toolpath);
   const Path* drops = requireDropsAlike(toolpath);
-  const GcodeDialect& dialect = gcodeDialect(settings.flavour);
+  const GcodeDialect& dialect = gcodeDialect(settings.dialect);
   const Deposit deposit = drops != nullptr ? Deposit::Drops : Deposit::Bead;
   requireCarried(toolpath, deposit, dialect);
   requireArcs(toolpath, frame, settings, deposit);
