@@ -7,8 +7,8 @@
 
 namespace lamina {
 
-/// How many bytes must be put in, left out or replaced to make one text of the other. Time
-/// by the product of their lengths.
+/// The Levenshtein distance: least number of bytes to insert, delete or replace that turn one text into the
+/// other. Its cost is the product of the two lengths.
 std::size_t editDistance(std::string_view a, std::string_view b);
 
 }  // namespace lamina

@@ -9,21 +9,21 @@
 
 namespace lamina {
 
-/// Without white space at its ends; whatever the locale.
+/// The text without white space at its ends, in any locale.
 std::string_view trimmed(std::string_view text);
 
-/// One after the other with the separator between them; empty if there are none.
+/// The names joined by the separator; empty if there are none.
 std::string listed(const std::vector<std::string>& names, std::string_view separator = ", ");
 
-/// Without the white space between them.
+/// The words of a text, which white space separates.
 std::vector<std::string> splitIntoWords(const std::string& text);
 
-/// So many things as the subject of a sentence: "1 layer was", "3 layers were".
-/// @param noun  of one, whose plural takes an s
+/// A count of things as the subject of a sentence: "1 layer was", "3 layers were".
+/// @param noun  in the singular, with a plural in -s
 std::string countedSubject(std::size_t count, const std::string& noun);
 
-/// The words of a text in lines of at most that many characters; a longer word has a line of its own. One
-/// empty line if there are no words.
+/// The words of a text, wrapped into lines of at most `longest_line` characters. A longer word has a line of
+/// its own. A text without words gives one empty line.
 std::vector<std::string> brokenInto(std::size_t longest_line, const std::string& text);
 
 }  // namespace lamina

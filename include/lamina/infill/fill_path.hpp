@@ -9,21 +9,21 @@
 
 namespace lamina {
 
-/// One run of a fill in the plane of the layer [mm].
+/// One run of the nozzle that fills an area, in the plane of the layer [mm].
 struct FillPath {
   Polyline points;
   bool is_closed = false;
   PathRole role = PathRole::Infill;
   Deposit deposit = Deposit::Bead;
-  /// Plan width that the bead fills on the way to each point, as `Path::bead` counts them; empty if it is the
-  /// pitch everywhere. A width of 0 deposits nothing.
+  /// Width of the strip that the bead fills on the motion to each point [mm], indexed as `Path::bead`; empty
+  /// if it is the pitch everywhere. A width of 0 deposits nothing.
   std::vector<double> width_mm;
 };
 
-/// Where the run ends: its first point if it is closed.
+/// The point at which the run ends: its first one if it is closed.
 const Point2& lastPoint(const FillPath& path);
 
-/// The same run the other way round.
+/// The same run in the opposite direction.
 FillPath reversed(FillPath path);
 
 }  // namespace lamina
