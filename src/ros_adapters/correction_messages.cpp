@@ -21,7 +21,7 @@ double rounded(double length) {
 
 CorrectionMap roundedMap(CorrectionMap map) {
   for (PathCorrection& path : map.paths) {
-    path.station_mm = rounded(path.station_mm);
+    path.spacing_mm = rounded(path.spacing_mm);
     for (PlaceCorrection& place : path.stations) place.dz_mm = rounded(place.dz_mm);
   }
   return map;
@@ -57,7 +57,7 @@ lamina_msgs::CorrectionMap toMessage(const CorrectionMap& map) {
     message.paths.emplace_back();
     lamina_msgs::CorrectionPath& corrected = message.paths.back();
     corrected.path = static_cast<std::uint32_t>(path.path);
-    corrected.station = toMetres(path.station_mm);
+    corrected.station = toMetres(path.spacing_mm);
     for (const PlaceCorrection& place : path.stations) {
       corrected.amount.push_back(place.amount);
       corrected.speed.push_back(place.speed);

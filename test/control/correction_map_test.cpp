@@ -35,7 +35,7 @@ TEST(CorrectionMap, HoldsWhatEachCellIsToHave) {
   const CorrectionMap map = correctionMap(cells, {amount, {}, {}}, "id", 7);
   ASSERT_EQ(map.paths.size(), 2U);
   EXPECT_EQ(map.paths[1].path, 2U);
-  EXPECT_EQ(map.paths[1].station_mm, 1.0);
+  EXPECT_EQ(map.paths[1].spacing_mm, 1.0);
   EXPECT_EQ(correctionAt(map.paths[1], 2.5).amount, 0.4);
 }
 

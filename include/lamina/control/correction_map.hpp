@@ -25,7 +25,7 @@ struct PlaceCorrection {
 /// distance. Between stations they are linear, before the first and after the last one they stay.
 struct PathCorrection {
   std::size_t path = 0;     ///< of the layer, travels counted too
-  double station_mm = 0.0;  ///< from station to station
+  double spacing_mm = 0.0;  ///< from station to station
   std::vector<PlaceCorrection> stations;
 };
 

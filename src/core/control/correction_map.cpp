@@ -50,10 +50,10 @@ void requireWithin(const PathCorrection& path, std::size_t station, const char* 
 }
 
 void requireStations(const PathCorrection& path) {
-  if (!(path.station_mm > 0.0) || !std::isfinite(path.station_mm))
+  if (!(path.spacing_mm > 0.0) || !std::isfinite(path.spacing_mm))
     refuseStation(
         path, 0,
-        "stations are " + std::to_string(path.station_mm) + " mm apart; expected a positive distance");
+        "stations are " + std::to_string(path.spacing_mm) + " mm apart; expected a positive distance");
   if (path.stations.empty()) refuseStation(path, 0, "there is none; expected one at least");
   for (std::size_t i = 0; i < path.stations.size(); ++i) {
     const PlaceCorrection& place = path.stations[i];
@@ -75,7 +75,7 @@ double valueOr(const std::vector<double>& values, std::size_t i) { return values
 
 PlaceCorrection correctionAt(const PathCorrection& path, double along_mm) {
   if (path.stations.empty()) return {};
-  const double place = std::max(0.0, along_mm / path.station_mm - 0.5);
+  const double place = std::max(0.0, along_mm / path.spacing_mm - 0.5);
   const std::size_t last = path.stations.size() - 1;
   if (place >= static_cast<double>(last)) return path.stations[last];
   const auto i = static_cast<std::size_t>(place);
@@ -108,7 +108,7 @@ std::string digestOf(const CorrectionMap& map) {
   fingerprint.add(static_cast<std::uint64_t>(map.paths.size()));
   for (const PathCorrection& path : map.paths) {
     fingerprint.add(static_cast<std::uint64_t>(path.path));
-    fingerprint.add(path.station_mm);
+    fingerprint.add(path.spacing_mm);
     fingerprint.add(static_cast<std::uint64_t>(path.stations.size()));
     for (const PlaceCorrection& place : path.stations) {
       fingerprint.add(place.amount);

@@ -66,11 +66,11 @@ void addRow(CorrectionMap& map, const CsvTable& table, std::size_t r) {
   const std::vector<std::string>& row = table.rows[r];
   const std::size_t line = table.lines[r];
   const auto path = numberOf<std::size_t>(row[0], table.source, line, "the path");
-  const auto station_mm = numberOf<double>(row[1], table.source, line, "the distance of stations");
+  const auto spacing_mm = numberOf<double>(row[1], table.source, line, "the distance of stations");
   if (path > kMostIndex)
     refuseLine(table.source, line, "the path is " + row[0] + "; expected a path of a layer");
-  if (map.paths.empty() || map.paths.back().path != path) map.paths.push_back({path, station_mm, {}});
-  if (map.paths.back().station_mm != station_mm)
+  if (map.paths.empty() || map.paths.back().path != path) map.paths.push_back({path, spacing_mm, {}});
+  if (map.paths.back().spacing_mm != spacing_mm)
     refuseLine(table.source, line,
                "stations of path " + row[0] + " are " + row[1] + " mm apart; expected the same along a path");
   PlaceCorrection place;
@@ -89,7 +89,7 @@ std::string correctionMapCsv(const CorrectionMap& map) {
   for (const PathCorrection& path : map.paths) {
     for (const PlaceCorrection& place : path.stations) {
       text += std::to_string(path.path);
-      for (const double number : {path.station_mm, place.amount, place.speed, place.dz_mm}) {
+      for (const double number : {path.spacing_mm, place.amount, place.speed, place.dz_mm}) {
         text += ',';
         appendNumber(text, number);
       }

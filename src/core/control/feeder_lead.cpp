@@ -21,8 +21,8 @@ const PathCorrection* correctionOf(const CorrectionMap& map, std::size_t path) {
 }
 
 double densestStation(const CorrectionMap& map) {
-  double least = map.paths.front().station_mm;
-  for (const PathCorrection& path : map.paths) least = std::min(least, path.station_mm);
+  double least = map.paths.front().spacing_mm;
+  for (const PathCorrection& path : map.paths) least = std::min(least, path.spacing_mm);
   return least;
 }
 

@@ -16,8 +16,8 @@ namespace {
 
 /// A map of the first bead of a layer of `stackedBeads`, 40 mm long.
 CorrectionMap firstBeadMap(const Toolpath& part, std::size_t layer, std::vector<PlaceCorrection> stations) {
-  const double station_mm = 40.0 / static_cast<double>(stations.size());
-  return {toolpathId(part), layer, 1, {{layer == 0 ? 0U : 1U, station_mm, std::move(stations)}}};
+  const double spacing_mm = 40.0 / static_cast<double>(stations.size());
+  return {toolpathId(part), layer, 1, {{layer == 0 ? 0U : 1U, spacing_mm, std::move(stations)}}};
 }
 
 double timeOf(const Path& path) {

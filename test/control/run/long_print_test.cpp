@@ -93,7 +93,7 @@ std::string wrongIn(const CorrectionMap& map, const SensedWallCase& wall) {
       if (!std::isfinite(place.amount) || !std::isfinite(place.dz_mm)) return "a value that is no number";
       if (place.amount < loop.least_amount || place.amount > loop.greatest_amount)
         return "an amount of " + std::to_string(place.amount);
-      if (std::abs(place.amount - last) > steepest * path.station_mm * (1.0 + 1e-9))
+      if (std::abs(place.amount - last) > steepest * path.spacing_mm * (1.0 + 1e-9))
         return "a step of " + std::to_string(place.amount - last);
       if (std::abs(place.dz_mm) > kHighestPlanned * wall.layer_mm * (1.0 + 1e-9))
         return "a shift of " + std::to_string(place.dz_mm) + " mm";

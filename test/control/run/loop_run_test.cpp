@@ -212,10 +212,10 @@ TEST(LoopRun, FadesWhenItIsSwitchedOff) {
   EXPECT_GT(last, 0.05);
   const double steepest = wall.settings.loop.feeder_rate_s / wall.speed_mm_s;  // 1/mm
   const PathCorrection& path = maps[6].paths.at(0);
-  EXPECT_NEAR(path.stations.front().amount, last, steepest * path.station_mm * (1.0 + 1e-9));
+  EXPECT_NEAR(path.stations.front().amount, last, steepest * path.spacing_mm * (1.0 + 1e-9));
   for (std::size_t i = 1; i < path.stations.size(); ++i)
     EXPECT_LE(std::abs(path.stations[i].amount - path.stations[i - 1].amount),
-              steepest * path.station_mm * (1.0 + 1e-9));
+              steepest * path.spacing_mm * (1.0 + 1e-9));
   EXPECT_EQ(path.stations.back().amount, 0.0);
   EXPECT_TRUE(maps[7].paths.empty());
 }

@@ -16,7 +16,7 @@ namespace {
 /// more than a split.
 std::vector<double> linearNodes(const PathCorrection& correction, const LaidStretch& stretch,
                                 double split_change) {
-  const double step = correction.station_mm;
+  const double step = correction.spacing_mm;
   std::vector<double> coarse{stretch.from_mm};
   const double first = std::max(0.0, std::floor(stretch.from_mm / step - 0.5));
   for (auto i = static_cast<std::size_t>(std::min(first, 1e15)); i < correction.stations.size(); ++i) {
