@@ -85,7 +85,8 @@ TEST(PoreGroupsTest, ReportWhichFacesTheyTouch) {
   for (int i = 0; i < 70; ++i) pores.fill(i, 2, 0);
   const PoreGroups found = labelled(pores);
   ASSERT_EQ(found.groups.size(), 1U);
-  EXPECT_EQ(found.groups[0].faces, faceBit(0, false) | faceBit(0, true) | faceBit(2, false));
+  EXPECT_EQ(found.groups[0].faces,
+            faceBit(0, AxisEnd::Low) | faceBit(0, AxisEnd::High) | faceBit(2, AxisEnd::Low));
   EXPECT_TRUE(found.groups[0].joinsAlong(0));
   EXPECT_FALSE(found.groups[0].joinsAlong(2));
 }

@@ -12,9 +12,12 @@
 
 namespace lamina {
 
+/// An end of the frame along an axis.
+enum class AxisEnd : std::uint8_t { Low, High };
+
 /// A face of the frame, as a bit: low x, high x, low y, and so on.
-constexpr unsigned faceBit(int axis, bool is_high) {
-  return 1U << static_cast<unsigned>(2 * axis + (is_high ? 1 : 0));
+constexpr unsigned faceBit(int axis, AxisEnd end) {
+  return 1U << static_cast<unsigned>(2 * axis + (end == AxisEnd::High ? 1 : 0));
 }
 
 /// Pore voxels that hang together by their faces.

@@ -166,8 +166,8 @@ unsigned facesOf(const PoreRun& run, const std::array<int, 3>& count) {
   const std::array<int, 3> high{run.high, run.j + 1, run.k + 1};
   for (int axis = 0; axis < 3; ++axis) {
     const auto a = static_cast<std::size_t>(axis);
-    if (low[a] == 0) faces |= faceBit(axis, false);
-    if (high[a] == count[a]) faces |= faceBit(axis, true);
+    if (low[a] == 0) faces |= faceBit(axis, AxisEnd::Low);
+    if (high[a] == count[a]) faces |= faceBit(axis, AxisEnd::High);
   }
   return faces;
 }
@@ -194,7 +194,7 @@ void measure(PoreGroups& found) {
 }  // namespace
 
 bool PoreGroup::joinsAlong(int axis) const {
-  const unsigned both = faceBit(axis, false) | faceBit(axis, true);
+  const unsigned both = faceBit(axis, AxisEnd::Low) | faceBit(axis, AxisEnd::High);
   return (faces & both) == both;
 }
 

@@ -8,7 +8,8 @@
 namespace lamina {
 
 bool isInner(const PoreGroup& opening) {
-  const unsigned sides = faceBit(0, false) | faceBit(0, true) | faceBit(1, false) | faceBit(1, true);
+  const unsigned sides = faceBit(0, AxisEnd::Low) | faceBit(0, AxisEnd::High) | faceBit(1, AxisEnd::Low) |
+                         faceBit(1, AxisEnd::High);
   return (opening.faces & sides) == 0;
 }
 

@@ -99,7 +99,9 @@ HttpResponse EmulatedDuet::answerRequest(const HttpRequest& request, const std::
   const std::string file = fileOnCard(queryValue(request.target, "name"));
   if (name == "model") {
     const std::string key = queryValue(request.target, "key");
-    return {200, json{{"key", key}, {"flags", "v"}, {"result", objectModelOf(printer, false)[key]}}.dump()};
+    return {
+        200,
+        json{{"key", key}, {"flags", "v"}, {"result", objectModelOf(printer, DuetHost::Board)[key]}}.dump()};
   }
   if (name == "reply") return reply();
   if (name == "upload") return request.method == "POST" ? upload(request, body) : error(1);
@@ -158,7 +160,7 @@ HttpResponse EmulatedDuetWithComputer::answer(const HttpRequest& request, std::s
   }
   if (path.compare(0, 9, "/machine/") != 0) return {200, "<!DOCTYPE html><html>Duet Web Control</html>"};
   if (session_key_.empty() || headerValue(request, "X-Session-Key") != session_key_) return {401, ""};
-  if (path == "/machine/model") return {200, objectModelOf(printer, true).dump()};
+  if (path == "/machine/model") return {200, objectModelOf(printer, DuetHost::Computer).dump()};
   if (path == "/machine/code" && request.method == "POST") return {200, runCodes(printer, std::string(body))};
   if (path.compare(0, 14, "/machine/file/") == 0) return answerFile(request, path.substr(13), body);
   if (path == "/machine/disconnect") session_key_.clear();
@@ -195,7 +197,7 @@ std::string runCodes(EmulatedPrinter& printer, const std::string& codes) {
   return reply;
 }
 
-json objectModelOf(const EmulatedPrinter& printer, bool knows_how_prints_end) {
+json objectModelOf(const EmulatedPrinter& printer, DuetHost host) {
   using Outcome = EmulatedPrinter::Outcome;
   json job = {{"file", json::object()}};
   if (printer.state() != EmulatedPrinter::State::Idle) {
@@ -207,13 +209,13 @@ json objectModelOf(const EmulatedPrinter& printer, bool knows_how_prints_end) {
     job["lastFileName"] = "0:/gcodes/" + printer.file();
     job["lastDuration"] = is_complete ? static_cast<int>(std::lround(printer.printTime())) : 0;
   }
-  if (knows_how_prints_end) {
+  if (host == DuetHost::Computer) {
     job["lastFileCancelled"] = printer.outcome() == Outcome::Stopped;
     job["lastFileAborted"] = printer.outcome() == Outcome::Failed;
     job["lastFileSimulated"] = false;
   }
   json messages = json::array();
-  for (std::size_t i = 0; knows_how_prints_end && i < printer.unknown.size(); ++i)
+  for (std::size_t i = 0; host == DuetHost::Computer && i < printer.unknown.size(); ++i)
     messages.push_back({{"type", 1},
                         {"time", std::to_string(i)},
                         {"content", printer.unknown[i] + ": Command is not supported"}});

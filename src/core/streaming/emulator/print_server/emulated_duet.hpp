@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -9,9 +10,14 @@
 
 namespace lamina {
 
+/// What serves the requests to a Duet.
+enum class DuetHost : std::uint8_t {
+  Board,    ///< the board itself
+  Computer  ///< a computer beside it, which also knows how prints ended and which commands were unknown
+};
+
 /// The object model of a Duet with a bed, one tool and three axes.
-/// @param knows_how_prints_end  as only a Duet with a computer does
-nlohmann::json objectModelOf(const EmulatedPrinter& printer, bool knows_how_prints_end);
+nlohmann::json objectModelOf(const EmulatedPrinter& printer, DuetHost host);
 
 /// Runs codes as a Duet does, one a line.
 /// @return what it says; begins with "Error:" if it refuses one
