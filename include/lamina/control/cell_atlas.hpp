@@ -17,30 +17,30 @@ class CellSheet;
 struct CellSight {
   std::size_t layer = 0;
   std::size_t cell = 0;
-  double off_mm = 0.0;        ///< along the cell's tangent, from its middle
-  double across_mm = 0.0;     ///< from the bead's middle, positive to the left of its way seen against growth
-  double across_share = 0.0;  ///< of the bead's width, without sign
+  double off_mm = 0.0;        ///< from the cell's middle, along its tangent
+  double across_mm = 0.0;     ///< from the bead's middle, positive to its left seen against growth
+  double across_share = 0.0;  ///< magnitude of `across_mm` over the bead's width
   double error_mm = 0.0;  ///< planned less measured height along the growth direction: positive is too low
 };
 
-/// The cells of laid beads that a point may lie on: one of the newest layer that has one there, and one of
-/// the next below that has.
+/// The cells of laid beads on which a point may lie.
 struct PointSights {
-  std::optional<CellSight> newest;
-  std::optional<CellSight> beneath;
+  std::optional<CellSight> newest;   ///< of the newest layer that has a cell there
+  std::optional<CellSight> beneath;  ///< of the next layer below that has a cell there
 };
 
-/// Which cell of which laid layer a point in the toolpath's frame lies on, for layers of any shape.
+/// Finds the cell of the laid layers on which a point lies [mm, frame of the toolpath], for layers of any
+/// shape.
 ///
-/// A point lies on a cell where it is within half the cell's length along the path, half the bead's width
-/// across, each and a fiftieth for beads that fan out above a crest, and `window_layers` planned heights of
-/// the planned top along the growth direction. Along the outside of bends, where cells gape, the length
-/// counts by up to half as much again. Of neighbouring cells
-/// of one bead the nearer along counts; of several beads the one whose middle is nearer, in bead widths; of
-/// equals the one laid first. So the order of points changes nothing.
+/// A point lies on a cell if it is away from the cell's middle by at most half the cell's length along the
+/// path, half the bead's width across it, and `window_layers` planned heights from the planned top along the
+/// growth direction. Length and width count a fiftieth more, since beads fan out above a crest; the length up
+/// to half as much again along the outside of bends, where cells gape. Among neighbouring cells of one bead
+/// the nearest along the path is taken, among several beads the one whose middle is nearest in bead widths,
+/// among equals the one laid first. The order in which points are looked up changes nothing.
 ///
-/// Asking costs the same however many cells there are. Layers are looked up in squares of
-/// a plane that they lie along, those that go all ways round in cubes.
+/// The cost of a look-up does not depend on the number of cells. A layer that lies along a plane is indexed
+/// by squares of that plane, any other by cubes.
 class CellAtlas {
  public:
   /// @param window_layers  reach along the growth direction, in planned heights of the cell; positive
@@ -50,32 +50,33 @@ class CellAtlas {
   CellAtlas& operator=(CellAtlas&&) noexcept;
   ~CellAtlas();
 
-  /// Adds a layer, all of it laid; it takes the place of one of the same number.
-  /// @throws InvalidInput if there are no cells to point to
+  /// Adds a layer with all its cells laid, in place of one of the same number.
+  /// @throws InvalidInput if the pointer is null
   void add(std::shared_ptr<const LayerCells> cells);
 
-  /// Only the first so many cells of a layer are laid (`cellsPassed`); does nothing if it is not there.
+  /// States that only the first `cells` cells of a layer are laid (`cellsPassed`). Without effect if the
+  /// layer is not in the atlas.
   void setLaid(std::size_t layer, std::size_t cells);
 
-  /// Forgets the layers below one: in a scan pass of a layer only that layer counts.
+  /// Removes all layers below `layer`: in a scan pass only the scanned layer counts.
   void forgetBelow(std::size_t layer);
 
-  /// A point that is not finite lies on no cell.
+  /// The cells on which a point lies; none for a point that is not finite.
   PointSights look(const Point3& point) const;
-  /// The first of these alone.
+  /// `PointSights::newest` alone.
   std::optional<CellSight> newestAt(const Point3& point) const;
-  /// The same of many points, in a fraction of the time.
+  /// The same for many points, in a fraction of the time that single calls take.
   std::vector<std::optional<CellSight>> newestAt(const std::vector<Point3>& points) const;
-  /// A cell of the next layer below one that has one there.
+  /// The cell at that point of the next layer below `layer` that has one there.
   std::optional<CellSight> beneathAt(const Point3& point, std::size_t layer) const;
 
-  /// None if the layer is not there.
+  /// The cells of a layer; null if it is not in the atlas.
   std::shared_ptr<const LayerCells> cellsOf(std::size_t layer) const;
-  /// Whether all cells of a layer grow one way.
+  /// Whether all cells of a layer have the same growth direction.
   bool isPlane(std::size_t layer) const;
   /// Numbers of the layers, ascending.
   std::vector<std::size_t> layers() const;
-  /// Memory of the look-up [bytes], the cells themselves not counted.
+  /// Memory of the index [bytes], without the cells themselves.
   std::size_t bytes() const;
 
  private:

@@ -9,44 +9,45 @@
 
 namespace lamina {
 
-/// What of a cell is laid with one layer.
+/// The growth of a cell that one layer is to bring.
 struct LaidGrowth {
-  double planned_mm = 0.0;     ///< height of the layer there
-  double correction = 0.0;     ///< relative change of the amount
+  double planned_mm = 0.0;     ///< planned height of the layer there
+  double correction = 0.0;     ///< relative change of the amount laid
   double nozzle_error_mm = 0;  ///< planned less actual height of the nozzle; pressed processes only
 };
 
-/// What one profile says of a cell: the mean of some points.
+/// The measurement of a cell by one profile: the mean of some of its points.
 struct CellReading {
   double error_mm = 0.0;  ///< planned less measured height along the growth direction
   int points = 1;
-  double sigma_mm = 0.02;  ///< of one point
+  double sigma_mm = 0.02;  ///< standard deviation of one point
 };
 
-/// What became of a reading.
+/// How a reading was used.
 enum class ReadingUse : std::uint8_t {
   Used,
-  Contested,  ///< too far from what was expected: kept aside
-  Believed    ///< contested before, and three profiles agree: a fact
+  Contested,  ///< too far from the expected value: set aside
+  Believed    ///< contested, and confirmed by the third profile in a row: taken over
 };
 
-/// A reading's use, and the square of its innovation over the variance expected of it: 1 in the mean where
-/// the model holds.
+/// The use of a reading, and its squared innovation over the expected variance of the innovation, which is 1
+/// in the mean where the model holds.
 struct ReadingOutcome {
   ReadingUse use = ReadingUse::Used;
   double surprise = 0.0;
 };
 
-/// Growth measured over growth commanded, and how much was commanded since it was measured last [mm].
+/// The gain of a cell as measured.
 struct MeasuredGain {
-  double gain = 1.0;
-  double commanded_mm = 0.0;
+  double gain = 1.0;          ///< measured over commanded growth
+  double commanded_mm = 0.0;  ///< growth commanded since the measurement before
 };
 
-/// Variance of the mean of points of one profile whose neighbours correlate [mm²].
+/// Variance of a reading [mm²], given the correlation of neighbouring points of a profile.
 double readingVariance(const CellReading& reading, double correlation);
 
-/// All that a `CellEstimate` holds, to be kept. Lengths are floats, so that they come back to the same bits.
+/// The state of a `CellEstimate`, for storage. Its values are those of floats, so that they read back to the
+/// same bits.
 struct StoredEstimate {
   double error_mm = 0.0;
   double variance_mm2 = 0.0;
@@ -58,17 +59,17 @@ struct StoredEstimate {
   std::uint8_t flags = 0;
 };
 
-/// Kalman filter [Kalman1960] of the top of one cell, in 24 bytes. The state is the height error, planned
-/// less actual: positive is too low. Growth per commanded growth, the gain, is learnt beside it, within 0.4
-/// and 2.5.
+/// Kalman filter [Kalman1960] of the height of one cell's top, in 24 bytes. The state is the height error
+/// [mm], planned less actual: positive is too low. The gain, actual over commanded growth, is learnt beside
+/// it, from 0.4 to 2.5.
 class CellEstimate {
  public:
-  static constexpr double kStartSigma = 0.5;  ///< of a cell that nothing is known of [mm]
+  static constexpr double kStartSigma = 0.5;  ///< standard deviation of an unknown cell [mm]
   static constexpr double kLeastGain = 0.4;
   static constexpr double kGreatestGain = 2.5;
 
   CellEstimate() = default;
-  /// A cell whose error is known that well, such as a bed's.
+  /// A cell of known error, such as one of the bed.
   CellEstimate(double error_mm, double sigma_mm, double gain);
 
   /// The estimate that was stored.
@@ -78,37 +79,38 @@ class CellEstimate {
   double error() const { return static_cast<double>(error_mm_); }         ///< [mm]
   double variance() const { return static_cast<double>(variance_mm2_); }  ///< [mm²]
   double gain() const { return static_cast<double>(gain_) / kGainUnits; }
-  /// Clamped; kept to 1/16384.
+  /// Clamps the gain to its range and rounds it to 1/16384.
   void setGain(double gain);
 
-  /// A free process: the error grows by what was planned less what the gain expects.
+  /// Predicts the error after a layer of a free process: it changes by the planned less the expected growth.
   /// @param spread  relative standard deviation of growth
   void lay(const LaidGrowth& growth, double spread);
-  /// A pressed process: the error is that of the nozzle's plane.
+  /// Predicts the error after a layer of a pressed process: it is that of the nozzle's plane.
   void press(const LaidGrowth& growth, double spread);
-  /// What a free process laid last of a planned height was laid by another correction than `lay` was told.
+  /// Amends the last `lay`: the layer of height `planned_mm` was laid with `correction`, not with `told`.
   void relay(double planned_mm, double told, double correction);
 
-  /// The plan has changed: its height by so much at this cell, and the volume of its beads by that factor.
+  /// Takes over a new plan, which is higher by `raised_mm` at this cell and lays `flow` times the volume.
   void replan(double raised_mm, double flow);
 
-  /// A reading that lies within four standard deviations of what is expected is used; else it is contested,
-  /// until three profiles in a row agree. A reading that is not finite, or of no points, is contested.
+  /// Updates the estimate by a reading. A reading within four standard deviations of the expected error is
+  /// used. Any other is contested until three profiles in a row agree. A reading that is not finite or has no
+  /// points is contested.
   ReadingOutcome see(const CellReading& reading, double correlation);
-  /// Takes a contested height over: neighbours agree with it.
+  /// Takes over the contested height, since neighbours agree with it.
   void believe();
   /// The contested error [mm], if there is one.
   std::optional<double> contested() const;
   /// Whether a reading was used since the last layer was laid.
   bool isSeen() const { return (flags_ & kSeen) != 0; }
-  /// Whether the height goes back to something that was seen or is known, and is not a guess.
+  /// Whether the height derives from a reading or a known surface, and is not a guess.
   bool isKnown() const { return (flags_ & kKnown) != 0; }
 
-  /// The height that was believed, or is contested: what a neighbour may agree with.
+  /// The error [mm] that was believed or is contested, for comparison with neighbours.
   std::optional<double> claimed() const;
 
-  /// The gain since it was last asked for; none if nothing was laid or seen since, or the height was believed
-  /// and cannot have grown so.
+  /// The gain measured since the last call. None if no growth was commanded or no reading used since, or if a
+  /// believed height would mean a gain out of range.
   std::optional<MeasuredGain> takeMeasuredGain();
 
  private:
@@ -120,7 +122,7 @@ class CellEstimate {
   float error_mm_ = 0.0F;
   float variance_mm2_ = static_cast<float>(kStartSigma * kStartSigma);
   float commanded_mm_ = 0.0F;  ///< growth since the gain was last measured
-  float base_mm_ = 0.0F;       ///< error then, and what was planned since
+  float base_mm_ = 0.0F;       ///< error at that time plus the height planned since
   float contested_mm_ = 0.0F;
   std::uint16_t gain_ = static_cast<std::uint16_t>(kGainUnits);
   std::uint8_t contests_ = 0;  ///< profiles in a row that agree on it

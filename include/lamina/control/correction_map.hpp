@@ -12,55 +12,61 @@
 
 namespace lamina {
 
-/// What is changed at a place of a path.
+/// The correction at a point of a path.
 struct PlaceCorrection {
-  double amount = 0.0;  ///< relative, of what is laid per length
-  double speed = 0.0;   ///< relative, of the travel speed
-  double dz_mm = 0.0;   ///< of the nozzle: along the layer's normal in G-code, back along a robot's tool axis
+  double amount = 0.0;  ///< relative change of the volume laid per length
+  double speed = 0.0;   ///< relative change of the travel speed
+  /// Shift of the nozzle along the layer's normal in G-code, against the tool axis of a robot.
+  double dz_mm = 0.0;
 
   bool isNone() const { return amount == 0.0 && speed == 0.0 && dz_mm == 0.0; }
 };
 
-/// The corrections of one path, at the middles of equal pieces: station i lies at (i + 1/2) times the
-/// distance. Between stations they are linear, before the first and after the last one they stay.
+/// The corrections of one path, at stations in the middles of equal pieces: station i lies (i + 1/2) times
+/// the spacing from the start of the path. Corrections are linear between stations, and constant before the
+/// first and after the last one.
 struct PathCorrection {
-  std::size_t path = 0;     ///< of the layer, travels counted too
-  double spacing_mm = 0.0;  ///< from station to station
+  std::size_t path = 0;     ///< number in the layer, travels included
+  double spacing_mm = 0.0;  ///< distance from station to station
   std::vector<PlaceCorrection> stations;
 };
 
-/// How a layer is laid otherwise than its toolpath says. Paths that it does not name are laid as planned.
+/// The corrections of one layer of a toolpath. Paths without an entry are laid as planned.
 struct CorrectionMap {
   std::string toolpath_id;
   std::size_t layer = 0;
-  std::uint64_t sequence = 0;         ///< of maps of this layer; the later one holds
-  std::vector<PathCorrection> paths;  ///< ascending
+  std::uint64_t sequence = 0;  ///< number among the maps of this layer; the map of the greatest one holds
+  std::vector<PathCorrection> paths;  ///< ascending by `path`
 };
 
-/// The correction at a length along the path; none if the path has no stations.
+/// The correction at a distance from the start of the path [mm]; none if the path has no stations.
 PlaceCorrection correctionAt(const PathCorrection& path, double along_mm);
 
-/// A map of what each cell of a layer is to have; vectors of no values are none.
+/// The corrections of the cells of a layer, one value per cell, with the meanings of `PlaceCorrection`. An
+/// empty vector stands for no correction of its kind.
 struct CellCorrections {
   std::vector<double> amount;
   std::vector<double> speed;
   std::vector<double> dz_mm;
 };
+/// The map that gives each cell of a layer its correction.
 CorrectionMap correctionMap(const LayerCells& cells, const CellCorrections& corrections,
                             const std::string& toolpath_id, std::uint64_t sequence);
 
-/// 16 hexadecimal digits that depend on every value of the map and nothing else (FNV-1a).
+/// Hash (FNV-1a) of all values of the map, as 16 hexadecimal digits.
 std::string digestOf(const CorrectionMap& map);
 
-/// @throws InvalidInput naming path and station: what is not finite, an amount or speed of -1 or less or of
-///   more than 5, a shift of more than 100 mm, a distance that is not positive, paths that do not ascend, a
-///   path without stations
+/// Checks a map.
+/// @throws InvalidInput naming path and station: of a value that is not finite, an amount or speed of -1 or
+///   less or above 5, a shift of more than 100 mm, a spacing that is not positive, paths that do not ascend,
+///   a path without stations
 void validate(const CorrectionMap& map);
 
-/// The map as comma-separated rows under comments that state toolpath, layer, sequence and digest; it reads
+/// The map as CSV, a row per station under comments that state toolpath, layer, sequence and digest; it reads
 /// back to the same bits.
 std::string correctionMapCsv(const CorrectionMap& map);
 
+/// Reads a map from such a text.
 /// @param source  names the text in errors
 /// @throws InvalidInput naming source and line: what `validate` refuses, a comment that is missing, a number
 ///   that is none, a digest that is not that of the map

@@ -9,41 +9,42 @@
 
 namespace lamina {
 
-/// A feeder as calibrated.
+/// The delay between a command to a feeder and what it feeds.
 struct FeederDelay {
   double dead_time_s = 0.0;
-  double lag_s = 0.0;
+  double lag_s = 0.0;  ///< time constant, first order
 };
 
+/// The delay that the settings state.
 FeederDelay feederOf(const LoopSettings& settings);
 
-/// What a feeder is told, by time.
+/// Commands to a feeder by time.
 struct FeederCommands {
-  std::vector<double>
-      time_s;  ///< ascending; from 0 when the nozzle sets out on the layer, before that negative
-  std::vector<double> amount;
+  std::vector<double> time_s;  ///< ascending; 0 when the nozzle starts the layer, negative before that
+  std::vector<double> amount;  ///< relative change commanded at that time
 };
 
-/// What to command so that the correction arrives at its place: m where the nozzle will be when the feeder
-/// acts, by the planned speeds, and m + T v dm/ds for its lag; within the limits of amount and slope again.
-/// Runs follow each other without a pause. The commands begin a dead time before the layer does: a feeder
-/// that cannot be told before it starts late.
+/// Commands that make the feeder lay each correction at its place. The dead time is made up for by the amount
+/// m of the place where the nozzle will be that much later at the planned speeds, the lag T by commanding m +
+/// T v dm/ds. The commands are again limited in amount and slope. Runs are taken to follow each other without
+/// a pause. The first command comes a dead time before the layer: a feeder that cannot be commanded then lays
+/// the first corrections late.
 FeederCommands feederCommands(const LayerCells& cells, const std::vector<double>& amount,
                               const FeederDelay& feeder, const LoopSettings& settings);
 
-/// The same commands at the places where the nozzle is when they are given, one value per cell, for programs
-/// that command by place. The last dead time of a layer commands what the next one begins with, which is
-/// taken to be what this one begins with. Without delay this is the correction itself.
+/// The same commands by place, for programs: for each cell the amount commanded while the nozzle passes it.
+/// Commands of the last dead time of a layer belong to the start of the next layer, which is taken to have
+/// the corrections of the start of this one. Without delay the result is `amount`.
 std::vector<double> ledCorrection(const LayerCells& cells, const std::vector<double>& amount,
                                   const FeederDelay& feeder, const LoopSettings& settings);
 
-/// A layer's map with its amounts led as `ledCorrection` leads them, at stations as dense as the map's
-/// densest. Paths without cells (`layerCells`) stay as they are. Without delay this is the map itself.
+/// A layer's map with its amounts led as by `ledCorrection`, at the least spacing of stations in the map.
+/// Paths without cells (`layerCells`) stay unchanged. Without delay the result is `map`.
 /// @throws InvalidInput as `validate`
 CorrectionMap ledMap(const CorrectionMap& map, const ToolpathLayer& layer, const FeederDelay& feeder,
                      const LoopSettings& settings);
 
-/// When the nozzle comes by each cell at the planned speed, runs without a pause between them [s].
+/// Times at which the nozzle passes the cells at the planned speeds [s], without a pause between runs.
 std::vector<double> timesOf(const LayerCells& cells);
 
 }  // namespace lamina

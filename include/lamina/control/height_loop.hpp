@@ -13,104 +13,106 @@
 
 namespace lamina {
 
-/// What a layer came to, by the estimates of its cells. Shares are of the cells.
+/// The result of a layer by the estimates of its cells. Shares are of its cells unless stated otherwise.
 struct LayerFigures {
   std::size_t layer = 0;
-  double height_mm = 0.0;  ///< planned, in the mean
+  double height_mm = 0.0;  ///< mean planned height
   double mean_error_mm = 0.0;
   double rmse_mm = 0.0;
-  double flatness_mm = 0.0;      ///< the same without the mean
-  double coverage = 0.0;         ///< seen
-  bool is_measured = false;      ///< coverage is enough
-  double contested_share = 0.0;  ///< contested and not believed, of those that were read
-  double limited_share = 0.0;    ///< of the length, as laid
-  double deviating_share = 0.0;  ///< off by more than the alarm
+  double flatness_mm = 0.0;      ///< standard deviation of the error about its mean
+  double coverage = 0.0;         ///< share of cells seen
+  bool is_measured = false;      ///< coverage is at least `min_coverage`
+  double contested_share = 0.0;  ///< of the cells read, those contested and not believed
+  double limited_share = 0.0;    ///< of the length, where the correction laid was limited
+  double deviating_share = 0.0;  ///< of cells off by more than `alarm_layers` heights
   double gain_mean = 1.0;
   double gain_least = 1.0;
   double gain_greatest = 1.0;
-  double gain_ratio =
-      1.0;  ///< growth as measured over growth as then learnt, of what was measured; 1 of none
-  /// Means of innovations squared over what was expected of them; 1 if there were none: of the first reading
-  /// of each cell, which tells of growth, and of further ones, which tell of the sensor.
+  double gain_ratio = 1.0;  ///< measured growth over that expected by the gain learnt; 1 if none was measured
+  /// Means of squared innovations over their expected variances; 1 without readings. `consistency` is that of
+  /// the first reading of each cell and depends on growth, `repeatability` that of further readings and
+  /// depends on the sensor.
   double consistency = 1.0;
   double repeatability = 1.0;
-  double spread = 0.0;  ///< of growth, as learnt
+  double spread = 0.0;  ///< relative standard deviation of growth, as learnt
 };
 
-/// All that a `HeightLoop` knows when a layer is done, to be kept; vectors have one value per cell.
+/// The state of a `HeightLoop` after a layer, for storage. Vectors have one value per cell.
 struct StoredHeights {
   std::vector<StoredEstimate> estimates;
-  std::vector<double> deficit;   ///< of cross-section
-  LayerKnowledge before_clouds;  ///< as if nothing had been seen of the layer
-  std::vector<double> before_deficit;
-  double spread = 0.0;  ///< of growth
+  std::vector<double> deficit;         ///< of cross-section, as in `SectionKnowledge`
+  LayerKnowledge before_clouds;        ///< as if no cloud had seen the layer
+  std::vector<double> before_deficit;  ///< likewise
+  double spread = 0.0;                 ///< relative standard deviation of growth
   std::size_t layers_begun = 0;
-  std::size_t clouds = 0;  ///< that saw the layer
+  std::size_t clouds = 0;  ///< number that saw the layer
 };
 
-/// The loop over one print, from layer to layer: estimates the top of each cell, learns what grows of what is
-/// commanded, and gives each layer its correction. For each layer in turn: `beginLayer`, `correction`,
-/// `lay`, readings cloud by cloud, `endLayer`. The same calls give the same bits.
+/// The layer-to-layer loop of one print: it estimates the height of each cell, learns the gain (actual over
+/// commanded growth) and computes the correction of each layer. Calls of a layer come in this order:
+/// `beginLayer`, `correction`, `lay`, for each cloud `see` and `endCloud`, `endLayer`. The same calls give
+/// the same bits.
 ///
-/// No single cloud moves a correction by more than a tenth of the range of amounts.
+/// No single cloud changes a correction by more than a tenth of the range of amounts.
 class HeightLoop {
  public:
-  static constexpr double kCloudShare = 0.1;  ///< of the range of amounts, that a cloud moves one by at most
+  static constexpr double kCloudShare = 0.1;  ///< greatest change of an amount by one cloud, over their range
 
   /// @param normal  of the layers, along which they grow
   explicit HeightLoop(const LoopSettings& settings, const Eigen::Vector3d& normal = Eigen::Vector3d::UnitZ());
 
-  /// Takes over to the layer's cells what is known of those below. Cells above none take the mean height of
-  /// the layer below and the mean gain of their region. The first layer lies on a bed that is known.
+  /// Begins a layer. Its cells take over what is known of the cells below them. A cell with none below takes
+  /// the mean height of the layer below and the mean gain of its region. The first layer lies on the bed,
+  /// whose height is known.
   void beginLayer(LayerCells cells);
-  /// The same where parts before have told how such a layer is to be laid: relative amounts, one per cell.
-  /// They stand for its gain, and what is learnt of this part for how far it is off that. Such a layer is
-  /// corrected even among the first ones.
+  /// The same with relative amounts learnt from previous parts, one per cell. They make up for the gain of
+  /// the process; the gain learnt on this part then states how far growth is off them. Such a layer is
+  /// corrected even if it is one of the first ones.
   /// @throws InvalidInput if there is not one value per cell
   void beginLayer(LayerCells cells, std::vector<double> learnt);
 
-  /// How the layer is to be laid in that state: by the law where it is active, else by what is learnt or not
-  /// at all; the first layers not at all.
+  /// The correction of the layer in that state: of an active loop by the law, of a coasting one of a free
+  /// process by the gain learnt, of any other none. The first layers get none.
   LayerCorrection correction(LoopState state) const;
 
-  /// The layer is laid with that correction.
+  /// States the correction that the layer is laid with.
   /// @throws InvalidInput if there is not one value per cell
   void lay(const LayerCorrection& correction);
-  /// The same, the nozzle running that far below the plan [mm]: of a pressed process this is the error.
+  /// The same with the distance of the nozzle below the plan at each cell [mm], which is the height error of
+  /// a pressed process.
   void lay(const LayerCorrection& correction, const std::vector<double>& nozzle_error_mm);
-  /// The layer turned out to be laid with another correction.
+  /// States that the layer was laid with another correction than `lay` was told.
   /// @throws InvalidInput if there is not one value per cell
   void relay(const LayerCorrection& correction);
 
-  /// A reading of a cell of the layer.
+  /// Updates a cell of the layer by a reading.
   /// @throws InvalidInput if the layer has no such cell
   ReadingOutcome see(std::size_t cell, const CellReading& reading);
-  /// A relative lack of cross-section at a cell, of a pressed process.
+  /// States the relative lack of cross-section measured at a cell, of a pressed process.
   void seeDeficit(std::size_t cell, double share);
-  /// The readings since the last call were of one cloud: believes patches as wide as a bead whose contested
-  /// readings agree.
+  /// Ends a cloud, to which all readings since the last call belong. Contested readings that agree over a
+  /// patch as wide as a bead are believed.
   void endCloud();
 
-  /// Learns from the layer.
+  /// Ends the layer and learns from it.
   LayerFigures endLayer();
 
-  /// The layers to come were planned anew: heights count from a plan that much higher, and beads have so many
+  /// Takes over a new plan of the layers to come, which is higher by `raised_mm` and whose beads have `flow`
   /// times the volume.
   void replan(double raised_mm, double flow);
 
-  /// Of the layer that is done.
+  /// The state after the layer that is done.
   StoredHeights stored() const;
-  /// Goes on after the layer of these cells, as it was stored: the next `beginLayer` is that of the layer
-  /// above.
-  /// @throws InvalidInput if it was stored of another number of cells
+  /// Restores the state after the layer of these cells. The next `beginLayer` is that of the layer above.
+  /// @throws InvalidInput if the state is that of another number of cells
   void resume(LayerCells cells, const StoredHeights& stored) { resume(std::move(cells), stored, {}); }
-  /// The same of a layer that was laid by what parts before have told.
-  /// @param learnt  one per cell, or none
+  /// The same for a layer that was laid with amounts learnt from previous parts.
+  /// @param learnt  relative amounts, one per cell or none
   void resume(LayerCells cells, const StoredHeights& stored, std::vector<double> learnt);
 
   const LayerCells& cells() const { return cells_; }
   const std::vector<CellEstimate>& estimates() const { return estimates_; }
-  /// What the law is given: unknown cells filled by their neighbours.
+  /// The input of the law: what is known of the cells, the unknown ones filled in from their neighbours.
   LayerKnowledge knowledge() const;
 
  private:

@@ -10,10 +10,10 @@
 
 namespace lamina {
 
-/// The cells of one path, in the order in which the nozzle comes by.
+/// The cells of one path, in the order in which the nozzle passes them.
 struct CellRun {
-  std::size_t path = 0;   ///< of the layer, travels counted too
-  std::size_t first = 0;  ///< cell
+  std::size_t path = 0;   ///< number in the layer, travels included
+  std::size_t first = 0;  ///< number of its first cell in the layer
   std::size_t count = 0;
   double length_mm = 0.0;
   bool is_closed = false;
@@ -21,44 +21,45 @@ struct CellRun {
   double cellLength() const { return length_mm / static_cast<double>(count); }  ///< [mm]
 };
 
-/// Where along a path a cell lies: growth differs there.
+/// The part of a path in which a cell lies: growth differs between them.
 enum class CellRegion : std::uint8_t { Straight, End, Corner };
 
-/// The nearest cells of beads that lie beside a cell, of other paths or of the same one coming back, no
-/// farther than 1.25 bead widths, as rasters lie at most one apart: one on each side, seen against growth.
+/// The nearest cell of a neighbouring bead on each side of a cell, seen against growth. Neighbouring are
+/// beads of other paths, or of the same one coming back, within 1.25 bead widths: rasters lie at most one
+/// apart.
 struct CellsBeside {
   static constexpr std::uint32_t kNone = 0xFFFFFFFFU;
   std::uint32_t left = kNone;
   std::uint32_t right = kNone;
-  float left_mm = 0.0F;  ///< from middle to middle
-  float right_mm = 0.0F;
+  float left_mm = 0.0F;   ///< distance of the middles
+  float right_mm = 0.0F;  ///< likewise
 };
 
-/// A layer in cells: pieces of its depositing paths, equally long within a path. The vectors have one value
-/// per cell.
+/// A layer divided into cells, which are pieces of its depositing paths, equally long within a path. The
+/// vectors have one value per cell.
 struct LayerCells {
   std::size_t layer = 0;
   std::vector<CellRun> runs;
-  std::vector<Point3> middle;      ///< of the bead's top [mm, frame of the toolpath]
+  std::vector<Point3> middle;      ///< point of the bead's top [mm, frame of the toolpath]
   std::vector<double> along_mm;    ///< from the start of the path
   std::vector<double> height_mm;   ///< planned
   std::vector<double> width_mm;    ///< of the bead
   std::vector<double> speed_mm_s;  ///< planned
   std::vector<CellRegion> region;
-  std::vector<Eigen::Vector3d> tangent;  ///< from where the cell begins to where it ends; unit
-  std::vector<Eigen::Vector3d> growth;   ///< away from what it is laid onto; unit, square to the tangent but
-                                         ///< where the layer is plane
+  std::vector<Eigen::Vector3d> tangent;  ///< from start to end of the cell; unit
+  std::vector<Eigen::Vector3d> growth;   ///< away from the surface below; unit, square to the tangent except
+                                         ///< in plane layers
 
   std::vector<CellsBeside> beside;  ///< of neighbouring beads
 
   std::size_t size() const { return middle.size(); }
 };
 
-/// Cells of a layer. Drops, travels and build aids, which are no part of the part, have none.
+/// Divides a layer into cells. Drops, travels and build aids, which are not of the part, have none.
 ///
-/// A layer that is plane, within its own height, grows along the layers' normal. Others grow against the tool
-/// axis, as far as it is square to the path: what leads or trails does not count.
-/// @param cell_mm  length of a cell at most; positive
+/// A layer that is plane within its own height grows along the layers' normal. Any other grows against the
+/// component of the tool axis that is square to the path.
+/// @param cell_mm  greatest length of a cell; positive
 /// @param normal  of the layers, in the frame of the toolpath; unit
 /// @throws InvalidInput if the cell length is not positive and finite
 LayerCells layerCells(const ToolpathLayer& layer, std::size_t index, double cell_mm,
@@ -70,18 +71,17 @@ Eigen::Vector3d normalOfLayers(const Toolpath& toolpath);
 /// Distance from an end, or a corner, within which cells count as such [mm].
 constexpr double kRegionReach = 10.0;
 
-/// For each cell of a layer the nearest cell of the layer beneath, no farther away in the plane square to
-/// the layer's normal than its bead is wide; `kNoCellBelow` where there is none.
 constexpr std::uint32_t kNoCellBelow = 0xFFFFFFFFU;
+/// For each cell of a layer the nearest cell of the layer below, by distance in the plane square to the
+/// normal; `kNoCellBelow` if none is within the width of its bead.
 std::vector<std::uint32_t> cellsBelow(const LayerCells& layer, const LayerCells& below,
                                       const Eigen::Vector3d& normal);
 
-/// How many cells of a layer, from its first on, the nozzle has left behind by a distance when it is so far
-/// along a path: cells lie in the order in which it comes by. What it left behind on earlier paths counts as
-/// left behind by what it has laid since.
-/// @param path  of the layer, travels counted too
-/// @param along_mm  from the start of that path
-/// @param settle_mm  left behind by at least; not negative
+/// Number of cells of a layer, counted from its first one, that the nozzle has passed by at least
+/// `settle_mm`. How far it has passed a cell is the length that it has laid since, on later paths too.
+/// @param path       on which the nozzle is: number in the layer, travels included
+/// @param along_mm   distance of the nozzle from the start of that path
+/// @param settle_mm  not negative
 std::size_t cellsPassed(const LayerCells& cells, std::size_t path, double along_mm, double settle_mm);
 
 /// Mean by length of a value over all cells; 0 if there are none.

@@ -12,37 +12,41 @@ namespace lamina {
 
 /// What is known of the cells of a layer before it is laid, one value per cell.
 struct LayerKnowledge {
-  std::vector<double> error_mm;  ///< planned less actual height of what it is laid onto: positive is too low
-  std::vector<double> gain;      ///< growth over commanded growth
+  std::vector<double> error_mm;  ///< planned less actual height of the surface below: positive is too low
+  std::vector<double> gain;      ///< actual over commanded growth
 };
 
-/// How a layer is to be laid, one value per cell.
+/// The correction of a layer, one value per cell.
 struct LayerCorrection {
-  std::vector<double> amount;  ///< relative change of what is laid per length, within the limits of the loop
-  double limited_share = 0.0;  ///< part of the length on which a limit kept the amount from what was wanted
+  std::vector<double> amount;  ///< relative change of the volume per length, within the limits of the loop
+  double limited_share = 0.0;  ///< share of the length on which a limit changed the amount
 };
 
-/// The law of a free process, layer to layer: (1 + K F[e] / h) / gain - 1, F the low-pass along the path and
-/// across beads. Limited in amount, in its slope along the path by what the feeder can follow at the planned
-/// speed, and in the volume of the layer. What is learnt of the gain stands in place of an integrator, so
-/// that nothing winds up at a limit.
+/// The layer-to-layer law of a free process. The amount is (1 + K F[e] / h) / g - 1, where K is the gain of
+/// the loop, F the low-pass along the path and across beads, e the height error, h the planned height of the
+/// layer and g the gain learnt of the process. It is limited in value, in slope along the path by what the
+/// feeder follows at the planned speed, and in the volume of the layer. Learning g takes the place of an
+/// integrator, so that nothing winds up at a limit.
 LayerCorrection freeCorrection(const LayerCells& cells, const LayerKnowledge& known,
                                const LoopSettings& settings);
 
-/// The same without its error term: what is learnt of the gain alone.
+/// The same without the error term, 1 / g - 1.
 LayerCorrection learntCorrection(const LayerCells& cells, const std::vector<double>& gain,
                                  const LoopSettings& settings);
 
-/// Brings what a process wants within the limits of amount, slope and volume.
+/// Limits wanted amounts in value, slope and volume.
 LayerCorrection limitedCorrection(const LayerCells& cells, const std::vector<double>& wanted,
                                   const LoopSettings& settings);
 
-/// Greatest change of the amount per length that the feeder follows at that speed [1/mm].
+/// The greatest slope of the amount along a path that the feeder follows at that speed [1/mm].
 double greatestSlope(double feeder_rate_s, double speed_mm_s);
 
-/// The amount on the way from one map to another, from a cell of a run on: it starts from the map in force,
-/// and goes to the other no faster than the feeder follows. Cells before it stay.
-/// @param begin  a cell; the whole run that it lies in, and those after, are changed from there
+/// The amounts of a layer whose map is replaced while it is laid, one per cell. Cells before `begin` keep the
+/// amounts `from`. From there on the amount goes from that of the cell before to those of `to`, no faster
+/// than the feeder follows, along this run and the ones after it.
+/// @param from   amounts of the map in force
+/// @param to     amounts of the map that replaces it
+/// @param begin  first cell that the new map may change
 std::vector<double> fadedCorrection(const LayerCells& cells, const std::vector<double>& from,
                                     const std::vector<double>& to, std::size_t begin,
                                     const LoopSettings& settings);

@@ -6,7 +6,7 @@
 
 namespace lamina {
 
-/// What the loop does.
+/// State of the loop.
 enum class LoopState : std::uint8_t {
   Off,
   Identifying,  ///< learns, corrects nothing

@@ -10,54 +10,56 @@
 
 namespace lamina {
 
-/// What a learnt map is good for.
+/// The program, machine and material for which a learnt map is valid.
 struct PartIdentity {
-  std::string program;  ///< its hash
+  std::string program;  ///< hash of it
   std::string machine;
   std::string material;
 };
 
-/// Relative amounts learnt from the parts before, by layer and cell: how to lay the same part again.
+/// Relative amounts learnt from previous parts, with which the same part is to be laid again.
 struct PartMap {
   PartIdentity identity;
-  std::size_t parts = 0;  ///< learnt from
-  std::vector<std::vector<double>> amount;
+  std::size_t parts = 0;                    ///< number learnt from
+  std::vector<std::vector<double>> amount;  ///< by layer and cell
 };
 
-/// How a layer of a part turned out.
+/// A layer of a part as laid and measured. Vectors have one value per cell.
 struct LaidLayer {
   LayerCells cells;
   std::vector<double> amount;  ///< relative, as laid
-  /// Planned less actual growth of this layer alone; not finite where not seen.
+  /// Planned less actual growth of this layer alone [mm]; not finite where it was not seen.
   std::vector<double> growth_error_mm;
 };
 
-/// How a part ended. One that was aborted teaches nothing.
+/// How a part ended. Nothing is learnt from an aborted one.
 enum class PartEnd { Complete, Aborted };
 
-/// The map for the next part: u = Q (u + K F (1 / g - 1 - u)) [Bristow2006], u the map before, 0 for the
-/// first part, and g how much of what it was told each layer has grown by itself. What was laid beyond the
-/// map to mend layers below is not learnt. F is the loop's low-pass along the path, Q the mean of a layer and
-/// its two neighbours where their cells are as many. K is `part_learning`, and of the first parts, whose mean
-/// is taken, one over their number where that is more. Within the limits of the loop. Cells that were not
-/// seen keep what they had.
-/// @throws InvalidInput if the identities differ, naming what; or the part has other layers than the map, or
-/// a
-///   layer of it other cells
+/// The map for the next part by iterative learning [Bristow2006]: Q (u + K F (1 / g - 1 - u)).
+///
+/// u is the map before, 0 for the first part. g is the gain measured at each cell: actual over commanded
+/// growth of the layer alone, so that amounts laid to mend layers below are not learnt. F is the low-pass of
+/// the loop along the path and across beads. Q is the mean of a layer and its two neighbours, where their
+/// numbers of cells are equal. K is `part_learning`, or 1 over the number of parts if that is greater, which
+/// makes the map the mean of the first parts. Cells that were not seen keep their values. The result is
+/// within the limits of the loop.
+/// @throws InvalidInput if the identities differ, naming in what, or if the part has another number of layers
+///   than the map, or one of its layers another number of cells
 PartMap learntFromPart(const PartMap& before, const PartIdentity& identity,
                        const std::vector<LaidLayer>& part, PartEnd end, const LoopSettings& settings);
 
-/// The map as comma-separated rows, one a cell, under comments that state program, machine, material, parts
-/// and a digest of all of it; it reads back to the same bits, but for layers without cells at the top.
+/// The map as CSV, a row per cell under comments that state program, machine, material, parts and a digest of
+/// all of it. It reads back to the same bits, except that layers without cells at the top are left out.
 std::string partMapCsv(const PartMap& map);
 
+/// Reads a map from such a text.
 /// @param source  names the text in errors
 /// @throws InvalidInput naming source and line: a comment that is missing, other columns, a number that is
 ///   none, layers that do not ascend, an amount of -1 or less or of more than 5, a digest that is another's
 PartMap readPartMap(std::string_view text, const std::string& source);
 
-/// What differs between a map's part and another: "machine 'a' instead of 'b'"; empty if nothing does. A map
-/// that differs must not be used.
+/// The first difference of a map's identity from another, as "machine 'a' instead of 'b'"; empty if there is
+/// none. A map that differs must not be used.
 std::string differenceOf(const PartIdentity& map, const PartIdentity& other);
 
 }  // namespace lamina

@@ -17,23 +17,23 @@ namespace lamina {
 enum class LoopAlarm : std::uint16_t {
   Silent = 6101,        ///< no cloud
   NoTransform = 6102,   ///< clouds, but no pose of the nozzle at their stamps
-  Stuck = 6103,         ///< profiles that are no numbers, or always the same
-  Contested = 6104,     ///< too many points that are not believed
+  Stuck = 6103,         ///< profiles without numbers, or all the same
+  Contested = 6104,     ///< too many readings contested and not believed
   TimeOffset = 6105,    ///< the sensor's time offset has moved
-  Inconsistent = 6106,  ///< the filter is surprised more, or less, than it expects
+  Inconsistent = 6106,  ///< innovations are larger, or smaller, than the filter expects
   Step = 6110,          ///< the mean error jumped from one layer to the next
   Deviation = 6111,     ///< too many cells are off by more than the alarm's height
-  Lump = 6112,          ///< higher than the head's clearance
-  Saturated = 6113,     ///< corrections have come to their limits
+  Lump = 6112,          ///< something is higher than the head's clearance
+  Saturated = 6113,     ///< corrections have reached their limits
   Diverging = 6114,     ///< the error grows from layer to layer
-  Growth = 6115,        ///< the gain learnt is beyond what feeders do
+  Growth = 6115,        ///< the gain learnt is out of range for a feeder
   MapLate = 6116        ///< a layer's map did not come in time
 };
 
-/// What is done about it.
+/// The reaction to an alarm.
 enum class LoopReaction : std::uint8_t {
   Warn,
-  LeaveOut,  ///< what was measured of the layer is not used
+  LeaveOut,  ///< measurements of the layer are not used
   Coast,
   Open,
   Replan,
@@ -51,22 +51,22 @@ enum class CoastingFor : std::uint8_t {
   Nothing,
   Sight,       ///< until a layer is measured
   TimeOffset,  ///< until the sensor is calibrated
-  Suspect      ///< until the operator says so
+  Suspect      ///< until the operator requests otherwise
 };
 
-/// Where the loop is, and what it remembers of the layers before. A value: the same events lead to the same
-/// status.
+/// The state of the loop and what it keeps of the layers before. It is a value: the same events lead to the
+/// same status.
 struct LoopStatus {
   LoopState state = LoopState::Off;
   std::string reason = {};
   CoastingFor coasting_for = CoastingFor::Nothing;
-  int unmeasured_layers = 0;  ///< running, as those below
+  int unmeasured_layers = 0;  ///< number in a row, as the counts below
   int saturated_layers = 0;
   int growing_layers = 0;
   int deviating_layers = 0;
   int inconsistent_layers = 0;
   bool has_figures = false;
-  std::size_t layer = 0;       ///< measured last
+  std::size_t layer = 0;       ///< the last one measured
   double mean_error_mm = 0.0;  ///< of that layer
   double rmse_mm = 0.0;
 };
@@ -77,36 +77,38 @@ struct LoopStep {
   std::vector<RaisedAlarm> alarms;
 };
 
-/// What the operator asks for.
+/// A request of the operator.
 enum class LoopRequest : std::uint8_t { Off, Identify, Active };
 
-/// Off at any time. Else the loop is blocked where the report refuses it, with its reason; a request is also
-/// what ends `Open`, `Blocked` and a coasting that does not end by itself.
+/// The status after a request. `Off` is always granted. Any other is granted if the report allows the loop to
+/// start; else the loop is blocked, with the reason of the report. A request also ends `Open`, `Blocked` and
+/// any coasting that does not end by itself.
 LoopStatus afterRequest(LoopRequest request, const StabilityReport& report);
 
-/// What the sensor and its transforms do, at an instant.
+/// The behaviour of the sensor and its transforms at an instant.
 struct SensorWatch {
   bool is_scanning = false;         ///< a cloud is due
-  double silent_s = 0.0;            ///< since the last cloud
-  double blind_s = 0.0;             ///< since the last cloud that a pose of the nozzle was known for
-  double variance_mm2 = 1.0;        ///< of the profiles seen while moving, at their points
-  int profiles = 0;                 ///< that the variance is of
-  double time_offset_s = 0.0;       ///< by which the time offset seen differs from the calibrated one
-  double time_offset_sigmas = 0.0;  ///< the same in standard deviations, without sign
-  double map_late_s = 0.0;          ///< the layer has waited for its map
+  double silent_s = 0.0;            ///< time since the last cloud
+  double blind_s = 0.0;             ///< time since the last cloud with a known pose of the nozzle
+  double variance_mm2 = 1.0;        ///< of points between profiles taken while moving
+  int profiles = 0;                 ///< number that the variance is of
+  double time_offset_s = 0.0;       ///< observed less calibrated time offset
+  double time_offset_sigmas = 0.0;  ///< magnitude of that in standard deviations
+  double map_late_s = 0.0;          ///< time for which the layer has waited for its map
 };
+/// Judges that behaviour.
 LoopStep afterWatch(const LoopStatus& status, const SensorWatch& watch, const LoopSettings& settings);
 
-/// Judges a layer that is done. While the loop is off or blocked, nothing is judged.
+/// Judges a layer that is done; without effect while the loop is off or blocked.
 LoopStep afterLayer(const LoopStatus& status, const LayerFigures& figures, const LoopSettings& settings);
 
-/// The layers left were planned anew, their heights counted from a plan that much higher: what was judged of
-/// the layers before holds no more, and the loop is active.
+/// The status after the layers left were planned anew, `raised_mm` higher than before. The counts of layers
+/// are reset, and the loop is active.
 LoopStatus afterReplan(const LoopStatus& status, double raised_mm);
 
 /// Judges a layer that is about to begin.
-/// @param lump_mm       highest believed cell under the head's way, above the nozzle
-/// @param clearance_mm  of the head
+/// @param lump_mm       height of the highest believed cell in the way of the head, above the nozzle
+/// @param clearance_mm  of the head above the nozzle tip
 LoopStep beforeLayer(const LoopStatus& status, double lump_mm, double clearance_mm);
 
 }  // namespace lamina

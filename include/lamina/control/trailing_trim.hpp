@@ -10,30 +10,30 @@
 
 namespace lamina {
 
-/// How a sensor that trails the nozzle trims the amount within a layer.
+/// Settings of a trim of the amount within a layer, by a sensor behind the nozzle.
 struct TrimSettings {
-  double gain_per_mm = 0.0;  ///< change of the amount per relative error and way
-  double behind_mm = 0.0;    ///< the sensor, behind where trims act
-  double step_mm = 0.5;      ///< way from call to call
-  double growth = 1.0;       ///< learnt, over commanded growth; 0 predicts nothing
-  double range = 0.2;        ///< of the trim, either way
+  double gain_per_mm = 0.0;  ///< change of the amount per relative error and distance
+  double behind_mm = 0.0;    ///< distance of the sensor behind the place where trims act
+  double step_mm = 0.5;      ///< distance between calls
+  double growth = 1.0;       ///< gain learnt, actual over commanded growth; 0: no prediction
+  double range = 0.2;        ///< greatest trim, either way
 };
 
-/// The trim that the loop's settings ask for; none if they ask for none.
-/// @param growth  learnt, over commanded growth
+/// The trim that the settings of the loop ask for; none if they ask for none.
+/// @param growth  as in `TrimSettings`
 std::optional<TrimSettings> trimOf(const LoopSettings& settings, double step_mm, double growth);
 
-/// The slow part of what a feeder drifts within a layer, taken off by a sensor behind the nozzle. What the
-/// trims under way between nozzle and sensor will show is predicted, and only what differs from it is fed
-/// back [Smith1957]: so the distance costs no stability as long as growth is known.
+/// Trims the amount within a layer, so as to remove slow drift of a feeder. A Smith predictor [Smith1957]
+/// states what trims between nozzle and sensor will change, and only the rest of the error is fed back: the
+/// distance of the sensor costs no stability as long as the gain is known.
 class TrailingTrim {
  public:
   /// @throws InvalidInput if step or distance are not positive, or the distance is beyond 10^5 steps
   explicit TrailingTrim(const TrimSettings& settings);
 
-  /// The nozzle goes on by a step.
-  /// @param relative_error  of growth under the sensor: positive is too much; none where it sees nothing, and
-  ///   what is not finite is none
+  /// Moves the nozzle on by a step.
+  /// @param relative_error  of growth under the sensor, positive if too much; none, or not finite, where the
+  ///   sensor sees nothing
   /// @return the trim to add to the amount from here on
   double advance(std::optional<double> relative_error);
 

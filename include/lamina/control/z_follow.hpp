@@ -8,7 +8,7 @@
 
 namespace lamina {
 
-/// What the nozzle may do along the growth direction.
+/// Room of the nozzle along the growth direction.
 struct NozzleRoom {
   double layer_mm = 0.0;  ///< height of the layer
   /// Height of the highest believed cell under the head, above where the layer below should be [mm].
@@ -16,12 +16,12 @@ struct NozzleRoom {
   double clearance_mm = 0.0;  ///< of the head above the nozzle tip
 };
 
-/// Shift of the nozzle along the growth direction against the plan, one value per cell [mm]; negative is
-/// lower. By `loop.z` of a free process, whose nozzle follows the surface: none, minus the mean error of the
-/// layer, or minus the low-passed error. Of a pressed one, whose nozzle makes the surface: none, or as much
-/// more as the loop's gain takes of the mean error. That of the
-/// layer changes by 0.2 layers at most from layer to layer, and no shift is more than a layer either way. A
-/// shift down never brings the head nearer to the highest cell than its clearance.
+/// Shift of the nozzle along the growth direction relative to the plan [mm], one value per cell; negative is
+/// lower. `loop.z` chooses it. In a free process, whose nozzle follows the surface, it is zero, minus the
+/// mean error of the layer, or minus the low-passed error. In a pressed one, whose nozzle makes the surface,
+/// it is zero, or `before_mm` plus the gain of the loop times the mean error. A shift of the whole layer
+/// changes by at most 0.2 layer heights from layer to layer. No shift is more than a layer height either way,
+/// or brings the head nearer to the highest cell than its clearance.
 /// @param before_mm  mean shift of the layer below
 std::vector<double> nozzleShift(const LayerCells& cells, const LayerKnowledge& known, double before_mm,
                                 const NozzleRoom& room, const LoopSettings& settings);

@@ -12,15 +12,15 @@
 
 namespace lamina {
 
-/// One layer of an atlas. What tells a cell lies by the cell in few bytes, so that most questions are
-/// answered without its other values.
+/// One layer of an atlas. A few bytes per cell, stored together, decide most look-ups without the cell's
+/// other values.
 class CellSheet {
  public:
   CellSheet(std::shared_ptr<const LayerCells> cells, double window_layers);
 
   /// The cell of the first `laid` ones on which a point lies.
   std::optional<CellSight> look(const Point3& point) const;
-  /// The same of many points, whose cells are fetched from memory all at once.
+  /// The same for many points, whose cells are fetched from memory in advance.
   std::vector<std::optional<CellSight>> look(const std::vector<Point3>& points) const;
 
   const std::shared_ptr<const LayerCells>& cells() const { return cells_; }
@@ -34,10 +34,10 @@ class CellSheet {
   struct PlaneStation {
     float u, v;
     float tangent_u, tangent_v;
-    float half;  ///< of the length
+    float half;  ///< length
     float width;
-    float lift;  ///< of the top over that of the first cell
-    float left;  ///< bend along the way, to the left [1/mm]
+    float lift;  ///< height of the top above that of the first cell
+    float left;  ///< curvature along the path, positive to the left [1/mm]
   };
   /// A cell of any layer.
   struct BentStation {
@@ -45,9 +45,9 @@ class CellSheet {
     Eigen::Vector3f tangent;
     Eigen::Vector3f growth;
     float half, width;
-    float up, left;  ///< bend along the way [1/mm]; up is negative over a crest
+    float up, left;  ///< curvature along the path [1/mm]; up is negative over a crest
   };
-  /// A point over a cell, lengths in half cells along and in widths across.
+  /// A point in the frame of a cell: `along` in half lengths of it, `across` in widths.
   struct Footing {
     static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
     std::uint32_t cell = kNone;

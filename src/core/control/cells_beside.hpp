@@ -8,11 +8,11 @@
 
 namespace lamina {
 
-/// Two axes square to a normal, as rows.
+/// Two unit vectors square to a normal and to each other, as rows.
 Eigen::Matrix<double, 2, 3> planeSquareTo(const Eigen::Vector3d& normal);
 
-/// What `LayerCells::beside` holds. Of cells that are equally near the one laid first.
-/// @param normal  of the layers: cells are looked up in the plane square to it
+/// The values of `LayerCells::beside`. Of equally near cells the one laid first is taken.
+/// @param normal  of the layers: distances are those in the plane square to it
 std::vector<CellsBeside> cellsBeside(const LayerCells& cells, const Eigen::Vector3d& normal);
 
 }  // namespace lamina

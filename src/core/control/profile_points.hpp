@@ -9,15 +9,15 @@
 
 namespace lamina {
 
-/// Points of a profile that are sound, in its order.
+/// The valid points of a profile, in its order.
 struct SoundPoints {
   std::vector<Point3> points;        ///< [mm, frame of the sensor]
-  std::vector<std::size_t> columns;  ///< first point of each column, and one more: of several returns
-                                     ///< along one ray all
-  PointCounts counts;                ///< of those left out
+  std::vector<std::size_t> columns;  ///< first point of each column, and the number of points; a column has
+                                     ///< all returns along one ray
+  PointCounts counts;                ///< of points left out
 };
 
-/// Leaves out the ends, points that are none, those outside the sensor's window, and spray.
+/// Leaves out the ends of a profile, points that are not finite or outside the sensor's window, and spray.
 /// @param layer_mm  height of the layer
 SoundPoints soundPoints(const std::vector<Point3>& points, double layer_mm, const SightSettings& settings);
 

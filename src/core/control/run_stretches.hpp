@@ -11,16 +11,17 @@ namespace lamina {
 
 /// Neighbouring cells of a run that belong together.
 struct CellStretch {
-  std::size_t first = 0;  ///< cell of the layer
+  std::size_t first = 0;  ///< number of its first cell in the layer
   std::size_t count = 0;
 };
 
-/// The i-th cell of a stretch; on a closed run stretches go on behind its last cell with its first.
+/// The i-th cell of a stretch. On a closed run a stretch continues after the last cell with the first.
 inline std::size_t cellOf(const CellRun& run, const CellStretch& stretch, std::size_t i) {
   return run.first + (stretch.first - run.first + i) % run.count;
 }
 
-/// A run cut where belongs(cell, next) is false. On a closed run no stretch ends at the seam alone.
+/// Divides a run where belongs(cell, next) is false. On a closed run that holds for its last and first cell
+/// too.
 template <class Belongs>
 std::vector<CellStretch> stretchesOf(const CellRun& run, Belongs belongs) {
   std::vector<CellStretch> stretches;

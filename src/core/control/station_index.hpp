@@ -10,20 +10,20 @@
 
 namespace lamina {
 
-/// Which cells of a layer may hold a point: a grid of squares in the plane that the layer lies along, where
-/// no cell leans from it by more than 60 degrees, else of cubes, of which only those that hold something take
-/// memory.
+/// Finds the cells of a layer that may hold a point. If no cell leans from the plane of the layer by more
+/// than 60 degrees it is a grid of squares in that plane; else it is a grid of cubes, of which only those
+/// that hold cells take memory.
 class StationIndex {
  public:
   StationIndex(const LayerCells& cells, double window_layers);
 
-  /// Whether all cells grow one way.
+  /// Whether all cells have the same growth direction.
   bool isPlane() const { return is_plane_; }
-  /// A place in the axes of the index: two of the plane, and its normal.
+  /// A point in the axes of the index: two in the plane, and its normal.
   Point3 placeOf(const Point3& point) const { return axes_ * point - low_; }
   Eigen::Vector3d turned(const Eigen::Vector3d& direction) const { return axes_ * direction; }
 
-  /// Cells, ascending.
+  /// Numbers of cells, ascending.
   struct Cells {
     const std::uint32_t* first = nullptr;
     const std::uint32_t* last = nullptr;
@@ -33,8 +33,8 @@ class StationIndex {
   /// @param place  of the point (`placeOf`)
   Cells near(const Point3& place) const { return cellsIn(squareOf(place)); }
 
-  /// The same in two steps, so that what lies in memory for many places can be fetched at once: the square or
-  /// cube, `kNone` where there is none, and what it holds.
+  /// The same in two steps, so that the memory of many places can be fetched at once: the square or cube of a
+  /// place, `kNone` if there is none, and its cells.
   static constexpr std::uint32_t kNone = 0xFFFFFFFFU;
   std::uint32_t squareOf(const Point3& place) const;
   Cells cellsIn(std::uint32_t square) const;
@@ -45,13 +45,14 @@ class StationIndex {
   std::size_t bytes() const;
 
  private:
-  /// A cube that holds something; `number` is kNone in a free place of the table.
+  /// A cube that holds cells; `number` is kNone in a free slot of the table.
   struct Cube {
     std::uint64_t key = 0;
     std::uint32_t number = kNone;
   };
   using Place = std::array<std::int64_t, 3>;
-  static constexpr std::uint64_t kSpread = 0x9E3779B97F4A7C15ULL;  ///< of keys over the table
+  static constexpr std::uint64_t kSpread =
+      0x9E3779B97F4A7C15ULL;  ///< factor that scatters keys over the table
 
   void layOut(const LayerCells& cells);
   /// Where a place of the axes lies, within the index.
@@ -71,7 +72,7 @@ class StationIndex {
   Point3 low_ = Point3::Zero();
   double per_mm_ = 1.0;
   Place count_{};
-  std::vector<std::uint32_t> begin_;  ///< of each square or cube; one more
+  std::vector<std::uint32_t> begin_;  ///< first cell of each square or cube, and the number of cells
   std::vector<std::uint32_t> cells_;
   std::vector<Cube> table_;  ///< a power of two long; empty for a plane
   std::uint32_t cubes_ = 0;
