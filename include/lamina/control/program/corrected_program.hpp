@@ -17,30 +17,30 @@ namespace lamina {
 
 /// How corrections are written into a program.
 struct CorrectionWriting {
-  double split_change = 0.02;        ///< a line is split where the amount changes by more
-  double place_tolerance_mm = 0.05;  ///< that a program's motions may be off the toolpath
+  double split_change = 0.02;        ///< change of the amount above which a line is split
+  double place_tolerance_mm = 0.05;  ///< greatest distance of a program's motions from the toolpath
   int decimals = 3;                  ///< of coordinates
   /// Mode of E until M82 or M83 sets it; if empty, absolute.
   std::optional<ExtrusionMode> initial_extrusion;
 };
 
-/// What became of a program.
+/// The changes of a program.
 struct CorrectionReport {
-  std::size_t corrected_lines = 0;  ///< of depositing motions
+  std::size_t corrected_lines = 0;  ///< lines of depositing motions that were changed
   std::size_t added_lines = 0;      ///< by splitting
-  std::size_t off_path_lines = 0;   ///< that deposit beside the toolpath: left as they are
-  double planned_mm = 0.0;          ///< filament that the corrected lines push
-  double corrected_mm = 0.0;        ///< and that they push now
+  std::size_t off_path_lines = 0;   ///< lines that deposit beside the toolpath; left unchanged
+  double planned_mm = 0.0;          ///< filament of the corrected lines before
+  double corrected_mm = 0.0;        ///< filament of the corrected lines after
 };
 
-/// Writes corrections into G-code, line by line: only increments of E, F and the axis along the layers'
-/// normal change, and lines are split, arcs into chords, where the amount changes. A line that no correction
-/// changes keeps its bytes, unless E is absolute and has been changed before, or a changed feed or height has
-/// to be taken back. The lines come and go one by one, so that a streamer may correct what it has not sent.
+/// Writes corrections into G-code, line by line, so that a streamer can correct lines that are not sent yet.
+/// It changes E, F and the axis along the layers' normal, and splits lines, and arcs into chords, where the
+/// amount changes. A line without a correction keeps its bytes, unless E is absolute and was changed before,
+/// or a changed feed or height has to be restored.
 class ProgramCorrector {
  public:
-  /// @param toolpath  that the program was written from, in coordinates of the program; must outlive this
-  /// @param maps      one per layer at most
+  /// @param toolpath  of which the program was written, in coordinates of the program; must outlive this
+  /// @param maps      at most one per layer
   /// @throws InvalidInput as `validate`; if a map is of another toolpath, or two are of one layer, or one
   ///   shifts the nozzle by more than its layer's height; if the change at which lines are split is not
   ///   positive
@@ -50,19 +50,18 @@ class ProgramCorrector {
   ProgramCorrector(const ProgramCorrector&) = delete;
   ProgramCorrector& operator=(const ProgramCorrector&) = delete;
 
-  /// A map that came meanwhile, of a layer of which nothing is read yet.
+  /// Adds the map of a layer of which nothing was read yet.
   /// @throws InvalidInput as the constructor; if the layer has begun
   void add(const CorrectionMap& map);
 
-  /// A later map of a layer, part of which may be read: it takes the place of the one before on lines that
-  /// are read from now on.
+  /// Replaces the map of a layer from the next line on. Part of the layer may have been read.
   /// @throws InvalidInput as the constructor
   void trim(const CorrectionMap& map);
 
-  /// Appends what a line becomes, each line with its line feed but the last.
+  /// Appends the lines that a line becomes, with a line feed after each but the last.
   /// @param line  without its line feed
-  /// @throws InvalidProgram naming the line of what cannot be corrected: G91 or G20 within the part, E that
-  ///   firmwares read differently, a checksum, which would not hold
+  /// @throws InvalidProgram naming the line, if it cannot be corrected: G91 or G20 within the part, an E that
+  ///   firmwares read differently, a checksum, which would no longer hold
   void read(std::string_view line, std::size_t number, std::string& out);
 
   const CorrectionReport& report() const;
@@ -72,18 +71,19 @@ class ProgramCorrector {
   std::unique_ptr<Writer> writer_;
 };
 
-/// A later map of a layer, and where it takes the place of the one before.
+/// A map that replaces the one of its layer, from a line on.
 struct LaterMap {
   std::size_t from_line = 0;  ///< of the program, from 1
   CorrectionMap map;
 };
 
-/// A whole program that is held in memory. With corrections of nothing it is the same to the last byte.
+/// A corrected program in memory.
 struct CorrectedProgram {
   std::string text;
   CorrectionReport report;
 };
-/// @param trims  ascending by line; of equal lines the last one holds
+/// Corrects a whole program. Maps without corrections give the same bytes.
+/// @param trims  ascending by line; of those of one line the last one holds
 /// @throws as `ProgramCorrector`
 CorrectedProgram correctedProgram(std::string_view program, const Toolpath& toolpath,
                                   const std::vector<CorrectionMap>& maps, const CorrectionWriting& writing,

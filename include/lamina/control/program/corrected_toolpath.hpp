@@ -9,24 +9,22 @@
 
 namespace lamina {
 
-/// A toolpath corrected for a process whose source gives the same in the same time, as wire and powder that
-/// run at a constant rate: 1 + amount lasts as much longer on each millimetre, so that the feed becomes
-/// planned times (1 + speed) / (1 + amount). The nozzle moves back along its tool axis by the height. Beads
-/// stay those that are aimed at.
+/// A toolpath corrected for a process that feeds at a constant rate, as wire and powder do. The amount is
+/// laid by the time spent on each millimetre: the feed becomes the planned one times (1 + speed) / (1 +
+/// amount). The shift moves the nozzle against its tool axis. Beads keep their planned sizes.
 ///
 /// Motions are split where the amount changes by more than `split_change`; the time of each piece is exact. A
-/// closed path that is corrected becomes one that ends where it began. Travels lead from and to the heights
-/// beside them. Paths and layers keep their numbers; without maps the toolpath is the same.
+/// corrected closed path becomes an open one that ends at its start. Travels connect the shifted ends of the
+/// paths beside them. Paths and layers keep their numbers; without maps the toolpath is unchanged.
 ///
-/// @param maps  one per layer at most
+/// @param maps  at most one per layer
 /// @throws InvalidInput as `validate`; naming layer and path: of a path with drops or events, or one whose
 ///   height differs from that of the path before without a travel between; if a map is of another toolpath,
-///   or shifts the nozzle by more than its layer's height; if the change at which motions are split is not
-///   positive
+///   or shifts the nozzle by more than its layer's height; if `split_change` is not positive
 Toolpath correctedToolpath(const Toolpath& toolpath, const std::vector<CorrectionMap>& maps,
                            double split_change);
 
-/// Refuses a toolpath as a program reads back that is not the one the maps are of.
+/// Refuses the toolpath read from a program if it is not the one that was planned.
 /// @throws InvalidInput naming the first layer, path or waypoint that differs by more than `tolerance_mm`
 void requireSamePaths(const Toolpath& read, const Toolpath& planned, double tolerance_mm);
 

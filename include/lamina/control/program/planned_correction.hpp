@@ -13,35 +13,35 @@
 
 namespace lamina {
 
-/// What programs are corrected by before they are run.
+/// The corrections of a program that are known before it is run.
 struct PlannedCorrection {
   ProgrammedToolpath planned;
   std::vector<FiledMap> maps;  ///< by layer and line, ascending
-  LoopSettings feeding;        ///< dead time, lag and limits of the feeder, by which amounts are led
-  /// Whether it is the program that the lines of the maps are of; of another one each holds for its layer.
+  LoopSettings feeding;        ///< dead time, lag and limits of the feeder, for leading amounts
+  /// Whether the lines in `maps` are those of this program. Otherwise each map holds for its whole layer.
   bool is_recorded_program = false;
 };
 
-/// Refuses maps of another program.
-/// @throws InvalidInput naming the file of the first that `defectOf` has something against
+/// Refuses maps that cannot belong to the program.
+/// @throws InvalidInput naming the file of the first one with a defect (`defectOf`)
 void requireOfProgram(const PlannedCorrection& correction);
 
-/// The maps as they are written into a program: led for the feeder, and under the id that the toolpath has in
-/// coordinates of the program. One for each, in their order.
+/// The maps as they are written into a program, in the same order: led for the feeder, with the id of the
+/// toolpath in coordinates of the program.
 /// @throws InvalidInput as `ledMap`
 std::vector<CorrectionMap> ledMaps(const PlannedCorrection& correction);
 
-/// The settings of a feeder that amounts are led by, as `key=value` with spaces between.
+/// The settings by which amounts are led, as `key=value` separated by spaces.
 std::string feedingText(const LoopSettings& feeding);
 
-/// Refuses a program that is not of a toolpath. It is read whole, so that what cannot be corrected is refused
-/// before any of it runs.
+/// Refuses a program that does not lay a toolpath. It reads the whole program, so that lines that cannot be
+/// corrected are refused before any of them runs.
 /// @param name  of the program in errors
 /// @throws InvalidProgram if none of what it deposits lies on the toolpath; as `ProgramCorrector`
 void requireLaysToolpath(const std::string& name, std::istream& program, const Toolpath& toolpath);
 
-/// A whole G-code program with each layer corrected by its map, line for line as the streamer corrects it
-/// where the same maps come in time. With maps of nothing it is the same to the last byte.
+/// Corrects each layer of a G-code program by its map. The lines are those that the streamer sends if the
+/// same maps arrive in time. Maps without corrections give the same bytes.
 /// @param name  of the program in errors
 /// @throws InvalidInput as `requireOfProgram` and `ledMaps`; if two maps are of one layer, naming the file
 /// @throws InvalidProgram as `requireLaysToolpath`

@@ -4,24 +4,25 @@
 
 #include <array>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "lamina/control/run/loop_run.hpp"
 
 namespace lamina {
 
-/// What is kept of a layer: its size does not depend on that of the layer.
+/// The record of a layer. Its size does not depend on the number of cells.
 struct LayerRecord {
-  static constexpr std::size_t kPieces = 200;  ///< equal parts of the layer's cells, as the nozzle comes by
+  static constexpr std::size_t kPieces = 200;  ///< equal shares of the cells in the order of laying
 
   LayerFigures figures;
   LoopState state = LoopState::Off;
-  std::string map_digest;  ///< of the correction that the layer was laid with
+  std::string map_digest;  ///< of the map with which the layer was laid
   std::vector<RaisedAlarm> alarms;
-  std::array<float, kPieces> error_mm{};  ///< mean of each piece
+  std::array<float, kPieces> error_mm{};  ///< mean height error of each piece
 };
 
-/// What is kept of a print under the loop, layer by layer, and cell by cell of the last layer.
+/// The record of a print under the loop: layer by layer, and cell by cell for the last layer.
 class LoopRecord {
  public:
   LoopRecord() = default;
@@ -33,7 +34,7 @@ class LoopRecord {
   const std::string& partName() const { return part_name_; }
   const std::string& toolpathId() const { return toolpath_id_; }
   const std::vector<LayerRecord>& layers() const { return layers_; }
-  /// Of the last layer.
+  /// The cells of the last layer.
   const std::vector<CellOutcome>& cells() const { return cells_; }
 
  private:

@@ -8,16 +8,16 @@
 
 namespace lamina {
 
-/// One page that a person can read, print and send: errors and gains by layer, the error along each layer,
-/// error and correction along the last one, alarms, and the numbers. HTML with its pictures inside, without
-/// scripts, nothing from elsewhere.
+/// The report of a print as one HTML page: errors and gains by layer, the error along each layer, error and
+/// correction along the last layer, alarms, and a table of the figures. The page embeds its pictures, has no
+/// scripts and refers to no other file.
 std::string loopReport(const LoopRecord& record);
 
-/// The numbers as comma-separated rows, one a layer, lengths in mm.
+/// The figures as CSV, a row per layer, lengths in mm.
 std::string loopLayersCsv(const LoopRecord& record);
 
-/// Writes `loop_report.html` and `loop_layers.csv` into a folder, which is made if need be. Each appears
-/// whole or not at all. Nothing is written of a record without layers.
+/// Writes `loop_report.html` and `loop_layers.csv` into a folder, which is created if it does not exist. Each
+/// file appears whole or not at all. A record without layers writes none.
 /// @throws FileError
 void saveLoopReport(const std::string& folder, const LoopRecord& record);
 

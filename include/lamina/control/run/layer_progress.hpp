@@ -9,32 +9,31 @@
 
 namespace lamina {
 
-/// Where the nozzle is in the layers of its toolpath.
+/// The position of the nozzle in its toolpath.
 struct PrintPlace {
-  std::size_t layer = 0;     ///< as many as there are at the end
-  std::size_t path = 0;      ///< of the layer, travels counted too
+  std::size_t layer = 0;     ///< number; that of layers once all are done
+  std::size_t path = 0;      ///< number in the layer, travels included
   double along_mm = 0.0;     ///< from the start of the path
-  bool is_scanning = false;  ///< on a travel after all that the layer deposits, as scan passes are
+  bool is_scanning = false;  ///< on a travel after the layer's last deposition, as scan passes are
 };
 
-/// Follows the nozzle from layer to layer (`PathFollower`): it never goes back. A layer is over when no more
-/// than the tolerance of it is left, so that a machine that waits at its end has ended it.
+/// Follows the nozzle along its toolpath (`PathFollower`), never backwards. A layer ends when at most the
+/// tolerance is left of it, so that a machine that waits at its end has ended it.
 class LayerProgress {
  public:
   /// @param toolpath  in the frame of the positions; must outlive this
   /// @throws InvalidInput as `validate`
   LayerProgress(const Toolpath& toolpath, const FollowingSettings& settings);
 
-  /// Goes on at the beginning of a layer: the nozzle is looked for from there on, up to the end of the second
-  /// layer above, until it is found.
-  /// @param layer  as many as there are for the end
+  /// Restarts at the beginning of a layer. Until the nozzle is found it is searched for from there to the end
+  /// of the second layer above.
+  /// @param layer  number; that of layers for the end
   void resume(std::size_t layer);
 
   /// The place after a report of the nozzle at `tip` [mm].
   const PrintPlace& observe(const Point3& tip);
   const PrintPlace& place() const { return place_; }
-  /// Whether the nozzle was seen on the toolpath since its beginning, or since that of the layer it went on
-  /// at.
+  /// Whether the nozzle was found on the toolpath since the start, or since `resume`.
   bool isFound() const { return is_found_; }
 
   /// Whether a layer ends with a travel that may be a scan pass.

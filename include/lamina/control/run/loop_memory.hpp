@@ -11,22 +11,22 @@
 
 namespace lamina {
 
-/// What the loop over a print knew when one of its layers was done: what it takes to go on after it with the
-/// same bits.
+/// The state of the loop after a layer, from which it goes on with the same bits.
 struct LoopMemory {
   PartIdentity identity;  ///< the program is the toolpath's id
-  std::size_t layer = 0;  ///< that was done last
+  std::size_t layer = 0;  ///< the last one done
   LoopStatus status;
   double gain_at_check = 1.0;
-  double last_amount = 0.0;    ///< where the layer ended
-  double mean_shift_mm = 0.0;  ///< of the nozzle, over the layer
+  double last_amount = 0.0;    ///< amount at the end of the layer
+  double mean_shift_mm = 0.0;  ///< mean shift of the nozzle over the layer
   StoredHeights heights;       ///< of the layer's cells
 };
 
-/// The memory as YAML, which `memoryFromYaml` reads back to the same bits.
+/// The state as YAML, which `memoryFromYaml` reads back to the same bits.
 std::string toYaml(const LoopMemory& memory);
 
-/// Reads a memory strictly: all keys and no others, no number out of bounds, one value of each kind per cell.
+/// Reads a state strictly: all keys and no others, all numbers within bounds, one value of each kind per
+/// cell.
 /// @throws InvalidConfig naming the source and the key
 LoopMemory memoryFromYaml(const std::string& yaml, const std::string& source);
 

@@ -28,17 +28,17 @@ namespace lamina {
 
 class LayerTrim;
 
-/// Where the nozzle tip is at an instant.
+/// The position of the nozzle tip at an instant.
 struct StampedTip {
   std::int64_t stamp_ns = 0;
   Point3 tip = Point3::Zero();  ///< [mm, bed frame]
 };
 
-/// What the sensor saw at an instant.
+/// The points that the sensor saw at an instant.
 struct SensedCloud {
-  std::int64_t stamp_ns = 0;  ///< the time at which it was taken: the offset of the sensor's clock is off
+  std::int64_t stamp_ns = 0;  ///< true time of measurement, without the offset of the sensor's clock
   Eigen::Isometry3d bed_from_sensor = Eigen::Isometry3d::Identity();  ///< translation [mm]
-  /// Points along each line [mm, frame of the sensor]; not finite where there is none.
+  /// Points of each profile [mm, frame of the sensor]; not finite where one is missing.
   std::vector<std::vector<Point3>> profiles;
 };
 
@@ -47,70 +47,72 @@ struct PlacedPart {
   std::string toolpath_id;
   Eigen::Isometry3d bed_from_part = Eigen::Isometry3d::Identity();  ///< translation [mm]
   Toolpath toolpath;
-  std::string machine = {};  ///< name of the machine it was planned for
+  std::string machine = {};  ///< name of that for which it was planned
 };
 
 /// A cell of a layer that is done.
 struct CellOutcome {
   Point3 at = Point3::Zero();  ///< planned middle of its top [mm, part frame]
-  double error_mm = 0.0;       ///< planned less measured: positive is too low
-  double sigma_mm = 0.0;       ///< of that
-  double amount = 0.0;         ///< relative correction that it was laid with
+  double error_mm = 0.0;       ///< planned less measured height: positive is too low
+  double sigma_mm = 0.0;       ///< standard deviation of that
+  double amount = 0.0;         ///< relative correction with which it was laid
   bool is_seen = false;
 };
 
 /// A layer that is done.
 struct LayerOutcome {
   LayerFigures figures;
-  LoopState state = LoopState::Off;  ///< in which it was laid
+  LoopState state = LoopState::Off;  ///< of the loop while the layer was laid
   std::vector<RaisedAlarm> alarms;   ///< since the layer before was done
-  std::vector<CellOutcome> cells;    ///< in the order in which the nozzle comes by
+  std::vector<CellOutcome> cells;    ///< in the order of laying
 };
 
-/// The layers left of a print, planned anew: a part that is to be laid in place of them.
+/// A new plan of the layers left of a print.
 struct PrintPlan {
   PlacedPart part;         ///< with an identity of its own that names its parent (`replannedId`)
-  std::size_t layer = 0;   ///< of the toolpath before, in whose place its first layer comes
-  double raised_mm = 0.0;  ///< its heights count from a plan that much higher than the one before
-  double flow = 1.0;       ///< its beads have that many times the volume
-  double short_mm = 0.0;   ///< by which it ends below the top of the toolpath that was begun with
-  std::string reason;      ///< for which it was made
+  std::size_t layer = 0;   ///< of the toolpath before, which its first layer replaces
+  double raised_mm = 0.0;  ///< height of the plan above the one before
+  double flow = 1.0;       ///< factor on the volume of beads
+  double short_mm = 0.0;   ///< distance of its top below that of the first toolpath
+  std::string reason;      ///< why it was made
 };
 
-/// What has come since it was asked for last, each in its order. An alarm that holds the print stands before
-/// the map of the layer that it holds.
+/// The results since the last call of `takeNews`, each kind in its order. An alarm that holds the print comes
+/// no later than the map of the layer that it holds.
 struct LoopNews {
   std::vector<RaisedAlarm> alarms;
   std::vector<CorrectionMap> maps;
   std::vector<LayerOutcome> layers;
-  std::optional<LoopMemory> memory;  ///< of the last of these, where it is kept
+  std::optional<LoopMemory> memory;  ///< after the last of these layers, if it is kept
   std::vector<PrintPlan> plans;      ///< the latest holds, until the layer that it begins with is laid
 };
 
-/// What became of what came: clouds received are the sum of those read, dropped and waiting.
+/// Numbers of poses, clouds and readings by their use. Clouds received are the sum of those read, late, stuck
+/// and waiting.
 struct LoopCounts {
   std::uint64_t poses = 0;
-  std::uint64_t poses_late = 0;  ///< older than what was worked off
+  std::uint64_t poses_late = 0;  ///< older than others already processed
   std::uint64_t clouds = 0;
   std::uint64_t clouds_read = 0;
   std::uint64_t clouds_late = 0;
-  std::uint64_t clouds_stuck = 0;  ///< of a sensor that says the same all the time
+  std::uint64_t clouds_stuck = 0;  ///< of a sensor whose profiles are all the same
   std::uint64_t clouds_waiting = 0;
   std::uint64_t readings_used = 0;
   std::uint64_t readings_contested = 0;
   std::uint64_t readings_believed = 0;
-  std::uint64_t readings_below = 0;  ///< of a layer that is done
+  std::uint64_t readings_below = 0;  ///< of a layer that was done already
   std::uint64_t trims_refused = 0;   ///< further maps of a layer that the machine did not use
   PointCounts points;                ///< of the clouds read
 };
 
-/// One print under the loop, by stamps alone. Poses of the nozzle and clouds may come in any order within
-/// `monitor.reorder_s`: they are worked off in the order of their stamps once something that much later has
-/// come. So the same poses and clouds give the same maps to the last bit, however they are delayed.
+/// The loop over one print, driven by time stamps alone. Poses of the nozzle and clouds may arrive in any
+/// order within `monitor.reorder_s`. They are processed in the order of their stamps, each once something
+/// later by that time has arrived. The same poses and clouds therefore give the same maps to the last bit,
+/// however delayed.
 ///
-/// Which cells are laid follows from how far along the toolpath the nozzle has come. A layer is done when the
-/// nozzle has come to its end; then it is judged, and the next one gets its map. The first layer has its map
-/// at once. With `loop.trim` a layer under way gets further maps, of higher sequence, for what is not laid.
+/// The cells laid follow from the progress of the nozzle along the toolpath. When the nozzle reaches the end
+/// of a layer, the layer is judged and the next one gets its map; the first layer has its map at once. With
+/// `loop.trim` a layer under way gets further maps, of higher sequence, for the cells that are not laid.
 class LoopRun {
  public:
   /// @throws InvalidInput as `validate` of a toolpath, as `metalSplit` for its speeds, and as `TaughtPart`
@@ -121,59 +123,62 @@ class LoopRun {
   LoopRun(const LoopRun&) = delete;
   LoopRun& operator=(const LoopRun&) = delete;
 
-  /// Goes on after the layer that the memory is of, before anything was observed: the same poses and clouds
-  /// give the same maps as if nothing had come between. Layers that the nozzle is found to have begun
-  /// meanwhile count as laid as planned, as nobody told the machine otherwise.
+  /// Restores the state after a layer, before any pose or cloud was given. From there on the same poses and
+  /// clouds give the same maps as without the interruption. Layers that the nozzle has begun meanwhile count
+  /// as laid as planned, since the machine had no maps of them.
   /// @throws InvalidInput if the memory is of another print, machine or material, or of other cells, naming
-  /// what differs; the print is then at its beginning
+  ///   the difference; the print is then at its beginning
   void resume(const LoopMemory& memory);
-  /// What the memory of this print says it is of.
+  /// The identity that the memory of this print states.
   PartIdentity identity() const { return {part_.toolpath_id, part_.machine, settings_.material}; }
 
-  /// Takes effect with the next layer, as part of the layer under way may have been handed to the machine:
-  /// of a loop that corrects no more, that layer fades from what the one before ended with.
-  /// @return the status, `Blocked` with the reason where the loop may not start
+  /// Requests a state, from the next layer on, since the machine may already have part of the layer under
+  /// way. If the loop then no longer corrects, amounts fade at the start of that layer from the last one of
+  /// the layer before.
+  /// @return the status: `Blocked` with the reason if the loop may not start
   const LoopStatus& request(LoopRequest request);
 
-  /// The sensor was calibrated anew: what comes from now on is taken by that. A loop that coasts until then,
-  /// or is blocked, begins as requested if the check of stability allows it with the low-pass of this print.
+  /// Takes over a new calibration of the sensor, for all that arrives from now on. A loop that is blocked, or
+  /// coasts for want of it, starts as requested if the check of stability allows it with the low-pass of this
+  /// print.
   void recalibrate(const CellCalibration& known, LoopRequest request);
 
   void observe(const StampedTip& pose);
   void see(SensedCloud cloud);
-  /// A cloud of that stamp has come, and no pose of the nozzle is known for it yet.
+  /// States that a cloud of that stamp has arrived for which no pose of the nozzle is known yet.
   void hear(std::int64_t stamp_ns);
-  /// The machine lays a layer, or its beginning, as planned. The estimate of a layer that is under way, or
-  /// still to come, takes that into account; that of one that is done, or that the toolpath does not have,
-  /// does not. 6116 is raised where all of the layer is laid as planned that was to be laid otherwise, or was
-  /// waited for. What is told of a layer later takes the place of what was told of it before.
+  /// States that the machine lays a layer, or the beginning of it, as planned. The estimate takes that into
+  /// account if the layer is under way or still to come. Alarm 6116 is raised if the whole layer is laid as
+  /// planned although it was to be corrected, or was waited for. A later statement on a layer replaces an
+  /// earlier one.
   void missMap(const MissedMap& missed);
   /// The machine does not use a further map of a layer. It is counted, and 6116 raised as a warning with the
   /// reason, once a layer; the estimate takes the layer to be laid by it all the same. Of a layer that the
   /// toolpath does not have nothing happens.
   void refuseTrim(std::size_t layer, const std::string& reason);
 
-  /// The machine goes on with the plan of that identity, from its first layer on: so does the loop, with what
-  /// it has learnt. What waits is worked off before.
+  /// States that the machine goes on with the plan of that identity, from its first layer on. So does the
+  /// loop, with all that it has learnt, after it has processed what waits.
   /// @return whether that is the plan offered last; else nothing changes
   bool follow(const std::string& toolpath_id);
-  /// The machine does not go on with the plan of that identity: 6113 is raised as a warning with the reason,
-  /// and the layer that the plan was to begin with has its map once more, as it may have been withheld.
+  /// States that the machine does not go on with the plan of that identity. Alarm 6113 is raised as a warning
+  /// with the reason, and the map of the layer that the plan was to replace first is issued again, since it
+  /// may have been withheld.
   /// @return whether that is the plan offered last; else nothing changes
   bool refusePlan(const std::string& toolpath_id, const std::string& reason);
 
-  /// Works off what waits: nothing older comes.
+  /// Processes all that waits: nothing older will arrive.
   void passAll();
-  /// Nothing more comes at all: judges the layer under way if all of it is laid.
+  /// Ends the print: judges the layer under way if all of it is laid.
   void finish();
 
   LoopNews takeNews();
 
-  /// The map for the next part of this program (`TaughtPart::learnt`), for the caller to keep or not.
+  /// The map for the next part of this program (`TaughtPart::learnt`).
   std::optional<PartMap> learnt(PartEnd end) const { return taught_.learnt(part_.toolpath, end); }
 
   const LoopStatus& status() const { return status_; }
-  /// Of the last alarm; none if there was none.
+  /// The last alarm, if there was one.
   const std::optional<RaisedAlarm>& lastAlarm() const { return last_alarm_; }
   const PrintPlace& place() const { return progress_.place(); }
   const LoopCounts& counts() const { return counts_; }
@@ -188,7 +193,7 @@ class LoopRun {
     Point3 tip = Point3::Zero();
     std::shared_ptr<const SensedCloud> cloud;
   };
-  /// Poses before clouds of the same stamp; equal ones by what is in them, so that arrival decides nothing.
+  /// Orders by stamp, poses before clouds, then by content, so that the order of arrival has no influence.
   struct Earlier {
     bool operator()(const Event& a, const Event& b) const;
   };

@@ -8,16 +8,17 @@
 
 namespace lamina {
 
-/// Notices what stands higher than any cell is looked for: three neighbouring points of a profile, in three
-/// profiles in a row. Single returns, as of spray, and single profiles are none.
+/// Detects a lump that stands higher than the range in which cells are searched for. It takes three
+/// neighbouring points in each of three profiles in a row; single returns, as of spray, and single profiles
+/// do not count.
 class LumpWatch {
  public:
-  /// Heights of a profile's points in their order [mm]; those that are not finite stand for none.
+  /// Takes a profile by the heights of its points in their order [mm]; not finite where a point is missing.
   void see(const std::vector<double>& heights_mm);
-  /// Nothing is seen yet.
+  /// Forgets all profiles.
   void reset() { *this = LumpWatch(); }
 
-  /// The greatest height that is believed [mm]; `kNone` without any.
+  /// Greatest height of a lump [mm]; `kNone` if none was detected.
   double height() const { return height_mm_; }
   static constexpr double kNone = -1e9;
 

@@ -10,16 +10,16 @@ namespace lamina {
 
 /// A place on the paths of a layer.
 struct PlaceOnLayer {
-  std::size_t path = 0;   ///< travels counted too
+  std::size_t path = 0;   ///< number in the layer, travels included
   double along_mm = 0.0;  ///< from its start
 };
 
-/// What a machine did not have of a layer's map.
+/// The part of a layer's map that a machine did not apply.
 struct MissedMap {
   std::size_t layer = 0;
-  double waited_s = 0.0;  ///< in front of the layer
-  std::string reason;     ///< why, in words; empty where the map did not come in time
-  /// The place from which it holds after all; without one all of the layer is laid as planned.
+  double waited_s = 0.0;  ///< for the map, before the layer
+  std::string reason;     ///< in words; empty if the map did not come in time
+  /// The place from which the map was applied after all; without one the whole layer is laid as planned.
   std::optional<PlaceOnLayer> held_from;
 };
 

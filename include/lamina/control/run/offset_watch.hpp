@@ -12,34 +12,34 @@
 
 namespace lamina {
 
-/// What is left of the offset of a sensor's clock once the calibrated one is off.
+/// The offset of a sensor's clock that is left after the calibrated offset is removed.
 struct OffsetLeft {
   double offset_s = 0.0;  ///< true time is the stamp less this
   double sigma_s = 0.0;   ///< standard deviation of that
 };
 
-/// Tells from a layer that is scanned there and back whether stamps are still right: a wrong one moves what
-/// is seen along the way, to one side on the way there and to the other on the way back. What both saw of a
-/// cell then differs by twice speed times offset times the slope of the heights along the path.
+/// Estimates the offset of stamps from a layer that is scanned in both directions along its paths. An offset
+/// shifts the heights seen along the path, in opposite senses on the way there and back. The two readings of
+/// a cell then differ by twice speed times offset times the slope of the heights along the path.
 ///
-/// 32 bytes a cell, from the first reading on. A layer that is as even as its noise, or that no cell of is
-/// seen in both senses, tells nothing.
+/// It takes 32 bytes per cell from the first reading on. A layer as even as its noise, or without cells seen
+/// in both directions, gives no estimate.
 class OffsetWatch {
  public:
-  /// A new layer of so many cells: nothing is seen of it yet.
+  /// Begins a layer with that number of cells.
   void begin(std::size_t cells);
 
-  /// A reading by a sensor that moves along the cell's path at that speed, negative against its sense
-  /// [mm/s]. One that is slower than 1 mm/s, or whose speed is not finite, is left out.
+  /// Takes a reading by a sensor that moves along the cell's path at that speed [mm/s], negative against the
+  /// direction of the path. It is left out if the speed is below 1 mm/s or not finite.
   void see(std::size_t cell, double speed_mm_s, const CellReading& reading);
 
-  /// The offset by least squares over the cells that were seen in both senses; none where its standard
-  /// deviation is above 10 ms.
+  /// The offset by least squares over the cells seen in both directions; none if its standard deviation is
+  /// above 10 ms.
   /// @param cells  of the layer
   std::optional<OffsetLeft> offset(const LayerCells& cells) const;
 
  private:
-  /// Readings in one sense.
+  /// Sums over the readings in one direction.
   struct Seen {
     float readings = 0.0F;
     float error_mm = 0.0F;      ///< sum

@@ -9,43 +9,44 @@
 
 namespace lamina {
 
-/// The settings with what a calibration says where they say nothing themselves. What is stated in the
-/// settings wins: a time offset or a place that is trusted there, a dead time or lag, a spread, an error or a
-/// scatter above 0.
+/// The settings, completed by a calibration. A value that the settings state takes precedence: a trusted time
+/// offset or place, a dead time, lag, spread, error or scatter above 0.
 ///
-/// Of the time comes the offset with its spread. Of the pose comes where the sensor sits, which then stands
-/// in place of tf; its error along the path, of the shifts and of the turns over the distance of sensor and
-/// nozzle tip; and the scatter along the growth. What the calibration kept counts as exact. Of the feeder
-/// come dead time and lag, and the uncertainty of both together.
+/// The calibration of time gives the offset and its spread. That of the pose gives the place of the sensor,
+/// which replaces that of tf; its error along the path, from those of the shifts and of the turns times the
+/// distance of sensor and nozzle tip; and the scatter along the growth direction. Values that the calibration
+/// kept count as exact. That of the feeder gives dead time and lag, and the uncertainty of both together.
 ///
-/// `calibration.sources` then says of clock, place and feeder what counts, from where, and what was passed
-/// over.
+/// `calibration.sources` states for clock, place and feeder which value holds, its origin, and which was
+/// passed over.
 /// @throws InvalidConfig if a value lies outside the bounds of its setting, naming it
 LoopRunSettings withCalibration(const LoopRunSettings& settings, const Calibration& found);
 
-/// The same with the file that `sensor.calibration` names; with an empty one if it names none.
+/// The same with the file that `sensor.calibration` names; with an empty calibration if it names none.
 /// @throws FileError, InvalidConfig as `readCalibration`
 LoopRunSettings withCalibrationFile(const LoopRunSettings& settings);
 
-/// What leads a feeder, and whence in words.
+/// The settings by which amounts are led for a feeder, and their origin in words.
 struct CalibratedFeeding {
   LoopSettings loop;
   std::string source;
 };
 
-/// Dead time and lag of the file that `sensor.calibration` names, for a machine's executor, unless they are
-/// stated; as stated where it names none.
+/// The settings for a machine's executor, with dead time and lag of the calibration file unless they are
+/// stated.
+/// @param file  as `sensor.calibration` names it; empty for none
 /// @throws FileError, InvalidConfig as `readCalibration`; InvalidConfig with both names if it is that of
 /// another
 ///   machine, or a value lies outside the bounds of its setting
 CalibratedFeeding withFeederOf(const std::string& file, const LoopSettings& loop, const std::string& machine);
 
-/// The calibration of a file that is that of a machine.
+/// Reads the calibration of a machine from a file.
 /// @throws FileError, InvalidConfig as `readCalibration`; InvalidConfig naming the file and both machines
 Calibration readCalibrationOf(const std::string& file, const std::string& machine);
 
-/// `checkStability` of a loop over a print, which refuses the calibration of another machine, by both names.
-/// @param machine  that the toolpath is for
+/// Checks the stability of the loop over a print (`checkStability`). The calibration of another machine is
+/// refused, naming both.
+/// @param machine  for which the toolpath is
 StabilityReport checkStart(const Toolpath& toolpath, const std::string& machine,
                            const LoopRunSettings& settings);
 

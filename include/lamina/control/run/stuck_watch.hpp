@@ -8,17 +8,17 @@
 
 namespace lamina {
 
-/// Notices a sensor that says the same all the time, or nothing: profiles of a moving sensor in a row that
-/// are the same at each of their points, or of no numbers, or of zeros.
+/// Detects a sensor that is stuck: profiles in a row, taken while it moves, that are all the same at each
+/// point, not finite, or zero.
 class StuckWatch {
  public:
-  /// A profile that was taken while the sensor moved. One without points changes nothing: out of range.
-  /// @param points  [mm, frame of the sensor]; not finite where there is none
+  /// Takes a profile of the moving sensor. A profile without points, out of range, changes nothing.
+  /// @param points  [mm, frame of the sensor]; not finite where one is missing
   void see(const std::vector<Point3>& points);
 
-  /// Profiles in a row that say nothing new.
+  /// Number of such profiles in a row.
   int profiles() const { return profiles_; }
-  /// Greatest variance among those of a point to the profile before [mm²]; 0 without numbers.
+  /// Greatest variance of a point between successive ones of them [mm²]; 0 without finite points.
   double variance() const { return variance_mm2_; }
 
  private:

@@ -14,11 +14,11 @@
 
 namespace lamina {
 
-/// What a part teaches the next one of the same program, machine and material, collected layer by layer:
-/// eight bytes a cell. What was not seen of it teaches nothing.
+/// Collects what a part teaches the next one of the same program, machine and material, layer by layer, in
+/// eight bytes per cell. Cells that were not seen teach nothing.
 class TaughtPart {
  public:
-  /// Reads the map that the settings name, if they name one.
+  /// Reads the map of previous parts if the settings name one.
   /// @throws FileError; InvalidInput as `readPartMap`, or naming what differs: program, machine, material,
   ///   layers, or cells of a layer
   TaughtPart(const Toolpath& toolpath, PartIdentity identity, const LoopRunSettings& settings);
@@ -26,15 +26,15 @@ class TaughtPart {
   /// Amounts learnt for a layer; empty without a map.
   std::vector<double> amountsOf(std::size_t layer) const;
 
-  /// A layer is about to be laid: errors of what it is laid onto.
+  /// Begins a layer: takes the height errors of the surface below it.
   void begin(const HeightLoop& loop);
-  /// It is done.
-  /// @param amount  that it was laid with, one per cell
+  /// Ends the layer.
+  /// @param amount  relative amounts with which it was laid, one per cell
   void end(const HeightLoop& loop, const std::vector<double>& amount);
-  /// The program is no longer the one that was begun with: nothing is learnt, and the map holds no more.
+  /// States that the rest of the program is another one: nothing is learnt, and the map is used no more.
   void abandon();
 
-  /// The map for the next part; none where machine or material are not named, or a layer is not done.
+  /// The map for the next part; none if machine or material has no name, or a layer is not done.
   std::optional<PartMap> learnt(const Toolpath& toolpath, PartEnd end) const;
 
  private:

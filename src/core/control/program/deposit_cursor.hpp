@@ -10,26 +10,26 @@
 
 namespace lamina {
 
-/// A piece of a depositing path that a motion of the program lays.
+/// The piece of a depositing path that a motion of the program lays.
 struct LaidStretch {
   std::size_t layer = 0;
-  std::size_t path = 0;  ///< of the layer
-  double from_mm = 0.0;  ///< along it
+  std::size_t path = 0;  ///< number in the layer
+  double from_mm = 0.0;  ///< from the start of the path
   double to_mm = 0.0;
 };
 
-/// Follows the depositing motions of a program along its toolpath, in order. A motion starts where the one
-/// before ended, or at the start of one of the paths that come next; else it is none of the toolpath.
+/// Follows the depositing motions of a program along its toolpath, in order. A motion belongs to the toolpath
+/// if it starts where the one before ended, or at the start of one of the next paths.
 class DepositCursor {
  public:
   DepositCursor(const Toolpath& toolpath, double tolerance_mm);
 
-  /// Where a straight motion that deposits lies; nothing if it is off the toolpath, which leaves the cursor.
+  /// The piece that a straight depositing motion lays. None if it is off the toolpath; the cursor then stays.
   std::optional<LaidStretch> follow(const Point3& start, const Point3& end);
 
-  /// The start of one of the paths that come next, if the point is there.
+  /// The start of the next path that starts at that point, if there is one.
   std::optional<LaidStretch> startingAt(const Point3& point) const;
-  /// Whether some of a layer, or of one above, is laid.
+  /// Whether any part of a layer, or of one above it, is laid.
   bool hasBegun(std::size_t layer) const;
   /// Whether all of the toolpath is laid.
   bool isAtEnd() const;

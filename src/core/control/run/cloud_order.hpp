@@ -6,8 +6,8 @@
 
 namespace lamina {
 
-/// An order of what is in clouds, the same for the same bits: negative, zero or positive as the first comes
-/// before, is the same as, or comes after the second. Their stamps do not count.
+/// Compares clouds by the bits of their content, without their stamps: negative, zero or positive if the
+/// first comes before, equals or comes after the second.
 int compared(const SensedCloud& a, const SensedCloud& b);
 
 }  // namespace lamina

@@ -10,8 +10,8 @@ namespace lamina {
 /// Width of a layer's widest bead [mm]; 0 without cells.
 double widestBead(const LayerCells& cells);
 
-/// What a layer covers, its beads' width around it [mm]: middles of cells along the layers' normal onto the
-/// plane through the origin.
+/// The area that a layer covers, widened by the width of its beads [mm]: the box of its cells' middles,
+/// projected along the layers' normal onto the plane through the origin.
 Box3 groundOf(const LayerCells& cells, const Eigen::Vector3d& normal);
 
 bool isWithin(const Box3& box, const Point3& point);

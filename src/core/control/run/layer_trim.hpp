@@ -13,23 +13,23 @@
 
 namespace lamina {
 
-/// A layer under way, trimmed by what a sensor behind the nozzle sees of it (`TrailingTrim`), cell by cell in
-/// the order in which they are laid. What the nozzle, and what was handed over ahead of it, has passed stays
-/// as it is.
+/// Trims the amounts of a layer under way by the measurements of a sensor behind the nozzle (`TrailingTrim`),
+/// cell by cell in the order of laying. Cells that are laid, or already handed over to the machine, keep
+/// their amounts.
 class LayerTrim {
  public:
-  static constexpr double kLeastChange = 0.002;  ///< of an amount, that is worth telling
+  static constexpr double kLeastChange = 0.002;  ///< of an amount, below which none is reported
 
-  /// @param laid    as they are predicted, the layer being laid with these amounts
-  /// @param amount  one per cell
+  /// @param laid    predicted estimates of the cells, for a layer laid with these amounts
+  /// @param amount  relative, one per cell
   LayerTrim(const LayerCells& cells, const std::vector<CellEstimate>& laid, std::vector<double> amount,
             const LoopSettings& settings, const TrimSettings& trim);
 
-  /// The nozzle has laid that many cells.
-  /// @return whether amounts of cells to come are others than were told last
+  /// States that the nozzle has laid that many cells.
+  /// @return whether the amounts of cells to come differ from those reported last
   bool advance(std::size_t laid, const std::vector<CellEstimate>& estimates);
 
-  /// Of all cells, trims added, within the limits of the loop.
+  /// The amounts of all cells with trims, within the limits of the loop.
   const std::vector<double>& amount() const { return amount_; }
 
  private:
@@ -40,15 +40,15 @@ class LayerTrim {
   std::vector<double> amount_;        ///< with them
   std::vector<double> predicted_mm_;  ///< errors by the amounts without trims
   std::vector<double> growth_mm_;     ///< likewise
-  std::size_t behind_;                ///< the sensor, in cells
-  std::size_t lead_;                  ///< what was handed over, in cells
+  std::size_t behind_;                ///< distance of the sensor behind the nozzle, in cells
+  std::size_t lead_;                  ///< length handed over ahead of the nozzle, in cells
   double least_;
   double greatest_;
   std::size_t laid_ = 0;
-  double told_ = 0.0;  ///< trim
+  double told_ = 0.0;  ///< trim reported last
 };
 
-/// The trim of such a layer; none if the settings ask for none, or the layer is too short for it.
+/// The trim of a layer; none if the settings ask for none, or the layer is too short for it.
 std::optional<LayerTrim> layerTrim(const LayerCells& cells, const std::vector<CellEstimate>& laid,
                                    const std::vector<double>& amount, const LoopSettings& settings);
 
