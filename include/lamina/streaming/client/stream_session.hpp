@@ -12,49 +12,49 @@
 
 namespace lamina {
 
-/// Where the machine is.
+/// The port at which a machine is.
 struct MachinePort {
   /// "tcp:host:port", "http://host:port" of a print server, or the path of a serial port or pseudo-terminal
   std::string name;
   int baud = 115200;
 };
 
-/// Whether a port is a print server, which gets the program whole.
-/// @throws InvalidInput if it is a web address that cannot be one: "https://..."
+/// Whether a port is a print server, which takes a whole program as an upload.
+/// @throws InvalidInput for a web address of a scheme that is not supported: "https://..."
 bool isPrintServer(const MachinePort& port);
 
-/// What a session may do besides.
+/// Options of a session.
 struct SessionOptions {
   ReplyListener heard;    ///< given every line of the machine, from the session's thread; a print server says
                           ///< none
   StreamJournal journal;  ///< where the progress is kept (`beginJournal`), and the job to go on with
                           ///< (`resumeJournal`), or the print to follow (`followJournal`)
   JobStart start = JobStart::New;  ///< of no effect at a serial port, where the journal says it
-  /// What becomes of the lines on their way; null if they go as they are. Of a job that is revised progress
-  /// is kept where the revision keeps a record, from which its lines can be made again.
+  /// Changes the lines before they are sent; null if they are sent unchanged. Progress of a job with a
+  /// revision is kept only if the revision keeps a record, from which the lines can be made again.
   std::shared_ptr<ProgramRevision> revision = nullptr;
 };
 
-/// Where the progress of a job is kept, and, if it is gone on with, what is known of it.
+/// The journal of a job at a port, by how the job starts.
 /// @param path  as `journalPath`
 /// @throws as `beginJournal`, `resumeJournal` and `followJournal`
 StreamJournal journalFor(const std::string& path, const StreamableProgram& program, const MachinePort& port,
                          JobStart start);
 
-/// A job under way, in a thread of its own: a streamer at a port, or an upload to a print server, which
-/// prints by itself. All calls may come from any thread.
+/// A job in a thread of its own: a streamer at a port, or an upload to a print server, which prints by
+/// itself. All calls may come from any thread.
 class StreamSession {
  public:
-  /// Given the job's status whenever its state changes, in order, and at least ten times a second while it
-  /// advances. Called from the session's thread; it must not wait for the session.
+  /// Called with the job's status at each change of state, in order, and at least ten times a second while
+  /// the job advances. It runs in the session's thread and must not wait for the session.
   using Observer = std::function<void(const StreamStatus&)>;
 
   /// Opens the port and starts to stream.
-  /// @throws Disconnected naming the port if there is no machine
+  /// @throws Disconnected naming the port if no machine is there
   /// @throws FileError if the program is gone, or the password's file
   /// @throws InvalidProgram of a print server, if it would misread the program
-  /// @throws InvalidConfig if the program is to be revised, but goes to a print server or to firmware that
-  ///   takes no revised lines, or an unfinished job is gone on with
+  /// @throws InvalidConfig if a revision is given for a print server, for firmware that takes no revised
+  ///   lines, or for an unfinished job
   StreamSession(const StreamableProgram& program, const StreamSettings& settings, const MachinePort& port,
                 Observer observer, SessionOptions options = {});
   /// Aborts a job that is not over, and waits for the safe stop.
@@ -66,10 +66,9 @@ class StreamSession {
   void pause();
   /// Asks to go on; without effect unless in Holding or Held.
   void resume();
-  /// Changes how the job runs; waits until the session's thread has taken it.
-  /// @return why it is refused, in words; empty if it is taken. What a print server says of it later stands
-  /// in
-  ///   the status's message.
+  /// Changes a setting of the running job; waits until the session's thread has taken it.
+  /// @return why it is refused, in words; empty if it is taken. A later answer of a print server is in the
+  ///   status's message.
   std::string change(const LiveChange& change);
   /// Asks for a safe stop; the job ends in Aborted.
   void abort(const Failure& why);
@@ -84,7 +83,7 @@ class StreamSession {
   std::unique_ptr<class SessionKind> kind_;
 };
 
-/// The status of a job that is over as an exception: nothing if it is Complete.
+/// Throws the failure of a job that is over, unless it is Complete.
 /// @throws the error that its failure stands for
 void throwIfFailed(const StreamStatus& status);
 

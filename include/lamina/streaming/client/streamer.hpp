@@ -11,22 +11,21 @@
 
 namespace lamina {
 
-/// Streams one program to the firmware that is there, or to the one that `stream.firmware` names.
+/// Streams one program to the firmware that `stream.firmware` names, or with `auto` to the one that answers.
 ///
-/// Life: Idle, `start`, Starting (who is there is asked; what the protocol needs is set and confirmed),
-/// Execute, Completing (the machine has every line and finishes its motions), Complete. `pause` leads through
-/// Holding, when the lines under way are taken, to Held; `abort` and every failure lead through Aborting, a
-/// safe stop that the machine confirms, to Aborted. A machine that got no line of the program gets no safe
-/// stop either: what it does is somebody else's.
+/// States: Idle until `start`; Starting, while the firmware is identified and the protocol is set up and
+/// confirmed; Execute; Completing, while the machine has all lines and finishes its motions; Complete.
+/// `pause` leads to Holding until the lines under way are taken, then to Held. `abort` and every failure lead
+/// to Aborting, a safe stop that the machine confirms, then to Aborted. A machine that got no line of the
+/// program gets no safe stop, since its motions belong to somebody else.
 ///
-/// No line is lost and none is run twice, or the job ends in Aborted; how that is known is the protocol's.
+/// Either no line is lost or run twice, or the job ends in Aborted. Each protocol has its own proof of that.
 class Streamer final : public StreamJob {
  public:
   /// @param heard  may be empty
   /// @throws InvalidConfig as `requireConsistent` of the settings
   Streamer(const StreamableProgram& program, const StreamSettings& settings, ReplyListener heard = {});
-  /// @throws InvalidConfig also if a job is to go on that the protocol cannot go on with, or whose firmware
-  /// is
+  /// @throws InvalidConfig also if an unfinished job cannot be resumed by the protocol, or its firmware is
   ///   not stated
   explicit Streamer(StreamOrder order);
   ~Streamer() override;
@@ -46,7 +45,7 @@ class Streamer final : public StreamJob {
   std::string takeOutput() override;
   double nextDeadline() const override;
   const StreamStatus& status() const override;
-  /// What is spoken, in `firmwareProtocols`; `auto` until it is known.
+  /// Name of the protocol in `firmwareProtocols`; `auto` until the firmware is identified.
   const std::string& protocol() const { return order_.settings.firmware; }
   std::vector<PackmlState> takeStateChanges() override;
 

@@ -10,13 +10,13 @@
 
 namespace lamina {
 
-/// What an emulated machine can do wrong.
+/// A fault of an emulated machine or its link.
 enum class FaultKind : std::uint8_t {
   LostOk,          ///< the line is run, its ok is never sent
   DelayedOk,       ///< the ok, and all that follows, comes later
   LostLine,        ///< the line is not received at all
   CorruptedLine,   ///< the line is received with one character changed
-  SpuriousResend,  ///< after the ok of a good line the next one is asked for again
+  SpuriousResend,  ///< a resend of the next line is requested after the ok of a good one
   Silence,         ///< the firmware neither reads nor writes for a while
   Disconnect,      ///< the link goes away with the line on it, and comes back later
   Reset,           ///< the firmware starts anew and forgets everything
@@ -27,7 +27,7 @@ const char* toString(FaultKind kind);
 /// Every kind there is.
 const std::vector<FaultKind>& allFaultKinds();
 
-/// One fault: at the first arrival of given lines, or at any numbered line with a probability.
+/// When a fault strikes: at the first arrival of given lines, or at any numbered line with a probability.
 struct Fault {
   FaultKind kind = FaultKind::LostOk;
   double rate = 0.0;                 ///< 0 to 1
@@ -38,7 +38,7 @@ struct Fault {
 /// @throws InvalidConfig naming what is wrong
 Fault faultFromText(const std::string& text);
 
-/// Decides when faults strike; the same seed and lines give the same faults.
+/// Decides which lines faults strike. The same seed and lines give the same faults.
 class FaultInjector {
  public:
   FaultInjector(std::vector<Fault> faults, std::uint64_t seed);

@@ -12,14 +12,14 @@
 
 namespace lamina {
 
-/// Where an emulated machine can be reached. It has a pseudo-terminal in any case.
+/// Ports of an emulated machine besides its pseudo-terminal.
 struct EmulatedPorts {
   std::string pty_link;  ///< stable path to the pseudo-terminal, a symbolic link; empty for none
   std::optional<std::uint16_t> tcp_port;  ///< on the loopback interface; 0 for any free one
 };
 
-/// An emulated machine at a pseudo-terminal and a TCP port, in a thread of its own: what is attached to
-/// either sees Marlin firmware. Replies go to whoever spoke last.
+/// An emulated machine with Marlin firmware at a pseudo-terminal and a TCP port, in a thread of its own.
+/// Replies go to the port that sent last.
 class EmulatedMachine {
  public:
   /// @param observer  called from the machine's thread
@@ -36,7 +36,7 @@ class EmulatedMachine {
   std::string pty() const;
   std::uint16_t tcpPort() const;  ///< 0 if there is none
 
-  /// What it has seen, and whether it has nothing left to do; from any thread.
+  /// Its counts, and whether it is done with all that it received; from any thread.
   EmulatedCounts counts() const;
   bool isIdle() const;
   Point3 position() const;

@@ -12,7 +12,7 @@
 
 namespace lamina {
 
-/// A straight motion as the firmware asks for it.
+/// A straight motion that the firmware requests.
 struct RequestedMotion {
   Point3 start = Point3::Zero();  ///< [mm, bed]
   Point3 end = Point3::Zero();    ///< [mm, bed]
@@ -27,17 +27,18 @@ struct ExecutedMotion {
   double filament_mm = 0.0;
   double start_s = 0.0;
   double end_s = 0.0;
-  SpeedProfile profile;  ///< along the way asked for, of which a quick stop leaves only the first part
+  SpeedProfile profile;  ///< along the requested motion, of which a quick stop leaves only the first part
 
   /// The nozzle at a machine time, which is clamped to the motion [mm, bed].
   Point3 positionAt(double time_s) const;
-  /// When the nozzle has gone `part` of the way from start to end, 0 to 1 (machine time).
+  /// Machine time at which the nozzle has gone the share `part` of the way, from 0 at the start to 1 at the
+  /// end.
   double timeAt(double part) const;
 };
 
-/// The motion side of an emulated machine: a queue of blocks with look-ahead over all of it, run in machine
-/// time one after the other. A block that has begun is not changed any more. Where the queue runs empty the
-/// nozzle is at rest.
+/// The motions of an emulated machine: a queue of blocks with look-ahead over the whole queue, run one after
+/// the other in machine time. A block that has begun is no longer changed. The nozzle stops when the queue
+/// runs empty.
 class EmulatedMotion {
  public:
   using Observer = std::function<void(const ExecutedMotion&)>;
@@ -48,12 +49,12 @@ class EmulatedMotion {
 
   bool isFull() const { return waiting_.size() >= capacity_; }
   bool isEmpty() const { return waiting_.empty() && !running_; }
-  /// A motion that is asked for at machine time `now_s`. One without length and filament is ignored.
+  /// Adds a motion at machine time `now_s`. A motion without length and filament is ignored.
   void add(const RequestedMotion& motion, double now_s);
 
   /// Runs everything up to machine time `now_s`.
   void advance(double now_s);
-  /// When the next block ends, or begins if none runs; nothing if the queue is empty.
+  /// Time at which the running block ends, or the next one begins if none runs; none if the queue is empty.
   std::optional<double> nextEvent() const;
 
   /// Stops at once, wherever the nozzle is, and forgets the queue.

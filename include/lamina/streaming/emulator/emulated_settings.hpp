@@ -7,27 +7,27 @@
 
 namespace lamina {
 
-/// What an emulated machine is like.
+/// Properties of an emulated machine.
 struct EmulatedSettings {
   double speed_up = 1.0;         ///< machine time per wall time; 0 for as fast as possible
   int block_queue = 16;          ///< motions planned ahead
-  int command_queue = 4;         ///< lines taken and not yet run
-  int rx_buffer_bytes = 128;     ///< what comes while it is full is lost; 0 for no limit
-  int max_line_bytes = 96;       ///< what a longer line has more is cut off
+  int command_queue = 4;         ///< lines acknowledged and not yet run
+  int rx_buffer_bytes = 128;     ///< bytes that arrive while it is full are lost; 0 for no limit
+  int max_line_bytes = 96;       ///< longer lines are cut off
   bool emergency_parser = true;  ///< M108, M112 and M410 are heard at once, however full the queues are
   double busy_interval_s = 2.0;  ///< wall time between two busy messages
   double ambient_c = 25.0;
   double nozzle_heating_c_s = 5.0;
   double bed_heating_c_s = 2.0;
-  double bed_limit_c = 1000.0;  ///< the bed gets no hotter, whatever its target: a weak heater
+  double bed_limit_c = 1000.0;  ///< highest temperature that the heater of the bed reaches
   bool moves_unhomed = true;    ///< whether axes move that were not homed, or whose motors were off
   bool has_dryer = false;       ///< a dryer of pellets, as Marlin's heated chamber (M141, M191, C:)
   double dryer_heating_c_s = 0.1;
   int vacuum_zones = 0;          ///< on the pins 1, 2, ... (M42, M43)
-  double vacuum_time_s = 5.0;    ///< in which the excess pressure of a zone falls to its e-th part
-  double vacuum_kpa = 10.0;      ///< a tight zone's pressure in the end
+  double vacuum_time_s = 5.0;    ///< time constant of the pressure in a zone
+  double vacuum_kpa = 10.0;      ///< final pressure of a tight zone
   int leaking_zone = 0;          ///< 0 for none
-  double leak_kpa = 70.0;        ///< the leaking zone's pressure in the end
+  double leak_kpa = 70.0;        ///< final pressure of the leaking zone
   double bump_mm = 0.2;          ///< height of a bump in the middle of the bed, as G29 finds it
   double fault_delay_s = 0.2;    ///< wall time of a delayed ok
   double fault_silence_s = 1.0;  ///< wall time of a silence

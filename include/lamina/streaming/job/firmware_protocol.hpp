@@ -16,14 +16,14 @@
 
 namespace lamina {
 
-/// What an earlier session left behind, whose job is gone on with. Lines of the program, from 1.
+/// The progress of a job of an earlier session that is to be resumed, in lines of the program, from 1.
 struct UnfinishedLines {
   std::uint64_t taken_through = 0;  ///< acknowledged
-  std::uint64_t sent_through = 0;   ///< no line beyond has ever left
+  std::uint64_t sent_through = 0;   ///< no line after it was ever sent
   std::string firmware_name;        ///< as the machine gave it, empty if it gave none
 };
 
-/// What is to be streamed, and what is known of the machine.
+/// A program to be streamed, and what is known of the machine.
 struct StreamOrder {
   StreamableProgram program;
   StreamSettings settings;
@@ -33,12 +33,12 @@ struct StreamOrder {
   std::uint64_t line_base =
       0;  ///< firmware that counts lines counts from here, so that it knows the job again
   std::optional<UnfinishedLines> unfinished;  ///< nothing for a job that begins
-  int answers_due = 0;                        ///< to questions put more than once, which may still come
-  std::shared_ptr<ProgramRevision> revision = nullptr;  ///< null if the lines go as they are
+  int answers_due = 0;                        ///< answers to repeated questions that may still arrive
+  std::shared_ptr<ProgramRevision> revision = nullptr;  ///< null if the lines are sent unchanged
 };
 
-/// How a family of firmware is spoken to: the port through which `Streamer` reaches it. Constant, and called
-/// from several threads at once.
+/// The protocol of a family of firmware, as `Streamer` uses it. Constant, and called from several threads at
+/// once.
 class FirmwareProtocol {
  public:
   virtual ~FirmwareProtocol() = default;
@@ -46,23 +46,24 @@ class FirmwareProtocol {
   /// Whether a firmware of that name, as it answers to `M115` or greets, speaks this protocol.
   virtual bool isSpokenBy(std::string_view firmware_name) const = 0;
 
-  /// What this firmware would misread of a command as `ProgramCursor` gives it, as the end of a sentence:
-  /// "has a '*', which marks a checksum". Empty if it takes the command, be it that it does not know it.
+  /// What this firmware would misread in a command (as `ProgramCursor` gives it), as the end of a sentence:
+  /// "has a '*', which marks a checksum". Empty if it takes the command, even one that is unknown to it.
   /// @param settings  `max_line_bytes` of 0 stands for the firmware's usual limit
   virtual std::string defectOf(std::string_view command, const StreamSettings& settings) const = 0;
 
-  /// Whether a job can go on where an earlier session left it, on a machine that has lived on.
+  /// Whether the job of an earlier session can be resumed on a machine that was not reset since.
   virtual bool canResume() const { return false; }
-  /// Whether the lines of a program can be revised on their way.
+  /// Whether the lines of a program can be revised before they are sent.
   virtual bool canRevise() const { return false; }
 
-  /// A job in Idle, which asks who is there before it sends anything else, unless the order says so.
-  /// @throws InvalidConfig where the settings do not suit the firmware
+  /// A job in Idle. It identifies the machine before it sends anything else, unless the order states the
+  /// firmware.
+  /// @throws InvalidConfig if the settings do not suit the firmware
   virtual std::unique_ptr<StreamJob> begin(StreamOrder order) const = 0;
 };
 
-/// All protocols, those of plug-ins too. Whoever adds one calls
-/// `firmwareProtocols().add("name", std::make_shared<...>())`; null pointers are not for use.
+/// All protocols by name, those of plug-ins too. One is added by `firmwareProtocols().add("name",
+/// std::make_shared<...>())`; the pointer must not be null.
 Registry<std::shared_ptr<const FirmwareProtocol>>& firmwareProtocols();
 
 }  // namespace lamina

@@ -9,9 +9,9 @@
 namespace lamina {
 
 enum class ReplyKind : std::uint8_t {
-  Ok,           ///< one line was taken; perhaps with its number, free buffers, temperatures
+  Ok,           ///< one line was taken; may state its number, free buffers, temperatures
   Resend,       ///< the line to send again
-  LineError,    ///< why a resend is asked for; the resend follows
+  LineError,    ///< the reason for a resend, whose request follows
   Fatal,        ///< the firmware has halted or protects the machine
   Warning,      ///< an error that stops nothing
   Busy,         ///< still alive, and working on what it has
@@ -44,7 +44,7 @@ struct ReportedPosition {
   }
 };
 
-/// One line the firmware sent, in Marlin's terms, into which protocols of other firmware translate.
+/// A line of the firmware in Marlin's terms, into which other protocols translate theirs.
 struct FirmwareReply {
   ReplyKind kind = ReplyKind::Information;
   std::optional<std::uint64_t> line;       ///< of a resend; of an ok by firmware with ADVANCED_OK

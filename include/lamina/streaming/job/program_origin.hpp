@@ -9,7 +9,7 @@
 
 namespace lamina {
 
-/// A correction map that a layer was laid by.
+/// The correction map with which a layer was laid.
 struct AppliedMap {
   std::uint64_t layer = 0;
   std::string digest;  ///< 16 hexadecimal digits
@@ -17,18 +17,18 @@ struct AppliedMap {
   bool operator==(const AppliedMap& other) const { return layer == other.layer && digest == other.digest; }
 };
 
-/// Where it is kept what a program was corrected by on its way, and how.
+/// The place of the record of maps by which a program was corrected while it was sent.
 struct RevisionRecord {
-  std::string folder;    ///< its absolute path
-  std::string job;       ///< that no other one is called
-  std::string settings;  ///< that count besides the maps, as text
+  std::string folder;    ///< absolute path
+  std::string job;       ///< unique name of the job
+  std::string settings;  ///< other settings of the corrections, as text
 };
 
-/// What a corrected program was made from. From this and the maps it can be made again.
+/// The origin of a corrected program, from which it can be made again together with the maps.
 struct ProgramOrigin {
   std::string program_sha256;    ///< of the program without corrections, 64 hexadecimal digits
   std::vector<AppliedMap> maps;  ///< by layer, ascending
-  /// That the maps are of, where a record says which of them were applied.
+  /// The record of which maps were applied, if there is one.
   std::optional<RevisionRecord> record = std::nullopt;
 };
 

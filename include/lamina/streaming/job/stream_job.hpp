@@ -17,11 +17,11 @@
 
 namespace lamina {
 
-/// Who says how often the machine stood still for want of a line.
+/// Who counts how often the machine stood still for want of a line.
 enum class StarvationSource : std::uint8_t {
-  Streamer,  ///< the streamer, which feeds it line by line
-  Machine,   ///< the machine counts, and gives neither lengths nor lines
-  Nobody,    ///< it is not reported by this firmware
+  Streamer,  ///< the streamer, which sends line by line
+  Machine,   ///< the machine, without durations and lines
+  Nobody,    ///< this firmware does not report it
 };
 
 /// How often the machine stood still for want of a line.
@@ -29,19 +29,19 @@ struct Starvation {
   StarvationSource source = StarvationSource::Streamer;
   std::uint64_t count = 0;
   double longest_s = 0.0;
-  std::uint64_t line = 0;  ///< that came late, of the longest
+  std::uint64_t line = 0;  ///< that came late in the longest case
 };
 
-/// How far a job is and what the machine last reported.
+/// The progress of a job and the last reports of the machine.
 struct StreamStatus {
   PackmlState state = PackmlState::Idle;
   std::uint64_t lines_total = 0;
-  std::uint64_t lines_sent = 0;          ///< different lines, however often each
+  std::uint64_t lines_sent = 0;          ///< each line counted once
   std::uint64_t lines_acknowledged = 0;  ///< taken by the machine; exact after each resend and at the end
-  std::uint64_t resends = 0;             ///< requests to send again that were followed
-  std::uint64_t probes = 0;              ///< times the machine had to be asked which line it has
+  std::uint64_t resends = 0;             ///< requests to send again that were obeyed
+  std::uint64_t probes = 0;              ///< times that the machine had to be asked for its last line
   std::uint64_t commands_not_done = 0;   ///< unknown to the firmware, or extrusion with a cold nozzle
-  std::string first_not_done;            ///< what the firmware said of the first of these
+  std::string first_not_done;            ///< answer of the firmware to the first of these
   std::string firmware_name;             ///< as the machine gave it; empty before, or if it gave none
   Starvation starvation;
   std::int32_t layer = -1;  ///< of the last line acknowledged; -1 before the first
@@ -53,25 +53,25 @@ struct StreamStatus {
   Failure failure;      ///< why the job was aborted
 };
 
-/// Given every line the machine says, as it comes.
+/// Called with every line of the machine as it arrives.
 using ReplyListener = std::function<void(const FirmwareReply&)>;
 
-/// A program on its way to a machine, as one kind of firmware wants it: a state machine without input, output
-/// or time of its own. Bytes, times and commands go in, bytes to send come out; times are seconds since any
-/// start and never go back.
+/// The streaming of one program to a machine by one protocol: a state machine without input, output or clock
+/// of its own. It takes bytes, times and commands, and gives bytes to send. Times are seconds since any start
+/// and never go back.
 class StreamJob {
  public:
   virtual ~StreamJob() = default;
 
   virtual void start(double now) = 0;
-  /// Bytes from the machine, cut anywhere.
+  /// Takes bytes from the machine, in pieces of any length.
   virtual void receive(std::string_view bytes, double now) = 0;
-  /// Time went by; to be called at `nextDeadline` at the latest.
+  /// States the time; to be called at `nextDeadline` at the latest.
   virtual void elapse(double now) = 0;
-  /// The link is gone: the job is Aborting, and over unless the link comes back for the safe stop before
-  /// `stream.safe_stop_timeout_s` are over.
+  /// States that the link is lost. The job is Aborting until the link is back for the safe stop, or is over
+  /// after `stream.safe_stop_timeout_s`.
   virtual void disconnect(const std::string& why, double now) = 0;
-  /// The link is back: what the safe stop still lacks is sent. Without effect unless offline.
+  /// States that the link is back: the rest of the safe stop is sent. Without effect unless offline.
   virtual void reconnect(double now) = 0;
   /// Whether the safe stop waits for the link.
   virtual bool isOffline() const = 0;
@@ -80,7 +80,7 @@ class StreamJob {
   virtual bool pause(double now) = 0;
   /// @return false if the job is not in Holding or Held
   virtual bool resume(double now) = 0;
-  /// Changes how the job runs, between two of its lines.
+  /// Changes a setting of the running job, between two of its lines.
   /// @return why it is refused, in words: the firmware has no such change, or the job is neither in Execute
   ///   nor held; empty if it is taken
   virtual std::string change(const LiveChange& change, double /*now*/) {

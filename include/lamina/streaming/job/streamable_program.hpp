@@ -15,28 +15,28 @@
 
 namespace lamina {
 
-/// A line of a program as it goes to the machine: no comment, no blanks around it, never empty.
+/// A line of a program as it is sent: without comment and surrounding blanks, never empty.
 struct ProgramLine {
   std::string command;
-  std::int32_t layer =
-      -1;                ///< it belongs to, as reported by ";LAYER:k" or ";LAYER_CHANGE"; -1 before the first
-  double seconds = 0.0;  ///< of its motions at their feeds, where that was asked for
+  std::int32_t layer = -1;  ///< its layer by ";LAYER:k" or ";LAYER_CHANGE"; -1 before the first
+  double seconds = 0.0;     ///< time of its motions at their feeds, if it was asked for
 };
 
-/// The commands of a G-code text one by one, in constant memory. Comments (from ';' on outside quotes, and in
-/// parentheses where the command is not one that carries text, and neither quotes nor braces enclose them),
-/// tape marks ('%'), empty lines, and line numbers with their right checksums are left out.
+/// Reads the commands of a G-code text one by one, in constant memory. It leaves out comments, tape marks
+/// ('%'), empty lines, and line numbers with correct checksums. Comments begin with ';' outside quotes;
+/// parentheses enclose one too, except in quotes, in braces and in commands that carry text.
 class ProgramCursor {
  public:
   explicit ProgramCursor(std::unique_ptr<std::istream> text) : text_(std::move(text)) {}
 
   /// The next command; nothing at the end.
   std::optional<ProgramLine> next();
-  /// Line of the text that the last command stood on, from 1.
+  /// Number of the last command's line in the text, from 1.
   std::uint64_t textLine() const { return text_line_; }
-  /// Bytes of the text up to the end of that line; an end of line that the last one lacks is counted.
+  /// Bytes of the text up to and including the end of that line, which is counted even if the last line lacks
+  /// it.
   std::uint64_t bytesRead() const { return bytes_read_; }
-  /// That a command read next would belong to.
+  /// The layer to which a command read next would belong.
   std::int32_t layer() const { return layer_; }
 
  private:
@@ -49,36 +49,37 @@ class ProgramCursor {
   std::int32_t layer_ = -1;
 };
 
-/// A program that was read whole and checked for the firmware that it may go to. It is read again, line by
-/// line, while it is sent.
+/// A program that was read whole and checked for the firmware to which it may be sent. It is read again, line
+/// by line, while it is sent.
 class StreamableProgram {
  public:
-  /// @param settings  of `firmware`, which the program is checked for; auto checks it for all that there are
+  /// @param settings  `firmware` is the protocol for which the program is checked; auto checks it for all
   /// @throws FileError if the file cannot be read
-  /// @throws InvalidProgram naming the line if the firmware would misread it, with auto if all would; or if
-  /// there is no command at all
+  /// @throws InvalidProgram naming the line if the firmware, or with auto every one, would misread it; or if
+  /// there
+  ///   is no command at all
   static StreamableProgram fromFile(const std::string& path, const StreamSettings& settings = {});
   static StreamableProgram fromText(const std::string& name, std::string text,
                                     const StreamSettings& settings = {});
 
-  /// The same program, known to be made from another by corrections.
+  /// The same program with its origin, that of a corrected program.
   StreamableProgram madeFrom(ProgramOrigin origin) const;
-  /// Nothing if the program is streamed as it was given.
+  /// The origin of a corrected program; none of any other.
   const std::optional<ProgramOrigin>& origin() const { return origin_; }
 
   const std::string& name() const { return name_; }
-  /// Commands in it.
+  /// Number of commands.
   std::uint64_t lines() const { return lines_; }
   /// The first line that firmware of this protocol would misread, in words; empty if there is none.
-  /// @param protocol  one that the program was checked for
+  /// @param protocol  one for which the program was checked
   std::string defectFor(const std::string& protocol) const;
-  /// What messages may quote of it.
+  /// The part of the text that messages may quote.
   const Quotation& quotation() const { return quotation_; }
   /// @throws FileError if the file is gone
   ProgramCursor open() const;
-  /// Whether its text lies in memory; else it is a file.
+  /// Whether its text is in memory; else it is a file.
   bool isHeld() const { return text_ != nullptr; }
-  /// The text as it is.
+  /// The whole text, unchanged.
   /// @throws FileError if the file is gone
   std::unique_ptr<std::istream> openText() const;
   /// Whether the file is no longer the one that was checked: written to, cut, replaced or gone.

@@ -11,57 +11,57 @@
 
 namespace lamina {
 
-/// Where the progress of a job is kept, and the job that is gone on with.
+/// The progress file of a job, and the job that is to be resumed.
 struct StreamJournal {
   std::string path;                              ///< of the progress file; empty for none
-  std::optional<JournalledProgress> unfinished;  ///< nothing to begin anew
+  std::optional<JournalledProgress> unfinished;  ///< job to resume; none to begin anew
 };
 
-/// The progress file of a port, as `stream.journal` says: its path; empty for none; for `auto`, a file of the
-/// port's name in `lamina` in the user's folder for what programs remember ($XDG_STATE_HOME, or else
-/// ~/.local/state).
+/// Path of the progress file of a port by `stream.journal`; empty for none. For `auto` it is a file with the
+/// name of the port in the folder `lamina` of the user's state folder ($XDG_STATE_HOME, or ~/.local/state).
 /// @throws InvalidConfig if there is no such folder
 std::string journalPath(const StreamSettings& settings, const std::string& port);
 
-/// Begins a progress file at that path. A folder that is missing is made, for its owner alone.
+/// Begins a progress file at that path. A missing folder is created, accessible to its owner alone.
 /// @throws FileError if nothing can be written there
 StreamJournal beginJournal(const std::string& path);
 
-/// Copies the progress file of a job that did not complete to `path` + ".before", so that what is known of it
-/// outlives the next job. Nothing is done where there is no progress file, or one that cannot be read.
+/// Copies the progress file of a job that did not complete to `path` + ".before", so that it outlives the
+/// next job. Without effect if there is no progress file, or one that cannot be read.
 /// @throws FileError if nothing can be written there
 void keepUnfinished(const std::string& path);
 
-/// Reads what is known of the last job at a port.
+/// Reads a progress file: the last job at a port.
 /// @throws FileError if there is no progress file, or it is damaged
 JournalledProgress readJournal(const std::string& path);
 
-/// Goes on with the job that a progress file tells of.
+/// The journal that resumes the job of a progress file.
 /// @throws FileError as `readJournal`
-/// @throws InvalidProgram if it is another program, naming what differs
-/// @throws InvalidInput if the port is another, the job has ended by itself, or it was corrected by other
+/// @throws InvalidProgram if the job is that of another program, naming the difference
+/// @throws InvalidInput if the job is that of another port, has ended by itself, or was corrected by other
 ///   maps, naming the first that differs
 StreamJournal resumeJournal(const std::string& path, const StreamableProgram& program,
                             const std::string& port);
 
-/// Follows the print that a print server runs by itself. What the progress file tells of it is in
-/// `unfinished`, if it tells of this program at this port: the machine itself knows what it prints.
+/// The journal that follows a print which a print server runs by itself. `unfinished` is set if the progress
+/// file is that of this program at this port; it may be missing, since the machine itself knows what it
+/// prints.
 /// @throws FileError as `beginJournal`
 StreamJournal followJournal(const std::string& path, const StreamableProgram& program,
                             const std::string& port);
 
-/// What a program and its port say of a job, before the machine is known.
+/// The description of a job by its program and port, before the machine is known.
 /// @throws FileError if the program is gone
 JournalledJob describedJob(const StreamableProgram& program, const std::string& port);
 
-/// The same with the time it is.
+/// The progress with the present time.
 JobProgress stampedNow(JobProgress progress);
 
-/// 64 hexadecimal digits over all bytes of the program, comments too.
+/// SHA-256 of all bytes of the program, comments too, as 64 hexadecimal digits.
 /// @throws FileError if the file is gone
 std::string sha256Of(const StreamableProgram& program);
 
-/// What is known, for a person: state and time, the last line certainly taken, the lines in doubt, the layer.
+/// The progress in words: state and time, the last line certainly taken, the lines in doubt, the layer.
 std::string describeProgress(const JournalledProgress& known);
 
 }  // namespace lamina

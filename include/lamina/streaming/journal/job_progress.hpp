@@ -13,7 +13,7 @@
 
 namespace lamina {
 
-/// What stays the same of a job that a progress file is kept of.
+/// The description of a job in its progress file, which does not change while the job runs.
 struct JournalledJob {
   std::string program;  ///< path of the file, or id of the toolpath
   std::uint64_t program_bytes = 0;
@@ -22,28 +22,27 @@ struct JournalledJob {
   std::string protocol;  ///< in `firmwareProtocols`
   std::string firmware_name;
   std::uint64_t lines_total = 0;
-  std::uint64_t line_base =
-      0;  ///< number of the line before the program's first, by which the job is known again
-  std::string uploaded_as;  ///< file that a print server prints by itself; empty where lines are streamed
+  std::uint64_t line_base = 0;  ///< number of the line before the program's first; identifies the job
+  std::string uploaded_as;      ///< file that a print server prints by itself; empty if lines are streamed
   std::optional<ProgramOrigin> origin;  ///< of a corrected program
-  /// Of a program that is corrected on its way: what it becomes is in the record, and its digest and lines
-  /// are those of the program without corrections.
+  /// The record of a program that is corrected while it is sent. Digest and lines are then those of the
+  /// program without corrections.
   std::optional<RevisionRecord> revision = std::nullopt;
 };
 
-/// How far a job is. Lines are those of the program that carry a command, from 1. Of a print server's print
-/// `taken_through` is the last line that it has read, by its own last word, and all lines have left.
+/// The progress of a job. Lines are those of the program that carry a command, from 1. For a print by a print
+/// server `taken_through` is the last line that it reported as read, and all lines count as sent.
 struct JobProgress {
-  std::uint64_t sequence = 0;       ///< of the record; the highest is the newest
-  std::uint64_t sent_through = 0;   ///< no line beyond has ever left
-  std::uint64_t taken_through = 0;  ///< certainly taken by the machine: acknowledged, but for the last ones,
-                                    ///< whose oks may be those of something else
+  std::uint64_t sequence = 0;       ///< number of the record; the newest has the highest
+  std::uint64_t sent_through = 0;   ///< no line after it was ever sent
+  std::uint64_t taken_through = 0;  ///< certainly taken by the machine: acknowledged, except the last ones,
+                                    ///< whose oks may answer something else
   std::int32_t layer = -1;          ///< of the last line acknowledged; -1 before the first
   PackmlState state = PackmlState::Execute;
   std::int64_t time_ms = 0;  ///< since 1970, UTC
 };
 
-/// A job and the last that is known of it.
+/// A job and its last known progress.
 struct JournalledProgress {
   JournalledJob job;
   JobProgress progress;
@@ -66,10 +65,9 @@ std::string encodeJob(const JournalledJob& job);
 /// The CRC that the encoded job ends with.
 std::uint32_t crcOf(std::string_view encoded_job);
 
-/// Reads a progress file: the newest whole record counts, so that a write that was torn leaves the one
-/// before.
+/// Decodes a progress file by its newest whole record, so that an interrupted write leaves the one before.
 /// @param name  of the file, for errors
-/// @throws FileError if it is none, or damaged
+/// @throws FileError if it is no progress file, or damaged
 JournalledProgress decodeJournal(std::string_view bytes, const std::string& name);
 
 }  // namespace lamina

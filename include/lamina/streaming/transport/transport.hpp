@@ -10,21 +10,21 @@
 
 namespace lamina {
 
-/// What a transport reports. Called from the thread that runs its io_context.
+/// Callbacks of a transport, from the thread that runs its io_context.
 struct TransportEvents {
   std::function<void(std::string_view bytes)> received;
   std::function<void(const std::string& why)> closed;  ///< by the other end or by an error; at most once
 };
 
-/// Port for the bytes between host and machine.
+/// The link for bytes between host and machine.
 class Transport {
  public:
   virtual ~Transport() = default;
 
   /// Opens the link. To be called before the io_context runs.
-  /// @throws Disconnected naming the port if nobody is there or it cannot be used
+  /// @throws Disconnected naming the port if nothing answers there or it cannot be used
   virtual void open(TransportEvents events) = 0;
-  /// Sends soon; from the thread that runs the io_context.
+  /// Queues bytes to be sent; from the thread that runs the io_context.
   virtual void send(const std::string& bytes) = 0;
   /// True while bytes given to `send` have not left.
   virtual bool isSending() const = 0;

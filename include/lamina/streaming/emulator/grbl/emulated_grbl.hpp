@@ -13,7 +13,7 @@
 
 namespace lamina {
 
-/// What an emulated grbl can do wrong.
+/// A fault of an emulated grbl or its link.
 enum class GrblFaultKind : std::uint8_t {
   LostOk,       ///< the line is run, its answer is never sent
   DelayedOk,    ///< the answer, and all that follows, comes later
@@ -34,7 +34,7 @@ struct GrblFault {
   std::vector<std::uint64_t> lines;  ///< from 1
 };
 
-/// The machine, and the firmware's sizes.
+/// Properties of the machine and sizes of the firmware's buffers.
 struct EmulatedGrblSettings {
   int blocks = 15;          ///< of the motion queue
   int receive_bytes = 128;  ///< of the receive buffer; more are lost
@@ -50,15 +50,16 @@ struct EmulatedGrblSettings {
   std::string options = "[OPT:V,15,128]";  ///< need not agree with `blocks` and `receive_bytes`
 };
 
-/// grbl 1.1 without a machine: bytes go in, answers come out, motions take the time of their length at their
-/// feed. It has no input, output or time of its own; times are seconds since any start and never go back.
+/// grbl 1.1 without a machine: it takes bytes, gives answers, and each motion takes the time of its length at
+/// its feed. It has no input, output or clock of its own; times are seconds since any start and never go
+/// back.
 ///
-/// Known: G0 to G4, G20, G21, G90 to G92, M0, M2 to M5, M8, M9, M30 and what changes nothing here; `$$`,
+/// Supported: G0 to G4, G20, G21, G90 to G92, M0, M2 to M5, M8, M9, M30 and what changes nothing here; `$$`,
 /// `$G`, `$I`, `$X`; '?', '!', '~', ctrl-X and the overrides, of which only that of the spindle has an
-/// effect. Places are told at the ends of motions only.
+/// effect. Positions are reported at the ends of motions only.
 class EmulatedGrbl {
  public:
-  /// Given every line of G-code that was taken, as it was read.
+  /// Called with every line of G-code that was accepted, as it was read.
   using Observer = std::function<void(const std::string& line)>;
 
   EmulatedGrbl(EmulatedGrblSettings settings, std::vector<GrblFault> faults, Observer observer);
@@ -67,7 +68,7 @@ class EmulatedGrbl {
   EmulatedGrbl& operator=(const EmulatedGrbl&) = delete;
 
   void receive(std::string_view bytes, double now);
-  /// Time went by; to be called at `nextDeadline` at the latest.
+  /// States the time; to be called at `nextDeadline` at the latest.
   void elapse(double now);
   /// Bytes to send since the last call.
   std::string takeOutput();

@@ -10,15 +10,15 @@
 
 namespace lamina {
 
-/// grbl 1.1, grblHAL and FluidNC: lines without number or checksum, counted by their characters, and bytes
-/// that are obeyed as they arrive (docs/firmware/grbl.md).
+/// The protocol of grbl 1.1, grblHAL and FluidNC: lines without number or checksum, whose characters are
+/// counted, and single bytes that take effect on arrival (docs/firmware/grbl.md).
 class GrblFirmware final : public FirmwareProtocol {
  public:
   bool isSpokenBy(std::string_view firmware_name) const override;
-  /// Only what none of these firmwares takes; what the very machine does not know is named by the job, before
-  /// its first line.
+  /// Names only what none of these firmwares accepts. What a particular machine does not support is named by
+  /// the job, before its first line.
   std::string defectOf(std::string_view command, const StreamSettings& settings) const override;
-  /// By the place at which the machine stands.
+  /// The position of the machine decides where it resumes.
   bool canResume() const override { return true; }
   std::unique_ptr<StreamJob> begin(StreamOrder order) const override;
 };

@@ -36,14 +36,14 @@ enum class GrblState : std::uint8_t {
 /// X, Y and Z, in the unit of the machine's reports.
 using GrblAxes = std::array<double, 3>;
 
-/// How fast the machine runs, of what the program says [%].
+/// Overrides of the speeds in a program [%].
 struct GrblPercents {
   int feed = 100;
   int rapid = 100;
   int spindle = 100;  ///< power of a laser
 };
 
-/// What grbl answers to '?'. It leaves out what has not changed, and what it is configured to leave out.
+/// The answer of grbl to '?'. It lacks values that have not changed, and those excluded by its configuration.
 struct GrblReport {
   GrblState state = GrblState::Other;
   std::optional<int> substate;
@@ -78,17 +78,17 @@ struct GrblReply {
   std::string text;  ///< the line, without blanks at its ends
 };
 
-/// What a line of the firmware means. Nothing is refused: an unknown line is Other. A greeting counts
-/// wherever it stands in the line, since a reset puts stray bytes on the link.
+/// Parses a line of the firmware. Any line is accepted; an unknown one is Other. A greeting is found anywhere
+/// in the line, since a reset puts stray bytes on the link.
 GrblReply parseGrblReply(std::string_view line);
 
-/// Why a line was refused, in words; of a code that is not known, where to look it up.
+/// The meaning of an error code in words; for an unknown code, where to look it up.
 std::string meaningOfGrblError(int code, GrblDialect dialect);
 
-/// Why the machine has locked itself, in words; of a code that is not known, where to look it up.
+/// The meaning of an alarm code in words; for an unknown code, where to look it up.
 std::string meaningOfGrblAlarm(int code, GrblDialect dialect);
 
-/// Bytes that grbl obeys as they arrive, whatever stands before them, and that take no room in its buffer.
+/// Real-time bytes: grbl obeys them on arrival, whatever is in its buffer, and they take no room in it.
 namespace grbl_byte {
 
 inline constexpr char kStatus = '?';
@@ -100,13 +100,12 @@ inline constexpr char kReset = '\x18';
 
 /// The bytes that change an override of grbl by at most 10 % each.
 /// @param from_percent  what the machine reports now, 10 to 200
-/// @param to_percent  what is wanted, clamped to 10 to 200
+/// @param to_percent  target, clamped to 10 to 200
 /// @return empty if both are the same
 std::string grblFeedOverride(int from_percent, int to_percent);
 std::string grblSpindleOverride(int from_percent, int to_percent);
 
-/// The byte that sets the override of rapid motions to 25, 50 or 100 %, the next of these above what is
-/// wanted.
+/// The byte that sets the override of rapid motions to 25, 50 or 100 %: the next of these above the target.
 std::string grblRapidOverride(int to_percent);
 
 }  // namespace lamina

@@ -13,9 +13,9 @@
 
 namespace lamina {
 
-/// Marlin 2, and all firmware that numbers lines, takes them in order only, and asks for the one it lacks.
-/// One that speaks nearly so overrides what differs. Commands are lines without number and end. Held by
-/// shared pointer, since jobs keep it.
+/// The protocol of Marlin 2, and of all firmware that takes numbered lines in order only and requests a
+/// missing one again. A protocol that differs in part overrides that part. Commands are lines without number
+/// and end of line. Instances are held by shared pointers, since jobs keep them.
 class MarlinFirmware : public FirmwareProtocol, public std::enable_shared_from_this<MarlinFirmware> {
  public:
   bool isSpokenBy(std::string_view firmware_name) const override;
@@ -24,34 +24,34 @@ class MarlinFirmware : public FirmwareProtocol, public std::enable_shared_from_t
   bool canRevise() const override { return true; }
   std::unique_ptr<StreamJob> begin(StreamOrder order) const override;
 
-  /// A command as it goes out: numbered, checked, with its end of line.
+  /// A command as it is sent: with number, checksum and end of line.
   virtual std::string framed(std::uint64_t number, std::string_view command) const;
-  /// What a line of the firmware means. Nothing is refused: an unknown line is Information.
+  /// Parses a line of the firmware. Any line is accepted; an unknown one is Information.
   virtual FirmwareReply read(std::string_view line) const;
 
-  /// Asks the firmware for its name (`FirmwareReply::firmware_name`) and changes nothing.
+  /// The command that asks the firmware for its name (`FirmwareReply::firmware_name`) and changes nothing.
   virtual std::string identification() const;
-  /// Sets the number that lines count on from.
+  /// The command after which lines are numbered from `number` on.
   virtual std::string numberedFrom(std::uint64_t number) const;
-  /// Changes nothing, and is answered with the temperatures.
+  /// A command that changes nothing and is answered with the temperatures.
   virtual std::string harmless() const;
-  /// Is answered when all motions have ended.
+  /// A command that is answered when all motions have ended.
   virtual std::string endOfMotions() const;
-  /// Makes the firmware report its position every so many seconds.
+  /// The command that makes the firmware report its position at that interval.
   virtual std::string reportPosition(int interval_s) const;
-  /// Makes the firmware report its temperatures every so many seconds.
+  /// The command that makes the firmware report its temperatures at that interval.
   virtual std::string reportTemperatures(int interval_s) const;
-  /// Whether the firmware may say nothing for long while it runs a command.
+  /// Whether the firmware may be silent for long while it runs a command.
   virtual bool isBlocking(std::string_view command) const;
 
-  /// Changes how it prints; nothing if it cannot.
+  /// The command for a change of the running job; none if the firmware has none.
   virtual std::optional<std::string> changed(const LiveChange& change) const;
 
-  /// Ends waiting at once, without a number, in front of a safe stop.
+  /// Commands, without number, that end waiting at once before a safe stop.
   virtual std::vector<std::string> interruption() const;
-  /// Ends all motions.
+  /// Commands that end all motions.
   virtual std::vector<std::string> stop() const;
-  /// Turns all heaters off.
+  /// Commands that turn all heaters off.
   virtual std::vector<std::string> heatersOff() const;
 };
 

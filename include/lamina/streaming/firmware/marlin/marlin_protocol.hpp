@@ -10,15 +10,15 @@
 
 namespace lamina {
 
-/// Exclusive or of all bytes: Marlin's check of a line, over everything before the '*'.
+/// Marlin's checksum of a line: the exclusive or of all bytes before the '*'.
 std::uint8_t marlinChecksum(std::string_view text);
 
 /// "N<number> <command>*<checksum>\n".
 std::string frameLine(std::uint64_t number, std::string_view command);
 
-/// What a line from the firmware means. Nothing is refused: an unknown line is Information, a resend whose
-/// number cannot be read has no line. A greeting counts wherever it stands in the line, since a reset puts
-/// stray bytes on the link, and whichever firmware sends it.
+/// Parses a line of the firmware. Any line is accepted: an unknown one is Information, and a resend whose
+/// number cannot be read has no line. A greeting of any firmware is found anywhere in the line, since a reset
+/// puts stray bytes on the link.
 FirmwareReply parseReply(std::string_view line);
 
 }  // namespace lamina
