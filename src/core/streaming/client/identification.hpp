@@ -15,14 +15,14 @@
 
 namespace lamina {
 
-/// Who answers at a port.
+/// The firmware that answers at a port.
 struct FoundFirmware {
   std::string protocol;       ///< in `firmwareProtocols`
   std::string firmware_name;  ///< as it was given; empty if none was
 };
 
-/// Finds out who is there before anything else is sent: asks `M115`, which all but grbl's kin answer with a
-/// name, and which these refuse in a way of their own. Changes nothing in the machine.
+/// Identifies the firmware at a port before anything else is sent. It sends `M115`, which firmware answers by
+/// its name, and grbl's kin refuse in a way of their own. It changes nothing in the machine.
 class Identification {
  public:
   explicit Identification(const StreamOrder& order);
@@ -34,9 +34,9 @@ class Identification {
   double nextDeadline() const;
 
   const std::optional<FoundFirmware>& found() const { return found_; }
-  /// How often the question was put beyond the one that was answered.
+  /// Number of questions sent besides the one that was answered.
   int answersDue() const { return questions_ - 1; }
-  /// What came behind the answer.
+  /// Bytes received after the answer.
   std::string takeUnread() { return replies_.takeRest(); }
   std::string takeOutput() { return std::exchange(output_, {}); }
   const StreamStatus& status() const { return record_.status; }

@@ -12,22 +12,22 @@
 
 namespace lamina {
 
-/// The progress file of one session. A disk that fails does not stop the machine: the job goes on without.
+/// The progress file of one session. If the disk fails the job goes on without it.
 class SessionJournal {
  public:
   /// @throws FileError if the program is gone
-  /// @param revision  of the lines on their way, or null: their progress is kept where a record tells of them
+  /// @param revision  of the lines, or null; progress of revised lines is kept only with a record of them
   SessionJournal(StreamJournal where, const StreamableProgram& program, const std::string& port,
                  std::shared_ptr<const ProgramRevision> revision);
 
-  /// The order with what the journal adds to it: where lines count from, and what was left behind.
+  /// The order, completed by the first line number and the unfinished job.
   StreamOrder placed(StreamOrder order) const;
-  /// To be called before what the streamer has put out leaves.
+  /// Stores the progress; to be called before the streamer's output is sent.
   void keep(const Streamer& streamer, double now);
-  /// Whether the link was lost and never came back for the safe stop: the machine has lived on, so that the
-  /// file says nothing of an abort, and the job can be gone on with.
+  /// Whether the link was lost and did not come back for the safe stop. The file then states no abort, and
+  /// the job can be resumed on the machine that went on.
   bool isCutOff() const { return writer_ && is_cut_off_ && !is_stop_sent_; }
-  /// Why nothing is kept any more; empty while all is well.
+  /// Why progress is no longer stored; empty if it is.
   const std::string& failure() const { return failure_; }
 
  private:

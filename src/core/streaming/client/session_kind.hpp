@@ -15,8 +15,7 @@
 
 namespace lamina {
 
-/// What the kinds of sessions have in common: a job in a thread of its own. All calls may come from any
-/// thread.
+/// Interface of the kinds of sessions: a job in a thread of its own. All calls may come from any thread.
 class SessionKind {
  public:
   virtual ~SessionKind() = default;
@@ -30,22 +29,22 @@ class SessionKind {
   virtual bool waitFor(double timeout_s) const = 0;
 };
 
-/// The answer of a session's thread to a change; where it does not come, that it is busy.
+/// The answer of a session's thread to a change; a message if it does not answer in time.
 inline std::string answerOf(std::future<std::string> answer) {
   constexpr std::chrono::seconds kPatience{2};
   if (answer.wait_for(kPatience) == std::future_status::ready) return answer.get();
   return "the session did not answer within 2 s; the change may still be done";
 }
 
-/// The status of a session as other threads see it, and who is told of it.
+/// The status of a session for other threads, and its observer.
 class SessionRecord {
  public:
-  /// @param port  that messages of failures begin with
+  /// @param port  with which messages of failures begin
   SessionRecord(std::string port, StreamSession::Observer observer)
       : port_(std::move(port)), observer_(std::move(observer)) {}
 
-  /// From the session's thread: what the job now says, and the states that it has entered. Progress alone is
-  /// passed on twenty times a second.
+  /// Takes over the job's status and the states that it has entered, from the session's thread. Progress
+  /// without a change of state is passed on twenty times a second.
   void publish(StreamStatus status, const std::vector<PackmlState>& entered, double now);
   void finish();
 

@@ -11,18 +11,17 @@
 
 namespace lamina {
 
-/// The progress file of a print that a server runs by itself: what was uploaded under which name, and how far
-/// the machine has read it by its own last word. It is on the disk before the print is started. A disk that
-/// fails does not stop the machine.
+/// The progress file of a print that a server runs by itself: the uploaded file, its name, and how much of it
+/// the machine last reported as read. It is on disk before the print starts. If the disk fails the print goes
+/// on without it.
 class UploadJournal {
  public:
   /// @throws FileError if the program is gone
   UploadJournal(StreamJournal where, const StreamableProgram& program, const std::string& port);
 
-  /// To be called before what the job asks for leaves.
+  /// Stores the progress; to be called before the job's request is sent.
   void keep(const UploadJob& job);
-  /// The status as others see it: with what was known of a print that is no longer there, and why nothing is
-  /// kept any more.
+  /// The job's status, completed by the last progress of a print that is gone and by a failure of the file.
   StreamStatus withWhatIsKnown(const UploadJob& job) const;
 
  private:

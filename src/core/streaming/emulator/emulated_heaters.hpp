@@ -10,10 +10,10 @@
 
 namespace lamina {
 
-/// Heats and cools at a constant rate in machine time.
+/// A heater that heats and cools at a constant rate, in machine time.
 class EmulatedHeater {
  public:
-  /// @param limit_c  it gets no hotter, whatever its target
+  /// @param limit_c  highest temperature that it reaches
   EmulatedHeater(double ambient_c, double rate_c_s, double limit_c)
       : ambient_c_(ambient_c), rate_c_s_(rate_c_s), limit_c_(limit_c), actual_c_(ambient_c) {}
 
@@ -21,7 +21,7 @@ class EmulatedHeater {
   void elapse(double seconds);
   double actual() const { return actual_c_; }
   double target() const { return target_c_; }
-  /// Time until the target, or what can be reached of it, is reached by heating; 0 if it is warm enough.
+  /// Time of heating until the target, or the limit if that is lower; 0 if it is warm enough.
   double timeToHeat() const;
   /// Time until the target is reached by heating or cooling.
   double timeToReach() const;

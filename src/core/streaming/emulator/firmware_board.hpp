@@ -17,7 +17,7 @@
 
 namespace lamina {
 
-/// Replies on their way to the host, in order; a delayed one holds back all that follow.
+/// Replies to the host, in order. A delayed reply holds back all that follow.
 class ReplyQueue {
  public:
   void say(std::string_view text) { (held_.empty() ? ready_ : held_.back().text) += text; }
@@ -42,7 +42,7 @@ class ReplyQueue {
   std::deque<Held> held_;
 };
 
-/// What the emulated firmware does, behind its interface.
+/// Implementation of the emulated firmware.
 class EmulatedFirmware::Board {
  public:
   Board(const EmulatedSettings& settings, std::vector<Fault> faults, EmulatedObserver observer);

@@ -6,28 +6,28 @@
 
 namespace lamina {
 
-/// Waits for the firmware's answers: says when to ask again, ever more rarely, and how long it has been
-/// quiet.
+/// Times the wait for answers of the firmware: when to repeat a question, at growing intervals, and how long
+/// the firmware has been silent.
 class AnswerTimer {
  public:
-  /// @param first_retry_s  after which to ask for the first time
+  /// @param first_retry_s  time until the first repetition
   explicit AnswerTimer(double first_retry_s) : first_retry_s_(first_retry_s), retry_s_(first_retry_s) {}
 
-  /// An answer came, or something is waited for from now on.
+  /// Starts anew: an answer has arrived, or a wait begins.
   void restart(double now) {
     quiet_since_ = now;
     retry_s_ = first_retry_s_;
     retry_at_ = now + retry_s_;
   }
 
-  /// The question was put again.
+  /// States that the question was repeated.
   void asked(double now) {
     constexpr double kLongestRetry = 30.0;
     retry_s_ = std::min(2.0 * retry_s_, std::max(kLongestRetry, first_retry_s_));
     retry_at_ = now + retry_s_;
   }
 
-  /// The question is to be put again by then, or before.
+  /// Sets the latest time of the next repetition.
   void askBy(double time_s) { retry_at_ = std::min(retry_at_, time_s); }
 
   double quietFor(double now) const { return now - quiet_since_; }

@@ -11,31 +11,31 @@
 
 namespace lamina {
 
-/// The command of a change that Marlin, RepRapFirmware and Klipper have in common, that of feed or flow;
-/// nothing for any other.
+/// The command for a change of feed or flow, which Marlin, RepRapFirmware and Klipper have in common; none
+/// for any other change.
 inline std::optional<std::string> overrideCommand(const LiveChange& change) {
   if (change.setting == LiveSetting::Feed) return "M220 S" + decimal(change.value);
   if (change.setting == LiveSetting::Flow) return "M221 S" + decimal(change.value);
   return std::nullopt;
 }
 
-/// That by which Marlin and RepRapFirmware leave out a part by its index; nothing for any other change.
+/// The command by which Marlin and RepRapFirmware leave out a part by its index; none for any other change.
 inline std::optional<std::string> cancelCommand(const LiveChange& change) {
   if (change.setting == LiveSetting::CancelPart) return "M486 P" + decimal(change.value);
   return std::nullopt;
 }
 
-/// By which command a change is made, or why it is refused: one of the two is empty.
+/// The command for a change, or why it is refused: one of the two is empty.
 struct ChangeCommand {
   std::string command;
   std::string refusal;
 };
 
-/// Klipper's. A part is left out by the name under which the program defines it (`EXCLUDE_OBJECT_DEFINE`),
-/// counted from 0.
+/// That of Klipper, which leaves out a part by the name that the program defines (`EXCLUDE_OBJECT_DEFINE`);
+/// its index counts these definitions from 0.
 ChangeCommand klipperChange(const LiveChange& change, const StreamableProgram& program);
 
-/// RepRapFirmware's.
+/// That of RepRapFirmware.
 ChangeCommand reprapChange(const LiveChange& change);
 
 }  // namespace lamina

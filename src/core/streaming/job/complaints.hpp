@@ -6,10 +6,10 @@
 
 namespace lamina {
 
-/// What a line of the firmware complains of, by its own words, over a link as by a print server.
+/// The kind of complaint in a line of the firmware, received over a link or from a print server.
 enum class Complaint {
   None,
-  NotDone,  ///< a command was not run, or a motor has missed steps of it, and the firmware goes on
+  NotDone,  ///< a command was not run, or a motor missed steps of it; the firmware goes on
   Error,    ///< a command was refused, or not run to its end
 };
 

@@ -8,7 +8,7 @@
 
 namespace lamina {
 
-/// A number as G-code takes it, to a thousandth: "95", "-0.05".
+/// A number in G-code, to a thousandth: "95", "-0.05".
 inline std::string decimal(double value) {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%.3f", value);

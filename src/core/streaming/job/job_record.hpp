@@ -10,7 +10,7 @@
 
 namespace lamina {
 
-/// How far a job is, and the states that it went through.
+/// The status of a job, and the states that it has entered.
 class JobRecord {
  public:
   StreamStatus status;

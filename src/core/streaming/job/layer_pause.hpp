@@ -8,15 +8,15 @@
 
 namespace lamina {
 
-/// A layer in front of which a person wants the job to hold.
+/// The layer before which the job is to hold at the user's request.
 class LayerPause {
  public:
   void set(double layer) { layer_ = static_cast<std::int32_t>(layer); }
 
-  /// Whether the layer behind this one is to be waited for.
+  /// Whether the job is to hold before the layer after this one, or before an earlier one.
   bool isNear(std::int32_t layer) const { return layer_ && layer >= *layer_ - 1; }
 
-  /// Whether a line of this layer must wait. True once for each setting.
+  /// Whether a line of this layer must wait. True once per request.
   bool isDueAt(std::int32_t layer) {
     if (!layer_ || layer < *layer_) return false;
     layer_.reset();

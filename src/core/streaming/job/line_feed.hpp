@@ -13,12 +13,11 @@
 
 namespace lamina {
 
-/// Numbers the lines of a program and remembers the last ones sent, so that sending can go back to any of
-/// them.
+/// Numbers the lines of a program and keeps the last ones sent, so that they can be sent again.
 class LineFeed {
  public:
   using Source = std::function<std::optional<ProgramLine>()>;
-  /// Whether the source knows its next line.
+  /// Tells whether the source knows its next line.
   using Readiness = std::function<bool()>;
 
   /// @param first         number of the first line
@@ -32,21 +31,21 @@ class LineFeed {
         first_kept_(first),
         next_(first) {}
 
-  /// Whether the line to send next is known, or that there is none.
+  /// Whether it is known which line is sent next, or that there is none.
   bool isNextKnown() const { return next_ - first_kept_ < kept_.size() || !isReady_ || isReady_(); }
   /// The line to send next; null at the end of the program.
   const ProgramLine* peek();
-  /// The line given by `peek` was sent.
+  /// States that the line of `peek` was sent.
   void advance();
   /// Sends again from line `number` on.
-  /// @return false, and nothing changes, if that line was never sent or is no longer remembered
+  /// @return false, without effect, if that line was never sent or is no longer kept
   bool rewind(std::uint64_t number);
 
-  /// Number of the line `peek` gives.
+  /// Number of the line of `peek`.
   std::uint64_t next() const { return next_; }
   /// One more than the highest number sent.
   std::uint64_t end() const { return first_kept_ + kept_.size() - (has_unsent_ ? 1 : 0); }
-  /// Layer of a line that is remembered, or of the one before the first; -1 otherwise.
+  /// Layer of a line that is kept, or of the one before the first; -1 otherwise.
   std::int32_t layerOf(std::uint64_t number) const;
 
  private:
@@ -60,14 +59,14 @@ class LineFeed {
   std::uint64_t next_;
 };
 
-/// The lines of a program, which end early if its file is changed meanwhile.
+/// The lines of a program. They end early if its file changes meanwhile.
 LineFeed::Source sourceOf(const StreamableProgram& program);
 
 /// The same without the first lines, each of which is shown to `passed`.
 LineFeed::Source restOf(const StreamableProgram& program, std::uint64_t lines_left_out,
                         const std::function<void(const ProgramLine&)>& passed);
 
-/// Commands that are no program's, in order.
+/// Single commands, in order.
 LineFeed::Source sourceOf(std::vector<std::string> commands);
 
 }  // namespace lamina

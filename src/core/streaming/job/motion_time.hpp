@@ -8,13 +8,13 @@
 
 namespace lamina {
 
-/// How long the motions of a program take at their feeds, line by line, without acceleration: never more than
-/// the machine needs. Where the program cannot be read as Marlin's G-code, nothing is said of what follows.
+/// Time of a program's motions at their feeds, line by line. It neglects acceleration, so that it is at most
+/// what the machine needs. After a line that is not Marlin's G-code all times are 0.
 class MotionTime {
  public:
   MotionTime();
 
-  /// [s] of the motions that the next command of the program asks for; 0 if it asks for none.
+  /// Time of the motions of the next command [s]; 0 if it has none.
   double secondsOf(std::string_view command);
 
  private:

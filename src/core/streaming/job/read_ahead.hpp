@@ -16,7 +16,7 @@
 namespace lamina {
 
 /// Reads a program's file a thousand lines ahead in a thread of its own, so that a slow disk or network
-/// folder does not stop the machine. Ends early if the file is written to: what stands in it then was never
+/// folder does not stop the machine. It ends early if the file is changed, since its new content was not
 /// checked.
 class ReadAhead {
  public:
@@ -26,7 +26,7 @@ class ReadAhead {
   ReadAhead(const ReadAhead&) = delete;
   ReadAhead& operator=(const ReadAhead&) = delete;
 
-  /// The next line, waited for if need be; nothing at the end.
+  /// The next line; waits for it if necessary. None at the end.
   std::optional<ProgramLine> next();
 
  private:

@@ -10,7 +10,7 @@
 
 namespace lamina {
 
-/// Cuts what a machine says into lines. More than 4096 bytes without an end of line are noise, and dropped.
+/// Splits bytes of a machine into lines. More than 4096 bytes without an end of line are noise and dropped.
 class ReplyLines {
  public:
   void add(std::string_view bytes) {
@@ -18,7 +18,7 @@ class ReplyLines {
     received_ += bytes;
   }
 
-  /// The next line that has ended, without its end; nothing if there is none.
+  /// The next complete line, without its end; none if there is none.
   std::optional<std::string> next() {
     constexpr std::size_t kLongest = 4096;
     const std::size_t end = received_.find('\n', read_);
@@ -31,7 +31,7 @@ class ReplyLines {
     return line;
   }
 
-  /// What was not read yet.
+  /// The bytes not read yet.
   std::string takeRest() {
     std::string rest = received_.substr(read_);
     clear();

@@ -16,16 +16,16 @@
 
 namespace lamina {
 
-/// Commands of a text that is given bit by bit, in whole lines.
+/// The commands of a text that is given in pieces of whole lines.
 class GrowingCommands {
  public:
   GrowingCommands();
 
-  /// Once `next` has given all that there is.
+  /// Adds lines; to be called when `next` has given all commands.
   void give(std::string_view lines);
   /// The next command; nothing until more is given.
   std::optional<ProgramLine> next();
-  /// That the next command belongs to.
+  /// The layer of the next command.
   std::int32_t layer() const { return cursor_.layer(); }
 
  private:
@@ -33,12 +33,12 @@ class GrowingCommands {
   ProgramCursor cursor_;
 };
 
-/// The lines of a program as they are revised. Where a layer begins, the next line is not known until it is
-/// known what becomes of the layer; there another program may take the place of the rest. They end early,
-/// with a failure, where the program was changed or cannot be revised.
+/// The revised lines of a program. At the start of a layer the next line is not known until the revision of
+/// the layer is decided; another program may replace the rest there. The lines end early, with a failure, if
+/// the program's file was changed or a line cannot be revised.
 class RevisedLines {
  public:
-  /// @param defectOf  what the firmware would misread of a command, in words; empty for nothing
+  /// @param defectOf  gives what the firmware would misread in a command, in words; empty if nothing
   RevisedLines(const StreamableProgram& program, std::shared_ptr<ProgramRevision> revision,
                std::function<std::string(const std::string&)> defectOf);
 
@@ -47,13 +47,13 @@ class RevisedLines {
   /// The next line; nothing at the end.
   std::optional<ProgramLine> next();
 
-  /// The layer that waits has waited long enough.
+  /// Decides the layer that waits, after the longest wait.
   void decide();
   double waitTime() const { return revision_->waitTime(); }
 
-  /// Commands of the whole program, as far as it is revised.
+  /// Number of commands of the whole program: revised ones so far, then those that are left.
   std::uint64_t total() const { return given_ + program_.lines() - read_; }
-  /// Why the lines ended; Ok if at the end of the program.
+  /// Why the lines ended early; Ok if at the end of the program.
   const Failure& failure() const { return failure_; }
 
  private:

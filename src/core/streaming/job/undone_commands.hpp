@@ -9,13 +9,14 @@
 
 namespace lamina {
 
-/// The commands that the firmware did not run as they were asked for. One that it asks for again was none.
+/// The commands that the firmware acknowledged without running them. A command that is requested again does
+/// not count.
 class UndoneCommands {
  public:
-  /// What the firmware says before the ok of such a line.
+  /// States that the firmware has announced such a line, before its ok.
   void announce() { is_announced_ = true; }
 
-  /// @param line  that was acknowledged
+  /// States that a line was acknowledged.
   void acknowledge(std::uint64_t line) {
     constexpr std::size_t kRemembered = 1024;  // lines that can be asked for again
     if (!std::exchange(is_announced_, false)) return;

@@ -9,19 +9,19 @@
 
 namespace lamina {
 
-/// The heaters, fans, lasers and spindles that a program has switched on, so that a safe stop reaches each.
-/// Reads G-code that Marlin, RepRapFirmware and Klipper share. What a stop turns off in any case, the active
-/// tool's heater and the bed, is not kept.
+/// The heaters, fans, lasers and spindles that a program has switched on, so that a safe stop switches them
+/// off. It reads the G-code that Marlin, RepRapFirmware and Klipper share. The active tool's heater and the
+/// bed are left out, since every stop switches them off.
 class UsedOutputs {
  public:
-  /// @param command  that is sent
+  /// Takes a command that is sent.
   void see(std::string_view command);
 
-  /// Turns laser and spindle off ("M5"); empty if none was on.
+  /// Commands that switch off laser and spindle ("M5"); empty if none was on.
   std::vector<std::string> beamOff() const;
-  /// Turns the heaters of other tools, the chamber's and the laser's cooler off.
+  /// Commands that switch off the heaters of other tools and of the chamber, and the cooler of the laser.
   std::vector<std::string> heatOff() const;
-  /// Turns fans and coolant off.
+  /// Commands that switch off fans and coolant.
   std::vector<std::string> airOff() const;
 
  private:

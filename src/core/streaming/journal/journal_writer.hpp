@@ -13,20 +13,22 @@
 
 namespace lamina {
 
-/// Keeps a progress file by a thread of its own, so that who streams waits for the disk only where lines
-/// would leave that the file does not know of. These are announced well ahead: by 256 lines or those of the
-/// last 0.2 s, whichever is more. What was acknowledged follows ten times a second, and at the end of layers.
+/// Writes a progress file in a thread of its own. The streamer waits for the disk only before it sends lines
+/// beyond those that the file announces. Lines are announced ahead of sending, by 256 or the number sent in
+/// the last 0.2 s, whichever is more. Acknowledged lines are written ten times a second and at the end of
+/// layers.
 class JournalWriter {
  public:
   JournalWriter(ProgressFile file, const JobProgress& known, std::uint64_t lines_total);
-  /// Writes what is still to be written.
+  /// Writes the last progress.
   ~JournalWriter();
   JournalWriter(const JournalWriter&) = delete;
   JournalWriter& operator=(const JournalWriter&) = delete;
 
-  /// To be called before the lines leave that the status counts as sent: returns when the file knows of them.
+  /// Returns when the file announces all lines that the status counts as sent; to be called before they are
+  /// sent.
   /// @param now  [s] since any start
-  /// @throws FileError once, if the file can no longer be written; from then on nothing is kept
+  /// @throws FileError once, if the file can no longer be written; nothing is written from then on
   void record(const StreamStatus& status, double now);
 
  private:

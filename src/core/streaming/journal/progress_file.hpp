@@ -9,10 +9,10 @@
 
 namespace lamina {
 
-/// A progress file that is open for writing. Every record is on the disk when its write returns.
+/// A progress file that is open for writing. A record is on disk when `write` returns.
 class ProgressFile {
  public:
-  /// Makes the file; what was there stays until the new one is on the disk.
+  /// Creates the file. An earlier one is replaced when the new one is on disk.
   /// @throws FileError
   ProgressFile(const std::string& path, const JournalledJob& job, const JobProgress& progress);
   ~ProgressFile();
@@ -21,8 +21,8 @@ class ProgressFile {
   ProgressFile(const ProgressFile&) = delete;
   ProgressFile& operator=(const ProgressFile&) = delete;
 
-  /// Replaces the older of the two records. The sequence is counted here.
-  /// @throws FileError if the disk does not take it
+  /// Replaces the older of the two records, and sets the sequence.
+  /// @throws FileError if it cannot be written
   void write(JobProgress progress);
 
  private:

@@ -14,8 +14,8 @@
 
 namespace lamina {
 
-/// What a program has set by a line: modes, temperatures, position, and the box of what it has deposited.
-/// Lengths in mm, in the machine's coordinates.
+/// The state that a program has set up to a line: modes, temperatures, position, and the box of its
+/// deposition. Lengths are in mm, in the machine's coordinates.
 class ProgramState {
  public:
   ProgramState();
@@ -36,9 +36,9 @@ class ProgramState {
   double speed_percent = 100.0;
   std::string workplace;             ///< G54 to G59.3; empty for the first
   Point3 position = Point3::Zero();  ///< of the machine
-  Point3 shift = Point3::Zero();     ///< machine less program, as G92 has set it
+  Point3 shift = Point3::Zero();     ///< machine less program coordinates, as set by G92
   double filament_mm = 0.0;          ///< as the program counts it
-  double retracted_mm = 0.0;         ///< filament pulled back and not pushed forth again
+  double retracted_mm = 0.0;         ///< filament retracted at present
   bool is_firmware_retracted = false;
   std::optional<double> bed_c;
   std::optional<double> chamber_c;

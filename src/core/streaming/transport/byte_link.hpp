@@ -13,8 +13,8 @@
 
 namespace lamina {
 
-/// Reads and writes one open stream of Asio: a socket, a serial port, a descriptor. Held by shared pointer,
-/// since operations under way keep it alive.
+/// Reads and writes an open stream of Asio: a socket, a serial port or a descriptor. It is held by shared
+/// pointers, since operations under way keep it alive.
 template <class Stream>
 class ByteLink : public std::enable_shared_from_this<ByteLink<Stream>> {
  public:
@@ -31,10 +31,10 @@ class ByteLink : public std::enable_shared_from_this<ByteLink<Stream>> {
     if (writing_.empty()) write();
   }
 
-  /// Bytes not yet taken by the system.
+  /// Number of bytes not yet taken by the system.
   std::size_t pending() const { return waiting_.size() + writing_.size(); }
 
-  /// Closes without notifying anybody.
+  /// Closes the stream without a callback.
   void close() {
     is_closed_ = true;
     events_ = {};

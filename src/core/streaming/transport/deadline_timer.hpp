@@ -14,8 +14,8 @@
 
 namespace lamina {
 
-/// Goes off at a deadline that nearly every event moves. A timer that is set too early is left to go off and
-/// is set again then, which costs less than moving it each time; going off early must therefore do no harm.
+/// A timer for a deadline that nearly every event moves. It is not moved when the deadline becomes later, but
+/// expires early and is set again, which costs less. The callback must therefore tolerate being called early.
 class DeadlineTimer {
  public:
   DeadlineTimer(boost::asio::io_context& context, const Clock& clock, std::function<void()> went_off)

@@ -14,22 +14,22 @@
 
 namespace lamina {
 
-/// Where a print server listens.
+/// The address of a print server.
 struct HttpAddress {
   std::string host;
   std::string port = "80";
 };
 
-/// Whether a port is named as an address on the web, whatever the scheme: "http://host".
+/// Whether a port is a web address of any scheme: "http://host".
 bool isWebAddress(const std::string& port);
 
 /// Reads "http://host", "http://host:port" or "http://[address]:port".
-/// @throws InvalidInput if it is none, has a path, or is one of https://, which is not spoken
+/// @throws InvalidInput if it is none, has a path, or is one of https://, which is not supported
 HttpAddress httpAddressOf(const std::string& port);
 
-/// What comes of a request. Called from the thread that runs the io_context.
+/// Callbacks of a request, from the thread that runs the io_context.
 struct HttpEvents {
-  std::function<void(std::uint64_t bytes)> sent;  ///< of the program, so far
+  std::function<void(std::uint64_t bytes)> sent;  ///< sent of the program so far
   std::function<void(const HttpResponse&)> responded;
   std::function<void(const HttpFailure&)> failed;
 };
@@ -44,11 +44,11 @@ class HttpClient {
   HttpClient& operator=(const HttpClient&) = delete;
 
   /// Looks up the host and tries a connection. To be called before the io_context runs.
-  /// @throws Disconnected if nobody listens there
+  /// @throws Disconnected if no server listens there
   void open();
-  /// Sends a request; the last one must be over or broken off.
+  /// Sends a request, when the last one is over or broken off.
   void ask(const HttpRequest& request, const ProgramBody& program);
-  /// Closes the connection of the request under way without notifying anybody.
+  /// Closes the connection of the request under way without a callback.
   void breakOff();
 
  private:

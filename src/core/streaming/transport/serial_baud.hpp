@@ -4,7 +4,7 @@
 
 namespace lamina {
 
-/// Sets any baud rate, also those that termios has no constant for, such as Marlin's 250000.
+/// Sets any baud rate, also one without a constant in termios, such as Marlin's 250000.
 /// @throws std::system_error if the port cannot do it
 void setBaudRate(int descriptor, int baud);
 

@@ -4,10 +4,9 @@
 
 namespace lamina {
 
-/// Asks the system to run the calling thread before all ordinary ones: in real time where the user may
-/// (`ulimit -r`), else with a better nice value where that is allowed (`ulimit -e`), and in turns as short as
-/// the kernel gives (Linux 6.12), for which it wakes up sooner. Needs no rights, and says nothing where they
-/// lack.
+/// Raises the priority of the calling thread above ordinary ones: to real time if the user may (`ulimit -r`),
+/// else to a better nice value if that is allowed (`ulimit -e`), with the shortest time slices of the kernel
+/// (Linux 6.12), which let it wake up sooner. Without these rights it has no effect.
 void preferThisThread();
 
 }  // namespace lamina

@@ -10,21 +10,22 @@
 
 namespace lamina {
 
-/// A file's name as RepRapFirmware gives it, below its folder of programs: "0:/gcodes/a/b.g" as "a/b.g".
+/// A file name of RepRapFirmware relative to its folder of programs: "0:/gcodes/a/b.g" as "a/b.g".
 std::string belowPrograms(const std::string& name);
 
-/// What RepRapFirmware's object model says.
+/// The report in RepRapFirmware's object model.
 /// @param model  with the keys state, job, heat and move
 MachineReport reportOf(const nlohmann::json& model);
 
-/// The lines of what RepRapFirmware says that tell of an error, or of a command that was not run.
+/// The lines of RepRapFirmware's output that report an error, or a command that was not run.
 std::vector<std::string> complaintsIn(const std::string& said);
 
 /// The commands that turn every heater off: of the bed, of chambers, and of each of the tools.
-/// @param tools  the object model's list of them
+/// @param tools  their list in the object model
 std::string heatersOffCommands(const nlohmann::json& tools);
 
-/// The command that brings the end of a print nearer: it can be cancelled only while it is paused.
+/// The next command towards the end of a print: a pause, and then the cancellation, which needs a paused
+/// print.
 std::string cancelCommand(PrintState state);
 
 }  // namespace lamina

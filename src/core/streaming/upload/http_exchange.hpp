@@ -9,7 +9,7 @@
 
 namespace lamina {
 
-/// One question to a print server. The body is `head`, the program if it is sent, and `tail`.
+/// A request to a print server. Its body is `head`, the program if it is sent, and `tail`.
 struct HttpRequest {
   std::string method = "GET";
   std::string target;  ///< path and query, escaped; may hold a password, so no message quotes it
@@ -17,8 +17,8 @@ struct HttpRequest {
   std::string head = {};
   bool sends_program = false;
   std::string tail = {};
-  bool digests_answer = false;  ///< only size and checksum of the answer are wanted, not its body
-  double timeout_s = 5.0;       ///< without a byte either way
+  bool digests_answer = false;  ///< only size and checksum of the answer are kept
+  double timeout_s = 5.0;       ///< longest time without a byte either way
 };
 
 struct HttpResponse {
@@ -34,8 +34,8 @@ struct HttpFailure {
   bool reached_server = true;  ///< false only if no byte of the request can have arrived
 };
 
-/// As a query or a path holds it: all but letters, digits and "-._~/" by its number. Hexadecimal digits are
-/// capitals, since RepRapFirmware reads no others.
+/// A text escaped for a query or path: every byte but letters, digits and "-._~/" by its number. Hexadecimal
+/// digits are capitals, since RepRapFirmware reads no others.
 std::string escapedForUrl(const std::string& text);
 
 }  // namespace lamina

@@ -9,14 +9,14 @@
 
 namespace lamina {
 
-/// Which command of a program a position in its file stands behind.
+/// Finds the last command of a program before a position in its file.
 class LineAtByte {
  public:
   explicit LineAtByte(StreamableProgram program);
 
-  /// Commands that end at or before that byte. A file that was changed meanwhile is not read any further.
+  /// Number of commands that end at or before that byte. A file that was changed is not read any further.
   std::uint64_t linesBefore(std::uint64_t byte);
-  /// Layer of the last of them; -1 before the first.
+  /// Layer of the last of these commands; -1 before the first.
   std::int32_t layer() const { return layer_; }
 
  private:

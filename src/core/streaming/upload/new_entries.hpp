@@ -11,8 +11,8 @@
 
 namespace lamina {
 
-/// What is new in a list that is given again and again, at whose end entries are added and from whose
-/// beginning they fall out. Clocks are not trusted: an entry is known again by its whole text.
+/// Finds the new entries of a list that is read repeatedly, while entries are added at its end and removed at
+/// its beginning. An entry is recognised by its whole text, since its time may be wrong.
 class NewEntries {
  public:
   /// Whether the last entry taken is still in the list, or none was taken yet.
@@ -20,8 +20,8 @@ class NewEntries {
     return !last_ || std::find(list.rbegin(), list.rend(), *last_) != list.rend();
   }
 
-  /// @return index of the first entry that is new. None is in the first list; all are where the last entry
-  ///   known has fallen out
+  /// @return index of the first new entry. In the first list none is new; all are if the last known entry was
+  ///   removed
   std::size_t takeNew(const std::vector<std::string>& list) {
     const std::optional<std::string> before = last_;
     const bool is_first = !std::exchange(has_begun_, true);

@@ -18,30 +18,30 @@
 
 namespace lamina {
 
-/// What is asked of a print server.
+/// A step in the dialogue with a print server.
 enum class UploadStep : std::uint8_t {
-  Connect,  ///< who it is; a session where it keeps such
-  Report,   ///< how machine and print stand
+  Connect,  ///< identification, and a session if the server has sessions
+  Report,   ///< state of machine and print
   Upload,
-  Verify,  ///< that it has the file as it was sent
+  Verify,  ///< comparison of its file with the one sent
   Start,
   Pause,
   Resume,
   Cancel,
-  HeatersOff,     ///< and all else that the program switches on
-  Change,         ///< what was given last (`give`)
-  EmergencyStop,  ///< where there is one that does not wait behind other commands
+  HeatersOff,     ///< and all other outputs that the program switches on
+  Change,         ///< the command of the last `give`
+  EmergencyStop,  ///< if there is one that does not wait for other commands
   Remove,         ///< the file
   Disconnect,     ///< the end of the session
 };
 
-/// What a response means.
+/// The meaning of a response.
 struct ServerAnswer {
   enum class Kind : std::uint8_t {
     Done,
     More,       ///< the step has another request
-    Later,      ///< it cannot answer now, and may have done it
-    NotTaken,   ///< it has not done it, and may be asked again
+    Later,      ///< the server cannot answer now; the step may be done
+    NotTaken,   ///< the step is not done, and may be repeated
     LoggedOut,  ///< the session is over: connect again
     NotMine,    ///< another kind of server
     Refused,
@@ -52,19 +52,19 @@ struct ServerAnswer {
 
 using AnswerKind = ServerAnswer::Kind;
 
-/// What is uploaded, and under which name.
+/// A program to upload, and the name of its file.
 struct UploadOrder {
   ProgramBody body;
   std::string file;                ///< below the server's folder of programs: "lamina/part-0a1b2c3d.gcode"
   std::string credential;          ///< password or key; empty for none
-  double upload_timeout_s = 60.0;  ///< without a byte either way, and for the server to store the file
+  double upload_timeout_s = 60.0;  ///< longest time without a byte either way, and to store the file
   double command_timeout_s = 10.0;
   JobStart start = JobStart::New;
-  std::string earlier_files = {};  ///< how the names of files begin that hold the same program
+  std::string earlier_files = {};  ///< beginning of the names of earlier files with the same program
 };
 
-/// How a kind of print server is spoken to: requests out, responses in, no time. One request is under way at
-/// a time.
+/// The protocol of a kind of print server: it gives requests and takes responses, without time. One request
+/// is under way at a time.
 class PrintServer {
  public:
   explicit PrintServer(std::shared_ptr<const UploadOrder> order)
@@ -75,34 +75,34 @@ class PrintServer {
 
   /// The firmware behind it, as `stream.firmware` names it.
   virtual const char* firmware() const = 0;
-  /// The next request of a step; nothing if the step needs none.
+  /// The next request of a step; none if the step needs none.
   virtual std::optional<HttpRequest> request(UploadStep step) = 0;
-  /// What the response to the last request means.
+  /// The meaning of the response to the last request.
   virtual ServerAnswer read(UploadStep step, const HttpResponse& response) = 0;
 
-  /// How a change is made there.
+  /// The command for a change of the running print.
   virtual ChangeCommand changed(const LiveChange& change) const = 0;
-  /// What is to be run at the next step `Change`.
+  /// Sets the command for the next step `Change`.
   void give(std::string command) { given_command = std::move(command); }
-  /// How a person stops the machine at once where it does not hear a stop; empty if it hears each.
+  /// How a person stops the machine at once, if it may not react to a stop; empty if it always does.
   virtual std::string emergencyStop() const { return {}; }
 
-  /// The file of the print: the one that is ordered, unless another is followed.
+  /// The file of the print: that of the order, unless another one is followed.
   const std::string& printedFile() const { return printed_file; }
   void follow(std::string file) { printed_file = std::move(file); }
 
-  /// What the machine has complained of since the last call, in its own words: commands that it does not
-  /// know, and errors, whoever caused them.
+  /// Complaints of the machine since the last call, in its own words: unknown commands and errors of any
+  /// cause.
   std::vector<std::string> takeComplaints() { return std::exchange(complaints, {}); }
 
   const std::string& name() const { return server_name; }  ///< as it gives it, once connected
   const MachineReport& report() const { return last_report; }
-  /// The last report is of the print that was ordered.
+  /// Whether the last report is on the print of the order.
   bool isOurs() const { return last_report.file == printed_file; }
 
  protected:
   const UploadOrder& order() const { return *order_; }
-  /// Lines that switch off what the program may have left on besides heaters and the fan that cools the part.
+  /// Lines that switch off outputs that the program may have left on, besides heaters and the part's fan.
   std::string otherOutputsOff() const;
 
   std::string server_name;
@@ -120,7 +120,7 @@ std::unique_ptr<PrintServer> makeDuet(std::shared_ptr<const UploadOrder> order);
 std::unique_ptr<PrintServer> makeDuetWithComputer(std::shared_ptr<const UploadOrder> order);
 
 /// The kinds of servers that `stream.firmware` admits, in the order in which they are tried.
-/// @throws InvalidConfig if none speaks for that firmware
+/// @throws InvalidConfig if there is none for that firmware
 std::vector<std::unique_ptr<PrintServer>> printServers(const std::string& firmware,
                                                        const std::shared_ptr<const UploadOrder>& order);
 

@@ -12,13 +12,12 @@
 
 namespace lamina {
 
-/// A program as it is uploaded: the bytes of its text, and an end of line behind the last one where it has
-/// none, since Klipper does not run a line without. Read through once for size and checksums; in constant
-/// memory.
+/// A program as it is uploaded: the bytes of its text, and an end of line after the last line if it has none,
+/// since Klipper does not run such a line. It is read once for size and checksums, in constant memory.
 class ProgramBody {
  public:
   /// @throws FileError if the file is gone
-  /// @throws InvalidProgram if it is not the one that was checked, or has a line that print servers misread
+  /// @throws InvalidProgram if it changed since it was checked, or has a line that print servers misread
   explicit ProgramBody(StreamableProgram program);
 
   std::uint64_t bytes() const { return bytes_; }
@@ -28,11 +27,11 @@ class ProgramBody {
   std::uint64_t lineNotUtf8() const { return line_not_utf8_; }
   std::size_t longestCommand() const { return longest_bytes_; }       ///< [bytes]
   std::uint64_t longestCommandLine() const { return longest_line_; }  ///< from 1
-  /// What it switches on.
+  /// The outputs that it switches on.
   const UsedOutputs& outputs() const { return outputs_; }
   const StreamableProgram& program() const { return program_; }
 
-  /// Gives the bytes one after the other.
+  /// Reads the bytes in order.
   class Reader {
    public:
     /// @return how many were read into `buffer`; 0 at the end

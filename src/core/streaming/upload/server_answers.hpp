@@ -15,15 +15,14 @@ inline ServerAnswer refused(const std::string& why) {
   return {ServerAnswer::Kind::Refused, {ErrorCode::Rejected, why}};
 }
 
-/// A body as JSON; nothing if it is none.
+/// The body as JSON; none if it is not JSON.
 std::optional<nlohmann::json> jsonOf(const HttpResponse& response);
 
-/// What a server says of an error: its JSON's message, otherwise the status and the beginning of its text.
+/// The error text of a server: the message in its JSON, otherwise the status and the beginning of its text.
 std::string errorTextOf(const HttpResponse& response);
 
-/// What a response with a status other than 2xx means to any server: not taken (429, 503), to be asked again
-/// later (other 5xx, as of a proxy that has waited for the answer in vain), or no (all others, redirects
-/// among them, which are not followed).
+/// The meaning of a status other than 2xx of any server: NotTaken for 429 and 503, Later for any other 5xx
+/// (as of a proxy that got no answer), Refused for all others, redirects included.
 /// @param what  "the upload"
 ServerAnswer answerOfStatus(const std::string& what, const HttpResponse& response);
 
@@ -42,9 +41,9 @@ Value valueAt(const nlohmann::json& tree, const char* path, Value fallback) {
   return fallback;
 }
 
-/// Whether a file that was read back is the one that was sent.
+/// Compares the file that was read back with the one that was sent.
 ServerAnswer compared(const ProgramBody& body, const HttpResponse& response);
-/// Whether the size that a server gives is that of the file that was sent.
+/// Compares the size that a server reports with that of the file that was sent.
 ServerAnswer comparedSize(const ProgramBody& body, std::uint64_t bytes);
 
 }  // namespace lamina

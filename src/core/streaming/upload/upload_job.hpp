@@ -18,40 +18,40 @@
 
 namespace lamina {
 
-/// A program that a printer gets whole, over HTTP, and prints by itself: a state machine without input,
-/// output or time of its own. Requests come out, one at a time; responses, failures, times and commands go
-/// in.
+/// The upload of a program over HTTP to a printer that prints it by itself: a state machine without input,
+/// output or clock of its own. It gives requests, one at a time, and takes responses, failures, times and
+/// commands.
 ///
-/// Who is there is asked first, then whether it is ready and idle; then the file is uploaded, compared with
-/// what was sent, and started; then the machine is asked how the print stands until it says that this print
-/// is complete. `lines_acknowledged` counts the lines that the machine has read.
+/// It identifies the server, waits until the machine is ready and idle, uploads the file, verifies it and
+/// starts the print. Then it polls the state of the print until the machine reports that this print is
+/// complete. `lines_acknowledged` counts the lines that the machine has read.
 ///
-/// The start is asked for once: where it is not known whether it arrived, the machine is asked, not started
-/// again.
+/// The start is requested once. If it is not known whether the request arrived, the state of the print is
+/// polled; the request is not repeated.
 class UploadJob {
  public:
-  /// @throws InvalidConfig if the firmware that `stream.firmware` names is not spoken to over HTTP
+  /// @throws InvalidConfig if there is no print server for the firmware that `stream.firmware` names
   UploadJob(const StreamSettings& settings, std::shared_ptr<const UploadOrder> order);
 
   void start(double now);
   /// The next request; nothing while one is under way, or before `nextDeadline`.
   std::optional<HttpRequest> takeRequest(double now);
-  /// How many bytes of the program have left by the request under way.
+  /// States how many bytes of the program the request under way has sent.
   void sent(std::uint64_t bytes);
-  /// The answer to the request under way; one that comes after it was broken off is to be dropped.
+  /// Takes the response to the request under way. A response after a break must be dropped.
   void receive(const HttpResponse& response, double now);
   void fail(const HttpFailure& failure, double now);
-  /// Whether the request under way is to be broken off: asked once.
+  /// Whether the request under way is to be broken off; true once.
   bool takeBreak() { return std::exchange(is_to_break_, false); }
   void elapse(double now);
-  /// When to call `elapse`, and `takeRequest` after it; infinite if nothing is waited for but an answer.
+  /// Time at which to call `elapse`, and `takeRequest` after it; infinite if only a response is due.
   double nextDeadline() const;
 
   /// @return false if the job is not in Execute
   bool pause(double now);
   /// @return false if the job is not in Holding or Held
   bool resume(double now);
-  /// Changes how the print runs: what the machine says of it stands in the status's message.
+  /// Changes a setting of the running print. The machine's answer is in the status's message.
   /// @return why it is refused, in words; empty if it is taken
   std::string change(const LiveChange& change, double now);
   /// Ends the print, if it may have been started. Without effect once the job is over or being aborted.
@@ -81,7 +81,7 @@ class UploadJob {
     Over
   };
 
-  /// What is known of a request that brought no answer to it.
+  /// Whether a request without an answer may have arrived.
   enum class Arrival : std::uint8_t {
     Never,     ///< nothing of it arrived
     NotTaken,  ///< the server says that it has not done it
@@ -96,7 +96,7 @@ class UploadJob {
   static std::string seconds(double time_s);
   UploadStep nextStep() const;
   bool isChangeNext() const;
-  /// Asked for twice it does no harm.
+  /// A repeated request does no harm.
   bool isEmergencyStopDue() const { return emergency_.is_asked && !emergency_.is_taken; }
   PrintServer& server() const { return *servers_.front(); }
   void beforeAsking(UploadStep step, double now);

@@ -17,7 +17,7 @@
 
 namespace lamina {
 
-/// What the emulated grbl does, behind its interface.
+/// Implementation of the emulated grbl.
 class EmulatedGrbl::Board {
  public:
   Board(EmulatedGrblSettings settings, std::vector<GrblFault> faults, Observer observer);
@@ -51,7 +51,7 @@ class EmulatedGrbl::Board {
     bool loses_ok = false;
     bool delays_ok = false;
   };
-  /// What the words of a line ask for.
+  /// The effect of the words of a line.
   struct Wish {
     Point3 axes = Point3::Zero();
     std::array<bool, 3> has_axis{};

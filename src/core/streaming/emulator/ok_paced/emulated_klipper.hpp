@@ -9,13 +9,13 @@
 
 namespace lamina {
 
-/// Klipper at its pseudo-terminal, as klippy/gcode.py reads and answers: numbers and checksums are left
-/// unread; an error is said before the ok, and the lines behind it are run. A halt is a shutdown; a restart
-/// forgets what was read, and is ready again at once.
+/// Klipper at its pseudo-terminal, as klippy/gcode.py reads and answers. Line numbers and checksums are
+/// ignored. An error is sent before the ok, and the lines after it are run. A halt is a shutdown. A restart
+/// forgets what was read, and is ready at once.
 class EmulatedKlipper final : public EmulatedPacedFirmware {
  public:
   using EmulatedPacedFirmware::EmulatedPacedFirmware;
-  /// Not ready from the start, and why.
+  /// Starts in a shutdown for that reason.
   void shutDown(const std::string& reason) { reason_ = reason; }
 
  private:

@@ -13,10 +13,10 @@
 
 namespace lamina {
 
-/// What goes wrong in firmware that is paced by `ok`, each with a probability per command.
+/// Faults of firmware that is paced by `ok`, each with a probability per command.
 struct PacedFaults {
   double lost_ok = 0.0;  ///< the command is run, its ok is never sent
-  double slow = 0.0;     ///< the command takes `slow_s`, as behind a full queue
+  double slow = 0.0;     ///< the command takes `slow_s`, as with a full queue
   double slow_s = 4.0;
   double refusal = 0.0;     ///< the command is not run, and the firmware says so
   double halt = 0.0;        ///< the firmware halts by itself
@@ -25,11 +25,11 @@ struct PacedFaults {
   std::uint64_t seed = 1;
 };
 
-/// Firmware without a machine that answers each line it reads by one `ok`, in order: bytes and times in,
-/// bytes out. What a line means is the derived class's.
+/// Firmware without a machine that answers each line by one `ok`, in order. It takes bytes and times, and
+/// gives bytes. The derived class defines the meaning of lines.
 class EmulatedPacedFirmware {
  public:
-  /// Given each command that is run, questions left out.
+  /// Called with each command that is run, except questions.
   using Observer = std::function<void(const std::string&)>;
 
   EmulatedPacedFirmware(const PacedFaults& faults, Observer observer)
@@ -39,7 +39,7 @@ class EmulatedPacedFirmware {
   EmulatedPacedFirmware& operator=(const EmulatedPacedFirmware&) = delete;
 
   void receive(std::string_view bytes, double now);
-  /// Time went by; to be called at `nextDeadline` at the latest.
+  /// States the time; to be called at `nextDeadline` at the latest.
   void elapse(double now);
   std::string takeOutput() { return std::exchange(output_, {}); }
   double nextDeadline() const;
@@ -49,11 +49,11 @@ class EmulatedPacedFirmware {
   double nozzleTarget() const { return nozzle_target_; }  ///< [°C]; 0 is off
 
  protected:
-  /// What is to be said to a line; the ok comes when the command has been run.
+  /// The answer to a line. Its ok is sent when the command has been run.
   struct Answer {
     std::string lines;  ///< in front of the ok, each with its end
     std::string ok = "ok";
-    bool is_silent = false;  ///< the line is dropped without a word
+    bool is_silent = false;  ///< the line gets no answer
   };
 
   /// @param line  without its end
@@ -63,7 +63,7 @@ class EmulatedPacedFirmware {
   virtual void restart() = 0;
 
   /// Runs a command, unless a fault strikes it.
-  /// @return what is to be said of it
+  /// @return the answer to it
   Answer run(const std::string& command);
   void say(const std::string& text) { output_ += text; }
   void forgetInput() { input_.clear(); }

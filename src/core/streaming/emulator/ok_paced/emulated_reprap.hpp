@@ -11,18 +11,17 @@
 
 namespace lamina {
 
-/// RepRapFirmware 3 in its emulation of Marlin, as GCodeBuffer/StringParser reads lines: a check of one to
-/// three digits is an exclusive or, one of five the CRC-16, and only lines with a number have one; a line
-/// whose check is wrong, or missing where it is required, is dropped without a word. The position is that of
-/// the last motion taken.
+/// RepRapFirmware 3 in its emulation of Marlin, as GCodeBuffer/StringParser reads lines. Only numbered lines
+/// have a checksum: one to three digits are an exclusive or, five the CRC-16. A line with a wrong checksum,
+/// or without a required one, is dropped without an answer. The position is that of the last motion taken.
 class EmulatedRepRap final : public EmulatedPacedFirmware {
  public:
-  /// Which lines it takes (M575 S0, S4).
+  /// Which checksums it checks (M575 S0, S4).
   enum class Checks : std::uint8_t { IfThere, RequiresCrc };
 
   EmulatedRepRap(const PacedFaults& faults, Checks checks, Observer observer)
       : EmulatedPacedFirmware(faults, std::move(observer)), checks_(checks) {}
-  /// The state that M409 tells: "idle".
+  /// The state that M409 reports: "idle".
   void setStatus(const std::string& status) { status_ = status; }
 
  private:

@@ -11,19 +11,19 @@
 
 namespace lamina {
 
-/// A print server before an emulated printer: requests in, responses out, in the time it is told.
+/// A print server with an emulated printer, which answers requests by responses. The printer's time is given.
 class EmulatedPrintServer {
  public:
   virtual ~EmulatedPrintServer() = default;
 
   /// @param body  of the request, whole
   virtual HttpResponse answer(const HttpRequest& request, std::string_view body) = 0;
-  /// Its sessions are forgotten.
+  /// Ends all sessions.
   virtual void forgetSessions() {}
 
   EmulatedPrinter printer;
-  std::string password;           ///< or key; empty for none
-  bool has_just_started = false;  ///< and has not found its printer yet (Moonraker)
+  std::string password;           ///< password or key; empty for none
+  bool has_just_started = false;  ///< it was just started, and has not found its printer yet (Moonraker)
 };
 
 std::unique_ptr<EmulatedPrintServer> makeEmulatedMoonraker();
@@ -32,7 +32,7 @@ std::unique_ptr<EmulatedPrintServer> makeEmulatedDuetWithComputer();
 
 /// The value of a key in the query of a target, decoded; empty if there is none.
 std::string queryValue(const std::string& target, const std::string& key);
-/// A path or value of a URL in plain text; as it is where a % is followed by no two digits.
+/// A path or value of a URL, decoded. A % that is not followed by two digits stays unchanged.
 std::string decodedFromUrl(std::string_view text);
 /// The value of a header, whose name may be in any case; empty if there is none.
 std::string headerValue(const HttpRequest& request, const std::string& name);

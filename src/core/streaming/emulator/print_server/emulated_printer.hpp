@@ -9,8 +9,8 @@
 
 namespace lamina {
 
-/// A printer that prints files of its own, without a machine: lines are run at a steady pace in the time it
-/// is told. What print servers show of it is theirs.
+/// A printer that prints its own files, without a machine: it runs lines at a steady pace in the given time.
+/// Print servers decide what they report of it.
 class EmulatedPrinter {
  public:
   enum class State : std::uint8_t { Idle, Printing, Paused };
@@ -18,7 +18,7 @@ class EmulatedPrinter {
 
   std::map<std::string, std::string> files = {};  ///< by name below the folder of programs
   double lines_per_s = 100.0;
-  double queue_s = 0.0;  ///< how long motions go on after the last line that was run
+  double queue_s = 0.0;  ///< time that motions go on after the last line was run
   double nozzle_target_c = 0.0;
   double bed_target_c = 0.0;
   bool is_halted = false;
@@ -37,9 +37,9 @@ class EmulatedPrinter {
   void breakDown();
   /// Forgets everything but the files.
   void restart();
-  /// A command of somebody's: kept in `changes` or `unknown`.
+  /// Takes a command from outside the print: kept in `changes` or `unknown`.
   void change(const std::string& command);
-  /// Motions of somebody else.
+  /// Moves for another reason than the print.
   void moveFor(double duration_s) { moving_until_ = now_ + duration_s; }
   /// Shuts itself down.
   void halt();
@@ -47,7 +47,7 @@ class EmulatedPrinter {
 
   State state() const { return state_; }
   Outcome outcome() const { return outcome_; }
-  /// As Klipper's idle timer tells it: for ever once the machine has shut itself down in the middle of a
+  /// Whether it moves, by Klipper's idle timer, which reports motion for ever after a shutdown during a
   /// motion.
   bool isMoving() const { return state_ == State::Printing || now_ < moving_until_; }
   const std::string& file() const { return file_; }     ///< printed now or last

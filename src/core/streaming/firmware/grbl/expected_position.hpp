@@ -12,23 +12,24 @@
 
 namespace lamina {
 
-/// Where a program leaves the machine, in the coordinates of the work, axis by axis: known where the axis was
-/// sent to an absolute place since anything that moves the coordinates.
+/// The position to which a program leads the machine, axis by axis, in work coordinates. An axis is known if
+/// it was moved to an absolute position after the last change of coordinates.
 class ExpectedPosition {
  public:
-  /// @param modes  answer to `$G`; empty if there is none, and then nothing is ever known
+  /// @param modes  answer to `$G`; if empty no axis is ever known
   explicit ExpectedPosition(std::string_view modes);
 
-  /// A line of the program that was sent.
+  /// Takes a line of the program that was sent.
   void follow(std::string_view command);
 
-  /// Axis by axis [mm]; nothing where unknown.
+  /// The position axis by axis [mm]; none where unknown.
   const std::array<std::optional<double>, 3>& places() const { return axes_; }
-  /// Whether an axis is known, and the machine stands where all of these are.
+  /// Whether an axis is known, and the machine is at the position of all known axes.
   bool isAt(const GrblAxes& work, double tolerance_mm) const;
 
-  /// What the machine's place contradicts, as "X is 3.000 mm; expected 4.000 mm"; empty if nothing.
-  /// @param work  [mm]
+  /// How the machine's position contradicts this, as "X is 3.000 mm; expected 4.000 mm"; empty if it does
+  /// not.
+  /// @param work  position of the machine [mm]
   std::string contradictionBy(const GrblAxes& work) const;
 
  private:

@@ -23,7 +23,7 @@
 
 namespace lamina {
 
-/// Streams to grbl and its kin, which answer each line once and in order, and to '?' at any time.
+/// Streams to grbl and its kin, which answer each line once, in order, and '?' at any time.
 class GrblJob final : public StreamJob {
  public:
   explicit GrblJob(StreamOrder order);
@@ -45,14 +45,14 @@ class GrblJob final : public StreamJob {
   std::vector<PackmlState> takeStateChanges() override { return record_.takeStateChanges(); }
 
  private:
-  /// What is being waited for.
+  /// What the job waits for.
   enum class Phase {
     Idle,      ///< nothing
-    Starting,  ///< a machine that is idle and says what it is
-    Locating,  ///< the place of a machine that has lived on
-    Checking,  ///< the rest of the program to be compared with what the machine knows
+    Starting,  ///< the machine to be idle and identified
+    Locating,  ///< the position of a machine whose job is resumed
+    Checking,  ///< the check of the program's rest against the machine's abilities
     Feeding,   ///< answers to the lines under way
-    Proving,   ///< the answer to a question behind the last line
+    Proving,   ///< the answer to a question after the last line
     Resting,   ///< the end of all motions
     Stopping,  ///< the safe stop to be confirmed
     Offline,   ///< the link to come back, for the safe stop

@@ -9,7 +9,7 @@
 
 namespace lamina {
 
-/// What a machine says of itself before a job.
+/// The description of a machine by its answers before a job.
 struct GrblMachine {
   GrblDialect dialect = GrblDialect::Grbl;
   std::string version;                    ///< "1.1h.20190830"
@@ -24,7 +24,7 @@ struct GrblMachine {
   std::string name() const;
   bool hasOption(char letter) const { return options.find(letter) != std::string::npos; }
 
-  /// Takes what it says to `$I`, `$G` and `$$`.
+  /// Takes an answer to `$I`, `$G` or `$$`.
   void learn(const GrblReply& reply);
 };
 

@@ -10,21 +10,20 @@
 
 namespace lamina {
 
-/// The overrides of grbl on their way to what a person has asked for: a byte for each at a time, and the next
-/// once the machine has reported what the last one did. grbl takes equal bytes that come between two of its
-/// looks for one, so that several at once would lead anywhere.
+/// Changes the overrides of grbl to requested values. It sends one byte for each at a time, and the next one
+/// when the machine has reported the effect. grbl may take several equal bytes for one, so that sending them
+/// together would give an unknown value.
 class GrblOverrides {
  public:
   /// @return why it is refused, in words; empty if it is taken
   std::string set(const LiveChange& change, double now);
-  /// What the machine reports, which it does after a change and now and then.
+  /// Takes the values that the machine reports, after a change and at intervals.
   void hear(const GrblPercents& reported, double now);
-  /// The bytes to send next; empty where a report is to be waited for.
+  /// The bytes to send next; empty while a report is due.
   std::string takeBytes();
-  /// Whether the machine is to be asked more often than usual.
+  /// Whether a change is under way, so that the machine is to be polled more often.
   bool isUnderWay() const { return feed_ || rapid_ || spindle_; }
-  /// Gives up on a machine that reports none for five seconds, or has not become what was asked for
-  /// within 30.
+  /// Gives up if the machine reports no overrides for five seconds, or has not reached the values within 30.
   /// @return what was not reached, in words; empty if nothing is given up
   std::string giveUp(double now);
 

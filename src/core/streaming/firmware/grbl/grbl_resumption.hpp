@@ -11,18 +11,18 @@
 
 namespace lamina {
 
-/// Where a program goes on at a machine that has lived on.
+/// The line at which a program is resumed on a machine that was not reset.
 struct GrblResumption {
-  std::uint64_t line = 0;  ///< the last one that was certainly run, as the machine's place shows
+  std::uint64_t line = 0;  ///< the last one that was certainly run, by the machine's position
   ExpectedPosition expected{""};
-  std::string refusal;  ///< why it cannot be told; empty if it can
+  std::string refusal;  ///< why the line is not certain; empty if it is
 };
 
-/// The line whose end the machine stands at, of those that may have been the last one taken. grbl counts no
-/// lines: it can be told where exactly one place of these is the machine's, and where what comes behind it
-/// without a motion may be run a second time.
+/// Finds the line at whose end the machine stands, among those that may have been the last one taken. grbl
+/// counts no lines, so the line is certain only if exactly one of them ends at the machine's position, and
+/// the lines after it without a motion may be run twice.
 /// @param modes  the machine's answer to `$G`
-/// @param work   where it is idle, in the coordinates of the work [mm]
+/// @param work   position of the idle machine in work coordinates [mm]
 /// @throws FileError if the program is gone
 GrblResumption resumptionOf(const StreamableProgram& program, const UnfinishedLines& unfinished,
                             std::string_view modes, const GrblAxes& work);

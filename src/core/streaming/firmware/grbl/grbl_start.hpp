@@ -12,8 +12,8 @@
 
 namespace lamina {
 
-/// What is done with a machine before a job: waits until it is idle, unlocks it if that was asked for, and
-/// asks what it is. Changes nothing else.
+/// Prepares a machine for a job: waits until it is idle, unlocks it if the settings say so, and identifies
+/// it. It changes nothing else.
 class GrblStart {
  public:
   explicit GrblStart(const StreamSettings& settings) : settings_(settings) {}
@@ -25,9 +25,9 @@ class GrblStart {
   std::string takeOutput();
 
   bool isReady() const { return step_ == Step::Ready; }
-  /// Whole once it is ready.
+  /// The machine, complete when ready.
   const GrblMachine& machine() const { return machine_; }
-  /// Why the job cannot be.
+  /// Why the job is refused, if it is.
   const std::optional<Failure>& failure() const { return failure_; }
 
  private:

@@ -8,15 +8,15 @@
 
 namespace lamina {
 
-/// The safe stop of grbl: a feed hold, so that the axes slow down without losing steps; when they are at rest
-/// a reset, which forgets all lines and ends spindle, laser and coolant; then a greeting, and a report that
-/// says so.
+/// The safe stop of grbl. A feed hold slows the axes down without losing steps. When they are at rest, a
+/// reset discards all lines and switches off spindle, laser and coolant. The greeting and a report after it
+/// confirm the stop.
 class GrblStop {
  public:
   /// Whether anything may still move.
   enum class Motion { Possible, EndedByAlarm };
 
-  /// @param timeout_s  of which one half is for slowing down, before the machine is reset whatever it does
+  /// @param timeout_s  half of it is for slowing down; the machine is then reset in any case
   GrblStop(Motion motion, double timeout_s, double now);
 
   void hear(const GrblReply& reply, double now);
@@ -25,7 +25,7 @@ class GrblStop {
   std::string takeOutput();
 
   bool isConfirmed() const { return is_confirmed_; }
-  /// What has to be known of a stop that did not go as it should; for the end of a message.
+  /// Remark on a stop that did not go as planned, for the end of a message.
   std::string remark() const;
 
  private:

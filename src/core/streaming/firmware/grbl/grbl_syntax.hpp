@@ -9,12 +9,12 @@
 
 namespace lamina {
 
-/// What all of grbl's kin would refuse or misread in a command; empty if nothing is.
-/// @param longest  [characters]; 0 for the most that any of them takes
+/// What every firmware of grbl's kin would refuse or misread in a command; empty if nothing.
+/// @param longest  longest line [characters]; 0 for the longest of any of them
 std::string defectForAllGrbl(std::string_view command, int longest);
 
-/// What this machine would refuse or misread in a command, as far as it can be known without the lines
-/// before; empty if nothing is. Of grblHAL and FluidNC, which boards extend, only what none of them takes.
+/// What this machine would refuse or misread in a command, as far as it is known without the lines before;
+/// empty if nothing. For grblHAL and FluidNC, which boards extend, it names only what no board takes.
 std::string defectForGrbl(std::string_view command, const GrblMachine& machine);
 
 }  // namespace lamina

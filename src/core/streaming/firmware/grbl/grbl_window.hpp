@@ -10,12 +10,12 @@
 
 namespace lamina {
 
-/// The lines sent and not yet answered, counted by their characters, which is how much of the receive buffer
-/// they may fill.
+/// The lines sent and not yet answered, with their number of characters, the most that they fill of the
+/// receive buffer.
 class GrblWindow {
  public:
   struct Line {
-    std::uint64_t number = 0;  ///< of the program; 0 if it is a question of ours
+    std::uint64_t number = 0;  ///< of the program; 0 for a question of the streamer
     std::string command;
   };
 
@@ -30,7 +30,7 @@ class GrblWindow {
     if (line.number == 0) ++questions_;
     lines_.push_back(std::move(line));
   }
-  /// The first line was answered.
+  /// Removes the first line, which was answered.
   Line take() {
     Line line = std::move(lines_.front());
     lines_.pop_front();

@@ -19,7 +19,7 @@ struct GrblWord {
   int tenfold() const { return static_cast<int>(std::lround(10.0 * value)); }
 };
 
-/// The words of a line of G-code, read as grbl reads them: blanks do not count, letters may be small.
+/// The words of a line of G-code as grbl reads them: blanks are ignored, letters may be in lower case.
 class GrblWords {
  public:
   const GrblWord* begin() const { return words_.data(); }

@@ -10,7 +10,8 @@
 
 namespace lamina {
 
-/// Klipper at its pseudo-terminal. It leaves line numbers and checksums out unread: lines go without.
+/// The protocol of Klipper at its pseudo-terminal. Klipper ignores line numbers and checksums, so lines are
+/// sent without them.
 class KlipperFirmware final : public OkPacedFirmware {
  public:
   bool isSpokenBy(std::string_view firmware_name) const override;

@@ -10,17 +10,16 @@
 
 namespace lamina {
 
-/// What a line of Klipper means: "!! " is an error of a command, "// " everything else that it has to say.
+/// Parses a line of Klipper: "!! " begins an error of a command, "// " any other message.
 PacedReply readKlipperReply(std::string_view line);
 
-/// Makes Klipper say a number.
+/// The command that makes Klipper send a number.
 std::string klipperQuestion(std::uint64_t number);
 
-/// What Klipper would misread of a command; empty if nothing.
+/// What Klipper would misread in a command; empty if nothing.
 std::string klipperDefectOf(std::string_view command, int max_line_bytes);
 
-/// Whether a command is of the form of Klipper's own and its macros': a name instead of a letter and a
-/// number.
+/// Whether a command has the form of Klipper's own commands and macros: a name, not a letter and a number.
 bool isExtendedCommand(std::string_view command);
 
 }  // namespace lamina

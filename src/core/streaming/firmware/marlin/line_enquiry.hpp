@@ -14,13 +14,13 @@
 
 namespace lamina {
 
-/// Finds out how many lines of an unfinished job the firmware has taken, and changes nothing in it.
+/// Finds out how many lines of an unfinished job the firmware has taken, without changing anything in it.
 ///
-/// What an earlier session was just sending may stand in the firmware's line buffer without its end. So the
-/// buffer is emptied first: backspaces take away what they reach, and an end of line makes the rest a line
-/// without a checksum, which is refused, or completes one that lacked only its end. Then the name is asked
-/// for: its answer comes after the oks of all lines that are still queued, which are nobody's any more. Last
-/// comes a number that must be wrong.
+/// First it empties the firmware's line buffer, which may hold the beginning of a line of the earlier
+/// session. Backspaces erase what they reach; an end of line makes the rest a line without checksum, which is
+/// refused, or completes a line that lacked only its end. Then it asks for the firmware's name, whose answer
+/// comes after the oks of all lines that were still queued. Last it sends a line with a wrong number, to
+/// which the firmware replies by requesting the line that it lacks.
 class LineEnquiry {
  public:
   LineEnquiry(const StreamOrder& order, std::shared_ptr<const MarlinFirmware> firmware);
@@ -33,7 +33,7 @@ class LineEnquiry {
 
   /// Number of the last line taken, once it is known.
   const std::optional<std::uint64_t>& taken() const { return taken_; }
-  /// Why it cannot be known, or must not be gone on from; Ok while neither is so.
+  /// Why the number cannot be known, or the job must not be resumed from it; Ok otherwise.
   const Failure& failure() const { return failure_; }
 
  private:

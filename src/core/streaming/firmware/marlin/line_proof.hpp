@@ -8,22 +8,22 @@
 
 namespace lamina {
 
-/// What is known of the lines that the firmware has run, to find a reset whose greeting was not seen: then it
-/// asks for lines that it must have run. An ok alone proves little, since noise may have made one of the
-/// answer to a line that was refused.
+/// Detects a reset of the firmware whose greeting was not seen: it then requests lines that it must have run
+/// already. An ok alone is no proof of a line, since noise may have turned the answer to a refused line into
+/// one.
 class LineProof {
  public:
-  /// The firmware asks for this line, so that it has those before.
+  /// States that the firmware requests this line, so that it has those before.
   void asked(std::uint64_t line);
-  /// The ok of a line came.
+  /// States that the ok of a line has arrived.
   void acknowledged();
-  /// Makes allowance for oks that are taken for those of lines which the firmware has not run.
+  /// Allows for that number of oks that were counted for lines which the firmware has not run.
   void doubt(int stray_oks);
-  /// Doubts where noise may have made the reply of a request to resend, whose ok then counts for a line.
+  /// Allows for a reply that noise may have made of a request to resend, whose ok then counts for a line.
   void hear(const FirmwareReply& reply);
 
-  /// Whether the firmware asks for a line that it must have run: it was reset and counts anew, or noise has
-  /// changed the number.
+  /// Whether the firmware requests a line that it must have run already: it was reset, or noise has changed
+  /// the number.
   /// @param taken  the last line acknowledged
   bool contradicts(std::uint64_t wanted, std::uint64_t taken) const;
 

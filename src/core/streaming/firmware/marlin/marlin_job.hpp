@@ -25,7 +25,7 @@
 
 namespace lamina {
 
-/// Streams to firmware that numbers lines and asks for those it lacks.
+/// Streams to firmware that counts lines and requests missing ones again.
 class MarlinJob final : public StreamJob {
  public:
   MarlinJob(StreamOrder order, std::shared_ptr<const MarlinFirmware> firmware);
@@ -47,17 +47,17 @@ class MarlinJob final : public StreamJob {
   std::vector<PackmlState> takeStateChanges() override { return record_.takeStateChanges(); }
 
  private:
-  /// What is being waited for.
+  /// What the job waits for.
   enum class Phase {
     Idle,         ///< nothing
-    Enquiring,    ///< which line of an unfinished job the firmware has
-    Identifying,  ///< who is there
+    Enquiring,    ///< the last line of an unfinished job that the firmware has
+    Identifying,  ///< the name of the firmware
     Numbering,    ///< the firmware to count lines from base_ on, and to report so
     Confirming,   ///< the answers due from before, so that none is taken for that of a line
     Reporting,    ///< the ok to each of reports_
     Feeding,      ///< answers to the lines under way
     Changing,     ///< the ok to the first of changes_
-    Probing,      ///< which line the firmware has
+    Probing,      ///< the last line that the firmware has
     Draining,     ///< the end of all motions, or of all heating
     Offline,      ///< the link to come back, for the safe stop
   };
@@ -79,7 +79,8 @@ class MarlinJob final : public StreamJob {
   void onNotDone(const FirmwareReply& reply);
   void onIdentity(const FirmwareReply& reply, double now);
 
-  /// What is sent while the firmware still refuses a probe would lose its head.
+  /// Nothing is sent for a while: the firmware, refusing a probe, would discard the beginning of the next
+  /// line.
   void awaitProbes(double now) { settle_until_ = unanswered_probes_ > 0 ? now + settings_.settle_s : 0.0; }
   void identify(double now) {
     beginPhase(Phase::Identifying, now);
@@ -154,7 +155,7 @@ class MarlinJob final : public StreamJob {
   bool is_asking_again_ = false;       ///< a request that contradicts what is known is being verified
   bool expects_ok_of_resend_ = false;  ///< firmware says ok after a request to resend
   double settle_until_ = 0.0;          ///< nothing is sent while stale lines may be answered; 0 if none is
-  bool must_send_one_ = false;  ///< whatever the window, or a full one of discarded lines would wait for ever
+  bool must_send_one_ = false;  ///< despite a full window of discarded lines, which would wait for ever
   std::uint64_t rewound_to_ = 0;
   int unanswered_probes_ = 0;
   int answers_due_ = 0;  ///< oks to what has no number and was sent before the first line

@@ -15,13 +15,13 @@ struct SentLine {
   std::size_t bytes = 0;
   bool is_blocking = false;  ///< may take the machine long
   bool is_resent = false;    ///< was sent before
-  bool is_stale = false;  ///< sent after one that was lost: it can only be refused, or was discarded unseen
+  bool is_stale = false;     ///< sent after a lost one: it is refused, or was discarded without an answer
 };
 
-/// Lines sent and not yet answered, oldest first. The firmware answers each line it reads once, in order, by
-/// an ok or by a request to resend; but answers get lost and lines are discarded, so that each answer is
-/// matched to the line that explains it best. What is matched wrongly costs time and never a line: the
-/// firmware counts them.
+/// Lines sent and not yet answered, oldest first. The firmware answers each line that it reads once, in
+/// order, by an ok or by a request to resend. Since answers get lost and lines are discarded, each answer is
+/// matched to the line that explains it best. A wrong match costs time but never a line, since the firmware
+/// counts lines.
 class SentLines {
  public:
   void add(const SentLine& line);
@@ -34,19 +34,19 @@ class SentLines {
 
   bool hasStale() const;
 
-  /// An ok: the oldest line is done.
+  /// Takes an ok: the oldest line is done.
   /// @return its number; nothing if it was stale, or there is none
   std::optional<std::uint64_t> acknowledge();
-  /// An ok with a number: every line up to that one is done.
+  /// Takes an ok with a number: every line up to that one is done.
   void acknowledgeUpTo(std::uint64_t number);
 
-  /// A request that was heard before: the refusal of the first stale line.
+  /// Takes a repeated request as the refusal of the first stale line.
   /// @return false if no line is stale
   bool absorbRefusal();
-  /// The firmware has the lines before `wanted` and asks for that one: what was sent from there on has become
-  /// stale.
+  /// Takes a request for line `wanted`: the firmware has the lines before it, and those sent from there on
+  /// are stale.
   void refuse(std::uint64_t wanted);
-  /// The stale lines were discarded unseen: no answer to them will come.
+  /// Removes the stale lines, to which no answer will come.
   void dropStale();
 
  private:

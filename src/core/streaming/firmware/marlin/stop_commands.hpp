@@ -10,21 +10,20 @@
 
 namespace lamina {
 
-/// What stops the machine without waiting for the numbering to be agreed on, with ends of lines: firmware
-/// that is busy heating may not answer for minutes, but runs these as soon as it can. What fits into its
-/// receive buffer, the most dangerous first.
+/// Commands, with ends of lines, that stop the machine without line numbers. Firmware that is heating may not
+/// answer for minutes, but runs these as soon as it can. They fit into its receive buffer, those for the
+/// greatest danger first.
 std::string urgentStop(const MarlinFirmware& firmware, const UsedOutputs& outputs,
                        const StreamSettings& settings);
 
-/// The lines of a safe stop: motions end, and all is turned off that the program has turned on.
+/// The lines of a safe stop: they end motions and switch off all that the program has switched on.
 std::vector<std::string> safeStop(const MarlinFirmware& firmware, const UsedOutputs& outputs,
                                   const StreamSettings& settings);
 
-/// Turns on the reports that the settings ask for; the last one first.
+/// Commands that switch on the reports of the settings, in reverse order.
 std::vector<std::string> reportsOn(const MarlinFirmware& firmware, const StreamSettings& settings);
 
-/// Turns the reports off that the job has turned on: whoever talks to the machine next shall not find it
-/// talking by itself.
+/// Commands that switch off these reports, so that the machine sends none after the job.
 std::vector<std::string> reportsOff(const MarlinFirmware& firmware, const StreamSettings& settings);
 
 }  // namespace lamina

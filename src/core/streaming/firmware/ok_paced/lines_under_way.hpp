@@ -12,13 +12,13 @@ namespace lamina {
 
 /// A command that was sent and is not yet answered.
 struct PacedCommand {
-  std::uint64_t line = 0;      ///< of the program; 0 if it is none of it
+  std::uint64_t line = 0;      ///< of the program; 0 for any other command
   std::uint64_t question = 0;  ///< its identity; 0 if it is no question
   std::size_t bytes = 0;
   bool is_blocking = false;  ///< may take the machine long
 };
 
-/// What is sent and not yet answered, oldest first, by firmware that answers in order.
+/// Commands sent and not yet answered, oldest first, for firmware that answers in order.
 class LinesUnderWay {
  public:
   void add(const PacedCommand& command) { commands_.push_back(command); }
@@ -30,7 +30,7 @@ class LinesUnderWay {
     for (const PacedCommand& command : commands_) sum += command.bytes;
     return sum;
   }
-  /// Lines of the program among them.
+  /// Number of lines of the program among them.
   std::size_t lines() const {
     return static_cast<std::size_t>(std::count_if(commands_.begin(), commands_.end(),
                                                   [](const auto& command) { return command.line > 0; }));
@@ -46,17 +46,17 @@ class LinesUnderWay {
                                    [](const auto& command) { return command.line > 0; });
     return line == commands_.end() ? 0 : line->line;
   }
-  /// Whether the answer that comes next is that to a line of the program.
+  /// Whether the next answer is that to a line of the program.
   bool isLineNext() const { return !commands_.empty() && commands_.front().line > 0; }
 
-  /// The oldest is answered.
+  /// Removes the oldest one, which was answered.
   std::optional<PacedCommand> takeOldest() {
     if (commands_.empty()) return std::nullopt;
     const PacedCommand oldest = commands_.front();
     commands_.pop_front();
     return oldest;
   }
-  /// Whether a question is under way, so that all before it were read where nothing is lost.
+  /// Whether a question is under way; its answer shows that all before it were read, if nothing is lost.
   bool hasQuestion(std::uint64_t question) const {
     return std::any_of(commands_.begin(), commands_.end(),
                        [question](const auto& command) { return command.question == question; });

@@ -11,32 +11,31 @@
 
 namespace lamina {
 
-/// Whether a command was run, as the machine's position tells.
+/// Whether a command was run, by the machine's position.
 enum class RunEvidence : std::uint8_t {
   Ran,
   DidNotRun,
-  None,  ///< the command does not show, or the position is neither that before nor that behind it
+  None,  ///< the position does not show it, or is neither that before nor that after it
 };
 
-/// Follows the position that G-code leads to, as far as it can be told, to see by the machine's whether a
-/// command was run. Coordinates are in program units, as the firmware counts them; what is not known is left
-/// open.
+/// Follows the position to which G-code leads, as far as it is known, to tell by the machine's position
+/// whether a command was run. Coordinates are in program units, as the firmware counts them.
 class MotionTracker {
  public:
-  /// The machine's position is known.
+  /// Sets the machine's position.
   void locate(const ReportedPosition& position);
-  /// Whether it needs the position to tell later if this command was run.
+  /// Whether the position must be known before this command, to tell later if it was run.
   bool needsPosition(std::string_view command) const;
-  /// The command goes out: what it leads to is worked out.
+  /// Computes the position to which a command leads that is about to be sent.
   void expect(std::string_view command);
-  /// The command given last was run.
+  /// States that the last command was run.
   void confirm() { now_ = next_; }
 
-  /// Whether the command given last was run, if this is where the machine is.
+  /// Whether the last command was run, if the machine is at that position.
   RunEvidence evidence(const ReportedPosition& found) const;
-  /// Whether a second run of the command given last, at once after the first, changes nothing.
+  /// Whether running the last command twice in a row is the same as once.
   bool isRepeatable() const { return is_repeatable_; }
-  /// How long the command given last may take as a motion [s]; 0 if it is none or cannot be told.
+  /// Time that the motion of the last command may take [s]; 0 if it has none or it is not known.
   double seconds() const { return seconds_; }
 
  private:

@@ -16,7 +16,7 @@
 
 namespace lamina {
 
-/// The answer to a question that carries an identity, so that it cannot be taken for that of another.
+/// The answer to a numbered question, which cannot be mistaken for that to another one.
 struct SyncAnswer {
   std::uint64_t question = 0;
   std::optional<ReportedPosition> position;  ///< of the last motion taken, if it was asked for
@@ -26,11 +26,11 @@ struct SyncAnswer {
 struct PacedReply {
   FirmwareReply reply;
   bool is_refusal = false;                ///< the command under way was not run, or not to its end
-  std::optional<bool> are_heaters_off;    ///< nothing if the line does not tell
-  std::optional<SyncAnswer> sync_answer;  ///< nothing if the line is none
+  std::optional<bool> are_heaters_off;    ///< none if the line does not state it
+  std::optional<SyncAnswer> sync_answer;  ///< none if the line is no such answer
 };
 
-/// What the firmware's answer to a question of the opening means.
+/// The meaning of the firmware's answer to a question of the opening.
 struct OpeningVerdict {
   enum class Kind : std::uint8_t {
     Suits,
@@ -41,45 +41,47 @@ struct OpeningVerdict {
   std::string why;  ///< unless it suits
 };
 
-/// Firmware that answers each line it reads by one `ok`, in order, and asks for none again. What is common to
-/// such firmware is the job (`OkPacedJob`); what differs is here. Commands are lines without number and end.
+/// The protocol of firmware that answers each line by one `ok`, in order, and requests none again.
+/// `OkPacedJob` is common to all such firmware; the differences are here. Commands are lines without number
+/// and end of line.
 class OkPacedFirmware : public FirmwareProtocol, public std::enable_shared_from_this<OkPacedFirmware> {
  public:
   bool canRevise() const override { return true; }
   std::unique_ptr<StreamJob> begin(StreamOrder order) const override;
 
-  /// A command as it goes out, with its end of line.
+  /// A command as it is sent, with its end of line.
   virtual std::string framed(std::uint64_t number, std::string_view command) const = 0;
-  /// What a line of the firmware means. Nothing is refused: an unknown line is Information.
+  /// Parses a line of the firmware. Any line is accepted; an unknown one is Information.
   virtual PacedReply read(std::string_view line) const = 0;
 
   /// The questions to be answered before the first line, in order.
   virtual std::vector<std::string> opening(LinkKind link) const = 0;
-  /// @param lines  what the firmware has said to that question, up to its ok
+  /// Judges the answer to a question of the opening.
+  /// @param lines  of the firmware after that question, up to its ok
   virtual OpeningVerdict judge(const std::string& question, const std::vector<std::string>& lines) const = 0;
 
-  /// A harmless command that makes the firmware say this number; on a lossy link its position too.
+  /// A harmless command that makes the firmware send this number, and on a lossy link its position.
   virtual std::string question(std::uint64_t number, LinkKind link) const = 0;
-  /// Whether the firmware may say nothing for long while it runs a command.
+  /// Whether the firmware may be silent for long while it runs a command.
   virtual bool isBlocking(std::string_view command) const = 0;
-  /// Whether the firmware refuses damaged lines, so that it may be spoken to over a lossy link.
+  /// Whether the firmware refuses damaged lines, so that a lossy link may be used.
   virtual bool detectsDamage() const = 0;
 
-  /// Changes how it prints.
+  /// The command for a change of the running job.
   virtual ChangeCommand changed(const LiveChange& change, const StreamableProgram& program) const = 0;
 
-  /// Turns off what heats or turns.
+  /// Commands that switch off all that heats or turns.
   /// @param temperatures  the last report of these, which names the tools; may be empty
   virtual std::vector<std::string> switchOff(const std::string& temperatures) const = 0;
   /// A command that halts the machine at once, whatever it waits for; empty if there is none.
   virtual std::string emergencyStop() const { return {}; }
-  /// How many commands may wait for their answers so that it still hears that one.
+  /// Most commands without an answer with which the firmware still reads `emergencyStop`.
   virtual std::size_t mostUnanswered() const { return std::numeric_limits<std::size_t>::max(); }
-  /// What is known of a machine that has halted by itself.
+  /// Message on the state of a machine that has halted by itself.
   virtual std::string afterHalt() const = 0;
-  /// The question of the opening that tells why it has halted; empty if there is none.
+  /// The question of the opening whose answer states why it has halted; empty if there is none.
   virtual std::string reasonOfHalt() const = 0;
-  /// What is known of a machine that starts anew; empty if it takes commands.
+  /// Message on the state of a machine that has restarted; empty if it takes commands.
   virtual std::string afterRestart() const = 0;
 };
 

@@ -24,11 +24,11 @@
 
 namespace lamina {
 
-/// Streams to firmware that says `ok` to each line and asks for none again.
+/// Streams to firmware that answers `ok` to each line and requests none again.
 ///
-/// Where nothing is lost, the oks are counted, and a question that carries an identity says that all before
-/// it was read: when oks stay away, and at the end. Where lines get lost one is under way, and when its ok
-/// stays away the machine's position decides whether it ran; where that cannot be told, the job ends.
+/// On a reliable link oks are counted. When oks are missing, and at the end, the answer to a numbered
+/// question shows that all lines before it were read. On a lossy link only one line is under way. If its ok
+/// is missing, the machine's position decides whether it was run; if that is not certain, the job ends.
 class OkPacedJob final : public StreamJob {
  public:
   OkPacedJob(StreamOrder order, std::shared_ptr<const OkPacedFirmware> firmware);
@@ -58,11 +58,11 @@ class OkPacedJob final : public StreamJob {
     Stopping,  ///< confirmation of the safe stop
     Offline,   ///< the link to come back, for the safe stop
   };
-  /// What the answer to the last question is for.
+  /// What the answer to the last question decides.
   enum class Aim {
     Begin,  ///< the first line
     Doubt,  ///< whether the line under way ran
-    Base,   ///< where the machine is before the next line
+    Base,   ///< the machine's position before the next line
     End,    ///< that all was read
   };
   enum class StopStage {

@@ -8,24 +8,24 @@
 
 namespace lamina {
 
-/// How many commands of any kind firmware that answers in order still has to answer. An answer that was lost
-/// is made up for by that to a question behind it.
+/// Counts the commands that firmware which answers in order has not answered yet. The answer to a question
+/// makes up for lost answers to commands before it.
 class UnansweredCommands {
  public:
   void sent() { ++sent_; }
-  /// The command sent last is a question.
+  /// States that the command sent last is a question.
   void isQuestion(std::uint64_t question) {
     question_ = question;
     sent_at_question_ = sent_;
   }
 
-  /// One was answered by its ok.
+  /// States that one was answered by its ok.
   void onOk() { answered_ = std::min(answered_ + 1, sent_); }
-  /// A question was answered; its ok is to come.
+  /// States that a question was answered; its ok is still to come.
   void onAnswer(std::uint64_t question) {
     if (question == question_ && question > 0) answered_ = std::max(answered_, sent_at_question_ - 1);
   }
-  /// Whoever had them has forgotten them.
+  /// States that the firmware has discarded them all.
   void forget() { answered_ = sent_; }
 
   std::size_t count() const { return sent_ - answered_; }

@@ -10,22 +10,22 @@
 
 namespace lamina {
 
-/// The cyclic redundancy check of a line, over everything from its 'N' to before its '*': 16 bits, polynomial
-/// 0x1021, from 0, not reflected (CRC-16/XMODEM) [RepRapFirmware 3.5, GCodeBuffer/StringParser].
+/// The cyclic redundancy check of a line from its 'N' up to its '*', excluded: 16 bits, polynomial 0x1021,
+/// initial value 0, not reflected (CRC-16/XMODEM) [RepRapFirmware 3.5, GCodeBuffer/StringParser].
 std::uint16_t reprapCrc(std::string_view text);
 
-/// "N<number> <command>*<five digits>\n": five digits make the firmware take them for the check above instead
-/// of an exclusive or.
+/// "N<number> <command>*<five digits>\n". By the five digits the firmware knows the check above from an
+/// exclusive or.
 std::string reprapFrame(std::uint64_t number, std::string_view command);
 
-/// What a line of RepRapFirmware means, in its emulation of Marlin (USB, telnet).
+/// Parses a line of RepRapFirmware in its emulation of Marlin (USB, telnet).
 PacedReply readReprapReply(std::string_view line);
 
-/// Makes RepRapFirmware say a number and where the last motion it took leads to, twice, since its answers
-/// have no check.
+/// The command that makes RepRapFirmware send a number and the end of the last motion taken, twice, since its
+/// answers have no checksum.
 std::string reprapQuestion(std::uint64_t number, LinkKind link);
 
-/// What RepRapFirmware would misread of a command; empty if nothing.
+/// What RepRapFirmware would misread in a command; empty if nothing.
 std::string reprapDefectOf(std::string_view command, int max_line_bytes);
 
 }  // namespace lamina
