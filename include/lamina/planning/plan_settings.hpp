@@ -21,10 +21,9 @@ namespace lamina {
 /// Cross-section of the beads.
 struct BeadSettings {
   double width_mm = 0.4;
-  /// Between neighbouring beads of a solid fill, centre to centre; 0 takes that at which they fill the layer
-  /// exactly.
+  /// Centre distance of neighbouring beads in a solid fill; 0: that at which they fill the layer exactly.
   double pitch_mm = 0.0;
-  double flow = 1.0;  ///< factor on what is laid of the part; nothing moves by it
+  double flow = 1.0;  ///< factor on the volume of the part's beads; positions stay
 };
 
 enum class WallOrder { OutsideIn, InsideOut };
@@ -34,56 +33,57 @@ struct WallSettings {
   int count = 2;
   WallOrder order = WallOrder::InsideOut;
   double narrowest =
-      0.3;  ///< bead of a place too narrow for a loop, in pitches; thinner material is not printed
+      0.3;  ///< least width of a bead where no loop fits, in pitches; thinner places stay empty
 };
 
-/// How what the walls leave is filled.
+/// How the area inside the walls is filled.
 struct InfillSettings {
   std::string strategy = "zigzag";
   double density = 0.2;         ///< 1 is solid, 0 is none
-  double pitch_mm = 0.0;        ///< between neighbouring lines; 0 takes what the density asks for
-  int outer_layers = 0;         ///< so many first and last layers have a pitch of their own
+  double pitch_mm = 0.0;        ///< distance of neighbouring lines; 0: by the density
+  int outer_layers = 0;         ///< number of first and of last layers with a pitch of their own
   double outer_pitch_mm = 0.0;  ///< of those; 0 is solid
   double angle_deg = 45.0;
   double alternation_deg = 90.0;  ///< added from one layer to the next
-  double wall_overlap = 0.15;     ///< part of the bead width by which infill runs into the innermost wall
-  int every_layers = 1;           ///< sparse infill is laid in one of so many layers, as high as all of them
+  double wall_overlap = 0.15;     ///< overlap of infill with the innermost wall, in bead widths
+  int every_layers = 1;           ///< sparse infill is laid in one of this number of layers, at their height
   LineLinks links;                ///< of sparse infill
 };
 
-/// Solid layers where the part is seen from above or below, over a sparse infill of level or inclined layers.
+/// Solid layers where the part is visible from above or below, beside a sparse infill of level or inclined
+/// layers.
 struct SkinSettings {
-  int top_layers = 0;     ///< 0 with `top_mm` 0: none
+  int top_layers = 0;     ///< number; 0 with `top_mm` 0: none
   int bottom_layers = 0;  ///< the same
   double top_mm = 0.0;    ///< least thickness, in whole layers
   double bottom_mm = 0.0;
   std::string strategy = "zigzag";
-  double angle_deg = 45.0;  ///< of the first layer; turned by 90 deg from layer to layer
-  double narrowest = 1.0;   ///< bead widths; narrower places are no skin
-  double anchor_mm = -1.0;  ///< by which skins grow into the infill; -1 takes the thickness of the walls
+  double angle_deg = 45.0;         ///< of the first layer; turned by 90 deg from layer to layer
+  double narrowest = 1.0;          ///< in bead widths; narrower places are no skin
+  double anchor_mm = -1.0;         ///< by which skins extend into the infill; -1: the thickness of the walls
   double least_infill_mm2 = 15.0;  ///< smaller areas of infill become skin
-  bool is_monotonic = true;        ///< zigzags seen from above are laid in one sense across their lines
+  bool is_monotonic = true;        ///< lines of top skins are laid in one order across them
 };
 
-/// What is seen from above, passed over once more.
+/// A second pass over top skins.
 struct IroningSettings {
   bool is_used = false;
-  double flow = 0.15;       ///< share of the layer's height that is laid on what is passed over
-  double spacing_mm = 0.1;  ///< between neighbouring lines
-  double inset_mm = 0.2;    ///< between the lines and the border of the skin
+  double flow = 0.15;       ///< share of the layer's height that is laid in that pass
+  double spacing_mm = 0.1;  ///< distance of neighbouring lines
+  double inset_mm = 0.2;    ///< distance of the lines from the border of the skin
 };
 
-/// Whether anything is skin because it is seen from above.
+/// Whether there are top skins.
 inline bool hasTopSkins(const SkinSettings& settings) {
   return settings.top_layers > 0 || settings.top_mm > 0.0;
 }
 
-/// Whether there is a skin at all.
+/// Whether there are any skins.
 inline bool hasSkins(const SkinSettings& settings) {
   return hasTopSkins(settings) || settings.bottom_layers > 0 || settings.bottom_mm > 0.0;
 }
 
-/// Whether the density is 1, but for rounding.
+/// Whether the density is 1, within rounding.
 inline bool isSolid(const InfillSettings& settings) { return settings.density > 1.0 - 1e-6; }
 
 /// Whether any layer has lines of infill.
@@ -91,7 +91,7 @@ inline bool isFilled(const InfillSettings& settings) {
   return settings.density > 0.0 || settings.pitch_mm > 0.0 || settings.outer_layers > 0;
 }
 
-/// What becomes of voids that walls and infill leave.
+/// What is done about voids between walls and infill.
 enum class VoidRefill { None, Beads };
 
 struct VoidSettings {
@@ -102,13 +102,13 @@ struct VoidSettings {
 struct SkirtSettings {
   int count = 1;
   double distance_mm = 4.0;      ///< from part, brim, raft and supports
-  int layers = 1;                ///< that have it: all of them for a wind shield
-  double least_length_mm = 0.0;  ///< of its loops in the first layer: more are laid until it is reached
+  int layers = 1;                ///< number of layers with a skirt: all of them for a wind shield
+  double least_length_mm = 0.0;  ///< of its loops in the first layer; loops are added until it is reached
 };
 
-/// The wall alone of layers adapted to it.
+/// Walls of layers that are adapted to them.
 struct AdaptedWallSettings {
-  double contour_offset = 0.5;  ///< of the bead's middle from the part's surface, in bead widths
+  double contour_offset = 0.5;  ///< distance of the bead's middle from the part's surface, in bead widths
 };
 
 enum class SeamPlacement { Nearest, Aligned, Rear, Random };
@@ -118,11 +118,11 @@ struct SeamSettings {
   int seed = 1;  ///< of random placement
 };
 
-/// Where travels keep to.
+/// Where travels run.
 enum class Combing : std::uint8_t {
   None,    ///< straight
-  Inside,  ///< the inside of their island
-  NoSkin   ///< the same, but not over top skins
+  Inside,  ///< inside their island
+  NoSkin   ///< inside their island, but not over top skins
 };
 
 /// Which retracted travels hop.
@@ -135,10 +135,11 @@ struct TravelSettings {
   Hopping hop = Hopping::Always;
   Combing comb = Combing::None;
   double keep_off_mm = 0.2;       ///< between a combed bead and the outline
-  double comb_longest_mm = 30.0;  ///< longer ways inside are retracted
-  double comb_detour = 3.0;       ///< times the straight way; beyond, travels are straight and retracted
-  double wipe_mm = 0.0;           ///< along the run before, while retracting; 0 for none
-  double wipe_share = 0.7;        ///< of the retraction, which happens on that way
+  double comb_longest_mm = 30.0;  ///< longer combed travels are retracted
+  double comb_detour =
+      3.0;               ///< longest combed travel over the straight one; others are straight and retracted
+  double wipe_mm = 0.0;  ///< length of a wipe along the run before; 0 for none
+  double wipe_share = 0.7;  ///< share of the retraction that happens on it
 };
 
 struct FeedSettings {
@@ -148,7 +149,7 @@ struct FeedSettings {
   double skin_mm_s = 45.0;      ///< hidden skins, and those seen from below
   double top_skin_mm_s = 30.0;  ///< skins seen from above
   double bridge_mm_s = 20.0;    ///< bridges, and walls beside them
-  double ironing_mm_s = 20.0;   ///< what is passed over again
+  double ironing_mm_s = 20.0;   ///< second pass over top skins
   double skirt_mm_s = 40.0;     ///< brim, raft and priming too
   double support_mm_s = 60.0;
   double support_interface_mm_s = 40.0;
@@ -176,7 +177,7 @@ struct PlanSettings {
   FeedSettings feed;
   FirstLayerSettings first_layer;
   ToolSettings tools;
-  double simplification_mm = 0.005;  ///< how far a planned outline may leave the sliced one
+  double simplification_mm = 0.005;  ///< greatest distance of a planned outline from the sliced one
 };
 
 /// One wall and nothing inside it.

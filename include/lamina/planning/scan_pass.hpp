@@ -7,22 +7,22 @@
 
 namespace lamina {
 
-/// When and how finished layers are measured.
+/// When and how finished layers are scanned.
 struct ScanSettings {
-  int every_layers = 0;       ///< scan each n-th layer, and always the last; 0 scans none
-  double clearance_mm = 1.0;  ///< of the nozzle above the layer just finished, at least (see `scanHeight`)
+  int every_layers = 0;       ///< every n-th layer and the last one are scanned; 0: none
+  double clearance_mm = 1.0;  ///< least distance of the nozzle above the finished layer (`scanHeight`)
   double feed_mm_s = 100.0;
   double swath_mm = 28.0;  ///< length of the sensor's line on the layer
-  double margin_mm = 1.0;  ///< scanned beyond the layer's deposition on each side
+  double margin_mm = 1.0;  ///< width scanned beyond the layer's deposition on each side
 };
 
 /// Adds the keys scan.*.
 void describe(SettingsSchema& schema, ScanSettings& settings);
 
-/// The toolpath with a retracted travel at the end of every n-th layer, and of the last one that deposits,
-/// that carries the sensor's line over the whole box of what the layer deposits (the skirt left out): back
-/// and forth along y, in as many swaths side by side as it takes. The travel lifts the nozzle straight up,
-/// keeps `scanHeight` and comes down on the start of the next layer, whose first travel it replaces.
+/// The toolpath with a scan pass at the end of every n-th layer, and of the last one that deposits. A scan
+/// pass is a retracted travel that carries the sensor's line over the whole box of the layer's deposition,
+/// without the skirt, back and forth along y in swaths side by side. It lifts the nozzle straight up, keeps
+/// `scanHeight` and ends at the start of the next layer, whose first travel it replaces.
 ///
 /// The sensor travels with the nozzle, its line of light along x of the layers, or over it.
 ///

@@ -18,30 +18,31 @@ struct BrimSettings {
 
 /// Layers below the part.
 struct RaftSettings {
-  int layers = 0;  ///< of them one base; 0: none
+  int layers = 0;  ///< number, the base included; 0: none
   double base_height_mm = 0.3;
-  int top_layers = 2;  ///< solid ones
+  int top_layers = 2;  ///< number of solid layers on top
   double margin_mm = 3.0;
   double gap_mm = 0.15;  ///< between raft and part
 };
 
 enum class PrimeLine { None, Front, Left };
 
-/// A line at the edge of the bed that fills the nozzle.
+/// A line at the edge of the bed that primes the nozzle.
 struct PrimeSettings {
   PrimeLine line = PrimeLine::None;
   double length_mm = 100.0;
   double section_mm2 = 0.5;
 };
 
-/// What holds a part to the bed, and fills the nozzle before it. All off by default.
+/// Brim and raft, which hold a part to the bed, and the line that primes the nozzle before it. All off by
+/// default.
 struct AdhesionSettings {
   BrimSettings brim;
   RaftSettings raft;
   PrimeSettings prime;
 };
 
-/// Whether there is any of it.
+/// Whether any of them is used.
 inline bool isUsed(const AdhesionSettings& settings) {
   return settings.brim.width_mm > 0.0 || settings.raft.layers > 0 || settings.prime.line != PrimeLine::None;
 }

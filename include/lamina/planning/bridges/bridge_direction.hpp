@@ -6,26 +6,26 @@
 
 namespace lamina {
 
-/// What a bridge is measured with [mm].
+/// Parameters of the search for a bridge's direction.
 struct BridgeSearch {
-  double anchor_mm = 1.0;   ///< threads need half of it on what holds them
+  double anchor_mm = 1.0;   ///< a held end lies on at least half of this length of material
   double pitch_mm = 0.36;   ///< of threads
-  double least_held = 0.5;  ///< the search ends early where no direction can reach it
+  double least_held = 0.5;  ///< the search ends early if no direction can reach this share
 };
 
-/// How the threads over a piece lie.
+/// A direction of the threads over a piece, and how well they are held.
 struct BridgeDirection {
   double angle_rad = 0.0;  ///< from x, within [0, pi)
-  double held = 0.0;       ///< share of the threads' length in the piece that is held at both ends
-  double span_mm = 0.0;    ///< longest way of a held thread over nothing, beyond the piece too
+  double held = 0.0;       ///< share of their length in the piece on threads held at both ends
+  double span_mm = 0.0;    ///< longest free span of a held thread, beyond the piece too
 };
 
-/// The best direction of threads over a piece that lies over nothing: that in which most of their length is
-/// held at both ends; of those within 0.03 of it, the one of the shortest free span. Tried are the directions
-/// of the piece's edges, of the chords between the ends of what holds its border, and every 5 deg; those
-/// within 1 deg of each other are one.
-/// @param piece  [mm]; without area nothing is held
-/// @param below  material of the layer below, near the piece: does not overlap it
+/// The best direction of threads over an unsupported piece: that with the greatest share of length held at
+/// both ends; among those within 0.03 of it, the one with the shortest free span. Candidates are the
+/// directions of the piece's edges, of the chords between the ends of the held parts of its border, and every
+/// 5 deg. Candidates within 1 deg of each other count as one.
+/// @param piece  [mm]; without area no length is held
+/// @param below  material of the layer below near the piece, which it does not overlap
 BridgeDirection bridgeDirection(const Region& piece, const Regions& below, const BridgeSearch& search);
 
 /// The same in a given direction.

@@ -9,31 +9,31 @@
 
 namespace lamina {
 
-/// Cross-section of what spans a gap.
+/// Cross-section of a thread that spans a gap.
 enum class BridgeThread : std::uint8_t {
   Bead,   ///< that of all beads, times the flow
-  Round,  ///< a cylinder, as it is when nothing presses it flat
+  Round,  ///< a cylinder, since nothing presses it flat
 };
 
-/// How what lies over nothing is laid, where it is held on both sides.
+/// How an unsupported area that is held on both sides is laid.
 struct BridgeSettings {
   bool is_used = false;
-  double anchor_mm = 1.0;   ///< by which threads go on over what holds them
-  double least_held = 0.5;  ///< share of the length that is held at both ends; below it is no bridge
-  double longest_mm = 0.0;  ///< longer free spans are told; 0 for none
-  double angle_deg = -1.0;  ///< of the threads, from x; below 0 it is sought
-  double flow = 1.0;        ///< on the cross-section of the threads
+  double anchor_mm = 1.0;   ///< length of threads on the material that holds them
+  double least_held = 0.5;  ///< least share of length held at both ends that makes a bridge
+  double longest_mm = 0.0;  ///< longer free spans are reported; 0: none
+  double angle_deg = -1.0;  ///< direction of threads from x; below 0 it is searched for
+  double flow = 1.0;        ///< factor on the cross-section of threads
   BridgeThread thread = BridgeThread::Bead;
   double thread_mm = 0.0;       ///< diameter of a round thread; 0 takes the bead width
   bool is_over_infill = false;  ///< the lowest skin over sparse infill is laid as a bridge
 };
 
-/// Bridges of a part, and what could be none.
+/// Bridges of a part, and unsupported areas that are none.
 struct Bridging {
   std::size_t bridges = 0;
   std::size_t too_long = 0;  ///< of them
   double longest_mm = 0.0;   ///< free span
-  std::size_t unheld = 0;    ///< pieces over nothing that are not held on both sides
+  std::size_t unheld = 0;    ///< unsupported pieces that are not held on both sides
   double unheld_mm2 = 0.0;
 
   Bridging& operator+=(const Bridging& other);

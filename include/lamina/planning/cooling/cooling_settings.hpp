@@ -9,7 +9,7 @@
 
 namespace lamina {
 
-/// What makes a layer take as long as it must.
+/// How a layer is made to take its least time.
 enum class CoolingBy : std::uint8_t { SlowThenDwell, Slow, Dwell };
 
 /// Where the nozzle waits.
@@ -19,35 +19,35 @@ enum class ParkPlace : std::uint8_t {
   Stay      ///< over where it was
 };
 
-/// What is left alone for the least time.
+/// The interval to which the least time applies.
 enum class CoolingInterval : std::uint8_t {
-  Layer,  ///< from the begin of a layer to its end
-  Place   ///< each island, from when the nozzle leaves it to when it comes back a layer higher
+  Layer,  ///< from the start of a layer to its end
+  Place   ///< from leaving an island to coming back to it one layer higher
 };
 
-/// How long layers take at least.
+/// The least time of layers.
 struct CoolingSettings {
   double least_layer_time_s = 0.0;  ///< 0 for none
   CoolingBy by = CoolingBy::SlowThenDwell;
   double least_feed_mm_s = 10.0;  ///< lower bound of deposition feeds
-  double lift_mm = 2.0;           ///< while it waits
+  double lift_mm = 2.0;           ///< of the nozzle while it waits
   ParkPlace park = ParkPlace::Outside;
   CoolingInterval interval = CoolingInterval::Layer;
 };
 
-/// How the fan blows, by the time of the layer.
+/// Power of the fan by the time of a layer.
 struct FanSettings {
   enum class WhenSlow : std::uint8_t { Least, None };
 
   bool is_used = false;
-  int off_layers = 1;   ///< so many first layers without
-  double least = 0.35;  ///< shares of its power
-  double greatest = 1.0;
-  double full_below_s = 5.0;          ///< of layer time: the greatest share
-  double least_at_s = 60.0;           ///< of layer time: the least share; between the two, linear
-  WhenSlow beyond = WhenSlow::Least;  ///< of layers that take longer
-  double bridge = 1.0;                ///< while a bridge is laid
-  double overhang = 1.0;              ///< while walls and skins are laid that nothing carries
+  int off_layers = 1;                 ///< number of first layers without fan
+  double least = 0.35;                ///< least share of its power
+  double greatest = 1.0;              ///< greatest share
+  double full_below_s = 5.0;          ///< layer time up to which the greatest share is used
+  double least_at_s = 60.0;           ///< layer time with the least share; linear in between
+  WhenSlow beyond = WhenSlow::Least;  ///< for layers that take longer
+  double bridge = 1.0;                ///< share for bridges
+  double overhang = 1.0;              ///< share for unsupported walls and skins
   std::string by_role;                ///< shares of other roles, as `support_interface=1,top_skin=0.8`
   double spin_up_s = 0.0;             ///< lead time of commands that raise the fan
 };

@@ -9,28 +9,27 @@
 
 namespace lamina {
 
-/// Which firmware's command sets the pressure advance.
+/// The firmware whose command sets the pressure advance.
 enum class AdvanceWord : std::uint8_t { Marlin, Klipper, RepRapFirmware };
 
-/// What a nozzle can push out, and how late it follows.
+/// Limits and lag of the flow through a nozzle.
 struct FlowSettings {
   double greatest_mm3_s = 0.0;         ///< 0 for no limit
-  double greatest_slope_mm3_s2 = 0.0;  ///< of its change along a run; 0 for no limit
-  double coast_mm3 = 0.0;              ///< at the end of each run, which is left to the pressure; 0 for none
-  double coast_longest_mm = 2.0;       ///< of a run left to the pressure
+  double greatest_slope_mm3_s2 = 0.0;  ///< greatest change along a run; 0 for no limit
+  double coast_mm3 = 0.0;              ///< volume at the end of each run left to the pressure; 0 for none
+  double coast_longest_mm = 2.0;       ///< greatest length left to the pressure
   double advance_s = 0.0;              ///< pressure advance of the firmware; 0 leaves it alone
   std::string advance_by_role;         ///< as "outer_wall=0.04, infill=0.06"; other roles have `advance_s`
   AdvanceWord advance_word = AdvanceWord::Marlin;
-  double lag_s = 0.0;  ///< time constant of the lag of what leaves the nozzle, which the program makes up
-                       ///< for; 0 for none
-  double dead_time_s = 0.0;  ///< before anything follows at all
+  double lag_s = 0.0;        ///< time constant of the flow, for which the program makes up; 0 for none
+  double dead_time_s = 0.0;  ///< of the flow
 };
 
 /// Adds the keys flow.*.
 void describe(SettingsSchema& schema, FlowSettings& settings);
 
-/// @throws InvalidConfig if both firmware and program are to make up for the lag, or `advance_by_role` cannot
-///   be read
+/// @throws InvalidConfig if firmware and program are both to make up for the lag, or `advance_by_role` is not
+///   valid
 void requireConsistent(const FlowSettings& settings);
 
 }  // namespace lamina

@@ -9,26 +9,25 @@
 
 namespace lamina {
 
-/// Lines in the machine's own language, and where they stand in a program. Placeholders in braces are
-/// replaced (`addHooks`).
+/// Machine code to insert, by its place in a program. Placeholders in braces are replaced (`addHooks`).
 struct HookSettings {
   std::string part_start;
   std::string part_end;
   std::string layer_start;
   std::string layer_end;
-  std::string tool_change;    ///< behind the change
+  std::string tool_change;    ///< after the change
   std::string pause;          ///< before the machine waits
   SettingTable before_role;   ///< by the role's name
   SettingTable after_role;    ///< the same
   SettingTable at_layer;      ///< by the layer's number, from 0
-  SettingTable at_height_mm;  ///< by the height that has been reached
-  bool moves_axes = false;    ///< position, modes and feed are stated again behind each of them
+  SettingTable at_height_mm;  ///< by the height reached
+  bool moves_axes = false;    ///< position, modes and feed are stated again after each of them
 };
 
-/// Where the machine waits for its operator.
+/// Places at which the machine waits for its operator.
 struct PauseSettings {
   std::vector<double> at_layers;      ///< numbers of layers, from 0, before which it waits
-  std::vector<double> at_heights_mm;  ///< that have been reached
+  std::vector<double> at_heights_mm;  ///< heights reached at which it waits
 };
 
 /// Adds the keys hooks.*.

@@ -11,7 +11,7 @@
 
 namespace lamina {
 
-/// Where a program's part stands, and what else placeholders tell of.
+/// The values that placeholders need: the place of the part, temperatures and limits.
 struct HookSite {
   Eigen::Isometry3d bed_from_part = Eigen::Isometry3d::Identity();
   Eigen::Affine3d program_from_bed = Eigen::Affine3d::Identity();  ///< see `ProgramFrame`
@@ -20,22 +20,23 @@ struct HookSite {
   MotionLimits limits;
 };
 
-/// Adds a way to a parking place, and a pause there, before the first bead of each layer that the settings
-/// name, and of the first layer that begins at or above each height over the bed. A layer that lays nothing
-/// passes it on to the next. Several at one layer are one.
-/// @param parking  lift and place
+/// Adds a pause at a parking place, and the way there, before the first bead of each layer that the settings
+/// name, and of the first layer that begins at or above each height over the bed. A layer without beads
+/// passes the pause on to the next. Several pauses at one layer are one.
+/// @param parking  lift and place of parking
 /// @throws InvalidConfig if there is no such layer, or none above that height
 void addPauses(Toolpath& toolpath, const PauseSettings& settings, const CoolingSettings& parking,
                const HookSite& site);
 
-/// Adds code as events. Where each stands:
-/// - of a layer, a role, a layer's number or a height: before the first bead concerned, after the travel to
-/// it;
-/// - of the end of a role: before the next travel;
-/// - of the end of a layer: after its last path;
-/// - of the part: before its first motion and after its last;
-/// - of a tool: after the change; of a pause: before it.
-/// A role is entered when the bead before, in whatever layer, has another.
+/// Adds code as events. Their places:
+/// - start of a layer, start of a role, a layer's number, a height: after the travel to its first bead;
+/// - end of a role: before the next travel;
+/// - end of a layer: after its last path;
+/// - start and end of the part: before its first motion and after its last;
+/// - change of a tool: after it;
+/// - pause: before it.
+///
+/// A role starts when the bead before, in any layer, has another role.
 ///
 /// Placeholders: {layer} from 0, {layers}, {z_mm} and {height_mm} of the layer, {time_s} since the start,
 /// {left_s} and {share} of the estimated time, {role}, {part}, {tool} and the {next_tool} after it,

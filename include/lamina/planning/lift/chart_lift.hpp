@@ -13,31 +13,31 @@
 
 namespace lamina {
 
-/// How exactly lifted paths follow their layer.
+/// Tolerances of lifted paths.
 struct LiftSettings {
-  double position_tolerance_mm = 0.005;   ///< by which nozzle tips may leave the layer between waypoints
-  double normal_tolerance_deg = 0.1;      ///< by which the nozzle may, if it is held along the normal
-  double height_tolerance = 0.05;         ///< part by which the layer's height may vary along one motion
-  double widest_bead = 2.0;               ///< bead on the layer, in planned widths
+  double position_tolerance_mm = 0.005;   ///< greatest distance of the tip from the layer between waypoints
+  double normal_tolerance_deg = 0.1;      ///< greatest angle of the nozzle to the normal, if held along it
+  double height_tolerance = 0.05;         ///< greatest relative change of the layer's height along a motion
+  double widest_bead = 2.0;               ///< greatest width of a bead, in planned widths
   ToolAxis tool_axis = ToolAxis::Normal;  ///< Down leaves the nozzle upright
 };
 
 /// Adds the keys lifting.*, but for the tool axis.
 void describe(SettingsSchema& schema, LiftSettings& settings);
 
-/// A planned layer laid on its charts.
+/// Lifts a planned layer onto its charts.
 ///
-/// Runs that deposit follow the layer's nozzle tips. They get waypoints where they cross the sides of
-/// triangles, without those that the tolerances make needless; planned waypoints stay. The nozzle's tool axis
-/// is against the normal, its frame that of `nozzleDown()` turned the shortest way. Each bead is as high as
-/// the layer and holds what the planned one would on the layer's middle:
+/// Runs that deposit follow the surface of the layer's nozzle tips. They get waypoints where they cross edges
+/// of triangles, except those that the tolerances make needless; planned waypoints stay. The tool axis is
+/// against the normal, and the nozzle's frame is `nozzleDown()` turned the shortest way. Each bead is as high
+/// as the layer and has the volume of the planned one on the middle surface of the layer:
 ///
-///     volume = plan area of the bead * area ratio of the triangle * height of the layer
+/// volume = plan area of the bead * area ratio of the triangle * height of the layer
 ///
-/// Drops likewise. Where tips come together, in a layer that curves about as tightly as it is high, a motion
-/// may be too short for what it is to hold: then it is deposited over the neighbouring motions too, within a
-/// bead's width. Material that would still need a wider bead than allowed is left out, as are runs that are
-/// too short as a whole.
+/// So have drops. Where tips converge, in a layer whose radius of curvature is about its height, a motion may
+/// be too short for its volume. The volume is then spread over neighbouring motions, within a bead's width.
+/// Material that would still need a wider bead than allowed is left out, and so are runs that are too short
+/// as a whole.
 ///
 /// Travels that are not retracted and stay over one chart follow the layer, their inner waypoints raised by
 /// four times the tolerance; on others see `makeSpaceTravel`.
@@ -50,8 +50,7 @@ void describe(SettingsSchema& schema, LiftSettings& settings);
 LiftedLayer liftOnto(const std::vector<LayerChart>& charts, ToolpathLayer planned,
                      const LiftSettings& settings, const TravelSettings& travel, double highest_mm);
 
-/// Lifts each layer onto its charts by `liftOnto`. Layers without charts are level ones, planned where they
-/// are: they stay so.
+/// Lifts each layer onto its charts by `liftOnto`. Layers without charts are level and stay as planned.
 /// @param layers      charts of each layer; must outlive the result
 /// @param highest_mm  of each layer, as for `liftOnto`
 LayerLift chartLift(const std::vector<std::vector<LayerChart>>& layers, std::vector<double> highest_mm,

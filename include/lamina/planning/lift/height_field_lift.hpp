@@ -8,8 +8,8 @@
 
 namespace lamina {
 
-/// Lifts layers planned in xy onto the bent layers they are cut from. Each layer's chart is made when it is
-/// lifted, and gone after.
+/// Lifts layers planned in xy onto the curved layers from which they were cut. The chart of a layer exists
+/// only while it is lifted.
 /// @param slices    must outlive the result
 /// @param settings  the tool axis down for machines that cannot tilt
 LayerLift heightFieldLift(const HeightFieldSlices& slices, const LiftSettings& settings,

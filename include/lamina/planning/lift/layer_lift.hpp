@@ -9,14 +9,14 @@
 
 namespace lamina {
 
-/// A layer where it is deposited in the part.
+/// A layer at its place in the part.
 struct LiftedLayer {
   ToolpathLayer layer;
-  double left_out_mm3 = 0.0;  ///< of the plan, for which there is no room where it would be deposited
+  double left_out_mm3 = 0.0;  ///< volume of the plan for which there is no room there
 };
 
-/// Carries a layer that was planned in its plan to where it is deposited in the part: positions,
-/// orientations, and beads that fill what their plan filled. Called for several layers at a time.
+/// Lifts a layer from its flat plan to its place in the part: positions, orientations, and beads with the
+/// volume of their plan. Called for several layers at a time.
 using LayerLift = std::function<LiftedLayer(std::size_t layer, ToolpathLayer planned)>;
 
 }  // namespace lamina

@@ -9,12 +9,12 @@
 
 namespace lamina {
 
-/// Settings of a plan that hold in part of its layers instead of those of the plan.
+/// Settings that replace those of a plan in part of its layers.
 ///
-/// Walls follow the part's outline; where a variant has more than its neighbour, the inner ones end at its
-/// border, where feeds change and fills meet as at a wall. The number of walls, the feeds and the fill are
-/// the variant's own. All other settings of walls are the plan's; in an island that variants cover whole,
-/// those of the first of them. Settings of whole layers (beads, travels, skirt, voids) are always the plan's.
+/// A variant has its own number of walls, feeds and fill. Walls follow the part's outline. If a variant has
+/// more walls than its neighbour, the inner ones end at its border, where feeds change and fills meet as at a
+/// wall. All other settings of walls are the plan's, or those of the first variant in an island that variants
+/// cover whole. Settings of whole layers (beads, travels, skirt, voids) are always the plan's.
 struct PlanVariant {
   PlanSettings settings;
   std::vector<Regions> areas;  ///< by layer, [frame of the layers]; those of several variants lie apart

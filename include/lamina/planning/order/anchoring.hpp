@@ -9,10 +9,10 @@
 
 namespace lamina {
 
-/// What becomes of runs of inclined layers that would begin where nothing lies below along the tool axis.
+/// What is done about runs of inclined layers that would begin unsupported along the tool axis.
 enum class Anchoring {
-  None,            ///< they stay as the strategy deposited them
-  SupportedStart,  ///< they begin on the bed or on the layer before, where they pass over either
+  None,            ///< they stay as the strategy planned them
+  SupportedStart,  ///< they begin on the bed or the layer before, if they pass over either
 };
 
 struct AnchorSettings {
@@ -30,10 +30,10 @@ struct BedPlane {
   double heightOf(const Point3& point) const { return up.dot(point) - level_mm; }
 };
 
-/// Runs that begin, or would, with nothing below them. Level layers count none.
+/// Numbers of runs with an unsupported start; 0 in level layers.
 struct AnchoredStarts {
-  std::size_t moved = 0;   ///< reversed, started elsewhere or parted so that they begin on bed or material
-  std::size_t in_air = 0;  ///< that begin in the air all the same
+  std::size_t moved = 0;   ///< reversed, started elsewhere or divided, so that they begin on bed or material
+  std::size_t in_air = 0;  ///< that still begin in the air
 };
 
 }  // namespace lamina

@@ -6,8 +6,7 @@
 
 namespace lamina {
 
-/// How often a fill is started, and how far the nozzle travels for it, beside what is least. Walls and
-/// perimeters do not count.
+/// Starts and travels of a fill, compared with the least possible. Walls and perimeters do not count.
 struct FillStarts {
   std::size_t runs = 0;
   std::size_t regions = 0;      ///< connected areas inside the walls with room for a bead: the least runs

@@ -8,15 +8,15 @@
 
 namespace lamina {
 
-/// How walls are laid where part of their bead lies beyond the layer below.
+/// How walls are laid whose bead lies partly beyond the layer below.
 struct OverhangingWallSettings {
   bool is_used = false;
-  /// Of the bead, without anything below; ascending.
+  /// Unsupported shares of the bead's width, ascending.
   std::vector<double> shares{0.25, 0.5, 0.75, 1.0};
   std::vector<double> feed_factors{1.0, 0.7, 0.5, 0.35};  ///< at these shares, linear between them
   std::vector<double> flow_factors{1.0, 1.0, 1.0, 1.0};
-  bool reverses = false;         ///< overhanging walls of every second layer run the other way round
-  double least_feed_mm_s = 0.0;  ///< slower than this no wall is laid: no key of its own
+  bool reverses = false;         ///< overhanging walls of every second layer run in the opposite direction
+  double least_feed_mm_s = 0.0;  ///< lower bound of the feed of walls; has no key of its own
 };
 
 /// Adds the keys overhangs.*.
@@ -25,8 +25,8 @@ void describe(SettingsSchema& schema, OverhangingWallSettings& settings);
 /// @throws InvalidConfig unless shares ascend within 0 to 1 and factors are positive, four of each
 void requireConsistent(const OverhangingWallSettings& settings);
 
-/// Share of a bead that nothing carries, 0 to 1.
-/// @param beyond_mm  by which its outer edge stands beyond the layer below; negative within it
+/// Unsupported share of a bead's width, 0 to 1.
+/// @param beyond_mm  distance of its outer edge beyond the layer below; negative within it
 double overhangShare(double beyond_mm, double width_mm);
 
 /// Factor on the feed of a wall of that share; 1 below the first entry, the last one above the last.

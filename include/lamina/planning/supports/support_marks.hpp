@@ -9,16 +9,16 @@
 
 namespace lamina {
 
-/// What becomes of an overhang that no mark covers.
+/// What is done about an overhang that no mark covers.
 enum class UnmarkedOverhangs : std::uint8_t {
-  ByAngle,  ///< held up if it leans more than `supports.angle_deg`
-  LeftOut   ///< not held up
+  ByAngle,  ///< supported if it leans more than `supports.angle_deg`
+  LeftOut   ///< not supported
 };
 
-/// Where a part is held up, or not, whatever its overhangs are: by layer [frame of the layers], or empty.
+/// Areas in which supports are forced or blocked, by layer [frame of the layers], or empty.
 struct SupportMarks {
-  std::vector<Regions> never;   ///< what hangs there is not held up
-  std::vector<Regions> always;  ///< what hangs there at all is held up; disjoint from `never`
+  std::vector<Regions> never;   ///< overhangs there are not supported
+  std::vector<Regions> always;  ///< overhangs of any angle there are supported; disjoint from `never`
   UnmarkedOverhangs unmarked = UnmarkedOverhangs::ByAngle;
 };
 

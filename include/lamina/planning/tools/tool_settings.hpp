@@ -15,27 +15,27 @@ namespace lamina {
 /// One of several heads or nozzles of a machine.
 struct Tool {
   std::string name;
-  Point3 offset_mm = Point3::Zero();  ///< of its nozzle from that of tool 0
+  Point3 offset_mm = Point3::Zero();  ///< of its nozzle relative to that of tool 0
   double nozzle_mm = 0.0;             ///< 0 if not known
   std::string material;
-  double temperature_c = 0.0;  ///< while it works; 0 is that of the program
-  double standby_c = 0.0;      ///< while it waits; 0 keeps it as it is
-  double heat_s = 0.0;         ///< before it is used it is heated again
+  double temperature_c = 0.0;  ///< while it works; 0: that of the program
+  double standby_c = 0.0;      ///< while it waits; 0: unchanged
+  double heat_s = 0.0;         ///< time before its use at which it is heated again
 };
 
-/// What tools there are, which lays what, and what is done when they change.
+/// The tools of a machine, their assignment to roles, and the purge at changes.
 struct ToolSettings {
-  SettingTable list;  ///< of `Tool`, "0.name"
+  SettingTable list;  ///< fields of `Tool` by number: "0.name"
   int walls = 0;
   int infill = 0;
   int skin = 0;
   int support = -1;    ///< -1 is that of walls
   int interface = -1;  ///< -1 is that of supports
 
-  std::vector<double>
-      purge_mm3;  ///< one for all changes, or one for each pair, from tool by tool; none: no tower
-  bool purge_into_infill = false;   ///< as much as there is of it, and only the rest into the tower
-  double tower_mm = 0.0;            ///< side of the prime tower; 0 is as wide as its purges need
+  /// Volume of a purge: one for all changes, or one per pair, row by row from each tool; empty: no tower.
+  std::vector<double> purge_mm3;
+  bool purge_into_infill = false;   ///< as far as there is infill; only the rest goes into the tower
+  double tower_mm = 0.0;            ///< side of the prime tower; 0: as wide as its purges need
   std::vector<double> tower_at_mm;  ///< x and y of its middle in the layers; empty: beside the part
 };
 
@@ -43,13 +43,13 @@ struct ToolSettings {
 void describe(SettingsSchema& schema, ToolSettings& settings);
 
 /// The tools of the list, in order; none if it is empty.
-/// @throws InvalidConfig if an entry is no tool's, a value does not fit, or a number is left out
+/// @throws InvalidConfig if an entry is no field of a tool, a value does not fit, or a number is missing
 std::vector<Tool> toolsOf(const ToolSettings& settings);
 
-/// Which tool lays a path of that role.
+/// The number of the tool that lays paths of that role.
 std::size_t toolFor(PathRole role, const ToolSettings& settings);
 
-/// Whether `tool.*` gives any role another tool than the first.
+/// Whether `tool.*` assigns any role to another tool than the first.
 bool assignsTools(const ToolSettings& settings);
 
 /// @throws as `toolsOf`; InvalidConfig if a role has a tool that is not in the list, or volumes are neither
