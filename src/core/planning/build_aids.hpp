@@ -13,23 +13,23 @@
 
 namespace lamina {
 
-/// Runs of one layer that lay what is no part of the part: supports, skirt, brim, raft, priming.
+/// Runs of one layer outside the part itself: supports, skirt, brim, raft or priming.
 struct AidRuns {
   std::shared_ptr<const std::vector<FillPath>> runs;  ///< of nominal beads, in the plane of the layer
   Bead bead;
-  double top_mm = 0.0;  ///< of the nozzle tip
+  double top_mm = 0.0;  ///< height of the nozzle tip
   RunOrder order = RunOrder::Shortest;
   std::uint32_t tool = 0;
-  SharedRegions area;  ///< over which travels need not be retracted; null for none
+  SharedRegions area;  ///< area over which travels need no retraction; null for none
 };
 
-/// What is laid before the islands of a layer, in this order.
+/// The aids of a layer, in the order in which they are laid before its islands.
 using LayerAids = std::vector<AidRuns>;
 
-/// The same elsewhere in the plane of the layers.
+/// The aids, moved in the plane of the layers [mm].
 LayerAids moved(LayerAids aids, const Point2& by);
 
-/// Volume of what they lay [mm³].
+/// Volume that they deposit [mm³].
 double depositedVolume(const AidRuns& aids);
 
 }  // namespace lamina

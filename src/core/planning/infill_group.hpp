@@ -14,38 +14,39 @@
 
 namespace lamina {
 
-/// The group of `infill.every_layers` layers that a layer belongs to, from 0 at the bottom.
+/// Number of the group of `infill.every_layers` layers to which a layer belongs, from 0 at the bottom.
 std::size_t groupOf(const InfillSettings& settings, std::size_t layer);
 
-/// What is asked of a fill of that layer, but for where it is laid. Groups turn a sparse infill together.
+/// The request for a fill of that layer, except its area. The layers of a group have the same direction of
+/// sparse infill.
 InfillRequest requestOf(const PlanSettings& settings, const InfillSpacing& spacing, std::size_t layer);
 
-/// What a layer has to know of its group.
+/// The group of a layer. Its common infill is laid in its last layer.
 struct InfillGroup {
-  SharedRegions common;    ///< what is sparse in all layers of the group, with what runs into the walls
-  bool is_last = false;    ///< in this layer the infill of the group is laid
-  double height_mm = 0.0;  ///< of all layers of the group together
+  SharedRegions common;    ///< area of sparse infill in all layers of the group, overlap with walls included
+  bool is_last = false;    ///< this layer is the last one of the group
+  double height_mm = 0.0;  ///< sum over the layers of the group
 };
 
-/// Infill of one layer, shared out.
+/// The sparse infill of one layer, divided.
 struct GroupedInfill {
-  Regions together;  ///< laid in beads as high as the group; none but in its last layer
-  Regions alone;     ///< laid by the layer for itself, without what is narrower than a bead
+  Regions together;  ///< laid in beads as high as the group; empty except in its last layer
+  Regions alone;     ///< laid in this layer alone, without places narrower than a bead
 };
 
 /// @param area  of sparse infill in one layer
 GroupedInfill groupedInfill(const Regions& area, const InfillGroup& group, double bead_width_mm);
 
-/// The groups of a stack, for each layer its own. Those that are not complete at the top are groups all the
-/// same. None if each layer has an infill of its own.
+/// The group of each layer of a stack. An incomplete one at the top is a group too. Empty if each layer has
+/// an infill of its own.
 /// @param covers      of all layers
 /// @param heights_mm  of all layers
-/// @param place       where they lie
+/// @param place       where the layers may lie
 std::vector<InfillGroup> infillGroups(const std::vector<LayerCover>& covers,
                                       const std::vector<double>& heights_mm, const PlanSettings& settings,
                                       StackPlace place, Progress& progress);
 
-/// The same elsewhere in the plane of the layers.
+/// The group, moved in the plane of the layers [mm].
 InfillGroup moved(const InfillGroup& group, const Point2& by);
 
 }  // namespace lamina

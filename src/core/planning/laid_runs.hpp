@@ -14,21 +14,21 @@
 
 namespace lamina {
 
-/// Area [mm²] of those regions into which none of the paths goes that follow the first so many.
+/// Area of those regions that none of the paths after the first `before` ones enters [mm²].
 double areaMissed(const Regions& regions, const std::vector<Path>& paths, std::size_t before);
 
-/// Where runs start and end.
+/// The ends of runs.
 std::vector<RunEnds> endsOf(const std::vector<FillPath>& runs);
-/// Runs as they are laid, each in its direction: as given, or the shortest travels between them.
-/// @param from  where the nozzle comes from [mm]
+/// Runs in the order and directions in which they are laid: as given, or for short travels.
+/// @param from  place from which the nozzle comes [mm]
 std::vector<FillPath> inOrder(std::vector<FillPath> runs, RunOrder order, const Point2& from);
-/// Of closed runs both are the first point.
+/// The ends of closed runs: both are the first point.
 std::vector<RunEnds> endsOf(const std::vector<Polygon>& loops);
 
-/// Ends of the runs of infill among the paths that follow the first so many.
+/// The ends of the runs of infill among the paths after the first `before` ones.
 std::vector<RunEnds> fillsSince(const std::vector<Path>& paths, std::size_t before);
 
-/// What voids were refilled with: runs and material of the paths that follow the first so many.
+/// The refilling of voids by the paths after the first `before` ones.
 Refilling refillingSince(const std::vector<Path>& paths, std::size_t before);
 
 }  // namespace lamina

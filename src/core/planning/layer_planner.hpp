@@ -20,21 +20,21 @@
 
 namespace lamina {
 
-/// What all layers of a plan share.
+/// The context that all layers of a plan share.
 struct PlanContext {
   PlanSettings settings;
   InfillStrategy strategy;
   InfillStrategy skin_strategy;
   std::size_t layer_count = 0;
-  Point2 anchor = Point2::Zero();  ///< of aligned seams; where each layer's ordering starts [mm]
+  Point2 anchor = Point2::Zero();  ///< of aligned seams; start of each layer's ordering [mm]
   std::optional<BedPlane> bed;     ///< below inclined layers
-  std::optional<Box2> level_bed;   ///< where the nozzle may be over the bed of level layers, if that is known
-  /// Identity but for inclined layers.
+  std::optional<Box2> level_bed;   ///< area of the nozzle over the bed of level layers, if known
+  /// Identity except for inclined layers.
   Eigen::Isometry3d part_from_layers = Eigen::Isometry3d::Identity();
-  LayerLift lift;  ///< of layers planned in a plan; none of those planned where they are
+  LayerLift lift;  ///< of layers that are planned flat; empty for others
 };
 
-/// What another plan of the layer is made by, and where it holds (`PlanVariant`).
+/// The settings and the area of a variant of the plan in one layer (`PlanVariant`).
 struct LayerVariant {
   const PlanContext* context = nullptr;
   const LayerCover* cover = nullptr;  ///< as those of `StackedLayer`
@@ -43,23 +43,23 @@ struct LayerVariant {
   const Regions* area = nullptr;
 };
 
-/// A layer and the one it is laid on, if there is one.
+/// A layer and the one below it, if there is one.
 struct StackedLayer {
   const Layer* layer = nullptr;
   const Layer* below = nullptr;
   const LayerCover* cover = nullptr;        ///< null without skins, bridges and overhanging walls
   const LayerCover* cover_below = nullptr;  ///< of the layer below
-  /// For a fill that grows from the layers above; null for others.
+  /// Branches of a fill that grows from the layers above; null for other fills.
   const std::vector<Polyline>* branches = nullptr;
-  const InfillGroup* group = nullptr;       ///< null where each layer has an infill of its own
+  const InfillGroup* group = nullptr;       ///< null if each layer has an infill of its own
   const LayerAids* aids = nullptr;          ///< laid first; null for none
-  std::vector<LayerVariant> variants = {};  ///< that hold anywhere in it
+  std::vector<LayerVariant> variants = {};  ///< those with an area in it
 };
 
 /// The paths of one layer.
 struct PlannedLayer {
   ToolpathLayer layer;
-  double unprinted_mm2 = 0.0;  ///< of what gets no bead or drop
+  double unprinted_mm2 = 0.0;  ///< area without bead or drop
   Refilling refilling;
   FillStarts starts;
   std::size_t moved_starts = 0;  ///< see `AnchoredStarts`
@@ -67,10 +67,10 @@ struct PlannedLayer {
   Bridging bridging = {};
 };
 
-/// The paths of one layer, in order and joined by travels. Depends on nothing but its arguments, so that
-/// layers can be planned side by side. An inclined layer is begun at the bed, and its runs are anchored on
-/// the layer before.
-/// @param index  of the layer, from 0: turns the infill, and 0 is slower
+/// Plans the paths of one layer, in order and joined by travels. The result depends on the arguments alone,
+/// so that layers can be planned in parallel. An inclined layer starts at the bed, and its runs are anchored
+/// on the layer before.
+/// @param index  of the layer, from 0: sets the direction of infill; layer 0 is slower
 /// @throws what strategies throw, with the place
 PlannedLayer planLayer(const StackedLayer& stacked, std::size_t index, const PlanContext& context);
 

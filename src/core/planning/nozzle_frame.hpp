@@ -8,9 +8,9 @@
 
 namespace lamina {
 
-/// The nozzle with its tool axis against a normal of unit length: `nozzleDown()` turned by the shortest way
-/// that takes +z to the normal, so that it does not spin. Exactly `nozzleDown()` for +z. It changes
-/// continuously but at -z, where nozzle and part are aligned.
+/// The orientation of the nozzle with its tool axis against a normal of unit length: `nozzleDown()` turned by
+/// the shortest rotation from +z to the normal, so that it does not spin. For +z it is exactly
+/// `nozzleDown()`. It is continuous except at -z, where the frames of nozzle and part are aligned.
 inline Eigen::Quaterniond nozzleAgainst(const Point3& normal) {
   // The turn from +z to n is (1 + n.z, -n.y, n.x, 0) but for its length; times (0, 1, 0, 0).
   const Eigen::Quaterniond turned(normal.y(), 1.0 + normal.z(), 0.0, -normal.x());

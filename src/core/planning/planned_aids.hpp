@@ -13,24 +13,23 @@
 
 namespace lamina {
 
-/// What is laid beside a part, and holds it.
+/// The build aids of a part.
 struct PlannedAids {
-  std::vector<LayerAids> layers;  ///< as many as the part has; none if there are no aids at all
-  std::vector<RaftLayer> raft;    ///< below these, from the bed up
-  double raft_mm = 0.0;           ///< from the bed to the part
+  std::vector<LayerAids> layers;  ///< one per layer of the part; empty without aids
+  std::vector<RaftLayer> raft;    ///< layers below the part, from the bed up
+  double raft_mm = 0.0;           ///< height from the bed to the part
   SupportTotals supports;
 };
 
-/// Of both, whose layers are others: the layer with the most support is that of one of them.
+/// The sum of totals of different layers. The greatest area of supports in a layer is that of one of them.
 SupportTotals sumOf(const SupportTotals& a, const SupportTotals& b);
 
-/// Supports of layers in parallel planes; skirt, brim, raft and prime line of level ones. Lifted layers have
-/// none, parts of drops neither.
+/// Plans the build aids: supports of layers in parallel planes; skirt, brim, raft and prime line of level
+/// ones. Lifted layers and parts of drops have none.
 /// @param layers           in the frame of the layers
-/// @param support_regions  where supports are asked for otherwise
+/// @param support_regions  regions with other settings of supports
 /// @throws InvalidConfig if a prime line has no room; InvalidInput if there are such regions in layers far
-/// out
-///   on a belt
+/// out on a belt
 PlannedAids planAids(const std::vector<Layer>& layers, const PlanContext& context,
                      const SupportRegions& support_regions, Progress& progress);
 

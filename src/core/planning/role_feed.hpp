@@ -9,7 +9,7 @@
 
 namespace lamina {
 
-/// Feed of a role in a layer [mm/s]: in layer 0 no higher than `feed.first_layer_mm_s`.
+/// Feed of a role in a layer [mm/s]; at most `feed.first_layer_mm_s` in layer 0.
 double feedIn(const FeedSettings& feed, PathRole role, std::size_t layer);
 
 }  // namespace lamina

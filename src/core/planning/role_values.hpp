@@ -10,7 +10,7 @@
 
 namespace lamina {
 
-/// What a setting that gives roles values says of them, for messages.
+/// The format of a setting with values by role, for messages.
 struct RoleValueFormat {
   std::string key;
   double greatest = 1.0;
@@ -18,7 +18,8 @@ struct RoleValueFormat {
   std::string example;  ///< "a role, '=' and a share, as top_skin=0.8"
 };
 
-/// The values of a list such as "outer_wall=0.04, infill=0.06", by role; none for those it does not name.
+/// Parses a list such as "outer_wall=0.04, infill=0.06" into values by role; none for roles that it does not
+/// name.
 /// @throws InvalidConfig if a part is not a role, '=' and a number from 0 to the greatest
 std::array<std::optional<double>, kPathRoles> roleValues(const std::string& list,
                                                          const RoleValueFormat& format);

@@ -10,27 +10,27 @@
 
 namespace lamina {
 
-/// A run without motions shorter than a bead is wide where these lie within a twentieth of a bead of a
-/// straight one, with the volume they had: the ends of lines in a narrow place. Others stay, as do runs of
-/// one width.
+/// The run with short motions merged, as at the ends of lines in a narrow place. Motions shorter than a
+/// bead's width that lie within a twentieth of it from a straight line become one motion with their volume.
+/// Others stay, and so do runs of one width.
 /// @param bead_mm  width of a nominal bead
 FillPath withoutShortMotions(FillPath run, double bead_mm);
 
-/// The beads of a run by its plan widths [mm], one per waypoint.
-/// @param area_per_width  cross-section of a bead by its plan width [mm]; the layer height, unless
-///                        `bead.pitch_mm` says that beads are no stadiums
+/// The beads of a run by the widths of the strips that they fill [mm], one per waypoint.
+/// @param area_per_width  cross-section of a bead over that width [mm]: the layer height, unless
+/// `bead.pitch_mm` is set
 AlongPath<Bead> beadsOf(const std::vector<double>& width_mm, double area_per_width, double height_mm);
 
-/// The beads of a run by what it is of the part.
-/// @param nominal   in that layer
-/// @param pitch_mm  at which nominal beads lie side by side
+/// The beads of a run by its role.
+/// @param nominal   bead of the layer
+/// @param pitch_mm  distance of neighbouring nominal beads
 AlongPath<Bead> beadsAlong(const FillPath& run, const PlanSettings& settings, const Bead& nominal,
                            double pitch_mm);
 
-/// A path with that factor on the cross-section of its beads.
+/// The path with a factor on the cross-section of its beads.
 Path withFlow(Path path, double factor);
 
-/// A layer as it was before all of the part in it got that factor.
+/// The layer without a factor that was applied to all beads of the part.
 ToolpathLayer withoutFlow(ToolpathLayer layer, double factor);
 
 /// The path along a run at the height of the nozzle tip [mm], at that feed [mm/s].

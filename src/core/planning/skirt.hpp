@@ -9,9 +9,9 @@
 
 namespace lamina {
 
-/// Loops round the convex hull of the first layer, outermost first: between hull and innermost bead the
-/// skirt's distance is left free. More loops than `skirt.count` where `skirt.least_length_mm` asks for
-/// them. None round nothing.
+/// Loops round the convex hull of the first layer, outermost first. The gap between hull and innermost bead
+/// is the skirt's distance. There are more loops than `skirt.count` if `skirt.least_length_mm` requires them,
+/// and none round an empty layer.
 std::vector<Polygon> makeSkirt(const Regions& first_layer, const PlanSettings& settings);
 
 }  // namespace lamina

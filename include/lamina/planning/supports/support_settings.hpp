@@ -35,7 +35,7 @@ struct SupportSettings {
   double tip_mm = 0.8;          ///< diameter of the support of a point, and of tips of branches
   double tip_spacing_mm = 2.0;
   double branch_angle_deg = 40.0;  ///< greatest lean of a branch
-  double branch_taper_deg = 5.0;   ///< full angle of its taper
+  double branch_taper_deg = 5.0;   ///< angle by which each side of a branch widens downwards
   double branch_mm = 6.0;          ///< greatest diameter
   int tool = -1;                   ///< -1: that of the part
   int interface_tool = -1;

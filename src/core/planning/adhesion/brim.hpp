@@ -17,11 +17,11 @@ struct Brim {
   Regions area;
 };
 
-/// As many loops round the first layer as come nearest to `brim.width_mm`, a pitch apart, the innermost half
-/// a pitch and `brim.gap_mm` off the part. Loops round neighbours that meet are one. With `brim.ears` what is
-/// left of them lies within the width of a convex corner sharper than 100 deg.
-/// @param pitch_mm  plan width of a bead
-/// @param bed       beyond which nothing is laid; none if that is not known
+/// Loops round the first layer, a pitch apart, in the number that comes nearest to `brim.width_mm`. The
+/// innermost one is half a pitch and `brim.gap_mm` off the part. Loops round neighbours that meet are one.
+/// With `brim.ears` only the pieces within the brim's width of a convex corner sharper than 100 deg are left.
+/// @param pitch_mm  distance of neighbouring beads
+/// @param bed       area beyond which nothing is laid; none if it is not known
 Brim makeBrim(const Regions& first_layer, const BrimSettings& settings, double pitch_mm,
               const std::optional<Box2>& bed);
 

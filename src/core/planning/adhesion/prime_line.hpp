@@ -13,8 +13,8 @@ namespace lamina {
 /// both.
 /// @param layer     the lowest one
 /// @param bed       where the nozzle may be [mm]
-/// @param occupied  what else is laid in that layer
-/// @throws InvalidConfig if the bed is shorter than the line, or the line crosses what is laid there
+/// @param occupied  area of everything else in that layer
+/// @throws InvalidConfig if the bed is shorter than the line, or the line crosses that area
 AidRuns makePrimeLine(const PrimeSettings& settings, const LayerBounds& layer, const Box2& bed,
                       const Regions& occupied);
 

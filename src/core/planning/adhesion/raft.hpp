@@ -17,12 +17,12 @@ struct RaftLayer {
   LayerAids aids;
 };
 
-/// What a raft covers: what stands on it, gaps narrower than 10 mm closed, and its margin.
+/// The area of a raft: that of what stands on it, with gaps narrower than 10 mm closed, and its margin.
 Regions raftArea(const Regions& standing, const RaftSettings& settings);
 
-/// Layers of lines, each across the one below: a base and middle layers of lines two pitches apart, and solid
-/// top layers. Their uppermost lies `raft.gap_mm` below the part.
-/// @param part_mm          where the part begins [frame of the layers]
+/// Layers of lines, each across the one below: a base and middle layers of lines two pitches apart, then
+/// solid top layers. The uppermost one ends `raft.gap_mm` below the part.
+/// @param part_mm          height at which the part begins [frame of the layers]
 /// @param layer_height_mm  of all but the base
 /// @return from the bed up
 std::vector<RaftLayer> makeRaft(const Regions& area, const PlanSettings& settings, double part_mm,

@@ -10,12 +10,12 @@
 
 namespace lamina {
 
-/// What decides where bridges are [mm].
+/// Measures that decide where bridges are.
 struct BridgeMeasures {
   BridgeSettings settings;
-  double narrowest_mm = 0.4;  ///< what is narrower is carried by its sides
+  double narrowest_mm = 0.4;  ///< narrower unsupported places are carried by their sides
   double thread_pitch_mm = 0.36;
-  double fringe_mm = 0.8;  ///< by which what hangs goes on over what holds it
+  double fringe_mm = 0.8;  ///< by which hanging areas extend onto the material that holds them
 };
 
 /// One bridge.
@@ -24,24 +24,26 @@ struct LaidBridge {
   std::vector<FillPath> threads;
 };
 
-/// An area within walls by what is below it.
+/// An area within walls, divided by what is below it.
 struct BridgedAreas {
   std::vector<LaidBridge> bridges;
-  Regions hanging;  ///< over nothing, and not held on both sides
+  Regions hanging;  ///< unsupported, and not held on both sides
   Regions rest;
   Bridging counts;
 };
 
-/// What of an area lies over nothing, without places too narrow to sag.
+/// The unsupported part of an area, without places too narrow to sag.
 Regions overNothing(const Regions& inside, const Regions& below, double narrowest_mm);
 
-/// @param inside  walls, of one layer
-/// @param below   what carries the layer
+/// Divides an area.
+/// @param inside  area within the walls of one layer
+/// @param below   material that carries the layer
 BridgedAreas bridgedAreas(const Regions& inside, const Regions& below, const BridgeMeasures& measures);
 
-/// Pitch of the threads, and the bead of each.
-/// @param pitch_mm  at which beads are laid side by side
+/// Pitch of the threads.
+/// @param pitch_mm  distance of neighbouring beads
 double threadPitch(const BridgeSettings& settings, double bead_width_mm, double pitch_mm);
+/// The bead of a thread, in place of that bead.
 Bead threadBead(const BridgeSettings& settings, const Bead& bead);
 
 }  // namespace lamina

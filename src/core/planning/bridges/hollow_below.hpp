@@ -8,15 +8,15 @@
 
 namespace lamina {
 
-/// A layer over one that is hollow within its walls and skins.
+/// The areas of a layer over one that is hollow within its walls and skins.
 struct HollowBelow {
-  Regions room;      ///< within the walls, without what is hollow in both
-  Regions carrying;  ///< walls and skins of the layer below, and whatever it has beyond these walls
-  Regions hollow;    ///< in both, but for narrow places
+  Regions room;      ///< area within the walls that is not hollow in both layers
+  Regions carrying;  ///< walls and skins of the layer below, and its material beyond these walls
+  Regions hollow;    ///< area that is hollow in both layers, without narrow places
 };
 
-/// What lies below an area of a part without infill. No room if the area has no skin over a hollow.
-/// @param inside  walls, of the layer; those of the layer below are taken to be the same
+/// These areas, for a part without infill. `room` is empty if no skin of the layer lies over a hollow.
+/// @param inside  area within the walls of the layer; that of the layer below is taken to be the same
 HollowBelow hollowBelow(const Regions& inside, const LayerCover& cover, const LayerCover& cover_below,
                         const SkinMeasures& measures);
 

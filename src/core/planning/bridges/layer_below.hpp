@@ -15,28 +15,29 @@
 
 namespace lamina {
 
-/// What carries a layer, and how beads are laid that it does not carry. A layer that is the same as the one
+/// The support of a layer by the one below, and how unsupported beads are laid. A layer that equals the one
 /// below costs nothing.
 class LayerBelow {
  public:
-  /// Carries everything: without `bridges.use` and `overhangs.use`, and on the bed.
+  /// A support of everything: on the bed, and without `bridges.use` and `overhangs.use`.
   LayerBelow() = default;
-  /// @param cover     null if everything is carried
+  /// @param cover     null if everything is supported
   /// @param settings  must outlive this
   /// @param index     of the layer, from 0
   LayerBelow(const Layer& layer, const LayerCover* cover, const std::optional<BedPlane>& bed,
              const PlanSettings& settings, std::size_t index);
 
-  /// Whether bridges are asked for, and part of the regions lies over nothing.
+  /// Whether bridges are used, and part of the regions is unsupported.
   bool leavesGaps(const Regions& regions) const;
 
-  /// @param inside    walls
-  /// @param pitch_mm  at which beads are laid side by side
+  /// Divides an area by what is below it.
+  /// @param inside    area within the walls
+  /// @param pitch_mm  distance of neighbouring beads
   BridgedAreas bridged(const Regions& inside, double pitch_mm) const;
-  /// The same over other material.
+  /// The same over other supporting material.
   BridgedAreas bridgedOver(const Regions& carrying, const Regions& inside, double pitch_mm) const;
 
-  /// A path as it is laid over the layer below: walls where they overhang, others as they are.
+  /// The path as it is laid over the layer below: overhanging walls changed, others as they are.
   Path carried(Path path) const;
 
  private:

@@ -14,8 +14,8 @@ namespace lamina {
 std::vector<double> linesOf(const InfillStrategy& strategy, const InfillSettings& settings,
                             std::size_t layer);
 
-/// The direction that crosses families of parallel lines most often on a way, all of them equally far apart:
-/// for one across it, for two 45 deg between them, for three across one. Of equal ones the first.
+/// The direction that crosses families of equally spaced parallel lines most often per length: square to a
+/// single family, 45 deg between two, square to one of three. Of equally good directions the first is taken.
 /// @param lines_deg  at least one
 /// @return [deg, from x]
 double acrossLines(const std::vector<double>& lines_deg);

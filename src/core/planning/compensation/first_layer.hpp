@@ -7,10 +7,10 @@
 
 namespace lamina {
 
-/// The settings that the first layer is planned by: its beads, pitches and feeds.
+/// The settings for planning the first layer, with its beads, pitches and feeds.
 PlanSettings onBed(PlanSettings settings);
 
-/// Scales what is deposited; beads keep their heights. A factor of 1 changes nothing.
+/// Scales the volume of a layer's beads, which keep their heights. A factor of 1 changes nothing.
 void scaleFlow(ToolpathLayer& layer, double factor);
 
 }  // namespace lamina

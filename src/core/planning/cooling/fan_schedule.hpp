@@ -14,29 +14,30 @@
 
 namespace lamina {
 
-/// Shares of single roles, as `fan.by_role` says; none for the others.
+/// Shares of roles in `fan.by_role`; none for the others.
 /// @throws InvalidConfig if it is no list of roles and shares, or names a role that has a setting of its own
 std::array<std::optional<double>, kPathRoles> roleSharesOf(const FanSettings& settings);
 
-/// From some motion on the fan has another share.
+/// A change of the fan's share before a motion.
 struct FanChange {
   WaypointIndex before;  ///< the motion that begins at that waypoint
   double share = 0.0;
 };
 
-/// Finds where the fan is to have another share, by 1/255 or more.
+/// Finds the changes of the fan's share by 1/255 or more.
 class FanSchedule {
  public:
   /// @param settings  must outlive this
   explicit FanSchedule(const FanSettings& settings) : settings_(settings), by_role_(roleSharesOf(settings)) {}
 
-  /// Of the next layer: at its start, where roles change that have shares of their own, and before and after
-  /// what lies over nothing. No fan follows stretches shorter than 2 mm, nor gaps between them.
+  /// Adds the changes of the next layer: at its start, at roles with shares of their own, and before and
+  /// after unsupported stretches. Stretches, and gaps between them, that are shorter than 2 mm are ignored,
+  /// since no fan follows them.
   /// @param share  of the layer
   void add(const std::vector<Path>& paths, std::size_t layer, double share);
 
   bool isOn() const { return steps_ != 0; }
-  /// In the order of the motion.
+  /// The changes in the order of motion.
   const std::vector<FanChange>& changes() const { return changes_; }
 
  private:

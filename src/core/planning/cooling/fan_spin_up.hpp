@@ -9,10 +9,10 @@
 
 namespace lamina {
 
-/// Adds the changes as events, those to a greater share earlier by the time that the fan takes to spin up, by
-/// the estimate with accelerations: motions are divided where that is. A lull shorter than the spin-up is
-/// none. What begins earlier than the toolpath begins with it.
-/// @param changes  in the order of the motion
+/// Adds the changes as events. A change to a greater share comes earlier by the fan's spin-up time, by the
+/// estimate with accelerations; motions are divided there. A lower share for less than that time is left out.
+/// No event comes before the start of the toolpath.
+/// @param changes  in the order of motion
 void addSentEarlier(Toolpath& toolpath, const std::vector<FanChange>& changes, double spin_up_s,
                     const MotionLimits& limits);
 

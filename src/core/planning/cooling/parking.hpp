@@ -10,28 +10,28 @@
 
 namespace lamina {
 
-/// Speed of a layer's travels, or of its last path if it has none [mm/s]. The layer has paths.
+/// Speed of a layer's travels, or of its last path if it has none [mm/s]. The layer must have paths.
 double travelFeed(const ToolpathLayer& layer);
 
-/// What parking places over a layer depend on.
+/// The deposition up to a layer, on which its parking place depends.
 struct ParkingGround {
-  Box3 part;  ///< box of what is deposited
+  Box3 part;  ///< box of the deposition
   Point3 up;  ///< away from the layers
-  /// Of what is deposited up to and with the layer, along `up` [mm]: other parts of a plate may be higher
-  /// than the nozzle.
+  /// Greatest height along `up` of the deposition up to and including the layer [mm]. Other parts of a plate
+  /// may be higher than the nozzle.
   double highest_mm = -std::numeric_limits<double>::infinity();
 };
 
-/// By layer.
+/// That of each layer.
 std::vector<ParkingGround> parkingGrounds(const Toolpath& toolpath);
 
-/// Where the nozzle waits, at the height where it is.
+/// The place at which the nozzle waits, at its present height.
 /// @param box  of the part
 Point3 parkingPlace(const Point3& here, const Box3& box, ParkPlace place);
 
-/// Retracted, up, to where the nozzle waits, and back to where it was. Its only event is a dwell of no time,
-/// before the way back.
-/// @param at        path at one end of which the nozzle stands: gives tool and orientation
+/// The path to the parking place and back: retracted, up, over, and the same way back. Its only event is a
+/// dwell of no time before the way back.
+/// @param at        path at one end of which the nozzle is; gives tool and orientation
 /// @param waypoint  of that path
 Path parkedWait(const Path& at, std::size_t waypoint, double travel_feed_mm_s, const ParkingGround& ground,
                 const CoolingSettings& settings);

@@ -6,10 +6,10 @@
 
 namespace lamina {
 
-/// Leaves each island alone for the least layer time, counted from when the nozzle last left what lies
-/// beneath it, in whatever layer, until it comes back. Islands of a layer are laid in the order in which
-/// those beneath were left; what still lacks is waited for before each. Feeds stay. Where paths carry marks
-/// of parts, tools change or layers are not plane, the order stays too.
+/// Makes the least layer time pass between the nozzle's leaving an island, of any layer, and its coming back
+/// to the one above. Islands of a layer are laid in the order in which those below them were left; the nozzle
+/// waits before an island for the time that still lacks. Feeds stay. If paths have marks of parts, tools
+/// change or layers are not plane, the order stays too.
 CoolingSummary leavePlacesAlone(Toolpath& toolpath, const CoolingSettings& settings,
                                 const MotionLimits& limits, Progress& progress);
 

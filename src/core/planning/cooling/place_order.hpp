@@ -9,35 +9,36 @@
 
 namespace lamina {
 
-/// An island of a layer, as far as boxes tell: what is laid of the part at one place.
+/// An island of a layer, told from others by its box: all that is laid of the part at one place.
 struct LaidPlace {
   Box2 box;                         ///< [mm, in the plane of the layers]
-  std::vector<std::size_t> visits;  ///< the stretches of the layer's paths that lie in it, in their order
+  std::vector<std::size_t> visits;  ///< stretches of the layer's paths in it, in their order
 };
 
 /// Paths that follow each other at one place, with the travels between them.
 struct PlaceVisit {
-  std::size_t begin = 0;  ///< of the travels that lead to it
-  std::size_t first = 0;  ///< path that deposits
-  std::size_t end = 0;    ///< behind the last one that does
+  std::size_t begin = 0;  ///< first travel that leads to it
+  std::size_t first = 0;  ///< first path that deposits
+  std::size_t end = 0;    ///< one past the last path that deposits
 };
 
-/// A layer by places. Those whose boxes overlap are one; build aids and drops of material are at none.
+/// A layer divided into places. Places with overlapping boxes are one; build aids and drops have none.
 struct PlacedLayer {
-  std::vector<PlaceVisit> visits;  ///< of all paths but travels behind the last of them
+  std::vector<PlaceVisit> visits;  ///< all paths except travels after the last of them
   std::vector<LaidPlace> places;   ///< in the order in which they are first visited
 };
 
-/// @param layers_from_part  turns the plane of the layers level
+/// Divides a layer.
+/// @param layers_from_part  rotation that makes the plane of the layers level
 PlacedLayer placesOf(const ToolpathLayer& layer, const Eigen::Quaterniond& layers_from_part);
 
-/// When each place of a layer may be laid, and when it was left last.
+/// The places of a layer, and the times at which they were left last.
 struct PlaceTimes {
   std::vector<Box2> boxes;
   std::vector<double> left_s;
 };
 
-/// When what lies beneath a box was left last; before all time if nothing lies there.
+/// Last time at which a place below a box was left; minus infinity if there is none.
 double leftBeneath(const Box2& box, const PlaceTimes& below);
 
 }  // namespace lamina

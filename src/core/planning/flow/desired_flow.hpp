@@ -8,19 +8,19 @@
 
 namespace lamina {
 
-/// What is to leave the nozzle along one run, over the time from its start: linear between instants, at which
-/// it may jump; nothing before and after.
+/// The flow that is to leave the nozzle along one run, over the time from its start. It is piecewise linear,
+/// may jump between pieces, and is 0 before and after the run.
 class DesiredFlow {
  public:
-  /// A motion that lays a bead of that section [mm²], next to those added before.
+  /// Appends a motion that lays a bead of that section [mm²].
   void add(const SpeedProfile& profile, double section_mm2);
 
   double duration() const { return stretches_.empty() ? 0.0 : stretches_.back().end_s; }
-  /// Before a jump at that very instant [mm³/s].
+  /// The flow at a time [mm³/s]; that before a jump at it.
   double flowBefore(double time_s) const;
-  /// Up to that time [mm³].
+  /// The volume up to a time [mm³].
   double volumeUntil(double time_s) const;
-  /// Where its slope may change, strictly between two times, ascending.
+  /// Times strictly between two times at which the slope may change, ascending.
   std::vector<double> changesBetween(double from_s, double to_s) const;
 
  private:

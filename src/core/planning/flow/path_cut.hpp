@@ -16,12 +16,11 @@ struct CutPlace {
   double share = 0.0;  ///< of that motion's length, between 0 and 1
 };
 
-/// The path with waypoints added at places; what it deposits, and how fast, is the same. Events stay where
-/// they are.
+/// The path with waypoints added at places. Deposition, feeds and places of events stay.
 /// @param places  in their order along the path
 Path withWaypoints(const Path& path, const std::vector<CutPlace>& places);
 
-/// Both parts of a path, each open. An event at the cut belongs to the second.
+/// The two open parts of a path. An event at the cut belongs to the second.
 /// @param waypoint  not the first or last of an open path
 std::pair<Path, Path> cutAt(const Path& path, std::size_t waypoint);
 

@@ -12,7 +12,7 @@
 
 namespace lamina {
 
-/// Code and the key of the setting it comes from.
+/// Code and the key of its setting.
 struct HookCode {
   std::string key;
   std::string code;
@@ -21,7 +21,7 @@ struct HookCode {
 /// All code that is not empty.
 std::vector<HookCode> hookCodes(const HookSettings& settings);
 
-/// Code by the layer, or the height [mm], it stands at.
+/// Code by its layer, or by its height [mm].
 /// @throws InvalidConfig if a name is no number of a layer, or no height
 std::map<std::size_t, HookCode> layerHooks(const HookSettings& settings);
 std::map<double, HookCode> heightHooks(const HookSettings& settings);
@@ -29,7 +29,7 @@ std::map<double, HookCode> heightHooks(const HookSettings& settings);
 /// Whether code holds one of these placeholders.
 bool holdsAny(const std::string& code, const std::vector<std::string>& placeholders);
 
-/// @throws InvalidConfig if code holds a placeholder that there is not
+/// @throws InvalidConfig if code holds an unknown placeholder
 void requirePlaceholders(const std::string& key, const std::string& code);
 
 }  // namespace lamina

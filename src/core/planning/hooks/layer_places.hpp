@@ -15,12 +15,12 @@ class LayerPlaces {
  public:
   LayerPlaces(const Toolpath& toolpath, const HookSite& site);
 
-  /// The first layer from that one on that lays something.
+  /// The first layer from that one on that deposits.
   /// @param what  names the setting, for the error
   /// @throws InvalidConfig if there is none
   std::size_t layer(std::size_t number, const std::string& what) const;
 
-  /// The first layer that lays something and begins at or above that height over the bed.
+  /// The first layer that deposits and begins at or above that height over the bed.
   /// @throws InvalidConfig if there is none
   std::size_t above(double height_mm, const std::string& what) const;
 
@@ -32,7 +32,7 @@ class LayerPlaces {
   double rise_mm_;
 };
 
-/// Index of the first path that lays something; the count of paths if none does.
+/// Index of the first path that deposits; the number of paths if none does.
 std::size_t firstBead(const ToolpathLayer& layer);
 
 }  // namespace lamina

@@ -6,30 +6,30 @@
 
 namespace lamina {
 
-/// What is to be laid on one motion of a run.
+/// The volume to be laid on one motion of a run.
 struct MotionLoad {
   double mm3 = 0.0;
-  double usual_mm3 = 0.0;  ///< that a bead of the planned width holds there
+  double usual_mm3 = 0.0;  ///< volume of a bead of the planned width there
   double length_mm = 0.0;
 };
 
-/// How much a run may be filled.
+/// Limits of the loads of a run.
 struct LoadLimits {
-  double fullest = 2.0;   ///< load of a motion, in usual ones
-  double reach_mm = 0.4;  ///< length that a load too much for its motion is spread over
+  double fullest = 2.0;   ///< greatest load of a motion, in usual ones
+  double reach_mm = 0.4;  ///< length over which an excess load is spread
   bool is_closed = false;
 };
 
-/// What is laid on each motion, and what no motion may take.
+/// The loads within limits, and the volume left out.
 struct BoundedLoads {
-  std::vector<double> mm3;
+  std::vector<double> mm3;  ///< by motion
   double left_out_mm3 = 0.0;
 };
 
-/// Loads that keep the limits. What is too much for a motion is spread over it and its neighbours, on
-/// alternate sides until it has room or they are as long as the reach; what has no room then is left out. A
-/// longer neighbour takes as much as the part of it within reach has room for.
-/// Motions that have nothing too much near them stay exactly as they are. The sum is kept.
+/// Brings loads within their limits. An excess load is spread over its motion and the neighbours, on
+/// alternate sides, until there is room or their length is the reach; the rest is left out. A longer
+/// neighbour takes only what its part within reach has room for. Motions without an excess near them stay
+/// exactly as they are. The sum of loads and volume left out is kept.
 BoundedLoads boundLoads(const std::vector<MotionLoad>& motions, const LoadLimits& limits);
 
 }  // namespace lamina

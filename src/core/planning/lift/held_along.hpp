@@ -10,7 +10,7 @@
 
 namespace lamina {
 
-/// A quantity along a path by its values at the waypoints: one for all if they are the same.
+/// A quantity along a path, from its values at the waypoints: a single value if they are all the same.
 template <class Value, class IsSame>
 AlongPath<Value> alongPath(std::vector<Value> values, const IsSame& is_same) {
   const bool is_common = std::all_of(values.begin(), values.end(),
@@ -19,7 +19,7 @@ AlongPath<Value> alongPath(std::vector<Value> values, const IsSame& is_same) {
   return AlongPath<Value>(std::move(values));
 }
 
-/// How the nozzle is held along a path, likewise.
+/// The orientation of the nozzle along a path, likewise.
 inline AlongPath<Eigen::Quaterniond> heldAlong(std::vector<Eigen::Quaterniond> orientations) {
   constexpr double kRounding = 1e-9;
   return alongPath(std::move(orientations), [](const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) {

@@ -9,32 +9,32 @@
 
 namespace lamina {
 
-/// A piece of an island and what it is planned by.
+/// A piece of an island and the plan that holds in it.
 struct IslandPiece {
   const LayerVariant* plan = nullptr;
   Regions area;  ///< those of an island's pieces do not overlap, and together cover it
 };
 
-/// Shares out an island among the variants of a layer and the plan itself, in this order; pieces below
-/// 1e-3 mm² go to what is beside them.
-/// @param plan  its area is what no variant takes
-/// @return one at least, which refer to the arguments
+/// Divides an island among the variants of a layer and the plan itself, in this order. A piece below 1e-3 mm²
+/// goes to one beside it.
+/// @param plan  takes the area of no variant
+/// @return at least one piece; they refer to the arguments
 std::vector<IslandPiece> piecesOf(const Region& island, const LayerVariant& plan,
                                   const std::vector<LayerVariant>& variants);
 
-/// Fewest walls of any piece.
+/// Least number of walls of any piece.
 int leastWalls(const std::vector<IslandPiece>& pieces);
 
-/// What walls were laid by.
+/// The settings and layer by which walls were laid.
 struct WallRules {
   const PlanSettings* plan = nullptr;
   std::size_t layer = 0;
 };
 
-/// Gives walls of an island that were laid by feeds, flow and tool of the plan those of the pieces they run
-/// through: waypoints are added where a wall crosses from one piece into another, and it is cut where the
-/// tool changes. Where a wall was slower, as over nothing, it stays so in the same measure.
-/// @param from  paths before that one stay as they are, as do travels
+/// Gives walls of an island the feeds, flow and tool of the pieces through which they run, in place of those
+/// of the plan. A wall gets waypoints where it crosses into another piece, and is cut where the tool changes.
+/// A factor on its feed, as over an overhang, is kept.
+/// @param from  first path that is changed; travels stay as they are
 std::vector<Path> laidByPieces(std::vector<Path> paths, std::size_t from,
                                const std::vector<IslandPiece>& pieces, const WallRules& laid_by);
 

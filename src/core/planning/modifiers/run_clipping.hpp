@@ -9,12 +9,12 @@
 
 namespace lamina {
 
-/// Where the straight line from one point to the other meets the outlines, as shares of the way between 0 and
-/// 1, ascending. Effort: the number of edges.
+/// The places at which the straight line between two points meets the outlines, as shares of its length
+/// between 0 and 1, ascending. The cost is proportional to the number of edges.
 std::vector<double> crossings(const Point2& from, const Point2& to, const std::vector<Polygon>& borders);
 
-/// The pieces of a run that lie in the regions. A closed run that nowhere leaves them stays closed; one that
-/// does leaves no seam where it began. Pieces shorter than 1e-3 mm are left out.
+/// The pieces of a run that lie in the regions. A closed run that lies in them as a whole stays closed; any
+/// other is not cut at its start. Pieces shorter than 1e-3 mm are left out.
 std::vector<FillPath> clipped(const FillPath& run, const Regions& area);
 
 }  // namespace lamina

@@ -9,12 +9,12 @@
 
 namespace lamina {
 
-/// The run as it is deposited so that it begins where it is carried. One that does so stays as it is, and so
-/// do drops, which hang on nothing. A closed run starts at the beginning of its longest carried stretch, so
-/// that what hangs over is deposited last, between ends that hold. An open run is turned round if its other
-/// end is carried; otherwise it is parted amid its longest carried stretch and both parts begin there. A run
-/// that nothing carries stays as it is.
-/// @param carries  whether something lies below a point of the run
+/// Changes a run so that it begins at a supported point. A run that does so already stays as it is, and so do
+/// drops and a run without support. A closed run starts at the beginning of its longest supported stretch, so
+/// that the unsupported rest is deposited last, between supported ends. An open run is reversed if its other
+/// end is supported; otherwise it is divided in the middle of its longest supported stretch, where both parts
+/// begin.
+/// @param carries  whether a point of the run is supported
 /// @return one run, or two
 std::vector<FillPath> anchored(FillPath run, const std::function<bool(const Point2&)>& carries);
 

@@ -10,8 +10,8 @@
 
 namespace lamina {
 
-/// The point of a layer's contours that is nearest to the bed; of several within 1e-6 mm the first along x,
-/// then along y. None of an empty layer.
+/// The point of a layer's contours that is nearest to the bed; of several within 1e-6 mm the one of least x,
+/// then of least y. None for an empty layer.
 std::optional<Point2> bedSide(const Layer& layer, const BedPlane& bed);
 
 }  // namespace lamina

@@ -10,17 +10,18 @@
 
 namespace lamina {
 
-/// Opens the closed infill of each layer at the place nearest to where the nozzle comes from, leaves the last
-/// nine tenths of a pitch out, and joins the layers: where the layer below ended within a pitch, seen along
-/// the tool axis, and no farther than two layers below, a bead rises from there to the start, as the first
-/// motion of the layer's path. With one such joined loop per layer the part becomes one path without travel.
-/// Elsewhere, and between the runs of a layer, travels stay.
+/// Opens the closed infill of each layer and chains the layers [Guacheta2021, algorithm 3-3].
 ///
-/// The direction of a joined loop is chosen so that it ends near the joined loop above. Joined loops shorter
-/// than two pitches stay closed. Travels between layers are not made here. Distances are measured in space,
-/// so that layers need not be level [Guacheta2021, algorithm 3-3].
-/// @param anchor  where the first layer starts [mm]
-/// @param travel  makes those between the runs of a layer
+/// A loop is opened at the place nearest to the nozzle, and its last nine tenths of a pitch are left out. If
+/// the layer below ended within a pitch of that place, seen along the tool axis, and at most two layers
+/// lower, a bead rises from there to the start as the first motion of the path. With one such loop per layer
+/// the part is one path without travel. Elsewhere, and between the runs of a layer, there are travels.
+///
+/// The direction of a loop is chosen so that it ends near the loop above. Loops shorter than two pitches stay
+/// closed. Travels between layers are not made here. Distances are measured in space, so that layers need not
+/// be level.
+/// @param anchor  place where the first layer starts [mm]
+/// @param travel  makes the travels between the runs of a layer
 void chainLayers(std::vector<ToolpathLayer>& layers, const PlanSettings& settings, const Point3& anchor,
                  const TravelMaker& travel);
 

@@ -10,23 +10,23 @@
 
 namespace lamina {
 
-/// Whole metres [mm] by which a layer lies away from the origin, towards which it is moved to be planned:
-/// areas are refused beyond 10 m, and layers on a belt may be anywhere. Zero within 5 m, so that usual parts
-/// are planned where they are.
+/// Distance of a layer from the origin, in whole metres [mm], by which it is moved to be planned: areas are
+/// refused beyond 10 m, but layers on a belt may be anywhere. Zero within 5 m, so that usual parts are
+/// planned in place.
 Point2 distanceFromOrigin(const Layer& layer);
 Point2 distanceFromOrigin(const Regions& regions);
 
-/// Layers that follow each other and lie equally far out.
+/// Successive layers with the same distance from the origin.
 struct StackStretch {
   std::size_t begin = 0;
   std::size_t end = 0;
-  Point2 away = Point2::Zero();  ///< [mm], of `distanceFromOrigin`
+  Point2 away = Point2::Zero();  ///< that distance, of `distanceFromOrigin` [mm]
 };
 
-/// All layers of a stack, as few stretches as there are. Empty layers belong to those before them.
+/// Divides a stack into such stretches. An empty layer belongs to the stretch of the layer before.
 std::vector<StackStretch> stretchesAlongBelt(const std::vector<Layer>& layers);
 
-/// The same at another place of the plane.
+/// A layer, or regions, moved in their plane [mm].
 Layer moved(Layer layer, const Point2& by);
 Regions moved(Regions regions, const Point2& by);
 

@@ -9,26 +9,26 @@
 
 namespace lamina {
 
-/// Where a run starts and ends; it may be run either way. Both the same for a closed one.
+/// The ends of a run, which may be run in either direction. Both are the same for a closed run.
 struct RunEnds {
   Point2 first;
   Point2 last;
 };
 
-/// A run in its place of the order.
+/// A run within an order, and its direction.
 struct OrderedRun {
   std::size_t run = 0;
   bool is_reversed = false;
 };
 
-/// An order of the runs, and a direction for each, with short travels between them [mm]: nearest neighbour
-/// first, then improved by turning round and moving stretches of it (2-opt and or-opt) within a bounded
-/// neighbourhood. Every run stands in it once. The effort grows about linearly with the number of runs.
+/// An order of the runs, with a direction for each, that has short travels. It starts from nearest
+/// neighbours, and is improved by reversing and moving stretches (2-opt and or-opt) within a bounded
+/// neighbourhood. Every run occurs once. The cost is about proportional to the number of runs.
 ///
-/// @param from  where the nozzle comes from
+/// @param from  place from which the nozzle comes [mm]
 std::vector<OrderedRun> orderRuns(const std::vector<RunEnds>& runs, const Point2& from);
 
-/// Length of the travels of that order [mm], the one to its first run included.
+/// Length of the travels of an order [mm], including the one to its first run.
 double travelLength(const std::vector<RunEnds>& runs, const std::vector<OrderedRun>& order,
                     const Point2& from);
 

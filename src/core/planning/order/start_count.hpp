@@ -10,11 +10,11 @@
 
 namespace lamina {
 
-/// Number of regions in which a bead of that plan width has room somewhere.
+/// Number of regions with room for a bead of that width somewhere.
 std::size_t regionsWithRoom(const Regions& regions, double width_mm);
 
-/// Starts of the runs that fill an area.
-/// @param deposited  in their order, as they are run
+/// The starts and travels of the runs that fill an area.
+/// @param deposited  ends of the runs in the order of laying
 FillStarts startsOf(const Regions& area, const std::vector<RunEnds>& deposited, double pitch_mm);
 
 }  // namespace lamina

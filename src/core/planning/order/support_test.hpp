@@ -12,9 +12,10 @@
 
 namespace lamina {
 
-/// What lies below the beads of an inclined layer along the tool axis: the layer before, and the bed. A bead
-/// is carried where it touches the bed with its flank or its foot, or where its middle is at most a quarter
-/// of its width beyond the edge of the layer before, so that a quarter of it lies on that.
+/// Tells whether beads of an inclined layer are supported along the tool axis, by the layer before or the
+/// bed. A bead is supported where it touches the bed with its flank or its foot, or where its middle is at
+/// most a quarter of its width beyond the edge of the layer before, so that a quarter of it lies on that
+/// layer.
 class SupportTest {
  public:
   /// @param below  the layer before; null for the first

@@ -11,21 +11,21 @@
 
 namespace lamina {
 
-/// Where points lie to the borders of regions, looked up in a grid of their edges: in a time that does not
-/// grow with the number of edges, but for those nearer than the reach.
+/// Distance of points from the borders of regions, by a grid of their edges. The cost of a look-up depends on
+/// the number of edges within the reach only.
 class BorderDistance {
  public:
-  /// @param reach_mm  positive: distances are told up to it
+  /// @param reach_mm  greatest distance that is measured; positive
   BorderDistance(const Regions& regions, double reach_mm);
 
-  /// Distance to the nearest border [mm], negative inside, and no farther than the reach either way. Of no
-  /// region, the reach.
+  /// Distance to the nearest border [mm], negative inside, and clamped to the reach either way. Without
+  /// regions it is the reach.
   double at(const Point2& point) const;
 
-  /// Whether the point lies in the regions; on a border either way.
+  /// Whether the point lies in the regions; on a border either result is possible.
   bool isInside(const Point2& point) const;
 
-  /// Calls visit(a, b) for each edge that may touch a box, for some of them more than once.
+  /// Calls visit(a, b) for each edge that may touch a box, for some edges more than once.
   template <class Visit>
   void visitEdges(const Point2& low, const Point2& high, const Visit& visit) const {
     const int last_row = rowOf(high.y());

@@ -11,12 +11,12 @@
 
 namespace lamina {
 
-/// What carries a layer along the tool axis, in its plane: the material of the layer below, and in inclined
-/// layers the strip along which the layer stands on the bed.
+/// The area that supports a layer along the tool axis, in its plane: the material of the layer below, and in
+/// inclined layers the strip along which the layer stands on the bed.
 Regions carryingArea(const Layer& layer, const LayerCover& cover, const std::optional<BedPlane>& bed);
 
-/// Whether the layer below carries all of a layer, as far as can be seen without looking: the two are the
-/// same, or it stands on the bed.
+/// Whether a layer is known to be supported as a whole without computation: it equals the one below, or
+/// stands on the bed.
 bool isCarried(const LayerCover& cover, const std::optional<BedPlane>& bed, std::size_t index);
 
 }  // namespace lamina

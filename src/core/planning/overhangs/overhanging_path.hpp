@@ -11,32 +11,32 @@
 
 namespace lamina {
 
-/// The process value of paths that nothing carries: the share of the bead that has nothing below it.
+/// Name of the process value with the unsupported share of a bead's width.
 inline constexpr const char* kUnsupported = "unsupported";
 
-/// How walls beyond the layer below are laid.
+/// Rules for walls beyond the layer below.
 struct OverhangRules {
   OverhangingWallSettings walls;
-  double bridge_feed_mm_s = 0.0;  ///< of walls that span a gap; 0 if they are walls like others
+  double bridge_feed_mm_s = 0.0;  ///< of walls that span a gap; 0: as other walls
   double anchor_mm = 0.0;         ///< shorter gaps do not count
 };
 
-/// A wall as it is laid over the layer below. Where the share of its bead that has nothing below it passes an
-/// entry of the settings it gets a waypoint; feed and cross-section of each motion follow the share in the
-/// middle of it, and the process value `unsupported` tells it from the first entry on. A straight stretch
-/// with nothing below, between two that are carried, spans a gap. A wall that is carried stays as it is.
-/// @param below  what carries it, to a reach of half the bead width at least
-/// @param layer  index, from 0: of every second one loops are turned round if the settings say so
+/// A wall as it is laid over the layer below. It gets a waypoint where its unsupported share passes an entry
+/// of the settings. Feed and cross-section of a motion follow from the share at its middle; from the first
+/// entry on the process value `unsupported` states the share. A straight unsupported stretch between two
+/// supported ones spans a gap. A supported wall stays as it is.
+/// @param below  border of the supporting material, with a reach of at least half the bead width
+/// @param layer  index, from 0; in every second layer loops are reversed if the settings say so
 Path overhanging(Path wall, const BorderDistance& below, const OverhangRules& rules, std::size_t layer);
 
-/// The same for paths that are wholly over nothing, those that follow the first so many and deposit: at that
-/// feed, and told so.
+/// Gives the depositing paths after the first `before` ones, which are unsupported as a whole, that feed and
+/// the process value.
 void markUnsupportedSince(std::vector<Path>& paths, std::size_t before, double feed_mm_s);
 
-/// What a path tells of it; null if it tells nothing.
+/// The process value of a path; null if it has none.
 const ProcessValue* unsupportedOf(const Path& path);
 
-/// Takes it away.
+/// Removes the process value.
 void forgetUnsupported(Path& path);
 
 }  // namespace lamina

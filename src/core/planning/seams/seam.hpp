@@ -19,10 +19,11 @@ class Seam {
  public:
   Seam(const SeamSettings& settings, const Point2& anchor, std::uint64_t layer);
 
-  /// The loop from its seam on. Nearest leaves it as it is: the nozzle's place is not known yet.
+  /// The loop, starting at its seam. Nearest leaves it as it is, since the position of the nozzle is not
+  /// known yet.
   Polygon placed(Polygon loop);
 
-  /// The loop as it is run by a nozzle that comes from `nozzle`; differs from `loop` for Nearest only.
+  /// The loop, starting at its seam for a nozzle that comes from `nozzle`. Only Nearest changes it.
   Polygon approached(Polygon loop, const Point2& nozzle) const;
 
  private:

@@ -9,15 +9,15 @@
 
 namespace lamina {
 
-/// Whether that role is laid so that no line lies between two laid before it.
+/// Whether lines of that role are laid in one order across them, none between two laid before.
 bool laysInOneSense(const SkinSettings& settings, PathRole role);
 
-/// Lines of ironing over what is seen, to and fro [mm]. What is narrower than twice the inset gets none.
-/// @param seen  of one layer
+/// Zigzag lines of ironing over visible areas [mm]. Places narrower than twice the inset get none.
+/// @param seen  visible areas of one layer
 std::vector<FillPath> ironingLines(const Regions& seen, const IroningSettings& settings, double angle_rad);
 
-/// As high as the layer and so narrow that it holds what the flow says [mm]: it lies in what is there
-/// already, so that measures of areas count no more than that volume.
+/// The bead of ironing [mm]: as high as the layer, and as narrow as the flow requires. It lies within
+/// material that is there already, so that measures of areas count no more than its volume.
 Bead ironingBead(const IroningSettings& settings, double layer_height_mm);
 
 }  // namespace lamina

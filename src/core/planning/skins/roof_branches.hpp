@@ -11,12 +11,12 @@
 
 namespace lamina {
 
-/// Branches in each layer that hold up the skins of the layers above (`branchesUnderRoofs`): solid material
-/// that lies on what the infill of a layer is to fill, between the walls.
+/// Branches in each layer that support the skins of the layers above (`branchesUnderRoofs`): solid material
+/// that lies on the area of the infill, between the walls.
 /// @param covers      of each layer, from the bottom
 /// @param heights_mm  of each layer
-/// @param place       where they lie
-/// @return as many as layers; the same for any number of threads
+/// @param place       where the layers may lie
+/// @return one per layer; the same for any number of threads
 std::vector<std::vector<Polyline>> branchesUnderSkins(const std::vector<LayerCover>& covers,
                                                       const std::vector<double>& heights_mm,
                                                       const PlanSettings& settings, StackPlace place,

@@ -10,33 +10,33 @@ namespace lamina {
 
 /// Sizes that decide where skins end [mm].
 struct SkinMeasures {
-  double narrowest_mm = 0.0;      ///< what is narrower is no skin
-  double anchor_mm = 0.0;         ///< by which a skin grows into the infill
+  double narrowest_mm = 0.0;      ///< narrower places are no skin
+  double anchor_mm = 0.0;         ///< by which a skin extends into the infill
   double least_infill_mm2 = 0.0;  ///< smaller areas of infill become skin
-  double thinnest_mm = 0.0;  ///< what is narrower than a skin but not than this gets a bead; 0: nothing does
-  double bead_mm = 0.0;      ///< by half of which the area of such a bead is wider than what is seen
+  double thinnest_mm = 0.0;       ///< places narrower than a skin, but not than this, get a bead; 0: none
+  double bead_mm = 0.0;           ///< the area of such a bead is wider than the visible one by half of this
 };
 
-/// From the outline to the border of what the walls leave [mm].
+/// Thickness of the walls: distance from the outline to the area inside them [mm].
 double wallThickness(const PlanSettings& settings, double pitch_mm);
 
-/// As the settings say, at that pitch between neighbouring beads.
+/// The measures by the settings, for that pitch of neighbouring beads.
 SkinMeasures skinMeasures(const PlanSettings& settings, double pitch_mm);
 
-/// An area within walls, shared out. The parts do not overlap, and together are the area.
+/// An area within walls, divided into parts that do not overlap and together are the area.
 struct SkinAreas {
-  Regions bottom_skin;  ///< seen from below
+  Regions bottom_skin;  ///< visible from below
   Regions skin;         ///< solid and hidden
-  Regions top_skin;     ///< seen from above; from both sides, this one
-  Regions thickening;   ///< too narrow for a skin, beside walls that lean: for one bead more
+  Regions top_skin;     ///< visible from above, or from both sides
+  Regions thickening;   ///< too narrow for a skin, beside leaning walls; gets one more bead
   Regions sparse;       ///< for the infill
 };
 
-/// A place is skin if one of the layers that skins count does not cover it.
-/// @param inside  walls, of one layer
+/// Divides an area. A place is skin if one of the layers that skins consider does not cover it.
+/// @param inside  area within the walls of one layer
 SkinAreas skinAreas(const Regions& inside, const LayerCover& cover, const SkinMeasures& measures);
 
-/// Whether a region is smaller than that.
+/// Whether any region is smaller than that.
 bool hasSmall(const Regions& regions, double least_mm2);
 
 }  // namespace lamina

@@ -14,11 +14,11 @@ namespace lamina {
 /// Where a stack of layers may lie.
 enum class StackPlace {
   NearOrigin,
-  AlongBelt,  ///< anywhere: stretches of it are looked at near the origin (`distanceFromOrigin`)
+  AlongBelt,  ///< anywhere: its stretches are moved to the origin for planning (`distanceFromOrigin`)
 };
 
-/// What covers each layer of a part (`coversOf`), where the layers are.
-/// @throws what regions do that lie farther than 10 m from the origin, unless the stack may lie anywhere
+/// The cover of each layer of a part (`coversOf`), at its place.
+/// @throws as operations on regions beyond 10 m from the origin, unless the stack may lie anywhere
 std::vector<LayerCover> stackCovers(const std::vector<Layer>& layers, const PlanSettings& settings,
                                     StackPlace place, Progress& progress);
 

@@ -11,18 +11,19 @@
 
 namespace lamina {
 
-/// Branches as loops: one, and a second one where they are thicker than 6 mm.
+/// The loops of branches: one, and a second one where a branch is thicker than 6 mm.
 struct BranchLoops {
-  std::vector<LayerAids> layers;  ///< as many as the part has
-  std::vector<Regions> areas;     ///< what branches cover in each of them
+  std::vector<LayerAids> layers;  ///< one per layer of the part
+  std::vector<Regions> areas;     ///< area of branches in each layer
 };
 
-/// @param taken  of the first layer: no branch lies there
+/// Makes the loops of a tree.
+/// @param taken  area of the first layer in which no branch may lie
 BranchLoops branchLoops(const SupportTree& tree, const Regions& taken, const PlanSettings& settings,
                         Progress& progress);
 
-/// What hangs over, in total and farther than `supports.tip_spacing_mm` from any tip that is held up, and the
-/// largest section of branches.
+/// Totals of a tree: area of overhangs, that of overhangs farther than `supports.tip_spacing_mm` from any
+/// supported tip, and the greatest area of branches in a layer.
 SupportTotals branchTotals(const std::vector<Regions>& overhangs, const SupportTree& tree,
                            const BranchLoops& loops, const SupportSettings& settings);
 

@@ -13,13 +13,13 @@ namespace lamina {
 /// The upper end of a branch.
 struct BranchTip {
   Point2 at;
-  std::size_t overhang = 0;  ///< layer that it holds up
+  std::size_t overhang = 0;  ///< layer that it supports
   ColumnTop top;
 };
 
-/// Tips spread over what hangs over, on its rim first: every place of it lies within
-/// `supports.tip_spacing_mm` of one, but where it is nearer to the part than a tip may be. Below ledges
-/// (`ledgesIn`) tips follow the wall of each layer, as near to it as `ledgeGap`.
+/// Tips spread over the overhangs, along their rims first. Every place of an overhang is within
+/// `supports.tip_spacing_mm` of a tip, except where it is too near to the part for one. Below ledges
+/// (`ledgesIn`) tips follow the wall of each layer at the distance `ledgeGap`.
 /// @param overhangs  of each layer
 std::vector<BranchTip> branchTips(const StackedMaterial& stack, const std::vector<Regions>& overhangs,
                                   const WallBeads& walls, const SupportSettings& settings);

@@ -9,24 +9,24 @@ namespace lamina {
 
 /// The walls of a part.
 struct WallBeads {
-  double width_mm = 0.0;      ///< of one bead; narrower places have no support
-  double thickness_mm = 0.0;  ///< of all of them, from the outline in; 0 without walls
+  double width_mm = 0.0;      ///< width of a bead; narrower places have no support
+  double thickness_mm = 0.0;  ///< thickness of all walls together; 0 without walls
 };
 
-/// Between the part and a support where that comes nearest to it: what is left above a support is left beside
-/// it too, below a ledge. No more than `supports.side_gap_mm`.
+/// Least gap between the part and the side of a support, used below ledges: equal to the gap above a support,
+/// but at most `supports.side_gap_mm`.
 double ledgeGap(const SupportSettings& settings);
 
-/// By how much a column may be wider than the layer of it below, on each side: half a bead lies on nothing.
+/// Greatest widening of a column from layer to layer on each side, at which half a bead is unsupported.
 double ledgeStep(const WallBeads& walls);
 
-/// Where walls hang within the side gap, out of reach of a column that keeps it: beads of which more than
-/// three quarters lie beyond the part, on stretches longer than three of their widths; and round them what
-/// a column needs to be as wide as a bead beyond the gap.
-/// @param overhang  of the layer: what supports hold up
-/// @param layer     all of it
-/// @param below     of the part beside the end of the columns
-/// @return nothing without ledges, and where the gap is no wider than the least
+/// Ledges: places where walls overhang within the side gap, out of reach of a column that keeps it. They are
+/// beads of which more than three quarters lie beyond the part, on stretches longer than three of their
+/// widths, and the area round them that a column needs to be as wide as a bead beyond the gap.
+/// @param overhang  of the layer, as far as it is supported
+/// @param layer     whole area of the layer
+/// @param below     area of the part beside the end of the columns
+/// @return empty without ledges, or if the side gap is no wider than `ledgeGap`
 Regions ledgesIn(const Regions& overhang, const Regions& layer, const Regions& below, const WallBeads& walls,
                  const SupportSettings& settings);
 

@@ -12,28 +12,29 @@
 
 namespace lamina {
 
-/// What of a layer hangs over the one below: pieces of what is not above that in which it goes farther than
-/// `lean_mm`, up to the wall that they hang on.
+/// The overhang of a layer: pieces beyond the layer below that extend farther than `lean_mm` from it, each up
+/// to the wall on which it hangs.
 Regions overhangOf(const Regions& layer, const Regions& below, double lean_mm);
 
-/// What of an overhang supports must hold up: not what is held otherwise, such as by bridges.
-/// @param held  of the same layer; nothing if all of it hangs
+/// The part of an overhang that needs support: without what is held otherwise, as by bridges.
+/// @param held  area of the same layer that is held; may be empty
 Regions toHoldUp(const Regions& overhang, const Regions& held);
 
 /// Bridges that need no support.
 struct HoldingBridges {
   BridgeSearch search;
-  double longest_mm = 0.0;  ///< longer free spans are held up all the same; 0 for no limit
+  double longest_mm = 0.0;  ///< longer free spans need support; 0 for no limit
 };
 
-/// The pieces of an overhang that bridges span: threads are held at both ends over most of their length.
+/// The pieces of an overhang that bridges span, whose threads are held at both ends over most of their
+/// length.
 Regions heldByBridges(const Regions& overhang, const Regions& below, const HoldingBridges& bridges);
 
-/// What supports must hold up in each layer: overhangs beyond `supports.angle_deg`, and a disc of
-/// `supports.tip_mm` round each place too small for a support that hangs without any material below it. The
-/// first layer has none; bed that shows in inclined layers carries like material.
-/// @param bridges  none if what they span is held up too
-/// @return as many as layers; those that equal the layer below have none, and cost nothing
+/// The area that needs support in each layer: overhangs beyond `supports.angle_deg`, and a disc of
+/// `supports.tip_mm` round each isolated place that is too small for a support. The first layer has none. In
+/// inclined layers the bed supports like material.
+/// @param bridges  none if bridges need support too
+/// @return one per layer; a layer that equals the one below has none, and costs nothing
 std::vector<Regions> overhangAreas(const StackedMaterial& stack, const SupportSettings& settings,
                                    Progress& progress,
                                    const std::optional<HoldingBridges>& bridges = std::nullopt);

@@ -6,24 +6,24 @@
 
 namespace lamina {
 
-// The operations of the same purpose on regions, piece by piece: a piece whose outlines meet no others is
-// kept or left out as it is, and only the rest is clipped. The same areas; pieces that are clipped come last.
+// Operations on regions, piece by piece: a piece whose outlines meet no others is kept or left out unchanged,
+// and only the rest is clipped. Areas equal those of the whole operations; clipped pieces come last.
 
-/// Where `regions` is and `subtracted` is not.
+/// `regions` without `subtracted`.
 Regions differenceByPieces(const Regions& regions, const Regions& subtracted);
 
-/// What is grown by a distance: no less than with round corners, no more than with mitred ones.
+/// The regions grown by a distance, at least as with round corners and at most as with mitred ones.
 Regions grownByPieces(const Regions& regions, double distance_mm);
 
-/// Whether a disc of that radius has room in a region; false also where that is not found at once.
+/// Whether a disc of that radius is known to fit into a region. False if that takes a longer search.
 bool surelyHasRoom(const Region& region, double radius_mm);
 
-/// The regions in groups: those whose boxes come within a distance of each other, of others of the group, or
-/// that have a hole no wider than it; and those that stand alone.
+/// Regions divided by their distance from each other.
 struct NeighbouringRegions {
-  Regions near;
-  Regions alone;
+  Regions near;   ///< those with a box within the distance of another one's, or with a hole no wider than it
+  Regions alone;  ///< all others
 };
+/// Divides regions.
 NeighbouringRegions neighbouring(const Regions& regions, double distance_mm);
 
 }  // namespace lamina

@@ -12,22 +12,22 @@
 
 namespace lamina {
 
-/// Where regions of a part ask for supports of their own.
+/// Regions of a part with their own settings of supports, and marks.
 struct SupportRegions {
   const std::vector<PlanVariant>* variants = nullptr;  ///< null for none
   const SupportMarks* marks = nullptr;                 ///< null for none
 };
 
-/// What is to be held up in each layer, and what a mark forbids to.
+/// The areas that need support.
 struct RegionalOverhangs {
-  std::vector<Regions> held;
-  double blocked_mm2 = 0.0;  ///< overhangs that lie where supports never are
+  std::vector<Regions> held;  ///< by layer
+  double blocked_mm2 = 0.0;   ///< area of overhangs where marks forbid supports
 };
 
-/// The overhangs of a part (`overhangAreas`), in regions by `supports.use`, `supports.angle_deg` and the
-/// bridges of their own; without what lies where supports never are, and with all that lies over nothing
-/// where they always are.
-/// @param layer_height_mm  by which bridges are measured
+/// The overhangs of a part (`overhangAreas`), with `supports.use`, `supports.angle_deg` and bridges of each
+/// region. Where marks forbid supports there are none; where marks force them, all that is unsupported
+/// counts.
+/// @param layer_height_mm  for the measures of bridges
 RegionalOverhangs regionalOverhangs(const StackedMaterial& stack, const PlanSettings& settings,
                                     const SupportRegions& regions, double layer_height_mm,
                                     Progress& progress);

@@ -14,41 +14,44 @@
 
 namespace lamina {
 
-/// What layers in parallel planes are made of, in their frame, and which way things fall there.
+/// The material of layers in parallel planes, in their frame, and the direction of gravity there.
 struct StackedMaterial {
   std::vector<SharedRegions> material;  ///< of each layer; layers that equal the one before share its regions
   std::vector<LayerBounds> bounds;
   std::optional<BedPlane> bed;  ///< below inclined layers
-  Box2 box;                     ///< round all of it
+  Box2 box;                     ///< of all material
 
   std::size_t size() const { return material.size(); }
-  /// In the plane of the layers, for each millimetre down along their normal. Zero in level layers.
+  /// Shift of a vertical line in the plane of the layers, per millimetre down their normal. Zero in level
+  /// layers.
   Point2 fall() const;
-  /// What of the plane half way up a layer lies in the bed, near the part. Nothing in level layers.
+  /// The part, near the model, of the plane half way up a layer that lies in the bed. Empty in level layers.
   Regions bedIn(std::size_t layer) const;
 };
 
+/// Collects the material of layers.
 /// @param tolerance_mm  by which outlines are simplified
 StackedMaterial stackedMaterial(const std::vector<Layer>& layers, double tolerance_mm,
                                 const std::optional<BedPlane>& bed, Progress& progress);
 
-/// What either is; one of them as it is if the other is empty.
+/// The union of both; one of them unchanged if the other is empty.
 Regions united(const Regions& a, const Regions& b);
 
-/// The outlines with fewer points, and without areas below a millionth of a square millimetre.
+/// The regions with fewer points, and without areas below 1e-6 mm².
 Regions simplified(const Regions& regions, double tolerance_mm);
 
-/// What of them lies within a box that is larger by `reach_mm` all round. Along its sides outlines may touch
-/// themselves: within the box itself what is made of them, up to that reach, is as if made of the whole.
+/// The regions clipped to a box that is grown by `reach_mm` on each side. Outlines may touch themselves along
+/// its sides. Operations with at most that reach give the same result within the box itself as on the whole
+/// regions.
 Regions within(const Regions& regions, const Box2& box, double reach_mm);
 
-/// Round all outlines.
+/// The bounding box of all outlines.
 Box2 boxOf(const Regions& regions);
 
-/// Without regions that are narrower than that all over.
+/// The regions without those that are narrower than that everywhere.
 Regions withoutNarrowPieces(Regions regions, double narrowest_mm);
 
-/// Without what is narrower than that.
+/// The regions without all places narrower than that.
 Regions withoutNarrow(const Regions& regions, double narrowest_mm);
 
 }  // namespace lamina

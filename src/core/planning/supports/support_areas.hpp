@@ -14,7 +14,7 @@
 
 namespace lamina {
 
-/// Support of one height in a layer [frame of the layers].
+/// The part of a layer's support between two heights [mm, frame of the layers].
 struct SupportSection {
   double bottom_mm = 0.0;
   double top_mm = 0.0;
@@ -22,30 +22,30 @@ struct SupportSection {
   SharedRegions interface;  ///< dense; beside the lattice
 };
 
-/// Of one layer, the lowest first: one as high as the layer, and lower ones where columns end in it. None
-/// without support.
+/// The support of one layer, lowest section first: one as high as the layer, and lower ones where columns end
+/// in it. Empty without support.
 using LayerSupport = std::vector<SupportSection>;
 
-/// Support of all layers, and its areas.
+/// The support of all layers, and its totals.
 struct SupportAreas {
   std::vector<LayerSupport> layers;
   SupportTotals totals;  ///< without volumes
 };
 
-/// The last layers of columns that end a gap below a layer.
+/// The last layers of columns that end at a gap below a layer.
 struct ColumnTop {
   struct Cap {
     std::size_t layer = 0;
     double bottom_mm = 0.0;
     double top_mm = 0.0;
   };
-  std::size_t full_layers = 0;  ///< from the bed up, as high as those of the part
-  std::vector<Cap> caps;        ///< on them, none or up to two: at least half as high, but on the bed
+  std::size_t full_layers = 0;  ///< number, from the bed up, of layers as high as those of the part
+  std::vector<Cap> caps;        ///< up to two lower layers on them, at least half as high except on the bed
 };
 
-/// Where columns below a layer end so that the gap to it is met exactly. What is left of the layer in which
-/// they end is a lower layer of support; less than half of it is shared out with the layer below.
-/// @return none if no support has room
+/// The top of columns below a layer for exactly that gap. The rest of the layer in which they end is a lower
+/// layer of support; if it is less than half a layer, it is shared out with the layer below.
+/// @return none if there is no room for support
 std::optional<ColumnTop> columnTopBelow(const std::vector<LayerBounds>& bounds, std::size_t layer,
                                         double gap_mm);
 
@@ -55,16 +55,16 @@ struct LayerSpan {
   std::size_t end = 0;
 };
 
-/// What hangs over, by layer, and the layers that totals are of.
+/// Overhangs by layer, and the layers that count for totals.
 struct CountedOverhangs {
   const std::vector<Regions>& areas;
   LayerSpan counted;
 };
 
-/// Columns below what hangs over, from the top down: `F(j) = (F(j+1) + C) \ R(j)`, where C is what is held up
-/// by columns that end in layer j, without what is nearer to the part R(j) than the side gap. In inclined
-/// layers columns fall along gravity. In level ones columns come as near as `ledgeGap` below walls that would
-/// hang within the side gap. One union and one difference for each layer that is not as the one above it.
+/// Columns below overhangs, from the top down: `F(j) = (F(j+1) + C) \ R(j)`. C are the overhangs whose
+/// columns end in layer j, and R(j) is the part, grown by the side gap. In inclined layers columns follow
+/// gravity. In level layers they come as near as `ledgeGap` below walls that overhang within the side gap.
+/// The cost is one union and one difference for each layer that differs from the one above.
 SupportAreas supportAreas(const StackedMaterial& stack, const CountedOverhangs& overhangs,
                           const SupportSettings& settings, const WallBeads& walls, Progress& progress);
 

@@ -11,20 +11,20 @@
 
 namespace lamina {
 
-/// What layers a lattice is for.
+/// The layers of a lattice.
 struct LatticePlace {
-  double layer_height_mm = 0.0;  ///< for which lines are as far apart as the densities say, in all layers
-  Point2 away = Point2::Zero();  ///< by which they were moved towards the origin
+  double layer_height_mm = 0.0;  ///< height for which the densities give the spacing of lines in all layers
+  Point2 away = Point2::Zero();  ///< by which layers were moved towards the origin [mm]
 };
 
-/// The lines of supports: of the lattice in one direction over the whole height, so that they stand on each
-/// other, and of interfaces across.
-/// @param areas           as many layers as the part; those that share regions share their lines
-/// @return as many as layers, those of lower sections first
+/// The lines of supports. Those of the lattice have one direction over the whole height, so that they stand
+/// on each other; those of interfaces are square to them.
+/// @param areas           one per layer of the part; layers that share regions share their lines
+/// @return one per layer, with the lines of lower sections first
 std::vector<LayerAids> supportLattice(const std::vector<LayerSupport>& areas, const PlanSettings& settings,
                                       const LatticePlace& place, Progress& progress);
 
-/// Volumes of what is laid, by role.
+/// Adds the volumes of supports to totals, by role.
 void addVolumes(SupportTotals& totals, const std::vector<LayerAids>& supports);
 
 }  // namespace lamina

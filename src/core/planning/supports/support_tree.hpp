@@ -12,7 +12,7 @@
 
 namespace lamina {
 
-/// A branch where it passes a layer, or the lower layer in which it ends.
+/// The section of a branch in a layer, or in the lower layer in which it ends.
 struct BranchDisc {
   Point2 at;
   double radius_mm = 0.0;
@@ -24,17 +24,17 @@ struct BranchDisc {
 /// Branches of level layers.
 struct SupportTree {
   std::vector<std::vector<BranchDisc>> layers;
-  std::vector<BranchTip> tips;  ///< that are held up
-  std::size_t dropped = 0;      ///< tips whose branch found no foot
+  std::vector<BranchTip> tips;  ///< those that are supported
+  std::size_t dropped = 0;      ///< number of tips whose branch has no foot
 };
 
-/// Branches from tips to bed or part, layer by layer from the top: each leans by at most
-/// `supports.branch_angle_deg`, towards its nearest neighbour where both would meet above the bed, and keeps
-/// `supports.side_gap_mm` from the part, or `ledgeGap` where it has no other way; those that meet go on as
-/// one. It widens by `supports.branch_taper_deg` on each side with the way to its farthest tip, up to
-/// `supports.branch_mm`, but where the part leaves no room. With `supports.foot: bed` branches keep out of
-/// where the bed is out of reach.
-/// @param tips  as of `branchTips`
+/// Grows branches from tips down to bed or part, layer by layer. A branch leans by at most
+/// `supports.branch_angle_deg`, towards its nearest neighbour if both can meet above the bed; branches that
+/// meet continue as one. It keeps `supports.side_gap_mm` from the part, or `ledgeGap` if there is no other
+/// way. It widens by `supports.branch_taper_deg` on each side with the length to its farthest tip, up to
+/// `supports.branch_mm`, as far as the part leaves room. With `supports.foot: bed` branches avoid places from
+/// which the bed cannot be reached.
+/// @param tips  those of `branchTips`
 SupportTree growBranches(const StackedMaterial& stack, std::vector<BranchTip> tips,
                          const SupportSettings& settings, Progress& progress);
 

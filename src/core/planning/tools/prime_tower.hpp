@@ -11,27 +11,26 @@
 
 namespace lamina {
 
-/// A change of tools within a layer, and what is laid for it.
+/// A purge at a change of tools within a layer.
 struct Purge {
-  std::uint32_t tool = 0;  ///< that is taken
+  std::uint32_t tool = 0;  ///< the one that is taken
   double volume_mm3 = 0.0;
 };
 
-/// What a layer of the tower is asked for.
+/// A layer of the tower.
 struct TowerLayer {
   double height_mm = 0.0;
   std::vector<Purge> purges;
 };
 
-constexpr double kTowerBesidePart = 5.0;  ///< mm, where it has no place of its own
+constexpr double kTowerBesidePart = 5.0;  ///< distance from the part without a place of its own [mm]
 
-/// A square tower of two walls, filled by what tools lay into it when they are taken: as much as is asked
-/// for, of which the first of a layer lays the walls. Where no tool changes, walls and a few lines keep it as
-/// high as the part.
+/// A square tower of two walls, filled by the purges of tools. The first purge of a layer lays the walls. In
+/// a layer without purges the walls and a few lines keep it as high as the part.
 class PrimeTower {
  public:
-  /// @param layers  all of the tower, of which those above the last purge are not laid
-  /// @param part    box of what is deposited, in the frame of the layers
+  /// @param layers  all layers; those above the last purge are not laid
+  /// @param part    box of the deposition, in the frame of the layers
   /// @throws InvalidConfig if it is too small, or stands on the part
   PrimeTower(std::vector<TowerLayer> layers, const PlanSettings& settings, const Box2& part);
 
@@ -40,9 +39,9 @@ class PrimeTower {
   std::size_t height() const { return height_; }
   bool purgesIn(std::size_t layer) const { return !layers_[layer].purges.empty(); }
 
-  /// What a purge of a layer lays: two paths at most.
+  /// The paths of a purge in a layer; at most two.
   std::vector<Path> purge(std::size_t layer, std::size_t index, double z_mm) const;
-  /// What is laid in a layer without purges.
+  /// The paths of a layer without purges.
   std::vector<Path> keep(std::size_t layer, std::uint32_t tool, double z_mm) const;
 
  private:

@@ -9,20 +9,21 @@
 
 namespace lamina {
 
-/// Nominal beads of a role in a layer.
+/// The nominal bead of a role in a layer.
 struct RoleBead {
   Bead bead;
-  double pitch_mm = 0.0;  ///< between neighbours that fill the layer, or `bead.pitch_mm`
+  double pitch_mm = 0.0;  ///< distance at which neighbours fill the layer, or `bead.pitch_mm`
 };
 
-/// As wide as `bead.width_mm` says for the tool of walls, and by other tools wider or narrower as their
-/// nozzles are. Where a nozzle is not known, for bridges and for ironing it is the width of walls.
+/// The nominal bead of a role. It is `bead.width_mm` wide for the tool of walls, and for other tools wider or
+/// narrower in proportion to their nozzles. If a nozzle is not known, and for bridges and ironing, it has the
+/// width of walls.
 /// @param height_mm  of the bead
 RoleBead beadOf(PathRole role, const PlanSettings& settings, double height_mm);
 
-/// Those of a layer.
+/// The nominal beads of a layer.
 struct LayerBeads {
-  RoleBead walls;  ///< and all that is neither of the others
+  RoleBead walls;  ///< of walls and all other roles
   RoleBead infill;
   RoleBead skins;
 
@@ -31,13 +32,13 @@ struct LayerBeads {
 
 LayerBeads beadsByRole(const PlanSettings& settings, double height_mm);
 
-/// A tool and the one that its nozzle is measured by.
+/// A tool and the one with which its nozzle is compared.
 struct ComparedTools {
   std::size_t tool = 0;
   std::size_t by = 0;
 };
 
-/// The nozzle of the one by that of the other; 1 where either is not known.
+/// Nozzle diameter of `tool` over that of `by`; 1 if either is not known.
 double nozzleShare(const ComparedTools& compared, const ToolSettings& settings);
 
 }  // namespace lamina

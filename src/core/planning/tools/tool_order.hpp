@@ -11,29 +11,27 @@
 
 namespace lamina {
 
-/// Whether any path has another tool than the first, be it a support's own.
+/// Whether any path, supports included, has another tool than the first.
 bool usesTools(const PlanSettings& settings);
 
-/// Which tool lays a path: supports that `supports.*` gave one keep it, unless `tool.*` names another.
+/// The tool of a path. A support keeps that of `supports.*`, unless `tool.*` names another.
 std::uint32_t toolOf(const Path& path, const ToolSettings& settings);
 
-/// The tools that lay walls, infill, skins and, where they are used, supports, as `toolOf` says: each once,
-/// in that order.
+/// The tools of walls, infill, skins and, if used, supports by `toolOf`: each once, in that order.
 std::vector<std::uint32_t> toolsAtWork(const PlanSettings& settings);
 
-/// Lays each layer tool by tool: first the one that ended the layer before, then the others by their numbers,
-/// each in the order that was planned. Travels between paths that follow each other no longer are made anew;
-/// those to another tool are retracted. With `tools.purge_mm3` the tool that is taken first lays that volume
-/// into a prime tower, before anything else; with `tools.purge_into_infill` infill first, which tools before
-/// it leave to it, and only the rest into the tower. The tower has no gap anywhere, neither over a raft nor
-/// in layers in which nothing else is laid. Layers may lie beside others' as on a plate, by their tops: the
-/// tower's then end at each top, or, where that is less than half a layer higher, take what is laid there.
-/// Layers are not joined yet.
+/// Orders each layer by tools: first the tool that ended the layer before, then the others by number, each
+/// with its paths in the planned order. Travels are made anew where the order changes, and are retracted to
+/// another tool. With `tools.purge_mm3` a tool that is taken first lays that volume into a prime tower; with
+/// `tools.purge_into_infill` it lays infill first, which tools before it leave to it, and only the rest into
+/// the tower. The tower has no gaps, neither over a raft nor in layers without other paths. Layers of several
+/// parts may lie side by side, as on a plate: layers of the tower then end at the top of each, or take the
+/// purges of one whose top is less than half a layer higher. Layers are not joined yet.
 /// @throws InvalidConfig if the tower is too small for its purges, or stands on the part
 void arrangeTools(std::vector<ToolpathLayer>& layers, const PlanSettings& settings,
                   const TravelMaker& travel);
 
-/// Gives travels the tool of the path that they lead to.
+/// Gives travels the tool of the path to which they lead.
 void giveTravelsTools(std::vector<ToolpathLayer>& layers);
 
 }  // namespace lamina

@@ -12,23 +12,23 @@
 
 namespace lamina {
 
-/// How far a way may lead.
+/// Limits of a way.
 struct WayLimits {
-  double longest_mm = 0.0;  ///< of the whole way
-  double reach_mm = 0.0;    ///< from an end outside the area to the area
+  double longest_mm = 0.0;  ///< length of the whole way
+  double reach_mm = 0.0;    ///< distance from an end outside the area to the area
 };
 
-/// The area of a layer that travels keep to, and the shortest ways in it. A way bends at reflex corners only;
-/// it is sought among them from the start towards the end (A*), and lines between corners are checked only
-/// once they are the most promising ones, and only against the edges in the cells of a grid that they cross.
+/// The area of a layer to which travels are confined, and the shortest ways in it. A way bends at reflex
+/// corners only. It is found among these by A*; a line between corners is checked when it is the most
+/// promising one, against the edges in the cells of a grid that it crosses.
 class CombArea {
  public:
   /// @param area  wound as `unite` winds regions
   explicit CombArea(const Regions& area);
 
-  /// The shortest way between two points, both ends included. An end beside the area is joined to the
-  /// nearest place of it. None if the ends lie in different regions or too far outside, or the way is too
-  /// long; none either beyond 1000 corners looked at.
+  /// The shortest way between two points, both ends included. An end outside the area is joined to its
+  /// nearest point. None if the ends lie in different regions or too far outside, if the way is too long, or
+  /// if it is not found within 1000 corners.
   std::optional<Polyline> shortestWay(const Point2& from, const Point2& to, const WayLimits& limits) const;
 
  private:
@@ -40,12 +40,12 @@ class CombArea {
     std::size_t region;
   };
 
-  /// A corner that ways can bend round.
+  /// A corner round which ways can bend.
   struct Corner {
     Point2 at;
     Point2 before;
     Point2 after;
-    Point2 inner;  ///< hardly off it, within the area
+    Point2 inner;  ///< a point of the area close to it
   };
 
   /// An end of a way.
@@ -58,7 +58,7 @@ class CombArea {
   using CornerByX = std::pair<double, std::size_t>;
 
   void addOutline(const Polygon& outline, std::size_t region);
-  /// The region a point lies in.
+  /// The region in which a point lies.
   std::optional<std::size_t> regionOf(const Point2& point) const;
   std::optional<End> endAt(const Point2& point, double reach_mm) const;
   bool isOpen(const Point2& a, const Point2& b) const;

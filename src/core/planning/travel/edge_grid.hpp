@@ -12,20 +12,19 @@
 
 namespace lamina {
 
-/// Which of many edges lie near a line: a grid of about as many cells as edges, each with the edges that
-/// cross it.
+/// Finds edges near a line: a grid of about as many cells as edges, each with the edges that cross it.
 class EdgeGrid {
  public:
   EdgeGrid() = default;
-  /// @param edges  from end to end [mm]
+  /// @param edges  by their ends [mm]
   explicit EdgeGrid(const std::vector<std::pair<Point2, Point2>>& edges);
 
   bool isEmpty() const { return first_.size() < 2; }
-  /// Column of a place; places beside the grid count for its border.
+  /// Column of a position; positions outside belong to the border.
   std::size_t columnOf(double x) const { return index(x, low_.x(), columns_); }
   std::size_t rowOf(double y) const { return index(y, low_.y(), rows_); }
 
-  /// Calls `visit(edge)` for the edges of a cell, by their place in the list, until it returns false.
+  /// Calls `visit(edge)` for the edges of a cell, by their index in the list, until it returns false.
   /// @return whether all were visited
   template <class Visit>
   bool forEdgesIn(std::size_t column, std::size_t row, const Visit& visit) const {

@@ -12,8 +12,8 @@
 
 namespace lamina {
 
-/// Makes the travels within one layer: straight, or inside the part, retracted and lifted where the settings
-/// say so. The area for ways inside is made when the first travel asks for it.
+/// Makes the travels within one layer: straight, or combed inside the part, retracted and lifted by the
+/// settings. The area for combing is computed when it is first needed.
 class LayerTravels {
  public:
   LayerTravels(const TravelSettings& settings, double bead_width_mm)
@@ -21,9 +21,9 @@ class LayerTravels {
 
   /// @param material  of the layer; must outlive the travels
   void setMaterial(const Regions& material) { material_ = &material; }
-  /// A top skin that is laid from now on.
+  /// Adds a top skin that was laid.
   void addSeen(const Regions& top_skin);
-  /// All top skins that are laid, by whomever.
+  /// All top skins that were laid.
   const Regions& seen() const { return seen_; }
   void setSeen(const Regions& top_skins);
 

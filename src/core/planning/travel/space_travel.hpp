@@ -12,28 +12,27 @@
 
 namespace lamina {
 
-/// Where the nozzle is and how it is held.
+/// Position and orientation of the nozzle.
 struct NozzlePose {
   Point3 point = Point3::Zero();                                    ///< of the tip [mm, part frame]
   Eigen::Quaterniond orientation = Eigen::Quaterniond(0, 1, 0, 0);  ///< part_from_nozzle
 };
 
-/// Of the path's first waypoint.
+/// The pose at the first waypoint of a path.
 NozzlePose startPose(const Path& path);
-/// Where the nozzle is when the path is done.
+/// The pose at the end of a path.
 NozzlePose endPose(const Path& path);
 
-/// The motion without deposition from one pose to another over layers that need not be level, none if their
-/// tips are the same within 1e-6 mm. Up to the threshold it draws back against the tool axis until it is
-/// level with the other tip, goes over, and comes down along the other tool axis. Farther ones are retracted:
-/// against the tool axis by the hop, straight up to the hop above the highest tip, over, where the nozzle
-/// turns, and down likewise. On level layers that is what `makeTravel` makes.
+/// The travel from one pose to another over layers that need not be level; none if their tips are the same
+/// within 1e-6 mm. A travel up to the threshold moves away against the tool axis to the level of the other
+/// tip, over, and down along the other tool axis. A longer one is retracted: against the tool axis by the
+/// hop, vertically up to the hop above the highest tip, over, while the nozzle turns, and down likewise. On
+/// level layers it equals that of `makeTravel`.
 /// @param highest_mm  z of the highest tip that may be in the way [part frame]
 std::optional<Path> makeSpaceTravel(const NozzlePose& from, const NozzlePose& to,
                                     const TravelSettings& settings, double highest_mm);
 
-/// That of `makeSpaceTravel`, over what is deposited up to the layer the travel leads to, and all of that
-/// one.
+/// Makes travels by `makeSpaceTravel`, over all deposition up to and including the layer to which they lead.
 TravelMaker spaceTravels(const std::vector<ToolpathLayer>& layers, const TravelSettings& settings);
 
 }  // namespace lamina

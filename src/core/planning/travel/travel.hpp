@@ -11,24 +11,23 @@
 
 namespace lamina {
 
-/// What lies under a travel.
+/// The area that a travel crosses.
 enum class TravelOver {
   Anything,
-  Infill,  ///< nothing but the inside of the part, where threads do not show
+  Infill,  ///< the inside of the part only, where strings do not show
 };
 
-/// The motion without deposition from one point to another, none if they are the same. In the plane it is
-/// straight up to the threshold, and at any length over infill. Otherwise it is retracted and goes up by the
-/// hop, over, and down. To another height it first goes to the greater of both, plus the hop if it is
-/// retracted.
+/// The travel from one point to another; none if they are the same. If it is not retracted (`isRetracted`) it
+/// is straight in the plane. If it is, it goes up by the hop, over, and down. To another height it first goes
+/// to the greater of both, plus the hop if it is retracted.
 std::optional<Path> makeTravel(const Point3& from, const Point3& to, const TravelSettings& settings,
                                TravelOver over = TravelOver::Anything);
 
-/// Makes the motion without deposition from the end of a path to the start of the next, which is of that
-/// layer; none if they join.
+/// Makes the travel from the end of a path to the start of the next one, which belongs to that layer; none if
+/// they join.
 using TravelMaker = std::function<std::optional<Path>(const Path& from, const Path& to, std::size_t layer)>;
 
-/// That of `makeTravel`, over anything.
+/// Makes travels by `makeTravel`, over anything.
 TravelMaker levelTravels(const TravelSettings& settings);
 
 }  // namespace lamina

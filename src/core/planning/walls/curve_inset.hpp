@@ -8,21 +8,22 @@
 
 namespace lamina {
 
-/// Which way a curve goes from the wall's surface into its material.
+/// Direction in which a curve is moved from the wall's surface into its material.
 enum class InsetWay {
   AcrossWall,  ///< along the wall's normal
-  Level        ///< keeping its height, farther where the wall leans, to the same distance from the wall
+  Level        ///< level, farther where the wall leans, to the same distance from the wall
 };
 
-/// A curve of a wall, moved into the material along the wall's normal, which is across the curve and its
-/// axes. Corners stay sharp: segments that end in one keep their distance. Where moved segments pass each
-/// other, as at sharp edges, the curve is cut at their crossing seen from above, and pieces that lie nearer
-/// to the wall than asked for are left out: there the material is thinner than twice the distance. So are
-/// loops that enclose less than the square of the distance.
+/// Moves a curve of a wall into the material. The wall's normal is square to the curve and its axes. Corners
+/// stay sharp: segments that end in one keep their distance. Where moved segments cross, as at sharp edges,
+/// the curve is cut at the crossing seen from above. Pieces that are nearer to the wall than the distance are
+/// left out, since the material is thinner than twice the distance there; and so are loops that enclose less
+/// than the square of the distance.
 ///
 /// @param distance_mm  0 gives the curve itself
-/// @return of a closed curve the loops that remain, more than one where a neck is too narrow, none where all
-///         of it is; of an open one the same curve without loops
+/// @return of a closed curve the loops that remain: several if a neck is too narrow, none if all of it is; of
+/// an open
+///         curve the curve without loops
 std::vector<AdaptedCurve> insetCurve(const AdaptedCurve& curve, double distance_mm, InsetWay way);
 
 }  // namespace lamina

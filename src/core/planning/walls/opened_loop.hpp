@@ -11,28 +11,28 @@ namespace lamina {
 
 /// A place on a closed path.
 struct JoinedLoopPlace {
-  std::size_t motion = 0;  ///< that passes it
-  double part = 0.0;       ///< of that motion, from its start
+  std::size_t motion = 0;  ///< number of the motion on which it lies
+  double part = 0.0;       ///< share of that motion from its start
   Point3 point = Point3::Zero();
 };
 
-/// The place of a closed path that is nearest to a point.
+/// The place on a closed path that is nearest to a point.
 JoinedLoopPlace nearestPlace(const Path& joined_loop, const Point3& point);
 
 enum class LoopSense { AsGiven, Reversed };
 
-/// Where a closed path is opened.
+/// How a closed path is opened.
 struct LoopOpening {
   JoinedLoopPlace start;
   LoopSense sense = LoopSense::AsGiven;
-  double left_out_mm = 0.0;  ///< of its arc, at the end
+  double left_out_mm = 0.0;  ///< length left out at its end
 };
 
-/// The closed path as an open one; the nozzle is turned evenly along motions that are cut. What is left out
-/// must be shorter than the path.
+/// The closed path as an open one. Along motions that are cut the nozzle's orientation is interpolated. The
+/// length left out must be less than that of the path.
 Path opened(const Path& joined_loop, const LoopOpening& opening);
 
-/// Where that path ends.
+/// The end of that path.
 Point3 endOfOpened(const Path& joined_loop, const LoopOpening& opening);
 
 }  // namespace lamina

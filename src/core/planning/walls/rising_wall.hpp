@@ -10,20 +10,19 @@
 
 namespace lamina {
 
-/// Makes one wall that rises all the time of the loops of the layers from `first` on, each of which holds one
+/// Turns the loops of the layers from `first` on into one wall that rises steadily. Each layer has one
 /// counter-clockwise loop.
 ///
-/// Along a loop of length L the nozzle rises from the bottom of its layer to the top, in proportion to the
-/// way. Seen from above, the loop begins on that of the layer below and ends on its own, so that there is
-/// no step between two: each point is drawn towards the loop below by the part of the loop that is still to
-/// come. The bead is as high as the nozzle is above the turn below. The first turn thus grows from nothing
-/// on what is flat below it; after the last one the nozzle goes round once more at the top, where the bead
-/// shrinks to nothing.
+/// Along a loop the nozzle rises from the bottom to the top of its layer, in proportion to the length. Seen
+/// from above, each point is shifted towards the loop below, in proportion to the length that is left, so
+/// that there is no step between loops. The height of the bead is that of the nozzle above the turn below.
+/// The first turn therefore grows from height 0 on the flat layer below. After the last one the nozzle goes
+/// round once more at the top, where the bead shrinks to height 0.
 ///
-/// Layers that hold no loop may only follow the last one that does. Skirts stay; travels between layers are
+/// Layers without a loop may only follow the last one with a loop. Skirts stay; travels between layers are
 /// not made here.
 /// @throws InvalidInput naming the layer that has several regions, a hole, or no room for the bead, or if no
-///         layer holds a loop
+///   layer holds a loop
 void raiseWall(std::vector<ToolpathLayer>& layers, std::size_t first, const TravelSettings& travel);
 
 }  // namespace lamina

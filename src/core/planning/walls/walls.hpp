@@ -12,38 +12,38 @@
 
 namespace lamina {
 
-/// One wall: loops where there is room for it on both sides, and beads as wide as the place where there is
-/// not.
+/// One wall: loops where there is room for them, and beads as wide as the place where there is not.
 struct Wall {
   Regions centre_lines;        ///< of the loops
-  std::vector<FillPath> thin;  ///< along the middle of narrow places, open or closed
+  std::vector<FillPath> thin;  ///< beads along the middle of narrow places, open or closed
 };
 
-/// The walls of an area and what they leave for the infill.
+/// The walls of an area and the area inside them.
 struct Walls {
-  /// Wall 0 (outermost), 1, ...: the centre lines lie half a bead inside of the area, and for each further
-  /// wall a pitch. Where less than two beads are left, a wall has thin beads instead. Fewer walls than asked
-  /// for where the area is too narrow.
+  /// Wall 0 (outermost), 1, and so on. Centre lines lie half a bead inside the area, and a pitch farther for
+  /// each further wall. Where less than two beads have room, a wall has thin beads instead. There are fewer
+  /// walls than in the settings where the area is too narrow.
   std::vector<Wall> walls;
-  /// What the infill has to cover.
+  /// Area of the infill.
   Regions infill;
-  /// What is too narrow for lines to and fro that fit between the walls: beads along its middle.
+  /// Beads along the middle of places too narrow for lines of infill.
   std::vector<FillPath> narrow_infill;
-  /// Area [mm²] of what is thinner than the narrowest bead that is deposited, `walls.narrowest` pitches.
+  /// Area of places that are thinner than the narrowest bead, `walls.narrowest` pitches [mm²].
   double unprinted_mm2 = 0.0;
 };
 
-/// An area for a solid fill of lines that fit, and beads along the middle of what is too narrow for them.
+/// An area of a solid fill, divided by its width.
 struct FittedArea {
-  Regions wide;
-  std::vector<FillPath> narrow;
+  Regions wide;                  ///< where lines of the fill fit
+  std::vector<FillPath> narrow;  ///< beads along the middle of places too narrow for lines
 };
 
-/// Shares out an area that a solid fill covers from border to border.
+/// Divides an area that a solid fill covers from border to border.
 FittedArea fitted(Regions area, const PlanSettings& settings, double pitch_mm);
 
-/// @param material  what is to be filled [mm]
-/// @param pitch_mm  between neighbouring beads
+/// Plans the walls of an area.
+/// @param material  the area [mm]
+/// @param pitch_mm  distance of neighbouring beads
 /// @param contact   `Fitted` is for a solid infill only
 Walls makeWalls(const Regions& material, const PlanSettings& settings, double pitch_mm, WallContact contact);
 
