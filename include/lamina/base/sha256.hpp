@@ -12,18 +12,8 @@ namespace lamina {
 /// Copies the next bytes into a buffer of that size, and returns their number; 0 at the end.
 using ByteSource = std::function<std::size_t(char* buffer, std::size_t size)>;
 
-<<<<<<< HEAD:include/lamina/base/sha256.hpp
 /// SHA-256 of all bytes, as 64 hexadecimal digits. Source: FIPS 180-4, by OpenSSL.
 /// @throws FileError if OpenSSL cannot be loaded or refuses
-=======
-/// Functions of the module `sha256`: OpenSSL's digest, which only journalled or uploaded programs need.
-struct Sha256Module {
-  std::string (*digest_of)(const ByteSource& source) = nullptr;
-};
-
-/// SHA-256 of all bytes as 64 hexadecimal digits.
-/// @throws FileError if OpenSSL refuses
->>>>>>> 96f2009e (State the streamer's own headers in plain terms):src/core/streaming/job/sha256_module.hpp
 std::string sha256Of(const ByteSource& source);
 std::string sha256Of(std::string_view bytes);
 
