@@ -2,12 +2,36 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/dynamics/sliding_mode.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <cmath>
 
 #include "lamina/base/error.hpp"
 
 namespace lamina {
+namespace {
+
+/// A real zero of s^3 + k1 s^2 + k2 s + k3 by bisection: below zero, since k3 is positive.
+double realPole(const SlidingModeGains& gains) {
+  constexpr int kHalvings = 200;  // from Cauchy's bound on all zeros to far below the least of them
+  double low = -(1.0 + std::max({gains.k1, gains.k2, gains.k3}));
+  double high = 0.0;
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = (low + high) / 2.0;
+    const bool is_below = ((middle + gains.k1) * middle + gains.k2) * middle + gains.k3 < 0.0;
+    (is_below ? low : high) = middle;
+  }
+  return high;
+}
+
+/// Both zeros of s^2 + b s + c, without the difference of numbers that are nearly equal.
+std::array<std::complex<double>, 2> zeros(double b, double c) {
+  const std::complex<double> root = std::sqrt(std::complex<double>(b * b / 4.0 - c));
+  if (root.imag() != 0.0) return {-b / 2.0 - root, -b / 2.0 + root};
+  const double far = -b / 2.0 - std::copysign(root.real(), b);
+  return {far, far == 0.0 ? 0.0 : c / far};
+}
+
+}  // namespace
 
 void describe(SettingsSchema& schema, SlidingModeGains& gains) {
   schema.number("controller.k1", gains.k1, Bounds::above(0.0, 1e6), "Gain on the rate of the error.");
@@ -29,12 +53,15 @@ CrankAngles askedAccelerations(const SlidingModeGains& gains, const TrackingErro
 }
 
 std::array<std::complex<double>, 3> poles(const SlidingModeGains& gains) {
-  Eigen::Matrix3d companion;
-  companion << -gains.k1, -gains.k2, -gains.k3, 1, 0, 0, 0, 1, 0;
-  const Eigen::Vector3cd roots = companion.eigenvalues();
-  std::array<std::complex<double>, 3> sorted = {roots[0], roots[1], roots[2]};
-  std::sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) {
-    return a.real() != b.real() ? a.real() < b.real() : a.imag() < b.imag();
+  const double real = realPole(gains);
+  // The zero is divided out from the end that loses no digits: (s - real) (s^2 + b s + c).
+  const bool is_far = -real * real * real > gains.k3;
+  const double c = is_far ? -gains.k3 / real : gains.k2 + real * (gains.k1 + real);
+  const double b = is_far ? (c - gains.k2) / real : gains.k1 + real;
+  const auto [first, second] = zeros(b, c);
+  std::array<std::complex<double>, 3> sorted = {real, first, second};
+  std::sort(sorted.begin(), sorted.end(), [](const auto& left, const auto& right) {
+    return left.real() != right.real() ? left.real() < right.real() : left.imag() < right.imag();
   });
   return sorted;
 }
