@@ -76,8 +76,9 @@ Plan planPart(const std::string& part_name, const std::vector<Layer>& layers, co
               const Box2& bed, Progress& progress);
 
 /// The same with other settings in part of the layers, for fills of beads within each layer.
+/// @param layers  given up as they are planned: large parts are moved here
 /// @throws as `planToolpath`; InvalidConfig if a strategy lays drops or continues from layer to layer
-Plan planPart(const std::string& part_name, const std::vector<Layer>& layers, const PlanSettings& settings,
+Plan planPart(const std::string& part_name, std::vector<Layer> layers, const PlanSettings& settings,
               const VariedBed& varied, Progress& progress);
 
 /// The plan of a part in inclined layers, in their frame. It has no skirt, which would leave the bed, and

@@ -210,29 +210,6 @@ LayerVariant variantAt(const VariantPlan& plan, std::size_t index) {
   return variant;
 }
 
-/// Gives back what covers a layer once all that look at it are planned: it and the one above.
-class CoverRelease {
- public:
-  explicit CoverRelease(std::vector<LayerCover>& covers) : covers_(covers), left_(covers.size()) {
-    for (std::atomic<int>& each : left_) each = 2;
-    if (!left_.empty()) left_.back() = 1;
-  }
-  /// From any thread, once for each layer.
-  void layerIsPlanned(std::size_t index) {
-    if (left_.empty()) return;
-    drop(index);
-    if (index > 0) drop(index - 1);
-  }
-
- private:
-  void drop(std::size_t index) {
-    if (--left_[index] == 0) covers_[index] = {};
-  }
-
-  std::vector<LayerCover>& covers_;
-  std::vector<std::atomic<int>> left_;  ///< layers that are yet to look at it
-};
-
 /// With room for the travel to the layer and no more: all layers are held at once.
 void takeRoomNeeded(std::vector<Path>& paths) {
   std::vector<Path> exact;
@@ -246,6 +223,37 @@ struct StackPlan {
   StackCover stack;
   PlannedAids aids;
   std::vector<VariantPlan> variants;
+};
+
+/// Gives back what a layer is planned from once all that look at it are planned: it, and the one above. The
+/// toolpath, which grows meanwhile, takes its place in memory.
+class StackRelease {
+ public:
+  /// @param layers  null if they are needed further
+  StackRelease(StackPlan& plan, std::vector<Layer>* layers, std::size_t count)
+      : plan_(plan), layers_(layers), left_(count) {
+    for (std::atomic<int>& each : left_) each = 2;
+    if (!left_.empty()) left_.back() = 1;
+  }
+  /// From any thread, once for each layer.
+  void layerIsPlanned(std::size_t index) {
+    if (!plan_.stack.branches.empty()) plan_.stack.branches[index] = std::vector<Polyline>();
+    if (!plan_.stack.groups.empty()) plan_.stack.groups[index] = InfillGroup();
+    if (!plan_.aids.layers.empty()) plan_.aids.layers[index] = LayerAids();
+    drop(index);
+    if (index > 0) drop(index - 1);
+  }
+
+ private:
+  void drop(std::size_t index) {
+    if (--left_[index] > 0) return;
+    if (!plan_.stack.covers.empty()) plan_.stack.covers[index] = LayerCover();
+    if (layers_ != nullptr) (*layers_)[index].section = Section();
+  }
+
+  StackPlan& plan_;
+  std::vector<Layer>* layers_;
+  std::vector<std::atomic<int>> left_;  ///< layers that are yet to look at it
 };
 
 StackedLayer stackedAt(const std::vector<Layer>& layers, const StackPlan& plan, std::size_t index) {
@@ -420,6 +428,7 @@ void requireTower(const PlanContext& context) {
 struct PlanRegions {
   const std::vector<PlanVariant>* variants = nullptr;
   const SupportMarks* marks = nullptr;
+  std::vector<Layer>* spent = nullptr;  ///< the layers, of which no section is needed once it is planned
 };
 
 bool usesTools(const PlanContext& context, const PlanRegions& regions) {
@@ -448,7 +457,7 @@ Plan planInContext(const std::vector<Layer>& layers, const PlanContext& of_setti
   const PlanContext base = baseContext(context);
   const PlanContext on_bed = bedContext(base_layers > 0 ? base : context);
   std::vector<PlannedLayer> planned(layers.size());
-  CoverRelease release(of_stack.stack.covers);
+  StackRelease release(of_stack, regions.spent, layers.size());
   parallelFor(
       layers.size(),
       [&](std::size_t i) {
@@ -493,11 +502,11 @@ Plan planPart(const std::string& part_name, const std::vector<Layer>& layers, co
   return planPart(part_name, layers, settings, VariedBed{bed, {}}, progress);
 }
 
-Plan planPart(const std::string& part_name, const std::vector<Layer>& layers, const PlanSettings& settings,
+Plan planPart(const std::string& part_name, std::vector<Layer> layers, const PlanSettings& settings,
               const VariedBed& varied, Progress& progress) {
   PlanContext context = contextFor(layers, settings);
   context.level_bed = varied.bed;
-  Plan plan = planInContext(layers, context, progress, {&varied.variants, varied.marks});
+  Plan plan = planInContext(layers, context, progress, {&varied.variants, varied.marks, &layers});
   plan.toolpath.part_name = part_name;
   return plan;
 }

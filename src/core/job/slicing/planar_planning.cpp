@@ -63,7 +63,7 @@ PlanSettings withCommonSpacing(PlanSettings settings, const std::vector<Layer>& 
 }
 
 /// In the frame of the layers.
-Plan planOf(ModifiedLayers& modified, const PlanningRequest& request, Progress& progress) {
+Plan planOf(ModifiedLayers modified, const PlanningRequest& request, Progress& progress) {
   const JobSettings& job = request.job.settings;
   const std::vector<Layer>& layers = modified.layers;
   const auto completed = [&](PlanSettings settings) {
@@ -79,7 +79,7 @@ Plan planOf(ModifiedLayers& modified, const PlanningRequest& request, Progress& 
   for (PlanVariant& variant : modified.variants) variant.settings = completed(std::move(variant.settings));
   const PlaneSettings& plane = job.slicing.plane;
   if (plane.angle_deg == 0.0)
-    return planPart(request.partName(), layers, settings,
+    return planPart(request.partName(), std::move(modified.layers), settings,
                     VariedBed{bedBelowPart(request), modified.variants, &modified.marks}, progress);
   const LayerIncline incline{bedBelow(plane, request.bed_from_part), partFromLayers(plane)};
   return planPart(request.partName(), layers, settings, incline, progress);
@@ -110,8 +110,7 @@ PlannedPart planPlanar(SourcePart source, const PlanningRequest& request, Progre
   source = {};
   planned.counts = countsOf(modified.layers);
   planned.counts.slice_s = laps.lap();
-  planned.plan = planOf(modified, request, progress);
-  modified = {};
+  planned.plan = planOf(std::move(modified), request, progress);
   Toolpath& toolpath = planned.plan.toolpath;
   if (settings.drop_voids.is_on)
     toolpath = withDropVoidsFilled(std::move(toolpath), settings.drop_voids,

@@ -9,7 +9,7 @@
 namespace lamina {
 namespace {
 
-constexpr std::size_t kWaypointsAtOnce = 1U << 13;  // some 0.25 MB of text
+constexpr std::size_t kWaypointsAtOnce = 1U << 11;  // some 60 kB of text
 
 std::size_t waypointCount(const ToolpathLayer& layer) {
   std::size_t sum = 0;
