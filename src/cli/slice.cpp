@@ -12,6 +12,7 @@
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/parallel.hpp"
+#include "lamina/base/resident_pages.hpp"
 #include "lamina/job/output_files.hpp"
 #include "lamina/job/plate/plate_job.hpp"
 #include "lamina/job/slice_job.hpp"
@@ -286,6 +287,7 @@ void slice(const SliceArguments& arguments, OutputFormat format) {
   const ProfileOptions& profiles = arguments.profiles;
   requireApart({job.output}, {job.part, arguments.settings.config, profiles.like, profiles.machine,
                               profiles.material, profiles.process});
+  releaseStartPages();
   const SliceSummary summary = runShown(job);
   if (format == OutputFormat::Json)
     std::printf("%s\n", jsonOf(summary, job.output).dump(2).c_str());
