@@ -25,15 +25,16 @@
 #include "planning/supports/support_areas.hpp"
 #include "planning/supports/support_lattice.hpp"
 #include "planning/supports/support_tree.hpp"
+#include "planning/tools/tool_beads.hpp"
 
 namespace lamina {
 namespace {
 
-AidRuns runsOf(std::vector<FillPath> runs, const LayerBounds& bounds, double width_mm, RunOrder order) {
+AidRuns runsOf(std::vector<FillPath> runs, const Bead& bead, double top_mm, RunOrder order) {
   AidRuns aids;
   aids.runs = std::make_shared<const std::vector<FillPath>>(std::move(runs));
-  aids.bead = {width_mm, bounds.height()};
-  aids.top_mm = bounds.top_mm;
+  aids.bead = bead;
+  aids.top_mm = top_mm;
   aids.order = order;
   return aids;
 }
@@ -112,11 +113,12 @@ class AidPlanner {
     const LayerBounds& bounds = layers_.front().bounds;
     const BrimSettings& settings = settings_.adhesion.brim;
     if (settings.width_mm == 0.0) return;
-    brim_ = makeBrim(first_, settings, planWidth({width(), bounds.height()}), context_.level_bed);
+    const Bead bead = beadOf(PathRole::Brim, settings_, bounds.height()).bead;
+    brim_ = makeBrim(first_, settings, planWidth(bead), context_.level_bed);
     if (brim_.runs.empty()) return;
     cutOut(supports_.layers.front(), brim_.area);
     const RunOrder order = settings.ears ? RunOrder::Shortest : RunOrder::AsGiven;
-    planned_.layers.front().push_back(runsOf(std::move(brim_.runs), bounds, width(), order));
+    planned_.layers.front().push_back(runsOf(std::move(brim_.runs), bead, bounds.top_mm, order));
   }
 
   void addSupports(Progress& progress) {
@@ -178,7 +180,8 @@ class AidPlanner {
         std::min(static_cast<std::size_t>(settings_.skirt.layers), planned_.raft.size() + layers_.size());
     for (std::size_t i = 0; i < count; ++i) {
       LayerAids& aids = aidsOf(i);
-      aids.insert(aids.begin(), runsOf(runs, withoutGap(i), width(), RunOrder::AsGiven));
+      const LayerBounds bounds = withoutGap(i);
+      aids.insert(aids.begin(), runsOf(runs, {width(), bounds.height()}, bounds.top_mm, RunOrder::AsGiven));
     }
   }
 

@@ -85,6 +85,29 @@ TEST(Layers, AreNoHigherThanTheNozzlesOfSupports) {
   EXPECT_EQ(refusalWith({use, {"supports.tool", "1"}, {"tool.support", "0"}}), "") << "tool.support holds";
 }
 
+TEST(Layers, AreNoHigherThanTheNozzlesOfBrimsAndRafts) {
+  const auto refusalWith = [&](std::vector<SettingText> more) {
+    more.insert(
+        more.begin(),
+        {{"tools.list.0.nozzle_mm", "0.4"}, {"tools.list.1.nozzle_mm", "0.25"}, {"tool.support", "1"}});
+    return refusalOf(more);
+  };
+  const SettingText high = {"slicing.layer_height_mm", "0.3"};
+  const SettingText low = {"slicing.layer_height_mm", "0.2"};
+  const std::string refused =
+      "a layer height is 0.3 mm and nozzle_mm of tool 1 in tools.list 0.25 mm; a layer is no higher than the "
+      "nozzles that lay it are wide";
+  EXPECT_EQ(refusalWith({high}), "") << "tool 1 lays nothing";
+  EXPECT_EQ(refusalWith({high, {"brim.width_mm", "5"}}), refused);
+  EXPECT_EQ(refusalWith({high, {"raft.layers", "3"}, {"raft.base_height_mm", "0.2"}}), refused);
+  EXPECT_EQ(refusalWith({low, {"brim.width_mm", "5"}}), "");
+  EXPECT_EQ(
+      refusalWith({low, {"raft.layers", "3"}, {"raft.base_height_mm", "0.3"}}),
+      "raft.base_height_mm is 0.3 mm and nozzle_mm of tool 1 in tools.list 0.25 mm; a layer is no higher "
+      "than the nozzles that lay it are wide");
+  EXPECT_EQ(refusalWith({low, {"raft.layers", "3"}, {"raft.base_height_mm", "0.25"}}), "");
+}
+
 TEST(UnknownCapabilities, RefuseNothing) {
   EXPECT_EQ(refusalOf({{"program.nozzle_temperature_c", "500"}}), "");
 }

@@ -8,6 +8,7 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/planning/planner.hpp"
+#include "planning/tools/tool_order.hpp"
 #include "support/planned_layers.hpp"
 #include "support/shapes.hpp"
 
@@ -86,6 +87,96 @@ TEST(ToolBeads, FillWhatTheWallsLeaveWhateverTheirWidth) {
           EXPECT_NEAR(path.bead.at(0).width_mm, 0.4, 1e-9);
         }
   }
+}
+
+/// Two nozzles, the second for what stands beside and below the part.
+PlanSettings secondForAids(double nozzle_mm) {
+  PlanSettings settings = twoNozzles(0.4, nozzle_mm);
+  settings.tools.infill = settings.tools.skin = 0;
+  settings.tools.support = 1;
+  return settings;
+}
+
+std::vector<Path> laidAs(PathRole role, const ToolpathLayer& layer) {
+  std::vector<Path> paths;
+  for (const Path& path : layer.paths)
+    if (path.role == role) paths.push_back(path);
+  return paths;
+}
+
+TEST(ToolBeads, OfBrimsFollowTheirOwnNozzle) {
+  for (const double nozzle_mm : {0.25, 0.4, 0.8}) {
+    PlanSettings settings = secondForAids(nozzle_mm);
+    settings.adhesion.brim.width_mm = 5.0;
+    const double pitch = nozzle_mm - (1.0 - M_PI / 4.0) * kToolLayer;
+    const std::vector<Path> loops = laidAs(PathRole::Brim, squareBy(settings).layers.front());
+    ASSERT_EQ(loops.size(), static_cast<std::size_t>(std::lround(5.0 / pitch))) << nozzle_mm;
+    for (std::size_t i = 0; i < loops.size(); ++i) {
+      EXPECT_EQ(loops[i].tool, 1U);
+      EXPECT_NEAR(loops[i].bead.at(0).width_mm, nozzle_mm, 1e-12);
+      // Outermost first, round a square from 0 to 40 mm.
+      double farthest = 0.0;
+      for (const Point3& point : loops[i].points) farthest = std::max(farthest, -point.x());
+      EXPECT_NEAR(farthest, (static_cast<double>(loops.size() - i) - 0.5) * pitch, 1e-5) << nozzle_mm;
+    }
+  }
+}
+
+TEST(ToolBeads, OfRaftsFollowTheirOwnNozzle) {
+  for (const double nozzle_mm : {0.35, 0.4, 0.8}) {
+    PlanSettings settings = secondForAids(nozzle_mm);
+    settings.adhesion.raft.layers = 4;
+    const Toolpath toolpath = squareBy(settings);
+    // 40 mm and a margin of 3 mm all round; two solid layers at the top, half as dense ones below.
+    const double area_mm2 = 46.0 * 46.0;
+    for (std::size_t l = 0; l < 4; ++l) {
+      const std::vector<Path> raft = laidAs(PathRole::Raft, toolpath.layers[l]);
+      double laid_mm3 = 0.0;
+      for (const Path& path : raft) {
+        EXPECT_EQ(path.tool, 1U);
+        EXPECT_NEAR(path.bead.at(0).width_mm, nozzle_mm, 1e-12);
+        laid_mm3 += depositedVolume(path);
+      }
+      const double whole_mm3 = area_mm2 * (l == 0 ? 0.3 : kToolLayer);
+      EXPECT_NEAR(laid_mm3 / whole_mm3, l < 2 ? 0.5 : 1.0, 0.03) << nozzle_mm << " mm, layer " << l;
+    }
+  }
+}
+
+TEST(ToolBeads, OfBranchesAndSkirtsFollowTheirOwnNozzle) {
+  const auto slab = [](int l) {
+    return std::vector<Polygon>{l < 50 ? test::rectangle(-3, -3, 3, 3) : test::rectangle(-15, -15, 15, 15)};
+  };
+  for (const double nozzle_mm : {0.3, 0.6}) {
+    PlanSettings settings = secondForAids(nozzle_mm);
+    settings.skirt.count = 2;
+    settings.supports.use = true;
+    settings.supports.kind = SupportKind::Tree;
+    settings.supports.tip_mm = 1.5;
+    std::size_t count = 0;
+    for (const ToolpathLayer& layer : test::plan(test::layersOf(60, slab), settings).layers) {
+      for (const Path& path : laidAs(PathRole::Support, layer)) {
+        EXPECT_EQ(path.tool, 1U);
+        EXPECT_NEAR(path.bead.at(0).width_mm, nozzle_mm, 1e-12);
+        ++count;
+      }
+      for (const Path& path : laidAs(PathRole::Skirt, layer)) {
+        EXPECT_EQ(path.tool, 0U);
+        EXPECT_NEAR(path.bead.at(0).width_mm, 0.4, 1e-12) << "the walls' tool lays the skirt";
+      }
+    }
+    EXPECT_GT(count, 50U);
+  }
+}
+
+TEST(ToolBeads, OfInterfacesAreThoseOfTheToolThatLaysThem) {
+  PlanSettings settings = twoNozzles(0.4, 0.6);
+  settings.tools.list["2.nozzle_mm"] = "0.8";
+  settings.supports.interface_tool = 2;
+  EXPECT_NEAR(beadOf(PathRole::SupportInterface, settings, kToolLayer).bead.width_mm, 0.8, 1e-12);
+  settings.tools.support = 1;
+  EXPECT_EQ(toolOf(PathRole::SupportInterface, settings), 1U) << "tool.support holds";
+  EXPECT_NEAR(beadOf(PathRole::SupportInterface, settings, kToolLayer).bead.width_mm, 0.6, 1e-12);
 }
 
 TEST(ToolBeads, NozzlesThatAreAlikeChangeNothing) {

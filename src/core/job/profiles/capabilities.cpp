@@ -66,9 +66,16 @@ double nozzleOf(PathRole role, const ToolSettings& settings) {
   return tool < tools.size() ? tools[tool].nozzle_mm : 0.0;
 }
 
-/// Layers are those that the finest nozzle at work can lay.
+/// Layers are those that the finest nozzle at work can lay, and a raft's base that of its own tool.
 void requireLayersForTools(const JobSettings& settings) {
   const std::vector<Tool> tools = toolsOf(settings.planning.tools);
+  const RaftSettings& raft = settings.planning.adhesion.raft;
+  const double of_raft_mm = raft.layers > 0 ? nozzleOf(PathRole::Raft, settings.planning.tools) : 0.0;
+  if (of_raft_mm > 0.0 && raft.base_height_mm > of_raft_mm * (1.0 + 1e-9))
+    throw InvalidConfig(
+        "raft.base_height_mm is " + textOf(raft.base_height_mm) + " mm and nozzle_mm of tool " +
+        std::to_string(toolFor(PathRole::Raft, settings.planning.tools)) + " in tools.list " +
+        textOf(of_raft_mm) + " mm; a layer is no higher than the nozzles that lay it are wide");
   const double height_mm = std::max(settings.slicing.layer_height_mm, settings.slicing.first_layer_height_mm);
   for (const std::uint32_t tool : toolsAtWork(settings.planning)) {
     const double nozzle_mm = tool < tools.size() ? tools[tool].nozzle_mm : 0.0;

@@ -9,6 +9,7 @@
 
 #include "infill/rectilinear/zigzag.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
+#include "planning/tools/tool_beads.hpp"
 
 namespace lamina {
 namespace {
@@ -33,7 +34,7 @@ std::vector<RaftLayer> makeRaft(const Regions& area, const PlanSettings& setting
   for (int i = 0; i < raft.layers; ++i) {
     const double height = i == 0 ? raft.base_height_mm : layer_height_mm;
     AidRuns group;
-    group.bead = {settings.bead.width_mm, height};
+    group.bead = beadOf(PathRole::Raft, settings, height).bead;
     group.top_mm = bottom_mm + height;
     group.area = shared_area;
     InfillRequest request;

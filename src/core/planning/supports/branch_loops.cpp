@@ -12,6 +12,7 @@
 
 #include "lamina/base/parallel.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
+#include "planning/tools/tool_beads.hpp"
 
 namespace lamina {
 namespace {
@@ -141,7 +142,7 @@ double areaBeyond(const Regions& regions, const TipBands& tips) {
 
 AidRuns loopsIn(const Regions& area, double bottom_mm, double top_mm, const PlanSettings& settings) {
   AidRuns aids;
-  aids.bead = {settings.bead.width_mm, top_mm - bottom_mm};
+  aids.bead = beadOf(PathRole::Support, settings, top_mm - bottom_mm).bead;
   aids.top_mm = top_mm;
   aids.tool = static_cast<std::uint32_t>(std::max(0, settings.supports.tool));
   aids.area = std::make_shared<const Regions>(area);

@@ -113,7 +113,7 @@ class LatticePlanner {
   void add(const SupportSection& section, const SharedRegions& area, PathRole role, LayerAids& aids) const {
     if (area->empty()) return;
     AidRuns group;
-    group.bead = supportBead(role, section.top_mm - section.bottom_mm);
+    group.bead = beadOf(role, settings_, section.top_mm - section.bottom_mm).bead;
     group.top_mm = section.top_mm;
     const SupportSettings& supports = settings_.supports;
     const int tool = role == PathRole::Support ? supports.tool : supports.interface_tool;
@@ -123,23 +123,13 @@ class LatticePlanner {
     if (!group.runs->empty()) aids.push_back(std::move(group));
   }
 
-  /// By the tool that lays it, `supports.tool` too.
-  Bead supportBead(PathRole role, double height_mm) const {
-    const SupportSettings& supports = settings_.supports;
-    ToolSettings tools = settings_.tools;
-    if (tools.support < 0 && supports.tool > 0) tools.support = supports.tool;
-    if (tools.interface < 0 && supports.interface_tool > 0) tools.interface = supports.interface_tool;
-    const double share = nozzleShare({toolFor(role, tools), toolFor(PathRole::OuterWall, tools)}, tools);
-    return {share * settings_.bead.width_mm, height_mm};
-  }
-
   LatticeLines linesOf(PathRole role, double pitch_mm) const {
     const SupportSettings& supports = settings_.supports;
     const bool is_lattice = role == PathRole::Support;
     LatticeLines lines;
     lines.role = role;
     lines.pitch_mm = pitch_mm;
-    lines.spacing_mm = planWidth(supportBead(role, height_mm_)) /
+    lines.spacing_mm = planWidth(beadOf(role, settings_, height_mm_).bead) /
                        (is_lattice ? supports.density : supports.interface_density);
     lines.angle_rad = toRadians(supports.raster_angle_deg + (is_lattice ? 0.0 : 90.0));
     lines.walls = supports.walls;

@@ -4,6 +4,8 @@
 
 #include <vector>
 
+#include "planning/tools/tool_order.hpp"
+
 namespace lamina {
 
 double nozzleShare(const ComparedTools& compared, const ToolSettings& settings) {
@@ -19,8 +21,7 @@ RoleBead beadOf(PathRole role, const PlanSettings& settings, double height_mm) {
   // Threads over a gap and what is ironed are spaced as the walls' beads are.
   const bool is_of_walls = role == PathRole::Bridge || role == PathRole::Ironing;
   const std::size_t walls = toolFor(PathRole::OuterWall, settings.tools);
-  const double share =
-      is_of_walls ? 1.0 : nozzleShare({toolFor(role, settings.tools), walls}, settings.tools);
+  const double share = is_of_walls ? 1.0 : nozzleShare({toolOf(role, settings), walls}, settings.tools);
   const BeadSettings& bead = settings.bead;
   RoleBead of_role;
   of_role.bead = {share * bead.width_mm, height_mm};

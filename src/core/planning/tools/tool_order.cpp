@@ -240,21 +240,28 @@ std::uint32_t toolOf(const Path& path, const ToolSettings& settings) {
   return static_cast<std::uint32_t>(toolFor(path.role, settings));
 }
 
+std::uint32_t toolOf(PathRole role, const PlanSettings& settings) {
+  Path path;
+  path.role = role;
+  if (role == PathRole::Support) path.tool = static_cast<std::uint32_t>(std::max(0, settings.supports.tool));
+  if (role == PathRole::SupportInterface)
+    path.tool = static_cast<std::uint32_t>(std::max(0, settings.supports.interface_tool));
+  return toolOf(path, settings.tools);
+}
+
 std::vector<std::uint32_t> toolsAtWork(const PlanSettings& settings) {
   std::vector<std::uint32_t> tools;
-  const auto add = [&](PathRole role, int own) {
-    Path path;
-    path.role = role;
-    path.tool = static_cast<std::uint32_t>(std::max(0, own));
-    const std::uint32_t tool = toolOf(path, settings.tools);
+  const auto add = [&](PathRole role) {
+    const std::uint32_t tool = toolOf(role, settings);
     if (std::find(tools.begin(), tools.end(), tool) == tools.end()) tools.push_back(tool);
   };
-  for (const PathRole role : {PathRole::OuterWall, PathRole::Infill, PathRole::Skin}) add(role, 0);
+  for (const PathRole role : {PathRole::OuterWall, PathRole::Infill, PathRole::Skin}) add(role);
+  if (settings.adhesion.brim.width_mm > 0.0) add(PathRole::Brim);
+  if (settings.adhesion.raft.layers > 0) add(PathRole::Raft);
   const SupportSettings& supports = settings.supports;
   if (!supports.use) return tools;
-  add(PathRole::Support, supports.tool);
-  if (supports.kind == SupportKind::Lattice && supports.interface_layers > 0)
-    add(PathRole::SupportInterface, supports.interface_tool);
+  add(PathRole::Support);
+  if (supports.kind == SupportKind::Lattice && supports.interface_layers > 0) add(PathRole::SupportInterface);
   return tools;
 }
 

@@ -17,7 +17,11 @@ bool usesTools(const PlanSettings& settings);
 /// The tool of a path. A support keeps that of `supports.*`, unless `tool.*` names another.
 std::uint32_t toolOf(const Path& path, const ToolSettings& settings);
 
-/// The tools of walls, infill, skins and, if used, supports by `toolOf`: each once, in that order.
+/// The same of all paths of a role.
+std::uint32_t toolOf(PathRole role, const PlanSettings& settings);
+
+/// The tools of walls, infill, skins and, if used, brims, rafts and supports by `toolOf`: each once, in that
+/// order.
 std::vector<std::uint32_t> toolsAtWork(const PlanSettings& settings);
 
 /// Orders each layer by tools: first the tool that ended the layer before, then the others by number, each
