@@ -5,26 +5,20 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "lamina/base/parallel.hpp"
 #include "planning/supports/branch_loops.hpp"
 #include "planning/supports/overhang_areas.hpp"
-#include "support/planned_layers.hpp"
-#include "support/shapes.hpp"
+#include "support/supported_parts.hpp"
 
 namespace lamina {
 namespace {
 
 using test::kLayerHeight;
 using test::rectangle;
-
-/// A stem of 10 x 40 x 20 mm with a slab of 40 x 40 x 5 mm on it.
-std::vector<Layer> teeForBranches() {
-  return test::layersOf(125, [](int l) {
-    return std::vector<Polygon>{l < 100 ? rectangle(-5, -20, 5, 20) : rectangle(-20, -20, 20, 20)};
-  });
-}
+using test::tee;
 
 SupportSettings branching() {
   SupportSettings settings;
@@ -52,7 +46,7 @@ Plan plannedWithBranches(const std::vector<Layer>& layers, const SupportSettings
 }
 
 TEST(SupportTree, HasATipNearEveryPlaceThatHangsOver) {
-  const SupportTree tree = treeBelow(teeForBranches(), branching());
+  const SupportTree tree = treeBelow(tee(), branching());
   EXPECT_EQ(tree.dropped, 0U);
   double farthest = 0.0;
   for (double x = 5.0; x <= 20.0; x += 0.25)
@@ -64,41 +58,85 @@ TEST(SupportTree, HasATipNearEveryPlaceThatHangsOver) {
         farthest = std::max(farthest, nearest);
       }
   EXPECT_LE(farthest, branching().tip_spacing_mm);
-  for (const BranchTip& tip : tree.tips) EXPECT_EQ(tip.top.full_layers, 99U);
+  // Tips are where branches touch, a gap of 0.2 mm below the slab.
+  for (const BranchTip& tip : tree.tips) {
+    EXPECT_EQ(tip.top.full_layers, 99U);
+    EXPECT_TRUE(std::any_of(tree.layers[98].begin(), tree.layers[98].end(), [&](const BranchDisc& disc) {
+      return disc.at == tip.at && std::abs(disc.top_mm - 19.8) < 1e-9;
+    }));
+  }
+}
+
+/// How far each branch goes aside from one layer to the next at most; where branches met, to the one that
+/// goes on. More than 100 mm if one stands on nothing.
+double greatestStep(const SupportTree& tree) {
+  double greatest = 0.0;
+  for (std::size_t l = 0; l + 1 < tree.layers.size(); ++l)
+    for (const BranchDisc& disc : tree.layers[l + 1]) {
+      double nearest = 1000.0;
+      const BranchDisc* own = nullptr;
+      for (const BranchDisc& below : tree.layers[l]) {
+        nearest = std::min(nearest, (below.at - disc.at).norm());
+        if (below.branch == disc.branch) own = &below;
+      }
+      greatest = std::max(greatest, own != nullptr ? (own->at - disc.at).norm() : nearest);
+    }
+  return greatest;
 }
 
 TEST(SupportTree, LeansNoMoreThanItsAngle) {
-  const SupportTree tree = treeBelow(teeForBranches(), branching());
+  const SupportTree tree = treeBelow(tee(), branching());
   const double step = kLayerHeight * std::tan(branching().branch_angle_deg * M_PI / 180.0);
-  for (std::size_t l = 0; l + 1 < 99; ++l) {
-    EXPECT_FALSE(tree.layers[l].empty()) << l;
-    // Each disc is carried by one of the layer below.
-    for (const BranchDisc& disc : tree.layers[l + 1]) {
-      double nearest = 100.0;
-      for (const BranchDisc& below : tree.layers[l]) nearest = std::min(nearest, (below.at - disc.at).norm());
-      EXPECT_LE(nearest, step + 1e-9) << l;
-    }
-  }
+  EXPECT_LE(greatestStep(tree), step + 1e-9);
+  EXPECT_GT(greatestStep(tree), 0.9 * step);
+  for (std::size_t l = 0; l < 99; ++l) EXPECT_FALSE(tree.layers[l].empty()) << l;
   EXPECT_LT(tree.layers[0].size(), tree.layers[98].size() / 8) << "branches have met";
 }
 
 TEST(SupportTree, KeepsItsDistanceFromThePart) {
-  const SupportTree tree = treeBelow(teeForBranches(), branching());
-  for (const BranchDisc& disc : tree.layers[50])
-    EXPECT_GE(std::abs(disc.at.x()) - 5.0 - disc.radius_mm, 0.6 - 1e-6);
-  const Plan plan = plannedWithBranches(teeForBranches(), branching());
+  const SupportTree tree = treeBelow(tee(), branching());
+  for (std::size_t l = 0; l < 99; ++l)
+    for (const BranchDisc& disc : tree.layers[l])
+      EXPECT_GE(std::abs(disc.at.x()) - 5.0 - disc.radius_mm, 0.6 - 1e-6) << l;
+  const Plan plan = plannedWithBranches(tee(), branching());
   for (std::size_t l = 0; l < 100; ++l)
     for (const Path& path : plan.toolpath.layers[l].paths) {
       if (path.role != PathRole::Support) continue;
-      for (const Point3& point : path.points) EXPECT_GE(std::abs(point.x()), 5.0 + 0.6 + 0.17);
+      const double half_bead = 0.5 * planWidth(path.bead.at(0));
+      for (const Point3& point : path.points)
+        EXPECT_GE(std::abs(point.x()) - half_bead, 5.0 + 0.6 - 1e-6) << l;
     }
+}
+
+TEST(SupportTree, OnTheBedOnlyLeavesASphereUnderAnArchAlone) {
+  SupportSettings settings = branching();
+  const auto isOnSphere = [](const SupportTree& tree) {
+    // The lowest disc of what stands there lies on the upper half of the sphere.
+    for (std::size_t l = 41; l < 100; ++l)
+      for (const BranchDisc& disc : tree.layers[l]) {
+        const auto below =
+            std::find_if(tree.layers[l - 1].begin(), tree.layers[l - 1].end(),
+                         [&](const auto& each) { return (each.at - disc.at).norm() < kLayerHeight; });
+        if (below == tree.layers[l - 1].end()) return true;
+      }
+    return false;
+  };
+  EXPECT_TRUE(isOnSphere(treeBelow(test::archOverSphere(), settings)));
+  settings.foot = SupportFoot::Bed;
+  const SupportTree tree = treeBelow(test::archOverSphere(), settings);
+  EXPECT_FALSE(isOnSphere(tree));
+  EXPECT_LE(greatestStep(tree), kLayerHeight * std::tan(branching().branch_angle_deg * M_PI / 180.0) + 1e-9)
+      << "each stands on the one below, down to the bed";
+  for (std::size_t l = 0; l < 100; ++l)
+    for (const BranchDisc& disc : tree.layers[l])
+      EXPECT_GE(disc.at.norm() - disc.radius_mm, test::sphereRadiusIn(l)) << l;
 }
 
 TEST(SupportTree, TakesNoMoreThanTheLattice) {
   SupportSettings lattice = branching();
   lattice.kind = SupportKind::Lattice;
-  const SupportTotals columns = plannedWithBranches(teeForBranches(), lattice).supports;
-  const SupportTotals branches = plannedWithBranches(teeForBranches(), branching()).supports;
+  const SupportTotals columns = plannedWithBranches(tee(), lattice).supports;
+  const SupportTotals branches = plannedWithBranches(tee(), branching()).supports;
   EXPECT_LE(branches.support_mm3, columns.support_mm3 + columns.interface_mm3);
   EXPECT_GT(branches.support_mm3, 100.0);
   EXPECT_NEAR(branches.overhang_mm2, 1200.0, 1e-6);
@@ -110,7 +148,7 @@ TEST(SupportTree, MeetsTheGapExactly) {
     SupportSettings settings = branching();
     settings.top_gap_mm = gap_mm;
     double highest = 0.0;
-    for (const ToolpathLayer& layer : plannedWithBranches(teeForBranches(), settings).toolpath.layers)
+    for (const ToolpathLayer& layer : plannedWithBranches(tee(), settings).toolpath.layers)
       for (const Path& path : layer.paths)
         if (path.role == PathRole::Support) highest = std::max(highest, path.firstPoint().z());
     EXPECT_NEAR(highest, 20.0 - gap_mm, 1e-9);

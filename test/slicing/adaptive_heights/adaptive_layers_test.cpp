@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -74,6 +75,23 @@ bool endsAt(const std::vector<LayerBounds>& bounds, double z_mm) {
                      [&](const LayerBounds& layer) { return std::abs(layer.top_mm - z_mm) < 1e-9; });
 }
 
+/// The greatest h |n_z| of each layer and each face that it meets, level ones left out.
+double steepestStep(const Mesh& mesh, const std::vector<LayerBounds>& bounds) {
+  double greatest = 0.0;
+  for (const Triangle& triangle : mesh.triangles) {
+    const Point3& a = mesh.vertices[triangle[0]];
+    const Point3& b = mesh.vertices[triangle[1]];
+    const Point3& c = mesh.vertices[triangle[2]];
+    const double lean = std::abs((b - a).cross(c - a).normalized().z());
+    if (lean > 0.999) continue;
+    const auto [low, high] = std::minmax({a.z(), b.z(), c.z()});
+    for (const LayerBounds& layer : bounds)
+      if (layer.bottom_mm < high - 1e-9 && layer.top_mm > low + 1e-9)
+        greatest = std::max(greatest, layer.height() * lean);
+  }
+  return greatest;
+}
+
 void expectStacked(const std::vector<LayerBounds>& bounds) {
   for (std::size_t i = 1; i < bounds.size(); ++i)
     EXPECT_DOUBLE_EQ(bounds[i].bottom_mm, bounds[i - 1].top_mm) << i;
@@ -86,11 +104,25 @@ TEST(AdaptiveLayers, OfADomeLeaveEqualCusps) {
   // h = c R / z between the bounds: (400 - 6.67²) / 4 + 6.67 / 0.3 = 111.1 layers.
   EXPECT_GE(layers.bounds.size(), 111U);
   EXPECT_LE(layers.bounds.size(), 113U);
-  EXPECT_NEAR(layerHeightAt(layers.bounds, 5.0), 0.3, 0.01);
-  EXPECT_NEAR(layerHeightAt(layers.bounds, 10.0), 0.2, 0.005);
-  EXPECT_NEAR(layerHeightAt(layers.bounds, 19.0), 2.0 / 19.0, 0.003);
-  EXPECT_LE(greatestCusp(mesh, layers.bounds), 0.1 + 1e-9);
+  // At their upper ends, where faces are flattest: 0.3 mm up to 6.67, 0.2 at 10, 0.1 at 20 mm.
+  for (std::size_t i = 1; i < layers.bounds.size(); ++i) {
+    const LayerBounds& layer = layers.bounds[i];
+    EXPECT_NEAR(layer.height(), std::min(0.3, 0.1 * 20.0 / layer.top_mm), 0.002) << layer.top_mm;
+  }
+  EXPECT_NEAR(layerHeightAt(layers.bounds, 6.3), 0.3, 0.002);
+  EXPECT_NEAR(layerHeightAt(layers.bounds, 10.0), 0.2, 0.002);
+  EXPECT_NEAR(layerHeightAt(layers.bounds, 20.0), 0.1, 0.002);
+  EXPECT_LE(steepestStep(mesh, layers.bounds), 0.1 + 1e-9);
+  EXPECT_NEAR(greatestCusp(mesh, layers.bounds), steepestStep(mesh, layers.bounds), 1e-12);
   EXPECT_NEAR(layers.bounds.back().top_mm, 20.0, 1e-9);
+}
+
+TEST(AdaptiveLayers, OfADomeAreFewerThanEqualOnesOfTheSameCusp) {
+  SlicingSettings equal;
+  equal.layer_height_mm = equal.first_layer_height_mm = 0.1;
+  const std::vector<LayerBounds> bounds = stackLayers(0.0, 20.0, equal);
+  EXPECT_EQ(bounds.size(), 200U);
+  EXPECT_NEAR(steepestStep(hemisphere(20.0), bounds), 0.1, 1e-3) << "near the top";
 }
 
 TEST(AdaptiveLayers, OfOneSlopeAreEquallyHigh) {
