@@ -84,7 +84,55 @@ TEST(CrossedOutlines, AreFoundInAnAreaThatOverlapsItself) {
   const Regions whole = {{rectangle(-1, -1, 11, 11), {}}};
   EXPECT_NEAR(area(difference(whole, nested)), 44.0, 1e-6);
   EXPECT_NEAR(area(intersection(nested, whole)), 100.0, 1e-6);
-  EXPECT_NEAR(area(difference(whole, unite(outlines(overlapping)))), 144.0 - 94.0, 1e-6);
+  EXPECT_NEAR(area(difference(whole, overlapping)), 144.0 - 94.0, 1e-6);
+  EXPECT_NEAR(area(intersection(overlapping, whole)), 94.0, 1e-6);
+  // Along each other, and the same twice.
+  const Regions level = {{rectangle(0, 0, 7, 10), {}}, {rectangle(3, 0, 10, 10), {}}};
+  const Regions twice = {{rectangle(0, 0, 10, 10), {}}, {rectangle(0, 0, 10, 10), {}}};
+  for (const Regions& each : {level, twice}) {
+    EXPECT_NEAR(area(difference(whole, each)), 144.0 - 100.0, 1e-6);
+    EXPECT_NEAR(area(intersection(each, whole)), 100.0, 1e-6);
+    EXPECT_NEAR(area(difference(each, {{rectangle(-1, 4, 11, 6), {}}})), 80.0, 1e-6);
+  }
+  // A bar over the border of a ring's hole.
+  const Regions ring = {{rectangle(0, 0, 10, 10), {test::reversed(rectangle(3, 3, 7, 7))}},
+                        {rectangle(2, 4, 5, 6), {}}};
+  EXPECT_NEAR(area(difference(whole, ring)), 144.0 - (84.0 + 4.0), 1e-6);
+}
+
+/// Stars that lie anywhere in a square, so that some of them overlap.
+Regions scatteredStars(Random& random, int count) {
+  Regions regions;
+  for (int i = 0; i < count; ++i) {
+    const Point2 centre(random.uniform(0, 30), random.uniform(0, 30));
+    regions.push_back({test::star(random, centre, 1.0, 5.0, 12), {}});
+    if (i % 2 == 0) regions.back().holes.push_back(test::reversed(test::star(random, centre, 0.3, 0.8, 6)));
+  }
+  return regions;
+}
+
+TEST(CrossedOutlines, OfAreasThatOverlapThemselvesAreThoseOfTheirUnions) {
+  int overlapping = 0;
+  EXPECT_TRUE(rc::check("scattered stars", [&overlapping] {
+    Random random(*rc::gen::arbitrary<std::uint64_t>());
+    const Regions a = scatteredStars(random, random.uniform(0, 1) < 0.5 ? 1 : 5);
+    const Regions b = scatteredStars(random, 6);
+    const Regions whole_a = unite(outlines(a));
+    const Regions whole_b = unite(outlines(b));
+    overlapping += area(b) > area(whole_b) + 0.1 ? 1 : 0;
+    const Regions common = intersection(a, b);
+    const Regions rest = difference(a, b);
+    RC_ASSERT(std::abs(area(common) - area(intersection(whole_a, whole_b))) < 1e-2);
+    RC_ASSERT(std::abs(area(rest) - area(difference(whole_a, whole_b))) < 1e-2);
+    for (int i = 0; i < 100; ++i) {
+      const Point2 point(random.uniform(-5, 35), random.uniform(-5, 35));
+      const bool is_in_a = contains(outlines(whole_a), point);
+      const bool is_in_b = contains(outlines(whole_b), point);
+      RC_ASSERT(contains(outlines(common), point) == (is_in_a && is_in_b));
+      RC_ASSERT(contains(outlines(rest), point) == (is_in_a && !is_in_b));
+    }
+  }));
+  EXPECT_GT(overlapping, 60) << "of a hundred, or the property says nothing";
 }
 
 TEST(CrossedOutlines, SayNothingWhereTheyTouch) {

@@ -15,7 +15,8 @@ enum class Join {
 };
 
 // Regions given to these wind round each point once or not at all, as those do that they return; what may
-// overlap itself goes through `unite` before. Where outlines meet they work on a grid of 1e-5 mm: results lie
+// overlap itself goes through `unite` before, but for `difference` and `intersection`, which take regions
+// that overlap each other as their union. Where outlines meet they work on a grid of 1e-5 mm: results lie
 // within that of the exact ones. They give the same regions for the same input, refuse points farther than
 // 10 m from the origin with InvalidInput, and islands inside holes become regions of their own.
 

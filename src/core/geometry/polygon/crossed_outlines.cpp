@@ -59,11 +59,14 @@ bool CrossedOutlines::Area::encloses(const Point2& point) const {
 
 CrossedOutlines::Area CrossedOutlines::areaOf(const Regions& regions) {
   Area area;
-  const auto add = [&area](const Polygon& points) {
+  std::uint32_t count = 0;
+  const auto add = [&](const Polygon& points, bool is_hole) {
     if (points.size() < 3) return;
     const auto number = static_cast<std::uint32_t>(area.outlines.size());
     Outline outline;
     outline.points = &points;
+    outline.region = count;
+    outline.is_hole = is_hole;
     outline.first = static_cast<std::uint32_t>(area.edges.size());
     for (std::uint32_t i = 0; i < points.size(); ++i) {
       outline.box.include(points[i]);
@@ -74,8 +77,9 @@ CrossedOutlines::Area CrossedOutlines::areaOf(const Regions& regions) {
     area.outlines.push_back(outline);
   };
   for (const Region& region : regions) {
-    add(region.outer);
-    for (const Polygon& hole : region.holes) add(hole);
+    add(region.outer, false);
+    for (const Polygon& hole : region.holes) add(hole, true);
+    ++count;
   }
   return area;
 }
@@ -83,6 +87,53 @@ CrossedOutlines::Area CrossedOutlines::areaOf(const Regions& regions) {
 CrossedOutlines::CrossedOutlines(const Regions& a, const Regions& b)
     : areas_{areaOf(a), areaOf(b)}, is_clear_(findCrossings()) {
   for (std::size_t side = 0; side < 2; ++side) is_clear_ = is_clear_ && linkCrossings(side);
+  for (const Area& area : areas_) is_clear_ = is_clear_ && !mayOverlapItself(area);
+}
+
+/// Or touch: what runs along each other may well overlap.
+bool CrossedOutlines::mayMeet(const Outline& a, const Outline& b) {
+  const Point2 low = a.box.low.cwiseMax(b.box.low).array() - kClear;
+  const Point2 high = a.box.high.cwiseMin(b.box.high).array() + kClear;
+  std::array<std::vector<std::pair<Point2, Point2>>, 2> edges;
+  for (std::size_t side = 0; side < 2; ++side) {
+    const Polygon& points = side == 0 ? *a.points : *b.points;
+    for (std::size_t i = 0, j = points.size() - 1; i < points.size(); j = i++)
+      if ((points[i].cwiseMax(points[j]).array() >= low.array()).all() &&
+          (points[i].cwiseMin(points[j]).array() <= high.array()).all())
+        edges[side].emplace_back(points[j], points[i]);
+  }
+  const auto reaches = [](const std::pair<Point2, Point2>& line, const std::pair<Point2, Point2>& edge) {
+    const Point2 way = line.second - line.first;
+    const double near = kClear * way.norm();
+    const double first = cross(way, edge.first - line.first);
+    const double second = cross(way, edge.second - line.first);
+    return std::min(first, second) <= near && std::max(first, second) >= -near;
+  };
+  return std::any_of(edges[0].begin(), edges[0].end(), [&](const auto& of_a) {
+    return std::any_of(edges[1].begin(), edges[1].end(),
+                       [&](const auto& of_b) { return reaches(of_a, of_b) && reaches(of_b, of_a); });
+  });
+}
+
+/// Whether regions of it may cross each other; what lies within another is found by how often it is wound
+/// round.
+bool CrossedOutlines::mayOverlapItself(const Area& area) {
+  if (area.outlines.empty() || area.outlines.back().region == area.outlines.front().region) return false;
+  std::vector<const Outline*> by_x;
+  by_x.reserve(area.outlines.size());
+  for (const Outline& outline : area.outlines) by_x.push_back(&outline);
+  std::sort(by_x.begin(), by_x.end(), [](const Outline* a, const Outline* b) {
+    return std::make_pair(a->box.low.x(), a->first) < std::make_pair(b->box.low.x(), b->first);
+  });
+  for (std::size_t i = 0; i < by_x.size(); ++i)
+    for (std::size_t j = i + 1; j < by_x.size() && by_x[j]->box.low.x() <= by_x[i]->box.high.x(); ++j) {
+      const Outline& a = *by_x[i];
+      const Outline& b = *by_x[j];
+      const bool may_overlap = a.region != b.region && !(a.is_hole && b.is_hole) &&
+                               a.box.low.y() <= b.box.high.y() && b.box.low.y() <= a.box.high.y();
+      if (may_overlap && mayMeet(a, b)) return true;
+    }
+  return false;
 }
 
 /// Only those that lie where both areas do can cross; by their lower ends.

@@ -16,11 +16,12 @@ namespace lamina {
 /// do where outlines touch, run along each other or meet in a point.
 class CrossedOutlines {
  public:
-  /// @param a, b  each winds round every point once or not at all; must outlive this
+  /// @param a, b  no outline crosses itself or one of its own region; must outlive this
   CrossedOutlines(const Regions& a, const Regions& b);
 
   /// Where both are. None unless the outlines of the one stay clear of those of the other wherever they do
-  /// not plainly cross; corners lie within 1e-5 mm of the exact ones, and what is narrower is left out.
+  /// not plainly cross, or where regions of one of them meet; corners lie within 1e-5 mm of
+  /// the exact ones, and what is narrower is left out.
   std::optional<Regions> common() const;
   /// Where `a` is and `b` is not; none as above.
   std::optional<Regions> rest() const;
@@ -29,6 +30,8 @@ class CrossedOutlines {
   struct Outline {
     const Polygon* points = nullptr;
     std::uint32_t first = 0;  ///< number of its first edge among all of its area
+    std::uint32_t region = 0;
+    bool is_hole = false;
     Box2 box;
     bool is_crossed = false;
   };
@@ -63,6 +66,8 @@ class CrossedOutlines {
   static Area areaOf(const Regions& regions);
   std::vector<SweptEdge> sweptEdges() const;
   bool findCrossings();
+  static bool mayMeet(const Outline& a, const Outline& b);
+  static bool mayOverlapItself(const Area& area);
   bool meet(const SweptEdge& a, const SweptEdge& b);
   bool linkCrossings(std::size_t side);
   void walk(std::size_t side, std::uint32_t from, std::uint32_t to, Polygon& outline) const;
