@@ -86,7 +86,8 @@ LayerHeightsReport runLayerHeightsJob(const SliceJob& job) {
     throw InvalidConfig("slicing.mode is '" + slicing.mode +
                         "'; expected planar or inclined: only plane layers have heights of their own");
   requireApart({job.output}, {job.part, slicing.heights_file});
-  SourcePart source = readSource(job);
+  NoProgress nobody;
+  SourcePart source = readSource(job, nobody);
   if (slicing.plane.angle_deg != 0.0)
     source.mesh = turned(std::move(source.mesh), partFromLayers(slicing.plane).conjugate());
   LayerHeightsReport report = layerHeightsOf(source.mesh, slicing);

@@ -40,7 +40,8 @@ struct SliceMeasurement::Source {
 
 SliceMeasurement::SliceMeasurement(SliceJob job) : job_(std::move(job)) {
   validate(job_.settings);
-  source_ = std::make_unique<const Source>(Source{readSource(job_)});
+  NoProgress nobody;
+  source_ = std::make_unique<const Source>(Source{readSource(job_, nobody)});
 }
 SliceMeasurement::~SliceMeasurement() = default;
 SliceMeasurement::SliceMeasurement(SliceMeasurement&&) noexcept = default;

@@ -85,7 +85,7 @@ void hookPart(SlicedPart& sliced, const JobSettings& settings, const BuildSpace&
 
 SlicedPart readAndSlice(const SliceJob& job, const BuildSpace& space, Progress& progress) {
   Laps laps;
-  SourcePart source = readSource(job);
+  SourcePart source = readSource(job, progress);
   const double read_s = laps.lap();
   SlicedPart sliced = sliceSource(std::move(source), job, space, progress);
   sliced.summary.read_s = read_s;

@@ -183,6 +183,82 @@ TEST(StepReader, ASolidThatCannotBeReadIsRefusedByName) {
   EXPECT_NE(alone.find("the solid 'part "), std::string::npos) << alone;
 }
 
+/// The file of a box, its first face on the plane of its third, which stands across it.
+std::string withFaceOnOtherPlane(std::string step) {
+  const auto surface_of = [&step](std::size_t face) {
+    const std::size_t surface = step.find('#', step.find("),", face));
+    return std::make_pair(surface, step.substr(surface, step.find(',', surface) - surface));
+  };
+  const std::size_t first = step.find("ADVANCED_FACE(");
+  const std::size_t third = step.find("ADVANCED_FACE(", step.find("ADVANCED_FACE(", first + 1) + 1);
+  const auto [at, own] = surface_of(first);
+  return step.replace(at, own.size(), surface_of(third).second);
+}
+
+TEST(StepReader, ASolidThatLosesAFaceIsRefusedByName) {
+  const std::string box = stepOf(BRepPrimAPI_MakeBox(10.0, 10.0, 10.0).Shape());
+  ASSERT_EQ(refusal(box), "read");
+  const std::string why = refusal(withFaceOnOtherPlane(box));
+  EXPECT_NE(why.find("the solid 'part "), std::string::npos) << why;
+  EXPECT_NE(why.find("of whose 6 faces Open CASCADE reads 5, so that it is open"), std::string::npos) << why;
+}
+
+TEST(StepReader, EntitiesOfNothingAreRefused) {
+  const std::string box = stepOf(BRepPrimAPI_MakeBox(10.0, 10.0, 10.0).Shape());
+  for (const std::string start :
+       {"EDGE_LOOP('',(", "FACE_BOUND('',", "ORIENTED_EDGE('',*,*,", "EDGE_CURVE('',"}) {
+    std::string step = box;
+    const std::size_t from = step.find(start) + start.size();
+    const bool is_list = start.back() == '(';
+    step.replace(from, step.find(is_list ? ')' : ',', from) - from, is_list ? "" : "$");
+    const std::string why = refusal(step);
+    EXPECT_NE(why.find("without the edges or points"), std::string::npos) << start << why;
+  }
+}
+
+/// Cancelled after so many reports.
+class CancelledReading final : public Progress {
+ public:
+  explicit CancelledReading(int after) : left_(after) {}
+  void report(const std::string& stage, double fraction) override {
+    EXPECT_EQ(stage, "read");
+    EXPECT_GE(fraction, last_ - 1e-9);
+    last_ = fraction;
+    ++count_;
+    if (left_ > 0) --left_;
+  }
+  bool isCancelled() const override { return left_ == 0; }
+  double last() const { return last_; }
+  int count() const { return count_; }
+
+ private:
+  int left_;
+  int count_ = 0;
+  double last_ = 0.0;
+};
+
+TEST(StepReader, StopsWhenItIsToldTo) {
+  gp_Trsf aside;
+  std::vector<TopoDS_Shape> solids;
+  for (int i = 0; i < 20; ++i) {
+    aside.SetTranslation(gp_Vec(50.0 * i, 0.0, 0.0));
+    solids.push_back(plateWithHole().Moved(TopLoc_Location(aside)));
+  }
+  const test::ScratchFolder folder;
+  const std::string path = folder.file("many.step");
+  writeFile(path, stepOf(compoundOf(solids)));
+  CancelledReading never(-1);
+  EXPECT_EQ(readMeshObjects(path, {}, {}, never).size(), 20U);
+  EXPECT_NEAR(never.last(), 1.0, 1e-9);
+  for (const int after : {0, 1, 5}) {
+    CancelledReading stopped(after);
+    EXPECT_THROW(readMeshObjects(path, {}, {}, stopped), Cancelled) << after;
+    EXPECT_LT(stopped.count(), never.count()) << "it does not go on to the end";
+    CancelledReading whole(after);
+    EXPECT_THROW(readMesh(path, {}, {}, whole), Cancelled) << after;
+  }
+}
+
 TEST(StepReader, RefusesShorterPieces) {
   const std::string step = stepOf(cylinder());
   for (std::size_t length = 20; length < step.size() / 2; length += 997)

@@ -61,6 +61,58 @@ TEST(ThreemfReader, HonoursUnitComponentsAndTransforms) {
   EXPECT_NEAR(boundingBox(mesh).high.x(), 70.0, 1e-9);
 }
 
+/// A strip of that many triangles, in objects of ten of the one before, and so on.
+std::string tenfold(std::size_t triangles, int levels) {
+  std::vector<NMR::MODELMESHVERTEX> vertices;
+  std::vector<NMR::MODELMESHTRIANGLE> strip;
+  for (DWORD i = 0; i < triangles + 2; ++i)
+    vertices.push_back({{static_cast<float>(i), static_cast<float>(i % 2), 0.0F}});
+  for (DWORD i = 0; i < triangles; ++i) strip.push_back({{i, i + 1, i + 2}});
+  Object *model = nullptr, *object = nullptr, *component = nullptr, *item = nullptr, *writer = nullptr;
+  EXPECT_EQ(NMR::lib3mf_createmodel(&model), LIB3MF_OK);
+  EXPECT_EQ(NMR::lib3mf_model_addmeshobject(model, &object), LIB3MF_OK);
+  EXPECT_EQ(NMR::lib3mf_object_settype(object, NMR::MODELOBJECTTYPE_SURFACE), LIB3MF_OK);
+  EXPECT_EQ(NMR::lib3mf_meshobject_setgeometry(object, vertices.data(), static_cast<DWORD>(vertices.size()),
+                                               strip.data(), static_cast<DWORD>(strip.size())),
+            LIB3MF_OK);
+  for (int level = 0; level < levels; ++level) {
+    Object* above = nullptr;
+    EXPECT_EQ(NMR::lib3mf_model_addcomponentsobject(model, &above), LIB3MF_OK);
+    for (int i = 0; i < 10; ++i) {
+      EXPECT_EQ(NMR::lib3mf_componentsobject_addcomponent(above, object, nullptr, &component), LIB3MF_OK);
+      NMR::lib3mf_release(component);
+    }
+    NMR::lib3mf_release(object);
+    object = above;
+  }
+  EXPECT_EQ(NMR::lib3mf_model_addbuilditem(model, object, nullptr, &item), LIB3MF_OK);
+  EXPECT_EQ(NMR::lib3mf_model_querywriter(model, "3mf", &writer), LIB3MF_OK);
+  const std::string path = testing::TempDir() + "tenfold.3mf";
+  EXPECT_EQ(NMR::lib3mf_writer_writetofileutf8(writer, path.c_str()), LIB3MF_OK);
+  for (Object* handle : {writer, item, object, model}) NMR::lib3mf_release(handle);
+  std::string bytes = readFile(path);
+  std::remove(path.c_str());
+  return bytes;
+}
+
+std::string threemfRefusal(const std::string& bytes) {
+  try {
+    readMeshFromBytes(bytes, "scene.3mf");
+  } catch (const InvalidMesh& error) {
+    return error.what();
+  }
+  return "read";
+}
+
+TEST(ThreemfReader, RefusesScenesOfTooMuchBeforeItTakesMemory) {
+  EXPECT_EQ(threemfRefusal(tenfold(21000, 2)), "read");
+  // 10 000 instances of 21 000 triangles are 210 million.
+  EXPECT_NE(threemfRefusal(tenfold(21000, 4)).find("more than 200000000 triangles or vertices"),
+            std::string::npos)
+      << threemfRefusal(tenfold(21000, 4));
+  EXPECT_NE(threemfRefusal(tenfold(1, 5)).find("100000 instances"), std::string::npos);
+}
+
 /// A file of two items of the build list, the second named and shifted.
 std::string twoItems() {
   Object *model = nullptr, *item = nullptr, *writer = nullptr;

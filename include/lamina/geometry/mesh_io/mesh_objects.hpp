@@ -43,6 +43,10 @@ struct MeshObject {
 std::vector<MeshObject> readMeshObjects(const std::string& path, const MeshUnits& units = {},
                                         const Tessellation& tessellation = {});
 
+/// The same, reported and cancelled as `readMesh` is.
+std::vector<MeshObject> readMeshObjects(const std::string& path, const MeshUnits& units,
+                                        const Tessellation& tessellation, Progress& progress);
+
 /// The volumes of all objects of a file that say how the part is laid, which only 3MF files have. Of each
 /// object those of the whole come first, then of its pieces, of heights, and of what is no part of it.
 /// @throws as `readMesh`

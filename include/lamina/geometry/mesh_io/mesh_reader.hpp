@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "lamina/base/progress.hpp"
 #include "lamina/geometry/mesh/mesh.hpp"
 
 namespace lamina {
@@ -41,10 +42,15 @@ struct Tessellation {
 ///
 /// @throws FileError    if the file is missing or cannot be read, or is STEP and cannot be read here
 /// @throws InvalidMesh  if it is empty, truncated, none of these formats, has a number that is not finite or
-///                      beyond 1e9 mm, has no triangle, or is STEP without solids or with faces of none;
-///                      names line or byte
+///                      beyond 1e9 mm, has no triangle, or is STEP without solids, with faces of none, or
+///                      with a solid that lacks faces that cannot be read; names line or byte
 /// @throws InvalidConfig if the scale is not positive and finite
 Mesh readMesh(const std::string& path, const MeshUnits& units = {}, const Tessellation& tessellation = {});
+
+/// The same. Solids, which take long to read, report the stage "read", and stop when they are told to.
+/// @throws Cancelled if they are
+Mesh readMesh(const std::string& path, const MeshUnits& units, const Tessellation& tessellation,
+              Progress& progress);
 
 /// The same for bytes in memory. The name stands for the path: in errors, and its suffix.
 Mesh readMeshFromBytes(std::string_view bytes, const std::string& name, const MeshUnits& units = {},

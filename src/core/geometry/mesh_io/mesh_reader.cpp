@@ -77,10 +77,10 @@ std::vector<MeshVolume> inMillimetres(std::vector<MeshVolume> volumes, double fa
 
 /// The module of Open CASCADE, which not every build has, nor every machine what it links to.
 std::vector<MeshObject> readStepSolids(std::string_view bytes, const std::string& name,
-                                       const Tessellation& tessellation) {
+                                       const Tessellation& tessellation, Progress& progress) {
   try {
     const auto* const module = static_cast<const StepModule*>(moduleTable("step"));
-    return module->read_solids(bytes, name, tessellation);
+    return module->read_solids(bytes, name, tessellation, progress);
   } catch (const FileError& error) {
     throw FileError(name +
                     ": STEP files are read by Open CASCADE, which is not here; install "
@@ -90,9 +90,10 @@ std::vector<MeshObject> readStepSolids(std::string_view bytes, const std::string
 }
 
 /// All solids as one mesh.
-Mesh readStep(std::string_view bytes, const std::string& name, const Tessellation& tessellation) {
+Mesh readStep(std::string_view bytes, const std::string& name, const Tessellation& tessellation,
+              Progress& progress) {
   Mesh all;
-  for (const MeshObject& solid : readStepSolids(bytes, name, tessellation)) {
+  for (const MeshObject& solid : readStepSolids(bytes, name, tessellation, progress)) {
     const auto first = static_cast<std::uint32_t>(all.vertices.size());
     all.vertices.insert(all.vertices.end(), solid.mesh.vertices.begin(), solid.mesh.vertices.end());
     for (const Triangle& triangle : solid.mesh.triangles)
@@ -102,9 +103,18 @@ Mesh readStep(std::string_view bytes, const std::string& name, const Tessellatio
 }
 
 std::vector<MeshObject> readObjectsOf(std::string_view bytes, const std::string& path,
-                                      const Tessellation& tessellation) {
-  if (isStep(bytes)) return readStepSolids(bytes, path, tessellation);
+                                      const Tessellation& tessellation, Progress& progress) {
+  if (isStep(bytes)) return readStepSolids(bytes, path, tessellation, progress);
   return static_cast<const ThreemfModule*>(moduleTable("threemf"))->read_objects(bytes, path);
+}
+
+Mesh meshFromBytes(std::string_view bytes, const std::string& name, const MeshUnits& units,
+                   const Tessellation& tessellation, Progress& progress) {
+  if (!isThreemf(bytes) && !isStep(bytes))
+    return inMillimetres(readInFileUnits(bytes, name), factorOf(units), name);
+  const double factor = factorOf({LengthUnit::Millimetre, units.scale});
+  return inMillimetres(
+      isStep(bytes) ? readStep(bytes, name, tessellation, progress) : readThreemf(bytes, name), factor, name);
 }
 
 }  // namespace
@@ -131,16 +141,28 @@ const std::vector<std::pair<std::string, LengthUnit>>& lengthUnits() {
 bool isClosedSurface(const Mesh& mesh) { return !pairHalfEdges(mesh).has_border && volume(mesh) != 0.0; }
 
 Mesh readMesh(const std::string& path, const MeshUnits& units, const Tessellation& tessellation) {
+  NoProgress nobody;
+  return readMesh(path, units, tessellation, nobody);
+}
+
+Mesh readMesh(const std::string& path, const MeshUnits& units, const Tessellation& tessellation,
+              Progress& progress) {
   InputFile file(path);
   std::array<char, kBinaryStlStart> buffer;
   const std::string_view start(buffer.data(), file.read(buffer.data(), buffer.size()));
   if (isPly(start) || !isExactBinaryStl(start, file.size()))
-    return readMeshFromBytes(file.readRest(start), path, units, tessellation);
+    return meshFromBytes(file.readRest(start), path, units, tessellation, progress);
   return inMillimetres(readExactBinaryStl(file, start, path), factorOf(units), path);
 }
 
 std::vector<MeshObject> readMeshObjects(const std::string& path, const MeshUnits& units,
                                         const Tessellation& tessellation) {
+  NoProgress nobody;
+  return readMeshObjects(path, units, tessellation, nobody);
+}
+
+std::vector<MeshObject> readMeshObjects(const std::string& path, const MeshUnits& units,
+                                        const Tessellation& tessellation, Progress& progress) {
   InputFile file(path);
   std::array<char, kBinaryStlStart> buffer;
   const std::string_view start(buffer.data(), file.read(buffer.data(), buffer.size()));
@@ -150,7 +172,7 @@ std::vector<MeshObject> readMeshObjects(const std::string& path, const MeshUnits
     return objects;
   }
   const double factor = factorOf({LengthUnit::Millimetre, units.scale});
-  objects = readObjectsOf(file.readRest(start), path, tessellation);
+  objects = readObjectsOf(file.readRest(start), path, tessellation, progress);
   for (MeshObject& object : objects) {
     object.mesh = inMillimetres(std::move(object.mesh), factor, path);
     object.volumes = inMillimetres(std::move(object.volumes), factor, path);
@@ -170,11 +192,8 @@ std::vector<MeshVolume> readMeshVolumes(const std::string& path, const MeshUnits
 
 Mesh readMeshFromBytes(std::string_view bytes, const std::string& name, const MeshUnits& units,
                        const Tessellation& tessellation) {
-  if (!isThreemf(bytes) && !isStep(bytes))
-    return inMillimetres(readInFileUnits(bytes, name), factorOf(units), name);
-  const double factor = factorOf({LengthUnit::Millimetre, units.scale});
-  return inMillimetres(isStep(bytes) ? readStep(bytes, name, tessellation) : readThreemf(bytes, name), factor,
-                       name);
+  NoProgress nobody;
+  return meshFromBytes(bytes, name, units, tessellation, nobody);
 }
 
 }  // namespace lamina

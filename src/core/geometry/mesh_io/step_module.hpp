@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "lamina/base/progress.hpp"
 #include "lamina/geometry/mesh_io/mesh_objects.hpp"
 #include "lamina/geometry/mesh_io/mesh_reader.hpp"
 
@@ -16,7 +17,7 @@ namespace lamina {
 struct StepModule {
   /// The solids of a STEP file [ISO10303-21], each where the file places it [mm].
   std::vector<MeshObject> (*read_solids)(std::string_view bytes, const std::string& name,
-                                         const Tessellation& tessellation);
+                                         const Tessellation& tessellation, Progress& progress);
 };
 
 }  // namespace lamina

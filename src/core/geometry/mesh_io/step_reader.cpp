@@ -9,6 +9,8 @@
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
 #include <Message_Printer.hxx>
+#include <Message_ProgressIndicator.hxx>
+#include <Message_ProgressScope.hxx>
 #include <Poly_Triangulation.hxx>
 #include <STEPControl_Reader.hxx>
 #include <Standard_Failure.hxx>
@@ -19,7 +21,14 @@
 #include <StepRepr_PropertyDefinition.hxx>
 #include <StepRepr_PropertyDefinitionRepresentation.hxx>
 #include <StepRepr_RepresentedDefinition.hxx>
+#include <StepShape_BrepWithVoids.hxx>
+#include <StepShape_ClosedShell.hxx>
+#include <StepShape_EdgeCurve.hxx>
+#include <StepShape_EdgeLoop.hxx>
+#include <StepShape_FaceBound.hxx>
 #include <StepShape_ManifoldSolidBrep.hxx>
+#include <StepShape_OrientedClosedShell.hxx>
+#include <StepShape_OrientedEdge.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopLoc_Location.hxx>
@@ -41,6 +50,7 @@
 #include "indexed_faces.hpp"
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/geometry/mesh/mesh_topology.hpp"
 #include "step_module.hpp"
 
 namespace lamina {
@@ -48,6 +58,7 @@ namespace {
 
 // By default the library takes a tenth of the deflection, below which angles do not count.
 constexpr double kShortestEdge = 0.001;  // mm
+constexpr const char* kReading = "read";
 constexpr int kMostSteps = 8;  // from an item up to its product, over representations and their relations
 
 /// Reads bytes where they are.
@@ -58,6 +69,58 @@ class BytesBuffer : public std::streambuf {
     setg(start, start, start + bytes.size());
   }
 };
+
+/// Tells the library to stop, and how far it is.
+class ReadingProgress : public Message_ProgressIndicator {
+ public:
+  explicit ReadingProgress(Progress& progress) : progress_(progress) {}
+
+ protected:
+  Standard_Boolean UserBreak() override { return progress_.isCancelled(); }
+  void Show(const Message_ProgressScope&, Standard_Boolean) override {
+    progress_.report(kReading, GetPosition());
+  }
+
+ private:
+  Progress& progress_;
+};
+
+/// Whether a loop has no edges, which the library does not survive as it loads the file.
+bool hasEmptyLoop(std::string_view text) {
+  constexpr std::string_view kLoop = "EDGE_LOOP";
+  constexpr const char* kBlanks = " \t\r\n";
+  for (std::size_t at = text.find(kLoop); at != std::string_view::npos; at = text.find(kLoop, at + 1)) {
+    const std::size_t list = text.find('(', std::min(text.find(',', at), text.size()));
+    if (list == std::string_view::npos) return false;
+    const std::size_t first = text.find_first_not_of(kBlanks, list + 1);
+    if (first != std::string_view::npos && text[first] == ')' && list < text.find(';', at)) return true;
+  }
+  return false;
+}
+
+/// Whether it lacks what it is made of, which the library takes for granted.
+bool isHollow(const Handle(Standard_Transient) & entity) {
+  if (const auto bound = Handle(StepShape_FaceBound)::DownCast(entity); !bound.IsNull())
+    return bound->Bound().IsNull();
+  if (const auto loop = Handle(StepShape_EdgeLoop)::DownCast(entity); !loop.IsNull())
+    return loop->EdgeList().IsNull() || loop->NbEdgeList() == 0;
+  if (const auto edge = Handle(StepShape_OrientedEdge)::DownCast(entity); !edge.IsNull())
+    return edge->EdgeElement().IsNull();
+  const auto curve = Handle(StepShape_EdgeCurve)::DownCast(entity);
+  return !curve.IsNull() && (curve->EdgeStart().IsNull() || curve->EdgeEnd().IsNull());
+}
+
+/// Of all shells.
+std::size_t facesOf(const Handle(StepShape_ManifoldSolidBrep) & item) {
+  const auto of_shell = [](const Handle(StepShape_ConnectedFaceSet) & shell) -> std::size_t {
+    return shell.IsNull() || shell->CfsFaces().IsNull() ? 0 : static_cast<std::size_t>(shell->NbCfsFaces());
+  };
+  std::size_t count = of_shell(item->Outer());
+  const auto hollow = Handle(StepShape_BrepWithVoids)::DownCast(item);
+  for (int i = 1; !hollow.IsNull() && i <= hollow->NbVoids(); ++i)
+    count += of_shell(hollow->VoidsValue(i)->ClosedShellElement());
+  return count;
+}
 
 std::string textOf(const Handle(TCollection_HAsciiString) & text) {
   return text.IsNull() || text->ToCString() == nullptr ? std::string() : std::string(text->ToCString());
@@ -77,34 +140,56 @@ std::string productName(const Handle(Standard_Transient) & entity) {
 
 class StepReader {
  public:
-  StepReader(const std::string& name, const Tessellation& tessellation)
-      : name_(name), tessellation_(tessellation) {}
+  StepReader(const std::string& name, const Tessellation& tessellation, Progress& progress)
+      : name_(name), tessellation_(tessellation), progress_(progress) {}
 
   std::vector<MeshObject> read(std::string_view bytes) {
+    throwIfCancelled(progress_, kReading);
     load(bytes);
-    const int roots = reader_.NbRootsForTransfer();
-    const int transferred = reader_.TransferRoots();
-    findItems();
-    if (transferred < roots)
-      refuse("has " + std::to_string(roots) + " shapes of its own, of which Open CASCADE reads " +
-             std::to_string(transferred) + "; expected all of them");
+    const Handle(ReadingProgress) told = new ReadingProgress(progress_);
+    Message_ProgressScope whole(told->Start(), kReading, 2);
+    const std::vector<TopoDS_Shape> solids = readSolids(whole.Next());
+    Message_ProgressScope meshing(whole.Next(), kReading, static_cast<double>(solids.size()));
     std::vector<MeshObject> objects;
-    for (int i = 1; i <= reader_.NbShapes(); ++i) {
-      const TopoDS_Shape shape = reader_.Shape(i);
-      requireNoFreeFaces(shape);
-      for (TopExp_Explorer solid(shape, TopAbs_SOLID); solid.More(); solid.Next())
-        objects.push_back({nameOf(solid.Current()), meshOf(solid.Current())});
-    }
-    if (objects.empty()) refuse("has no solid; expected at least one, for only solids can be printed");
+    for (const TopoDS_Shape& solid : solids)
+      objects.push_back({nameOf(solid), meshOf(solid, meshing.Next())});
     return objects;
   }
 
  private:
+  std::vector<TopoDS_Shape> readSolids(const Message_ProgressRange& told) {
+    const int roots = reader_.NbRootsForTransfer();
+    const int transferred = reader_.TransferRoots(told);
+    throwIfCancelled(progress_, kReading);
+    findItems();
+    if (transferred < roots)
+      refuse("has " + std::to_string(roots) + " shapes of its own, of which Open CASCADE reads " +
+             std::to_string(transferred) + "; expected all of them");
+    std::vector<TopoDS_Shape> solids;
+    for (int i = 1; i <= reader_.NbShapes(); ++i) {
+      const TopoDS_Shape shape = reader_.Shape(i);
+      requireNoFreeFaces(shape);
+      for (TopExp_Explorer solid(shape, TopAbs_SOLID); solid.More(); solid.Next())
+        solids.push_back(solid.Current());
+    }
+    if (solids.empty()) refuse("has no solid; expected at least one, for only solids can be printed");
+    return solids;
+  }
+
   void load(std::string_view bytes) {
+    if (hasEmptyLoop(bytes))
+      refuse(
+          "has an EDGE_LOOP without the edges or points that it is made of; expected a file that is not "
+          "damaged");
     BytesBuffer buffer(bytes);
     std::istream stream(&buffer);
     if (reader_.ReadStream(name_.c_str(), stream) != IFSelect_RetDone)
       refuse("is no readable STEP file: damaged, or cut off");
+    const Handle(Interface_InterfaceModel) model = reader_.WS()->Model();
+    for (int i = 1; i <= model->NbEntities(); ++i)
+      if (const auto& entity = model->Value(i); isHollow(entity))
+        refuse("has the entity " + std::string(model->StringLabel(entity)->ToCString()) +
+               " without the edges or points that it is made of; expected a file that is not damaged");
   }
 
   /// Which solids the items of the file became: one that became none would be missing from the part.
@@ -159,24 +244,42 @@ class StepReader {
     return {};
   }
 
-  Mesh meshOf(const TopoDS_Shape& solid) {
+  Mesh meshOf(const TopoDS_Shape& solid, const Message_ProgressRange& told) {
     IMeshTools_Parameters parameters;
     parameters.Deflection = tessellation_.deflection_mm;
     parameters.MinSize = kShortestEdge;
     parameters.Angle = tessellation_.deflection_deg * kDegree;
     // The library's own order of threads must not show in the mesh.
     parameters.InParallel = false;
-    BRepMesh_IncrementalMesh mesher(solid, parameters);
+    BRepMesh_IncrementalMesh mesher(solid, parameters, told);
+    throwIfCancelled(progress_, kReading);
     IndexedFaces faces;
+    std::size_t count = 0;
     for (TopExp_Explorer face(solid, TopAbs_FACE); face.More(); face.Next())
-      addFace(TopoDS::Face(face.Current()), faces);
-    return weld(faces, name_);
+      if (addFace(TopoDS::Face(face.Current()), faces)) ++count;
+    Mesh mesh = weld(faces, name_);
+    requireAllFaces(solid, count, mesh);
+    return mesh;
   }
 
-  void addFace(const TopoDS_Face& face, IndexedFaces& faces) {
+  /// One that is lost matters if it leaves a hole: faces without any width leave none, and others may have
+  /// been divided.
+  void requireAllFaces(const TopoDS_Shape& solid, std::size_t meshed, const Mesh& mesh) const {
+    const auto item = items_.find(solid.TShape().get());
+    if (item == items_.end()) return;
+    const std::size_t stated = facesOf(item->second);
+    if (meshed >= stated || !pairHalfEdges(mesh).has_border) return;
+    refuse("has the solid '" + nameOf(item->second) + "' (" +
+           reader_.WS()->Model()->StringLabel(item->second)->ToCString() + "), of whose " +
+           std::to_string(stated) + " faces Open CASCADE reads " + std::to_string(meshed) +
+           ", so that it is open; expected all of them");
+  }
+
+  /// @return whether it has any triangle
+  bool addFace(const TopoDS_Face& face, IndexedFaces& faces) {
     TopLoc_Location location;
     const Handle(Poly_Triangulation) triangulation = BRep_Tool::Triangulation(face, location);
-    if (triangulation.IsNull()) refuse("has a face that cannot be divided into triangles");
+    if (triangulation.IsNull() || triangulation->NbTriangles() == 0) return false;
     triangles_ += static_cast<std::size_t>(triangulation->NbTriangles());
     if (triangles_ > kMostTriangles)
       refuse("becomes more than " + std::to_string(kMostTriangles) +
@@ -196,12 +299,14 @@ class StepReader {
       const auto vertex = [&](int node) { return static_cast<std::uint32_t>(first + node); };
       faces.triangles.push_back({vertex(a), vertex(b), vertex(c)});
     }
+    return true;
   }
 
   [[noreturn]] void refuse(const std::string& what) const { throw InvalidMesh(name_ + ": " + what); }
 
   const std::string& name_;
   const Tessellation& tessellation_;
+  Progress& progress_;
   STEPControl_Reader reader_;
   /// What the file has each solid as; the first where it is of several.
   std::map<const TopoDS_TShape*, Handle(StepShape_ManifoldSolidBrep)> items_;
@@ -211,11 +316,11 @@ class StepReader {
 }  // namespace
 
 std::vector<MeshObject> readStepSolids(std::string_view bytes, const std::string& name,
-                                       const Tessellation& tessellation) {
+                                       const Tessellation& tessellation, Progress& progress) {
   // What the library says would stand amid the output of commands.
   Message::DefaultMessenger()->RemovePrinters(STANDARD_TYPE(Message_Printer));
   try {
-    return StepReader(name, tessellation).read(bytes);
+    return StepReader(name, tessellation, progress).read(bytes);
   } catch (const Standard_Failure& failure) {
     throw InvalidMesh(name + ": is no readable STEP file: " + failure.GetMessageString());
   }

@@ -119,23 +119,33 @@ class ThreemfReader {
       refuse(reason(reader.get()));
     if (hasWords()) orders_ = ordersOf(model);
     const double scale = millimetresPerUnit(get<DWORD>(NMR::lib3mf_model_getunit, model));
-    const Handle items =
-        make([&](Object** out) { return NMR::lib3mf_model_getbuilditems(model.get(), out); });
+    const auto items_of_model = [&] {
+      return make([&](Object** out) { return NMR::lib3mf_model_getbuilditems(model.get(), out); });
+    };
+    const Handle counted = items_of_model();
+    while (get<BOOL>(NMR::lib3mf_builditemiterator_movenext, counted))
+      countObject(objectOf(itemAt(counted)), 0);
+    const Handle items = items_of_model();
     while (get<BOOL>(NMR::lib3mf_builditemiterator_movenext, items)) added(addBuildItem(items, scale));
+  }
+
+  Handle itemAt(const Handle& items) const {
+    return make([&](Object** out) { return NMR::lib3mf_builditemiterator_getcurrent(items.get(), out); });
+  }
+  Handle objectOf(const Handle& item) const {
+    return make([&](Object** out) { return NMR::lib3mf_builditem_getobjectresource(item.get(), out); });
   }
 
   /// @return its object
   Handle addBuildItem(const Handle& items, double scale) {
-    const Handle item =
-        make([&](Object** out) { return NMR::lib3mf_builditemiterator_getcurrent(items.get(), out); });
-    Handle object =
-        make([&](Object** out) { return NMR::lib3mf_builditem_getobjectresource(item.get(), out); });
+    const Handle item = itemAt(items);
+    Handle object = objectOf(item);
     Eigen::Affine3d part_from_item = Eigen::Affine3d::Identity();
     if (get<BOOL>(NMR::lib3mf_builditem_hasobjecttransform, item))
       part_from_item = toAffine(get<NMR::MODELTRANSFORM>(NMR::lib3mf_builditem_getobjecttransform, item));
     const std::size_t triangles = faces_.triangles.size();
     const auto volumes = static_cast<std::ptrdiff_t>(volume_faces_.size());
-    addObject(object, Eigen::Scaling(scale) * part_from_item, 0);
+    addObject(object, Eigen::Scaling(scale) * part_from_item);
     if (!hasWords()) return object;
     addBoxes(object, triangles);
     std::stable_sort(volume_faces_.begin() + volumes, volume_faces_.end(), [](const auto& a, const auto& b) {
@@ -205,12 +215,32 @@ class ThreemfReader {
     return name;
   }
 
-  /// Small files can ask for huge scenes by objects made of objects; hence the limits.
-  void addObject(const Handle& object, const Eigen::Affine3d& part_from_object, int depth) {
+  /// Small files can ask for huge scenes by objects made of objects; hence the limits, before any memory is
+  /// taken for them.
+  void countObject(const Handle& object, int depth) {
     constexpr int kDeepest = 64;
     constexpr int kMostObjects = 100000;
     if (depth > kDeepest || ++objects_ > kMostObjects)
       refuse("more than 64 levels or 100000 instances of objects; fewer are supported");
+    if (get<BOOL>(NMR::lib3mf_object_ismeshobject, object)) {
+      triangles_ += get<DWORD>(NMR::lib3mf_meshobject_gettrianglecount, object);
+      vertices_ += get<DWORD>(NMR::lib3mf_meshobject_getvertexcount, object);
+      if (triangles_ > kMostTriangles || vertices_ > kMostTriangles)
+        refuse("more than " + std::to_string(kMostTriangles) +
+               " triangles or vertices in all instances of objects; fewer are supported");
+      return;
+    }
+    const auto count = get<DWORD>(NMR::lib3mf_componentsobject_getcomponentcount, object);
+    for (DWORD i = 0; i < count; ++i) {
+      const Handle component =
+          make([&](Object** out) { return NMR::lib3mf_componentsobject_getcomponent(object.get(), i, out); });
+      countObject(
+          make([&](Object** out) { return NMR::lib3mf_component_getobjectresource(component.get(), out); }),
+          depth + 1);
+    }
+  }
+
+  void addObject(const Handle& object, const Eigen::Affine3d& part_from_object) {
     if (get<BOOL>(NMR::lib3mf_object_ismeshobject, object)) return addMesh(object, part_from_object);
     const auto count = get<DWORD>(NMR::lib3mf_componentsobject_getcomponentcount, object);
     for (DWORD i = 0; i < count; ++i) {
@@ -221,7 +251,7 @@ class ThreemfReader {
       Eigen::Affine3d object_from_part = Eigen::Affine3d::Identity();
       if (get<BOOL>(NMR::lib3mf_component_hastransform, component))
         object_from_part = toAffine(get<NMR::MODELTRANSFORM>(NMR::lib3mf_component_gettransform, component));
-      addObject(part, part_from_object * object_from_part, depth + 1);
+      addObject(part, part_from_object * object_from_part);
     }
   }
 
@@ -229,8 +259,6 @@ class ThreemfReader {
     const std::size_t first = faces_.positions.size();
     const auto vertices = get<DWORD>(NMR::lib3mf_meshobject_getvertexcount, mesh);
     const auto triangles = get<DWORD>(NMR::lib3mf_meshobject_gettrianglecount, mesh);
-    if (faces_.triangles.size() + triangles > kMostTriangles || first + vertices > kMostTriangles)
-      refuse("more than " + std::to_string(kMostTriangles) + " triangles or vertices; fewer are supported");
     for (DWORD i = 0; i < vertices; ++i) {
       NMR::MODELMESHVERTEX vertex{};
       require(NMR::lib3mf_meshobject_getvertex(mesh.get(), i, &vertex));
@@ -331,6 +359,8 @@ class ThreemfReader {
   std::vector<std::pair<MeshVolume, IndexedFaces>> volume_faces_;  ///< volumes without their meshes
   std::size_t volume_triangles_ = 0;
   int objects_ = 0;
+  std::size_t triangles_ = 0;  ///< of all instances
+  std::size_t vertices_ = 0;   ///< the same
 };
 
 }  // namespace

@@ -26,14 +26,14 @@ using ModifierSet = std::vector<std::size_t>;
 /// Where in one layer which modifiers hold; apart from each other.
 using Overlay = std::vector<std::pair<ModifierSet, Regions>>;
 
-Mesh meshOf(const Modifier& modifier, InputSettings input) {
+Mesh meshOf(const Modifier& modifier, InputSettings input, Progress& progress) {
   if (modifier.box) return boxMesh(*modifier.box);
   if (modifier.volume) {
     requireSound(*modifier.volume);
     return *modifier.volume;
   }
   input.repair = RepairPolicy::Strict;
-  Mesh mesh = readPart(modifier.mesh, input).mesh;
+  Mesh mesh = readPart(modifier.mesh, input, progress).mesh;
   if (!(volume(mesh) > 0.0))
     throw InvalidMesh("'" + modifier.mesh + "' encloses " + std::to_string(volume(mesh)) +
                       " mm3; expected a volume above 0");
@@ -71,7 +71,7 @@ class ModifierSections {
   }
 
   std::vector<Regions> within(const Modifier& modifier, Progress& progress) const {
-    Mesh mesh = meshOf(modifier, input_);
+    Mesh mesh = meshOf(modifier, input_, progress);
     for (Point3& vertex : mesh.vertices) vertex = source_.part_from_file * vertex;
     const std::vector<Section> sections = sliceMesh(mesh, heights_, progress);
     std::vector<Regions> areas(sections.size());

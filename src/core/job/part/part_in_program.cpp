@@ -42,7 +42,8 @@ const char* toString(PartFinding finding) {
 }
 
 ComparedPart readComparedPart(const std::string& part, const InputSettings& settings) {
-  return {part, readPart(part, settings).mesh};
+  NoProgress nobody;
+  return {part, readPart(part, settings, nobody).mesh};
 }
 
 PartInProgram findPart(const Toolpath& program, const ComparedPart& part, const std::optional<Point3>& given,

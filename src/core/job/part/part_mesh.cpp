@@ -7,7 +7,8 @@
 namespace lamina {
 
 Mesh partMesh(const std::string& part, const InputSettings& settings) {
-  return readPart(part, settings).mesh;
+  NoProgress nobody;
+  return readPart(part, settings, nobody).mesh;
 }
 
 }  // namespace lamina

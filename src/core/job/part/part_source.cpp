@@ -31,9 +31,9 @@ bool isParametric(const std::string& part) {
   return std::find(names.begin(), names.end(), part) != names.end();
 }
 
-Mesh readOrMake(const std::string& part, const InputSettings& settings) {
+Mesh readOrMake(const std::string& part, const InputSettings& settings, Progress& progress) {
   if (isSvgName(part)) return extrudedOutline(part, settings);
-  if (!isParametric(part)) return readMesh(part, settings.units, settings.tessellation);
+  if (!isParametric(part)) return readMesh(part, settings.units, settings.tessellation, progress);
   Mesh mesh = makePart(part);
   for (Point3& vertex : mesh.vertices) vertex *= settings.units.scale;
   return mesh;
@@ -51,19 +51,20 @@ SourcePart fitToSlice(Mesh mesh, RepairPolicy policy) {
 
 }  // namespace
 
-SourcePart readPart(const std::string& part, const InputSettings& settings) {
-  SourcePart source = fitToSlice(readOrMake(part, settings), settings.repair);
+SourcePart readPart(const std::string& part, const InputSettings& settings, Progress& progress) {
+  SourcePart source = fitToSlice(readOrMake(part, settings, progress), settings.repair);
   if (!isSvgName(part) && !isParametric(part)) source.volumes = readMeshVolumes(part, settings.units);
   return source;
 }
 
-std::vector<SourceObject> readParts(const std::string& part, const InputSettings& settings) {
+std::vector<SourceObject> readParts(const std::string& part, const InputSettings& settings,
+                                    Progress& progress) {
   std::vector<SourceObject> objects;
   if (isSvgName(part) || isParametric(part)) {
-    objects.push_back({"", readPart(part, settings)});
+    objects.push_back({"", readPart(part, settings, progress)});
     return objects;
   }
-  for (MeshObject& object : readMeshObjects(part, settings.units, settings.tessellation)) {
+  for (MeshObject& object : readMeshObjects(part, settings.units, settings.tessellation, progress)) {
     objects.push_back({std::move(object.name), fitToSlice(std::move(object.mesh), settings.repair)});
     objects.back().source.volumes = std::move(object.volumes);
   }

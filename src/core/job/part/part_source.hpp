@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "lamina/base/progress.hpp"
 #include "lamina/job/job_settings.hpp"
 #include "lamina/job/part/source_part.hpp"
 
@@ -13,8 +14,8 @@ namespace lamina {
 /// Reads a part and makes it fit to be sliced.
 /// @param part  name of a parametric part, otherwise path of a mesh file
 /// @throws InvalidMesh if the mesh cannot be read or repaired, or is not sound and the policy is strict;
-/// FileError
-SourcePart readPart(const std::string& part, const InputSettings& settings);
+/// FileError; Cancelled as `readMesh`
+SourcePart readPart(const std::string& part, const InputSettings& settings, Progress& progress);
 
 /// One of the objects of a part's file.
 struct SourceObject {
@@ -24,6 +25,7 @@ struct SourceObject {
 
 /// The objects that a file tells apart (`readMeshObjects`), each as `readPart` makes it; of a parametric part
 /// itself.
-std::vector<SourceObject> readParts(const std::string& part, const InputSettings& settings);
+std::vector<SourceObject> readParts(const std::string& part, const InputSettings& settings,
+                                    Progress& progress);
 
 }  // namespace lamina

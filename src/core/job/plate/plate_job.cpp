@@ -133,16 +133,17 @@ JobSettings settingsOf(const PlatePart& part, const JobSettings& of_plate) {
 /// Each file once.
 class Sources {
  public:
-  explicit Sources(const InputSettings& input) : input_(input) {}
+  Sources(const InputSettings& input, Progress& progress) : input_(input), progress_(progress) {}
 
   const std::vector<SourceObject>& of(const PlatePart& part) {
     const auto known = sources_.find(part.file);
-    return (known != sources_.end() ? known : sources_.emplace(part.file, readParts(part.file, input_)).first)
-        ->second;
+    if (known != sources_.end()) return known->second;
+    return sources_.emplace(part.file, readParts(part.file, input_, progress_)).first->second;
   }
 
  private:
   InputSettings input_;
+  Progress& progress_;
   std::map<std::string, std::vector<SourceObject>> sources_;
 };
 
@@ -335,7 +336,7 @@ class PlateSlicer {
     else
       requireInclinable(job_.settings);
     Laps laps;
-    Sources sources(job_.settings.input);
+    Sources sources(job_.settings.input, progress);
     items_ = itemsOf(job_.plate, sources, job_.settings);
     if (is_along_belt) return sliceAlongBelt(of_plate, laps.lap(), progress, reports);
     requireMergeable(items_, job_.settings.plate.order);

@@ -103,13 +103,13 @@ void requireToolAxisFor(const SliceJob& job, const BuildSpace& space) {
   if (hasPlaneLayers(slicing.mode) || slicing.plane.angle_deg != 0.0) requireToolAxis(slicing.plane, space);
 }
 
-SourcePart readSource(const SliceJob& job) {
-  SourcePart source = readPart(job.part, job.settings.input);
+SourcePart readSource(const SliceJob& job, Progress& progress) {
+  SourcePart source = readPart(job.part, job.settings.input, progress);
   const std::string& mode = job.settings.slicing.mode;
   const std::string& base = job.settings.conformal.base;
   if (base.empty()) return source;
   if (mode == kAutoMode || slicingModes().find(mode).laid_on == LaidOn::Base)
-    source.base = readPart(base, job.settings.input).mesh;
+    source.base = readPart(base, job.settings.input, progress).mesh;
   return source;
 }
 

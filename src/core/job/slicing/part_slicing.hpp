@@ -17,8 +17,8 @@ void addToolpath(SliceSummary& summary, const Toolpath& toolpath);
 void requireToolAxisFor(const SliceJob& job, const BuildSpace& space);
 
 /// Reads what a job prints, and what it is laid on where its mode asks for that.
-/// @throws InvalidMesh, FileError as `readPart`
-SourcePart readSource(const SliceJob& job);
+/// @throws InvalidMesh, FileError, Cancelled as `readPart`
+SourcePart readSource(const SliceJob& job, Progress& progress);
 
 /// Everything between mesh and program: places, slices and plans what was read, and checks it against the
 /// build space. Of the times in the summary only that of slicing is set.

@@ -105,7 +105,7 @@ PlacedContours placeContours(const Toolpath& program, const VoidJob& job, Progre
   if (job.offset) requireFinite(*job.offset);
   requireLevelLayers(program, "the void map");
   if (job.part.empty()) return {wallContours(program), Point2::Zero(), {}};
-  const SourcePart source = readPart(job.part, job.settings.input);
+  const SourcePart source = readPart(job.part, job.settings.input, progress);
   const Box3 box = boundingBox(source.mesh);
   const std::vector<Section> sections =
       sliceMesh(source.mesh, source.topology, cutHeights(program, riseOf(program, box.low.z())), progress);
