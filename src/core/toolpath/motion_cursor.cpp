@@ -16,8 +16,8 @@ double MotionCursor::dwellHere() const {
 bool MotionCursor::stepAny() {
   if (is_started_) ++motion_;
   is_started_ = true;
-  for (; layer_ < toolpath_->layers.size(); ++layer_, path_ = 0) {
-    const auto& paths = toolpath_->layers[layer_].paths;
+  for (; layer_ < count_; ++layer_, path_ = 0) {
+    const auto& paths = layers_[layer_].paths;
     for (; path_ < paths.size(); ++path_, motion_ = 0) {
       dwell_s_ += dwellHere();
       if (motion_ < paths[path_].motionCount()) return true;

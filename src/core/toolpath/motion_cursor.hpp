@@ -10,13 +10,15 @@ namespace lamina {
 /// resolves are passed over.
 class MotionCursor {
  public:
-  explicit MotionCursor(const Toolpath& toolpath) : toolpath_(&toolpath) {}
+  explicit MotionCursor(const Toolpath& toolpath)
+      : MotionCursor(toolpath.layers.data(), toolpath.layers.size()) {}
+  MotionCursor(const ToolpathLayer* first, std::size_t count) : layers_(first), count_(count) {}
 
   /// Steps to the next motion; the first call to the first one. False after the last.
   bool step();
 
   /// The motion it stands at.
-  const Path& path() const { return toolpath_->layers[layer_].paths[path_]; }
+  const Path& path() const { return layers_[layer_].paths[path_]; }
   const Point3& start() const { return path().points[motion_]; }
   const Point3& end() const { return path().points[path().motionEnd(motion_)]; }
   double length() const { return length_mm_; }
@@ -30,7 +32,8 @@ class MotionCursor {
   bool stepAny();
   double dwellHere() const;
 
-  const Toolpath* toolpath_;
+  const ToolpathLayer* layers_;
+  std::size_t count_;
   std::size_t layer_ = 0;
   std::size_t path_ = 0;
   std::size_t motion_ = 0;

@@ -12,6 +12,7 @@ namespace lamina {
 namespace {
 
 constexpr std::size_t kFirstLook = 32;
+constexpr double kSurely = 1.0 + 1e-9;  // beyond rounding
 
 double squared(double value) { return value * value; }
 
@@ -32,13 +33,19 @@ double junctionSpeed2(const MotionSegment& before, const MotionSegment& after, d
   const double sin_half2 = 0.5 * (1.0 - cos_turn);
   if (sin_half2 < 1e-14) return feed2;
   if (cos_half2 < 1e-14) return 0.0;
+  const double acceleration = std::min(before.acceleration_mm_s2, after.acceleration_mm_s2);
+  const double half_length = 0.5 * std::min(before.length_mm, after.length_mm);
+  // Most corners of curves are run at full feed, which a bound without roots shows: cos <= sqrt(cos).
+  const double surely2 = kSurely * feed2;
+  if (acceleration * junction_deviation_mm * cos_half2 * (1.0 + cos_half2) >= surely2 * sin_half2 &&
+      squared(acceleration * half_length) * cos_half2 >= squared(surely2) * sin_half2)
+    return feed2;
   // Circle in the corner: its distance from the corner is r (1 / cos(turn / 2) - 1), it touches at r tan(turn
   // / 2).
   const double cos_half = std::sqrt(cos_half2);
   const double per_sine = 1.0 / std::sqrt(sin_half2);
   const double by_deviation = junction_deviation_mm * cos_half * (1.0 + cos_half) * squared(per_sine);
-  const double by_length = 0.5 * std::min(before.length_mm, after.length_mm) * cos_half * per_sine;
-  const double acceleration = std::min(before.acceleration_mm_s2, after.acceleration_mm_s2);
+  const double by_length = half_length * cos_half * per_sine;
   return std::min(feed2, acceleration * std::min(by_deviation, by_length));
 }
 

@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <deque>
 #include <limits>
+#include <optional>
+#include <utility>
 #include <variant>
 
 #include "lamina/base/error.hpp"
+#include "toolpath/layer_time.hpp"
 #include "toolpath/motion_cursor.hpp"
 
 namespace lamina {
@@ -54,6 +57,29 @@ class TimedMotions {
   bool is_planned_ = false;
 };
 
+/// Calls visit(layer, dwell_s, duration_s) for each motion: no more of it is kept than that.
+/// @return waiting behind the last motion [s]
+template <class Visit>
+double forEachDuration(MotionCursor motion, const MotionLimits& limits, const Visit& visit) {
+  MotionPlanner planner(limits.junction_deviation_mm);
+  std::deque<std::pair<std::size_t, double>> planned;  // layers and waiting of motions to be timed
+  const auto take = [&] {
+    while (const std::optional<SpeedProfile> profile = planner.next()) {
+      visit(planned.front().first, planned.front().second, profile->duration_s);
+      planned.pop_front();
+    }
+  };
+  while (motion.step()) {
+    if (motion.dwell() > 0.0) planner.finish();
+    planner.add(motion.segment(limits));
+    planned.emplace_back(motion.endWaypoint().layer, motion.dwell());
+    take();
+  }
+  planner.finish();
+  take();
+  return motion.dwell();
+}
+
 double dwellAtEnd(const Toolpath& toolpath) {
   double sum_s = 0.0;
   for (const ToolpathEvent& event : toolpath.events_at_end)
@@ -80,16 +106,25 @@ double nominalTime(const Toolpath& toolpath) {
 ToolpathTime estimateTime(const Toolpath& toolpath, const MotionLimits& limits) {
   ToolpathTime time;
   time.layer_start_s.reserve(toolpath.layers.size());
-  TimedMotions motions(toolpath, limits);
-  while (motions.step()) {
-    const std::size_t layer = motions.motion().endWaypoint().layer;
-    time.total_s += motions.motion().dwell();
+  const auto add = [&time](std::size_t layer, double dwell_s, double duration_s) {
+    time.total_s += dwell_s;
     if (time.layer_start_s.size() <= layer) time.layer_start_s.resize(layer + 1, time.total_s);
-    time.total_s += motions.profile().duration_s;
-  }
-  time.total_s += motions.lastDwell() + dwellAtEnd(toolpath);
+    time.total_s += duration_s;
+  };
+  const double waiting_s = forEachDuration(MotionCursor(toolpath), limits, add);
+  time.total_s += waiting_s + dwellAtEnd(toolpath);
   time.layer_start_s.resize(toolpath.layers.size(), time.total_s);
   return time;
+}
+
+double layerTime(const ToolpathLayer& layer, const MotionLimits& limits) {
+  double sum_s = 0.0;
+  const auto add = [&sum_s](std::size_t, double dwell_s, double duration_s) {
+    sum_s += dwell_s;
+    sum_s += duration_s;
+  };
+  const double waiting_s = forEachDuration(MotionCursor(&layer, 1), limits, add);
+  return sum_s + waiting_s;
 }
 
 PathTimes estimatePathTimes(const Toolpath& toolpath, const MotionLimits& limits) {

@@ -15,6 +15,7 @@
 #include "planning/cooling/parking.hpp"
 #include "planning/cooling/place_interval.hpp"
 #include "planning/overhangs/overhanging_path.hpp"
+#include "toolpath/layer_time.hpp"
 
 namespace lamina {
 namespace {
@@ -41,44 +42,36 @@ std::size_t groupOf(PathRole role) {
   }
 }
 
-double timeOf(const Toolpath& layer, const MotionLimits& limits) {
-  return estimateTime(layer, limits).total_s;
-}
-
 /// One layer as a toolpath of its own, whose feeds are changed.
 class SlowedLayer {
  public:
   SlowedLayer(const ToolpathLayer& layer, const MotionLimits& limits, double least_feed_mm_s)
-      : as_planned_(layer), limits_(limits), least_mm_s_(least_feed_mm_s) {
-    toolpath_.layers = {layer};
-  }
-
-  double time() const { return timeOf(toolpath_, limits_); }
+      : as_planned_(layer), limits_(limits), least_mm_s_(least_feed_mm_s), slowed_(layer) {}
 
   /// Slows a group down until the layer takes that long, or the group is as slow as it may be.
   /// @return time [s]
   double slow(std::size_t group, double wanted_s) {
     setFactor(group, 0.0);
-    double time_s = time();
+    double time_s = layerTime(slowed_, limits_);
     if (time_s <= wanted_s) return time_s;
     double slow = 0.0;
     double fast = 1.0;
     for (int step = 0; step < kMostSteps; ++step) {
       const double factor = 0.5 * (slow + fast);
       setFactor(group, factor);
-      time_s = time();
+      time_s = layerTime(slowed_, limits_);
       if (std::abs(time_s - wanted_s) <= kTimeTolerance * wanted_s) break;
       (time_s > wanted_s ? slow : fast) = factor;
     }
     return time_s;
   }
 
-  ToolpathLayer take() { return std::move(toolpath_.layers[0]); }
+  ToolpathLayer take() { return std::move(slowed_); }
 
  private:
   /// Feeds of the group times the factor, but not below the least one, nor above those planned.
   void setFactor(std::size_t group, double factor) {
-    std::vector<Path>& paths = toolpath_.layers[0].paths;
+    std::vector<Path>& paths = slowed_.paths;
     for (std::size_t p = 0; p < paths.size(); ++p) {
       if (groupOf(paths[p].role) != group) continue;
       std::vector<double> feeds = as_planned_.paths[p].feed_mm_s.values();
@@ -90,7 +83,7 @@ class SlowedLayer {
   const ToolpathLayer& as_planned_;
   MotionLimits limits_;
   double least_mm_s_;
-  Toolpath toolpath_;
+  ToolpathLayer slowed_;
 };
 
 /// What became of one layer.
@@ -109,10 +102,10 @@ class Cooler {
     ToolpathLayer& layer = toolpath_.layers[index];
     CooledLayer cooled;
     const double wanted_s = settings_.least_layer_time_s;
-    SlowedLayer slowed(layer, limits_, settings_.least_feed_mm_s);
-    double time_s = slowed.time();
+    double time_s = layerTime(layer, limits_);
     if (time_s >= wanted_s) return cooled;
     if (settings_.by != CoolingBy::Dwell) {
+      SlowedLayer slowed(layer, limits_, settings_.least_feed_mm_s);
       for (std::size_t group = 0; group < kGroups && time_s < wanted_s * (1.0 - kTimeTolerance); ++group)
         time_s = slowed.slow(group, wanted_s);
       layer = slowed.take();
@@ -137,9 +130,8 @@ class Cooler {
     const Path& last = layer.paths.back();
     Path path = parkedWait(last, last.is_closed ? 0 : last.points.size() - 1, travelFeed(layer),
                            grounds_[index], settings_);
-    Toolpath ways;
-    ways.layers = {{layer.z_mm, layer.height_mm, {path}}};
-    const double dwell_s = std::max(0.0, lacking_s - timeOf(ways, limits_));
+    const ToolpathLayer ways = {layer.z_mm, layer.height_mm, {path}};
+    const double dwell_s = std::max(0.0, lacking_s - layerTime(ways, limits_));
     std::get<Dwell>(path.events.front().event).duration_s = dwell_s;
     layer.paths.push_back(std::move(path));
     return dwell_s;

@@ -1,0 +1,12 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "lamina/toolpath/timing.hpp"
+
+namespace lamina {
+
+/// Time of one layer from rest to rest, as `estimateTime` has that of a toolpath without any other [s].
+double layerTime(const ToolpathLayer& layer, const MotionLimits& limits);
+
+}  // namespace lamina
