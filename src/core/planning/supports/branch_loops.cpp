@@ -50,32 +50,50 @@ std::vector<double> crossingsOf(const std::vector<Polygon>& borders, double y) {
   return crossings;
 }
 
-/// Discs that touch no other are regions as they are.
-Regions united(std::vector<Polygon> discs) {
-  std::vector<std::pair<Box2, std::size_t>> boxes;
-  for (std::size_t i = 0; i < discs.size(); ++i) boxes.emplace_back(boundingBox({discs[i]}), i);
-  std::sort(boxes.begin(), boxes.end(), [](const auto& a, const auto& b) {
-    return std::make_pair(a.first.low.x(), a.second) < std::make_pair(b.first.low.x(), b.second);
-  });
-  std::vector<bool> is_near(discs.size(), false);
-  for (std::size_t i = 0; i < boxes.size(); ++i)
-    for (std::size_t j = i + 1; j < boxes.size(); ++j) {
-      const Box2& a = boxes[i].first;
-      const Box2& b = boxes[j].first;
-      if (b.low.x() > a.high.x()) break;
-      if (b.low.y() <= a.high.y() && a.low.y() <= b.high.y())
-        is_near[boxes[i].second] = is_near[boxes[j].second] = true;
-    }
-  Regions result;
-  std::vector<Polygon> together;
+/// Which disc is the first of each one's group: of those that overlap, one by one.
+std::vector<std::size_t> groupsOf(const std::vector<BranchDisc>& discs) {
+  std::vector<std::size_t> first(discs.size());
+  std::vector<std::pair<double, std::size_t>> by_x;
+  by_x.reserve(discs.size());
   for (std::size_t i = 0; i < discs.size(); ++i) {
-    if (is_near[i])
-      together.push_back(std::move(discs[i]));
-    else
-      result.push_back({std::move(discs[i]), {}});
+    first[i] = i;
+    by_x.emplace_back(discs[i].at.x() - discs[i].radius_mm, i);
   }
-  Regions joined = unite(together);
-  std::move(joined.begin(), joined.end(), std::back_inserter(result));
+  std::sort(by_x.begin(), by_x.end());
+  const auto root = [&first](std::size_t i) {
+    while (first[i] != i) i = first[i] = first[first[i]];
+    return i;
+  };
+  for (std::size_t a = 0; a < by_x.size(); ++a) {
+    const BranchDisc& disc = discs[by_x[a].second];
+    const double right = disc.at.x() + disc.radius_mm;
+    for (std::size_t b = a + 1; b < by_x.size() && by_x[b].first < right; ++b) {
+      const BranchDisc& other = discs[by_x[b].second];
+      const double reach = disc.radius_mm + other.radius_mm;
+      if ((other.at - disc.at).squaredNorm() >= reach * reach) continue;
+      const auto [least, greatest] = std::minmax({root(by_x[a].second), root(by_x[b].second)});
+      first[greatest] = least;
+    }
+  }
+  for (std::size_t i = 0; i < first.size(); ++i) first[i] = root(i);
+  return first;
+}
+
+/// Group by group: a sweep over all of them would look at what lies side by side again and again.
+Regions united(const std::vector<BranchDisc>& discs) {
+  const std::vector<std::size_t> first = groupsOf(discs);
+  std::vector<std::vector<Polygon>> groups(discs.size());
+  for (std::size_t i = 0; i < discs.size(); ++i)
+    groups[first[i]].push_back(circleRound(discs[i].at, discs[i].radius_mm));
+  Regions result;
+  for (std::vector<Polygon>& group : groups) {
+    if (group.size() == 1) {
+      result.push_back({std::move(group.front()), {}});
+    } else if (!group.empty()) {
+      Regions joined = unite(group);
+      std::move(joined.begin(), joined.end(), std::back_inserter(result));
+    }
+  }
   return result;
 }
 
@@ -160,11 +178,10 @@ BranchLoops branchLoops(const SupportTree& tree, const Regions& taken, const Pla
   loops.layers.resize(tree.layers.size());
   loops.areas.resize(tree.layers.size());
   const auto plan_layer = [&](std::size_t i) {
-    std::map<std::pair<double, double>, std::vector<Polygon>> circles;  // by top and bottom
-    for (const BranchDisc& disc : tree.layers[i])
-      circles[{disc.top_mm, disc.bottom_mm}].push_back(circleRound(disc.at, disc.radius_mm));
-    for (auto& [heights, of_height] : circles) {
-      Regions area = united(std::move(of_height));
+    std::map<std::pair<double, double>, std::vector<BranchDisc>> discs;  // by top and bottom
+    for (const BranchDisc& disc : tree.layers[i]) discs[{disc.top_mm, disc.bottom_mm}].push_back(disc);
+    for (const auto& [heights, of_height] : discs) {
+      Regions area = united(of_height);
       if (i == 0 && !taken.empty()) area = difference(area, taken);
       AidRuns aids = loopsIn(area, heights.second, heights.first, settings);
       loops.areas[i].insert(loops.areas[i].end(), area.begin(), area.end());
