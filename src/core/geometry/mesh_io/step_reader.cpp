@@ -151,6 +151,7 @@ class StepReader {
     const std::vector<TopoDS_Shape> solids = readSolids(whole.Next());
     Message_ProgressScope meshing(whole.Next(), kReading, static_cast<double>(solids.size()));
     std::vector<MeshObject> objects;
+    objects.reserve(solids.size());
     for (const TopoDS_Shape& solid : solids)
       objects.push_back({nameOf(solid), meshOf(solid, meshing.Next())});
     return objects;
