@@ -100,6 +100,39 @@ TEST(Supports, EndInInterfacesAcrossTheirLines) {
   }
 }
 
+/// From a place to the nearest centre line.
+double distanceToLines(const std::vector<Path>& paths, const Point2& place) {
+  double nearest = 1000.0;
+  for (const Path& path : paths)
+    for (std::size_t m = 0; m < path.motionCount(); ++m) {
+      const Point2 from = path.points[m].head<2>();
+      const Point2 way = path.points[path.motionEnd(m)].head<2>() - from;
+      const double along = std::clamp((place - from).dot(way) / way.squaredNorm(), 0.0, 1.0);
+      nearest = std::min(nearest, (from + along * way - place).norm());
+    }
+  return nearest;
+}
+
+TEST(Supports, HaveInterfacesWithoutGapsUpToTheirRims) {
+  const Plan plan = plannedWith(tee(), withSupports());
+  const double half = 0.5 * test::kLayerPitch;
+  for (const std::size_t l : {97, 98}) {
+    std::vector<Path> interfaces;
+    for (const Path& path : plan.toolpath.layers[l].paths)
+      if (path.role == PathRole::SupportInterface) interfaces.push_back(path);
+    // Columns reach from 5.6 to 20 mm beside the stem, and along all of it.
+    for (double x = 5.6 + half; x <= 20.0 - half; x += 0.2)
+      for (double y = -20.0 + half; y <= 20.0 - half; y += 0.2)
+        for (const double side : {-1.0, 1.0})
+          EXPECT_LE(distanceToLines(interfaces, {side * x, y}),
+                    0.5 * std::hypot(2.0 * half / 0.8, 2.0 * half))
+              << x << ' ' << y;
+    // On a lattice a loop would hang from line to line; the lines across it end at the rim.
+    for (double y = -20.0 + half; l == 98 && y <= 20.0 - half; y += 0.2)
+      EXPECT_LE(distanceToLines(interfaces, {5.6 + half, y}), 1e-3) << "along the rim";
+  }
+}
+
 TEST(Supports, ComeBeforeTheIslandsOfTheirLayer) {
   PlanSettings settings = withSupports();
   settings.feed.first_layer_mm_s = 1000.0;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "infill/rectilinear/zigzag.hpp"
@@ -17,7 +18,9 @@
 namespace lamina {
 namespace {
 
-constexpr double kRimLines = 1.5;  // from the rim of an interface to its middle: narrower ones are all rim
+constexpr double kMostlyOn = 0.5;    // of an interface on the one below
+constexpr double kWithinRim = 1e-3;  // mm: the outermost lines from the border that they follow
+constexpr double kRimLines = 1.5;    // from the rim of an interface to its middle: narrower ones are all rim
 
 using SharedRuns = std::shared_ptr<const std::vector<FillPath>>;
 
@@ -28,6 +31,7 @@ struct LatticeLines {
   double pitch_mm = 0.0;  ///< plan width of a bead
   double angle_rad = 0.0;
   int walls = 0;
+  const Regions* below = nullptr;  ///< interfaces of the layer below; null for none
   Point2 away = Point2::Zero();  ///< by which the areas were moved towards the origin, where the lines begin
 };
 
@@ -68,6 +72,43 @@ bool isForLoops(const Regions& centred, const LatticeLines& lines) {
   return lines.walls == 0 && isWithoutRoom(centred, room_mm);
 }
 
+/// As many lines as the distance asks for at least, the first and the last along the borders that they face:
+/// what is laid on an interface finds a bead along all of its rim.
+std::vector<FillPath> rasterFromRimToRim(const Regions& centred, InfillRequest request) {
+  const Point2 across(-std::sin(request.angle_rad), std::cos(request.angle_rad));
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (const Region& region : centred)
+    for (const Point2& point : region.outer) {
+      low = std::min(low, across.dot(point));
+      high = std::max(high, across.dot(point));
+    }
+  const double way = high - low - 2.0 * kWithinRim;
+  if (!(way > 0.0)) return {};
+  request.spacing_mm = way / std::ceil(way / request.spacing_mm);
+  const Point2 away = (low + kWithinRim) * across;
+  std::vector<FillPath> runs = rasterRuns(shifted(centred, -away), request);
+  for (FillPath& run : runs)
+    for (Point2& point : run.points) point += away;
+  return runs;
+}
+
+/// Whether a loop along its rim would lie on an interface: over a lattice it would hang from line to line.
+bool liesOnInterface(const Region& column, const Regions* below) {
+  return below != nullptr && area(intersection({column}, *below)) > kMostlyOn * area({column});
+}
+
+/// Within a loop round it.
+void addWithinRim(const Regions& centred, const LatticeLines& lines, const InfillRequest& request,
+                  std::vector<FillPath>& runs) {
+  addLoops(centred, lines.role, runs);
+  for (const Region& within : offset(centred, -lines.pitch_mm))
+    for (FillPath& run : rasterFromRimToRim({within}, request)) {
+      run.role = lines.role;
+      runs.push_back(std::move(run));
+    }
+}
+
 /// With their loops round them, outermost first.
 SharedRuns linesIn(const Regions& area, const LatticeLines& lines) {
   std::vector<FillPath> runs;
@@ -87,6 +128,10 @@ SharedRuns linesIn(const Regions& area, const LatticeLines& lines) {
         addLoops(centred, lines.role, runs);
       continue;
     }
+    if (lines.walls == 0 && liesOnInterface(column, lines.below)) {
+      addWithinRim(centred, lines, request, runs);
+      continue;
+    }
     for (FillPath& run : rasterAtPlace(centred, request, phaseOf(lines))) {
       run.role = lines.role;
       runs.push_back(std::move(run));
@@ -100,35 +145,43 @@ class LatticePlanner {
   LatticePlanner(const PlanSettings& settings, double layer_height_mm, const Point2& away)
       : settings_(settings), height_mm_(layer_height_mm), away_(away) {}
 
-  LayerAids plan(const LayerSupport& sections) const {
+  /// @param below  sections of the layer below
+  LayerAids plan(const LayerSupport& sections, const LayerSupport& below) const {
+    Regions interfaces;
+    for (const SupportSection& section : below)
+      interfaces.insert(interfaces.end(), section.interface->begin(), section.interface->end());
     LayerAids aids;
     for (const SupportSection& section : sections) {
-      add(section, section.lattice, PathRole::Support, aids);
-      add(section, section.interface, PathRole::SupportInterface, aids);
+      add(section, section.lattice, linesOf(PathRole::Support), aids);
+      LatticeLines across = linesOf(PathRole::SupportInterface);
+      if (!interfaces.empty()) across.below = &interfaces;
+      add(section, section.interface, across, aids);
     }
     return aids;
   }
 
  private:
-  void add(const SupportSection& section, const SharedRegions& area, PathRole role, LayerAids& aids) const {
+  void add(const SupportSection& section, const SharedRegions& area, LatticeLines lines,
+           LayerAids& aids) const {
     if (area->empty()) return;
     AidRuns group;
-    group.bead = beadOf(role, settings_, section.top_mm - section.bottom_mm).bead;
+    group.bead = beadOf(lines.role, settings_, section.top_mm - section.bottom_mm).bead;
+    lines.pitch_mm = planWidth(group.bead);
     group.top_mm = section.top_mm;
     const SupportSettings& supports = settings_.supports;
-    const int tool = role == PathRole::Support ? supports.tool : supports.interface_tool;
+    const int tool = lines.role == PathRole::Support ? supports.tool : supports.interface_tool;
     group.tool = static_cast<std::uint32_t>(std::max(0, tool));
     group.area = area;
-    group.runs = linesIn(*area, linesOf(role, planWidth(group.bead)));
+    group.runs = linesIn(*area, lines);
     if (!group.runs->empty()) aids.push_back(std::move(group));
   }
 
-  LatticeLines linesOf(PathRole role, double pitch_mm) const {
+  /// For beads whose width is to come.
+  LatticeLines linesOf(PathRole role) const {
     const SupportSettings& supports = settings_.supports;
     const bool is_lattice = role == PathRole::Support;
     LatticeLines lines;
     lines.role = role;
-    lines.pitch_mm = pitch_mm;
     lines.spacing_mm = planWidth(beadOf(role, settings_, height_mm_).bead) /
                        (is_lattice ? supports.density : supports.interface_density);
     lines.angle_rad = toRadians(supports.raster_angle_deg + (is_lattice ? 0.0 : 90.0));
@@ -142,7 +195,7 @@ class LatticePlanner {
   Point2 away_;
 };
 
-/// Whether a layer is filled like the one below it.
+/// Whether the areas of a layer are those of the one below it.
 bool areAlike(const LayerSupport& a, const LayerSupport& b) {
   const auto height = [](const SupportSection& section) { return section.top_mm - section.bottom_mm; };
   return a.size() == 1 && b.size() == 1 && a[0].lattice == b[0].lattice && a[0].interface == b[0].interface &&
@@ -155,9 +208,13 @@ std::vector<LayerAids> supportLattice(const std::vector<LayerSupport>& areas, co
                                       const LatticePlace& place, Progress& progress) {
   const LatticePlanner planner(settings, place.layer_height_mm, place.away);
   std::vector<LayerAids> aids(areas.size());
-  const auto isShared = [&](std::size_t i) { return i > 0 && areAlike(areas[i], areas[i - 1]); };
+  // The lowest of interfaces on each other is laid in another way.
+  const auto isShared = [&](std::size_t i) {
+    return i > 0 && areAlike(areas[i], areas[i - 1]) &&
+           (areas[i][0].interface->empty() || (i > 1 && areAlike(areas[i - 1], areas[i - 2])));
+  };
   const auto plan_layer = [&](std::size_t i) {
-    if (!isShared(i)) aids[i] = planner.plan(areas[i]);
+    if (!isShared(i)) aids[i] = planner.plan(areas[i], i > 0 ? areas[i - 1] : LayerSupport{});
   };
   parallelFor(areas.size(), plan_layer, progress, "supports");
   for (std::size_t i = 0; i < areas.size(); ++i) {
