@@ -16,9 +16,10 @@ namespace {
 /// farther from a tip than a spacing: it is near a place tried, which is near a tip.
 constexpr double kNearestTips = 0.6;
 constexpr double kTried = 0.25;
-constexpr double kClear = 0.01;      // mm: off the border of where a branch has room
-constexpr double kSameLayer = 1e-6;  // mm
-constexpr double kRim = 0.05;        // mm, beside that border: where tips below ledges are
+constexpr double kNearestOnRim = 0.45;  // the same along rims, where walls span from tip to tip
+constexpr double kClear = 0.01;         // mm: off the border of where a branch has room
+constexpr double kSameLayer = 1e-6;     // mm
+constexpr double kRim = 0.05;           // mm, beside that border: where tips below ledges are
 
 /// Tips by their place, so that neighbours are found at once.
 class TipGrid {
@@ -51,17 +52,22 @@ class TipGrid {
   std::unordered_map<std::int64_t, std::vector<std::pair<Point2, double>>> cells_;
 };
 
-/// Along the outlines first, then on triangles within.
-std::vector<Point2> placesIn(const Region& region, double step_mm) {
+std::vector<Point2> placesAlongRim(const Region& region, double step_mm) {
   std::vector<Point2> places;
-  const std::vector<Polygon> borders = outlines({region});
-  for (const Polygon& border : borders)
+  for (const Polygon& border : outlines({region}))
     for (std::size_t i = 0, j = border.size() - 1; i < border.size(); j = i++) {
       const double length = (border[i] - border[j]).norm();
       const auto pieces = static_cast<int>(std::ceil(length / step_mm));
       for (int k = 0; k < pieces; ++k)
         places.push_back(border[j] + static_cast<double>(k) / pieces * (border[i] - border[j]));
     }
+  return places;
+}
+
+/// On triangles.
+std::vector<Point2> placesWithin(const Region& region, double step_mm) {
+  std::vector<Point2> places;
+  const std::vector<Polygon> borders = outlines({region});
   const Box2 box = boundingBox(borders);
   const double rise = step_mm * std::sqrt(0.75);
   for (auto row = static_cast<int>(std::floor(box.low.y() / rise)); row * rise <= box.high.y(); ++row) {
@@ -90,6 +96,7 @@ class TipSpread {
         walls_(walls),
         settings_(settings),
         near_(kNearestTips * settings.tip_spacing_mm, kNearestTips * settings.tip_spacing_mm),
+        rim_(kNearestOnRim * settings.tip_spacing_mm, kNearestTips * settings.tip_spacing_mm),
         beside_(kNearestTips * settings.tip_spacing_mm, kSameLayer) {}
 
   void holdUp(const Regions& overhang, std::size_t layer) {
@@ -98,14 +105,19 @@ class TipSpread {
     const std::size_t last = top->caps.empty() ? top->full_layers - 1 : top->caps.back().layer;
     const double height = stack_.bounds[layer].bottom_mm;
     for (const Region& room : besideLedges(overhang, layer, last))
-      for (const Point2& place : placesIn(room, kTried * settings_.tip_spacing_mm))
-        if (!beside_.hasNear(place, height)) add({place, layer, *top}, height);
+      for (const auto& places : {placesAlongRim(room, kTried * settings_.tip_spacing_mm),
+                                 placesWithin(room, kTried * settings_.tip_spacing_mm)})
+        for (const Point2& place : places)
+          if (!beside_.hasNear(place, height)) add({place, layer, *top}, height);
     const double reach = settings_.side_gap_mm + radius() + kClear;
     const Regions near_part = offset(within(*stack_.material[last], boxOf(overhang), 3.0 * reach), reach);
     for (const Region& piece : overhang)
-      for (const Region& room : roomFor(piece, near_part, settings_.tip_mm))
-        for (const Point2& place : placesIn(room, kTried * settings_.tip_spacing_mm))
+      for (const Region& room : roomFor(piece, near_part, settings_.tip_mm)) {
+        for (const Point2& place : placesAlongRim(room, kTried * settings_.tip_spacing_mm))
+          if (!rim_.hasNear(place, height)) add({place, layer, *top}, height);
+        for (const Point2& place : placesWithin(room, kTried * settings_.tip_spacing_mm))
           if (!near_.hasNear(place, height)) add({place, layer, *top}, height);
+      }
   }
 
   std::vector<BranchTip> tips() && { return std::move(tips_); }
@@ -115,6 +127,7 @@ class TipSpread {
 
   void add(BranchTip tip, double height_mm) {
     near_.add(tip.at, height_mm);
+    rim_.add(tip.at, height_mm);
     beside_.add(tip.at, height_mm);
     tips_.push_back(std::move(tip));
   }
@@ -139,6 +152,7 @@ class TipSpread {
   const WallBeads& walls_;
   const SupportSettings& settings_;
   TipGrid near_;
+  TipGrid rim_;     ///< where walls hang
   TipGrid beside_;  ///< of one layer each
   std::vector<BranchTip> tips_;
 };
