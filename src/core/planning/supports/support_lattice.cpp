@@ -87,7 +87,7 @@ std::vector<FillPath> rasterFromRimToRim(const Regions& centred, InfillRequest r
   if (!(way > 0.0)) return {};
   request.spacing_mm = way / std::ceil(way / request.spacing_mm);
   const Point2 away = (low + kWithinRim) * across;
-  std::vector<FillPath> runs = rasterRuns(shifted(centred, -away), request);
+  std::vector<FillPath> runs = rasterRuns(moved(centred, -away), request);
   for (FillPath& run : runs)
     for (Point2& point : run.points) point += away;
   return runs;
