@@ -91,7 +91,8 @@ class Cell {
     if (run_once_) executor.report.order = 0;
     const auto seen = run_once_ ? std::optional<ExecutorReport>(executor.report) : std::nullopt;
     run_once_ = true;
-    run_ = std::make_unique<ProductionCell>(UnitSettings{}, *journal_, *artefacts_, executor, seen, now);
+    run_ = std::make_unique<ProductionCell>(UnitSettings{}, CellParts{*journal_, *artefacts_, executor}, seen,
+                                            now);
   }
 
   void kill() {

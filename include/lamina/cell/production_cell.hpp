@@ -70,6 +70,13 @@ struct CellSurroundings {
   ContinueConditions go_on;
 };
 
+/// What a cell works with; all of it outlives the cell.
+struct CellParts {
+  CellJournal& journal;
+  ArtefactStore& artefacts;
+  Executor& executor;
+};
+
 /// A cell at work: the unit, its journal and one executor. Commands, reports and times come in; orders to the
 /// executor, rows of the journal and the unit's status come out.
 ///
@@ -79,7 +86,7 @@ struct CellSurroundings {
 class ProductionCell {
  public:
   /// @param seen  what the executor says just now; nothing if it does not answer
-  ProductionCell(UnitSettings settings, CellJournal& journal, ArtefactStore& artefacts, Executor& executor,
+  ProductionCell(const UnitSettings& settings, const CellParts& parts,
                  const std::optional<ExecutorReport>& seen, CellTime now);
 
   const UnitStatus& status() const { return unit_.status(); }

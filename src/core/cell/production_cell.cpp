@@ -103,12 +103,12 @@ TransitionRow rowOf(const UnitChange& change, double utc_s) {
 
 }  // namespace
 
-ProductionCell::ProductionCell(UnitSettings settings, CellJournal& journal, ArtefactStore& artefacts,
-                               Executor& executor, const std::optional<ExecutorReport>& seen, CellTime now)
-    : journal_(journal),
-      artefacts_(artefacts),
-      executor_(executor),
-      unit_(settings, firstState(journal, artefacts, seen), countersOf(journal.counters(), settings.modes),
+ProductionCell::ProductionCell(const UnitSettings& settings, const CellParts& parts,
+                               const std::optional<ExecutorReport>& seen, CellTime now)
+    : journal_(parts.journal),
+      artefacts_(parts.artefacts),
+      executor_(parts.executor),
+      unit_(settings, firstState(journal_, artefacts_, seen), countersOf(journal_.counters(), settings.modes),
             now.steady_s) {
   if (const auto open = journal_.open()) execution_ = open->id;
   is_running_ = isStillRun(journal_, artefacts_, seen);
@@ -131,7 +131,7 @@ CommandAnswer ProductionCell::command(UnitRequest request, const CellSurrounding
   for (UnmetGuard& guard : unmet(request, found, cut_off)) request.unmet.push_back(std::move(guard));
   const CutOffJob before = std::exchange(cut_off_, cut_off);
   const std::string operator_before = std::exchange(operator_, request.source);
-  const CommandAnswer answer = unit_.command(request, now.steady_s);
+  CommandAnswer answer = unit_.command(request, now.steady_s);
   if (answer.result != CommandResult::Accepted) {
     cut_off_ = before;
     operator_ = operator_before;
@@ -169,13 +169,13 @@ std::vector<UnmetGuard> ProductionCell::unmet(const UnitRequest& request, const 
 }
 
 CommandAnswer ProductionCell::changeMode(int mode, const std::string& source, CellTime now) {
-  const CommandAnswer answer = unit_.changeMode(mode, source, now.steady_s);
+  CommandAnswer answer = unit_.changeMode(mode, source, now.steady_s);
   settle(now);
   return answer;
 }
 
 CommandAnswer ProductionCell::acknowledge(int alarm, const std::string& by, CellTime now) {
-  const CommandAnswer answer = unit_.acknowledge(alarm, by, now.steady_s);
+  CommandAnswer answer = unit_.acknowledge(alarm, by, now.steady_s);
   write(now, [&] {
     journal_.add(AuditRow{now.utc_s, by, "", "acknowledge " + std::to_string(alarm),
                           answer.reason.empty() ? "accepted" : answer.reason});

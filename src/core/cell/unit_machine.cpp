@@ -65,6 +65,7 @@ std::string acceptedNames(UnitState state, HoldRule rule) {
 
 std::string namesOf(const std::vector<UnitMode>& modes) {
   std::vector<std::string> names;
+  names.reserve(modes.size());
   for (const UnitMode& mode : modes) names.push_back(std::to_string(mode.number) + " (" + mode.name + ")");
   return listed(names);
 }

@@ -138,6 +138,7 @@ const char* toString(JobState state) {
 
 std::string jobDigest(const std::vector<Artefact>& artefacts) {
   std::vector<std::string> lines;
+  lines.reserve(artefacts.size());
   for (const Artefact& artefact : artefacts) lines.push_back(artefact.kind + ' ' + artefact.sha256 + '\n');
   std::sort(lines.begin(), lines.end());
   std::string text;

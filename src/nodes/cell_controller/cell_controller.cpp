@@ -50,7 +50,8 @@ CellController::CellController(ros::NodeHandle node, const CellControllerSetting
       executor_(node, [this](const ExecutorReport& report) { onReport(report); }) {
   const auto seen = awaitExecutor();
   is_executor_lost_ = !executor_.isThere();
-  cell_ = std::make_unique<ProductionCell>(unit_settings_, journal_, artefacts_, executor_, seen, now());
+  cell_ = std::make_unique<ProductionCell>(unit_settings_, CellParts{journal_, artefacts_, executor_}, seen,
+                                           now());
   services_ = {node.advertiseService(names::kPackmlCommand, &CellController::onCommand, this),
                node.advertiseService(names::kSetUnitMode, &CellController::onMode, this),
                node.advertiseService(names::kEnqueueJob, &CellController::onEnqueue, this),
