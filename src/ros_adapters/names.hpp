@@ -51,8 +51,8 @@ inline constexpr char kInclinedLayers[] =
     "inclined_layers";  ///< visualization_msgs/MarkerArray, of the panel
 
 inline constexpr char kPackmlStatus[] = "packml_status";  ///< lamina/PackmlStatus, latched
-inline constexpr char kAlarms[] = "alarms";                ///< lamina/CellAlarms, latched
-inline constexpr char kJobQueue[] = "job_queue";           ///< lamina/JobQueue, latched
+inline constexpr char kAlarms[] = "alarms";               ///< lamina/CellAlarms, latched
+inline constexpr char kJobQueue[] = "job_queue";          ///< lamina/JobQueue, latched
 
 // Services.
 inline constexpr char kSliceMesh[] = "slice_mesh";  ///< lamina/SliceMesh
