@@ -57,6 +57,7 @@ class PrintingExecutor final : public Executor {
         break;
       case ExecutorPhase::Running:
         report.progress.taken_through += 10;
+        report.progress.sent_through = report.progress.taken_through + 5;
         report.progress.laid_mm3 += 5.0;
         if (report.progress.taken_through >= report.lines) report.phase = ExecutorPhase::Done;
         break;
@@ -112,6 +113,7 @@ class Cell {
   CommandResult command(UnitCommand command, CutOffJob cut_off = CutOffJob::Undecided) {
     CellSurroundings found;
     found.start.is_checked = true;
+    found.start.machine = "gantry";
     found.start.free_bytes = 1e10;
     found.go_on.is_position_known = true;
     answer = run_->command({command, "anna", std::nullopt, {}}, found, cut_off, now);
@@ -256,6 +258,7 @@ TEST(ProductionCell, DiscardsACutOffJobAndPrintsTheNext) {
   const std::int64_t second = cell.enqueue("b.gcode");
   cell.command(UnitCommand::Start);
   ASSERT_TRUE(cell.reaches(UnitState::Execute));
+  for (int i = 0; i < 4; ++i) cell.step();
   cell.kill();
   cell.executor.fail(0, "");
   cell.start();
@@ -263,6 +266,11 @@ TEST(ProductionCell, DiscardsACutOffJobAndPrintsTheNext) {
   cell.command(UnitCommand::Clear);
   ASSERT_TRUE(cell.reaches(UnitState::Stopped));
   bringToIdle(cell);
+  EXPECT_EQ(cell.command(UnitCommand::Start, CutOffJob::Discard), CommandResult::GuardFailed)
+      << "its part is there";
+  cell.run().confirmRemoval("anna", cell.now);
+  EXPECT_EQ(cell.command(UnitCommand::Start, CutOffJob::Resume), CommandResult::GuardFailed)
+      << "and now it is not";
   EXPECT_EQ(cell.command(UnitCommand::Start, CutOffJob::Discard), CommandResult::Accepted);
   ASSERT_TRUE(cell.reaches(UnitState::Complete));
   EXPECT_EQ(cell.journal().job(first).state, JobState::Aborted);
@@ -295,6 +303,88 @@ TEST(ProductionCell, StartsNoJobWhoseFileHasChanged) {
   EXPECT_EQ(cell.command(UnitCommand::Start), CommandResult::GuardFailed);
   EXPECT_NE(cell.answer.reason.find("a.gcode"), std::string::npos);
   EXPECT_TRUE(cell.executor.orders.empty());
+}
+
+TEST(ProductionCell, EndsNoJobBeforeItsLastLayer) {
+  Cell cell;
+  bringToIdle(cell);
+  const std::int64_t job = cell.enqueue("a.gcode");
+  cell.command(UnitCommand::Start);
+  ASSERT_TRUE(cell.reaches(UnitState::Execute));
+  EXPECT_EQ(cell.command(UnitCommand::Complete), CommandResult::GuardFailed);
+  EXPECT_EQ(cell.journal().job(job).state, JobState::Running);
+}
+
+TEST(ProductionCell, StartsNothingBesideWhatIsAtWorkAndClearsIt) {
+  Cell cell;
+  cell.executor.report = {ExecutorPhase::Running, 0, "another.gcode", 100, {}, 0, ""};
+  cell.kill();
+  cell.start();
+  cell.enqueue("a.gcode");
+  cell.command(UnitCommand::Abort);
+  ASSERT_TRUE(cell.reaches(UnitState::Aborted));
+  EXPECT_EQ(cell.executor.orders, (std::vector<std::string>{"abort"}));
+  EXPECT_FALSE(cell.executor.isAtWork());
+}
+
+TEST(ProductionCell, KeepsAJobThatCouldNotBegin) {
+  Cell cell;
+  bringToIdle(cell);
+  const std::int64_t job = cell.enqueue("a.gcode");
+  cell.command(UnitCommand::Start);
+  ASSERT_TRUE(cell.reaches(UnitState::Starting));
+  cell.executor.fail(3106, "there is no progress file");
+  ASSERT_TRUE(cell.reaches(UnitState::Aborted));
+  EXPECT_EQ(cell.journal().job(job).state, JobState::Interrupted);
+  cell.run().acknowledge(3106, "anna", cell.now);
+  cell.command(UnitCommand::Clear);
+  ASSERT_TRUE(cell.reaches(UnitState::Stopped));
+  bringToIdle(cell);
+  EXPECT_EQ(cell.command(UnitCommand::Start, CutOffJob::Resume), CommandResult::Accepted);
+  ASSERT_TRUE(cell.reaches(UnitState::Complete));
+  EXPECT_EQ(cell.executor.orders, (std::vector<std::string>{"start", "start"})) << "none of it had run";
+}
+
+TEST(ProductionCell, KeepsAHeldJobWhoseLinkIsLost) {
+  Cell cell;
+  bringToIdle(cell);
+  const std::int64_t job = cell.enqueue("a.gcode");
+  cell.command(UnitCommand::Start);
+  ASSERT_TRUE(cell.reaches(UnitState::Execute));
+  cell.step();
+  cell.command(UnitCommand::Hold);
+  ASSERT_TRUE(cell.reaches(UnitState::Held));
+  cell.executor.fail(3101, "the port is gone");
+  ASSERT_TRUE(cell.reaches(UnitState::Aborted));
+  EXPECT_EQ(cell.run().status().stop_reason->id, 1001) << "what moved the unit first";
+  EXPECT_EQ(cell.journal().job(job).state, JobState::Interrupted) << "by what ended it";
+}
+
+TEST(ProductionCell, FollowsAnExecutorThatPausesByItself) {
+  Cell cell;
+  bringToIdle(cell);
+  cell.enqueue("a.gcode");
+  cell.command(UnitCommand::Start);
+  ASSERT_TRUE(cell.reaches(UnitState::Execute));
+  cell.executor.report.phase = ExecutorPhase::Paused;
+  EXPECT_TRUE(cell.reaches(UnitState::Held));
+}
+
+TEST(ProductionCell, CompletesAJobThatWasDoneWhileItWasDead) {
+  Cell cell;
+  bringToIdle(cell);
+  const std::int64_t job = cell.enqueue("a.gcode");
+  cell.command(UnitCommand::Start);
+  ASSERT_TRUE(cell.reaches(UnitState::Execute));
+  cell.step();
+  cell.step();
+  cell.step();
+  cell.kill();
+  while (cell.executor.isAtWork()) cell.executor.step();
+  cell.start();
+  ASSERT_TRUE(cell.reaches(UnitState::Complete));
+  EXPECT_EQ(cell.journal().job(job).state, JobState::Ended);
+  EXPECT_TRUE(cell.run().isPartOnPlate());
 }
 
 TEST(ProductionCell, IgnoresReportsOfAnEarlierJob) {
@@ -330,7 +420,8 @@ TEST(ProductionCell, LosesNoJobHoweverOftenItIsKilled) {
       const std::vector<UnitCommand> often = {UnitCommand::Reset, UnitCommand::Start,  UnitCommand::Clear,
                                               UnitCommand::Hold,  UnitCommand::Unhold, UnitCommand::Stop,
                                               UnitCommand::Reset, UnitCommand::Start,  UnitCommand::Clear};
-      cell.command(often[pick(often.size())], CutOffJob::Resume);
+      cell.command(often[pick(often.size())],
+                   cell.run().resumeWaits() ? CutOffJob::Resume : CutOffJob::Undecided);
     } else if (event == 8) {
       for (const ActiveAlarm& alarm : std::vector<ActiveAlarm>(cell.run().status().alarms.all()))
         cell.run().acknowledge(alarm.id, "anna", cell.now);

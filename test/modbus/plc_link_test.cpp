@@ -217,6 +217,9 @@ TEST(PlcLink, WatchesTheHeartbeatOnceItHasComeWithAccess) {
   EXPECT_EQ(link.watch(102.1), WatchdogEvent::Lost);
   EXPECT_EQ(link.watch(102.2), WatchdogEvent::Nothing) << "told once";
   EXPECT_FALSE(link.isAlive());
+  EXPECT_EQ(exceptionOf(link.answer(2, writing(8, {15}), 102.25)), 0)
+      << "a new connection of a PLC that was cut off";
+  link.close(2);
   link.answer(1, writing(1, {2, 9}), 102.3);
   EXPECT_TRUE(link.takeOrders().empty());
   EXPECT_EQ(link.registers(102.3)[14], 9);

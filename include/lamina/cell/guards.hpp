@@ -27,6 +27,7 @@ struct PlcInterlocks {
 /// What has to be true before the unit starts, as found just now.
 struct StartConditions {
   int mode = kProduction;
+  std::string machine;               ///< of the cell; jobs are checked for one machine
   std::string job;                   ///< next in the queue; empty if none may start
   std::vector<std::string> torn;     ///< files of the job that no longer have their hashes
   std::vector<std::string> unready;  ///< steps of the start-up that are not satisfied, each with its reason

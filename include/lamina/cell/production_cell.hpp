@@ -51,7 +51,7 @@ struct ExecutorReport {
 class Executor {
  public:
   virtual ~Executor() = default;
-  /// @param order  that its reports are to name, from 1
+  /// @param order  that its reports are to name, from 1; they name 0 for what was not ordered here
   virtual void start(const std::string& program, ExecutionStart start, std::uint64_t order) = 0;
   virtual void pause() = 0;
   virtual void resume() = 0;
@@ -118,6 +118,7 @@ class ProductionCell {
   void settle(CellTime now);
   bool isComplete() const;
   bool isAtWork() const;
+  QueuedJob nextJob() const;
   void onEnd(CellTime now);
   std::string programOf(const QueuedJob& job) const;
   void act(const UnitChange& change, CellTime now);
@@ -132,9 +133,15 @@ class ProductionCell {
   Executor& executor_;
   UnitMachine unit_;
   ExecutorReport report_;
-  std::optional<std::int64_t> execution_;  ///< that has no end yet
-  bool is_running_ = false;                ///< by the executor, in this run of the cell
-  std::uint64_t order_ = 0;                ///< the last start
+  std::optional<std::int64_t> execution_;             ///< that has no end yet
+  bool is_running_ = false;                           ///< by the executor, in this run of the cell
+  std::uint64_t order_ = 0;                           ///< the last start
+  ExecutorPhase bystander_ = ExecutorPhase::Resting;  ///< of what the executor runs that is not ours
+  bool has_run_ = false;                              ///< since the last start
+  bool is_begun_anew_ = false;                        ///< what was started last, and not resumed
+  bool has_never_run_ = false;  ///< the interrupted job: it is begun anew instead of resumed
+  bool is_given_up_ = false;    ///< the job that ends is not offered to be resumed
+  bool is_journal_failing_ = false;
   bool is_part_on_plate_ = false;
   CutOffJob cut_off_ = CutOffJob::Undecided;
   std::string operator_;

@@ -67,6 +67,7 @@ struct UnitChange {
   std::optional<UnitCommand> command;  ///< nothing: the state was complete, or the mode has changed
   std::string source;
   std::string reason;  ///< of alarms and time-outs
+  int alarm = 0;       ///< that led to it; 0 for none
 };
 
 /// Where a unit is. Equal events at equal times lead to equal statuses.
@@ -133,7 +134,7 @@ class UnitMachine {
  private:
   const UnitMode& mode() const;
   void enter(UnitState state, UnitChange change, double now_s);
-  bool follow(UnitCommand command, const std::string& reason, double now_s);
+  bool follow(UnitCommand command, const ActiveAlarm& alarm, double now_s);
   void react(const ActiveAlarm& alarm, double now_s);
   std::optional<CommandAnswer> refusal(const UnitRequest& request, UnitState next) const;
   void note(int alarm, const std::string& source, double now_s);

@@ -140,7 +140,8 @@ class CellJournal {
   /// Takes a job out of the queue that does not run. What it did stays.
   void remove(std::int64_t id, const std::string& by, double time_s);
 
-  /// Begins an execution of a job that is allowed to start, or was interrupted.
+  /// Begins an execution of a job that is allowed to start. One that was interrupted is gone on with
+  /// (`goOn`).
   /// @throws InvalidInput in any other state
   std::int64_t begin(std::int64_t job, const std::string& by, double time_s);
   void setProgress(std::int64_t execution, const ExecutionProgress& progress, double time_s);

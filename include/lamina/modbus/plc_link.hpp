@@ -45,7 +45,7 @@ enum class WatchdogEvent : std::uint8_t {
 /// requests and times, gives answers and orders; no network.
 ///
 /// A command is taken once, when its sequence changes to a value other than 0. One connection writes: the
-/// first that does, until it is closed; others are answered ServerBusy.
+/// first that does, until it is closed or the watchdog is lost; others are answered ServerBusy.
 class PlcLink {
  public:
   explicit PlcLink(const PlcLinkSettings& settings) : settings_(settings) {}
@@ -64,7 +64,7 @@ class PlcLink {
   /// Abort.
   std::vector<PlcOrder> takeOrders();
 
-  /// Tells the PLC what became of an order.
+  /// Tells the PLC what became of a command. What became of other orders is seen in the status.
   void setResult(const PlcOrder& order, CommandResult result);
 
   /// Looks at the heartbeat. The watchdog is armed by the first change of the heartbeat while remote access

@@ -39,7 +39,7 @@ std::vector<AlarmKind> linkAlarms() {
        "Compare the PLC's program with the states that accept its command."},
       {2103, Category::Warning, kEvent, "malformed Modbus frames",
        "Look for a second client, a wrong word order, or a port scan."},
-      {2201, Category::Hold, kCondition, "executor lost", "It is started again by itself; look at its log."},
+      {2201, Category::Hold, kCondition, "executor lost", "Look whether it runs, and at its log."},
       {2202, Category::Abort, kEvent, "executor does not answer", "Look at its log; Clear connects anew."},
   };
 }

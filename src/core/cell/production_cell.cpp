@@ -11,16 +11,20 @@
 namespace lamina {
 namespace {
 
+constexpr int kStuckState = 1010;
 constexpr int kJournalDamaged = 7001;
 constexpr int kJournalNotWritable = 7003;
 constexpr char kPartOnPlate[] = "part_on_plate";
 constexpr double kProgressInterval = 0.1;   // [s] between two commits
 constexpr double kCountersInterval = 10.0;  // [s]
+constexpr double kRetryInterval = 1.0;      // [s] of a journal that could not be written
 
 bool isAtRest(ExecutorPhase phase) { return phase == ExecutorPhase::Resting || phase == ExecutorPhase::Done; }
 
 /// After these the machine may still hold what it had: the job is offered to be gone on with.
-bool isResumable(int alarm) { return alarm == 2201 || alarm == 2202 || alarm == 3101 || alarm == 3105; }
+bool isResumable(int alarm) {
+  return alarm == kStuckState || alarm == 2201 || alarm == 2202 || alarm == 3101 || alarm == 3105;
+}
 
 UnitState adoptedState(ExecutorPhase phase) {
   switch (phase) {
@@ -45,11 +49,13 @@ const Artefact* programArtefact(const QueuedJob& job) {
   return found == job.artefacts.end() ? nullptr : &*found;
 }
 
-/// True if the executor still runs the job that the journal has open.
+/// True if the executor still runs, or has just done, the job that the journal has open.
 bool isStillRun(const CellJournal& journal, const ArtefactStore& artefacts,
                 const std::optional<ExecutorReport>& seen) {
   const auto open = journal.open();
-  if (!open || !seen || isAtRest(seen->phase)) return false;
+  if (!open || !seen || seen->phase == ExecutorPhase::Resting) return false;
+  // What is done may be an earlier job of the same program, unless this one has had lines.
+  if (seen->phase == ExecutorPhase::Done && open->progress.taken_through == 0) return false;
   const QueuedJob job = journal.job(open->job);
   const Artefact* program = programArtefact(job);
   return program != nullptr && artefacts.pathOf(*program) == seen->program;
@@ -110,12 +116,17 @@ ProductionCell::ProductionCell(const UnitSettings& settings, const CellParts& pa
       executor_(parts.executor),
       unit_(settings, firstState(journal_, artefacts_, seen), countersOf(journal_.counters(), settings.modes),
             now.steady_s) {
-  if (const auto open = journal_.open()) execution_ = open->id;
+  if (const auto cut_off = journal_.open()) execution_ = cut_off->id;
   is_running_ = isStillRun(journal_, artefacts_, seen);
   const auto counters = journal_.counters();
   const auto on_plate = counters.find(kPartOnPlate);
   is_part_on_plate_ = on_plate != counters.end() && on_plate->second > 0.0;
-  if (is_running_) report_ = *seen;
+  if (is_running_)
+    report_ = *seen;
+  else if (seen)
+    bystander_ = seen->phase;
+  const auto open = journal_.open();
+  if (open && !is_running_ && open->progress.taken_through > 0) is_part_on_plate_ = true;
   if (!journal_.movedAside().empty())
     raise(kJournalDamaged, 0.0, "moved to " + journal_.movedAside() + "; a new journal has begun", now);
 }
@@ -128,7 +139,12 @@ std::optional<QueuedJob> ProductionCell::currentJob() const {
 
 CommandAnswer ProductionCell::command(UnitRequest request, const CellSurroundings& found, CutOffJob cut_off,
                                       CellTime now) {
-  for (UnmetGuard& guard : unmet(request, found, cut_off)) request.unmet.push_back(std::move(guard));
+  try {
+    for (UnmetGuard& guard : unmet(request, found, cut_off)) request.unmet.push_back(std::move(guard));
+  } catch (const Error& error) {
+    request.unmet.push_back(
+        {kJournalNotWritable, std::string("the journal cannot be read: ") + error.what()});
+  }
   const CutOffJob before = std::exchange(cut_off_, cut_off);
   const std::string operator_before = std::exchange(operator_, request.source);
   CommandAnswer answer = unit_.command(request, now.steady_s);
@@ -136,6 +152,7 @@ CommandAnswer ProductionCell::command(UnitRequest request, const CellSurrounding
     cut_off_ = before;
     operator_ = operator_before;
   }
+  if (precedence(request.command) <= precedence(UnitCommand::Stop)) settle(now);
   write(now, [&] {
     journal_.add(AuditRow{now.utc_s, request.source, "", toString(request.command),
                           answer.reason.empty() ? "accepted" : answer.reason});
@@ -148,21 +165,31 @@ std::vector<UnmetGuard> ProductionCell::unmet(const UnitRequest& request, const 
                                               CutOffJob cut_off) const {
   if (request.command == UnitCommand::Unhold || request.command == UnitCommand::Unsuspend)
     return againstContinuing(found.go_on);
+  if (request.command == UnitCommand::Complete && report_.phase != ExecutorPhase::Done)
+    return {{1309, "the executor cannot end a job before its last layer; Stop ends it at once"}};
   if (request.command != UnitCommand::Start) return {};
   StartConditions conditions = found.start;
   conditions.mode = unit_.status().mode;
   conditions.is_part_removed = conditions.is_part_removed && !is_part_on_plate_;
   std::vector<UnmetGuard> against;
+  if (isAtWork()) against.push_back({1310, "the executor is at work on something else"});
   auto job = journal_.next();
-  if (const auto interrupted = currentJob()) {
+  const auto interrupted = currentJob();
+  if (!interrupted && cut_off == CutOffJob::Resume)
+    against.push_back({1308, "no job was cut off; there is nothing to resume"});
+  if (interrupted) {
     if (cut_off == CutOffJob::Undecided)
       against.push_back({1308, "job " + std::to_string(interrupted->id) + " was cut off after line " +
                                    std::to_string(journal_.open()->progress.taken_through) +
                                    "; say whether it is resumed or discarded"});
     if (cut_off != CutOffJob::Discard) job = interrupted;
+    const bool has_begun = journal_.open()->progress.taken_through > 0;
+    if (cut_off == CutOffJob::Resume && has_begun && !is_part_on_plate_)
+      against.push_back({1311, "the part that was cut off was taken away; discard its job"});
     if (cut_off == CutOffJob::Resume) conditions.is_part_removed = true;
   }
   conditions.job = job ? job->name : "";
+  conditions.is_checked = conditions.is_checked && job && job->machine == conditions.machine;
   if (job) conditions.torn = artefacts_.torn(job->artefacts);
   for (UnmetGuard& guard : againstStart(conditions)) against.push_back(std::move(guard));
   return against;
@@ -195,15 +222,21 @@ void ProductionCell::raise(int alarm, double value, const std::string& message, 
 void ProductionCell::end(int alarm, CellTime now) { unit_.end(alarm, now.steady_s); }
 
 void ProductionCell::onReport(const ExecutorReport& report, CellTime now) {
-  if (report.order != order_) return;  // of a job that is no longer this one
+  const bool is_ours = report.order == order_ && (order_ != 0 || is_running_);
+  if (report.order == 0 && !is_ours) bystander_ = report.phase;
+  if (!is_ours) return tick(now);
+  bystander_ = ExecutorPhase::Resting;
   const bool has_ended = is_running_ && isAtRest(report.phase);
+  const ExecutionProgress before = report_.progress;
   report_ = report;
+  if (report_.progress.taken_through < before.taken_through) report_.progress = before;
+  has_run_ = has_run_ || report.phase == ExecutorPhase::Running;
   const bool is_due = report.progress.layer != layer_written_ || has_ended ||
                       now.steady_s - progress_written_s_ >= kProgressInterval;
   if (execution_ && is_running_ && is_due) {
     progress_written_s_ = now.steady_s;
     layer_written_ = report.progress.layer;
-    write(now, [&] { journal_.setProgress(*execution_, report.progress, now.utc_s); });
+    write(now, [&] { journal_.setProgress(*execution_, report_.progress, now.utc_s); });
   }
   if (has_ended && report.phase == ExecutorPhase::Resting) onEnd(now);
   tick(now);
@@ -213,6 +246,10 @@ void ProductionCell::onReport(const ExecutorReport& report, CellTime now) {
 void ProductionCell::onEnd(CellTime now) {
   const UnitState state = unit_.status().state;
   if (state == UnitState::Stopping || state == UnitState::Aborting) return;
+  // Nobody here has ended it, and what has not run can be begun again: the job is not given up.
+  // After a restart of the cell nobody knows that it has not run; then the executor itself has to say so.
+  has_never_run_ = !has_run_ && is_begun_anew_;
+  is_given_up_ = has_run_ && report_.alarm != 0 && !isResumable(report_.alarm);
   if (report_.alarm != 0) return raise(report_.alarm, 0.0, report_.failure, now);
   unit_.command({UnitCommand::Stop, "executor", {}, {}}, now.steady_s);
   settle(now);
@@ -220,6 +257,8 @@ void ProductionCell::onEnd(CellTime now) {
 
 void ProductionCell::tick(CellTime now) {
   unit_.tick(now.steady_s);
+  if (unit_.status().state == UnitState::Execute && report_.phase == ExecutorPhase::Paused)
+    unit_.command({UnitCommand::Hold, "executor", {}, {}}, now.steady_s);
   settle(now);
   while (isComplete()) {
     const std::uint32_t before = unit_.status().sequence;
@@ -227,9 +266,13 @@ void ProductionCell::tick(CellTime now) {
     settle(now);
     if (unit_.status().sequence == before) break;
   }
-  if (now.steady_s - counters_written_s_ < kCountersInterval) return;
+  const double interval_s = is_journal_failing_ ? kRetryInterval : kCountersInterval;
+  if (now.steady_s - counters_written_s_ < interval_s) return;
   counters_written_s_ = now.steady_s;
-  write(now, [this] { keepCounters(); });
+  write(now, [&] {
+    keepCounters();
+    if (std::exchange(is_journal_failing_, false)) unit_.end(kJournalNotWritable, now.steady_s);
+  });
 }
 
 bool ProductionCell::isComplete() const {
@@ -264,6 +307,9 @@ void ProductionCell::settle(CellTime now) {
     if (changes.empty()) return;
     for (const UnitChange& change : changes) {
       const bool acts_first = change.to == UnitState::Stopping || change.to == UnitState::Aborting;
+      // Whatever ends a job gives it up, but for an end that came by itself (`onEnd`) or by what can be
+      // mended.
+      if (acts_first && !isAtRest(report_.phase)) is_given_up_ = !isResumable(change.alarm);
       if (acts_first) act(change, now);
       write(now, [&] { journal_.add(rowOf(change, now.utc_s)); });
       if (!acts_first && unit_.status().sequence == change.sequence) act(change, now);
@@ -282,6 +328,9 @@ void ProductionCell::act(const UnitChange& change, CellTime now) {
     case UnitState::Unholding:
     case UnitState::Unsuspending:
       return executor_.resume();
+    case UnitState::Clearing:
+      if (isAtWork()) executor_.abort();
+      return;
     case UnitState::Stopping:
       if (isAtWork()) executor_.stop();
       return;
@@ -310,24 +359,35 @@ void ProductionCell::act(const UnitChange& change, CellTime now) {
 }
 
 void ProductionCell::begin(CellTime now) {
+  report_ = {};
+  has_run_ = false;
+  is_given_up_ = false;
   write(now, [&] {
     if (execution_ && cut_off_ == CutOffJob::Discard)
       close(JobState::Aborted, "discarded by " + operator_, now);
-    const bool resumes = execution_.has_value();
-    const QueuedJob job = resumes ? *currentJob() : journal_.next().value();
-    if (resumes)
-      journal_.goOn(*execution_, now.utc_s);
+    const auto cut_off = journal_.open();
+    const auto job = cut_off ? journal_.job(cut_off->job) : nextJob();
+    const std::string program = programOf(job);
+    if (cut_off)
+      journal_.goOn(cut_off->id, now.utc_s);
     else
       execution_ = journal_.begin(job.id, operator_, now.utc_s);
     is_running_ = true;
-    report_ = {};
     report_.phase = ExecutorPhase::Starting;
     layer_written_ = -1;
-    executor_.start(programOf(job), resumes ? ExecutionStart::Resume : ExecutionStart::Anew, ++order_);
+    const bool resumes = cut_off && !std::exchange(has_never_run_, false);
+    is_begun_anew_ = !resumes;
+    executor_.start(program, resumes ? ExecutionStart::Resume : ExecutionStart::Anew, ++order_);
   });
 }
 
-bool ProductionCell::isAtWork() const { return is_running_ && !isAtRest(report_.phase); }
+QueuedJob ProductionCell::nextJob() const {
+  auto next = journal_.next();
+  if (!next) throw InvalidInput("no job of the queue is allowed to start");
+  return std::move(*next);
+}
+
+bool ProductionCell::isAtWork() const { return !isAtRest(report_.phase) || !isAtRest(bystander_); }
 
 void ProductionCell::interrupt(CellTime now) {
   const auto& reason = unit_.status().stop_reason;
@@ -338,9 +398,9 @@ void ProductionCell::interrupt(CellTime now) {
 
 void ProductionCell::close(JobState outcome, const std::string& reason, CellTime now) {
   if (!execution_) return;
-  const bool is_cut_off = outcome == JobState::Aborted && unit_.status().stop_reason &&
-                          isResumable(unit_.status().stop_reason->id) && is_running_;
+  const bool is_cut_off = outcome == JobState::Aborted && is_running_ && !is_given_up_;
   is_running_ = false;
+  if (report_.progress.taken_through > 0) is_part_on_plate_ = true;
   write(now, [&] {
     if (is_cut_off) return journal_.interrupt(*execution_, reason, now.utc_s);
     journal_.end(*execution_, outcome, reason, now.utc_s);
@@ -366,6 +426,7 @@ void ProductionCell::write(CellTime now, const std::function<void()>& rows) {
     rows();
   } catch (const Error& error) {
     // The alarm itself is not written: what could not be written just now would fail again.
+    is_journal_failing_ = true;
     unit_.raise(kJournalNotWritable, 0.0, error.what(), now.steady_s);
   }
 }

@@ -96,7 +96,7 @@ CommandAnswer UnitMachine::command(const UnitRequest& request, double now_s) {
     return {CommandResult::NotInThisState,
             asked + " is not accepted; accepted now: " + acceptedNames(status_.state, settings_.hold_rule)};
   if (const auto refused = refusal(request, *next)) return {refused->result, asked + ": " + refused->reason};
-  enter(*next, {0.0, 0, 0, {}, {}, request.command, request.source, ""}, now_s);
+  enter(*next, {0.0, 0, 0, {}, {}, request.command, request.source, "", 0}, now_s);
   if (request.command == UnitCommand::Hold) note(kHeldByOperator, request.source, now_s);
   if (request.command == UnitCommand::Abort) note(kAbortedByOperator, request.source, now_s);
   return {};
@@ -146,7 +146,7 @@ CommandAnswer UnitMachine::changeMode(int mode, const std::string& source, doubl
   count(now_s);
   status_.mode = mode;
   status_.mode_since_s = now_s;
-  changes_.push_back({now_s, status_.sequence, mode, status_.state, status_.state, {}, source, ""});
+  changes_.push_back({now_s, status_.sequence, mode, status_.state, status_.state, {}, source, "", 0});
   return {};
 }
 
@@ -156,7 +156,7 @@ void UnitMachine::complete(UnitState state, double now_s) {
   const auto gravest = status_.alarms.gravest();
   if (state == UnitState::Clearing && gravest && *gravest == AlarmCategory::Abort) return;
   if (!hasState(mode(), *next)) next = UnitState::Stopping;
-  enter(*next, {0.0, 0, 0, {}, {}, {}, "unit", ""}, now_s);
+  enter(*next, {0.0, 0, 0, {}, {}, {}, "unit", "", 0}, now_s);
 }
 
 bool UnitMachine::raise(int alarm, double value, const std::string& message, double now_s) {
@@ -185,7 +185,7 @@ void UnitMachine::tick(double now_s) {
   if (status_.state == UnitState::Aborting) {
     status_.alarms.raise(kStateTooLong, lasted_s, reason + ": nobody confirms that the unit is at rest",
                          now_s);
-    enter(UnitState::Aborted, {0.0, 0, 0, {}, {}, {}, "unit", reason}, now_s);
+    enter(UnitState::Aborted, {0.0, 0, 0, {}, {}, {}, "unit", reason, 0}, now_s);
     return;
   }
   raise(kStateTooLong, lasted_s, reason, now_s);
@@ -213,33 +213,33 @@ void UnitMachine::enter(UnitState state, UnitChange change, double now_s) {
   changes_.push_back(std::move(change));
 }
 
-bool UnitMachine::follow(UnitCommand command, const std::string& reason, double now_s) {
+bool UnitMachine::follow(UnitCommand command, const ActiveAlarm& alarm, double now_s) {
   const auto next = commanded(status_.state, command, settings_.hold_rule);
   if (!next || !hasState(mode(), *next)) return false;
-  enter(*next, {0.0, 0, 0, {}, {}, command, "alarm", reason}, now_s);
+  const std::string reason = std::to_string(alarm.id) + ' ' + alarmKind(alarm.id).title +
+                             (alarm.message.empty() ? "" : ": " + alarm.message);
+  enter(*next, {0.0, 0, 0, {}, {}, command, "alarm", reason, alarm.id}, now_s);
   return true;
 }
 
 void UnitMachine::react(const ActiveAlarm& alarm, double now_s) {
-  const std::string reason = std::to_string(alarm.id) + ' ' + alarmKind(alarm.id).title +
-                             (alarm.message.empty() ? "" : ": " + alarm.message);
   const UnitState before = status_.state;
   switch (alarm.category) {
     case AlarmCategory::Information:
     case AlarmCategory::Warning:
       return;
     case AlarmCategory::Suspend:
-      if (isSuspended(status_.state) || follow(UnitCommand::Suspend, reason, now_s)) break;
+      if (isSuspended(status_.state) || follow(UnitCommand::Suspend, alarm, now_s)) break;
       [[fallthrough]];
     case AlarmCategory::Hold:
-      if (follow(UnitCommand::Hold, reason, now_s)) break;
+      if (follow(UnitCommand::Hold, alarm, now_s)) break;
       if (!isRunning(status_.state)) break;
       [[fallthrough]];
     case AlarmCategory::Stop:
-      follow(UnitCommand::Stop, reason, now_s);
+      follow(UnitCommand::Stop, alarm, now_s);
       break;
     case AlarmCategory::Abort:
-      follow(UnitCommand::Abort, reason, now_s);
+      follow(UnitCommand::Abort, alarm, now_s);
       break;
   }
   if (status_.state != before && !status_.stop_reason) status_.stop_reason = alarm;

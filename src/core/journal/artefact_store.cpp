@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/journal/artefact_store.hpp"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -16,6 +19,14 @@
 namespace lamina {
 namespace {
 
+/// Has the disk keep a file or folder, so that no row of the journal outlives what it names.
+void synchronise(const std::string& path) {
+  const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  const bool is_kept = file >= 0 && fsync(file) == 0;
+  if (file >= 0) close(file);
+  if (!is_kept) throw FileError(path + ": cannot be brought to the disk");
+}
+
 void copyInto(const std::string& path, const std::string& target) {
   std::ifstream from(path, std::ios::binary);
   if (!from) throw FileError(path + ": cannot be read");
@@ -27,6 +38,8 @@ void copyInto(const std::string& path, const std::string& target) {
   }
   if (from.bad()) throw FileError(path + ": cannot be read to its end");
   to.commit();
+  synchronise(target);
+  synchronise(std::filesystem::path(target).parent_path());
   std::error_code ignored;
   std::filesystem::permissions(
       target, std::filesystem::perms::owner_read | std::filesystem::perms::group_read, ignored);

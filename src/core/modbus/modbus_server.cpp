@@ -39,6 +39,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
     error_code ignored;
     address_ = socket_.remote_endpoint(ignored).address().to_string(ignored);
     socket_.set_option(tcp::no_delay(true), ignored);
+    socket_.set_option(tcp::socket::keep_alive(true), ignored);
   }
 
   void read() {

@@ -92,11 +92,11 @@ void PlcLink::close(int connection) {
 std::vector<PlcOrder> PlcLink::takeOrders() { return std::exchange(orders_, {}); }
 
 void PlcLink::setResult(const PlcOrder& order, CommandResult result) {
-  if (order.kind == PlcOrder::Kind::Acknowledge) return;
+  if (order.kind != PlcOrder::Kind::Command) return;
   was_refused_ = result != CommandResult::Accepted;
   figures_.result = static_cast<std::uint16_t>(result);
   figures_.answered_sequence = order.sequence;
-  if (order.kind == PlcOrder::Kind::Command) figures_.last_command = static_cast<std::uint16_t>(order.value);
+  figures_.last_command = static_cast<std::uint16_t>(order.value);
 }
 
 WatchdogEvent PlcLink::watch(double now_s) {
@@ -112,6 +112,7 @@ WatchdogEvent PlcLink::changeOfHeartbeat(double silent_s) {
   }
   if (watchdog_ == Watchdog::Good) {
     watchdog_ = Watchdog::Lost;
+    writer_.reset();  // its connection may be a dead one: whoever calls next may write
     return WatchdogEvent::Lost;
   }
   if (watchdog_ == Watchdog::Lost && silent_s > settings_.abandon_s) {

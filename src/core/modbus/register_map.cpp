@@ -96,7 +96,8 @@ void putAlarms(RegisterWriter& writer, const std::vector<ActiveAlarm>& alarms) {
   for (const ActiveAlarm& alarm : alarms) {
     if (!isAlarm(alarm) || place == kAlarmPlaces) continue;
     writer.put(20 + 2 * place, alarm.id);
-    const double whole = std::clamp(std::round(alarm.value), -2147483648.0, 2147483647.0);
+    const double value = std::isfinite(alarm.value) ? alarm.value : 0.0;
+    const double whole = std::clamp(std::round(value), -2147483648.0, 2147483647.0);
     writer.put(21 + 2 * place, static_cast<std::uint16_t>(static_cast<std::int32_t>(whole) & 0xffff));
     ++place;
   }

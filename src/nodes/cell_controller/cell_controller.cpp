@@ -21,6 +21,7 @@ constexpr double kTickInterval = 0.02;   // [s]
 constexpr double kStatusInterval = 0.5;  // [s]
 constexpr int kExecutorLost = 2201;
 constexpr int kExecutorSilent = 2202;
+constexpr int kJournalNotWritable = 7003;
 
 UnitSettings unitSettings(const CellControllerSettings& settings) {
   UnitSettings unit;
@@ -61,8 +62,6 @@ CellController::CellController(ros::NodeHandle node, const CellControllerSetting
   const boost::function<void(const ros::WallTimerEvent&)> tick = [this](const auto&) { onTick(); };
   timer_ = node.createWallTimer(ros::WallDuration(kTickInterval), tick);
   ROS_INFO_STREAM("the unit is in " << toString(cell_->status().state));
-  publish();
-  publishQueue();
 }
 
 std::optional<ExecutorReport> CellController::awaitExecutor() const {
@@ -78,6 +77,7 @@ CellSurroundings CellController::surroundings() const {
   CellSurroundings found;
   // Programs are checked as they are put into the queue, and kept by their digests.
   found.start.is_checked = true;
+  found.start.machine = settings_.machine.name;
   for (const lamina_msgs::StartupStep& step : executor_.machine().startup)
     if (step.state != lamina_msgs::StartupStep::DONE && step.state != lamina_msgs::StartupStep::SKIPPED)
       found.start.unready.push_back(step.name + " is " + step.state_name + ": " + step.reason);
@@ -109,9 +109,7 @@ bool CellController::onCommand(lamina_msgs::PackmlCommand::Request& request,
   response.message = answer.reason;
   ROS_INFO_STREAM(toString(*command) << " by '" << request.source
                                      << "': " << (answer.reason.empty() ? "accepted" : answer.reason));
-  publish();
-  publishQueue();
-  return true;
+  return true;  // the next tick publishes
 }
 
 bool CellController::onMode(lamina_msgs::SetUnitMode::Request& request,
@@ -119,7 +117,7 @@ bool CellController::onMode(lamina_msgs::SetUnitMode::Request& request,
   const CommandAnswer answer = cell_->changeMode(request.mode, request.source, now());
   response.result = numberOf(answer.result);
   response.message = answer.reason;
-  publish();
+  published_s_ = 0.0;
   return true;
 }
 
@@ -132,7 +130,7 @@ bool CellController::onEnqueue(lamina_msgs::EnqueueJob::Request& request,
     ROS_ERROR_STREAM(refusalText({"put into the queue", request.program, ""}, failure));
     response.status = toMessage(failure);
   }
-  publishQueue();
+  is_queue_published_ = false;
   return true;
 }
 
@@ -157,7 +155,7 @@ bool CellController::onChange(lamina_msgs::ChangeQueue::Request& request,
     ROS_ERROR_STREAM(refusalText({"change job", std::to_string(request.job), ""}, failure));
     response.status = toMessage(failure);
   }
-  publishQueue();
+  is_queue_published_ = false;
   return true;
 }
 
@@ -183,7 +181,7 @@ bool CellController::onAcknowledge(lamina_msgs::AcknowledgeAlarm::Request& reque
   const CommandAnswer answer = cell_->acknowledge(request.id, request.source, now());
   response.result = numberOf(answer.result);
   response.message = answer.reason;
-  publish();
+  published_s_ = 0.0;
   return true;
 }
 
@@ -191,7 +189,7 @@ bool CellController::onRemoval(Trigger::Request& /*request*/, Trigger::Response&
   response.success = cell_->isPartOnPlate();
   if (!response.success) response.message = "there is no part on the plate";
   cell_->confirmRemoval("operator", now());
-  publish();
+  published_s_ = 0.0;
   return true;
 }
 
@@ -200,17 +198,30 @@ void CellController::onReport(const ExecutorReport& report) {
 }
 
 void CellController::onTick() {
+  try {
+    followTime();
+  } catch (const Error& error) {
+    ROS_ERROR_STREAM_THROTTLE(1.0, "the journal cannot be read: " << error.what());
+    cell_->raise(kJournalNotWritable, 0.0, error.what(), now());
+  }
+}
+
+void CellController::followTime() {
   const CellTime at = now();
   watchExecutor(at);
   cell_->tick(at);
   const bool has_changed = cell_->status().sequence != published_sequence_;
   if (has_changed || at.steady_s - published_s_ >= kStatusInterval) publish();
-  if (has_changed) publishQueue();
+  if (has_changed || !is_queue_published_) publishQueue();
 }
 
 void CellController::watchExecutor(CellTime now) {
-  const std::string fault = executor_.takeFault();
-  if (!fault.empty()) cell_->raise(kExecutorSilent, 0.0, fault, now);
+  const std::string order = executor_.takeUnanswered(settings_.patience_s);
+  if (!order.empty())
+    cell_->raise(kExecutorSilent, settings_.patience_s,
+                 "gcode_streamer has not answered the order to " + order + " in " +
+                     std::to_string(settings_.patience_s) + " s",
+                 now);
   const bool is_lost = !executor_.isThere();
   if (is_lost == is_executor_lost_) return;
   is_executor_lost_ = is_lost;
@@ -239,6 +250,7 @@ void CellController::publishQueue() {
   queue.header.stamp = ros::Time::now();
   for (const QueuedJob& job : journal_.queue()) queue.jobs.push_back(toMessage(job));
   publishLatched(queue_, queue);
+  is_queue_published_ = true;
 }
 
 }  // namespace lamina

@@ -47,6 +47,7 @@ class CellController {
   CellSurroundings surroundings() const;
   void onReport(const ExecutorReport& report);
   void onTick();
+  void followTime();
   void watchExecutor(CellTime now);
   void publish();
   void publishQueue();
@@ -66,6 +67,7 @@ class CellController {
   ros::WallTimer timer_;
   std::uint32_t published_sequence_ = 0;
   double published_s_ = 0.0;
+  bool is_queue_published_ = false;
   bool is_executor_lost_ = false;
 };
 

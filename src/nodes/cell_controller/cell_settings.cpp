@@ -12,9 +12,9 @@ void describe(SettingsSchema& schema, CellControllerSettings& settings) {
       "that the node runs in.");
   schema.number("executor.patience_s", settings.patience_s, {0.1, 60.0},
                 "Time in which the executor answers: at the start of the node, and each order.");
-  schema.flag(
-      "packml.hold_anywhere", settings.is_held_on_the_way,
-      "Whether Hold is accepted in Starting, Unholding, Suspending, Suspended and Unsuspending, too.");
+  schema.flag("packml.hold_anywhere", settings.is_held_on_the_way,
+              "Whether Hold is accepted in Starting, Unholding, Suspending, Suspended and Unsuspending, too; "
+              "gcode_streamer pauses a job that runs, and no other.");
 }
 
 }  // namespace lamina

@@ -80,39 +80,53 @@ void StreamExecutor::start(const std::string& program, ExecutionStart start, std
   lamina_msgs::StreamProgramGoal goal;
   goal.program = program;
   goal.resume = start == ExecutionStart::Resume;
-  order_ = last_order_ = order;
+  order_ = order;
+  ordered_at_ = ros::WallTime::now();
   has_begun_ = false;
   last_ = {};
   client_.sendGoal(goal,
                    [this, order](const auto& state, const auto& result) { onDone(order, state, result); });
 }
 
-void StreamExecutor::pause() { call(pause_, "pause"); }
+void StreamExecutor::pause() { call(orders_, pause_, "pause"); }
 
-void StreamExecutor::resume() { call(resume_, "resume"); }
+void StreamExecutor::resume() { call(orders_, resume_, "resume"); }
 
-void StreamExecutor::stop() { call(abort_, "stop"); }
+void StreamExecutor::stop() { endJob("stop"); }
 
-void StreamExecutor::abort() { call(abort_, "abort"); }
+void StreamExecutor::abort() { endJob("abort"); }
 
-void StreamExecutor::call(ros::ServiceClient& service, const std::string& order) {
-  orders_.give([this, &service, order] {
-    std_srvs::Trigger request;
-    const ros::WallTime began = ros::WallTime::now();
-    std::string fault;
-    if (!service.call(request))
-      fault = "the executor does not answer the order to " + order;
-    else if (!request.response.success)
-      fault = "the executor refuses the order to " + order + ": " + request.response.message;
-    ROS_DEBUG_STREAM("order to " << order << " took " << (ros::WallTime::now() - began).toSec() << " s");
+void StreamExecutor::endJob(const std::string& order) {
+  // A goal that has not come through yet would begin after the order.
+  if (order_ && !has_begun_) return client_.cancelGoal();
+  call(ends_, abort_, order);
+}
+
+void StreamExecutor::call(OrderThread& thread, ros::ServiceClient& service, const std::string& order) {
+  {
     const std::lock_guard<std::mutex> lock(mutex_);
-    fault_ = fault;
+    waiting_ = order;
+    waiting_since_ = ros::WallTime::now();
+  }
+  thread.give([this, &service, order] {
+    std_srvs::Trigger request;
+    // What is refused shows in the state, which then does not change in time.
+    if (service.call(request) && !request.response.success)
+      ROS_WARN_STREAM("gcode_streamer refuses the order to " << order << ": " << request.response.message);
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (waiting_ == order) waiting_.clear();
   });
 }
 
-std::string StreamExecutor::takeFault() {
+std::string StreamExecutor::takeUnanswered(double patience_s) {
+  const ros::WallTime now = ros::WallTime::now();
+  if (order_ && !has_begun_ && (now - ordered_at_).toSec() > patience_s) {
+    ordered_at_ = now;
+    return "start";
+  }
   const std::lock_guard<std::mutex> lock(mutex_);
-  return std::exchange(fault_, {});
+  if (waiting_.empty() || (now - waiting_since_).toSec() <= patience_s) return "";
+  return std::exchange(waiting_, {});
 }
 
 std::optional<ExecutorReport> StreamExecutor::seen() const {
@@ -134,9 +148,10 @@ void StreamExecutor::onState(const lamina_msgs::MachineStateConstPtr& state) {
   has_machine_ = true;
   last_sign_ = ros::WallTime::now();
   const ExecutorReport report = reportOf(*state);
-  if (order_ && has_begun_ && state->state == lamina_msgs::MachineState::IDLE) return onRestart(report);
+  const bool is_job_known = order_ ? has_begun_ : !isEnd(last_.phase);
+  if (is_job_known && state->state == lamina_msgs::MachineState::IDLE) return onRestart(report);
   // A job that was started here ends by its result alone: a latched state may be that of the job before.
-  if (order_ ? isEnd(report.phase) : last_order_ != 0) return;
+  if (order_ && isEnd(report.phase)) return;
   has_begun_ = true;
   last_ = report;
   report_(report);
@@ -144,7 +159,8 @@ void StreamExecutor::onState(const lamina_msgs::MachineStateConstPtr& state) {
 
 /// A job never comes back to Idle: this is another process, which knows nothing of the job.
 void StreamExecutor::onRestart(ExecutorReport report) {
-  client_.stopTrackingGoal();
+  if (order_) client_.stopTrackingGoal();
+  report.order = order_.value_or(0);
   order_.reset();
   report.phase = ExecutorPhase::Resting;
   report.alarm = 2202;
@@ -152,6 +168,7 @@ void StreamExecutor::onRestart(ExecutorReport report) {
   report.program = last_.program;
   report.lines = last_.lines;
   report.progress = last_.progress;
+  last_ = report;
   report_(report);
 }
 
@@ -161,19 +178,24 @@ void StreamExecutor::onDone(std::uint64_t order, const actionlib::SimpleClientGo
   order_.reset();
   ExecutorReport report = reportOf(machine_);
   report.order = order;
-  const bool is_done = result != nullptr && result->status.code == lamina_msgs::Status::OK;
+  const bool is_done = state == actionlib::SimpleClientGoalState::SUCCEEDED && result != nullptr &&
+                       result->status.code == lamina_msgs::Status::OK;
   report.phase = is_done ? ExecutorPhase::Done : ExecutorPhase::Resting;
   report.alarm = result == nullptr ? 2202 : alarmOf(result->status);
   report.failure =
       result == nullptr ? "the executor gave no result: " + state.toString() : result->status.message;
+  // Actionlib gives an empty result for goals that were never taken up.
+  if (!is_done && result != nullptr && result->status.message.empty())
+    report.failure = "the executor did not take the job up: " + state.toString();
   if (result != nullptr) report.progress.taken_through = result->lines_acknowledged;
+  last_ = report;
   report_(report);
 }
 
 ExecutorReport StreamExecutor::reportOf(const lamina_msgs::MachineState& state) const {
   ExecutorReport report;
   report.phase = phaseOf(static_cast<PackmlState>(state.state));
-  report.order = order_.value_or(last_order_);
+  report.order = order_.value_or(0);
   report.program = state.job;
   report.lines = state.lines_total;
   report.progress.sent_through = state.lines_sent;

@@ -39,18 +39,19 @@ class StreamExecutor final : public Executor {
   /// Whether it gives signs of life, and would take a job.
   bool isThere() const;
 
-  /// Why the last order was not followed, once; empty if it was.
-  std::string takeFault();
+  /// Which order has waited that long for its answer, once; empty if none has. [s]
+  std::string takeUnanswered(double patience_s);
 
  private:
   using Client = actionlib::SimpleActionClient<lamina_msgs::StreamProgramAction>;
 
   void onState(const lamina_msgs::MachineStateConstPtr& state);
+  void endJob(const std::string& order);
   void onRestart(ExecutorReport report);
   void onDone(std::uint64_t order, const actionlib::SimpleClientGoalState& state,
               const lamina_msgs::StreamProgramResultConstPtr& result);
   void onSign(const actionlib_msgs::GoalStatusArrayConstPtr& signs);
-  void call(ros::ServiceClient& service, const std::string& order);
+  void call(OrderThread& thread, ros::ServiceClient& service, const std::string& order);
   ExecutorReport reportOf(const lamina_msgs::MachineState& state) const;
 
   std::function<void(const ExecutorReport&)> report_;
@@ -63,13 +64,16 @@ class StreamExecutor final : public Executor {
   lamina_msgs::MachineState machine_;
   bool has_machine_ = false;
   std::optional<std::uint64_t> order_;  ///< under way
-  std::uint64_t last_order_ = 0;
-  bool has_begun_ = false;  ///< what was ordered last
-  ExecutorReport last_;     ///< of it
+  bool has_begun_ = false;              ///< what was ordered last
+  ExecutorReport last_;                 ///< of it
+  ros::WallTime ordered_at_;
   ros::WallTime last_sign_;
-  std::mutex mutex_;  ///< of the fault
-  std::string fault_;
-  OrderThread orders_;  ///< last, so that it ends before what it uses
+  std::mutex mutex_;  ///< of the order under way
+  std::string waiting_;
+  ros::WallTime waiting_since_;
+  // Last, so that they end before what they use. What ends a job does not wait behind what pauses it.
+  OrderThread orders_;
+  OrderThread ends_;
 };
 
 }  // namespace lamina

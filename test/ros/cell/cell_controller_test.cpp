@@ -187,7 +187,7 @@ class CellOfNodes {
 };
 
 TEST(CellController, PrintsReleasedJobsOneAfterTheOther) {
-  CellOfNodes cell("prints", 1000.0);
+  CellOfNodes cell("prints", 1000.0, {"_packml/hold_anywhere:=true"});
   EXPECT_EQ(cell.status.state_name, "Stopped");
   cell.bringToIdle();
   const std::string program = squareProgram(200);
@@ -241,7 +241,7 @@ TEST(CellController, RefusesWhatTheMachineCannotPrint) {
 }
 
 TEST(CellController, HoldsAndGoesOnAndStops) {
-  CellOfNodes cell("holds", 5.0, {"_packml/hold_anywhere:=false"});
+  CellOfNodes cell("holds", 5.0);
   cell.bringToIdle();
   cell.change(cell.enqueue(squareProgram(2000)), lamina_msgs::ChangeQueue::Request::RELEASE);
   ASSERT_TRUE(cell.starts());
