@@ -109,7 +109,8 @@ bool CellController::onCommand(lamina_msgs::PackmlCommand::Request& request,
   response.message = answer.reason;
   ROS_INFO_STREAM(toString(*command) << " by '" << request.source
                                      << "': " << (answer.reason.empty() ? "accepted" : answer.reason));
-  return true;  // the next tick publishes
+  onTick();  // publishes each state, however short
+  return true;
 }
 
 bool CellController::onMode(lamina_msgs::SetUnitMode::Request& request,
