@@ -114,7 +114,7 @@ class TwoHosts(unittest.TestCase):
     def is_in_master(node):
         offered = xmlrpc.client.ServerProxy(f"http://127.0.0.1:{MASTER_PORT}").getSystemState("/test")[2][2]
         name = "/" + re.sub(r".*/", "", node.args[0])
-        return any(name in nodes for service, nodes in offered if not service.endswith("loggers"))
+        return any(name in nodes for service, nodes in offered if not service.endswith(("get_loggers", "set_logger_level")))
 
     def await_that(self, condition, otherwise):
         until = time.monotonic() + PATIENCE

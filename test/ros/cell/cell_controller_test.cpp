@@ -241,7 +241,7 @@ TEST(CellController, RefusesWhatTheMachineCannotPrint) {
 }
 
 TEST(CellController, HoldsAndGoesOnAndStops) {
-  CellOfNodes cell("holds", 5.0);
+  CellOfNodes cell("holds", 20.0);
   cell.bringToIdle();
   cell.change(cell.enqueue(squareProgram(2000)), lamina_msgs::ChangeQueue::Request::RELEASE);
   ASSERT_TRUE(cell.starts());
@@ -262,7 +262,7 @@ TEST(CellController, HoldsAndGoesOnAndStops) {
 }
 
 TEST(CellController, IsAdoptedByItsJobWhenItIsKilled) {
-  CellOfNodes cell("adopts", 5.0);
+  CellOfNodes cell("adopts", 20.0);
   cell.bringToIdle();
   const std::string program = squareProgram(1500);
   cell.change(cell.enqueue(program), lamina_msgs::ChangeQueue::Request::RELEASE);
@@ -276,7 +276,7 @@ TEST(CellController, IsAdoptedByItsJobWhenItIsKilled) {
 }
 
 TEST(CellController, OffersTheJobOfAKilledStreamerAndRunsEachLineOnce) {
-  CellOfNodes cell("resumes", 5.0);
+  CellOfNodes cell("resumes", 20.0);
   cell.bringToIdle();
   const std::string program = squareProgram(1500);
   cell.change(cell.enqueue(program), lamina_msgs::ChangeQueue::Request::RELEASE);
