@@ -19,6 +19,7 @@ namespace {
 
 constexpr double kTickInterval = 0.02;   // [s]
 constexpr double kStatusInterval = 0.5;  // [s]
+constexpr int kSilentTicks = 5;
 constexpr int kExecutorLost = 2201;
 constexpr int kExecutorSilent = 2202;
 constexpr int kJournalNotWritable = 7003;
@@ -51,6 +52,7 @@ CellController::CellController(ros::NodeHandle node, const CellControllerSetting
       executor_(node, [this](const ExecutorReport& report) { onReport(report); }) {
   const auto seen = awaitExecutor();
   is_executor_lost_ = !executor_.isThere();
+  silent_ticks_ = is_executor_lost_ ? kSilentTicks : 0;
   cell_ = std::make_unique<ProductionCell>(unit_settings_, CellParts{journal_, artefacts_, executor_}, seen,
                                            now());
   services_ = {node.advertiseService(names::kPackmlCommand, &CellController::onCommand, this),
@@ -223,7 +225,9 @@ void CellController::watchExecutor(CellTime now) {
                  "gcode_streamer has not answered the order to " + order + " in " +
                      std::to_string(settings_.patience_s) + " s",
                  now);
-  const bool is_lost = !executor_.isThere();
+  // After a callback that took long, signs of life may still wait behind this one.
+  silent_ticks_ = executor_.isThere() ? 0 : silent_ticks_ + 1;
+  const bool is_lost = silent_ticks_ >= kSilentTicks;
   if (is_lost == is_executor_lost_) return;
   is_executor_lost_ = is_lost;
   if (is_lost)

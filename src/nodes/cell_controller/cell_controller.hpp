@@ -69,6 +69,7 @@ class CellController {
   double published_s_ = 0.0;
   bool is_queue_published_ = false;
   bool is_executor_lost_ = false;
+  int silent_ticks_ = 0;
 };
 
 }  // namespace lamina
