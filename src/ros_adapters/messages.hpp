@@ -8,6 +8,7 @@
 
 #define lamina lamina_msgs
 #include <lamina/AcknowledgeAlarm.h>
+#include <lamina/AlarmReport.h>
 #include <lamina/AppliedCorrection.h>
 #include <lamina/Bead.h>
 #include <lamina/CalibrateFeeder.h>

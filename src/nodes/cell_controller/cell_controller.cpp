@@ -61,6 +61,7 @@ CellController::CellController(ros::NodeHandle node, const CellControllerSetting
                node.advertiseService(names::kChangeQueue, &CellController::onChange, this),
                node.advertiseService(names::kAcknowledgeAlarm, &CellController::onAcknowledge, this),
                node.advertiseService(names::kConfirmRemoval, &CellController::onRemoval, this)};
+  alarm_reports_ = node.subscribe(names::kAlarmReports, 100, &CellController::onAlarmReport, this);
   const boost::function<void(const ros::WallTimerEvent&)> tick = [this](const auto&) { onTick(); };
   timer_ = node.createWallTimer(ros::WallDuration(kTickInterval), tick);
   ROS_INFO_STREAM("the unit is in " << toString(cell_->status().state));
@@ -194,6 +195,18 @@ bool CellController::onRemoval(Trigger::Request& /*request*/, Trigger::Response&
   cell_->confirmRemoval("operator", now());
   published_s_ = 0.0;
   return true;
+}
+
+void CellController::onAlarmReport(const lamina_msgs::AlarmReportConstPtr& report) {
+  try {
+    if (report->is_gone)
+      cell_->end(report->id, now());
+    else
+      cell_->raise(report->id, report->value, report->source + ": " + report->message, now());
+  } catch (const InvalidInput& error) {
+    ROS_ERROR_STREAM_THROTTLE(1.0, "an alarm of '" << report->source << "' is refused: " << error.what());
+  }
+  onTick();
 }
 
 void CellController::onReport(const ExecutorReport& report) {

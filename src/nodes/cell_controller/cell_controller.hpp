@@ -44,6 +44,8 @@ class CellController {
   std::int64_t enqueue(const lamina_msgs::EnqueueJob::Request& request);
   void change(const lamina_msgs::ChangeQueue::Request& request);
 
+  void onAlarmReport(const lamina_msgs::AlarmReportConstPtr& report);
+
   CellSurroundings surroundings() const;
   void onReport(const ExecutorReport& report);
   void onTick();
@@ -64,6 +66,7 @@ class CellController {
   StreamExecutor executor_;
   std::unique_ptr<ProductionCell> cell_;
   std::vector<ros::ServiceServer> services_;
+  ros::Subscriber alarm_reports_;
   ros::WallTimer timer_;
   std::uint32_t published_sequence_ = 0;
   double published_s_ = 0.0;
