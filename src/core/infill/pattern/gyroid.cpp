@@ -12,7 +12,7 @@ namespace {
 
 /// Length of the curves in a square of one cell, mean over all heights of cut: by quadrature.
 constexpr double kLengthInCell = 2.4586;
-constexpr double kChordError = 0.01;  // mm
+constexpr double kChordError = 1.0 / 16.0;  // of the pitch
 constexpr double kStepsInCell = 16.0;
 
 }  // namespace
@@ -24,8 +24,9 @@ std::vector<FillPath> gyroid(const Regions& regions, const InfillRequest& reques
   return filledByPattern(regions, request, request.spacing_mm, [&](const Box2& box) {
     const double cell = gyroidCell(1.0 / request.spacing_mm);
     const GyroidSection section(request.part_from_plan, cell, patternAngle(request));
-    if (section.isLevel()) return levelGyroidCurves(section, box, kChordError);
-    return gyroidCurves(section, box, cell / kStepsInCell, kChordError);
+    const double chord_error_mm = kChordError * request.pitch_mm;
+    if (section.isLevel()) return levelGyroidCurves(section, box, chord_error_mm);
+    return gyroidCurves(section, box, cell / kStepsInCell, chord_error_mm);
   });
 }
 
