@@ -5,6 +5,7 @@
 Each function gives a command and what it adds to the environment. CuraEngine on the command line knows defaults only and
 evaluates no formula: distances of lines are stated.
 """
+import math
 import os
 import pathlib
 import subprocess
@@ -20,6 +21,9 @@ OUTER_WALL, INNER_WALL, SOLID, INFILL, FIRST_LAYER, TRAVEL = 30, 45, 45, 60, 20,
 LAMINA_FEEDS = {"feed.outer_wall_mm_s": OUTER_WALL, "feed.inner_wall_mm_s": INNER_WALL, "feed.skin_mm_s": SOLID,
                 "feed.top_skin_mm_s": SOLID, "feed.infill_mm_s": INFILL, "feed.first_layer_mm_s": FIRST_LAYER,
                 "feed.bridge_mm_s": SOLID, "travel.feed_mm_s": TRAVEL}
+# CuraEngine's beads are rectangles: lines as far apart, of the same section, are beads of this width [mm].
+SECTION_WIDTH = float(WIDTH_MM) + (1 - math.pi / 4) * float(LAYER_MM)
+LAMINA_SECTIONS = {f"{role}.bead_width_mm": f"{SECTION_WIDTH:.5f}" for role in ("infill", "skins")}
 PRUSA_FEEDS = ["--external-perimeter-speed", OUTER_WALL, "--perimeter-speed", INNER_WALL, "--small-perimeter-speed", INNER_WALL,
                "--solid-infill-speed", SOLID, "--top-solid-infill-speed", SOLID, "--bridge-speed", SOLID, "--infill-speed", INFILL,
                "--first-layer-speed", FIRST_LAYER, "--travel-speed", TRAVEL, "--slowdown-below-layer-time", 0]
@@ -48,8 +52,10 @@ def lamina_command(executable, mesh, output, skins, support=None, feeds="own"):
     }
     if support:
         settings.update({"supports.use": "true", "supports.kind": support, "supports.angle_deg": SUPPORT_ANGLE_DEG})
-    if feeds == "common":
+    if feeds != "own":
         settings.update(LAMINA_FEEDS)
+    if feeds == "common, sections of rectangles":
+        settings.update(LAMINA_SECTIONS)
     assignments = [text for key, value in settings.items() for text in ("--set", f"{key}={value}")]
     return [executable, "slice", mesh, "-o", output, "--json", *assignments], {}
 
