@@ -40,6 +40,7 @@ struct WallSettings {
 struct InfillSettings {
   std::string strategy = "zigzag";
   double density = 0.2;         ///< 1 is solid, 0 is none
+  double bead_width_mm = 0.0;   ///< 0: that of walls, in proportion to the nozzles of their tools
   double pitch_mm = 0.0;        ///< distance of neighbouring lines; 0: by the density
   int outer_layers = 0;         ///< number of first and of last layers with a pitch of their own
   double outer_pitch_mm = 0.0;  ///< of those; 0 is solid
@@ -57,6 +58,7 @@ struct SkinSettings {
   int bottom_layers = 0;  ///< the same
   double top_mm = 0.0;    ///< least thickness, in whole layers
   double bottom_mm = 0.0;
+  double bead_width_mm = 0.0;  ///< 0: that of walls, in proportion to the nozzles of their tools
   std::string strategy = "zigzag";
   double angle_deg = 45.0;         ///< of the first layer; turned by 90 deg from layer to layer
   double narrowest = 1.0;          ///< in bead widths; narrower places are no skin

@@ -152,6 +152,15 @@ void requireConsistentHybrid(const PlanSettings& settings) {
                         text(hybrid.delete_below));
 }
 
+/// Drops have the size of drops, and runs that go on from layer to layer one width.
+void requireOwnWidth(const PlanSettings& settings, const InfillStrategy& strategy) {
+  if (settings.infill.bead_width_mm == 0.0) return;
+  if (strategy.deposit == Deposit::Bead && strategy.link == LayerLink::Travel) return;
+  throw InvalidConfig("infill.bead_width_mm is " + text(settings.infill.bead_width_mm) +
+                      " with infill.strategy '" + settings.infill.strategy +
+                      "', which lays drops or goes on from layer to layer; expected the default 0");
+}
+
 /// Layers share an infill where each lays its own beads in its plane.
 void requireOwnInfill(const PlanSettings& settings, const InfillStrategy& strategy) {
   if (settings.infill.every_layers == 1) return;
@@ -241,7 +250,19 @@ void requireConsistent(const PlanSettings& settings) {
   requireIronable(settings);
   requireConsistent(settings.overhangs);
   requireConsistentTools(settings, strategy);
+  requireOwnWidth(settings, strategy);
   requireOwnInfill(settings, strategy);
+}
+
+void requireSensibleWidths(const PlanSettings& settings, double layer_height_mm) {
+  const std::pair<const char*, double> stated[] = {
+      {"infill.bead_width_mm", settings.infill.bead_width_mm},
+      {"skins.bead_width_mm", settings.skins.bead_width_mm},
+      {"supports.bead_width_mm", settings.supports.bead_width_mm}};
+  for (const auto& [key, width_mm] : stated)
+    if (width_mm != 0.0 && width_mm < layer_height_mm * (1.0 - kRounding))
+      throw InvalidConfig(std::string(key) + " is " + text(width_mm) + " mm; must be 0 or at least " +
+                          text(layer_height_mm) + " mm, the height of the layer: beads are wider than high");
 }
 
 void requireSensiblePitch(const BeadSettings& bead, double layer_height_mm) {

@@ -9,6 +9,7 @@ namespace {
 
 constexpr Bounds kFeed = Bounds::above(0.0, 10000.0);
 constexpr Bounds kAngle{-360.0, 360.0};
+constexpr Bounds kRoleWidth{0.0, 100.0};
 
 void describe(SettingsSchema& schema, BeadSettings& bead) {
   schema.number("bead.width_mm", bead.width_mm, {0.01, 100.0}, "Width of a bead.");
@@ -32,6 +33,8 @@ void describe(SettingsSchema& schema, InfillSettings& infill) {
   schema.choice("infill.strategy", infill.strategy, infillStrategyNames(), "How the inside is filled.");
   schema.number("infill.density", infill.density, {0.0, 1.0},
                 "Part of the inside that is filled; 1 is solid.");
+  schema.number("infill.bead_width_mm", infill.bead_width_mm, kRoleWidth,
+                "Width of beads of infill; 0 takes bead.width_mm, in proportion to the nozzles.");
   schema.number("infill.pitch_mm", infill.pitch_mm, {0.0, 1000.0},
                 "Distance of neighbouring lines of infill; 0 takes what infill.density asks for.");
   schema.integer("infill.outer_layers", infill.outer_layers, {0, 100000},
@@ -62,6 +65,8 @@ void describe(SettingsSchema& schema, SkinSettings& skins) {
                  "Least number of solid layers over what is seen from below; 0 for none.");
   schema.number("skins.top_mm", skins.top_mm, {0.0, 100.0}, "Least thickness of these top layers.");
   schema.number("skins.bottom_mm", skins.bottom_mm, {0.0, 100.0}, "Least thickness of these bottom layers.");
+  schema.number("skins.bead_width_mm", skins.bead_width_mm, kRoleWidth,
+                "Width of beads of skins; 0 takes bead.width_mm, in proportion to the nozzles.");
   schema.choice("skins.strategy", skins.strategy, infillStrategyNames(), "How skins are filled.");
   schema.number("skins.angle_deg", skins.angle_deg, {-180.0, 180.0},
                 "Direction of the first layer's skins, from x; each layer is turned by 90 deg.");

@@ -99,7 +99,10 @@ PlanContext contextFor(const std::vector<Layer>& layers, const PlanSettings& set
   requireConsistent(settings);
   if (settings.travel.hop == Hopping::Never) context.settings.travel.hop_mm = 0.0;
   if (context.strategy.deposit == Deposit::Bead)
-    for (const Layer& layer : layers) requireSensiblePitch(settings.bead, layer.bounds.height());
+    for (const Layer& layer : layers) {
+      requireSensiblePitch(settings.bead, layer.bounds.height());
+      requireSensibleWidths(settings, layer.bounds.height());
+    }
   for (const Layer& layer : layers) {
     const Box2 box = boundingBox(layer.section.contours);
     if (box.isEmpty()) continue;

@@ -94,6 +94,7 @@ std::vector<SettingProbe> supportProbes() {
            kHeldUp,
            tableOnPlate,
            {{"supports.foot=bed"},
+            {"supports.bead_width_mm=0.9"},
             {"supports.density=0.3"},
             {"supports.raster_angle_deg=45"},
             {"supports.interface_density=0.5"},

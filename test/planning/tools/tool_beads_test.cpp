@@ -179,6 +179,109 @@ TEST(ToolBeads, OfInterfacesAreThoseOfTheToolThatLaysThem) {
   EXPECT_NEAR(beadOf(PathRole::SupportInterface, settings, kToolLayer).bead.width_mm, 0.6, 1e-12);
 }
 
+TEST(ToolBeads, HaveTheWidthStatedForTheirRoleWhateverTheirTool) {
+  PlanSettings settings = twoNozzles(0.4, 0.8);
+  settings.infill.bead_width_mm = 0.5;
+  settings.skins.bead_width_mm = 0.6;
+  settings.supports.bead_width_mm = 0.7;
+  const auto width = [&](PathRole role) { return beadOf(role, settings, kToolLayer).bead.width_mm; };
+  EXPECT_NEAR(width(PathRole::Infill), 0.5, 1e-12);
+  for (const PathRole role : {PathRole::Skin, PathRole::TopSkin, PathRole::BottomSkin})
+    EXPECT_NEAR(width(role), 0.6, 1e-12);
+  for (const PathRole role : {PathRole::Support, PathRole::SupportInterface})
+    EXPECT_NEAR(width(role), 0.7, 1e-12);
+  for (const PathRole role : {PathRole::OuterWall, PathRole::InnerWall, PathRole::Bridge, PathRole::Ironing,
+                              PathRole::Brim, PathRole::Raft, PathRole::Skirt})
+    EXPECT_NEAR(width(role), 0.4, 1e-12);
+  EXPECT_NEAR(beadOf(PathRole::Infill, settings, kToolLayer).pitch_mm,
+              0.5 - (1.0 - M_PI / 4.0) * kToolLayer, 1e-12);
+  settings.bead.pitch_mm = 0.3;
+  EXPECT_NEAR(beadOf(PathRole::Infill, settings, kToolLayer).pitch_mm, 0.3 * 0.5 / 0.4, 1e-12);
+}
+
+/// One tool, no skirt.
+PlanSettings plainSquare() {
+  PlanSettings settings;
+  settings.skirt.count = 0;
+  return settings;
+}
+
+double lengthAs(PathRole role, const Toolpath& toolpath) {
+  double sum = 0.0;
+  for (const ToolpathLayer& layer : toolpath.layers)
+    for (const Path& path : laidAs(role, layer))
+      for (std::size_t i = 1; i < path.points.size(); ++i) sum += (path.points[i] - path.points[i - 1]).norm();
+  return sum;
+}
+
+double volumeAs(PathRole role, const Toolpath& toolpath) {
+  double sum = 0.0;
+  for (const ToolpathLayer& layer : toolpath.layers)
+    for (const Path& path : laidAs(role, layer)) sum += depositedVolume(path);
+  return sum;
+}
+
+TEST(ToolBeads, WiderBeadsOfInfillLayTheSameVolumeInLessLength) {
+  PlanSettings settings = plainSquare();
+  settings.infill.density = 0.2;
+  settings.infill.links.link = LineLink::None;
+  settings.infill.wall_overlap = 0.0;
+  const Toolpath usual = squareBy(settings);
+  for (const double width_mm : {0.45, 0.6}) {
+    settings.infill.bead_width_mm = width_mm;
+    const Toolpath wide = squareBy(settings);
+    const double edge = (1.0 - M_PI / 4.0) * kToolLayer;
+    EXPECT_NEAR(volumeAs(PathRole::Infill, wide) / volumeAs(PathRole::Infill, usual), 1.0, 0.02) << width_mm;
+    EXPECT_NEAR(lengthAs(PathRole::Infill, wide) / lengthAs(PathRole::Infill, usual),
+                (0.4 - edge) / (width_mm - edge), 0.02)
+        << width_mm;
+    EXPECT_EQ(volumeAs(PathRole::OuterWall, wide), volumeAs(PathRole::OuterWall, usual));
+  }
+}
+
+TEST(ToolBeads, WiderBeadsOfSkinsFillThemExactly) {
+  PlanSettings settings = plainSquare();
+  settings.skins.top_layers = settings.skins.bottom_layers = 10;
+  const Toolpath usual = squareBy(settings);
+  settings.skins.bead_width_mm = 0.5;
+  const Toolpath wide = squareBy(settings);
+  const auto skins = [](const Toolpath& toolpath) {
+    return volumeAs(PathRole::TopSkin, toolpath) + volumeAs(PathRole::Skin, toolpath) +
+           volumeAs(PathRole::BottomSkin, toolpath);
+  };
+  const double inside_mm = 40.0 - 2.0 * (0.2 + 1.5 * (0.4 - (1.0 - M_PI / 4.0) * kToolLayer));
+  EXPECT_NEAR(skins(usual) / (20 * kToolLayer * inside_mm * inside_mm), 1.0, 0.01);
+  EXPECT_NEAR(skins(wide) / skins(usual), 1.0, 0.005);
+  EXPECT_LT(lengthAs(PathRole::Skin, wide), 0.85 * lengthAs(PathRole::Skin, usual));
+}
+
+TEST(ToolBeads, StatedWidthsOfWallsChangeNothing) {
+  PlanSettings settings = plainSquare();
+  settings.skins.top_layers = settings.skins.bottom_layers = 2;
+  const Toolpath before = squareBy(settings);
+  settings.infill.bead_width_mm = settings.skins.bead_width_mm = settings.bead.width_mm;
+  const Toolpath after = squareBy(settings);
+  ASSERT_EQ(before.layers.size(), after.layers.size());
+  for (std::size_t l = 0; l < before.layers.size(); ++l) {
+    ASSERT_EQ(before.layers[l].paths.size(), after.layers[l].paths.size());
+    for (std::size_t p = 0; p < before.layers[l].paths.size(); ++p)
+      EXPECT_EQ(before.layers[l].paths[p].points, after.layers[l].paths[p].points);
+  }
+}
+
+TEST(ToolBeads, StatedWidthsBelowTheLayersHeightAreRefused) {
+  PlanSettings settings = plainSquare();
+  settings.skins.bead_width_mm = 0.15;
+  try {
+    squareBy(settings);
+    FAIL() << "taken";
+  } catch (const InvalidConfig& error) {
+    EXPECT_NE(std::string(error.what()).find("skins.bead_width_mm is 0.15 mm; must be 0 or at least 0.2 mm"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
 TEST(ToolBeads, NozzlesThatAreAlikeChangeNothing) {
   PlanSettings unknown = twoNozzles(0.0, 0.0);
   const Toolpath before = squareBy(unknown);

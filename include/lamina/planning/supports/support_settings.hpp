@@ -21,6 +21,7 @@ struct SupportSettings {
   SupportFoot foot = SupportFoot::Everywhere;
   bool under_bridges = false;  ///< whether bridges are supported too
   double angle_deg = 50.0;     ///< greatest lean of a wall from the layers' normal without support
+  double bead_width_mm = 0.0;  ///< 0: that of walls, in proportion to the nozzles of their tools
   double density = 0.15;
   double raster_angle_deg = 0.0;  ///< of the lines, in all layers; interfaces lie across
   int walls = 0;                  ///< loops round each column

@@ -10,8 +10,9 @@ namespace lamina {
 
 PlanSettings onBed(PlanSettings settings) {
   const FirstLayerSettings& first = settings.first_layer;
-  settings.bead.width_mm *= first.width_factor;
-  settings.bead.pitch_mm *= first.width_factor;
+  for (double* each : {&settings.bead.width_mm, &settings.bead.pitch_mm, &settings.infill.bead_width_mm,
+                       &settings.skins.bead_width_mm, &settings.supports.bead_width_mm})
+    *each *= first.width_factor;
   FeedSettings& feed = settings.feed;
   for (double* each : {&feed.outer_wall_mm_s, &feed.inner_wall_mm_s, &feed.infill_mm_s, &feed.skin_mm_s,
                        &feed.top_skin_mm_s, &feed.bridge_mm_s, &feed.skirt_mm_s, &feed.support_mm_s,

@@ -52,6 +52,8 @@ void describe(SettingsSchema& schema, SupportSettings& supports) {
               "Whether overhangs that bridges span are held up too.");
   schema.number("supports.angle_deg", supports.angle_deg, {0.0, 89.0},
                 "Lean of walls from the layers' normal beyond which they are held up.");
+  schema.number("supports.bead_width_mm", supports.bead_width_mm, {0.0, 100.0},
+                "Width of beads of supports; 0 takes bead.width_mm, in proportion to the nozzles.");
   schema.number("supports.density", supports.density, kDensity, "Part of the columns that is filled.");
   schema.number("supports.raster_angle_deg", supports.raster_angle_deg, {-180.0, 180.0},
                 "Direction of the lines in all layers, from x.");

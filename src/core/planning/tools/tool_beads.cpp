@@ -7,6 +7,31 @@
 #include "planning/tools/tool_order.hpp"
 
 namespace lamina {
+namespace {
+
+bool isSkin(PathRole role) {
+  return role == PathRole::Skin || role == PathRole::TopSkin || role == PathRole::BottomSkin;
+}
+
+/// 0 if none is stated.
+double statedWidth(PathRole role, const PlanSettings& settings) {
+  if (isSkin(role)) return settings.skins.bead_width_mm;
+  if (role == PathRole::Infill) return settings.infill.bead_width_mm;
+  const bool is_support = role == PathRole::Support || role == PathRole::SupportInterface;
+  return is_support ? settings.supports.bead_width_mm : 0.0;
+}
+
+/// Of the width of walls.
+double widthShare(PathRole role, const PlanSettings& settings) {
+  const double stated_mm = statedWidth(role, settings);
+  if (stated_mm > 0.0) return stated_mm / settings.bead.width_mm;
+  // Threads over a gap and what is ironed are spaced as the walls' beads are.
+  if (role == PathRole::Bridge || role == PathRole::Ironing) return 1.0;
+  const std::size_t walls = toolFor(PathRole::OuterWall, settings.tools);
+  return nozzleShare({toolOf(role, settings), walls}, settings.tools);
+}
+
+}  // namespace
 
 double nozzleShare(const ComparedTools& compared, const ToolSettings& settings) {
   if (compared.tool == compared.by || settings.list.empty()) return 1.0;
@@ -18,11 +43,8 @@ double nozzleShare(const ComparedTools& compared, const ToolSettings& settings) 
 }
 
 RoleBead beadOf(PathRole role, const PlanSettings& settings, double height_mm) {
-  // Threads over a gap and what is ironed are spaced as the walls' beads are.
-  const bool is_of_walls = role == PathRole::Bridge || role == PathRole::Ironing;
-  const std::size_t walls = toolFor(PathRole::OuterWall, settings.tools);
-  const double share = is_of_walls ? 1.0 : nozzleShare({toolOf(role, settings), walls}, settings.tools);
   const BeadSettings& bead = settings.bead;
+  const double share = widthShare(role, settings);
   RoleBead of_role;
   of_role.bead = {share * bead.width_mm, height_mm};
   of_role.pitch_mm = bead.pitch_mm > 0.0 ? share * bead.pitch_mm : planWidth(of_role.bead);
@@ -30,8 +52,7 @@ RoleBead beadOf(PathRole role, const PlanSettings& settings, double height_mm) {
 }
 
 const RoleBead& LayerBeads::of(PathRole role) const {
-  const bool is_skin = role == PathRole::Skin || role == PathRole::TopSkin || role == PathRole::BottomSkin;
-  if (is_skin) return skins;
+  if (isSkin(role)) return skins;
   return role == PathRole::Infill ? infill : walls;
 }
 
