@@ -230,7 +230,7 @@ TEST(CellJournal, LosesNothingThatWasAnsweredWhenItsProcessIsKilled) {
 int fillTheDisk(const std::string& path) {
   std::signal(SIGXFSZ, SIG_IGN);
   CellJournal journal(path);
-  const rlimit limit{200'000, 200'000};
+  const rlimit limit{400'000, 400'000};
   setrlimit(RLIMIT_FSIZE, &limit);
   int kept = 0;
   try {

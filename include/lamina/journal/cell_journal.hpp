@@ -42,6 +42,7 @@ struct NewJob {
   std::string machine;
   std::vector<Artefact> artefacts;
   std::string created_by;
+  std::int32_t layers = 0;  ///< of the program; 0 if it does not say
 };
 
 struct QueuedJob {
@@ -55,6 +56,7 @@ struct QueuedJob {
   std::string created_by;
   std::string released_by;
   std::vector<Artefact> artefacts;
+  std::int32_t layers = 0;  ///< of the program; 0 if it does not say
 };
 
 /// How far an execution of a job is.
@@ -116,6 +118,10 @@ class CellJournal {
   /// `.damaged` and a number, and a new one is begun.
   /// @throws FileError if the folder or file cannot be written, or a newer version has written it
   explicit CellJournal(const std::string& path);
+
+  /// Opens a journal for reading, also while its cell works. What would change it is refused.
+  /// @throws FileError if it cannot be read, is damaged, or is not of this version
+  static CellJournal read(const std::string& path);
   ~CellJournal();
   CellJournal(CellJournal&&) noexcept;
   CellJournal& operator=(CellJournal&&) noexcept;
@@ -155,6 +161,9 @@ class CellJournal {
 
   void add(const TransitionRow& row);
   void add(const AlarmRow& row);
+  /// Of all rows of that alarm that wait for it.
+  void acknowledgeAlarm(int alarm, const std::string& by, double time_s);
+  void endAlarm(int alarm, double time_s);
   std::vector<TransitionRow> transitions(std::size_t most) const;  ///< the last, oldest first
   std::vector<AlarmRow> alarms(std::size_t most) const;
 
@@ -171,7 +180,10 @@ class CellJournal {
   void backUp(const std::string& path) const;
 
  private:
+  friend class ExecutionLog;
   struct Store;
+  CellJournal();
+
   std::string moved_aside_;
   std::unique_ptr<Store> store_;
 };

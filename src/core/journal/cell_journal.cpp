@@ -9,6 +9,8 @@
 #include <utility>
 
 #include "journal/database.hpp"
+#include "journal/journal_schema.hpp"
+#include "journal/journal_store.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/sha256.hpp"
 
@@ -17,36 +19,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kVersion = 1;
-
-// Times are seconds since 1970, UTC. What a later version adds is added by statements of its own: files are
-// brought forward, never back.
-constexpr const char* kTables = R"sql(
-CREATE TABLE artefact (id INTEGER PRIMARY KEY, sha256 TEXT NOT NULL UNIQUE, bytes INTEGER NOT NULL, kind TEXT NOT NULL,
-  name TEXT NOT NULL, created REAL NOT NULL) STRICT;
-CREATE TABLE job (id INTEGER PRIMARY KEY AUTOINCREMENT, digest TEXT NOT NULL, name TEXT NOT NULL, part TEXT NOT NULL,
-  machine TEXT NOT NULL, state INTEGER NOT NULL, position INTEGER NOT NULL, created REAL NOT NULL, created_by TEXT NOT NULL,
-  released_by TEXT NOT NULL DEFAULT '', is_removed INTEGER NOT NULL DEFAULT 0) STRICT;
-CREATE TABLE job_artefact (job INTEGER NOT NULL REFERENCES job, artefact INTEGER NOT NULL REFERENCES artefact,
-  kind TEXT NOT NULL, name TEXT NOT NULL, PRIMARY KEY (job, kind, name)) STRICT;
-CREATE TABLE execution (id INTEGER PRIMARY KEY AUTOINCREMENT, job INTEGER NOT NULL REFERENCES job, attempt INTEGER NOT NULL,
-  started REAL NOT NULL, ended REAL, outcome INTEGER, reason TEXT NOT NULL DEFAULT '', operator TEXT NOT NULL) STRICT;
-CREATE UNIQUE INDEX one_open_execution ON execution (ended IS NULL) WHERE ended IS NULL;
-CREATE TABLE progress (execution INTEGER PRIMARY KEY REFERENCES execution, sent_through INTEGER NOT NULL,
-  taken_through INTEGER NOT NULL, layer INTEGER NOT NULL, path_mm REAL NOT NULL, laid_mm3 REAL NOT NULL,
-  updated REAL NOT NULL) STRICT;
-CREATE TABLE transition (id INTEGER PRIMARY KEY, time REAL NOT NULL, mode INTEGER NOT NULL, from_state INTEGER NOT NULL,
-  to_state INTEGER NOT NULL, command INTEGER NOT NULL, source TEXT NOT NULL, reason TEXT NOT NULL) STRICT;
-CREATE TABLE alarm (id INTEGER PRIMARY KEY, execution INTEGER REFERENCES execution, time REAL NOT NULL, alarm INTEGER NOT NULL,
-  value REAL NOT NULL, category TEXT NOT NULL, message TEXT NOT NULL) STRICT;
-CREATE INDEX alarm_by_execution ON alarm (execution, time);
-CREATE TABLE counter (name TEXT PRIMARY KEY, value REAL NOT NULL) STRICT;
-CREATE TABLE audit (id INTEGER PRIMARY KEY AUTOINCREMENT, time REAL NOT NULL, who TEXT NOT NULL, origin TEXT NOT NULL, what TEXT NOT NULL,
-  result TEXT NOT NULL, digest TEXT NOT NULL) STRICT;
-)sql";
-
 constexpr const char* kJobColumns =
-    "SELECT id, name, part, machine, digest, state, position, created_by, released_by FROM job ";
+    "SELECT id, name, part, machine, digest, state, position, created_by, released_by, layers FROM job ";
 
 Database openDatabase(const std::string& path) {
   Database database(path);
@@ -59,11 +33,6 @@ Database openDatabase(const std::string& path) {
 bool isWhole(const Database& database) {
   Statement check = database.prepare("PRAGMA quick_check");
   return check.step() && check.text(0) == "ok";
-}
-
-int versionOf(const Database& database) {
-  Statement version = database.prepare("PRAGMA user_version");
-  return version.step() ? static_cast<int>(version.integer(0)) : 0;
 }
 
 /// The database, with its tables; nothing if it is damaged.
@@ -100,6 +69,7 @@ QueuedJob jobIn(const Statement& row) {
   job.position = row.integer(6);
   job.created_by = row.text(7);
   job.released_by = row.text(8);
+  job.layers = static_cast<std::int32_t>(row.integer(9));
   return job;
 }
 
@@ -146,39 +116,34 @@ std::string jobDigest(const std::vector<Artefact>& artefacts) {
   return sha256Of(text);
 }
 
-struct CellJournal::Store {
-  mutable Database database;
-
-  void requireState(std::int64_t id, JobState expected, const char* to_do) const;
-  void setState(std::int64_t id, JobState state);
-  std::int64_t jobOf(std::int64_t execution) const;
-  void addAudit(const AuditRow& row);
-  void addArtefacts(std::int64_t job, const std::vector<Artefact>& artefacts, double time_s);
-  std::vector<Artefact> artefactsOf(std::int64_t job) const;
-  std::optional<JobState> stateOf(std::int64_t id) const;
-};
-
 CellJournal::CellJournal(const std::string& path) {
   auto database = openWhole(path);
   if (!database) {
     moved_aside_ = moveAside(path);
     database = openDatabase(path);
   }
+  bringUpToDate(*database, path);
   store_ = std::make_unique<Store>(Store{std::move(*database)});
-  const int version = versionOf(store_->database);
-  if (version > kVersion)
-    throw FileError(path + ": written by a newer version of Lamina (" + std::to_string(version) +
-                    "); expected at most " + std::to_string(kVersion));
-  if (version == kVersion) return;
-  Transaction transaction(store_->database);
-  store_->database.run(kTables);
-  store_->database.run("PRAGMA user_version = " + std::to_string(kVersion));
-  transaction.commit();
 }
 
+CellJournal CellJournal::read(const std::string& path) {
+  Database database = Database::toRead(path);
+  requireUpToDate(database, path);
+  CellJournal journal;
+  journal.store_ = std::make_unique<Store>(Store{std::move(database)});
+  return journal;
+}
+
+CellJournal::CellJournal() = default;
 CellJournal::~CellJournal() = default;
 CellJournal::CellJournal(CellJournal&&) noexcept = default;
 CellJournal& CellJournal::operator=(CellJournal&&) noexcept = default;
+
+std::optional<std::int64_t> CellJournal::Store::openExecution() const {
+  Statement row = database.prepare("SELECT id FROM execution WHERE ended IS NULL");
+  if (!row.step()) return std::nullopt;
+  return row.integer(0);
+}
 
 std::optional<JobState> CellJournal::Store::stateOf(std::int64_t id) const {
   Statement row = database.prepare("SELECT state FROM job WHERE id = ? AND is_removed = 0");
@@ -206,17 +171,21 @@ std::int64_t CellJournal::Store::jobOf(std::int64_t execution) const {
   return row.integer(0);
 }
 
+void CellJournal::Store::keepArtefact(const Artefact& artefact, double time_s) {
+  database
+      .prepare("INSERT OR IGNORE INTO artefact (sha256, bytes, kind, name, created) VALUES (?, ?, ?, ?, ?)")
+      .bind(artefact.sha256)
+      .bind(static_cast<std::int64_t>(artefact.bytes))
+      .bind(artefact.kind)
+      .bind(artefact.name)
+      .bind(time_s)
+      .run();
+}
+
 void CellJournal::Store::addArtefacts(std::int64_t job, const std::vector<Artefact>& artefacts,
                                       double time_s) {
   for (const Artefact& artefact : artefacts) {
-    database
-        .prepare("INSERT OR IGNORE INTO artefact (sha256, bytes, kind, name, created) VALUES (?, ?, ?, ?, ?)")
-        .bind(artefact.sha256)
-        .bind(static_cast<std::int64_t>(artefact.bytes))
-        .bind(artefact.kind)
-        .bind(artefact.name)
-        .bind(time_s)
-        .run();
+    keepArtefact(artefact, time_s);
     database
         .prepare(
             "INSERT INTO job_artefact (job, artefact, kind, name) SELECT ?, id, ?, ? FROM artefact WHERE "
@@ -258,14 +227,15 @@ std::int64_t CellJournal::addJob(const NewJob& job, double time_s) {
   Transaction transaction(store_->database);
   store_->database
       .prepare(
-          "INSERT INTO job (digest, name, part, machine, state, position, created, created_by) "
-          "VALUES (?, ?, ?, ?, 1, (SELECT COALESCE(MAX(position), 0) + 1 FROM job), ?, ?)")
+          "INSERT INTO job (digest, name, part, machine, state, position, created, created_by, layers) "
+          "VALUES (?, ?, ?, ?, 1, (SELECT COALESCE(MAX(position), 0) + 1 FROM job), ?, ?, ?)")
       .bind(jobDigest(job.artefacts))
       .bind(job.name)
       .bind(job.part)
       .bind(job.machine)
       .bind(time_s)
       .bind(job.created_by)
+      .bind(std::int64_t{job.layers})
       .run();
   const std::int64_t id = store_->database.lastId();
   store_->addArtefacts(id, job.artefacts, time_s);
@@ -377,6 +347,15 @@ void CellJournal::setProgress(std::int64_t execution, const ExecutionProgress& p
 void CellJournal::interrupt(std::int64_t execution, const std::string& reason, double time_s) {
   Transaction transaction(store_->database);
   store_->setState(store_->jobOf(execution), JobState::Interrupted);
+  store_->database
+      .prepare(
+          "INSERT INTO gap (execution, began, line, reason) SELECT ?1, ?2, COALESCE((SELECT taken_through "
+          "FROM progress WHERE execution = ?1), 0), ?3 "
+          "WHERE NOT EXISTS (SELECT 1 FROM gap WHERE execution = ?1 AND ended IS NULL)")
+      .bind(execution)
+      .bind(time_s)
+      .bind(reason)
+      .run();
   store_->database.prepare("UPDATE execution SET reason = ? WHERE id = ?").bind(reason).bind(execution).run();
   store_->addAudit({time_s, "unit", "", "interrupt execution " + std::to_string(execution), reason});
   transaction.commit();
@@ -385,6 +364,20 @@ void CellJournal::interrupt(std::int64_t execution, const std::string& reason, d
 void CellJournal::goOn(std::int64_t execution, double time_s) {
   Transaction transaction(store_->database);
   store_->setState(store_->jobOf(execution), JobState::Running);
+  // Whoever was killed has not said when the gap began: with the last progress.
+  store_->database
+      .prepare(
+          "INSERT INTO gap (execution, began, line, reason) SELECT execution, updated, taken_through, 'cut "
+          "off' "
+          "FROM progress WHERE execution = ?1 AND NOT EXISTS (SELECT 1 FROM gap WHERE execution = ?1 AND "
+          "ended "
+          "IS NULL)")
+      .bind(execution)
+      .run();
+  store_->database.prepare("UPDATE gap SET ended = ? WHERE execution = ? AND ended IS NULL")
+      .bind(time_s)
+      .bind(execution)
+      .run();
   store_->addAudit({time_s, "unit", "", "go on with execution " + std::to_string(execution), "done"});
   transaction.commit();
 }
@@ -420,8 +413,9 @@ std::optional<OpenExecution> CellJournal::open() const {
 void CellJournal::add(const TransitionRow& row) {
   store_->database
       .prepare(
-          "INSERT INTO transition (time, mode, from_state, to_state, command, source, reason) "
-          "VALUES (?, ?, ?, ?, ?, ?, ?)")
+          "INSERT INTO transition (execution, time, mode, from_state, to_state, command, source, reason) "
+          "VALUES (?, ?, ?, ?, ?, ?, ?, ?)")
+      .bind(store_->openExecution())
       .bind(row.time_s)
       .bind(std::int64_t{row.mode})
       .bind(std::int64_t{row.from})
@@ -433,16 +427,32 @@ void CellJournal::add(const TransitionRow& row) {
 }
 
 void CellJournal::add(const AlarmRow& row) {
-  const auto running = open();
   store_->database
       .prepare(
           "INSERT INTO alarm (execution, time, alarm, value, category, message) VALUES (?, ?, ?, ?, ?, ?)")
-      .bind(running ? std::optional<std::int64_t>(running->id) : std::nullopt)
+      .bind(store_->openExecution())
       .bind(row.time_s)
       .bind(std::int64_t{row.alarm})
       .bind(row.value)
       .bind(std::string(1, row.category))
       .bind(row.message)
+      .run();
+}
+
+void CellJournal::acknowledgeAlarm(int alarm, const std::string& by, double time_s) {
+  store_->database
+      .prepare(
+          "UPDATE alarm SET acknowledged = ?, acknowledged_by = ? WHERE alarm = ? AND acknowledged IS NULL")
+      .bind(time_s)
+      .bind(by)
+      .bind(std::int64_t{alarm})
+      .run();
+}
+
+void CellJournal::endAlarm(int alarm, double time_s) {
+  store_->database.prepare("UPDATE alarm SET gone = ? WHERE alarm = ? AND gone IS NULL")
+      .bind(time_s)
+      .bind(std::int64_t{alarm})
       .run();
 }
 

@@ -61,6 +61,11 @@ Statement& Statement::bind(const std::optional<double>& value) {
   return *this;
 }
 
+Statement& Statement::bind(const std::optional<std::string>& value) {
+  if (value) return bind(*value);
+  return bind(std::optional<double>());
+}
+
 bool Statement::step() {
   const int result = sqlite3_step(statement_.get());
   check(result);
@@ -82,10 +87,13 @@ bool Statement::isNull(int column) const {
   return sqlite3_column_type(statement_.get(), column) == SQLITE_NULL;
 }
 
-Database::Database(const std::string& path) {
+Database::Database(const std::string& path) : Database(path, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE) {}
+
+Database Database::toRead(const std::string& path) { return {path, SQLITE_OPEN_READONLY}; }
+
+Database::Database(const std::string& path, int flags) {
   sqlite3* database = nullptr;
-  const int result = sqlite3_open_v2(
-      path.c_str(), &database, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_NOMUTEX, nullptr);
+  const int result = sqlite3_open_v2(path.c_str(), &database, flags | SQLITE_OPEN_NOMUTEX, nullptr);
   database_.reset(database);
   if (result != SQLITE_OK)
     throw FileError(path + ": " + (database == nullptr ? "no memory" : sqlite3_errmsg(database)));

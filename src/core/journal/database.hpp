@@ -30,6 +30,7 @@ class Statement {
   Statement& bind(const std::string& text);
   Statement& bind(const std::optional<std::int64_t>& value);
   Statement& bind(const std::optional<double>& value);
+  Statement& bind(const std::optional<std::string>& value);
 
   /// @return true if there is a row to read
   /// @throws FileError as SQLite says: locked for too long, disk full, damaged
@@ -61,6 +62,9 @@ class Database {
   /// @throws FileError with path and reason
   explicit Database(const std::string& path);
 
+  /// Opens a file that is there, for reading alone.
+  static Database toRead(const std::string& path);
+
   /// Runs statements without parameters or rows.
   void run(const std::string& sql);
   Statement prepare(const std::string& sql) const { return {database_.get(), sql}; }
@@ -70,6 +74,7 @@ class Database {
   void copyTo(const std::string& path) const;
 
  private:
+  Database(const std::string& path, int flags);
   struct Close {
     void operator()(sqlite3* database) const { sqlite3_close(database); }
   };
