@@ -13,13 +13,13 @@
 namespace lamina {
 namespace {
 
-const PlcInterlocks kAllGiven = {true, true, true, true, true, true, true, false, false};
+const PlcInterlocks kAllGiven = {true, true, true, true, true, true, true, false, false, false};
 
 StartConditions readyToStart() {
   StartConditions found;
   found.job = "bracket";
   found.is_checked = true;
-  found.needs_plc = true;
+  found.plc_need = PlcNeed::Required;
   found.plc = kAllGiven;
   found.clock_offset_s = 0.001;
   found.needs_clouds = true;
@@ -43,6 +43,7 @@ TEST(Guards, EachStopsTheStartAlone) {
       {1204, [](StartConditions& found) { found.plc.is_zone_taken = true; }},
       {1205, [](StartConditions& found) { found.plc.has_gas = false; }},
       {1206, [](StartConditions& found) { found.plc.is_blocked = true; }},
+      {1312, [](StartConditions& found) { found.plc.is_emergency_stop_pressed = true; }},
       {8003, [](StartConditions& found) { found.clock_offset_s = -0.006; }},
       {7003, [](StartConditions& found) { found.journal_error = "read-only"; }},
       {7002, [](StartConditions& found) { found.free_bytes = 1e9; }},
@@ -72,7 +73,7 @@ TEST(Guards, AreAllToldAtOnce) {
 
 TEST(Guards, LeaveOutWhatTheCellDoesNotHave) {
   StartConditions found = readyToStart();
-  found.needs_plc = false;
+  found.plc_need = PlcNeed::None;
   found.plc = {};
   found.clock_offset_s.reset();
   found.unready = {"bed is cold"};
@@ -90,6 +91,28 @@ TEST(Guards, HoldAUnitThatIsNotSureOfItself) {
   const std::vector<UnmetGuard> unmet = againstContinuing(found);
   ASSERT_EQ(unmet.size(), 3U);
   EXPECT_EQ(unmet[2].code, 8002);
+}
+
+TEST(Guards, HearOfAPlcThatIsNotRequiredWhatItForbids) {
+  PlcInterlocks said;
+  EXPECT_TRUE(againstPlc(said, PlcNeed::None).empty());
+  said.is_zone_taken = true;
+  EXPECT_TRUE(againstPlc(said, PlcNeed::None).empty()) << "it is not alive";
+  said.is_alive = true;
+  ASSERT_EQ(againstPlc(said, PlcNeed::None).size(), 1U);
+  EXPECT_EQ(againstPlc(said, PlcNeed::None).front().code, 1204);
+  EXPECT_EQ(againstPlc(said, PlcNeed::Required).size(), 4U) << "plate, clamp and material are missing, too";
+}
+
+TEST(Guards, LetAPartGoOnThatCannotBeTakenAwayYet) {
+  ContinueConditions found;
+  found.is_position_known = true;
+  found.plc_need = PlcNeed::Required;
+  found.plc = kAllGiven;
+  found.plc.is_blocked = true;
+  EXPECT_TRUE(againstContinuing(found).empty());
+  found.plc.is_zone_taken = true;
+  EXPECT_EQ(againstContinuing(found).size(), 1U);
 }
 
 TEST(UnitCounters, RollOverAsTheStandardsTagsDo) {

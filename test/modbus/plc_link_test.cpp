@@ -43,6 +43,7 @@ int exceptionOf(const std::string& answer) {
 PlcLink openLink() {
   PlcLink link{PlcLinkSettings{}};
   link.setRemoteAccess(RemoteAccess::Allowed);
+  link.setPresence(UnitPresence::Present, 0.0);
   return link;
 }
 
@@ -173,6 +174,7 @@ TEST(PlcLink, TakesACommandOnceWhenItsSequenceChanges) {
 
 TEST(PlcLink, AnswersByItselfWhatCannotBeFollowed) {
   PlcLink link{PlcLinkSettings{}};
+  link.setPresence(UnitPresence::Present, 0.0);
   link.answer(1, writing(1, {2, 1}), 0.0);
   EXPECT_TRUE(link.takeOrders().empty());
   EXPECT_EQ(link.registers(0.0)[14], 4) << "remote access is locked";
@@ -209,13 +211,12 @@ TEST(PlcLink, LetsOneConnectionWrite) {
 TEST(PlcLink, WatchesTheHeartbeatOnceItHasComeWithAccess) {
   PlcLink link{PlcLinkSettings{}};
   link.answer(1, writing(0, {1}), 0.0);
-  EXPECT_EQ(link.watch(100.0), WatchdogEvent::Nothing) << "not armed";
+  EXPECT_EQ(link.watch(100.0), PlcHeartbeat::Unarmed);
   link.setRemoteAccess(RemoteAccess::Allowed);
   link.answer(1, writing(0, {2}), 100.0);
   EXPECT_TRUE(link.isAlive());
-  EXPECT_EQ(link.watch(102.0), WatchdogEvent::Nothing);
-  EXPECT_EQ(link.watch(102.1), WatchdogEvent::Lost);
-  EXPECT_EQ(link.watch(102.2), WatchdogEvent::Nothing) << "told once";
+  EXPECT_EQ(link.watch(102.0), PlcHeartbeat::Good);
+  EXPECT_EQ(link.watch(102.1), PlcHeartbeat::Lost);
   EXPECT_FALSE(link.isAlive());
   EXPECT_EQ(exceptionOf(link.answer(2, writing(8, {15}), 102.25)), 0)
       << "a new connection of a PLC that was cut off";
@@ -224,22 +225,23 @@ TEST(PlcLink, WatchesTheHeartbeatOnceItHasComeWithAccess) {
   EXPECT_TRUE(link.takeOrders().empty());
   EXPECT_EQ(link.registers(102.3)[14], 9);
   link.answer(1, writing(0, {2}), 103.0);
-  EXPECT_EQ(link.watch(103.0), WatchdogEvent::Nothing) << "the same heartbeat is none";
+  EXPECT_EQ(link.watch(103.0), PlcHeartbeat::Lost) << "the same heartbeat is none";
   link.answer(1, writing(0, {3}), 104.0);
-  EXPECT_EQ(link.watch(104.0), WatchdogEvent::Back);
-  EXPECT_EQ(link.watch(106.1), WatchdogEvent::Lost);
-  EXPECT_EQ(link.watch(404.0), WatchdogEvent::Nothing);
-  EXPECT_EQ(link.watch(404.1), WatchdogEvent::Abandoned);
+  EXPECT_EQ(link.watch(104.0), PlcHeartbeat::Good);
+  EXPECT_EQ(link.watch(106.1), PlcHeartbeat::Lost);
+  EXPECT_EQ(link.watch(404.0), PlcHeartbeat::Lost);
+  EXPECT_EQ(link.watch(404.1), PlcHeartbeat::Abandoned);
 }
 
-TEST(PlcLink, SaysNothingOfASilentPlcIfAskedNotTo) {
-  PlcLinkSettings settings;
-  settings.watchdog_action = WatchdogAction::None;
-  PlcLink link(settings);
-  link.setRemoteAccess(RemoteAccess::Allowed);
-  link.answer(1, writing(0, {1}), 0.0);
-  EXPECT_EQ(link.watch(50.0), WatchdogEvent::Nothing);
-  EXPECT_FALSE(link.isAlive()) << "its interlocks count as not given";
+TEST(PlcLink, StandsStillWhileTheUnitIsLost) {
+  PlcLink link = openLink();
+  EXPECT_EQ(link.registers(10.0)[1], 20);
+  link.setPresence(UnitPresence::Lost, 11.0);
+  link.setPresence(UnitPresence::Lost, 12.0);
+  EXPECT_EQ(link.registers(20.0)[1], 22);
+  link.answer(1, writing(1, {2, 1}), 20.0);
+  EXPECT_TRUE(link.takeOrders().empty());
+  EXPECT_EQ(link.registers(20.0)[14], 7) << "busy";
 }
 
 TEST(PlcLink, BeatsTwiceASecond) {

@@ -22,7 +22,16 @@ struct PlcInterlocks {
   bool is_plate_clamped = false;
   bool is_zone_taken = false;
   bool is_blocked = false;  ///< parts cannot be taken away
+  bool is_emergency_stop_pressed = false;
 };
+
+/// Whether a unit runs only beside a PLC.
+enum class PlcNeed : std::uint8_t { None, Required };
+
+/// What a PLC says against running, in the order of its codes. Where it is required, what it does not give is
+/// missing, and all of it is if its heartbeat does not come. Where it is not, only what it forbids counts,
+/// while its heartbeat comes.
+std::vector<UnmetGuard> againstPlc(const PlcInterlocks& plc, PlcNeed need);
 
 /// What has to be true before the unit starts, as found just now.
 struct StartConditions {
@@ -34,7 +43,7 @@ struct StartConditions {
   bool runs_startup = false;         ///< Starting runs the start-up itself
   bool is_checked = false;           ///< the program was checked for this machine
   bool is_part_removed = true;       ///< the last one
-  bool needs_plc = false;
+  PlcNeed plc_need = PlcNeed::None;
   PlcInterlocks plc;
   std::optional<double> clock_offset_s;  ///< to the host of the sensor; nothing if there is one host
   bool needs_clouds = false;             ///< the job measures layers
@@ -51,7 +60,7 @@ std::vector<UnmetGuard> againstStart(const StartConditions& found);
 struct ContinueConditions {
   bool is_position_known = false;
   std::vector<std::string> out_of_band;  ///< temperatures, each with value and band
-  bool needs_plc = false;
+  PlcNeed plc_need = PlcNeed::None;
   PlcInterlocks plc;
   bool has_master = true;  ///< the ROS master answers
 };

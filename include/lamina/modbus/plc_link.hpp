@@ -7,19 +7,16 @@
 #include <string>
 #include <vector>
 
+#include "lamina/cell/plc_watch.hpp"
 #include "lamina/modbus/modbus_frame.hpp"
 #include "lamina/modbus/register_map.hpp"
 
 namespace lamina {
 
-/// What the PLC's silence leads to.
-enum class WatchdogAction : std::uint8_t { Hold, Stop, None };
-
 struct PlcLinkSettings {
   WordOrder word_order = WordOrder::HighFirst;
   double watchdog_s = 2.0;   ///< without a change of the heartbeat
-  double abandon_s = 300.0;  ///< of silence while the unit is held: it is stopped
-  WatchdogAction watchdog_action = WatchdogAction::Hold;
+  double abandon_s = 300.0;  ///< of silence after which a held unit is stopped
 };
 
 /// Who may command: only maintenance changes it.
@@ -33,13 +30,8 @@ struct PlcOrder {
   std::uint16_t sequence = 0;
 };
 
-/// What the watchdog has found since it was last asked.
-enum class WatchdogEvent : std::uint8_t {
-  Nothing,
-  Lost,       ///< raise 2101
-  Back,       ///< end 2101
-  Abandoned,  ///< stop a held unit
-};
+/// Whether the cell says how the unit is.
+enum class UnitPresence : std::uint8_t { Lost, Present };
 
 /// The PLC's end of the unit: answers requests from the registers, and finds in them what is asked for. Takes
 /// requests and times, gives answers and orders; no network.
@@ -59,6 +51,10 @@ class PlcLink {
   void setRemoteAccess(RemoteAccess access) { access_ = access; }
   void setStatus(const PlcStatus& status) { status_ = status; }
 
+  /// While the unit is lost, as it is at first, Lamina's heartbeat stands still and commands are answered
+  /// Busy.
+  void setPresence(UnitPresence presence, double now_s);
+
   /// The orders since the last call, oldest first. What cannot be followed was answered and is not among
   /// them: commands while remote access is locked, or while the watchdog is lost, but for Stop, Hold and
   /// Abort.
@@ -68,10 +64,10 @@ class PlcLink {
   void setResult(const PlcOrder& order, CommandResult result);
 
   /// Looks at the heartbeat. The watchdog is armed by the first change of the heartbeat while remote access
-  /// is allowed; an event comes once, and none if the watchdog has no action.
-  WatchdogEvent watch(double now_s);
+  /// is allowed.
+  PlcHeartbeat watch(double now_s);
 
-  bool isAlive() const { return watchdog_ == Watchdog::Good; }
+  bool isAlive() const { return watchdog_ == PlcHeartbeat::Good; }
 
   /// As written last.
   PlcInputs inputs() const { return plcInputs(holding_, settings_.word_order); }
@@ -80,20 +76,19 @@ class PlcLink {
   InputRegisters registers(double now_s) const;
 
  private:
-  enum class Watchdog : std::uint8_t { Unarmed, Good, Lost, Abandoned };
-
   std::optional<ModbusException> write(int connection, const ModbusRequest& request, double now_s);
   void findOrders(const PlcInputs& before);
   void order(const PlcOrder& order);
-  WatchdogEvent changeOfHeartbeat(double silent_s);
 
   PlcLinkSettings settings_;
   RemoteAccess access_ = RemoteAccess::Locked;
   PlcStatus status_;
+  UnitPresence presence_ = UnitPresence::Lost;
+  double lost_s_ = 0.0;  ///< when the unit was lost
   LinkFigures figures_;
   HoldingRegisters holding_{};
   std::optional<int> writer_;
-  Watchdog watchdog_ = Watchdog::Unarmed;
+  PlcHeartbeat watchdog_ = PlcHeartbeat::Unarmed;
   double heard_s_ = 0.0;
   bool was_refused_ = false;
   std::vector<PlcOrder> orders_;

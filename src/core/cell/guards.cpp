@@ -10,22 +10,28 @@
 namespace lamina {
 namespace {
 
-constexpr double kLargestClockOffset = 0.005;           // [s]
+constexpr double kLargestClockOffset = 0.005;  // [s]
+constexpr int kBlocked = 1206;
 constexpr double kSmallestDisk = 1024.0 * 1024 * 1024;  // [bytes]
 
-std::vector<UnmetGuard> againstInterlocks(const PlcInterlocks& plc) {
-  if (!plc.is_alive) return {{2101, "the PLC's heartbeat does not come; its interlocks count as not given"}};
+std::vector<UnmetGuard> notGiven(const PlcInterlocks& plc) {
   std::vector<UnmetGuard> unmet;
   if (!plc.is_plate_there) unmet.push_back({1201, "the PLC reports no build plate"});
   if (!plc.is_plate_clamped) unmet.push_back({1202, "the PLC reports the build plate not clamped"});
-  if (plc.is_zone_taken) unmet.push_back({1204, "the PLC reports another robot in the zone"});
   std::vector<std::string> missing;
   if (!plc.has_material) missing.emplace_back("material");
   if (!plc.has_gas) missing.emplace_back("gas");
   if (!plc.has_cooling) missing.emplace_back("cooling");
   if (!plc.has_vacuum) missing.emplace_back("vacuum");
   if (!missing.empty()) unmet.push_back({1205, "the PLC reports no " + listed(missing)});
-  if (plc.is_blocked) unmet.push_back({1206, "the PLC reports that parts cannot be taken away"});
+  return unmet;
+}
+
+std::vector<UnmetGuard> forbidden(const PlcInterlocks& plc) {
+  std::vector<UnmetGuard> unmet;
+  if (plc.is_zone_taken) unmet.push_back({1204, "the PLC reports another robot in the zone"});
+  if (plc.is_blocked) unmet.push_back({kBlocked, "the PLC reports that parts cannot be taken away"});
+  if (plc.is_emergency_stop_pressed) unmet.push_back({1312, "the PLC reports the emergency stop pressed"});
   return unmet;
 }
 
@@ -41,6 +47,16 @@ std::vector<UnmetGuard> inOrder(std::vector<UnmetGuard> unmet) {
 
 }  // namespace
 
+std::vector<UnmetGuard> againstPlc(const PlcInterlocks& plc, PlcNeed need) {
+  const bool is_required = need == PlcNeed::Required;
+  if (!plc.is_alive && is_required)
+    return {{2101, "the PLC's heartbeat does not come; its interlocks count as not given"}};
+  std::vector<UnmetGuard> unmet;
+  if (is_required) append(unmet, notGiven(plc));
+  if (plc.is_alive) append(unmet, forbidden(plc));
+  return inOrder(std::move(unmet));
+}
+
 std::vector<UnmetGuard> againstStart(const StartConditions& found) {
   std::vector<UnmetGuard> unmet;
   if (found.mode != kProduction)
@@ -53,7 +69,7 @@ std::vector<UnmetGuard> againstStart(const StartConditions& found) {
   if (!found.loop_blocked.empty())
     unmet.push_back({1305, "the height loop is blocked: " + found.loop_blocked});
   if (!found.is_part_removed) unmet.push_back({1203, "the last part was not confirmed as removed"});
-  if (found.needs_plc) append(unmet, againstInterlocks(found.plc));
+  append(unmet, againstPlc(found.plc, found.plc_need));
   if (found.needs_clouds && found.clock_offset_s && std::abs(*found.clock_offset_s) > kLargestClockOffset)
     unmet.push_back({8003, "the sensor's clock is off by " +
                                std::to_string(std::lround(*found.clock_offset_s * 1e3)) +
@@ -73,7 +89,8 @@ std::vector<UnmetGuard> againstContinuing(const ContinueConditions& found) {
   std::vector<UnmetGuard> unmet;
   if (!found.is_position_known) unmet.push_back({1306, "the position is not known; home or prove it first"});
   if (!found.out_of_band.empty()) unmet.push_back({1307, "out of band: " + listed(found.out_of_band)});
-  if (found.needs_plc) append(unmet, againstInterlocks(found.plc));
+  for (const UnmetGuard& guard : againstPlc(found.plc, found.plc_need))
+    if (guard.code != kBlocked) unmet.push_back(guard);  // a part under way is in nobody's way
   if (!found.has_master) unmet.push_back({8002, "the ROS master does not answer"});
   return inOrder(std::move(unmet));
 }

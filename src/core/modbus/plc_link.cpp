@@ -54,7 +54,8 @@ std::optional<ModbusException> PlcLink::write(int connection, const ModbusReques
   if (inputs().heartbeat != before.heartbeat) {
     figures_.plc_heartbeat = inputs().heartbeat;
     heard_s_ = now_s;
-    if (watchdog_ == Watchdog::Unarmed && access_ == RemoteAccess::Allowed) watchdog_ = Watchdog::Good;
+    if (watchdog_ == PlcHeartbeat::Unarmed && access_ == RemoteAccess::Allowed)
+      watchdog_ = PlcHeartbeat::Good;
   }
   findOrders(before);
   return std::nullopt;
@@ -80,8 +81,9 @@ void PlcLink::order(const PlcOrder& order) {
   if (is_command && !unitCommand(static_cast<int>(std::min<std::uint32_t>(order.value, 1000))))
     return setResult(order, CommandResult::BadValue);
   if (access_ == RemoteAccess::Locked && !stops) return setResult(order, CommandResult::RemoteLocked);
-  if ((watchdog_ == Watchdog::Lost || watchdog_ == Watchdog::Abandoned) && !stops)
+  if ((watchdog_ == PlcHeartbeat::Lost || watchdog_ == PlcHeartbeat::Abandoned) && !stops)
     return setResult(order, CommandResult::WatchdogLost);
+  if (presence_ == UnitPresence::Lost) return setResult(order, CommandResult::Busy);
   orders_.push_back(order);
 }
 
@@ -99,27 +101,22 @@ void PlcLink::setResult(const PlcOrder& order, CommandResult result) {
   figures_.last_command = static_cast<std::uint16_t>(order.value);
 }
 
-WatchdogEvent PlcLink::watch(double now_s) {
-  const WatchdogEvent event = changeOfHeartbeat(now_s - heard_s_);
-  return settings_.watchdog_action == WatchdogAction::None ? WatchdogEvent::Nothing : event;
+void PlcLink::setPresence(UnitPresence presence, double now_s) {
+  if (presence == UnitPresence::Lost && presence_ == UnitPresence::Present) lost_s_ = now_s;
+  presence_ = presence;
 }
 
-WatchdogEvent PlcLink::changeOfHeartbeat(double silent_s) {
-  if (watchdog_ == Watchdog::Unarmed) return WatchdogEvent::Nothing;
-  if (silent_s <= settings_.watchdog_s) {
-    const bool was_lost = std::exchange(watchdog_, Watchdog::Good) != Watchdog::Good;
-    return was_lost ? WatchdogEvent::Back : WatchdogEvent::Nothing;
-  }
-  if (watchdog_ == Watchdog::Good) {
-    watchdog_ = Watchdog::Lost;
+PlcHeartbeat PlcLink::watch(double now_s) {
+  const double silent_s = now_s - heard_s_;
+  if (watchdog_ == PlcHeartbeat::Unarmed) return watchdog_;
+  if (silent_s <= settings_.watchdog_s) return watchdog_ = PlcHeartbeat::Good;
+  if (watchdog_ == PlcHeartbeat::Good) {
+    watchdog_ = PlcHeartbeat::Lost;
     writer_.reset();  // its connection may be a dead one: whoever calls next may write
-    return WatchdogEvent::Lost;
+  } else if (silent_s > settings_.abandon_s) {
+    watchdog_ = PlcHeartbeat::Abandoned;
   }
-  if (watchdog_ == Watchdog::Lost && silent_s > settings_.abandon_s) {
-    watchdog_ = Watchdog::Abandoned;
-    return WatchdogEvent::Abandoned;
-  }
-  return WatchdogEvent::Nothing;
+  return watchdog_;
 }
 
 InputRegisters PlcLink::registers(double now_s) const {
@@ -128,7 +125,9 @@ InputRegisters PlcLink::registers(double now_s) const {
   if (access_ == RemoteAccess::Allowed) status.flags.push_back(StatusFlag::RemoteAllowed);
   if (was_refused_) status.flags.push_back(StatusFlag::CommandRefused);
   LinkFigures figures = figures_;
-  figures.heartbeat = static_cast<std::uint16_t>(std::fmod(std::floor(now_s / kHeartbeatInterval), 65536.0));
+  const double beats_s = presence_ == UnitPresence::Present ? now_s : lost_s_;
+  figures.heartbeat =
+      static_cast<std::uint16_t>(std::fmod(std::floor(beats_s / kHeartbeatInterval), 65536.0));
   return inputRegisters(status, figures, settings_.word_order);
 }
 

@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/cell/plc_watch.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace lamina {
+namespace {
+
+constexpr int kPlcSilent = 2101;
+constexpr double kLongestLinkSilence = 2.0;  // [s] of a link that speaks twice a second
+
+bool isAtRest(UnitState state) {
+  switch (state) {
+    case UnitState::Stopped:
+    case UnitState::Resetting:
+    case UnitState::Idle:
+    case UnitState::Completing:
+    case UnitState::Complete:
+    case UnitState::Aborted:
+    case UnitState::Clearing:
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool isWaiting(UnitState state) { return state == UnitState::Held || state == UnitState::Suspended; }
+
+bool isSuspension(int alarm) { return alarm >= 1201 && alarm <= 1206; }
+
+/// These stand in the way of a part that is being printed; 1203 and 1206 only of the next one.
+bool suspends(int alarm) { return alarm == 1201 || alarm == 1202 || alarm == 1204 || alarm == 1205; }
+
+}  // namespace
+
+void PlcWatch::hear(const PlcReport& report, double now_s) {
+  const auto before = std::exchange(report_, report);
+  heard_s_ = now_s;
+  if (!before) return;
+  is_removal_new_ = is_removal_new_ || (report.is_part_removed && !before->is_part_removed);
+  const auto is_new = [&](PlcHeartbeat heartbeat) {
+    return report.heartbeat == heartbeat && before->heartbeat != heartbeat;
+  };
+  const bool stops = report.on_silence == WatchdogAction::Stop && is_new(PlcHeartbeat::Lost);
+  const bool abandons = report.on_silence != WatchdogAction::None && is_new(PlcHeartbeat::Abandoned);
+  is_stop_due_ = is_stop_due_ || stops || abandons;
+}
+
+PlcInterlocks PlcWatch::interlocks(double now_s) const {
+  PlcInterlocks found = report_ ? report_->interlocks : PlcInterlocks{};
+  found.is_alive = found.is_alive && now_s - heard_s_ <= kLongestLinkSilence;
+  return found;
+}
+
+PlcDemands PlcWatch::demands(const UnitStatus& unit, double now_s) {
+  PlcDemands demands;
+  const std::vector<PlcAlarm> present = causes(unit, now_s);
+  std::set<int> there;
+  for (const PlcAlarm& alarm : present) {
+    there.insert(alarm.id);
+    if (raised_.count(alarm.id) == 0) demands.raised.push_back(alarm);
+  }
+  for (const int id : raised_)
+    if (there.count(id) == 0) demands.ended.push_back(id);
+  raised_ = std::move(there);
+  demands.is_part_removed = std::exchange(is_removal_new_, false) && isAtRest(unit.state);
+  if (demands.raised.empty() && demands.ended.empty()) demands.command = ordered(unit);
+  return demands;
+}
+
+/// What is there now and counts as an alarm. While the PLC is not heard, what it said last stays as it is.
+std::vector<PlcAlarm> PlcWatch::causes(const UnitStatus& unit, double now_s) {
+  std::vector<PlcAlarm> present;
+  const PlcInterlocks found = interlocks(now_s);
+  for (const UnmetGuard& guard :
+       againstPlc(found, settings_.is_required ? PlcNeed::Required : PlcNeed::None)) {
+    const bool is_raised = raised_.count(guard.code) != 0;
+    const bool counts = unit.state == UnitState::Execute || (is_raised && !isAtRest(unit.state));
+    if (suspends(guard.code) && counts) present.push_back({guard.code, guard.sentence});
+  }
+  if (!found.is_alive && !isAtRest(unit.state))
+    for (const int id : raised_)
+      if (isSuspension(id)) present.push_back({id, ""});
+  if (const auto silent = silence(unit, now_s)) present.push_back({kPlcSilent, *silent});
+  return present;
+}
+
+std::optional<std::string> PlcWatch::silence(const UnitStatus& unit, double now_s) {
+  const bool is_link_heard = report_ && now_s - heard_s_ <= kLongestLinkSilence;
+  const PlcHeartbeat heartbeat = report_ ? report_->heartbeat : PlcHeartbeat::Unarmed;
+  const bool is_lost = heartbeat == PlcHeartbeat::Lost || heartbeat == PlcHeartbeat::Abandoned;
+  if (is_link_heard && is_lost && report_->on_silence != WatchdogAction::None)
+    return "the PLC's heartbeat does not come";
+  const bool is_missing = settings_.is_required && !isAtRest(unit.state) &&
+                          (!is_link_heard || heartbeat == PlcHeartbeat::Unarmed);
+  if (!is_missing) {
+    missing_since_s_.reset();
+    // A link that dies says nothing new: the alarm that it has raised stays.
+    if (!is_link_heard && is_lost && raised_.count(kPlcSilent) != 0) return "the PLC's link is silent";
+    return std::nullopt;
+  }
+  if (!missing_since_s_) missing_since_s_ = now_s;
+  if (raised_.count(kPlcSilent) == 0 && now_s - *missing_since_s_ <= settings_.patience_s)
+    return std::nullopt;
+  return is_link_heard ? "the PLC, which is required, has not called"
+                       : "the link to the PLC, which is required, is silent";
+}
+
+std::optional<UnitCommand> PlcWatch::ordered(const UnitStatus& unit) {
+  if (std::exchange(is_stop_due_, false)) {
+    const bool is_abandoned = report_->heartbeat == PlcHeartbeat::Abandoned;
+    if (is_abandoned ? isWaiting(unit.state) : !isAtRest(unit.state)) return UnitCommand::Stop;
+  }
+  const bool is_ours =
+      unit.state == UnitState::Suspended && unit.stop_reason && isSuspension(unit.stop_reason->id);
+  if (!settings_.unsuspends || !is_ours || unsuspended_ == unit.sequence) return std::nullopt;
+  if (!raised_.empty() || !unit.alarms.from(AlarmCategory::Suspend).empty()) return std::nullopt;
+  unsuspended_ = unit.sequence;
+  return UnitCommand::Unsuspend;
+}
+
+}  // namespace lamina

@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/cell/plc_watch.hpp"
+
+#include <gtest/gtest.h>
+
+#include <optional>
+#include <vector>
+
+namespace lamina {
+namespace {
+
+PlcReport goodReport() {
+  PlcReport report;
+  report.heartbeat = PlcHeartbeat::Good;
+  report.interlocks = {true, true, true, true, true, true, true, false, false, false};
+  return report;
+}
+
+PlcReport lostReport(WatchdogAction action) {
+  PlcReport report = goodReport();
+  report.heartbeat = PlcHeartbeat::Lost;
+  report.interlocks.is_alive = false;
+  report.on_silence = action;
+  return report;
+}
+
+UnitStatus statusIn(UnitState state) {
+  UnitStatus unit;
+  unit.state = state;
+  unit.sequence = 7;
+  return unit;
+}
+
+UnitStatus suspendedBy(int alarm) {
+  UnitStatus unit = statusIn(UnitState::Suspended);
+  unit.stop_reason = ActiveAlarm{};
+  unit.stop_reason->id = static_cast<std::uint16_t>(alarm);
+  return unit;
+}
+
+std::vector<int> idsOf(const std::vector<PlcAlarm>& alarms) {
+  std::vector<int> ids;
+  for (const PlcAlarm& alarm : alarms) ids.push_back(alarm.id);
+  return ids;
+}
+
+TEST(PlcWatch, DoesNothingWithoutAPlc) {
+  PlcWatch watch({});
+  const PlcDemands demands = watch.demands(statusIn(UnitState::Execute), 1000.0);
+  EXPECT_TRUE(demands.raised.empty() && demands.ended.empty() && !demands.command);
+  EXPECT_FALSE(watch.interlocks(1000.0).is_alive);
+}
+
+TEST(PlcWatch, SuspendsForAZoneThatIsTakenAndGoesOnWhenItIsFree) {
+  PlcWatch watch({});
+  PlcReport report = goodReport();
+  report.interlocks.is_zone_taken = true;
+  watch.hear(report, 0.0);
+  EXPECT_TRUE(watch.demands(statusIn(UnitState::Starting), 0.0).raised.empty())
+      << "nothing there can be suspended";
+  EXPECT_EQ(idsOf(watch.demands(statusIn(UnitState::Execute), 0.0).raised), (std::vector<int>{1204}));
+  const UnitStatus suspended = suspendedBy(1204);
+  const PlcDemands again = watch.demands(suspended, 0.1);
+  EXPECT_TRUE(again.raised.empty()) << "told once";
+  EXPECT_FALSE(again.command);
+  report.interlocks.is_zone_taken = false;
+  watch.hear(report, 0.2);
+  EXPECT_EQ(watch.demands(suspended, 0.2).ended, (std::vector<int>{1204}));
+  EXPECT_EQ(watch.demands(suspended, 0.3).command, UnitCommand::Unsuspend);
+  EXPECT_FALSE(watch.demands(suspended, 0.4).command) << "ordered once";
+}
+
+TEST(PlcWatch, LeavesASuspensionByAnybodyElse) {
+  PlcWatch watch({});
+  watch.hear(goodReport(), 0.0);
+  EXPECT_FALSE(watch.demands(statusIn(UnitState::Suspended), 0.0).command);
+  PlcWatchSettings settings;
+  settings.unsuspends = false;
+  PlcWatch waiting(settings);
+  waiting.hear(goodReport(), 0.0);
+  EXPECT_FALSE(waiting.demands(suspendedBy(1204), 0.0).command);
+}
+
+TEST(PlcWatch, NeedsPlateAndMaterialOnlyWhereThePlcIsRequired) {
+  PlcReport report = goodReport();
+  report.interlocks.is_plate_there = report.interlocks.is_plate_clamped = false;
+  report.interlocks.has_gas = false;
+  report.interlocks.is_blocked = true;
+  PlcWatch beside({});
+  beside.hear(report, 0.0);
+  EXPECT_TRUE(beside.demands(statusIn(UnitState::Execute), 0.0).raised.empty());
+  PlcWatchSettings settings;
+  settings.is_required = true;
+  PlcWatch required(settings);
+  required.hear(report, 0.0);
+  EXPECT_EQ(idsOf(required.demands(statusIn(UnitState::Execute), 0.0).raised),
+            (std::vector<int>{1201, 1202, 1205}))
+      << "blocked stands against the next part alone";
+  EXPECT_EQ(required.demands(statusIn(UnitState::Stopped), 0.1).ended.size(), 3U);
+}
+
+TEST(PlcWatch, RaisesTheSilenceOfAPlcThatHasCalled) {
+  PlcWatch watch({});
+  watch.hear(goodReport(), 0.0);
+  EXPECT_TRUE(watch.demands(statusIn(UnitState::Held), 0.0).raised.empty());
+  watch.hear(lostReport(WatchdogAction::Hold), 1.0);
+  const PlcDemands lost = watch.demands(statusIn(UnitState::Held), 1.0);
+  EXPECT_EQ(idsOf(lost.raised), (std::vector<int>{2101}));
+  EXPECT_FALSE(lost.command);
+  EXPECT_TRUE(watch.demands(statusIn(UnitState::Held), 10.0).ended.empty()) << "nor by a link that dies";
+  PlcReport abandoned = lostReport(WatchdogAction::Hold);
+  abandoned.heartbeat = PlcHeartbeat::Abandoned;
+  watch.hear(abandoned, 11.0);
+  EXPECT_EQ(watch.demands(statusIn(UnitState::Held), 11.0).command, UnitCommand::Stop);
+  EXPECT_FALSE(watch.demands(statusIn(UnitState::Stopping), 11.1).command);
+  watch.hear(goodReport(), 12.0);
+  EXPECT_EQ(watch.demands(statusIn(UnitState::Stopped), 12.0).ended, (std::vector<int>{2101}));
+}
+
+TEST(PlcWatch, StopsOrDoesNothingIfAskedTo) {
+  PlcWatch stops({});
+  stops.hear(goodReport(), 0.0);
+  stops.hear(lostReport(WatchdogAction::Stop), 1.0);
+  EXPECT_EQ(stops.demands(statusIn(UnitState::Execute), 1.0).raised.size(), 1U);
+  EXPECT_EQ(stops.demands(statusIn(UnitState::Holding), 1.1).command, UnitCommand::Stop);
+  EXPECT_FALSE(stops.demands(statusIn(UnitState::Stopping), 1.2).command);
+  PlcWatch ignores({});
+  ignores.hear(goodReport(), 0.0);
+  ignores.hear(lostReport(WatchdogAction::None), 1.0);
+  const PlcDemands demands = ignores.demands(statusIn(UnitState::Execute), 1.0);
+  EXPECT_TRUE(demands.raised.empty() && !demands.command);
+  EXPECT_FALSE(ignores.interlocks(1.0).is_alive) << "its interlocks count as not given";
+}
+
+TEST(PlcWatch, WaitsForALinkThatIsRequiredWithPatience) {
+  PlcWatchSettings settings;
+  settings.is_required = true;
+  settings.patience_s = 10.0;
+  PlcWatch watch(settings);
+  EXPECT_TRUE(watch.demands(statusIn(UnitState::Stopped), 0.0).raised.empty());
+  EXPECT_TRUE(watch.demands(statusIn(UnitState::Execute), 1.0).raised.empty());
+  EXPECT_TRUE(watch.demands(statusIn(UnitState::Execute), 11.0).raised.empty());
+  EXPECT_EQ(idsOf(watch.demands(statusIn(UnitState::Execute), 11.1).raised), (std::vector<int>{2101}));
+  watch.hear(goodReport(), 12.0);
+  EXPECT_EQ(watch.demands(statusIn(UnitState::Held), 12.0).ended, (std::vector<int>{2101}));
+}
+
+TEST(PlcWatch, TakesAPartAsRemovedWhenItsBitComes) {
+  PlcWatch watch({});
+  PlcReport report = goodReport();
+  report.is_part_removed = true;
+  watch.hear(report, 0.0);
+  EXPECT_FALSE(watch.demands(statusIn(UnitState::Complete), 0.0).is_part_removed)
+      << "it has merely stayed set";
+  watch.hear(goodReport(), 1.0);
+  watch.hear(report, 2.0);
+  EXPECT_TRUE(watch.demands(statusIn(UnitState::Complete), 2.0).is_part_removed);
+  EXPECT_FALSE(watch.demands(statusIn(UnitState::Complete), 2.1).is_part_removed);
+  watch.hear(goodReport(), 3.0);
+  watch.hear(report, 4.0);
+  EXPECT_FALSE(watch.demands(statusIn(UnitState::Execute), 4.0).is_part_removed);
+  EXPECT_FALSE(watch.demands(statusIn(UnitState::Complete), 4.1).is_part_removed)
+      << "that was before this part";
+}
+
+}  // namespace
+}  // namespace lamina
