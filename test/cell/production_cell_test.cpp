@@ -20,11 +20,15 @@ namespace {
 /// An executor that does what it is told when it is asked to, and prints ten lines a step.
 class PrintingExecutor final : public Executor {
  public:
-  void start(const std::string& program, ExecutionStart start, std::uint64_t order) override {
-    orders.emplace_back(start == ExecutionStart::Anew ? "start" : "resume job");
-    ++(start == ExecutionStart::Anew ? begun : resumed)[program];
-    const std::uint64_t from = start == ExecutionStart::Resume ? report.progress.taken_through : 0;
-    report = {ExecutorPhase::Starting, order, program, 100, {from, from, -1, 0.0, 0.0}, 0, ""};
+  void start(const StartOrder& order) override {
+    const bool is_known = taken.count(order.execution) > 0;
+    EXPECT_TRUE(is_known || order.start != ExecutionStart::Resume) << "nothing is there to go on with";
+    EXPECT_FALSE(is_known && order.start == ExecutionStart::Anew) << "it would lay lines twice";
+    orders.emplace_back(is_known ? "resume job" : "start");
+    if (is_known) ++resumed[order.program];
+    execution_ = order.execution;
+    const std::uint64_t from = is_known ? taken[execution_] : 0;
+    report = {ExecutorPhase::Starting, order.order, order.program, 100, {from, from, -1, 0.0, 0.0}, 0, ""};
   }
   void pause() override {
     orders.emplace_back("pause");
@@ -56,7 +60,9 @@ class PrintingExecutor final : public Executor {
         report.phase = ExecutorPhase::Resting;
         break;
       case ExecutorPhase::Running:
+        if (report.progress.taken_through == 0) ++begun[report.program];
         report.progress.taken_through += 10;
+        taken[execution_] = report.progress.taken_through;
         report.progress.sent_through = report.progress.taken_through + 5;
         report.progress.laid_mm3 += 5.0;
         if (report.progress.taken_through >= report.lines) report.phase = ExecutorPhase::Done;
@@ -76,8 +82,12 @@ class PrintingExecutor final : public Executor {
 
   ExecutorReport report;
   std::vector<std::string> orders;
-  std::map<std::string, int> begun;
+  std::map<std::string, std::uint64_t> taken;  ///< lines, by execution: what its progress file knows
+  std::map<std::string, int> begun;            ///< its first lines were laid
   std::map<std::string, int> resumed;
+
+ private:
+  std::string execution_;
 };
 
 /// A cell on disk with an executor, whose process can be killed and started again.

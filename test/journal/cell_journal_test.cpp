@@ -138,6 +138,29 @@ TEST(CellJournal, KeepsWhatHappened) {
   EXPECT_DOUBLE_EQ(journal.counters().at("state.6"), 12.5);
 }
 
+TEST(CellJournal, KeepsWhatBelongsTogetherOrNoneOfIt) {
+  const ScratchFolder folder;
+  CellJournal journal(journalIn(folder));
+  const std::int64_t job = journal.addJob(bracket(), 100.0);
+  journal.release(job, "anna", 101.0);
+  const std::int64_t execution = journal.begin(job, "anna", 102.0);
+  EXPECT_THROW(journal.together([&] {
+    journal.end(execution, JobState::Ended, "", 103.0);
+    journal.setCounters({{"parts", 1.0}});
+    throw FileError("disk full");
+  }),
+               FileError);
+  EXPECT_TRUE(journal.open());
+  EXPECT_TRUE(journal.counters().empty());
+  journal.together([&] {
+    journal.end(execution, JobState::Ended, "", 104.0);
+    journal.setCounters({{"parts", 1.0}});
+  });
+  EXPECT_FALSE(journal.open());
+  EXPECT_EQ(journal.counters().at("parts"), 1.0);
+  EXPECT_FALSE(journal.firstBadAudit());
+}
+
 TEST(CellJournal, NamesTheFirstRowOfTheAuditThatWasChanged) {
   const auto written = [](const ScratchFolder& folder) {
     CellJournal journal(journalIn(folder));

@@ -35,8 +35,18 @@ class NodeProcess {
   /// Sends the signal and waits for the end.
   /// @return exit code; -1 if a signal ended it
   int end(int signal) {
+    if (process_ == 0) return -1;
     kill(process_, signal);
     return wait();
+  }
+
+  /// True once it has ended, by itself or by a signal.
+  bool isOver() {
+    if (process_ == 0) return true;
+    int status = 0;
+    if (waitpid(process_, &status, WNOHANG) != process_) return false;
+    process_ = 0;
+    return true;
   }
 
   /// Waits for the end that it comes to by itself, and returns the same.

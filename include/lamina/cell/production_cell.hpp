@@ -33,7 +33,19 @@ enum class ExecutorPhase : std::uint8_t {
 };
 
 /// How a job is begun by an executor.
-enum class ExecutionStart : std::uint8_t { Anew, Resume };
+enum class ExecutionStart : std::uint8_t {
+  Anew,
+  Resume,         ///< lines of it were taken by the machine: it is gone on with, or refused
+  ResumeIfBegun,  ///< nobody here knows whether a line of it has left: if none has, it is begun
+};
+
+/// A job as an executor is given it.
+struct StartOrder {
+  std::string program;
+  ExecutionStart start = ExecutionStart::Anew;
+  std::uint64_t order = 0;  ///< that its reports are to name, from 1; 0 in them: not ordered here
+  std::string execution;  ///< names this execution of the job, in this journal and in every other
+};
 
 /// What an executor last said.
 struct ExecutorReport {
@@ -51,8 +63,8 @@ struct ExecutorReport {
 class Executor {
  public:
   virtual ~Executor() = default;
-  /// @param order  that its reports are to name, from 1; they name 0 for what was not ordered here
-  virtual void start(const std::string& program, ExecutionStart start, std::uint64_t order) = 0;
+  /// What was complete already, as the executor itself has recorded of this execution, is reported as done.
+  virtual void start(const StartOrder& order) = 0;
   virtual void pause() = 0;
   virtual void resume() = 0;
   /// Ends the job: controlled, and the machine is left as its settings say.
@@ -138,9 +150,7 @@ class ProductionCell {
   std::uint64_t order_ = 0;                           ///< the last start
   ExecutorPhase bystander_ = ExecutorPhase::Resting;  ///< of what the executor runs that is not ours
   bool has_run_ = false;                              ///< since the last start
-  bool is_begun_anew_ = false;                        ///< what was started last, and not resumed
-  bool has_never_run_ = false;  ///< the interrupted job: it is begun anew instead of resumed
-  bool is_given_up_ = false;    ///< the job that ends is not offered to be resumed
+  bool is_given_up_ = false;                          ///< the job that ends is not offered to be resumed
   bool is_journal_failing_ = false;
   bool is_part_on_plate_ = false;
   CutOffJob cut_off_ = CutOffJob::Undecided;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -175,6 +176,9 @@ class CellJournal {
   void add(const AuditRow& row);
   /// The first row of the audit whose digest is not its own, counted from 1; nothing if the chain is whole.
   std::optional<std::int64_t> firstBadAudit() const;
+
+  /// Keeps all that the calls within change, or none of it.
+  void together(const std::function<void()>& changes);
 
   /// Copies the journal as it is now, whole, under another name.
   void backUp(const std::string& path) const;

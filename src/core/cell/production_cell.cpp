@@ -67,6 +67,16 @@ UnitState firstState(const CellJournal& journal, const ArtefactStore& artefacts,
   return journal.open() || !journal.movedAside().empty() ? UnitState::Aborted : UnitState::Stopped;
 }
 
+/// Of all executions of all journals: a journal that was begun anew counts from 1 again.
+std::string nameOf(const OpenExecution& execution) {
+  return std::to_string(execution.id) + '@' + std::to_string(execution.started_s);
+}
+
+/// What the executor did last may never have been reported here.
+ExecutionStart resumption(const OpenExecution& execution) {
+  return execution.progress.taken_through > 0 ? ExecutionStart::Resume : ExecutionStart::ResumeIfBegun;
+}
+
 std::string timeName(int mode, std::size_t state) {
   return "mode." + std::to_string(mode) + ".state." + std::to_string(state);
 }
@@ -247,8 +257,6 @@ void ProductionCell::onEnd(CellTime now) {
   const UnitState state = unit_.status().state;
   if (state == UnitState::Stopping || state == UnitState::Aborting) return;
   // Nobody here has ended it, and what has not run can be begun again: the job is not given up.
-  // After a restart of the cell nobody knows that it has not run; then the executor itself has to say so.
-  has_never_run_ = !has_run_ && is_begun_anew_;
   is_given_up_ = has_run_ && report_.alarm != 0 && !isResumable(report_.alarm);
   if (report_.alarm != 0) return raise(report_.alarm, 0.0, report_.failure, now);
   unit_.command({UnitCommand::Stop, "executor", {}, {}}, now.steady_s);
@@ -375,9 +383,8 @@ void ProductionCell::begin(CellTime now) {
     is_running_ = true;
     report_.phase = ExecutorPhase::Starting;
     layer_written_ = -1;
-    const bool resumes = cut_off && !std::exchange(has_never_run_, false);
-    is_begun_anew_ = !resumes;
-    executor_.start(program, resumes ? ExecutionStart::Resume : ExecutionStart::Anew, ++order_);
+    const auto open = journal_.open();
+    executor_.start({program, cut_off ? resumption(*open) : ExecutionStart::Anew, ++order_, nameOf(*open)});
   });
 }
 
@@ -402,11 +409,16 @@ void ProductionCell::close(JobState outcome, const std::string& reason, CellTime
   is_running_ = false;
   if (report_.progress.taken_through > 0) is_part_on_plate_ = true;
   write(now, [&] {
-    if (is_cut_off) return journal_.interrupt(*execution_, reason, now.utc_s);
-    journal_.end(*execution_, outcome, reason, now.utc_s);
-    execution_.reset();
+    // A kill between the two would count a part twice, or forget that it lies on the plate.
+    journal_.together([&] {
+      if (is_cut_off)
+        journal_.interrupt(*execution_, reason, now.utc_s);
+      else
+        journal_.end(*execution_, outcome, reason, now.utc_s);
+      keepCounters();
+    });
+    if (!is_cut_off) execution_.reset();
   });
-  write(now, [this] { keepCounters(); });
 }
 
 std::string ProductionCell::programOf(const QueuedJob& job) const {
@@ -434,8 +446,10 @@ void ProductionCell::write(CellTime now, const std::function<void()>& rows) {
 void ProductionCell::confirmRemoval(const std::string& by, CellTime now) {
   if (!std::exchange(is_part_on_plate_, false)) return;
   write(now, [&] {
-    journal_.add(AuditRow{now.utc_s, by, "", "part removed", "confirmed"});
-    keepCounters();
+    journal_.together([&] {
+      journal_.add(AuditRow{now.utc_s, by, "", "part removed", "confirmed"});
+      keepCounters();
+    });
   });
 }
 

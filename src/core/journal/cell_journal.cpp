@@ -520,6 +520,12 @@ std::optional<std::int64_t> CellJournal::firstBadAudit() const {
   return std::nullopt;
 }
 
+void CellJournal::together(const std::function<void()>& changes) {
+  Transaction transaction(store_->database);
+  changes();
+  transaction.commit();
+}
+
 void CellJournal::backUp(const std::string& path) const { store_->database.copyTo(path); }
 
 }  // namespace lamina

@@ -113,6 +113,10 @@ void Database::copyTo(const std::string& path) const {
   if (sqlite3_backup_finish(backup) != SQLITE_OK) fail(copy.database_.get());
 }
 
+Transaction::Transaction(Database& database) : database_(database), is_open_(!database.isInTransaction()) {
+  if (is_open_) database_.run("BEGIN IMMEDIATE");
+}
+
 Transaction::~Transaction() {
   if (!is_open_) return;
   try {
@@ -123,6 +127,7 @@ Transaction::~Transaction() {
 }
 
 void Transaction::commit() {
+  if (!is_open_) return;
   database_.run("COMMIT");
   is_open_ = false;
 }

@@ -69,6 +69,7 @@ class Database {
   void run(const std::string& sql);
   Statement prepare(const std::string& sql) const { return {database_.get(), sql}; }
   std::int64_t lastId() const { return sqlite3_last_insert_rowid(database_.get()); }
+  bool isInTransaction() const { return sqlite3_get_autocommit(database_.get()) == 0; }
   std::int64_t changes() const { return sqlite3_changes(database_.get()); }
   /// Copies everything into another file, by SQLite's backup interface.
   void copyTo(const std::string& path) const;
@@ -81,10 +82,11 @@ class Database {
   std::unique_ptr<sqlite3, Close> database_;
 };
 
-/// Statements that are kept together or not at all: rolled back unless committed.
+/// Statements that are kept together or not at all: rolled back unless committed. One within another is kept
+/// with the outer one.
 class Transaction {
  public:
-  explicit Transaction(Database& database) : database_(database) { database_.run("BEGIN IMMEDIATE"); }
+  explicit Transaction(Database& database);
   ~Transaction();
   Transaction(const Transaction&) = delete;
   Transaction& operator=(const Transaction&) = delete;
@@ -92,7 +94,7 @@ class Transaction {
 
  private:
   Database& database_;
-  bool is_open_ = true;
+  bool is_open_;  ///< begun here, and not committed
 };
 
 }  // namespace lamina

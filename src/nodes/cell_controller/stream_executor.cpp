@@ -76,16 +76,19 @@ StreamExecutor::StreamExecutor(ros::NodeHandle node, std::function<void(const Ex
           node.subscribe(std::string(names::kStreamProgram) + "/status", 10, &StreamExecutor::onSign, this)),
       last_sign_(ros::WallTime::now()) {}
 
-void StreamExecutor::start(const std::string& program, ExecutionStart start, std::uint64_t order) {
+void StreamExecutor::start(const StartOrder& order) {
   lamina_msgs::StreamProgramGoal goal;
-  goal.program = program;
-  goal.resume = start == ExecutionStart::Resume;
-  order_ = order;
+  goal.program = order.program;
+  goal.resume = order.start != ExecutionStart::Anew;
+  goal.or_begin = order.start == ExecutionStart::ResumeIfBegun;
+  goal.execution = order.execution;
+  const std::uint64_t number = order.order;
+  order_ = number;
   ordered_at_ = ros::WallTime::now();
   has_begun_ = false;
   last_ = {};
   client_.sendGoal(goal,
-                   [this, order](const auto& state, const auto& result) { onDone(order, state, result); });
+                   [this, number](const auto& state, const auto& result) { onDone(number, state, result); });
 }
 
 void StreamExecutor::pause() { call(orders_, pause_, "pause"); }

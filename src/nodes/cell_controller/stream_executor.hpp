@@ -24,7 +24,7 @@ class StreamExecutor final : public Executor {
   /// @param report  takes what the executor says
   StreamExecutor(ros::NodeHandle node, std::function<void(const ExecutorReport&)> report);
 
-  void start(const std::string& program, ExecutionStart start, std::uint64_t order) override;
+  void start(const StartOrder& order) override;
   void pause() override;
   void resume() override;
   void stop() override;

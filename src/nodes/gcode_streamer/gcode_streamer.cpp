@@ -26,6 +26,14 @@ constexpr double kFeedbackPeriod = 0.1;  // s
 constexpr double kHoldStep = 0.01;       // s between looks whether the job holds
 constexpr int kHoldSteps = 100;          // a session takes what is asked of it far sooner
 
+/// Of a job that was done before anybody heard of it.
+StreamStatus completeStatus(const StreamableProgram& program) {
+  StreamStatus status;
+  status.state = PackmlState::Complete;
+  status.lines_total = status.lines_sent = status.lines_acknowledged = program.lines();
+  return status;
+}
+
 /// Returns once the session has taken it.
 void hold(StreamSession& job) {
   job.pause();
@@ -113,6 +121,17 @@ void GcodeStreamer::onGoal(const lamina_msgs::StreamProgramGoalConstPtr& goal) {
   finish(status, clock.now() - start_s);
 }
 
+/// A job that was cut off goes on, begins or was complete, as its progress file knows.
+/// @throws InvalidInput if nothing is known of it, and it may not begin
+ExecutionRecord GcodeStreamer::recordOfExecution(const lamina_msgs::StreamProgramGoal& goal) const {
+  const std::string path = journalPath(settings_.stream, settings_.port.name);
+  const ExecutionRecord record = recordOf(path, goal.execution);
+  if (record == ExecutionRecord::None && !goal.or_begin)
+    throw InvalidInput("execution " + goal.execution + " is to go on, but " + path +
+                       " does not know it; expected the progress file of its port");
+  return record;
+}
+
 StreamStatus GcodeStreamer::stream(const lamina_msgs::StreamProgramGoal& goal) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -120,10 +139,16 @@ StreamStatus GcodeStreamer::stream(const lamina_msgs::StreamProgramGoal& goal) {
     is_of_toolpath_ = goal.program.empty();
   }
   const StreamableProgram program = programFor(goal);
+  JobStart start = goal.resume ? JobStart::Resume : JobStart::New;
+  if (goal.resume && !goal.execution.empty()) {
+    const ExecutionRecord record = recordOfExecution(goal);
+    if (record == ExecutionRecord::Complete) return completeStatus(program);
+    if (record == ExecutionRecord::None) start = JobStart::New;
+  }
   beginJob(goal, program);
   StreamStatus status;
   try {
-    status = streamProgram(program, goal.resume ? JobStart::Resume : JobStart::New);
+    status = streamProgram(program, start, goal.execution);
   } catch (const Error&) {
     status.failure = currentFailure();
     startup_.endJob(program, status);
@@ -147,13 +172,15 @@ void GcodeStreamer::beginJob(const lamina_msgs::StreamProgramGoal& goal, const S
 }
 
 /// A job that is gone on with lays by maps what its record says, and the rest as planned.
-StreamStatus GcodeStreamer::streamProgram(const StreamableProgram& program, JobStart start) {
+StreamStatus GcodeStreamer::streamProgram(const StreamableProgram& program, JobStart start,
+                                          const std::string& execution) {
   std::optional<RecordedProgram> recorded;
   if (start == JobStart::Resume && settings_.corrections.is_used)
     recorded = recordedProgram(program, settings_.corrections, settings_.stream);
   const StreamableProgram& sent = recorded ? recorded->program : program;
-  const StreamJournal journal =
+  StreamJournal journal =
       journalFor(journalPath(settings_.stream, settings_.port.name), sent, settings_.port, start);
+  journal.execution = execution;
   const std::shared_ptr<CorrectedStream> corrected = recorded ? nullptr : correctionOf(program);
   {
     const std::lock_guard<std::mutex> lock(mutex_);

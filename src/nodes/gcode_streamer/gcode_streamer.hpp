@@ -46,7 +46,8 @@ class GcodeStreamer {
   void onGoal(const lamina_msgs::StreamProgramGoalConstPtr& goal);
   StreamStatus stream(const lamina_msgs::StreamProgramGoal& goal);
   void beginJob(const lamina_msgs::StreamProgramGoal& goal, const StreamableProgram& program);
-  StreamStatus streamProgram(const StreamableProgram& program, JobStart start);
+  StreamStatus streamProgram(const StreamableProgram& program, JobStart start, const std::string& execution);
+  ExecutionRecord recordOfExecution(const lamina_msgs::StreamProgramGoal& goal) const;
   StreamStatus follow(StreamSession& session, const std::function<void(const StreamStatus&)>& look);
   StreamableProgram programFor(const lamina_msgs::StreamProgramGoal& goal) const;
   StreamableProgram programFromToolpath(const std::string& id) const;

@@ -242,6 +242,30 @@ TEST(JobJournal, FollowsAPrintWhateverIsKnownOfIt) {
   EXPECT_EQ(followJournal(path, program, "/dev/printer").path, path);
 }
 
+TEST(JobJournal, KnowsAnExecutionByItsName) {
+  const test::ScratchFolder folder;
+  const std::string path = folder.file("port.progress");
+  EXPECT_THROW(recordOf("", "3@17"), FileError) << "nothing is kept";
+  EXPECT_EQ(recordOf(path, "3@17"), ExecutionRecord::None);
+  JournalledJob job = jobOf(journalled("G28\nG1 X1\n"));
+  job.execution = "3@17";
+  JobProgress progress;
+  progress.sent_through = 2;
+  { const ProgressFile file(path, job, progress); }
+  EXPECT_EQ(recordOf(path, "3@17"), ExecutionRecord::Unfinished);
+  EXPECT_EQ(recordOf(path, "3@18"), ExecutionRecord::None) << "of another journal";
+  keepUnfinished(path);
+  job.execution = "";
+  { const ProgressFile file(path, job, progress); }
+  EXPECT_THROW(recordOf(path, "3@17"), InvalidInput) << "another job has run since";
+  job.execution = "4@18";
+  progress.state = PackmlState::Complete;
+  { const ProgressFile file(path, job, progress); }
+  EXPECT_EQ(recordOf(path, "4@18"), ExecutionRecord::Complete);
+  writeFile(path, "no progress file");
+  EXPECT_THROW(recordOf(path, "4@18"), FileError);
+}
+
 TEST(JobJournal, TellsWhatIsKnown) {
   JournalledProgress known;
   known.job.program = "/part.gcode";

@@ -102,6 +102,17 @@ TEST(JobProgress, SaysWhereItIsRecordedWhatAProgramWasCorrectedBy) {
   EXPECT_EQ(read.lines_total, 100U);
 }
 
+TEST(JobProgress, NamesTheExecutionIfItHasAName) {
+  JournalledJob job = anyJob();
+  EXPECT_EQ(encodeJob(job).substr(0, 8), "LAMJOB01") << "as older versions read it";
+  job.execution = "12@1764000000.5";
+  job.origin = ProgramOrigin{std::string(64, 'b'), {{1, "0123456789abcdef"}}};
+  const JournalledJob read = decodeJournal(fileAt(7, job), "file").job;
+  EXPECT_EQ(read.execution, "12@1764000000.5");
+  EXPECT_EQ(read.program, "/parts/part.gcode");
+  EXPECT_TRUE(read.origin);
+}
+
 TEST(JobProgress, NamesTheFileOfAPrintServersPrint) {
   JournalledJob job = anyJob();
   EXPECT_EQ(decodeJournal(fileAt(7, job), "file").job.uploaded_as, "");

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -15,6 +16,7 @@ namespace lamina {
 struct StreamJournal {
   std::string path;                              ///< of the progress file; empty for none
   std::optional<JournalledProgress> unfinished;  ///< job to resume; none to begin anew
+  std::string execution = "";  ///< name of the execution that begins, as whoever ordered it knows it
 };
 
 /// Path of the progress file of a port by `stream.journal`; empty for none. For `auto` it is a file with the
@@ -34,6 +36,18 @@ void keepUnfinished(const std::string& path);
 /// Reads a progress file: the last job at a port.
 /// @throws FileError if there is no progress file, or it is damaged
 JournalledProgress readJournal(const std::string& path);
+
+/// How far an execution of a job is, as the progress file of its port knows it.
+enum class ExecutionRecord : std::uint8_t {
+  None,  ///< no line of it has left, as long as the file is the one of its port
+  Unfinished,
+  Complete,
+};
+
+/// Looks for an execution by its name in a progress file, which is written before the first line leaves.
+/// @throws FileError if no progress file is kept, or it is damaged
+/// @throws InvalidInput if another job was streamed at the port since the execution was cut off
+ExecutionRecord recordOf(const std::string& path, const std::string& execution);
 
 /// The journal that resumes the job of a progress file.
 /// @throws FileError as `readJournal`

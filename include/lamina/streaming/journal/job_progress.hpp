@@ -28,6 +28,7 @@ struct JournalledJob {
   /// The record of a program that is corrected while it is sent. Digest and lines are then those of the
   /// program without corrections.
   std::optional<RevisionRecord> revision = std::nullopt;
+  std::string execution = "";  ///< name that whoever ordered the job has given it; empty for none
 };
 
 /// The progress of a job. Lines are those of the program that carry a command, from 1. For a print by a print

@@ -39,6 +39,7 @@ SessionJournal::SessionJournal(StreamJournal where, const StreamableProgram& pro
   job_ = describedJob(program, port);
   job_.line_base = line_base;
   job_.revision = record;
+  job_.execution = where_.execution;
 }
 
 std::uint64_t SessionJournal::mostLines() const {

@@ -28,7 +28,9 @@ JobProgress progressOf(const StreamStatus& status) {
 
 UploadJournal::UploadJournal(StreamJournal where, const StreamableProgram& program, const std::string& port)
     : where_(std::move(where)) {
-  if (!where_.path.empty()) job_ = describedJob(program, port);
+  if (where_.path.empty()) return;
+  job_ = describedJob(program, port);
+  job_.execution = where_.unfinished ? where_.unfinished->job.execution : where_.execution;
 }
 
 void UploadJournal::begin(const UploadJob& job) {

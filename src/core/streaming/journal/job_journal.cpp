@@ -24,6 +24,7 @@ namespace lamina {
 namespace {
 
 constexpr const char* kAutoJournal = "auto";
+constexpr const char* kBefore = ".before";  // of the job before that did not complete
 
 /// A variable of the environment that holds an absolute path; empty if it holds none.
 std::string folderFrom(const char* variable) {
@@ -134,6 +135,7 @@ JournalledProgress asRecorded(JournalledProgress known, const StreamableProgram&
   job.protocol = known.job.protocol;
   job.firmware_name = known.job.firmware_name;
   job.line_base = known.job.line_base;
+  job.execution = known.job.execution;
   known.progress.sent_through = std::min(known.progress.sent_through, job.lines_total);
   if (known.progress.taken_through > known.progress.sent_through)
     throw InvalidInput("the record makes a program of " + std::to_string(job.lines_total) +
@@ -172,12 +174,32 @@ void keepUnfinished(const std::string& path) {
   } catch (const FileError&) {
     return;
   }
-  writeFile(path + ".before", readFile(path));
+  writeFile(path + kBefore, readFile(path));
 }
 
 JournalledProgress readJournal(const std::string& path) {
   if (path.empty()) throw FileError("no progress file is kept: stream.journal is empty");
   return decodeJournal(readFile(path), path);
+}
+
+ExecutionRecord recordOf(const std::string& path, const std::string& execution) {
+  if (path.empty())
+    throw FileError("execution " + execution +
+                    " cannot be looked for: no progress file is kept, since stream.journal is empty");
+  const std::string before = path + kBefore;
+  if (std::filesystem::exists(path)) {
+    const JournalledProgress known = readJournal(path);
+    if (known.job.execution == execution)
+      return known.progress.state == PackmlState::Complete ? ExecutionRecord::Complete
+                                                           : ExecutionRecord::Unfinished;
+  }
+  if (std::filesystem::exists(before)) {
+    const JournalledProgress known = readJournal(before);
+    if (known.job.execution == execution)
+      throw InvalidInput("another job was streamed since execution " + execution +
+                         " was cut off, so that it cannot just go on; known is: " + describeProgress(known));
+  }
+  return ExecutionRecord::None;
 }
 
 StreamJournal resumeJournal(const std::string& path, const StreamableProgram& program,

@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::string_view kRecordMark = "LAMPROG1";
 constexpr std::string_view kJobMark = "LAMJOB01";
+constexpr std::string_view kNamedJobMark = "LAMJOB02";  // begins with the name of the execution
 constexpr std::size_t kCrcBytes = 4;
 constexpr std::size_t kLongestText = 65535;
 constexpr std::size_t kDigestBytes = 16;
@@ -90,8 +91,10 @@ ProgramOrigin readOrigin(FrontReader& reader) {
 std::optional<JournalledJob> decodeJob(std::string_view bytes) {
   if (!endsWithItsCrc(bytes)) return std::nullopt;
   FrontReader reader(bytes.substr(0, bytes.size() - kCrcBytes));
-  if (reader.take(kJobMark.size()) != kJobMark) return std::nullopt;
+  const std::string_view mark = reader.take(kJobMark.size());
+  if (mark != kJobMark && mark != kNamedJobMark) return std::nullopt;
   JournalledJob job;
+  if (mark == kNamedJobMark) job.execution = reader.text();
   job.program = reader.text();
   job.program_bytes = reader.integer(8);
   job.program_sha256 = reader.text();
@@ -149,7 +152,8 @@ std::optional<JobProgress> decodeProgress(std::string_view bytes, std::uint32_t 
 }
 
 std::string encodeJob(const JournalledJob& job) {
-  std::string bytes(kJobMark);
+  std::string bytes(job.execution.empty() ? kJobMark : kNamedJobMark);
+  if (!job.execution.empty()) appendText(bytes, job.execution);
   appendText(bytes, job.program);
   append(bytes, job.program_bytes, 8);
   appendText(bytes, job.program_sha256);

@@ -1,0 +1,210 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <gtest/gtest.h>
+#include <ros/ros.h>
+#include <std_srvs/Trigger.h>
+
+#include <algorithm>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "lamina/base/scratch_folder.hpp"
+#include "lamina/streaming/job/streamable_program.hpp"
+#include "messages.hpp"
+#include "names.hpp"
+#include "ros/loop/streamed_machine.hpp"
+#include "ros/node_process.hpp"
+#include "ros/ros_home.hpp"
+#include "ros/wait_until.hpp"
+
+namespace lamina::test {
+
+using Command = lamina_msgs::PackmlCommand::Request;
+constexpr int kAccepted = 1;
+
+/// Motions within a square of 100 mm, all of the same extrusion.
+inline std::string squareProgram(int motions, double extrusion_mm = 0.05) {
+  const std::string extrusion = " E" + std::to_string(extrusion_mm) + "\n";
+  std::string text = "M83\nG1 Z0.2 F6000\nG1 X50 Y50 F6000\n";
+  for (int i = 0; i < motions; ++i)
+    text += "G1 X" + std::to_string(50 + i % 100) + " Y" + std::to_string(50 + (i * 7) % 90) + extrusion;
+  return text;
+}
+
+inline std::vector<std::string> commandsOf(const std::string& text) {
+  std::vector<std::string> commands;
+  ProgramCursor cursor = StreamableProgram::fromText("program", text).open();
+  while (const auto line = cursor.next()) commands.push_back(line->command);
+  return commands;
+}
+
+/// A cell in a namespace of its own: machine, streamer and controller, of which the nodes can be killed.
+class CellOfNodes {
+ public:
+  CellOfNodes(const std::string& name, double speed_up, std::vector<std::string> parameters = {})
+      : parameters_(std::move(parameters)),
+        space_("/" + name),
+        port_(inRosHome("cell_" + name)),
+        machine(speed_up, port_) {
+    const boost::function<void(const lamina_msgs::PackmlStatusConstPtr&)> on_status =
+        [this](const auto& message) {
+          if (message->header.stamp < launched_) return;  // of a controller that was killed
+          status = *message;
+          if (states.empty() || states.back() != message->state_name) states.push_back(message->state_name);
+          const auto& accepted = message->accepted_now;
+          if (message->state_name == "Starting" &&
+              std::find(accepted.begin(), accepted.end(), Command::HOLD) != accepted.end())
+            could_hold_while_starting = true;
+        };
+    const boost::function<void(const lamina_msgs::CellAlarmsConstPtr&)> on_alarms =
+        [this](const auto& message) {
+          if (message->header.stamp >= launched_) alarms = *message;
+        };
+    const boost::function<void(const lamina_msgs::JobQueueConstPtr&)> on_queue = [this](const auto& message) {
+      queue = *message;
+    };
+    subscribers_ = {
+        node_.subscribe<lamina_msgs::PackmlStatus>(space_ + '/' + names::kPackmlStatus, 1000, on_status),
+        node_.subscribe<lamina_msgs::CellAlarms>(space_ + '/' + names::kAlarms, 100, on_alarms),
+        node_.subscribe<lamina_msgs::JobQueue>(space_ + '/' + names::kJobQueue, 100, on_queue)};
+    startStreamer();
+    startController();
+  }
+
+  /// @param environment  variables as NAME=value
+  void startStreamer(const std::vector<std::string>& environment = {}) {
+    streamer = start(environment, LAMINA_STREAMER_NODE,
+                     {"_port:=" + port_, "_stream/journal:=" + progressFile(), "_stream/settle_s:=0.01",
+                      "_stream/probe_after_s:=0.3"});
+  }
+  /// Waits for its first state.
+  void startController() {
+    launchController();
+    EXPECT_TRUE(waitUntil([this] { return status.state != 0; }));
+  }
+  void launchController(const std::vector<std::string>& environment = {}) {
+    launched_ = ros::Time::now();
+    status = {};
+    alarms = {};
+    std::vector<std::string> arguments = {"_journal/folder:=" + folder.path() + "/cell",
+                                          "_executor/patience_s:=20"};
+    arguments.insert(arguments.end(), parameters_.begin(), parameters_.end());
+    controller = start(environment, LAMINA_CELL_NODE, arguments);
+  }
+  std::string progressFile() const { return folder.path() + "/progress"; }
+  std::string journalFile() const { return folder.path() + "/cell/cell.db"; }
+
+  /// @return the result; 0 if the node did not answer
+  int command(std::uint8_t command, std::uint8_t cut_off = Command::UNDECIDED, std::int64_t expected = -1) {
+    lamina_msgs::PackmlCommand call;
+    call.request.command = command;
+    call.request.source = "test";
+    call.request.cut_off = cut_off;
+    call.request.expected_sequence = expected;
+    if (!ros::service::call(space_ + '/' + names::kPackmlCommand, call)) return 0;
+    reason = call.response.message;
+    return call.response.result;
+  }
+  /// Starts as soon as the executor is known to be there.
+  bool starts(std::uint8_t cut_off = Command::UNDECIDED) {
+    bool is_started = false;
+    const bool is_in_time = waitUntil([&] {
+      is_started = is_started || command(Command::START, cut_off) == kAccepted;
+      return is_started;
+    });
+    EXPECT_TRUE(is_in_time) << reason;
+    return is_in_time;
+  }
+  bool reaches(const std::string& state) {
+    const bool is_there = waitUntil([&] { return status.state_name == state; });
+    if (!is_there) {
+      std::string seen;
+      for (const std::string& name : states) seen += name + ' ';
+      ADD_FAILURE() << "not " << state << " but " << status.state_name << "; before: " << seen << "; "
+                    << status.stop_message;
+    }
+    return is_there;
+  }
+  std::uint32_t enqueue(const std::string& text) {
+    const std::string path = folder.path() + "/part.gcode";
+    std::ofstream(path) << text;
+    lamina_msgs::EnqueueJob call;
+    call.request.program = path;
+    call.request.name = "square";
+    call.request.part = "square.stl";
+    call.request.source = "test";
+    EXPECT_TRUE(ros::service::call(space_ + '/' + names::kEnqueueJob, call));
+    reason = call.response.status.message;
+    return call.response.job;
+  }
+  std::string change(std::uint32_t job, std::uint8_t change) {
+    lamina_msgs::ChangeQueue call;
+    call.request.job = job;
+    call.request.change = change;
+    call.request.source = "test";
+    EXPECT_TRUE(ros::service::call(space_ + '/' + names::kChangeQueue, call));
+    return call.response.status.message;
+  }
+  void acknowledgeAll() {
+    for (const lamina_msgs::CellAlarm& alarm : std::vector<lamina_msgs::CellAlarm>(alarms.alarms)) {
+      lamina_msgs::AcknowledgeAlarm call;
+      call.request.id = alarm.id;
+      call.request.source = "test";
+      ros::service::call(space_ + '/' + names::kAcknowledgeAlarm, call);
+    }
+  }
+  bool setMode(std::uint8_t mode) {
+    lamina_msgs::SetUnitMode call;
+    call.request.mode = mode;
+    call.request.source = "test";
+    EXPECT_TRUE(ros::service::call(space_ + '/' + names::kSetUnitMode, call));
+    return call.response.result == kAccepted;
+  }
+  bool confirmRemoval() {
+    std_srvs::Trigger call;
+    return ros::service::call(space_ + '/' + names::kConfirmRemoval, call) && call.response.success;
+  }
+  void bringToIdle() {
+    ASSERT_EQ(command(Command::RESET), kAccepted) << reason;
+    ASSERT_TRUE(reaches("Idle"));
+  }
+
+  ScratchFolder folder;
+  lamina_msgs::PackmlStatus status;
+  lamina_msgs::CellAlarms alarms;
+  lamina_msgs::JobQueue queue;
+  std::vector<std::string> states;
+  std::string reason;
+  bool could_hold_while_starting = false;
+
+ private:
+  std::unique_ptr<NodeProcess> start(const std::vector<std::string>& environment, const std::string& node,
+                                     const std::vector<std::string>& parameters) const {
+    std::vector<std::string> arguments = environment;
+    arguments.push_back(node);
+    arguments.push_back("__ns:=" + space_);
+    arguments.insert(arguments.end(), parameters.begin(), parameters.end());
+    return std::make_unique<NodeProcess>("/usr/bin/env", arguments);
+  }
+
+  ros::NodeHandle node_;
+  ros::Time launched_;
+  std::vector<std::string> parameters_;
+  std::string space_;
+  std::string port_;
+  std::vector<ros::Subscriber> subscribers_;
+
+ public:
+  StreamedMachine machine;
+  std::unique_ptr<NodeProcess> streamer;
+  std::unique_ptr<NodeProcess> controller;
+};
+
+}  // namespace lamina::test
