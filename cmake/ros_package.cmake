@@ -7,7 +7,7 @@ find_package(catkin REQUIRED COMPONENTS
   sensor_msgs std_msgs std_srvs tf2 tf2_ros trajectory_msgs visualization_msgs)
 
 add_message_files(FILES
-  AlarmReport.msg AppliedCorrection.msg Bead.msg CellAlarm.msg CellAlarms.msg CellJob.msg CorrectionMap.msg CorrectionPath.msg DepositionState.msg DepositionSummary.msg FilledVoid.msg InclineSummary.msg JobQueue.msg JointTolerance.msg LayerHeight.msg LoopFigures.msg LoopState.msg
+  AlarmReport.msg AppliedCorrection.msg Bead.msg CellAlarm.msg CellAlarms.msg CellJob.msg CorrectionMap.msg CorrectionPath.msg DepositionState.msg DepositionSummary.msg FilledVoid.msg HostNode.msg HostPeer.msg HostState.msg InclineSummary.msg JobQueue.msg JointTolerance.msg LayerHeight.msg LoopFigures.msg LoopState.msg
   MachineState.msg Measuring.msg PackmlStatus.msg ProcessPoint.msg ProcessState.msg ProfileCounts.msg
   ProcessTrajectory.msg ProcessValue.msg Setting.msg SliceSummary.msg StartupStep.msg Status.msg Toolpath.msg ToolpathEvent.msg
   ToolpathLayer.msg ToolpathPath.msg

@@ -28,6 +28,7 @@
 #include <lamina/FilledVoid.h>
 #include <lamina/FinishMeasuring.h>
 #include <lamina/FollowJointTrajectoryAction.h>
+#include <lamina/HostState.h>
 #include <lamina/InclineAction.h>
 #include <lamina/InclineGcode.h>
 #include <lamina/InclineSummary.h>

@@ -53,6 +53,7 @@ inline constexpr char kInclinedLayers[] =
 inline constexpr char kPackmlStatus[] = "packml_status";  ///< lamina/PackmlStatus, latched
 inline constexpr char kAlarms[] = "alarms";               ///< lamina/CellAlarms, latched
 inline constexpr char kJobQueue[] = "job_queue";          ///< lamina/JobQueue, latched
+inline constexpr char kHostState[] = "host_state";        ///< lamina/HostState, latched
 inline constexpr char kAlarmReports[] = "alarm_reports";  ///< lamina/AlarmReport, of other nodes to the unit
 
 // Services.

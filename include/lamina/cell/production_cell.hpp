@@ -7,18 +7,13 @@
 #include <optional>
 #include <string>
 
+#include "lamina/cell/cell_time.hpp"
 #include "lamina/cell/guards.hpp"
 #include "lamina/cell/unit_machine.hpp"
 #include "lamina/journal/artefact_store.hpp"
 #include "lamina/journal/cell_journal.hpp"
 
 namespace lamina {
-
-/// An instant, by two clocks.
-struct CellTime {
-  double steady_s = 0.0;  ///< never goes back: for durations
-  double utc_s = 0.0;     ///< since 1970: for the journal
-};
 
 /// What an executor does.
 enum class ExecutorPhase : std::uint8_t {
@@ -44,7 +39,7 @@ struct StartOrder {
   std::string program;
   ExecutionStart start = ExecutionStart::Anew;
   std::uint64_t order = 0;  ///< that its reports are to name, from 1; 0 in them: not ordered here
-  std::string execution;  ///< names this execution of the job, in this journal and in every other
+  std::string execution;    ///< names this execution of the job, in this journal and in every other
 };
 
 /// What an executor last said.

@@ -23,6 +23,7 @@ constexpr int kSilentTicks = 5;
 constexpr int kExecutorLost = 2201;
 constexpr int kExecutorSilent = 2202;
 constexpr int kJournalNotWritable = 7003;
+constexpr int kMasterLost = 8002;
 
 UnitSettings unitSettings(const CellControllerSettings& settings) {
   UnitSettings unit;
@@ -88,6 +89,7 @@ CellSurroundings CellController::surroundings() const {
   const auto space = std::filesystem::space(settings_.folder, error);
   found.start.free_bytes = error ? 0.0 : static_cast<double>(space.available);
   found.go_on.is_position_known = !is_executor_lost_;
+  found.go_on.has_master = hasMaster();
   return found;
 }
 
@@ -106,6 +108,8 @@ bool CellController::onCommand(lamina_msgs::PackmlCommand::Request& request,
     asked.expected_sequence = static_cast<std::uint32_t>(request.expected_sequence);
   if (*command == UnitCommand::Start && is_executor_lost_)
     asked.unmet.push_back({kExecutorLost, "the executor gives no sign of life"});
+  if (*command == UnitCommand::Start && !hasMaster())
+    asked.unmet.push_back({kMasterLost, "the ROS master does not answer"});
   const CommandAnswer answer =
       cell_->command(std::move(asked), surroundings(), static_cast<CutOffJob>(request.cut_off), now());
   response.result = numberOf(answer.result);
@@ -199,14 +203,22 @@ bool CellController::onRemoval(Trigger::Request& /*request*/, Trigger::Response&
 
 void CellController::onAlarmReport(const lamina_msgs::AlarmReportConstPtr& report) {
   try {
-    if (report->is_gone)
-      cell_->end(report->id, now());
-    else
+    std::set<std::string>& sources = raised_by_[report->id];
+    if (!report->is_gone) {
       cell_->raise(report->id, report->value, report->source + ": " + report->message, now());
+      sources.insert(report->source);
+    } else if (sources.erase(report->source) > 0 && sources.empty()) {
+      cell_->end(report->id, now());
+    }
   } catch (const InvalidInput& error) {
     ROS_ERROR_STREAM_THROTTLE(1.0, "an alarm of '" << report->source << "' is refused: " << error.what());
   }
   onTick();
+}
+
+bool CellController::hasMaster() const {
+  const auto sources = raised_by_.find(kMasterLost);
+  return sources == raised_by_.end() || sources->second.empty();
 }
 
 void CellController::onReport(const ExecutorReport& report) {

@@ -5,7 +5,9 @@
 #include <ros/node_handle.h>
 #include <std_srvs/Trigger.h>
 
+#include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -47,6 +49,7 @@ class CellController {
   void onAlarmReport(const lamina_msgs::AlarmReportConstPtr& report);
 
   CellSurroundings surroundings() const;
+  bool hasMaster() const;
   void onReport(const ExecutorReport& report);
   void onTick();
   void followTime();
@@ -71,6 +74,8 @@ class CellController {
   std::uint32_t published_sequence_ = 0;
   double published_s_ = 0.0;
   bool is_queue_published_ = false;
+  /// Of alarms by other nodes: each has gone when it has for all that raised it.
+  std::map<std::uint16_t, std::set<std::string>> raised_by_;
   bool is_executor_lost_ = false;
   int silent_ticks_ = 0;
 };

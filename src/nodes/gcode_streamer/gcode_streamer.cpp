@@ -65,6 +65,7 @@ GcodeStreamer::GcodeStreamer(ros::NodeHandle node, const GcodeStreamerSettings& 
       resume_(node.advertiseService(names::kResume, &GcodeStreamer::onResume, this)),
       abort_(node.advertiseService(names::kAbort, &GcodeStreamer::onAbort, this)),
       change_(node.advertiseService(names::kChangeJob, &GcodeStreamer::onChange, this)),
+      owner_(node, settings.owner_grace_s),
       startup_(settings.startup, settings.stream, settings.port,
                [this](const auto& steps) { onSteps(steps); }),
       startup_service_(node, startup_),
@@ -197,13 +198,23 @@ StreamStatus GcodeStreamer::streamProgram(const StreamableProgram& program, JobS
   }
   ROS_INFO("streaming %s, %lu lines, to %s", program.name().c_str(), static_cast<unsigned long>(sent.lines()),
            settings_.port.name.c_str());
+  owner_.expect();
   StreamStatus status = follow(*session, [&](const StreamStatus& now) {
+    if (!execution.empty()) holdWithoutOwner(*session);
     if (corrected) tellDecisions(*corrected);
     if (recorded) tellLaidAsPlanned(*recorded, now.layer);
   });
   const std::lock_guard<std::mutex> lock(mutex_);
   session_.reset();
   return status;
+}
+
+/// Nobody would see what the machine does, or stop it.
+void GcodeStreamer::holdWithoutOwner(StreamSession& session) {
+  if (!owner_.takeLoss()) return;
+  ROS_ERROR("the cell that ordered the job has said nothing for more than %.1f s; the job is held",
+            settings_.owner_grace_s);
+  session.pause();
 }
 
 /// To the end of the job; what is due besides is looked at as often as it is reported.

@@ -19,6 +19,7 @@
 #include "lamina/kinematics/cartesian/cartesian_machine.hpp"
 #include "lamina/streaming/client/stream_session.hpp"
 #include "messages.hpp"
+#include "owner_watch.hpp"
 #include "recorded_program.hpp"
 #include "startup_service.hpp"
 #include "streamer_settings.hpp"
@@ -52,6 +53,7 @@ class GcodeStreamer {
   StreamableProgram programFor(const lamina_msgs::StreamProgramGoal& goal) const;
   StreamableProgram programFromToolpath(const std::string& id) const;
   StreamableProgram programFromToolpath(const MachineToolpath& placed, const ProgramSettings& settings) const;
+  void holdWithoutOwner(StreamSession& session);
   void finish(const StreamStatus& status, double duration_s);
 
   /// What corrects the program on its way; null if programs are not corrected.
@@ -95,6 +97,7 @@ class GcodeStreamer {
   ros::ServiceServer resume_;
   ros::ServiceServer abort_;
   ros::ServiceServer change_;
+  OwnerWatch owner_;
   diagnostic_updater::Updater updater_;
   ros::Timer diagnostics_timer_;
 

@@ -20,9 +20,11 @@ struct GcodeStreamerSettings {
   ProgramSettings program;
   StartupSettings startup;
   StreamCorrectionSettings corrections;
+  double owner_grace_s = 0.0;  ///< without the cell that ordered the job, until it is held; 0 for any time
 };
 
-/// Adds the keys port, baud, machine.*, stream.*, program.*, startup.*, corrections.* and some of loop.*.
+/// Adds the keys port, baud, machine.*, stream.*, program.*, startup.*, corrections.*, owner.* and some of
+/// loop.*.
 void describe(SettingsSchema& schema, GcodeStreamerSettings& settings);
 
 }  // namespace lamina

@@ -14,6 +14,7 @@
 #include "nodes/gcode_incliner/incliner_settings.hpp"
 #include "nodes/gcode_streamer/streamer_settings.hpp"
 #include "nodes/height_controller/height_controller_settings.hpp"
+#include "nodes/host_watch/watch_settings.hpp"
 #include "nodes/layer_height_monitor/monitor_settings.hpp"
 #include "nodes/optimiser/optimiser_settings.hpp"
 #include "nodes/simulated_controller/controller_settings.hpp"
@@ -134,6 +135,13 @@ TEST(NodeConfig, OfTrajectoryPublisherIsCompleteAndHasTheDefaults) {
   lamina::SettingsSchema schema;
   describe(schema, settings);
   expectDefaults("trajectory_publisher", schema);
+}
+
+TEST(NodeConfig, OfHostWatchIsCompleteAndHasTheDefaults) {
+  lamina::HostWatchNodeSettings settings;
+  lamina::SettingsSchema schema;
+  describe(schema, settings);
+  expectDefaults("host_watch", schema);
 }
 
 TEST(NodeConfig, OfLayerHeightMonitorIsCompleteAndHasTheDefaults) {

@@ -15,6 +15,7 @@
 #include "nodes/gcode_incliner/incliner_settings.hpp"
 #include "nodes/gcode_streamer/streamer_settings.hpp"
 #include "nodes/height_controller/height_controller_settings.hpp"
+#include "nodes/host_watch/watch_settings.hpp"
 #include "nodes/layer_height_monitor/monitor_settings.hpp"
 #include "nodes/optimiser/optimiser_settings.hpp"
 #include "nodes/simulated_controller/controller_settings.hpp"
@@ -33,8 +34,9 @@ std::set<std::string> nodeKeys() {
   for (const auto& of_node :
        {keysOf<CellControllerSettings>(), keysOf<DepositionSimulatorSettings>(),
         keysOf<EmulatedMachineSettings>(), keysOf<GcodeInclinerSettings>(), keysOf<GcodeStreamerSettings>(),
-        keysOf<HeightControllerSettings>(), keysOf<LayerHeightMonitorSettings>(), keysOf<OptimiserSettings>(),
-        keysOf<ControllerSettings>(), keysOf<DriverSettings>(), keysOf<PublisherSettings>()})
+        keysOf<HeightControllerSettings>(), keysOf<HostWatchNodeSettings>(),
+        keysOf<LayerHeightMonitorSettings>(), keysOf<OptimiserSettings>(), keysOf<ControllerSettings>(),
+        keysOf<DriverSettings>(), keysOf<PublisherSettings>()})
     keys.insert(of_node.begin(), of_node.end());
   for (const std::string& key : coreKeys()) keys.erase(key);
   return keys;
@@ -66,6 +68,27 @@ const std::vector<TestedElsewhere>& loopTests() {
   return all;
 }
 
+/// Of the watch of a host.
+const std::vector<TestedElsewhere>& hostTests() {
+  static const std::vector<TestedElsewhere> all = {
+      {"clock.hold_s", "cell/host_watch_test.cpp", "HoldsForAClockOnlyWhereJobsNeedIt"},
+      {"clock.is_needed", "ros/host_watch_test.py", "_clock/is_needed"},
+      {"clock.shift_s", "ros/host_watch_test.py", "_clock/shift_s"},
+      {"clock.warn_s", "ros/host_watch_test.py", "_clock/warn_s"},
+      {"disk.folder", "ros/host_watch_test.py", "_disk/folder"},
+      {"disk.least_gib", "ros/host_watch_test.py", "_disk/least_gib"},
+      {"hosts.bind", "ros/host_watch_test.py", "_hosts/bind"},
+      {"hosts.interval_s", "ros/host_watch_test.py", "_hosts/interval_s"},
+      {"hosts.name", "ros/host_watch_test.py", "_hosts/name"},
+      {"hosts.needed", "ros/host_watch_test.py", "_hosts/needed"},
+      {"hosts.peers", "ros/host_watch_test.py", "_hosts/peers"},
+      {"hosts.port", "ros/host_watch_test.py", "_hosts/port"},
+      {"hosts.silence_s", "ros/host_watch_test.py", "_hosts/silence_s"},
+      {"master.silence_s", "ros/host_watch_test.py", "_master/silence_s"},
+      {"nodes", "ros/host_watch_test.py", "_nodes"}};
+  return all;
+}
+
 const std::vector<TestedElsewhere>& nodeTests() {
   static const std::vector<TestedElsewhere> all = {
       {"baud", "ros/gcode_streamer_test.cpp", "_baud"},
@@ -93,6 +116,7 @@ const std::vector<TestedElsewhere>& nodeTests() {
       {"map_period_s", "ros/layer_height_monitor.test", "map_period_s"},
       {"mode", "ros/deposition_following.test", "mode"},
       {"output_folder", "ros/end_to_end.test", "output_folder"},
+      {"owner.grace_s", "ros/cell/cell_controller_test.cpp", "_owner/grace_s"},
       {"packml.hold_anywhere", "ros/cell/cell_controller_test.cpp", "packml/hold_anywhere"},
       {"path_tolerance", "ros/simulated_controller.test", "path_tolerance"},
       {"path_spacing_mm", "ros/trajectory_publisher.test", "path_spacing_mm"},
@@ -122,6 +146,7 @@ TEST(NodeSettingsCoverage, EverySettingStandsInATest) {
   std::set<std::string> covered;
   std::vector<TestedElsewhere> tests = nodeTests();
   tests.insert(tests.end(), loopTests().begin(), loopTests().end());
+  tests.insert(tests.end(), hostTests().begin(), hostTests().end());
   for (const TestedElsewhere& setting : tests) {
     covered.insert(setting.key);
     const std::string text = readFile(std::string(LAMINA_SOURCE_DIR) + "/test/" + setting.file);

@@ -111,6 +111,54 @@ TEST(CellController, IsAdoptedByItsJobWhenItIsKilled) {
   EXPECT_EQ(cell.machine.commands(), commandsOf(program));
 }
 
+TEST(CellController, FindsItsJobHeldWhenItWasGoneForLong) {
+  CellOfNodes cell("gone", 20.0, {}, 1.0);
+  cell.bringToIdle();
+  const std::string program = squareProgram(1500);
+  cell.change(cell.enqueue(program), lamina_msgs::ChangeQueue::Request::RELEASE);
+  ASSERT_TRUE(cell.starts());
+  ASSERT_TRUE(cell.reaches("Execute"));
+  std::string state;
+  ros::NodeHandle node;
+  const boost::function<void(const lamina_msgs::MachineStateConstPtr&)> on_state = [&](const auto& message) {
+    state = message->state_name;
+  };
+  const auto subscriber = node.subscribe<lamina_msgs::MachineState>("/gone/machine_state", 10, on_state);
+  EXPECT_EQ(cell.controller->end(SIGKILL), -1);
+  EXPECT_TRUE(waitUntil([&] { return state == "Held"; }));
+  EXPECT_LT(cell.machine.commands().size(), commandsOf(program).size());
+  cell.startController();
+  EXPECT_EQ(cell.status.state_name, "Held");
+  ASSERT_EQ(cell.command(Command::UNHOLD), kAccepted) << cell.reason;
+  ASSERT_TRUE(cell.reaches("Complete"));
+  EXPECT_EQ(cell.machine.commands(), commandsOf(program));
+}
+
+TEST(CellController, TakesAnAlarmAsGoneWhenItHasForAllThatRaisedIt) {
+  CellOfNodes cell("sources", 1000.0);
+  ros::NodeHandle node;
+  auto reports = node.advertise<lamina_msgs::AlarmReport>("/sources/alarm_reports", 10);
+  EXPECT_TRUE(waitUntil([&] { return reports.getNumSubscribers() > 0; }));
+  const auto report = [&reports](const std::string& source, bool is_gone) {
+    lamina_msgs::AlarmReport message;
+    message.id = 8002;
+    message.source = source;
+    message.message = "the master does not answer";
+    message.is_gone = is_gone;
+    reports.publish(message);
+  };
+  cell.bringToIdle();
+  report("motion", false);
+  report("desk", false);
+  EXPECT_TRUE(waitUntil([&] { return cell.alarms.alarms.size() == 1 && cell.alarms.alarms[0].times == 2; }));
+  report("motion", true);
+  report("nobody", true);
+  EXPECT_NE(cell.command(Command::START), kAccepted);
+  EXPECT_NE(cell.reason.find("master does not answer"), std::string::npos) << cell.reason;
+  report("desk", true);
+  EXPECT_TRUE(waitUntil([&] { return cell.alarms.alarms.empty(); }));
+}
+
 TEST(CellController, OffersTheJobOfAKilledStreamerAndRunsEachLineOnce) {
   CellOfNodes cell("resumes", 20.0);
   cell.bringToIdle();

@@ -48,8 +48,12 @@ inline std::vector<std::string> commandsOf(const std::string& text) {
 /// A cell in a namespace of its own: machine, streamer and controller, of which the nodes can be killed.
 class CellOfNodes {
  public:
-  CellOfNodes(const std::string& name, double speed_up, std::vector<std::string> parameters = {})
+  /// @param parameters  of the controller
+  /// @param owner_grace_s  of the streamer
+  CellOfNodes(const std::string& name, double speed_up, std::vector<std::string> parameters = {},
+              double owner_grace_s = 0.0)
       : parameters_(std::move(parameters)),
+        owner_grace_s_(owner_grace_s),
         space_("/" + name),
         port_(inRosHome("cell_" + name)),
         machine(speed_up, port_) {
@@ -82,7 +86,7 @@ class CellOfNodes {
   void startStreamer(const std::vector<std::string>& environment = {}) {
     streamer = start(environment, LAMINA_STREAMER_NODE,
                      {"_port:=" + port_, "_stream/journal:=" + progressFile(), "_stream/settle_s:=0.01",
-                      "_stream/probe_after_s:=0.3"});
+                      "_stream/probe_after_s:=0.3", "_owner/grace_s:=" + std::to_string(owner_grace_s_)});
   }
   /// Waits for its first state.
   void startController() {
@@ -197,6 +201,7 @@ class CellOfNodes {
   ros::NodeHandle node_;
   ros::Time launched_;
   std::vector<std::string> parameters_;
+  double owner_grace_s_;
   std::string space_;
   std::string port_;
   std::vector<ros::Subscriber> subscribers_;

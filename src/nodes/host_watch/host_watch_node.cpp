@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "host_watch_node.hpp"
+
+#include <ros/ros.h>
+
+#include <filesystem>
+#include <limits>
+#include <utility>
+
+#include "latched.hpp"
+#include "names.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kTickInterval = 0.1;   // [s]
+constexpr double kStateInterval = 1.0;  // [s]
+constexpr double kGibibyte = 1024.0 * 1024.0 * 1024.0;
+
+HostWatchSettings watchSettings(const HostWatchNodeSettings& settings) {
+  HostWatchSettings watch = settings.watch;
+  watch.least_free_bytes = settings.least_gib * kGibibyte;
+  return watch;
+}
+
+std::vector<PeerHost> hostsOf(const std::vector<PeerAddress>& addresses) {
+  std::vector<PeerHost> hosts;
+  for (const PeerAddress& peer : addresses) hosts.push_back(peer.host);
+  return hosts;
+}
+
+lamina_msgs::HostPeer toMessage(const PeerStatus& peer, const PeerAddress& address, double now_s) {
+  lamina_msgs::HostPeer message;
+  message.name = peer.host.name;
+  message.address = address.address + ":" + std::to_string(address.port);
+  message.is_needed = peer.host.is_needed;
+  message.is_lost = peer.is_lost;
+  message.silent = now_s - peer.heard_at_s;
+  const auto offset = peer.clocks.offset();
+  message.is_compared = offset.has_value();
+  message.clock_offset = offset ? offset->offset_s : std::numeric_limits<double>::quiet_NaN();
+  message.clock_uncertainty = offset ? offset->uncertainty_s : std::numeric_limits<double>::quiet_NaN();
+  return message;
+}
+
+lamina_msgs::HostNode toMessage(const NodeStatus& node) {
+  lamina_msgs::HostNode message;
+  message.name = node.name;
+  message.answers = node.answers;
+  message.pid = static_cast<std::uint32_t>(node.pid);
+  message.restarts = static_cast<std::uint32_t>(node.restarts);
+  return message;
+}
+
+}  // namespace
+
+HostWatchNode::HostWatchNode(ros::NodeHandle node, const HostWatchNodeSettings& settings)
+    : settings_(settings),
+      addresses_(peersOf(settings)),
+      watch_(watchSettings(settings), hostsOf(addresses_), shiftedNow(settings.shift_s)),
+      alarms_(node.advertise<lamina_msgs::AlarmReport>(names::kAlarmReports, 100,
+                                                       [this](const auto& listener) { greet(listener); })),
+      state_(node.advertise<lamina_msgs::HostState>(names::kHostState, 10, true)),
+      look_(namesIn(settings.nodes), settings.watch.master_silence_s / 5.0, watch_, mutex_),
+      link_(settings, watch_, mutex_) {
+  if (!addresses_.empty() && settings.bind.compare(0, 4, "127.") != 0)
+    ROS_WARN_STREAM(
+        "UDP port " << settings.port << " of " << settings.bind
+                    << " is open to the network; datagrams of other hosts than hosts.peers are dropped");
+  const boost::function<void(const ros::WallTimerEvent&)> tick = [this](const auto&) { onTick(); };
+  timer_ = node.createWallTimer(ros::WallDuration(kTickInterval), tick);
+}
+
+lamina_msgs::AlarmReport HostWatchNode::reportOf(const HostAlarm& alarm) const {
+  lamina_msgs::AlarmReport report;
+  report.header.stamp = ros::Time::now();
+  report.id = static_cast<std::uint16_t>(alarm.id);
+  report.source = "host_watch of " + settings_.watch.host;
+  report.value = alarm.value;
+  report.message = alarm.message;
+  report.is_gone = alarm.is_gone;
+  return report;
+}
+
+/// A cell that was started anew has forgotten what was raised.
+void HostWatchNode::greet(const ros::SingleSubscriberPublisher& listener) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  for (const HostAlarm& alarm : watch_.present()) listener.publish(reportOf(alarm));
+}
+
+void HostWatchNode::onTick() {
+  std::error_code error;
+  const auto space = std::filesystem::space(settings_.folder, error);
+  std::vector<HostAlarm> alarms;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (!error) watch_.onFreeSpace(static_cast<double>(space.available));
+    alarms = watch_.tick(shiftedNow(settings_.shift_s));
+  }
+  for (const HostAlarm& alarm : alarms) {
+    if (!alarm.is_gone) ROS_WARN_STREAM(alarm.id << ": " << alarm.message);
+    alarms_.publish(reportOf(alarm));
+  }
+  const double now_s = shiftedNow(0.0).steady_s;
+  if (alarms.empty() && now_s - published_s_ < kStateInterval) return;
+  published_s_ = now_s;
+  publish();
+}
+
+void HostWatchNode::publish() {
+  lamina_msgs::HostState state;
+  state.header.stamp = ros::Time::now();
+  state.host = settings_.watch.host;
+  const double now_s = shiftedNow(0.0).steady_s;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    state.has_master = watch_.hasMaster();
+    state.master_defect = watch_.masterDefect();
+    state.free_space = watch_.freeBytes().value_or(std::numeric_limits<double>::quiet_NaN());
+    for (std::size_t i = 0; i < addresses_.size(); ++i)
+      state.peers.push_back(toMessage(watch_.peers()[i], addresses_[i], now_s));
+    for (const NodeStatus& watched : watch_.nodes()) state.nodes.push_back(toMessage(watched));
+  }
+  publishLatched(state_, state);
+}
+
+}  // namespace lamina

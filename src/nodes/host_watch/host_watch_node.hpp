@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/node_handle.h>
+
+#include <mutex>
+
+#include "graph_look.hpp"
+#include "lamina/cell/host_watch.hpp"
+#include "messages.hpp"
+#include "peer_link.hpp"
+#include "watch_settings.hpp"
+
+namespace lamina {
+
+/// The watch of one host on ROS: says what it sees, and raises alarms of the unit. Its topics:
+/// docs/nodes/host_watch.md.
+class HostWatchNode {
+ public:
+  /// @throws DeviceError if the UDP port cannot be had
+  /// @throws InvalidConfig as `peersOf`
+  HostWatchNode(ros::NodeHandle node, const HostWatchNodeSettings& settings);
+
+ private:
+  void onTick();
+  void publish();
+  void greet(const ros::SingleSubscriberPublisher& listener);
+  lamina_msgs::AlarmReport reportOf(const HostAlarm& alarm) const;
+
+  HostWatchNodeSettings settings_;
+  std::vector<PeerAddress> addresses_;
+  std::mutex mutex_;  ///< of the watch
+  HostWatch watch_;
+  ros::Publisher alarms_;
+  ros::Publisher state_;
+  ros::WallTimer timer_;
+  double published_s_ = 0.0;
+  GraphLook look_;
+  PeerLink link_;
+};
+
+}  // namespace lamina

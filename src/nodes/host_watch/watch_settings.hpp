@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lamina/base/settings.hpp"
+#include "lamina/cell/host_watch.hpp"
+
+namespace lamina {
+
+/// Parameters of the node host_watch.
+struct HostWatchNodeSettings {
+  HostWatchSettings watch;
+  std::string bind = "127.0.0.1";
+  int port = 11412;
+  SettingTable peers;
+  std::string needed;
+  double interval_s = 0.1;
+  double shift_s = 0.0;
+  std::string folder = ".";
+  double least_gib = 2.0;
+  std::string nodes;
+};
+
+/// Another host, and where it is spoken to.
+struct PeerAddress {
+  PeerHost host;
+  std::string address;  ///< IPv4, in figures
+  int port = 0;
+};
+
+/// Adds the keys hosts.*, clock.*, master.*, disk.* and nodes.
+void describe(SettingsSchema& schema, HostWatchNodeSettings& settings);
+
+/// The other hosts, in the order of their names.
+/// @throws InvalidConfig for an address that is none, and a host that is needed and not there
+std::vector<PeerAddress> peersOf(const HostWatchNodeSettings& settings);
+
+/// The names in a list with commas between.
+std::vector<std::string> namesIn(const std::string& list);
+
+}  // namespace lamina
