@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 The Lamina authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What tools/print_inclined and tools/print_by_joints make of what a machine reports, and tools/draw_closed_loop of two prints, without
-a master.
+"""What tools/print_inclined and tools/print_by_joints make of what a machine reports, tools/draw_closed_loop of two prints and
+tools/draw_cell of a cell's timeline, without a master.
 
 Usage: print_tools_test.py ROOT
 """
@@ -143,6 +143,41 @@ class ClosedLoop(unittest.TestCase):
             (pathlib.Path(folder) / "deviation.json").write_text("[]")
             with self.assertRaisesRegex(SystemExit, "nothing was measured"):
                 tool("draw_closed_loop").Print(folder)
+
+
+class Cell(unittest.TestCase):
+    def test_a_picture_shows_states_layers_kills_and_alarms(self):
+        timeline = {"states": [[0.0, "Idle", ""], [1.0, "Starting", "ring"], [2.0, "Execute", "ring"], [5.0, "Holding", "ring"],
+                               [6.0, "Held", "ring"], [7.0, "Execute", "ring"], [9.0, "Complete", "ring"]],
+                    "layers": [[2.0, "ring", 0], [4.0, "ring", 1], [8.0, "ring", 2]],
+                    "events": [[0.1, "queue", "ring is in the queue"], [5.0, "alarm", "alarm 3202: vacuum lost"], [7.0, "back", "acknowledged"],
+                               [8.0, "kill", "kill -9 of the streamer at line 12"]]}
+        with tempfile.TemporaryDirectory() as scratch:
+            root = pathlib.Path(scratch)
+            (root / "timeline.json").write_text(json.dumps(timeline))
+            tool("draw_cell").main(str(root / "timeline.json"), str(root / "cell.svg"))
+            picture = xml.etree.ElementTree.parse(root / "cell.svg").getroot()
+        names = [each.tag.split("}")[1] for each in picture.iter()]
+        self.assertEqual(names.count("polyline"), 1)
+        self.assertEqual(names.count("rect"), 1 + 7, "a ground and a bar for each state")
+        said = [each.text for each in picture.iter() if each.tag.endswith("text")]
+        for words in ("kill -9 of the streamer", "alarm 3202", "goes on", "ring"):
+            self.assertEqual(said.count(words), 1, words)
+
+    def test_times_are_marked_at_round_seconds(self):
+        chart = tool("draw_cell").Chart({"states": [[0.0, "Idle", ""]], "layers": [], "events": [[90.0, "part", "done"]]})
+        self.assertIn(">80<", "".join(chart.seconds()))
+        self.assertEqual(chart.y_of("Holding"), chart.y_of("Held"))
+
+    def test_a_state_is_told_once(self):
+        timeline = tool("print_cell").Timeline()
+        with contextlib.redirect_stdout(io.StringIO()) as said:
+            for _ in range(3):
+                timeline.state("Execute", "ring")
+            timeline.layer("ring", 4)
+            timeline.layer("ring", 4)
+        self.assertEqual(said.getvalue().count("Execute"), 1)
+        self.assertEqual(len(timeline.layers), 1)
 
 
 if __name__ == "__main__":
