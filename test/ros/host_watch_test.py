@@ -10,6 +10,8 @@ import signal
 import sys
 import time
 import unittest
+import uuid
+import xmlrpc.client
 
 from two_hosts import HOST, MASTER_PORT, OTHER, TwoHosts, enter_namespace, ip
 
@@ -112,6 +114,8 @@ class HostWatch(TwoHosts):
         self.assertIsNone(watched.poll())
 
     def test_a_node_that_was_started_anew_is_told(self):
+        # Without a run_id roslaunch waits for whoever sets one.
+        xmlrpc.client.ServerProxy(f"http://{HOST}:{MASTER_PORT}").setParam("/test", "/run_id", str(uuid.uuid1()))
         self.start("nsenter", f"--net=/proc/{self.other.pid}/ns/net", "roslaunch", "--wait", LAUNCH, f"address:={OTHER}", f"motion:={HOST}",
                    ROS_IP=OTHER, ROS_MASTER_URI=f"http://{HOST}:{MASTER_PORT}")
         self.watch("motion", HOST, "desk", OTHER, "_nodes:=/host_watch_desk", "_disk/least_gib:=1000")

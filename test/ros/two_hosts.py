@@ -56,6 +56,7 @@ class TwoHosts(unittest.TestCase):
         ip("link", "set", "far_end", "netns", str(cls.other.pid))
         ip("address", "add", HOST + "/24", "dev", "cable")
         ip("link", "set", "cable", "up")
+        cls.on_other("ip", "link", "set", "lo", "up")
         cls.on_other("ip", "address", "add", OTHER + "/24", "dev", "far_end")
         cls.on_other("ip", "link", "set", "far_end", "up")
 
