@@ -58,6 +58,37 @@ JointValues valuesOf(const std::vector<double>& si, const std::vector<std::size_
   return values;
 }
 
+/// SI units in that of a level's name.
+double siPer(ProcessLevel level) {
+  switch (level) {
+    case ProcessLevel::WireSpeed:
+      return 1e-3;
+    case ProcessLevel::ScrewSpeed:
+      return 2.0 * M_PI / 60.0;
+    case ProcessLevel::Powder:
+    case ProcessLevel::Gas:
+      return 1e-3 / 60.0;
+    default:  // laser power and fan
+      return 1.0;
+  }
+}
+
+template <class Message>
+void fillSignals(const ProcessSignals& signals, Message& message) {
+  message.flow = toCubicMetres(signals.flow_mm3_s);
+  message.laser = signals.is_laser_on;
+  message.wire = signals.is_wire_fed;
+  message.powder = signals.is_powder_on;
+  message.gas = signals.is_gas_on;
+  const auto si = [&signals](ProcessLevel level) { return siPer(level) * signals.levels[level]; };
+  message.laser_power = si(ProcessLevel::LaserPower);
+  message.wire_speed = si(ProcessLevel::WireSpeed);
+  message.screw_speed = si(ProcessLevel::ScrewSpeed);
+  message.powder_rate = si(ProcessLevel::Powder);
+  message.gas_rate = si(ProcessLevel::Gas);
+  message.fan = si(ProcessLevel::Fan);
+}
+
 }  // namespace
 
 std::vector<std::string> jointNames(const KinematicModel& model) {
@@ -87,12 +118,14 @@ JointState fromMessage(const trajectory_msgs::JointTrajectoryPoint& point,
 
 lamina_msgs::ProcessPoint toMessage(const ProcessSignals& signals) {
   lamina_msgs::ProcessPoint point;
-  point.flow = toCubicMetres(signals.flow_mm3_s);
-  point.laser = signals.is_laser_on;
-  point.wire = signals.is_wire_fed;
-  point.powder = signals.is_powder_on;
-  point.gas = signals.is_gas_on;
+  fillSignals(signals, point);
   return point;
+}
+
+lamina_msgs::ProcessState toStateMessage(const ProcessSignals& signals) {
+  lamina_msgs::ProcessState state;
+  fillSignals(signals, state);
+  return state;
 }
 
 ProcessSignals fromMessage(const lamina_msgs::ProcessPoint& point) {
@@ -102,6 +135,13 @@ ProcessSignals fromMessage(const lamina_msgs::ProcessPoint& point) {
   signals.is_wire_fed = point.wire;
   signals.is_powder_on = point.powder;
   signals.is_gas_on = point.gas;
+  const auto set = [&signals](ProcessLevel level, double si) { signals.levels[level] = si / siPer(level); };
+  set(ProcessLevel::LaserPower, point.laser_power);
+  set(ProcessLevel::WireSpeed, point.wire_speed);
+  set(ProcessLevel::ScrewSpeed, point.screw_speed);
+  set(ProcessLevel::Powder, point.powder_rate);
+  set(ProcessLevel::Gas, point.gas_rate);
+  set(ProcessLevel::Fan, point.fan);
   return signals;
 }
 

@@ -30,6 +30,8 @@ JointState fromMessage(const trajectory_msgs::JointTrajectoryPoint& point,
 
 /// Without time.
 lamina_msgs::ProcessPoint toMessage(const ProcessSignals& signals);
+/// Without stamp and outputs.
+lamina_msgs::ProcessState toStateMessage(const ProcessSignals& signals);
 ProcessSignals fromMessage(const lamina_msgs::ProcessPoint& point);
 
 }  // namespace lamina

@@ -43,11 +43,13 @@
 #include <lamina/OptimiseAction.h>
 #include <lamina/PackmlCommand.h>
 #include <lamina/PackmlStatus.h>
+#include <lamina/ProcessReady.h>
 #include <lamina/ProcessState.h>
 #include <lamina/ProcessTrajectory.h>
 #include <lamina/ProcessValue.h>
 #include <lamina/ProfileCounts.h>
 #include <lamina/RunStartup.h>
+#include <lamina/SetIo.h>
 #include <lamina/SetLoop.h>
 #include <lamina/SetUnitMode.h>
 #include <lamina/Setting.h>

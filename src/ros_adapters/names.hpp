@@ -24,6 +24,7 @@ inline constexpr char kJointTrajectory[] = "joint_trajectory";      ///< traject
 inline constexpr char kNozzlePath[] = "nozzle_path";                ///< nav_msgs/Path
 inline constexpr char kProcessTrajectory[] = "process_trajectory";  ///< lamina/ProcessTrajectory
 inline constexpr char kProcessState[] = "process_state";            ///< lamina/ProcessState
+inline constexpr char kProcessReady[] = "process_ready";            ///< lamina/ProcessReady
 inline constexpr char kTrackingError[] = "tracking_error";          ///< lamina/TrackingError
 inline constexpr char kPartMarkers[] = "part_markers";    ///< visualization_msgs/MarkerArray, latched
 inline constexpr char kCheckMarkers[] = "check_markers";  ///< visualization_msgs/MarkerArray, latched

@@ -6,7 +6,7 @@
 
 #include "lamina/kinematics/model/kinematic_model.hpp"
 #include "lamina/toolpath/timing.hpp"
-#include "lamina/trajectory/process_signals.hpp"
+#include "lamina/toolpath/process_signals.hpp"
 
 namespace lamina {
 

@@ -74,6 +74,7 @@ void setMotion(JointStation& station, const Path& path, std::size_t from, const 
   const bool is_travel = path.role == PathRole::Travel;
   station.acceleration_mm_s2 = is_travel ? limits.travel_acceleration_mm_s2 : limits.acceleration_mm_s2;
   station.area_mm2 = is_travel ? 0.0 : crossSection(path.bead.at(to));
+  station.levels = levelsTo(path, to);
 }
 
 /// Whether tip and tool axis go on as they came.
@@ -88,6 +89,13 @@ bool goesOn(const JointStation& before, const JointStation& here, const JointSta
   return (rate(here, after) - rate(before, here)).cwiseAbs().maxCoeff() < kStraightStation;
 }
 
+/// The share of the fan once the events before a motion have happened.
+double fanAfter(const std::vector<PathEvent>& events, std::size_t motion, double share) {
+  for (const PathEvent& placed : eventsBefore(events, motion))
+    if (const auto* const fan = std::get_if<FanShare>(&placed.event)) share = fan->share;
+  return share;
+}
+
 }  // namespace
 
 JointStations jointStations(const Toolpath& toolpath, const JointPath& path, const KinematicModel& model,
@@ -97,6 +105,7 @@ JointStations jointStations(const Toolpath& toolpath, const JointPath& path, con
   stations.each.reserve(path.at.size());
   stations.of_path.reserve(path.at.size());
   std::size_t motion = 0;  // that begins at the station
+  double fan = ProcessLevels()[ProcessLevel::Fan];
   for (std::size_t i = 0; i < path.at.size(); ++i) {
     JointStation station;
     station.values = path.values[i];
@@ -105,6 +114,7 @@ JointStations jointStations(const Toolpath& toolpath, const JointPath& path, con
     const Path& run = pathAt(toolpath, path.at[i]);
     const bool goes_on = i > 0 && isOnOnePath(path.at[i - 1], path.at[i]);
     if (goes_on) setMotion(station, run, path.at[i - 1].waypoint, limits);
+    station.levels[ProcessLevel::Fan] = fan;
     motion = goes_on ? motion + 1 : 0;
     const bool is_new = i == 0 || station.length_mm > 0.0 ||
                         jointTime(stations.each.back().values, station.values, model) > kCoincident;
@@ -113,6 +123,7 @@ JointStations jointStations(const Toolpath& toolpath, const JointPath& path, con
       stations.each.push_back(std::move(station));
     }
     stations.each.back().dwell_s += dwellBefore(run.events, motion);
+    fan = fanAfter(run.events, motion, fan);
     stations.of_path.push_back(stations.each.size() - 1);
   }
   for (const ToolpathEvent& event : toolpath.events_at_end)

@@ -7,6 +7,7 @@
 #include "lamina/kinematics/joint_path/joint_path.hpp"
 #include "lamina/kinematics/model/kinematic_model.hpp"
 #include "lamina/toolpath/motion_limits.hpp"
+#include "lamina/toolpath/process_levels.hpp"
 #include "lamina/trajectory/trajectory_settings.hpp"
 
 namespace lamina {
@@ -21,6 +22,7 @@ struct JointStation {
   double acceleration_mm_s2 = 0.0;  ///< along the path; infinite where it turns in place
   double area_mm2 = 0.0;            ///< cross-section of what is laid on the way
   double dwell_s = 0.0;             ///< for which the nozzle waits there
+  ProcessLevels levels;             ///< on the way, at its feed
   bool is_smooth = false;           ///< no corner of the toolpath: to be rounded whatever the tolerance
 };
 

@@ -16,6 +16,22 @@ constexpr std::array<double, 5> kWeights = {0.11846344252809454, 0.2393143352496
 
 bool isMoving(const JointStation& end) { return end.length_mm > 0.0; }
 
+/// Adds what a way along a span asks of the levels that follow speed; those that nothing states stay unstated.
+void addAlong(const JointStation& end, double way_mm, ProcessLevels& sum) {
+  for (const ProcessLevel level : kAllProcessLevels) {
+    if (!followsSpeed(level) || !end.levels.has(level) || !isMoving(end)) continue;
+    sum[level] = (sum.has(level) ? sum[level] : 0.0) + end.levels[level] * way_mm / end.feed_mm_s;
+  }
+}
+
+/// The levels on the way to a station, those that follow speed unstated.
+ProcessLevels heldLevels(const JointStation& end) {
+  ProcessLevels levels = end.levels;
+  for (const ProcessLevel level : kAllProcessLevels)
+    if (followsSpeed(level)) levels[level] = ProcessLevels()[level];
+  return levels;
+}
+
 JointState stateAt(const MotionPlace& place) {
   const CurvePoint point = place.curve->at(place.span, place.along);
   const JointStation& end = place.curve->spanEnd(place.span);
@@ -25,6 +41,8 @@ JointState stateAt(const MotionPlace& place) {
   state.acceleration = place.acceleration * point.tangent + place.speed * place.speed * point.bend;
   state.tip_speed_mm_s = isMoving(end) ? place.speed : 0.0;
   state.process.flow_mm3_s = end.area_mm2 * place.speed;
+  state.process.levels = heldLevels(end);
+  addAlong(end, place.speed, state.process.levels);
   state.heading_for = end.heading_for;
   return state;
 }
@@ -44,6 +62,7 @@ void integrate(const Timeline& timeline, std::size_t index, double from_s, doubl
   const double way = alongAt(to_s) - alongAt(from_s);
   sum.tip_speed_mm_s += way;
   sum.process.flow_mm3_s += end.area_mm2 * way;
+  addAlong(end, way, sum.process.levels);
 }
 
 }  // namespace
@@ -59,6 +78,9 @@ JointState motionSample(const Timeline& timeline, double averaging_s, double tim
   const double after_s = std::clamp(time_s - timeline.end(), 0.0, averaging_s);
   state.position = before_s * then.position + after_s * now.position;
   state.tip_speed_mm_s = state.process.flow_mm3_s = 0.0;
+  const MotionPlace middle = timeline.placeAt(time_s - 0.5 * averaging_s);
+  const JointStation& heading = middle.curve->spanEnd(middle.span);
+  state.process.levels = heldLevels(heading);
   const double last_s = std::min(time_s, timeline.end());
   double at_s = std::max(from_s, 0.0);
   for (std::size_t i = timeline.phaseAt(at_s); at_s < last_s; ++i) {
@@ -71,7 +93,9 @@ JointState motionSample(const Timeline& timeline, double averaging_s, double tim
   state.acceleration = (now.velocity - then.velocity) / averaging_s;
   state.tip_speed_mm_s /= averaging_s;
   state.process.flow_mm3_s /= averaging_s;
-  state.heading_for = stateAt(timeline.placeAt(time_s - 0.5 * averaging_s)).heading_for;
+  for (const ProcessLevel level : kAllProcessLevels)
+    if (followsSpeed(level)) state.process.levels[level] /= averaging_s;
+  state.heading_for = heading.heading_for;
   return state;
 }
 

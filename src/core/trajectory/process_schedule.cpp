@@ -84,11 +84,23 @@ bool ProcessSchedule::isIn(const Intervals& intervals, double time_s) {
   return later != intervals.begin() && time_s < std::prev(later)->to_s;
 }
 
-ProcessSignals ProcessSchedule::signalsAt(double time_s, double flow_mm3_s) const {
+ProcessSignals ProcessSchedule::signalsAt(double time_s, const ProcessSignals& motion) const {
   if (time_s >= safe_from_s_) return safeSignals();
+  ProcessSignals signals = motion;
   const bool is_running = isIn(carriers_, time_s);
-  return {flow_mm3_s, isIn(laser_, time_s), isIn(wire_, time_s),
-          is_running && settings_.kind == ProcessKind::Powder, is_running};
+  signals.is_laser_on = isIn(laser_, time_s);
+  signals.is_wire_fed = isIn(wire_, time_s);
+  signals.is_powder_on = is_running && settings_.kind == ProcessKind::Powder;
+  signals.is_gas_on = is_running;
+  const auto gate = [&signals](ProcessLevel level, bool is_on) {
+    if (!is_on && signals.levels.has(level)) signals.levels[level] = 0.0;
+  };
+  gate(ProcessLevel::LaserPower, signals.is_laser_on);
+  gate(ProcessLevel::WireSpeed, signals.is_wire_fed);
+  gate(ProcessLevel::ScrewSpeed, signals.flow_mm3_s > 0.0);
+  gate(ProcessLevel::Powder, signals.is_powder_on);
+  gate(ProcessLevel::Gas, signals.is_gas_on);
+  return signals;
 }
 
 std::vector<ProcessEvent> ProcessSchedule::events() const {

@@ -5,9 +5,9 @@
 #include <limits>
 #include <vector>
 
+#include "lamina/toolpath/process_signals.hpp"
 #include "lamina/trajectory/process_events.hpp"
 #include "lamina/trajectory/process_settings.hpp"
-#include "lamina/trajectory/process_signals.hpp"
 #include "trajectory/timeline.hpp"
 
 namespace lamina {
@@ -26,7 +26,8 @@ class ProcessSchedule {
   /// Everything is off from then on.
   void makeSafeFrom(double time_s) { safe_from_s_ = std::min(safe_from_s_, time_s); }
 
-  ProcessSignals signalsAt(double time_s, double flow_mm3_s) const;
+  /// @param motion  flow and levels of the motion at that time, of which levels are 0 that are switched off
+  ProcessSignals signalsAt(double time_s, const ProcessSignals& motion) const;
   /// In order of time; at one instant in the order laser, wire, powder, gas.
   std::vector<ProcessEvent> events() const;
 

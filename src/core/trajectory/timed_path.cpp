@@ -77,7 +77,7 @@ const std::vector<WaypointIndex>& TimedPath::looseTravels() const { return motio
 
 JointState TimedPath::at(double time_s) const {
   JointState state = motionSample(motion_->plan().timeline(), motion_->averaging(), time_s);
-  state.process = motion_->schedule().signalsAt(time_s, state.process.flow_mm3_s);
+  state.process = motion_->schedule().signalsAt(time_s, state.process);
   return state;
 }
 

@@ -68,7 +68,7 @@ class TrajectoryFeeder::State {
 
   JointState at(double time_s) const {
     JointState state = motionSample(timeline_, motion_->averaging(), time_s);
-    state.process = schedule_.signalsAt(time_s, state.process.flow_mm3_s);
+    state.process = schedule_.signalsAt(time_s, state.process);
     return state;
   }
 

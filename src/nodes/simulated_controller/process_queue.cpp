@@ -18,11 +18,9 @@ ProcessSignals ProcessQueue::at(const ros::Time& now) {
   if (points_.empty() || now < points_.front().from || now > valid_until_) return safeSignals();
   ProcessSignals signals = points_.front().signals;
   if (points_.size() < 2) return signals;
-  // The flow goes in proportion from point to point; switches stay as they are until the next.
   const double span_s = (points_[1].from - points_[0].from).toSec();
   const double share = span_s > 0.0 ? (now - points_[0].from).toSec() / span_s : 0.0;
-  signals.flow_mm3_s += share * (points_[1].signals.flow_mm3_s - signals.flow_mm3_s);
-  return signals;
+  return between(signals, points_[1].signals, share);
 }
 
 }  // namespace lamina

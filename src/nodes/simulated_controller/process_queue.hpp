@@ -4,7 +4,7 @@
 
 #include <deque>
 
-#include "lamina/trajectory/process_signals.hpp"
+#include "lamina/toolpath/process_signals.hpp"
 #include "messages.hpp"
 
 namespace lamina {

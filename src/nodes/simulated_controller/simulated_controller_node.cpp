@@ -238,19 +238,13 @@ void SimulatedControllerNode::report(const ros::Time& now) {
   }
   position_.publish(state);
 
-  lamina_msgs::ProcessState process;
   const ros::Duration behind(behind_s_);
   // Nothing is deposited but on the way of a goal.
   ProcessSignals signals = server_.isActive() ? process_.at(now - behind) : safeSignals();
   if (laid_) lay(now, signals.flow_mm3_s);
   signals.flow_mm3_s = flow_.at((now - epoch_).toSec(), signals.flow_mm3_s);
-  const lamina_msgs::ProcessPoint point = toMessage(signals);
+  lamina_msgs::ProcessState process = toStateMessage(signals);
   process.header.stamp = now;
-  process.flow = point.flow;
-  process.laser = point.laser;
-  process.wire = point.wire;
-  process.powder = point.powder;
-  process.gas = point.gas;
   process_state_.publish(process);
   if (server_.isActive()) publishFeedback(now - behind);
 }

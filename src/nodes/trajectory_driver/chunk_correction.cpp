@@ -217,6 +217,8 @@ TrajectoryChunk ChunkCorrection::corrected(TrajectoryChunk chunk) {
     if (position) shift = *position - point.position;
     shifts.push_back(shift);
     point.process.flow_mm3_s *= 1.0 + asked.amount;
+    for (const ProcessLevel level : kAllProcessLevels)
+      if (followsSpeed(level)) point.process.levels[level] *= 1.0 + asked.amount;
   }
   for (std::size_t i = 0; i < shifts.size(); ++i) {
     JointState& point = chunk.points[i];

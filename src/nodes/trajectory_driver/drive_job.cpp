@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "lamina/job/clear_approach.hpp"
+#include "lamina/toolpath/process_levels.hpp"
 #include "lamina/toolpath/process_support.hpp"
 
 namespace lamina {
@@ -25,7 +26,9 @@ bool isThere(const JointValues& here, const JointValues& start, const KinematicM
 DriveJob driveJob(const MachineToolpath& placed, const KinematicModel& model, const DriverSettings& settings,
                   const std::function<void(const MachineCheck&)>& found, Progress& progress) {
   requirePlannedFor(placed, model.name());
-  requireSupported(placed.toolpath, {ProcessElement::Fan, ProcessElement::Dwell}, "joint trajectories");
+  requireSupported(placed.toolpath, {ProcessElement::Fan, ProcessElement::Dwell, ProcessElement::Value},
+                   "joint trajectories");
+  requireLevels(placed.toolpath, "joint trajectories");
   KinematicModelRun run = runOn(model, placed.toolpath, placed.bed_from_part, settings.run.joints, progress);
   if (settings.is_clearance_checked) {
     const MachineCheck check = checkRun(run, model, settings.clearance, progress);

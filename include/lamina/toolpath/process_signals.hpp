@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "lamina/toolpath/process_levels.hpp"
+
 namespace lamina {
 
 /// What the process does at one instant.
@@ -11,14 +13,26 @@ struct ProcessSignals {
   bool is_wire_fed = false;
   bool is_powder_on = false;
   bool is_gas_on = false;
+  ProcessLevels levels = {};
 
   friend bool operator==(const ProcessSignals& a, const ProcessSignals& b) {
     return a.flow_mm3_s == b.flow_mm3_s && a.is_laser_on == b.is_laser_on && a.is_wire_fed == b.is_wire_fed &&
-           a.is_powder_on == b.is_powder_on && a.is_gas_on == b.is_gas_on;
+           a.is_powder_on == b.is_powder_on && a.is_gas_on == b.is_gas_on && a.levels == b.levels;
   }
 };
 
 /// Nothing flows and nothing burns: what a machine is left with.
 inline ProcessSignals safeSignals() { return {}; }
+
+/// On the way from one to the next: flow, wire and screw in proportion, the rest as it was.
+/// @param share  of the way, 0 to 1
+inline ProcessSignals between(const ProcessSignals& from, const ProcessSignals& to, double share) {
+  ProcessSignals signals = from;
+  signals.flow_mm3_s += share * (to.flow_mm3_s - from.flow_mm3_s);
+  for (const ProcessLevel level : kAllProcessLevels)
+    if (followsSpeed(level) && to.levels.has(level))
+      signals.levels[level] += share * (to.levels[level] - from.levels[level]);
+  return signals;
+}
 
 }  // namespace lamina

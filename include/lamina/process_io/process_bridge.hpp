@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lamina/process_io/channel_drive.hpp"
+#include "lamina/process_io/process_plan.hpp"
+#include "lamina/process_io/process_watch.hpp"
+
+namespace lamina {
+
+struct BridgeSettings {
+  double rate_hz = 100.0;
+  double standstill_s = 0.3;    ///< that the beam may be on without motion; 0 for ever
+  double connect_wait_s = 5.0;  ///< from the start until a device that was never there is an alarm
+};
+
+/// Adds the keys rate_hz, standstill_s and connect_wait_s.
+void describe(SettingsSchema& schema, BridgeSettings& settings);
+
+/// A device as it is at a cycle.
+struct DeviceView {
+  bool is_connected = false;
+  std::string reason;  ///< why it is not
+};
+
+/// What is known at a cycle, besides the plan.
+struct CycleView {
+  std::vector<DeviceView> devices;  ///< as in the tables
+  std::vector<double> measured;     ///< of each input [unit of its quantity]; NaN where it is not read
+  double late_s = 0.0;              ///< the worst output since the last cycle
+};
+
+/// What a cycle gives.
+struct BridgeCycle {
+  std::vector<double> values;  ///< of each channel as in the tables [unit of its quantity]
+  std::vector<ProcessAlarm> alarms;
+  std::string fault;  ///< why the process cannot be run; empty if it can
+};
+
+/// Carries the plan of a process to devices, cycle by cycle; takes times, gives values. No input or output.
+///
+/// Whenever nothing is known of the plan, safe values are sent. A lost device, an output that is far too late
+/// (5104) and a beam without motion (5105) trip it: safe values are sent to all, until every device is there
+/// and the plan has had the process off for half a second, so that no bead is begun in its middle.
+class ProcessBridge {
+ public:
+  ProcessBridge(const ProcessTables& tables, const BridgeSettings& settings, double now_s);
+
+  /// @throws InvalidInput as `ProcessPlan::accept`
+  void accept(const ProcessChunk& chunk, double now_s);
+  /// Positions of all joints [m, rad].
+  void hearPositions(const std::vector<double>& positions, double now_s) { motion_.hear(positions, now_s); }
+
+  /// To be called once per cycle; times must not go back.
+  BridgeCycle cycle(double now_s, const CycleView& view);
+  /// Safe values for all; what was planned is forgotten.
+  std::vector<double> stop(double now_s);
+
+  const std::vector<ChannelDrive>& drives() const { return drives_; }
+  /// What is planned for now.
+  ProcessSignals planned(double now_s) const { return plan_.at(now_s).value_or(safeSignals()); }
+  bool isTripped() const { return !trip_.empty(); }
+  /// Chunks that changed what had been sent already, for its dead time.
+  std::uint64_t overtaken() const { return overtaken_; }
+  /// Chunks that came after what they begin with should have been sent.
+  std::uint64_t lateChunks() const { return late_chunks_; }
+
+ private:
+  bool isProcessOn() const;
+  void lookAtDevices(double now_s, const std::vector<DeviceView>& devices);
+  void lookAtLateness(double now_s, double late_s);
+  void lookAtAsked();
+  void lookAtBeam(double now_s);
+  void trip(const std::string& why);
+  void rearm(double now_s);
+
+  ProcessTables tables_;
+  BridgeSettings settings_;
+  double begin_s_;
+  double longest_lead_s_ = 0.0;
+  ProcessPlan plan_;
+  std::vector<ChannelDrive> drives_;
+  InputWatch inputs_;
+  StandstillWatch motion_;
+  RaisedAlarms raised_;
+  std::vector<ProcessAlarm> events_;
+  std::vector<bool> was_connected_;
+  bool are_all_connected_ = false;
+  std::string trip_;  ///< why; empty if it is not
+  std::optional<double> off_since_s_;
+  std::optional<double> beam_since_s_;
+  double chunk_late_s_ = 0.0;  ///< since the last cycle
+  double told_late_s_;
+  std::uint64_t overtaken_ = 0;
+  std::uint64_t late_chunks_ = 0;
+};
+
+}  // namespace lamina

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "lamina/toolpath/process_signals.hpp"
+
+namespace lamina {
+
+/// The process from an instant on.
+struct PlannedProcess {
+  double time_s = 0.0;
+  ProcessSignals signals;
+};
+
+/// A piece of the process over time.
+struct ProcessChunk {
+  std::vector<PlannedProcess> points;  ///< in order of time
+  double valid_until_s = 0.0;          ///< from then on nothing is known
+};
+
+/// What the process is to do over absolute time, as far as it is known. A chunk takes the place of what was
+/// planned from its first point on, whenever it comes; what lies between the end of one and the begin of the
+/// next is not known.
+class ProcessPlan {
+ public:
+  static constexpr double kMeet = 1e-3;  ///< s: chunks no farther apart meet, but for rounding
+  static constexpr std::size_t kMostPoints = 200000;  ///< that are kept
+
+  /// @throws InvalidInput if there is no point, times are not finite or not in order, a flow or level is
+  ///   negative or infinite, a flow no number, or there are too many points; then nothing changes
+  void accept(const ProcessChunk& chunk);
+
+  /// What is planned for a time; nothing if that is not known. Logarithmic time.
+  std::optional<ProcessSignals> at(double time_s) const;
+
+  /// When the last chunk ends [s]; -infinity before the first.
+  double validUntil() const { return valid_until_s_; }
+
+  /// Drops what lies before a time.
+  void forget(double time_s);
+
+ private:
+  struct Point {
+    double time_s = 0.0;
+    std::optional<ProcessSignals> signals;  ///< nothing: unknown until the next
+  };
+  std::deque<Point> points_;
+  double valid_until_s_ = -std::numeric_limits<double>::infinity();
+};
+
+}  // namespace lamina

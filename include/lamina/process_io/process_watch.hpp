@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "lamina/process_io/channel_drive.hpp"
+
+namespace lamina {
+
+/// An alarm of the unit (docs/cell.md) that is raised, or whose cause is gone.
+struct ProcessAlarm {
+  std::uint16_t id = 0;
+  std::string source;
+  double value = 0.0;
+  std::string message;  ///< empty if it is gone
+  bool is_gone = false;
+};
+
+/// Which alarms are raised: tells each change once.
+class RaisedAlarms {
+ public:
+  /// What is wrong now, in words, or nothing.
+  void set(std::uint16_t id, const std::string& source, const std::optional<std::string>& wrong, double value);
+  std::vector<ProcessAlarm> takeChanges() { return std::exchange(changes_, {}); }
+  /// The first that is raised, in words; empty if none is.
+  std::string first() const { return raised_.empty() ? std::string() : raised_.begin()->second; }
+
+ private:
+  std::map<std::pair<std::uint16_t, std::string>, std::string> raised_;
+  std::vector<ProcessAlarm> changes_;
+};
+
+/// Judges what devices read against what they were sent (5101, 5102, 5106, 5107).
+class InputWatch {
+ public:
+  explicit InputWatch(std::vector<InputChannel> inputs) : inputs_(std::move(inputs)), wrong_since_(inputs_.size()) {}
+
+  const std::vector<InputChannel>& inputs() const { return inputs_; }
+
+  /// @param measured  of each input [unit of its channel]; NaN where it is not read: that is not judged
+  void look(const std::vector<double>& measured, const std::vector<ChannelDrive>& drives, double now_s,
+            RaisedAlarms& raised);
+
+ private:
+  std::vector<InputChannel> inputs_;
+  std::vector<std::optional<double>> wrong_since_;
+};
+
+/// Since when nothing has moved.
+class StandstillWatch {
+ public:
+  /// Positions of all joints [m, rad].
+  void hear(const std::vector<double>& positions, double now_s);
+  /// [s]; since `since_s` if nothing was heard.
+  double stillFor(double since_s, double now_s) const;
+
+ private:
+  std::vector<double> positions_;
+  std::optional<double> moved_s_;
+};
+
+}  // namespace lamina

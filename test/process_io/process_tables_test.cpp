@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/process_io/process_tables.hpp"
+
+#include <gtest/gtest.h>
+
+#include "lamina/base/error.hpp"
+
+namespace lamina {
+namespace {
+
+ProcessTableSettings tables(const std::string& channel, const std::string& input = "") {
+  ProcessTableSettings settings;
+  SettingsSchema schema;
+  describe(schema, settings);
+  schema.set("devices", "{coupler: {kind: modbus_tcp, address: \"plc:502\"}}");
+  schema.set("channels", "{gas: {quantity: gas, device: coupler, high: 1}, laser: " + channel + "}");
+  if (!input.empty()) schema.set("inputs", "{seen: " + input + "}");
+  return settings;
+}
+
+std::string refusal(const ProcessTableSettings& settings) {
+  try {
+    processTables(settings);
+  } catch (const InvalidConfig& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+constexpr char kLaser[] =
+    "{quantity: laser_power_w, device: coupler, write: 3, scale: 8.2, low: 200, high: 4000, lag_s: 0.02}";
+
+TEST(ProcessTables, RowsAreReadTheBeamFirst) {
+  const ProcessTables read =
+      processTables(tables(kLaser, "{device: coupler, read: 7, check: follows, channel: laser, tolerance: 50}"));
+  ASSERT_EQ(read.channels.size(), 2U);
+  EXPECT_EQ(read.channels[0].name, "laser");
+  EXPECT_EQ(read.channels[0].write, "3");
+  EXPECT_EQ(read.channels[0].scale, 8.2);
+  EXPECT_EQ(read.channels[0].low, 200.0);
+  EXPECT_EQ(read.channels[0].high, 4000.0);
+  EXPECT_EQ(read.channels[0].lag_s, 0.02);
+  EXPECT_EQ(read.channels[1].quantity, ProcessQuantity::GasOn);
+  ASSERT_EQ(read.inputs.size(), 1U);
+  EXPECT_EQ(read.inputs[0].read, 7);
+  EXPECT_EQ(read.inputs[0].check, InputCheck::Follows);
+  EXPECT_EQ(read.devices[0].kind, DeviceKind::ModbusTcp);
+  EXPECT_EQ(read.devices[0].address, "plc:502");
+}
+
+TEST(ProcessTables, RefusalsNameRowKeyValueAndBound) {
+  const auto laser = [](const std::string& rest) {
+    return refusal(tables("{quantity: laser_power_w, device: coupler, low: 200, high: 4000" + rest + "}"));
+  };
+  EXPECT_EQ(laser(""), "accepted");
+  EXPECT_EQ(laser(", power: 3"),
+            "channels.laser: unknown setting 'power'; did you mean 'low'?");
+  EXPECT_EQ(laser(", scale: 0"), "channels.laser: scale is 0; must be another number");
+  EXPECT_EQ(laser(", safe: 5000"), "channels.laser: safe is 5000.000000; must be at most high, 4000.000000");
+  EXPECT_EQ(laser(", nominal: 100"),
+            "channels.laser: nominal is 100.000000; must be 0 or in [200.000000, 4000.000000]");
+  EXPECT_EQ(laser(", dead_time_s: -1"), "channels.laser: dead_time_s is '-1'; must be a number in [0, 10]");
+  EXPECT_EQ(laser(", screw: \"1,2,3\""),
+            "channels.laser: screw has 3 numbers; must be pairs of rpm and mm3 per revolution");
+  EXPECT_EQ(refusal(tables("{quantity: laser_power_w, device: plc, high: 1}")),
+            "channels.laser: device is 'plc'; must be one of devices");
+  EXPECT_EQ(refusal(tables("{quantity: laser_power_w, device: coupler}")),
+            "channels.laser: high is 0.000000; must be above low, 0.000000");
+  EXPECT_EQ(refusal(tables(kLaser, "{device: coupler, check: follows, channel: beam}")),
+            "inputs.seen: channel is 'beam'; must be one of channels");
+  EXPECT_EQ(refusal(tables(kLaser, "{device: coupler, scale: 0}")),
+            "inputs.seen: scale is 0; must be another number");
+  EXPECT_EQ(refusal(tables("7")), "channels.laser is '7'; must be a map of rows by their names");
+}
+
+TEST(ProcessTables, AScrewThatFallsIsRefused) {
+  EXPECT_EQ(refusal(tables("{quantity: screw_rpm, device: coupler, high: 60, screw: \"30,100,60,40\"}")),
+            "channels.laser: screw has 40.000000 mm3/s at 60.000000 rpm behind 50.000000 mm3/s at 30.000000 "
+            "rpm; both must rise");
+}
+
+TEST(ProcessTables, ScrewSpeedsGiveTheFlow) {
+  const std::vector<double> screw = {10.0, 120.0, 60.0, 90.0};  // 20 and 90 mm3/s
+  EXPECT_EQ(screwSpeed(0.0, screw), 0.0);
+  EXPECT_NEAR(screwSpeed(10.0, screw), 5.0, 1e-9);    // 120 mm3 per revolution
+  EXPECT_NEAR(screwSpeed(20.0, screw), 10.0, 1e-9);
+  EXPECT_NEAR(screwSpeed(90.0, screw), 60.0, 1e-9);
+  EXPECT_NEAR(screwSpeed(180.0, screw), 120.0, 1e-9);  // 90 mm3 per revolution
+  // 35 rpm: halfway, 105 mm3 per revolution
+  EXPECT_NEAR(screwSpeed(35.0 * 105.0 / 60.0, screw), 35.0, 1e-9);
+}
+
+}  // namespace
+}  // namespace lamina
