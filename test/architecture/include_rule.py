@@ -53,6 +53,8 @@ ARROWS = {
     "journal": ["base"],
     "cell": ["journal"],
     "modbus": ["cell"],
+    "process_io": ["toolpath"],
+    "process_io/devices": ["process_io", "modbus", "streaming/transport"],
     "picture": ["verification/overhang", "pores"],
     "job": ["planning", "orientation", "gcode_rewrite", "dynamics", "startup", "streaming/emulator", "deposition", "sweep", "scaffold",
             "stiffness", "metrics", "study", "verification/collision", "monitoring", "control/program",

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "lagging_device.hpp"
+#include "lamina/process_io/devices/lagging_response.hpp"
 
 namespace lamina {
 namespace {
@@ -90,12 +90,12 @@ TEST(ChannelDrive, SendsWhatIsPlannedForWhenItTakesEffect) {
   channel.dead_time_s = 0.1;
   ChannelDrive drive(channel, kDriveCycle);
   const ProcessPlan plan = planOf({{1.0, lit(500.0)}, {2.0, lit(800.0)}, {3.0, lit(800.0)}});
-  EXPECT_EQ(drive.step(plan, 0.89), 0.0);     // for 0.995
-  EXPECT_EQ(drive.step(plan, 0.90), 500.0);   // for 1.005
-  EXPECT_EQ(drive.step(plan, 1.89), 500.0);   // for 1.995
-  EXPECT_EQ(drive.step(plan, 1.90), 800.0);   // for 2.005
-  EXPECT_EQ(drive.step(plan, 2.89), 800.0);   // for 2.995
-  EXPECT_EQ(drive.step(plan, 2.90), 0.0);     // nothing is known for 3.005
+  EXPECT_EQ(drive.step(plan, 0.89), 0.0);    // for 0.995
+  EXPECT_EQ(drive.step(plan, 0.90), 500.0);  // for 1.005
+  EXPECT_EQ(drive.step(plan, 1.89), 500.0);  // for 1.995
+  EXPECT_EQ(drive.step(plan, 1.90), 800.0);  // for 2.005
+  EXPECT_EQ(drive.step(plan, 2.89), 800.0);  // for 2.995
+  EXPECT_EQ(drive.step(plan, 2.90), 0.0);    // nothing is known for 3.005
 }
 
 TEST(ChannelDrive, ExpectsTheEffectAfterDeadTimeAndLag) {
@@ -103,7 +103,7 @@ TEST(ChannelDrive, ExpectsTheEffectAfterDeadTimeAndLag) {
   channel.dead_time_s = 0.05;
   channel.lag_s = 0.1;
   ChannelDrive drive(channel, kDriveCycle);
-  test::LaggingDevice device(0.05, 0.1);
+  LaggingResponse device(0.05, 0.1);
   const ProcessPlan plan = planOf({{0.3, lit(500.0)}, {0.6, lit(1500.0)}, {1.0, lit(1500.0)}});
   for (int cycle = 0; cycle < 100; ++cycle) {
     const double now_s = kDriveCycle * cycle;
@@ -116,7 +116,7 @@ TEST(ChannelDrive, ARampThatTheBandAllowsIsFollowedWithoutLag) {
   OutputChannel channel = laser();
   channel.lag_s = 0.1;
   ChannelDrive drive(channel, kDriveCycle);
-  test::LaggingDevice device(0.0, 0.1);
+  LaggingResponse device(0.0, 0.1);
   std::vector<PlannedProcess> points;
   for (int i = 0; i <= 300; ++i) points.push_back({0.01 * i, lit(500.0 + 2.0 * i)});
   const ProcessPlan plan = planOf(points);

@@ -67,7 +67,7 @@ ProcessSignals laying(double power_w = 1000.0) {
 /// A bridge in simulated time, with devices and a machine that are well.
 class BridgeRun {
  public:
-  explicit BridgeRun(const ProcessTables& tables = laserAndWire(), BridgeSettings settings = {})
+  explicit BridgeRun(const ProcessTables& tables = laserAndWire(), ProcessBridgeSettings settings = {})
       : bridge(tables, settings, 0.0) {
     view.devices.assign(2, {true, ""});
     view.measured = {kNaN, kNaN, kNaN};
@@ -138,7 +138,7 @@ TEST(ProcessBridge, ALostDeviceTripsAllUntilTheProcessIsOff) {
 }
 
 TEST(ProcessBridge, ADeviceThatWasNeverThereIsAnAlarmAfterAWait) {
-  BridgeSettings settings;
+  ProcessBridgeSettings settings;
   settings.connect_wait_s = 2.0;
   BridgeRun run(laserAndWire(), settings);
   run.alarms.clear();
@@ -172,6 +172,24 @@ TEST(ProcessBridge, LatenessIsToldOnceASecondAndTripsWhenItIsTooMuch) {
   EXPECT_EQ(run.alarms.back().id, 5104);
   EXPECT_EQ(run.alarms.back().value, 60.0);
   EXPECT_EQ(run.last.values, kSafe);
+}
+
+TEST(ProcessBridge, WhatIsLateIsASetting) {
+  ProcessBridgeSettings settings;
+  settings.late_s = 0.03;
+  settings.too_late_s = 0.2;
+  BridgeRun run(laserAndWire(), settings);
+  run.plan(laying(), 5.0);
+  run.run(2);
+  run.view.late_s = 0.025;
+  run.run(2);
+  EXPECT_TRUE(run.alarms.empty());
+  run.view.late_s = 0.19;
+  run.run(2);
+  EXPECT_EQ(run.ids(), std::vector<int>{5103});
+  run.view.late_s = 0.21;
+  run.run(1);
+  EXPECT_EQ(run.ids(), (std::vector<int>{5103, 5104}));
 }
 
 TEST(ProcessBridge, ChunksThatComeLateAreOutputsThatAreLate) {
@@ -233,8 +251,7 @@ TEST(ProcessBridge, InputsAreJudged) {
   EXPECT_TRUE(run.alarms.empty());
   run.run(3);
   EXPECT_EQ(run.ids(), (std::vector<int>{5101, 5106, 5102}));
-  EXPECT_EQ(run.alarms[0].message,
-            "power of laser_source is 900 (laser_power_w); expected 1000, within 50");
+  EXPECT_EQ(run.alarms[0].message, "power of laser_source is 900 (laser_power_w); expected 1000, within 50");
   EXPECT_EQ(run.alarms[1].message,
             "current of feeder is 0.1 while wire is at 30 (wire_speed_mm_s); expected at least 0.2");
   EXPECT_EQ(run.last.values, kLaying);  // the driver is told to hold

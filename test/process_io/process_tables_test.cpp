@@ -32,8 +32,8 @@ constexpr char kLaser[] =
     "{quantity: laser_power_w, device: coupler, write: 3, scale: 8.2, low: 200, high: 4000, lag_s: 0.02}";
 
 TEST(ProcessTables, RowsAreReadTheBeamFirst) {
-  const ProcessTables read =
-      processTables(tables(kLaser, "{device: coupler, read: 7, check: follows, channel: laser, tolerance: 50}"));
+  const ProcessTables read = processTables(
+      tables(kLaser, "{device: coupler, read: 7, check: follows, channel: laser, tolerance: 50}"));
   ASSERT_EQ(read.channels.size(), 2U);
   EXPECT_EQ(read.channels[0].name, "laser");
   EXPECT_EQ(read.channels[0].write, "3");
@@ -54,8 +54,7 @@ TEST(ProcessTables, RefusalsNameRowKeyValueAndBound) {
     return refusal(tables("{quantity: laser_power_w, device: coupler, low: 200, high: 4000" + rest + "}"));
   };
   EXPECT_EQ(laser(""), "accepted");
-  EXPECT_EQ(laser(", power: 3"),
-            "channels.laser: unknown setting 'power'; did you mean 'low'?");
+  EXPECT_EQ(laser(", power: 3"), "channels.laser: unknown setting 'power'; did you mean 'low'?");
   EXPECT_EQ(laser(", scale: 0"), "channels.laser: scale is 0; must be another number");
   EXPECT_EQ(laser(", safe: 5000"), "channels.laser: safe is 5000.000000; must be at most high, 4000.000000");
   EXPECT_EQ(laser(", nominal: 100"),
@@ -83,7 +82,7 @@ TEST(ProcessTables, AScrewThatFallsIsRefused) {
 TEST(ProcessTables, ScrewSpeedsGiveTheFlow) {
   const std::vector<double> screw = {10.0, 120.0, 60.0, 90.0};  // 20 and 90 mm3/s
   EXPECT_EQ(screwSpeed(0.0, screw), 0.0);
-  EXPECT_NEAR(screwSpeed(10.0, screw), 5.0, 1e-9);    // 120 mm3 per revolution
+  EXPECT_NEAR(screwSpeed(10.0, screw), 5.0, 1e-9);  // 120 mm3 per revolution
   EXPECT_NEAR(screwSpeed(20.0, screw), 10.0, 1e-9);
   EXPECT_NEAR(screwSpeed(90.0, screw), 60.0, 1e-9);
   EXPECT_NEAR(screwSpeed(180.0, screw), 120.0, 1e-9);  // 90 mm3 per revolution

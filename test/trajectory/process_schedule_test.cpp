@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 
 #include "lamina/base/error.hpp"
@@ -27,10 +28,11 @@ Toolpath beadTravelBead() {
 }
 constexpr double kEach = 1.06;
 
-TimedPath timedWith(const ProcessSettings& process) {
-  const Toolpath toolpath = beadTravelBead();
+TimedPath timedWith(const ProcessSettings& process, const Toolpath& toolpath = beadTravelBead(),
+                    double jerk_ramp_s = 0.0) {
   const TiltingGantry gantry;
   TimingSettings settings;
+  settings.trajectory.jerk_ramp_s = jerk_ramp_s;
   settings.motion.acceleration_mm_s2 = settings.motion.travel_acceleration_mm_s2 = 500.0;
   settings.trajectory.joint_ramp_s = 1e-3;
   settings.process = process;
@@ -113,6 +115,58 @@ TEST(ProcessSchedule, BeadsWhoseLeadsOverlapAreOne) {
   process.laser_off_lead_s = -0.6;
   const TimedPath timed = timedWith(process);
   EXPECT_EQ(timed.events().size(), 6U) << "laser, powder and gas, on and off once each";
+}
+
+/// The first bead at 900 W with 12 mm/s of wire and 15 l/min, the second at 700 W; a fan from the travel on.
+Toolpath statedBeads() {
+  Toolpath toolpath = beadTravelBead();
+  std::vector<Path>& paths = toolpath.layers[0].paths;
+  paths[0].values = {{"laser_power_w", 900.0}, {"wire_speed_mm_s", 12.0}, {"gas_l_min", 15.0}};
+  paths[1].events = {{0, FanShare{0.4}}};
+  paths[2].values = {{"laser_power_w", 700.0}, {"screw_rpm", 30.0}};
+  return toolpath;
+}
+
+TEST(ProcessSchedule, LevelsGoWithMotionAndSwitches) {
+  ProcessSettings process;
+  process.kind = ProcessKind::Wire;
+  const TimedPath timed = timedWith(process, statedBeads());
+  const auto levels = [&timed](double time_s) { return timed.at(time_s).process.levels; };
+  using Level = ProcessLevel;
+  EXPECT_EQ(levels(0.5)[Level::LaserPower], 900.0);
+  EXPECT_NEAR(levels(0.5)[Level::WireSpeed], 12.0, 1e-9);
+  EXPECT_NEAR(levels(0.03)[Level::WireSpeed], 6.0, 1e-9);  // half the speed: 500 mm/s2 for 0.03 s
+  EXPECT_EQ(levels(0.03)[Level::LaserPower], 900.0);
+  EXPECT_EQ(levels(0.5)[Level::Gas], 15.0);
+  EXPECT_FALSE(levels(0.5).has(Level::ScrewSpeed) || levels(0.5).has(Level::Fan));
+  EXPECT_FALSE(levels(kEach + 0.5).has(Level::LaserPower));
+  EXPECT_EQ(levels(kEach + 0.5)[Level::Fan], 0.4);
+  EXPECT_EQ(levels(2.0 * kEach + 0.5)[Level::LaserPower], 700.0);
+  EXPECT_NEAR(levels(2.0 * kEach + 0.5)[Level::ScrewSpeed], 30.0, 1e-9);
+  EXPECT_EQ(levels(2.0 * kEach + 0.5)[Level::Fan], 0.4);
+}
+
+TEST(ProcessSchedule, LevelsThatAreSwitchedOffAreNone) {
+  ProcessSettings process;
+  process.kind = ProcessKind::Powder;  // without wire
+  process.laser_on_lead_s = -0.2;
+  const TimedPath timed = timedWith(process, statedBeads());
+  EXPECT_EQ(timed.at(0.1).process.levels[ProcessLevel::LaserPower], 0.0);
+  EXPECT_EQ(timed.at(0.3).process.levels[ProcessLevel::LaserPower], 900.0);
+  EXPECT_EQ(timed.at(0.3).process.levels[ProcessLevel::WireSpeed], 0.0);
+}
+
+TEST(ProcessSchedule, MaterialPerLengthStaysWhereJerkIsLimited) {
+  ProcessSettings process;
+  process.kind = ProcessKind::Wire;
+  const TimedPath timed = timedWith(process, statedBeads(), 0.05);
+  double wire_mm = 0.0;
+  constexpr double kSum = 1e-4;
+  for (double time_s = 0.5 * kSum; time_s < timed.duration(); time_s += kSum) {
+    const double speed = timed.at(time_s).process.levels[ProcessLevel::WireSpeed];
+    wire_mm += std::isnan(speed) ? 0.0 : kSum * speed;
+  }
+  EXPECT_NEAR(wire_mm, 12.0, 1e-3);  // 12 mm/s at 30 mm/s along 30 mm
 }
 
 }  // namespace

@@ -59,8 +59,8 @@ class ChannelDrive {
   bool is_on_ = false;
   double sent_ = 0.0;
   double asked_ = 0.0;
-  std::optional<double> at_s_;                    ///< of the last call
-  std::optional<double> effect_;                  ///< once the dead time is over
+  std::optional<double> at_s_;                     ///< of the last call
+  std::optional<double> effect_;                   ///< once the dead time is over
   std::deque<std::pair<double, double>> effects_;  ///< that and when, for the dead time
 };
 

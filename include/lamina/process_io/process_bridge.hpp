@@ -9,19 +9,22 @@
 #include <vector>
 
 #include "lamina/process_io/channel_drive.hpp"
+#include "lamina/process_io/lateness.hpp"
 #include "lamina/process_io/process_plan.hpp"
 #include "lamina/process_io/process_watch.hpp"
 
 namespace lamina {
 
-struct BridgeSettings {
+struct ProcessBridgeSettings {
   double rate_hz = 100.0;
-  double standstill_s = 0.3;    ///< that the beam may be on without motion; 0 for ever
-  double connect_wait_s = 5.0;  ///< from the start until a device that was never there is an alarm
+  double late_s = Lateness::kLate;         ///< that an output may be: then 5103
+  double too_late_s = Lateness::kTooLate;  ///< the same: then 5104
+  double standstill_s = 0.3;               ///< that the beam may be on without motion; 0 for ever
+  double connect_wait_s = 5.0;             ///< from the start until a device that was never there is an alarm
 };
 
-/// Adds the keys rate_hz, standstill_s and connect_wait_s.
-void describe(SettingsSchema& schema, BridgeSettings& settings);
+/// Adds the keys rate_hz, late_s, too_late_s, standstill_s and connect_wait_s.
+void describe(SettingsSchema& schema, ProcessBridgeSettings& settings);
 
 /// A device as it is at a cycle.
 struct DeviceView {
@@ -50,7 +53,7 @@ struct BridgeCycle {
 /// and the plan has had the process off for half a second, so that no bead is begun in its middle.
 class ProcessBridge {
  public:
-  ProcessBridge(const ProcessTables& tables, const BridgeSettings& settings, double now_s);
+  ProcessBridge(const ProcessTables& tables, const ProcessBridgeSettings& settings, double now_s);
 
   /// @throws InvalidInput as `ProcessPlan::accept`
   void accept(const ProcessChunk& chunk, double now_s);
@@ -65,6 +68,8 @@ class ProcessBridge {
   const std::vector<ChannelDrive>& drives() const { return drives_; }
   /// What is planned for now.
   ProcessSignals planned(double now_s) const { return plan_.at(now_s).value_or(safeSignals()); }
+  /// Conditions that are raised now.
+  std::vector<ProcessAlarm> raised() const { return raised_.all(); }
   bool isTripped() const { return !trip_.empty(); }
   /// Chunks that changed what had been sent already, for its dead time.
   std::uint64_t overtaken() const { return overtaken_; }
@@ -81,7 +86,7 @@ class ProcessBridge {
   void rearm(double now_s);
 
   ProcessTables tables_;
-  BridgeSettings settings_;
+  ProcessBridgeSettings settings_;
   double begin_s_;
   double longest_lead_s_ = 0.0;
   ProcessPlan plan_;

@@ -29,7 +29,7 @@ struct ProcessChunk {
 /// next is not known.
 class ProcessPlan {
  public:
-  static constexpr double kMeet = 1e-3;  ///< s: chunks no farther apart meet, but for rounding
+  static constexpr double kMeet = 1e-3;               ///< s: chunks no farther apart meet, but for rounding
   static constexpr std::size_t kMostPoints = 200000;  ///< that are kept
 
   /// @throws InvalidInput if there is no point, times are not finite or not in order, a flow or level is

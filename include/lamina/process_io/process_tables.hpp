@@ -41,16 +41,16 @@ struct OutputChannel {
   std::string write;  ///< where in the device: a register, a text with {value}, a pin, a topic
   double scale = 1.0;
   double offset = 0.0;
-  double low = 0.0;         ///< band of what is sent while the process is on [unit of the quantity]
-  double high = 0.0;        ///< must be above
-  double safe = 0.0;        ///< sent while it is off, and whenever anything is wrong; may lie below the band
-  double nominal = 0.0;     ///< sent where the process is on and nothing states a value; 0 is off
-  double slew_per_s = 0.0;  ///< greatest change within the band; 0 for no limit
-  double dead_time_s = 0.0;       ///< from sending a value to the begin of its effect
-  double lag_s = 0.0;             ///< time constant of the effect behind that
+  double low = 0.0;          ///< band of what is sent while the process is on [unit of the quantity]
+  double high = 0.0;         ///< must be above
+  double safe = 0.0;         ///< sent while it is off, and whenever anything is wrong; may lie below the band
+  double nominal = 0.0;      ///< sent where the process is on and nothing states a value; 0 is off
+  double slew_per_s = 0.0;   ///< greatest change within the band; 0 for no limit
+  double dead_time_s = 0.0;  ///< from sending a value to the begin of its effect
+  double lag_s = 0.0;        ///< time constant of the effect behind that
   double wire_diameter_mm = 0.0;  ///< of a wire speed that follows from the flow; 0 if it does not
-  std::vector<double> screw;      ///< rpm, mm³ per revolution, rpm, mm³ ...: of a speed that follows from it
-  int fault_register = -1;        ///< of a Modbus device's own value for a lost link; -1 for none
+  std::vector<double> screw;  ///< rpm, mm³ per revolution, rpm, mm³ ...: of a speed that follows from it
+  int fault_register = -1;    ///< of a Modbus device's own value for a lost link; -1 for none
 };
 
 /// How an input is judged.

@@ -26,20 +26,24 @@ struct ProcessAlarm {
 class RaisedAlarms {
  public:
   /// What is wrong now, in words, or nothing.
-  void set(std::uint16_t id, const std::string& source, const std::optional<std::string>& wrong, double value);
+  void set(std::uint16_t id, const std::string& source, const std::optional<std::string>& wrong,
+           double value);
+  /// One that is gone is told once no other source raises it.
   std::vector<ProcessAlarm> takeChanges() { return std::exchange(changes_, {}); }
+  std::vector<ProcessAlarm> all() const;
   /// The first that is raised, in words; empty if none is.
-  std::string first() const { return raised_.empty() ? std::string() : raised_.begin()->second; }
+  std::string first() const { return raised_.empty() ? std::string() : raised_.begin()->second.message; }
 
  private:
-  std::map<std::pair<std::uint16_t, std::string>, std::string> raised_;
+  std::map<std::pair<std::uint16_t, std::string>, ProcessAlarm> raised_;
   std::vector<ProcessAlarm> changes_;
 };
 
 /// Judges what devices read against what they were sent (5101, 5102, 5106, 5107).
 class InputWatch {
  public:
-  explicit InputWatch(std::vector<InputChannel> inputs) : inputs_(std::move(inputs)), wrong_since_(inputs_.size()) {}
+  explicit InputWatch(std::vector<InputChannel> inputs)
+      : inputs_(std::move(inputs)), wrong_since_(inputs_.size()) {}
 
   const std::vector<InputChannel>& inputs() const { return inputs_; }
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "lamina/kinematics/model/kinematic_model.hpp"
-#include "lamina/toolpath/timing.hpp"
 #include "lamina/toolpath/process_signals.hpp"
+#include "lamina/toolpath/timing.hpp"
 
 namespace lamina {
 

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kLongestPreview = 4.0;  // time constants: beyond, a step is reached whatever the band
 
-constexpr double kSameTime = 1e-6;       // s: less than any cycle, more than rounding
+constexpr double kSameTime = 1e-6;  // s: less than any cycle, more than rounding
 
 AskedValue off(const OutputChannel& channel) { return {channel.safe, false}; }
 
@@ -34,8 +34,8 @@ double speedFor(const OutputChannel& channel, double flow_mm3_s) {
 AskedValue askedOf(const OutputChannel& channel, const ProcessSignals& signals) {
   const auto level = [&](ProcessLevel which, bool is_on) {
     if (!is_on) return off(channel);
-    return on(channel, signals.levels.has(which) ? signals.levels[which]
-                                                 : speedFor(channel, signals.flow_mm3_s));
+    return on(channel,
+              signals.levels.has(which) ? signals.levels[which] : speedFor(channel, signals.flow_mm3_s));
   };
   switch (channel.quantity) {
     case ProcessQuantity::LaserOn:
@@ -59,8 +59,8 @@ AskedValue askedOf(const OutputChannel& channel, const ProcessSignals& signals) 
     case ProcessQuantity::Gas:
       return level(ProcessLevel::Gas, signals.is_gas_on);
     case ProcessQuantity::Fan:
-      return on(channel, signals.levels.has(ProcessLevel::Fan) ? signals.levels[ProcessLevel::Fan]
-                                                               : channel.nominal);
+      return on(channel,
+                signals.levels.has(ProcessLevel::Fan) ? signals.levels[ProcessLevel::Fan] : channel.nominal);
   }
   return off(channel);
 }
@@ -110,7 +110,8 @@ void ChannelDrive::advance(double now_s) {
     *effect_ = sent();
   at_s_ = now_s;
   effects_.emplace_back(now_s, *effect_);
-  while (effects_.size() > 1 && effects_[1].first <= now_s - channel_.dead_time_s + kSameTime) effects_.pop_front();
+  while (effects_.size() > 1 && effects_[1].first <= now_s - channel_.dead_time_s + kSameTime)
+    effects_.pop_front();
 }
 
 double ChannelDrive::expected() const { return effects_.empty() ? channel_.safe : effects_.front().second; }

@@ -6,8 +6,6 @@
 #include <cstdio>
 #include <limits>
 
-#include "lamina/process_io/lateness.hpp"
-
 namespace lamina {
 namespace {
 
@@ -29,15 +27,19 @@ bool isOff(const ProcessSignals& signals) {
 
 }  // namespace
 
-void describe(SettingsSchema& schema, BridgeSettings& settings) {
+void describe(SettingsSchema& schema, ProcessBridgeSettings& settings) {
   schema.number("rate_hz", settings.rate_hz, {10.0, 250.0}, "Values sent to devices a second.");
+  schema.number("late_s", settings.late_s, Bounds::above(0.0, 60.0),
+                "Lateness of an output that is warned of.");
+  schema.number("too_late_s", settings.too_late_s, Bounds::above(0.0, 60.0),
+                "Lateness of an output after which all are safe, and the unit aborts.");
   schema.number("standstill_s", settings.standstill_s, {0.0, 60.0},
                 "Time that beam or arc may be on without motion by machine_position; 0 for no limit.");
   schema.number("connect_wait_s", settings.connect_wait_s, {0.0, 600.0},
                 "Time from the start until a device that was never there is an alarm.");
 }
 
-ProcessBridge::ProcessBridge(const ProcessTables& tables, const BridgeSettings& settings, double now_s)
+ProcessBridge::ProcessBridge(const ProcessTables& tables, const ProcessBridgeSettings& settings, double now_s)
     : tables_(tables),
       settings_(settings),
       begin_s_(now_s),
@@ -55,9 +57,9 @@ void ProcessBridge::accept(const ProcessChunk& chunk, double now_s) {
   plan_.accept(chunk);
   const double sent_until_s = now_s + longest_lead_s_;
   if (chunk.points.front().time_s < std::min(known_s, sent_until_s) - ProcessPlan::kMeet) ++overtaken_;
-  const auto first_on = std::find_if(chunk.points.begin(), chunk.points.end(), [&](const PlannedProcess& point) {
-    return point.time_s >= known_s && !isOff(point.signals);
-  });
+  const auto first_on = std::find_if(
+      chunk.points.begin(), chunk.points.end(),
+      [&](const PlannedProcess& point) { return point.time_s >= known_s && !isOff(point.signals); });
   if (first_on == chunk.points.end() || first_on->time_s >= sent_until_s) return;
   ++late_chunks_;
   chunk_late_s_ = std::max(chunk_late_s_, sent_until_s - first_on->time_s);
@@ -91,10 +93,10 @@ void ProcessBridge::lookAtDevices(double now_s, const std::vector<DeviceView>& d
 void ProcessBridge::lookAtLateness(double now_s, double late_s) {
   late_s = std::max(late_s, chunk_late_s_);
   chunk_late_s_ = 0.0;
-  if (late_s <= Lateness::kLate || !isProcessOn()) return;
-  const bool is_too_late = late_s > Lateness::kTooLate;
+  if (late_s <= settings_.late_s || !isProcessOn()) return;
+  const bool is_too_late = late_s > settings_.too_late_s;
   const std::string text = "an output is " + milliseconds(late_s) + " late; expected at most " +
-                           milliseconds(is_too_late ? Lateness::kTooLate : Lateness::kLate);
+                           milliseconds(is_too_late ? settings_.too_late_s : settings_.late_s);
   if (is_too_late) trip(text);
   if (!is_too_late && now_s - told_late_s_ < kQuiet) return;
   told_late_s_ = now_s;

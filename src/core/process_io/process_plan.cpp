@@ -43,9 +43,8 @@ void requireChunk(const ProcessChunk& chunk) {
 void ProcessPlan::accept(const ProcessChunk& chunk) {
   requireChunk(chunk);
   const double first_s = chunk.points.front().time_s;
-  const auto kept =
-      std::lower_bound(points_.begin(), points_.end(), first_s,
-                       [](const Point& point, double time_s) { return point.time_s < time_s; });
+  const auto kept = std::lower_bound(points_.begin(), points_.end(), first_s,
+                                     [](const Point& point, double time_s) { return point.time_s < time_s; });
   const auto before = static_cast<std::size_t>(kept - points_.begin());
   if (before + chunk.points.size() + 1 > kMostPoints)
     throw InvalidInput("a process of " + std::to_string(chunk.points.size()) + " points behind " +
@@ -61,9 +60,8 @@ void ProcessPlan::accept(const ProcessChunk& chunk) {
 
 std::optional<ProcessSignals> ProcessPlan::at(double time_s) const {
   if (!(time_s <= valid_until_s_)) return std::nullopt;
-  const auto after =
-      std::upper_bound(points_.begin(), points_.end(), time_s,
-                       [](double time, const Point& point) { return time < point.time_s; });
+  const auto after = std::upper_bound(points_.begin(), points_.end(), time_s,
+                                      [](double time, const Point& point) { return time < point.time_s; });
   if (after == points_.begin()) return std::nullopt;
   const Point& here = *std::prev(after);
   if (!here.signals || after == points_.end() || !after->signals) return here.signals;

@@ -8,8 +8,8 @@
 namespace lamina {
 namespace {
 
-constexpr double kMoved = 1e-5;       // m or rad: above what encoders at rest tell
-constexpr double kPresentShare = 0.1; // of the band: an effect that should be noticed
+constexpr double kMoved = 1e-5;        // m or rad: above what encoders at rest tell
+constexpr double kPresentShare = 0.1;  // of the band: an effect that should be noticed
 
 /// A value with few digits: "1200.5".
 std::string textOf(double value) {
@@ -49,8 +49,8 @@ std::optional<std::string> defectOf(const Judged& judged) {
   }
   const bool is_on = std::abs(expected - channel.safe) > kPresentShare * (channel.high - channel.low);
   if (!is_on || judged.measured >= input.least) return std::nullopt;
-  return is + " while " + channel.name + " is at " + textOf(expected) + " (" + unit + "); expected at least " +
-         textOf(input.least);
+  return is + " while " + channel.name + " is at " + textOf(expected) + " (" + unit +
+         "); expected at least " + textOf(input.least);
 }
 
 }  // namespace
@@ -60,12 +60,19 @@ void RaisedAlarms::set(std::uint16_t id, const std::string& source, const std::o
   const auto key = std::make_pair(id, source);
   const auto found = raised_.find(key);
   if (wrong && found == raised_.end()) {
-    raised_.emplace(key, *wrong);
+    raised_.emplace(key, ProcessAlarm{id, source, value, *wrong, false});
     changes_.push_back({id, source, value, *wrong, false});
   } else if (!wrong && found != raised_.end()) {
     raised_.erase(found);
-    changes_.push_back({id, source, value, {}, true});
+    const auto other = raised_.lower_bound({id, std::string()});
+    if (other == raised_.end() || other->first.first != id) changes_.push_back({id, source, value, {}, true});
   }
+}
+
+std::vector<ProcessAlarm> RaisedAlarms::all() const {
+  std::vector<ProcessAlarm> alarms;
+  for (const auto& [key, alarm] : raised_) alarms.push_back(alarm);
+  return alarms;
 }
 
 void InputWatch::look(const std::vector<double>& measured, const std::vector<ChannelDrive>& drives,

@@ -16,7 +16,8 @@ constexpr std::array<double, 5> kWeights = {0.11846344252809454, 0.2393143352496
 
 bool isMoving(const JointStation& end) { return end.length_mm > 0.0; }
 
-/// Adds what a way along a span asks of the levels that follow speed; those that nothing states stay unstated.
+/// Adds what a way along a span asks of the levels that follow speed; those that nothing states stay
+/// unstated.
 void addAlong(const JointStation& end, double way_mm, ProcessLevels& sum) {
   for (const ProcessLevel level : kAllProcessLevels) {
     if (!followsSpeed(level) || !end.levels.has(level) || !isMoving(end)) continue;

@@ -26,6 +26,12 @@ struct TrackingLimits {
   SilenceBy silence_by = SilenceBy::Arrival;
 };
 
+/// What the driver asks of process_io.
+struct ProcessIoDemand {
+  bool is_required = false;  ///< without it nothing is driven
+  double silence_s = 1.0;    ///< of it that holds the job
+};
+
 struct DriverSettings {
   MachineSettings machine;
   RunSettings run;
@@ -34,6 +40,7 @@ struct DriverSettings {
   ClearanceSettings clearance;
   TrackingLimits tracking;
   ApproachSettings approach;
+  ProcessIoDemand process_io;
   bool is_corrected = false;      ///< by the maps on the topic correction
   bool follows_plans = false;     ///< goes on with layers planned anew
   LoopSettings loop;              ///< of which `describeFeeding` and the wait for maps count
@@ -45,8 +52,8 @@ struct DriverSettings {
 };
 
 /// Adds the keys machine.*, joints.*, motion.*, trajectory.*, process.*, feeder.*, clearance.*,
-/// tracking.*, approach.*, corrections.*, sensor.calibration, some of loop.*, check_clearance, start_delay_s,
-/// lift_mm, lift_mm_s and controller_wait_s.
+/// tracking.*, approach.*, process_io.*, corrections.*, sensor.calibration, some of loop.*, check_clearance,
+/// start_delay_s, lift_mm, lift_mm_s and controller_wait_s.
 void describe(SettingsSchema& schema, DriverSettings& settings);
 
 }  // namespace lamina

@@ -65,6 +65,7 @@ TrajectoryDriver::TrajectoryDriver(ros::NodeHandle node, const DriverSettings& s
       resume_(node.advertiseService(names::kResume, &TrajectoryDriver::onResume, this)),
       abort_(node.advertiseService(names::kAbort, &TrajectoryDriver::onAbort, this)),
       process_(node),
+      process_io_(node, settings_.process_io),
       joints_(node, *model_),
       controller_(node, *model_,
                   [this](const ControllerReport& report) {
@@ -147,6 +148,7 @@ DriveStatus TrajectoryDriver::drive(const std::string& toolpath_id) {
   try {
     const MachineToolpath placed = toolpath(toolpath_id);
     controller_.requirePresent(settings_.controller_wait_s);
+    awaitProcessIo();
     GoalProgress progress([this] { return isCancelled(); });
     Driven driven = drive(prepared(placed, progress), MapOfFirstLayer::AsItIs);
     so_far = driven.status;
@@ -301,6 +303,7 @@ TrajectoryDriver::Driven TrajectoryDriver::run(const DriveMotion& motion) {
   ros::Time shown;
   for (abortIfCancelled(*session); session->step(ros::Time::now());) {
     abortIfCancelled(*session);
+    holdIfProcessFails(*session);
     tell(session->takeLayers());
     if ((ros::Time::now() - shown).toSec() >= kShowPeriod) {
       shown = ros::Time::now();
@@ -322,6 +325,27 @@ void TrajectoryDriver::abortIfCancelled(DriveSession& session) const {
     session.abort(ros::Time::now(), {ErrorCode::Cancelled, "the goal was cancelled"});
   if (isStopRequested() || !ros::ok())
     session.abort(ros::Time::now(), {ErrorCode::Cancelled, "the node was ended"});
+}
+
+void TrajectoryDriver::awaitProcessIo() const {
+  const ros::Time begin = ros::Time::now();
+  for (;;) {
+    const ros::Time now = ros::Time::now();
+    const std::string fault = process_io_.fault(now);
+    if (fault.empty()) return;
+    if (isCancelled()) throw Cancelled("cancelled while process_io was waited for");
+    if ((now - begin).toSec() >= settings_.controller_wait_s) throw DeviceError(fault);
+    ros::Duration(kStep).sleep();
+  }
+}
+
+/// On the way to the start the process is off; the job is held as soon as it begins.
+void TrajectoryDriver::holdIfProcessFails(DriveSession& session) const {
+  const ros::Time now = ros::Time::now();
+  if (session.status().state != PackmlState::Execute) return;
+  const std::string fault = process_io_.fault(now);
+  if (fault.empty() || session.pause(now)) return;
+  ROS_ERROR_STREAM("the job is held: " << fault);
 }
 
 /// That came before there was a session to correct.
@@ -401,8 +425,9 @@ bool TrajectoryDriver::onPause(Trigger::Request&, Trigger::Response& response) {
 
 bool TrajectoryDriver::onResume(Trigger::Request&, Trigger::Response& response) {
   const auto job = session();
-  const std::optional<std::string> refusal =
-      job ? job->resume(ros::Time::now()) : std::optional<std::string>("no toolpath is being driven");
+  const std::string fault = process_io_.fault(ros::Time::now());
+  std::optional<std::string> refusal = "no toolpath is being driven";
+  if (job) refusal = fault.empty() ? job->resume(ros::Time::now()) : fault;
   response.success = !refusal;
   response.message = refusal.value_or("going on");
   return true;

@@ -21,6 +21,7 @@
 #include "markers/growing_part.hpp"
 #include "messages.hpp"
 #include "present_joints.hpp"
+#include "process_io_watch.hpp"
 #include "process_publisher.hpp"
 #include "work_beside.hpp"
 
@@ -77,6 +78,8 @@ class TrajectoryDriver {
   std::shared_ptr<ChunkCorrection> correctionOf(const DriveJob& job) const;
   std::optional<PreparedJob> plannedAnew(DriveSession& session, std::optional<PlanInWork>& work);
   void abortIfCancelled(DriveSession& session) const;
+  void awaitProcessIo() const;
+  void holdIfProcessFails(DriveSession& session) const;
   void goOnWith(const DriveJob& plan);
   void awaitFirstMap(ChunkCorrection& correction) const;
   std::optional<HeardMap> lastMap() const;
@@ -110,6 +113,7 @@ class TrajectoryDriver {
   diagnostic_updater::Updater updater_;
   ros::Timer diagnostics_timer_;
   ProcessPublisher process_;
+  ProcessIoWatch process_io_;
   PresentJoints joints_;
 
   mutable std::mutex mutex_;  ///< of what follows up to the controller

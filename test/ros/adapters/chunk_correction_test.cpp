@@ -43,6 +43,8 @@ TrajectoryChunk chunkOf(double from_s, double to_s, const KinematicModel& model)
     state.velocity = JointValues::Zero(3);
     state.acceleration = JointValues::Zero(3);
     state.process.flow_mm3_s = 45.0;
+    state.process.levels[ProcessLevel::WireSpeed] = 12.0;
+    state.process.levels[ProcessLevel::LaserPower] = 900.0;
     state.heading_for = {0, 0, 1};
     chunk.points.push_back(state);
   }
@@ -72,6 +74,9 @@ TEST_F(CorrectedChunks, HaveTheFlowOfTheirPlaces) {
   EXPECT_EQ(correction.hear(risingMap(0.0), "digest"), "");
   for (const JointState& point : correction.corrected(chunkOf(1.0, 1.2, *model)).points)
     EXPECT_NEAR(point.process.flow_mm3_s, 45.0 * (1.0 + 0.01 * kSpeed * point.time_s), 1e-6);
+  EXPECT_NEAR(point.process.levels[ProcessLevel::WireSpeed], 12.0 * (1.0 + 0.01 * kSpeed * point.time_s),
+              1e-6);
+  EXPECT_EQ(point.process.levels[ProcessLevel::LaserPower], 900.0);
 }
 
 TEST_F(CorrectedChunks, GoOverToTheirHeightWithoutAJump) {

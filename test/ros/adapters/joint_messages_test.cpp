@@ -57,6 +57,27 @@ TEST(JointMessages, ProcessSignalsComeBack) {
   EXPECT_NEAR(back.flow_mm3_s, 12.5, 1e-12);
   EXPECT_TRUE(back.is_laser_on && back.is_gas_on);
   EXPECT_FALSE(back.is_wire_fed || back.is_powder_on);
+  EXPECT_TRUE(back.levels == ProcessLevels());
+}
+
+TEST(JointMessages, ProcessLevelsAreInSi) {
+  ProcessSignals signals;
+  signals.levels[ProcessLevel::LaserPower] = 900.0;
+  signals.levels[ProcessLevel::WireSpeed] = 12.0;
+  signals.levels[ProcessLevel::ScrewSpeed] = 60.0;
+  signals.levels[ProcessLevel::Powder] = 12.0;
+  signals.levels[ProcessLevel::Gas] = 15.0;
+  signals.levels[ProcessLevel::Fan] = 0.4;
+  const lamina_msgs::ProcessPoint point = toMessage(signals);
+  EXPECT_EQ(point.laser_power, 900.0);
+  EXPECT_NEAR(point.wire_speed, 0.012, 1e-15);
+  EXPECT_NEAR(point.screw_speed, 2.0 * M_PI, 1e-12);
+  EXPECT_NEAR(point.powder_rate, 0.0002, 1e-15);
+  EXPECT_NEAR(point.gas_rate, 0.00025, 1e-15);
+  EXPECT_EQ(point.fan, 0.4);
+  const ProcessLevels back = fromMessage(point).levels;
+  for (const ProcessLevel level : kAllProcessLevels)
+    EXPECT_NEAR(back[level], signals.levels[level], 1e-9) << nameOf(level);
 }
 
 }  // namespace

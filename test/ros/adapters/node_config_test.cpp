@@ -10,6 +10,7 @@
 #include "lamina/startup/startup_sequence.hpp"
 #include "nodes/cell_controller/cell_settings.hpp"
 #include "nodes/deposition_simulator/simulator_settings.hpp"
+#include "nodes/emulated_coupler/coupler_settings.hpp"
 #include "nodes/emulated_machine/machine_settings.hpp"
 #include "nodes/gcode_incliner/incliner_settings.hpp"
 #include "nodes/gcode_streamer/streamer_settings.hpp"
@@ -17,6 +18,7 @@
 #include "nodes/host_watch/watch_settings.hpp"
 #include "nodes/layer_height_monitor/monitor_settings.hpp"
 #include "nodes/optimiser/optimiser_settings.hpp"
+#include "nodes/process_io/process_io_settings.hpp"
 #include "nodes/simulated_controller/controller_settings.hpp"
 #include "nodes/trajectory_driver/driver_settings.hpp"
 #include "nodes/trajectory_publisher/publisher_settings.hpp"
@@ -29,13 +31,18 @@ std::map<std::string, std::string> valuesOf(const lamina::SettingsSchema& schema
   return values;
 }
 
-/// Expects config/<node>.yaml to hold the schema's keys and the values it has now.
-void expectDefaults(const std::string& node, const lamina::SettingsSchema& schema) {
+/// Expects config/<node>.yaml to hold these keys and values.
+void expectValues(const std::string& node, const std::map<std::string, std::string>& values) {
   const std::string path = std::string(LAMINA_SOURCE_DIR) + "/config/" + node + ".yaml";
   std::map<std::string, std::string> shipped;
   for (const auto& setting : lamina::settingsFromYaml(lamina::readFile(path), path))
     shipped[setting.key] = setting.text;
-  EXPECT_EQ(shipped, valuesOf(schema));
+  EXPECT_EQ(shipped, values);
+}
+
+/// The schema's keys and the values it has now.
+void expectDefaults(const std::string& node, const lamina::SettingsSchema& schema) {
+  expectValues(node, valuesOf(schema));
 }
 
 TEST(NodeConfig, OfCellControllerIsCompleteAndHasTheDefaults) {
@@ -50,6 +57,13 @@ TEST(NodeConfig, OfDepositionSimulatorIsCompleteAndHasTheDefaults) {
   lamina::SettingsSchema schema;
   describe(schema, settings);
   expectDefaults("deposition_simulator", schema);
+}
+
+TEST(NodeConfig, OfEmulatedCouplerIsCompleteAndHasTheDefaults) {
+  lamina::EmulatedCouplerSettings settings;
+  lamina::SettingsSchema schema;
+  describe(schema, settings);
+  expectDefaults("emulated_coupler", schema);
 }
 
 TEST(NodeConfig, OfEmulatedMachineIsCompleteAndHasTheDefaults) {
@@ -85,6 +99,16 @@ TEST(NodeConfig, OfTrajectoryDriverIsCompleteAndHasTheDefaults) {
   lamina::SettingsSchema schema;
   describe(schema, settings);
   expectDefaults("trajectory_driver", schema);
+}
+
+// Maps without rows are no keys.
+TEST(NodeConfig, OfProcessIoIsCompleteAndHasTheDefaults) {
+  lamina::ProcessIoSettings settings;
+  lamina::SettingsSchema schema;
+  describe(schema, settings);
+  std::map<std::string, std::string> values = valuesOf(schema);
+  for (const char* const table : {"devices", "channels", "inputs"}) values.erase(table);
+  expectValues("process_io", values);
 }
 
 TEST(NodeConfig, OfSimulatedControllerIsCompleteAndHasTheDefaults) {

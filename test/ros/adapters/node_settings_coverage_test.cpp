@@ -11,6 +11,7 @@
 #include "lamina/base/atomic_file.hpp"
 #include "nodes/cell_controller/cell_settings.hpp"
 #include "nodes/deposition_simulator/simulator_settings.hpp"
+#include "nodes/emulated_coupler/coupler_settings.hpp"
 #include "nodes/emulated_machine/machine_settings.hpp"
 #include "nodes/gcode_incliner/incliner_settings.hpp"
 #include "nodes/gcode_streamer/streamer_settings.hpp"
@@ -18,6 +19,7 @@
 #include "nodes/host_watch/watch_settings.hpp"
 #include "nodes/layer_height_monitor/monitor_settings.hpp"
 #include "nodes/optimiser/optimiser_settings.hpp"
+#include "nodes/process_io/process_io_settings.hpp"
 #include "nodes/simulated_controller/controller_settings.hpp"
 #include "nodes/trajectory_driver/driver_settings.hpp"
 #include "nodes/trajectory_driver/report_watch.hpp"
@@ -33,10 +35,10 @@ std::set<std::string> nodeKeys() {
   std::set<std::string> keys;
   for (const auto& of_node :
        {keysOf<CellControllerSettings>(), keysOf<DepositionSimulatorSettings>(),
-        keysOf<EmulatedMachineSettings>(), keysOf<GcodeInclinerSettings>(), keysOf<GcodeStreamerSettings>(),
-        keysOf<HeightControllerSettings>(), keysOf<HostWatchNodeSettings>(),
-        keysOf<LayerHeightMonitorSettings>(), keysOf<OptimiserSettings>(), keysOf<ControllerSettings>(),
-        keysOf<DriverSettings>(), keysOf<PublisherSettings>()})
+        keysOf<EmulatedCouplerSettings>(), keysOf<EmulatedMachineSettings>(), keysOf<GcodeInclinerSettings>(),
+        keysOf<GcodeStreamerSettings>(), keysOf<HeightControllerSettings>(), keysOf<HostWatchNodeSettings>(),
+        keysOf<LayerHeightMonitorSettings>(), keysOf<OptimiserSettings>(), keysOf<ProcessIoSettings>(),
+        keysOf<ControllerSettings>(), keysOf<DriverSettings>(), keysOf<PublisherSettings>()})
     keys.insert(of_node.begin(), of_node.end());
   for (const std::string& key : coreKeys()) keys.erase(key);
   return keys;
@@ -86,6 +88,27 @@ const std::vector<TestedElsewhere>& hostTests() {
       {"hosts.silence_s", "ros/host_watch_test.py", "_hosts/silence_s"},
       {"master.silence_s", "ros/host_watch_test.py", "_master/silence_s"},
       {"nodes", "ros/host_watch_test.py", "_nodes"}};
+  return all;
+}
+
+/// Of process_io and its coupler.
+const std::vector<TestedElsewhere>& processTests() {
+  static const std::vector<TestedElsewhere> all = {
+      {"bind", "ros/process_io.test", "bind"},
+      {"channels", "ros/process_io_test.cpp", "channels/laser"},
+      {"connect_wait_s", "process_io/process_bridge_test.cpp", "connect_wait_s"},
+      {"dead_time_s", "process_io/devices/emulated_coupler_test.cpp", "dead_time_s"},
+      {"devices", "ros/process_io_test.cpp", "devices/coupler"},
+      {"inputs", "ros/process_io_test.cpp", "inputs/power"},
+      {"lag_s", "process_io/devices/emulated_coupler_test.cpp", "lag_s"},
+      {"late_s", "process_io/process_bridge_test.cpp", "late_s"},
+      {"process_io.required", "ros/process_io.test", "required"},
+      {"process_io.silence_s", "ros/process_io.test", "silence_s"},
+      {"ready", "ros/process_io.test", "ready"},
+      {"standstill_s", "process_io/process_bridge_test.cpp", "standstill_s"},
+      {"state_hz", "ros/process_io_test.cpp", "state_hz"},
+      {"too_late_s", "process_io/process_bridge_test.cpp", "too_late_s"},
+      {"watchdog_s", "process_io/devices/emulated_coupler_test.cpp", "watchdog_s"}};
   return all;
 }
 
@@ -147,6 +170,7 @@ TEST(NodeSettingsCoverage, EverySettingStandsInATest) {
   std::vector<TestedElsewhere> tests = nodeTests();
   tests.insert(tests.end(), loopTests().begin(), loopTests().end());
   tests.insert(tests.end(), hostTests().begin(), hostTests().end());
+  tests.insert(tests.end(), processTests().begin(), processTests().end());
   for (const TestedElsewhere& setting : tests) {
     covered.insert(setting.key);
     const std::string text = readFile(std::string(LAMINA_SOURCE_DIR) + "/test/" + setting.file);

@@ -51,12 +51,13 @@ void askForNiceness() {
 
 }  // namespace
 
-void preferThisThread() {
+bool preferThisThread() {
   sched_param parameters{};
   parameters.sched_priority = sched_get_priority_min(SCHED_RR);
-  if (::pthread_setschedparam(::pthread_self(), SCHED_RR, &parameters) == 0) return;
+  if (::pthread_setschedparam(::pthread_self(), SCHED_RR, &parameters) == 0) return true;
   askForNiceness();
   askForShortTurns();
+  return false;
 }
 
 }  // namespace lamina

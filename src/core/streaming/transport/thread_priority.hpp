@@ -7,6 +7,7 @@ namespace lamina {
 /// Raises the priority of the calling thread above ordinary ones: to real time if the user may (`ulimit -r`),
 /// else to a better nice value if that is allowed (`ulimit -e`), with the shortest time slices of the kernel
 /// (Linux 6.12), which let it wake up sooner. Without these rights it has no effect.
-void preferThisThread();
+/// @return whether it runs in real time
+bool preferThisThread();
 
 }  // namespace lamina

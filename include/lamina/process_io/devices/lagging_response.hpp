@@ -6,13 +6,13 @@
 #include <deque>
 #include <utility>
 
-namespace lamina::test {
+namespace lamina {
 
-/// A device whose effect follows what it is sent after a dead time, with a lag of first order: exact at any
+/// A response that follows what it is sent after a dead time, with a lag of first order: exact at any
 /// time, by the closed solution from one change of its input to the next.
-class LaggingDevice {
+class LaggingResponse {
  public:
-  LaggingDevice(double dead_time_s, double lag_s) : dead_time_s_(dead_time_s), lag_s_(lag_s) {}
+  LaggingResponse(double dead_time_s, double lag_s) : dead_time_s_(dead_time_s), lag_s_(lag_s) {}
 
   /// Times must not go back.
   void send(double value, double now_s) { sent_.emplace_back(now_s + dead_time_s_, value); }
@@ -43,4 +43,4 @@ class LaggingDevice {
   double effect_ = 0.0;
 };
 
-}  // namespace lamina::test
+}  // namespace lamina

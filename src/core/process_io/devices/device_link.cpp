@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/process_io/devices/device_link.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+#include <utility>
+
+#include "lamina/base/error.hpp"
+#include "streaming/transport/thread_priority.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kHung = 2.0;  // time-outs after which a call that has not come back counts as a lost link
+
+std::chrono::duration<double> seconds(double time_s) { return std::chrono::duration<double>(time_s); }
+
+}  // namespace
+
+DeviceLink::DeviceLink(std::unique_ptr<ProcessDevice> device, const DeviceSettings& settings,
+                       const Clock& clock, std::vector<double> safe)
+    : device_(std::move(device)),
+      settings_(settings),
+      clock_(clock),
+      safe_(std::move(safe)),
+      retry_at_s_(-std::numeric_limits<double>::infinity()) {
+  report_.reason = "not connected yet";
+  thread_ = std::thread([this] { run(); });
+}
+
+DeviceLink::~DeviceLink() {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    is_ending_ = true;
+  }
+  changed_.notify_all();
+  thread_.join();
+}
+
+void DeviceLink::send(std::vector<double> raw, double due_s) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    // What it takes the place of was due before it.
+    waiting_ = Waiting{std::move(raw), waiting_ ? waiting_->due_s : due_s};
+  }
+  changed_.notify_all();
+}
+
+DeviceReport DeviceLink::report() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  DeviceReport report = report_;
+  report_.late_s = 0.0;
+  report_.note.clear();
+  const double busy_s = busy_since_s_ ? clock_.now() - *busy_since_s_ : 0.0;
+  if (report.is_connected && busy_s > kHung * settings_.timeout_s) {
+    report.is_hung = true;
+    report.is_connected = false;
+    report.reason = "no answer for " + std::to_string(busy_s) + " s";
+  }
+  return report;
+}
+
+DeviceFigures DeviceLink::figures() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return figures_;
+}
+
+void DeviceLink::run() {
+  preferThisThread();
+  std::unique_lock<std::mutex> lock(mutex_);
+  while (!is_ending_) {
+    if (!report_.is_connected) {
+      const double wait_s = retry_at_s_ - clock_.now();
+      if (wait_s > 0.0) {
+        changed_.wait_for(lock, seconds(wait_s), [this] { return is_ending_; });
+        continue;
+      }
+      lock.unlock();
+      tryToOpen();
+      lock.lock();
+      continue;
+    }
+    changed_.wait(lock, [this] { return is_ending_ || waiting_; });
+    if (is_ending_) break;
+    const Waiting values = *std::exchange(waiting_, std::nullopt);
+    lock.unlock();
+    exchange(values);
+    lock.lock();
+  }
+  const bool is_connected = report_.is_connected;
+  lock.unlock();
+  if (is_connected) exchange({safe_, clock_.now()});
+  device_->close();
+}
+
+void DeviceLink::tryToOpen() {
+  try {
+    std::string note = device_->open();
+    device_->exchange(safe_);
+    const std::lock_guard<std::mutex> lock(mutex_);
+    report_.is_connected = true;
+    report_.reason.clear();
+    report_.note = std::move(note);
+    waiting_.reset();
+  } catch (const Error& error) {
+    lose(error.what());
+  }
+}
+
+void DeviceLink::exchange(const Waiting& values) {
+  const double begin_s = clock_.now();
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    busy_since_s_ = begin_s;
+    figures_.late.add(begin_s - values.due_s);
+    report_.late_s = std::max(report_.late_s, begin_s - values.due_s);
+  }
+  try {
+    std::vector<double> inputs = device_->exchange(values.raw);
+    const std::lock_guard<std::mutex> lock(mutex_);
+    busy_since_s_.reset();
+    figures_.round_trip.add(clock_.now() - begin_s);
+    report_.inputs = std::move(inputs);
+  } catch (const Error& error) {
+    lose(error.what());
+  }
+}
+
+void DeviceLink::lose(const std::string& why) {
+  device_->close();
+  const std::lock_guard<std::mutex> lock(mutex_);
+  busy_since_s_.reset();
+  report_.is_connected = false;
+  report_.reason = why;
+  report_.inputs.clear();
+  waiting_.reset();
+  retry_at_s_ = clock_.now() + settings_.retry_s;
+}
+
+}  // namespace lamina

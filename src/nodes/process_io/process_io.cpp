@@ -1,0 +1,231 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "process_io.hpp"
+
+#include <ros/ros.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "joint_messages.hpp"
+#include "lamina/base/error.hpp"
+#include "names.hpp"
+#include "process_effects.hpp"
+#include "ros_devices.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr std::uint32_t kQueue = 1000;  // chunks
+constexpr double kReadyHz = 10.0;
+constexpr double kQuiet = 1.0;  // s between two messages of the same kind in the log
+
+const ros::WallDuration kFlush(0.1);  // that last values need to leave the node
+
+double milliseconds(double time_s) { return 1e3 * time_s; }
+
+/// Of jitter and round trips, in one line.
+std::string textOf(const DeviceFigures& figures) {
+  char text[200];
+  std::snprintf(
+      text, sizeof text,
+      "%llu outputs, late by %.1f ms (50 %%), %.1f ms (99 %%), %.1f ms at most; %llu by more than 10 ms, "
+      "%llu by more than 50 ms; answered in %.1f ms (50 %%), %.1f ms (99 %%)",
+      static_cast<unsigned long long>(figures.late.count()), milliseconds(figures.late.percentile(0.5)),
+      milliseconds(figures.late.percentile(0.99)), milliseconds(figures.late.worst()),
+      static_cast<unsigned long long>(figures.late.late()),
+      static_cast<unsigned long long>(figures.late.tooLate()),
+      milliseconds(figures.round_trip.percentile(0.5)), milliseconds(figures.round_trip.percentile(0.99)));
+  return text;
+}
+
+/// Devices in the order in which their first channels become safe.
+std::vector<std::size_t> safeOrder(const ProcessTables& tables) {
+  std::vector<std::size_t> order;
+  const auto add = [&](const std::string& name) {
+    for (std::size_t i = 0; i < tables.devices.size(); ++i)
+      if (tables.devices[i].name == name && std::find(order.begin(), order.end(), i) == order.end())
+        order.push_back(i);
+  };
+  for (const OutputChannel& channel : tables.channels) add(channel.device);
+  for (const DeviceSettings& device : tables.devices) add(device.name);
+  return order;
+}
+
+}  // namespace
+
+ProcessIo::ProcessIo(ros::NodeHandle node, const ProcessIoSettings& settings)
+    : tables_(processTables(settings.tables)),
+      state_(node.advertise<lamina_msgs::ProcessState>(names::kProcessState, kQueue)),
+      ready_(node.advertise<lamina_msgs::ProcessReady>(names::kProcessReady, 10, true)),
+      alarms_(node.advertise<lamina_msgs::AlarmReport>(
+          names::kAlarmReports, 100,
+          [this](const ros::SingleSubscriberPublisher& subscriber) { tellAlarms(subscriber); })),
+      order_(safeOrder(tables_)),
+      bridge_(tables_, settings.bridge, clock_.now()),
+      measured_(tables_.inputs.size(), std::numeric_limits<double>::quiet_NaN()) {
+  connect(node);
+  const boost::function<void(const lamina_msgs::ProcessTrajectoryConstPtr&)> on_trajectory =
+      [this](const auto& message) { onTrajectory(*message); };
+  const boost::function<void(const sensor_msgs::JointStateConstPtr&)> on_positions =
+      [this](const auto& message) { onPositions(*message); };
+  trajectory_ = node.subscribe<lamina_msgs::ProcessTrajectory>(
+      names::kProcessTrajectory, kQueue, on_trajectory, {}, ros::TransportHints().tcpNoDelay());
+  positions_ = node.subscribe<sensor_msgs::JointState>(names::kMachinePosition, 100, on_positions);
+  state_timer_ = node.createWallTimer(ros::WallDuration(1.0 / settings.state_hz),
+                                      [this](const ros::WallTimerEvent&) { publishState(); });
+  ready_timer_ = node.createWallTimer(ros::WallDuration(1.0 / kReadyHz),
+                                      [this](const ros::WallTimerEvent&) { publishReady(); });
+  updater_.setHardwareID("process_io");
+  updater_.add("outputs", [this](auto& diagnostics) { diagnose(diagnostics); });
+  cycle_ = std::make_unique<CycleThread>(settings.bridge.rate_hz, [this](double due_s) { onCycle(due_s); });
+  ROS_INFO_STREAM("process outputs run " << cycle_->rights());
+}
+
+ProcessIo::~ProcessIo() {
+  cycle_.reset();
+  const double now_s = clock_.now();
+  sendToDevices(bridge_.stop(now_s), now_s);
+  kFlush.sleep();
+  // A service that does not answer would be waited for for ever.
+  if (std::any_of(links_.begin(), links_.end(), [](const auto& link) { return link->report().is_hung; }))
+    ros::shutdown();
+  for (const std::size_t i : order_) {
+    ROS_INFO_STREAM(tables_.devices[i].name << ": " << textOf(links_[i]->figures()));
+    links_[i].reset();
+  }
+}
+
+void ProcessIo::connect(const ros::NodeHandle& node) {
+  for (std::size_t i = 0; i < tables_.devices.size(); ++i) {
+    const DeviceTable table = tableOf(tables_, i);
+    std::vector<double> safe;
+    for (const OutputChannel& channel : table.channels) safe.push_back(rawOf(channel, channel.safe));
+    links_.push_back(
+        std::make_unique<DeviceLink>(makeRosDevice(node, table), table.device, clock_, std::move(safe)));
+  }
+}
+
+void ProcessIo::onTrajectory(const lamina_msgs::ProcessTrajectory& message) {
+  // ROS time may be set while the monotonic clock goes on: it counts once per chunk.
+  const double begin_s = clock_.now() + (message.header.stamp - ros::Time::now()).toSec();
+  ProcessChunk chunk;
+  for (const lamina_msgs::ProcessPoint& point : message.points)
+    chunk.points.push_back({begin_s + point.time_from_start.toSec(), fromMessage(point)});
+  chunk.valid_until_s = begin_s + message.valid_for.toSec();
+  const std::lock_guard<std::mutex> lock(mutex_);
+  try {
+    bridge_.accept(chunk, clock_.now());
+  } catch (const InvalidInput& error) {
+    ROS_ERROR_STREAM_THROTTLE(kQuiet, "a process trajectory is refused: " << error.what());
+  }
+}
+
+void ProcessIo::onPositions(const sensor_msgs::JointState& message) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  bridge_.hearPositions(message.position, clock_.now());
+}
+
+void ProcessIo::onCycle(double due_s) {
+  CycleView view;
+  std::vector<DeviceReport> reports;
+  for (const auto& link : links_) {
+    reports.push_back(link->report());
+    view.devices.push_back({reports.back().is_connected, reports.back().reason});
+    view.late_s = std::max(view.late_s, reports.back().late_s);
+  }
+  view.measured = measuredBy(reports);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  BridgeCycle cycle = bridge_.cycle(clock_.now(), view);
+  sendToDevices(cycle.values, due_s);
+  measured_ = std::move(view.measured);
+  fault_ = std::move(cycle.fault);
+  is_served_ = true;
+  std::move(cycle.alarms.begin(), cycle.alarms.end(), std::back_inserter(news_));
+  for (DeviceReport& report : reports)
+    if (!report.note.empty()) notes_.push_back(std::move(report.note));
+}
+
+void ProcessIo::sendToDevices(const std::vector<double>& values, double due_s) {
+  std::vector<std::vector<double>> raw(links_.size());
+  for (std::size_t c = 0; c < values.size(); ++c)
+    for (std::size_t d = 0; d < links_.size(); ++d)
+      if (tables_.devices[d].name == tables_.channels[c].device)
+        raw[d].push_back(rawOf(tables_.channels[c], values[c]));
+  for (const std::size_t d : order_) links_[d]->send(std::move(raw[d]), due_s);
+}
+
+std::vector<double> ProcessIo::measuredBy(const std::vector<DeviceReport>& reports) const {
+  std::vector<double> measured;
+  std::vector<std::size_t> taken(reports.size(), 0);
+  for (const InputChannel& input : tables_.inputs) {
+    double value = std::numeric_limits<double>::quiet_NaN();
+    for (std::size_t d = 0; d < reports.size(); ++d) {
+      if (tables_.devices[d].name != input.device) continue;
+      const std::size_t index = taken[d]++;
+      if (index < reports[d].inputs.size()) value = valueOf(input, reports[d].inputs[index]);
+    }
+    measured.push_back(value);
+  }
+  return measured;
+}
+
+void ProcessIo::publishState() {
+  lamina_msgs::ProcessState state;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    state = effectsMessage(tables_, bridge_.drives(), measured_);
+  }
+  state.header.stamp = ros::Time::now();
+  state_.publish(state);
+}
+
+void ProcessIo::publishReady() {
+  lamina_msgs::ProcessReady ready;
+  std::vector<ProcessAlarm> news;
+  std::vector<std::string> notes;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    ready.reason = std::exchange(is_served_, false) ? fault_ : "process_io is late by a tenth of a second";
+    news = std::exchange(news_, {});
+    notes = std::exchange(notes_, {});
+  }
+  ready.header.stamp = ros::Time::now();
+  ready.ready = ready.reason.empty();
+  ready_.publish(ready);
+  for (const ProcessAlarm& alarm : news) publishAlarm(alarm);
+  for (const std::string& note : notes) ROS_WARN_STREAM(note);
+  updater_.update();
+}
+
+void ProcessIo::publishAlarm(const ProcessAlarm& alarm) {
+  if (alarm.is_gone)
+    ROS_INFO_STREAM("alarm " << alarm.id << " of " << alarm.source << " is gone");
+  else
+    ROS_ERROR_STREAM("alarm " << alarm.id << ": " << alarm.message);
+  alarms_.publish(toReport(alarm));
+}
+
+/// Whoever begins to listen knows of none that a process before this one may have raised.
+void ProcessIo::tellAlarms(const ros::SingleSubscriberPublisher& subscriber) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  for (const std::uint16_t id : {5101, 5102, 5106, 5107})
+    subscriber.publish(toReport({id, "process_io", 0.0, {}, true}));
+  for (const ProcessAlarm& alarm : bridge_.raised()) subscriber.publish(toReport(alarm));
+}
+
+void ProcessIo::diagnose(diagnostic_updater::DiagnosticStatusWrapper& diagnostics) const {
+  using diagnostic_msgs::DiagnosticStatus;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (fault_.empty())
+    diagnostics.summary(DiagnosticStatus::OK, "ready");
+  else
+    diagnostics.summary(DiagnosticStatus::ERROR, fault_);
+  for (std::size_t i = 0; i < links_.size(); ++i)
+    diagnostics.add(tables_.devices[i].name, textOf(links_[i]->figures()));
+  diagnostics.add("chunks that came late", bridge_.lateChunks());
+  diagnostics.add("chunks that changed what was sent", bridge_.overtaken());
+}
+
+}  // namespace lamina
