@@ -55,6 +55,7 @@ ARROWS = {
     "modbus": ["cell"],
     "process_io": ["toolpath"],
     "process_io/devices": ["process_io", "modbus", "streaming/transport"],
+    "web": ["cell"],
     "picture": ["verification/overhang", "pores"],
     "job": ["planning", "orientation", "gcode_rewrite", "dynamics", "startup", "streaming/emulator", "deposition", "sweep", "scaffold",
             "stiffness", "metrics", "study", "verification/collision", "monitoring", "control/program",

@@ -3,11 +3,10 @@
 #include "lamina/journal/cell_journal.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <filesystem>
 #include <utility>
 
+#include "journal/audit_chain.hpp"
 #include "journal/database.hpp"
 #include "journal/journal_schema.hpp"
 #include "journal/journal_store.hpp"
@@ -71,19 +70,6 @@ QueuedJob jobIn(const Statement& row) {
   job.released_by = row.text(8);
   job.layers = static_cast<std::int32_t>(row.integer(9));
   return job;
-}
-
-std::string auditDigest(const std::string& before, const AuditRow& row) {
-  std::array<char, 40> time{};
-  std::snprintf(time.data(), time.size(), "%.6f", row.time_s);
-  std::string text = before;
-  for (const std::string& field : {std::string(time.data()), row.who, row.from, row.what, row.result})
-    text += std::to_string(field.size()) + ':' + field;  // lengths: no two rows read alike
-  return sha256Of(text);
-}
-
-AuditRow auditIn(const Statement& row) {
-  return {row.number(0), row.text(1), row.text(2), row.text(3), row.text(4)};
 }
 
 }  // namespace
@@ -210,18 +196,7 @@ std::vector<Artefact> CellJournal::Store::artefactsOf(std::int64_t job) const {
   return artefacts;
 }
 
-void CellJournal::Store::addAudit(const AuditRow& row) {
-  Statement last = database.prepare("SELECT digest FROM audit ORDER BY id DESC LIMIT 1");
-  const std::string before = last.step() ? last.text(0) : "";
-  database.prepare("INSERT INTO audit (time, who, origin, what, result, digest) VALUES (?, ?, ?, ?, ?, ?)")
-      .bind(row.time_s)
-      .bind(row.who)
-      .bind(row.from)
-      .bind(row.what)
-      .bind(row.result)
-      .bind(auditDigest(before, row))
-      .run();
-}
+void CellJournal::Store::addAudit(const AuditRow& row) { addAuditRow(database, row); }
 
 std::int64_t CellJournal::addJob(const NewJob& job, double time_s) {
   Transaction transaction(store_->database);
@@ -505,20 +480,7 @@ void CellJournal::add(const AuditRow& row) {
   transaction.commit();
 }
 
-std::optional<std::int64_t> CellJournal::firstBadAudit() const {
-  Statement rows =
-      store_->database.prepare("SELECT time, who, origin, what, result, digest, id FROM audit ORDER BY id");
-  std::string before;
-  std::int64_t number = 1;
-  for (; rows.step(); ++number) {
-    if (rows.integer(6) != number || rows.text(5) != auditDigest(before, auditIn(rows))) return number;
-    before = rows.text(5);
-  }
-  // The database remembers how many there were.
-  Statement written = store_->database.prepare("SELECT seq FROM sqlite_sequence WHERE name = 'audit'");
-  if (written.step() && written.integer(0) >= number) return number;
-  return std::nullopt;
-}
+std::optional<std::int64_t> CellJournal::firstBadAudit() const { return firstBadAuditRow(store_->database); }
 
 void CellJournal::together(const std::function<void()>& changes) {
   Transaction transaction(store_->database);

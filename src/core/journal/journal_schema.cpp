@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 
+#include "journal/audit_chain.hpp"
+
 namespace lamina {
 namespace {
 
@@ -30,8 +32,6 @@ CREATE TABLE alarm (id INTEGER PRIMARY KEY, execution INTEGER REFERENCES executi
   value REAL NOT NULL, category TEXT NOT NULL, message TEXT NOT NULL) STRICT;
 CREATE INDEX alarm_by_execution ON alarm (execution, time);
 CREATE TABLE counter (name TEXT PRIMARY KEY, value REAL NOT NULL) STRICT;
-CREATE TABLE audit (id INTEGER PRIMARY KEY AUTOINCREMENT, time REAL NOT NULL, who TEXT NOT NULL, origin TEXT NOT NULL, what TEXT NOT NULL,
-  result TEXT NOT NULL, digest TEXT NOT NULL) STRICT;
 )sql";
 
 constexpr const char* kTraceability = R"sql(
@@ -56,7 +56,7 @@ CREATE TABLE part (execution INTEGER PRIMARY KEY REFERENCES execution, serial TE
   verdict_by TEXT NOT NULL, removed REAL, removed_by TEXT NOT NULL DEFAULT '', record TEXT NOT NULL) STRICT;
 )sql";
 
-/// What each version adds to the one before.
+/// What each version adds to the one before; the first has an audit, too.
 constexpr std::array<const char*, 2> kVersions = {kFirstTables, kTraceability};
 constexpr int kVersion = static_cast<int>(kVersions.size());
 
@@ -80,6 +80,7 @@ void bringUpToDate(Database& database, const std::string& path) {
   Transaction transaction(database);
   for (int next = version; next < kVersion; ++next)
     database.run(kVersions.at(static_cast<std::size_t>(next)));
+  if (version == 0) database.run(kAuditTable);
   database.run("PRAGMA user_version = " + std::to_string(kVersion));
   transaction.commit();
 }

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace lamina {
+
+/// What a part of a form says of itself.
+struct MultipartHead {
+  std::string name;                     ///< of the field
+  std::optional<std::string> filename;  ///< of `filename*` where there is one
+};
+
+/// Called for the parts of a form, in their order.
+struct MultipartHandlers {
+  std::function<void(const MultipartHead&)> begin;
+  std::function<void(std::string_view piece)> piece;
+  std::function<void()> end;
+};
+
+/// The boundary of a `Content-Type: multipart/form-data`; nothing if it is none, or the boundary is not one
+/// of 1 to 70 characters.
+std::optional<std::string> multipartBoundary(std::string_view content_type);
+
+/// Reads a form (RFC 7578) piece by piece. Keeps 16 KiB at most.
+class MultipartReader {
+ public:
+  MultipartReader(const std::string& boundary, MultipartHandlers handlers);
+
+  /// Takes the next piece of the body.
+  /// @throws InvalidInput if it is no form: a part without name, a head of more than 8 KiB, more than 16
+  /// parts
+  void read(std::string_view piece);
+
+  /// @throws InvalidInput if the form was cut off
+  void finish() const;
+
+ private:
+  enum class Within : std::uint8_t { Preamble, Boundary, Head, Body, Epilogue };
+  bool advance();
+  bool skipPreamble();
+  bool takeBoundary();
+  bool takeHead();
+  bool takeBody();
+
+  std::string delimiter_;  ///< CR LF -- boundary
+  MultipartHandlers handlers_;
+  std::string held_;
+  Within within_ = Within::Preamble;
+  bool is_body_new_ = false;
+  int parts_ = 0;
+};
+
+/// A name that may be shown and stored: the last part of a path, without control characters or leading dots,
+/// at most 120 bytes of whole UTF-8 characters; "program.gcode" if nothing is left.
+std::string safeFileName(std::string_view name);
+
+}  // namespace lamina

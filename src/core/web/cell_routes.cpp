@@ -1,0 +1,281 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+#include <sstream>
+
+#include "lamina/base/error.hpp"
+#include "web/site_routes.hpp"
+
+namespace lamina {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::int64_t kMostSequence = 4294967295;
+
+HttpResponse noted(HttpResponse response, const std::string& note) {
+  response.note = note;
+  return response;
+}
+
+HttpResponse getState(SiteCall& call) {
+  return jsonAnswer(200, stateJson(call.parts, *call.who().role, call.now));
+}
+
+HttpResponse getAlarms(SiteCall& call) {
+  return jsonAnswer(200, {{"alarms", alarmsJson(call.parts.desk.snapshot())}});
+}
+
+HttpResponse getJobs(SiteCall& call) {
+  json jobs = json::array();
+  for (const ShownJob& job : call.parts.desk.snapshot().queue) jobs.push_back(jobJson(job));
+  return jsonAnswer(200, {{"jobs", jobs}});
+}
+
+HttpResponse getJob(SiteCall& call) {
+  const std::int64_t id = wholeNumber(call.value(0));
+  for (const ShownJob& job : call.parts.desk.snapshot().queue)
+    if (job.id == id) return jsonAnswer(200, jobJson(job));
+  return errorAnswer(404, "unknown", "job " + call.value(0) + " is not in the queue");
+}
+
+HttpResponse addJob(SiteCall& call) {
+  const DeskAnswer answer = enqueueUpload(call, call.source());
+  const std::string note = "upload '" + call.request.upload.name + "'";
+  if (answer.outcome != DeskAnswer::Outcome::Done) return noted(orderAnswer(call, answer), note);
+  return noted(jsonAnswer(201, {{"job", answer.job},
+                                {"name", call.request.upload.name},
+                                {"bytes", call.request.upload.bytes},
+                                {"sha256", call.request.upload.sha256}}),
+               note + " as job " + std::to_string(answer.job));
+}
+
+HttpResponse changeJob(SiteCall& call, QueueChange change, const char* word) {
+  const DeskAnswer answer = call.parts.desk.changeQueue(change, wholeNumber(call.value(0)), call.source());
+  return noted(orderAnswer(call, answer), std::string(word) + " job " + call.value(0));
+}
+
+HttpResponse releaseJob(SiteCall& call) { return changeJob(call, QueueChange::Release, "release"); }
+HttpResponse revokeJob(SiteCall& call) { return changeJob(call, QueueChange::Revoke, "revoke"); }
+HttpResponse moveJob(SiteCall& call) {
+  return changeJob(call, QueueChange::MoveToFront, "move to the front");
+}
+HttpResponse removeJob(SiteCall& call) { return changeJob(call, QueueChange::Remove, "remove"); }
+
+HttpResponse getStartup(SiteCall& call) {
+  return jsonAnswer(200, {{"startup", startupJson(call.parts.desk.snapshot())}});
+}
+
+HttpResponse runStartup(SiteCall& call) {
+  const json body = bodyObject(call);
+  const std::string word = textOf(body, "command");
+  const std::string step = textOf(body, "step");
+  if (word != "run" && word != "confirm" && word != "abort")
+    throw InvalidInput("command is '" + word + "'; expected run, confirm or abort");
+  const StartupCommand command = word == "run"       ? StartupCommand::Run
+                                 : word == "confirm" ? StartupCommand::Confirm
+                                                     : StartupCommand::Abort;
+  return noted(orderAnswer(call, call.parts.desk.startup(command, step)), "start-up: " + word + " " + step);
+}
+
+HttpResponse getLoop(SiteCall& call) {
+  const CellSnapshot seen = call.parts.desk.snapshot();
+  if (!seen.loop) return errorAnswer(404, "unknown", "no loop on layer heights has been heard of");
+  return jsonAnswer(200, {{"state", seen.loop->state},
+                          {"reason", seen.loop->reason},
+                          {"layer", seen.loop->layer},
+                          {"alarm", seen.loop->alarm}});
+}
+
+HttpResponse setLoop(SiteCall& call) {
+  const std::string word = textOf(bodyObject(call), "request");
+  if (word != "off" && word != "identify" && word != "active")
+    throw InvalidInput("request is '" + word + "'; expected off, identify or active");
+  const LoopRequest request = word == "off"        ? LoopRequest::Off
+                              : word == "identify" ? LoopRequest::Identify
+                                                   : LoopRequest::Active;
+  return noted(orderAnswer(call, call.parts.desk.setLoop(request)), "loop " + word);
+}
+
+HttpResponse getLayers(SiteCall& call) {
+  return jsonAnswer(200, {{"layers", layersJson(call.parts.desk.snapshot())}});
+}
+
+HttpResponse getDeviation(SiteCall& call) {
+  const ShownDeviation shown = call.parts.desk.deviation();
+  if (shown.number == 0) return errorAnswer(404, "unknown", "no layer has been measured yet");
+  return jsonAnswer(200, {{"number", shown.number},
+                          {"columns", shown.columns},
+                          {"rows", shown.rows},
+                          {"errors_m", shown.errors_m}});
+}
+
+HttpResponse getPreview(SiteCall& call) {
+  const auto preview = call.parts.desk.preview(static_cast<std::int32_t>(
+      std::min<std::int64_t>(wholeNumber(call.value(0)), std::numeric_limits<std::int32_t>::max())));
+  if (!preview) return errorAnswer(404, "unknown", "there is no such layer, or no job");
+  return jsonAnswer(200, {{"layer", preview->layer},
+                          {"layers", preview->layers},
+                          {"z_m", preview->z_m},
+                          {"lines", preview->lines},
+                          {"is_cut_short", preview->is_cut_short}});
+}
+
+HttpResponse getCounters(SiteCall& call) {
+  const ShownUnit unit = call.parts.desk.snapshot().unit;
+  return jsonAnswer(200,
+                    {{"parts", unit.parts}, {"defective", unit.defective}, {"running_s", unit.running_s}});
+}
+
+HttpResponse getHistory(SiteCall& call) {
+  const auto from = call.admitted.target.query.find("from");
+  const double from_s =
+      from == call.admitted.target.query.end() ? 0.0 : static_cast<double>(wholeNumber(from->second));
+  json samples = json::array();
+  json events = json::array();
+  const std::lock_guard<std::mutex> lock(call.parts.history_mutex);
+  for (const HistorySample& sample : call.parts.history.samples())
+    if (sample.utc_s >= from_s)
+      samples.push_back({{"utc_s", sample.utc_s},
+                         {"nozzle_degc", sample.nozzle_degc},
+                         {"bed_degc", sample.bed_degc},
+                         {"fraction", sample.fraction}});
+  for (const CellEvent& event : call.parts.history.events())
+    if (event.utc_s >= from_s)
+      events.push_back(
+          {{"number", event.number}, {"utc_s", event.utc_s}, {"kind", event.kind}, {"text", event.text}});
+  return jsonAnswer(200, {{"samples", samples}, {"events", events}});
+}
+
+UnitCommand commandNamed(const std::string& name) {
+  for (const UnitCommand command : unitCommands())
+    if (name == toString(command)) return command;
+  throw InvalidInput(
+      "command is '" + name +
+      "'; expected Reset, Start, Stop, Hold, Unhold, Suspend, Unsuspend, Abort, Clear or Complete");
+}
+
+int cutOffOf(const json& body) {
+  const std::string word = textOf(body, "cut_off");
+  if (word.empty()) return 0;
+  if (word == "resume") return 1;
+  if (word == "discard") return 2;
+  throw InvalidInput("cut_off is '" + word + "'; expected resume or discard");
+}
+
+HttpResponse giveCommand(SiteCall& call) {
+  const json body = bodyObject(call);
+  DeskCommand command;
+  command.command = commandNamed(textOf(body, "command"));
+  command.source = call.source();
+  command.cut_off = cutOffOf(body);
+  if (command.command != UnitCommand::Hold && !mayDo(*call.who().role, WebRight::Operate))
+    return errorAnswer(403, "wrong_role", std::string("a viewer may hold, and give no other command"));
+  const auto sequence = body.find("if_sequence");
+  if (sequence != body.end() && !sequence->is_null()) {
+    if (!sequence->is_number_unsigned() || sequence->get<std::uint64_t>() > kMostSequence)
+      throw InvalidInput("if_sequence is not a whole number from 0 to 4294967295");
+    command.expected_sequence = sequence->get<std::uint32_t>();
+  }
+  return noted(orderAnswer(call, call.parts.desk.command(command)), toString(command.command));
+}
+
+HttpResponse setMode(SiteCall& call) {
+  const json body = bodyObject(call);
+  const auto mode = body.find("mode");
+  if (mode == body.end() || !mode->is_number_integer() || mode->get<std::int64_t>() < 1 ||
+      mode->get<std::int64_t>() > 31)
+    throw InvalidInput("mode is missing or not from 1 to 31; expected 1 (Production), 2 or 3");
+  const int number = mode->get<int>();
+  return noted(orderAnswer(call, call.parts.desk.changeMode(number, call.source())),
+               "mode " + std::to_string(number));
+}
+
+HttpResponse acknowledgeAlarm(SiteCall& call) {
+  const auto id = wholeNumber(call.value(0));
+  if (id > 65535) throw InvalidInput("alarm " + call.value(0) + "; expected at most 65535");
+  return noted(orderAnswer(call, call.parts.desk.acknowledge(static_cast<int>(id), call.source())),
+               "acknowledge alarm " + call.value(0));
+}
+
+HttpResponse confirmRemoval(SiteCall& call) {
+  return noted(orderAnswer(call, call.parts.desk.confirmRemoval(call.source())), "part taken away");
+}
+
+HttpResponse getMetrics(SiteCall& call) {
+  const CellSnapshot seen = call.parts.desk.snapshot();
+  const double age_s = seen.heard_s ? call.now.steady_s - *seen.heard_s : -1.0;
+  std::ostringstream text;
+  const auto line = [&text](const char* name, const char* type, double value) {
+    if (std::isfinite(value))
+      text << "# TYPE " << name << ' ' << type << '\n' << name << ' ' << value << '\n';
+  };
+  line("lamina_status_age_seconds", "gauge", age_s);
+  line("lamina_unit_state", "gauge", static_cast<double>(seen.unit.state));
+  line("lamina_unit_mode", "gauge", seen.unit.mode);
+  line("lamina_job_fraction", "gauge", seen.unit.fraction);
+  line("lamina_job_layer", "gauge", seen.unit.layer);
+  line("lamina_alarms", "gauge", static_cast<double>(seen.alarms.size()));
+  line("lamina_queued_jobs", "gauge", static_cast<double>(seen.queue.size()));
+  line("lamina_parts_total", "counter", seen.unit.parts);
+  line("lamina_defective_parts_total", "counter", seen.unit.defective);
+  line("lamina_running_seconds_total", "counter", seen.unit.running_s);
+  line("lamina_nozzle_celsius", "gauge", seen.machine.nozzle_degc);
+  line("lamina_bed_celsius", "gauge", seen.machine.bed_degc);
+  HttpResponse response;
+  response.type = "text/plain; version=0.0.4; charset=utf-8";
+  response.body = text.str();
+  return response;
+}
+
+/// Sockets and pictures are not answered here.
+HttpResponse upgradeOnly(SiteCall& /*call*/) {
+  return errorAnswer(400, "no_stream",
+                     "this address is a stream; expected a WebSocket or a reader of pictures");
+}
+
+}  // namespace
+
+DeskAnswer enqueueUpload(SiteCall& call, const std::string& source) {
+  const ReceivedUpload& upload = call.request.upload;
+  const auto field = [&upload](const char* name) {
+    const auto found = upload.fields.find(name);
+    return found == upload.fields.end() ? std::string() : found->second;
+  };
+  return call.parts.desk.enqueue({upload.path, upload.name, field("part"), source});
+}
+
+std::vector<SiteRoute> cellRoutes() {
+  using Body = RouteBody;
+  constexpr HttpMethod kGet = HttpMethod::Get;
+  constexpr HttpMethod kPost = HttpMethod::Post;
+  return {
+      {{kGet, "/api/v1/state", WebRight::SeeState, Body::None}, getState},
+      {{kPost, "/api/v1/commands", WebRight::Hold, Body::Small}, giveCommand},
+      {{kGet, "/api/v1/alarms", WebRight::SeeAll, Body::None}, getAlarms},
+      {{kPost, "/api/v1/alarms/{id}/acknowledge", WebRight::Operate, Body::Small}, acknowledgeAlarm},
+      {{kGet, "/api/v1/jobs", WebRight::SeeAll, Body::None}, getJobs},
+      {{kPost, "/api/v1/jobs", WebRight::Upload, Body::Upload}, addJob},
+      {{kGet, "/api/v1/jobs/{id}", WebRight::SeeAll, Body::None}, getJob},
+      {{HttpMethod::Delete, "/api/v1/jobs/{id}", WebRight::Operate, Body::Small}, removeJob},
+      {{kPost, "/api/v1/jobs/{id}/release", WebRight::Operate, Body::Small}, releaseJob},
+      {{kPost, "/api/v1/jobs/{id}/revoke", WebRight::Operate, Body::Small}, revokeJob},
+      {{kPost, "/api/v1/jobs/{id}/move", WebRight::Operate, Body::Small}, moveJob},
+      {{kPost, "/api/v1/removal", WebRight::Operate, Body::Small}, confirmRemoval},
+      {{kGet, "/api/v1/startup", WebRight::SeeAll, Body::None}, getStartup},
+      {{kPost, "/api/v1/startup", WebRight::Operate, Body::Small}, runStartup},
+      {{kGet, "/api/v1/loop", WebRight::SeeAll, Body::None}, getLoop},
+      {{kPost, "/api/v1/loop", WebRight::Maintain, Body::Small}, setLoop},
+      {{kPost, "/api/v1/mode", WebRight::Maintain, Body::Small}, setMode},
+      {{kGet, "/api/v1/layers", WebRight::SeeAll, Body::None}, getLayers},
+      {{kGet, "/api/v1/deviation", WebRight::SeeAll, Body::None}, getDeviation},
+      {{kGet, "/api/v1/preview/{layer}", WebRight::SeeAll, Body::None}, getPreview},
+      {{kGet, "/api/v1/counters", WebRight::SeeAll, Body::None}, getCounters},
+      {{kGet, "/api/v1/history", WebRight::SeeAll, Body::None}, getHistory},
+      {{kGet, "/api/v1/metrics", WebRight::SeeAll, Body::None}, getMetrics},
+      {{kGet, "/api/v1/ws", WebRight::SeeState, Body::Socket}, upgradeOnly},
+      {{kGet, "/api/v1/camera", WebRight::SeeAll, Body::Camera}, upgradeOnly},
+  };
+}
+
+}  // namespace lamina

@@ -1,0 +1,301 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+
+#include "lamina/base/error.hpp"
+#include "lamina/base/version.hpp"
+#include "web/site_routes.hpp"
+
+// Enough of OctoPrint's interface that slicers find a printer and send to it. Source: OctoPrint's public API
+// documentation; which requests slicers make is in docs/operator-page.md.
+namespace lamina {
+namespace {
+
+using nlohmann::json;
+
+struct Mapped {
+  const char* text;
+  bool is_printing = false;
+  bool is_paused = false;
+  bool is_ready = false;
+  bool is_error = false;
+};
+
+Mapped mapped(UnitState state) {
+  switch (state) {
+    case UnitState::Execute:
+    case UnitState::Starting:
+    case UnitState::Completing:
+    case UnitState::Unholding:
+    case UnitState::Unsuspending:
+      return {"Printing", true, false, false, false};
+    case UnitState::Holding:
+    case UnitState::Suspending:
+      return {"Pausing", true, false, false, false};
+    case UnitState::Held:
+    case UnitState::Suspended:
+      return {"Paused", false, true, false, false};
+    case UnitState::Idle:
+    case UnitState::Stopped:
+    case UnitState::Complete:
+    case UnitState::Resetting:
+    case UnitState::Clearing:
+      return {"Operational", false, false, true, false};
+    case UnitState::Stopping:
+    case UnitState::Aborting:
+      return {"Cancelling", true, false, false, false};
+    case UnitState::Aborted:
+      return {"Error", false, false, false, true};
+  }
+  return {"Offline"};
+}
+
+Mapped stateOf(const CellSnapshot& seen, const CellTime& now) {
+  if (!isFresh(seen, now)) return {"Offline", false, false, false, true};
+  return mapped(seen.unit.state);
+}
+
+HttpResponse getVersion(SiteCall& /*call*/) {
+  return jsonAnswer(
+      200, {{"api", "0.1"}, {"server", "1.5.0"}, {"text", "OctoPrint (Lamina " + laminaVersion() + ")"}});
+}
+
+HttpResponse getServer(SiteCall& /*call*/) {
+  return jsonAnswer(200, {{"version", "1.5.0"}, {"safemode", nullptr}});
+}
+
+json userJson(const SiteCall& call) {
+  const bool is_operator = mayDo(*call.who().role, WebRight::Operate);
+  return {{"name", call.who().name},
+          {"active", true},
+          {"admin", mayDo(*call.who().role, WebRight::Maintain)},
+          {"user", true},
+          {"apikey", nullptr},
+          {"groups", is_operator ? json{"operator"} : json::array()},
+          {"permissions", json::array()}};
+}
+
+HttpResponse login(SiteCall& call) {
+  json value = userJson(call);
+  value["session"] = "";
+  value["_is_external_client"] = !call.who().is_local;
+  HttpResponse response = jsonAnswer(200, value);
+  response.note = "login by OctoPrint's interface";
+  return response;
+}
+
+HttpResponse getCurrentUser(SiteCall& call) { return jsonAnswer(200, userJson(call)); }
+
+HttpResponse getSettings(SiteCall& call) {
+  const bool has_camera = call.parts.desk.snapshot().has_camera;
+  return jsonAnswer(200, {{"api", {{"enabled", true}, {"allowCrossOrigin", false}}},
+                          {"appearance", {{"name", "Lamina"}, {"color", "default"}}},
+                          {"feature", {{"sdSupport", false}, {"modelSizeDetection", false}}},
+                          {"folder", json::object()},
+                          {"plugins", json::object()},
+                          {"serial", json::object()},
+                          {"server", json::object()},
+                          {"temperature", {{"profiles", json::array()}}},
+                          {"webcam",
+                           {{"webcamEnabled", has_camera},
+                            {"streamUrl", has_camera ? "/api/v1/camera" : ""},
+                            {"snapshotUrl", ""},
+                            {"flipH", false},
+                            {"flipV", false},
+                            {"rotate90", false}}}});
+}
+
+HttpResponse getProfiles(SiteCall& /*call*/) {
+  return jsonAnswer(200, {{"profiles",
+                           {{"_default",
+                             {{"id", "_default"},
+                              {"name", "Lamina"},
+                              {"model", "Lamina cell"},
+                              {"default", true},
+                              {"current", true},
+                              {"heatedBed", true},
+                              {"extruder", {{"count", 1}}}}}}}});
+}
+
+HttpResponse getPrinter(SiteCall& call) {
+  const CellSnapshot seen = call.parts.desk.snapshot();
+  const Mapped state = stateOf(seen, call.now);
+  const auto heater = [](double actual) {
+    return json{{"actual", actual}, {"target", nullptr}, {"offset", 0}};
+  };
+  return jsonAnswer(
+      200, {{"state",
+             {{"text", state.text},
+              {"flags",
+               {{"operational", !state.is_error},
+                {"printing", state.is_printing},
+                {"paused", state.is_paused},
+                {"pausing", std::string(state.text) == "Pausing"},
+                {"cancelling", std::string(state.text) == "Cancelling"},
+                {"ready", state.is_ready},
+                {"error", state.is_error},
+                {"closedOrError", state.is_error},
+                {"sdReady", false}}}}},
+            {"temperature",
+             {{"tool0", heater(seen.machine.nozzle_degc)}, {"bed", heater(seen.machine.bed_degc)}}}});
+}
+
+HttpResponse getPrintJob(SiteCall& call) {
+  const CellSnapshot seen = call.parts.desk.snapshot();
+  std::optional<LeftEstimate> left;
+  {
+    const std::lock_guard<std::mutex> lock(call.parts.history_mutex);
+    left = call.parts.history.left();
+  }
+  const json name = seen.unit.job ? json(seen.unit.job->name) : json(nullptr);
+  return jsonAnswer(200, {{"job", {{"file", {{"name", name}, {"origin", "local"}, {"path", name}}}}},
+                          {"progress",
+                           {{"completion", seen.unit.job ? json(seen.unit.fraction * 100.0) : json(nullptr)},
+                            {"printTime", nullptr},
+                            {"printTimeLeft", left ? json(std::round(left->seconds)) : json(nullptr)}}},
+                          {"state", stateOf(seen, call.now).text}});
+}
+
+HttpResponse getFiles(SiteCall& call) {
+  json files = json::array();
+  if (mayDo(*call.who().role, WebRight::SeeAll))
+    for (const ShownJob& job : call.parts.desk.snapshot().queue)
+      files.push_back({{"name", job.name},
+                       {"path", job.name},
+                       {"type", "machinecode"},
+                       {"typePath", {"machinecode", "gcode"}},
+                       {"origin", "local"}});
+  return jsonAnswer(200, {{"files", files}, {"free", nullptr}});
+}
+
+bool isWanted(const ReceivedUpload& upload, const char* field) {
+  const auto found = upload.fields.find(field);
+  return found != upload.fields.end() && (found->second == "true" || found->second == "1");
+}
+
+bool isInUse(const CellSnapshot& seen, const std::string& name) {
+  return seen.unit.job && seen.unit.job->name == name && seen.unit.state != UnitState::Idle &&
+         seen.unit.state != UnitState::Complete && seen.unit.state != UnitState::Stopped;
+}
+
+HttpResponse addFile(SiteCall& call) {
+  const ReceivedUpload& upload = call.request.upload;
+  const std::string note = "upload '" + upload.name + "'";
+  const std::string source = "octoprint: " + call.who().name;
+  if (isInUse(call.parts.desk.snapshot(), upload.name)) {
+    HttpResponse refused = errorAnswer(409, "in_use", "'" + upload.name + "' is being printed");
+    refused.note = note;
+    return refused;
+  }
+  const DeskAnswer answer = enqueueUpload(call, source);
+  if (answer.outcome != DeskAnswer::Outcome::Done) {
+    HttpResponse refused = orderAnswer(call, answer);
+    refused.note = note;
+    return refused;
+  }
+  const bool is_released = isWanted(upload, "print") &&
+                           call.parts.settings.upload_print == UploadPrint::Release &&
+                           mayDo(*call.who().role, WebRight::Operate) &&
+                           call.parts.desk.changeQueue(QueueChange::Release, answer.job, source).outcome ==
+                               DeskAnswer::Outcome::Done;
+  const std::string place = "/api/files/local/" + upload.name;
+  HttpResponse response = jsonAnswer(
+      201, {{"files",
+             {{"local",
+               {{"name", upload.name},
+                {"path", upload.name},
+                {"origin", "local"},
+                {"refs", {{"resource", place}}}}}}},
+            {"done", true},
+            {"effectiveSelect", false},
+            {"effectivePrint", false},
+            {"lamina", {{"job", answer.job}, {"sha256", upload.sha256}, {"is_released", is_released}}}});
+  response.note = note + " as job " + std::to_string(answer.job) + (is_released ? ", released" : "");
+  return response;
+}
+
+UnitCommand commandOf(const json& body, const CellSnapshot& seen) {
+  const std::string word = textOf(body, "command");
+  if (word == "start") return UnitCommand::Start;
+  if (word == "cancel") return UnitCommand::Stop;
+  if (word != "pause") throw InvalidInput("command is '" + word + "'; expected start, cancel or pause");
+  const std::string action = textOf(body, "action");
+  if (action == "pause") return UnitCommand::Hold;
+  if (action == "resume") return UnitCommand::Unhold;
+  if (!action.empty() && action != "toggle")
+    throw InvalidInput("action is '" + action + "'; expected pause, resume or toggle");
+  return seen.unit.state == UnitState::Held ? UnitCommand::Unhold : UnitCommand::Hold;
+}
+
+HttpResponse commandJob(SiteCall& call) {
+  DeskCommand command;
+  command.command = commandOf(bodyObject(call), call.parts.desk.snapshot());
+  command.source = "octoprint: " + call.who().name;
+  if (command.command != UnitCommand::Hold && !mayDo(*call.who().role, WebRight::Operate))
+    return errorAnswer(403, "wrong_role", "a viewer may hold, and give no other command");
+  const DeskAnswer answer = call.parts.desk.command(command);
+  HttpResponse response = orderAnswer(call, answer);
+  if (answer.outcome == DeskAnswer::Outcome::Done) {
+    response.status = 204;
+    response.body.clear();
+  }
+  response.note = toString(command.command);
+  return response;
+}
+
+HttpResponse refuseGcode(SiteCall& /*call*/) {
+  return errorAnswer(403, "no_raw_gcode", "commands of the machine are not taken from the network");
+}
+
+HttpResponse probeKeys(SiteCall& /*call*/) {
+  HttpResponse response;
+  response.status = 204;
+  return response;
+}
+
+HttpResponse requestKey(SiteCall& call) {
+  const std::string application = textOf(bodyObject(call), "app");
+  if (application.empty()) throw InvalidInput("app is missing; expected the name of the application");
+  const std::string secret =
+      call.parts.access.requestKey(application, call.request.head.peer.address, call.now);
+  if (secret.empty()) return errorAnswer(429, "too_many", "too many applications wait for an answer");
+  HttpResponse response = jsonAnswer(201, {{"app_token", secret}});
+  response.headers.emplace_back("Location", "/plugin/appkeys/request/" + secret);
+  response.note = "application '" + application.substr(0, 60) + "' asks for a token";
+  return response;
+}
+
+HttpResponse getKey(SiteCall& call) {
+  const WebAccess::KeyDecision decision = call.parts.access.keyDecision(call.value(0), call.now);
+  if (!decision.is_known || (decision.key && decision.key->empty()))
+    return errorAnswer(404, "unknown", "the request was denied, has expired, or was never made");
+  if (!decision.key) return jsonAnswer(202, {{"message", "Awaiting decision"}});
+  return jsonAnswer(200, {{"api_key", *decision.key}});
+}
+
+}  // namespace
+
+std::vector<SiteRoute> octoprintRoutes() {
+  using Body = RouteBody;
+  constexpr HttpMethod kGet = HttpMethod::Get;
+  constexpr HttpMethod kPost = HttpMethod::Post;
+  return {
+      {{kGet, "/api/version", WebRight::SeeState, Body::None}, getVersion},
+      {{kGet, "/api/server", WebRight::SeeState, Body::None}, getServer},
+      {{kPost, "/api/login", WebRight::SeeState, Body::Small}, login},
+      {{kGet, "/api/currentuser", WebRight::SeeState, Body::None}, getCurrentUser},
+      {{kGet, "/api/settings", WebRight::SeeState, Body::None}, getSettings},
+      {{kGet, "/api/printerprofiles", WebRight::SeeState, Body::None}, getProfiles},
+      {{kGet, "/api/printer", WebRight::SeeState, Body::None}, getPrinter},
+      {{kGet, "/api/job", WebRight::SeeState, Body::None}, getPrintJob},
+      {{kPost, "/api/job", WebRight::Hold, Body::Small}, commandJob},
+      {{kGet, "/api/files", WebRight::SeeState, Body::None}, getFiles},
+      {{kPost, "/api/files/local", WebRight::Upload, Body::Upload}, addFile},
+      {{kPost, "/api/printer/command", WebRight::None, Body::Small}, refuseGcode},
+      {{kGet, "/plugin/appkeys/probe", WebRight::None, Body::None}, probeKeys},
+      {{kPost, "/plugin/appkeys/request", WebRight::None, Body::Small}, requestKey},
+      {{kGet, "/plugin/appkeys/request/{secret}", WebRight::None, Body::None}, getKey},
+  };
+}
+
+}  // namespace lamina

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <openssl/ssl.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "lamina/base/clock.hpp"
+
+namespace lamina {
+
+struct FreeTlsContext {
+  void operator()(SSL_CTX* context) const { SSL_CTX_free(context); }
+};
+using TlsContext = std::unique_ptr<SSL_CTX, FreeTlsContext>;
+
+/// A context of TLS 1.2 and up.
+/// @throws FileError if certificate or key cannot be used
+TlsContext tlsContext(const std::string& certificate, const std::string& key);
+
+/// What became of reading or writing.
+enum class PeerResult : std::uint8_t { Done, Closed, Late };
+
+/// One end of a connection, plain or encrypted, that never waits longer than it is allowed to.
+class PeerSocket {
+ public:
+  /// Takes the descriptor over; it does not block any more.
+  /// @param context  of TLS; null for a plain connection
+  PeerSocket(int descriptor, SSL_CTX* context);
+  ~PeerSocket();
+  PeerSocket(const PeerSocket&) = delete;
+  PeerSocket& operator=(const PeerSocket&) = delete;
+
+  /// Reading and writing end at that time from now on.
+  void allow(double seconds);
+
+  PeerResult shakeHands();
+  struct Transfer {
+    PeerResult result = PeerResult::Done;
+    std::size_t bytes = 0;
+  };
+  Transfer read(void* buffer, std::size_t size);
+  Transfer write(const void* bytes, std::size_t size);
+
+  /// Waits for bytes to read. @return false if there are none within that time
+  bool waitForBytes(double seconds);
+
+  /// Says that nothing more comes. Bytes that the other end still sends do not tear the answer away.
+  void close();
+
+  int descriptor() const { return descriptor_; }
+
+ private:
+  struct FreeSsl {
+    void operator()(SSL* ssl) const { SSL_free(ssl); }
+  };
+  bool wait(short events, double seconds) const;
+  PeerResult await(int ssl_result);
+  double left() const;
+
+  SteadyClock clock_;
+  int descriptor_;
+  double until_s_ = 0.0;
+  std::unique_ptr<SSL, FreeSsl> ssl_;
+};
+
+}  // namespace lamina

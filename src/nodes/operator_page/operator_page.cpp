@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "operator_page.hpp"
+
+#include <filesystem>
+
+#include "lamina/base/error.hpp"
+#include "lamina/base/text.hpp"
+#include "log_bridge.hpp"
+#include "page_files.hpp"
+
+namespace lamina {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kTick = 0.1;  // [s]
+constexpr int kReachable = 9002;
+constexpr int kAuditBroken = 9003;
+
+/// The folder of the page, with an empty one for uploads; both for their owner alone.
+std::string madePageFolder(const std::string& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  const fs::path uploads = fs::path(folder) / "uploads";
+  // What an earlier run has left there was never put into the queue.
+  if (!error) fs::remove_all(uploads, error);
+  if (!error) fs::create_directory(uploads, error);
+  if (!error) fs::permissions(uploads, fs::perms::owner_all, error);
+  if (error) throw FileError(folder + ": cannot be made: " + error.message());
+  return fs::absolute(folder).string();
+}
+
+std::optional<TlsFiles> tlsFiles(const OperatorPageSettings& settings, const std::string& folder) {
+  if (!settings.is_encrypted) return std::nullopt;
+  if (settings.certificate.empty() != settings.key.empty())
+    throw InvalidConfig("web.certificate is '" + settings.certificate + "' and web.key is '" + settings.key +
+                        "'; expected both or none");
+  TlsFiles files{settings.certificate, settings.key};
+  if (files.certificate.empty()) {
+    files = {folder + "/page_certificate.pem", folder + "/page_key.pem"};
+    const std::vector<std::string> hosts = splitIntoWords(settings.hosts);
+    makeTlsIdentity(files, hosts.empty() ? settings.bind : hosts.front());
+  }
+  return files;
+}
+
+SiteSettings siteSettings(const OperatorPageSettings& settings, const std::string& folder) {
+  SiteSettings site;
+  site.access.is_loopback_open = settings.loopback == LoopbackAccess::None;
+  site.access.hosts = splitIntoWords(settings.hosts);
+  for (std::string& host : site.access.hosts)
+    host = hostName(host.find(':') == std::string::npos ? host : "[" + host + "]");
+  site.access.hosts.push_back(settings.bind);
+  site.upload_folder = folder + "/uploads";
+  site.most_upload_bytes = static_cast<std::uint64_t>(settings.largest_upload_mb) << 20;
+  site.upload_print = settings.upload_print;
+  if (!isLoopbackAddress(settings.bind))
+    site.notices.push_back(settings.is_encrypted
+                               ? "This page is reached from other hosts."
+                               : "This page is reached from other hosts, without encryption.");
+  return site;
+}
+
+WebServerSettings serverSettings(const OperatorPageSettings& settings, const std::string& folder) {
+  WebServerSettings server;
+  server.bind = settings.bind;
+  server.port = static_cast<std::uint16_t>(settings.port);
+  server.tls = tlsFiles(settings, folder);
+  server.allows_plain = settings.allows_plain;
+  return server;
+}
+
+}  // namespace
+
+OperatorPage::OperatorPage(ros::NodeHandle node, const OperatorPageSettings& settings)
+    : settings_(settings),
+      desk_(node, settings.patience_s),
+      store_(madePageFolder(settings.folder) + "/page.db") {
+  const std::string folder = fs::absolute(settings.folder).string();
+  site_ = std::make_unique<OperatorSite>(siteSettings(settings, folder), desk_, store_, pageFiles());
+  camera_ = std::make_unique<CameraIntake>(node, settings.camera_topic,
+                                           [this](std::string jpeg) { site_->setFrame(std::move(jpeg)); });
+  const WebServerSettings server = serverSettings(settings, folder);
+  server_ = std::make_unique<WebServer>(server, *site_, rosLog());
+  if (server.tls) ROS_INFO_STREAM("certificate, SHA-256: " << tlsFingerprint(server.tls->certificate));
+  for (const std::string& notice : site_->settings().notices) ROS_WARN_STREAM(notice);
+  const boost::function<void(const ros::WallTimerEvent&)> tick = [this](const auto&) { onTick(); };
+  timer_ = node.createWallTimer(ros::WallDuration(kTick), tick);
+  ROS_INFO_STREAM("the page is at " << server_->address());
+}
+
+void OperatorPage::onTick() {
+  desk_.setCamera(camera_->isThere());
+  try {
+    site_->observe({clock_.now(), ros::WallTime::now().toSec()});
+  } catch (const Error& error) {
+    ROS_ERROR_STREAM_THROTTLE(60.0, "the page cannot be told of the cell: " << error.what());
+  }
+  if (!is_exposure_told_ && desk_.snapshot().heard_s) tellExposure();
+}
+
+/// Once the unit is there to hear it.
+void OperatorPage::tellExposure() {
+  is_exposure_told_ = true;
+  for (const std::string& notice : site_->settings().notices) desk_.report(kReachable, 0.0, notice);
+  if (const auto bad = store_.firstBadAudit())
+    desk_.report(kAuditBroken, static_cast<double>(*bad),
+                 "row " + std::to_string(*bad) + " of the page's audit was edited, removed or added");
+}
+
+}  // namespace lamina

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "page_settings.hpp"
+
+namespace lamina {
+
+void describe(SettingsSchema& schema, OperatorPageSettings& settings) {
+  schema.text("web.bind", settings.bind,
+              "Address to listen on; beyond the loopback interface with web.tls only.");
+  schema.integer("web.port", settings.port, {0, 65535}, "Port to listen on; 0 for any that is free.");
+  schema.text(
+      "web.hosts", settings.hosts,
+      "Names and addresses by which browsers call this host, separated by blanks, besides localhost.");
+  schema.text(
+      "web.folder", settings.folder,
+      "Folder of tokens, audit and uploads, on a local disk; a relative one is in the folder that the "
+      "node runs in.");
+  schema.flag("web.tls", settings.is_encrypted, "Whether the page is served by HTTPS alone.");
+  schema.text("web.certificate", settings.certificate,
+              "Certificate, a PEM file; empty for one of the page's own, made at its first start.");
+  schema.text("web.key", settings.key, "Its private key, a PEM file; empty for one of the page's own.");
+  schema.flag("web.allow_plain", settings.allows_plain,
+              "Whether the page may be reached from other hosts without TLS.");
+  schema.integer("web.largest_upload_mb", settings.largest_upload_mb, {1, 65536},
+                 "Size of the largest program.");
+  schema.choice("auth.loopback", settings.loopback,
+                {{"none", LoopbackAccess::None}, {"token", LoopbackAccess::Token}},
+                "Whether who comes from this host needs a token.");
+  schema.choice(
+      "api.octoprint_print", settings.upload_print,
+      {{"wait", UploadPrint::Wait}, {"release", UploadPrint::Release}},
+      "What becomes of a program that a slicer sends to be printed at once: it waits, or is released if "
+      "an operator's token sends it.");
+  schema.text("camera.topic", settings.camera_topic,
+              "Images of the camera; those on this topic with /compressed are taken before raw ones.");
+  schema.number("cell.patience_s", settings.patience_s, {0.1, 60.0},
+                "Time in which the cell answers an order.");
+}
+
+}  // namespace lamina

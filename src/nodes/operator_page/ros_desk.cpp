@@ -1,0 +1,327 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros_desk.hpp"
+
+#include <sensor_msgs/image_encodings.h>
+#include <std_srvs/Trigger.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "names.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kProgramPatience = 1800.0;  // [s]: a program of 1 GiB is read, and may wait for others
+constexpr std::size_t kMostLayers = 500;
+constexpr std::uint32_t kMostCells = 160;  // columns and rows of the picture of deviations
+
+ShownJob shown(const lamina_msgs::CellJob& job) {
+  return {job.id,         job.name,       job.part, job.machine, job.digest, static_cast<JobState>(job.state),
+          job.created_by, job.released_by};
+}
+
+ShownUnit shown(const lamina_msgs::PackmlStatus& status) {
+  ShownUnit unit;
+  unit.state = unitState(status.state).value_or(UnitState::Stopped);
+  unit.sequence = status.sequence;
+  unit.in_state_s = status.in_state;
+  unit.mode = status.mode;
+  unit.mode_name = status.mode_name;
+  for (const std::uint8_t command : status.accepted_now)
+    if (const auto known = unitCommand(command)) unit.accepted_now.push_back(*known);
+  unit.stop_reason = status.stop_reason;
+  unit.stop_message = status.stop_message;
+  if (status.job.id != 0) unit.job = shown(status.job);
+  unit.resume_waits = status.resume_waits;
+  unit.is_part_on_plate = status.is_part_on_plate;
+  unit.lines = status.lines;
+  unit.lines_acknowledged = status.lines_acknowledged;
+  unit.layer = status.layer;
+  unit.fraction = status.fraction;
+  unit.parts = status.parts;
+  unit.defective = status.defective;
+  unit.running_s = status.running;
+  return unit;
+}
+
+ShownAlarm shown(const lamina_msgs::CellAlarm& alarm) {
+  return {alarm.id,
+          alarm.category,
+          alarm.title,
+          alarm.remedy,
+          alarm.message,
+          alarm.is_gone != 0,
+          alarm.is_acknowledged != 0,
+          alarm.acknowledged_by,
+          alarm.times};
+}
+
+std::vector<ShownStep> shown(const std::vector<lamina_msgs::StartupStep>& steps) {
+  std::vector<ShownStep> rows;
+  rows.reserve(steps.size());
+  for (const lamina_msgs::StartupStep& step : steps)
+    rows.push_back({step.name, step.state_name, step.reason, step.value, step.unit, step.expected});
+  return rows;
+}
+
+/// The picture with one value for each square of cells: their mean.
+ShownDeviation coarser(const sensor_msgs::Image& image) {
+  const std::uint32_t step = std::max(
+      {1U, (image.width + kMostCells - 1) / kMostCells, (image.height + kMostCells - 1) / kMostCells});
+  ShownDeviation shown_picture;
+  shown_picture.columns = (image.width + step - 1) / step;
+  shown_picture.rows = (image.height + step - 1) / step;
+  std::vector<double> sums(std::size_t{shown_picture.columns} * shown_picture.rows, 0.0);
+  std::vector<int> counts(sums.size(), 0);
+  for (std::uint32_t row = 0; row < image.height; ++row)
+    for (std::uint32_t column = 0; column < image.width; ++column) {
+      float value = 0.0F;
+      std::memcpy(&value, image.data.data() + std::size_t{row} * image.step + column * sizeof value,
+                  sizeof value);
+      if (!std::isfinite(value)) continue;
+      const std::size_t cell = std::size_t{row / step} * shown_picture.columns + column / step;
+      sums[cell] += value;
+      ++counts[cell];
+    }
+  for (std::size_t i = 0; i < sums.size(); ++i)
+    shown_picture.errors_m.push_back(counts[i] == 0 ? std::nanf("")
+                                                    : static_cast<float>(sums[i] / counts[i]));
+  return shown_picture;
+}
+
+DeskAnswer silent(const char* name) {
+  DeskAnswer answer;
+  answer.outcome = DeskAnswer::Outcome::Silent;
+  answer.message = std::string("the service ") + name + " is not there, or broke off";
+  return answer;
+}
+
+DeskAnswer answerOf(const lamina_msgs::Status& status) {
+  using Status = lamina_msgs::Status;
+  DeskAnswer answer;
+  answer.code = status.code;
+  answer.message = status.message;
+  if (status.code == Status::OK) return answer;
+  const bool is_input = status.code >= Status::INVALID_INPUT && status.code <= Status::UNREACHABLE;
+  answer.outcome = is_input ? DeskAnswer::Outcome::BadInput : DeskAnswer::Outcome::Refused;
+  return answer;
+}
+
+bool isStop(UnitCommand command) {
+  return command == UnitCommand::Hold || command == UnitCommand::Stop || command == UnitCommand::Abort;
+}
+
+}  // namespace
+
+RosDesk::RosDesk(ros::NodeHandle node, double patience_s)
+    : node_(node),
+      patience_s_(patience_s),
+      alarm_reports_(node.advertise<lamina_msgs::AlarmReport>(names::kAlarmReports, 10)),
+      subscribers_({node.subscribe(names::kPackmlStatus, 10, &RosDesk::onStatus, this),
+                    node.subscribe(names::kAlarms, 10, &RosDesk::onAlarms, this),
+                    node.subscribe(names::kJobQueue, 10, &RosDesk::onQueue, this),
+                    node.subscribe(names::kMachineState, 10, &RosDesk::onMachine, this),
+                    node.subscribe(names::kLoopState, 10, &RosDesk::onLoop, this),
+                    node.subscribe(names::kLayerHeight, 100, &RosDesk::onLayer, this),
+                    node.subscribe(names::kHeightDeviation, 1, &RosDesk::onDeviation, this)}) {}
+
+void RosDesk::setCamera(bool is_there) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  seen_.has_camera = is_there;
+}
+
+CellSnapshot RosDesk::snapshot() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return seen_;
+}
+
+ShownDeviation RosDesk::deviation() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return deviation_;
+}
+
+std::optional<LayerPreview> RosDesk::preview(std::int32_t layer) {
+  std::string program;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    program = seen_.machine.job;
+  }
+  if (program.empty() || program.front() != '/') return std::nullopt;  // a toolpath that was published
+  return preview_.layer(program, layer);
+}
+
+void RosDesk::onStatus(const lamina_msgs::PackmlStatusConstPtr& status) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const bool is_other = (seen_.unit.job ? seen_.unit.job->id : 0) != status->job.id;
+  seen_.unit = shown(*status);
+  seen_.heard_s = clock_.now();
+  if (is_other && status->job.id != 0) seen_.layers.clear();
+}
+
+void RosDesk::onAlarms(const lamina_msgs::CellAlarmsConstPtr& alarms) {
+  std::vector<ShownAlarm> rows;
+  rows.reserve(alarms->alarms.size());
+  for (const lamina_msgs::CellAlarm& alarm : alarms->alarms) rows.push_back(shown(alarm));
+  const std::lock_guard<std::mutex> lock(mutex_);
+  seen_.alarms = std::move(rows);
+}
+
+void RosDesk::onQueue(const lamina_msgs::JobQueueConstPtr& queue) {
+  std::vector<ShownJob> rows;
+  rows.reserve(queue->jobs.size());
+  for (const lamina_msgs::CellJob& job : queue->jobs) rows.push_back(shown(job));
+  const std::lock_guard<std::mutex> lock(mutex_);
+  seen_.queue = std::move(rows);
+}
+
+void RosDesk::onMachine(const lamina_msgs::MachineStateConstPtr& machine) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  seen_.machine_heard_s = clock_.now();
+  seen_.machine.job = machine->job;
+  seen_.machine.nozzle_degc = machine->nozzle_temperature;
+  seen_.machine.bed_degc = machine->bed_temperature;
+  seen_.machine.position_m = {machine->position.x, machine->position.y, machine->position.z};
+  seen_.machine.failure = machine->status.message;
+  seen_.startup = shown(machine->startup);
+}
+
+void RosDesk::onLoop(const lamina_msgs::LoopStateConstPtr& loop) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  seen_.loop = ShownLoop{loop->state_name, loop->reason, loop->layer, loop->alarm};
+}
+
+void RosDesk::onLayer(const lamina_msgs::LayerHeightConstPtr& layer) {
+  if (layer->sight == lamina_msgs::LayerHeight::NOT_SEEN) return;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  auto& layers = seen_.layers;
+  if (!layers.empty() && layer->layer <= layers.back().layer) layers.clear();  // another print
+  layers.push_back({layer->layer, layer->mean_error, layer->rms_error, layer->worst_error, layer->coverage});
+  if (layers.size() > kMostLayers) layers.erase(layers.begin());
+}
+
+void RosDesk::onDeviation(const sensor_msgs::ImageConstPtr& image) {
+  const bool is_whole = image->encoding == sensor_msgs::image_encodings::TYPE_32FC1 &&
+                        image->step >= image->width * sizeof(float) &&
+                        image->data.size() >= std::size_t{image->step} * image->height;
+  if (!is_whole) return;
+  ShownDeviation picture = coarser(*image);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  picture.number = deviation_.number + 1;
+  deviation_ = std::move(picture);
+  seen_.deviation_number = deviation_.number;
+}
+
+template <class Service>
+DeskAnswer RosDesk::callUnit(ServiceLane& lane, const char* name, const Service& call) {
+  return lane.ask("cell_controller", patience_s_, [node = node_, name, call = call]() mutable {
+    if (!ros::service::call(node.resolveName(name), call)) return silent(name);
+    DeskAnswer answer;
+    answer.code = call.response.result;
+    answer.message = call.response.message;
+    if (answer.code == static_cast<int>(CommandResult::BadValue))
+      answer.outcome = DeskAnswer::Outcome::BadInput;
+    else if (answer.code == static_cast<int>(CommandResult::NoSuchJob))
+      answer.outcome = DeskAnswer::Outcome::Unknown;
+    else if (answer.code != static_cast<int>(CommandResult::Accepted))
+      answer.outcome = DeskAnswer::Outcome::Refused;
+    return answer;
+  });
+}
+
+template <class Service>
+DeskAnswer RosDesk::callForStatus(ServiceLane& lane, const char* name, const Service& call,
+                                  double patience_s) {
+  return lane.ask(name, patience_s, [node = node_, name, call = call]() mutable {
+    if (!ros::service::call(node.resolveName(name), call)) return silent(name);
+    return answerOf(call.response.status);
+  });
+}
+
+DeskAnswer RosDesk::command(const DeskCommand& command) {
+  lamina_msgs::PackmlCommand call;
+  call.request.command = static_cast<std::uint8_t>(command.command);
+  call.request.source = command.source;
+  call.request.expected_sequence = command.expected_sequence ? std::int64_t{*command.expected_sequence} : -1;
+  call.request.cut_off = static_cast<std::uint8_t>(command.cut_off);
+  return callUnit(isStop(command.command) ? stops_ : orders_, names::kPackmlCommand, call);
+}
+
+DeskAnswer RosDesk::changeMode(int mode, const std::string& source) {
+  lamina_msgs::SetUnitMode call;
+  call.request.mode = static_cast<std::uint8_t>(mode);
+  call.request.source = source;
+  return callUnit(orders_, names::kSetUnitMode, call);
+}
+
+DeskAnswer RosDesk::enqueue(const DeskProgram& program) {
+  lamina_msgs::EnqueueJob call;
+  call.request.program = program.path;
+  call.request.name = program.name;
+  call.request.part = program.part;
+  call.request.source = program.source;
+  return programs_.ask("cell_controller", kProgramPatience, [node = node_, call]() mutable {
+    if (!ros::service::call(node.resolveName(names::kEnqueueJob), call)) return silent(names::kEnqueueJob);
+    DeskAnswer answer = answerOf(call.response.status);
+    answer.job = call.response.job;
+    return answer;
+  });
+}
+
+DeskAnswer RosDesk::changeQueue(QueueChange change, std::int64_t job, const std::string& source) {
+  lamina_msgs::ChangeQueue call;
+  call.request.change = static_cast<std::uint8_t>(change);
+  call.request.job = static_cast<std::uint32_t>(job);
+  call.request.source = source;
+  DeskAnswer answer = callForStatus(orders_, names::kChangeQueue, call, patience_s_);
+  // A job in another state than the change needs is refused as bad input by the journal.
+  if (answer.outcome == DeskAnswer::Outcome::BadInput) answer.outcome = DeskAnswer::Outcome::Refused;
+  return answer;
+}
+
+DeskAnswer RosDesk::acknowledge(int alarm, const std::string& source) {
+  lamina_msgs::AcknowledgeAlarm call;
+  call.request.id = static_cast<std::uint16_t>(alarm);
+  call.request.source = source;
+  return callUnit(orders_, names::kAcknowledgeAlarm, call);
+}
+
+DeskAnswer RosDesk::confirmRemoval(const std::string& /*source*/) {
+  return orders_.ask("cell_controller", patience_s_, [node = node_]() {
+    std_srvs::Trigger call;
+    if (!ros::service::call(node.resolveName(names::kConfirmRemoval), call))
+      return silent(names::kConfirmRemoval);
+    DeskAnswer answer;
+    answer.message = call.response.message;
+    if (!call.response.success) answer.outcome = DeskAnswer::Outcome::Refused;
+    return answer;
+  });
+}
+
+DeskAnswer RosDesk::startup(StartupCommand command, const std::string& step) {
+  lamina_msgs::RunStartup call;
+  call.request.command = static_cast<std::uint8_t>(command);
+  call.request.step = step;
+  return callForStatus(command == StartupCommand::Abort ? stops_ : orders_, names::kRunStartup, call,
+                       patience_s_);
+}
+
+DeskAnswer RosDesk::setLoop(LoopRequest request) {
+  lamina_msgs::SetLoop call;
+  call.request.request = static_cast<std::uint8_t>(request);
+  return callForStatus(orders_, names::kSetLoop, call, patience_s_);
+}
+
+void RosDesk::report(int alarm, double value, const std::string& message) {
+  lamina_msgs::AlarmReport report;
+  report.header.stamp = ros::Time::now();
+  report.id = static_cast<std::uint16_t>(alarm);
+  report.source = "operator_page";
+  report.value = value;
+  report.message = message;
+  alarm_reports_.publish(report);
+}
+
+}  // namespace lamina

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/node_handle.h>
+#include <sensor_msgs/Image.h>
+
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "lamina/base/clock.hpp"
+#include "lamina/web/cell_desk.hpp"
+#include "messages.hpp"
+#include "program_preview.hpp"
+#include "service_lane.hpp"
+
+namespace lamina {
+
+/// The cell as it is reached by ROS: what topics say of it, and services that take orders.
+class RosDesk final : public CellDesk {
+ public:
+  /// @param patience_s  for an answer of the cell
+  RosDesk(ros::NodeHandle node, double patience_s);
+
+  void setCamera(bool is_there);
+
+  CellSnapshot snapshot() const override;
+  ShownDeviation deviation() const override;
+  std::optional<LayerPreview> preview(std::int32_t layer) override;
+
+  DeskAnswer command(const DeskCommand& command) override;
+  DeskAnswer changeMode(int mode, const std::string& source) override;
+  DeskAnswer enqueue(const DeskProgram& program) override;
+  DeskAnswer changeQueue(QueueChange change, std::int64_t job, const std::string& source) override;
+  DeskAnswer acknowledge(int alarm, const std::string& source) override;
+  DeskAnswer confirmRemoval(const std::string& source) override;
+  DeskAnswer startup(StartupCommand command, const std::string& step) override;
+  DeskAnswer setLoop(LoopRequest request) override;
+  void report(int alarm, double value, const std::string& message) override;
+
+ private:
+  void onStatus(const lamina_msgs::PackmlStatusConstPtr& status);
+  void onAlarms(const lamina_msgs::CellAlarmsConstPtr& alarms);
+  void onQueue(const lamina_msgs::JobQueueConstPtr& queue);
+  void onMachine(const lamina_msgs::MachineStateConstPtr& machine);
+  void onLoop(const lamina_msgs::LoopStateConstPtr& loop);
+  void onLayer(const lamina_msgs::LayerHeightConstPtr& layer);
+  void onDeviation(const sensor_msgs::ImageConstPtr& image);
+
+  template <class Service>
+  DeskAnswer callUnit(ServiceLane& lane, const char* name, const Service& call);
+  template <class Service>
+  DeskAnswer callForStatus(ServiceLane& lane, const char* name, const Service& call, double patience_s);
+
+  ros::NodeHandle node_;
+  double patience_s_;
+  SteadyClock clock_;
+  mutable std::mutex mutex_;  // of what was heard
+  CellSnapshot seen_;
+  ShownDeviation deviation_;
+  ProgramPreview preview_;
+  ros::Publisher alarm_reports_;
+  std::vector<ros::Subscriber> subscribers_;
+  // What stops the unit waits behind nothing else; programs are read for minutes.
+  ServiceLane stops_;
+  ServiceLane orders_;
+  ServiceLane programs_;
+};
+
+}  // namespace lamina

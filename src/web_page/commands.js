@@ -1,0 +1,75 @@
+// Hold, the next step, Stop and Abort.
+import { post } from "/page/api.js";
+import { ask } from "/page/dialogs.js";
+import { byId, setText } from "/page/elements.js";
+import { texts } from "/page/texts.js";
+
+let state = null;
+
+function tell(text) {
+  // Guards come as one text; each is a line of its own.
+  byId("command-answer").textContent = text.replaceAll("; ", ";\n");
+}
+
+async function give(command, more = {}) {
+  tell("");
+  try {
+    await post("/api/v1/commands", { command, ...more });
+    tell(texts.done(command));
+  } catch (error) {
+    tell(error.code === "stale_sequence" ? texts.stale_command : error.status ? error.message : texts.no_link);
+  }
+}
+
+const jobName = () => state?.job?.name ?? texts.this_job;
+const sequence = () => ({ if_sequence: state.unit.sequence });
+
+async function next() {
+  const step = state && texts.next[state.unit.state];
+  if (!step) return;
+  const [command] = step;
+  const seen = sequence();
+  if (command === "Reset" && state.unit.state === "Complete" && state.unit.is_part_on_plate) {
+    await post("/api/v1/removal").catch(() => {});
+  }
+  if (command !== "Start" || !state.unit.resume_waits) return give(command, seen);
+  const choice = await ask({
+    title: texts.start_title,
+    text: texts.start_text(jobName()),
+    answers: [
+      { value: "resume", label: texts.resume, kind: "primary" },
+      { value: "discard", label: texts.discard, kind: "stop" },
+    ],
+  });
+  if (choice) await give("Start", { ...seen, cut_off: choice });
+}
+
+async function stop() {
+  const text = state?.job ? texts.stop_text(jobName()) : texts.stop_idle;
+  const answers = [{ value: "yes", label: texts.stop, kind: "stop" }];
+  if (await ask({ title: texts.stop_title, text: `${text} ${texts.not_emergency}`, answers })) await give("Stop");
+}
+
+async function abort() {
+  const answers = [{ value: "yes", label: texts.abort, kind: "abort" }];
+  const text = `${texts.abort_text(jobName())} ${texts.not_emergency}`;
+  if (await ask({ title: texts.abort_title, text, answers })) await give("Abort");
+}
+
+export function wireCommands() {
+  byId("hold").addEventListener("click", () => give("Hold"));
+  byId("next").addEventListener("click", next);
+  byId("stop").addEventListener("click", stop);
+  byId("abort").addEventListener("click", abort);
+}
+
+export function showCommands(shown, rights) {
+  state = shown;
+  const step = texts.next[shown.unit.state];
+  const button = byId("next");
+  setText(button, step ? step[1] : texts.no_next);
+  // Not `disabled`, which would drop the focus: what is not accepted is answered with its reason.
+  button.setAttribute("aria-disabled", String(!step || !shown.unit.accepted_now.includes(step[0])));
+  button.hidden = byId("stop").hidden = byId("abort").hidden = !rights.operate;
+  byId("hold").hidden = !rights.hold;
+}

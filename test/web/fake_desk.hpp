@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <mutex>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "lamina/base/atomic_file.hpp"
+#include "lamina/web/cell_desk.hpp"
+
+namespace lamina::test {
+
+/// A cell that notes what it is asked, and answers as it is told.
+class FakeDesk final : public CellDesk {
+ public:
+  CellSnapshot seen;
+  ShownDeviation picture;
+  std::optional<LayerPreview> shown_layer;
+  DeskAnswer next;
+  std::string uploaded;  ///< bytes of the last program
+
+  std::vector<std::string> orders() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return orders_;
+  }
+
+  CellSnapshot snapshot() const override {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return seen;
+  }
+  ShownDeviation deviation() const override { return picture; }
+  std::optional<LayerPreview> preview(std::int32_t layer) override {
+    return shown_layer && shown_layer->layer == layer ? shown_layer : std::nullopt;
+  }
+  DeskAnswer command(const DeskCommand& command) override {
+    return take(std::string(toString(command.command)) + " by " + command.source +
+                (command.expected_sequence ? " at " + std::to_string(*command.expected_sequence) : "") +
+                (command.cut_off == 0 ? "" : " cut_off " + std::to_string(command.cut_off)));
+  }
+  DeskAnswer changeMode(int mode, const std::string& source) override {
+    return take("mode " + std::to_string(mode) + " by " + source);
+  }
+  DeskAnswer enqueue(const DeskProgram& program) override {
+    const std::string bytes = readFile(program.path);
+    const std::lock_guard<std::mutex> lock(mutex_);
+    uploaded = bytes;
+    orders_.push_back("enqueue " + program.name + " by " + program.source);
+    DeskAnswer answer = next;
+    answer.job = 7;
+    return answer;
+  }
+  DeskAnswer changeQueue(QueueChange change, std::int64_t job, const std::string& source) override {
+    return take("change " + std::to_string(static_cast<int>(change)) + " of " + std::to_string(job) + " by " +
+                source);
+  }
+  DeskAnswer acknowledge(int alarm, const std::string& source) override {
+    return take("acknowledge " + std::to_string(alarm) + " by " + source);
+  }
+  DeskAnswer confirmRemoval(const std::string& source) override { return take("removal by " + source); }
+  DeskAnswer startup(StartupCommand command, const std::string& step) override {
+    return take("startup " + std::to_string(static_cast<int>(command)) + " " + step);
+  }
+  DeskAnswer setLoop(LoopRequest request) override {
+    return take("loop " + std::to_string(static_cast<int>(request)));
+  }
+  void report(int alarm, double /*value*/, const std::string& message) override {
+    take("report " + std::to_string(alarm) + ": " + message);
+  }
+
+ private:
+  DeskAnswer take(std::string order) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    orders_.push_back(std::move(order));
+    return next;
+  }
+
+  mutable std::mutex mutex_;
+  std::vector<std::string> orders_;
+};
+
+}  // namespace lamina::test

@@ -1,0 +1,319 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/web/operator_site.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
+#include "web/site_of_fakes.hpp"
+
+namespace lamina::test {
+namespace {
+
+using Headers = std::map<std::string, std::string>;
+constexpr std::array kEveryRole = {WebRole::Viewer, WebRole::Sender, WebRole::Operator, WebRole::Maintenance};
+
+/// A pattern with something in its places.
+std::string pathOf(const RouteRow& row) {
+  std::string path;
+  for (std::size_t at = 0; at < row.pattern.size();) {
+    if (row.pattern[at] != '{') {
+      path += row.pattern[at++];
+      continue;
+    }
+    path += '1';
+    at = row.pattern.find('}', at) + 1;
+  }
+  return path;
+}
+
+Headers headersFor(const RouteRow& row) {
+  if (row.body != RouteBody::Upload) return {};
+  return {{"content-type", "multipart/form-data; boundary=b"}};
+}
+
+std::string nameOf(HttpMethod method) {
+  return method == HttpMethod::Get ? "GET" : method == HttpMethod::Post ? "POST" : "DELETE";
+}
+
+/// What the specification's table of roles says, written down once more.
+bool isAllowed(WebRole role, WebRight right) {
+  switch (role) {
+    case WebRole::Viewer:
+      return right <= WebRight::SeeAll;
+    case WebRole::Sender:
+      return right <= WebRight::SeeState || right == WebRight::Upload;
+    case WebRole::Operator:
+      return right != WebRight::Maintain;
+    case WebRole::Maintenance:
+      return true;
+  }
+  return false;
+}
+
+TEST(OperatorSite, RefusesEveryRouteToWhoeverShowsNoTokenAndSaysSoInTheAudit) {
+  SiteOfFakes site(closedLoopback());
+  for (const RouteRow& row : OperatorSite::routes()) {
+    if (row.right == WebRight::None) continue;
+    const HttpResponse response = site.ask(row.method, pathOf(row), headersFor(row));
+    EXPECT_EQ(response.status, 401) << row.pattern;
+    EXPECT_NE(site.lastAudit().find(nameOf(row.method) + ' ' + pathOf(row)), std::string::npos)
+        << row.pattern;
+  }
+  EXPECT_TRUE(site.desk.orders().empty());
+  EXPECT_EQ(site.store.firstBadAudit(), std::nullopt);
+}
+
+TEST(OperatorSite, AdmitsEachRoleToItsRoutesAndToNoOther) {
+  SiteOfFakes site(closedLoopback());
+  site.peer = {"192.168.1.9", false, true};
+  for (const WebRole role : kEveryRole) {
+    const std::string token = site.add(role, toString(role));
+    for (const RouteRow& row : OperatorSite::routes()) {
+      if (row.right == WebRight::None) continue;
+      Headers headers = headersFor(row);
+      headers["x-api-key"] = token;
+      headers["host"] = "localhost";
+      const std::size_t before = site.desk.orders().size();
+      const HttpResponse response = site.ask(row.method, pathOf(row), headers, "{}");
+      if (isAllowed(role, row.right)) {
+        EXPECT_NE(response.status, 401) << toString(role) << ' ' << row.pattern;
+        EXPECT_NE(response.status, 403) << toString(role) << ' ' << row.pattern;
+      } else {
+        EXPECT_EQ(response.status, 403) << toString(role) << ' ' << row.pattern;
+        EXPECT_EQ(site.desk.orders().size(), before);
+        EXPECT_NE(site.lastAudit().find(std::string(toString(role)) + " | "), std::string::npos);
+        EXPECT_NE(site.lastAudit().find("refused 403"), std::string::npos);
+      }
+    }
+  }
+}
+
+TEST(OperatorSite, RefusesWhatBrowsersAreMadeToSend) {
+  SiteOfFakes site;
+  const Headers page = {{"x-csrf-token", site.get("/api/v1/session")["csrf"]}};
+  EXPECT_EQ(site.ask(HttpMethod::Post, "/api/v1/commands", page, R"({"command":"Hold"})").status, 200);
+  for (const RouteRow& row : OperatorSite::routes()) {
+    Headers foreign = page;
+    foreign["host"] = "printer.example.org";
+    EXPECT_EQ(site.ask(row.method, pathOf(row), foreign).status, 403) << row.pattern << ": host";
+    EXPECT_EQ(site.ask(row.method, pathOf(row) + "?apikey=1", page).status, 403) << row.pattern << ": key";
+    if (row.method == HttpMethod::Get && row.body != RouteBody::Socket) continue;
+    Headers other = page;
+    if (row.body == RouteBody::Socket) other["upgrade"] = "websocket";
+    other["origin"] = "https://example.org";
+    EXPECT_EQ(site.ask(row.method, pathOf(row), other).status, 403) << row.pattern << ": origin";
+    other["origin"] = "null";
+    EXPECT_EQ(site.ask(row.method, pathOf(row), other).status, 403) << row.pattern << ": no origin";
+    other.erase("origin");
+    other["sec-fetch-site"] = "cross-site";
+    EXPECT_EQ(site.ask(row.method, pathOf(row), other).status, 403) << row.pattern << ": site";
+    const bool needs_csrf = row.method != HttpMethod::Get && row.right != WebRight::None;
+    if (needs_csrf)
+      EXPECT_EQ(site.ask(row.method, pathOf(row), {{"origin", "http://127.0.0.1:8080"}}).status, 403)
+          << row.pattern << ": CSRF";
+  }
+  EXPECT_EQ(site.desk.orders().size(), 1U);
+}
+
+TEST(OperatorSite, KnowsWhoHasLoggedInUntilTheTokenIsGone) {
+  SiteOfFakes site(closedLoopback());
+  const std::string token = site.add(WebRole::Operator, "anna");
+  EXPECT_EQ(site.get("/api/v1/session")["is_known"], false);
+  const HttpResponse opened =
+      site.ask(HttpMethod::Post, "/api/v1/session", {}, R"({"token":")" + token + "\"}");
+  ASSERT_EQ(opened.status, 201);
+  const std::string cookie = opened.headers.at(0).second;
+  EXPECT_NE(cookie.find("; HttpOnly; SameSite=Strict; Max-Age=43200"), std::string::npos) << cookie;
+  const std::string csrf = nlohmann::json::parse(opened.body)["csrf"];
+  Headers headers = {{"cookie", cookie.substr(0, cookie.find(';'))}, {"x-csrf-token", csrf}};
+  EXPECT_EQ(site.ask(HttpMethod::Post, "/api/v1/commands", headers, R"({"command":"Stop"})").status, 200);
+  EXPECT_EQ(site.desk.orders().back(), "Stop by page: anna");
+  EXPECT_EQ(site.lastAudit(), "anna | POST /api/v1/commands: Stop | done 200");
+  headers["x-csrf-token"] = csrf.substr(1) + "0";
+  EXPECT_EQ(site.ask(HttpMethod::Post, "/api/v1/commands", headers, R"({"command":"Stop"})").status, 403);
+  EXPECT_TRUE(site.store.remove(site.store.tokens().at(0).id));
+  EXPECT_EQ(site.ask(HttpMethod::Get, "/api/v1/state", headers).status, 401);
+}
+
+TEST(OperatorSite, EndsSessionsAfterTwelveHours) {
+  SiteOfFakes site(closedLoopback());
+  const std::string token = site.add(WebRole::Viewer, "wall");
+  const HttpResponse opened =
+      site.ask(HttpMethod::Post, "/api/v1/session", {}, R"({"token":")" + token + "\"}");
+  const std::string cookie = opened.headers.at(0).second;
+  const Headers headers = {{"cookie", cookie.substr(0, cookie.find(';'))}};
+  site.now.steady_s += 12.0 * 3600.0 - 2.0;
+  EXPECT_EQ(site.ask(HttpMethod::Get, "/api/v1/state", headers).status, 200);
+  site.now.steady_s += 1.0;
+  EXPECT_EQ(site.ask(HttpMethod::Get, "/api/v1/state", headers).status, 401);
+}
+
+TEST(OperatorSite, LocksAnAddressOutThatGuessesTokensButNoGoodTokenNorHold) {
+  SiteOfFakes site(closedLoopback());
+  const std::string token = site.add(WebRole::Operator, "anna");
+  for (int i = 0; i < 5; ++i)
+    EXPECT_EQ(site.ask(HttpMethod::Get, "/api/v1/state", {{"x-api-key", "guess"}}).status, 401);
+  EXPECT_EQ(site.ask(HttpMethod::Get, "/api/v1/state", {{"authorization", "Bearer guess"}}).status, 429);
+  EXPECT_EQ(site.desk.orders().back().substr(0, 12), "report 9001:");
+  EXPECT_EQ(
+      site.ask(HttpMethod::Post, "/api/v1/commands", {{"x-api-key", token}}, R"({"command":"Hold"})").status,
+      200);
+  site.peer.address = "127.0.0.2";
+  EXPECT_EQ(site.ask(HttpMethod::Get, "/api/v1/state", {{"x-api-key", "guess"}}).status, 401);
+  site.peer.address = "127.0.0.1";
+  site.now.steady_s += 60.0;
+  EXPECT_EQ(site.ask(HttpMethod::Get, "/api/v1/state", {{"x-api-key", "guess"}}).status, 401);
+}
+
+TEST(OperatorSite, LimitsRequestsOfOneTokenButNotHold) {
+  SiteOfFakes site(closedLoopback());
+  const Headers key = {{"x-api-key", site.add(WebRole::Operator, "script")}};
+  int refused = 0;
+  for (int i = 0; i < 50; ++i) {
+    site.now.steady_s -= 1.0;  // all in one instant
+    refused += site.ask(HttpMethod::Get, "/api/v1/state", key).status == 429 ? 1 : 0;
+  }
+  EXPECT_EQ(refused, 10);
+  site.now.steady_s -= 1.0;
+  EXPECT_EQ(site.ask(HttpMethod::Post, "/api/v1/commands", key, R"({"command":"Hold"})").status, 200);
+  site.now.steady_s += 1.0;
+  EXPECT_EQ(site.ask(HttpMethod::Get, "/api/v1/state", key).status, 200);
+}
+
+TEST(OperatorSite, LetsViewersOnThisHostHoldAndDoNothingElse) {
+  SiteOfFakes site(closedLoopback());
+  const Headers viewer = {{"x-api-key", site.add(WebRole::Viewer, "wall")}};
+  EXPECT_EQ(site.ask(HttpMethod::Post, "/api/v1/commands", viewer, R"({"command":"Hold"})").status, 200);
+  EXPECT_EQ(site.ask(HttpMethod::Post, "/api/v1/commands", viewer, R"({"command":"Stop"})").status, 403);
+  EXPECT_EQ(site.ask(HttpMethod::Post, "/api/job", viewer, R"({"command":"cancel"})").status, 403);
+  Headers proxied = viewer;
+  proxied["x-forwarded-for"] = "10.0.0.1";
+  EXPECT_EQ(site.ask(HttpMethod::Post, "/api/v1/commands", proxied, R"({"command":"Hold"})").status, 403);
+  site.peer = {"192.168.1.9", false, true};
+  EXPECT_EQ(site.ask(HttpMethod::Post, "/api/v1/commands", viewer, R"({"command":"Hold"})").status, 403);
+  EXPECT_EQ(site.desk.orders(), std::vector<std::string>{"Hold by page: wall"});
+}
+
+TEST(OperatorSite, AnswersWhatTheCellRefusesWithTheReasonAndWhatItWouldAccept) {
+  SiteOfFakes site;
+  const Headers page = {{"x-csrf-token", site.get("/api/v1/session")["csrf"]}};
+  site.desk.next = {DeskAnswer::Outcome::Refused, 10, "meant for another state", 0};
+  const HttpResponse stale = site.ask(HttpMethod::Post, "/api/v1/commands", page,
+                                      R"({"command":"Start","if_sequence":12,"cut_off":"resume"})");
+  EXPECT_EQ(stale.status, 409);
+  EXPECT_EQ(
+      stale.body,
+      R"({"accepted_now":["Start","Stop","Abort"],"code":"stale_sequence","message":"meant for another state"})");
+  EXPECT_EQ(site.desk.orders().back(), "Start by page: this host at 12 cut_off 1");
+  EXPECT_EQ(site.lastAudit(),
+            "this host | POST /api/v1/commands: Start | refused 409: meant for another state");
+  site.desk.next = {DeskAnswer::Outcome::Silent, 0, "no answer", 0};
+  EXPECT_EQ(site.ask(HttpMethod::Post, "/api/v1/jobs/3/release", page).status, 503);
+  EXPECT_EQ(site.desk.orders().back(), "change 0 of 3 by page: this host");
+}
+
+TEST(OperatorSite, RefusesBadBodiesAsAWhole) {
+  SiteOfFakes site;
+  const Headers page = {{"x-csrf-token", site.get("/api/v1/session")["csrf"]}};
+  for (const char* body :
+       {"", "[]", "{", R"({"command":3})", R"({"command":"Fly"})", R"({"command":"Start","if_sequence":-1})",
+        R"({"command":"Start","if_sequence":1.5})", R"({"command":"Start","cut_off":"both"})"})
+    EXPECT_EQ(site.ask(HttpMethod::Post, "/api/v1/commands", page, body).status, 400) << body;
+  for (const char* path : {"/api/v1/jobs/x/release", "/api/v1/jobs/-1/release",
+                           "/api/v1/jobs/99999999999999999/move", "/api/v1/alarms/70000/acknowledge"})
+    EXPECT_EQ(site.ask(HttpMethod::Post, path, page).status, 400) << path;
+  EXPECT_EQ(site.ask(HttpMethod::Post, "/api/v1/mode", page, R"({"mode":0})").status, 400);
+  EXPECT_EQ(site.ask(HttpMethod::Post, "/api/v1/loop", page, R"({"request":"maybe"})").status, 400);
+  EXPECT_EQ(site.ask(HttpMethod::Post, "/api/v1/startup", page, R"({"command":"jump"})").status, 400);
+  EXPECT_TRUE(site.desk.orders().empty());
+}
+
+TEST(OperatorSite, RefusesAddressesThatAreNoPlainPaths) {
+  SiteOfFakes site;
+  for (const char* path : {"/page/../cell.db", "/page/%2e%2e", "/page/%2E%2e/x", "/page/a%00b", "/page/a%2fb",
+                           "/page/a%5cb", "/page//x", "page/x", "/page/%zz", "/page/%4", "*", "/page/a\tb"})
+    EXPECT_EQ(site.ask(HttpMethod::Get, path, {}).status, 400) << path;
+  EXPECT_EQ(site.ask(HttpMethod::Get, "/page/other.html", {}).status, 404);
+  EXPECT_EQ(site.ask(HttpMethod::Get, "/page/index.html", {}).body, "<p>page</p>");
+  EXPECT_EQ(site.ask(HttpMethod::Post, "/api/v1/state", {}).status, 405);
+  EXPECT_EQ(site.ask(HttpMethod::Other, "/api/v1/state", {}).status, 405);
+}
+
+TEST(OperatorSite, GivesTheSameAnswerToARepeatedRequestForADay) {
+  SiteOfFakes site;
+  Headers page = {{"x-csrf-token", site.get("/api/v1/session")["csrf"]}, {"idempotency-key", "k1"}};
+  EXPECT_EQ(site.ask(HttpMethod::Post, "/api/v1/jobs/3/release", page).status, 200);
+  EXPECT_EQ(site.ask(HttpMethod::Post, "/api/v1/jobs/3/release", page).status, 200);
+  EXPECT_EQ(site.desk.orders().size(), 1U);
+  site.now.utc_s += 86400.0;
+  EXPECT_EQ(site.ask(HttpMethod::Post, "/api/v1/jobs/3/release", page).status, 200);
+  EXPECT_EQ(site.desk.orders().size(), 2U);
+  EXPECT_EQ(site.ask(HttpMethod::Post, "/api/v1/commands", page, R"({"command":"Hold"})").status, 200);
+  EXPECT_EQ(site.ask(HttpMethod::Post, "/api/v1/commands", page, R"({"command":"Hold"})").status, 200);
+  EXPECT_EQ(site.desk.orders().size(), 4U);
+}
+
+TEST(OperatorSite, GivesSendersTheStateOnly) {
+  SiteOfFakes site(closedLoopback());
+  site.desk.seen.queue.push_back({3, "part.gcode", "", "", "", JobState::AllowedToStart, "anna", "anna"});
+  const auto of_sender = site.get("/api/v1/state", site.add(WebRole::Sender, "slicer"));
+  EXPECT_EQ(of_sender["unit"]["state"], "Idle");
+  EXPECT_EQ(of_sender["is_fresh"], true);
+  EXPECT_FALSE(of_sender.contains("queue"));
+  const auto of_viewer = site.get("/api/v1/state", site.add(WebRole::Viewer, "wall"));
+  EXPECT_EQ(of_viewer["queue"][0]["state"], "AllowedToStart");
+  EXPECT_TRUE(of_viewer["loop"].is_null());
+  site.site.observe(site.now);
+  EXPECT_EQ(site.site.live(WebRole::Sender).text->find("queue"), std::string::npos);
+  EXPECT_NE(site.site.live(WebRole::Viewer).text->find("queue"), std::string::npos);
+}
+
+TEST(OperatorSite, TellsThatTheCellHasGoneSilent) {
+  SiteOfFakes site;
+  site.desk.seen.heard_s = site.now.steady_s;
+  site.site.observe({site.now.steady_s + 3.0, site.now.utc_s});
+  EXPECT_NE(site.site.live(WebRole::Viewer).text->find(R"("is_fresh":true)"), std::string::npos);
+  site.site.observe({site.now.steady_s + 3.5, site.now.utc_s});
+  EXPECT_NE(site.site.live(WebRole::Viewer).text->find(R"("is_fresh":false)"), std::string::npos);
+}
+
+TEST(OperatorSite, MakesAndRemovesTokens) {
+  SiteOfFakes site;
+  const Headers page = {{"x-csrf-token", site.get("/api/v1/session")["csrf"]}};
+  const HttpResponse made =
+      site.ask(HttpMethod::Post, "/api/v1/tokens", page, R"({"name":"anna","role":"operator","days":2})");
+  ASSERT_EQ(made.status, 201);
+  const std::string token = nlohmann::json::parse(made.body)["token"];
+  EXPECT_EQ(token.size(), 64U);
+  EXPECT_EQ(site.lastAudit(), "this host | POST /api/v1/tokens: add token 'anna' as operator | done 201");
+  EXPECT_EQ(site.ask(HttpMethod::Post, "/api/v1/tokens", page, R"({"name":"anna","role":"viewer"})").status,
+            400);
+  EXPECT_EQ(site.ask(HttpMethod::Post, "/api/v1/tokens", page, R"({"name":"","role":"viewer"})").status, 400);
+  EXPECT_EQ(site.ask(HttpMethod::Post, "/api/v1/tokens", page, R"({"name":"b","role":"king"})").status, 400);
+  EXPECT_EQ(site.get("/api/v1/session", token)["role"], "operator");
+  site.now.utc_s += 2.0 * 86400.0;
+  EXPECT_EQ(site.ask(HttpMethod::Get, "/api/v1/state", {{"x-api-key", token}}).status, 401);
+  EXPECT_EQ(site.ask(HttpMethod::Delete, "/api/v1/tokens/1", page).status, 200);
+  EXPECT_EQ(site.ask(HttpMethod::Delete, "/api/v1/tokens/1", page).status, 404);
+  EXPECT_TRUE(site.get("/api/v1/tokens")["tokens"].empty());
+  EXPECT_TRUE(site.get("/api/v1/audit")["first_bad_row"].is_null());
+}
+
+TEST(OperatorSite, SpeaksOfEachRouteInItsDocumentation) {
+  std::ifstream file(std::string(LAMINA_SOURCE_DIR) + "/docs/operator-page.md");
+  std::stringstream text;
+  text << file.rdbuf();
+  for (const RouteRow& row : OperatorSite::routes())
+    EXPECT_NE(
+        text.str().find("| `" + nameOf(row.method) + ' ' + row.pattern + "` | " + toString(row.right) + " |"),
+        std::string::npos)
+        << "docs/operator-page.md lacks: | `" << nameOf(row.method) << ' ' << row.pattern << "` | "
+        << toString(row.right) << " |";
+}
+
+}  // namespace
+}  // namespace lamina::test
