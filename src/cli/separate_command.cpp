@@ -26,6 +26,7 @@ constexpr std::array kSeparateCommands = {
     SeparateCommand{"decide", "lamina-optimise", kDecideDescription},
     SeparateCommand{"estimate", "lamina-estimate", kEstimateDescription},
     SeparateCommand{"optimise", "lamina-optimise", kOptimiseDescription},
+    SeparateCommand{"token", "lamina-token", kTokenDescription},
 };
 
 }  // namespace

@@ -44,6 +44,8 @@ inline constexpr char kEstimateDescription[] =
 inline constexpr char kOptimiseDescription[] =
     "Run a study: search configurations for what it wants; stopped, it goes on where it was";
 
+inline constexpr char kTokenDescription[] = "Tokens of the operator's page: make, list or remove them";
+
 // Each adds its subcommand with all its options; when it stands on the command line, `chosen.run` is set.
 // `chosen` must outlive the parsing.
 void addCalibrate(CLI::App& app, Chosen& chosen);
@@ -74,6 +76,7 @@ void addStatistics(CLI::App& app, Chosen& chosen);
 void addStiffness(CLI::App& app, Chosen& chosen);
 void addStream(CLI::App& app, Chosen& chosen);
 void addSweep(CLI::App& app, Chosen& chosen);
+void addToken(CLI::App& app, Chosen& chosen);
 void addTrack(CLI::App& app, Chosen& chosen);
 void addVoids(CLI::App& app, Chosen& chosen);
 

@@ -32,6 +32,8 @@ class NodeProcess {
     if (process_ > 0) end(SIGINT);
   }
 
+  pid_t id() const { return process_; }
+
   /// Sends the signal and waits for the end.
   /// @return exit code; -1 if a signal ended it
   int end(int signal) {

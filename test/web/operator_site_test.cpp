@@ -112,9 +112,9 @@ TEST(OperatorSite, RefusesWhatBrowsersAreMadeToSend) {
     other["sec-fetch-site"] = "cross-site";
     EXPECT_EQ(site.ask(row.method, pathOf(row), other).status, 403) << row.pattern << ": site";
     const bool needs_csrf = row.method != HttpMethod::Get && row.right != WebRight::None;
-    if (needs_csrf)
-      EXPECT_EQ(site.ask(row.method, pathOf(row), {{"origin", "http://127.0.0.1:8080"}}).status, 403)
-          << row.pattern << ": CSRF";
+    if (!needs_csrf) continue;
+    EXPECT_EQ(site.ask(row.method, pathOf(row), {{"origin", "http://127.0.0.1:8080"}}).status, 403)
+        << row.pattern << ": CSRF";
   }
   EXPECT_EQ(site.desk.orders().size(), 1U);
 }

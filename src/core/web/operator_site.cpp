@@ -17,9 +17,11 @@
 namespace lamina {
 namespace {
 
-constexpr std::size_t kLongestKey = 100;        // of Idempotency-Key
-constexpr Rate kAuditedRefusals = {1.0, 60.0};  // of one address: who is refused cannot fill the disk
-constexpr double kUseNoted = 600.0;             // [s]
+constexpr std::size_t kLongestKey = 100;  // of Idempotency-Key
+// Whoever is refused, from one address or from many, neither fills the disk nor has others wait for it.
+constexpr Rate kAuditedRefusals = {1.0, 60.0};  // of one address
+constexpr Rate kAllAuditedRefusals = {2.0, 200.0};
+constexpr double kUseNoted = 600.0;  // [s]
 
 /// The parts of a pattern: "/a/{b}" gives "a" and "{b}".
 std::vector<std::string> partsOf(const std::string& pattern) {
@@ -80,7 +82,9 @@ int statusOf(const Failure& failure) {
 
 struct OperatorSite::Inside {
   Inside(SiteSettings settings, CellDesk& desk, WebStore& store, std::vector<PageFile> files)
-      : parts(std::move(settings), desk, store, std::move(files)), refusals(kAuditedRefusals) {
+      : parts(std::move(settings), desk, store, std::move(files)),
+        refusals(kAuditedRefusals),
+        all_refusals(kAllAuditedRefusals) {
     for (const SiteRoute& route : routes) patterns.push_back(partsOf(route.row.pattern));
   }
 
@@ -93,6 +97,7 @@ struct OperatorSite::Inside {
   HttpResponse call(const Admitted& admitted, const HttpRequest& request, const CellTime& now);
   HttpResponse callOnce(const std::string& key, const Admitted& admitted, const HttpRequest& request,
                         const CellTime& now);
+  bool isRefusalWritten(const std::string& address, const CellTime& now);
   void audit(const AuditRow& row);
   void tellGuesses(const std::string& address);
   void noteUse(const WebIdentity& who, const CellTime& now);
@@ -102,6 +107,7 @@ struct OperatorSite::Inside {
   std::vector<std::vector<std::string>> patterns;
   std::mutex mutex;  // of all that follows
   RateLimit refusals;
+  RateLimit all_refusals;
   std::set<std::string> keys_under_way;
   std::map<std::int64_t, double> used_s;
   std::array<Live, 2> lives;  // for those who see the state only, and for all others
@@ -121,6 +127,11 @@ std::vector<RouteRow> OperatorSite::routes() {
 }
 
 const SiteSettings& OperatorSite::settings() const { return inside_->parts.settings; }
+
+bool OperatorSite::Inside::isRefusalWritten(const std::string& address, const CellTime& now) {
+  const std::lock_guard<std::mutex> lock(mutex);
+  return refusals.take(address, now.steady_s) && all_refusals.take("", now.steady_s);
+}
 
 void OperatorSite::Inside::audit(const AuditRow& row) {
   try {
@@ -148,11 +159,7 @@ void OperatorSite::Inside::noteUse(const WebIdentity& who, const CellTime& now) 
 
 HttpResponse OperatorSite::Inside::refuse(const HttpHead& head, const WebRefusal& refusal,
                                           const WebIdentity& who, const CellTime& now) {
-  bool is_written = false;
-  {
-    const std::lock_guard<std::mutex> lock(mutex);
-    is_written = refusals.take(head.peer.address, now.steady_s);
-  }
+  const bool is_written = isRefusalWritten(head.peer.address, now);
   const std::string path = head.target.substr(0, head.target.find('?')).substr(0, 120);
   if (is_written)
     audit({now.utc_s, who.name.empty() ? "nobody" : who.name, head.peer.address,
@@ -324,10 +331,7 @@ HttpResponse OperatorSite::answer(const Admitted& admitted, const HttpRequest& r
 
 void OperatorSite::noteRefusal(const HttpPeer& peer, const std::string& what, const std::string& reason,
                                const CellTime& now) {
-  {
-    const std::lock_guard<std::mutex> lock(inside_->mutex);
-    if (!inside_->refusals.take(peer.address, now.steady_s)) return;
-  }
+  if (!inside_->isRefusalWritten(peer.address, now)) return;
   inside_->audit({now.utc_s, "nobody", peer.address, what, "refused: " + reason});
 }
 

@@ -161,6 +161,7 @@ class Connection {
     if (socket_.shakeHands() != PeerResult::Done) return;
     while (!place_.is_ending && serveRequest()) {
     }
+    place_.table.use(number_, ConnectionUse::Waiting);  // gives way while it waits for its end
     socket_.close();
   }
 
@@ -197,7 +198,10 @@ class Connection {
     socket_.allow(patience.header_s);
     error_code error;
     http::read_header(reader_, buffer_, parser, error);
-    if (error == http::error::end_of_stream || error == asio::error::eof) return false;
+    // Whoever has gone, or gave way to another, asked for nothing.
+    if (error == http::error::end_of_stream || error == http::error::partial_message ||
+        error == asio::error::eof)
+      return false;
     if (error == asio::error::timed_out)
       return refuse(408, "too_slow", "the head of the request did not come whole in time");
     if (error == http::error::header_limit || error == http::error::buffer_overflow)

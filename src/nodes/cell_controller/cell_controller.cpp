@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "lamina/base/error.hpp"
-#include "lamina/job/program_check.hpp"
 #include "latched.hpp"
 #include "names.hpp"
 #include "refusal_text.hpp"
@@ -58,10 +57,10 @@ CellController::CellController(ros::NodeHandle node, const CellControllerSetting
                                            now());
   services_ = {node.advertiseService(names::kPackmlCommand, &CellController::onCommand, this),
                node.advertiseService(names::kSetUnitMode, &CellController::onMode, this),
-               node.advertiseService(names::kEnqueueJob, &CellController::onEnqueue, this),
                node.advertiseService(names::kChangeQueue, &CellController::onChange, this),
                node.advertiseService(names::kAcknowledgeAlarm, &CellController::onAcknowledge, this),
                node.advertiseService(names::kConfirmRemoval, &CellController::onRemoval, this)};
+  intake_ = std::make_unique<JobIntake>(node, artefacts_, settings_.machine);
   alarm_reports_ = node.subscribe(names::kAlarmReports, 100, &CellController::onAlarmReport, this);
   const boost::function<void(const ros::WallTimerEvent&)> tick = [this](const auto&) { onTick(); };
   timer_ = node.createWallTimer(ros::WallDuration(kTickInterval), tick);
@@ -127,31 +126,6 @@ bool CellController::onMode(lamina_msgs::SetUnitMode::Request& request,
   response.message = answer.reason;
   published_s_ = 0.0;
   return true;
-}
-
-bool CellController::onEnqueue(lamina_msgs::EnqueueJob::Request& request,
-                               lamina_msgs::EnqueueJob::Response& response) {
-  try {
-    response.job = static_cast<std::uint32_t>(enqueue(request));
-  } catch (...) {
-    const Failure failure = currentFailure();
-    ROS_ERROR_STREAM(refusalText({"put into the queue", request.program, ""}, failure));
-    response.status = toMessage(failure);
-  }
-  is_queue_published_ = false;
-  return true;
-}
-
-std::int64_t CellController::enqueue(const lamina_msgs::EnqueueJob::Request& request) {
-  const std::string file = std::filesystem::path(request.program).filename();
-  const Artefact program = artefacts_.keep(request.program, "program", file);
-  requirePrintable(artefacts_.pathOf(program), settings_.machine);
-  return journal_.addJob({request.name.empty() ? file : request.name,
-                          request.part,
-                          settings_.machine.name,
-                          {program},
-                          request.source},
-                         now().utc_s);
 }
 
 bool CellController::onChange(lamina_msgs::ChangeQueue::Request& request,
@@ -238,6 +212,7 @@ void CellController::followTime() {
   const CellTime at = now();
   watchExecutor(at);
   cell_->tick(at);
+  if (intake_->addTo(journal_, at.utc_s)) is_queue_published_ = false;
   const bool has_changed = cell_->status().sequence != published_sequence_;
   if (has_changed || at.steady_s - published_s_ >= kStatusInterval) publish();
   if (has_changed || !is_queue_published_) publishQueue();

@@ -13,6 +13,7 @@
 
 #include "cell_messages.hpp"
 #include "cell_settings.hpp"
+#include "job_intake.hpp"
 #include "lamina/base/clock.hpp"
 #include "lamina/cell/production_cell.hpp"
 #include "lamina/journal/artefact_store.hpp"
@@ -38,12 +39,10 @@ class CellController {
   bool onCommand(lamina_msgs::PackmlCommand::Request& request,
                  lamina_msgs::PackmlCommand::Response& response);
   bool onMode(lamina_msgs::SetUnitMode::Request& request, lamina_msgs::SetUnitMode::Response& response);
-  bool onEnqueue(lamina_msgs::EnqueueJob::Request& request, lamina_msgs::EnqueueJob::Response& response);
   bool onChange(lamina_msgs::ChangeQueue::Request& request, lamina_msgs::ChangeQueue::Response& response);
   bool onAcknowledge(lamina_msgs::AcknowledgeAlarm::Request& request,
                      lamina_msgs::AcknowledgeAlarm::Response& response);
   bool onRemoval(Trigger::Request& request, Trigger::Response& response);
-  std::int64_t enqueue(const lamina_msgs::EnqueueJob::Request& request);
   void change(const lamina_msgs::ChangeQueue::Request& request);
 
   void onAlarmReport(const lamina_msgs::AlarmReportConstPtr& report);
@@ -68,6 +67,7 @@ class CellController {
   ArtefactStore artefacts_;
   StreamExecutor executor_;
   std::unique_ptr<ProductionCell> cell_;
+  std::unique_ptr<JobIntake> intake_;
   std::vector<ros::ServiceServer> services_;
   ros::Subscriber alarm_reports_;
   ros::WallTimer timer_;

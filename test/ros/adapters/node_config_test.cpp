@@ -17,6 +17,7 @@
 #include "nodes/height_controller/height_controller_settings.hpp"
 #include "nodes/host_watch/watch_settings.hpp"
 #include "nodes/layer_height_monitor/monitor_settings.hpp"
+#include "nodes/operator_page/page_settings.hpp"
 #include "nodes/optimiser/optimiser_settings.hpp"
 #include "nodes/process_io/process_io_settings.hpp"
 #include "nodes/simulated_controller/controller_settings.hpp"
@@ -85,6 +86,13 @@ TEST(NodeConfig, OfGcodeStreamerIsCompleteAndHasTheDefaults) {
   lamina::SettingsSchema schema;
   describe(schema, settings);
   expectDefaults("gcode_streamer", schema);
+}
+
+TEST(NodeConfig, OfOperatorPageIsCompleteAndHasTheDefaults) {
+  lamina::OperatorPageSettings settings;
+  lamina::SettingsSchema schema;
+  describe(schema, settings);
+  expectDefaults("operator_page", schema);
 }
 
 /// Sets everything that a shipped file states.

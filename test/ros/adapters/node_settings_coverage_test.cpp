@@ -18,6 +18,7 @@
 #include "nodes/height_controller/height_controller_settings.hpp"
 #include "nodes/host_watch/watch_settings.hpp"
 #include "nodes/layer_height_monitor/monitor_settings.hpp"
+#include "nodes/operator_page/page_settings.hpp"
 #include "nodes/optimiser/optimiser_settings.hpp"
 #include "nodes/process_io/process_io_settings.hpp"
 #include "nodes/simulated_controller/controller_settings.hpp"
@@ -37,7 +38,8 @@ std::set<std::string> nodeKeys() {
        {keysOf<CellControllerSettings>(), keysOf<DepositionSimulatorSettings>(),
         keysOf<EmulatedCouplerSettings>(), keysOf<EmulatedMachineSettings>(), keysOf<GcodeInclinerSettings>(),
         keysOf<GcodeStreamerSettings>(), keysOf<HeightControllerSettings>(), keysOf<HostWatchNodeSettings>(),
-        keysOf<LayerHeightMonitorSettings>(), keysOf<OptimiserSettings>(), keysOf<ProcessIoSettings>(),
+        keysOf<LayerHeightMonitorSettings>(), keysOf<OperatorPageSettings>(), keysOf<OptimiserSettings>(),
+         keysOf<ProcessIoSettings>(),
         keysOf<ControllerSettings>(), keysOf<DriverSettings>(), keysOf<PublisherSettings>()})
     keys.insert(of_node.begin(), of_node.end());
   for (const std::string& key : coreKeys()) keys.erase(key);
@@ -112,6 +114,25 @@ const std::vector<TestedElsewhere>& processTests() {
   return all;
 }
 
+/// Of the operator's page.
+const std::vector<TestedElsewhere>& pageTests() {
+  static const std::vector<TestedElsewhere> all = {
+      {"api.octoprint_print", "ros/cell/operator_page_test.cpp", "_api/octoprint_print"},
+      {"auth.loopback", "ros/cell/operator_page_test.cpp", "_auth/loopback"},
+      {"camera.topic", "ros/cell/operator_page_test.cpp", "_camera/topic"},
+      {"cell.patience_s", "ros/cell/operator_page_test.cpp", "_cell/patience_s"},
+      {"web.allow_plain", "ros/cell/operator_page_test.cpp", "_web/allow_plain"},
+      {"web.bind", "ros/cell/operator_page_test.cpp", "_web/bind"},
+      {"web.certificate", "ros/cell/operator_page_test.cpp", "_web/certificate"},
+      {"web.folder", "ros/cell/operator_page_test.cpp", "_web/folder"},
+      {"web.hosts", "ros/cell/operator_page_test.cpp", "_web/hosts"},
+      {"web.key", "ros/cell/operator_page_test.cpp", "_web/key"},
+      {"web.largest_upload_mb", "ros/cell/operator_page_test.cpp", "_web/largest_upload_mb"},
+      {"web.port", "ros/cell/operator_page_test.cpp", "_web/port"},
+      {"web.tls", "ros/cell/operator_page_test.cpp", "_web/tls"}};
+  return all;
+}
+
 const std::vector<TestedElsewhere>& nodeTests() {
   static const std::vector<TestedElsewhere> all = {
       {"baud", "ros/gcode_streamer_test.cpp", "_baud"},
@@ -171,6 +192,7 @@ TEST(NodeSettingsCoverage, EverySettingStandsInATest) {
   tests.insert(tests.end(), loopTests().begin(), loopTests().end());
   tests.insert(tests.end(), hostTests().begin(), hostTests().end());
   tests.insert(tests.end(), processTests().begin(), processTests().end());
+  tests.insert(tests.end(), pageTests().begin(), pageTests().end());
   for (const TestedElsewhere& setting : tests) {
     covered.insert(setting.key);
     const std::string text = readFile(std::string(LAMINA_SOURCE_DIR) + "/test/" + setting.file);

@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "job_intake.hpp"
+
+#include <chrono>
+#include <filesystem>
+#include <utility>
+
+#include "lamina/base/error.hpp"
+#include "lamina/job/program_check.hpp"
+#include "names.hpp"
+#include "refusal_text.hpp"
+#include "status.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr std::chrono::milliseconds kLook(50);
+
+}  // namespace
+
+JobIntake::JobIntake(ros::NodeHandle node, ArtefactStore& artefacts, MachineSettings machine)
+    : artefacts_(artefacts), machine_(std::move(machine)), spinner_(1, &callbacks_) {
+  node.setCallbackQueue(&callbacks_);
+  service_ = node.advertiseService(names::kEnqueueJob, &JobIntake::onEnqueue, this);
+  spinner_.start();
+}
+
+JobIntake::~JobIntake() { spinner_.stop(); }
+
+bool JobIntake::addTo(CellJournal& journal, double utc_s) {
+  std::vector<std::shared_ptr<Checked>> checked;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    checked.swap(checked_);
+  }
+  for (const auto& row : checked) {
+    try {
+      row->id.set_value(journal.addJob(row->job, utc_s));
+    } catch (const Error&) {
+      row->id.set_exception(std::current_exception());
+    }
+  }
+  return !checked.empty();
+}
+
+bool JobIntake::onEnqueue(lamina_msgs::EnqueueJob::Request& request,
+                          lamina_msgs::EnqueueJob::Response& response) {
+  try {
+    response.job = static_cast<std::uint32_t>(enqueue(request));
+  } catch (...) {
+    const Failure failure = currentFailure();
+    ROS_ERROR_STREAM(refusalText({"put into the queue", request.program, ""}, failure));
+    response.status = toMessage(failure);
+  }
+  return true;
+}
+
+std::int64_t JobIntake::enqueue(const lamina_msgs::EnqueueJob::Request& request) {
+  const std::filesystem::path path(request.program);
+  const std::string file = path.filename();
+  const std::string name = request.name.empty() ? file : request.name;
+  // Uploads have no suffix of their own.
+  const Artefact program = artefacts_.keep(request.program, "program", path.has_extension() ? file : name);
+  requirePrintable(artefacts_.pathOf(program), machine_);
+  const auto checked = std::make_shared<Checked>();
+  checked->job = {name, request.part, machine_.name, {program}, request.source};
+  std::future<std::int64_t> id = checked->id.get_future();
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    checked_.push_back(checked);
+  }
+  while (id.wait_for(kLook) != std::future_status::ready)
+    if (!ros::ok()) throw Cancelled("the node ends before the job was added to the queue");
+  return id.get();
+}
+
+}  // namespace lamina

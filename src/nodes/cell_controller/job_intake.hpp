@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/callback_queue.h>
+#include <ros/node_handle.h>
+#include <ros/spinner.h>
+
+#include <future>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "lamina/journal/artefact_store.hpp"
+#include "lamina/journal/cell_journal.hpp"
+#include "lamina/kinematics/cartesian/machine_settings.hpp"
+#include "messages.hpp"
+
+namespace lamina {
+
+/// Takes programs for the queue in a thread of its own: large ones are kept and read for minutes, and no
+/// command may wait for that. What was found good is added to the journal by the journal's own thread.
+class JobIntake {
+ public:
+  /// `artefacts` outlives it.
+  JobIntake(ros::NodeHandle node, ArtefactStore& artefacts, MachineSettings machine);
+  ~JobIntake();
+  JobIntake(const JobIntake&) = delete;
+  JobIntake& operator=(const JobIntake&) = delete;
+
+  /// Adds the programs that were found good since the last call.
+  /// @return whether there were any
+  bool addTo(CellJournal& journal, double utc_s);
+
+ private:
+  struct Checked {
+    NewJob job;
+    std::promise<std::int64_t> id;
+  };
+  bool onEnqueue(lamina_msgs::EnqueueJob::Request& request, lamina_msgs::EnqueueJob::Response& response);
+  std::int64_t enqueue(const lamina_msgs::EnqueueJob::Request& request);
+
+  ArtefactStore& artefacts_;
+  MachineSettings machine_;
+  std::mutex mutex_;
+  std::vector<std::shared_ptr<Checked>> checked_;
+  ros::CallbackQueue callbacks_;
+  ros::ServiceServer service_;
+  ros::AsyncSpinner spinner_;
+};
+
+}  // namespace lamina

@@ -1,0 +1,327 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The node operator_page before a cell that prints on an emulated machine: by its interface, and by a
+// browser.
+#include <gtest/gtest.h>
+#include <ros/ros.h>
+#include <rosgraph_msgs/Log.h>
+#include <sensor_msgs/CompressedImage.h>
+#include <sensor_msgs/Image.h>
+#include <sensor_msgs/image_encodings.h>
+
+#include <algorithm>
+#include <array>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "lamina/base/scratch_folder.hpp"
+#include "messages.hpp"
+#include "names.hpp"
+#include "ros/loop/streamed_machine.hpp"
+#include "ros/node_process.hpp"
+#include "ros/ros_home.hpp"
+#include "ros/wait_until.hpp"
+#include "web/raw_client.hpp"
+
+namespace lamina {
+namespace {
+
+using nlohmann::json;
+using test::waitUntil;
+
+/// A wall of some layers, as slicers mark them.
+std::string wallProgram(int layers) {
+  std::string text = "M83\nG90\n";
+  for (int layer = 0; layer < layers; ++layer) {
+    text += ";LAYER:" + std::to_string(layer) + "\nG1 Z" + std::to_string(0.2 * (layer + 1)) + " F6000\n";
+    for (int i = 0; i < 40; ++i)
+      text += "G1 X" + std::to_string(40 + (i % 2) * 60) + " Y" + std::to_string(40 + i) + " E1 F1500\n";
+  }
+  return text;
+}
+
+/// Where pages are, by the namespace of their nodes: they tell it in the log.
+class PageAddresses {
+ public:
+  PageAddresses() : subscriber_(node_.subscribe("/rosout_agg", 1000, &PageAddresses::onLine, this)) {}
+
+  std::uint16_t portOf(const std::string& node) {
+    EXPECT_TRUE(waitUntil([&] { return ports_.count(node) != 0; })) << node;
+    return ports_[node];
+  }
+  void forget(const std::string& node) { ports_.erase(node); }
+
+ private:
+  void onLine(const rosgraph_msgs::LogConstPtr& line) {
+    const std::size_t found = line->msg.find("the page is at http");
+    if (found == std::string::npos) return;
+    const std::string address = line->msg.substr(line->msg.find("//", found) + 2);
+    ports_[line->name] = static_cast<std::uint16_t>(std::stoi(address.substr(address.rfind(':') + 1)));
+  }
+
+  ros::NodeHandle node_;
+  std::map<std::string, std::uint16_t> ports_;
+  ros::Subscriber subscriber_;
+};
+
+/// Machine, streamer, controller and page in a namespace of their own.
+class CellWithPage {
+ public:
+  CellWithPage(const std::string& name, double speed_up, const std::vector<std::string>& page_parameters = {})
+      : space_("/" + name), port_(test::inRosHome("page_" + name)), machine_(speed_up, port_) {
+    streamer_ = std::make_unique<test::NodeProcess>(
+        LAMINA_STREAMER_NODE,
+        std::vector<std::string>{"__ns:=" + space_, "_port:=" + port_,
+                                 "_stream/journal:=" + folder.path() + "/progress", "_stream/settle_s:=0.01",
+                                 "_stream/probe_after_s:=0.3"});
+    controller = std::make_unique<test::NodeProcess>(
+        LAMINA_CELL_NODE,
+        std::vector<std::string>{"__ns:=" + space_, "_journal/folder:=" + folder.path() + "/cell",
+                                 "_executor/patience_s:=20"});
+    startPage(page_parameters);
+  }
+
+  void startPage(const std::vector<std::string>& parameters) {
+    addresses_.forget(space_ + "/operator_page");
+    std::vector<std::string> arguments = {"__ns:=" + space_, "_web/port:=0",
+                                          "_web/folder:=" + folder.path() + "/page", "_cell/patience_s:=20"};
+    arguments.insert(arguments.end(), parameters.begin(), parameters.end());
+    page = std::make_unique<test::NodeProcess>(LAMINA_PAGE_NODE, arguments);
+    web_port = addresses_.portOf(space_ + "/operator_page");
+  }
+
+  /// @return status and body
+  std::pair<int, json> ask(const std::string& method, const std::string& target, const std::string& body = "",
+                           const std::string& type = "application/json") {
+    if (csrf_.empty() && target != "/api/v1/session")
+      csrf_ = ask("GET", "/api/v1/session").second.value("csrf", "");
+    const test::RawClient client(web_port);
+    client.send(method + ' ' + target + " HTTP/1.1\r\nHost: localhost\r\nX-CSRF-Token: " + csrf_ +
+                "\r\nContent-Type: " + type + "\r\nContent-Length: " + std::to_string(body.size()) +
+                "\r\n\r\n" + body);
+    const std::string answer = client.answer();
+    const std::size_t head = answer.find("\r\n\r\n");
+    if (head == std::string::npos) return {0, {}};
+    return {std::stoi(answer.substr(9, 3)), json::parse(answer.substr(head + 4), nullptr, false)};
+  }
+  std::pair<int, json> command(const std::string& command) {
+    return ask("POST", "/api/v1/commands", json{{"command", command}}.dump());
+  }
+  json state() { return ask("GET", "/api/v1/state").second; }
+  bool reaches(const std::string& name) {
+    return waitUntil([&] {
+      const json now = state();
+      return now.contains("unit") && now["unit"]["state"] == name;
+    });
+  }
+  bool starts() {
+    return waitUntil([this] { return command("Start").first == 200; });
+  }
+  std::pair<int, json> upload(const std::string& program, const std::string& name) {
+    const std::string form = "--b\r\nContent-Disposition: form-data; name=\"file\"; filename=\"" + name +
+                             "\"\r\n\r\n" + program + "\r\n--b--\r\n";
+    return ask("POST", "/api/v1/jobs", form, "multipart/form-data; boundary=b");
+  }
+  const std::string& space() const { return space_; }
+
+  ScratchFolder folder;
+  std::uint16_t web_port = 0;
+
+ private:
+  std::string space_;
+  std::string port_;
+  std::string csrf_;
+  PageAddresses addresses_;
+  test::StreamedMachine machine_;
+  std::unique_ptr<test::NodeProcess> streamer_;
+
+ public:
+  std::unique_ptr<test::NodeProcess> controller;
+  std::unique_ptr<test::NodeProcess> page;
+};
+
+TEST(OperatorPage, IsLaunchedAndSaysThatTheCellIsNotThere) {
+  PageAddresses addresses;
+  const test::RawClient client(addresses.portOf("/launched/operator_page"));
+  client.send("GET /api/v1/state HTTP/1.1\r\nHost: localhost\r\n\r\n");
+  EXPECT_NE(client.answer().find(R"("is_fresh":false)"), std::string::npos);
+}
+
+TEST(OperatorPage, PrintsWhatWasUploadedAndShowsHowFarItIs) {
+  CellWithPage cell("uploads", 20.0);
+  ASSERT_TRUE(cell.reaches("Stopped"));
+  EXPECT_EQ(cell.upload("G1 X99999 Y0 E1 F6000\n", "far.gcode").first, 400);
+  const auto [status, sent] = cell.upload(wallProgram(20), "wall.gcode");
+  ASSERT_EQ(status, 201) << sent;
+  const std::string job = std::to_string(sent["job"].get<int>());
+  EXPECT_EQ(cell.command("Reset").first, 200);
+  ASSERT_TRUE(cell.reaches("Idle"));
+  const auto refused = cell.command("Start");
+  EXPECT_EQ(refused.first, 409);
+  EXPECT_EQ(refused.second["code"], "guard_failed");
+  EXPECT_EQ(cell.ask("POST", "/api/v1/jobs/" + job + "/release").first, 200);
+  EXPECT_EQ(cell.ask("POST", "/api/v1/jobs/" + job + "/release").first, 409) << "once";
+  ASSERT_TRUE(cell.starts());
+  ASSERT_TRUE(cell.reaches("Execute"));
+  EXPECT_TRUE(waitUntil([&] { return cell.state()["progress"]["layer"].get<int>() > 2; }));
+  const auto preview = cell.ask("GET", "/api/v1/preview/2");
+  ASSERT_EQ(preview.first, 200) << preview.second;
+  EXPECT_EQ(preview.second["layers"], 20);
+  EXPECT_NEAR(preview.second["z_m"].get<double>(), 0.0006, 1e-9);
+  EXPECT_EQ(preview.second["lines"][0].size(), 82U) << "40 lines from one to the next";
+  EXPECT_EQ(cell.ask("GET", "/api/v1/preview/20").first, 404);
+  EXPECT_EQ(cell.command("Hold").first, 200);
+  ASSERT_TRUE(cell.reaches("Held"));
+  EXPECT_EQ(cell.ask("POST", "/api/v1/alarms/1001/acknowledge").first, 200);
+  EXPECT_EQ(cell.ask("POST", "/api/v1/alarms/9999/acknowledge").first, 400);
+  EXPECT_EQ(cell.command("Unhold").first, 200);
+  ASSERT_TRUE(cell.reaches("Execute"));
+  EXPECT_EQ(cell.command("Stop").first, 200);
+  ASSERT_TRUE(cell.reaches("Stopped"));
+  EXPECT_EQ(cell.ask("POST", "/api/v1/mode", R"({"mode":2})").first, 200);
+  EXPECT_TRUE(waitUntil([&] { return cell.state()["unit"]["mode"] == "Maintenance"; }));
+  EXPECT_EQ(cell.ask("POST", "/api/v1/removal").first, cell.state()["unit"]["is_part_on_plate"] ? 200 : 409);
+}
+
+TEST(OperatorPage, GoesOnWhereItWasWhenItIsKilledAndTellsWhenTheCellIsSilent) {
+  CellWithPage cell("killed", 20.0);
+  ASSERT_TRUE(cell.reaches("Stopped"));
+  ASSERT_EQ(cell.upload(wallProgram(3), "wall.gcode").first, 201);
+  EXPECT_EQ(cell.page->end(SIGKILL), -1);
+  cell.startPage({"_auth/loopback:=token"});
+  EXPECT_EQ(cell.ask("GET", "/api/v1/state").first, 401);
+  EXPECT_EQ(cell.page->end(SIGINT), 0);
+  cell.startPage({});
+  EXPECT_TRUE(waitUntil([&] { return cell.state().value("queue", json::array()).size() == 1; }));
+  EXPECT_EQ(cell.controller->end(SIGKILL), -1);
+  EXPECT_TRUE(waitUntil([&] { return cell.state()["is_fresh"] == false; }));
+  EXPECT_EQ(cell.command("Hold").first, 503);
+}
+
+TEST(OperatorPage, ShowsMeasuredLayersAndPicturesOfTheCamera) {
+  CellWithPage cell("measured", 20.0, {"_camera/topic:=eye", "_web/largest_upload_mb:=1"});
+  ros::NodeHandle node(cell.space());
+  auto layers = node.advertise<lamina_msgs::LayerHeight>(names::kLayerHeight, 1, true);
+  auto loop = node.advertise<lamina_msgs::LoopState>(names::kLoopState, 1, true);
+  auto deviation = node.advertise<sensor_msgs::Image>(names::kHeightDeviation, 1, true);
+  auto raw = node.advertise<sensor_msgs::Image>("eye", 1, true);
+  lamina_msgs::LayerHeight layer;
+  layer.layer = 4;
+  layer.mean_error = 2e-5;
+  layer.coverage = 0.75;
+  layers.publish(layer);
+  lamina_msgs::LoopState state;
+  state.state_name = "COASTING";
+  state.reason = "no sight";
+  loop.publish(state);
+  sensor_msgs::Image map;
+  map.encoding = sensor_msgs::image_encodings::TYPE_32FC1;
+  map.width = 2;
+  map.height = 1;
+  map.step = 8;
+  const std::array<float, 2> errors = {1e-4F, std::nanf("")};
+  map.data.resize(8);
+  std::memcpy(map.data.data(), errors.data(), 8);
+  deviation.publish(map);
+  sensor_msgs::Image picture;
+  picture.encoding = sensor_msgs::image_encodings::BGR8;
+  picture.width = picture.height = 16;
+  picture.step = 48;
+  picture.data.resize(768, 90);
+  EXPECT_TRUE(waitUntil([&] {
+    raw.publish(picture);
+    const json now = cell.state();
+    return now.contains("layers") && now["layers"].size() == 1 && now["deviation_number"] == 1 &&
+           now["has_camera"] == true && now["loop"].is_object();
+  }));
+  EXPECT_EQ(cell.ask("GET", "/api/v1/loop").second["reason"], "no sight");
+  EXPECT_EQ(cell.ask("GET", "/api/v1/layers").second["layers"][0]["coverage"], 0.75);
+  const json shown = cell.ask("GET", "/api/v1/deviation").second;
+  EXPECT_NEAR(shown["errors_m"][0].get<double>(), 1e-4, 1e-9);
+  EXPECT_TRUE(shown["errors_m"][1].is_null());
+  const test::RawClient viewer(cell.web_port);
+  viewer.send("GET /api/v1/camera HTTP/1.1\r\nHost: localhost\r\n\r\n");
+  EXPECT_NE(viewer.until("\xff\xd9").find("\xff\xd8"), std::string::npos) << "a JPEG file, from start to end";
+  EXPECT_EQ(cell.upload(std::string(2 << 20, ';'), "large.gcode").first, 413);
+}
+
+TEST(OperatorPage, TakesTokensThatTheCommandHasMade) {
+  CellWithPage cell(
+      "tokens", 20.0,
+      {"_auth/loopback:=token", "_api/octoprint_print:=release", "_web/hosts:=cell.example.org"});
+  FILE* command = popen((std::string(LAMINA_COMMAND) + " token add --role operator --name anna " +
+                         cell.folder.path() + "/page 2>/dev/null")
+                            .c_str(),
+                        "r");
+  std::array<char, 128> line{};
+  ASSERT_NE(std::fgets(line.data(), line.size(), command), nullptr);
+  EXPECT_EQ(pclose(command), 0);
+  const std::string token(line.data(), std::strcspn(line.data(), "\n"));
+  const std::string form =
+      "--b\r\nContent-Disposition: form-data; name=\"print\"\r\n\r\ntrue\r\n--b\r\n"
+      "Content-Disposition: form-data; name=\"file\"; filename=\"sent.gcode\"\r\n\r\n" +
+      wallProgram(2) + "\r\n--b--\r\n";
+  const test::RawClient slicer(cell.web_port);
+  slicer.send("POST /api/files/local HTTP/1.1\r\nHost: cell.example.org\r\nX-Api-Key: " + token +
+              "\r\nContent-Type: multipart/form-data; boundary=b\r\nContent-Length: " +
+              std::to_string(form.size()) + "\r\n\r\n" + form);
+  const std::string answer = slicer.answer();
+  EXPECT_NE(answer.find("\"is_released\":true"), std::string::npos) << answer;
+}
+
+TEST(OperatorPage, IsServedByHttpsWithACertificateOfItsOwnAndNotBeyondThisHostWithout) {
+  const ScratchFolder folder;
+  test::NodeProcess open(LAMINA_PAGE_NODE, {"__ns:=/open", "_web/bind:=0.0.0.0", "_web/port:=0",
+                                            "_web/folder:=" + folder.path() + "/open"});
+  EXPECT_EQ(open.wait(), 1) << "refused";
+  test::NodeProcess half(LAMINA_PAGE_NODE,
+                         {"__ns:=/half", "_web/tls:=true", "_web/port:=0", "_web/certificate:=x",
+                          "_web/folder:=" + folder.path() + "/half"});
+  EXPECT_EQ(half.wait(), 1) << "a certificate without web.key, which would be _web/key:=";
+  PageAddresses addresses;
+  const test::NodeProcess encrypted(
+      LAMINA_PAGE_NODE, {"__ns:=/encrypted", "_web/tls:=true", "_web/allow_plain:=false",
+                         "_web/bind:=127.0.0.1", "_web/port:=0", "_web/folder:=" + folder.path() + "/tls"});
+  const std::string port = std::to_string(addresses.portOf("/encrypted/operator_page"));
+  EXPECT_EQ(
+      std::system(("curl -s --cacert " + folder.path() +
+                   "/tls/page_certificate.pem https://localhost:" + port + "/api/version | grep -q OctoPrint")
+                      .c_str()),
+      0);
+}
+
+/// By keyboard alone, in a browser that nobody sees; test/ros/cell/operator_page_browser.py says what is
+/// done.
+TEST(OperatorPage, IsOperatedByKeyboardAlone) {
+  if (std::system("test -x /usr/bin/chromium && test -x /usr/bin/chromedriver && "
+                  "/usr/bin/python3 -c 'import selenium'") != 0)
+    GTEST_SKIP()
+        << "Chromium, its driver or python3-selenium is not installed (tools/install-dependencies --checks)";
+  CellWithPage cell("browser", 20.0);
+  ASSERT_TRUE(cell.reaches("Stopped"));
+  const std::string program = cell.folder.path() + "/wall.gcode";
+  std::ofstream(program) << wallProgram(400);
+  EXPECT_EQ(std::system(("/usr/bin/python3 -B " LAMINA_SOURCE_DIR
+                         "/test/ros/cell/operator_page_browser.py http://localhost:" +
+                         std::to_string(cell.web_port) + "/ " + program + ' ' + cell.folder.path() + ' ' +
+                         std::to_string(cell.page->id()))
+                            .c_str()),
+            0);
+}
+
+}  // namespace
+}  // namespace lamina
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "operator_page_test");
+  const ros::NodeHandle keeps_ros_running;
+  return RUN_ALL_TESTS();
+}

@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What slicers ask for, without sockets; their requests as bytes are in web_server_test.
+#include <gtest/gtest.h>
+
+#include "web/site_of_fakes.hpp"
+
+namespace lamina::test {
+namespace {
+
+TEST(OctoPrint, SaysThatItIsOne) {
+  SiteOfFakes site;
+  const auto version = site.get("/api/version");
+  EXPECT_EQ(version["text"].get<std::string>().rfind("OctoPrint (Lamina ", 0), 0U);
+  EXPECT_EQ(version["api"], "0.1");
+  EXPECT_EQ(site.get("/api/settings")["feature"]["sdSupport"], false);
+  EXPECT_EQ(site.get("/api/printerprofiles")["profiles"]["_default"]["current"], true);
+  EXPECT_EQ(site.get("/api/currentuser")["name"], "this host");
+  EXPECT_EQ(site.get("/api/server")["version"], "1.5.0");
+}
+
+TEST(OctoPrint, MapsStatesOfTheUnit) {
+  SiteOfFakes site;
+  const std::vector<std::pair<UnitState, std::string>> expected = {
+      {UnitState::Execute, "Printing"},    {UnitState::Held, "Paused"},
+      {UnitState::Suspended, "Paused"},    {UnitState::Idle, "Operational"},
+      {UnitState::Stopped, "Operational"}, {UnitState::Complete, "Operational"},
+      {UnitState::Aborted, "Error"},       {UnitState::Starting, "Printing"},
+      {UnitState::Completing, "Printing"}, {UnitState::Stopping, "Cancelling"},
+      {UnitState::Aborting, "Cancelling"}};
+  for (const auto& [state, text] : expected) {
+    site.desk.seen.unit.state = state;
+    const auto printer = site.get("/api/printer");
+    EXPECT_EQ(printer["state"]["text"], text) << toString(state);
+    EXPECT_EQ(printer["state"]["flags"]["printing"], text == "Printing" || text == "Cancelling");
+    EXPECT_EQ(site.get("/api/job")["state"], text);
+  }
+}
+
+TEST(OctoPrint, QueuesWhatIsSentAndReleasesItOnlyIfToldTo) {
+  SiteOfFakes site(closedLoopback());
+  const std::string path = site.folder.path() + "/sent";
+  writeFile(path, "G1 X1\n");
+  site.upload = {path, "part.gcode", 6, "abc", {{"print", "true"}}};
+  const std::map<std::string, std::string> sender = {{"x-api-key", site.add(WebRole::Sender, "slicer")},
+                                                     {"content-type", "multipart/form-data; boundary=b"}};
+  const HttpResponse response = site.ask(HttpMethod::Post, "/api/files/local", sender);
+  EXPECT_EQ(response.status, 201) << response.body;
+  const auto body = nlohmann::json::parse(response.body);
+  EXPECT_EQ(body["done"], true);
+  EXPECT_EQ(body["files"]["local"]["name"], "part.gcode");
+  EXPECT_EQ(site.desk.uploaded, "G1 X1\n");
+  EXPECT_EQ(site.desk.orders(), std::vector<std::string>{"enqueue part.gcode by octoprint: slicer"});
+}
+
+TEST(OctoPrint, ReleasesForOperatorsWhereThatIsAllowed) {
+  SiteSettings settings = closedLoopback();
+  settings.upload_print = UploadPrint::Release;
+  SiteOfFakes site(settings);
+  const std::string path = site.folder.path() + "/sent";
+  writeFile(path, "G1 X1\n");
+  site.upload = {path, "part.gcode", 6, "abc", {{"print", "true"}}};
+  const auto headers = [&](WebRole role) {
+    return std::map<std::string, std::string>{{"x-api-key", site.add(role, toString(role))},
+                                              {"content-type", "multipart/form-data; boundary=b"}};
+  };
+  EXPECT_EQ(site.ask(HttpMethod::Post, "/api/files/local", headers(WebRole::Sender)).status, 201);
+  EXPECT_EQ(site.desk.orders().size(), 1U) << "a sender releases nothing";
+  EXPECT_EQ(site.ask(HttpMethod::Post, "/api/files/local", headers(WebRole::Operator)).status, 201);
+  EXPECT_EQ(site.desk.orders().back(), "change 0 of 7 by octoprint: operator");
+}
+
+TEST(OctoPrint, RefusesWhatCannotBePrintedAndWhatIsBeingPrinted) {
+  SiteOfFakes site;
+  const std::string path = site.folder.path() + "/sent";
+  writeFile(path, "G1 Xa\n");
+  site.upload = {path, "part.gcode", 6, "abc", {}};
+  const std::map<std::string, std::string> headers = {{"content-type", "multipart/form-data; boundary=b"}};
+  site.desk.next = {DeskAnswer::Outcome::BadInput, 13, "line 1: X has no number", 0};
+  const HttpResponse refused = site.ask(HttpMethod::Post, "/api/files/local", headers);
+  EXPECT_EQ(refused.status, 400);
+  EXPECT_NE(refused.body.find("line 1: X has no number"), std::string::npos);
+  site.desk.seen.unit.state = UnitState::Execute;
+  site.desk.seen.unit.job = ShownJob{};
+  site.desk.seen.unit.job->name = "part.gcode";
+  EXPECT_EQ(site.ask(HttpMethod::Post, "/api/files/local", headers).status, 409);
+  EXPECT_EQ(site.ask(HttpMethod::Post, "/api/files/local", {{"content-type", "text/plain"}}).status, 415);
+  EXPECT_EQ(
+      site.ask(HttpMethod::Post, "/api/files/local",
+               {{"content-type", "multipart/form-data; boundary=b"}, {"content-length", "1099511627776"}})
+          .status,
+      413);
+}
+
+TEST(OctoPrint, CommandsTheUnitAndTakesNoGcodeEver) {
+  SiteOfFakes site(closedLoopback());
+  const std::map<std::string, std::string> key = {{"x-api-key", site.add(WebRole::Maintenance, "m")}};
+  site.desk.seen.unit.state = UnitState::Execute;
+  EXPECT_EQ(site.ask(HttpMethod::Post, "/api/job", key, R"({"command":"pause","action":"pause"})").status,
+            204);
+  EXPECT_EQ(site.ask(HttpMethod::Post, "/api/job", key, R"({"command":"pause","action":"resume"})").status,
+            204);
+  EXPECT_EQ(site.ask(HttpMethod::Post, "/api/job", key, R"({"command":"pause"})").status, 204);
+  EXPECT_EQ(site.ask(HttpMethod::Post, "/api/job", key, R"({"command":"cancel"})").status, 204);
+  EXPECT_EQ(site.ask(HttpMethod::Post, "/api/job", key, R"({"command":"start"})").status, 204);
+  EXPECT_EQ(site.desk.orders(), (std::vector<std::string>{"Hold by octoprint: m", "Unhold by octoprint: m",
+                                                          "Hold by octoprint: m", "Stop by octoprint: m",
+                                                          "Start by octoprint: m"}));
+  EXPECT_EQ(site.ask(HttpMethod::Post, "/api/printer/command", key, R"({"command":"M104 S300"})").status,
+            403);
+  EXPECT_EQ(site.ask(HttpMethod::Post, "/api/printer/command", {}, R"({"command":"M112"})").status, 403);
+  EXPECT_EQ(site.desk.orders().size(), 5U);
+}
+
+TEST(OctoPrint, GivesAnApplicationATokenOnceSomebodyAllowsIt) {
+  SiteOfFakes site(closedLoopback());
+  const std::map<std::string, std::string> anna = {{"x-api-key", site.add(WebRole::Operator, "anna")}};
+  EXPECT_EQ(site.ask(HttpMethod::Get, "/plugin/appkeys/probe", {}).status, 204);
+  const HttpResponse asked = site.ask(HttpMethod::Post, "/plugin/appkeys/request", {}, R"({"app":"Cura"})");
+  ASSERT_EQ(asked.status, 201);
+  const std::string place = asked.headers.at(0).second;
+  EXPECT_EQ(site.ask(HttpMethod::Get, place, {}).status, 202);
+  const auto requests =
+      nlohmann::json::parse(site.ask(HttpMethod::Get, "/api/v1/state", anna).body)["key_requests"];
+  ASSERT_EQ(requests.size(), 1U);
+  EXPECT_EQ(requests[0]["application"], "Cura");
+  EXPECT_EQ(site.ask(HttpMethod::Post, "/api/v1/keys/1/allow", anna).status, 200);
+  const HttpResponse given = site.ask(HttpMethod::Get, place, {});
+  ASSERT_EQ(given.status, 200);
+  const std::string key = nlohmann::json::parse(given.body)["api_key"];
+  EXPECT_EQ(site.get("/api/v1/session", key)["role"], "sender");
+  EXPECT_EQ(site.ask(HttpMethod::Get, place, {}).status, 404) << "a key is told once";
+  const HttpResponse second = site.ask(HttpMethod::Post, "/plugin/appkeys/request", {}, R"({"app":"Other"})");
+  EXPECT_EQ(site.ask(HttpMethod::Post, "/api/v1/keys/2/deny", anna).status, 200);
+  EXPECT_EQ(site.ask(HttpMethod::Get, second.headers.at(0).second, {}).status, 404);
+  for (int i = 0; i < 8; ++i) site.ask(HttpMethod::Post, "/plugin/appkeys/request", {}, R"({"app":"Many"})");
+  EXPECT_EQ(site.ask(HttpMethod::Post, "/plugin/appkeys/request", {}, R"({"app":"Many"})").status, 429);
+}
+
+}  // namespace
+}  // namespace lamina::test
