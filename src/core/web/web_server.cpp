@@ -97,7 +97,7 @@ bool isOnce(const std::string& name) {
   return std::find(kOnce.begin(), kOnce.end(), name) != kOnce.end();
 }
 
-std::optional<HttpHead> headOf(const http::request<http::buffer_body>& request, const HttpPeer& peer) {
+std::optional<HttpHead> requestHead(const http::request<http::buffer_body>& request, const HttpPeer& peer) {
   HttpHead head;
   head.method = methodOf(request.method());
   head.target = std::string(request.target());
@@ -210,7 +210,7 @@ class Connection {
       return refuse(413, "too_large", "the body of the request is too large");
     if (error) return refuse(400, "bad_request", "the head of the request is not HTTP");
     place_.table.use(number_, ConnectionUse::Answering);
-    const auto head = headOf(parser.get(), peer_);
+    const auto head = requestHead(parser.get(), peer_);
     if (!head) return refuse(400, "bad_request", "a header that may stand once stands twice");
     auto admission = place_.site.admit(*head, timeNow());
     const bool is_kept = parser.get().keep_alive();

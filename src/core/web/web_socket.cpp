@@ -18,7 +18,7 @@ constexpr std::uint8_t kMasked = 0x80;
 constexpr std::size_t kMaskBytes = 4;
 constexpr std::size_t kShort = 125;  // longest payload whose length is one byte
 
-bool isControl(std::uint8_t opcode) { return (opcode & 8) != 0; }
+bool isControlFrame(std::uint8_t opcode) { return (opcode & 8) != 0; }
 
 bool isOpcode(std::uint8_t opcode) { return opcode <= 2 || (opcode >= 8 && opcode <= 10); }
 
@@ -28,7 +28,7 @@ void requireFrame(std::uint8_t first, std::uint8_t second) {
   if (!isOpcode(opcode)) throw InvalidInput("a WebSocket frame has opcode " + std::to_string(opcode));
   if ((second & kMasked) == 0) throw InvalidInput("a WebSocket frame of a client has no mask");
   const bool is_long = (second & 0x7f) > kShort;
-  if (isControl(opcode) && (is_long || (first & kFinal) == 0))
+  if (isControlFrame(opcode) && (is_long || (first & kFinal) == 0))
     throw InvalidInput("a WebSocket control frame is longer than 125 bytes, or in pieces");
 }
 
