@@ -62,7 +62,7 @@ class FakeDesk final : public CellDesk {
   DeskAnswer startup(StartupCommand command, const std::string& step) override {
     return take("startup " + std::to_string(static_cast<int>(command)) + " " + step);
   }
-  DeskAnswer setLoop(LoopRequest request) override {
+  DeskAnswer setLoop(ShownLoopRequest request) override {
     return take("loop " + std::to_string(static_cast<int>(request)));
   }
   void report(int alarm, double /*value*/, const std::string& message) override {

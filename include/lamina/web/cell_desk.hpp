@@ -160,7 +160,7 @@ struct DeskProgram {
 
 enum class QueueChange : std::uint8_t { Release = 0, Revoke = 1, MoveToFront = 2, Remove = 3 };
 enum class StartupCommand : std::uint8_t { Run = 0, Confirm = 1, Abort = 2 };
-enum class LoopRequest : std::uint8_t { Off = 0, Identify = 1, Active = 2 };
+enum class ShownLoopRequest : std::uint8_t { Off = 0, Identify = 1, Active = 2 };
 
 /// The cell as the page reaches it: what is known of it, and orders to it. Several threads call at a time;
 /// orders wait for their answer, each kind on its own: what stops the unit waits behind nothing else.
@@ -180,7 +180,7 @@ class CellDesk {
   virtual DeskAnswer acknowledge(int alarm, const std::string& source) = 0;
   virtual DeskAnswer confirmRemoval(const std::string& source) = 0;
   virtual DeskAnswer startup(StartupCommand command, const std::string& step) = 0;
-  virtual DeskAnswer setLoop(LoopRequest request) = 0;
+  virtual DeskAnswer setLoop(ShownLoopRequest request) = 0;
   /// Raises an alarm of the table.
   virtual void report(int alarm, double value, const std::string& message) = 0;
 };

@@ -91,9 +91,9 @@ HttpResponse setLoop(SiteCall& call) {
   const std::string word = textOf(bodyObject(call), "request");
   if (word != "off" && word != "identify" && word != "active")
     throw InvalidInput("request is '" + word + "'; expected off, identify or active");
-  const LoopRequest request = word == "off"        ? LoopRequest::Off
-                              : word == "identify" ? LoopRequest::Identify
-                                                   : LoopRequest::Active;
+  const ShownLoopRequest request = word == "off"        ? ShownLoopRequest::Off
+                                   : word == "identify" ? ShownLoopRequest::Identify
+                                                        : ShownLoopRequest::Active;
   return noted(orderAnswer(call, call.parts.desk.setLoop(request)), "loop " + word);
 }
 

@@ -308,7 +308,7 @@ DeskAnswer RosDesk::startup(StartupCommand command, const std::string& step) {
                        patience_s_);
 }
 
-DeskAnswer RosDesk::setLoop(LoopRequest request) {
+DeskAnswer RosDesk::setLoop(ShownLoopRequest request) {
   lamina_msgs::SetLoop call;
   call.request.request = static_cast<std::uint8_t>(request);
   return callForStatus(orders_, names::kSetLoop, call, patience_s_);

@@ -36,7 +36,7 @@ class RosDesk final : public CellDesk {
   DeskAnswer acknowledge(int alarm, const std::string& source) override;
   DeskAnswer confirmRemoval(const std::string& source) override;
   DeskAnswer startup(StartupCommand command, const std::string& step) override;
-  DeskAnswer setLoop(LoopRequest request) override;
+  DeskAnswer setLoop(ShownLoopRequest request) override;
   void report(int alarm, double value, const std::string& message) override;
 
  private:
