@@ -36,9 +36,9 @@ TEST_P(DropConsistency, TakesTheDefaultsAndWhatAgreesWithThem) {
 }
 
 TEST_P(DropConsistency, RefusesWhatDropsDoNotFollow) {
-  for (const char* assignment :
-       {"infill.density=0.5", "infill.density=0", "infill.pitch_mm=0.5", "infill.outer_layers=2", "infill.bead_width_mm=0.6",
-        "walls.count=3", "skirt.count=2", "voids.refill=beads", "bead.flow=0.9"}) {
+  for (const char* assignment : {"infill.density=0.5", "infill.density=0", "infill.pitch_mm=0.5",
+                                 "infill.outer_layers=2", "infill.bead_width_mm=0.6", "walls.count=3",
+                                 "skirt.count=2", "voids.refill=beads", "bead.flow=0.9"}) {
     const SettingText setting = settingFromAssignment(assignment);
     const std::string refusal = refusalOf(GetParam(), {assignment});
     for (const std::string& told : {setting.key, setting.text, std::string("expected")})

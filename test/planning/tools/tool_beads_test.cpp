@@ -193,8 +193,8 @@ TEST(ToolBeads, HaveTheWidthStatedForTheirRoleWhateverTheirTool) {
   for (const PathRole role : {PathRole::OuterWall, PathRole::InnerWall, PathRole::Bridge, PathRole::Ironing,
                               PathRole::Brim, PathRole::Raft, PathRole::Skirt})
     EXPECT_NEAR(width(role), 0.4, 1e-12);
-  EXPECT_NEAR(beadOf(PathRole::Infill, settings, kToolLayer).pitch_mm,
-              0.5 - (1.0 - M_PI / 4.0) * kToolLayer, 1e-12);
+  EXPECT_NEAR(beadOf(PathRole::Infill, settings, kToolLayer).pitch_mm, 0.5 - (1.0 - M_PI / 4.0) * kToolLayer,
+              1e-12);
   settings.bead.pitch_mm = 0.3;
   EXPECT_NEAR(beadOf(PathRole::Infill, settings, kToolLayer).pitch_mm, 0.3 * 0.5 / 0.4, 1e-12);
 }
@@ -210,7 +210,8 @@ double lengthAs(PathRole role, const Toolpath& toolpath) {
   double sum = 0.0;
   for (const ToolpathLayer& layer : toolpath.layers)
     for (const Path& path : laidAs(role, layer))
-      for (std::size_t i = 1; i < path.points.size(); ++i) sum += (path.points[i] - path.points[i - 1]).norm();
+      for (std::size_t i = 1; i < path.points.size(); ++i)
+        sum += (path.points[i] - path.points[i - 1]).norm();
   return sum;
 }
 

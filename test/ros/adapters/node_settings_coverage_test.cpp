@@ -39,8 +39,8 @@ std::set<std::string> nodeKeys() {
         keysOf<EmulatedCouplerSettings>(), keysOf<EmulatedMachineSettings>(), keysOf<GcodeInclinerSettings>(),
         keysOf<GcodeStreamerSettings>(), keysOf<HeightControllerSettings>(), keysOf<HostWatchNodeSettings>(),
         keysOf<LayerHeightMonitorSettings>(), keysOf<OperatorPageSettings>(), keysOf<OptimiserSettings>(),
-         keysOf<ProcessIoSettings>(),
-        keysOf<ControllerSettings>(), keysOf<DriverSettings>(), keysOf<PublisherSettings>()})
+        keysOf<ProcessIoSettings>(), keysOf<ControllerSettings>(), keysOf<DriverSettings>(),
+        keysOf<PublisherSettings>()})
     keys.insert(of_node.begin(), of_node.end());
   for (const std::string& key : coreKeys()) keys.erase(key);
   return keys;

@@ -15,10 +15,10 @@ struct RoleBead {
   double pitch_mm = 0.0;  ///< distance at which neighbours fill the layer, or `bead.pitch_mm`
 };
 
-/// The nominal bead of a role. It has the width stated for infill, skins or supports, by whatever tool. Else it
-/// is `bead.width_mm` wide for the tool of walls, and for other tools, those of supports, brims and rafts too,
-/// wider or narrower in proportion to their nozzles. If a nozzle is not known, and for bridges and ironing, it
-/// has the width of walls.
+/// The nominal bead of a role. It has the width stated for infill, skins or supports, by whatever tool. Else
+/// it is `bead.width_mm` wide for the tool of walls, and for other tools, those of supports, brims and rafts
+/// too, wider or narrower in proportion to their nozzles. If a nozzle is not known, and for bridges and
+/// ironing, it has the width of walls.
 /// @param height_mm  of the bead
 RoleBead beadOf(PathRole role, const PlanSettings& settings, double height_mm);
 
