@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -13,6 +14,7 @@
 #include <vector>
 
 #include "lamina/base/scratch_folder.hpp"
+#include "lamina/journal/execution_log.hpp"
 
 namespace lamina {
 namespace {
@@ -148,6 +150,11 @@ class Cell {
   ProductionCell& run() { return *run_; }
   CellJournal& journal() { return *journal_; }
   const std::string& folder() const { return folder_.path(); }
+  bool hasAlarm(int id) const {
+    const auto& alarms = run_->status().alarms.all();
+    return std::any_of(alarms.begin(), alarms.end(),
+                       [id](const ActiveAlarm& alarm) { return alarm.id == id; });
+  }
 
   PrintingExecutor executor;
   CellTime now{100.0, 1.7e9};
@@ -180,6 +187,42 @@ TEST(ProductionCell, PrintsAJobFromTheQueue) {
   EXPECT_EQ(cell.journal().job(job).state, JobState::Ended);
   EXPECT_EQ(cell.run().status().counters.parts, 1U);
   EXPECT_DOUBLE_EQ(cell.run().status().counters.material_mm3, 50.0);
+}
+
+TEST(ProductionCell, KeepsTheRecordOfAPart) {
+  Cell cell;
+  const std::int64_t job = cell.enqueue("bracket");
+  bringToIdle(cell);
+  cell.command(UnitCommand::Start);
+  ASSERT_TRUE(cell.reaches(UnitState::Complete));
+  ExecutionLog log(cell.journal());
+  const auto part = log.part(log.ofJob(job)->id);
+  ASSERT_TRUE(part);
+  EXPECT_EQ(part->verdict, "good");
+  EXPECT_FALSE(part->removed_s);
+  EXPECT_GE(log.transitions(log.ofJob(job)->id).size(), 3U) << "Starting, Execute, Completing";
+  cell.run().confirmRemoval("anna", cell.now);
+  EXPECT_EQ(log.part(log.ofJob(job)->id)->removed_by, "anna");
+  EXPECT_FALSE(log.lastWithoutPart());
+}
+
+TEST(ProductionCell, KeepsTheRecordOfAnAbortedPartWhenItCanBeWrittenAgain) {
+  Cell cell;
+  const std::int64_t job = cell.enqueue("bracket");
+  bringToIdle(cell);
+  cell.command(UnitCommand::Start);
+  ASSERT_TRUE(cell.reaches(UnitState::Execute));
+  const std::string artefacts = cell.folder() + "/artefacts";
+  std::filesystem::rename(artefacts, artefacts + "_away");
+  cell.command(UnitCommand::Stop);
+  ASSERT_TRUE(cell.reaches(UnitState::Stopped));
+  ExecutionLog log(cell.journal());
+  EXPECT_FALSE(log.part(log.ofJob(job)->id));
+  EXPECT_TRUE(cell.hasAlarm(7003));
+  std::filesystem::rename(artefacts + "_away", artefacts);
+  for (int i = 0; i < 40 && !log.part(log.ofJob(job)->id); ++i) cell.step();
+  ASSERT_TRUE(log.part(log.ofJob(job)->id));
+  EXPECT_EQ(log.part(log.ofJob(job)->id)->verdict, "aborted");
 }
 
 TEST(ProductionCell, StartsNothingBesideAPartThatWasNotRemoved) {

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "lamina/base/error.hpp"
+#include "lamina/modbus/plc_link.hpp"
 
 namespace lamina {
 namespace {
@@ -73,6 +74,7 @@ class Client {
  public:
   explicit Client(std::uint16_t port) : socket_(context_) {
     socket_.connect({asio::ip::make_address("127.0.0.1"), port});
+    socket_.set_option(tcp::no_delay(true));
   }
   void send(const std::string& bytes) { asio::write(socket_, asio::buffer(bytes)); }
   std::string receive(std::size_t count) {
@@ -160,6 +162,73 @@ TEST(ModbusServer, SaysWhereItCannotListen) {
   EXPECT_THROW(ServerOfAddresses{settings}, DeviceError);
   settings.bind = "nowhere";
   EXPECT_THROW(ServerOfAddresses{settings}, DeviceError);
+}
+
+/// A server of a PLC link, of which the registers can be looked at.
+struct ServerOfLink {
+  std::mutex mutex;
+  PlcLink link{PlcLinkSettings{}};
+  Told broken;
+  ModbusServer server{ServerOfAddresses::onAnyPort(),
+                      {[this](int connection, const ModbusRequest& request) {
+                         const std::lock_guard<std::mutex> lock(mutex);
+                         return link.answer(connection, request, 0.0);
+                       },
+                       [this](int connection) {
+                         const std::lock_guard<std::mutex> lock(mutex);
+                         link.close(connection);
+                       },
+                       [this](const std::string&, const std::string& reason) { broken.tell(reason); }}};
+
+  std::uint16_t heartbeat() {
+    const std::lock_guard<std::mutex> lock(mutex);
+    return link.inputs().heartbeat;
+  }
+};
+
+std::string writeRequest(std::uint16_t transaction, std::uint16_t heartbeat) {
+  const std::vector<unsigned> bytes = {
+      unsigned{transaction} >> 8U, transaction & 0xffU, 0, 0, 0, 6, 1, 6, 0, 0,
+      unsigned{heartbeat} >> 8U,   heartbeat & 0xffU};
+  return {bytes.begin(), bytes.end()};
+}
+
+TEST(ModbusServer, RunsNoWriteThatHidesBehindARead) {
+  ServerOfLink server;
+  Client client(server.server.port());
+  // A header that speaks of more than its read: a server that goes by functions would run what follows.
+  std::string smuggled = readRequest(1, 0, 1) + writeRequest(2, 77);
+  smuggled[5] = static_cast<char>(6 + 12);
+  client.send(smuggled);
+  EXPECT_TRUE(client.isClosed());
+  EXPECT_NE(server.broken.waitFor(1).front().find("function 4 with 17 bytes"), std::string::npos);
+  EXPECT_EQ(server.heartbeat(), 0);
+}
+
+/// Frames in pieces, two in one, and random bytes from three connections beside one that writes.
+TEST(ModbusServer, TakesNoWriteThatIsNotWellFormed) {
+  ServerOfLink server;
+  std::mt19937 random(12);
+  Client writer(server.server.port());
+  std::vector<std::unique_ptr<Client>> others(3);
+  for (std::uint16_t i = 1; i <= 1000; ++i) {
+    const std::string request = writeRequest(i, i);
+    const std::size_t cut = 1 + random() % (request.size() - 1);
+    writer.send(request.substr(0, cut));
+    auto& other = others[random() % others.size()];
+    if (!other) other = std::make_unique<Client>(server.server.port());
+    std::string rubbish(1 + random() % 300, '\0');
+    for (char& byte : rubbish) byte = static_cast<char>(random());
+    if (random() % 2 == 0)
+      rubbish = writeRequest(0, 50'000).substr(0, 11);  // a write that does not come whole
+    other->send(rubbish);
+    other.reset();
+    ASSERT_EQ(server.heartbeat(), i - 1) << "half a frame";
+    writer.send(request.substr(cut) + readRequest(i, 2, 1));
+    ASSERT_EQ(writer.receive(12), request) << "a write is answered by itself";
+    writer.receive(11);
+    ASSERT_EQ(server.heartbeat(), i);
+  }
 }
 
 /// 10 000 transactions of which one in three is malformed: what is well-formed is answered, nothing else is.

@@ -199,6 +199,18 @@ TEST(PlcLink, OrdersModeJobAndAcknowledgement) {
   EXPECT_EQ(orders[2].value, 3202U);
 }
 
+TEST(PlcLink, HasNewsWhenThePlcsSurroundingsChange) {
+  PlcLink link = openLink();
+  link.answer(1, writing(0, {1, 3, 9}), 0.0);
+  EXPECT_EQ(link.news(), 0U) << "heartbeat and command are none";
+  link.answer(1, writing(11, {3}), 0.0);
+  EXPECT_EQ(link.news(), 1U);
+  link.answer(1, writing(11, {3}), 0.0);
+  EXPECT_EQ(link.news(), 1U);
+  link.answer(1, writing(35, {0x4100}), 0.0);
+  EXPECT_EQ(link.news(), 2U);
+}
+
 TEST(PlcLink, LetsOneConnectionWrite) {
   PlcLink link = openLink();
   EXPECT_EQ(exceptionOf(link.answer(1, writing(0, {1}), 0.0)), 0);

@@ -100,6 +100,8 @@ class ProductionCell {
   const ExecutorReport& report() const { return report_; }
   /// The job that runs or was cut off; nothing if there is none.
   std::optional<QueuedJob> currentJob() const;
+  /// The execution that the executor is at work on; nothing if there is none.
+  std::optional<std::int64_t> runningExecution() const;
   /// True if a job was cut off, and nobody has said what becomes of it.
   bool resumeWaits() const { return execution_ && !is_running_; }
 
@@ -133,6 +135,7 @@ class ProductionCell {
   void interrupt(CellTime now);
   void close(JobState outcome, const std::string& reason, CellTime now);
   void keepCounters();
+  void keepLastRecord(CellTime now);
   void write(CellTime now, const std::function<void()>& rows);
 
   CellJournal& journal_;

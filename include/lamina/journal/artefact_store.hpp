@@ -17,9 +17,15 @@ class ArtefactStore {
   /// @throws FileError if it cannot be made
   explicit ArtefactStore(std::string folder);
 
+  /// A store that is looked at only: nothing is made.
+  static ArtefactStore toRead(std::string folder);
+
   /// Copies a file into the store, durably, and gives what it is known by. The same bytes are kept once.
   /// @throws FileError if the file cannot be read or the store not written
   Artefact keep(const std::string& path, const std::string& kind, const std::string& name);
+
+  /// Keeps bytes as `keep` does those of a file.
+  Artefact keepText(const std::string& bytes, const std::string& kind, const std::string& name);
 
   /// Where the bytes of an artefact are.
   std::string pathOf(const Artefact& artefact) const;
@@ -28,6 +34,8 @@ class ArtefactStore {
   std::vector<std::string> torn(const std::vector<Artefact>& artefacts) const;
 
  private:
+  ArtefactStore() = default;
+
   std::string folder_;
 };
 

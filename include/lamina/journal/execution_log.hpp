@@ -86,6 +86,9 @@ class ExecutionLog {
   /// @throws InvalidInput if there is none of that number
   ExecutionRow execution(std::int64_t id) const;
 
+  /// The last execution that has ended, if no part was named since; nothing if there is none.
+  std::optional<ExecutionRow> lastWithoutPart() const;
+
   /// Adds to what is known of a layer: what the row does not say stays as it was.
   void setLayer(std::int64_t execution, const LayerRow& row);
   std::vector<LayerRow> layers(std::int64_t execution) const;

@@ -69,6 +69,9 @@ class PlcLink {
 
   bool isAlive() const { return watchdog_ == PlcHeartbeat::Good; }
 
+  /// How often the PLC has said something new of its surroundings: interlocks, plate, speed, badge.
+  std::uint32_t news() const { return news_; }
+
   /// As written last.
   PlcInputs inputs() const { return plcInputs(holding_, settings_.word_order); }
 
@@ -91,6 +94,7 @@ class PlcLink {
   PlcHeartbeat watchdog_ = PlcHeartbeat::Unarmed;
   double heard_s_ = 0.0;
   bool was_refused_ = false;
+  std::uint32_t news_ = 0;
   std::vector<PlcOrder> orders_;
 };
 

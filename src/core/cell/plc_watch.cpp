@@ -11,7 +11,7 @@ namespace {
 constexpr int kPlcSilent = 2101;
 constexpr double kLongestLinkSilence = 2.0;  // [s] of a link that speaks twice a second
 
-bool isAtRest(UnitState state) {
+bool restsBetweenJobs(UnitState state) {
   switch (state) {
     case UnitState::Stopped:
     case UnitState::Resetting:
@@ -65,7 +65,7 @@ PlcDemands PlcWatch::demands(const UnitStatus& unit, double now_s) {
   for (const int id : raised_)
     if (there.count(id) == 0) demands.ended.push_back(id);
   raised_ = std::move(there);
-  demands.is_part_removed = std::exchange(is_removal_new_, false) && isAtRest(unit.state);
+  demands.is_part_removed = std::exchange(is_removal_new_, false) && restsBetweenJobs(unit.state);
   if (demands.raised.empty() && demands.ended.empty()) demands.command = ordered(unit);
   return demands;
 }
@@ -77,10 +77,10 @@ std::vector<PlcAlarm> PlcWatch::causes(const UnitStatus& unit, double now_s) {
   for (const UnmetGuard& guard :
        againstPlc(found, settings_.is_required ? PlcNeed::Required : PlcNeed::None)) {
     const bool is_raised = raised_.count(guard.code) != 0;
-    const bool counts = unit.state == UnitState::Execute || (is_raised && !isAtRest(unit.state));
+    const bool counts = unit.state == UnitState::Execute || (is_raised && !restsBetweenJobs(unit.state));
     if (suspends(guard.code) && counts) present.push_back({guard.code, guard.sentence});
   }
-  if (!found.is_alive && !isAtRest(unit.state))
+  if (!found.is_alive && !restsBetweenJobs(unit.state))
     for (const int id : raised_)
       if (isSuspension(id)) present.push_back({id, ""});
   if (const auto silent = silence(unit, now_s)) present.push_back({kPlcSilent, *silent});
@@ -93,7 +93,7 @@ std::optional<std::string> PlcWatch::silence(const UnitStatus& unit, double now_
   const bool is_lost = heartbeat == PlcHeartbeat::Lost || heartbeat == PlcHeartbeat::Abandoned;
   if (is_link_heard && is_lost && report_->on_silence != WatchdogAction::None)
     return "the PLC's heartbeat does not come";
-  const bool is_missing = settings_.is_required && !isAtRest(unit.state) &&
+  const bool is_missing = settings_.is_required && !restsBetweenJobs(unit.state) &&
                           (!is_link_heard || heartbeat == PlcHeartbeat::Unarmed);
   if (!is_missing) {
     missing_since_s_.reset();
@@ -111,7 +111,7 @@ std::optional<std::string> PlcWatch::silence(const UnitStatus& unit, double now_
 std::optional<UnitCommand> PlcWatch::ordered(const UnitStatus& unit) {
   if (std::exchange(is_stop_due_, false)) {
     const bool is_abandoned = report_->heartbeat == PlcHeartbeat::Abandoned;
-    if (is_abandoned ? isWaiting(unit.state) : !isAtRest(unit.state)) return UnitCommand::Stop;
+    if (is_abandoned ? isWaiting(unit.state) : !restsBetweenJobs(unit.state)) return UnitCommand::Stop;
   }
   const bool is_ours =
       unit.state == UnitState::Suspended && unit.stop_reason && isSuspension(unit.stop_reason->id);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "lamina/base/error.hpp"
+#include "lamina/journal/part_record.hpp"
 
 namespace lamina {
 namespace {
@@ -147,6 +148,10 @@ std::optional<QueuedJob> ProductionCell::currentJob() const {
   return journal_.job(open->job);
 }
 
+std::optional<std::int64_t> ProductionCell::runningExecution() const {
+  return is_running_ ? execution_ : std::nullopt;
+}
+
 CommandAnswer ProductionCell::command(UnitRequest request, const CellSurroundings& found, CutOffJob cut_off,
                                       CellTime now) {
   try {
@@ -214,6 +219,7 @@ CommandAnswer ProductionCell::changeMode(int mode, const std::string& source, Ce
 CommandAnswer ProductionCell::acknowledge(int alarm, const std::string& by, CellTime now) {
   CommandAnswer answer = unit_.acknowledge(alarm, by, now.steady_s);
   write(now, [&] {
+    if (answer.result == CommandResult::Accepted) journal_.acknowledgeAlarm(alarm, by, now.utc_s);
     journal_.add(AuditRow{now.utc_s, by, "", "acknowledge " + std::to_string(alarm),
                           answer.reason.empty() ? "accepted" : answer.reason});
   });
@@ -225,11 +231,17 @@ void ProductionCell::raise(int alarm, double value, const std::string& message, 
   const bool is_to_be_told = unit_.raise(alarm, value, message, now.steady_s);
   if (kind.category >= AlarmCategory::Stop) settle(now);
   if (is_to_be_told)
-    write(now, [&] { journal_.add(AlarmRow{now.utc_s, alarm, value, letterOf(kind.category), message}); });
+    write(now, [&] {
+      journal_.add(AlarmRow{now.utc_s, alarm, value, letterOf(kind.category), message});
+      if (kind.cause == AlarmCause::Event) journal_.endAlarm(alarm, now.utc_s);
+    });
   settle(now);
 }
 
-void ProductionCell::end(int alarm, CellTime now) { unit_.end(alarm, now.steady_s); }
+void ProductionCell::end(int alarm, CellTime now) {
+  unit_.end(alarm, now.steady_s);
+  write(now, [&] { journal_.endAlarm(alarm, now.utc_s); });
+}
 
 void ProductionCell::onReport(const ExecutorReport& report, CellTime now) {
   const bool is_ours = report.order == order_ && (order_ != 0 || is_running_);
@@ -279,6 +291,7 @@ void ProductionCell::tick(CellTime now) {
   counters_written_s_ = now.steady_s;
   write(now, [&] {
     keepCounters();
+    keepLastRecord(now);
     if (std::exchange(is_journal_failing_, false)) unit_.end(kJournalNotWritable, now.steady_s);
   });
 }
@@ -417,7 +430,9 @@ void ProductionCell::close(JobState outcome, const std::string& reason, CellTime
         journal_.end(*execution_, outcome, reason, now.utc_s);
       keepCounters();
     });
-    if (!is_cut_off) execution_.reset();
+    if (is_cut_off) return;
+    execution_.reset();
+    keepLastRecord(now);
   });
 }
 
@@ -431,6 +446,14 @@ void ProductionCell::keepCounters() {
   auto named = namedCounters(unit_.status().counters);
   named[kPartOnPlate] = is_part_on_plate_ ? 1.0 : 0.0;
   journal_.setCounters(named);
+}
+
+/// What could not be written when the job ended is written once it can be.
+void ProductionCell::keepLastRecord(CellTime now) {
+  const auto ended = ExecutionLog(journal_).lastWithoutPart();
+  if (!ended) return;
+  const char* verdict = ended->outcome == JobState::Ended ? "good" : "aborted";
+  keepRecord(journal_, artefacts_, ended->id, verdict, now.utc_s);
 }
 
 void ProductionCell::write(CellTime now, const std::function<void()>& rows) {
@@ -448,6 +471,7 @@ void ProductionCell::confirmRemoval(const std::string& by, CellTime now) {
   write(now, [&] {
     journal_.together([&] {
       journal_.add(AuditRow{now.utc_s, by, "", "part removed", "confirmed"});
+      ExecutionLog(journal_).removePart(by, now.utc_s);
       keepCounters();
     });
   });

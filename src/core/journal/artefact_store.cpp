@@ -38,6 +38,10 @@ void copyInto(const std::string& path, const std::string& target) {
   }
   if (from.bad()) throw FileError(path + ": cannot be read to its end");
   to.commit();
+}
+
+/// Brings a file that was written into the store to the disk, read-only.
+void seal(const std::string& target) {
   synchronise(target);
   synchronise(std::filesystem::path(target).parent_path());
   std::error_code ignored;
@@ -67,11 +71,31 @@ ArtefactStore::ArtefactStore(std::string folder) : folder_(std::move(folder)) {
 Artefact ArtefactStore::keep(const std::string& path, const std::string& kind, const std::string& name) {
   Artefact artefact{sha256OfFile(path), 0, kind, name};
   const std::string target = pathOf(artefact);
-  if (!std::filesystem::exists(target) || sha256OfFile(target) != artefact.sha256) copyInto(path, target);
+  if (!std::filesystem::exists(target) || sha256OfFile(target) != artefact.sha256) {
+    copyInto(path, target);
+    seal(target);
+  }
   // The file may have changed between the two times that it was read.
   if (sha256OfFile(target) != artefact.sha256) throw FileError(path + ": changed while it was kept");
   artefact.bytes = std::filesystem::file_size(target);
   return artefact;
+}
+
+Artefact ArtefactStore::keepText(const std::string& bytes, const std::string& kind, const std::string& name) {
+  const Artefact artefact{sha256Of(std::string_view(bytes)), bytes.size(), kind, name};
+  const std::string target = pathOf(artefact);
+  if (std::filesystem::exists(target) && sha256OfFile(target) == artefact.sha256) return artefact;
+  AtomicFile to(target);
+  to.write(bytes);
+  to.commit();
+  seal(target);
+  return artefact;
+}
+
+ArtefactStore ArtefactStore::toRead(std::string folder) {
+  ArtefactStore store;
+  store.folder_ = std::move(folder);
+  return store;
 }
 
 std::string ArtefactStore::pathOf(const Artefact& artefact) const {

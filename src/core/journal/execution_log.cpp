@@ -68,6 +68,15 @@ ExecutionRow ExecutionLog::execution(std::int64_t id) const {
   return executionIn(row);
 }
 
+std::optional<ExecutionRow> ExecutionLog::lastWithoutPart() const {
+  Statement row = store_.database.prepare(std::string(kExecutionColumns) +
+                                          "WHERE e.ended IS NOT NULL AND e.id > (SELECT "
+                                          "COALESCE(MAX(execution), 0) FROM part) ORDER BY e.id DESC "
+                                          "LIMIT 1");
+  if (!row.step()) return std::nullopt;
+  return executionIn(row);
+}
+
 void ExecutionLog::setLayer(std::int64_t execution, const LayerRow& row) {
   Statement statement = store_.database.prepare(
       "INSERT INTO layer (execution, layer, began, ended, expected_mm, mean_mm, rms_mm, flatness_mm, "

@@ -23,6 +23,14 @@ std::vector<std::uint16_t> slice(const std::array<std::uint16_t, kCount>& regist
   return {first, first + static_cast<std::ptrdiff_t>(count)};
 }
 
+/// What is neither heartbeat nor asked for: interlocks to speed, and the badge.
+std::vector<std::uint16_t> surroundings(const HoldingRegisters& registers) {
+  std::vector<std::uint16_t> values = slice(registers, 8, 6);
+  const std::vector<std::uint16_t> badge = slice(registers, 20, 16);
+  values.insert(values.end(), badge.begin(), badge.end());
+  return values;
+}
+
 }  // namespace
 
 std::string PlcLink::answer(int connection, const ModbusRequest& request, double now_s) {
@@ -50,6 +58,7 @@ std::optional<ModbusException> PlcLink::write(int connection, const ModbusReques
   if (writer_.value_or(connection) != connection) return ModbusException::ServerBusy;
   writer_ = connection;
   const PlcInputs before = inputs();
+  if (surroundings(after) != surroundings(holding_)) ++news_;
   holding_ = after;
   if (inputs().heartbeat != before.heartbeat) {
     figures_.plc_heartbeat = inputs().heartbeat;

@@ -1,0 +1,229 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/journal/part_record.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "lamina/base/atomic_file.hpp"
+#include "lamina/base/error.hpp"
+#include "lamina/base/sha256.hpp"
+#include "lamina/base/version.hpp"
+
+namespace lamina {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kRecordVersion = 1;
+
+Json numberOrNull(const std::optional<double>& number) {
+  if (number && std::isfinite(*number)) return *number;
+  return nullptr;
+}
+
+std::string hostName() {
+  std::array<char, 256> name{};
+  return gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "";
+}
+
+void appendCell(std::string& row, const std::optional<double>& value) {
+  row += ',';
+  if (!value || !std::isfinite(*value)) return;
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.9g", *value);
+  row += text.data();
+}
+
+void appendTime(std::string& row, const std::optional<double>& time_s) {
+  row += ',';
+  if (!time_s) return;
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.3f", *time_s);
+  row += text.data();
+}
+
+std::string layersCsv(const std::vector<LayerRow>& layers) {
+  std::string csv =
+      "layer,began,ended,expected_mm,mean_mm,rms_mm,flatness_mm,worst_mm,coverage,gain,nozzle_c,bed_c,"
+      "correction\n";
+  for (const LayerRow& layer : layers) {
+    csv += std::to_string(layer.layer);
+    appendTime(csv, layer.began_s);
+    appendTime(csv, layer.ended_s);
+    for (const auto& value : {layer.expected_mm, layer.mean_mm, layer.rms_mm, layer.flatness_mm,
+                              layer.worst_mm, layer.coverage, layer.gain, layer.nozzle_c, layer.bed_c})
+      appendCell(csv, value);
+    csv += ',' + layer.correction.value_or("") + '\n';
+  }
+  return csv;
+}
+
+Json artefactsJson(const QueuedJob& job) {
+  Json artefacts = Json::array();
+  for (const Artefact& artefact : job.artefacts)
+    artefacts.push_back({{"kind", artefact.kind},
+                         {"name", artefact.name},
+                         {"sha256", artefact.sha256},
+                         {"bytes", artefact.bytes}});
+  return artefacts;
+}
+
+Json executionJson(const ExecutionRow& execution) {
+  return {{"id", execution.id},
+          {"attempt", execution.attempt},
+          {"started", execution.started_s},
+          {"ended", numberOrNull(execution.ended_s)},
+          {"outcome", toString(execution.outcome)},
+          {"reason", execution.reason},
+          {"operator", execution.operator_name},
+          {"lines_taken", execution.progress.taken_through},
+          {"material_mm3", execution.progress.laid_mm3}};
+}
+
+Json transitionsJson(const std::vector<TransitionRow>& rows) {
+  Json transitions = Json::array();
+  for (const TransitionRow& row : rows)
+    transitions.push_back({{"time", row.time_s},
+                           {"mode", row.mode},
+                           {"from", row.from},
+                           {"to", row.to},
+                           {"command", row.command},
+                           {"source", row.source},
+                           {"reason", row.reason}});
+  return transitions;
+}
+
+Json alarmsJson(const std::vector<AlarmRecord>& rows) {
+  Json alarms = Json::array();
+  for (const AlarmRecord& row : rows)
+    alarms.push_back({{"time", row.alarm.time_s},
+                      {"id", row.alarm.alarm},
+                      {"category", std::string(1, row.alarm.category)},
+                      {"value", numberOrNull(row.alarm.value)},
+                      {"message", row.alarm.message},
+                      {"acknowledged", numberOrNull(row.acknowledged_s)},
+                      {"acknowledged_by", row.acknowledged_by},
+                      {"gone", numberOrNull(row.gone_s)}});
+  return alarms;
+}
+
+Json gapsJson(const std::vector<GapRow>& rows) {
+  Json gaps = Json::array();
+  for (const GapRow& row : rows)
+    gaps.push_back({{"began", row.began_s},
+                    {"ended", numberOrNull(row.ended_s)},
+                    {"line", row.line},
+                    {"reason", row.reason}});
+  return gaps;
+}
+
+Json setpointsJson(const std::vector<SetpointRow>& rows) {
+  Json setpoints = Json::array();
+  for (const SetpointRow& row : rows)
+    setpoints.push_back(
+        {{"time", row.time_s}, {"key", row.key}, {"value", row.value}, {"source", row.source}});
+  return setpoints;
+}
+
+/// Of which program and which execution: no two parts of a journal have the same.
+std::string serialOf(const ExecutionRow& execution) {
+  return std::to_string(execution.job) + '-' + std::to_string(execution.attempt);
+}
+
+Artefact layersArtefact(const std::string& csv) {
+  return {sha256Of(csv), csv.size(), "layers", "layers.csv"};
+}
+
+std::string readOrNothing(const std::string& path) {
+  try {
+    return readFile(path);
+  } catch (const Error&) {
+    return "";
+  }
+}
+
+}  // namespace
+
+PartRecord partRecord(CellJournal& journal, std::int64_t execution, const std::string& verdict) {
+  const ExecutionLog log(journal);
+  const ExecutionRow row = log.execution(execution);
+  const QueuedJob job = journal.job(row.job);
+  const std::vector<LayerRow> layers = log.layers(execution);
+  const auto measured = std::count_if(layers.begin(), layers.end(),
+                                      [](const LayerRow& layer) { return layer.mean_mm.has_value(); });
+  PartRecord record;
+  record.layers_csv = layersCsv(layers);
+  const Json json = {{"schema", "lamina-part-record"},
+                     {"version", kRecordVersion},
+                     {"serial", serialOf(row)},
+                     {"verdict", {{"value", verdict}, {"by", "unit"}}},
+                     {"made", {{"host", hostName()}, {"machine", job.machine}, {"lamina", laminaVersion()}}},
+                     {"job",
+                      {{"id", job.id},
+                       {"name", job.name},
+                       {"part", job.part},
+                       {"digest", job.digest},
+                       {"created_by", job.created_by},
+                       {"released_by", job.released_by}}},
+                     {"artefacts", artefactsJson(job)},
+                     {"execution", executionJson(row)},
+                     {"gaps", gapsJson(log.gaps(execution))},
+                     {"transitions", transitionsJson(log.transitions(execution))},
+                     {"alarms", alarmsJson(log.alarms(execution))},
+                     {"setpoints", setpointsJson(log.setpoints(execution))},
+                     {"layers",
+                      {{"sha256", sha256Of(record.layers_csv)},
+                       {"bytes", record.layers_csv.size()},
+                       {"count", layers.size()},
+                       {"measured", measured}}}};
+  record.json = json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+  return record;
+}
+
+void keepRecord(CellJournal& journal, ArtefactStore& store, std::int64_t execution,
+                const std::string& verdict, double time_s) {
+  const PartRecord record = partRecord(journal, execution, verdict);
+  store.keepText(record.layers_csv, "layers", "layers.csv");
+  PartRow part;
+  part.serial = serialOf(ExecutionLog(journal).execution(execution));
+  part.verdict = verdict;
+  part.verdict_by = "unit";
+  part.record = store.keepText(record.json, "record", "record.json");
+  ExecutionLog(journal).setPart(execution, part, time_s);
+}
+
+CheckedRecord readRecord(CellJournal& journal, const ArtefactStore& store, std::int64_t job) {
+  const ExecutionLog log(journal);
+  const auto execution = log.ofJob(job);
+  const auto part = execution ? log.part(execution->id) : std::nullopt;
+  if (!part)
+    throw InvalidInput("job " + std::to_string(job) + " has no record: it has not ended, or is not known");
+  CheckedRecord checked;
+  auto& faults = checked.faults;
+  checked.record.json = readFile(store.pathOf(part->record));
+  if (sha256Of(checked.record.json) != part->record.sha256)
+    faults.push_back("record.json no longer has the digest that the journal keeps: " + part->record.sha256);
+  const Json json = Json::parse(checked.record.json, nullptr, false);
+  const Json layers = json.is_object() ? json.value("layers", Json::object()) : Json::object();
+  const std::string layers_digest = layers.value("sha256", "");
+  checked.record.layers_csv = readOrNothing(store.pathOf({layers_digest, 0, "layers", "layers.csv"}));
+  if (layersArtefact(checked.record.layers_csv).sha256 != layers_digest)
+    faults.push_back("layers.csv is gone, or no longer has its digest: " + layers_digest);
+  const QueuedJob known = journal.job(job);
+  for (const std::string& torn : store.torn(known.artefacts))
+    faults.push_back(torn + " is gone, or no longer has its digest");
+  if (jobDigest(known.artefacts) != known.digest)
+    faults.push_back("the files of the job are not those that its digest was made of: " + known.digest);
+  if (!json.is_object() || json.value("job", Json::object()).value("digest", "") != known.digest)
+    faults.push_back("the record is of another job than the journal's: its digest is not " + known.digest);
+  return checked;
+}
+
+}  // namespace lamina
