@@ -23,9 +23,11 @@ struct SeparateCommand {
 };
 
 constexpr std::array kSeparateCommands = {
+    SeparateCommand{"audit", "lamina-journal", kAuditDescription},
     SeparateCommand{"decide", "lamina-optimise", kDecideDescription},
     SeparateCommand{"estimate", "lamina-estimate", kEstimateDescription},
     SeparateCommand{"optimise", "lamina-optimise", kOptimiseDescription},
+    SeparateCommand{"record", "lamina-journal", kRecordDescription},
     SeparateCommand{"token", "lamina-token", kTokenDescription},
 };
 

@@ -9,8 +9,8 @@
 namespace lamina::cli {
 
 // Subcommands in an executable of their own beside this one: the libraries that `lamina-optimise` searches
-// with, `lamina-estimate` reads bags with, and `lamina-token` keeps tokens with, take longer to load than
-// most commands run.
+// with, `lamina-estimate` reads bags with, `lamina-journal` the database of a cell, and `lamina-token` keeps
+// tokens with, take longer to load than most commands run.
 
 /// Adds what `lamina --help` says of them.
 void addSeparateCommands(CLI::App& app, Chosen& chosen);

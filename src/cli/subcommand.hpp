@@ -38,16 +38,21 @@ void addJsonFlag(CLI::App& subcommand, Chosen& chosen);
 void printConfig(const SettingsSchema& schema, OutputFormat format);
 
 /// What `lamina --help` says of the subcommands of another executable.
+inline constexpr char kAuditDescription[] =
+    "Check whether rows of a cell's audit were edited, removed or added";
 inline constexpr char kDecideDescription[] = "Choose one point of a front by weights";
 inline constexpr char kEstimateDescription[] =
     "Height errors, gains and correction maps of a recorded print, from its bag";
 inline constexpr char kOptimiseDescription[] =
     "Run a study: search configurations for what it wants; stopped, it goes on where it was";
+inline constexpr char kRecordDescription[] =
+    "Print the record of a part that a cell has made, and check its files";
 
 inline constexpr char kTokenDescription[] = "Tokens of the operator's page: make, list or remove them";
 
 // Each adds its subcommand with all its options; when it stands on the command line, `chosen.run` is set.
 // `chosen` must outlive the parsing.
+void addAudit(CLI::App& app, Chosen& chosen);
 void addCalibrate(CLI::App& app, Chosen& chosen);
 void addCheck(CLI::App& app, Chosen& chosen);
 void addCoordinates(CLI::App& app, Chosen& chosen);
@@ -67,6 +72,7 @@ void addPart(CLI::App& app, Chosen& chosen);
 void addPores(CLI::App& app, Chosen& chosen);
 void addPreview(CLI::App& app, Chosen& chosen);
 void addProfiles(CLI::App& app, Chosen& chosen);
+void addRecord(CLI::App& app, Chosen& chosen);
 void addReplan(CLI::App& app, Chosen& chosen);
 void addResume(CLI::App& app, Chosen& chosen);
 void addRotate(CLI::App& app, Chosen& chosen);

@@ -36,6 +36,8 @@ ANY = ("", PROGRAM, MODULE, TABLE, MESH)
 CALLS = [
     *((command + " FILE", ANY) for command in ("check", "preview")),
     *((command + " FILE", ("", PROGRAM)) for command in ("coordinates", "deposit", "overhang", "pores", "stiffness", "sweep")),
+    ("audit FILE", ANY),
+    ("record FILE 1", ANY),
     ("info FILE", ("", MESH, ".obj", ".ply", ".3mf")),
     ("slice FILE", ("", MESH, ".obj", ".ply", ".3mf", ".svg")),
     ("slice FILE box", ("", MESH, ".svg")),

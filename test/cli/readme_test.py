@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What README.md and docs/commands.md tell to type works: every line but those with a device or a bag and those that take minutes."""
+"""What README.md and docs/commands.md tell to type works: every line but those with a device, a bag or a cell and those that take minutes."""
 import os
 import pathlib
 import re
@@ -12,7 +12,7 @@ from lamina_command import LAMINA
 
 SOURCE = pathlib.Path(sys.argv.pop(1))
 LINE = re.compile(r"^    (lamina [^#\n]*)(#.*)?$")
-WITH_DEVICE = re.compile(r"^lamina (?:emulate|stream|estimate)\b|.*--port ")  # or a bag
+WITH_DEVICE = re.compile(r"^lamina (?:audit|emulate|stream|estimate|record)\b|.*--port ")  # or a bag, or a cell
 
 
 def commands(page):
