@@ -28,6 +28,7 @@
 #include <lamina/FilledVoid.h>
 #include <lamina/FinishMeasuring.h>
 #include <lamina/FollowJointTrajectoryAction.h>
+#include <lamina/HeaterState.h>
 #include <lamina/HostState.h>
 #include <lamina/InclineAction.h>
 #include <lamina/InclineGcode.h>
@@ -43,6 +44,7 @@
 #include <lamina/OptimiseAction.h>
 #include <lamina/PackmlCommand.h>
 #include <lamina/PackmlStatus.h>
+#include <lamina/PlcInputs.h>
 #include <lamina/ProcessReady.h>
 #include <lamina/ProcessState.h>
 #include <lamina/ProcessTrajectory.h>
@@ -51,6 +53,7 @@
 #include <lamina/RunStartup.h>
 #include <lamina/SetIo.h>
 #include <lamina/SetLoop.h>
+#include <lamina/SetRemoteAccess.h>
 #include <lamina/SetUnitMode.h>
 #include <lamina/Setting.h>
 #include <lamina/SimulateDepositionAction.h>

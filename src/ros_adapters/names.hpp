@@ -56,6 +56,8 @@ inline constexpr char kAlarms[] = "alarms";               ///< lamina/CellAlarms
 inline constexpr char kJobQueue[] = "job_queue";          ///< lamina/JobQueue, latched
 inline constexpr char kHostState[] = "host_state";        ///< lamina/HostState, latched
 inline constexpr char kAlarmReports[] = "alarm_reports";  ///< lamina/AlarmReport, of other nodes to the unit
+inline constexpr char kPlcInputs[] = "plc_inputs";        ///< lamina/PlcInputs, latched
+inline constexpr char kHeaterState[] = "heater_state";    ///< lamina/HeaterState, latched
 
 // Services.
 inline constexpr char kSliceMesh[] = "slice_mesh";  ///< lamina/SliceMesh
@@ -82,6 +84,7 @@ inline constexpr char kEnqueueJob[] = "enqueue_job";              ///< lamina/En
 inline constexpr char kChangeQueue[] = "change_queue";            ///< lamina/ChangeQueue
 inline constexpr char kAcknowledgeAlarm[] = "acknowledge_alarm";  ///< lamina/AcknowledgeAlarm
 inline constexpr char kConfirmRemoval[] = "confirm_removal";      ///< std_srvs/Trigger
+inline constexpr char kSetRemoteAccess[] = "set_remote_access";   ///< lamina/SetRemoteAccess
 
 // Actions.
 inline constexpr char kSlice[] = "slice";                             ///< lamina/Slice

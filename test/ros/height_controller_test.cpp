@@ -389,8 +389,19 @@ TEST(HeightController, ReadsACalibrationThatComesLater) {
 }
 
 /// The second layer is found four layers too low: the print is held before the map of the third one comes.
-TEST(HeightController, HoldsThePrintWhenAPieceComesOff) {
+void expectHeld(const Controller& controller, const std::optional<std::size_t>& maps_when_held) {
   const SensedWallCase wall = shortWall(3);
+  LiveWall live(wall);
+  const std::int64_t second = scanOf(live.printed, 0) + 1'000'000'000;
+  for (SensedCloud& cloud : live.printed.clouds)
+    if (cloud.stamp_ns > second)
+      for (Point3& point : cloud.profiles[0]) point.z() += 1.4;  // farther from the sensor
+  live.say([&] { return maps_when_held.has_value(); });
+  ASSERT_TRUE(maps_when_held) << controller.maps.size();
+  EXPECT_EQ(*maps_when_held, 2U);
+}
+
+TEST(HeightController, HoldsThePrintWhenAPieceComesOff) {
   Controller controller({"_pauses_print:=true"});
   ros::NodeHandle node;
   std::optional<std::size_t> maps_when_held;
@@ -402,14 +413,23 @@ TEST(HeightController, HoldsThePrintWhenAPieceComesOff) {
       };
   const auto pause =
       node.advertiseService<std_srvs::Trigger::Request, std_srvs::Trigger::Response>(names::kPause, on_pause);
-  LiveWall live(wall);
-  const std::int64_t second = scanOf(live.printed, 0) + 1'000'000'000;
-  for (SensedCloud& cloud : live.printed.clouds)
-    if (cloud.stamp_ns > second)
-      for (Point3& point : cloud.profiles[0]) point.z() += 1.4;  // farther from the sensor
-  live.say([&] { return maps_when_held.has_value(); });
-  ASSERT_TRUE(maps_when_held);
-  EXPECT_EQ(*maps_when_held, 2U);
+  expectHeld(controller, maps_when_held);
+}
+
+TEST(HeightController, AsksTheUnitToHoldThePrintWhereThereIsOne) {
+  using Command = lamina_msgs::PackmlCommand;
+  Controller controller({"_pauses_print:=true"});
+  ros::NodeHandle node;
+  std::optional<std::size_t> maps_when_held;
+  const boost::function<bool(Command::Request&, Command::Response&)> on_command =
+      [&](Command::Request& request, Command::Response& response) {
+        if (request.command == Command::Request::HOLD) maps_when_held = controller.maps.size();
+        response.result = 1;
+        return true;
+      };
+  const auto unit =
+      node.advertiseService<Command::Request, Command::Response>(names::kPackmlCommand, on_command);
+  expectHeld(controller, maps_when_held);
 }
 
 /// Killed amid the fifth of seven layers, and started again: the layers that follow are corrected as if

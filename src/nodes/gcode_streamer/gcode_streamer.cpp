@@ -58,20 +58,27 @@ void logChanges(const std::vector<lamina_msgs::StartupStep>& before,
 
 GcodeStreamer::GcodeStreamer(ros::NodeHandle node, const GcodeStreamerSettings& settings)
     : settings_(settings),
+      owner_(settings.owner),
       machine_(machineOf(settings.machine)),
       bed_from_program_(programFromBed(machine_).inverse()),
       state_(node.advertise<lamina_msgs::MachineState>(names::kMachineState, 100, true)),
-      pause_(node.advertiseService(names::kPause, &GcodeStreamer::onPause, this)),
-      resume_(node.advertiseService(names::kResume, &GcodeStreamer::onResume, this)),
-      abort_(node.advertiseService(names::kAbort, &GcodeStreamer::onAbort, this)),
+      heaters_(node.advertise<lamina_msgs::HeaterState>(names::kHeaterState, 100, true)),
+      pause_(advertiseForOwner(node, names::kPause, owner_,
+                               [this](auto& request, auto& response) { return onPause(request, response); })),
+      resume_(
+          advertiseForOwner(node, names::kResume, owner_,
+                            [this](auto& request, auto& response) { return onResume(request, response); })),
+      abort_(advertiseForOwner(node, names::kAbort, owner_,
+                               [this](auto& request, auto& response) { return onAbort(request, response); })),
       change_(node.advertiseService(names::kChangeJob, &GcodeStreamer::onChange, this)),
       owner_(node, settings.owner_grace_s),
       startup_(settings.startup, settings.stream, settings.port,
                [this](const auto& steps) { onSteps(steps); }),
       startup_service_(node, startup_),
       action_(
-          node, names::kStreamProgram,
-          [this](const lamina_msgs::StreamProgramGoalConstPtr& goal) { onGoal(goal); }, false) {
+          node, ActionGate<lamina_msgs::StreamProgramAction>::inner(names::kStreamProgram, owner_),
+          [this](const lamina_msgs::StreamProgramGoalConstPtr& goal) { onGoal(goal); }, false),
+      gate_(node, names::kStreamProgram, owner_) {
   if (settings_.stream.position_interval_s > 0) {
     position_ = node.advertise<sensor_msgs::JointState>(names::kMachinePosition, 100);
   }
@@ -522,6 +529,9 @@ void GcodeStreamer::publishState(const StreamStatus& status) {
   message.header.frame_id = names::kBedFrame;
 
   publishLatched(state_, message);
+  lamina_msgs::HeaterState heaters = toHeaterState(status);
+  heaters.header.stamp = message.header.stamp;
+  publishLatched(heaters_, heaters);
 }
 
 /// Between jobs: the state is that in which the last one ended.

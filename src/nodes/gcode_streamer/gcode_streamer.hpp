@@ -19,6 +19,8 @@
 #include "lamina/kinematics/cartesian/cartesian_machine.hpp"
 #include "lamina/streaming/client/stream_session.hpp"
 #include "messages.hpp"
+#include "owner/action_gate.hpp"
+#include "owner/executor_owner.hpp"
 #include "owner_watch.hpp"
 #include "recorded_program.hpp"
 #include "startup_service.hpp"
@@ -84,9 +86,11 @@ class GcodeStreamer {
   void diagnose(diagnostic_updater::DiagnosticStatusWrapper& diagnostics);
 
   GcodeStreamerSettings settings_;
+  ExecutorOwner owner_;
   CartesianMachine machine_;
   Eigen::Affine3d bed_from_program_;
   ros::Publisher state_;
+  ros::Publisher heaters_;
   ros::Publisher position_;
   ros::Publisher applied_;
   ros::Subscriber toolpath_subscriber_;
@@ -116,6 +120,7 @@ class GcodeStreamer {
 
   // Last, so that its thread ends before what it uses.
   actionlib::SimpleActionServer<lamina_msgs::StreamProgramAction> action_;
+  ActionGate<lamina_msgs::StreamProgramAction> gate_;
 };
 
 }  // namespace lamina

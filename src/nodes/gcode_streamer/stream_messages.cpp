@@ -71,6 +71,18 @@ lamina_msgs::MachineState toMachineState(const StreamStatus& status, const std::
   return message;
 }
 
+lamina_msgs::HeaterState toHeaterState(const StreamStatus& status) {
+  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  lamina_msgs::HeaterState message;
+  message.nozzle = message.nozzle_target = message.bed = message.bed_target = kUnknown;
+  if (!status.temperatures) return message;
+  message.nozzle = status.temperatures->nozzle_c;
+  message.nozzle_target = status.temperatures->nozzle_target_c.value_or(kUnknown);
+  message.bed = status.temperatures->bed_c.value_or(kUnknown);
+  message.bed_target = status.temperatures->bed_target_c.value_or(kUnknown);
+  return message;
+}
+
 lamina_msgs::StreamProgramFeedback toFeedback(const StreamStatus& status) {
   lamina_msgs::StreamProgramFeedback feedback;
   feedback.state = toString(status.state);

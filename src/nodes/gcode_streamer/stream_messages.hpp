@@ -11,6 +11,9 @@
 
 namespace lamina {
 
+/// Temperatures and targets as the firmware reported them last, without stamp.
+lamina_msgs::HeaterState toHeaterState(const StreamStatus& status);
+
 /// @param job  file or toolpath being streamed; empty if none
 /// @return the message without stamp
 lamina_msgs::MachineState toMachineState(const StreamStatus& status, const std::string& job);

@@ -27,6 +27,8 @@ void describe(SettingsSchema& schema, GcodeStreamerSettings& settings) {
               "Serial port or pseudo-terminal, tcp:host:port, or http://host:port of a print server.");
   schema.integer("baud", settings.port.baud, {50, 4000000}, "Baud rate of a serial port.");
   describe(schema, settings.machine, "Machine whose axes the reported positions belong to.");
+  schema.text("executor.owner", settings.owner,
+              "Node whose orders alone are followed, such as cell_controller; empty for anybody.");
   describe(schema, settings.stream);
   describe(schema, settings.program);
   describe(schema, settings.startup);

@@ -16,6 +16,7 @@ namespace lamina {
 struct GcodeStreamerSettings {
   MachinePort port{"/dev/ttyUSB0", 115200};
   MachineSettings machine;
+  std::string owner;  ///< node whose orders alone are followed; empty for anybody
   StreamSettings stream;
   ProgramSettings program;
   StartupSettings startup;
@@ -23,8 +24,8 @@ struct GcodeStreamerSettings {
   double owner_grace_s = 0.0;  ///< without the cell that ordered the job, until it is held; 0 for any time
 };
 
-/// Adds the keys port, baud, machine.*, stream.*, program.*, startup.*, corrections.*, owner.* and some of
-/// loop.*.
+/// Adds the keys port, baud, executor.owner, machine.*, stream.*, program.*, startup.*, corrections.*, owner.*
+/// and some of loop.*.
 void describe(SettingsSchema& schema, GcodeStreamerSettings& settings);
 
 }  // namespace lamina

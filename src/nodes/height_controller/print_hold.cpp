@@ -7,15 +7,31 @@
 
 #include <chrono>
 
+#include "messages.hpp"
 #include "names.hpp"
 
 namespace lamina {
+namespace {
+
+std::string holdUnit() {
+  lamina_msgs::PackmlCommand hold;
+  hold.request.command = lamina_msgs::PackmlCommand::Request::HOLD;
+  hold.request.source = "height_controller";
+  hold.request.expected_sequence = -1;
+  if (!ros::service::call(names::kPackmlCommand, hold)) return "the unit did not answer to Hold";
+  if (hold.response.message.empty()) return "the unit holds the print";
+  return "the print is not held: " + hold.response.message;
+}
+
+}  // namespace
 
 std::string PrintHold::hold() {
   using namespace std::chrono_literals;
   if (asked_.valid() && asked_.wait_for(0s) != std::future_status::ready)
     return "the print was asked to pause before and has not answered";
   asked_ = std::async(std::launch::async, [] {
+    // Where the print has a unit, that one alone orders its executor about.
+    if (ros::service::exists(names::kPackmlCommand, false)) return holdUnit();
     std_srvs::Trigger pause;
     if (!ros::service::exists(names::kPause, false)) return std::string("nobody offers to pause the print");
     if (!ros::service::call(names::kPause, pause)) return std::string("the print did not answer to pause");

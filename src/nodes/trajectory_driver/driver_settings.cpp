@@ -6,6 +6,8 @@ namespace lamina {
 
 void describe(SettingsSchema& schema, DriverSettings& settings) {
   describe(schema, settings.machine, "Machine or robot that is driven.");
+  schema.text("executor.owner", settings.owner,
+              "Node whose orders alone are followed, such as cell_controller; empty for anybody.");
   describe(schema, settings.run);
   describe(schema, settings.feeder);
   schema.flag("check_clearance", settings.is_clearance_checked,

@@ -34,6 +34,7 @@ struct ProcessIoDemand {
 
 struct DriverSettings {
   MachineSettings machine;
+  std::string owner;  ///< node whose orders alone are followed; empty for anybody
   RunSettings run;
   TrajectoryFeederSettings feeder;
   bool is_clearance_checked = true;  ///< before the first motion
@@ -51,7 +52,7 @@ struct DriverSettings {
   double controller_wait_s = 60;  ///< for the toolpath, the controller and the joints' positions to be there
 };
 
-/// Adds the keys machine.*, joints.*, motion.*, trajectory.*, process.*, feeder.*, clearance.*,
+/// Adds the keys machine.*, executor.owner, joints.*, motion.*, trajectory.*, process.*, feeder.*, clearance.*,
 /// tracking.*, approach.*, process_io.*, corrections.*, sensor.calibration, some of loop.*, check_clearance,
 /// start_delay_s, lift_mm, lift_mm_s and controller_wait_s.
 void describe(SettingsSchema& schema, DriverSettings& settings);

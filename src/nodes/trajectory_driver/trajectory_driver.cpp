@@ -56,14 +56,19 @@ DriveStatus joined(const DriveStatus& before, DriveStatus after) {
 
 TrajectoryDriver::TrajectoryDriver(ros::NodeHandle node, const DriverSettings& settings)
     : settings_(settings),
+      owner_(settings.owner),
       model_(kinematicModelOf(settings.machine)),
       state_(node.advertise<lamina_msgs::MachineState>(names::kMachineState, 100, true)),
       tracking_(node.advertise<lamina_msgs::TrackingError>(names::kTrackingError, 100)),
       deposited_(node.advertise<visualization_msgs::MarkerArray>(names::kPartMarkers, 100, true)),
       findings_(node.advertise<visualization_msgs::MarkerArray>(names::kCheckMarkers, 1, true)),
-      pause_(node.advertiseService(names::kPause, &TrajectoryDriver::onPause, this)),
-      resume_(node.advertiseService(names::kResume, &TrajectoryDriver::onResume, this)),
-      abort_(node.advertiseService(names::kAbort, &TrajectoryDriver::onAbort, this)),
+      pause_(advertiseForOwner(node, names::kPause, owner_,
+                               [this](auto& request, auto& response) { return onPause(request, response); })),
+      resume_(
+          advertiseForOwner(node, names::kResume, owner_,
+                            [this](auto& request, auto& response) { return onResume(request, response); })),
+      abort_(advertiseForOwner(node, names::kAbort, owner_,
+                               [this](auto& request, auto& response) { return onAbort(request, response); })),
       process_(node),
       process_io_(node, settings_.process_io),
       joints_(node, *model_),
@@ -72,8 +77,9 @@ TrajectoryDriver::TrajectoryDriver(ros::NodeHandle node, const DriverSettings& s
                     if (const auto job = session()) job->hear(report, ros::Time::now());
                   }),
       action_(
-          node, names::kDriveToolpath,
-          [this](const lamina_msgs::DriveToolpathGoalConstPtr& goal) { onGoal(goal); }, false) {
+          node, ActionGate<lamina_msgs::DriveToolpathAction>::inner(names::kDriveToolpath, owner_),
+          [this](const lamina_msgs::DriveToolpathGoalConstPtr& goal) { onGoal(goal); }, false),
+      gate_(node, names::kDriveToolpath, owner_) {
   // Plans that this node publishes take no toolpath's place: that may be driven once more.
   const boost::function<void(const ros::MessageEvent<const lamina_msgs::Toolpath>&)> onToolpath =
       [this](const auto& event) {

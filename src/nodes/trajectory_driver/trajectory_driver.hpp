@@ -20,6 +20,8 @@
 #include "driver_settings.hpp"
 #include "markers/growing_part.hpp"
 #include "messages.hpp"
+#include "owner/action_gate.hpp"
+#include "owner/executor_owner.hpp"
 #include "present_joints.hpp"
 #include "process_io_watch.hpp"
 #include "process_publisher.hpp"
@@ -97,6 +99,7 @@ class TrajectoryDriver {
   std::shared_ptr<DriveSession> session() const;
 
   DriverSettings settings_;
+  ExecutorOwner owner_;
   std::unique_ptr<const KinematicModel> model_;
   ros::Publisher state_;
   ros::Publisher tracking_;
@@ -129,6 +132,7 @@ class TrajectoryDriver {
   ControllerClient controller_;
   // Last, so that its thread ends before what it uses.
   mutable Server action_;
+  ActionGate<lamina_msgs::DriveToolpathAction> gate_;
 };
 
 }  // namespace lamina
