@@ -7,13 +7,38 @@
 namespace lamina {
 namespace {
 
-TEST(TimeLeft, GoesOnAsFastAsSoFar) {
+TEST(TimeLeft, IsWhatTheRestTakesAtTheSameRate) {
   TimeLeft left;
-  left.begin(0.5, 1000.0);
-  EXPECT_FALSE(left.at(0.504, 1010.0)) << "too little was seen";
-  ASSERT_TRUE(left.at(0.6, 1100.0));
-  EXPECT_NEAR(*left.at(0.6, 1100.0), 400.0, 1e-9) << "a tenth in 100 s, four tenths are left";
-  EXPECT_EQ(left.at(1.0, 1500.0), 0.0);
+  for (int second = 0; second <= 100; ++second) left.observe(second, 1, second / 1000.0);
+  const auto estimate = left.estimate();
+  ASSERT_TRUE(estimate);
+  EXPECT_NEAR(estimate->seconds, 900.0, 1.0);
+  EXPECT_NEAR(estimate->least_s, 810.0, 1.0);
+  EXPECT_NEAR(estimate->most_s, 990.0, 1.0);
+}
+
+TEST(TimeLeft, SpansTheRateOfAllAndOfTheLastMinutes) {
+  TimeLeft left;
+  double fraction = 0.0;
+  for (int second = 0; second <= 1000; ++second) {
+    left.observe(second, 1, fraction);
+    fraction += second < 500 ? 0.0002 : 0.0004;  // twice as fast since the middle
+  }
+  const auto estimate = left.estimate();
+  ASSERT_TRUE(estimate);
+  EXPECT_NEAR(estimate->most_s, 1.1 * 0.7 / 0.0003, 20.0);
+  EXPECT_NEAR(estimate->least_s, 0.9 * 0.7 / 0.0004, 20.0);
+}
+
+TEST(TimeLeft, DoesNotCountPausesAndBeginsAnewWithAnotherJob) {
+  TimeLeft left;
+  for (int second = 0; second <= 100; ++second) left.observe(second, 1, second / 1000.0);
+  left.pause(5000.0);
+  left.observe(5001.0, 1, 0.101);
+  ASSERT_TRUE(left.estimate());
+  EXPECT_NEAR(left.estimate()->seconds, 899.0, 10.0);
+  left.observe(5002.0, 2, 0.0);
+  EXPECT_FALSE(left.estimate());
 }
 
 }  // namespace

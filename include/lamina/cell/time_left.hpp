@@ -2,24 +2,42 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <deque>
 #include <optional>
 
 namespace lamina {
 
-/// Estimates how long a job still runs by what it has done since somebody has begun to look: as fast as so
-/// far. Time in which it waits is left out by whoever counts its time.
+/// How long a job still takes.
+struct LeftEstimate {
+  double seconds = 0.0;
+  double least_s = 0.0;
+  double most_s = 0.0;
+};
+
+/// Estimates what is left of a job from how fast its lines went: over all of it, and over the last five
+/// minutes. The estimate lies between the two, its uncertainty spans both and a tenth more. Programs whose
+/// layers take longer and longer are estimated too short at first.
 class TimeLeft {
  public:
-  /// @param fraction  of the job that is done, 0 to 1
-  /// @param running_s  time that it has run, from any start
-  void begin(double fraction, double running_s);
+  /// @param job  0 for none: another job begins anew
+  /// @param fraction  of its lines, 0 to 1
+  void observe(double now_s, long long job, double fraction);
+  /// The unit does not run: this time does not count.
+  void pause(double now_s);
 
-  /// [s]; nothing before one part in two hundred was seen.
-  std::optional<double> at(double fraction, double running_s) const;
+  /// Nothing before 1 % or 20 s of running.
+  std::optional<LeftEstimate> estimate() const;
 
  private:
-  double fraction_ = 0.0;
+  struct Sample {
+    double running_s = 0.0;
+    double fraction = 0.0;
+  };
+  long long job_ = 0;
+  std::optional<double> last_s_;
   double running_s_ = 0.0;
+  double first_fraction_ = 0.0;
+  std::deque<Sample> recent_;
 };
 
 }  // namespace lamina

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "lamina/cell/production_cell.hpp"
+#include "lamina/cell/time_left.hpp"
 #include "lamina/web/cell_desk.hpp"
-#include "lamina/web/time_left.hpp"
 
 namespace lamina {
 

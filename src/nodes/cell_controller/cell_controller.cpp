@@ -19,8 +19,11 @@ namespace {
 constexpr double kTickInterval = 0.02;   // [s]
 constexpr double kStatusInterval = 0.5;  // [s]
 constexpr int kSilentTicks = 5;
+constexpr char kRemoteAccess[] = "remote_access";  // among the numbers that the journal keeps
+constexpr char kPlc[] = "plc";
 constexpr int kExecutorLost = 2201;
 constexpr int kExecutorSilent = 2202;
+constexpr int kJournalDamaged = 7001;
 constexpr int kJournalNotWritable = 7003;
 constexpr int kMasterLost = 8002;
 
@@ -48,8 +51,17 @@ CellController::CellController(ros::NodeHandle node, const CellControllerSetting
       alarms_(node.advertise<lamina_msgs::CellAlarms>(names::kAlarms, 100, true)),
       queue_(node.advertise<lamina_msgs::JobQueue>(names::kJobQueue, 10, true)),
       journal_(madeFolder(settings.folder) + "/cell.db"),
+      log_(journal_),
+      layers_(node, journal_),
       artefacts_(settings.folder + "/artefacts"),
-      executor_(node, [this](const ExecutorReport& report) { onReport(report); }) {
+      care_(journal_, settings.folder, settings.care),
+      executor_(node, [this](const ExecutorReport& report) { onReport(report); }),
+      plc_(node, settings.plc, [this] {
+        if (cell_) onTick();
+      }) {
+  const auto numbers = journal_.counters();
+  const auto remote = numbers.find(kRemoteAccess);
+  is_remote_allowed_ = remote != numbers.end() && remote->second > 0.0;
   const auto seen = awaitExecutor();
   is_executor_lost_ = !executor_.isThere();
   silent_ticks_ = is_executor_lost_ ? kSilentTicks : 0;
@@ -59,7 +71,8 @@ CellController::CellController(ros::NodeHandle node, const CellControllerSetting
                node.advertiseService(names::kSetUnitMode, &CellController::onMode, this),
                node.advertiseService(names::kChangeQueue, &CellController::onChange, this),
                node.advertiseService(names::kAcknowledgeAlarm, &CellController::onAcknowledge, this),
-               node.advertiseService(names::kConfirmRemoval, &CellController::onRemoval, this)};
+               node.advertiseService(names::kConfirmRemoval, &CellController::onRemoval, this),
+               node.advertiseService(names::kSetRemoteAccess, &CellController::onRemoteAccess, this)};
   intake_ = std::make_unique<JobIntake>(node, artefacts_, settings_.machine);
   alarm_reports_ = node.subscribe(names::kAlarmReports, 100, &CellController::onAlarmReport, this);
   const boost::function<void(const ros::WallTimerEvent&)> tick = [this](const auto&) { onTick(); };
@@ -84,12 +97,23 @@ CellSurroundings CellController::surroundings() const {
   for (const lamina_msgs::StartupStep& step : executor_.machine().startup)
     if (step.state != lamina_msgs::StartupStep::DONE && step.state != lamina_msgs::StartupStep::SKIPPED)
       found.start.unready.push_back(step.name + " is " + step.state_name + ": " + step.reason);
-  std::error_code error;
-  const auto space = std::filesystem::space(settings_.folder, error);
-  found.start.free_bytes = error ? 0.0 : static_cast<double>(space.available);
+  found.start.free_bytes = freeBytes(settings_.folder);
   found.go_on.is_position_known = !is_executor_lost_;
   found.go_on.has_master = hasMaster();
+  found.start.plc_need = found.go_on.plc_need = settings_.plc.is_required ? PlcNeed::Required : PlcNeed::None;
+  found.start.plc = found.go_on.plc = plc_.watch().interlocks(clock_.now());
   return found;
+}
+
+std::vector<UnmetGuard> CellController::againstStart() const {
+  std::vector<UnmetGuard> against = care_.againstStart();
+  if (is_executor_lost_) against.push_back({kExecutorLost, "the executor gives no sign of life"});
+  if (!hasMaster()) against.push_back({kMasterLost, "the ROS master does not answer"});
+  for (const ActiveAlarm& alarm : cell_->status().alarms.all())
+    if (alarm.id == kJournalDamaged && !alarm.acknowledged_s)
+      against.push_back(
+          {kJournalDamaged, "the journal was damaged: " + alarm.message + "; acknowledge it first"});
+  return against;
 }
 
 bool CellController::onCommand(lamina_msgs::PackmlCommand::Request& request,
@@ -102,13 +126,12 @@ bool CellController::onCommand(lamina_msgs::PackmlCommand::Request& request,
                        std::to_string(request.cut_off) + " is not known; expected 1 to 10, and 0 to 2";
     return true;
   }
+  for (const lamina_msgs::PlcInputs& said : request.plc) plc_.hear(said);
+  followPlc(now());
   UnitRequest asked{*command, request.source, std::nullopt, {}};
   if (request.expected_sequence >= 0)
     asked.expected_sequence = static_cast<std::uint32_t>(request.expected_sequence);
-  if (*command == UnitCommand::Start && is_executor_lost_)
-    asked.unmet.push_back({kExecutorLost, "the executor gives no sign of life"});
-  if (*command == UnitCommand::Start && !hasMaster())
-    asked.unmet.push_back({kMasterLost, "the ROS master does not answer"});
+  if (*command == UnitCommand::Start) asked.unmet = againstStart();
   const CommandAnswer answer =
       cell_->command(std::move(asked), surroundings(), static_cast<CutOffJob>(request.cut_off), now());
   response.result = numberOf(answer.result);
@@ -175,6 +198,23 @@ bool CellController::onRemoval(Trigger::Request& /*request*/, Trigger::Response&
   return true;
 }
 
+bool CellController::onRemoteAccess(lamina_msgs::SetRemoteAccess::Request& request,
+                                    lamina_msgs::SetRemoteAccess::Response& response) {
+  try {
+    const bool is_allowed = request.is_allowed != 0;
+    journal_.add(
+        AuditRow{now().utc_s, request.source, "", "remote access", is_allowed ? "allowed" : "locked"});
+    journal_.setCounters({{kRemoteAccess, is_allowed ? 1.0 : 0.0}});
+    is_remote_allowed_ = is_allowed;
+    ROS_INFO_STREAM("remote access is " << (is_allowed ? "allowed" : "locked") << " by '" << request.source
+                                        << "'");
+  } catch (...) {
+    response.status = toMessage(currentFailure());
+  }
+  publish();
+  return true;
+}
+
 void CellController::onAlarmReport(const lamina_msgs::AlarmReportConstPtr& report) {
   try {
     std::set<std::string>& sources = raised_by_[report->id];
@@ -196,7 +236,11 @@ bool CellController::hasMaster() const {
 }
 
 void CellController::onReport(const ExecutorReport& report) {
-  if (cell_) cell_->onReport(report, now());
+  if (!cell_) return;
+  layers_.onMachine(executor_.machine());
+  if (report.phase == ExecutorPhase::Done || report.phase == ExecutorPhase::Resting)
+    layers_.onEnd(executor_.machine());
+  cell_->onReport(report, now());
 }
 
 void CellController::onTick() {
@@ -211,8 +255,13 @@ void CellController::onTick() {
 void CellController::followTime() {
   const CellTime at = now();
   watchExecutor(at);
+  followPlc(at);
   cell_->tick(at);
   if (intake_->addTo(journal_, at.utc_s)) is_queue_published_ = false;
+  followExecution();
+  followTimeLeft();
+  followSpeed(at);
+  careForJournal(at);
   const bool has_changed = cell_->status().sequence != published_sequence_;
   if (has_changed || at.steady_s - published_s_ >= kStatusInterval) publish();
   if (has_changed || !is_queue_published_) publishQueue();
@@ -236,10 +285,69 @@ void CellController::watchExecutor(CellTime now) {
     cell_->end(kExecutorLost, now);
 }
 
+void CellController::followPlc(CellTime now) {
+  const PlcDemands demands = plc_.watch().demands(cell_->status(), now.steady_s);
+  for (const PlcAlarm& alarm : demands.raised) cell_->raise(alarm.id, 0.0, alarm.message, now);
+  for (const int alarm : demands.ended) cell_->end(alarm, now);
+  if (demands.is_part_removed) cell_->confirmRemoval(kPlc, now);
+  if (!demands.command) return;
+  const CommandAnswer answer =
+      cell_->command({*demands.command, kPlc, std::nullopt, {}}, surroundings(), CutOffJob::Undecided, now);
+  ROS_INFO_STREAM(toString(*demands.command)
+                  << " by what the PLC says: " << (answer.reason.empty() ? "accepted" : answer.reason));
+}
+
+void CellController::careForJournal(CellTime now) {
+  for (const CareAlarm& alarm : care_.look(now)) {
+    if (alarm.is_gone)
+      cell_->end(alarm.id, now);
+    else
+      cell_->raise(alarm.id, alarm.value, alarm.message, now);
+  }
+}
+
+void CellController::followSpeed(CellTime now) {
+  if (const auto answer = executor_.takeFeedAnswer()) {
+    if (answer->refusal.empty() && followed_) log_.add(*followed_, {now.utc_s, "feed", answer->feed, kPlc});
+    if (!answer->refusal.empty())
+      ROS_WARN_STREAM("the speed " << answer->feed
+                                   << " that the PLC asks for is refused: " << answer->refusal);
+  }
+  if (cell_->status().state != UnitState::Execute || plc_.speed() == feed_) return;
+  feed_ = plc_.speed();
+  executor_.changeFeed(feed_);
+}
+
+void CellController::followExecution() {
+  const auto running = cell_->runningExecution();
+  if (running == followed_) return;
+  followed_ = running;
+  layers_.follow(running, executor_.machine());
+  if (!running) return;
+  if (const auto open = journal_.open()) execution_began_s_ = open->started_s;
+}
+
+void CellController::followTimeLeft() {
+  if (!followed_) return;
+  // Time in which the unit prints: what it waits does not count.
+  const double running_s = timeIn(cell_->status().counters, kProduction, UnitState::Execute);
+  left_.observe(running_s, *followed_, fractionOf(cell_->report()));
+}
+
+void CellController::addProgress(lamina_msgs::PackmlStatus& status) const {
+  status.since_reset = totalTime(cell_->status().counters);
+  status.remote_access = is_remote_allowed_;
+  status.remaining = -1.0;
+  if (!followed_) return;
+  status.elapsed = now().utc_s - execution_began_s_;
+  if (const auto left = left_.estimate()) status.remaining = left->seconds;
+}
+
 void CellController::publish() {
   const ros::Time stamp = ros::Time::now();
   lamina_msgs::PackmlStatus status =
       toMessage(*cell_, unit_settings_.modes, unit_settings_.hold_rule, clock_.now());
+  addProgress(status);
   status.header.stamp = stamp;
   published_sequence_ = status.sequence;
   published_s_ = clock_.now();

@@ -14,10 +14,15 @@
 #include "cell_messages.hpp"
 #include "cell_settings.hpp"
 #include "job_intake.hpp"
+#include "journal_care.hpp"
 #include "lamina/base/clock.hpp"
 #include "lamina/cell/production_cell.hpp"
+#include "lamina/cell/time_left.hpp"
 #include "lamina/journal/artefact_store.hpp"
 #include "lamina/journal/cell_journal.hpp"
+#include "lamina/journal/execution_log.hpp"
+#include "layer_log.hpp"
+#include "plc_desk.hpp"
 #include "stream_executor.hpp"
 
 namespace lamina {
@@ -43,9 +48,18 @@ class CellController {
   bool onAcknowledge(lamina_msgs::AcknowledgeAlarm::Request& request,
                      lamina_msgs::AcknowledgeAlarm::Response& response);
   bool onRemoval(Trigger::Request& request, Trigger::Response& response);
+  bool onRemoteAccess(lamina_msgs::SetRemoteAccess::Request& request,
+                      lamina_msgs::SetRemoteAccess::Response& response);
   void change(const lamina_msgs::ChangeQueue::Request& request);
 
   void onAlarmReport(const lamina_msgs::AlarmReportConstPtr& report);
+
+  void followPlc(CellTime now);
+  void followSpeed(CellTime now);
+  void followExecution();
+  void followTimeLeft();
+  void careForJournal(CellTime now);
+  std::vector<UnmetGuard> againstStart() const;
 
   CellSurroundings surroundings() const;
   bool hasMaster() const;
@@ -53,6 +67,7 @@ class CellController {
   void onTick();
   void followTime();
   void watchExecutor(CellTime now);
+  void addProgress(lamina_msgs::PackmlStatus& status) const;
   void publish();
   void publishQueue();
   CellTime now() const;
@@ -64,8 +79,12 @@ class CellController {
   ros::Publisher alarms_;
   ros::Publisher queue_;
   CellJournal journal_;
+  ExecutionLog log_;
+  LayerLog layers_;
   ArtefactStore artefacts_;
+  JournalCare care_;
   StreamExecutor executor_;
+  PlcDesk plc_;
   std::unique_ptr<ProductionCell> cell_;
   std::unique_ptr<JobIntake> intake_;
   std::vector<ros::ServiceServer> services_;
@@ -78,6 +97,11 @@ class CellController {
   std::map<std::uint16_t, std::set<std::string>> raised_by_;
   bool is_executor_lost_ = false;
   int silent_ticks_ = 0;
+  bool is_remote_allowed_ = false;
+  double feed_ = 1.0;                     ///< that the executor was asked for last
+  std::optional<std::int64_t> followed_;  ///< execution
+  double execution_began_s_ = 0.0;        ///< since 1970
+  TimeLeft left_;
 };
 
 }  // namespace lamina

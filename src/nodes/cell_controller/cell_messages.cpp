@@ -6,6 +6,11 @@
 
 namespace lamina {
 
+double fractionOf(const ExecutorReport& report) {
+  if (report.lines == 0) return 0.0;
+  return static_cast<double>(report.progress.taken_through) / static_cast<double>(report.lines);
+}
+
 lamina_msgs::CellAlarm toMessage(const ActiveAlarm& alarm) {
   const AlarmKind& kind = alarmKind(alarm.id);
   lamina_msgs::CellAlarm message;
@@ -56,15 +61,17 @@ lamina_msgs::PackmlStatus toMessage(const ProductionCell& cell, const std::vecto
     message.stop_value = unit.stop_reason->value;
     message.stop_message = unit.stop_reason->message;
   }
-  if (const auto job = cell.currentJob()) message.job = toMessage(*job);
+  if (const auto job = cell.currentJob()) {
+    message.job = toMessage(*job);
+    message.layers = job->layers;
+  }
   message.resume_waits = cell.resumeWaits();
   message.is_part_on_plate = cell.isPartOnPlate();
   const ExecutorReport& report = cell.report();
   message.lines = static_cast<std::uint32_t>(report.lines);
   message.lines_acknowledged = static_cast<std::uint32_t>(report.progress.taken_through);
   message.layer = report.progress.layer;
-  if (report.lines > 0)
-    message.fraction = static_cast<double>(report.progress.taken_through) / static_cast<double>(report.lines);
+  message.fraction = fractionOf(report);
   message.parts = static_cast<std::uint32_t>(unit.counters.parts);
   message.defective = static_cast<std::uint32_t>(unit.counters.defective);
   message.running = timeIn(unit.counters, kProduction, UnitState::Execute);

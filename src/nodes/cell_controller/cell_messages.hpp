@@ -14,6 +14,9 @@ namespace lamina {
 lamina_msgs::PackmlStatus toMessage(const ProductionCell& cell, const std::vector<UnitMode>& modes,
                                     HoldRule rule, double now_s);
 
+/// Of the lines of its job that were taken, 0 to 1.
+double fractionOf(const ExecutorReport& report);
+
 lamina_msgs::CellAlarm toMessage(const ActiveAlarm& alarm);
 lamina_msgs::CellJob toMessage(const QueuedJob& job);
 

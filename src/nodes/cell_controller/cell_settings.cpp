@@ -10,11 +10,24 @@ void describe(SettingsSchema& schema, CellControllerSettings& settings) {
       "journal.folder", settings.folder,
       "Folder of the journal and of the jobs' files, on a local disk; a relative one is in the folder "
       "that the node runs in.");
+  schema.number("journal.least_free_gib", settings.care.least_free_gib, {0.0, 1e6},
+                "Room on the journal's disk below which alarm 7002 warns; jobs are refused below 1 GiB.");
+  schema.integer("journal.copy_hour", settings.care.copies.hour, {-1, 23},
+                 "Hour of the day, UTC, from which on the journal is copied once a day; -1 for no copies.");
+  schema.integer("journal.copies_kept", settings.care.copies.kept, {1, 1000},
+                 "Copies that are kept, the last ones.");
   schema.number("executor.patience_s", settings.patience_s, {0.1, 60.0},
                 "Time in which the executor answers: at the start of the node, and each order.");
   schema.flag("packml.hold_anywhere", settings.is_held_on_the_way,
               "Whether Hold is accepted in Starting, Unholding, Suspending, Suspended and Unsuspending, too; "
               "gcode_streamer pauses a job that runs, and no other.");
+  schema.flag("plc.required", settings.plc.is_required,
+              "Whether the unit starts and runs only beside a PLC that gives its interlocks.");
+  schema.flag("plc.unsuspends", settings.plc.unsuspends,
+              "Whether the unit goes on by itself when the PLC's reason for which it was suspended is gone.");
+  schema.number("plc.patience_s", settings.plc.patience_s, {1.0, 600.0},
+                "Time for which a PLC that is required may be silent while the unit runs, such as the link "
+                "after a restart.");
 }
 
 }  // namespace lamina

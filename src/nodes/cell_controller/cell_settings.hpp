@@ -4,7 +4,9 @@
 
 #include <string>
 
+#include "journal_care.hpp"
 #include "lamina/base/settings.hpp"
+#include "lamina/cell/plc_watch.hpp"
 #include "lamina/kinematics/cartesian/machine_settings.hpp"
 
 namespace lamina {
@@ -15,6 +17,8 @@ struct CellControllerSettings {
   std::string folder = "cell";      ///< of journal and files
   double patience_s = 2.0;          ///< for the executor: at the start, and for each order
   bool is_held_on_the_way = false;  ///< Hold is accepted on the way to and from Execute
+  PlcWatchSettings plc;
+  JournalCareSettings care;
 };
 
 /// Adds the node's keys.

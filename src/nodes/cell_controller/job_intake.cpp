@@ -8,6 +8,7 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/job/program_check.hpp"
+#include "lamina/streaming/job/streamable_program.hpp"
 #include "names.hpp"
 #include "refusal_text.hpp"
 #include "status.hpp"
@@ -16,6 +17,14 @@ namespace lamina {
 namespace {
 
 constexpr std::chrono::milliseconds kLook(50);
+
+/// Layers of a program, by what its comments say; 0 if they say nothing.
+std::int32_t layersOf(const StreamableProgram& program) {
+  ProgramCursor cursor = program.open();
+  while (cursor.next()) {
+  }
+  return cursor.layer() + 1;
+}
 
 }  // namespace
 
@@ -62,9 +71,11 @@ std::int64_t JobIntake::enqueue(const lamina_msgs::EnqueueJob::Request& request)
   const std::string name = request.name.empty() ? file : request.name;
   // Uploads have no suffix of their own.
   const Artefact program = artefacts_.keep(request.program, "program", path.has_extension() ? file : name);
-  requirePrintable(artefacts_.pathOf(program), machine_);
+  const std::string kept = artefacts_.pathOf(program);
+  requirePrintable(kept, machine_);
   const auto checked = std::make_shared<Checked>();
-  checked->job = {name, request.part, machine_.name, {program}, request.source};
+  checked->job = {name,           request.part, machine_.name, {program},
+                  request.source, layersOf(StreamableProgram::fromFile(kept))};
   std::future<std::int64_t> id = checked->id.get_future();
   {
     const std::lock_guard<std::mutex> lock(mutex_);

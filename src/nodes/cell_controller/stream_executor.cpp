@@ -71,6 +71,7 @@ StreamExecutor::StreamExecutor(ros::NodeHandle node, std::function<void(const Ex
       pause_(node.serviceClient<std_srvs::Trigger>(names::kPause)),
       resume_(node.serviceClient<std_srvs::Trigger>(names::kResume)),
       abort_(node.serviceClient<std_srvs::Trigger>(names::kAbort)),
+      change_(node.serviceClient<lamina_msgs::ChangeJob>(names::kChangeJob)),
       state_(node.subscribe(names::kMachineState, 100, &StreamExecutor::onState, this)),
       signs_(
           node.subscribe(std::string(names::kStreamProgram) + "/status", 10, &StreamExecutor::onSign, this)),
@@ -119,6 +120,22 @@ void StreamExecutor::call(OrderThread& thread, ros::ServiceClient& service, cons
     const std::lock_guard<std::mutex> lock(mutex_);
     if (waiting_ == order) waiting_.clear();
   });
+}
+
+void StreamExecutor::changeFeed(double feed) {
+  orders_.give([this, feed] {
+    lamina_msgs::ChangeJob call;
+    call.request.setting = "feed";
+    call.request.value = feed;
+    const bool is_answered = change_.call(call);
+    const std::lock_guard<std::mutex> lock(mutex_);
+    feed_answer_ = {feed, is_answered ? call.response.status.message : "gcode_streamer does not answer"};
+  });
+}
+
+std::optional<StreamExecutor::FeedAnswer> StreamExecutor::takeFeedAnswer() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return std::exchange(feed_answer_, std::nullopt);
 }
 
 std::string StreamExecutor::takeUnanswered(double patience_s) {

@@ -30,6 +30,15 @@ class StreamExecutor final : public Executor {
   void stop() override;
   void abort() override;
 
+  /// Has the job run at that part of its programmed speed.
+  void changeFeed(double feed);
+  /// What became of the last change of the speed, once.
+  struct FeedAnswer {
+    double feed = 1.0;
+    std::string refusal;  ///< empty if it was taken
+  };
+  std::optional<FeedAnswer> takeFeedAnswer();
+
   /// What the executor said last of a job that nobody here has started; nothing if it has said nothing.
   std::optional<ExecutorReport> seen() const;
 
@@ -59,6 +68,7 @@ class StreamExecutor final : public Executor {
   ros::ServiceClient pause_;
   ros::ServiceClient resume_;
   ros::ServiceClient abort_;
+  ros::ServiceClient change_;
   ros::Subscriber state_;
   ros::Subscriber signs_;
   lamina_msgs::MachineState machine_;
@@ -71,6 +81,7 @@ class StreamExecutor final : public Executor {
   std::mutex mutex_;  ///< of the order under way
   std::string waiting_;
   ros::WallTime waiting_since_;
+  std::optional<FeedAnswer> feed_answer_;
   // Last, so that they end before what they use. What ends a job does not wait behind what pauses it.
   OrderThread orders_;
   OrderThread ends_;

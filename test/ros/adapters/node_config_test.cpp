@@ -19,6 +19,7 @@
 #include "nodes/layer_height_monitor/monitor_settings.hpp"
 #include "nodes/operator_page/page_settings.hpp"
 #include "nodes/optimiser/optimiser_settings.hpp"
+#include "nodes/plc_link/link_settings.hpp"
 #include "nodes/process_io/process_io_settings.hpp"
 #include "nodes/simulated_controller/controller_settings.hpp"
 #include "nodes/trajectory_driver/driver_settings.hpp"
@@ -51,6 +52,13 @@ TEST(NodeConfig, OfCellControllerIsCompleteAndHasTheDefaults) {
   lamina::SettingsSchema schema;
   describe(schema, settings);
   expectDefaults("cell_controller", schema);
+}
+
+TEST(NodeConfig, OfPlcLinkIsCompleteAndHasTheDefaults) {
+  lamina::LinkSettings settings;
+  lamina::SettingsSchema schema;
+  describe(schema, settings);
+  expectDefaults("plc_link", schema);
 }
 
 TEST(NodeConfig, OfDepositionSimulatorIsCompleteAndHasTheDefaults) {

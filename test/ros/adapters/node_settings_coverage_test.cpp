@@ -20,6 +20,7 @@
 #include "nodes/layer_height_monitor/monitor_settings.hpp"
 #include "nodes/operator_page/page_settings.hpp"
 #include "nodes/optimiser/optimiser_settings.hpp"
+#include "nodes/plc_link/link_settings.hpp"
 #include "nodes/process_io/process_io_settings.hpp"
 #include "nodes/simulated_controller/controller_settings.hpp"
 #include "nodes/trajectory_driver/driver_settings.hpp"
@@ -36,14 +37,31 @@ std::set<std::string> nodeKeys() {
   std::set<std::string> keys;
   for (const auto& of_node :
        {keysOf<CellControllerSettings>(), keysOf<DepositionSimulatorSettings>(),
-        keysOf<EmulatedCouplerSettings>(), keysOf<EmulatedMachineSettings>(), keysOf<GcodeInclinerSettings>(),
-        keysOf<GcodeStreamerSettings>(), keysOf<HeightControllerSettings>(), keysOf<HostWatchNodeSettings>(),
-        keysOf<LayerHeightMonitorSettings>(), keysOf<OperatorPageSettings>(), keysOf<OptimiserSettings>(),
-        keysOf<ProcessIoSettings>(), keysOf<ControllerSettings>(), keysOf<DriverSettings>(),
+         keysOf<EmulatedCouplerSettings>(), keysOf<EmulatedMachineSettings>(), keysOf<GcodeInclinerSettings>(),
+         keysOf<GcodeStreamerSettings>(), keysOf<HeightControllerSettings>(), keysOf<HostWatchNodeSettings>(),
+         keysOf<LayerHeightMonitorSettings>(), keysOf<LinkSettings>(), keysOf<OperatorPageSettings>(),
+         keysOf<OptimiserSettings>(), keysOf<ProcessIoSettings>(), keysOf<ControllerSettings>(), keysOf<DriverSettings>(),
         keysOf<PublisherSettings>()})
     keys.insert(of_node.begin(), of_node.end());
   for (const std::string& key : coreKeys()) keys.erase(key);
   return keys;
+}
+
+/// Of the cell's PLC.
+const std::vector<TestedElsewhere>& plcTests() {
+  static const std::vector<TestedElsewhere> all = {
+      {"modbus.abandon_s", "ros/cell/plc_link_test.cpp", "_modbus/abandon_s"},
+      {"modbus.allow", "ros/cell/plc_link_test.cpp", "_modbus/allow"},
+      {"modbus.bind", "ros/cell/plc_link_test.cpp", "_modbus/bind"},
+      {"modbus.connections", "ros/cell/plc_link_test.cpp", "_modbus/connections"},
+      {"modbus.port", "ros/cell/plc_link_test.cpp", "_modbus/port"},
+      {"modbus.watchdog_action", "ros/cell/plc_link_test.cpp", "_modbus/watchdog_action"},
+      {"modbus.watchdog_s", "ros/cell/plc_link_test.cpp", "_modbus/watchdog_s"},
+      {"modbus.word_order", "ros/cell/plc_link_test.cpp", "_modbus/word_order"},
+      {"plc.patience_s", "ros/cell/plc_link_test.cpp", "_plc/patience_s"},
+      {"plc.required", "ros/cell/plc_link_test.cpp", "_plc/required"},
+      {"plc.unsuspends", "cell/plc_watch_test.cpp", "settings.unsuspends"}};
+  return all;
 }
 
 /// Of the loop on heights.
@@ -148,12 +166,16 @@ const std::vector<TestedElsewhere>& nodeTests() {
       {"deposit.cell_mm", "ros/emulated_belt.test", "cell_mm"},
       {"deposit.model", "ros/deposition_following_test.cpp", "model"},
       {"deposit.period_s", "ros/deposition_following.test", "period_s"},
-      {"executor.patience_s", "ros/cell/cell_controller_test.cpp", "executor/patience_s"},
+      {"executor.owner", "ros/cell/cell_of_nodes.hpp", "_executor/owner"},
+      {"executor.patience_s", "ros/cell/cell_of_nodes.hpp", "executor/patience_s"},
       {"faults", "ros/gcode_streamer_test.cpp", "faults"},
       {"filament_diameter_mm", "ros/told_machine_test.cpp", "filament_diameter_mm"},
       {"following.period_s", "ros/deposition_following.test", "following/period_s"},
       {"host_wait_s", "ros/trajectory_driver.test", "host_wait_s"},
-      {"journal.folder", "ros/cell/cell_controller_test.cpp", "journal/folder"},
+      {"journal.copies_kept", "ros/cell/cell_controller_test.cpp", "_journal/copies_kept"},
+      {"journal.copy_hour", "ros/cell/cell_controller_test.cpp", "_journal/copy_hour"},
+      {"journal.folder", "ros/cell/cell_of_nodes.hpp", "journal/folder"},
+      {"journal.least_free_gib", "ros/cell/cell_controller_test.cpp", "_journal/least_free_gib"},
       {"lift_mm", "ros/trajectory_driver.test", "lift_mm"},
       {"lift_mm_s", "ros/trajectory_driver.test", "lift_mm_s"},
       {"load_program", "ros/inclined_playback_test.cpp", "load_program"},
@@ -193,6 +215,7 @@ TEST(NodeSettingsCoverage, EverySettingStandsInATest) {
   tests.insert(tests.end(), hostTests().begin(), hostTests().end());
   tests.insert(tests.end(), processTests().begin(), processTests().end());
   tests.insert(tests.end(), pageTests().begin(), pageTests().end());
+  tests.insert(tests.end(), plcTests().begin(), plcTests().end());
   for (const TestedElsewhere& setting : tests) {
     covered.insert(setting.key);
     const std::string text = readFile(std::string(LAMINA_SOURCE_DIR) + "/test/" + setting.file);

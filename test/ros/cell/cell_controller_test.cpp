@@ -1,14 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The nodes cell_controller and gcode_streamer at an emulated machine that outlives both.
+#include <actionlib/client/simple_action_client.h>
 #include <gtest/gtest.h>
 #include <ros/ros.h>
 
 #include <csignal>
+#include <cstdlib>
 #include <string>
 #include <vector>
 
+#include "lamina/base/atomic_file.hpp"
 #include "messages.hpp"
+#include "names.hpp"
 #include "ros/cell/cell_of_nodes.hpp"
 #include "ros/wait_until.hpp"
 
@@ -48,6 +52,59 @@ TEST(CellController, PrintsReleasedJobsOneAfterTheOther) {
   EXPECT_TRUE(waitUntil([&] { return cell.status.mode_name == "Maintenance"; }));
   EXPECT_TRUE(cell.confirmRemoval());
   EXPECT_FALSE(cell.confirmRemoval());
+}
+
+/// Runs a command of the shell; its exit code.
+int runs(const std::string& command) {
+  const int status = std::system(command.c_str());
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+TEST(CellController, WritesTheRecordOfAPart) {
+  CellOfNodes cell("records", 1000.0, {"_journal/copy_hour:=0", "_journal/copies_kept:=2"});
+  cell.bringToIdle();
+  const std::string program = ";LAYER:0\n" + squareProgram(100) + ";LAYER:1\nG1 X50 Y50 E0.05\n";
+  const std::uint32_t job = cell.enqueue(program);
+  cell.change(job, lamina_msgs::ChangeQueue::Request::RELEASE);
+  ASSERT_TRUE(cell.starts());
+  ASSERT_TRUE(cell.reaches("Execute") || cell.status.state_name == "Complete");
+  ASSERT_TRUE(cell.reaches("Complete"));
+  EXPECT_GT(cell.status.since_reset, 0.0);
+  EXPECT_EQ(cell.status.elapsed, 0.0) << "its job has ended";
+  const std::string folder = cell.folder.path();
+  const std::string command = std::string(LAMINA_COMMAND) + " record " + folder + "/cell 1 ";
+  EXPECT_EQ(runs(command + "--html " + folder + "/record.html > " + folder + "/text"), 0);
+  EXPECT_EQ(runs(command + "--json > " + folder + "/record.json"), 0);
+  EXPECT_NE(readFile(folder + "/text").find("all digests are right"), std::string::npos);
+  EXPECT_NE(readFile(folder + "/record.html").find("<h2>Layers</h2>"), std::string::npos);
+  EXPECT_NE(readFile(folder + "/record.json").find("\"count\": 2"), std::string::npos) << "layers";
+  EXPECT_EQ(runs("/usr/bin/python3 -c 'import json, jsonschema, sys; jsonschema.validate("
+                 "json.load(open(sys.argv[1]))[\"record\"], json.load(open(sys.argv[2])))' " +
+                 folder + "/record.json " + LAMINA_SOURCE_DIR + "/docs/part_record.schema.json"),
+            0);
+  EXPECT_EQ(runs(std::string(LAMINA_COMMAND) + " audit " + folder + "/cell"), 0);
+  EXPECT_TRUE(waitUntil([&] { return runs("ls " + folder + "/cell/copies/*.db > /dev/null 2>&1") == 0; }));
+}
+
+TEST(CellController, StartsNothingOverAnAuditThatWasChanged) {
+  CellOfNodes cell("audited", 1000.0, {"_journal/least_free_gib:=1000000"});
+  const std::uint32_t job = cell.enqueue(squareProgram(20));
+  cell.change(job, lamina_msgs::ChangeQueue::Request::RELEASE);
+  EXPECT_TRUE(waitUntil([&] { return cell.hasAlarm(7002); })) << "no disk has so much room";
+  cell.controller.reset();
+  const std::string folder = cell.folder.path() + "/cell";
+  ASSERT_EQ(runs("/usr/bin/python3 -c 'import sqlite3, sys; database = sqlite3.connect(sys.argv[1]); "
+                 "database.execute(\"UPDATE audit SET who = 1 WHERE id = 2\"); database.commit()' " +
+                 folder + "/cell.db"),
+            0);
+  EXPECT_EQ(runs(std::string(LAMINA_COMMAND) + " audit --json " + folder + " > " + folder + "/audit.json"),
+            1);
+  EXPECT_NE(readFile(folder + "/audit.json").find("\"first_bad_row\": 2"), std::string::npos);
+  cell.startController();
+  EXPECT_TRUE(waitUntil([&] { return cell.hasAlarm(9003); }));
+  cell.bringToIdle();
+  EXPECT_EQ(cell.command(Command::START), 6);
+  EXPECT_NE(cell.reason.find("row 2 of the audit"), std::string::npos) << cell.reason;
 }
 
 TEST(CellController, IsLaunchedAndSaysThatItsExecutorIsMissing) {
@@ -95,6 +152,34 @@ TEST(CellController, HoldsAndGoesOnAndStops) {
   ASSERT_EQ(cell.command(Command::STOP), kAccepted) << cell.reason;
   ASSERT_TRUE(cell.reaches("Stopped"));
   EXPECT_EQ(cell.status.job.id, 0U);
+}
+
+TEST(CellController, OwnsItsExecutor) {
+  CellOfNodes cell("owns", 20.0);
+  cell.bringToIdle();
+  const std::string program = squareProgram(1000);
+  cell.change(cell.enqueue(program), lamina_msgs::ChangeQueue::Request::RELEASE);
+  ASSERT_TRUE(cell.starts());
+  ASSERT_TRUE(cell.reaches("Execute"));
+  for (const char* service : {names::kPause, names::kResume, names::kAbort}) {
+    std_srvs::Trigger call;
+    EXPECT_TRUE(ros::service::call("/owns/" + std::string(service), call));
+    EXPECT_FALSE(call.response.success);
+    EXPECT_EQ(
+        call.response.message,
+        "orders are taken from /owns/cell_controller alone, and this one is from /cell_controller_test");
+  }
+  actionlib::SimpleActionClient<lamina_msgs::StreamProgramAction> stranger(
+      "/owns/" + std::string(names::kStreamProgram), false);
+  ASSERT_TRUE(waitUntil([&] { return stranger.isServerConnected(); }));
+  lamina_msgs::StreamProgramGoal goal;
+  goal.program = cell.folder.path() + "/part.gcode";
+  stranger.cancelAllGoals();
+  stranger.sendGoal(goal);
+  EXPECT_TRUE(waitUntil([&] { return stranger.getState() == actionlib::SimpleClientGoalState::REJECTED; }));
+  EXPECT_NE(stranger.getState().getText().find("orders are taken from"), std::string::npos);
+  ASSERT_TRUE(cell.reaches("Complete"));
+  EXPECT_EQ(cell.machine.commands(), commandsOf(program)) << "its job was not disturbed";
 }
 
 TEST(CellController, IsAdoptedByItsJobWhenItIsKilled) {

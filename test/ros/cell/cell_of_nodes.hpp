@@ -86,7 +86,7 @@ class CellOfNodes {
   void startStreamer(const std::vector<std::string>& environment = {}) {
     streamer = start(environment, LAMINA_STREAMER_NODE,
                      {"_port:=" + port_, "_stream/journal:=" + progressFile(), "_stream/settle_s:=0.01",
-                      "_stream/probe_after_s:=0.3", "_owner/grace_s:=" + std::to_string(owner_grace_s_)});
+                      "_stream/probe_after_s:=0.3", "_executor/owner:=cell_controller", "_owner/grace_s:=" + std::to_string(owner_grace_s_)});
   }
   /// Waits for its first state.
   void startController() {
@@ -155,6 +155,10 @@ class CellOfNodes {
     call.request.source = "test";
     EXPECT_TRUE(ros::service::call(space_ + '/' + names::kChangeQueue, call));
     return call.response.status.message;
+  }
+  bool hasAlarm(int id) const {
+    return std::any_of(alarms.alarms.begin(), alarms.alarms.end(),
+                       [id](const lamina_msgs::CellAlarm& alarm) { return alarm.id == id; });
   }
   void acknowledgeAll() {
     for (const lamina_msgs::CellAlarm& alarm : std::vector<lamina_msgs::CellAlarm>(alarms.alarms)) {

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/node_handle.h>
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "lamina/journal/execution_log.hpp"
+#include "messages.hpp"
+
+namespace lamina {
+
+/// Keeps in the journal what other nodes tell of the layers of the part under way. What it cannot write it
+/// logs: the cell itself raises what a journal that cannot be written leads to.
+class LayerLog {
+ public:
+  LayerLog(ros::NodeHandle node, CellJournal& journal);
+
+  /// What is told from now on is of this execution; nothing: of none. Its layers begin with the next one.
+  void follow(std::optional<std::int64_t> execution, const lamina_msgs::MachineState& machine);
+
+  /// The machine is at that layer, or at the end of its last one.
+  void onMachine(const lamina_msgs::MachineState& machine);
+  void onEnd(const lamina_msgs::MachineState& machine);
+
+ private:
+  void onHeight(const lamina_msgs::LayerHeightConstPtr& height);
+  void onFigures(const lamina_msgs::LoopFiguresConstPtr& figures);
+  void onApplied(const lamina_msgs::AppliedCorrectionConstPtr& applied);
+  void keep(const LayerRow& row);
+  void keepStartup(const lamina_msgs::MachineState& machine);
+  void write(const std::function<void()>& rows);
+
+  ExecutionLog log_;
+  std::optional<std::int64_t> execution_;
+  std::int32_t layer_ = -1;
+  std::vector<ros::Subscriber> subscribers_;
+};
+
+}  // namespace lamina

@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "order_desk.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "names.hpp"
+
+namespace lamina {
+namespace {
+
+/// Whether an order stops the unit: it does not wait behind others.
+bool isUrgent(const WrittenOrder& written) {
+  if (written.order.kind != PlcOrder::Kind::Command) return false;
+  const auto command = unitCommand(static_cast<int>(written.order.value));
+  return command && precedence(*command) <= precedence(UnitCommand::Hold);
+}
+
+}  // namespace
+
+OrderDesk::OrderDesk(ros::NodeHandle node,
+                     std::function<void(const PlcOrder&, CommandResult, const std::string&)> answered)
+    : node_(std::move(node)), answered_(std::move(answered)), thread_([this] { run(); }) {}
+
+OrderDesk::~OrderDesk() {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    is_ending_ = true;
+  }
+  changed_.notify_all();
+  thread_.join();
+}
+
+void OrderDesk::give(const std::vector<WrittenOrder>& orders) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    for (const WrittenOrder& written : orders) {
+      const auto place =
+          isUrgent(written) ? std::find_if_not(orders_.begin(), orders_.end(), isUrgent) : orders_.end();
+      orders_.insert(place, written);
+    }
+  }
+  changed_.notify_all();
+}
+
+void OrderDesk::run() {
+  std::unique_lock<std::mutex> lock(mutex_);
+  while (true) {
+    changed_.wait(lock, [this] { return is_ending_ || !orders_.empty(); });
+    if (is_ending_) return;
+    const WrittenOrder written = std::move(orders_.front());
+    orders_.pop_front();
+    lock.unlock();
+    const Answer answer = pass(written);
+    answered_(written.order, answer.result, answer.message);
+    lock.lock();
+  }
+}
+
+OrderDesk::Answer OrderDesk::pass(const WrittenOrder& written) {
+  const std::string source = written.inputs.badge.empty() ? "plc" : "plc: " + written.inputs.badge;
+  switch (written.order.kind) {
+    case PlcOrder::Kind::Command:
+      return command(written, source);
+    case PlcOrder::Kind::Mode: {
+      lamina_msgs::SetUnitMode call;
+      call.request.mode = static_cast<std::uint8_t>(std::min<std::uint32_t>(255, written.order.value));
+      call.request.source = source;
+      if (!node_.serviceClient<lamina_msgs::SetUnitMode>(names::kSetUnitMode).call(call)) return {};
+      return {static_cast<CommandResult>(call.response.result), call.response.message};
+    }
+    case PlcOrder::Kind::Job: {
+      lamina_msgs::ChangeQueue call;
+      call.request.change = lamina_msgs::ChangeQueue::Request::MOVE_TO_FRONT;
+      call.request.job = written.order.value;
+      call.request.source = source;
+      if (!node_.serviceClient<lamina_msgs::ChangeQueue>(names::kChangeQueue).call(call)) return {};
+      const bool is_moved = call.response.status.code == lamina_msgs::Status::OK;
+      return {is_moved ? CommandResult::Accepted : CommandResult::NoSuchJob, call.response.status.message};
+    }
+    case PlcOrder::Kind::Acknowledge: {
+      lamina_msgs::AcknowledgeAlarm call;
+      call.request.id = static_cast<std::uint16_t>(written.order.value);
+      call.request.source = source;
+      if (!node_.serviceClient<lamina_msgs::AcknowledgeAlarm>(names::kAcknowledgeAlarm).call(call)) return {};
+      return {static_cast<CommandResult>(call.response.result), call.response.message};
+    }
+  }
+  return {};
+}
+
+/// A call that fails is not given once more: the unit may have followed it.
+OrderDesk::Answer OrderDesk::command(const WrittenOrder& written, const std::string& source) {
+  // The connection is kept, so that no order waits for one; it ends with the unit's process.
+  if (!command_.isValid())
+    command_ = node_.serviceClient<lamina_msgs::PackmlCommand>(names::kPackmlCommand, true);
+  lamina_msgs::PackmlCommand call;
+  call.request.command = static_cast<std::uint8_t>(written.order.value);
+  call.request.source = source;
+  call.request.expected_sequence = -1;
+  call.request.plc.push_back(written.inputs);
+  if (!command_.call(call)) {
+    command_ = {};
+    return {};
+  }
+  return {static_cast<CommandResult>(call.response.result), call.response.message};
+}
+
+}  // namespace lamina

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/node_handle.h>
+
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "lamina/modbus/plc_link.hpp"
+#include "messages.hpp"
+
+namespace lamina {
+
+/// What the PLC asks for, with what stood in its registers then.
+struct WrittenOrder {
+  PlcOrder order;
+  lamina_msgs::PlcInputs inputs;
+};
+
+/// Passes the PLC's orders on to the unit, one after the other, in a thread of its own: whoever answers the
+/// PLC never waits for the unit. Orders that stop come before those that wait.
+class OrderDesk {
+ public:
+  /// @param answered  what became of an order; called from the desk's thread
+  OrderDesk(ros::NodeHandle node,
+            std::function<void(const PlcOrder&, CommandResult, const std::string&)> answered);
+  /// Waits for the order under way; later ones are not given.
+  ~OrderDesk();
+  OrderDesk(const OrderDesk&) = delete;
+  OrderDesk& operator=(const OrderDesk&) = delete;
+
+  void give(const std::vector<WrittenOrder>& orders);
+
+ private:
+  struct Answer {
+    CommandResult result = CommandResult::Busy;
+    std::string message = "the unit does not answer";
+  };
+  void run();
+  Answer pass(const WrittenOrder& written);
+  Answer command(const WrittenOrder& written, const std::string& source);
+
+  ros::NodeHandle node_;
+  std::function<void(const PlcOrder&, CommandResult, const std::string&)> answered_;
+  ros::ServiceClient command_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::deque<WrittenOrder> orders_;
+  bool is_ending_ = false;
+  std::thread thread_;
+};
+
+}  // namespace lamina

@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nodes/plc_link/unit_view.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace lamina {
+namespace {
+
+bool hasFlag(const PlcStatus& status, StatusFlag flag) {
+  return std::count(status.flags.begin(), status.flags.end(), flag) == 1;
+}
+
+UnitView printing() {
+  UnitView view;
+  view.unit.state = 6;
+  view.unit.mode = 1;
+  view.unit.job.id = 70;
+  view.unit.job.name = "bracket";
+  view.unit.job.state = 3;
+  view.unit.layer = 4;
+  view.unit.layers = 12;
+  view.unit.fraction = 0.25;
+  view.unit.elapsed = 61.9;
+  view.unit.remaining = -1.0;
+  view.unit.in_state = 10.0;
+  view.unit.in_mode = 100.0;
+  view.unit.since_reset = 1000.0;
+  view.unit.parts = 3;
+  view.unit_heard_s = 50.0;
+  view.machine.state = lamina_msgs::MachineState::EXECUTE;
+  view.machine.state_name = "Execute";
+  view.heaters.nozzle = 210.5;
+  view.heaters.nozzle_target = 210.0;
+  view.heaters.bed = view.heaters.bed_target = std::numeric_limits<double>::quiet_NaN();
+  return view;
+}
+
+TEST(UnitView, ShowsAUnitThatPrints) {
+  const PlcStatus status = plcStatus(printing(), 50.5);
+  EXPECT_EQ(status.state, UnitState::Execute);
+  EXPECT_EQ(status.state_requested, UnitState::Execute);
+  EXPECT_EQ(status.job.id, 70U);
+  EXPECT_EQ(status.job.layers, 12);
+  EXPECT_EQ(status.job.gone_s, 61U);
+  EXPECT_EQ(status.job.left_s, 4294967295U) << "not known";
+  EXPECT_DOUBLE_EQ(status.in_state_s, 10.5);
+  EXPECT_DOUBLE_EQ(totalTime(status.counters), 1000.5);
+  EXPECT_EQ(status.counters.parts, 3U);
+  EXPECT_FLOAT_EQ(status.process.nozzle_c, 210.5F);
+  EXPECT_EQ(status.process.bed_c, 0.0F) << "a machine without one";
+  EXPECT_TRUE(hasFlag(status, StatusFlag::JobLoaded));
+  EXPECT_TRUE(hasFlag(status, StatusFlag::HeatersOn));
+  EXPECT_TRUE(hasFlag(status, StatusFlag::Motion));
+  EXPECT_TRUE(hasFlag(status, StatusFlag::StartupDone)) << "it has none";
+  EXPECT_FALSE(hasFlag(status, StatusFlag::StateChanging));
+  EXPECT_FALSE(hasFlag(status, StatusFlag::PartOnPlate));
+}
+
+TEST(UnitView, ShowsWhatStopsAndWaits) {
+  UnitView view = printing();
+  view.unit.state = 10;
+  view.unit.remaining = 12.9;
+  view.unit.stop_reason = 3202;
+  view.unit.stop_value = -20.4;
+  view.unit.is_part_on_plate = view.unit.resume_waits = 1;
+  view.machine.state = lamina_msgs::MachineState::HELD;
+  view.machine.startup.resize(1);
+  view.machine.startup[0].state = lamina_msgs::StartupStep::RUNNING;
+  view.alarms.alarms.resize(2);
+  view.alarms.alarms[0].id = 3202;
+  view.alarms.alarms[0].category = "H";
+  view.alarms.alarms[0].value = 20.0;
+  view.alarms.alarms[1].category = "W";
+  view.queue.jobs.resize(3);
+  view.queue.jobs[0].state = 1;
+  view.queue.jobs[1].state = 2;
+  view.queue.jobs[2].state = 3;
+  const PlcStatus status = plcStatus(view, 50.0);
+  EXPECT_EQ(status.state_requested, UnitState::Held);
+  EXPECT_EQ(status.job.left_s, 12U);
+  EXPECT_EQ(status.job.queued, 2) << "the third runs";
+  EXPECT_EQ(status.stop_reason, 3202);
+  EXPECT_EQ(status.stop_value, -20);
+  ASSERT_EQ(status.alarms.size(), 2U);
+  EXPECT_EQ(status.alarms[0].category, AlarmCategory::Hold);
+  for (const StatusFlag flag : {StatusFlag::StateChanging, StatusFlag::Alarm, StatusFlag::Warning,
+                                StatusFlag::PartOnPlate, StatusFlag::ResumeWaits})
+    EXPECT_TRUE(hasFlag(status, flag)) << static_cast<int>(flag);
+  EXPECT_FALSE(hasFlag(status, StatusFlag::Motion));
+  EXPECT_FALSE(hasFlag(status, StatusFlag::StartupDone));
+}
+
+TEST(UnitView, ShowsProcessAndLoopWhileTheySpeak) {
+  UnitView view = printing();
+  view.process.flow = 2e-9;
+  view.process.laser = 1;
+  view.process_heard_s = 50.0;
+  view.loop.state = lamina_msgs::LoopState::COASTING;
+  view.layer.mean_error = -2e-5;
+  view.layer.rms_error = 3e-5;
+  view.layer.coverage = 0.9;
+  const PlcStatus status = plcStatus(view, 50.9);
+  EXPECT_FLOAT_EQ(status.process.flow_mm3_s, 2.0F);
+  EXPECT_FLOAT_EQ(status.process.mean_error_mm, -0.02F);
+  EXPECT_FLOAT_EQ(status.process.rmse_mm, 0.03F);
+  EXPECT_FLOAT_EQ(status.process.coverage, 0.9F);
+  EXPECT_TRUE(hasFlag(status, StatusFlag::BeamOn));
+  EXPECT_TRUE(hasFlag(status, StatusFlag::LoopCoasting));
+  EXPECT_FALSE(hasFlag(status, StatusFlag::LoopActive));
+  const PlcStatus later = plcStatus(view, 51.1);
+  EXPECT_EQ(later.process.flow_mm3_s, 0.0F);
+  EXPECT_FALSE(hasFlag(later, StatusFlag::BeamOn)) << "nobody has said so for a second";
+}
+
+}  // namespace
+}  // namespace lamina
