@@ -50,7 +50,7 @@ std::string encoded(const HostDatagram& datagram) {
 std::optional<HostDatagram> hostDatagramIn(std::string_view bytes) {
   if (bytes.size() != kHostDatagramBytes || bytes.substr(0, 4) != kMark || bytes[4] != kVersion)
     return std::nullopt;
-  const int kind = bytes[5];
+  const auto kind = static_cast<unsigned char>(bytes[5]);
   if (kind != 1 && kind != 2) return std::nullopt;
   HostDatagram datagram;
   datagram.kind = static_cast<HostDatagramKind>(kind);

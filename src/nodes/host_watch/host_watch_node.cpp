@@ -26,6 +26,7 @@ HostWatchSettings watchSettings(const HostWatchNodeSettings& settings) {
 
 std::vector<PeerHost> hostsOf(const std::vector<PeerAddress>& addresses) {
   std::vector<PeerHost> hosts;
+  hosts.reserve(addresses.size());
   for (const PeerAddress& peer : addresses) hosts.push_back(peer.host);
   return hosts;
 }

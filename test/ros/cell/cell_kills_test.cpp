@@ -28,7 +28,6 @@ namespace {
 using test::CellOfNodes;
 using test::Command;
 using test::commandsOf;
-using test::kAccepted;
 using test::squareProgram;
 
 constexpr int kMotions = 400;  // of a job
@@ -210,7 +209,7 @@ class KilledCell {
   }
 
   JournalFound checkJournal() const {
-    const JournalFound found = foundIn(cell_.journalFile());
+    JournalFound found = foundIn(cell_.journalFile());
     EXPECT_EQ(found.integrity, "ok") << said_;
     EXPECT_FALSE(found.bad_audit) << said_;
     return found;
