@@ -115,6 +115,8 @@ class KilledCell {
     ASSERT_TRUE(is_done) << "after " << said_ << ": " << cell_.status.state_name << ", " << cell_.reason
                          << ", " << cell_.machine.commands().size() << " of " << expected_.size() << " lines";
     cell_.controller->end(SIGINT);
+    std::cout << kills_ << " kills, " << jobs_ << " jobs, " << expected_.size()
+              << " lines; the controller was back after " << longest_absence_s_ << " s at most\n";
     checkMachine();
     checkJournal();
     EXPECT_EQ(cell_.status.parts, jobs_);
@@ -196,7 +198,10 @@ class KilledCell {
     const JournalFound journal = starts_controller ? checkJournal() : JournalFound();
     if (starts_streamer) cell_.startStreamer();
     if (!starts_controller) return;
+    const ros::WallTime started = ros::WallTime::now();
     cell_.startController();
+    if (!starts_streamer)
+      longest_absence_s_ = std::max(longest_absence_s_, (ros::WallTime::now() - started).toSec());
     checkFirstState(journal, starts_streamer);
   }
 
@@ -230,6 +235,7 @@ class KilledCell {
   std::vector<std::string> expected_;
   std::size_t jobs_ = 0;
   int kills_ = 0;
+  double longest_absence_s_ = 0.0;
   std::string said_ = "no kill";
 };
 
