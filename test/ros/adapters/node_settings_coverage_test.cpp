@@ -182,7 +182,7 @@ const std::vector<TestedElsewhere>& nodeTests() {
       {"map_period_s", "ros/layer_height_monitor.test", "map_period_s"},
       {"mode", "ros/deposition_following.test", "mode"},
       {"output_folder", "ros/end_to_end.test", "output_folder"},
-      {"owner.grace_s", "ros/cell/cell_controller_test.cpp", "_owner/grace_s"},
+      {"owner.grace_s", "ros/cell/cell_of_nodes.hpp", "_owner/grace_s"},
       {"packml.hold_anywhere", "ros/cell/cell_controller_test.cpp", "packml/hold_anywhere"},
       {"path_tolerance", "ros/simulated_controller.test", "path_tolerance"},
       {"path_spacing_mm", "ros/trajectory_publisher.test", "path_spacing_mm"},
