@@ -3,6 +3,7 @@
 #include "lamina/process_io/process_tables.hpp"
 
 #include <gtest/gtest.h>
+#include <rapidcheck.h>
 
 #include "lamina/base/error.hpp"
 
@@ -88,6 +89,33 @@ TEST(ProcessTables, ScrewSpeedsGiveTheFlow) {
   EXPECT_NEAR(screwSpeed(180.0, screw), 120.0, 1e-9);  // 90 mm3 per revolution
   // 35 rpm: halfway, 105 mm3 per revolution
   EXPECT_NEAR(screwSpeed(35.0 * 105.0 / 60.0, screw), 35.0, 1e-9);
+}
+
+TEST(ProcessTables, WhateverStandsInThemIsUsableOrRefused) {
+  ASSERT_TRUE(rc::check("tables", [] {
+    const auto word = rc::gen::element<std::string>(
+        "laser", "screw", "quantity", "device", "write", "scale", "low", "high", "safe", "nominal", "screw",
+        "check", "channel", "read", "kind", "address", "modbus_tcp", "laser_power_w", "0", "1", "-3", "2000",
+        "10,100,20,90", "nan", "1e999", "follows", "", ".", "a.b");
+    ProcessTableSettings settings;
+    settings.devices = {{"coupler.kind", "modbus_tcp"}, {"coupler.address", "plc:502"}};
+    for (SettingTable* const table : {&settings.channels, &settings.inputs}) {
+      const int entries = *rc::gen::inRange(0, 8);
+      for (int i = 0; i < entries; ++i) (*table)[*word + "." + *word] = *word;
+      if (*rc::gen::arbitrary<bool>()) (*table)["laser.device"] = "coupler";
+      if (*rc::gen::arbitrary<bool>()) (*table)["laser.high"] = "2000";
+    }
+    try {
+      for (const OutputChannel& channel : processTables(settings).channels) {
+        RC_ASSERT(channel.high > channel.low);
+        RC_ASSERT(channel.safe <= channel.high);
+        RC_ASSERT(channel.scale != 0.0);
+        RC_ASSERT(channel.device == "coupler");
+      }
+    } catch (const InvalidConfig&) {
+      // as it should
+    }
+  }));
 }
 
 }  // namespace

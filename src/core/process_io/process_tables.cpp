@@ -102,6 +102,7 @@ std::vector<Row> rowsOf(const std::string& table, const SettingTable& entries) {
     }
   }
   std::vector<Row> list;
+  list.reserve(rows.size());
   for (auto& [name, row] : rows) list.push_back(std::move(row));
   return list;
 }

@@ -74,8 +74,8 @@ std::int64_t JobIntake::enqueue(const lamina_msgs::EnqueueJob::Request& request)
   const std::string kept = artefacts_.pathOf(program);
   requirePrintable(kept, machine_);
   const auto checked = std::make_shared<Checked>();
-  checked->job = {name,           request.part, machine_.name, {program},
-                  request.source, layersOf(StreamableProgram::fromFile(kept))};
+  checked->job = {name,      request.part,   machine_.name,
+                  {program}, request.source, layersOf(StreamableProgram::fromFile(kept))};
   std::future<std::int64_t> id = checked->id.get_future();
   {
     const std::lock_guard<std::mutex> lock(mutex_);

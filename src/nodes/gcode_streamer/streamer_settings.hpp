@@ -24,8 +24,8 @@ struct GcodeStreamerSettings {
   double owner_grace_s = 0.0;  ///< without the cell that ordered the job, until it is held; 0 for any time
 };
 
-/// Adds the keys port, baud, executor.owner, machine.*, stream.*, program.*, startup.*, corrections.*, owner.*
-/// and some of loop.*.
+/// Adds the keys port, baud, executor.owner, machine.*, stream.*, program.*, startup.*, corrections.*,
+/// owner.* and some of loop.*.
 void describe(SettingsSchema& schema, GcodeStreamerSettings& settings);
 
 }  // namespace lamina

@@ -7,7 +7,6 @@
 
 #include <charconv>
 #include <cmath>
-#include <utility>
 
 #include "lamina/base/error.hpp"
 #include "messages.hpp"
@@ -36,7 +35,7 @@ std::int8_t pinOf(const OutputChannel& channel) {
 /// take long; who sends values to it notices.
 class SetIoDevice final : public ProcessDevice {
  public:
-  SetIoDevice(ros::NodeHandle node, const DeviceTable& table) : node_(std::move(node)), table_(table) {
+  SetIoDevice(const ros::NodeHandle& node, const DeviceTable& table) : node_(node), table_(table) {
     for (const OutputChannel& channel : table.channels) pinOf(channel);
   }
 

@@ -52,9 +52,9 @@ struct DriverSettings {
   double controller_wait_s = 60;  ///< for the toolpath, the controller and the joints' positions to be there
 };
 
-/// Adds the keys machine.*, executor.owner, joints.*, motion.*, trajectory.*, process.*, feeder.*, clearance.*,
-/// tracking.*, approach.*, process_io.*, corrections.*, sensor.calibration, some of loop.*, check_clearance,
-/// start_delay_s, lift_mm, lift_mm_s and controller_wait_s.
+/// Adds the keys machine.*, executor.owner, joints.*, motion.*, trajectory.*, process.*, feeder.*,
+/// clearance.*, tracking.*, approach.*, process_io.*, corrections.*, sensor.calibration, some of loop.*,
+/// check_clearance, start_delay_s, lift_mm, lift_mm_s and controller_wait_s.
 void describe(SettingsSchema& schema, DriverSettings& settings);
 
 }  // namespace lamina

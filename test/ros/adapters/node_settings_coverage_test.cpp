@@ -37,11 +37,11 @@ std::set<std::string> nodeKeys() {
   std::set<std::string> keys;
   for (const auto& of_node :
        {keysOf<CellControllerSettings>(), keysOf<DepositionSimulatorSettings>(),
-         keysOf<EmulatedCouplerSettings>(), keysOf<EmulatedMachineSettings>(), keysOf<GcodeInclinerSettings>(),
-         keysOf<GcodeStreamerSettings>(), keysOf<HeightControllerSettings>(), keysOf<HostWatchNodeSettings>(),
-         keysOf<LayerHeightMonitorSettings>(), keysOf<LinkSettings>(), keysOf<OperatorPageSettings>(),
-         keysOf<OptimiserSettings>(), keysOf<ProcessIoSettings>(), keysOf<ControllerSettings>(), keysOf<DriverSettings>(),
-        keysOf<PublisherSettings>()})
+        keysOf<EmulatedCouplerSettings>(), keysOf<EmulatedMachineSettings>(), keysOf<GcodeInclinerSettings>(),
+        keysOf<GcodeStreamerSettings>(), keysOf<HeightControllerSettings>(), keysOf<HostWatchNodeSettings>(),
+        keysOf<LayerHeightMonitorSettings>(), keysOf<LinkSettings>(), keysOf<OperatorPageSettings>(),
+        keysOf<OptimiserSettings>(), keysOf<ProcessIoSettings>(), keysOf<ControllerSettings>(),
+        keysOf<DriverSettings>(), keysOf<PublisherSettings>()})
     keys.insert(of_node.begin(), of_node.end());
   for (const std::string& key : coreKeys()) keys.erase(key);
   return keys;

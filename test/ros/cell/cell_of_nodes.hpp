@@ -86,7 +86,8 @@ class CellOfNodes {
   void startStreamer(const std::vector<std::string>& environment = {}) {
     streamer = start(environment, LAMINA_STREAMER_NODE,
                      {"_port:=" + port_, "_stream/journal:=" + progressFile(), "_stream/settle_s:=0.01",
-                      "_stream/probe_after_s:=0.3", "_executor/owner:=cell_controller", "_owner/grace_s:=" + std::to_string(owner_grace_s_)});
+                      "_stream/probe_after_s:=0.3", "_executor/owner:=cell_controller",
+                      "_owner/grace_s:=" + std::to_string(owner_grace_s_)});
   }
   /// Waits for its first state.
   void startController() {

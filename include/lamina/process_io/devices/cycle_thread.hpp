@@ -33,6 +33,7 @@ class CycleThread {
   std::function<void(double)> cycle_;
   int timer_;
   int end_;
+  bool is_memory_locked_ = false;
   std::promise<bool> is_real_time_;
   std::future<bool> answer_ = is_real_time_.get_future();
   std::thread thread_;

@@ -56,6 +56,7 @@ class DeviceLink {
     double due_s = 0.0;
   };
   void run();
+  bool waitForWork(std::unique_lock<std::mutex>& lock);
   void tryToOpen();
   void exchange(const Waiting& values);
   void lose(const std::string& why);

@@ -44,6 +44,8 @@ CycleThread::CycleThread(double rate_hz, std::function<void(double due_s)> cycle
       timer_(::timerfd_create(CLOCK_MONOTONIC, TFD_CLOEXEC)),
       end_(::eventfd(0, EFD_CLOEXEC)) {
   if (timer_ < 0 || end_ < 0) throw DeviceError(std::string("no timer: ") + std::strerror(errno));
+  // Before the first cycle: it takes a tenth of a second, in which the process's threads stand.
+  is_memory_locked_ = lockMemory();
   thread_ = std::thread([this] { run(); });
 }
 
@@ -57,7 +59,7 @@ CycleThread::~CycleThread() {
 
 std::string CycleThread::rights() {
   const std::string time = answer_.get() ? "in real time" : "without real time (ulimit -r)";
-  return time + (lockMemory() ? ", memory locked" : ", memory not locked (ulimit -l)");
+  return time + (is_memory_locked_ ? ", memory locked" : ", memory not locked (ulimit -l)");
 }
 
 void CycleThread::run() {

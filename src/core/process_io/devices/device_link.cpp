@@ -71,28 +71,32 @@ void DeviceLink::run() {
   preferThisThread();
   std::unique_lock<std::mutex> lock(mutex_);
   while (!is_ending_) {
-    if (!report_.is_connected) {
-      const double wait_s = retry_at_s_ - clock_.now();
-      if (wait_s > 0.0) {
-        changed_.wait_for(lock, seconds(wait_s), [this] { return is_ending_; });
-        continue;
-      }
-      lock.unlock();
-      tryToOpen();
-      lock.lock();
-      continue;
-    }
-    changed_.wait(lock, [this] { return is_ending_ || waiting_; });
-    if (is_ending_) break;
-    const Waiting values = *std::exchange(waiting_, std::nullopt);
+    const bool is_connected = report_.is_connected;
+    if (!waitForWork(lock)) continue;
+    const std::optional<Waiting> values = std::exchange(waiting_, std::nullopt);
     lock.unlock();
-    exchange(values);
+    if (!is_connected)
+      tryToOpen();
+    else if (values)
+      exchange(*values);
     lock.lock();
   }
   const bool is_connected = report_.is_connected;
   lock.unlock();
   if (is_connected) exchange({safe_, clock_.now()});
   device_->close();
+}
+
+/// Until there are values, or it is time to open the device. False if it is neither.
+bool DeviceLink::waitForWork(std::unique_lock<std::mutex>& lock) {
+  if (report_.is_connected) {
+    changed_.wait(lock, [this] { return is_ending_ || waiting_; });
+    return !is_ending_;
+  }
+  const double wait_s = retry_at_s_ - clock_.now();
+  if (wait_s <= 0.0) return true;
+  changed_.wait_for(lock, seconds(wait_s), [this] { return is_ending_; });
+  return false;
 }
 
 void DeviceLink::tryToOpen() {

@@ -36,19 +36,19 @@ class SerialTextDevice final : public ProcessDevice {
                             "'; must be a line with {value}");
     sent_.resize(table.channels.size());
   }
-  ~SerialTextDevice() override { SerialTextDevice::close(); }
 
   std::string open() override {
     close();
     context_.restart();
-    transport_ = makeTransport(context_, table_.device.address, table_.device.baud);
+    auto transport = makeTransport(context_, table_.device.address, table_.device.baud);
     TransportEvents events;
     events.received = [this](std::string_view bytes) {
       received_.append(bytes);
       if (received_.size() > kMostWaiting) received_.erase(0, received_.size() - kMostWaiting);
     };
     events.closed = [this](const std::string& why) { closed_ = why.empty() ? "closed" : why; };
-    transport_->open(std::move(events));
+    transport->open(std::move(events));
+    transport_ = std::move(transport);
     for (Sent& each : sent_) each = {};
     if (!table_.device.answer.empty()) return {};
     return table_.device.name + " answers nothing: a device that is not there is not noticed";
