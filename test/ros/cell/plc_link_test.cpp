@@ -148,6 +148,7 @@ void cycleByAllClients(LinkedCell& linked, const Registers& check) {
     ASSERT_TRUE(waitUntil([&] { return (plc.input(3) & kRemoteAllowed) != 0; }));
     ASSERT_NO_FATAL_FAILURE(cycle(linked, plc, check)) << "libmodbus";
     for (int i = 0; i < 100; ++i) ASSERT_EQ(linked.command(plc, Command::UNHOLD), 2) << "not in this state";
+    EXPECT_TRUE(waitUntil([&] { return linked.cell.hasAlarm(2102); })) << "refused a hundred times";
   }
   {
     PymodbusClient plc(linked.port, std::string(LAMINA_SOURCE_DIR) + "/test/ros/cell/pymodbus_client.py",
@@ -162,7 +163,6 @@ TEST(PlcLink, TakesPartsThroughTheirLifeByRegistersAlone) {
   LinkedCell linked("cycles", 1000.0, {"_modbus/word_order:=high_first", "_modbus/connections:=2"});
   EXPECT_EQ(linked.setRemoteAccess(true), "");
   cycleByAllClients(linked, {0x1234, 0x5678, 0x449a, 0x5000});
-  EXPECT_TRUE(waitUntil([&] { return linked.cell.hasAlarm(2102); })) << "refused a hundred times";
   linked.startLink({"_modbus/word_order:=low_first"});
   cycleByAllClients(linked, {0x5678, 0x1234, 0x5000, 0x449a});
 }
