@@ -11,7 +11,7 @@
 namespace lamina::cli {
 namespace {
 
-void run(const std::string& folder, Chosen& chosen) {
+void checkAudit(const std::string& folder, Chosen& chosen) {
   const CellJournal journal = CellJournal::read(folder + "/cell.db");
   const std::optional<std::int64_t> bad = journal.firstBadAudit();
   chosen.exit_code = bad ? 1 : 0;
@@ -35,7 +35,7 @@ void addAudit(CLI::App& app, Chosen& chosen) {
   CLI::App* audit = app.add_subcommand("audit", kAuditDescription);
   audit->add_option("folder", *folder, "Folder of the cell's journal (journal.folder)")->required();
   addJsonFlag(*audit, chosen);
-  audit->callback([folder, &chosen] { chosen.run = [folder, &chosen] { run(*folder, chosen); }; });
+  audit->callback([folder, &chosen] { chosen.run = [folder, &chosen] { checkAudit(*folder, chosen); }; });
 }
 
 }  // namespace lamina::cli

@@ -175,7 +175,7 @@ std::string printed(const std::vector<RecordTable>& tables) {
   return text;
 }
 
-void run(const RecordArguments& arguments, Chosen& chosen) {
+void printRecord(const RecordArguments& arguments, Chosen& chosen) {
   CellJournal journal = CellJournal::read(arguments.folder + "/cell.db");
   const auto store = ArtefactStore::toRead(arguments.folder + "/artefacts");
   const CheckedRecord checked = readRecord(journal, store, arguments.job);
@@ -210,7 +210,8 @@ void addRecord(CLI::App& app, Chosen& chosen) {
   record->add_option("job", arguments->job, "Number of the job")->required();
   record->add_option("--html", arguments->html, "Also write it as a page to print");
   addJsonFlag(*record, chosen);
-  record->callback([arguments, &chosen] { chosen.run = [arguments, &chosen] { run(*arguments, chosen); }; });
+  record->callback(
+      [arguments, &chosen] { chosen.run = [arguments, &chosen] { printRecord(*arguments, chosen); }; });
 }
 
 }  // namespace lamina::cli
