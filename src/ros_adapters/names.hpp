@@ -55,6 +55,7 @@ inline constexpr char kPackmlStatus[] = "packml_status";  ///< lamina/PackmlStat
 inline constexpr char kAlarms[] = "alarms";               ///< lamina/CellAlarms, latched
 inline constexpr char kJobQueue[] = "job_queue";          ///< lamina/JobQueue, latched
 inline constexpr char kHostState[] = "host_state";        ///< lamina/HostState, latched
+inline constexpr char kPageAddress[] = "page_address";  ///< std_msgs/String, latched: of the operator's page
 inline constexpr char kAlarmReports[] = "alarm_reports";  ///< lamina/AlarmReport, of other nodes to the unit
 inline constexpr char kPlcInputs[] = "plc_inputs";        ///< lamina/PlcInputs, latched
 inline constexpr char kHeaterState[] = "heater_state";    ///< lamina/HeaterState, latched

@@ -20,11 +20,14 @@ const rounded = (value) => (value === null || value === undefined ? "–" : valu
 export function showHeat(machine) {
   byId("temperatures").hidden = !machine;
   if (!machine) return;
-  setFacts(byId("heat"), [
+  const facts = [
     [texts.nozzle, texts.degrees(rounded(machine.nozzle_degc))],
     [texts.bed, texts.degrees(rounded(machine.bed_degc))],
-    [texts.position, texts.millimetres(machine.position_m.map((value) => (value === null ? "–" : (value * 1000).toFixed(1))))],
-  ]);
+  ];
+  // A machine that reports no positions leaves them at zero.
+  if (machine.position_m.some((value) => value))
+    facts.push([texts.position, texts.millimetres(machine.position_m.map((value) => (value === null ? "–" : (value * 1000).toFixed(1))))]);
+  setFacts(byId("heat"), facts);
 }
 
 function range(key) {

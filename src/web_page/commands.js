@@ -29,9 +29,6 @@ async function next() {
   if (!step) return;
   const [command] = step;
   const seen = sequence();
-  if (command === "Reset" && state.unit.state === "Complete" && state.unit.is_part_on_plate) {
-    await post("/api/v1/removal").catch(() => {});
-  }
   if (command !== "Start" || !state.unit.resume_waits) return give(command, seen);
   const choice = await ask({
     title: texts.start_title,
@@ -61,6 +58,9 @@ export function wireCommands() {
   byId("next").addEventListener("click", next);
   byId("stop").addEventListener("click", stop);
   byId("abort").addEventListener("click", abort);
+  byId("removal").addEventListener("click", () => {
+    post("/api/v1/removal").then(() => byId("commands").focus({ preventScroll: true })).catch((error) => tell(error.message));
+  });
 }
 
 export function showCommands(shown, rights) {
@@ -72,4 +72,7 @@ export function showCommands(shown, rights) {
   button.setAttribute("aria-disabled", String(!step || !shown.unit.accepted_now.includes(step[0])));
   button.hidden = byId("stop").hidden = byId("abort").hidden = !rights.operate;
   byId("hold").hidden = !rights.hold;
+  // It is pressed whatever the state: only its weight follows what is accepted.
+  byId("hold").classList.toggle("rests", !shown.unit.accepted_now.includes("Hold"));
+  byId("plate").hidden = !shown.unit.is_part_on_plate || !rights.operate;
 }

@@ -57,7 +57,7 @@ function sayPolitely(state, job) {
 
 export function showAlarms(alarms, mayAcknowledge) {
   const list = byId("alarm-list");
-  byId("alarms").classList.toggle("has-alarms", alarms.length > 0);
+  byId("alarms").classList.toggle("has-alarms", alarms.some((alarm) => !["I", "W"].includes(alarm.category)));
   syncRows(list, alarms.length ? alarms : [{ id: 0 }], (alarm) => alarm.id,
     (alarm) => alarm.id === 0 ? element("li", { class: "muted" }, texts.no_alarms) : alarmRow(alarm),
     (row, alarm) => alarm.id && updateAlarm(row, alarm, mayAcknowledge));

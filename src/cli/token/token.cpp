@@ -27,14 +27,24 @@ double utcNow() {
   return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
 }
 
-WebStore storeIn(const std::string& folder) {
-  if (!std::filesystem::is_directory(folder))
-    throw FileError(folder + ": is no folder; expected that of operator_page");
-  return WebStore(folder + "/page.db");
+/// @throws FileError if there is no such file: a misspelt folder is not to have one made
+std::string existingStore(const std::string& folder) {
+  std::string path = folder + "/page.db";
+  if (!std::filesystem::exists(path))
+    throw FileError(path + ": is not there; expected the folder of operator_page");
+  return path;
+}
+
+/// The page may not have run yet.
+std::string madeStore(const std::string& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw FileError(folder + ": cannot be made: " + error.message());
+  return folder + "/page.db";
 }
 
 void addOne(const TokenArguments& arguments) {
-  WebStore store = storeIn(arguments.folder);
+  WebStore store(madeStore(arguments.folder));
   NewToken token{arguments.name, webRole(arguments.role), std::nullopt};
   if (arguments.days > 0.0) token.expires_s = utcNow() + arguments.days * kDay;
   const std::string key = store.add(token, utcNow());
@@ -54,13 +64,13 @@ std::string dayOf(const std::optional<double>& utc_s) {
 }
 
 void list(const TokenArguments& arguments) {
-  for (const WebToken& token : storeIn(arguments.folder).tokens())
+  for (const WebToken& token : WebStore(existingStore(arguments.folder)).tokens())
     std::printf("%s: %s, expires %s, last used %s\n", token.name.c_str(), toString(token.role),
                 dayOf(token.expires_s).c_str(), dayOf(token.last_used_s).c_str());
 }
 
 void removeOne(const TokenArguments& arguments) {
-  WebStore store = storeIn(arguments.folder);
+  WebStore store(existingStore(arguments.folder));
   for (const WebToken& token : store.tokens()) {
     if (token.name != arguments.name) continue;
     store.remove(token.id);

@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "operator_page.hpp"
 
+#include <std_msgs/String.h>
+
 #include <filesystem>
 
 #include "lamina/base/error.hpp"
 #include "lamina/base/text.hpp"
 #include "log_bridge.hpp"
+#include "names.hpp"
 #include "page_files.hpp"
 
 namespace lamina {
@@ -75,6 +78,7 @@ WebServerSettings serverSettings(const OperatorPageSettings& settings, const std
 
 OperatorPage::OperatorPage(ros::NodeHandle node, const OperatorPageSettings& settings)
     : settings_(settings),
+      address_(node.advertise<std_msgs::String>(names::kPageAddress, 1, true)),
       desk_(node, settings.patience_s),
       store_(madePageFolder(settings.folder) + "/page.db") {
   const std::string folder = fs::absolute(settings.folder).string();
@@ -87,7 +91,10 @@ OperatorPage::OperatorPage(ros::NodeHandle node, const OperatorPageSettings& set
   for (const std::string& notice : site_->settings().notices) ROS_WARN_STREAM(notice);
   const boost::function<void(const ros::WallTimerEvent&)> tick = [this](const auto&) { onTick(); };
   timer_ = node.createWallTimer(ros::WallDuration(kTick), tick);
-  ROS_INFO_STREAM("the page is at " << server_->address());
+  std_msgs::String address;
+  address.data = server_->address();
+  address_.publish(address);
+  ROS_INFO_STREAM("the page is at " << address.data);
 }
 
 void OperatorPage::onTick() {

@@ -27,6 +27,7 @@ class OperatorPage {
 
   OperatorPageSettings settings_;
   SteadyClock clock_;
+  ros::Publisher address_;
   RosDesk desk_;
   WebStore store_;
   std::unique_ptr<OperatorSite> site_;

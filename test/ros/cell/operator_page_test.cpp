@@ -4,21 +4,22 @@
 // browser.
 #include <gtest/gtest.h>
 #include <ros/ros.h>
-#include <rosgraph_msgs/Log.h>
-#include <sensor_msgs/CompressedImage.h>
 #include <sensor_msgs/Image.h>
 #include <sensor_msgs/image_encodings.h>
+#include <std_msgs/String.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <csignal>
+#include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
-#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "lamina/base/scratch_folder.hpp"
@@ -38,7 +39,7 @@ using test::waitUntil;
 
 /// A wall of some layers, as slicers mark them.
 std::string wallProgram(int layers) {
-  std::string text = "M83\nG90\n";
+  std::string text = "G90\nM83\n";
   for (int layer = 0; layer < layers; ++layer) {
     text += ";LAYER:" + std::to_string(layer) + "\nG1 Z" + std::to_string(0.2 * (layer + 1)) + " F6000\n";
     for (int i = 0; i < 40; ++i)
@@ -47,27 +48,25 @@ std::string wallProgram(int layers) {
   return text;
 }
 
-/// Where pages are, by the namespace of their nodes: they tell it in the log.
-class PageAddresses {
+/// The port of the page in a namespace, as its node tells it.
+class PagePort {
  public:
-  PageAddresses() : subscriber_(node_.subscribe("/rosout_agg", 1000, &PageAddresses::onLine, this)) {}
+  explicit PagePort(const std::string& space)
+      : subscriber_(node_.subscribe(space + '/' + names::kPageAddress, 1, &PagePort::onAddress, this)) {}
 
-  std::uint16_t portOf(const std::string& node) {
-    EXPECT_TRUE(waitUntil([&] { return ports_.count(node) != 0; })) << node;
-    return ports_[node];
+  /// Waits for a page that is not that of the last call.
+  std::uint16_t next() {
+    EXPECT_TRUE(waitUntil([this] { return port_ != 0; }));
+    return std::exchange(port_, std::uint16_t{0});
   }
-  void forget(const std::string& node) { ports_.erase(node); }
 
  private:
-  void onLine(const rosgraph_msgs::LogConstPtr& line) {
-    const std::size_t found = line->msg.find("the page is at http");
-    if (found == std::string::npos) return;
-    const std::string address = line->msg.substr(line->msg.find("//", found) + 2);
-    ports_[line->name] = static_cast<std::uint16_t>(std::stoi(address.substr(address.rfind(':') + 1)));
+  void onAddress(const std_msgs::StringConstPtr& address) {
+    port_ = static_cast<std::uint16_t>(std::stoi(address->data.substr(address->data.rfind(':') + 1)));
   }
 
   ros::NodeHandle node_;
-  std::map<std::string, std::uint16_t> ports_;
+  std::uint16_t port_ = 0;
   ros::Subscriber subscriber_;
 };
 
@@ -89,12 +88,11 @@ class CellWithPage {
   }
 
   void startPage(const std::vector<std::string>& parameters) {
-    addresses_.forget(space_ + "/operator_page");
     std::vector<std::string> arguments = {"__ns:=" + space_, "_web/port:=0",
                                           "_web/folder:=" + folder.path() + "/page", "_cell/patience_s:=20"};
     arguments.insert(arguments.end(), parameters.begin(), parameters.end());
     page = std::make_unique<test::NodeProcess>(LAMINA_PAGE_NODE, arguments);
-    web_port = addresses_.portOf(space_ + "/operator_page");
+    web_port = address_.next();
   }
 
   /// @return status and body
@@ -138,7 +136,7 @@ class CellWithPage {
   std::string space_;
   std::string port_;
   std::string csrf_;
-  PageAddresses addresses_;
+  PagePort address_{space_};
   test::StreamedMachine machine_;
   std::unique_ptr<test::NodeProcess> streamer_;
 
@@ -148,14 +146,14 @@ class CellWithPage {
 };
 
 TEST(OperatorPage, IsLaunchedAndSaysThatTheCellIsNotThere) {
-  PageAddresses addresses;
-  const test::RawClient client(addresses.portOf("/launched/operator_page"));
+  PagePort port("/launched");
+  const test::RawClient client(port.next());
   client.send("GET /api/v1/state HTTP/1.1\r\nHost: localhost\r\n\r\n");
   EXPECT_NE(client.answer().find(R"("is_fresh":false)"), std::string::npos);
 }
 
 TEST(OperatorPage, PrintsWhatWasUploadedAndShowsHowFarItIs) {
-  CellWithPage cell("uploads", 20.0);
+  CellWithPage cell("uploads", 100.0);
   ASSERT_TRUE(cell.reaches("Stopped"));
   EXPECT_EQ(cell.upload("G1 X99999 Y0 E1 F6000\n", "far.gcode").first, 400);
   const auto [status, sent] = cell.upload(wallProgram(20), "wall.gcode");
@@ -285,11 +283,11 @@ TEST(OperatorPage, IsServedByHttpsWithACertificateOfItsOwnAndNotBeyondThisHostWi
                          {"__ns:=/half", "_web/tls:=true", "_web/port:=0", "_web/certificate:=x",
                           "_web/folder:=" + folder.path() + "/half"});
   EXPECT_EQ(half.wait(), 1) << "a certificate without web.key, which would be _web/key:=";
-  PageAddresses addresses;
+  PagePort encrypted_port("/encrypted");
   const test::NodeProcess encrypted(
       LAMINA_PAGE_NODE, {"__ns:=/encrypted", "_web/tls:=true", "_web/allow_plain:=false",
                          "_web/bind:=127.0.0.1", "_web/port:=0", "_web/folder:=" + folder.path() + "/tls"});
-  const std::string port = std::to_string(addresses.portOf("/encrypted/operator_page"));
+  const std::string port = std::to_string(encrypted_port.next());
   EXPECT_EQ(
       std::system(("curl -s --cacert " + folder.path() +
                    "/tls/page_certificate.pem https://localhost:" + port + "/api/version | grep -q OctoPrint")
