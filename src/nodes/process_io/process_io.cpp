@@ -19,7 +19,8 @@ namespace {
 
 constexpr std::uint32_t kQueue = 1000;  // chunks
 constexpr double kReadyHz = 10.0;
-constexpr double kQuiet = 1.0;  // s between two messages of the same kind in the log
+constexpr double kUnserved = 0.35;  // s without a cycle: more than three of the slowest
+constexpr double kQuiet = 1.0;      // s between two messages of the same kind in the log
 
 const ros::WallDuration kFlush(0.1);  // that last values need to leave the node
 
@@ -141,7 +142,7 @@ void ProcessIo::onCycle(double due_s) {
   sendToDevices(cycle.values, due_s);
   measured_ = std::move(view.measured);
   fault_ = std::move(cycle.fault);
-  is_served_ = true;
+  served_s_ = clock_.now();
   std::move(cycle.alarms.begin(), cycle.alarms.end(), std::back_inserter(news_));
   for (DeviceReport& report : reports)
     if (!report.note.empty()) notes_.push_back(std::move(report.note));
@@ -187,7 +188,11 @@ void ProcessIo::publishReady() {
   std::vector<std::string> notes;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    ready.reason = std::exchange(is_served_, false) ? fault_ : "process_io is late by a tenth of a second";
+    const double unserved_s = clock_.now() - served_s_;
+    ready.reason = unserved_s <= kUnserved
+                       ? fault_
+                       : "no output was found for " + std::to_string(unserved_s) + " s; expected one every " +
+                             std::to_string(kUnserved) + " s at least";
     news = std::exchange(news_, {});
     notes = std::exchange(notes_, {});
   }

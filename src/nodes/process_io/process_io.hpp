@@ -58,7 +58,7 @@ class ProcessIo {
   std::vector<ProcessAlarm> news_;
   std::vector<std::string> notes_;
   std::string fault_ = "starting";
-  bool is_served_ = false;  ///< a cycle has run since readiness was published last
+  double served_s_ = clock_.now();  ///< last cycle
 
   ros::Subscriber trajectory_;
   ros::Subscriber positions_;

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/process_io/devices/cycle_thread.hpp"
 
+#include <linux/capability.h>
 #include <poll.h>
 #include <sys/eventfd.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
+#include <sys/syscall.h>
 #include <sys/timerfd.h>
 #include <unistd.h>
 
@@ -28,13 +30,17 @@ timespec timeOf(double time_s) {
   return {static_cast<time_t>(whole), static_cast<long>(1e9 * (time_s - whole))};
 }
 
-/// Only where there is no limit: a process that reaches it could start no thread any more.
-bool lockMemory() {
+/// Whether no limit holds for locked memory.
+bool mayLockAll() {
   rlimit limit{};
-  if (::getrlimit(RLIMIT_MEMLOCK, &limit) != 0) return false;
-  if (limit.rlim_cur != RLIM_INFINITY && ::geteuid() != 0) return false;
-  return ::mlockall(MCL_CURRENT | MCL_FUTURE) == 0;
+  if (::getrlimit(RLIMIT_MEMLOCK, &limit) == 0 && limit.rlim_cur == RLIM_INFINITY) return true;
+  __user_cap_header_struct header{_LINUX_CAPABILITY_VERSION_3, 0};
+  std::array<__user_cap_data_struct, _LINUX_CAPABILITY_U32S_3> sets{};
+  return ::syscall(SYS_capget, &header, sets.data()) == 0 && (sets[0].effective & 1U << CAP_IPC_LOCK) != 0;
 }
+
+/// A process that reaches a limit would get no memory any more: it locks none.
+bool lockMemory() { return mayLockAll() && ::mlockall(MCL_CURRENT | MCL_FUTURE) == 0; }
 
 }  // namespace
 
