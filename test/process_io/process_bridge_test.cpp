@@ -221,6 +221,18 @@ TEST(ProcessBridge, ABeamWithoutMotionTrips) {
   EXPECT_EQ(run.alarms.size(), 1U);
 }
 
+TEST(ProcessBridge, HowLongABeamMayStandIsASetting) {
+  ProcessBridgeSettings settings;
+  settings.standstill_s = 1.0;
+  BridgeRun run(laserAndWire(), settings);
+  run.is_moving = false;
+  run.plan(laying(), 5.0);
+  run.run(90);
+  EXPECT_TRUE(run.alarms.empty());
+  run.run(20);
+  EXPECT_EQ(run.ids(), std::vector<int>{5105});
+}
+
 TEST(ProcessBridge, AMachineThatIsNotHeardOfDoesNotMove) {
   BridgeRun run;
   run.is_moving = false;
