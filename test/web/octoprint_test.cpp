@@ -44,7 +44,7 @@ TEST(OctoPrint, QueuesWhatIsSentAndReleasesItOnlyIfToldTo) {
   site.upload = {path, "part.gcode", 6, "abc", {{"print", "true"}}};
   const std::map<std::string, std::string> sender = {{"x-api-key", site.add(WebRole::Sender, "slicer")},
                                                      {"content-type", "multipart/form-data; boundary=b"}};
-  const HttpResponse response = site.ask(HttpMethod::Post, "/api/files/local", sender);
+  const WebResponse response = site.ask(HttpMethod::Post, "/api/files/local", sender);
   EXPECT_EQ(response.status, 201) << response.body;
   const auto body = nlohmann::json::parse(response.body);
   EXPECT_EQ(body["done"], true);
@@ -77,7 +77,7 @@ TEST(OctoPrint, RefusesWhatCannotBePrintedAndWhatIsBeingPrinted) {
   site.upload = {path, "part.gcode", 6, "abc", {}};
   const std::map<std::string, std::string> headers = {{"content-type", "multipart/form-data; boundary=b"}};
   site.desk.next = {DeskAnswer::Outcome::BadInput, 13, "line 1: X has no number", 0};
-  const HttpResponse refused = site.ask(HttpMethod::Post, "/api/files/local", headers);
+  const WebResponse refused = site.ask(HttpMethod::Post, "/api/files/local", headers);
   EXPECT_EQ(refused.status, 400);
   EXPECT_NE(refused.body.find("line 1: X has no number"), std::string::npos);
   site.desk.seen.unit.state = UnitState::Execute;
@@ -116,7 +116,7 @@ TEST(OctoPrint, GivesAnApplicationATokenOnceSomebodyAllowsIt) {
   SiteOfFakes site(closedLoopback());
   const std::map<std::string, std::string> anna = {{"x-api-key", site.add(WebRole::Operator, "anna")}};
   EXPECT_EQ(site.ask(HttpMethod::Get, "/plugin/appkeys/probe", {}).status, 204);
-  const HttpResponse asked = site.ask(HttpMethod::Post, "/plugin/appkeys/request", {}, R"({"app":"Cura"})");
+  const WebResponse asked = site.ask(HttpMethod::Post, "/plugin/appkeys/request", {}, R"({"app":"Cura"})");
   ASSERT_EQ(asked.status, 201);
   const std::string place = asked.headers.at(0).second;
   EXPECT_EQ(site.ask(HttpMethod::Get, place, {}).status, 202);
@@ -125,12 +125,12 @@ TEST(OctoPrint, GivesAnApplicationATokenOnceSomebodyAllowsIt) {
   ASSERT_EQ(requests.size(), 1U);
   EXPECT_EQ(requests[0]["application"], "Cura");
   EXPECT_EQ(site.ask(HttpMethod::Post, "/api/v1/keys/1/allow", anna).status, 200);
-  const HttpResponse given = site.ask(HttpMethod::Get, place, {});
+  const WebResponse given = site.ask(HttpMethod::Get, place, {});
   ASSERT_EQ(given.status, 200);
   const std::string key = nlohmann::json::parse(given.body)["api_key"];
   EXPECT_EQ(site.get("/api/v1/session", key)["role"], "sender");
   EXPECT_EQ(site.ask(HttpMethod::Get, place, {}).status, 404) << "a key is told once";
-  const HttpResponse second = site.ask(HttpMethod::Post, "/plugin/appkeys/request", {}, R"({"app":"Other"})");
+  const WebResponse second = site.ask(HttpMethod::Post, "/plugin/appkeys/request", {}, R"({"app":"Other"})");
   EXPECT_EQ(site.ask(HttpMethod::Post, "/api/v1/keys/2/deny", anna).status, 200);
   EXPECT_EQ(site.ask(HttpMethod::Get, second.headers.at(0).second, {}).status, 404);
   for (int i = 0; i < 8; ++i) site.ask(HttpMethod::Post, "/plugin/appkeys/request", {}, R"({"app":"Many"})");

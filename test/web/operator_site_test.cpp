@@ -58,7 +58,7 @@ TEST(OperatorSite, RefusesEveryRouteToWhoeverShowsNoTokenAndSaysSoInTheAudit) {
   SiteOfFakes site(closedLoopback());
   for (const RouteRow& row : OperatorSite::routes()) {
     if (row.right == WebRight::None) continue;
-    const HttpResponse response = site.ask(row.method, pathOf(row), headersFor(row));
+    const WebResponse response = site.ask(row.method, pathOf(row), headersFor(row));
     EXPECT_EQ(response.status, 401) << row.pattern;
     EXPECT_NE(site.lastAudit().find(nameOf(row.method) + ' ' + pathOf(row)), std::string::npos)
         << row.pattern;
@@ -78,7 +78,7 @@ TEST(OperatorSite, AdmitsEachRoleToItsRoutesAndToNoOther) {
       headers["x-api-key"] = token;
       headers["host"] = "localhost";
       const std::size_t before = site.desk.orders().size();
-      const HttpResponse response = site.ask(row.method, pathOf(row), headers, "{}");
+      const WebResponse response = site.ask(row.method, pathOf(row), headers, "{}");
       if (isAllowed(role, row.right)) {
         EXPECT_NE(response.status, 401) << toString(role) << ' ' << row.pattern;
         EXPECT_NE(response.status, 403) << toString(role) << ' ' << row.pattern;
@@ -123,7 +123,7 @@ TEST(OperatorSite, KnowsWhoHasLoggedInUntilTheTokenIsGone) {
   SiteOfFakes site(closedLoopback());
   const std::string token = site.add(WebRole::Operator, "anna");
   EXPECT_EQ(site.get("/api/v1/session")["is_known"], false);
-  const HttpResponse opened =
+  const WebResponse opened =
       site.ask(HttpMethod::Post, "/api/v1/session", {}, R"({"token":")" + token + "\"}");
   ASSERT_EQ(opened.status, 201);
   const std::string cookie = opened.headers.at(0).second;
@@ -142,7 +142,7 @@ TEST(OperatorSite, KnowsWhoHasLoggedInUntilTheTokenIsGone) {
 TEST(OperatorSite, EndsSessionsAfterTwelveHours) {
   SiteOfFakes site(closedLoopback());
   const std::string token = site.add(WebRole::Viewer, "wall");
-  const HttpResponse opened =
+  const WebResponse opened =
       site.ask(HttpMethod::Post, "/api/v1/session", {}, R"({"token":")" + token + "\"}");
   const std::string cookie = opened.headers.at(0).second;
   const Headers headers = {{"cookie", cookie.substr(0, cookie.find(';'))}};
@@ -202,8 +202,8 @@ TEST(OperatorSite, AnswersWhatTheCellRefusesWithTheReasonAndWhatItWouldAccept) {
   SiteOfFakes site;
   const Headers page = {{"x-csrf-token", site.get("/api/v1/session")["csrf"]}};
   site.desk.next = {DeskAnswer::Outcome::Refused, 10, "meant for another state", 0};
-  const HttpResponse stale = site.ask(HttpMethod::Post, "/api/v1/commands", page,
-                                      R"({"command":"Start","if_sequence":12,"cut_off":"resume"})");
+  const WebResponse stale = site.ask(HttpMethod::Post, "/api/v1/commands", page,
+                                     R"({"command":"Start","if_sequence":12,"cut_off":"resume"})");
   EXPECT_EQ(stale.status, 409);
   EXPECT_EQ(
       stale.body,
@@ -284,7 +284,7 @@ TEST(OperatorSite, TellsThatTheCellHasGoneSilent) {
 TEST(OperatorSite, MakesAndRemovesTokens) {
   SiteOfFakes site;
   const Headers page = {{"x-csrf-token", site.get("/api/v1/session")["csrf"]}};
-  const HttpResponse made =
+  const WebResponse made =
       site.ask(HttpMethod::Post, "/api/v1/tokens", page, R"({"name":"anna","role":"operator","days":2})");
   ASSERT_EQ(made.status, 201);
   const std::string token = nlohmann::json::parse(made.body)["token"];

@@ -31,9 +31,9 @@ class SiteOfFakes {
   }
 
   /// Asks, and lets a second go by.
-  HttpResponse ask(HttpMethod method, const std::string& target, std::map<std::string, std::string> headers,
-                   const std::string& body = "") {
-    HttpRequest request;
+  WebResponse ask(HttpMethod method, const std::string& target, std::map<std::string, std::string> headers,
+                  const std::string& body = "") {
+    WebRequest request;
     request.head.method = method;
     request.head.target = target;
     request.head.headers = std::move(headers);
@@ -45,7 +45,7 @@ class SiteOfFakes {
     now.utc_s += 1.0;
     desk.seen.heard_s = now.steady_s;
     auto admission = site.admit(request.head, now);
-    if (auto* refused = std::get_if<HttpResponse>(&admission)) return *refused;
+    if (auto* refused = std::get_if<WebResponse>(&admission)) return *refused;
     return site.answer(std::get<OperatorSite::Admitted>(admission), request, now);
   }
   nlohmann::json get(const std::string& target, const std::string& token = "") {

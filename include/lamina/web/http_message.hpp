@@ -41,13 +41,13 @@ struct ReceivedUpload {
   std::map<std::string, std::string> fields;
 };
 
-struct HttpRequest {
+struct WebRequest {
   HttpHead head;
   std::string body;       ///< empty for uploads
   ReceivedUpload upload;  ///< of requests that are one
 };
 
-struct HttpResponse {
+struct WebResponse {
   int status = 200;
   std::string body;
   std::string type = "application/json";

@@ -82,8 +82,8 @@ class OperatorSite {
 
   const SiteSettings& settings() const;
 
-  std::variant<Admitted, HttpResponse> admit(const HttpHead& head, const CellTime& now);
-  HttpResponse answer(const Admitted& admitted, const HttpRequest& request, const CellTime& now);
+  std::variant<Admitted, WebResponse> admit(const HttpHead& head, const CellTime& now);
+  WebResponse answer(const Admitted& admitted, const WebRequest& request, const CellTime& now);
 
   /// Notes a request that broke off, or was refused before it could be admitted.
   void noteRefusal(const HttpPeer& peer, const std::string& what, const std::string& reason,

@@ -150,19 +150,19 @@ json stateJson(SiteParts& parts, WebRole role, const CellTime& now) {
   return value;
 }
 
-HttpResponse jsonAnswer(int status, const json& value) {
-  HttpResponse response;
+WebResponse jsonAnswer(int status, const json& value) {
+  WebResponse response;
   response.status = status;
   // Names of files and words of machines may hold any bytes: those that are no UTF-8 are shown as such.
   response.body = value.dump(-1, ' ', false, json::error_handler_t::replace);
   return response;
 }
 
-HttpResponse errorAnswer(int status, const std::string& code, const std::string& message) {
+WebResponse errorAnswer(int status, const std::string& code, const std::string& message) {
   return jsonAnswer(status, {{"code", code}, {"message", message}});
 }
 
-HttpResponse orderAnswer(const SiteCall& call, const DeskAnswer& answer) {
+WebResponse orderAnswer(const SiteCall& call, const DeskAnswer& answer) {
   switch (answer.outcome) {
     case DeskAnswer::Outcome::Done:
       return jsonAnswer(200, {{"message", answer.message}});

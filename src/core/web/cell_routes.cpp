@@ -13,33 +13,33 @@ using nlohmann::json;
 
 constexpr std::int64_t kMostSequence = 4294967295;
 
-HttpResponse noted(HttpResponse response, const std::string& note) {
+WebResponse noted(WebResponse response, const std::string& note) {
   response.note = note;
   return response;
 }
 
-HttpResponse getState(SiteCall& call) {
+WebResponse getState(SiteCall& call) {
   return jsonAnswer(200, stateJson(call.parts, *call.who().role, call.now));
 }
 
-HttpResponse getAlarms(SiteCall& call) {
+WebResponse getAlarms(SiteCall& call) {
   return jsonAnswer(200, {{"alarms", alarmsJson(call.parts.desk.snapshot())}});
 }
 
-HttpResponse getJobs(SiteCall& call) {
+WebResponse getJobs(SiteCall& call) {
   json jobs = json::array();
   for (const ShownJob& job : call.parts.desk.snapshot().queue) jobs.push_back(jobJson(job));
   return jsonAnswer(200, {{"jobs", jobs}});
 }
 
-HttpResponse getJob(SiteCall& call) {
+WebResponse getJob(SiteCall& call) {
   const std::int64_t id = wholeNumber(call.value(0));
   for (const ShownJob& job : call.parts.desk.snapshot().queue)
     if (job.id == id) return jsonAnswer(200, jobJson(job));
   return errorAnswer(404, "unknown", "job " + call.value(0) + " is not in the queue");
 }
 
-HttpResponse addJob(SiteCall& call) {
+WebResponse addJob(SiteCall& call) {
   const DeskAnswer answer = enqueueUpload(call, call.source());
   const std::string note = "upload '" + call.request.upload.name + "'";
   if (answer.outcome != DeskAnswer::Outcome::Done) return noted(orderAnswer(call, answer), note);
@@ -50,23 +50,21 @@ HttpResponse addJob(SiteCall& call) {
                note + " as job " + std::to_string(answer.job));
 }
 
-HttpResponse changeJob(SiteCall& call, QueueChange change, const char* word) {
+WebResponse changeJob(SiteCall& call, QueueChange change, const char* word) {
   const DeskAnswer answer = call.parts.desk.changeQueue(change, wholeNumber(call.value(0)), call.source());
   return noted(orderAnswer(call, answer), std::string(word) + " job " + call.value(0));
 }
 
-HttpResponse releaseJob(SiteCall& call) { return changeJob(call, QueueChange::Release, "release"); }
-HttpResponse revokeJob(SiteCall& call) { return changeJob(call, QueueChange::Revoke, "revoke"); }
-HttpResponse moveJob(SiteCall& call) {
-  return changeJob(call, QueueChange::MoveToFront, "move to the front");
-}
-HttpResponse removeJob(SiteCall& call) { return changeJob(call, QueueChange::Remove, "remove"); }
+WebResponse releaseJob(SiteCall& call) { return changeJob(call, QueueChange::Release, "release"); }
+WebResponse revokeJob(SiteCall& call) { return changeJob(call, QueueChange::Revoke, "revoke"); }
+WebResponse moveJob(SiteCall& call) { return changeJob(call, QueueChange::MoveToFront, "move to the front"); }
+WebResponse removeJob(SiteCall& call) { return changeJob(call, QueueChange::Remove, "remove"); }
 
-HttpResponse getStartup(SiteCall& call) {
+WebResponse getStartup(SiteCall& call) {
   return jsonAnswer(200, {{"startup", startupJson(call.parts.desk.snapshot())}});
 }
 
-HttpResponse runStartup(SiteCall& call) {
+WebResponse runStartup(SiteCall& call) {
   const json body = bodyObject(call);
   const std::string word = textOf(body, "command");
   const std::string step = textOf(body, "step");
@@ -78,7 +76,7 @@ HttpResponse runStartup(SiteCall& call) {
   return noted(orderAnswer(call, call.parts.desk.startup(command, step)), "start-up: " + word + " " + step);
 }
 
-HttpResponse getLoop(SiteCall& call) {
+WebResponse getLoop(SiteCall& call) {
   const CellSnapshot seen = call.parts.desk.snapshot();
   if (!seen.loop) return errorAnswer(404, "unknown", "no loop on layer heights has been heard of");
   return jsonAnswer(200, {{"state", seen.loop->state},
@@ -87,7 +85,7 @@ HttpResponse getLoop(SiteCall& call) {
                           {"alarm", seen.loop->alarm}});
 }
 
-HttpResponse setLoop(SiteCall& call) {
+WebResponse setLoop(SiteCall& call) {
   const std::string word = textOf(bodyObject(call), "request");
   if (word != "off" && word != "identify" && word != "active")
     throw InvalidInput("request is '" + word + "'; expected off, identify or active");
@@ -97,11 +95,11 @@ HttpResponse setLoop(SiteCall& call) {
   return noted(orderAnswer(call, call.parts.desk.setLoop(request)), "loop " + word);
 }
 
-HttpResponse getLayers(SiteCall& call) {
+WebResponse getLayers(SiteCall& call) {
   return jsonAnswer(200, {{"layers", layersJson(call.parts.desk.snapshot())}});
 }
 
-HttpResponse getDeviation(SiteCall& call) {
+WebResponse getDeviation(SiteCall& call) {
   const ShownDeviation shown = call.parts.desk.deviation();
   if (shown.number == 0) return errorAnswer(404, "unknown", "no layer has been measured yet");
   return jsonAnswer(200, {{"number", shown.number},
@@ -110,7 +108,7 @@ HttpResponse getDeviation(SiteCall& call) {
                           {"errors_m", shown.errors_m}});
 }
 
-HttpResponse getPreview(SiteCall& call) {
+WebResponse getPreview(SiteCall& call) {
   const auto preview = call.parts.desk.preview(static_cast<std::int32_t>(
       std::min<std::int64_t>(wholeNumber(call.value(0)), std::numeric_limits<std::int32_t>::max())));
   if (!preview) return errorAnswer(404, "unknown", "there is no such layer, or no job");
@@ -121,13 +119,13 @@ HttpResponse getPreview(SiteCall& call) {
                           {"is_cut_short", preview->is_cut_short}});
 }
 
-HttpResponse getCounters(SiteCall& call) {
+WebResponse getCounters(SiteCall& call) {
   const ShownUnit unit = call.parts.desk.snapshot().unit;
   return jsonAnswer(200,
                     {{"parts", unit.parts}, {"defective", unit.defective}, {"running_s", unit.running_s}});
 }
 
-HttpResponse getHistory(SiteCall& call) {
+WebResponse getHistory(SiteCall& call) {
   const auto from = call.admitted.target.query.find("from");
   const double from_s =
       from == call.admitted.target.query.end() ? 0.0 : static_cast<double>(wholeNumber(from->second));
@@ -163,7 +161,7 @@ int cutOffOf(const json& body) {
   throw InvalidInput("cut_off is '" + word + "'; expected resume or discard");
 }
 
-HttpResponse giveCommand(SiteCall& call) {
+WebResponse giveCommand(SiteCall& call) {
   const json body = bodyObject(call);
   DeskCommand command;
   command.command = commandNamed(textOf(body, "command"));
@@ -180,7 +178,7 @@ HttpResponse giveCommand(SiteCall& call) {
   return noted(orderAnswer(call, call.parts.desk.command(command)), toString(command.command));
 }
 
-HttpResponse setMode(SiteCall& call) {
+WebResponse setMode(SiteCall& call) {
   const json body = bodyObject(call);
   const auto mode = body.find("mode");
   if (mode == body.end() || !mode->is_number_integer() || mode->get<std::int64_t>() < 1 ||
@@ -191,18 +189,18 @@ HttpResponse setMode(SiteCall& call) {
                "mode " + std::to_string(number));
 }
 
-HttpResponse acknowledgeAlarm(SiteCall& call) {
+WebResponse acknowledgeAlarm(SiteCall& call) {
   const auto id = wholeNumber(call.value(0));
   if (id > 65535) throw InvalidInput("alarm " + call.value(0) + "; expected at most 65535");
   return noted(orderAnswer(call, call.parts.desk.acknowledge(static_cast<int>(id), call.source())),
                "acknowledge alarm " + call.value(0));
 }
 
-HttpResponse confirmRemoval(SiteCall& call) {
+WebResponse confirmRemoval(SiteCall& call) {
   return noted(orderAnswer(call, call.parts.desk.confirmRemoval(call.source())), "part taken away");
 }
 
-HttpResponse getMetrics(SiteCall& call) {
+WebResponse getMetrics(SiteCall& call) {
   const CellSnapshot seen = call.parts.desk.snapshot();
   const double age_s = seen.heard_s ? call.now.steady_s - *seen.heard_s : -1.0;
   std::ostringstream text;
@@ -222,14 +220,14 @@ HttpResponse getMetrics(SiteCall& call) {
   line("lamina_running_seconds_total", "counter", seen.unit.running_s);
   line("lamina_nozzle_celsius", "gauge", seen.machine.nozzle_degc);
   line("lamina_bed_celsius", "gauge", seen.machine.bed_degc);
-  HttpResponse response;
+  WebResponse response;
   response.type = "text/plain; version=0.0.4; charset=utf-8";
   response.body = text.str();
   return response;
 }
 
 /// Sockets and pictures are not answered here.
-HttpResponse upgradeOnly(SiteCall& /*call*/) {
+WebResponse upgradeOnly(SiteCall& /*call*/) {
   return errorAnswer(400, "no_stream",
                      "this address is a stream; expected a WebSocket or a reader of pictures");
 }

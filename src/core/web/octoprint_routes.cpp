@@ -55,12 +55,12 @@ Mapped stateOf(const CellSnapshot& seen, const CellTime& now) {
   return mapped(seen.unit.state);
 }
 
-HttpResponse getVersion(SiteCall& /*call*/) {
+WebResponse getVersion(SiteCall& /*call*/) {
   return jsonAnswer(
       200, {{"api", "0.1"}, {"server", "1.5.0"}, {"text", "OctoPrint (Lamina " + laminaVersion() + ")"}});
 }
 
-HttpResponse getServer(SiteCall& /*call*/) {
+WebResponse getServer(SiteCall& /*call*/) {
   return jsonAnswer(200, {{"version", "1.5.0"}, {"safemode", nullptr}});
 }
 
@@ -75,18 +75,18 @@ json userJson(const SiteCall& call) {
           {"permissions", json::array()}};
 }
 
-HttpResponse login(SiteCall& call) {
+WebResponse login(SiteCall& call) {
   json value = userJson(call);
   value["session"] = "";
   value["_is_external_client"] = !call.who().is_local;
-  HttpResponse response = jsonAnswer(200, value);
+  WebResponse response = jsonAnswer(200, value);
   response.note = "login by OctoPrint's interface";
   return response;
 }
 
-HttpResponse getCurrentUser(SiteCall& call) { return jsonAnswer(200, userJson(call)); }
+WebResponse getCurrentUser(SiteCall& call) { return jsonAnswer(200, userJson(call)); }
 
-HttpResponse getSettings(SiteCall& call) {
+WebResponse getSettings(SiteCall& call) {
   const bool has_camera = call.parts.desk.snapshot().has_camera;
   return jsonAnswer(200, {{"api", {{"enabled", true}, {"allowCrossOrigin", false}}},
                           {"appearance", {{"name", "Lamina"}, {"color", "default"}}},
@@ -105,7 +105,7 @@ HttpResponse getSettings(SiteCall& call) {
                             {"rotate90", false}}}});
 }
 
-HttpResponse getProfiles(SiteCall& /*call*/) {
+WebResponse getProfiles(SiteCall& /*call*/) {
   return jsonAnswer(200, {{"profiles",
                            {{"_default",
                              {{"id", "_default"},
@@ -117,7 +117,7 @@ HttpResponse getProfiles(SiteCall& /*call*/) {
                               {"extruder", {{"count", 1}}}}}}}});
 }
 
-HttpResponse getPrinter(SiteCall& call) {
+WebResponse getPrinter(SiteCall& call) {
   const CellSnapshot seen = call.parts.desk.snapshot();
   const Mapped state = stateOf(seen, call.now);
   const auto heater = [](double actual) {
@@ -140,7 +140,7 @@ HttpResponse getPrinter(SiteCall& call) {
              {{"tool0", heater(seen.machine.nozzle_degc)}, {"bed", heater(seen.machine.bed_degc)}}}});
 }
 
-HttpResponse getPrintJob(SiteCall& call) {
+WebResponse getPrintJob(SiteCall& call) {
   const CellSnapshot seen = call.parts.desk.snapshot();
   std::optional<LeftEstimate> left;
   {
@@ -156,7 +156,7 @@ HttpResponse getPrintJob(SiteCall& call) {
                           {"state", stateOf(seen, call.now).text}});
 }
 
-HttpResponse getFiles(SiteCall& call) {
+WebResponse getFiles(SiteCall& call) {
   json files = json::array();
   if (mayDo(*call.who().role, WebRight::SeeAll))
     for (const ShownJob& job : call.parts.desk.snapshot().queue)
@@ -178,18 +178,18 @@ bool isInUse(const CellSnapshot& seen, const std::string& name) {
          seen.unit.state != UnitState::Complete && seen.unit.state != UnitState::Stopped;
 }
 
-HttpResponse addFile(SiteCall& call) {
+WebResponse addFile(SiteCall& call) {
   const ReceivedUpload& upload = call.request.upload;
   const std::string note = "upload '" + upload.name + "'";
   const std::string source = "octoprint: " + call.who().name;
   if (isInUse(call.parts.desk.snapshot(), upload.name)) {
-    HttpResponse refused = errorAnswer(409, "in_use", "'" + upload.name + "' is being printed");
+    WebResponse refused = errorAnswer(409, "in_use", "'" + upload.name + "' is being printed");
     refused.note = note;
     return refused;
   }
   const DeskAnswer answer = enqueueUpload(call, source);
   if (answer.outcome != DeskAnswer::Outcome::Done) {
-    HttpResponse refused = orderAnswer(call, answer);
+    WebResponse refused = orderAnswer(call, answer);
     refused.note = note;
     return refused;
   }
@@ -199,7 +199,7 @@ HttpResponse addFile(SiteCall& call) {
                            call.parts.desk.changeQueue(QueueChange::Release, answer.job, source).outcome ==
                                DeskAnswer::Outcome::Done;
   const std::string place = "/api/files/local/" + upload.name;
-  HttpResponse response = jsonAnswer(
+  WebResponse response = jsonAnswer(
       201, {{"files",
              {{"local",
                {{"name", upload.name},
@@ -227,14 +227,14 @@ UnitCommand commandOf(const json& body, const CellSnapshot& seen) {
   return seen.unit.state == UnitState::Held ? UnitCommand::Unhold : UnitCommand::Hold;
 }
 
-HttpResponse commandJob(SiteCall& call) {
+WebResponse commandJob(SiteCall& call) {
   DeskCommand command;
   command.command = commandOf(bodyObject(call), call.parts.desk.snapshot());
   command.source = "octoprint: " + call.who().name;
   if (command.command != UnitCommand::Hold && !mayDo(*call.who().role, WebRight::Operate))
     return errorAnswer(403, "wrong_role", "a viewer may hold, and give no other command");
   const DeskAnswer answer = call.parts.desk.command(command);
-  HttpResponse response = orderAnswer(call, answer);
+  WebResponse response = orderAnswer(call, answer);
   if (answer.outcome == DeskAnswer::Outcome::Done) {
     response.status = 204;
     response.body.clear();
@@ -243,29 +243,29 @@ HttpResponse commandJob(SiteCall& call) {
   return response;
 }
 
-HttpResponse refuseGcode(SiteCall& /*call*/) {
+WebResponse refuseGcode(SiteCall& /*call*/) {
   return errorAnswer(403, "no_raw_gcode", "commands of the machine are not taken from the network");
 }
 
-HttpResponse probeKeys(SiteCall& /*call*/) {
-  HttpResponse response;
+WebResponse probeKeys(SiteCall& /*call*/) {
+  WebResponse response;
   response.status = 204;
   return response;
 }
 
-HttpResponse requestKey(SiteCall& call) {
+WebResponse requestKey(SiteCall& call) {
   const std::string application = textOf(bodyObject(call), "app");
   if (application.empty()) throw InvalidInput("app is missing; expected the name of the application");
   const std::string secret =
       call.parts.access.requestKey(application, call.request.head.peer.address, call.now);
   if (secret.empty()) return errorAnswer(429, "too_many", "too many applications wait for an answer");
-  HttpResponse response = jsonAnswer(201, {{"app_token", secret}});
+  WebResponse response = jsonAnswer(201, {{"app_token", secret}});
   response.headers.emplace_back("Location", "/plugin/appkeys/request/" + secret);
   response.note = "application '" + application.substr(0, 60) + "' asks for a token";
   return response;
 }
 
-HttpResponse getKey(SiteCall& call) {
+WebResponse getKey(SiteCall& call) {
   const WebAccess::KeyDecision decision = call.parts.access.keyDecision(call.value(0), call.now);
   if (!decision.is_known || (decision.key && decision.key->empty()))
     return errorAnswer(404, "unknown", "the request was denied, has expired, or was never made");

@@ -88,15 +88,15 @@ struct OperatorSite::Inside {
     for (const SiteRoute& route : routes) patterns.push_back(partsOf(route.row.pattern));
   }
 
-  HttpResponse refuse(const HttpHead& head, const WebRefusal& refusal, const WebIdentity& who,
-                      const CellTime& now);
+  WebResponse refuse(const HttpHead& head, const WebRefusal& refusal, const WebIdentity& who,
+                     const CellTime& now);
   std::optional<WebRefusal> againstRight(const RouteRow& row, const WebIdentity& who) const;
   std::optional<WebRefusal> against(const HttpHead& head, const RouteRow& row, const WebIdentity& who,
                                     const CellTime& now);
   std::optional<WebRefusal> againstBody(const HttpHead& head, const RouteRow& row) const;
-  HttpResponse call(const Admitted& admitted, const HttpRequest& request, const CellTime& now);
-  HttpResponse callOnce(const std::string& key, const Admitted& admitted, const HttpRequest& request,
-                        const CellTime& now);
+  WebResponse call(const Admitted& admitted, const WebRequest& request, const CellTime& now);
+  WebResponse callOnce(const std::string& key, const Admitted& admitted, const WebRequest& request,
+                       const CellTime& now);
   bool isRefusalWritten(const std::string& address, const CellTime& now);
   void audit(const AuditRow& row);
   void tellGuesses(const std::string& address);
@@ -157,8 +157,8 @@ void OperatorSite::Inside::noteUse(const WebIdentity& who, const CellTime& now) 
   }
 }
 
-HttpResponse OperatorSite::Inside::refuse(const HttpHead& head, const WebRefusal& refusal,
-                                          const WebIdentity& who, const CellTime& now) {
+WebResponse OperatorSite::Inside::refuse(const HttpHead& head, const WebRefusal& refusal,
+                                         const WebIdentity& who, const CellTime& now) {
   const bool is_written = isRefusalWritten(head.peer.address, now);
   const std::string path = head.target.substr(0, head.target.find('?')).substr(0, 120);
   if (is_written)
@@ -166,7 +166,7 @@ HttpResponse OperatorSite::Inside::refuse(const HttpHead& head, const WebRefusal
            std::string(wordOf(head.method)) + ' ' + path,
            "refused " + std::to_string(refusal.status) + ": " + refusal.message});
   tellGuesses(head.peer.address);
-  HttpResponse response = errorAnswer(refusal.status, refusal.code, refusal.message);
+  WebResponse response = errorAnswer(refusal.status, refusal.code, refusal.message);
   if (refusal.status == 401) response.headers.emplace_back("WWW-Authenticate", "Bearer");
   if (refusal.status == 429) response.headers.emplace_back("Retry-After", "60");
   return response;
@@ -229,8 +229,8 @@ std::optional<WebRefusal> OperatorSite::Inside::against(const HttpHead& head, co
   return againstBody(head, row);
 }
 
-std::variant<OperatorSite::Admitted, HttpResponse> OperatorSite::admit(const HttpHead& head,
-                                                                       const CellTime& now) {
+std::variant<OperatorSite::Admitted, WebResponse> OperatorSite::admit(const HttpHead& head,
+                                                                      const CellTime& now) {
   Inside& inside = *inside_;
   const auto refuse = [&](const WebRefusal& refusal, const WebIdentity& who = {}) {
     return inside.refuse(head, refusal, who, now);
@@ -260,8 +260,8 @@ std::variant<OperatorSite::Admitted, HttpResponse> OperatorSite::admit(const Htt
   return refuse({404, "not_found", "there is nothing at this address"});
 }
 
-HttpResponse OperatorSite::Inside::call(const Admitted& admitted, const HttpRequest& request,
-                                        const CellTime& now) {
+WebResponse OperatorSite::Inside::call(const Admitted& admitted, const WebRequest& request,
+                                       const CellTime& now) {
   SiteCall call{parts, request, admitted, now};
   try {
     return routes.at(admitted.route).handler(call);
@@ -273,10 +273,10 @@ HttpResponse OperatorSite::Inside::call(const Admitted& admitted, const HttpRequ
 
 /// An answer that was given to the same key is given again; while the first is under way, the second waits
 /// for nothing.
-HttpResponse OperatorSite::Inside::callOnce(const std::string& key, const Admitted& admitted,
-                                            const HttpRequest& request, const CellTime& now) {
+WebResponse OperatorSite::Inside::callOnce(const std::string& key, const Admitted& admitted,
+                                           const WebRequest& request, const CellTime& now) {
   if (const auto kept = parts.store.kept(key, now.utc_s)) {
-    HttpResponse response;
+    WebResponse response;
     response.status = kept->status;
     response.body = kept->body;
     response.note = "repeated";
@@ -287,7 +287,7 @@ HttpResponse OperatorSite::Inside::callOnce(const std::string& key, const Admitt
     if (!keys_under_way.insert(key).second)
       return errorAnswer(409, "under_way", "a request of the same Idempotency-Key is under way");
   }
-  HttpResponse response = call(admitted, request, now);
+  WebResponse response = call(admitted, request, now);
   try {
     if (response.status < 500) parts.store.keep(key, {response.status, response.body}, now.utc_s);
   } catch (const Error& error) {
@@ -298,11 +298,11 @@ HttpResponse OperatorSite::Inside::callOnce(const std::string& key, const Admitt
   return response;
 }
 
-HttpResponse OperatorSite::answer(const Admitted& admitted, const HttpRequest& request, const CellTime& now) {
+WebResponse OperatorSite::answer(const Admitted& admitted, const WebRequest& request, const CellTime& now) {
   Inside& inside = *inside_;
   const RouteRow& row = inside.routes.at(admitted.route).row;
   const std::string key = request.head.header("idempotency-key");
-  HttpResponse response;
+  WebResponse response;
   if (key.size() > kLongestKey)
     response = errorAnswer(400, "bad_key", "Idempotency-Key has more than 100 bytes");
   else if (key.empty() || row.method == HttpMethod::Get || isUrgent(row))

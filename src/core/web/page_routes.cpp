@@ -14,21 +14,21 @@ using nlohmann::json;
 constexpr std::size_t kMostAuditRows = 1000;
 constexpr double kDay = 86400.0;  // [s]
 
-HttpResponse fileNamed(const SiteCall& call, std::string_view name) {
+WebResponse fileNamed(const SiteCall& call, std::string_view name) {
   const auto& files = call.parts.files;
   const auto file =
       std::find_if(files.begin(), files.end(), [&](const PageFile& row) { return row.name == name; });
   if (file == files.end())
     return errorAnswer(404, "not_found", "the page has no file '" + std::string(name) + "'");
-  HttpResponse response;
+  WebResponse response;
   response.type = file->type;
   response.body = file->bytes;
   response.headers = {{"Cache-Control", "no-cache"}};
   return response;
 }
 
-HttpResponse getPage(SiteCall& call) { return fileNamed(call, "index.html"); }
-HttpResponse getFile(SiteCall& call) { return fileNamed(call, call.value(0)); }
+WebResponse getPage(SiteCall& call) { return fileNamed(call, "index.html"); }
+WebResponse getFile(SiteCall& call) { return fileNamed(call, call.value(0)); }
 
 json sessionJson(const WebIdentity& who) {
   json value = {{"version", laminaVersion()}, {"is_known", who.role.has_value()}};
@@ -42,15 +42,15 @@ json sessionJson(const WebIdentity& who) {
   return value;
 }
 
-HttpResponse getSession(SiteCall& call) { return jsonAnswer(200, sessionJson(call.who())); }
+WebResponse getSession(SiteCall& call) { return jsonAnswer(200, sessionJson(call.who())); }
 
-HttpResponse openSession(SiteCall& call) {
+WebResponse openSession(SiteCall& call) {
   const auto opened =
       call.parts.access.openSession(textOf(bodyObject(call), "token"), call.request.head.peer, call.now);
   if (const auto* refusal = std::get_if<WebRefusal>(&opened))
     return errorAnswer(refusal->status, refusal->code, refusal->message);
   const auto& session = std::get<WebSession>(opened);
-  HttpResponse response = jsonAnswer(201, {{"csrf", session.csrf}});
+  WebResponse response = jsonAnswer(201, {{"csrf", session.csrf}});
   const std::string secure = call.request.head.peer.is_encrypted ? "; Secure" : "";
   const auto seconds = static_cast<long long>(call.parts.settings.access.session_s);
   response.headers.emplace_back(
@@ -60,9 +60,9 @@ HttpResponse openSession(SiteCall& call) {
   return response;
 }
 
-HttpResponse closeSession(SiteCall& call) {
+WebResponse closeSession(SiteCall& call) {
   call.parts.access.closeSession(cookieValue(call.request.head.header("cookie"), "lamina_session"));
-  HttpResponse response = jsonAnswer(200, json::object());
+  WebResponse response = jsonAnswer(200, json::object());
   response.headers.emplace_back("Set-Cookie",
                                 "lamina_session=; Path=/; HttpOnly; SameSite=Strict; Max-Age=0");
   response.note = "logout";
@@ -78,13 +78,13 @@ json tokenJson(const WebToken& token) {
           {"last_used_utc_s", token.last_used_s ? json(*token.last_used_s) : json(nullptr)}};
 }
 
-HttpResponse getTokens(SiteCall& call) {
+WebResponse getTokens(SiteCall& call) {
   json tokens = json::array();
   for (const WebToken& token : call.parts.store.tokens()) tokens.push_back(tokenJson(token));
   return jsonAnswer(200, {{"tokens", tokens}});
 }
 
-HttpResponse addToken(SiteCall& call) {
+WebResponse addToken(SiteCall& call) {
   const json body = bodyObject(call);
   NewToken token{textOf(body, "name"), webRole(textOf(body, "role")), std::nullopt};
   const auto days = body.find("days");
@@ -93,16 +93,16 @@ HttpResponse addToken(SiteCall& call) {
       throw InvalidInput("days is " + days->dump() + "; expected above 0, at most 3650");
     token.expires_s = call.now.utc_s + days->get<double>() * kDay;
   }
-  HttpResponse response = jsonAnswer(201, {{"token", call.parts.store.add(token, call.now.utc_s)}});
+  WebResponse response = jsonAnswer(201, {{"token", call.parts.store.add(token, call.now.utc_s)}});
   response.note = "add token '" + token.name + "' as " + toString(token.role);
   return response;
 }
 
-HttpResponse removeToken(SiteCall& call) {
+WebResponse removeToken(SiteCall& call) {
   const std::int64_t id = wholeNumber(call.value(0));
-  HttpResponse response = call.parts.store.remove(id)
-                              ? jsonAnswer(200, json::object())
-                              : errorAnswer(404, "unknown", "there is no token " + call.value(0));
+  WebResponse response = call.parts.store.remove(id)
+                             ? jsonAnswer(200, json::object())
+                             : errorAnswer(404, "unknown", "there is no token " + call.value(0));
   response.note = "remove token " + call.value(0);
   return response;
 }
@@ -115,7 +115,7 @@ std::string tokenNameOf(const std::string& application, const std::string& suffi
 }
 
 /// Gives an application that asked for it a token of a sender.
-HttpResponse allowKey(SiteCall& call) {
+WebResponse allowKey(SiteCall& call) {
   const std::int64_t id = wholeNumber(call.value(0));
   const auto requests = call.parts.access.keyRequests(call.now);
   const auto found =
@@ -125,21 +125,20 @@ HttpResponse allowKey(SiteCall& call) {
   const std::string name = tokenNameOf(found->application, randomKey().substr(0, 4));
   const std::string key = call.parts.store.add({name, WebRole::Sender, std::nullopt}, call.now.utc_s);
   call.parts.access.decide(id, key, call.now);
-  HttpResponse response = jsonAnswer(200, {{"name", name}});
+  WebResponse response = jsonAnswer(200, {{"name", name}});
   response.note = "allow '" + name + "' to send";
   return response;
 }
 
-HttpResponse denyKey(SiteCall& call) {
+WebResponse denyKey(SiteCall& call) {
   const bool is_done = call.parts.access.decide(wholeNumber(call.value(0)), std::nullopt, call.now);
-  HttpResponse response = is_done
-                              ? jsonAnswer(200, json::object())
-                              : errorAnswer(404, "unknown", "no application asks by that number any more");
+  WebResponse response = is_done ? jsonAnswer(200, json::object())
+                                 : errorAnswer(404, "unknown", "no application asks by that number any more");
   response.note = "deny application " + call.value(0);
   return response;
 }
 
-HttpResponse getAudit(SiteCall& call) {
+WebResponse getAudit(SiteCall& call) {
   json rows = json::array();
   for (const AuditRow& row : call.parts.store.audit(kMostAuditRows))
     rows.push_back({{"utc_s", row.time_s},

@@ -32,7 +32,7 @@ struct SiteParts {
 /// A request on its way to a route.
 struct SiteCall {
   SiteParts& parts;
-  const HttpRequest& request;
+  const WebRequest& request;
   const OperatorSite::Admitted& admitted;
   CellTime now;
 
@@ -42,7 +42,7 @@ struct SiteCall {
   const std::string& value(std::size_t place) const { return admitted.values.at(place); }
 };
 
-using SiteHandler = HttpResponse (*)(SiteCall& call);
+using SiteHandler = WebResponse (*)(SiteCall& call);
 
 struct SiteRoute {
   RouteRow row;
@@ -55,11 +55,11 @@ std::vector<SiteRoute> octoprintRoutes();  ///< what slicers ask for
 
 // Answers.
 
-HttpResponse jsonAnswer(int status, const nlohmann::json& value);
+WebResponse jsonAnswer(int status, const nlohmann::json& value);
 /// {code, message}
-HttpResponse errorAnswer(int status, const std::string& code, const std::string& message);
+WebResponse errorAnswer(int status, const std::string& code, const std::string& message);
 /// The answer to an order, with what the unit would accept where it was refused.
-HttpResponse orderAnswer(const SiteCall& call, const DeskAnswer& answer);
+WebResponse orderAnswer(const SiteCall& call, const DeskAnswer& answer);
 /// The body as a JSON object.
 /// @throws InvalidInput if it is none
 nlohmann::json bodyObject(const SiteCall& call);

@@ -113,7 +113,7 @@ std::optional<HttpHead> requestHead(const http::request<http::buffer_body>& requ
   return head;
 }
 
-std::string headText(const HttpResponse& response, bool is_kept) {
+std::string headText(const WebResponse& response, bool is_kept) {
   std::string text = "HTTP/1.1 " + std::to_string(response.status) + ' ' + reasonOf(response.status) + "\r\n";
   const auto add = [&text](const std::string& name, const std::string& value) {
     text += name + ": " + value + "\r\n";
@@ -136,8 +136,8 @@ std::string headText(const HttpResponse& response, bool is_kept) {
   return text + "\r\n";
 }
 
-HttpResponse plainError(int status, const std::string& code, const std::string& message) {
-  HttpResponse response;
+WebResponse plainError(int status, const std::string& code, const std::string& message) {
+  WebResponse response;
   response.status = status;
   response.body = R"({"code":")" + code + R"(","message":")" + message + "\"}";
   return response;
@@ -178,7 +178,7 @@ class Connection {
     return true;
   }
 
-  bool answer(const HttpResponse& response, bool is_kept) {
+  bool answer(const WebResponse& response, bool is_kept) {
     return send(headText(response, is_kept)) && send(response.body) && is_kept;
   }
 
@@ -214,7 +214,7 @@ class Connection {
     if (!head) return refuse(400, "bad_request", "a header that may stand once stands twice");
     auto admission = place_.site.admit(*head, timeNow());
     const bool is_kept = parser.get().keep_alive();
-    if (const auto* refused = std::get_if<HttpResponse>(&admission))
+    if (const auto* refused = std::get_if<WebResponse>(&admission))
       return answer(*refused, is_kept && !hasBody(*head));
     return serveAdmitted(parser, *head, std::get<OperatorSite::Admitted>(admission), is_kept);
   }
@@ -239,7 +239,7 @@ class Connection {
       case RouteBody::Small:
         break;
     }
-    HttpRequest request{head, "", {}};
+    WebRequest request{head, "", {}};
     if (const int status = readSmallBody(parser, request.body); status != 0)
       return refuse(status, "bad_body", "the body did not come whole in time, or has more than 65536 bytes");
     return answer(place_.site.answer(admitted, request, timeNow()), is_kept);
@@ -279,7 +279,7 @@ class Connection {
                       site.most_upload_bytes);
       if (!readUpload(parser, file))
         return refuse(408, "too_slow", "the upload stood still for too long, or broke off");
-      const HttpRequest request{head, "", file.finish()};
+      const WebRequest request{head, "", file.finish()};
       return answer(place_.site.answer(admitted, request, timeNow()), is_kept);
     } catch (const UploadTooLarge& error) {
       return refuse(error.status(), "too_large",
