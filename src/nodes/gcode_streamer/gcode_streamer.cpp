@@ -71,7 +71,7 @@ GcodeStreamer::GcodeStreamer(ros::NodeHandle node, const GcodeStreamerSettings& 
       abort_(advertiseForOwner(node, names::kAbort, owner_,
                                [this](auto& request, auto& response) { return onAbort(request, response); })),
       change_(node.advertiseService(names::kChangeJob, &GcodeStreamer::onChange, this)),
-      owner_(node, settings.owner_grace_s),
+      owner_watch_(node, settings.owner_grace_s),
       startup_(settings.startup, settings.stream, settings.port,
                [this](const auto& steps) { onSteps(steps); }),
       startup_service_(node, startup_),
@@ -205,7 +205,7 @@ StreamStatus GcodeStreamer::streamProgram(const StreamableProgram& program, JobS
   }
   ROS_INFO("streaming %s, %lu lines, to %s", program.name().c_str(), static_cast<unsigned long>(sent.lines()),
            settings_.port.name.c_str());
-  owner_.expect();
+  owner_watch_.expect();
   StreamStatus status = follow(*session, [&](const StreamStatus& now) {
     if (!execution.empty()) holdWithoutOwner(*session);
     if (corrected) tellDecisions(*corrected);
@@ -218,7 +218,7 @@ StreamStatus GcodeStreamer::streamProgram(const StreamableProgram& program, JobS
 
 /// Nobody would see what the machine does, or stop it.
 void GcodeStreamer::holdWithoutOwner(StreamSession& session) {
-  if (!owner_.takeLoss()) return;
+  if (!owner_watch_.takeLoss()) return;
   ROS_ERROR("the cell that ordered the job has said nothing for more than %.1f s; the job is held",
             settings_.owner_grace_s);
   session.pause();

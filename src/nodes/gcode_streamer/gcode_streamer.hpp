@@ -101,7 +101,7 @@ class GcodeStreamer {
   ros::ServiceServer resume_;
   ros::ServiceServer abort_;
   ros::ServiceServer change_;
-  OwnerWatch owner_;
+  OwnerWatch owner_watch_;
   diagnostic_updater::Updater updater_;
   ros::Timer diagnostics_timer_;
 

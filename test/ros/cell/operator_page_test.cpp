@@ -120,7 +120,11 @@ class CellWithPage {
     });
   }
   bool starts() {
-    return waitUntil([this] { return command("Start").first == 200; });
+    bool is_started = false;
+    return waitUntil([&] {
+      is_started = is_started || command("Start").first == 200;
+      return is_started;
+    });
   }
   std::pair<int, json> upload(const std::string& program, const std::string& name) {
     const std::string form = "--b\r\nContent-Disposition: form-data; name=\"file\"; filename=\"" + name +
