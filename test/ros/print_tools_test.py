@@ -12,8 +12,10 @@ import importlib.util
 import io
 import json
 import pathlib
+import socket
 import sys
 import tempfile
+import threading
 import unittest
 import xml.etree.ElementTree
 from unittest import mock
@@ -168,6 +170,22 @@ class Cell(unittest.TestCase):
         chart = tool("draw_cell").Chart({"states": [[0.0, "Idle", ""]], "layers": [], "events": [[90.0, "part", "done"]]})
         self.assertIn(">80<", "".join(chart.seconds()))
         self.assertEqual(chart.y_of("Holding"), chart.y_of("Held"))
+
+    def test_registers_are_written_and_read_as_modbus_has_them(self):
+        kind = tool("print_cell").Plc
+        plc = kind.__new__(kind)
+        plc.link, peer = socket.socketpair()
+        plc.lock, plc.transaction = threading.Lock(), 6
+        with plc.link, peer:
+            peer.sendall(bytes.fromhex("0007 0000 0006 01 10 0001 0002"))
+            plc.write(1, 2, 43)
+            self.assertEqual(peer.recv(64), bytes.fromhex("0007 0000 000b 01 10 0001 0002 04 0002 002b"))
+            peer.sendall(bytes.fromhex("0008 0000 0007 01 04 04 002b 0001"))
+            self.assertEqual(plc.read(13, 2), (43, 1))
+            self.assertEqual(peer.recv(64), bytes.fromhex("0008 0000 0006 01 04 000d 0002"))
+            peer.sendall(bytes.fromhex("0009 0000 0003 01 84 02"))
+            with self.assertRaisesRegex(OSError, "exception 2"):
+                plc.read(999, 1)
 
     def test_a_state_is_told_once(self):
         timeline = tool("print_cell").Timeline()
