@@ -281,6 +281,8 @@ TEST(OperatorPage, TakesTokensThatTheCommandHasMade) {
       "--b\r\nContent-Disposition: form-data; name=\"print\"\r\n\r\ntrue\r\n--b\r\n"
       "Content-Disposition: form-data; name=\"file\"; filename=\"sent.gcode\"\r\n\r\n" +
       wallProgram(2) + "\r\n--b--\r\n";
+  EXPECT_TRUE(
+      waitUntil([&] { return ros::service::exists(cell.space() + '/' + names::kEnqueueJob, false); }));
   const test::RawClient slicer(cell.web_port);
   slicer.send("POST /api/files/local HTTP/1.1\r\nHost: cell.example.org\r\nX-Api-Key: " + token +
               "\r\nContent-Type: multipart/form-data; boundary=b\r\nContent-Length: " +
