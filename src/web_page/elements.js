@@ -58,6 +58,9 @@ export function setFacts(list, facts) {
 
 export function fillTexts() {
   for (const place of document.querySelectorAll("[data-text]")) place.textContent = texts[place.dataset.text];
+  // Pictures are called as their sections until they show something.
+  for (const picture of document.querySelectorAll("section canvas"))
+    picture.setAttribute("aria-label", picture.closest("section").querySelector("h2").textContent);
 }
 
 export function duration(seconds) {
