@@ -41,6 +41,9 @@ class ConnectionTable {
 
   std::size_t size() const;
 
+  /// So many connections that gave way have not ended yet that no other finds a place.
+  bool isCrowded() const { return size() >= 2 * most_; }
+
  private:
   struct Row {
     int descriptor = -1;

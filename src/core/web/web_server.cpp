@@ -485,9 +485,14 @@ class WebServer::Listener {
     sigaddset(&broken_pipe, SIGPIPE);
     pthread_sigmask(SIG_BLOCK, &broken_pipe, nullptr);
     while (!is_ending_) {
+      reap();
+      if (table_.isCrowded()) {
+        // Clients wait in the queue of the system until those that gave way have ended.
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        continue;
+      }
       pollfd poll{acceptor_.native_handle(), POLLIN, 0};
       if (::poll(&poll, 1, kAcceptWait) > 0) accept();
-      reap();
     }
   }
 

@@ -72,11 +72,12 @@ TEST_F(CorrectedChunks, WithoutMapsAreTheSame) {
 
 TEST_F(CorrectedChunks, HaveTheFlowOfTheirPlaces) {
   EXPECT_EQ(correction.hear(risingMap(0.0), "digest"), "");
-  for (const JointState& point : correction.corrected(chunkOf(1.0, 1.2, *model)).points)
+  for (const JointState& point : correction.corrected(chunkOf(1.0, 1.2, *model)).points) {
     EXPECT_NEAR(point.process.flow_mm3_s, 45.0 * (1.0 + 0.01 * kSpeed * point.time_s), 1e-6);
-  EXPECT_NEAR(point.process.levels[ProcessLevel::WireSpeed], 12.0 * (1.0 + 0.01 * kSpeed * point.time_s),
-              1e-6);
-  EXPECT_EQ(point.process.levels[ProcessLevel::LaserPower], 900.0);
+    EXPECT_NEAR(point.process.levels[ProcessLevel::WireSpeed], 12.0 * (1.0 + 0.01 * kSpeed * point.time_s),
+                1e-6);
+    EXPECT_EQ(point.process.levels[ProcessLevel::LaserPower], 900.0);
+  }
 }
 
 TEST_F(CorrectedChunks, GoOverToTheirHeightWithoutAJump) {
