@@ -11,10 +11,11 @@ foreach(file ${FILES})
   string(REGEX REPLACE "([0-9a-f][0-9a-f])" "'\\\\x\\1'," bytes "${bytes}")
   string(MAKE_C_IDENTIFIER ${file} name)
   string(REGEX MATCH "[a-z]+$" suffix ${file})
-  string(APPEND arrays "constexpr char bytes_of_${name}[] = {${bytes}};\n")
-  string(APPEND rows "      {\"${file}\", \"${types_${suffix}}\", {bytes_of_${name}, sizeof bytes_of_${name}}},\n")
+  string(APPEND arrays "constexpr char k_${name}[] = {${bytes}};\n")
+  string(APPEND rows "      {\"${file}\", \"${types_${suffix}}\", {k_${name}, sizeof k_${name}}},\n")
 endforeach()
 file(WRITE ${OUTPUT} "// Made from src/web_page by cmake/page_files.cmake.
+// NOLINTBEGIN(readability-identifier-naming): names are those of the files.
 #include \"page_files.hpp\"
 
 namespace {
@@ -24,4 +25,5 @@ std::vector<lamina::PageFile> lamina::pageFiles() {
   return {
 ${rows}  };
 }
+// NOLINTEND(readability-identifier-naming)
 ")

@@ -24,9 +24,10 @@ class RawClient {
   explicit RawClient(std::uint16_t port, const char* from = "127.0.0.1")
       : descriptor_(::socket(AF_INET, SOCK_STREAM, 0)) {
     sockaddr_in own = addressOf(from, 0);
-    ::bind(descriptor_, reinterpret_cast<const sockaddr*>(&own), sizeof own);
+    const bool is_bound = ::bind(descriptor_, reinterpret_cast<const sockaddr*>(&own), sizeof own) == 0;
     sockaddr_in other = addressOf("127.0.0.1", port);
-    is_connected_ = ::connect(descriptor_, reinterpret_cast<const sockaddr*>(&other), sizeof other) == 0;
+    is_connected_ =
+        is_bound && ::connect(descriptor_, reinterpret_cast<const sockaddr*>(&other), sizeof other) == 0;
   }
   RawClient(RawClient&& other) noexcept
       : descriptor_(std::exchange(other.descriptor_, -1)), is_connected_(other.is_connected_) {}
