@@ -87,7 +87,7 @@ class WebAccess {
   std::string requestKey(const std::string& application, const std::string& from, const CellTime& now);
   std::vector<KeyRequest> keyRequests(const CellTime& now) const;
   /// @return false if no such request waits
-  bool decide(std::int64_t id, std::optional<std::string> key, const CellTime& now);
+  bool decide(std::int64_t id, const std::optional<std::string>& key, const CellTime& now);
   /// What became of a request: nothing while it waits or was never made; an empty key if it was denied.
   struct KeyDecision {
     bool is_known = false;

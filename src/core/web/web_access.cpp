@@ -186,7 +186,7 @@ void WebAccess::forgetOldKeys(const CellTime& now) {
 
 std::string WebAccess::requestKey(const std::string& application, const std::string& from,
                                   const CellTime& now) {
-  const std::string secret = randomKey();
+  std::string secret = randomKey();
   const std::lock_guard<std::mutex> lock(mutex_);
   forgetOldKeys(now);
   if (waiting_.size() >= kMostKeys) return "";
@@ -203,7 +203,7 @@ std::vector<KeyRequest> WebAccess::keyRequests(const CellTime& now) const {
   return requests;
 }
 
-bool WebAccess::decide(std::int64_t id, std::optional<std::string> key, const CellTime& now) {
+bool WebAccess::decide(std::int64_t id, const std::optional<std::string>& key, const CellTime& now) {
   const std::lock_guard<std::mutex> lock(mutex_);
   for (Waiting& waiting : waiting_)
     if (waiting.request.id == id && !waiting.key && now.steady_s < waiting.until_s) {
@@ -218,7 +218,7 @@ WebAccess::KeyDecision WebAccess::keyDecision(const std::string& secret, const C
   forgetOldKeys(now);
   for (auto waiting = waiting_.begin(); waiting != waiting_.end(); ++waiting) {
     if (waiting->secret != secret) continue;
-    const KeyDecision decision{true, waiting->key};
+    KeyDecision decision{true, waiting->key};
     if (decision.key) waiting_.erase(waiting);  // a key is told once
     return decision;
   }

@@ -56,6 +56,7 @@ class PeerReader {
  public:
   explicit PeerReader(PeerSocket& socket) : socket_(socket) {}
 
+  // NOLINTBEGIN(readability-identifier-naming): Beast calls them so.
   template <class Buffers>
   std::size_t read_some(const Buffers& buffers, error_code& error) {
     const asio::mutable_buffer buffer = *asio::buffer_sequence_begin(buffers);
@@ -71,6 +72,7 @@ class PeerReader {
     if (error) throw boost::system::system_error(error);
     return bytes;
   }
+  // NOLINTEND(readability-identifier-naming)
 
  private:
   PeerSocket& socket_;

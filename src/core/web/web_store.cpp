@@ -111,7 +111,7 @@ WebStore::~WebStore() = default;
 
 std::string WebStore::add(const NewToken& token, double now_s) {
   requireName(token.name);
-  const std::string key = randomKey();
+  std::string key = randomKey();
   const std::lock_guard<std::mutex> lock(connections_->writer);
   Database& database = connections_->writing;
   Transaction transaction(database);
