@@ -82,7 +82,7 @@ Artefact ArtefactStore::keep(const std::string& path, const std::string& kind, c
 }
 
 Artefact ArtefactStore::keepText(const std::string& bytes, const std::string& kind, const std::string& name) {
-  const Artefact artefact{sha256Of(std::string_view(bytes)), bytes.size(), kind, name};
+  Artefact artefact{sha256Of(std::string_view(bytes)), bytes.size(), kind, name};
   const std::string target = pathOf(artefact);
   if (std::filesystem::exists(target) && sha256OfFile(target) == artefact.sha256) return artefact;
   AtomicFile to(target);

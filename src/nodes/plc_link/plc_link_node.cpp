@@ -78,18 +78,17 @@ void PlcLinkNode::view(const char* topic, Message UnitView::*place) {
 }
 
 void PlcLinkNode::onStatus(const lamina_msgs::PackmlStatusConstPtr& status) {
-  bool has_come = false;
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    view_.unit = *status;
-    view_.unit_heard_s = clock_.now();
-    has_come = !std::exchange(is_unit_here_, true);
-    link_.setPresence(UnitPresence::Present, clock_.now());
-    link_.setRemoteAccess(status->remote_access != 0 ? RemoteAccess::Allowed : RemoteAccess::Locked);
-    refreshRegisters(clock_.now());
-  }
-  if (has_come && !isLoopbackHost(settings_.bind))
-    raise(kReachable, port(), "Modbus listens on " + settings_.bind + ':' + std::to_string(port()));
+  const std::lock_guard<std::mutex> lock(mutex_);
+  view_.unit = *status;
+  view_.unit_heard_s = clock_.now();
+  if (!std::exchange(is_unit_here_, true)) is_reach_told_ = isLoopbackHost(settings_.bind);
+  link_.setPresence(UnitPresence::Present, clock_.now());
+  link_.setRemoteAccess(status->remote_access != 0 ? RemoteAccess::Allowed : RemoteAccess::Locked);
+  refreshRegisters(clock_.now());
+  // The unit may speak before it hears: what nobody takes is lost.
+  if (is_reach_told_ || alarms_.getNumSubscribers() == 0) return;
+  is_reach_told_ = true;
+  raise(kReachable, port(), "Modbus listens on " + settings_.bind + ':' + std::to_string(port()));
 }
 
 void PlcLinkNode::onProcess(const lamina_msgs::ProcessStateConstPtr& process) {

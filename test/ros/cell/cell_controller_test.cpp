@@ -67,7 +67,8 @@ TEST(CellController, WritesTheRecordOfAPart) {
   const std::uint32_t job = cell.enqueue(program);
   cell.change(job, lamina_msgs::ChangeQueue::Request::RELEASE);
   ASSERT_TRUE(cell.starts());
-  ASSERT_TRUE(waitUntil([&] { return cell.status.remaining > 0.0; }));
+  ASSERT_TRUE(waitUntil([&] { return cell.status.elapsed > 0.0; }));
+  EXPECT_EQ(cell.status.remaining, -1.0) << "too little was seen of the job";
   EXPECT_EQ(cell.status.layers, 2);
   ASSERT_TRUE(cell.reaches("Complete"));
   EXPECT_GT(cell.status.since_reset, 0.0);
