@@ -19,9 +19,9 @@ bool isUrgent(const WrittenOrder& written) {
 
 }  // namespace
 
-OrderDesk::OrderDesk(ros::NodeHandle node,
+OrderDesk::OrderDesk(const ros::NodeHandle& node,
                      std::function<void(const PlcOrder&, CommandResult, const std::string&)> answered)
-    : node_(std::move(node)), answered_(std::move(answered)), thread_([this] { run(); }) {}
+    : node_(node), answered_(std::move(answered)), thread_([this] { run(); }) {}
 
 OrderDesk::~OrderDesk() {
   {

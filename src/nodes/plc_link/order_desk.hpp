@@ -28,7 +28,7 @@ struct WrittenOrder {
 class OrderDesk {
  public:
   /// @param answered  what became of an order; called from the desk's thread
-  OrderDesk(ros::NodeHandle node,
+  OrderDesk(const ros::NodeHandle& node,
             std::function<void(const PlcOrder&, CommandResult, const std::string&)> answered);
   /// Waits for the order under way; later ones are not given.
   ~OrderDesk();

@@ -32,8 +32,8 @@ bool isClockSynchronised() {
 
 }  // namespace
 
-PlcLinkNode::PlcLinkNode(ros::NodeHandle node, const LinkSettings& settings)
-    : node_(std::move(node)),
+PlcLinkNode::PlcLinkNode(const ros::NodeHandle& node, const LinkSettings& settings)
+    : node_(node),
       settings_(settings),
       inputs_(node_.advertise<lamina_msgs::PlcInputs>(names::kPlcInputs, 100, true)),
       alarms_(node_.advertise<lamina_msgs::AlarmReport>(names::kAlarmReports, 100)),

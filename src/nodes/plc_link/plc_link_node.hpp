@@ -24,7 +24,7 @@ namespace lamina {
 class PlcLinkNode {
  public:
   /// @throws DeviceError if it cannot listen
-  PlcLinkNode(ros::NodeHandle node, const LinkSettings& settings);
+  PlcLinkNode(const ros::NodeHandle& node, const LinkSettings& settings);
 
   std::uint16_t port() const { return server_->port(); }
 
