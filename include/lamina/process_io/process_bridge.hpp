@@ -66,7 +66,7 @@ class ProcessBridge {
   std::vector<double> stop(double now_s);
 
   const std::vector<ChannelDrive>& drives() const { return drives_; }
-  /// What is planned for now.
+  /// What is planned for this instant.
   ProcessSignals planned(double now_s) const { return plan_.at(now_s).value_or(safeSignals()); }
   /// Conditions that are raised now.
   std::vector<ProcessAlarm> raised() const { return raised_.all(); }
