@@ -13,8 +13,8 @@ TEST(TimeLeft, IsWhatTheRestTakesAtTheSameRate) {
   const auto estimate = left.estimate();
   ASSERT_TRUE(estimate);
   EXPECT_NEAR(estimate->seconds, 900.0, 1.0);
-  EXPECT_NEAR(estimate->least_s, 810.0, 1.0);
-  EXPECT_NEAR(estimate->most_s, 990.0, 1.0);
+  EXPECT_NEAR(estimate->least_s, 792.0, 1.0);
+  EXPECT_NEAR(estimate->most_s, 1008.0, 1.0);
 }
 
 TEST(TimeLeft, SpansTheRateOfAllAndOfTheLastMinutes) {

@@ -15,8 +15,9 @@ struct LeftEstimate {
 };
 
 /// Estimates what is left of a job from how fast its lines went: over all of it, and over the last five
-/// minutes. The estimate lies between the two, its uncertainty spans both and a tenth more. Programs whose
-/// layers take longer and longer are estimated too short at first.
+/// minutes. The estimate lies between the two, its uncertainty spans both and a tenth more, and
+/// half of it in the first seconds. Programs whose layers take longer and longer are estimated too short at
+/// first.
 class TimeLeft {
  public:
   /// @param job  0 for none: another job begins anew
@@ -25,7 +26,7 @@ class TimeLeft {
   /// The unit does not run: this time does not count.
   void pause(double now_s);
 
-  /// Nothing before 1 % or 20 s of running.
+  /// Nothing before 1 % or 5 s of running.
   std::optional<LeftEstimate> estimate() const;
 
  private:

@@ -7,11 +7,12 @@
 namespace lamina {
 namespace {
 
-constexpr double kWindow = 300.0;    // [s]
-constexpr double kSampled = 2.0;     // [s]
-constexpr double kLeastTime = 20.0;  // [s]
+constexpr double kWindow = 300.0;   // [s]
+constexpr double kSampled = 2.0;    // [s]
+constexpr double kLeastTime = 5.0;  // [s]
 constexpr double kLeastPart = 0.01;
 constexpr double kUncertainty = 0.1;
+constexpr double kWarmingUp = 2.0;  // [s]: what this is of the time gone adds to the uncertainty
 
 }  // namespace
 
@@ -33,7 +34,7 @@ void TimeLeft::pause(double now_s) {
 }
 
 std::optional<LeftEstimate> TimeLeft::estimate() const {
-  if (recent_.size() < 2 || running_s_ < kLeastTime) return std::nullopt;
+  if (recent_.size() < 2 || recent_.back().running_s < kLeastTime) return std::nullopt;
   const Sample& last = recent_.back();
   const double gone = last.fraction - first_fraction_;
   const double lately = last.fraction - recent_.front().fraction;
@@ -42,8 +43,9 @@ std::optional<LeftEstimate> TimeLeft::estimate() const {
   const double by_all_s = left * last.running_s / gone;
   const double by_last_s = left * (last.running_s - recent_.front().running_s) / lately;
   const auto [least_s, most_s] = std::minmax(by_all_s, by_last_s);
-  return LeftEstimate{(by_all_s + by_last_s) / 2.0, least_s * (1.0 - kUncertainty),
-                      most_s * (1.0 + kUncertainty)};
+  const double uncertainty = kUncertainty + kWarmingUp / last.running_s;
+  return LeftEstimate{(by_all_s + by_last_s) / 2.0, least_s * (1.0 - uncertainty),
+                      most_s * (1.0 + uncertainty)};
 }
 
 }  // namespace lamina

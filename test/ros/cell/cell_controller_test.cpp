@@ -61,14 +61,13 @@ int runs(const std::string& command) {
 }
 
 TEST(CellController, WritesTheRecordOfAPart) {
-  CellOfNodes cell("records", 20.0, {"_journal/copy_hour:=0", "_journal/copies_kept:=2"});
+  CellOfNodes cell("records", 6.0, {"_journal/copy_hour:=0", "_journal/copies_kept:=2"});
   cell.bringToIdle();
   const std::string program = ";LAYER:0\n" + squareProgram(200) + ";LAYER:1\n" + squareProgram(200);
   const std::uint32_t job = cell.enqueue(program);
   cell.change(job, lamina_msgs::ChangeQueue::Request::RELEASE);
   ASSERT_TRUE(cell.starts());
-  ASSERT_TRUE(waitUntil([&] { return cell.status.elapsed > 0.0; }));
-  EXPECT_EQ(cell.status.remaining, -1.0) << "too little was seen of the job";
+  ASSERT_TRUE(waitUntil([&] { return cell.status.remaining > 0.0; }));
   EXPECT_EQ(cell.status.layers, 2);
   ASSERT_TRUE(cell.reaches("Complete"));
   EXPECT_GT(cell.status.since_reset, 0.0);
