@@ -26,3 +26,8 @@ function(lamina_use_modules target)
   get_property(modules GLOBAL PROPERTY LAMINA_MODULES)
   add_dependencies(${target} ${modules})
 endfunction()
+
+# lamina_compile_as_front_end(target): what only calls the core, which does the work, has to compile fast
+function(lamina_compile_as_front_end target)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+endfunction()

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -14,6 +15,8 @@ PlcReport goodReport() {
   PlcReport report;
   report.heartbeat = PlcHeartbeat::Good;
   report.interlocks = {true, true, true, true, true, true, true, false, false, false};
+  report.is_plate_told = true;
+  report.is_guard_closed = true;
   return report;
 }
 
@@ -162,6 +165,82 @@ TEST(PlcWatch, TakesAPartAsRemovedWhenItsBitComes) {
   EXPECT_FALSE(watch.demands(statusIn(UnitState::Execute), 4.0).is_part_removed);
   EXPECT_FALSE(watch.demands(statusIn(UnitState::Complete), 4.1).is_part_removed)
       << "that was before this part";
+}
+
+TEST(PlcWatch, BelievesNoRemovalOfALinkThatWasStartedAnew) {
+  PlcWatch watch({});
+  watch.hear(goodReport(), 0.0);
+  PlcReport anew = goodReport();
+  anew.is_plate_told = false;  // zeroed registers, before the PLC has written them
+  watch.hear(anew, 1.0);
+  PlcReport as_before = goodReport();
+  as_before.is_part_removed = true;
+  watch.hear(as_before, 2.0);
+  EXPECT_FALSE(watch.demands(statusIn(UnitState::Complete), 2.0).is_part_removed)
+      << "the PLC writes its register as it was";
+  watch.hear(goodReport(), 3.0);
+  watch.hear(as_before, 4.0);
+  EXPECT_TRUE(watch.demands(statusIn(UnitState::Complete), 4.0).is_part_removed);
+}
+
+TEST(PlcWatch, BelievesNoRemovalWithoutAHeartbeat) {
+  PlcWatch watch({});
+  watch.hear(lostReport(WatchdogAction::Hold), 0.0);
+  PlcReport removed = lostReport(WatchdogAction::Hold);
+  removed.is_part_removed = true;
+  watch.hear(removed, 1.0);
+  EXPECT_FALSE(watch.demands(statusIn(UnitState::Complete), 1.0).is_part_removed);
+}
+
+TEST(PlcWatch, RaisesAnEmergencyStopUntilItIsReleased) {
+  PlcWatch watch({});
+  PlcReport pressed = goodReport();
+  pressed.interlocks.is_emergency_stop_pressed = true;
+  watch.hear(pressed, 0.0);
+  EXPECT_EQ(idsOf(watch.demands(statusIn(UnitState::Execute), 0.0).raised), (std::vector<int>{1207}));
+  EXPECT_TRUE(watch.demands(statusIn(UnitState::Stopping), 0.1).raised.empty()) << "told once";
+  PlcReport silent = pressed;
+  silent.heartbeat = PlcHeartbeat::Lost;
+  silent.interlocks.is_alive = false;
+  watch.hear(silent, 1.0);
+  EXPECT_TRUE(watch.demands(statusIn(UnitState::Stopped), 1.0).ended.empty())
+      << "nobody says it was released";
+  watch.hear(goodReport(), 2.0);
+  const std::vector<int> ended = watch.demands(statusIn(UnitState::Stopped), 2.0).ended;
+  EXPECT_NE(std::find(ended.begin(), ended.end(), 1207), ended.end());
+}
+
+TEST(PlcWatch, HoldsWhenAGuardIsOpenedNotWhereNoneIsWired) {
+  PlcWatch watch({});
+  PlcReport open = goodReport();
+  open.is_guard_closed = false;
+  watch.hear(open, 0.0);
+  EXPECT_TRUE(watch.demands(statusIn(UnitState::Execute), 0.0).raised.empty()) << "it was never closed";
+  watch.hear(goodReport(), 1.0);
+  watch.hear(open, 2.0);
+  EXPECT_EQ(idsOf(watch.demands(statusIn(UnitState::Execute), 2.0).raised), (std::vector<int>{1208}));
+  EXPECT_TRUE(watch.demands(statusIn(UnitState::Execute), 2.1).raised.empty());
+  watch.hear(goodReport(), 3.0);
+  watch.hear(open, 4.0);
+  EXPECT_TRUE(watch.demands(statusIn(UnitState::Complete), 4.0).raised.empty())
+      << "the part has to be taken out";
+}
+
+TEST(PlcWatch, MissesALinkThatWasGoodUntilRemoteAccessIsLocked) {
+  PlcWatchSettings settings;
+  settings.patience_s = 10.0;
+  PlcWatch watch(settings);
+  watch.hear(goodReport(), 0.0);
+  EXPECT_TRUE(watch.demands(statusIn(UnitState::Execute), 3.0).raised.empty());
+  EXPECT_EQ(idsOf(watch.demands(statusIn(UnitState::Execute), 13.1).raised), (std::vector<int>{2101}));
+  PlcReport anew = goodReport();
+  anew.heartbeat = PlcHeartbeat::Unarmed;
+  anew.interlocks.is_alive = false;
+  watch.hear(anew, 14.0);
+  EXPECT_TRUE(watch.demands(statusIn(UnitState::Held), 14.0).ended.empty())
+      << "the link is back, the PLC is not";
+  watch.disarm();
+  EXPECT_EQ(watch.demands(statusIn(UnitState::Held), 14.1).ended, (std::vector<int>{2101}));
 }
 
 }  // namespace

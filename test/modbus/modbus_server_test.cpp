@@ -147,6 +147,20 @@ TEST(ModbusServer, TakesSoManyConnectionsAndNoMore) {
   EXPECT_EQ(fourth.receive(11)[10], 3);
 }
 
+TEST(ModbusServer, MakesPlaceForADeviceWhoseOwnConnectionsAreSilent) {
+  ModbusServerSettings settings = ServerOfAddresses::onAnyPort();
+  settings.connections = 1;
+  settings.give_way_s = 0.0;
+  ServerOfAddresses server(settings);
+  Client dead(server.server.port());
+  dead.send(readRequest(1, 3, 1));
+  dead.receive(11);
+  Client back(server.server.port());
+  back.send(readRequest(1, 4, 1));
+  EXPECT_EQ(back.receive(11)[10], 4);
+  EXPECT_TRUE(dead.isClosed());
+}
+
 TEST(ModbusServer, TakesNobodyWhoIsNotNamed) {
   ModbusServerSettings settings = ServerOfAddresses::onAnyPort();
   settings.allow = {"192.0.2.1"};

@@ -203,12 +203,16 @@ TEST(PlcLink, HasNewsWhenThePlcsSurroundingsChange) {
   PlcLink link = openLink();
   link.answer(1, writing(0, {1, 3, 9}), 0.0);
   EXPECT_EQ(link.news(), 0U) << "heartbeat and command are none";
+  EXPECT_FALSE(link.isPlateTold());
+  link.answer(1, writing(11, {0}), 0.0);
+  EXPECT_EQ(link.news(), 1U) << "that it was written at all";
+  EXPECT_TRUE(link.isPlateTold());
   link.answer(1, writing(11, {3}), 0.0);
-  EXPECT_EQ(link.news(), 1U);
-  link.answer(1, writing(11, {3}), 0.0);
-  EXPECT_EQ(link.news(), 1U);
-  link.answer(1, writing(35, {0x4100}), 0.0);
   EXPECT_EQ(link.news(), 2U);
+  link.answer(1, writing(11, {3}), 0.0);
+  EXPECT_EQ(link.news(), 2U);
+  link.answer(1, writing(35, {0x4100}), 0.0);
+  EXPECT_EQ(link.news(), 3U);
 }
 
 TEST(PlcLink, LetsOneConnectionWrite) {
@@ -216,6 +220,11 @@ TEST(PlcLink, LetsOneConnectionWrite) {
   EXPECT_EQ(exceptionOf(link.answer(1, writing(0, {1}), 0.0)), 0);
   EXPECT_EQ(exceptionOf(link.answer(2, writing(0, {2}), 0.0)), 6);
   EXPECT_EQ(exceptionOf(link.answer(2, reading(ModbusFunction::ReadHolding, 0, 1), 0.0)), 0);
+  EXPECT_EQ(exceptionOf(link.answer(2, writing(1, {2, 7}), 0.0)), 6) << "Start";
+  EXPECT_EQ(exceptionOf(link.answer(2, writing(1, {4, 7, 1}), 0.0)), 6) << "Hold and more";
+  EXPECT_EQ(exceptionOf(link.answer(2, writing(1, {4, 7}), 0.0)), 0) << "Hold alone is taken from anybody";
+  EXPECT_EQ(link.takeOrders().size(), 1U);
+  EXPECT_EQ(exceptionOf(link.answer(2, writing(0, {2}), 0.0)), 6) << "it does not become the writer by that";
   link.close(1);
   EXPECT_EQ(exceptionOf(link.answer(2, writing(0, {2}), 0.0)), 0);
 }
@@ -254,6 +263,8 @@ TEST(PlcLink, StandsStillWhileTheUnitIsLost) {
   link.answer(1, writing(1, {2, 1}), 20.0);
   EXPECT_TRUE(link.takeOrders().empty());
   EXPECT_EQ(link.registers(20.0)[14], 7) << "busy";
+  link.answer(1, writing(1, {4, 2}), 20.0);
+  EXPECT_EQ(link.takeOrders().size(), 1U) << "Hold is tried even where nobody may take it";
 }
 
 TEST(PlcLink, BeatsTwiceASecond) {

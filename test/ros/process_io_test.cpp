@@ -225,7 +225,7 @@ TEST(ProcessIo, ALostDeviceMakesTheOthersSafeAndIsAnAlarm) {
   EXPECT_TRUE(waitUntil([&] { return cell.pins().back().state == 0.0F && cell.fans.back() == 0.0; }));
   ASSERT_TRUE(waitUntil([&] { return !cell.alarms.empty() && !cell.alarms.back().is_gone; }));
   EXPECT_EQ(cell.alarms.back().id, 5102);
-  EXPECT_EQ(cell.alarms.back().source, "coupler");
+  EXPECT_EQ(cell.alarms.back().source, "process_io") << "which alone says that it is gone";
   EXPECT_EQ(cell.alarms.back().message, cell.ready.reason);
 }
 

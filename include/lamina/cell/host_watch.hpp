@@ -79,7 +79,7 @@ class HostWatch {
   /// Lets time pass. The first call says of all conditions that are not there that they are gone.
   std::vector<HostAlarm> tick(CellTime now);
 
-  /// The conditions that were raised and have not gone: for whoever begins to listen.
+  /// All conditions as they are, those that are not there as gone: for whoever begins to listen.
   std::vector<HostAlarm> present() const;
 
   const std::vector<PeerStatus>& peers() const { return peers_; }

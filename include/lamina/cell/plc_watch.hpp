@@ -29,7 +29,9 @@ struct PlcReport {
   PlcInterlocks interlocks;
   PlcHeartbeat heartbeat = PlcHeartbeat::Unarmed;
   WatchdogAction on_silence = WatchdogAction::Hold;
+  bool is_plate_told = false;  ///< the PLC has written its plate register since the link was started
   bool is_part_removed = false;
+  bool is_guard_closed = false;
 };
 
 struct PlcWatchSettings {
@@ -53,12 +55,16 @@ struct PlcDemands {
 };
 
 /// Judges what the PLC says. Nothing follows from a bit that merely stays set: a part counts as removed when
-/// its bit comes, and an alarm ends when its cause does.
+/// its bit comes while the heartbeat is good, and an alarm ends when its cause does. A link or PLC that was
+/// good and says nothing any more is silent, whether it is required or not, until `disarm`.
 class PlcWatch {
  public:
   explicit PlcWatch(const PlcWatchSettings& settings) : settings_(settings) {}
 
   void hear(const PlcReport& report, double now_s);
+
+  /// Remote access was locked: nobody is expected to speak.
+  void disarm() { is_armed_ = false; }
 
   /// For the guards: not alive where the link has been silent for two seconds.
   PlcInterlocks interlocks(double now_s) const;
@@ -74,9 +80,11 @@ class PlcWatch {
   PlcWatchSettings settings_;
   std::optional<PlcReport> report_;
   double heard_s_ = 0.0;
-  std::optional<double> missing_since_s_;  ///< a PLC that is required
+  std::optional<double> missing_since_s_;  ///< a PLC that is expected
+  bool is_armed_ = false;                  ///< its heartbeat was good
   std::set<int> raised_;
   bool is_removal_new_ = false;
+  bool is_guard_opened_ = false;
   bool is_stop_due_ = false;
   std::uint32_t unsuspended_ = 0;  ///< the state change that Unsuspend was last ordered at
 };

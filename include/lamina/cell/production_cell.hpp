@@ -88,8 +88,9 @@ struct CellParts {
 /// executor, rows of the journal and the unit's status come out.
 ///
 /// A change is written into the journal before it is acted upon; what stops is acted upon first. A journal
-/// that cannot be written raises 7003. After a restart, a job that the executor still runs is adopted; one
-/// that was cut off waits in Aborted for Clear, Reset, and a Start that says what to do with it.
+/// that cannot be written raises 7003; a job that is done stays in Completing until its end is written. After
+/// a restart, a job that the executor still runs is adopted; one that was cut off waits in Aborted for Clear,
+/// Reset, and a Start that says what to do with it.
 class ProductionCell {
  public:
   /// @param seen  what the executor says just now; nothing if it does not answer
@@ -122,6 +123,13 @@ class ProductionCell {
   bool isPartOnPlate() const { return is_part_on_plate_; }
 
  private:
+  /// A command that was refused, with those like it that are in no row.
+  struct Refusal {
+    std::string who;
+    std::string action;
+    double written_s = 0.0;
+    std::size_t unwritten = 0;
+  };
   std::vector<UnmetGuard> unmet(const UnitRequest& request, const CellSurroundings& found,
                                 CutOffJob cut_off) const;
   void settle(CellTime now);
@@ -134,6 +142,8 @@ class ProductionCell {
   void begin(CellTime now);
   void interrupt(CellTime now);
   void close(JobState outcome, const std::string& reason, CellTime now);
+  void writeEnd(JobState outcome, const std::string& reason, CellTime now);
+  void keepCommand(const UnitRequest& request, const CommandAnswer& answer, CellTime now);
   void keepCounters();
   void keepLastRecord(CellTime now);
   void write(CellTime now, const std::function<void()>& rows);
@@ -156,6 +166,8 @@ class ProductionCell {
   double progress_written_s_ = 0.0;
   std::int32_t layer_written_ = -1;
   double counters_written_s_ = 0.0;
+  double end_tried_s_ = 0.0;  ///< of a job that is done
+  Refusal refusal_;
 };
 
 }  // namespace lamina

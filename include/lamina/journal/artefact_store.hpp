@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,9 @@ class ArtefactStore {
   /// @throws FileError if it cannot be made
   explicit ArtefactStore(std::string folder);
 
+  ArtefactStore(ArtefactStore&&) noexcept;
+  ~ArtefactStore();
+
   /// A store that is looked at only: nothing is made.
   static ArtefactStore toRead(std::string folder);
 
@@ -30,13 +34,16 @@ class ArtefactStore {
   /// Where the bytes of an artefact are.
   std::string pathOf(const Artefact& artefact) const;
 
-  /// The names of those whose file is gone, or no longer has its digest.
+  /// The names of those whose file is gone, or no longer has its digest. A file is read once, and again when
+  /// its size or one of its times has changed.
   std::vector<std::string> torn(const std::vector<Artefact>& artefacts) const;
 
  private:
-  ArtefactStore() = default;
+  class ReadFiles;
+  ArtefactStore();
 
   std::string folder_;
+  std::unique_ptr<ReadFiles> read_;
 };
 
 }  // namespace lamina

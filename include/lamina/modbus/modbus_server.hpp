@@ -14,9 +14,10 @@
 namespace lamina {
 
 struct ModbusServerSettings {
-  std::string bind = "127.0.0.1";                  ///< address to listen on
-  std::uint16_t port = 1502;                       ///< 0 for any that is free
-  std::size_t connections = 4;                     ///< at once; more are closed as they come
+  std::string bind = "127.0.0.1";  ///< address to listen on
+  std::uint16_t port = 1502;       ///< 0 for any that is free
+  std::size_t connections = 4;     ///< at once; more are closed as they come
+  double give_way_s = 10.0;        ///< of silence after which one makes place for its own address
   std::vector<std::string> allow = {"127.0.0.1"};  ///< addresses that may connect
   double half_frame_s = 1.0;                       ///< that a frame may take to come whole
 };

@@ -37,7 +37,8 @@ enum class UnitPresence : std::uint8_t { Lost, Present };
 /// requests and times, gives answers and orders; no network.
 ///
 /// A command is taken once, when its sequence changes to a value other than 0. One connection writes: the
-/// first that does, until it is closed or the watchdog is lost; others are answered ServerBusy.
+/// first that does, until it is closed or the watchdog is lost; others are answered ServerBusy, but for Stop,
+/// Hold and Abort.
 class PlcLink {
  public:
   explicit PlcLink(const PlcLinkSettings& settings) : settings_(settings) {}
@@ -51,8 +52,8 @@ class PlcLink {
   void setRemoteAccess(RemoteAccess access) { access_ = access; }
   void setStatus(const PlcStatus& status) { status_ = status; }
 
-  /// While the unit is lost, as it is at first, Lamina's heartbeat stands still and commands are answered
-  /// Busy.
+  /// While the unit is lost, as it is at first, Lamina's heartbeat stands still and commands other than Stop,
+  /// Hold and Abort are answered Busy.
   void setPresence(UnitPresence presence, double now_s);
 
   /// The orders since the last call, oldest first. What cannot be followed was answered and is not among
@@ -71,6 +72,9 @@ class PlcLink {
 
   /// How often the PLC has said something new of its surroundings: interlocks, plate, speed, badge.
   std::uint32_t news() const { return news_; }
+
+  /// True once the PLC has written the register of its plate: what stands in it before is nobody's word.
+  bool isPlateTold() const { return is_plate_told_; }
 
   /// As written last.
   PlcInputs inputs() const { return plcInputs(holding_, settings_.word_order); }
@@ -94,6 +98,7 @@ class PlcLink {
   PlcHeartbeat watchdog_ = PlcHeartbeat::Unarmed;
   double heard_s_ = 0.0;
   bool was_refused_ = false;
+  bool is_plate_told_ = false;
   std::uint32_t news_ = 0;
   std::vector<PlcOrder> orders_;
 };

@@ -28,6 +28,9 @@ std::vector<AlarmKind> unitAlarms() {
       {1205, Category::Suspend, kCondition, "material, gas or cooling missing",
        "Fill up or open what is named."},
       {1206, Category::Suspend, kCondition, "blocked downstream", "Free the place that takes the parts."},
+      {1207, Category::Stop, kCondition, "emergency stop pressed",
+       "Find out why; release it, then Clear or Reset, and Start at the machine."},
+      {1208, Category::Hold, kEvent, "guard opened", "Close and reset the guard, then go on."},
   };
 }
 

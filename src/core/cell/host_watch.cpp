@@ -167,8 +167,13 @@ HostWatch::Conditions HostWatch::conditions(CellTime now) {
 std::vector<HostAlarm> HostWatch::present() const {
   std::vector<HostAlarm> alarms;
   if (!told_) return alarms;
-  for (const auto& [id, condition] : *told_)
-    alarms.push_back({id, condition.value, condition.message, false});
+  for (const int id : kConditions) {
+    const auto is = told_->find(id);
+    if (is == told_->end())
+      alarms.push_back({id, 0.0, "", true});
+    else
+      alarms.push_back({id, is->second.value, is->second.message, false});
+  }
   return alarms;
 }
 

@@ -9,6 +9,8 @@ namespace lamina {
 namespace {
 
 constexpr int kPlcSilent = 2101;
+constexpr int kEmergencyStopReported = 1207;
+constexpr int kGuardOpened = 1208;
 constexpr double kLongestLinkSilence = 2.0;  // [s] of a link that speaks twice a second
 
 bool restsBetweenJobs(UnitState state) {
@@ -38,8 +40,12 @@ bool suspends(int alarm) { return alarm == 1201 || alarm == 1202 || alarm == 120
 void PlcWatch::hear(const PlcReport& report, double now_s) {
   const auto before = std::exchange(report_, report);
   heard_s_ = now_s;
+  if (report.heartbeat == PlcHeartbeat::Good) is_armed_ = true;
   if (!before) return;
-  is_removal_new_ = is_removal_new_ || (report.is_part_removed && !before->is_part_removed);
+  const bool is_trusted = report.interlocks.is_alive && report.is_plate_told && before->is_plate_told;
+  is_removal_new_ = is_removal_new_ || (is_trusted && report.is_part_removed && !before->is_part_removed);
+  is_guard_opened_ =
+      is_guard_opened_ || (report.interlocks.is_alive && !report.is_guard_closed && before->is_guard_closed);
   const auto is_new = [&](PlcHeartbeat heartbeat) {
     return report.heartbeat == heartbeat && before->heartbeat != heartbeat;
   };
@@ -65,6 +71,8 @@ PlcDemands PlcWatch::demands(const UnitStatus& unit, double now_s) {
   for (const int id : raised_)
     if (there.count(id) == 0) demands.ended.push_back(id);
   raised_ = std::move(there);
+  if (std::exchange(is_guard_opened_, false) && !restsBetweenJobs(unit.state) && !isWaiting(unit.state))
+    demands.raised.push_back({kGuardOpened, "the PLC reports the guard open"});
   demands.is_part_removed = std::exchange(is_removal_new_, false) && restsBetweenJobs(unit.state);
   if (demands.raised.empty() && demands.ended.empty()) demands.command = ordered(unit);
   return demands;
@@ -83,6 +91,9 @@ std::vector<PlcAlarm> PlcWatch::causes(const UnitStatus& unit, double now_s) {
   if (!found.is_alive && !restsBetweenJobs(unit.state))
     for (const int id : raised_)
       if (isSuspension(id)) present.push_back({id, ""});
+  // What was pressed stays pressed while nobody says otherwise.
+  if (found.is_emergency_stop_pressed && (found.is_alive || raised_.count(kEmergencyStopReported) != 0))
+    present.push_back({kEmergencyStopReported, "the PLC reports the emergency stop pressed"});
   if (const auto silent = silence(unit, now_s)) present.push_back({kPlcSilent, *silent});
   return present;
 }
@@ -93,7 +104,9 @@ std::optional<std::string> PlcWatch::silence(const UnitStatus& unit, double now_
   const bool is_lost = heartbeat == PlcHeartbeat::Lost || heartbeat == PlcHeartbeat::Abandoned;
   if (is_link_heard && is_lost && report_->on_silence != WatchdogAction::None)
     return "the PLC's heartbeat does not come";
-  const bool is_missing = settings_.is_required && !restsBetweenJobs(unit.state) &&
+  const bool is_ignored = !settings_.is_required && report_ && report_->on_silence == WatchdogAction::None;
+  const bool is_expected = (settings_.is_required || is_armed_) && !is_ignored;
+  const bool is_missing = is_expected && (!restsBetweenJobs(unit.state) || raised_.count(kPlcSilent) != 0) &&
                           (!is_link_heard || heartbeat == PlcHeartbeat::Unarmed);
   if (!is_missing) {
     missing_since_s_.reset();
@@ -104,8 +117,9 @@ std::optional<std::string> PlcWatch::silence(const UnitStatus& unit, double now_
   if (!missing_since_s_) missing_since_s_ = now_s;
   if (raised_.count(kPlcSilent) == 0 && now_s - *missing_since_s_ <= settings_.patience_s)
     return std::nullopt;
-  return is_link_heard ? "the PLC, which is required, has not called"
-                       : "the link to the PLC, which is required, is silent";
+  const std::string why = settings_.is_required ? "which is required" : "which was heard before";
+  return is_link_heard ? "the PLC, " + why + ", has not called"
+                       : "the link to the PLC, " + why + ", is silent";
 }
 
 std::optional<UnitCommand> PlcWatch::ordered(const UnitStatus& unit) {

@@ -13,18 +13,24 @@ namespace lamina {
 namespace {
 
 constexpr int kStuckState = 1010;
+constexpr int kEmergencyStop = 1207;
 constexpr int kJournalDamaged = 7001;
 constexpr int kJournalNotWritable = 7003;
 constexpr char kPartOnPlate[] = "part_on_plate";
 constexpr double kProgressInterval = 0.1;   // [s] between two commits
 constexpr double kCountersInterval = 10.0;  // [s]
 constexpr double kRetryInterval = 1.0;      // [s] of a journal that could not be written
+constexpr double kRefusalInterval = 1.0;    // [s] between two rows of one refused command
 
 bool isAtRest(ExecutorPhase phase) { return phase == ExecutorPhase::Resting || phase == ExecutorPhase::Done; }
 
-/// After these the machine may still hold what it had: the job is offered to be gone on with.
+/// After these the machine may still hold what it had: the job is offered to be gone on with. What would have
+/// been held or suspended is stopped only where the executor cannot pause yet.
 bool isResumable(int alarm) {
-  return alarm == kStuckState || alarm == 2201 || alarm == 2202 || alarm == 3101 || alarm == 3105;
+  if (alarm == 0) return false;
+  const AlarmCategory category = alarmKind(alarm).category;
+  if (category == AlarmCategory::Hold || category == AlarmCategory::Suspend) return true;
+  return alarm == kStuckState || alarm == kEmergencyStop || alarm == 2202 || alarm == 3101 || alarm == 3105;
 }
 
 UnitState adoptedState(ExecutorPhase phase) {
@@ -168,12 +174,30 @@ CommandAnswer ProductionCell::command(UnitRequest request, const CellSurrounding
     operator_ = operator_before;
   }
   if (precedence(request.command) <= precedence(UnitCommand::Stop)) settle(now);
-  write(now, [&] {
-    journal_.add(AuditRow{now.utc_s, request.source, "", toString(request.command),
-                          answer.reason.empty() ? "accepted" : answer.reason});
-  });
+  keepCommand(request, answer, now);
   settle(now);
   return answer;
+}
+
+/// A client that asks again and again for what is refused fills neither disk nor audit.
+void ProductionCell::keepCommand(const UnitRequest& request, const CommandAnswer& answer, CellTime now) {
+  const std::string action = toString(request.command);
+  const bool is_refused = answer.result != CommandResult::Accepted;
+  const bool is_repeated = is_refused && refusal_.who == request.source && refusal_.action == action &&
+                           now.steady_s - refusal_.written_s < kRefusalInterval;
+  if (is_repeated) {
+    ++refusal_.unwritten;
+    return;
+  }
+  const std::string more = refusal_.unwritten > 0
+                               ? " (before it, " + refusal_.action + " of '" + refusal_.who +
+                                     "' was refused " + std::to_string(refusal_.unwritten) + " times more)"
+                               : "";
+  refusal_ = is_refused ? Refusal{request.source, action, now.steady_s, 0} : Refusal{};
+  write(now, [&] {
+    journal_.add(
+        AuditRow{now.utc_s, request.source, "", action, (is_refused ? answer.reason : "accepted") + more});
+  });
 }
 
 std::vector<UnmetGuard> ProductionCell::unmet(const UnitRequest& request, const CellSurroundings& found,
@@ -182,7 +206,11 @@ std::vector<UnmetGuard> ProductionCell::unmet(const UnitRequest& request, const 
     return againstContinuing(found.go_on);
   if (request.command == UnitCommand::Complete && report_.phase != ExecutorPhase::Done)
     return {{1309, "the executor cannot end a job before its last layer; Stop ends it at once"}};
-  if (request.command != UnitCommand::Start) return {};
+  // Files are read whole to be compared: not for a command that its state or sequence refuses anyway.
+  const UnitStatus& unit = unit_.status();
+  if (request.command != UnitCommand::Start || unit.state != UnitState::Idle ||
+      request.expected_sequence.value_or(unit.sequence) != unit.sequence)
+    return {};
   StartConditions conditions = found.start;
   conditions.mode = unit_.status().mode;
   conditions.is_part_removed = conditions.is_part_removed && !is_part_on_plate_;
@@ -286,6 +314,11 @@ void ProductionCell::tick(CellTime now) {
     settle(now);
     if (unit_.status().sequence == before) break;
   }
+  if (unit_.status().state == UnitState::Completing && execution_ &&
+      now.steady_s - end_tried_s_ >= kRetryInterval) {
+    end_tried_s_ = now.steady_s;
+    close(JobState::Ended, "", now);
+  }
   const double interval_s = is_journal_failing_ ? kRetryInterval : kCountersInterval;
   if (now.steady_s - counters_written_s_ < interval_s) return;
   counters_written_s_ = now.steady_s;
@@ -314,7 +347,7 @@ bool ProductionCell::isComplete() const {
     case UnitState::Execute:
       return phase == ExecutorPhase::Done;
     case UnitState::Completing:
-      return true;
+      return !execution_;  // its end is in the journal
     default:
       return false;
   }
@@ -369,6 +402,7 @@ void ProductionCell::act(const UnitChange& change, CellTime now) {
     case UnitState::Completing:
       unit_.countPart(PartVerdict::Good, report_.progress.laid_mm3);
       is_part_on_plate_ = true;
+      end_tried_s_ = now.steady_s;
       return close(JobState::Ended, "", now);
     case UnitState::Stopped:
     case UnitState::Aborted:
@@ -385,7 +419,7 @@ void ProductionCell::begin(CellTime now) {
   is_given_up_ = false;
   write(now, [&] {
     if (execution_ && cut_off_ == CutOffJob::Discard)
-      close(JobState::Aborted, "discarded by " + operator_, now);
+      writeEnd(JobState::Aborted, "discarded by " + operator_, now);
     const auto cut_off = journal_.open();
     const auto job = cut_off ? journal_.job(cut_off->job) : nextJob();
     const std::string program = programOf(job);
@@ -422,18 +456,23 @@ void ProductionCell::close(JobState outcome, const std::string& reason, CellTime
   is_running_ = false;
   if (report_.progress.taken_through > 0) is_part_on_plate_ = true;
   write(now, [&] {
-    // A kill between the two would count a part twice, or forget that it lies on the plate.
+    if (!is_cut_off) return writeEnd(outcome, reason, now);
     journal_.together([&] {
-      if (is_cut_off)
-        journal_.interrupt(*execution_, reason, now.utc_s);
-      else
-        journal_.end(*execution_, outcome, reason, now.utc_s);
+      journal_.interrupt(*execution_, reason, now.utc_s);
       keepCounters();
     });
-    if (is_cut_off) return;
-    execution_.reset();
-    keepLastRecord(now);
   });
+}
+
+/// @throws Error if the journal cannot be written: the execution then has no end
+void ProductionCell::writeEnd(JobState outcome, const std::string& reason, CellTime now) {
+  // A kill between the two would count a part twice, or forget that it lies on the plate.
+  journal_.together([&] {
+    journal_.end(*execution_, outcome, reason, now.utc_s);
+    keepCounters();
+  });
+  execution_.reset();
+  write(now, [&] { keepLastRecord(now); });
 }
 
 std::string ProductionCell::programOf(const QueuedJob& job) const {

@@ -3,6 +3,7 @@
 #include "lamina/journal/artefact_store.hpp"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -10,6 +11,9 @@
 #include <cctype>
 #include <filesystem>
 #include <fstream>
+#include <map>
+#include <mutex>
+#include <optional>
 #include <utility>
 
 #include "lamina/base/atomic_file.hpp"
@@ -58,9 +62,61 @@ std::string suffixOf(const std::string& name) {
   return is_plain ? suffix : "";
 }
 
+/// What of a file changes whenever its bytes are written.
+struct FileVersion {
+  dev_t device = 0;
+  ino_t file = 0;
+  off_t size = 0;
+  timespec written{};
+  timespec changed{};
+};
+
+bool operator==(const FileVersion& a, const FileVersion& b) {
+  const auto is_same = [](const timespec& x, const timespec& y) {
+    return x.tv_sec == y.tv_sec && x.tv_nsec == y.tv_nsec;
+  };
+  return a.device == b.device && a.file == b.file && a.size == b.size && is_same(a.written, b.written) &&
+         is_same(a.changed, b.changed);
+}
+
+std::optional<FileVersion> fileVersionOf(const std::string& path) {
+  struct stat found {};
+  if (stat(path.c_str(), &found) != 0) return std::nullopt;
+  return FileVersion{found.st_dev, found.st_ino, found.st_size, found.st_mtim, found.st_ctim};
+}
+
 }  // namespace
 
-ArtefactStore::ArtefactStore(std::string folder) : folder_(std::move(folder)) {
+/// Digests of files that were read, for as long as nobody has written them. Several threads may ask.
+class ArtefactStore::ReadFiles {
+ public:
+  std::string digestOf(const std::string& path) {
+    const auto before = fileVersionOf(path);
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      const auto known = known_.find(path);
+      if (before && known != known_.end() && known->second.first == *before) return known->second.second;
+    }
+    std::string digest = sha256OfFile(path);
+    const std::lock_guard<std::mutex> lock(mutex_);
+    // What was written while it was read is read again the next time.
+    if (before && fileVersionOf(path) == before) known_[path] = {*before, digest};
+    return digest;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::map<std::string, std::pair<FileVersion, std::string>> known_;
+};
+
+ArtefactStore::ArtefactStore() : read_(std::make_unique<ReadFiles>()) {}
+
+ArtefactStore::ArtefactStore(ArtefactStore&&) noexcept = default;
+
+ArtefactStore::~ArtefactStore() = default;
+
+ArtefactStore::ArtefactStore(std::string folder)
+    : folder_(std::move(folder)), read_(std::make_unique<ReadFiles>()) {
   std::error_code error;
   std::filesystem::create_directories(folder_, error);
   if (!std::filesystem::is_directory(folder_))
@@ -71,12 +127,12 @@ ArtefactStore::ArtefactStore(std::string folder) : folder_(std::move(folder)) {
 Artefact ArtefactStore::keep(const std::string& path, const std::string& kind, const std::string& name) {
   Artefact artefact{sha256OfFile(path), 0, kind, name};
   const std::string target = pathOf(artefact);
-  if (!std::filesystem::exists(target) || sha256OfFile(target) != artefact.sha256) {
+  if (!std::filesystem::exists(target) || read_->digestOf(target) != artefact.sha256) {
     copyInto(path, target);
     seal(target);
   }
   // The file may have changed between the two times that it was read.
-  if (sha256OfFile(target) != artefact.sha256) throw FileError(path + ": changed while it was kept");
+  if (read_->digestOf(target) != artefact.sha256) throw FileError(path + ": changed while it was kept");
   artefact.bytes = std::filesystem::file_size(target);
   return artefact;
 }
@@ -84,7 +140,7 @@ Artefact ArtefactStore::keep(const std::string& path, const std::string& kind, c
 Artefact ArtefactStore::keepText(const std::string& bytes, const std::string& kind, const std::string& name) {
   Artefact artefact{sha256Of(std::string_view(bytes)), bytes.size(), kind, name};
   const std::string target = pathOf(artefact);
-  if (std::filesystem::exists(target) && sha256OfFile(target) == artefact.sha256) return artefact;
+  if (std::filesystem::exists(target) && read_->digestOf(target) == artefact.sha256) return artefact;
   AtomicFile to(target);
   to.write(bytes);
   to.commit();
@@ -106,7 +162,7 @@ std::vector<std::string> ArtefactStore::torn(const std::vector<Artefact>& artefa
   std::vector<std::string> torn;
   for (const Artefact& artefact : artefacts) {
     try {
-      if (sha256OfFile(pathOf(artefact)) != artefact.sha256) torn.push_back(artefact.name);
+      if (read_->digestOf(pathOf(artefact)) != artefact.sha256) torn.push_back(artefact.name);
     } catch (const FileError&) {
       torn.push_back(artefact.name);
     }

@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/modbus/modbus_server.hpp"
 
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <sys/socket.h>
+
 #include <algorithm>
 #include <array>
 #include <boost/asio/io_context.hpp>
@@ -23,6 +27,21 @@ namespace asio = boost::asio;
 using asio::ip::tcp;
 using boost::system::error_code;
 
+constexpr int kIdleBeforeProbes = 5;           // [s]
+constexpr int kProbeInterval = 2;              // [s]
+constexpr int kProbes = 3;                     // without an answer: the peer is gone
+constexpr unsigned int kUnansweredMs = 10000;  // of what was sent to it
+
+/// A peer that lost its power closes nothing: without this its place would be taken for two hours.
+void noticeDeath(int socket) {
+  const int on = 1;
+  setsockopt(socket, SOL_SOCKET, SO_KEEPALIVE, &on, sizeof on);
+  setsockopt(socket, IPPROTO_TCP, TCP_KEEPIDLE, &kIdleBeforeProbes, sizeof kIdleBeforeProbes);
+  setsockopt(socket, IPPROTO_TCP, TCP_KEEPINTVL, &kProbeInterval, sizeof kProbeInterval);
+  setsockopt(socket, IPPROTO_TCP, TCP_KEEPCNT, &kProbes, sizeof kProbes);
+  setsockopt(socket, IPPROTO_TCP, TCP_USER_TIMEOUT, &kUnansweredMs, sizeof kUnansweredMs);
+}
+
 /// Called once, with the reason if the peer did what it may not.
 using Ended = std::function<void(int connection, const std::string& address, const std::string& fault)>;
 
@@ -39,17 +58,21 @@ class Connection : public std::enable_shared_from_this<Connection> {
     error_code ignored;
     address_ = socket_.remote_endpoint(ignored).address().to_string(ignored);
     socket_.set_option(tcp::no_delay(true), ignored);
-    socket_.set_option(tcp::socket::keep_alive(true), ignored);
+    noticeDeath(socket_.native_handle());
   }
 
   void read() {
     auto self = shared_from_this();
     socket_.async_read_some(asio::buffer(buffer_), [self](const error_code& error, std::size_t count) {
       if (error) return self->end("");
+      self->heard_s_ = self->clock_.now();
       self->reader_.add(std::string_view(self->buffer_.data(), count), self->clock_.now());
       self->respond();
     });
   }
+
+  const std::string& address() const { return address_; }
+  double silentFor() const { return clock_.now() - heard_s_; }
 
   void end(const std::string& fault) {
     if (std::exchange(has_ended_, true)) return;
@@ -99,6 +122,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   double half_frame_s_;
   Ended ended_;
   SteadyClock clock_;
+  double heard_s_ = clock_.now();
   std::string address_;
   FrameReader reader_;
   std::array<char, 4096> buffer_{};
@@ -143,7 +167,10 @@ class ModbusServer::Listener {
     acceptor_.async_accept([this](const error_code& error, tcp::socket socket) {
       if (error == asio::error::operation_aborted) return;
       if (error) return acceptLater();
-      if (isWelcome(socket)) admit(std::move(socket));
+      if (isWelcome(socket)) {
+        giveWay(socket);
+        if (connections_.size() < settings_.connections) admit(std::move(socket));
+      }
       accept();
     });
   }
@@ -160,8 +187,21 @@ class ModbusServer::Listener {
     error_code error;
     const std::string address = socket.remote_endpoint(error).address().to_string(error);
     const auto& allowed = settings_.allow;
-    return !error && connections_.size() < settings_.connections &&
-           std::find(allowed.begin(), allowed.end(), address) != allowed.end();
+    return !error && std::find(allowed.begin(), allowed.end(), address) != allowed.end();
+  }
+
+  /// A device that comes back after a loss of power may find its own dead connections in all places: the one
+  /// that has been silent for longest ends.
+  void giveWay(const tcp::socket& socket) {
+    if (connections_.size() < settings_.connections) return;
+    error_code error;
+    const std::string address = socket.remote_endpoint(error).address().to_string(error);
+    std::shared_ptr<Connection> silent;
+    for (const auto& [number, connection] : connections_)
+      if (connection->address() == address && connection->silentFor() > settings_.give_way_s &&
+          (!silent || connection->silentFor() > silent->silentFor()))
+        silent = connection;
+    if (silent) silent->end("");
   }
 
   void admit(tcp::socket socket) {

@@ -10,6 +10,8 @@ namespace lamina {
 namespace {
 
 constexpr double kHeartbeatInterval = 0.5;  // [s]
+constexpr std::size_t kCommandRegister = 1;
+constexpr std::size_t kPlateRegister = 11;
 
 bool isStopping(std::uint32_t command) {
   const auto known = unitCommand(static_cast<int>(std::min<std::uint32_t>(command, 1000)));
@@ -29,6 +31,12 @@ std::vector<std::uint16_t> surroundings(const HoldingRegisters& registers) {
   const std::vector<std::uint16_t> badge = slice(registers, 20, 16);
   values.insert(values.end(), badge.begin(), badge.end());
   return values;
+}
+
+/// A request that writes command and sequence, no more, and whose command stops.
+bool isStopAlone(const ModbusRequest& request) {
+  return request.write_address == kCommandRegister && request.written.size() == 2 &&
+         isStopping(request.written[0]);
 }
 
 }  // namespace
@@ -55,9 +63,17 @@ std::optional<ModbusException> PlcLink::write(int connection, const ModbusReques
     after.at(address) = request.written[i];
   }
   if (!areInRange(after, settings_.word_order)) return ModbusException::IllegalValue;
-  if (writer_.value_or(connection) != connection) return ModbusException::ServerBusy;
-  writer_ = connection;
+  if (writer_.value_or(connection) != connection) {
+    if (!isStopAlone(request)) return ModbusException::ServerBusy;
+  } else {
+    writer_ = connection;
+  }
   const PlcInputs before = inputs();
+  const std::size_t past = request.write_address + request.written.size();
+  if (request.write_address <= kPlateRegister && kPlateRegister < past) {
+    if (!is_plate_told_) ++news_;
+    is_plate_told_ = true;
+  }
   if (surroundings(after) != surroundings(holding_)) ++news_;
   holding_ = after;
   if (inputs().heartbeat != before.heartbeat) {
@@ -92,7 +108,7 @@ void PlcLink::order(const PlcOrder& order) {
   if (access_ == RemoteAccess::Locked && !stops) return setResult(order, CommandResult::RemoteLocked);
   if ((watchdog_ == PlcHeartbeat::Lost || watchdog_ == PlcHeartbeat::Abandoned) && !stops)
     return setResult(order, CommandResult::WatchdogLost);
-  if (presence_ == UnitPresence::Lost) return setResult(order, CommandResult::Busy);
+  if (presence_ == UnitPresence::Lost && !stops) return setResult(order, CommandResult::Busy);
   orders_.push_back(order);
 }
 

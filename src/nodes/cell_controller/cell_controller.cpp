@@ -20,7 +20,11 @@ constexpr double kTickInterval = 0.02;   // [s]
 constexpr double kStatusInterval = 0.5;  // [s]
 constexpr int kSilentTicks = 5;
 constexpr char kRemoteAccess[] = "remote_access";  // among the numbers that the journal keeps
+constexpr char kLocalStart[] = "local_start_due";  // there, too
 constexpr char kPlc[] = "plc";
+constexpr double kFeedInterval = 1.0;  // [s] between two tries of a speed that was refused
+constexpr int kEmergencyStop = 1207;
+constexpr int kStartAtTheMachine = 1312;
 constexpr int kExecutorLost = 2201;
 constexpr int kExecutorSilent = 2202;
 constexpr int kJournalDamaged = 7001;
@@ -62,6 +66,8 @@ CellController::CellController(ros::NodeHandle node, const CellControllerSetting
   const auto numbers = journal_.counters();
   const auto remote = numbers.find(kRemoteAccess);
   is_remote_allowed_ = remote != numbers.end() && remote->second > 0.0;
+  const auto local = numbers.find(kLocalStart);
+  is_local_start_due_ = local != numbers.end() && local->second > 0.0;
   const auto seen = awaitExecutor();
   is_executor_lost_ = !executor_.isThere();
   silent_ticks_ = is_executor_lost_ ? kSilentTicks : 0;
@@ -105,8 +111,12 @@ CellSurroundings CellController::surroundings() const {
   return found;
 }
 
-std::vector<UnmetGuard> CellController::againstStart() const {
+std::vector<UnmetGuard> CellController::againstStart(const std::string& source) const {
   std::vector<UnmetGuard> against = care_.againstStart();
+  if (is_local_start_due_ && source.compare(0, sizeof kPlc - 1, kPlc) == 0)
+    against.push_back(
+        {kStartAtTheMachine,
+         "the emergency stop was pressed; expected the next Start from a person at the machine"});
   if (is_executor_lost_) against.push_back({kExecutorLost, "the executor gives no sign of life"});
   if (!hasMaster()) against.push_back({kMasterLost, "the ROS master does not answer"});
   for (const ActiveAlarm& alarm : cell_->status().alarms.all())
@@ -131,9 +141,17 @@ bool CellController::onCommand(lamina_msgs::PackmlCommand::Request& request,
   UnitRequest asked{*command, request.source, std::nullopt, {}};
   if (request.expected_sequence >= 0)
     asked.expected_sequence = static_cast<std::uint32_t>(request.expected_sequence);
-  if (*command == UnitCommand::Start) asked.unmet = againstStart();
+  if (*command == UnitCommand::Start) asked.unmet = againstStart(request.source);
+  const double late_s =
+      request.expires.isZero() ? 0.0 : ros::WallTime::now().toSec() - request.expires.toSec();
+  const bool is_too_late = late_s > 0.0 && precedence(*command) > precedence(UnitCommand::Hold);
   const CommandAnswer answer =
-      cell_->command(std::move(asked), surroundings(), static_cast<CutOffJob>(request.cut_off), now());
+      is_too_late
+          ? CommandAnswer{CommandResult::StaleSequence,
+                          std::string(toString(*command)) + " came " + std::to_string(late_s) +
+                              " s after it had expired; expected it in time, or clocks that agree"}
+          : cell_->command(std::move(asked), surroundings(), static_cast<CutOffJob>(request.cut_off), now());
+  if (*command == UnitCommand::Start && answer.result == CommandResult::Accepted) demandLocalStart(false);
   response.result = numberOf(answer.result);
   response.message = answer.reason;
   ROS_INFO_STREAM(toString(*command) << " by '" << request.source
@@ -206,6 +224,7 @@ bool CellController::onRemoteAccess(lamina_msgs::SetRemoteAccess::Request& reque
         AuditRow{now().utc_s, request.source, "", "remote access", is_allowed ? "allowed" : "locked"});
     journal_.setCounters({{kRemoteAccess, is_allowed ? 1.0 : 0.0}});
     is_remote_allowed_ = is_allowed;
+    if (!is_allowed) plc_.watch().disarm();
     ROS_INFO_STREAM("remote access is " << (is_allowed ? "allowed" : "locked") << " by '" << request.source
                                         << "'");
   } catch (...) {
@@ -287,9 +306,12 @@ void CellController::watchExecutor(CellTime now) {
 
 void CellController::followPlc(CellTime now) {
   const PlcDemands demands = plc_.watch().demands(cell_->status(), now.steady_s);
-  for (const PlcAlarm& alarm : demands.raised) cell_->raise(alarm.id, 0.0, alarm.message, now);
+  for (const PlcAlarm& alarm : demands.raised) {
+    cell_->raise(alarm.id, 0.0, alarm.message, now);
+    if (alarm.id == kEmergencyStop && settings_.is_start_local_after_stop) demandLocalStart(true);
+  }
   for (const int alarm : demands.ended) cell_->end(alarm, now);
-  if (demands.is_part_removed) cell_->confirmRemoval(kPlc, now);
+  if (demands.is_part_removed && is_remote_allowed_) cell_->confirmRemoval(kPlc, now);
   if (!demands.command) return;
   const CommandAnswer answer =
       cell_->command({*demands.command, kPlc, std::nullopt, {}}, surroundings(), CutOffJob::Undecided, now);
@@ -306,16 +328,40 @@ void CellController::careForJournal(CellTime now) {
   }
 }
 
+/// What the machine has in force is known by its answers alone, and forgotten between jobs: a machine that
+/// was reset has forgotten it, too.
 void CellController::followSpeed(CellTime now) {
   if (const auto answer = executor_.takeFeedAnswer()) {
-    if (answer->refusal.empty() && followed_) log_.add(*followed_, {now.utc_s, "feed", answer->feed, kPlc});
-    if (!answer->refusal.empty())
+    is_feed_asked_ = false;
+    if (answer->refusal.empty()) {
+      feed_ = answer->feed;
+      if (followed_) log_.add(*followed_, {now.utc_s, "feed", answer->feed, kPlc});
+    } else {
       ROS_WARN_STREAM("the speed " << answer->feed
                                    << " that the PLC asks for is refused: " << answer->refusal);
+    }
   }
-  if (cell_->status().state != UnitState::Execute || plc_.speed() == feed_) return;
-  feed_ = plc_.speed();
-  executor_.changeFeed(feed_);
+  if (cell_->status().state != UnitState::Execute) {
+    if (feed_ != 1.0) feed_.reset();
+    return;
+  }
+  const bool may_ask = is_remote_allowed_ && plc_.watch().interlocks(now.steady_s).is_alive;
+  if (!may_ask || is_feed_asked_ || feed_ == plc_.speed() || now.steady_s - feed_asked_s_ < kFeedInterval)
+    return;
+  is_feed_asked_ = true;
+  feed_asked_s_ = now.steady_s;
+  executor_.changeFeed(plc_.speed());
+}
+
+/// Kept in the journal: a restart of the cell is no person at the machine.
+void CellController::demandLocalStart(bool is_due) {
+  if (is_local_start_due_ == is_due) return;
+  is_local_start_due_ = is_due;
+  try {
+    journal_.setCounters({{kLocalStart, is_due ? 1.0 : 0.0}});
+  } catch (const Error& error) {
+    ROS_ERROR_STREAM("that the next Start is to come from a person cannot be kept: " << error.what());
+  }
 }
 
 void CellController::followExecution() {

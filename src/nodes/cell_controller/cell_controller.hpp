@@ -59,7 +59,8 @@ class CellController {
   void followExecution();
   void followTimeLeft();
   void careForJournal(CellTime now);
-  std::vector<UnmetGuard> againstStart() const;
+  std::vector<UnmetGuard> againstStart(const std::string& source) const;
+  void demandLocalStart(bool is_due);
 
   CellSurroundings surroundings() const;
   bool hasMaster() const;
@@ -98,7 +99,10 @@ class CellController {
   bool is_executor_lost_ = false;
   int silent_ticks_ = 0;
   bool is_remote_allowed_ = false;
-  double feed_ = 1.0;                     ///< that the executor was asked for last
+  bool is_local_start_due_ = false;   ///< after an emergency stop
+  std::optional<double> feed_ = 1.0;  ///< that is in force; nothing if that is not known
+  bool is_feed_asked_ = false;        ///< and not answered
+  double feed_asked_s_ = 0.0;
   std::optional<std::int64_t> followed_;  ///< execution
   double execution_began_s_ = 0.0;        ///< since 1970
   TimeLeft left_;

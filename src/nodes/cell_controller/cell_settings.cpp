@@ -21,6 +21,10 @@ void describe(SettingsSchema& schema, CellControllerSettings& settings) {
   schema.flag("packml.hold_anywhere", settings.is_held_on_the_way,
               "Whether Hold is accepted in Starting, Unholding, Suspending, Suspended and Unsuspending, too; "
               "gcode_streamer pauses a job that runs, and no other.");
+  schema.flag(
+      "start.local_after_estop", settings.is_start_local_after_stop,
+      "Whether the first Start after the PLC has reported the emergency stop has to come from somebody else "
+      "than the PLC.");
   schema.flag("plc.required", settings.plc.is_required,
               "Whether the unit starts and runs only beside a PLC that gives its interlocks.");
   schema.flag("plc.unsuspends", settings.plc.unsuspends,

@@ -84,7 +84,8 @@ lamina_msgs::AlarmReport HostWatchNode::reportOf(const HostAlarm& alarm) const {
   return report;
 }
 
-/// A cell that was started anew has forgotten what was raised.
+/// A cell that was started anew has forgotten what was raised; one that was there may wait for the end of
+/// what a process before this one has raised.
 void HostWatchNode::greet(const ros::SingleSubscriberPublisher& listener) {
   const std::lock_guard<std::mutex> lock(mutex_);
   for (const HostAlarm& alarm : watch_.present()) listener.publish(reportOf(alarm));

@@ -10,11 +10,23 @@
 namespace lamina {
 namespace {
 
+const ros::Duration kOrderLasts(3.0);  // a PLC that has no answer by then does not wait for it
+
 /// Whether an order stops the unit: it does not wait behind others.
 bool isUrgent(const WrittenOrder& written) {
   if (written.order.kind != PlcOrder::Kind::Command) return false;
   const auto command = unitCommand(static_cast<int>(written.order.value));
   return command && precedence(*command) <= precedence(UnitCommand::Hold);
+}
+
+/// None that moves outlives one that stops, and of one kind the last counts; alarms are acknowledged one by
+/// one.
+bool overtakes(const WrittenOrder& written, const WrittenOrder& old) {
+  using Kind = PlcOrder::Kind;
+  if (old.order.kind != written.order.kind) return false;
+  if (isUrgent(written) && !isUrgent(old)) return true;
+  const bool is_each_kept = isUrgent(old) || old.order.kind == Kind::Acknowledge;
+  return !is_each_kept || old.order.value == written.order.value;
 }
 
 }  // namespace
@@ -33,15 +45,28 @@ OrderDesk::~OrderDesk() {
 }
 
 void OrderDesk::give(const std::vector<WrittenOrder>& orders) {
+  std::vector<WrittenOrder> overtaken;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    for (const WrittenOrder& written : orders) {
-      const auto place =
-          isUrgent(written) ? std::find_if_not(orders_.begin(), orders_.end(), isUrgent) : orders_.end();
-      orders_.insert(place, written);
-    }
+    for (const WrittenOrder& written : orders)
+      for (WrittenOrder& old : queue(written)) overtaken.push_back(std::move(old));
   }
+  for (const WrittenOrder& old : overtaken)
+    answered_(old.order, CommandResult::Busy, "overtaken by a later order before the unit had it");
   changed_.notify_all();
+}
+
+/// Queues an order. @return those that it overtakes
+std::vector<WrittenOrder> OrderDesk::queue(const WrittenOrder& written) {
+  const auto overtaken =
+      std::stable_partition(orders_.begin(), orders_.end(),
+                            [&written](const WrittenOrder& old) { return !overtakes(written, old); });
+  std::vector<WrittenOrder> gone(overtaken, orders_.end());
+  orders_.erase(overtaken, orders_.end());
+  const auto place =
+      isUrgent(written) ? std::find_if_not(orders_.begin(), orders_.end(), isUrgent) : orders_.end();
+  orders_.insert(place, written);
+  return gone;
 }
 
 void OrderDesk::run() {
@@ -99,6 +124,7 @@ OrderDesk::Answer OrderDesk::command(const WrittenOrder& written, const std::str
   call.request.command = static_cast<std::uint8_t>(written.order.value);
   call.request.source = source;
   call.request.expected_sequence = -1;
+  if (!isUrgent(written)) call.request.expires = written.inputs.header.stamp + kOrderLasts;
   call.request.plc.push_back(written.inputs);
   if (!command_.call(call)) {
     command_ = {};

@@ -24,7 +24,8 @@ struct WrittenOrder {
 };
 
 /// Passes the PLC's orders on to the unit, one after the other, in a thread of its own: whoever answers the
-/// PLC never waits for the unit. Orders that stop come before those that wait.
+/// PLC never waits for the unit. Orders that stop come before those that wait, and commands that wait to move
+/// are then answered Busy and forgotten.
 class OrderDesk {
  public:
   /// @param answered  what became of an order; called from the desk's thread
@@ -43,6 +44,7 @@ class OrderDesk {
     std::string message = "the unit does not answer";
   };
   void run();
+  std::vector<WrittenOrder> queue(const WrittenOrder& written);
   Answer pass(const WrittenOrder& written);
   Answer command(const WrittenOrder& written, const std::string& source);
 

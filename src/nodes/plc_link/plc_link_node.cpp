@@ -181,6 +181,7 @@ lamina_msgs::PlcInputs PlcLinkNode::inputsNow() {
   message.is_guard_closed = said.is_guard_closed;
   message.is_guard_reset = said.is_guard_reset;
   message.is_emergency_stop_pressed = said.is_emergency_stop_pressed;
+  message.is_plate_told = link_.isPlateTold();
   message.is_plate_there = said.is_plate_there;
   message.is_plate_clamped = said.is_plate_clamped;
   message.is_part_removed = said.is_part_removed;

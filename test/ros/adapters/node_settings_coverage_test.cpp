@@ -60,6 +60,7 @@ const std::vector<TestedElsewhere>& plcTests() {
       {"modbus.word_order", "ros/cell/plc_link_test.cpp", "_modbus/word_order"},
       {"plc.patience_s", "ros/cell/plc_link_test.cpp", "_plc/patience_s"},
       {"plc.required", "ros/cell/plc_link_test.cpp", "_plc/required"},
+      {"start.local_after_estop", "ros/cell/plc_link_test.cpp", "_start/local_after_estop"},
       {"plc.unsuspends", "cell/plc_watch_test.cpp", "settings.unsuspends"}};
   return all;
 }

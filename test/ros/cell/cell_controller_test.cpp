@@ -29,6 +29,9 @@ using test::waitUntil;
 TEST(CellController, PrintsReleasedJobsOneAfterTheOther) {
   CellOfNodes cell("prints", 1000.0, {"_packml/hold_anywhere:=true"});
   EXPECT_EQ(cell.status.state_name, "Stopped");
+  const std::string late = cell.refusalOfExpired(Command::RESET);
+  EXPECT_NE(late.find("after it had expired"), std::string::npos) << late;
+  EXPECT_EQ(cell.status.state_name, "Stopped");
   cell.bringToIdle();
   const std::string program = squareProgram(200);
   const std::uint32_t first = cell.enqueue(program);

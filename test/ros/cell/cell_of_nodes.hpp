@@ -117,6 +117,25 @@ class CellOfNodes {
     reason = call.response.message;
     return call.response.result;
   }
+  /// Why a command of somebody else is refused; empty if it is accepted.
+  std::string refusalOf(std::uint8_t command, const std::string& source) {
+    lamina_msgs::PackmlCommand call;
+    call.request.command = command;
+    call.request.source = source;
+    call.request.expected_sequence = -1;
+    return ros::service::call(space_ + '/' + names::kPackmlCommand, call) ? call.response.message
+                                                                          : "no answer";
+  }
+  /// Why a command that nobody waits for any more is refused.
+  std::string refusalOfExpired(std::uint8_t command) {
+    lamina_msgs::PackmlCommand call;
+    call.request.command = command;
+    call.request.source = "test";
+    call.request.expected_sequence = -1;
+    call.request.expires = ros::Time(ros::WallTime::now().toSec() - 10.0);
+    return ros::service::call(space_ + '/' + names::kPackmlCommand, call) ? call.response.message
+                                                                          : "no answer";
+  }
   /// Starts as soon as the executor is known to be there.
   bool starts(std::uint8_t cut_off = Command::UNDECIDED) {
     bool is_started = false;

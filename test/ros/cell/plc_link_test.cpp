@@ -128,6 +128,7 @@ void cycle(LinkedCell& linked, PlcClient& plc, const Registers& check) {
     EXPECT_EQ(linked.command(plc, Command::RESET), kAccepted);
   }
   ASSERT_TRUE(linked.reaches(plc, 4));
+  plc.write(11, {3});  // as it is: only what changes from here on counts
   const std::size_t starts = linked.timesIn("Starting");
   ASSERT_TRUE(linked.succeeds(plc, Command::START, 3));
   ASSERT_TRUE(linked.reaches(plc, 17));
@@ -176,9 +177,30 @@ bool beatUntil(PlcClient& plc, std::uint16_t& heartbeat, Condition is_true) {
   });
 }
 
+/// An emergency stop ends the job, which waits then; its PLC alone does not start again.
+void pressAndRelease(LinkedCell& linked, PlcClient& plc, std::uint16_t& heartbeat) {
+  plc.write(10, {4});
+  ASSERT_TRUE(beatUntil(plc, heartbeat, [&] { return plc.input(10) == 2; })) << "Stopped";
+  EXPECT_TRUE(linked.cell.hasAlarm(1207));
+  plc.write(10, {3});
+  std::uint16_t acknowledged = 0;
+  ASSERT_TRUE(beatUntil(plc, heartbeat, [&] {
+    plc.write(14, {acknowledged});
+    acknowledged = acknowledged == 0 ? 1207 : 0;
+    return !linked.cell.hasAlarm(1207);
+  }));
+  ASSERT_TRUE(linked.succeeds(plc, Command::RESET));
+  ASSERT_TRUE(beatUntil(plc, heartbeat, [&] { return plc.input(10) == 4; }));
+  const std::string from_plc = linked.cell.refusalOf(Command::START, "plc: anna");
+  EXPECT_NE(from_plc.find("emergency stop was pressed"), std::string::npos) << from_plc;
+  EXPECT_NE(from_plc.find("was cut off"), std::string::npos) << "the job waits: " << from_plc;
+  const std::string from_anna = linked.cell.refusalOf(Command::START, "page: anna");
+  EXPECT_EQ(from_anna.find("emergency stop"), std::string::npos) << from_anna;
+}
+
 TEST(PlcLink, NeedsTheInterlocksOfAPlcThatIsRequired) {
   LinkedCell linked("required", 20.0, {"_modbus/watchdog_s:=10"},
-                    {"_plc/required:=true", "_plc/patience_s:=60"});
+                    {"_plc/required:=true", "_plc/patience_s:=60", "_start/local_after_estop:=true"});
   LibmodbusClient plc(linked.port);
   std::uint16_t heartbeat = 0;
   ASSERT_TRUE(linked.reaches(plc, 2));
@@ -220,8 +242,7 @@ TEST(PlcLink, NeedsTheInterlocksOfAPlcThatIsRequired) {
   };
   EXPECT_TRUE(beatUntil(plc, heartbeat, isNozzleShown));
   EXPECT_EQ(plc.inputs(50, 2).at(0), 0U) << "not gone for 18 hours yet";
-  EXPECT_EQ(linked.command(plc, Command::STOP), kAccepted);
-  ASSERT_TRUE(beatUntil(plc, heartbeat, [&] { return plc.input(10) == 2; }));
+  ASSERT_NO_FATAL_FAILURE(pressAndRelease(linked, plc, heartbeat));
 }
 
 TEST(PlcLink, HoldsTheUnitWhenItsPlcFallsSilent) {

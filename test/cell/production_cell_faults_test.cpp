@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A cell whose journal, machine or asker fails.
+#include <gtest/gtest.h>
+#include <sqlite3.h>
+
+#include <string>
+#include <vector>
+
+#include "cell/cell_on_disk.hpp"
+
+namespace lamina {
+namespace {
+
+using test::bringToIdle;
+using test::Cell;
+
+/// The journal as another process sees it.
+class OtherEnd {
+ public:
+  explicit OtherEnd(const std::string& folder) {
+    EXPECT_EQ(sqlite3_open((folder + "/cell.db").c_str(), &database_), SQLITE_OK);
+  }
+  ~OtherEnd() { sqlite3_close(database_); }
+  OtherEnd(const OtherEnd&) = delete;
+  OtherEnd& operator=(const OtherEnd&) = delete;
+
+  void run(const std::string& statement) {
+    EXPECT_EQ(sqlite3_exec(database_, statement.c_str(), nullptr, nullptr, nullptr), SQLITE_OK)
+        << sqlite3_errmsg(database_);
+  }
+  int rowsOf(const std::string& table) {
+    sqlite3_stmt* statement = nullptr;
+    const std::string query = "SELECT COUNT(*) FROM " + table;
+    EXPECT_EQ(sqlite3_prepare_v2(database_, query.c_str(), -1, &statement, nullptr), SQLITE_OK);
+    EXPECT_EQ(sqlite3_step(statement), SQLITE_ROW);
+    const int rows = sqlite3_column_int(statement, 0);
+    sqlite3_finalize(statement);
+    return rows;
+  }
+
+ private:
+  sqlite3* database_ = nullptr;
+};
+
+/// Takes the table of executions away from the journal, and gives it back: until then none can begin or end.
+class MissingExecutions {
+ public:
+  explicit MissingExecutions(const std::string& folder) : other_(folder) {
+    other_.run("ALTER TABLE execution RENAME TO execution_away");
+  }
+  ~MissingExecutions() { other_.run("ALTER TABLE execution_away RENAME TO execution"); }
+  MissingExecutions(const MissingExecutions&) = delete;
+  MissingExecutions& operator=(const MissingExecutions&) = delete;
+
+ private:
+  OtherEnd other_;
+};
+
+TEST(ProductionCell, StaysInCompletingUntilTheEndIsWritten) {
+  Cell cell;
+  bringToIdle(cell);
+  const std::int64_t job = cell.enqueue("a.gcode");
+  cell.command(UnitCommand::Start);
+  ASSERT_TRUE(cell.reaches(UnitState::Execute));
+  {
+    const MissingExecutions missing(cell.folder());
+    ASSERT_TRUE(cell.reaches(UnitState::Completing));
+    for (int i = 0; i < 60; ++i) cell.step();
+    EXPECT_EQ(cell.state(), UnitState::Completing);
+    EXPECT_TRUE(cell.hasAlarm(7003));
+  }
+  ASSERT_TRUE(cell.reaches(UnitState::Complete));
+  EXPECT_EQ(cell.journal().job(job).state, JobState::Ended);
+  EXPECT_EQ(cell.run().status().counters.parts, 1U);
+  EXPECT_FALSE(cell.run().resumeWaits());
+}
+
+TEST(ProductionCell, DiscardsNoJobWhoseEndCannotBeWritten) {
+  Cell cell;
+  bringToIdle(cell);
+  const std::int64_t job = cell.enqueue("a.gcode");
+  cell.command(UnitCommand::Start);
+  ASSERT_TRUE(cell.reaches(UnitState::Execute));
+  cell.kill();
+  cell.executor.fail(0, "");
+  cell.start();
+  cell.command(UnitCommand::Clear);
+  ASSERT_TRUE(cell.reaches(UnitState::Stopped));
+  bringToIdle(cell);
+  cell.run().confirmRemoval("anna", cell.now);
+  {
+    const MissingExecutions missing(cell.folder());
+    cell.command(UnitCommand::Start, CutOffJob::Discard);
+    for (int i = 0; i < 10; ++i) cell.step();
+  }
+  EXPECT_EQ(cell.executor.orders, (std::vector<std::string>{"start"})) << "neither resumed nor begun";
+  EXPECT_NE(cell.journal().job(job).state, JobState::Aborted);
+  EXPECT_TRUE(cell.run().resumeWaits());
+}
+
+TEST(ProductionCell, KeepsAJobThatIsStoppedBecauseItCannotBeHeldYet) {
+  UnitSettings settings;
+  settings.hold_rule = HoldRule::InExecute;
+  Cell cell(settings);
+  bringToIdle(cell);
+  const std::int64_t job = cell.enqueue("a.gcode");
+  cell.command(UnitCommand::Start);
+  ASSERT_EQ(cell.state(), UnitState::Starting);
+  cell.run().raise(2101, 0.0, "the PLC's heartbeat does not come", cell.now);
+  ASSERT_TRUE(cell.reaches(UnitState::Stopped));
+  EXPECT_EQ(cell.journal().job(job).state, JobState::Interrupted);
+  cell.run().end(2101, cell.now);
+  cell.run().acknowledge(2101, "anna", cell.now);
+  bringToIdle(cell);
+  EXPECT_EQ(cell.command(UnitCommand::Start, CutOffJob::Resume), CommandResult::Accepted)
+      << cell.answer.reason;
+  ASSERT_TRUE(cell.reaches(UnitState::Complete));
+  EXPECT_EQ(cell.journal().job(job).state, JobState::Ended);
+}
+
+TEST(ProductionCell, OffersTheJobThatAnEmergencyStopHasStopped) {
+  Cell cell;
+  bringToIdle(cell);
+  const std::int64_t job = cell.enqueue("a.gcode");
+  cell.command(UnitCommand::Start);
+  ASSERT_TRUE(cell.reaches(UnitState::Execute));
+  cell.step();
+  cell.run().raise(1207, 0.0, "", cell.now);
+  EXPECT_EQ(cell.executor.orders.back(), "stop");
+  ASSERT_TRUE(cell.reaches(UnitState::Stopped));
+  EXPECT_EQ(cell.journal().job(job).state, JobState::Interrupted);
+  EXPECT_EQ(cell.command(UnitCommand::Reset), CommandResult::GuardFailed) << "it is still pressed";
+}
+
+TEST(ProductionCell, WritesOneRowASecondOfWhatIsRefusedAgainAndAgain) {
+  Cell cell;
+  OtherEnd other(cell.folder());
+  const int before = other.rowsOf("audit");
+  for (int i = 0; i < 100; ++i) {
+    cell.step();  // 50 ms
+    EXPECT_EQ(cell.command(UnitCommand::Unhold), CommandResult::NotInThisState);
+  }
+  const int rows = other.rowsOf("audit") - before;
+  EXPECT_GE(rows, 5);
+  EXPECT_LE(rows, 6);
+  EXPECT_EQ(cell.command(UnitCommand::Reset), CommandResult::Accepted);
+  EXPECT_EQ(other.rowsOf("audit"), before + rows + 1);
+}
+
+}  // namespace
+}  // namespace lamina
