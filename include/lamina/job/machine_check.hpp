@@ -20,6 +20,7 @@ struct Finding {
   Point3 tip = Point3::Zero();  ///< where the nozzle is then [mm, part frame]
   std::string what;             ///< as `toString(JointFault)`, or "collision"
   std::string reason;           ///< for people
+  std::size_t line = 0;         ///< of the program that states the joints, 1 based; 0 where none does
 };
 
 /// What stands in the way of a toolpath on a machine or robot. Each waypoint is found once for each thing

@@ -46,12 +46,28 @@ std::size_t waypointsAskedFor(const DividedToolpath& divided) {
   return count;
 }
 
+/// The lines of waypoints that are asked for in the order of the motion.
+class Lines {
+ public:
+  explicit Lines(const KinematicModelRun& run) : run_(run) {}
+  std::size_t of(const WaypointIndex& at) {
+    if (run_.lines.empty()) return 0;
+    while (next_ + 1 < run_.path.at.size() && run_.path.at[next_] != at) ++next_;
+    return run_.lines[next_];
+  }
+
+ private:
+  const KinematicModelRun& run_;
+  std::size_t next_ = 0;
+};
+
 std::vector<Finding> faultsOf(const KinematicModelRun& run) {
   Findings findings;
+  Lines lines(run);
   for (const FaultyWaypoint& faulty : run.path.faults) {
     const Path& path = run.toolpath().layers[faulty.at.layer].paths[faulty.at.path];
     findings.add({run.divided.originalOf(faulty.at), path.points[faulty.at.waypoint], toString(faulty.fault),
-                  faulty.reason});
+                  faulty.reason, lines.of(faulty.at)});
   }
   return findings.take();
 }
@@ -59,9 +75,10 @@ std::vector<Finding> faultsOf(const KinematicModelRun& run) {
 std::vector<Finding> collisionsOf(const KinematicModelRun& run, const JointClearanceReport& clearance) {
   Findings findings;
   const Eigen::Isometry3d part_from_bed = run.bed_from_part.inverse();
+  Lines lines(run);
   for (const Collision& collision : clearance.collisions)
     findings.add({run.divided.originalOf(collision.at), part_from_bed * collision.tip, kCollision,
-                  reasonOf(collision, run.divided)});
+                  reasonOf(collision, run.divided), lines.of(collision.at)});
   return findings.take();
 }
 
