@@ -24,8 +24,9 @@ bool isProgramFile(const std::string& path);
 Toolpath readProgram(const std::string& path, const ProgramSettings& settings,
                      const MachineSettings& machine);
 
-/// The joints that a program holds, line by line: five-axis G-code has the rotary ones in its words. Nothing
-/// for programs that hold none, G-code of linear axes and toolpaths.
+/// The joints that a program holds, line by line: five-axis G-code has the rotary ones in its words, RAPID
+/// configurations and external axes in its targets (`readRapidMotion`). Nothing for programs that hold none:
+/// G-code of linear axes, RAPID of a machine that is no arm, toolpaths.
 /// @throws as `readProgram`
 std::optional<StatedMotion> readStatedMotion(const std::string& path, const ProgramSettings& settings,
                                              const KinematicModel& model);

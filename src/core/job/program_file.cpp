@@ -8,6 +8,7 @@
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/job/rapid_files.hpp"
+#include "lamina/kinematics/arm/abb_configuration.hpp"
 #include "lamina/program/csv/csv_reader.hpp"
 #include "lamina/program/five_axis/five_axis_reader.hpp"
 #include "lamina/program/gcode/toolpath_from_gcode.hpp"
@@ -55,7 +56,9 @@ Toolpath readProgram(const std::string& path, const ProgramSettings& settings,
 
 std::optional<StatedMotion> readStatedMotion(const std::string& path, const ProgramSettings& settings,
                                              const KinematicModel& model) {
-  if (!isProgramFile(path) || isRapidFile(path) || !isFiveAxisProgram(headOf(path))) return std::nullopt;
+  if (!isProgramFile(path)) return std::nullopt;
+  if (isRapidFile(path) && isSixAxisArm(model)) return readRapidMotionFile(path, model);
+  if (isRapidFile(path) || !isFiveAxisProgram(headOf(path))) return std::nullopt;
   return readFiveAxisFile(path, [&](const std::string& text, const std::string& name) {
     return readFiveAxisMotion(text, model, settings.five_axis, settings, name);
   });

@@ -20,9 +20,11 @@ enum class JointFault : std::uint8_t {
   Singular,        ///< nearer to a singularity than the settings allow
   Jump,            ///< no steady way from the waypoint before
   JointUnwinding,  ///< a rotary joint has to be wound back while depositing
+  Configuration,   ///< no solution of the configuration that a program states
 };
 
-/// "out_of_reach", "out_of_limits", "self_collision", "singular", "jump", "joint_unwinding".
+/// "out_of_reach", "out_of_limits", "self_collision", "singular", "jump", "joint_unwinding",
+/// "configuration".
 const char* toString(JointFault fault);
 
 /// A waypoint that a kinematic model cannot run.
