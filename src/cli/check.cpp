@@ -39,7 +39,8 @@ struct CheckArguments {
 /// What was found, and how long it takes if it can be run.
 struct Checked {
   MachineCheck check;
-  std::optional<double> time_s;
+  SingularBeads singular;
+  std::optional<RunTime> time;
 };
 
 std::vector<Finding> findingsOf(const MachineCheck& check) {
@@ -73,9 +74,20 @@ void printJson(const Checked& checked, const std::string& machine) {
                                  {"colliding_layers", layersOf(check.collisions)},
                                  {"rewinds", check.rewinds},
                                  {"findings", nlohmann::ordered_json::array()}};
-  json["time_s"] = checked.time_s ? nlohmann::ordered_json(*checked.time_s) : nlohmann::ordered_json();
+  json["time_s"] = checked.time ? nlohmann::ordered_json(checked.time->total_s) : nlohmann::ordered_json();
+  json["slow_bead_share"] =
+      checked.time ? nlohmann::ordered_json(checked.time->slow_bead_share) : nlohmann::ordered_json();
+  json["singular_bead_share"] = checked.singular.share();
+  json["least_singular_deg"] = checked.singular.least_deg;
   for (const Finding& finding : findingsOf(check)) json["findings"].push_back(toJson(finding));
   std::printf("%s\n", json.dump(2).c_str());
+}
+
+void printSingular(const SingularBeads& beads) {
+  if (beads.near == 0) return;
+  const std::string line = beads.line > 0 ? "line " + std::to_string(beads.line) + ", " : "";
+  std::printf("singularity %.1f %% of the bead's waypoints are near one, %.2f deg the nearest: %s%s\n",
+              100.0 * beads.share(), beads.least_deg, line.c_str(), toText(beads.at).c_str());
 }
 
 void printText(const Checked& checked, const std::string& machine) {
@@ -94,7 +106,10 @@ void printText(const Checked& checked, const std::string& machine) {
   for (const auto& [what, kind] : by_kind)
     std::printf("%-11s at %zu waypoints in %zu layers\n", what.c_str(), kind.size(), layersOf(kind));
   std::printf("rewinds     %zu\n", check.rewinds);
-  if (checked.time_s) std::printf("print time  %.1f s\n", *checked.time_s);
+  printSingular(checked.singular);
+  if (checked.time)
+    std::printf("print time  %.1f s\nbelow feed  %.1f %% of the bead, at less than 95 %% of its feed\n",
+                checked.time->total_s, 100.0 * checked.time->slow_bead_share);
   std::printf("%s\n", check.isClear() ? "the machine can run it" : "the machine cannot run it");
 }
 
@@ -132,8 +147,9 @@ Checked checkedOn(const KinematicModel& model, const std::string& input, const J
   KinematicModelRun run = runOf(model, input, settings, progress);
   Checked checked;
   checked.check = checkRun(run, model, settings.clearance, progress);
+  checked.singular = singularBeads(run, model, settings.joints.singular_margin_deg);
   if (run.path.isRunnable())
-    checked.time_s = inTime(std::move(run), model, runSettings(settings).timing).time.total_s;
+    checked.time = inTime(std::move(run), model, runSettings(settings).timing).figures;
   return checked;
 }
 

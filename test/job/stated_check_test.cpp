@@ -131,6 +131,95 @@ TEST_F(StatedCheck, WaitsOfAFiveAxisProgramAreReadBack) {
   EXPECT_THROW(checked(), InvalidProgram);
 }
 
+/// The first target of the part: its line, and where its configuration begins.
+std::size_t targetLine(const std::vector<std::string>& lines) {
+  std::size_t at = 0;
+  while (lines.at(at).find("  PROC deposit_1") != 0) ++at;
+  return at + 1;
+}
+
+TEST_F(StatedCheck, AnArmsProgramHasTheCellOfItsDescriptionAndIsClearAsWritten) {
+  job_.settings.program.rapid.configuration = RapidConfiguration::Joints;
+  slice("irb_4600", "box.mod");
+  const std::string text = readFile(job_.output);
+  // The nozzle on the flange tool0 of the URDF: rpy 0, -30, 180 deg is 0.9659 about x and 0.2588 about z.
+  EXPECT_NE(text.find("tooldata t_cursoDic:=[TRUE,[[-45,0,387],[0,0.258819045,0,0.965925826]]"),
+            std::string::npos)
+      << text.substr(0, 600);
+  EXPECT_NE(text.find("temple:=[FALSE,TRUE,\"\",[[1350,0,650],[1,0,0,0]],[[0,0,0],[1,0,0,0]]];"),
+            std::string::npos);
+  EXPECT_NE(text.find("MoveAbsJ [["), std::string::npos);
+  EXPECT_LT(text.find("    deposit_start;\n"), text.find("    deposit_1;\n"));
+  EXPECT_GT(text.find("    deposit_end;\n"), text.find("    deposit_1;\n"));
+  const MachineCheck check = checked();
+  EXPECT_TRUE(check.isClear());
+  EXPECT_GT(check.waypoints, 50U);
+}
+
+TEST_F(StatedCheck, ATurntableIsTheMechanicalUnitOfTheWorkObject) {
+  job_.settings.joints.external = ExternalChoice::Follow;
+  slice("irb_4600_turntable", "box.mod");
+  const std::string text = readFile(job_.output);
+  EXPECT_NE(text.find("temple:=[FALSE,FALSE,\"STN1\",[[0,0,0],[1,0,0,0]],[[0,0,0],[1,0,0,0]]];"),
+            std::string::npos);
+  EXPECT_NE(text.find("    ActUnit STN1;\n"), std::string::npos);
+  EXPECT_TRUE(checked().isClear());
+}
+
+TEST_F(StatedCheck, AConfigurationThatReachesNothingIsFoundByItsLine) {
+  job_.settings.program.rapid.configuration = RapidConfiguration::Joints;
+  slice("irb_4600", "box.mod");
+  std::string& line = lines_[targetLine(lines_) + 20];
+  const std::size_t begin = line.find(",[", line.find("],[") + 2);
+  const std::size_t cfx = line.find("],[", begin) - 1;
+  line[cfx] = line[cfx] == '7' ? '0' : static_cast<char>(line[cfx] ^ 4);
+  const MachineCheck check = checked();
+  const Finding* finding = findingOf(check, "configuration");
+  ASSERT_NE(finding, nullptr);
+  EXPECT_EQ(finding->line, targetLine(lines_) + 21);
+}
+
+TEST_F(StatedCheck, AnotherToolThanThatOfTheDescriptionIsRefused) {
+  job_.settings.program.rapid.tool_frame = {0, 0, 0, 1, 0, 0, 0};
+  slice("irb_4600", "box.mod");
+  try {
+    checked();
+    FAIL() << "expected it to be refused";
+  } catch (const InvalidProgram& error) {
+    EXPECT_NE(std::string(error.what()).find("tool"), std::string::npos) << error.what();
+  }
+}
+
+TEST_F(StatedCheck, BeadsNearASingularityAreCounted) {
+  job_.settings.orientation.mode = OrientationMode::LayerNormal;
+  job_.settings.program.five_axis.use = FiveAxisUse::Always;
+  slice("five_axis_head_ac", "level.gcode");
+  const auto model = kinematicModelOf(job_.settings.machine);
+  auto stated = readStatedMotion(job_.output, job_.settings.program, *model);
+  ASSERT_TRUE(stated);
+  const SingularBeads beads =
+      singularBeads(runAsStated(*model, std::move(*stated), job_.settings.joints), *model, 6.0);
+  EXPECT_GT(beads.near, 10U);
+  EXPECT_DOUBLE_EQ(beads.share(), 1.0) << "a level nozzle is along the axis of c everywhere";
+  EXPECT_LT(beads.least_deg, 1e-6);
+  EXPECT_GT(beads.line, 0U);
+}
+
+TEST_F(StatedCheck, SliceSaysTheTimeThatTheCheckSays) {
+  slice("five_axis_head_ac", "box.gcode");
+  NoProgress nobody;
+  const SliceSummary summary = runSliceJob(job_, nobody).summary;
+  const auto model = kinematicModelOf(job_.settings.machine);
+  const RunSettings settings = runSettings(job_.settings);
+  const TimedRun timed =
+      inTime(runAsStated(*model, std::move(*readStatedMotion(job_.output, job_.settings.program, *model)),
+                         settings.joints),
+             *model, settings.timing);
+  EXPECT_NEAR(summary.estimated_time_s, timed.figures.total_s, 0.01 * timed.figures.total_s);
+  EXPECT_NEAR(summary.slow_bead_share, timed.figures.slow_bead_share, 0.02);
+  EXPECT_GT(summary.slow_bead_share, 0.0);
+}
+
 TEST_F(StatedCheck, LinearAxesStateNoJoints) {
   job_.settings.orientation.mode = OrientationMode::LayerNormal;
   slice("cartesian_gantry", "flat.gcode");

@@ -44,11 +44,19 @@ KinematicModelRun runAsStated(const KinematicModel& model, StatedMotion motion,
 /// @throws Unreachable if the path has faults: how many, and the first
 void requireRunnable(const KinematicModelRun& run, const KinematicModel& model);
 
+/// What the limits of the joints make of a run.
+struct RunTime {
+  double total_s = 0.0;
+  double slow_bead_share =
+      0.0;  ///< of the length of beads, laid below 95 % of the feed asked for (`slowBeadShare`)
+};
+
 /// A run in time.
 struct TimedRun {
   KinematicModelRun run;
   std::unique_ptr<TimedPath> trajectory;
   ToolpathTime time;
+  RunTime figures;
 };
 
 /// @throws Unreachable as `requireRunnable`; as `TimedPath`

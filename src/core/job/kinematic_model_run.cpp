@@ -9,6 +9,7 @@
 #include "lamina/kinematics/joint_path/stated_joints.hpp"
 #include "lamina/kinematics/model/link_bodies.hpp"
 #include "lamina/toolpath/waypoint_text.hpp"
+#include "lamina/trajectory/kept_feed.hpp"
 #include "lamina/verification/collision/self_collision_guard.hpp"
 
 namespace lamina {
@@ -44,6 +45,7 @@ TimedRun inTime(KinematicModelRun run, const KinematicModel& model, const Timing
   TimedRun timed;
   timed.trajectory = std::make_unique<TimedPath>(run.toolpath(), run.path, model, settings);
   timed.time = trajectoryTime(*timed.trajectory, run.path, run.toolpath().layers.size());
+  timed.figures = {timed.time.total_s, slowBeadShare(*timed.trajectory, run.path, run.toolpath())};
   timed.run = std::move(run);
   return timed;
 }

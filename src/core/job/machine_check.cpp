@@ -3,10 +3,12 @@
 #include "lamina/job/machine_check.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <tuple>
 #include <utility>
 
+#include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/toolpath/waypoint_text.hpp"
 #include "lamina/verification/collision/joint_clearance.hpp"
@@ -95,6 +97,23 @@ MachineCheck checkRun(const KinematicModelRun& run, const KinematicModel& model,
       run,
       checkJointClearance({run.toolpath(), run.bed_from_part, model, run.path}, bodies, settings, progress));
   return check;
+}
+
+SingularBeads singularBeads(const KinematicModelRun& run, const KinematicModel& model, double margin_deg) {
+  SingularBeads beads;
+  for (std::size_t i = 0; i < run.path.at.size(); ++i) {
+    const WaypointIndex& at = run.path.at[i];
+    const bool is_bead = run.toolpath().layers[at.layer].paths[at.path].role != PathRole::Travel;
+    if (!is_bead || run.path.values[i].size() == 0) continue;
+    const double off_deg = toDegrees(std::asin(std::min(1.0, model.singularityMargin(run.path.values[i]))));
+    ++beads.waypoints;
+    beads.near += off_deg < margin_deg ? 1 : 0;
+    if (off_deg >= beads.least_deg) continue;
+    beads.least_deg = off_deg;
+    beads.at = run.divided.originalOf(at);
+    beads.line = run.lines.empty() ? 0 : run.lines[i];
+  }
+  return beads;
 }
 
 void requireClear(const MachineCheck& check, const KinematicModel& model) {

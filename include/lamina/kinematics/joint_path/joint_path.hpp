@@ -40,6 +40,7 @@ struct JointPath {
   std::vector<WaypointIndex> at;
   std::vector<JointValues> values;     ///< as many; of size 0 where there is no solution
   std::vector<FaultyWaypoint> faults;  ///< all of them, in the order of the motion
+  double tool_axis_tolerance = 0.0;    ///< by which tool axes may be off what the toolpath asks [rad]
   std::size_t rewinds = 0;             ///< travels on which a rotary joint is wound back by whole turns
 
   bool isRunnable() const { return faults.empty(); }

@@ -10,13 +10,12 @@
 
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
-#include "lamina/program/gcode/gcode_dialect.hpp"
 #include "lamina/program/gcode/gcode_line.hpp"
 #include "lamina/program/gcode/toolpath_from_gcode.hpp"
 #include "lamina/program/program_frame.hpp"
+#include "program/five_axis/five_axis_events.hpp"
 #include "program/five_axis/five_axis_letters.hpp"
 #include "program/gcode/command_words.hpp"
-#include "program/gcode/process_words.hpp"
 #include "program/gcode/slicer_comments.hpp"
 
 namespace lamina {
@@ -25,8 +24,7 @@ namespace {
 constexpr std::string_view kMark = ";FIVE_AXIS:";
 constexpr double kSamePlace = 0.01;  // mm: last decimals of all joints together
 constexpr double kLargest = 1e7;     // mm, deg and their feeds
-constexpr double kLongestDwell_s = 1e6;
-constexpr double kShortest = 1e12;  // 1/min: the least motion at the greatest feed that is written
+constexpr double kShortest = 1e12;   // 1/min: the least motion at the greatest feed that is written
 
 /// Where the nozzle is, and which joints bring it there.
 struct Held {
@@ -64,6 +62,7 @@ class FiveAxisInterpreter {
         taken_(taken),
         letters_(axisLetters(machine, settings.letters)),
         program_(filament),
+        feeder_(feederWord(settings)),
         builder_(filament),
         values_(letters_.size(), std::numeric_limits<double>::quiet_NaN()) {}
 
@@ -80,7 +79,7 @@ class FiveAxisInterpreter {
     remark_ = line.words.empty() || line.comments.empty() ? "" : line.comments.front();
     if (line.words.empty())
       for (const std::string_view comment : line.comments) readRemark(comment);
-    if (isCommand(line.command, "G4")) return readDwell(line.command);
+    if (isCommand(line.command, "G4")) return readCommand(line.command);
     if (line.is_other) return readCommand(line.command);
     if (!line.words.empty()) readMotion(line);
   }
@@ -146,21 +145,20 @@ class FiveAxisInterpreter {
   void readCommand(std::string_view command) {
     if (command == "G93" || command == "G94") {
       has_inverse_time_ = command == "G93";
-    } else if (auto event = readEvent(command)) {
+    } else if (auto event = eventOf(command)) {
       builder_.add(std::move(*event));
-    } else if (command != tipControlOn(settings_)) {
+    } else if (command != tipControlOn(settings_) && command != tipControlOff(settings_)) {
       refuse("found '" + std::string(command.substr(0, 40)) +
-             "'; expected G0, G1, G93, G94 or what turns tool-tip coordinates on");
+             "'; expected G0, G1, G93, G94, G4 or what turns tool-tip coordinates on or off");
     }
   }
 
-  /// As `writeEvent` writes it: in the units of the dialect.
-  void readDwell(std::string_view command) {
-    const double unit_s = gcodeDialect(program_.dialect).dwells_in_seconds ? 1.0 : 1e-3;
-    const std::optional<double> duration = wordValue(command, 'P');
-    if (!duration || !(*duration >= 0.0 && *duration * unit_s <= kLongestDwell_s))
-      refuse("found '" + std::string(command) + "'; expected G4 P with a duration of 0 to 1e6 s");
-    if (*duration > 0.0) builder_.add(Dwell{*duration * unit_s});
+  std::optional<ToolpathEvent> eventOf(std::string_view command) const {
+    try {
+      return readFiveAxisEvent(command, program_);
+    } catch (const InvalidProgram& error) {
+      refuse(error.what());
+    }
   }
 
   Words readWords(const GcodeLine& line) {
@@ -170,10 +168,10 @@ class FiveAxisInterpreter {
       if (!word.value || !(std::abs(*word.value) <= most))
         refuse(std::string("the word ") + word.letter + " has no value within " +
                (most > kLargest ? "1e12" : "1e7") + "; expected a number");
-      std::optional<double>* known = word.letter == 'G'   ? &words.g
-                                     : word.letter == 'E' ? &words.e
-                                     : word.letter == 'F' ? &words.f
-                                                          : nullptr;
+      std::optional<double>* known = word.letter == 'G'              ? &words.g
+                                     : word.letter == feeder_.letter ? &words.e
+                                     : word.letter == 'F'            ? &words.f
+                                                                     : nullptr;
       if (known != nullptr) {
         if (known->has_value()) refuse(std::string("the word ") + word.letter + " stands twice");
         *known = word.value;
@@ -181,6 +179,12 @@ class FiveAxisInterpreter {
         setAxis(word.letter, *word.value);
         words.has_axis = true;
       }
+    }
+    // An axis says where it goes to; a word E says by how much.
+    if (words.e && feeder_.is_absolute) {
+      const double fed_mm = *words.e;
+      words.e = fed_mm - fed_mm_;
+      fed_mm_ = fed_mm;
     }
     return words;
   }
@@ -191,7 +195,8 @@ class FiveAxisInterpreter {
         values_[i] = value;
         return;
       }
-    refuse(std::string("found the word ") + letter + "; expected G, E, F or an axis of " + toText(letters_));
+    refuse(std::string("found the word ") + letter + "; expected G, " + feeder_.letter +
+           ", F or an axis of " + toText(letters_));
   }
 
   /// Joints as they are written; linear ones are zero where the words are those of the tip.
@@ -323,6 +328,8 @@ class FiveAxisInterpreter {
   LinesTaken taken_;
   std::vector<AxisLetter> letters_;
   const ProgramSettings& program_;
+  FeederWord feeder_;
+  double fed_mm_ = 0.0;  ///< since the start of the part, of a feeder that is an axis
   ToolpathBuilder builder_;
   GcodeLineParser parser_;
   SlicerContext context_;
