@@ -39,7 +39,8 @@ struct CheckArguments {
 /// What was found, and how long it takes if it can be run.
 struct Checked {
   MachineCheck check;
-  std::optional<double> time_s;
+  SingularBeads singular;
+  std::optional<RunTime> time;
 };
 
 std::vector<Finding> findingsOf(const MachineCheck& check) {
@@ -59,6 +60,7 @@ nlohmann::ordered_json toJson(const Finding& finding) {
           {"path", finding.at.path},
           {"waypoint", finding.at.waypoint},
           {"tip_mm", {finding.tip.x(), finding.tip.y(), finding.tip.z()}},
+          {"line", finding.line > 0 ? nlohmann::ordered_json(finding.line) : nlohmann::ordered_json()},
           {"what", finding.what},
           {"reason", finding.reason}};
 }
@@ -72,9 +74,20 @@ void printJson(const Checked& checked, const std::string& machine) {
                                  {"colliding_layers", layersOf(check.collisions)},
                                  {"rewinds", check.rewinds},
                                  {"findings", nlohmann::ordered_json::array()}};
-  json["time_s"] = checked.time_s ? nlohmann::ordered_json(*checked.time_s) : nlohmann::ordered_json();
+  json["time_s"] = checked.time ? nlohmann::ordered_json(checked.time->total_s) : nlohmann::ordered_json();
+  json["slow_bead_share"] =
+      checked.time ? nlohmann::ordered_json(checked.time->slow_bead_share) : nlohmann::ordered_json();
+  json["singular_bead_share"] = checked.singular.share();
+  json["least_singular_deg"] = checked.singular.least_deg;
   for (const Finding& finding : findingsOf(check)) json["findings"].push_back(toJson(finding));
   std::printf("%s\n", json.dump(2).c_str());
+}
+
+void printSingular(const SingularBeads& beads) {
+  if (beads.near == 0) return;
+  const std::string line = beads.line > 0 ? "line " + std::to_string(beads.line) + ", " : "";
+  std::printf("singularity %.1f %% of the bead's waypoints are near one, %.2f deg the nearest: %s%s\n",
+              100.0 * beads.share(), beads.least_deg, line.c_str(), toText(beads.at).c_str());
 }
 
 void printText(const Checked& checked, const std::string& machine) {
@@ -86,12 +99,17 @@ void printText(const Checked& checked, const std::string& machine) {
     std::vector<Finding>& kind = by_kind[finding.what];
     kind.push_back(finding);
     if (kind.size() > kShown) continue;
-    std::printf("%-11s %s: %s\n", finding.what.c_str(), toText(finding.at).c_str(), finding.reason.c_str());
+    const std::string line = finding.line > 0 ? "line " + std::to_string(finding.line) + ", " : "";
+    std::printf("%-11s %s%s: %s\n", finding.what.c_str(), line.c_str(), toText(finding.at).c_str(),
+                finding.reason.c_str());
   }
   for (const auto& [what, kind] : by_kind)
     std::printf("%-11s at %zu waypoints in %zu layers\n", what.c_str(), kind.size(), layersOf(kind));
   std::printf("rewinds     %zu\n", check.rewinds);
-  if (checked.time_s) std::printf("print time  %.1f s\n", *checked.time_s);
+  printSingular(checked.singular);
+  if (checked.time)
+    std::printf("print time  %.1f s\nbelow feed  %.1f %% of the bead, at less than 95 %% of its feed\n",
+                checked.time->total_s, 100.0 * checked.time->slow_bead_share);
   std::printf("%s\n", check.isClear() ? "the machine can run it" : "the machine cannot run it");
 }
 
@@ -102,11 +120,37 @@ std::string quoted(const std::string& text) {
 }
 
 void writeReport(const MachineCheck& check, const std::string& file) {
-  std::string text = "layer,path,waypoint,what,reason\n";
+  std::string text = "layer,path,waypoint,line,what,reason\n";
   for (const Finding& finding : findingsOf(check))
     text += std::to_string(finding.at.layer) + "," + std::to_string(finding.at.path) + "," +
-            std::to_string(finding.at.waypoint) + "," + finding.what + "," + quoted(finding.reason) + "\n";
+            std::to_string(finding.at.waypoint) + "," +
+            (finding.line > 0 ? std::to_string(finding.line) : "") + "," + finding.what + "," +
+            quoted(finding.reason) + "\n";
   writeFile(file, text);
+}
+
+/// The joints that the program holds; of what holds none, those by which the machine would run it.
+KinematicModelRun runOf(const KinematicModel& model, const std::string& input, const JobSettings& settings,
+                        Progress& progress) {
+  if (auto stated = readStatedMotion(input, settings.program, model))
+    return runAsStated(model, std::move(*stated), settings.joints);
+  ToolpathInput read = readInclinedToolpath(input, settings);
+  // Programs state where on the bed they stand.
+  const bool is_toolpath = !isPart(input) && !isProgramFile(input);
+  if (is_toolpath && settings.placement == Placement::Centre)
+    read.bed_from_part = placeDeposition(read.toolpath, buildSpaceOf(settings.machine));
+  return runOn(model, std::move(read.toolpath), read.bed_from_part, settings.joints, progress);
+}
+
+Checked checkedOn(const KinematicModel& model, const std::string& input, const JobSettings& settings) {
+  TerminalProgress progress;
+  KinematicModelRun run = runOf(model, input, settings, progress);
+  Checked checked;
+  checked.check = checkRun(run, model, settings.clearance, progress);
+  checked.singular = singularBeads(run, model, settings.joints.singular_margin_deg);
+  if (run.path.isRunnable())
+    checked.time = inTime(std::move(run), model, runSettings(settings).timing).figures;
+  return checked;
 }
 
 void check(const CheckArguments& arguments, Chosen& chosen) {
@@ -122,21 +166,7 @@ void check(const CheckArguments& arguments, Chosen& chosen) {
   validate(layered);
   const JobSettings& settings = layered.settings;
   const auto model = kinematicModelOf(settings.machine);
-  ToolpathInput input = readInclinedToolpath(arguments.input, settings);
-  // Programs state where on the bed they stand.
-  const bool is_toolpath = !isPart(arguments.input) && !isProgramFile(arguments.input);
-  if (is_toolpath && settings.placement == Placement::Centre)
-    input.bed_from_part = placeDeposition(input.toolpath, buildSpaceOf(settings.machine));
-  Checked checked;
-  {
-    TerminalProgress progress;
-    const RunSettings run_settings = runSettings(settings);
-    KinematicModelRun run =
-        runOn(*model, std::move(input.toolpath), input.bed_from_part, run_settings.joints, progress);
-    checked.check = checkRun(run, *model, settings.clearance, progress);
-    if (run.path.isRunnable())
-      checked.time_s = inTime(std::move(run), *model, run_settings.timing).time.total_s;
-  }
+  const Checked checked = checkedOn(*model, arguments.input, settings);
   if (!arguments.report.empty()) writeReport(checked.check, arguments.report);
   if (!checked.check.isClear()) chosen.exit_code = kCannotRun;
   chosen.format == OutputFormat::Json ? printJson(checked, model->name()) : printText(checked, model->name());

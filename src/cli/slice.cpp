@@ -130,6 +130,12 @@ void printSupports(const SupportTotals& supports) {
   std::printf("\n");
 }
 
+/// Nothing where no joints are led.
+nlohmann::ordered_json slowShare(const SliceSummary& s) {
+  if (s.slow_bead_share < 0.0) return {};
+  return s.slow_bead_share;
+}
+
 nlohmann::ordered_json jsonOf(const SliceSummary& s, const std::string& output) {
   return {
       {"mode", s.mode},
@@ -179,6 +185,7 @@ nlohmann::ordered_json jsonOf(const SliceSummary& s, const std::string& output) 
       {"refill_runs", s.refilling.runs},
       {"refilled_mm3", s.refilling.deposited_mm3},
       {"estimated_time_s", s.estimated_time_s},
+      {"slow_bead_share", slowShare(s)},
       {"repairs", s.repairs},
       {"output", output},
       {"read_s", s.read_s},
@@ -237,7 +244,11 @@ void printText(const SliceSummary& s, const std::string& output) {
   printSupports(s.supports);
   if (s.refilling.runs > 0)
     std::printf("refilled    %.3f mm3 of voids by %zu runs\n", s.refilling.deposited_mm3, s.refilling.runs);
-  std::printf("print time  %.0f min\n", s.estimated_time_s / 60.0);
+  std::printf("print time  %.0f min%s\n", s.estimated_time_s / 60.0,
+              s.slow_bead_share < 0.0 ? "" : ", within the limits of the joints");
+  if (s.slow_bead_share >= 0.0)
+    std::printf("below feed  %.1f %% of the bead, at less than 95 %% of its feed\n",
+                100.0 * s.slow_bead_share);
   std::printf("computed in %.3f s (read %.3f, slice %.3f, plan %.3f, write %.3f), %.0f MiB\n", s.wall_s,
               s.read_s, s.slice_s, s.plan_s, s.write_s, s.peak_memory_mb);
   if (!output.empty()) std::printf("written to  %s\n", output.c_str());

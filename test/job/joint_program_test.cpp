@@ -146,7 +146,9 @@ struct Target {
 
 std::vector<Target> targetsOf(const std::string& text) {
   std::vector<Target> targets;
-  for (std::size_t at = text.find("MoveL [["); at != std::string::npos; at = text.find("MoveL [[", at + 1)) {
+  // After the approach and the retract.
+  for (std::size_t at = text.find("MoveL [[", text.find("  PROC deposit_1")); at != std::string::npos;
+       at = text.find("MoveL [[", at + 1)) {
     Target target;
     Point3 tip;
     Eigen::Quaterniond turn;

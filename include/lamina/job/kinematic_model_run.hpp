@@ -3,13 +3,16 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <cstddef>
 #include <memory>
+#include <vector>
 
 #include "lamina/base/progress.hpp"
 #include "lamina/job/run_settings.hpp"
 #include "lamina/kinematics/joint_path/divided_joint_path.hpp"
 #include "lamina/kinematics/joint_path/joint_path.hpp"
 #include "lamina/kinematics/model/kinematic_model.hpp"
+#include "lamina/program/stated_motion.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 #include "lamina/trajectory/timed_path.hpp"
 
@@ -20,6 +23,8 @@ struct KinematicModelRun {
   DividedToolpath divided;  ///< fine enough for joints at constant speed to keep the nozzle on its motions
   Eigen::Isometry3d bed_from_part = Eigen::Isometry3d::Identity();  ///< [mm]
   JointPath path;                                                   ///< of the divided toolpath
+  std::vector<std::size_t>
+      lines;  ///< of the program that states the joints, by waypoint of the path; else empty
 
   const Toolpath& toolpath() const { return divided.toolpath; }
 };
@@ -32,14 +37,26 @@ KinematicModelRun runOn(const KinematicModel& model, Toolpath toolpath,
                         const Eigen::Isometry3d& bed_from_part, const JointPathSettings& settings,
                         Progress& progress);
 
+/// The joints that a program states, judged (`judged`) and not led.
+KinematicModelRun runAsStated(const KinematicModel& model, StatedMotion motion,
+                              const JointPathSettings& settings);
+
 /// @throws Unreachable if the path has faults: how many, and the first
 void requireRunnable(const KinematicModelRun& run, const KinematicModel& model);
+
+/// What the limits of the joints make of a run.
+struct RunTime {
+  double total_s = 0.0;
+  double slow_bead_share =
+      0.0;  ///< of the length of beads, laid below 95 % of the feed asked for (`slowBeadShare`)
+};
 
 /// A run in time.
 struct TimedRun {
   KinematicModelRun run;
   std::unique_ptr<TimedPath> trajectory;
   ToolpathTime time;
+  RunTime figures;
 };
 
 /// @throws Unreachable as `requireRunnable`; as `TimedPath`

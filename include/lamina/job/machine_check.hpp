@@ -20,6 +20,7 @@ struct Finding {
   Point3 tip = Point3::Zero();  ///< where the nozzle is then [mm, part frame]
   std::string what;             ///< as `toString(JointFault)`, or "collision"
   std::string reason;           ///< for people
+  std::size_t line = 0;         ///< of the program that states the joints, 1 based; 0 where none does
 };
 
 /// What stands in the way of a toolpath on a machine or robot. Each waypoint is found once for each thing
@@ -39,6 +40,22 @@ struct MachineCheck {
 /// @throws as `checkJointClearance`
 MachineCheck checkRun(const KinematicModelRun& run, const KinematicModel& model,
                       const ClearanceSettings& settings, Progress& progress);
+
+/// Where beads come near a singularity, which slows their joints down.
+struct SingularBeads {
+  std::size_t waypoints = 0;  ///< of beads, as they are led
+  std::size_t near = 0;       ///< of these, nearer than the margin
+  double least_deg = 90.0;    ///< from a singularity, as `KinematicModel::singularityMargin`
+  WaypointIndex at;           ///< the first one that is so near; of the toolpath that was asked for
+  std::size_t line = 0;       ///< as in `Finding`
+
+  double share() const {
+    return waypoints > 0 ? static_cast<double>(near) / static_cast<double>(waypoints) : 0.0;
+  }
+};
+
+/// @param margin_deg  `joints.singular_margin_deg`
+SingularBeads singularBeads(const KinematicModelRun& run, const KinematicModel& model, double margin_deg);
 
 /// @throws Unreachable if it is not clear: how many waypoints, and the first of them
 void requireClear(const MachineCheck& check, const KinematicModel& model);

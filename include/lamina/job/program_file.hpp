@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "lamina/kinematics/cartesian/machine_settings.hpp"
+#include "lamina/kinematics/model/kinematic_model.hpp"
 #include "lamina/program/program_settings.hpp"
+#include "lamina/program/stated_motion.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 
 namespace lamina {
@@ -20,6 +23,13 @@ bool isProgramFile(const std::string& path);
 ///   five axes also if the machine has others
 Toolpath readProgram(const std::string& path, const ProgramSettings& settings,
                      const MachineSettings& machine);
+
+/// The joints that a program holds, line by line: five-axis G-code has the rotary ones in its words, RAPID
+/// configurations and external axes in its targets (`readRapidMotion`). Nothing for programs that hold none:
+/// G-code of linear axes, RAPID of a machine that is no arm, toolpaths.
+/// @throws as `readProgram`
+std::optional<StatedMotion> readStatedMotion(const std::string& path, const ProgramSettings& settings,
+                                             const KinematicModel& model);
 
 /// Whether the suffix is that of a toolpath: .csv.
 bool isToolpathFile(const std::string& path);

@@ -114,10 +114,41 @@ KinematicModelRun runnable(const KinematicModel& model, const SlicedPart& sliced
   return run;
 }
 
+/// A bead that joints cannot follow in time is what `lamina check` refuses; the program is the same.
+std::optional<RunTime> timeOf(const KinematicModelRun& run, const KinematicModel& model,
+                              const JobSettings& settings) {
+  try {
+    return inTime(run, model, runSettings(settings).timing).figures;
+  } catch (const Unreachable&) {
+    return std::nullopt;
+  }
+}
+
+/// The joints at the waypoints of the toolpath before it was divided.
+JointPath atWaypointsAskedFor(const KinematicModelRun& run) {
+  JointPath kept;
+  kept.tool_axis_tolerance = run.path.tool_axis_tolerance;
+  kept.rewinds = run.path.rewinds;
+  const auto isSamePath = [](const WaypointIndex& a, const WaypointIndex& b) {
+    return a.layer == b.layer && a.path == b.path;
+  };
+  const auto& at = run.path.at;
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    const bool is_first = i == 0 || !isSamePath(at[i - 1], at[i]);
+    const bool is_last = i + 1 == at.size() || !isSamePath(at[i], at[i + 1]);
+    const WaypointIndex original = run.divided.originalOf(at[i]);
+    if (!is_first && !is_last && run.divided.originalOf(at[i + 1]) == original) continue;
+    kept.at.push_back(original);
+    kept.values.push_back(run.path.values[i]);
+  }
+  return kept;
+}
+
 JointProgram planMachine(std::unique_ptr<KinematicModel> machine, const SliceJob& job,
                          const SlicedPart& sliced, Progress& progress) {
   KinematicModelRun run = runnable(*machine, sliced, job.settings.joints, progress);
-  return {std::move(machine), std::move(run.divided.toolpath), std::move(run.path)};
+  const auto time = timeOf(run, *machine, job.settings);
+  return {std::move(machine), std::move(run.divided.toolpath), std::move(run.path), time};
 }
 
 std::optional<JointProgram> planArm(std::unique_ptr<KinematicModel> arm, const SliceJob& job,
@@ -128,9 +159,10 @@ std::optional<JointProgram> planArm(std::unique_ptr<KinematicModel> arm, const S
   const bool is_stated = statesJoints(rapid, *arm);
   if (!is_stated) settings.yaw = YawChoice::Held;
   KinematicModelRun run = runnable(*arm, sliced, settings, progress);
-  if (!is_stated) return std::nullopt;
+  const auto time = timeOf(run, *arm, job.settings);
+  if (!is_stated) return JointProgram{std::move(arm), sliced.toolpath, atWaypointsAskedFor(run), time};
   ToolpathAsRun as_run = toolpathAsRun(std::move(run), *arm);
-  return JointProgram{std::move(arm), std::move(as_run.toolpath), std::move(as_run.joints)};
+  return JointProgram{std::move(arm), std::move(as_run.toolpath), std::move(as_run.joints), time};
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "lamina/base/progress.hpp"
+#include "lamina/job/kinematic_model_run.hpp"
 #include "lamina/job/slice_job.hpp"
 #include "lamina/kinematics/joint_path/joint_path.hpp"
 #include "lamina/kinematics/model/build_space.hpp"
@@ -16,8 +17,9 @@ namespace lamina {
 /// A toolpath with the joints that run it, for programs that state them.
 struct JointProgram {
   std::unique_ptr<KinematicModel> model;
-  Toolpath toolpath;  ///< divided as `runOn` does; of an arm as in `toolpathAsRun`
-  JointPath joints;   ///< of it
+  Toolpath toolpath;            ///< divided as `runOn` does; of an arm as in `toolpathAsRun`
+  JointPath joints;             ///< of it
+  std::optional<RunTime> time;  ///< within the limits of the joints; nothing where it cannot be known
 };
 
 /// @throws InvalidInput if the job asks for G-code of a robot
@@ -29,8 +31,8 @@ bool writesFiveAxis(const SliceJob& job, const BuildSpace& space, const SlicedPa
 
 /// Leads the joints of a five-axis machine where it writes five-axis G-code, and those of an arm where it
 /// writes RAPID. An arm's program reports joints where `rapid.configuration` asks for them or the arm has
-/// external axes: its targets then turn about the tool axis as the joints do. Otherwise the arm is checked at
-/// the very targets of the toolpath, and nothing is led.
+/// external axes: its targets then turn about the tool axis as the joints do. Otherwise the arm is led
+/// through the very targets of the toolpath, which are written as they are.
 ///
 /// @param progress  stage "joints"
 /// @throws Unreachable if the machine cannot run it: the first waypoint, and how many; InvalidConfig if

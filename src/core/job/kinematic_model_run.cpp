@@ -6,8 +6,10 @@
 #include <utility>
 
 #include "lamina/base/error.hpp"
+#include "lamina/kinematics/joint_path/stated_joints.hpp"
 #include "lamina/kinematics/model/link_bodies.hpp"
 #include "lamina/toolpath/waypoint_text.hpp"
+#include "lamina/trajectory/kept_feed.hpp"
 #include "lamina/verification/collision/self_collision_guard.hpp"
 
 namespace lamina {
@@ -18,7 +20,16 @@ KinematicModelRun runOn(const KinematicModel& model, Toolpath toolpath,
   const SelfCollisionGuard guard(model, linkBodies(model.urdf()));
   DividedJointPath planned =
       planDividedJointPath(std::move(toolpath), bed_from_part, {model, guard}, settings, progress);
-  return {std::move(planned.divided), bed_from_part, std::move(planned.joints)};
+  return {std::move(planned.divided), bed_from_part, std::move(planned.joints), {}};
+}
+
+KinematicModelRun runAsStated(const KinematicModel& model, StatedMotion motion,
+                              const JointPathSettings& settings) {
+  KinematicModelRun run;
+  run.path = judged(std::move(motion.joints), motion.toolpath, model, settings);
+  run.divided = undivided(std::move(motion.toolpath));
+  run.lines = std::move(motion.lines);
+  return run;
 }
 
 void requireRunnable(const KinematicModelRun& run, const KinematicModel& model) {
@@ -34,6 +45,7 @@ TimedRun inTime(KinematicModelRun run, const KinematicModel& model, const Timing
   TimedRun timed;
   timed.trajectory = std::make_unique<TimedPath>(run.toolpath(), run.path, model, settings);
   timed.time = trajectoryTime(*timed.trajectory, run.path, run.toolpath().layers.size());
+  timed.figures = {timed.time.total_s, slowBeadShare(*timed.trajectory, run.path, run.toolpath())};
   timed.run = std::move(run);
   return timed;
 }

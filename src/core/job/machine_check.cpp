@@ -3,10 +3,12 @@
 #include "lamina/job/machine_check.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <tuple>
 #include <utility>
 
+#include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/toolpath/waypoint_text.hpp"
 #include "lamina/verification/collision/joint_clearance.hpp"
@@ -46,12 +48,28 @@ std::size_t waypointsAskedFor(const DividedToolpath& divided) {
   return count;
 }
 
+/// The lines of waypoints that are asked for in the order of the motion.
+class Lines {
+ public:
+  explicit Lines(const KinematicModelRun& run) : run_(run) {}
+  std::size_t of(const WaypointIndex& at) {
+    if (run_.lines.empty()) return 0;
+    while (next_ + 1 < run_.path.at.size() && run_.path.at[next_] != at) ++next_;
+    return run_.lines[next_];
+  }
+
+ private:
+  const KinematicModelRun& run_;
+  std::size_t next_ = 0;
+};
+
 std::vector<Finding> faultsOf(const KinematicModelRun& run) {
   Findings findings;
+  Lines lines(run);
   for (const FaultyWaypoint& faulty : run.path.faults) {
     const Path& path = run.toolpath().layers[faulty.at.layer].paths[faulty.at.path];
     findings.add({run.divided.originalOf(faulty.at), path.points[faulty.at.waypoint], toString(faulty.fault),
-                  faulty.reason});
+                  faulty.reason, lines.of(faulty.at)});
   }
   return findings.take();
 }
@@ -59,9 +77,10 @@ std::vector<Finding> faultsOf(const KinematicModelRun& run) {
 std::vector<Finding> collisionsOf(const KinematicModelRun& run, const JointClearanceReport& clearance) {
   Findings findings;
   const Eigen::Isometry3d part_from_bed = run.bed_from_part.inverse();
+  Lines lines(run);
   for (const Collision& collision : clearance.collisions)
     findings.add({run.divided.originalOf(collision.at), part_from_bed * collision.tip, kCollision,
-                  reasonOf(collision, run.divided)});
+                  reasonOf(collision, run.divided), lines.of(collision.at)});
   return findings.take();
 }
 
@@ -78,6 +97,23 @@ MachineCheck checkRun(const KinematicModelRun& run, const KinematicModel& model,
       run,
       checkJointClearance({run.toolpath(), run.bed_from_part, model, run.path}, bodies, settings, progress));
   return check;
+}
+
+SingularBeads singularBeads(const KinematicModelRun& run, const KinematicModel& model, double margin_deg) {
+  SingularBeads beads;
+  for (std::size_t i = 0; i < run.path.at.size(); ++i) {
+    const WaypointIndex& at = run.path.at[i];
+    const bool is_bead = run.toolpath().layers[at.layer].paths[at.path].role != PathRole::Travel;
+    if (!is_bead || run.path.values[i].size() == 0) continue;
+    const double off_deg = toDegrees(std::asin(std::min(1.0, model.singularityMargin(run.path.values[i]))));
+    ++beads.waypoints;
+    beads.near += off_deg < margin_deg ? 1 : 0;
+    if (off_deg >= beads.least_deg) continue;
+    beads.least_deg = off_deg;
+    beads.at = run.divided.originalOf(at);
+    beads.line = run.lines.empty() ? 0 : run.lines[i];
+  }
+  return beads;
 }
 
 void requireClear(const MachineCheck& check, const KinematicModel& model) {

@@ -8,6 +8,7 @@
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/job/rapid_files.hpp"
+#include "lamina/kinematics/arm/abb_configuration.hpp"
 #include "lamina/program/csv/csv_reader.hpp"
 #include "lamina/program/five_axis/five_axis_reader.hpp"
 #include "lamina/program/gcode/toolpath_from_gcode.hpp"
@@ -26,11 +27,11 @@ std::string headOf(const std::string& path) {
   return head;
 }
 
-Toolpath readFiveAxisFile(const std::string& path, const ProgramSettings& settings,
-                          const MachineSettings& machine) {
-  const std::string name = std::filesystem::path(path).filename().string();
+/// @param read  with the text, and the name of the file
+template <typename Read>
+auto readFiveAxisFile(const std::string& path, const Read& read) {
   try {
-    return readFiveAxis(readFile(path), *kinematicModelOf(machine), settings.five_axis, settings, name);
+    return read(readFile(path), std::filesystem::path(path).filename().string());
   } catch (const InvalidConfig& error) {
     throw InvalidProgram("'" + path + "' is five-axis G-code: " + error.what() +
                          "; expected machine.name to be the machine that it was written for");
@@ -46,8 +47,21 @@ bool isProgramFile(const std::string& path) {
 Toolpath readProgram(const std::string& path, const ProgramSettings& settings,
                      const MachineSettings& machine) {
   if (isRapidFile(path)) return readRapidFile(path);
-  if (isFiveAxisProgram(headOf(path))) return readFiveAxisFile(path, settings, machine);
+  if (isFiveAxisProgram(headOf(path)))
+    return readFiveAxisFile(path, [&](const std::string& text, const std::string& name) {
+      return readFiveAxis(text, *kinematicModelOf(machine), settings.five_axis, settings, name);
+    });
   return toolpathFromGcodeFile(path, settings);
+}
+
+std::optional<StatedMotion> readStatedMotion(const std::string& path, const ProgramSettings& settings,
+                                             const KinematicModel& model) {
+  if (!isProgramFile(path)) return std::nullopt;
+  if (isRapidFile(path) && isSixAxisArm(model)) return readRapidMotionFile(path, model);
+  if (isRapidFile(path) || !isFiveAxisProgram(headOf(path))) return std::nullopt;
+  return readFiveAxisFile(path, [&](const std::string& text, const std::string& name) {
+    return readFiveAxisMotion(text, model, settings.five_axis, settings, name);
+  });
 }
 
 bool isToolpathFile(const std::string& path) { return std::filesystem::path(path).extension() == ".csv"; }

@@ -50,10 +50,20 @@ std::string accelerations(const JobSettings& settings) {
                              {"travel", std::llround(settings.motion.travel_acceleration_mm_s2)}});
 }
 
+/// The code that heats a printer and lets it go is none that a machining control takes.
+ProgramSettings codeFor(ProgramSettings program, const std::optional<JointProgram>& joint_program) {
+  const ProgramSettings of_printers;
+  if (!joint_program || program.five_axis.dialect == FiveAxisDialect::Generic) return program;
+  if (program.start_code == of_printers.start_code) program.start_code.clear();
+  if (program.end_code == of_printers.end_code) program.end_code.clear();
+  return program;
+}
+
 void write(const SliceJob& job, const BuildSpace& space, const SlicedPart& sliced,
            const std::optional<JointProgram>& joint_program) {
   if (job.output.empty()) return;
-  ProgramSettings program = startedFor(job.settings.planning.first_layer, job.settings.program);
+  ProgramSettings program =
+      startedFor(job.settings.planning.first_layer, codeFor(job.settings.program, joint_program));
   program.strategy = job.settings.planning.infill.strategy;
   for (const Tool& tool : toolsOf(job.settings.planning.tools))
     program.tool_offsets_mm.push_back(tool.offset_mm);
@@ -68,6 +78,17 @@ void write(const SliceJob& job, const BuildSpace& space, const SlicedPart& slice
   writeOutput(job.output,
               {joint_program->toolpath, frame, ProgramJoints{*joint_program->model, joint_program->joints}},
               program, annotations);
+}
+
+/// Within the limits of the joints, where they are led.
+void addTime(SlicedPart& sliced, const MotionLimits& limits,
+             const std::optional<JointProgram>& joint_program) {
+  if (!joint_program || !joint_program->time) {
+    sliced.summary.estimated_time_s = estimateTime(sliced.toolpath, limits).total_s;
+    return;
+  }
+  sliced.summary.estimated_time_s = joint_program->time->total_s;
+  sliced.summary.slow_bead_share = joint_program->time->slow_bead_share;
 }
 
 /// Temperatures of tools, pauses, and code of the user's own.
@@ -118,9 +139,8 @@ SlicedPart runIn(const BuildSpace& space, const SliceJob& job, const SliceFuncti
   progress.report("write", 0.0);
   throwIfCancelled(progress, "write");
   // The estimate is a walk along the whole toolpath by one thread; it refuses nothing that was planned.
-  inParallel(
-      [&] { sliced.summary.estimated_time_s = estimateTime(sliced.toolpath, job.settings.motion).total_s; },
-      [&] { write(job, space, sliced, joint_program); });
+  inParallel([&] { addTime(sliced, job.settings.motion, joint_program); },
+             [&] { write(job, space, sliced, joint_program); });
   sliced.summary.write_s = laps.lap();
   sliced.summary.wall_s = whole.lap();
   sliced.summary.peak_memory_mb = peakMemory();

@@ -33,13 +33,14 @@ void requireWithinLimits(const JointValues& values, const KinematicModel& model,
     throw Unreachable(toText(at) + ", '" + model.name() + "': " + *fault);
 }
 
-void requireSamePose(const Eigen::Isometry3d& given, const Eigen::Isometry3d& expected,
+/// @param tolerance  of the tool axis [rad]
+void requireSamePose(const Eigen::Isometry3d& given, const Eigen::Isometry3d& expected, double tolerance,
                      const WaypointIndex& at) {
   const double off_mm = (given.translation() - expected.translation()).norm();
   const Point3 tool_axis = given.linear().col(2);
   const Point3 wanted = expected.linear().col(2);
   const double turn = std::atan2(tool_axis.cross(wanted).norm(), tool_axis.dot(wanted));
-  if (!(off_mm <= kSameTip && turn <= kSameToolAxis))
+  if (!(off_mm <= kSameTip && turn <= kSameToolAxis + tolerance))
     throw InvalidInput(toText(at) + ": the joints bring the nozzle " + std::to_string(off_mm) + " mm and " +
                        std::to_string(turn * kDegreesPerRadian) +
                        " deg off the waypoint; expected those of this toolpath where it stands");
@@ -66,7 +67,8 @@ ProgramStations::ProgramStations(const Toolpath& toolpath, const Eigen::Isometry
     requireWithinLimits(values, model, expected);
     Eigen::Isometry3d part_from_nozzle(path.orientation.at(expected.waypoint));
     part_from_nozzle.translation() = path.points[expected.waypoint];
-    requireSamePose(model.bedFromNozzle(values), bed_from_part * part_from_nozzle, expected);
+    requireSamePose(model.bedFromNozzle(values), bed_from_part * part_from_nozzle, joints.tool_axis_tolerance,
+                    expected);
   };
   for (std::size_t l = 0; l < toolpath.layers.size(); ++l)
     for (std::size_t p = 0; p < toolpath.layers[l].paths.size(); ++p) {

@@ -120,7 +120,7 @@ TEST(FiveAxis, WritesTipCoordinatesBetweenTheCodesOfTheDialect) {
             std::string::npos)
       << text;
   // 10 mm of a bead of 0.4 x 0.2 mm: (0.04 + pi 0.01) mm² of a filament of pi 0.875² mm².
-  EXPECT_NE(text.find("\nG1 X30 C30 E0.29691 F1800\n; end of the part\nTRAFOOF\n"), std::string::npos)
+  EXPECT_NE(text.find("\nG1 X30 C30 U0.29691 F1800\n; end of the part\nTRAFOOF\n"), std::string::npos)
       << text;
 }
 

@@ -20,9 +20,11 @@ enum class JointFault : std::uint8_t {
   Singular,        ///< nearer to a singularity than the settings allow
   Jump,            ///< no steady way from the waypoint before
   JointUnwinding,  ///< a rotary joint has to be wound back while depositing
+  Configuration,   ///< no solution of the configuration that a program states
 };
 
-/// "out_of_reach", "out_of_limits", "self_collision", "singular", "jump", "joint_unwinding".
+/// "out_of_reach", "out_of_limits", "self_collision", "singular", "jump", "joint_unwinding",
+/// "configuration".
 const char* toString(JointFault fault);
 
 /// A waypoint that a kinematic model cannot run.
@@ -38,6 +40,7 @@ struct JointPath {
   std::vector<WaypointIndex> at;
   std::vector<JointValues> values;     ///< as many; of size 0 where there is no solution
   std::vector<FaultyWaypoint> faults;  ///< all of them, in the order of the motion
+  double tool_axis_tolerance = 0.0;    ///< by which tool axes may be off what the toolpath asks [rad]
   std::size_t rewinds = 0;             ///< travels on which a rotary joint is wound back by whole turns
 
   bool isRunnable() const { return faults.empty(); }

@@ -8,6 +8,7 @@
 #include "lamina/kinematics/model/kinematic_model.hpp"
 #include "lamina/program/five_axis/five_axis_settings.hpp"
 #include "lamina/program/program_settings.hpp"
+#include "lamina/program/stated_motion.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 
 namespace lamina {
@@ -26,5 +27,13 @@ bool isFiveAxisProgram(std::string_view program);
 Toolpath readFiveAxis(std::string_view program, const KinematicModel& machine,
                       const FiveAxisSettings& settings, const ProgramSettings& filament,
                       const std::string& part_name);
+
+/// The same with the machine's joints as every line states them, those in `;via` lines too: rotary joints are
+/// the words themselves; linear ones are the words, or where tip control moves them with the rotary joints as
+/// written. Nothing is judged, and there are no faults.
+/// @throws InvalidProgram as above
+StatedMotion readFiveAxisMotion(std::string_view program, const KinematicModel& machine,
+                                const FiveAxisSettings& settings, const ProgramSettings& filament,
+                                const std::string& part_name);
 
 }  // namespace lamina

@@ -29,14 +29,25 @@ struct FiveAxisSettings {
   FiveAxisUse use = FiveAxisUse::Tilted;
   FiveAxisCoordinates coordinates = FiveAxisCoordinates::ToolTip;
   FiveAxisDialect dialect = FiveAxisDialect::Generic;
-  std::string tip_control_on;        ///< empty for that of the dialect
-  std::string tip_control_off;       ///< empty for that of the dialect
-  std::string letters;               ///< of rotary joints that have another one in programs: "b=U,c=V"
+  std::string tip_control_on;   ///< empty for that of the dialect
+  std::string tip_control_off;  ///< empty for that of the dialect
+  std::string letters;          ///< of rotary joints that have another one in programs: "b=U,c=V"
+  std::string extrusion;        ///< letter of the word that feeds material; empty for that of the dialect
   double chord_tolerance_mm = 0.05;  ///< by which the tip may leave its line between two lines of joints
 };
 
 /// Adds the keys five_axis.*.
 void describe(SettingsSchema& schema, FiveAxisSettings& settings);
+
+/// The word that feeds material.
+struct FeederWord {
+  char letter = 'E';
+  bool is_absolute = false;  ///< an axis of the controller, counted from the start of the part
+};
+/// E, relative, of the generic dialect; an absolute axis U of the others, which know no E, unless
+/// `five_axis.extrusion` names another letter.
+/// @throws InvalidConfig if that is none of E, A, B, C, U, V, W, or E where the dialect does not know it
+FeederWord feederWord(const FiveAxisSettings& settings);
 
 /// The line that turns tool-tip coordinates on; empty for none.
 std::string tipControlOn(const FiveAxisSettings& settings);

@@ -43,11 +43,17 @@ struct RapidSettings {
   double turn_speed_deg_s = 500.0;  ///< of the tool, in each speed
 
   bool declares_cell = true;  ///< whether the module holds tool, work object and start point
-  std::vector<double> tool_frame = {0, 0, 0, 1, 0, 0, 0};
+  /// Tip over the flange; empty for that of the arm's description, or the flange itself without an arm.
+  std::vector<double> tool_frame;
   std::vector<double> tool_centre_of_gravity_mm = {0, 0, 1};
   double tool_mass_kg = 1.0;
-  std::string positioner;  ///< mechanical unit that carries the bed; empty if it stands still
-  std::vector<double> work_object_frame = {0, 0, 0, 1, 0, 0, 0};
+  /// Mechanical unit that carries the bed; empty if it stands still, or for STN1 where an external axis of
+  /// the arm's description carries it.
+  std::string positioner;
+  /// The bed over the world, or over the user frame of its positioner; empty for that of the arm's
+  /// description, or the world without an arm.
+  std::vector<double> work_object_frame;
+  double approach_mm = 50.0;  ///< back along the tool axis, where an arm's program starts and ends
   std::vector<double> start_point_mm = {0, 0, 0};  ///< in the work object, as long as nobody taught another
 
   RapidConfiguration configuration = RapidConfiguration::Fixed;

@@ -18,6 +18,8 @@ const char* toString(JointFault fault) {
       return "jump";
     case JointFault::JointUnwinding:
       return "joint_unwinding";
+    case JointFault::Configuration:
+      return "configuration";
   }
   return "unknown";
 }

@@ -8,6 +8,7 @@
 
 #include "kinematics/joint_path/joint_unwinding.hpp"
 #include "kinematics/joint_path/station_joints.hpp"
+#include "lamina/base/angle.hpp"
 
 namespace lamina {
 
@@ -90,7 +91,10 @@ JointPath planJointPath(const Toolpath& toolpath, const Eigen::Isometry3d& bed_f
   const std::size_t rewinds = unwindStations(way, task);
   std::vector<StationFault> slow = slowPassages(way.stations, task);
   std::move(slow.begin(), slow.end(), std::back_inserter(way.faults));
-  return jointPathOf(list, std::move(way), rewinds);
+  JointPath path = jointPathOf(list, std::move(way), rewinds);
+  path.tool_axis_tolerance =
+      toRadians(std::max(settings.swing_tolerance_deg, settings.singular_tool_axis_tolerance_deg));
+  return path;
 }
 
 }  // namespace lamina

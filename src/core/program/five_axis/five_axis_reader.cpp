@@ -13,8 +13,9 @@
 #include "lamina/program/gcode/gcode_line.hpp"
 #include "lamina/program/gcode/toolpath_from_gcode.hpp"
 #include "lamina/program/program_frame.hpp"
+#include "program/five_axis/five_axis_events.hpp"
 #include "program/five_axis/five_axis_letters.hpp"
-#include "program/gcode/process_words.hpp"
+#include "program/gcode/command_words.hpp"
 #include "program/gcode/slicer_comments.hpp"
 
 namespace lamina {
@@ -25,9 +26,22 @@ constexpr double kSamePlace = 0.01;  // mm: last decimals of all joints together
 constexpr double kLargest = 1e7;     // mm, deg and their feeds
 constexpr double kShortest = 1e12;   // 1/min: the least motion at the greatest feed that is written
 
+/// Where the nozzle is, and which joints bring it there.
+struct Held {
+  Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();
+  JointValues joints;    ///< of size 0 where only the toolpath is asked for
+  std::size_t line = 0;  ///< that says so
+};
+
 struct Turned {
-  Eigen::Quaterniond begin;
-  Eigen::Quaterniond end;
+  Held begin;
+  Held end;
+};
+
+/// Which lines become waypoints.
+enum class LinesTaken : std::uint8_t {
+  Waypoints,  ///< those of the toolpath that was written
+  All,        ///< those in between, too, with the joints of each
 };
 
 /// A word's value; F and E too.
@@ -42,10 +56,13 @@ struct Words {
 class FiveAxisInterpreter {
  public:
   FiveAxisInterpreter(const KinematicModel& machine, const FiveAxisSettings& settings,
-                      const ProgramSettings& filament)
+                      const ProgramSettings& filament, LinesTaken taken)
       : machine_(machine),
         settings_(settings),
+        taken_(taken),
         letters_(axisLetters(machine, settings.letters)),
+        program_(filament),
+        feeder_(feederWord(settings)),
         builder_(filament),
         values_(letters_.size(), std::numeric_limits<double>::quiet_NaN()) {}
 
@@ -62,6 +79,7 @@ class FiveAxisInterpreter {
     remark_ = line.words.empty() || line.comments.empty() ? "" : line.comments.front();
     if (line.words.empty())
       for (const std::string_view comment : line.comments) readRemark(comment);
+    if (isCommand(line.command, "G4")) return readCommand(line.command);
     if (line.is_other) return readCommand(line.command);
     if (!line.words.empty()) readMotion(line);
   }
@@ -73,6 +91,26 @@ class FiveAxisInterpreter {
     if (toolpath.layers.empty())
       throw InvalidProgram("'" + part_name + "' has no motion; expected a program that prints");
     return oriented(std::move(toolpath));
+  }
+
+  /// @param toolpath  as finished
+  StatedMotion stated(Toolpath toolpath) {
+    StatedMotion motion;
+    std::size_t next = 0;
+    const auto add = [&](const WaypointIndex& at, Held& held) {
+      motion.joints.at.push_back(at);
+      motion.joints.values.push_back(std::move(held.joints));
+      motion.lines.push_back(held.line);
+    };
+    for (std::size_t l = 0; l < toolpath.layers.size(); ++l)
+      for (std::size_t p = 0; p < toolpath.layers[l].paths.size(); ++p) {
+        const Path& path = toolpath.layers[l].paths[p];
+        add({l, p, 0}, turns_[next].begin);
+        for (std::size_t m = 0; m < path.motionCount(); ++m)
+          add({l, p, path.motionEnd(m)}, turns_[next++].end);
+      }
+    motion.toolpath = std::move(toolpath);
+    return motion;
   }
 
  private:
@@ -107,11 +145,19 @@ class FiveAxisInterpreter {
   void readCommand(std::string_view command) {
     if (command == "G93" || command == "G94") {
       has_inverse_time_ = command == "G93";
-    } else if (auto event = readEvent(command)) {
+    } else if (auto event = eventOf(command)) {
       builder_.add(std::move(*event));
-    } else if (command != tipControlOn(settings_)) {
+    } else if (command != tipControlOn(settings_) && command != tipControlOff(settings_)) {
       refuse("found '" + std::string(command.substr(0, 40)) +
-             "'; expected G0, G1, G93, G94 or what turns tool-tip coordinates on");
+             "'; expected G0, G1, G93, G94, G4 or what turns tool-tip coordinates on or off");
+    }
+  }
+
+  std::optional<ToolpathEvent> eventOf(std::string_view command) const {
+    try {
+      return readFiveAxisEvent(command, program_);
+    } catch (const InvalidProgram& error) {
+      refuse(error.what());
     }
   }
 
@@ -122,10 +168,10 @@ class FiveAxisInterpreter {
       if (!word.value || !(std::abs(*word.value) <= most))
         refuse(std::string("the word ") + word.letter + " has no value within " +
                (most > kLargest ? "1e12" : "1e7") + "; expected a number");
-      std::optional<double>* known = word.letter == 'G'   ? &words.g
-                                     : word.letter == 'E' ? &words.e
-                                     : word.letter == 'F' ? &words.f
-                                                          : nullptr;
+      std::optional<double>* known = word.letter == 'G'              ? &words.g
+                                     : word.letter == feeder_.letter ? &words.e
+                                     : word.letter == 'F'            ? &words.f
+                                                                     : nullptr;
       if (known != nullptr) {
         if (known->has_value()) refuse(std::string("the word ") + word.letter + " stands twice");
         *known = word.value;
@@ -133,6 +179,12 @@ class FiveAxisInterpreter {
         setAxis(word.letter, *word.value);
         words.has_axis = true;
       }
+    }
+    // An axis says where it goes to; a word E says by how much.
+    if (words.e && feeder_.is_absolute) {
+      const double fed_mm = *words.e;
+      words.e = fed_mm - fed_mm_;
+      fed_mm_ = fed_mm;
     }
     return words;
   }
@@ -143,11 +195,12 @@ class FiveAxisInterpreter {
         values_[i] = value;
         return;
       }
-    refuse(std::string("found the word ") + letter + "; expected G, E, F or an axis of " + toText(letters_));
+    refuse(std::string("found the word ") + letter + "; expected G, " + feeder_.letter +
+           ", F or an axis of " + toText(letters_));
   }
 
-  /// @return the nozzle over the bed [mm]
-  Eigen::Isometry3d pose() const {
+  /// Joints as they are written; linear ones are zero where the words are those of the tip.
+  JointValues writtenJoints() const {
     JointValues joints = JointValues::Zero(static_cast<Eigen::Index>(letters_.size()));
     for (std::size_t i = 0; i < letters_.size(); ++i) {
       if (std::isnan(values_[i]))
@@ -156,9 +209,36 @@ class FiveAxisInterpreter {
       if (!is_linear) joints[letters_[i].joint] = toRadians(values_[i]);
       if (is_linear && has_joints_) joints[letters_[i].joint] = values_[i];
     }
-    Eigen::Isometry3d bed_from_nozzle = machine_.bedFromNozzle(joints);
+    return joints;
+  }
+
+  /// @return the nozzle over the bed [mm]
+  Eigen::Isometry3d pose() const {
+    Eigen::Isometry3d bed_from_nozzle = machine_.bedFromNozzle(writtenJoints());
     if (!has_joints_) bed_from_nozzle.translation() = Point3(values_[0], values_[1], values_[2]);
     return bed_from_nozzle;
+  }
+
+  /// Where the linear joints bring the tip, once the rotary ones stand as written: what tip control does.
+  JointValues joints() const {
+    JointValues joints = writtenJoints();
+    if (has_joints_) return joints;
+    const Jacobian rates = machine_.jacobian(joints);
+    Eigen::Matrix3d directions;
+    for (Eigen::Index i = 0; i < 3; ++i)
+      directions.col(i) = rates.col(letters_[static_cast<std::size_t>(i)].joint).head<3>();
+    const Point3 tip(values_[0], values_[1], values_[2]);
+    const Point3 way = directions.inverse() * (tip - machine_.bedFromNozzle(joints).translation());
+    for (Eigen::Index i = 0; i < 3; ++i) joints[letters_[static_cast<std::size_t>(i)].joint] = way[i];
+    return joints;
+  }
+
+  Held held() const {
+    Held held;
+    held.turn = Eigen::Quaterniond(pose().linear());
+    held.line = line_;
+    if (taken_ == LinesTaken::All) held.joints = joints();
+    return held;
   }
 
   void readMotion(const GcodeLine& line) {
@@ -172,7 +252,7 @@ class FiveAxisInterpreter {
     if (!words.has_axis) return readFilament(words);
     if (!is_placed_) refuse("a motion before any position; expected an approach by G0");
     if (remark_ == "turn") {
-      turn_ = Eigen::Quaterniond(pose().linear());
+      held_ = held();
       return addMotion(nozzle_, 0.0, 1.0);
     }
     filament_mm_ += words.e.value_or(0.0);
@@ -180,12 +260,12 @@ class FiveAxisInterpreter {
     time_s_ += has_inverse_time_ ? 60.0 / *feed_ : (tip - between_).norm() / (*feed_ / 60.0);
     way_mm_ += (tip - between_).norm();
     between_ = tip;
-    if (remark_ == "via") return;
+    if (remark_ == "via" && taken_ == LinesTaken::Waypoints) return;
     if (remark_ == "close") tip = closing(tip);
     const double feed_mm_s = time_s_ > 0.0 ? std::max(way_mm_ / time_s_, 1e-9) : *feed_ / 60.0;
-    const Turned turned = {turn_, Eigen::Quaterniond(pose().linear())};
+    const Turned turned = {held_, held()};
     if (tip != nozzle_) turns_.push_back(turned);
-    turn_ = turned.end;
+    held_ = turned.end;
     addMotion(tip, filament_mm_, feed_mm_s);
     filament_mm_ = time_s_ = way_mm_ = 0.0;
   }
@@ -200,7 +280,7 @@ class FiveAxisInterpreter {
     between_ = bed_from_nozzle.translation();
     nozzle_ = between_;
     is_placed_ = true;
-    turn_ = Eigen::Quaterniond(bed_from_nozzle.linear());
+    held_ = held();
   }
 
   /// Where the path began, which joints reach but for their last decimals.
@@ -235,8 +315,9 @@ class FiveAxisInterpreter {
     for (ToolpathLayer& layer : toolpath.layers)
       for (Path& path : layer.paths) {
         std::vector<Eigen::Quaterniond> each(path.points.size());
-        each.front() = turns_[next].begin;
-        for (std::size_t m = 0; m < path.motionCount(); ++m) each[path.motionEnd(m)] = turns_[next++].end;
+        each.front() = turns_[next].begin.turn;
+        for (std::size_t m = 0; m < path.motionCount(); ++m)
+          each[path.motionEnd(m)] = turns_[next++].end.turn;
         path.orientation = AlongPath<Eigen::Quaterniond>(std::move(each));
       }
     return toolpath;
@@ -244,7 +325,11 @@ class FiveAxisInterpreter {
 
   const KinematicModel& machine_;
   const FiveAxisSettings& settings_;
+  LinesTaken taken_;
   std::vector<AxisLetter> letters_;
+  const ProgramSettings& program_;
+  FeederWord feeder_;
+  double fed_mm_ = 0.0;  ///< since the start of the part, of a feeder that is an axis
   ToolpathBuilder builder_;
   GcodeLineParser parser_;
   SlicerContext context_;
@@ -262,11 +347,21 @@ class FiveAxisInterpreter {
   Point3 nozzle_ = Point3::Zero();
   Point3 path_begin_ = Point3::Zero();
   Point3 between_ = Point3::Zero();
-  Eigen::Quaterniond turn_ = Eigen::Quaterniond::Identity();
+  Held held_;
   double filament_mm_ = 0.0;  ///< since the last waypoint
   double time_s_ = 0.0;
   double way_mm_ = 0.0;
 };
+
+void readLines(std::string_view program, FiveAxisInterpreter& interpreter) {
+  for (std::size_t line = 1; !program.empty(); ++line) {
+    const std::size_t end = std::min(program.find('\n'), program.size());
+    std::string_view text = program.substr(0, end);
+    program.remove_prefix(std::min(end + 1, program.size()));
+    if (!text.empty() && text.back() == '\r') text.remove_suffix(1);
+    interpreter.readLine(text, line);
+  }
+}
 
 }  // namespace
 
@@ -278,15 +373,18 @@ bool isFiveAxisProgram(std::string_view program) {
 Toolpath readFiveAxis(std::string_view program, const KinematicModel& machine,
                       const FiveAxisSettings& settings, const ProgramSettings& filament,
                       const std::string& part_name) {
-  FiveAxisInterpreter interpreter(machine, settings, filament);
-  for (std::size_t line = 1; !program.empty(); ++line) {
-    const std::size_t end = std::min(program.find('\n'), program.size());
-    std::string_view text = program.substr(0, end);
-    program.remove_prefix(std::min(end + 1, program.size()));
-    if (!text.empty() && text.back() == '\r') text.remove_suffix(1);
-    interpreter.readLine(text, line);
-  }
+  FiveAxisInterpreter interpreter(machine, settings, filament, LinesTaken::Waypoints);
+  readLines(program, interpreter);
   return interpreter.finish(part_name);
+}
+
+StatedMotion readFiveAxisMotion(std::string_view program, const KinematicModel& machine,
+                                const FiveAxisSettings& settings, const ProgramSettings& filament,
+                                const std::string& part_name) {
+  FiveAxisInterpreter interpreter(machine, settings, filament, LinesTaken::All);
+  readLines(program, interpreter);
+  Toolpath toolpath = interpreter.finish(part_name);
+  return interpreter.stated(std::move(toolpath));
 }
 
 }  // namespace lamina

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/program/five_axis/five_axis_settings.hpp"
 
+#include "lamina/base/error.hpp"
+
 namespace lamina {
 
 void describe(SettingsSchema& schema, FiveAxisSettings& settings) {
@@ -12,20 +14,35 @@ void describe(SettingsSchema& schema, FiveAxisSettings& settings) {
       "five_axis.coordinates", settings.coordinates,
       {{"tool_tip", FiveAxisCoordinates::ToolTip}, {"joints", FiveAxisCoordinates::Joints}},
       "Positions of the tip over the bed, or of the joints with inverse-time feed.");
-  schema.choice<FiveAxisDialect>("five_axis.dialect", settings.dialect,
-                                 {{"generic", FiveAxisDialect::Generic},
-                                  {"linuxcnc", FiveAxisDialect::LinuxCnc},
-                                  {"fanuc", FiveAxisDialect::Fanuc},
-                                  {"siemens", FiveAxisDialect::Siemens}},
-                                 "Controller, for the words that turn tool-tip coordinates on and off.");
+  schema.choice<FiveAxisDialect>(
+      "five_axis.dialect", settings.dialect,
+      {{"generic", FiveAxisDialect::Generic},
+       {"linuxcnc", FiveAxisDialect::LinuxCnc},
+       {"fanuc", FiveAxisDialect::Fanuc},
+       {"siemens", FiveAxisDialect::Siemens}},
+      "Controller, for what turns tool-tip coordinates on and off, feeds material, waits and ends.");
   schema.text("five_axis.tip_control_on", settings.tip_control_on,
               "Line that turns tool-tip coordinates on; empty for that of the dialect.");
   schema.text("five_axis.tip_control_off", settings.tip_control_off,
               "Line that turns tool-tip coordinates off; empty for that of the dialect.");
   schema.text("five_axis.letters", settings.letters,
               "Letters of rotary joints that programs name otherwise: \"b=U,c=V\".");
+  schema.text(
+      "five_axis.extrusion", settings.extrusion,
+      "Letter of the word that feeds material: E (relative) or an axis (absolute) of A, B, C, U, V, W; "
+      "empty for E in the generic dialect and U in the others.");
   schema.number("five_axis.chord_tolerance_mm", settings.chord_tolerance_mm, Bounds::above(0.0, 10.0),
                 "By how much the tip may leave its line while joints move from one line to the next.");
+}
+
+FeederWord feederWord(const FiveAxisSettings& settings) {
+  const bool is_generic = settings.dialect == FiveAxisDialect::Generic;
+  const std::string letter = settings.extrusion.empty() ? (is_generic ? "E" : "U") : settings.extrusion;
+  const bool is_known = letter.size() == 1 && std::string("EABCUVW").find(letter) != std::string::npos;
+  if (!is_known || (letter == "E" && !is_generic))
+    throw InvalidConfig("five_axis.extrusion is '" + letter + "'; expected an axis of A, B, C, U, V, W" +
+                        (is_generic ? ", or E" : ": the dialect knows no E"));
+  return {letter[0], letter != "E"};
 }
 
 std::string tipControlOn(const FiveAxisSettings& settings) {

@@ -22,101 +22,17 @@
 #include "lamina/toolpath/layer_frame.hpp"
 #include "lamina/toolpath/process_support.hpp"
 #include "program/arc_refusal.hpp"
+#include "program/five_axis/five_axis_chords.hpp"
+#include "program/five_axis/five_axis_events.hpp"
 #include "program/five_axis/five_axis_letters.hpp"
 #include "program/gcode/extrusion.hpp"
 #include "program/gcode/fixed_point.hpp"
-#include "program/gcode/process_words.hpp"
 #include "program/gcode/start_code.hpp"
 #include "program/listed_paths.hpp"
 #include "program/program_stations.hpp"
 
 namespace lamina {
 namespace {
-
-constexpr std::size_t kMostPieces = 1000;
-constexpr double kTurn = 2.0 * M_PI;
-
-bool isWoundBack(const KinematicModel& machine, const JointValues& begin, const JointValues& end) {
-  for (std::size_t j = 0; j < machine.joints().size(); ++j) {
-    const auto joint = static_cast<Eigen::Index>(j);
-    if (machine.joints()[j].kind == JointKind::Rotary && std::abs(end[joint] - begin[joint]) > M_PI)
-      return true;
-  }
-  return false;
-}
-
-/// How far the tip is from the middle of its line halfway between the joints.
-double chordError(const KinematicModel& machine, const JointValues& begin, const JointValues& end) {
-  const Point3 halfway = machine.bedFromNozzle(0.5 * (begin + end)).translation();
-  const Point3 middle =
-      0.5 * (machine.bedFromNozzle(begin).translation() + machine.bedFromNozzle(end).translation());
-  return (halfway - middle).norm();
-}
-
-/// The values with rotary joints turned by whole turns to be next to others.
-JointValues wound(JointValues values, const KinematicModel& machine, const JointValues& near) {
-  for (std::size_t j = 0; j < machine.joints().size(); ++j) {
-    const auto joint = static_cast<Eigen::Index>(j);
-    if (machine.joints()[j].kind == JointKind::Rotary)
-      values[joint] += kTurn * std::round((near[joint] - values[joint]) / kTurn);
-  }
-  return values;
-}
-
-double rotaryWay(const KinematicModel& machine, const JointValues& from, const JointValues& to) {
-  double most = 0.0;
-  for (std::size_t j = 0; j < machine.joints().size(); ++j) {
-    const auto joint = static_cast<Eigen::Index>(j);
-    if (machine.joints()[j].kind == JointKind::Rotary)
-      most = std::max(most, std::abs(to[joint] - from[joint]));
-  }
-  return most;
-}
-
-JointValues nearest(const KinematicModel& machine, const Eigen::Isometry3d& pose, const JointValues& near) {
-  JointValues best;
-  double least = std::numeric_limits<double>::infinity();
-  for (const auto& solution : machine.solutions(pose, near)) {
-    const JointValues values = wound(solution.values, machine, near);
-    const double way = rotaryWay(machine, near, values);
-    if (way < least) least = way, best = values;
-  }
-  return best;
-}
-
-/// Joints between two stations such that the tip, while all joints move evenly from one to the next, stays on
-/// its straight line within the tolerance; the tool axis turns evenly. Empty where the two will do, or where
-/// a rotary joint is wound back by more than half a turn, which leaves the line whatever stands between.
-/// @param tolerance_mm  positive
-/// @throws Unreachable if the machine has no joints for a pose between that follow those before steadily
-std::vector<JointValues> jointsBetween(const KinematicModel& machine, const JointValues& begin,
-                                       const JointValues& end, double tolerance_mm) {
-  const double error = chordError(machine, begin, end);
-  if (!(error > tolerance_mm) || isWoundBack(machine, begin, end)) return {};
-  const double wanted = std::ceil(std::sqrt(error / tolerance_mm));
-  const auto pieces = static_cast<std::size_t>(std::min(wanted, double{kMostPieces}));
-  const Eigen::Isometry3d from = machine.bedFromNozzle(begin);
-  const Eigen::Isometry3d to = machine.bedFromNozzle(end);
-  const Eigen::Quaterniond from_turn(from.linear());
-  const Eigen::Quaterniond to_turn(to.linear());
-  std::vector<JointValues> between;
-  JointValues last = begin;
-  const double most_step = M_PI / 4.0 + kTurn / static_cast<double>(pieces);
-  for (std::size_t i = 1; i < pieces; ++i) {
-    const double share = static_cast<double>(i) / static_cast<double>(pieces);
-    Eigen::Isometry3d pose(from_turn.slerp(share, to_turn));
-    pose.translation() = (1.0 - share) * from.translation() + share * to.translation();
-    const JointValues values = nearest(machine, pose, last);
-    if (values.size() == 0 || rotaryWay(machine, last, values) > most_step)
-      throw Unreachable("'" + machine.name() +
-                        "' has no joints on the straight line to it that follow steadily");
-    between.push_back(values);
-    last = values;
-  }
-  if (rotaryWay(machine, last, end) > most_step)
-    throw Unreachable("'" + machine.name() + "' comes to it with other joints than those given");
-  return between;
-}
 
 /// One line's target and how it is reached.
 struct FiveAxisTarget {
@@ -152,10 +68,14 @@ class FiveAxisLines {
   /// Words of the axes from `begin` to `end` that change.
   std::string changes(std::size_t begin, std::size_t end, const JointValues& joints, const Point3& tip);
   std::string feedWord(double per_minute);
+  std::string feederWords(std::int64_t units);
 
   const KinematicModel& machine_;
   std::vector<AxisLetter> letters_;
   bool has_joints_;  ///< and inverse-time feed
+  bool has_fanuc_feeds_;
+  FeederWord feeder_;
+  std::int64_t fed_ = 0;  ///< material since the start of the part, what is pulled back taken off
   double retraction_feed_mm_s_;
   std::vector<std::int64_t> axes_;  ///< as written last
   std::int64_t feed_ = kUnknown;
@@ -170,6 +90,8 @@ constexpr double kLinearScale = 1e4;             // 4 decimals
 constexpr double kRotaryScale = toDegrees(1e5);  // 5 decimals of a degree
 constexpr double kFilamentScale = 1e5;
 constexpr std::size_t kLinear = 3;
+constexpr std::int64_t kMostInverseTime =
+    9999999;  // thousandths of 1/min: the most that a Fanuc control takes
 
 template <int decimals>
 std::string fixed(char letter, std::int64_t units) {
@@ -182,6 +104,8 @@ FiveAxisLines::FiveAxisLines(const KinematicModel& machine, const FiveAxisSettin
     : machine_(machine),
       letters_(axisLetters(machine, settings.letters)),
       has_joints_(settings.coordinates == FiveAxisCoordinates::Joints),
+      has_fanuc_feeds_(settings.dialect == FiveAxisDialect::Fanuc),
+      feeder_(feederWord(settings)),
       retraction_feed_mm_s_(program.retraction_feed_mm_s),
       axes_(letters_.size(), kUnknown) {}
 
@@ -208,11 +132,18 @@ std::string FiveAxisLines::changes(std::size_t begin, std::size_t end, const Joi
 }
 
 std::string FiveAxisLines::feedWord(double per_minute) {
+  if (has_joints_ && has_fanuc_feeds_)
+    return fixed<3>('F', std::clamp<std::int64_t>(toUnits(per_minute, 1e3), 1, kMostInverseTime));
   if (has_joints_) return fixed<5>('F', std::max<std::int64_t>(1, toUnits(per_minute, 1e5)));
   const std::int64_t units = std::max<std::int64_t>(1, toUnits(per_minute, 1e3));
   if (units == feed_) return "";
   feed_ = units;
   return fixed<3>('F', units);
+}
+
+std::string FiveAxisLines::feederWords(std::int64_t units) {
+  fed_ += units;
+  return fixed<5>(feeder_.letter, feeder_.is_absolute ? fed_ : units);
 }
 
 void FiveAxisLines::approach(const JointValues& joints, const Point3& tip, const std::string& tip_control,
@@ -233,7 +164,7 @@ void FiveAxisLines::move(const FiveAxisTarget& target, std::string& text) {
   if (target.filament_mm > 0.0 && filament == filament_) return;
   std::string words = changes(0, letters_.size(), target.joints, target.tip);
   if (words.empty()) return;
-  if (filament != filament_) words += fixed<5>('E', filament - filament_);
+  if (filament != filament_) words += feederWords(filament - filament_);
   filament_ = filament;
   words += feedWord(has_joints_ ? 60.0 / waiting_s_ : 60.0 * target.feed);
   text.append("G1").append(words).append(target.remark).append("\n");
@@ -269,7 +200,7 @@ void FiveAxisLines::retract(double length_mm, std::string& text) {
   const std::int64_t units = toUnits(length_mm, kFilamentScale);
   if (units == 0) return;
   const double feed = retraction_feed_mm_s_;
-  text += "G1" + fixed<5>('E', units) +
+  text += "G1" + feederWords(units) +
           feedWord(has_joints_ ? 60.0 * feed / std::abs(length_mm) : 60.0 * feed) + "\n";
 }
 
@@ -305,6 +236,7 @@ class FiveAxisProgram {
         rise_mm_((motion.bed_from_part.linear() * layerNormal(motion.toolpath))
                      .dot(motion.bed_from_part.translation())) {
     for (const ListedPath& path : paths_) requireWritable(path);
+    requireOwnFeeder();
     validate(motion.toolpath);
     requireSupported(
         motion.toolpath,
@@ -321,6 +253,7 @@ class FiveAxisProgram {
     FiveAxisLines lines(motion_.machine, settings_, program_);
     std::string text = head();
     const Path& first = *paths_.front().path;
+    if (settings_.dialect == FiveAxisDialect::LinuxCnc) text += tipControlOff(settings_) + "\n";
     lines.approach(stations_->begin(0), motion_.bed_from_part * first.firstPoint(),
                    has_joints ? "" : tipControlOn(settings_), text);
     text += has_joints ? "G93\n" : "G94\n";
@@ -331,11 +264,12 @@ class FiveAxisProgram {
       sink(text);
       text.clear();
     }
-    for (const ToolpathEvent& event : motion_.toolpath.events_at_end) writeEvent(event, program_, text);
+    for (const ToolpathEvent& event : motion_.toolpath.events_at_end)
+      writeFiveAxisEvent(event, program_, text);
     text += "; end of the part\n";
     if (has_joints) text += "G94\n";
     if (!has_joints && !tipControlOff(settings_).empty()) text += tipControlOff(settings_) + "\n";
-    sink(text + end_code_);
+    sink(text + end_code_ + programEnd());
   }
 
  private:
@@ -347,7 +281,29 @@ class FiveAxisProgram {
     return "; generated by Lamina\n; part: " + plain(motion_.toolpath.part_name) +
            "\n;LAYER_COUNT:" + std::to_string(motion_.toolpath.layers.size()) +
            "\n;FIVE_AXIS:" + (has_joints ? "joints " : "tool_tip ") + toText(letters_) + "\n" +
-           frameComments(stated) + start_code_ + "G21\nG90\nM83\nG92 E0\n; start of the part\n";
+           frameComments(stated) + start_code_ + units() + "; start of the part\n";
+  }
+
+  /// Millimetres, absolute positions, and no material fed yet.
+  std::string units() const {
+    const FeederWord feeder = feederWord(settings_);
+    if (!feeder.is_absolute) return "G21\nG90\nM83\nG92 E0\n";
+    if (settings_.dialect == FiveAxisDialect::Siemens)
+      return std::string("G71\nG90\nPRESETON(") + feeder.letter + ",0)\n";
+    return std::string("G21\nG90\nG92 ") + feeder.letter + "0\n";
+  }
+
+  std::string programEnd() const {
+    if (settings_.dialect == FiveAxisDialect::Generic) return "";
+    return settings_.dialect == FiveAxisDialect::LinuxCnc ? "G92.1\nM2\n" : "M30\n";
+  }
+
+  void requireOwnFeeder() const {
+    const char letter = feederWord(settings_).letter;
+    for (const AxisLetter& axis : letters_)
+      if (axis.letter == letter)
+        throw InvalidConfig(std::string("five_axis.extrusion is ") + letter + ", an axis of '" +
+                            motion_.machine.name() + "'; expected a letter beside " + toText(letters_));
   }
 
   const JointValues& joints(std::size_t p, std::size_t station) const {
@@ -409,7 +365,7 @@ class FiveAxisProgram {
 
   void writeEvents(const Path& path, std::size_t motion, std::string& text) const {
     for (const PathEvent& placed : eventsBefore(path.events, motion))
-      writeEvent(placed.event, program_, text);
+      writeFiveAxisEvent(placed.event, program_, text);
   }
 
   void writeMotion(std::size_t p, std::size_t m, const PathExtrusion& extrusion, FiveAxisLines& lines,
@@ -419,16 +375,23 @@ class FiveAxisProgram {
     const double length_mm = (path.points[end] - path.points[m]).norm();
     if (length_mm == 0.0) return lines.turn(joints(p, m + 1), text);
     const auto found = chords_.find({p, m});
-    const std::size_t pieces = found == chords_.end() ? 1 : found->second.size() + 1;
     FiveAxisTarget target;
     target.feed = path.feed_mm_s.at(end);
-    target.filament_mm = extrusion.along(length_mm, end) / static_cast<double>(pieces);
-    target.time_s = length_mm / target.feed / static_cast<double>(pieces);
     target.remark = " ;via";
-    for (std::size_t i = 0; i + 1 < pieces; ++i) {
-      target.joints = found->second[i];
-      lines.move(target, text);
-    }
+    const double filament_mm = extrusion.along(length_mm, end);
+    double done = 0.0;
+    const auto take = [&](double share) {
+      target.filament_mm = filament_mm * (share - done);
+      target.time_s = length_mm / target.feed * (share - done);
+      done = share;
+    };
+    if (found != chords_.end())
+      for (const JointsBetween& between : found->second) {
+        take(between.share);
+        target.joints = between.values;
+        lines.move(target, text);
+      }
+    take(1.0);
     target.joints = joints(p, m + 1);
     target.tip = motion_.bed_from_part * path.points[end];
     target.remark = path.is_closed && end == 0 ? " ;close" : "";
@@ -442,7 +405,7 @@ class FiveAxisProgram {
   std::vector<ListedPath> paths_;
   double rise_mm_;
   std::optional<ProgramStations> stations_;
-  std::map<std::pair<std::size_t, std::size_t>, std::vector<JointValues>> chords_;  ///< by path and motion
+  std::map<std::pair<std::size_t, std::size_t>, std::vector<JointsBetween>> chords_;  ///< by path and motion
   std::string start_code_;
   std::string end_code_;
 };

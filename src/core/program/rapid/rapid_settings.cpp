@@ -55,14 +55,19 @@ void describeCell(SettingsSchema& schema, RapidSettings& settings) {
   schema.flag("rapid.declare_cell", settings.declares_cell,
               "Whether the module declares tool, work object and start point; else the controller has them.");
   schema.numbers("rapid.tool_frame", settings.tool_frame, 7,
-                 "Tip of the tool over the flange [mm], and its orientation w x y z.");
+                 "Tip of the tool over the flange [mm], and its orientation w x y z; empty for that of the "
+                 "arm's description.");
   schema.numbers("rapid.tool_centre_of_gravity_mm", settings.tool_centre_of_gravity_mm, 3,
                  "Centre of gravity of the tool over the flange.");
   schema.number("rapid.tool_mass_kg", settings.tool_mass_kg, Bounds::above(0.0, 1000.0), "Mass of the tool.");
   schema.numbers("rapid.work_object_frame", settings.work_object_frame, 7,
-                 "The bed over the robot's world [mm], and its orientation w x y z.");
+                 "The bed over the robot's world, or over the user frame of its positioner [mm], and its "
+                 "orientation w x y z; empty for that of the arm's description.");
   schema.text("rapid.positioner", settings.positioner,
-              "Mechanical unit that carries the bed; empty if the bed stands still.");
+              "Mechanical unit that carries the bed; empty if the bed stands still, or for STN1 where an "
+              "external axis of the arm's description carries it.");
+  schema.number("rapid.approach_mm", settings.approach_mm, {0.0, 1000.0},
+                "How far back along the tool axis an arm's program starts by MoveAbsJ and ends.");
   schema.numbers("rapid.start_point_mm", settings.start_point_mm, 3,
                  "Start point in the work object as it is declared; the part lies where it was planned until "
                  "the point is taught anew.");
@@ -134,6 +139,8 @@ void requireListed(const RapidSettings& settings) {
 std::vector<std::pair<std::string, std::string>> namesOf(const RapidSettings& settings) {
   return {{"rapid.module", settings.module},
           {"rapid.procedure", settings.procedure},
+          {"the approach, after rapid.procedure,", settings.procedure + "_start"},
+          {"the retract, after rapid.procedure,", settings.procedure + "_end"},
           {"rapid.tool", settings.tool},
           {"rapid.work_object", settings.work_object},
           {"rapid.start_point", settings.start_point},
@@ -205,6 +212,9 @@ RapidSettings checkedRapidSettings(RapidSettings settings) {
   const bool is_wire = settings.variant == RapidVariant::Wire3Axes;
   if (settings.module.empty()) settings.module = "Lamina";
   if (settings.tool.empty()) settings.tool = is_wire ? "t_COAXwire" : "t_cursoDic";
+  const std::vector<double> none = {0, 0, 0, 1, 0, 0, 0};
+  if (settings.tool_frame.empty()) settings.tool_frame = none;
+  if (settings.work_object_frame.empty()) settings.work_object_frame = none;
   if (settings.work_object.empty()) settings.work_object = is_wire ? "w_frametrabajo" : "temple";
   requireListed(settings);
   requireNames(settings);

@@ -184,6 +184,19 @@ TEST(RapidProgram, KeepsThePartWhereTheStartPointIsDeclared) {
   EXPECT_NE(line.find("Offs(Pinicial,off_x-10.0000,off_y+5.0000,off_z+0.0000)"), std::string::npos) << line;
 }
 
+TEST(RapidProgram, RefusesInstructionsFunctionsAndTypesOfRapidAsNames) {
+  for (const char* name : {"MoveL", "movel", "Offs", "wobjdata", "SingArea"}) {
+    RapidSettings settings = rapidProgramSettingsOf(RapidVariant::Powder5Axes);
+    settings.tool = name;
+    try {
+      rapidModules(test::twoLayers(), settings);
+      FAIL() << name;
+    } catch (const InvalidConfig& error) {
+      EXPECT_NE(std::string(error.what()).find(std::string("rapid.tool is '") + name), std::string::npos);
+    }
+  }
+}
+
 TEST(RapidProgram, NumbersFurtherFeeds) {
   Toolpath toolpath = test::twoLayers();
   toolpath.layers[1].paths[0].feed_mm_s = 12.5;

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "lamina/kinematics/model/kinematic_model.hpp"
+#include "lamina/program/stated_motion.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 
 namespace lamina {
@@ -30,5 +32,16 @@ Toolpath readRapid(const std::vector<RapidText>& modules, const std::string& par
 /// @throws FileError if one cannot be read
 /// @throws InvalidProgram as above
 Toolpath readRapidFile(const std::string& path);
+
+/// The same with the joints by which an arm runs it. Under `ConfL\\On` those are the joints of the
+/// configuration in each target; under `ConfL\\Off` the nearest to those before, from the joints of the
+/// approach on, or else from the first target's configuration. External axes stand as in the targets. A
+/// target that has no such joints is a fault, `configuration` or `out_of_reach`; nothing else is judged.
+/// @throws InvalidProgram as above; also if the tool or work object that the program declares is another than
+///   that of the arm's description, or a target lacks one of its external axes
+/// @throws InvalidConfig if the kinematic model is no six-axis arm
+StatedMotion readRapidMotion(const std::vector<RapidText>& modules, const std::string& part_name,
+                             const KinematicModel& arm);
+StatedMotion readRapidMotionFile(const std::string& path, const KinematicModel& arm);
 
 }  // namespace lamina

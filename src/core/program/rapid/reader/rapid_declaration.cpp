@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <cmath>
 
 #include "lamina/base/error.hpp"
@@ -8,6 +9,8 @@
 namespace lamina {
 namespace {
 
+constexpr double kMostQuarters = 100.0;
+constexpr double kNoAxis = 9e9;       // the value of an axis that is not there
 constexpr double kUnitLength = 1e-4;  // of a quaternion in 7 digits, with room
 
 /// `count` numbers in brackets.
@@ -37,23 +40,29 @@ Eigen::Quaterniond takeRotation(RapidCursor& cursor) {
 }
 
 /// [[x,y,z],[w,x,y,z]].
-void skipFrame(RapidCursor& cursor) {
+Eigen::Isometry3d takeFrame(RapidCursor& cursor) {
   cursor.expect("[");
-  takePoint(cursor);
+  const Point3 origin = takePoint(cursor);
   cursor.expect(",");
-  takeRotation(cursor);
+  Eigen::Isometry3d frame(takeRotation(cursor));
+  frame.translation() = origin;
   cursor.expect("]");
+  return frame;
 }
 
-void skipFlag(RapidCursor& cursor) {
-  if (!cursor.takeWord("true") && !cursor.takeWord("false")) cursor.refuse("TRUE or FALSE");
+bool takeFlag(RapidCursor& cursor) {
+  if (cursor.takeWord("true")) return true;
+  if (!cursor.takeWord("false")) cursor.refuse("TRUE or FALSE");
+  return false;
 }
 
-void skipTool(RapidCursor& cursor) {
+RapidTool takeTool(RapidCursor& cursor) {
+  RapidTool tool;
   cursor.expect("[");
-  skipFlag(cursor);
+  const std::size_t line = cursor.line();
+  if (!takeFlag(cursor)) cursor.refuseAt(line, "the tool stands still; expected TRUE, the robot holds it");
   cursor.expect(",");
-  skipFrame(cursor);
+  tool.flange_from_tip = takeFrame(cursor);
   cursor.expect(",[");
   cursor.takeNumber("the tool's mass");
   cursor.expect(",");
@@ -65,25 +74,33 @@ void skipTool(RapidCursor& cursor) {
     cursor.takeNumber("a moment of inertia");
   }
   cursor.expect("]]");
+  return tool;
 }
 
-void skipWorkObject(RapidCursor& cursor) {
+RapidWorkObject takeWorkObject(RapidCursor& cursor) {
+  RapidWorkObject object;
   cursor.expect("[");
-  skipFlag(cursor);
+  const std::size_t line = cursor.line();
+  if (takeFlag(cursor)) cursor.refuseAt(line, "the robot holds the work object; expected FALSE");
   cursor.expect(",");
-  skipFlag(cursor);
+  object.is_fixed = takeFlag(cursor);
   cursor.expect(",");
-  cursor.takeString("the name of a mechanical unit in quotation marks");
+  object.carrier = cursor.takeString("the name of a mechanical unit in quotation marks");
+  if (object.is_fixed != object.carrier.empty())
+    cursor.refuseAt(line, "a work object has ufprog " + std::string(object.is_fixed ? "TRUE" : "FALSE") +
+                              " and the mechanical unit '" + object.carrier +
+                              "'; expected TRUE without a unit, or FALSE with one");
   cursor.expect(",");
-  skipFrame(cursor);
+  object.user = takeFrame(cursor);
   cursor.expect(",");
-  skipFrame(cursor);
+  object.object = takeFrame(cursor);
   cursor.expect("]");
+  return object;
 }
 
 void skipZone(RapidCursor& cursor) {
   cursor.expect("[");
-  skipFlag(cursor);
+  takeFlag(cursor);
   for (int i = 0; i < 6; ++i) {
     cursor.expect(",");
     cursor.takeNumber("a number");
@@ -108,9 +125,9 @@ void takeValue(RapidCursor& cursor, const std::string& type, const std::string& 
   else if (type == "robtarget")
     source.targets[name] = readRapidTarget(cursor);
   else if (type == "tooldata")
-    skipTool(cursor);
+    source.tools[name] = takeTool(cursor);
   else if (type == "wobjdata")
-    skipWorkObject(cursor);
+    source.work_objects[name] = takeWorkObject(cursor);
   else
     skipZone(cursor);
 }
@@ -124,6 +141,31 @@ bool isPlainType(const std::string& type) {
   return type == "signaldo" || type == "signaldi" || type == "triggdata";
 }
 
+/// Quarter turns are whole numbers.
+AbbConfiguration takeConfiguration(RapidCursor& cursor) {
+  const std::size_t line = cursor.line();
+  const auto values = takeList(cursor, 4);
+  for (const double value : values)
+    if (value != std::round(value) || std::abs(value) > kMostQuarters)
+      cursor.refuseAt(line, "a configuration holds " + std::to_string(value) +
+                                "; expected whole numbers of quarter turns");
+  return {static_cast<int>(values[0]), static_cast<int>(values[1]), static_cast<int>(values[2]),
+          static_cast<int>(values[3])};
+}
+
+/// Those before the first that is not there.
+std::vector<double> takeExternal(RapidCursor& cursor) {
+  std::vector<double> axes;
+  cursor.expect("[");
+  do axes.push_back(cursor.takeNumber("the value of an external axis"));
+  while (axes.size() < 6 && cursor.take(","));
+  if (axes.size() < 5) cursor.refuse("five or six external axes");
+  cursor.expect("]");
+  axes.erase(std::find_if(axes.begin(), axes.end(), [](double value) { return value >= kNoAxis; }),
+             axes.end());
+  return axes;
+}
+
 }  // namespace
 
 RapidTarget readRapidTarget(RapidCursor& cursor) {
@@ -133,16 +175,21 @@ RapidTarget readRapidTarget(RapidCursor& cursor) {
   cursor.expect(",");
   target.orientation = takeRotation(cursor);
   cursor.expect(",");
-  takeList(cursor, 4);
-  cursor.expect(",[");
-  std::size_t axes = 0;
-  do {
-    cursor.takeNumber("the value of an external axis");
-    ++axes;
-  } while (axes < 6 && cursor.take(","));
-  if (axes < 5) cursor.refuse("five or six external axes");
-  cursor.expect("]]");
+  target.configuration = takeConfiguration(cursor);
+  cursor.expect(",");
+  target.external = takeExternal(cursor);
+  cursor.expect("]");
   return target;
+}
+
+RapidJoints readRapidJoints(RapidCursor& cursor) {
+  RapidJoints joints;
+  cursor.expect("[");
+  joints.arm_deg = takeList(cursor, 6);
+  cursor.expect(",");
+  joints.external = takeExternal(cursor);
+  cursor.expect("]");
+  return joints;
 }
 
 void readRapidDeclaration(RapidCursor& cursor, RapidSource& source) {

@@ -18,6 +18,7 @@
 #include "program/motion_values.hpp"
 #include "program/rapid/rapid_words.hpp"
 #include "program/rapid/reader/rapid_cursor.hpp"
+#include "program/rapid/reader/rapid_motion.hpp"
 #include "program/rapid/reader/rapid_source.hpp"
 #include "program/rapid/writer/rapid_notes.hpp"
 
@@ -214,7 +215,7 @@ class RapidAssembly {
   /// It ends.
   void end(std::size_t line);
 
-  Toolpath finish();
+  RapidRunning finish();
 
  private:
   [[noreturn]] void refuse(std::size_t line, const std::string& what) const;
@@ -222,6 +223,7 @@ class RapidAssembly {
   void addStart(const RapidMove& move, ProcessState process, std::size_t line);
   void addMotion(const RapidMove& move, ProcessState process, std::size_t line);
   void closePath();
+  void addStations(std::size_t waypoints);
   std::vector<Bead> beads() const;
 
   std::vector<PathNote> notes_;
@@ -233,7 +235,7 @@ class RapidAssembly {
   std::optional<PathNote> open_;  ///< the path that is being read
   std::string open_file_;
   std::vector<RapidMove> poses_;  ///< where it starts, and at the end of each motion
-  Toolpath toolpath_;
+  RapidRunning running_;
 };
 
 constexpr double kSamePlace = 1e-3;  // mm: a few units of the last decimal
@@ -246,7 +248,7 @@ AlongPath<Eigen::Quaterniond> orientations(const std::vector<RapidMove>& poses, 
   each.reserve(count);
   bool is_common = true;
   for (std::size_t i = 0; i < count; ++i) {
-    each.push_back(poses[i].orientation);
+    each.push_back(poses[i].target.orientation);
     is_common &= areSame(each[i], each[0]);
   }
   if (is_common) return each.front();
@@ -290,10 +292,10 @@ void RapidAssembly::addStart(const RapidMove& move, ProcessState process, std::s
   if (process == ProcessState::On) refuse(line, "the process is on while the tool takes its first pose");
   poses_.push_back(move);
   if (!last_) return;
-  const double off_mm = (move.point - last_->point).norm();
+  const double off_mm = (move.target.point - last_->target.point).norm();
   if (!(off_mm <= kSamePlace))
     refuse(line, "the tool moves by " + std::to_string(off_mm) + " mm where a path starts; expected a turn");
-  poses_.back().point = last_->point;
+  poses_.back().target.point = last_->target.point;
 }
 
 void RapidAssembly::addMotion(const RapidMove& move, ProcessState process, std::size_t line) {
@@ -333,8 +335,8 @@ void RapidAssembly::closePath() {
   };
   if (poses_.size() < 2) refuseOpen("a path has no motion; expected one at least");
   if (open_->layer) {
-    toolpath_.layers.push_back(*open_->layer);
-  } else if (toolpath_.layers.empty()) {
+    running_.toolpath.layers.push_back(*open_->layer);
+  } else if (running_.toolpath.layers.empty()) {
     refuseOpen("a path before the first layer; expected a note '!# layer'");
   }
   Path path;
@@ -342,7 +344,7 @@ void RapidAssembly::closePath() {
   path.is_closed = open_->is_closed;
   path.process.is_retracted = open_->is_retracted;
   const PathEnds ends = path.is_closed ? PathEnds::Closed : PathEnds::Open;
-  const bool returns = (poses_.back().point - poses_.front().point).norm() <= kSamePlace;
+  const bool returns = (poses_.back().target.point - poses_.front().target.point).norm() <= kSamePlace;
   if (path.is_closed && (poses_.size() < 3 || !returns))
     refuseOpen("a closed path does not return; expected it to end where it starts");
   path.bead = perWaypoint(beads(), ends);
@@ -350,22 +352,40 @@ void RapidAssembly::closePath() {
   for (std::size_t i = 1; i < poses_.size(); ++i) feeds.push_back(poses_[i].feed_mm_s);
   path.feed_mm_s = perWaypoint(feeds, ends);
   const std::size_t count = poses_.size() - (path.is_closed ? 1 : 0);
-  for (std::size_t i = 0; i < count; ++i) path.points.push_back(poses_[i].point);
+  for (std::size_t i = 0; i < count; ++i) path.points.push_back(poses_[i].target.point);
   path.orientation = orientations(poses_, count);
   // What follows starts where the path does, not at its return, which may differ in the last decimal.
-  if (path.is_closed) last_->point = poses_.front().point;
-  toolpath_.layers.back().paths.push_back(std::move(path));
+  if (path.is_closed) last_->target.point = poses_.front().target.point;
+  addStations(count);
+  running_.toolpath.layers.back().paths.push_back(std::move(path));
   open_.reset();
 }
 
-Toolpath RapidAssembly::finish() {
+void RapidAssembly::addStations(std::size_t waypoints) {
+  const std::size_t layer = running_.toolpath.layers.size() - 1;
+  const std::size_t path = running_.toolpath.layers.back().paths.size();
+  for (std::size_t i = 0; i < poses_.size(); ++i)
+    running_.stations.push_back({{layer, path, i % waypoints}, poses_[i]});
+}
+
+RapidRunning RapidAssembly::finish() {
   closePath();
-  return std::move(toolpath_);
+  return std::move(running_);
 }
 
 bool moves(const RapidProcedure& procedure) {
-  return std::any_of(procedure.statements.begin(), procedure.statements.end(),
-                     [](const RapidStatement& statement) { return statement.action == RapidAction::Move; });
+  return std::any_of(
+      procedure.statements.begin(), procedure.statements.end(), [](const RapidStatement& statement) {
+        return statement.action == RapidAction::Move || statement.action == RapidAction::MoveJoints;
+      });
+}
+
+/// Whether a procedure leads to the part or away from it, which its comments say.
+bool isPassage(const RapidProcedure& procedure) {
+  return std::any_of(procedure.comments.begin(), procedure.comments.end(), [](const RapidComment& comment) {
+    const auto text = noteText(comment);
+    return text && (*text == kRapidApproach || *text == kRapidRetract);
+  });
 }
 
 /// Runs main.
@@ -373,16 +393,20 @@ class RapidRun {
  public:
   explicit RapidRun(const RapidSource& source) : source_(source) {}
 
-  Toolpath toolpath() {
+  RapidRunning running() {
     const auto main = source_.procedures.find("main");
     if (main == source_.procedures.end())
       throw InvalidProgram("'" + source_.files.front() + "' has no procedure main; expected one that is run");
     if (moves(main->second))
       refuse(main->second, main->second.statements.front().line,
              "main moves; expected the moves in procedures that it calls");
-    for (const RapidStatement& statement : main->second.statements)
+    for (const RapidStatement& statement : main->second.statements) {
       if (statement.action == RapidAction::Call) callFromMain(main->second, statement);
-    return assembly_.finish();
+      if (statement.action == RapidAction::Heed) is_heeded_ = statement.index == 1;
+    }
+    RapidRunning running = assembly_.finish();
+    running.start = start_;
+    return running;
   }
 
  private:
@@ -403,6 +427,7 @@ class RapidRun {
   void callFromMain(const RapidProcedure& main, const RapidStatement& statement) {
     const RapidProcedure& procedure = called(main, statement);
     if (!moves(procedure)) return;
+    if (isPassage(procedure)) return callPassage(procedure);
     if (std::find(run_.begin(), run_.end(), &procedure) != run_.end())
       refuse(main, statement.line, "a procedure that moves is called again; expected each once");
     run_.push_back(&procedure);
@@ -411,12 +436,30 @@ class RapidRun {
     std::size_t line = statement.line;
     for (const RapidStatement& each : procedure.statements) {
       line = each.line;
+      if (each.action == RapidAction::MoveJoints)
+        refuse(procedure, line, "found MoveAbsJ amid the part; expected it in the approach alone");
+      if (each.action == RapidAction::Heed) is_heeded_ = each.index == 1;
       if (each.action == RapidAction::Move)
-        assembly_.add(source_.moves[each.index], process_, line);
+        addMove(source_.moves[each.index], line);
       else
         applyProcess(procedure, each);
     }
     assembly_.end(line);
+  }
+
+  void addMove(RapidMove move, std::size_t line) {
+    move.is_heeded = is_heeded_;
+    assembly_.add(move, process_, line);
+  }
+
+  /// Nothing of the part: joints from which its first move sets out are kept.
+  void callPassage(const RapidProcedure& procedure) {
+    for (const RapidStatement& each : procedure.statements) {
+      if (process_ == ProcessState::On) refuse(procedure, each.line, "the process is on; expected it off");
+      if (each.action != RapidAction::MoveJoints && each.action != RapidAction::Move)
+        refuse(procedure, each.line, "found another statement than a move; expected an approach or retract");
+      if (each.action == RapidAction::MoveJoints && run_.empty()) start_ = source_.joint_moves[each.index];
+    }
   }
 
   /// The process is on from the last output that is set to the first that is reset.
@@ -437,6 +480,8 @@ class RapidRun {
   const RapidSource& source_;
   RapidAssembly assembly_;
   ProcessState process_ = ProcessState::Off;
+  bool is_heeded_ = true;  ///< as a controller starts
+  std::optional<RapidJoints> start_;
   std::vector<const RapidProcedure*> run_;
 };
 
@@ -459,14 +504,36 @@ void addModule(const std::string& file, std::string_view text, RapidSource& sour
   readRapidModule(cursor, source);
 }
 
-Toolpath toolpathOf(const RapidSource& source, const std::string& part_name) {
-  Toolpath toolpath = RapidRun(source).toolpath();
-  if (toolpath.layers.empty())
+RapidRunning runningOf(const RapidSource& source, const std::string& part_name) {
+  RapidRunning running = RapidRun(source).running();
+  if (running.toolpath.layers.empty())
     throw InvalidProgram("'" + source.files.front() + "' has no motion; expected a program that deposits");
-  toolpath.part_name = part_name;
-  readFrame(source, toolpath);
-  return toolpath;
+  running.toolpath.part_name = part_name;
+  readFrame(source, running.toolpath);
+  return running;
 }
+
+/// All modules of a program on disk; what was read of it refers to the texts.
+class RapidFiles {
+ public:
+  explicit RapidFiles(const std::string& path) : file_(path) {
+    texts_.push_back(readFile(path));
+    addModule(file_.filename().string(), texts_.front(), source_);
+    for (const std::string& module : readModuleNotes(source_.head, source_.files.front())) {
+      const std::string name = module + ".mod";
+      texts_.push_back(readFile((file_.parent_path() / name).string()));
+      addModule(name, texts_.back(), source_);
+    }
+  }
+
+  const RapidSource& source() const { return source_; }
+  RapidRunning running() const { return runningOf(source_, file_.stem().string()); }
+
+ private:
+  std::filesystem::path file_;
+  std::deque<std::string> texts_;
+  RapidSource source_;
+};
 
 }  // namespace
 
@@ -474,20 +541,22 @@ Toolpath readRapid(const std::vector<RapidText>& modules, const std::string& par
   RapidSource source;
   for (const RapidText& module : modules) addModule(module.file, module.text, source);
   if (modules.empty()) throw InvalidProgram("there is no module; expected one at least");
-  return toolpathOf(source, part_name);
+  return runningOf(source, part_name).toolpath;
 }
 
-Toolpath readRapidFile(const std::string& path) {
-  const std::filesystem::path file(path);
-  std::deque<std::string> texts = {readFile(path)};  // comments are views into them
+Toolpath readRapidFile(const std::string& path) { return RapidFiles(path).running().toolpath; }
+
+StatedMotion readRapidMotion(const std::vector<RapidText>& modules, const std::string& part_name,
+                             const KinematicModel& arm) {
   RapidSource source;
-  addModule(file.filename().string(), texts.front(), source);
-  for (const std::string& module : readModuleNotes(source.head, source.files.front())) {
-    const std::string name = module + ".mod";
-    texts.push_back(readFile((file.parent_path() / name).string()));
-    addModule(name, texts.back(), source);
-  }
-  return toolpathOf(source, file.stem().string());
+  for (const RapidText& module : modules) addModule(module.file, module.text, source);
+  if (modules.empty()) throw InvalidProgram("there is no module; expected one at least");
+  return rapidMotionOf(source, runningOf(source, part_name), arm);
+}
+
+StatedMotion readRapidMotionFile(const std::string& path, const KinematicModel& arm) {
+  const RapidFiles files(path);
+  return rapidMotionOf(files.source(), files.running(), arm);
 }
 
 }  // namespace lamina

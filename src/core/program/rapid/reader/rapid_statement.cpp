@@ -73,32 +73,53 @@ void takeZone(RapidCursor& cursor, const RapidSource& source) {
     cursor.refuseAt(line, "found zone '" + name + "'; expected one that is declared, or RAPID's own");
 }
 
-/// After its first word.
-RapidMove takeMove(RapidCursor& cursor, RapidSource& source, bool has_trigger) {
-  RapidMove move;
-  const RapidTarget target = cursor.takeWord("offs") ? takeOffset(cursor, source) : readRapidTarget(cursor);
-  move.point = target.point;
-  move.orientation = target.orientation;
-  cursor.expect(",");
-  move.feed_mm_s = takeSpeed(cursor, source);
-  cursor.expect(",");
-  if (has_trigger) {
-    cursor.takeName("the name of a trigger");
-    cursor.expect(",");
-  }
-  takeZone(cursor, source);
-  cursor.expect(",");
-  cursor.takeName("the name of a tool");
+/// What ends a move: `TOOL\WObj:=WORK OBJECT`, the same in all of them.
+void takeToolAndObject(RapidCursor& cursor, RapidSource& source) {
+  std::size_t line = cursor.line();
+  const std::string tool = cursor.takeName("the name of a tool");
+  if (source.tool.empty()) source.tool = tool;
+  if (tool != source.tool)
+    cursor.refuseAt(line, "found tool '" + tool + "'; expected '" + source.tool + "' as in the moves before");
   cursor.expect("\\");
   cursor.expectWord("wobj");
   cursor.expect(":=");
-  const std::size_t line = cursor.line();
+  line = cursor.line();
   const std::string work_object = cursor.takeName("the name of a work object");
   if (source.work_object.empty()) source.work_object = work_object;
   if (work_object != source.work_object)
     cursor.refuseAt(line, "found work object '" + work_object + "'; expected '" + source.work_object +
                               "' as in the moves before");
+}
+
+/// After its first word.
+RapidMove takeMove(RapidCursor& cursor, RapidSource& source, const std::string& word) {
+  RapidMove move;
+  move.line = cursor.line();
+  move.target = cursor.takeWord("offs") ? takeOffset(cursor, source) : readRapidTarget(cursor);
+  cursor.expect(",");
+  move.feed_mm_s = takeSpeed(cursor, source);
+  cursor.expect(",");
+  if (word == "triggl") {
+    cursor.takeName("the name of a trigger");
+    cursor.expect(",");
+  }
+  takeZone(cursor, source);
+  cursor.expect(",");
+  takeToolAndObject(cursor, source);
   return move;
+}
+
+/// After its first word.
+RapidJoints takeJointMove(RapidCursor& cursor, RapidSource& source) {
+  const RapidJoints joints = readRapidJoints(cursor);
+  if (cursor.take("\\")) cursor.expectWord("noeoffs");
+  cursor.expect(",");
+  takeSpeed(cursor, source);
+  cursor.expect(",");
+  takeZone(cursor, source);
+  cursor.expect(",");
+  takeToolAndObject(cursor, source);
+  return joints;
 }
 
 /// What prepares a program: signals, files, triggers. After its first word.
@@ -107,9 +128,11 @@ bool skipPreparation(RapidCursor& cursor, const RapidSource& source, const std::
     cursor.takeString("the signal's name on the controller in quotation marks");
     cursor.expect(",");
     cursor.takeName("the name of a signal");
-  } else if (word == "confl") {
+  } else if (word == "singarea") {
     cursor.expect("\\");
-    if (!cursor.takeWord("on") && !cursor.takeWord("off")) cursor.refuse("On or Off");
+    if (!cursor.takeWord("wrist") && !cursor.takeWord("off")) cursor.refuse("Wrist or Off");
+  } else if (word == "actunit") {
+    cursor.takeName("the name of a mechanical unit");
   } else if (word == "waittime") {
     takeSum(cursor, source);
   } else if (word == "waitdi") {
@@ -165,15 +188,25 @@ void readRapidStatement(RapidCursor& cursor, RapidSource& source, RapidProcedure
     if (word == "movel" || word == "triggl") {
       statement.action = RapidAction::Move;
       statement.index = source.moves.size();
-      source.moves.push_back(takeMove(cursor, source, word == "triggl"));
+      source.moves.push_back(takeMove(cursor, source, word));
+    } else if (word == "moveabsj") {
+      statement.action = RapidAction::MoveJoints;
+      statement.index = source.joint_moves.size();
+      source.joint_moves.push_back(takeJointMove(cursor, source));
+    } else if (word == "confl") {
+      statement.action = RapidAction::Heed;
+      cursor.expect("\\");
+      statement.index = cursor.takeWord("on") ? 1 : 0;
+      if (statement.index == 0 && !cursor.takeWord("off")) cursor.refuse("On or Off");
     } else if (word == "set" || word == "reset") {
       statement.action = word == "set" ? RapidAction::Set : RapidAction::Reset;
       cursor.takeName("the name of a signal");
     } else if (!skipPreparation(cursor, source, word)) {
       if (!cursor.isNext(';'))
-        cursor.refuseAt(statement.line, "found instruction '" + word +
-                                            "'; expected MoveL, TriggL, Set, Reset, WaitTime, WaitDI, "
-                                            "AliasIO, ConfL, TriggIO, Load, UnLoad or a call");
+        cursor.refuseAt(statement.line,
+                        "found instruction '" + word +
+                            "'; expected MoveL, TriggL, MoveAbsJ, Set, Reset, WaitTime, "
+                            "WaitDI, AliasIO, ConfL, SingArea, ActUnit, TriggIO, Load, UnLoad or a call");
       statement.action = RapidAction::Call;
       statement.index = source.called.size();
       source.called.push_back(std::move(word));

@@ -3,7 +3,6 @@
 #include "program/rapid/writer/rapid_lines.hpp"
 
 #include "lamina/base/angle.hpp"
-#include "lamina/kinematics/arm/abb_configuration.hpp"
 #include "program/rapid/rapid_words.hpp"
 
 namespace lamina {
@@ -14,11 +13,6 @@ constexpr int kOrientationDecimals = 7;
 constexpr int kAxisDecimals = 3;
 
 bool isExternal(const DrivenJoint& joint) { return joint.name.rfind("external_", 0) == 0; }
-
-std::string toText(const AbbConfiguration& configuration) {
-  return "[" + std::to_string(configuration.cf1) + "," + std::to_string(configuration.cf4) + "," +
-         std::to_string(configuration.cf6) + "," + std::to_string(configuration.cfx) + "]";
-}
 
 std::string startOfProcess(const RapidSettings& settings) {
   if (settings.variant != RapidVariant::Wire3Axes) return settings.laser_on + ";";
@@ -56,6 +50,41 @@ std::string rapidExternalAxes(const std::vector<double>& values, const RapidSett
       text += "9e+09";
   }
   return text + "]";
+}
+
+std::string rapidConfiguration(const AbbConfiguration& configuration) {
+  return "[" + std::to_string(configuration.cf1) + "," + std::to_string(configuration.cf4) + "," +
+         std::to_string(configuration.cf6) + "," + std::to_string(configuration.cfx) + "]";
+}
+
+std::vector<double> rapidExternal(const KinematicModel& arm, const JointValues& joints) {
+  std::vector<double> external;
+  for (std::size_t j = 0; j < arm.joints().size(); ++j) {
+    const double value = joints[static_cast<Eigen::Index>(j)];
+    if (isExternal(arm.joints()[j]))
+      external.push_back(arm.joints()[j].kind == JointKind::Linear ? value : value * kDegreesPerRadian);
+  }
+  return external;
+}
+
+std::string rapidPose(const Point3& point, const Eigen::Quaterniond& turn) {
+  const double numbers[] = {point.x(), point.y(), point.z(), turn.w(), turn.x(), turn.y(), turn.z()};
+  std::string text = "[[";
+  for (int i = 0; i < 7; ++i) {
+    if (i > 0) text += i == 3 ? "],[" : ",";
+    appendDecimals(text, numbers[i], i < 3 ? kPositionDecimals : kOrientationDecimals);
+  }
+  return text + "]";
+}
+
+std::string rapidOffset(const Point3& point, const RapidSettings& settings) {
+  std::string text = "Offs(" + settings.start_point;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::size_t sign = text.append(",").append(settings.offset).append(1, "xyz"[axis]).size();
+    appendDecimals(text, point[static_cast<Eigen::Index>(axis)], kPositionDecimals);
+    if (text[sign] != '-') text.insert(sign, 1, '+');
+  }
+  return text + ")";
 }
 
 RapidLines::RapidLines(const RapidPlan& plan, const RapidSpeeds& speeds,
@@ -133,28 +162,12 @@ void RapidLines::appendTarget(const RapidPlace& place, std::size_t waypoint, std
   const Path& path = *plan_.paths[place.path].path;
   const Point3 point = bed_from_part_ * path.points[waypoint];
   if (settings_.variant != RapidVariant::Powder5Axes) {
-    text.append("Offs(").append(settings_.start_point);
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      appendOffset(axis, point[static_cast<Eigen::Index>(axis)], text);
-    text += ')';
+    text += rapidOffset(point, settings_);
     return;
   }
-  const Eigen::Quaterniond turn = turn_ * path.orientation.at(waypoint);
-  const double numbers[] = {point.x(), point.y(), point.z(), turn.w(), turn.x(), turn.y(), turn.z()};
-  text += "[[";
-  for (int i = 0; i < 7; ++i) {
-    if (i > 0) text += i == 3 ? "],[" : ",";
-    appendDecimals(text, numbers[i], i < 3 ? kPositionDecimals : kOrientationDecimals);
-  }
-  text += "],";
+  text += rapidPose(point, turn_ * path.orientation.at(waypoint)) + ",";
   appendAxes(place, text);
   text += ']';
-}
-
-void RapidLines::appendOffset(std::size_t axis, double value, std::string& text) const {
-  const std::size_t sign = text.append(",").append(settings_.offset).append(1, "xyz"[axis]).size();
-  appendDecimals(text, value, kPositionDecimals);
-  if (text[sign] != '-') text.insert(sign, 1, '+');
 }
 
 void RapidLines::appendAxes(const RapidPlace& place, std::string& text) const {
@@ -166,15 +179,11 @@ void RapidLines::appendAxes(const RapidPlace& place, std::string& text) const {
   const JointValues& joints = path.is_turned && place.move == 0
                                   ? stations_->begin(place.path)
                                   : stations_->end(place.path, place.move - path.turnCount());
-  std::vector<double> external;
-  for (std::size_t j = 0; j < arm_->joints().size(); ++j) {
-    const double value = joints[static_cast<Eigen::Index>(j)];
-    if (isExternal(arm_->joints()[j]))
-      external.push_back(arm_->joints()[j].kind == JointKind::Linear ? value : value * kDegreesPerRadian);
-  }
+  std::vector<double> external = rapidExternal(*arm_, joints);
   if (external.empty()) external.push_back(settings_.external_axis);
-  text += (settings_.configuration == RapidConfiguration::Fixed ? rapidConfiguration(settings_)
-                                                                : toText(abbConfiguration(*arm_, joints))) +
+  text += (settings_.configuration == RapidConfiguration::Fixed
+               ? rapidConfiguration(settings_)
+               : rapidConfiguration(abbConfiguration(*arm_, joints))) +
           "," + rapidExternalAxes(external, settings_);
 }
 

@@ -5,7 +5,9 @@
 #include <Eigen/Geometry>
 #include <memory>
 #include <string>
+#include <vector>
 
+#include "lamina/kinematics/arm/abb_configuration.hpp"
 #include "lamina/program/rapid/writer/rapid_program.hpp"
 #include "program/program_stations.hpp"
 #include "program/rapid/writer/rapid_plan.hpp"
@@ -18,6 +20,18 @@ std::string rapidConfiguration(const RapidSettings& settings);
 
 /// `[0.000,9e+09,9e+09,9e+09,9e+09,9e+09]` with these first [mm, deg].
 std::string rapidExternalAxes(const std::vector<double>& values, const RapidSettings& settings);
+
+/// Of joints: `[0,-1,0,1]`.
+std::string rapidConfiguration(const AbbConfiguration& configuration);
+
+/// Values of the external axes of an arm [mm, deg].
+std::vector<double> rapidExternal(const KinematicModel& arm, const JointValues& joints);
+
+/// `[[x,y,z],[w,x,y,z]` of a pose in the work object [mm], still open.
+std::string rapidPose(const Point3& point, const Eigen::Quaterniond& turn);
+
+/// `Offs(START,off_x+1.0000,...)` to a point over the start point [mm].
+std::string rapidOffset(const Point3& point, const RapidSettings& settings);
 
 /// Writes the two lines of each point of a program.
 class RapidLines {
@@ -35,7 +49,6 @@ class RapidLines {
   bool startsAfter(const RapidPlace& place) const;
   bool isFine(const RapidPlace& place) const;
   void appendTarget(const RapidPlace& place, std::size_t waypoint, std::string& text) const;
-  void appendOffset(std::size_t axis, double value, std::string& text) const;
   void appendAxes(const RapidPlace& place, std::string& text) const;
   void appendTail(bool is_run_end, const std::string& speed, const std::string& zone,
                   std::string& text) const;

@@ -13,6 +13,10 @@ namespace lamina {
 /// Begins a comment that states what the moves of a program do not: `!# path outer_wall closed 12`.
 constexpr std::string_view kRapidNote = "!# ";
 
+/// The notes of procedures that lead to the part and away from it, after the mark.
+constexpr std::string_view kRapidApproach = "approach";
+constexpr std::string_view kRapidRetract = "retract";
+
 /// Comments before a procedure: for each of its paths the layer where a new one begins, role, whether it is
 /// closed, retracted or begins with a move of its own, the number of its moves in this procedure, and runs of
 /// motions with one bead.

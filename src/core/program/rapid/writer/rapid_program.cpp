@@ -16,6 +16,7 @@
 #include "program/rapid/rapid_words.hpp"
 #include "program/rapid/writer/rapid_lines.hpp"
 #include "program/rapid/writer/rapid_notes.hpp"
+#include "program/rapid/writer/rapid_passages.hpp"
 #include "program/rapid/writer/rapid_speeds.hpp"
 
 namespace lamina {
@@ -27,6 +28,8 @@ struct RapidHead {
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< of the start point, bed_from_nozzle
   std::vector<std::string> modules;                                 ///< besides main
   std::vector<std::string> procedures;
+  std::vector<double> external;  ///< axes at the start point [mm, deg]
+  RapidPassages passages;
 };
 
 namespace {
@@ -83,7 +86,7 @@ std::string startPoint(const RapidHead& head, const RapidSettings& settings) {
   std::string text = "  PERS robtarget " + settings.start_point + ":=[" + list(settings.start_point_mm, 0, 3);
   text += ",[" + number(q.w(), 7) + "," + number(q.x(), 7) + "," + number(q.y(), 7) + "," + number(q.z(), 7) +
           "]," + rapidConfiguration(settings) + ",";
-  return text + rapidExternalAxes({settings.external_axis}, settings) + "];\n";
+  return text + rapidExternalAxes(head.external, settings) + "];\n";
 }
 
 std::string cell(const RapidHead& head, const RapidSettings& settings) {
@@ -91,10 +94,13 @@ std::string cell(const RapidHead& head, const RapidSettings& settings) {
   std::string text = "  PERS tooldata " + settings.tool + ":=[TRUE," + frame(settings.tool_frame) + ",[" +
                      number(settings.tool_mass_kg) + "," + list(settings.tool_centre_of_gravity_mm, 0, 3) +
                      ",[1,0,0,0],0,0,0]];\n";
-  const std::string carrier =
-      settings.positioner.empty() ? "TRUE,\"\"" : "FALSE,\"" + settings.positioner + "\"";
-  text += "  PERS wobjdata " + settings.work_object + ":=[FALSE," + carrier + "," +
-          frame(settings.work_object_frame) + ",[[0,0,0],[1,0,0,0]]];\n";
+  // The user frame of a work object that a mechanical unit carries is the unit's own.
+  const std::string bed = frame(settings.work_object_frame);
+  const std::string none = "[[0,0,0],[1,0,0,0]]";
+  const std::string frames = settings.positioner.empty()
+                                 ? "TRUE,\"\"," + bed + "," + none
+                                 : "FALSE,\"" + settings.positioner + "\"," + none + "," + bed;
+  text += "  PERS wobjdata " + settings.work_object + ":=[FALSE," + frames + "];\n";
   if (settings.variant != RapidVariant::Powder5Axes) text += startPoint(head, settings);
   return text;
 }
@@ -136,13 +142,15 @@ std::string laserProcedures(const RapidSettings& settings) {
          settings.laser_off + "()\n    Reset " + settings.laser_signal + ";\n  ENDPROC\n";
 }
 
-std::string preparation(const RapidSettings& settings) {
+std::string preparation(const RapidHead& head, const RapidSettings& settings) {
   std::string text;
   for (const RapidAlias& alias : rapidAliases(settings.aliases))
     text += "    AliasIO \"" + alias.on_controller + "\"," + alias.signal + ";\n";
   // A configuration that is the same everywhere is none to stop for.
   text += settings.configuration == RapidConfiguration::Fixed ? "    ConfL\\Off;\n" : "    ConfL\\On;\n";
-  text += "    Reset " + settings.laser_signal + ";\n";
+  if (head.passages.is_wrist_singular) text += "    SingArea\\Wrist;\n";
+  if (!settings.positioner.empty()) text += "    ActUnit " + settings.positioner + ";\n";
+  text += "    Reset " + settings.laser_signal + ";\n" + head.passages.to_part;
   if (isWire(settings))
     return text + "    Reset " + settings.wire_signal + ";\n    TriggIO " + settings.wire_trigger + "," +
            number(settings.wire_stop_s) + "\\Time\\DOp:=" + settings.wire_signal + ",0;\n";
@@ -169,10 +177,16 @@ std::string calls(const RapidHead& head, const RapidSettings& settings) {
 std::string rapidHead(const RapidHead& head, const RapidSpeeds& speeds, const RapidSettings& settings) {
   std::string text = "MODULE " + settings.module + "\n" + comments(head, settings) + cell(head, settings) +
                      motionData(speeds, settings) + processData(settings) + laserProcedures(settings) +
-                     "  PROC main()\n" + preparation(settings) + calls(head, settings);
+                     "  PROC main()\n" + preparation(head, settings) + calls(head, settings) +
+                     head.passages.from_part;
   if (!isWire(settings))
     text += "    Reset " + settings.powder_signal + ";Reset " + settings.gas_signal + ";\n";
-  return text + "  ENDPROC\n";
+  return text + "  ENDPROC\n" + head.passages.procedures;
+}
+
+RapidSettings settingsFor(const RapidSettings& settings, const RobotMotion* robot) {
+  const bool has_cell = robot != nullptr && isSixAxisArm(robot->arm);
+  return checkedRapidSettings(has_cell ? withArmCell(settings, robot->arm) : settings);
 }
 
 constexpr std::size_t kPiece = 1U << 16;  // bytes handed on at once
@@ -188,17 +202,23 @@ class RapidProgram::State {
   State(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part, const RapidSettings& settings,
         const RobotMotion* robot)
       : toolpath_(toolpath),
-        settings_(checkedRapidSettings(settings)),
+        settings_(settingsFor(settings, robot)),
         rise_mm_(riseOf(toolpath, bed_from_part)),
         plan_(planRapid(toolpath, settings_)),
         speeds_(plan_.paths, settings_),
         lines_(plan_, speeds_, bed_from_part, settings_) {
+    head_.external = {settings_.external_axis};
     if (robot != nullptr) {
       stations_.emplace(toolpath, bed_from_part, robot->arm, robot->joints);
       lines_.setRobot(robot->arm, *stations_);
       // Refuses what is no arm before anything is written.
       if (settings_.configuration == RapidConfiguration::Joints)
         abbConfiguration(robot->arm, stations_->begin(0));
+      if (isSixAxisArm(robot->arm)) {
+        const auto external = rapidExternal(robot->arm, stations_->begin(0));
+        if (!external.empty()) head_.external = external;
+        head_.passages = rapidPassages(*robot, *stations_, plan_, speeds_.approach(), settings_);
+      }
     } else if (settings_.configuration == RapidConfiguration::Joints) {
       throw InvalidConfig(
           "rapid.configuration is joints, but no joints are known; expected fixed, or a machine that is an "
