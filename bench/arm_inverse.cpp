@@ -40,14 +40,30 @@ void withTurntable(benchmark::State& state) { solve(state, *kinematicModelByName
 void roundedDescription(benchmark::State& state) {
   solve(state, *kinematicModelFromUrdf(test::roundedArm().urdf()));
 }
-void offsetWrist(benchmark::State& state) {
-  solve(state, *kinematicModelFromUrdf(test::offsetWristArm().urdf()));
+void parallelAxes(benchmark::State& state) {
+  solve(state, *kinematicModelFromUrdf(test::exactParallelAxesArm().urdf()));
+}
+void roundedParallelAxes(benchmark::State& state) {
+  solve(state, *kinematicModelFromUrdf(test::parallelAxesArm().urdf()));
+}
+void asideWrist(benchmark::State& state) {
+  solve(state, *kinematicModelFromUrdf(test::asideWristArm().urdf()));
+}
+void raisedWrist(benchmark::State& state) {
+  solve(state, *kinematicModelFromUrdf(test::raisedWristArm().urdf()));
+}
+void noClass(benchmark::State& state) {
+  solve(state, *kinematicModelFromUrdf(test::scatteredWristArm().urdf()));
 }
 
 BENCHMARK(sphericalWrist);
 BENCHMARK(withTurntable);
 BENCHMARK(roundedDescription);
-BENCHMARK(offsetWrist)->Unit(benchmark::kMillisecond);
+BENCHMARK(parallelAxes);
+BENCHMARK(roundedParallelAxes);
+BENCHMARK(asideWrist);
+BENCHMARK(raisedWrist);
+BENCHMARK(noClass)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 

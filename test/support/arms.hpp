@@ -42,8 +42,8 @@ struct ArmDescription {
   }
 };
 
-/// An arm whose wrist has its axes apart, as collaborative arms have; its last digits are rounded.
-inline ArmDescription offsetWristArm() {
+/// An arm whose axes 2, 3 and 4 are parallel; its last digits are rounded.
+inline ArmDescription parallelAxesArm() {
   return {{"xyz=\"0 0 0.089159\"", "xyz=\"0 0.13585 0\" rpy=\"0 1.570796 0\"", "xyz=\"0 -0.1197 0.425\"",
            "xyz=\"0 0 0.39225\" rpy=\"0 1.570796 0\"", "xyz=\"0 0.093 0\"", "xyz=\"0 0 0.09465\""},
           {"0 0 1", "0 1 0", "0 1 0", "0 1 0", "0 0 1", "0 1 0"}};
@@ -56,6 +56,34 @@ inline ArmDescription roundedArm() {
            "xyz=\"0.3 -0.175 0.04\" rpy=\"0 1.5708 0\"", "xyz=\"0 0 0.66\" rpy=\"1.5708 0 0\"",
            "xyz=\"0 0 0\" rpy=\"-1.5708 0 0\""},
           {"0 0 1", "0 0 1", "0 0 -1", "0 0 1", "0 0 1", "0 0 -1"}};
+}
+
+/// The same without a rounded number.
+inline ArmDescription exactParallelAxesArm() {
+  return {{"xyz=\"0 0 0.1807\"", "xyz=\"0 0.176 0\"", "xyz=\"0.6127 -0.137 0\"", "xyz=\"0.57155 0 0\"",
+           "xyz=\"0 0.135 0\"", "xyz=\"0 0 -0.12\""},
+          {"0 0 1", "0 1 0", "0 1 0", "0 1 0", "0 0 -1", "0 1 0"}};
+}
+
+/// An arm whose axes 4 and 5 meet, and whose axis 6 is beside them along axis 5.
+inline ArmDescription asideWristArm() {
+  return {{"xyz=\"0 0 0.245\"", "xyz=\"0 0 0\"", "xyz=\"0 0 0.71\"", "xyz=\"0 0 0\"", "xyz=\"0.54 0 0\"",
+           "xyz=\"0.16 -0.15 0\""},
+          {"0 0 1", "0 1 0", "0 -1 0", "-1 0 0", "0 -1 0", "-1 0 0"}};
+}
+
+/// An arm whose axes 4 and 5 meet, and whose axis 6 is above them.
+inline ArmDescription raisedWristArm() {
+  return {{"xyz=\"0 0 0.265\"", "xyz=\"0 0 0\"", "xyz=\"0 0 0.444\"", "xyz=\"0 0 0.11\"", "xyz=\"0.47 0 0\"",
+           "xyz=\"0.101 0 0.08\""},
+          {"0 0 1", "0 1 0", "0 1 0", "1 0 0", "0 1 0", "1 0 0"}};
+}
+
+/// An arm of no class: its axes 4 and 5 are apart.
+inline ArmDescription scatteredWristArm() {
+  return {{"xyz=\"0 0 0.3\"", "xyz=\"0.1 0 0\"", "xyz=\"0 0 0.5\"", "xyz=\"0.1 0 0.1\"", "xyz=\"0.4 0 0.06\"",
+           "xyz=\"0.1 0 0.08\""},
+          {"0 0 1", "0 1 0", "0 1 0", "1 0 0", "0 1 0", "1 0 0"}};
 }
 
 /// Values in the ranges of the joints, and at most a turn.

@@ -180,8 +180,8 @@ TEST(SixAxisArm, RoundedNumbersOfADescriptionAreMadeGood) {
   }));
 }
 
-TEST(SixAxisArm, AnArmWithAnOffsetWristIsSolvedByIteration) {
-  const auto arm = kinematicModelFromUrdf(test::offsetWristArm().urdf());
+TEST(SixAxisArm, AnArmOfNoClassIsSolvedByIteration) {
+  const auto arm = kinematicModelFromUrdf(test::scatteredWristArm().urdf());
   Random random(6);
   for (int i = 0; i < 20; ++i) {
     const JointValues values = test::anyJointValues(*arm, random);
@@ -210,7 +210,7 @@ TEST(SixAxisArm, AnExternalAxisKeepsItsValue) {
 }
 
 TEST(SixAxisArm, AnArmOfFiveJointsIsRefused) {
-  std::string text = test::offsetWristArm().urdf();
+  std::string text = test::parallelAxesArm().urdf();
   const std::string last = "<joint name=\"joint_6\" type=\"revolute\"";
   text.replace(text.find(last), last.size(), "<joint name=\"joint_6\" type=\"fixed\"");
   EXPECT_NE(test::descriptionFailure(text).find("5 rotary joints"), std::string::npos)

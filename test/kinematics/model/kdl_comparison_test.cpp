@@ -63,7 +63,7 @@ Eigen::Isometry3d kdlComparisonForward(const KDL::Chain& chain, const JointValue
 TEST(KdlComparison, TheNozzleIsWhereKdlPutsIt) {
   const std::vector<std::string> descriptions = {kinematicModelByName("irb_4400")->urdf(),
                                                  kinematicModelByName("irb_4600")->urdf(),
-                                                 test::roundedArm().urdf(), test::offsetWristArm().urdf()};
+                                                 test::roundedArm().urdf(), test::parallelAxesArm().urdf()};
   for (const std::string& urdf : descriptions) {
     const auto arm = kinematicModelFromUrdf(urdf);
     const auto model = urdf::parseURDF(urdf);

@@ -149,9 +149,10 @@ TEST(KinematicModel, RefusesDescriptionsByWhatIsWrongWithThem) {
             "machine 'cartesian_gantry' has 2 linear axes between bed and nozzle; expected x, y and z");
   const std::string unknown =
       test::descriptionFailure(kinematicModelGantryWith("<joint name=\"x\"", "<joint name=\"left\""));
-  EXPECT_EQ(unknown.find(
-                "machine 'cartesian_gantry' has no joint by which its kind is recognised; expected one of x"),
-            0U);
+  EXPECT_EQ(
+      unknown.find(
+          "machine 'cartesian_gantry' is of no kind that is recognised; expected a joint x, a joint crank_1"),
+      0U);
 }
 
 TEST(KinematicModel, NamesTheJointThatHasNoLimits) {

@@ -3,15 +3,17 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "lamina/geometry/mesh/mesh.hpp"
 #include "lamina/kinematics/cartesian/cartesian_machine.hpp"
 
 namespace lamina {
 
-// Shapes of a machine's bodies, centred on the origin of their frame.
+// Shapes of a machine's bodies, centred on the origin of their frame but for meshes.
 struct BoxShape {
   Point3 size_mm = Point3::Zero();
 };
@@ -26,7 +28,18 @@ struct ConeShape {  ///< along z, its apex at + length / 2
 struct SphereShape {
   double radius_mm = 0.0;
 };
-using BodyShape = std::variant<BoxShape, CylinderShape, ConeShape, SphereShape>;
+/// Triangles that bound a solid, and points whose convex hull holds all of it but for a margin.
+struct MeshShape {
+  std::shared_ptr<const Mesh> mesh;                 ///< [mm, frame of the body]
+  std::shared_ptr<const std::vector<Point3>> hull;  ///< some of its vertices, at most 256
+  double margin_mm = 0.0;  ///< how far triangles, or what stands for them, reach beyond the hull at most
+  bool is_hull = false;    ///< the hull, larger by the margin, stands for the triangles
+};
+using BodyShape = std::variant<BoxShape, CylinderShape, ConeShape, SphereShape, MeshShape>;
+
+/// A mesh with the hull that stands for it where an estimate on the safe side is enough. The margin is an
+/// upper bound: by how much the vertex that is left out furthest stands beyond the hull.
+MeshShape meshShape(Mesh mesh);
 
 /// A solid piece of a link that moves against the bed.
 struct MachineBody {
@@ -39,7 +52,9 @@ struct MachineBody {
 /// The `<collision>` elements of all links that the linear axes move against the bed, rotary joints at zero,
 /// in alphabetical order of the links. A cylinder whose collision is named `cone` is the cone in it with its
 /// apex at + z: what reads no names sees a body that is larger.
-/// @throws InvalidConfig if one is a mesh or has a size that is not positive, naming the link
+/// @throws InvalidConfig if one has a size that is not positive, or is a mesh that is not named by file,
+/// empty
+///   or of more than two million triangles, naming the link; FileError, InvalidMesh as `readMesh`
 std::vector<MachineBody> movingBodies(const CartesianMachine& machine);
 
 /// How far the body reaches along a direction from the origin of its frame.

@@ -37,8 +37,7 @@ struct LinkBodies {
 
 /// The `<collision>` elements of a machine or robot, as `movingBodies` reads them, in the order of the tree:
 /// parents before children, and these by their names.
-/// @throws InvalidConfig if it is no URDF, has no link `bed`, or a collision is a mesh or has a size that is
-///   not positive
+/// @throws InvalidConfig if it is no URDF or has no link `bed`; as `movingBodies`
 LinkBodies linkBodies(const std::string& urdf);
 
 }  // namespace lamina

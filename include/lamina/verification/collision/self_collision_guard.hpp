@@ -17,8 +17,10 @@ class CollisionTable;
 ///
 /// Which values of the two joints bring them together is tabulated once in cells of 2 deg: a cell is banned
 /// unless the links are clear of each other all over it, so that up to about 2 deg beside a collision are
-/// banned too. Asking takes no more than a look into the tables. Links that are further apart, the part, and
-/// links that linear joints move are left to `checkJointClearance`.
+/// banned too. Meshes are looked at by their hulls; a cell whose hulls meet is banned if the meshes do in its
+/// middle, and `checkJointClearance` sees what is beside it. Asking takes no more than a look into the
+/// tables. Links that are further apart, the part, and links that linear joints move are left to
+/// `checkJointClearance`.
 class SelfCollisionGuard final : public JointGuard {
  public:
   /// Nothing given is needed afterwards.

@@ -11,13 +11,17 @@
 
 namespace lamina {
 
+/// Of one pose: what arms of six joints have at most.
+inline constexpr std::size_t kMostArmSolutions = 16;
+
 /// Signs of a configuration as bits: 4 wrist behind axis 1, 2 wrist behind the upper arm, 1 axis 5 negative,
-/// counted from where axes 4 and 6 are in line. It is the controllers' cfx.
+/// counted from where axes 4 and 6 are in line. It is the controllers' cfx. Where a pose has several
+/// solutions of the same signs, those after the first have 8, 16, ... more, by joint 6.
 struct ArmSolution {
   int branch = 0;
   ArmValues values;  ///< in (-pi, pi]
 };
-using ArmSolutions = boost::container::static_vector<ArmSolution, 8>;
+using ArmSolutions = boost::container::static_vector<ArmSolution, kMostArmSolutions>;
 
 /// What vanishes at an arm's singularities, signed.
 struct ArmSines {
@@ -32,15 +36,23 @@ int branchOf(const ArmSines& sines);
 class ArmInverse {
  public:
   virtual ~ArmInverse() = default;
-  /// At most one per branch, by branch.
+  /// One per branch, by branch.
   virtual ArmSolutions solutions(const Eigen::Isometry3d& bed_from_nozzle, const ArmValues& near) const = 0;
   virtual ArmSines sines(const ArmValues& values) const = 0;
   /// As `KinematicModel::singularityMargin`.
   virtual double singularityMargin(const ArmValues& values) const = 0;
 };
 
-/// In closed form, if the arm's geometry allows; nothing if not.
+/// In closed form, if the wrist is spherical (`sphericalWristArm`); nothing if not.
 std::unique_ptr<const ArmInverse> closedFormInverse(const SerialChain& arm);
+
+/// In closed form, if axes 2, 3 and 4 are parallel and at a right angle to 1, and axes 5 and 6 meet within
+/// 0.5 mm; nothing if not.
+std::unique_ptr<const ArmInverse> parallelAxesInverse(const SerialChain& arm);
+
+/// By a search along joint 6, if axes 4 and 5 meet within 0.5 mm, axis 2 is at a right angle to 1 and 3
+/// parallel to 2; nothing if not.
+std::unique_ptr<const ArmInverse> offsetWristInverse(const SerialChain& arm);
 
 /// By iteration from several starts, for any geometry: it takes milliseconds and may miss a branch.
 std::unique_ptr<const ArmInverse> iteratedInverse(const SerialChain& arm);

@@ -17,9 +17,8 @@ class ClosedFormInverse : public ArmInverse {
       : geometry_(geometry), arm_(arm) {}
 
   ArmSolutions solutions(const Eigen::Isometry3d& bed_from_nozzle, const ArmValues& near) const override {
-    ArmSolutions found = lamina::solutions(geometry_, bed_from_nozzle, near);
-    if (geometry_.deviation > kExact) refineAll(found, bed_from_nozzle);
-    return found;
+    const ArmSolutions found = lamina::solutions(geometry_, bed_from_nozzle, near);
+    return geometry_.deviation > kExact ? refined(arm_, bed_from_nozzle, found) : found;
   }
 
   ArmSines sines(const ArmValues& values) const override { return singularSines(geometry_, values); }
@@ -30,15 +29,6 @@ class ClosedFormInverse : public ArmInverse {
   }
 
  private:
-  void refineAll(ArmSolutions& found, const Eigen::Isometry3d& bed_from_nozzle) const {
-    const auto fails = [&](ArmSolution& solution) {
-      const auto values = refined(arm_, bed_from_nozzle, solution.values);
-      if (values) solution.values = *values;
-      return !values;
-    };
-    found.erase(std::remove_if(found.begin(), found.end(), fails), found.end());
-  }
-
   SphericalWristArm geometry_;
   SerialChain arm_;
 };

@@ -94,4 +94,19 @@ std::optional<ArmValues> refined(const SerialChain& arm, const Eigen::Isometry3d
   return values.unaryExpr(&wrappedJoint);
 }
 
+ArmSolutions refined(const SerialChain& arm, const Eigen::Isometry3d& bed_from_nozzle, ArmSolutions found) {
+  const auto fails = [&](ArmSolution& solution) {
+    const auto values = refined(arm, bed_from_nozzle, solution.values);
+    if (values) solution.values = *values;
+    return !values;
+  };
+  found.erase(std::remove_if(found.begin(), found.end(), fails), found.end());
+  return found;
+}
+
+ArmSolutions wrappedValues(ArmSolutions found) {
+  for (ArmSolution& solution : found) solution.values = solution.values.unaryExpr(&wrappedJoint).eval();
+  return found;
+}
+
 }  // namespace lamina

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "kinematics/arm/arm_chain.hpp"
+#include "kinematics/arm/arm_inverse.hpp"
 
 namespace lamina {
 
@@ -12,5 +12,11 @@ namespace lamina {
 /// values near them, in (-pi, pi]. None if it does not get there.
 std::optional<ArmValues> refined(const SerialChain& arm, const Eigen::Isometry3d& bed_from_nozzle,
                                  ArmValues values);
+
+/// Those solutions that get there, refined.
+ArmSolutions refined(const SerialChain& arm, const Eigen::Isometry3d& bed_from_nozzle, ArmSolutions found);
+
+/// With values in (-pi, pi].
+ArmSolutions wrappedValues(ArmSolutions found);
 
 }  // namespace lamina

@@ -7,7 +7,8 @@
 namespace lamina {
 
 SixAxisArm::SixAxisArm(ArmChain chain) : chain_(std::move(chain)), inverse_(closedFormInverse(chain_.arm)) {
-  if (!inverse_) inverse_ = iteratedInverse(chain_.arm);
+  for (const auto& make : {&parallelAxesInverse, &offsetWristInverse, &iteratedInverse})
+    if (!inverse_) inverse_ = make(chain_.arm);
 }
 
 Eigen::Isometry3d SixAxisArm::bedFromNozzle(const JointValues& values) const {

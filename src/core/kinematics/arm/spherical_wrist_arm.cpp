@@ -5,22 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kinematics/arm/turn.hpp"
+
 namespace lamina {
 namespace {
 
 constexpr double kOnAxis = 1e-7;    // mm: below what results are held to
 constexpr double kInLine = 1e-10;   // rad
 constexpr double kStretch = 1e-10;  // by how much rounding brings the cosine of an elbow beyond 1
-
-/// Cosine and sine.
-using Turn = Point2;
-
-Turn turnOf(double angle) { return {std::cos(angle), std::sin(angle)}; }
-double angleOf(const Turn& turn) { return std::atan2(turn.y(), turn.x()); }
-Turn sum(const Turn& a, const Turn& b) {
-  return {a.x() * b.x() - a.y() * b.y(), a.y() * b.x() + a.x() * b.y()};
-}
-Turn difference(const Turn& a, const Turn& b) { return sum(a, {b.x(), -b.y()}); }
 
 /// In (-pi, pi], of an angle less than a turn beyond.
 double wrapped(double angle) {

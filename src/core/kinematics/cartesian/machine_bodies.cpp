@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "kinematics/model/body_shape.hpp"
 #include "kinematics/model/link_motion.hpp"
@@ -27,6 +28,12 @@ double extentOf(const ConeShape& cone, const Point3& direction) {
 }
 
 double extentOf(const SphereShape& sphere, const Point3&) { return sphere.radius_mm; }
+
+double extentOf(const MeshShape& shape, const Point3& direction) {
+  double most = -std::numeric_limits<double>::infinity();
+  for (const Point3& point : *shape.hull) most = std::max(most, direction.dot(point));
+  return most + shape.margin_mm;
+}
 
 }  // namespace
 

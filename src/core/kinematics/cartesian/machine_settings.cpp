@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/kinematics/cartesian/machine_settings.hpp"
 
-#include "lamina/base/atomic_file.hpp"
+#include "lamina/kinematics/description/cell_description.hpp"
 
 namespace lamina {
 
@@ -12,17 +12,18 @@ void describe(SettingsSchema& schema, MachineSettings& settings, const std::stri
 }
 
 CartesianMachine machineOf(const MachineSettings& settings) {
-  return settings.urdf.empty() ? machineByName(settings.name) : machineFromUrdf(readFile(settings.urdf));
+  return settings.urdf.empty() ? machineByName(settings.name)
+                               : machineFromUrdf(readMachineDescription(settings.urdf));
 }
 
 BuildSpace buildSpaceOf(const MachineSettings& settings) {
   return settings.urdf.empty() ? buildSpaceByName(settings.name)
-                               : buildSpaceFromUrdf(readFile(settings.urdf));
+                               : buildSpaceFromUrdf(readMachineDescription(settings.urdf));
 }
 
 std::unique_ptr<KinematicModel> kinematicModelOf(const MachineSettings& settings) {
   return settings.urdf.empty() ? kinematicModelByName(settings.name)
-                               : kinematicModelFromUrdf(readFile(settings.urdf));
+                               : kinematicModelFromUrdf(readMachineDescription(settings.urdf));
 }
 
 }  // namespace lamina

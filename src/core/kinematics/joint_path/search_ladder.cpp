@@ -17,6 +17,17 @@ constexpr std::size_t kBlock = 64;                  // rungs held at a time, twi
 constexpr double kSteadyToolAxis = toRadians(0.1);  // far below what a head is held to
 const std::string kStage = "joints";
 
+/// Of loops within a stage: they can be cancelled, and report nothing.
+class CancelOnly final : public Progress {
+ public:
+  explicit CancelOnly(const Progress& whole) : whole_(&whole) {}
+  void report(const std::string&, double) override {}
+  bool isCancelled() const override { return whole_->isCancelled(); }
+
+ private:
+  const Progress* whole_;
+};
+
 /// Whether half of the steps of the joints turn the nozzle half of the way.
 class HalfWayTest {
  public:
@@ -62,9 +73,10 @@ StationFault jump(const StationTask& task, std::size_t station, const LadderSear
 /// The search, a block of rungs at a time.
 class BlockSearch {
  public:
-  BlockSearch(const StationTask& task, StationWayThrough& way)
+  BlockSearch(const StationTask& task, StationWayThrough& way, const Progress& progress)
       : task_(task),
         way_(way),
+        progress_(progress),
         search_(task.solver.ranges(), task.settings, HalfWayTest(task.model, task.solver.ranges())) {}
 
   /// Solves the rungs from a station on while those solved before are searched.
@@ -79,7 +91,8 @@ class BlockSearch {
   void solveFrom(std::size_t first) {
     const std::size_t count = task_.stations.size();
     coming_.resize(std::min(kBlock, count - std::min(first, count)));
-    NoProgress silent;
+    // A block of an arm that is solved by iteration takes minutes.
+    CancelOnly silent(progress_);
     parallelFor(
         coming_.size(), [&](std::size_t i) { coming_[i] = task_.solver.solve(task_.stations[first + i]); },
         silent, kStage);
@@ -100,6 +113,7 @@ class BlockSearch {
 
   const StationTask& task_;
   StationWayThrough& way_;
+  const Progress& progress_;
   LadderSearch search_;
   std::size_t searched_ = 0;
   std::vector<Rung> ready_;
@@ -112,14 +126,14 @@ StationWayThrough searchLadder(const StationTask& task, Progress& progress) {
   const std::size_t count = task.stations.size();
   StationWayThrough way;
   way.stations.resize(count);
-  BlockSearch search(task, way);
+  BlockSearch search(task, way, progress);
   for (std::size_t first = 0; first < count + kBlock; first += kBlock) {
     throwIfCancelled(progress, kStage);
     search.step(first);
     progress.report(kStage, std::min(1.0, static_cast<double>(first) / static_cast<double>(count)));
   }
   const std::vector<NodeId> nodes = search.trace();
-  NoProgress silent;
+  CancelOnly silent(progress);
   parallelFor(
       count,
       [&](std::size_t i) {

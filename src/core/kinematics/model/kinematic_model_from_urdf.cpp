@@ -13,27 +13,6 @@
 #include "lamina/kinematics/model/kinematic_model.hpp"
 
 namespace lamina {
-namespace {
-
-/// A kind of kinematic model and the joint by which it is recognised.
-struct Kind {
-  const char* joint;
-  std::unique_ptr<KinematicModel> (*read)(const urdf::ModelInterface& model, const std::string& text);
-};
-
-constexpr Kind kKinds[] = {
-    {"x", multiAxisMachine},
-    {kArmJoint, sixAxisArm},
-    {kPlatformJoint, rusKinematicModel},
-};
-
-std::string listedKinds() {
-  std::vector<std::string> joints;
-  for (const Kind& kind : kKinds) joints.emplace_back(kind.joint);
-  return listed(joints);
-}
-
-}  // namespace
 
 std::vector<std::string> kinematicModelNames() {
   std::vector<std::string> names;
@@ -52,10 +31,13 @@ std::unique_ptr<KinematicModel> kinematicModelByName(const std::string& name) {
 
 std::unique_ptr<KinematicModel> kinematicModelFromUrdf(const std::string& text) {
   const auto model = parseMachine(text);
-  for (const Kind& kind : kKinds)
-    if (model->getJoint(kind.joint)) return kind.read(*model, text);
+  if (model->getJoint(kAxisNames[0])) return multiAxisMachine(*model, text);
+  const std::optional<std::string> kind = robotKind(*model);
+  if (kind == "arm") return sixAxisArm(*model, text);
+  if (kind == "platform") return rusKinematicModel(*model, text);
   throw InvalidConfig("machine '" + model->getName() +
-                      "' has no joint by which its kind is recognised; expected one of " + listedKinds());
+                      "' is of no kind that is recognised; expected a joint x, a joint " + kPlatformJoint +
+                      ", or three rotary joints or more between root and link 'nozzle'");
 }
 
 }  // namespace lamina

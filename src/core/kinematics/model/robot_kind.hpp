@@ -9,11 +9,11 @@
 
 namespace lamina {
 
-// Joints by which robots are recognised.
-inline constexpr const char* kArmJoint = "joint_1";
+/// Joint by which platforms are recognised.
 inline constexpr const char* kPlatformJoint = "crank_1";
 
-/// "arm" or "platform"; nothing of what has an axis x, or is of no kind that is understood.
+/// "arm" or "platform"; nothing of what has an axis x, or is of no kind that is understood. An arm is what
+/// has three rotary joints or more between its root and its nozzle, whatever their names.
 std::optional<std::string> robotKind(const urdf::ModelInterface& model);
 
 }  // namespace lamina

@@ -40,7 +40,7 @@ struct ChainLink {
 struct SerialChain {
   std::string name;
   std::string urdf;                 ///< the text it was made from
-  std::vector<DrivenJoint> joints;  ///< linear before rotary, by name; those named external_... at the end
+  std::vector<DrivenJoint> joints;  ///< in the order of `serialChain`
   std::vector<Screw> screws;        ///< of the joints
   std::vector<int> outward;         ///< indices of the joints in their order from the bed to the nozzle
   Eigen::Isometry3d bed_from_nozzle_at_zero = Eigen::Isometry3d::Identity();  ///< [mm]
@@ -48,7 +48,9 @@ struct SerialChain {
 };
 
 /// Prismatic, revolute and continuous joints between the links bed and nozzle are the driven ones; elsewhere
-/// only joints may move that mimic one of them. A continuous joint has infinite limits, and a linear one
+/// only joints may move that mimic one of them. Those named external_... are the last, by name; before them,
+/// if there is a joint x, linear ones before rotary ones and by name, else as they follow each other from the
+/// bed. A continuous joint has infinite limits, and a linear one
 /// whose range is 1 km or more has no upper one.
 /// @throws InvalidConfig if a link bed or nozzle is missing, a driven joint has no limits or no speed or an
 ///   axis that is not of unit length, or a joint moves in another way; names it

@@ -87,10 +87,13 @@ std::vector<PlacedJoint> jointsFromBedToNozzle(const Model& model) {
   return joints;
 }
 
-/// Where a joint stands in the order of the kinematic model.
+/// Where a joint stands in the order of the kinematic model: joints of an arm, which have any names, by the
+/// chain; those of machines by kind and name, external ones by name.
 auto rankOf(const Model& model, const urdf::Joint& joint) {
   const bool is_external = joint.name.rfind("external_", 0) == 0;
-  return std::make_tuple(is_external, is_external ? JointKind::Linear : kindOf(model, joint), joint.name);
+  const bool is_named = is_external || model.getJoint(kAxisNames[0]);
+  const JointKind kind = is_external || !is_named ? JointKind::Linear : kindOf(model, joint);
+  return std::make_tuple(is_external, kind, is_named ? joint.name : std::string());
 }
 
 void requireFew(const Model& model, std::size_t count) {
@@ -109,7 +112,7 @@ std::vector<const urdf::Joint*> inOrder(const Model& model, const std::vector<Pl
     joints.push_back(each.joint);
   }
   requireFew(model, joints.size());
-  std::sort(joints.begin(), joints.end(), [&](const urdf::Joint* a, const urdf::Joint* b) {
+  std::stable_sort(joints.begin(), joints.end(), [&](const urdf::Joint* a, const urdf::Joint* b) {
     return rankOf(model, *a) < rankOf(model, *b);
   });
   return joints;

@@ -2,14 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "verification/collision/fcl_module.hpp"
 
+#include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/geometry/shape/box.h>
 #include <fcl/geometry/shape/cone.h>
+#include <fcl/geometry/shape/convex.h>
 #include <fcl/geometry/shape/cylinder.h>
 #include <fcl/geometry/shape/sphere.h>
 #include <fcl/narrowphase/collision.h>
+#include <fcl/narrowphase/distance.h>
 
+#include <cmath>
 #include <utility>
 #include <variant>
+#include <vector>
 
 namespace lamina {
 namespace {
@@ -25,33 +30,98 @@ Owned geometryOf(const ConeShape& cone) {
 }
 Owned geometryOf(const SphereShape& sphere) { return std::make_unique<fcl::Sphered>(sphere.radius_mm); }
 
+Owned triangleTree(const Mesh& mesh) {
+  std::vector<fcl::Triangle> triangles;
+  triangles.reserve(mesh.triangles.size());
+  for (const Triangle& corners : mesh.triangles) triangles.emplace_back(corners[0], corners[1], corners[2]);
+  auto tree = std::make_unique<fcl::BVHModel<fcl::OBBRSSd>>();
+  tree->beginModel();
+  tree->addSubModel(mesh.vertices, triangles);
+  tree->endModel();
+  tree->computeLocalAABB();
+  return tree;
+}
+
+/// FCL takes corners alone: faces would only lead it from corner to corner, of which there are few.
+Owned geometryOf(const MeshShape& shape) {
+  if (!shape.is_hull) return triangleTree(*shape.mesh);
+  return std::make_unique<fcl::Convexd>(shape.hull, 0, std::make_shared<const std::vector<int>>());
+}
+
 struct FclShape final : CollisionShape {
-  explicit FclShape(Owned owned) : geometry(std::move(owned)) {}
   Owned geometry;
+  double margin = 0.0;               ///< by which the geometry is larger [mm]
+  std::shared_ptr<const Mesh> mesh;  ///< whose surface alone the geometry is; none of solids
+  Point3 on_it = Point3::Zero();     ///< a point of the solid
 };
 
-const fcl::CollisionGeometryd& geometryIn(const CollisionShape& shape) {
-  return *static_cast<const FclShape&>(shape).geometry;
+/// Whether a point is within closed triangles, by the solid angle under which it sees them: 4 pi within, 0
+/// outside, and near to that if some are missing.
+bool isWithin(const Mesh& mesh, const Point3& point) {
+  double angle = 0.0;
+  for (const Triangle& corners : mesh.triangles) {
+    const Point3 a = mesh.vertices[corners[0]] - point;
+    const Point3 b = mesh.vertices[corners[1]] - point;
+    const Point3 c = mesh.vertices[corners[2]] - point;
+    const double la = a.norm();
+    const double lb = b.norm();
+    const double lc = c.norm();
+    angle +=
+        2.0 * std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+  }
+  return std::abs(angle) > 2.0 * M_PI;
 }
 
-bool collide(const fcl::CollisionGeometryd& a, const Eigen::Isometry3d& pose_a,
-             const fcl::CollisionGeometryd& b, const Eigen::Isometry3d& pose_b) {
-  fcl::CollisionResultd result;
-  return fcl::collide(&a, pose_a, &b, pose_b, fcl::CollisionRequestd(), result) > 0;
+/// Whether a solid of triangles swallows another whose surface it does not meet.
+bool swallows(const FclShape& shape, const Eigen::Isometry3d& pose, const Point3& point) {
+  if (!shape.mesh) return false;
+  const Point3 seen = pose.inverse() * point;
+  return shape.geometry->aabb_local.contain(seen) && isWithin(*shape.mesh, seen);
 }
+
+bool surfacesMeet(const FclShape& a, const Eigen::Isometry3d& pose_a, const FclShape& b,
+                  const Eigen::Isometry3d& pose_b) {
+  if (a.margin + b.margin > 0.0) {
+    fcl::DistanceResultd result;
+    return fcl::distance(a.geometry.get(), pose_a, b.geometry.get(), pose_b, fcl::DistanceRequestd(),
+                         result) <= a.margin + b.margin;
+  }
+  fcl::CollisionResultd result;
+  return fcl::collide(a.geometry.get(), pose_a, b.geometry.get(), pose_b, fcl::CollisionRequestd(), result) >
+         0;
+}
+
+bool collide(const FclShape& a, const Eigen::Isometry3d& pose_a, const FclShape& b,
+             const Eigen::Isometry3d& pose_b) {
+  return surfacesMeet(a, pose_a, b, pose_b) || swallows(a, pose_a, pose_b * b.on_it) ||
+         swallows(b, pose_b, pose_a * a.on_it);
+}
+
+const FclShape& fclShape(const CollisionShape& shape) { return static_cast<const FclShape&>(shape); }
 
 std::shared_ptr<const CollisionShape> shapeOf(const BodyShape& shape) {
-  return std::make_shared<FclShape>(std::visit([](const auto& solid) { return geometryOf(solid); }, shape));
+  auto made = std::make_shared<FclShape>();
+  made->geometry = std::visit([](const auto& solid) { return geometryOf(solid); }, shape);
+  const auto* mesh = std::get_if<MeshShape>(&shape);
+  if (mesh == nullptr) return made;
+  made->on_it = mesh->hull->front();
+  if (mesh->is_hull)
+    made->margin = mesh->margin_mm;
+  else
+    made->mesh = mesh->mesh;
+  return made;
 }
 
 bool meet(const CollisionShape& a, const Eigen::Isometry3d& pose_a, const CollisionShape& b,
           const Eigen::Isometry3d& pose_b) {
-  return collide(geometryIn(a), pose_a, geometryIn(b), pose_b);
+  return collide(fclShape(a), pose_a, fclShape(b), pose_b);
 }
 
 bool meetsBox(const CollisionShape& shape, const Eigen::Isometry3d& pose, const Point3& size,
               const Eigen::Isometry3d& box_pose) {
-  return collide(geometryIn(shape), pose, fcl::Boxd(size), box_pose);
+  FclShape box;
+  box.geometry = std::make_unique<fcl::Boxd>(size);
+  return collide(fclShape(shape), pose, box, box_pose);
 }
 
 }  // namespace

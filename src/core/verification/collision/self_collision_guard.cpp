@@ -10,6 +10,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "kinematics/model/link_motion.hpp"
@@ -52,6 +53,7 @@ class CollisionTable {
     std::size_t count = 0;
 
     std::size_t cellOf(const JointValues& values) const;
+    double middleOf(std::size_t cell) const { return low + width * (static_cast<double>(cell) + 0.5); }
   };
   struct Filling;
 
@@ -78,9 +80,10 @@ std::string namesOf(const RigidGroup& group) {
 
 /// Radius about the origin of its frame.
 double radiusOf(const BodyShape& shape) {
-  return Point3(extent(shape, Point3::UnitX()), extent(shape, Point3::UnitY()),
-                extent(shape, Point3::UnitZ()))
-      .norm();
+  Point3 corner;
+  for (int i = 0; i < 3; ++i)
+    corner[i] = std::max(extent(shape, Point3::Unit(i)), extent(shape, -Point3::Unit(i)));
+  return corner.norm();
 }
 
 std::optional<Eigen::Index> rotaryJoint(const std::vector<DrivenJoint>& joints, const std::string& name) {
@@ -132,11 +135,12 @@ struct CollisionTable::Filling {
   const JointedPair& pair;
   const PairPoses& poses;
   std::vector<Solid> near_solids;
+  bool has_meshes = false;
 
   void fill(Range columns, Range rows) {
     if (isClear(columns, rows)) return;
     if (columns.size() == 1 && rows.size() == 1) {
-      table.cells_[columns.begin * table.rows_.count + rows.begin] = true;
+      table.cells_[columns.begin * table.rows_.count + rows.begin] = meetAsTheyAre(columns, rows);
     } else if (columns.size() >= rows.size()) {
       fill({columns.begin, columns.half()}, rows);
       fill({columns.half(), columns.end}, rows);
@@ -165,6 +169,19 @@ struct CollisionTable::Filling {
       if (meetsNear(Solid(grown(body.shape, by_first + by_second)), pose, links)) return false;
     }
     return true;
+  }
+
+  /// Hulls of meshes that are hollow or bent meet where the meshes do not: of these the middle counts.
+  bool meetAsTheyAre(Range column, Range row) const {
+    if (!has_meshes) return true;
+    const auto links = poses(table.columns_.middleOf(column.begin), table.rows_.middleOf(row.begin));
+    for (const LinkBody& body : pair.far->bodies) {
+      const Solid solid(body.shape);
+      const Eigen::Isometry3d pose = links.at(body.link) * body.link_from_body;
+      for (const LinkBody& near : pair.near->bodies)
+        if (Solid(near.shape).meets(solid, pose, links.at(near.link) * near.link_from_body)) return true;
+    }
+    return false;
   }
 
   bool meetsNear(const Solid& solid, const Eigen::Isometry3d& pose,
@@ -200,8 +217,12 @@ CollisionTable::CollisionTable(const JointedPair& pair, const std::vector<Driven
       rows_(cellsOf(pair.joints[1], joints[static_cast<std::size_t>(pair.joints[1])])),
       cells_(columns_.count * rows_.count, false),
       text_("link " + namesOf(*pair.far) + " would be in link " + namesOf(*pair.near)) {
-  Filling filling{*this, pair, poses, {}};
-  for (const LinkBody& body : pair.near->bodies) filling.near_solids.emplace_back(body.shape);
+  Filling filling{*this, pair, poses, {}, false};
+  const auto isMesh = [](const LinkBody& body) { return std::holds_alternative<MeshShape>(body.shape); };
+  for (const RigidGroup* group : {pair.near, pair.far})
+    filling.has_meshes |= std::any_of(group->bodies.begin(), group->bodies.end(), isMesh);
+  for (const LinkBody& body : pair.near->bodies)
+    filling.near_solids.emplace_back(isMesh(body) ? grown(body.shape, 0.0) : body.shape);
   filling.fill({0, columns_.count}, {0, rows_.count});
 }
 

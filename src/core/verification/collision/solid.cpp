@@ -23,6 +23,12 @@ BodyShape grownFrom(const SphereShape& sphere, double margin) {
   return SphereShape{sphere.radius_mm + margin};
 }
 
+BodyShape grownFrom(MeshShape mesh, double margin) {
+  mesh.margin_mm += margin;
+  mesh.is_hull = true;
+  return mesh;
+}
+
 const FclModule& fclModule() {
   static const auto* const module = static_cast<const FclModule*>(moduleTable("fcl"));
   return *module;

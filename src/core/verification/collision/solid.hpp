@@ -13,7 +13,8 @@ namespace lamina {
 
 class CollisionShape;
 
-/// A shape around all that is no farther than the margin [mm] from another; around a cone it is a cylinder.
+/// A shape around all that is no farther than the margin [mm] from another; around a cone it is a cylinder,
+/// and around a mesh its hull.
 BodyShape grown(const BodyShape& shape, double margin);
 
 /// A shape that is asked, by FCL, what it is in.

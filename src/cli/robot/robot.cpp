@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/kinematics/description/robot_report.hpp"
+
+#include <Eigen/Geometry>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "lamina/base/angle.hpp"
+#include "lamina/base/atomic_file.hpp"
+#include "lamina/kinematics/description/cell_description.hpp"
+#include "subcommand.hpp"
+
+namespace lamina::cli {
+namespace {
+
+struct RobotArguments {
+  std::string path;
+  std::string written;
+};
+
+/// As people read it: degrees for what turns.
+double shownValue(const DrivenJoint& joint, double value) {
+  return joint.kind == JointKind::Linear ? value : toDegrees(value);
+}
+
+void printRobot(const RobotReport& report) {
+  const Eigen::Isometry3d& zero = report.base_from_flange_at_zero;
+  const Eigen::Quaterniond turn(zero.linear());
+  std::printf("robot      %s\n", report.name.c_str());
+  std::printf("class      %s\n", report.kinematic_class.c_str());
+  std::printf("flange     %s\n", report.flange.c_str());
+  std::printf("at zero    (%.3f, %.3f, %.3f) mm, quaternion (%.6f, %.6f, %.6f, %.6f)\n",
+              zero.translation().x(), zero.translation().y(), zero.translation().z(), turn.w(), turn.x(),
+              turn.y(), turn.z());
+  std::printf("reach      %.0f mm from axis 1\n", report.reach_mm);
+  for (const DrivenJoint& joint : report.joints) {
+    const char* unit = joint.kind == JointKind::Linear ? "mm" : "deg";
+    std::printf("joint      %s: %.6g to %.6g %s, %.6g %s/s\n", joint.name.c_str(),
+                shownValue(joint, joint.low), shownValue(joint, joint.high), unit,
+                shownValue(joint, joint.max_speed), unit);
+  }
+  for (const ReportedBody& body : report.bodies)
+    body.triangles > 0
+        ? std::printf("body       %s: mesh of %zu triangles\n", body.link.c_str(), body.triangles)
+        : std::printf("body       %s: %s\n", body.link.c_str(), body.shape.c_str());
+  for (const std::string& trap : report.traps) std::printf("note       %s\n", trap.c_str());
+}
+
+void printRobotJson(const RobotReport& report) {
+  const Eigen::Isometry3d& zero = report.base_from_flange_at_zero;
+  const Eigen::Quaterniond turn(zero.linear());
+  nlohmann::ordered_json joints = nlohmann::json::array();
+  for (const DrivenJoint& joint : report.joints)
+    joints.push_back({{"name", joint.name},
+                      {"kind", joint.kind == JointKind::Linear ? "linear" : "rotary"},
+                      {"lower", shownValue(joint, joint.low)},
+                      {"upper", shownValue(joint, joint.high)},
+                      {"speed", shownValue(joint, joint.max_speed)}});
+  nlohmann::ordered_json bodies = nlohmann::json::array();
+  for (const ReportedBody& body : report.bodies)
+    bodies.push_back({{"link", body.link}, {"shape", body.shape}, {"triangles", body.triangles}});
+  const nlohmann::ordered_json json = {
+      {"name", report.name},
+      {"class", report.kinematic_class},
+      {"flange", report.flange},
+      {"flange_at_zero_mm", {zero.translation().x(), zero.translation().y(), zero.translation().z()}},
+      {"flange_at_zero_wxyz", {turn.w(), turn.x(), turn.y(), turn.z()}},
+      {"reach_mm", report.reach_mm},
+      {"joints", joints},
+      {"bodies", bodies},
+      {"traps", report.traps},
+  };
+  std::printf("%s\n", json.dump(2).c_str());
+}
+
+}  // namespace
+
+void addRobot(CLI::App& app, Chosen& chosen) {
+  CLI::App* subcommand = app.add_subcommand(
+      "robot", "Report on a robot's description: chain, class, zero pose, reach, limits, bodies, traps");
+  const auto arguments = std::make_shared<RobotArguments>();
+  subcommand->add_option("file", arguments->path, "URDF, or cell file (.yaml)")->required();
+  subcommand->add_option("--write", arguments->written, "Write the one URDF that it becomes");
+  addJsonFlag(*subcommand, chosen);
+  subcommand->callback([arguments, &chosen] {
+    chosen.run = [arguments, &chosen] {
+      const std::string urdf = readMachineDescription(arguments->path);
+      const RobotReport report = robotReport(urdf);
+      if (!arguments->written.empty()) writeFile(arguments->written, urdf);
+      chosen.format == OutputFormat::Json ? printRobotJson(report) : printRobot(report);
+    };
+  });
+}
+
+}  // namespace lamina::cli
