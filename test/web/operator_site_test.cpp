@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <fstream>
 #include <sstream>
+#include <thread>
 
 #include "web/site_of_fakes.hpp"
 
@@ -255,6 +256,74 @@ TEST(OperatorSite, GivesTheSameAnswerToARepeatedRequestForADay) {
   EXPECT_EQ(site.ask(HttpMethod::Post, "/api/v1/commands", page, R"({"command":"Hold"})").status, 200);
   EXPECT_EQ(site.ask(HttpMethod::Post, "/api/v1/commands", page, R"({"command":"Hold"})").status, 200);
   EXPECT_EQ(site.desk.orders().size(), 4U);
+}
+
+TEST(OperatorSite, RefusesAKeyThatWasShownWithAnotherRequest) {
+  SiteOfFakes site;
+  const Headers page = {{"x-csrf-token", site.get("/api/v1/session")["csrf"]}, {"idempotency-key", "k1"}};
+  EXPECT_EQ(site.ask(HttpMethod::Post, "/api/v1/jobs/5/release", page).status, 200);
+  const WebResponse other = site.ask(HttpMethod::Post, "/api/v1/jobs/6/release", page);
+  EXPECT_EQ(other.status, 409);
+  EXPECT_EQ(nlohmann::json::parse(other.body)["code"], "other_request");
+  EXPECT_EQ(site.ask(HttpMethod::Post, "/api/v1/jobs/5/release", page, R"({"more":1})").status, 409);
+  EXPECT_EQ(site.ask(HttpMethod::Delete, "/api/v1/jobs/5", page).status, 409);
+  EXPECT_EQ(site.desk.orders().size(), 1U);
+}
+
+TEST(OperatorSite, DoesNotRunARequestAgainThatWasCutOff) {
+  SiteOfFakes site;
+  const Headers page = {{"x-csrf-token", site.get("/api/v1/session")["csrf"]}, {"idempotency-key", "k1"}};
+  site.desk.next = {DeskAnswer::Outcome::Silent, 0, "nothing was asked of it", 0};
+  EXPECT_EQ(site.ask(HttpMethod::Post, "/api/v1/jobs/5/release", page).status, 503);
+  EXPECT_EQ(site.ask(HttpMethod::Post, "/api/v1/jobs/5/release", page).status, 503) << "asked again";
+  EXPECT_EQ(site.desk.orders().size(), 2U);
+  site.desk.next = {DeskAnswer::Outcome::Unsure, 0, "it may still do what was asked", 0};
+  EXPECT_EQ(site.ask(HttpMethod::Post, "/api/v1/jobs/5/release", page).status, 504);
+  EXPECT_EQ(site.ask(HttpMethod::Post, "/api/v1/jobs/5/release", page).status, 504) << "told again";
+  EXPECT_EQ(site.desk.orders().size(), 3U);
+  // As a page leaves it that is killed between the deed and its answer.
+  EXPECT_FALSE(site.store.begin("0 k2", "its digest", site.now.utc_s));
+  Headers other = page;
+  other["idempotency-key"] = "k2";
+  EXPECT_EQ(site.ask(HttpMethod::Post, "/api/v1/jobs/5/release", other).status, 409);
+  EXPECT_EQ(site.desk.orders().size(), 3U);
+}
+
+TEST(OperatorSite, RunsARequestOnceHoweverManyRepeatItAtATime) {
+  SiteOfFakes site;
+  const std::string csrf = site.get("/api/v1/session")["csrf"];
+  constexpr int kRounds = 20;
+  for (int round = 0; round < kRounds; ++round) {
+    WebRequest request;
+    request.head.method = HttpMethod::Post;
+    request.head.target = "/api/v1/jobs/5/release";
+    request.head.headers = {
+        {"host", "localhost"}, {"x-csrf-token", csrf}, {"idempotency-key", "r" + std::to_string(round)}};
+    request.head.peer = site.peer;
+    site.now.steady_s += 10.0;
+    auto admission = site.site.admit(request.head, site.now);
+    ASSERT_TRUE(std::holds_alternative<OperatorSite::Admitted>(admission));
+    std::vector<std::thread> threads;
+    for (int i = 0; i < 4; ++i)
+      threads.emplace_back([&] {
+        const int status =
+            site.site.answer(std::get<OperatorSite::Admitted>(admission), request, site.now).status;
+        EXPECT_TRUE(status == 200 || status == 409) << status;
+      });
+    for (std::thread& thread : threads) thread.join();
+  }
+  EXPECT_EQ(site.desk.orders().size(), static_cast<std::size_t>(kRounds));
+}
+
+TEST(OperatorSite, RefusesNumbersOfJobsThatMessagesDoNotCarry) {
+  SiteOfFakes site;
+  const Headers page = {{"x-csrf-token", site.get("/api/v1/session")["csrf"]}};
+  for (const char* word : {"release", "revoke", "move"})
+    EXPECT_EQ(site.ask(HttpMethod::Post, std::string("/api/v1/jobs/4294967297/") + word, page).status, 400);
+  EXPECT_EQ(site.ask(HttpMethod::Delete, "/api/v1/jobs/4294967296", page).status, 400);
+  EXPECT_EQ(site.ask(HttpMethod::Get, "/api/v1/jobs/4294967296", page).status, 400);
+  EXPECT_TRUE(site.desk.orders().empty());
+  EXPECT_EQ(site.ask(HttpMethod::Post, "/api/v1/jobs/4294967295/release", page).status, 200);
 }
 
 TEST(OperatorSite, GivesSendersTheStateOnly) {

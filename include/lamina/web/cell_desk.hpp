@@ -136,7 +136,9 @@ struct DeskAnswer {
     Refused,   ///< by the cell, with its reason
     BadInput,  ///< a program that cannot be printed, a value out of range
     Unknown,   ///< no such job or alarm
-    Silent     ///< nobody answers
+    Silent,    ///< nobody answers, and nothing was done
+    Unsure,    ///< nobody answers: it may still be done
+    Overtaken  ///< dropped for what stops the unit, or another of its kind waits already
   };
   Outcome outcome = Outcome::Done;
   int code = 0;  ///< of `CommandResult` for commands, modes, alarms

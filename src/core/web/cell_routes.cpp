@@ -33,7 +33,7 @@ WebResponse getJobs(SiteCall& call) {
 }
 
 WebResponse getJob(SiteCall& call) {
-  const std::int64_t id = wholeNumber(call.value(0));
+  const std::int64_t id = jobNumber(call.value(0));
   for (const ShownJob& job : call.parts.desk.snapshot().queue)
     if (job.id == id) return jsonAnswer(200, jobJson(job));
   return errorAnswer(404, "unknown", "job " + call.value(0) + " is not in the queue");
@@ -51,7 +51,7 @@ WebResponse addJob(SiteCall& call) {
 }
 
 WebResponse changeJob(SiteCall& call, QueueChange change, const char* word) {
-  const DeskAnswer answer = call.parts.desk.changeQueue(change, wholeNumber(call.value(0)), call.source());
+  const DeskAnswer answer = call.parts.desk.changeQueue(change, jobNumber(call.value(0)), call.source());
   return noted(orderAnswer(call, answer), std::string(word) + " job " + call.value(0));
 }
 

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/sha256.hpp"
 #include "lamina/web/rate_limit.hpp"
 #include "lamina/web/upload_file.hpp"
 #include "web/site_routes.hpp"
@@ -18,6 +19,7 @@ namespace lamina {
 namespace {
 
 constexpr std::size_t kLongestKey = 100;  // of Idempotency-Key
+constexpr int kMayBeDone = 504;           // the cell may still do what it has not answered
 // Whoever is refused, from one address or from many, neither fills the disk nor has others wait for it.
 constexpr Rate kAuditedRefusals = {1.0, 60.0};  // of one address
 constexpr Rate kAllAuditedRefusals = {2.0, 200.0};
@@ -58,6 +60,15 @@ const char* wordOf(HttpMethod method) {
   return "?";
 }
 
+/// What a request asks for, in full: its method, target, body or upload.
+std::string digestOf(const WebRequest& request) {
+  std::string text = std::string(wordOf(request.head.method)) + ' ' + request.head.target + '\n' +
+                     sha256Of(request.body) + '\n' + request.upload.sha256 + '\n' + request.upload.name;
+  for (const auto& [name, value] : request.upload.fields)
+    text += '\n' + std::to_string(name.size()) + ':' + name + std::to_string(value.size()) + ':' + value;
+  return sha256Of(text);
+}
+
 std::vector<SiteRoute> allRoutes() {
   std::vector<SiteRoute> routes = pageRoutes();
   for (const auto& more : {cellRoutes(), octoprintRoutes()})
@@ -95,6 +106,7 @@ struct OperatorSite::Inside {
                                     const CellTime& now);
   std::optional<WebRefusal> againstBody(const HttpHead& head, const RouteRow& row) const;
   WebResponse call(const Admitted& admitted, const WebRequest& request, const CellTime& now);
+  WebResponse answerAgain(const KeptRequest& known, const std::string& request, bool is_under_way) const;
   WebResponse callOnce(const std::string& key, const Admitted& admitted, const WebRequest& request,
                        const CellTime& now);
   bool isRefusalWritten(const std::string& address, const CellTime& now);
@@ -108,10 +120,11 @@ struct OperatorSite::Inside {
   std::mutex mutex;  // of all that follows
   RateLimit refusals;
   RateLimit all_refusals;
-  std::set<std::string> keys_under_way;
   std::map<std::int64_t, double> used_s;
   std::array<Live, 2> lives;  // for those who see the state only, and for all others
   Frame frame;
+  std::mutex keys_mutex;  // of the keys: taken while the disk is written to
+  std::set<std::string> keys_under_way;
 };
 
 OperatorSite::OperatorSite(SiteSettings settings, CellDesk& desk, WebStore& store,
@@ -271,29 +284,55 @@ WebResponse OperatorSite::Inside::call(const Admitted& admitted, const WebReques
   }
 }
 
-/// An answer that was given to the same key is given again; while the first is under way, the second waits
-/// for nothing.
-WebResponse OperatorSite::Inside::callOnce(const std::string& key, const Admitted& admitted,
-                                           const WebRequest& request, const CellTime& now) {
-  if (const auto kept = parts.store.kept(key, now.utc_s)) {
+/// The answer to a request whose key was shown before.
+WebResponse OperatorSite::Inside::answerAgain(const KeptRequest& known, const std::string& request,
+                                              bool is_under_way) const {
+  if (known.request != request)
+    return errorAnswer(409, "other_request",
+                       "this Idempotency-Key was shown with another request; expected a key of its own");
+  if (known.answer) {
     WebResponse response;
-    response.status = kept->status;
-    response.body = kept->body;
+    response.status = known.answer->status;
+    response.body = known.answer->body;
     response.note = "repeated";
     return response;
   }
+  if (is_under_way)
+    return errorAnswer(409, "under_way", "a request of the same Idempotency-Key is under way");
+  return errorAnswer(
+      409, "not_known",
+      "the request of this Idempotency-Key was cut off, and may have been done; expected a look "
+      "at the state, and another key");
+}
+
+/// Runs a request once for its key. The key is on the disk before the request runs: however often it is
+/// repeated, also after a restart, it is not run again unless nothing came of it.
+WebResponse OperatorSite::Inside::callOnce(const std::string& key, const Admitted& admitted,
+                                           const WebRequest& request, const CellTime& now) {
+  const std::string digest = digestOf(request);
   {
-    const std::lock_guard<std::mutex> lock(mutex);
-    if (!keys_under_way.insert(key).second)
-      return errorAnswer(409, "under_way", "a request of the same Idempotency-Key is under way");
+    // Begun and noted in one: a repetition finds it either under way or answered.
+    const std::lock_guard<std::mutex> lock(keys_mutex);
+    std::optional<KeptRequest> known;
+    try {
+      known = parts.store.begin(key, digest, now.utc_s);
+    } catch (const Error& error) {
+      return errorAnswer(500, "not_kept", std::string("nothing was done: ") + error.what());
+    }
+    if (known) return answerAgain(*known, digest, keys_under_way.count(key) != 0);
+    keys_under_way.insert(key);
   }
   WebResponse response = call(admitted, request, now);
+  const std::lock_guard<std::mutex> lock(keys_mutex);
   try {
-    if (response.status < 500) parts.store.keep(key, {response.status, response.body}, now.utc_s);
+    const bool is_kept = response.status < 500 || response.status == kMayBeDone;
+    if (is_kept)
+      parts.store.keep(key, {response.status, response.body});
+    else
+      parts.store.forget(key);
   } catch (const Error& error) {
     parts.desk.report(9003, 0.0, std::string("answers cannot be kept: ") + error.what());
   }
-  const std::lock_guard<std::mutex> lock(mutex);
   keys_under_way.erase(key);
   return response;
 }
@@ -308,8 +347,7 @@ WebResponse OperatorSite::answer(const Admitted& admitted, const WebRequest& req
   else if (key.empty() || row.method == HttpMethod::Get || isUrgent(row))
     response = inside.call(admitted, request, now);
   else
-    response = inside.callOnce(std::to_string(admitted.who.token) + ' ' + row.pattern + ' ' + key, admitted,
-                               request, now);
+    response = inside.callOnce(std::to_string(admitted.who.token) + ' ' + key, admitted, request, now);
   // Whatever was asked for has been done by now: what stops the unit does not wait for the disk.
   const bool is_refused = response.status >= 400;
   if (row.method != HttpMethod::Get || response.status == 401 || response.status == 403) {
