@@ -11,9 +11,9 @@
 
 #include "lamina/base/clock.hpp"
 #include "lamina/web/cell_desk.hpp"
+#include "lamina/web/order_lane.hpp"
 #include "messages.hpp"
 #include "program_preview.hpp"
-#include "service_lane.hpp"
 
 namespace lamina {
 
@@ -48,10 +48,16 @@ class RosDesk final : public CellDesk {
   void onLayer(const lamina_msgs::LayerHeightConstPtr& layer);
   void onDeviation(const sensor_msgs::ImageConstPtr& image);
 
+  /// What an order is to its lane.
+  struct Label {
+    std::string kind;
+    OrderEffect effect = OrderEffect::Other;
+  };
+  DeskAnswer give(LaneOrder order);
   template <class Service>
-  DeskAnswer callUnit(ServiceLane& lane, const char* name, const Service& call);
+  DeskAnswer callUnit(const Label& label, const char* name, const Service& call);
   template <class Service>
-  DeskAnswer callForStatus(ServiceLane& lane, const char* name, const Service& call, double patience_s);
+  DeskAnswer callForStatus(const Label& label, const char* name, const Service& call);
 
   ros::NodeHandle node_;
   double patience_s_;
@@ -63,9 +69,9 @@ class RosDesk final : public CellDesk {
   ros::Publisher alarm_reports_;
   std::vector<ros::Subscriber> subscribers_;
   // What stops the unit waits behind nothing else; programs are read for minutes.
-  ServiceLane stops_;
-  ServiceLane orders_;
-  ServiceLane programs_;
+  OrderLane stops_;
+  OrderLane orders_;
+  OrderLane programs_;
 };
 
 }  // namespace lamina
