@@ -350,6 +350,17 @@ TEST(OperatorSite, TellsThatTheCellHasGoneSilent) {
   EXPECT_NE(site.site.live(WebRole::Viewer).text->find(R"("is_fresh":false)"), std::string::npos);
 }
 
+TEST(OperatorSite, TellsThatAProgramIsBeingReadWithoutWaitingForIt) {
+  SiteOfFakes site;
+  site.desk.shown_layer = LayerPreview{};
+  site.desk.is_being_read = true;
+  EXPECT_EQ(site.ask(HttpMethod::Get, "/api/v1/preview/0", {}).status, 202);
+  EXPECT_EQ(site.get("/api/v1/preview/0")["is_being_read"], true);
+  site.desk.is_being_read = false;
+  EXPECT_EQ(site.ask(HttpMethod::Get, "/api/v1/preview/0", {}).status, 200);
+  EXPECT_EQ(site.ask(HttpMethod::Get, "/api/v1/preview/1", {}).status, 404);
+}
+
 TEST(OperatorSite, MakesAndRemovesTokens) {
   SiteOfFakes site;
   const Headers page = {{"x-csrf-token", site.get("/api/v1/session")["csrf"]}};

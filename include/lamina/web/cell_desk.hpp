@@ -129,6 +129,12 @@ struct LayerPreview {
   bool is_cut_short = false;  ///< there are more lines than are drawn
 };
 
+/// What there is to draw.
+struct ShownPreview {
+  bool is_being_read = false;         ///< the program: ask again
+  std::optional<LayerPreview> layer;  ///< nothing if there is none
+};
+
 /// What became of an order to the cell.
 struct DeskAnswer {
   enum class Outcome : std::uint8_t {
@@ -171,9 +177,9 @@ class CellDesk {
   virtual ~CellDesk() = default;
   virtual CellSnapshot snapshot() const = 0;
   virtual ShownDeviation deviation() const = 0;
-  /// A layer of the job that runs or ran last; nothing if there is none.
+  /// A layer of the job that runs or ran last. Waits for nothing.
   /// @throws Error if its program cannot be read
-  virtual std::optional<LayerPreview> preview(std::int32_t layer) = 0;
+  virtual ShownPreview preview(std::int32_t layer) = 0;
 
   virtual DeskAnswer command(const DeskCommand& command) = 0;
   virtual DeskAnswer changeMode(int mode, const std::string& source) = 0;

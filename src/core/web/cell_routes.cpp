@@ -109,8 +109,11 @@ WebResponse getDeviation(SiteCall& call) {
 }
 
 WebResponse getPreview(SiteCall& call) {
-  const auto preview = call.parts.desk.preview(static_cast<std::int32_t>(
+  const ShownPreview shown = call.parts.desk.preview(static_cast<std::int32_t>(
       std::min<std::int64_t>(wholeNumber(call.value(0)), std::numeric_limits<std::int32_t>::max())));
+  if (shown.is_being_read)
+    return jsonAnswer(202, {{"is_being_read", true}, {"message", "the program is being read; ask again"}});
+  const auto& preview = shown.layer;
   if (!preview) return errorAnswer(404, "unknown", "there is no such layer, or no job");
   return jsonAnswer(200, {{"layer", preview->layer},
                           {"layers", preview->layers},

@@ -147,13 +147,13 @@ ShownDeviation RosDesk::deviation() const {
   return deviation_;
 }
 
-std::optional<LayerPreview> RosDesk::preview(std::int32_t layer) {
+ShownPreview RosDesk::preview(std::int32_t layer) {
   std::string program;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     program = seen_.machine.job;
   }
-  if (program.empty() || program.front() != '/') return std::nullopt;  // a toolpath that was published
+  if (program.empty() || program.front() != '/') return {};  // a toolpath that was published
   return preview_.layer(program, layer);
 }
 

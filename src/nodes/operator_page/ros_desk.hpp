@@ -12,8 +12,9 @@
 #include "lamina/base/clock.hpp"
 #include "lamina/web/cell_desk.hpp"
 #include "lamina/web/order_lane.hpp"
+#include "lamina/web/program_preview.hpp"
 #include "messages.hpp"
-#include "program_preview.hpp"
+#include "program_layers.hpp"
 
 namespace lamina {
 
@@ -27,7 +28,7 @@ class RosDesk final : public CellDesk {
 
   CellSnapshot snapshot() const override;
   ShownDeviation deviation() const override;
-  std::optional<LayerPreview> preview(std::int32_t layer) override;
+  ShownPreview preview(std::int32_t layer) override;
 
   DeskAnswer command(const DeskCommand& command) override;
   DeskAnswer changeMode(int mode, const std::string& source) override;
@@ -65,7 +66,7 @@ class RosDesk final : public CellDesk {
   mutable std::mutex mutex_;  // of what was heard
   CellSnapshot seen_;
   ShownDeviation deviation_;
-  ProgramPreview preview_;
+  ProgramPreview preview_{layersOf};
   ros::Publisher alarm_reports_;
   std::vector<ros::Subscriber> subscribers_;
   // What stops the unit waits behind nothing else; programs are read for minutes.
