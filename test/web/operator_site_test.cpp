@@ -9,6 +9,8 @@
 #include <sstream>
 #include <thread>
 
+#include "lamina/base/sha256.hpp"
+#include "lamina/journal/part_record.hpp"
 #include "web/site_of_fakes.hpp"
 
 namespace lamina::test {
@@ -359,6 +361,71 @@ TEST(OperatorSite, TellsThatAProgramIsBeingReadWithoutWaitingForIt) {
   site.desk.is_being_read = false;
   EXPECT_EQ(site.ask(HttpMethod::Get, "/api/v1/preview/0", {}).status, 200);
   EXPECT_EQ(site.ask(HttpMethod::Get, "/api/v1/preview/1", {}).status, 404);
+}
+
+TEST(OperatorSite, ReadsTheRecordOfAPartToViewersAndNotToSenders) {
+  SiteOfFakes site(closedLoopback());
+  const std::string folder = site.folder.path();
+  std::string record;
+  std::string layers_csv;
+  {
+    CellJournal journal(folder + "/cell.db");
+    ArtefactStore store(folder + "/artefacts");
+    const std::int64_t job = journal.addJob(
+        {"part.gcode", "bracket", "cell", {store.keepText("G28\n", "program", "part.gcode")}, "anna"}, 1.0);
+    journal.release(job, "anna", 2.0);
+    const std::int64_t execution = journal.begin(job, "anna", 3.0);
+    LayerRow layer;
+    layer.layer = 0;
+    layer.mean_mm = 0.2;
+    ExecutionLog(journal).setLayer(execution, layer);
+    journal.end(execution, JobState::Ended, "", 4.0);
+    const PartRecord made = partRecord(journal, execution, "good");
+    record = made.json;
+    layers_csv = made.layers_csv;
+    keepRecord(journal, store, execution, "good", 5.0);
+  }
+  const Headers viewer = {{"x-api-key", site.add(WebRole::Viewer, "wall")}};
+  EXPECT_EQ(site.ask(HttpMethod::Get, "/api/v1/jobs/1/record", viewer).body, record);
+  const WebResponse layers = site.ask(HttpMethod::Get, "/api/v1/jobs/1/layers", viewer);
+  EXPECT_EQ(layers.body, layers_csv);
+  EXPECT_EQ(layers.type, "text/csv; charset=utf-8");
+  EXPECT_EQ(site.ask(HttpMethod::Get, "/api/v1/jobs/2/record", viewer).status, 404);
+  const Headers sender = {{"x-api-key", site.add(WebRole::Sender, "slicer")}};
+  for (const char* what : {"record", "layers"})
+    EXPECT_EQ(site.ask(HttpMethod::Get, std::string("/api/v1/jobs/1/") + what, sender).status, 403);
+  const std::string path =
+      ArtefactStore::toRead(folder + "/artefacts").pathOf({sha256Of(layers_csv), 0, "layers", "layers.csv"});
+  std::filesystem::permissions(path, std::filesystem::perms::owner_all);
+  std::ofstream(path) << "changed";
+  EXPECT_EQ(site.ask(HttpMethod::Get, "/api/v1/jobs/1/layers", viewer).status, 500);
+}
+
+constexpr std::uint64_t kGibibyte = std::uint64_t{1} << 30;
+
+TEST(OperatorSite, PromisesRoomOnTheDiskToAllUploadsTogetherAndToTheirCopies) {
+  SiteSettings settings;
+  settings.free_bytes = [](const std::string&) { return kGibibyte + 5000; };
+  SiteOfFakes site(settings);
+  WebRequest upload;
+  upload.head.method = HttpMethod::Post;
+  upload.head.target = "/api/files/local";
+  upload.head.headers = {
+      {"host", "localhost"}, {"content-type", "multipart/form-data; boundary=b"}, {"content-length", "1300"}};
+  upload.head.peer = site.peer;
+  const auto statusOf = [](const std::variant<OperatorSite::Admitted, WebResponse>& admission) {
+    const auto* refused = std::get_if<WebResponse>(&admission);
+    return refused == nullptr ? 0 : refused->status;
+  };
+  {
+    const auto first = site.site.admit(upload.head, site.now);
+    EXPECT_EQ(statusOf(first), 0) << "2600 bytes of 5000";
+    EXPECT_EQ(statusOf(site.site.admit(upload.head, site.now)), 507) << "2600 of the 2400 that are left";
+  }
+  EXPECT_EQ(statusOf(site.site.admit(upload.head, site.now)), 0) << "the first has ended";
+  upload.head.headers.erase("content-length");
+  upload.head.headers["transfer-encoding"] = "chunked";
+  EXPECT_EQ(statusOf(site.site.admit(upload.head, site.now)), 411);
 }
 
 TEST(OperatorSite, MakesAndRemovesTokens) {

@@ -11,8 +11,8 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/base/sha256.hpp"
+#include "lamina/web/multipart_reader.hpp"
 #include "lamina/web/rate_limit.hpp"
-#include "lamina/web/upload_file.hpp"
 #include "web/site_routes.hpp"
 
 namespace lamina {
@@ -69,9 +69,18 @@ std::string digestOf(const WebRequest& request) {
   return sha256Of(text);
 }
 
+/// `Content-Length`; 0 without one, nothing if it is no number.
+std::optional<std::uint64_t> bodyLength(const HttpHead& head) {
+  constexpr std::size_t kMostDigits = 15;
+  const std::string text = head.header("content-length");
+  if (text.size() > kMostDigits || text.find_first_not_of("0123456789") != std::string::npos)
+    return std::nullopt;
+  return text.empty() ? 0 : std::stoull(text);
+}
+
 std::vector<SiteRoute> allRoutes() {
   std::vector<SiteRoute> routes = pageRoutes();
-  for (const auto& more : {cellRoutes(), octoprintRoutes()})
+  for (const auto& more : {cellRoutes(), partRoutes(), octoprintRoutes()})
     routes.insert(routes.end(), more.begin(), more.end());
   return routes;
 }
@@ -94,6 +103,7 @@ int statusOf(const Failure& failure) {
 struct OperatorSite::Inside {
   Inside(SiteSettings settings, CellDesk& desk, WebStore& store, std::vector<PageFile> files)
       : parts(std::move(settings), desk, store, std::move(files)),
+        room(parts.settings.upload_folder, parts.settings.free_bytes),
         refusals(kAuditedRefusals),
         all_refusals(kAllAuditedRefusals) {
     for (const SiteRoute& route : routes) patterns.push_back(partsOf(route.row.pattern));
@@ -117,6 +127,7 @@ struct OperatorSite::Inside {
   SiteParts parts;
   std::vector<SiteRoute> routes = allRoutes();
   std::vector<std::vector<std::string>> patterns;
+  UploadRoom room;
   std::mutex mutex;  // of all that follows
   RateLimit refusals;
   RateLimit all_refusals;
@@ -205,9 +216,8 @@ std::optional<WebRefusal> OperatorSite::Inside::againstRight(const RouteRow& row
 
 std::optional<WebRefusal> OperatorSite::Inside::againstBody(const HttpHead& head, const RouteRow& row) const {
   const std::string text = head.header("content-length");
-  const bool is_length = text.size() <= 15 && text.find_first_not_of("0123456789") == std::string::npos;
-  if (!is_length) return WebRefusal{400, "bad_length", "Content-Length is no whole number of bytes"};
-  const std::uint64_t length = text.empty() ? 0 : std::stoull(text);
+  if (!bodyLength(head)) return WebRefusal{400, "bad_length", "Content-Length is no whole number of bytes"};
+  const std::uint64_t length = *bodyLength(head);
   if (row.body != RouteBody::Upload) {
     if (length > kMostSmallBody)
       return WebRefusal{413, "too_large", "the body has " + text + " bytes; expected at most 65536"};
@@ -215,12 +225,14 @@ std::optional<WebRefusal> OperatorSite::Inside::againstBody(const HttpHead& head
   }
   if (!multipartBoundary(head.header("content-type")))
     return WebRefusal{415, "no_form", "an upload is a form of type multipart/form-data"};
+  if (head.headers.count("transfer-encoding") != 0)
+    return WebRefusal{
+        411, "no_length",
+        "the upload is sent in chunks; expected Content-Length, so that room can be kept for it"};
   const std::uint64_t most = parts.settings.most_upload_bytes + kMostSmallBody;
   if (length > most)
     return WebRefusal{413, "too_large",
                       "the upload has " + text + " bytes; expected at most " + std::to_string(most)};
-  if (againstUpload(parts.settings.upload_folder, length) != 0)
-    return WebRefusal{507, "disk_full", "the disk would have less than 1 GiB left after the upload"};
   return std::nullopt;
 }
 
@@ -267,6 +279,14 @@ std::variant<OperatorSite::Admitted, WebResponse> OperatorSite::admit(const Http
     }
     if (const auto refusal = inside.against(head, row, admitted.who, now))
       return refuse(*refusal, admitted.who);
+    if (row.body == RouteBody::Upload) {
+      admitted.place = inside.room.reserve(bodyLength(head).value_or(0));
+      if (!admitted.place)
+        return refuse({507, "disk_full",
+                       "the disk would have less than 1 GiB left after this upload, its copy and those that "
+                       "are under way"},
+                      admitted.who);
+    }
     return admitted;
   }
   if (is_path_known) return refuse({405, "wrong_method", "the address does not take this method"});

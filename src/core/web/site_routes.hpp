@@ -51,6 +51,7 @@ struct SiteRoute {
 
 std::vector<SiteRoute> pageRoutes();       ///< files of the page, sessions, tokens, keys, audit
 std::vector<SiteRoute> cellRoutes();       ///< the cell by /api/v1
+std::vector<SiteRoute> partRoutes();       ///< records of parts that were made
 std::vector<SiteRoute> octoprintRoutes();  ///< what slicers ask for
 
 // Answers.

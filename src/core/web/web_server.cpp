@@ -269,7 +269,7 @@ class Connection {
     const SiteSettings& site = place_.site.settings();
     try {
       UploadFile file(site.upload_folder, *multipartBoundary(head.header("content-type")),
-                      site.most_upload_bytes);
+                      site.most_upload_bytes, admitted.place);
       if (!readUpload(parser, file))
         return refuse(408, "too_slow", "the upload stood still for too long, or broke off");
       const WebRequest request{head, "", file.finish()};
