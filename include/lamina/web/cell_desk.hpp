@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "lamina/cell/unit_machine.hpp"
+#include "lamina/journal/cell_journal.hpp"
 
 namespace lamina {
 
