@@ -10,7 +10,7 @@ export class Refused extends Error {
   }
 }
 
-async function request(method, path, body) {
+async function request(method, path, body, signal) {
   const headers = { "X-CSRF-Token": csrf };
   if (body !== undefined) headers["Content-Type"] = "application/json";
   const response = await fetch(path, {
@@ -19,6 +19,7 @@ async function request(method, path, body) {
     body: body === undefined ? undefined : JSON.stringify(body),
     credentials: "same-origin",
     cache: "no-store",
+    signal,
   });
   const text = await response.text();
   let value = {};
@@ -31,7 +32,7 @@ async function request(method, path, body) {
   return value;
 }
 
-export const get = (path) => request("GET", path);
+export const get = (path, signal) => request("GET", path, undefined, signal);
 export const post = (path, body = {}) => request("POST", path, body);
 export const remove = (path) => request("DELETE", path, {});
 

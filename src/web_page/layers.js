@@ -31,14 +31,34 @@ export function showPreview(state) {
   load(layer);
 }
 
+const retry_ms = 500;
+let asking = null;
+
+/** The layer, once its program has been read. One request at a time: a browser has few connections to a host, and Hold needs one. */
+async function fetchPreview(layer, signal) {
+  while (true) {
+    const answer = await get(`/api/v1/preview/${layer}`, signal);
+    if (!answer.is_being_read) return answer;
+    setText(byId("preview-note"), texts.preview_being_read);
+    await new Promise((resolve) => setTimeout(resolve, retry_ms));
+    signal.throwIfAborted();
+  }
+}
+
 async function load(layer) {
+  asking?.abort();
+  const own = new AbortController();
+  asking = own;
   try {
-    preview = await get(`/api/v1/preview/${layer}`);
+    const answer = await fetchPreview(layer, own.signal);
+    if (own.signal.aborted) return;
+    preview = answer;
     byId("preview-layer").max = String(preview.layers - 1);
     byId("preview-layer").value = String(preview.layer);
     byId("preview-layer").setAttribute("aria-valuetext", texts.layer_of(preview.layer + 1, preview.layers));
     drawPreview();
   } catch (error) {
+    if (own.signal.aborted) return;  // another layer is wanted by now
     // The program may not have begun: it is asked for again with the next state.
     if (error.status === 404) setTimeout(() => { asked = ""; }, 2000);
     setText(byId("preview-note"), error.status === 404 ? texts.no_preview : error.message);

@@ -128,6 +128,7 @@ export const texts = {
   between: (low, high) => (low === high ? `${low} °C` : `${low} to ${high} °C`),
   preview: "Toolpath",
   no_preview: "No program runs.",
+  preview_being_read: "The program is being read …",
   preview_picture: (layer, layers, z) => `Lines of layer ${layer} of ${layers} at ${z} mm, seen from above.`,
   cut_short: "Not all lines are drawn.",
   layer: "Layer",

@@ -18,6 +18,7 @@ class FakeDesk final : public CellDesk {
   CellSnapshot seen;
   ShownDeviation picture;
   std::optional<LayerPreview> shown_layer;
+  bool is_being_read = false;  ///< the program of that layer
   DeskAnswer next;
   std::string uploaded;  ///< bytes of the last program
 
@@ -31,8 +32,8 @@ class FakeDesk final : public CellDesk {
     return seen;
   }
   ShownDeviation deviation() const override { return picture; }
-  std::optional<LayerPreview> preview(std::int32_t layer) override {
-    return shown_layer && shown_layer->layer == layer ? shown_layer : std::nullopt;
+  ShownPreview preview(std::int32_t layer) override {
+    return {is_being_read, shown_layer && shown_layer->layer == layer ? shown_layer : std::nullopt};
   }
   DeskAnswer command(const DeskCommand& command) override {
     return take(std::string(toString(command.command)) + " by " + command.source +

@@ -7,7 +7,10 @@
 #include <algorithm>
 #include <fstream>
 #include <sstream>
+#include <thread>
 
+#include "lamina/base/sha256.hpp"
+#include "lamina/journal/part_record.hpp"
 #include "web/site_of_fakes.hpp"
 
 namespace lamina::test {
@@ -257,6 +260,74 @@ TEST(OperatorSite, GivesTheSameAnswerToARepeatedRequestForADay) {
   EXPECT_EQ(site.desk.orders().size(), 4U);
 }
 
+TEST(OperatorSite, RefusesAKeyThatWasShownWithAnotherRequest) {
+  SiteOfFakes site;
+  const Headers page = {{"x-csrf-token", site.get("/api/v1/session")["csrf"]}, {"idempotency-key", "k1"}};
+  EXPECT_EQ(site.ask(HttpMethod::Post, "/api/v1/jobs/5/release", page).status, 200);
+  const WebResponse other = site.ask(HttpMethod::Post, "/api/v1/jobs/6/release", page);
+  EXPECT_EQ(other.status, 409);
+  EXPECT_EQ(nlohmann::json::parse(other.body)["code"], "other_request");
+  EXPECT_EQ(site.ask(HttpMethod::Post, "/api/v1/jobs/5/release", page, R"({"more":1})").status, 409);
+  EXPECT_EQ(site.ask(HttpMethod::Delete, "/api/v1/jobs/5", page).status, 409);
+  EXPECT_EQ(site.desk.orders().size(), 1U);
+}
+
+TEST(OperatorSite, DoesNotRunARequestAgainThatWasCutOff) {
+  SiteOfFakes site;
+  const Headers page = {{"x-csrf-token", site.get("/api/v1/session")["csrf"]}, {"idempotency-key", "k1"}};
+  site.desk.next = {DeskAnswer::Outcome::Silent, 0, "nothing was asked of it", 0};
+  EXPECT_EQ(site.ask(HttpMethod::Post, "/api/v1/jobs/5/release", page).status, 503);
+  EXPECT_EQ(site.ask(HttpMethod::Post, "/api/v1/jobs/5/release", page).status, 503) << "asked again";
+  EXPECT_EQ(site.desk.orders().size(), 2U);
+  site.desk.next = {DeskAnswer::Outcome::Unsure, 0, "it may still do what was asked", 0};
+  EXPECT_EQ(site.ask(HttpMethod::Post, "/api/v1/jobs/5/release", page).status, 504);
+  EXPECT_EQ(site.ask(HttpMethod::Post, "/api/v1/jobs/5/release", page).status, 504) << "told again";
+  EXPECT_EQ(site.desk.orders().size(), 3U);
+  // As a page leaves it that is killed between the deed and its answer.
+  EXPECT_FALSE(site.store.begin("0 k2", "its digest", site.now.utc_s));
+  Headers other = page;
+  other["idempotency-key"] = "k2";
+  EXPECT_EQ(site.ask(HttpMethod::Post, "/api/v1/jobs/5/release", other).status, 409);
+  EXPECT_EQ(site.desk.orders().size(), 3U);
+}
+
+TEST(OperatorSite, RunsARequestOnceHoweverManyRepeatItAtATime) {
+  SiteOfFakes site;
+  const std::string csrf = site.get("/api/v1/session")["csrf"];
+  constexpr int kRounds = 20;
+  for (int round = 0; round < kRounds; ++round) {
+    WebRequest request;
+    request.head.method = HttpMethod::Post;
+    request.head.target = "/api/v1/jobs/5/release";
+    request.head.headers = {
+        {"host", "localhost"}, {"x-csrf-token", csrf}, {"idempotency-key", "r" + std::to_string(round)}};
+    request.head.peer = site.peer;
+    site.now.steady_s += 10.0;
+    auto admission = site.site.admit(request.head, site.now);
+    ASSERT_TRUE(std::holds_alternative<OperatorSite::Admitted>(admission));
+    std::vector<std::thread> threads;
+    for (int i = 0; i < 4; ++i)
+      threads.emplace_back([&] {
+        const int status =
+            site.site.answer(std::get<OperatorSite::Admitted>(admission), request, site.now).status;
+        EXPECT_TRUE(status == 200 || status == 409) << status;
+      });
+    for (std::thread& thread : threads) thread.join();
+  }
+  EXPECT_EQ(site.desk.orders().size(), static_cast<std::size_t>(kRounds));
+}
+
+TEST(OperatorSite, RefusesNumbersOfJobsThatMessagesDoNotCarry) {
+  SiteOfFakes site;
+  const Headers page = {{"x-csrf-token", site.get("/api/v1/session")["csrf"]}};
+  for (const char* word : {"release", "revoke", "move"})
+    EXPECT_EQ(site.ask(HttpMethod::Post, std::string("/api/v1/jobs/4294967297/") + word, page).status, 400);
+  EXPECT_EQ(site.ask(HttpMethod::Delete, "/api/v1/jobs/4294967296", page).status, 400);
+  EXPECT_EQ(site.ask(HttpMethod::Get, "/api/v1/jobs/4294967296", page).status, 400);
+  EXPECT_TRUE(site.desk.orders().empty());
+  EXPECT_EQ(site.ask(HttpMethod::Post, "/api/v1/jobs/4294967295/release", page).status, 200);
+}
+
 TEST(OperatorSite, GivesSendersTheStateOnly) {
   SiteOfFakes site(closedLoopback());
   site.desk.seen.queue.push_back({3, "part.gcode", "", "", "", JobState::AllowedToStart, "anna", "anna"});
@@ -279,6 +350,82 @@ TEST(OperatorSite, TellsThatTheCellHasGoneSilent) {
   EXPECT_NE(site.site.live(WebRole::Viewer).text->find(R"("is_fresh":true)"), std::string::npos);
   site.site.observe({site.now.steady_s + 3.5, site.now.utc_s});
   EXPECT_NE(site.site.live(WebRole::Viewer).text->find(R"("is_fresh":false)"), std::string::npos);
+}
+
+TEST(OperatorSite, TellsThatAProgramIsBeingReadWithoutWaitingForIt) {
+  SiteOfFakes site;
+  site.desk.shown_layer = LayerPreview{};
+  site.desk.is_being_read = true;
+  EXPECT_EQ(site.ask(HttpMethod::Get, "/api/v1/preview/0", {}).status, 202);
+  EXPECT_EQ(site.get("/api/v1/preview/0")["is_being_read"], true);
+  site.desk.is_being_read = false;
+  EXPECT_EQ(site.ask(HttpMethod::Get, "/api/v1/preview/0", {}).status, 200);
+  EXPECT_EQ(site.ask(HttpMethod::Get, "/api/v1/preview/1", {}).status, 404);
+}
+
+TEST(OperatorSite, ReadsTheRecordOfAPartToViewersAndNotToSenders) {
+  SiteOfFakes site(closedLoopback());
+  const std::string folder = site.folder.path();
+  std::string record;
+  std::string layers_csv;
+  {
+    CellJournal journal(folder + "/cell.db");
+    ArtefactStore store(folder + "/artefacts");
+    const std::int64_t job = journal.addJob(
+        {"part.gcode", "bracket", "cell", {store.keepText("G28\n", "program", "part.gcode")}, "anna"}, 1.0);
+    journal.release(job, "anna", 2.0);
+    const std::int64_t execution = journal.begin(job, "anna", 3.0);
+    LayerRow layer;
+    layer.layer = 0;
+    layer.mean_mm = 0.2;
+    ExecutionLog(journal).setLayer(execution, layer);
+    journal.end(execution, JobState::Ended, "", 4.0);
+    const PartRecord made = partRecord(journal, execution, "good");
+    record = made.json;
+    layers_csv = made.layers_csv;
+    keepRecord(journal, store, execution, "good", 5.0);
+  }
+  const Headers viewer = {{"x-api-key", site.add(WebRole::Viewer, "wall")}};
+  EXPECT_EQ(site.ask(HttpMethod::Get, "/api/v1/jobs/1/record", viewer).body, record);
+  const WebResponse layers = site.ask(HttpMethod::Get, "/api/v1/jobs/1/layers", viewer);
+  EXPECT_EQ(layers.body, layers_csv);
+  EXPECT_EQ(layers.type, "text/csv; charset=utf-8");
+  EXPECT_EQ(site.ask(HttpMethod::Get, "/api/v1/jobs/2/record", viewer).status, 404);
+  const Headers sender = {{"x-api-key", site.add(WebRole::Sender, "slicer")}};
+  for (const char* what : {"record", "layers"})
+    EXPECT_EQ(site.ask(HttpMethod::Get, std::string("/api/v1/jobs/1/") + what, sender).status, 403);
+  const std::string path =
+      ArtefactStore::toRead(folder + "/artefacts").pathOf({sha256Of(layers_csv), 0, "layers", "layers.csv"});
+  std::filesystem::permissions(path, std::filesystem::perms::owner_all);
+  std::ofstream(path) << "changed";
+  EXPECT_EQ(site.ask(HttpMethod::Get, "/api/v1/jobs/1/layers", viewer).status, 500);
+}
+
+constexpr std::uint64_t kGibibyte = std::uint64_t{1} << 30;
+
+TEST(OperatorSite, PromisesRoomOnTheDiskToAllUploadsTogetherAndToTheirCopies) {
+  SiteSettings settings;
+  settings.free_bytes = [](const std::string&) { return kGibibyte + 5000; };
+  SiteOfFakes site(settings);
+  WebRequest upload;
+  upload.head.method = HttpMethod::Post;
+  upload.head.target = "/api/files/local";
+  upload.head.headers = {
+      {"host", "localhost"}, {"content-type", "multipart/form-data; boundary=b"}, {"content-length", "1300"}};
+  upload.head.peer = site.peer;
+  const auto statusOf = [](const std::variant<OperatorSite::Admitted, WebResponse>& admission) {
+    const auto* refused = std::get_if<WebResponse>(&admission);
+    return refused == nullptr ? 0 : refused->status;
+  };
+  {
+    const auto first = site.site.admit(upload.head, site.now);
+    EXPECT_EQ(statusOf(first), 0) << "2600 bytes of 5000";
+    EXPECT_EQ(statusOf(site.site.admit(upload.head, site.now)), 507) << "2600 of the 2400 that are left";
+  }
+  EXPECT_EQ(statusOf(site.site.admit(upload.head, site.now)), 0) << "the first has ended";
+  upload.head.headers.erase("content-length");
+  upload.head.headers["transfer-encoding"] = "chunked";
+  EXPECT_EQ(statusOf(site.site.admit(upload.head, site.now)), 411);
 }
 
 TEST(OperatorSite, MakesAndRemovesTokens) {

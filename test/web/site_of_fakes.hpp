@@ -69,6 +69,7 @@ class SiteOfFakes {
  private:
   SiteSettings withFolder(SiteSettings settings) const {
     settings.upload_folder = folder.path();
+    settings.journal_folder = folder.path();
     return settings;
   }
   static std::vector<PageFile> pageOfOneFile() { return {{"index.html", "text/html", "<p>page</p>"}}; }

@@ -6,6 +6,7 @@
 #include <openssl/ssl.h>
 
 #include <chrono>
+#include <thread>
 #include <vector>
 
 #include "lamina/base/error.hpp"
@@ -204,7 +205,8 @@ TEST(WebServer, RefusesHeadsThatAreTooLargeOrNoHttp) {
 
 TEST(WebServer, EndsClientsThatAreSlow) {
   WebServerSettings settings = ServerOfFakes::quick();
-  settings.patience = {0.3, 0.3, 0.3, 0.3, 5.0, 10.0};
+  settings.patience.header_s = settings.patience.body_s = 0.3;
+  settings.patience.idle_s = settings.patience.progress_s = 0.3;
   const ServerOfFakes fakes({}, settings);
   const RawClient head(fakes.server.port());
   head.send("GET / HTTP/1.1\r\nHost:");
@@ -217,6 +219,88 @@ TEST(WebServer, EndsClientsThatAreSlow) {
   EXPECT_EQ(statusIn(upload.rest()), 408);
   const RawClient idle(fakes.server.port());
   EXPECT_EQ(idle.rest(), "");
+}
+
+std::string maskedFrame(char opcode, const std::string& payload) {
+  std::string frame = {
+      static_cast<char>(0x80 | opcode), static_cast<char>(0x80 | payload.size()), 0, 0, 0, 0};
+  return frame + payload;  // a mask of zeros changes nothing
+}
+
+std::string socketRequest(const std::string& more = "") {
+  return "GET /api/v1/ws HTTP/1.1\r\nHost: localhost\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
+         "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\nSec-WebSocket-Version: 13\r\n" +
+         more + "\r\n";
+}
+
+/// A layer whose lines are some ten MB of JSON.
+LayerPreview largeLayer() {
+  LayerPreview layer;
+  layer.lines.emplace_back(1000000, 0.123456F);
+  return layer;
+}
+
+TEST(WebServer, EndsAnAnswerThatIsTakenTooSlowlyHoweverOftenAByteOfItIs) {
+  WebServerSettings settings = ServerOfFakes::quick();
+  settings.patience.write_s = 0.5;
+  settings.patience.least_bytes_per_s = 1e9;
+  ServerOfFakes fakes({}, settings);
+  fakes.site.desk.shown_layer = largeLayer();
+  const RawClient client(fakes.server.port());
+  client.send(getRequest("/api/v1/preview/0"));
+  std::string text;
+  std::array<char, 65536> piece{};
+  for (int i = 0; i < 20; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    const ssize_t bytes = ::recv(client.descriptor(), piece.data(), piece.size(), 0);
+    if (bytes > 0) text.append(piece.data(), static_cast<std::size_t>(bytes));
+  }
+  text += client.rest();
+  EXPECT_EQ(statusIn(text), 200);
+  const std::size_t length = std::stoul(text.substr(text.find("Content-Length: ") + 16, 12));
+  EXPECT_LT(text.size(), length);
+}
+
+TEST(WebServer, HasSlowReadersGiveWay) {
+  WebServerSettings settings = ServerOfFakes::quick();
+  settings.connections_of_client = 2;
+  settings.patience.slow_s = 0.1;
+  settings.patience.write_s = 60.0;
+  ServerOfFakes fakes({}, settings);
+  fakes.site.desk.shown_layer = largeLayer();
+  std::vector<RawClient> slow;
+  for (int i = 0; i < 2; ++i) {
+    slow.emplace_back(fakes.server.port());
+    slow.back().send(getRequest("/api/v1/preview/0"));
+    slow.back().until("\r\n\r\n");
+  }
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  EXPECT_EQ(statusIn(fakes.ask(getRequest("/api/version"))), 200);
+}
+
+TEST(WebServer, DropsWebSocketsThatAreAMebibyteBehind) {
+  WebServerSettings settings = ServerOfFakes::quick();
+  settings.patience.write_s = 60.0;
+  settings.patience.slow_s = 0.1;
+  ServerOfFakes fakes({}, settings);
+  for (std::int64_t id = 1; id <= 300; ++id)
+    fakes.site.desk.seen.queue.push_back(
+        {id, std::string(1000, 'x'), "", "", "", JobState::AllowedToStart, "anna", "anna"});
+  const RawClient client(fakes.server.port());
+  client.send(socketRequest());
+  // What the system has taken for it by then is still read; the end of it comes after that.
+  for (int i = 0; i < 60; ++i) {
+    fakes.site.desk.seen.unit.sequence = static_cast<std::uint32_t>(i);
+    fakes.site.site.observe(fakes.site.now);
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+  bool is_dropped = false;
+  std::array<char, 65536> piece{};
+  pollfd poll{client.descriptor(), POLLIN, 0};
+  while (!is_dropped && ::poll(&poll, 1, 3000) > 0)
+    is_dropped = ::recv(client.descriptor(), piece.data(), piece.size(), 0) <= 0;
+  EXPECT_TRUE(is_dropped);
+  EXPECT_EQ(statusIn(fakes.ask(getRequest("/api/version"))), 200);
 }
 
 TEST(WebServer, AnswersOthersWhileManyConnectionsSayNothing) {
@@ -236,18 +320,6 @@ TEST(WebServer, AnswersOthersWhileManyConnectionsSayNothing) {
       EXPECT_EQ(statusIn(fakes.ask(getRequest("/api/version"))), 200) << i;
     }
   }
-}
-
-std::string maskedFrame(char opcode, const std::string& payload) {
-  std::string frame = {
-      static_cast<char>(0x80 | opcode), static_cast<char>(0x80 | payload.size()), 0, 0, 0, 0};
-  return frame + payload;  // a mask of zeros changes nothing
-}
-
-std::string socketRequest(const std::string& more = "") {
-  return "GET /api/v1/ws HTTP/1.1\r\nHost: localhost\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
-         "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\nSec-WebSocket-Version: 13\r\n" +
-         more + "\r\n";
 }
 
 TEST(WebServer, TellsStatesOverWebSocketsAndAnswersPings) {

@@ -6,11 +6,14 @@
 #include <sqlite3.h>
 #include <sys/stat.h>
 
+#include <atomic>
 #include <fstream>
 #include <iterator>
+#include <thread>
 
 #include "lamina/base/error.hpp"
 #include "lamina/base/scratch_folder.hpp"
+#include "lamina/base/sha256.hpp"
 
 namespace lamina::test {
 namespace {
@@ -67,7 +70,7 @@ TEST(WebStore, RefusesNamesThatCannotBeShownAndFilesOfLaterVersions) {
     EXPECT_THROW(store.add({"a\nb", WebRole::Viewer, std::nullopt}, 1.0), InvalidInput);
     EXPECT_THROW(store.add({std::string(65, 'x'), WebRole::Viewer, std::nullopt}, 1.0), InvalidInput);
   }
-  runSql(path, "PRAGMA user_version = 2");
+  runSql(path, "PRAGMA user_version = 3");
   EXPECT_THROW(WebStore{path}, FileError);
 }
 
@@ -83,6 +86,67 @@ TEST(WebStore, FindsTheFirstBadRowOfTheAudit) {
     runSql(path, change);
     EXPECT_EQ(store.firstBadAudit(), 2) << change << ": the first change stays";
   }
+}
+
+TEST(WebStore, BringsAStoreOfTheFirstVersionForward) {
+  const ScratchFolder folder;
+  const std::string path = folder.path() + "/page.db";
+  std::string token;
+  {
+    WebStore store(path);
+    token = store.add({"anna", WebRole::Operator, std::nullopt}, 1000.0);
+  }
+  runSql(path,
+         "ALTER TABLE answer DROP COLUMN request; INSERT INTO answer VALUES ('1 k', 1000, 200, '{}');"
+         "PRAGMA user_version = 1");
+  WebStore store(path);
+  EXPECT_TRUE(store.holderOf(token, 1001.0));
+  EXPECT_FALSE(store.begin("1 k", "digest", 1001.0)) << "what it was of is not known";
+  EXPECT_TRUE(store.begin("1 k", "digest", 1002.0));
+}
+
+TEST(WebStore, BeginsARequestOnceForADay) {
+  const ScratchFolder folder;
+  WebStore store(folder.path() + "/page.db");
+  EXPECT_FALSE(store.begin("1 k", "a", 1000.0));
+  ASSERT_TRUE(store.begin("1 k", "b", 1001.0));
+  EXPECT_EQ(store.begin("1 k", "b", 1001.0)->request, "a");
+  EXPECT_FALSE(store.begin("1 k", "b", 1001.0)->answer);
+  store.keep("1 k", {201, "done"});
+  ASSERT_TRUE(store.begin("1 k", "a", 87400.0)->answer);
+  EXPECT_EQ(store.begin("1 k", "a", 87400.0)->answer->body, "done");
+  EXPECT_FALSE(store.begin("1 k", "a", 87400.5)) << "a day later";
+  store.forget("1 k");
+  EXPECT_FALSE(store.begin("1 k", "a", 87401.0));
+}
+
+/// Fills an audit with whole rows in one transaction: each is chained as `AuditRow`s are.
+void addManyRows(const std::string& path, int count) {
+  std::string sql = "BEGIN;";
+  std::string before;
+  for (int i = 0; i < count; ++i) {
+    before = sha256Of(before + "8:0.0000004:anna1:a1:b4:done");
+    sql +=
+        "INSERT INTO audit (time, who, origin, what, result, digest) VALUES (0, 'anna', 'a', 'b', 'done', '" +
+        before + "');";
+  }
+  runSql(path, sql + "COMMIT");
+}
+
+TEST(WebStore, LooksTokensUpWhileTheAuditIsChecked) {
+  const ScratchFolder folder;
+  WebStore store(folder.path() + "/page.db");
+  const std::string token = store.add({"anna", WebRole::Operator, std::nullopt}, 1.0);
+  addManyRows(folder.path() + "/page.db", 30000);
+  std::atomic<bool> is_checked{false};
+  std::thread checking([&] {
+    EXPECT_EQ(store.firstBadAudit(), std::nullopt);
+    is_checked = true;
+  });
+  int found = 0;
+  while (!is_checked) found += store.holderOf(token, 2.0) ? 1 : 0;
+  checking.join();
+  EXPECT_GT(found, 20) << "each waited for the audit";
 }
 
 TEST(WebStore, MakesKeysThatDiffer) {

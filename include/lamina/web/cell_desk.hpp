@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "lamina/cell/unit_machine.hpp"
+#include "lamina/journal/cell_journal.hpp"
 
 namespace lamina {
 
@@ -129,6 +130,12 @@ struct LayerPreview {
   bool is_cut_short = false;  ///< there are more lines than are drawn
 };
 
+/// What there is to draw.
+struct ShownPreview {
+  bool is_being_read = false;         ///< the program: ask again
+  std::optional<LayerPreview> layer;  ///< nothing if there is none
+};
+
 /// What became of an order to the cell.
 struct DeskAnswer {
   enum class Outcome : std::uint8_t {
@@ -136,7 +143,9 @@ struct DeskAnswer {
     Refused,   ///< by the cell, with its reason
     BadInput,  ///< a program that cannot be printed, a value out of range
     Unknown,   ///< no such job or alarm
-    Silent     ///< nobody answers
+    Silent,    ///< nobody answers, and nothing was done
+    Unsure,    ///< nobody answers: it may still be done
+    Overtaken  ///< dropped for what stops the unit, or another of its kind waits already
   };
   Outcome outcome = Outcome::Done;
   int code = 0;  ///< of `CommandResult` for commands, modes, alarms
@@ -169,9 +178,9 @@ class CellDesk {
   virtual ~CellDesk() = default;
   virtual CellSnapshot snapshot() const = 0;
   virtual ShownDeviation deviation() const = 0;
-  /// A layer of the job that runs or ran last; nothing if there is none.
+  /// A layer of the job that runs or ran last. Waits for nothing.
   /// @throws Error if its program cannot be read
-  virtual std::optional<LayerPreview> preview(std::int32_t layer) = 0;
+  virtual ShownPreview preview(std::int32_t layer) = 0;
 
   virtual DeskAnswer command(const DeskCommand& command) = 0;
   virtual DeskAnswer changeMode(int mode, const std::string& source) = 0;

@@ -13,6 +13,7 @@
 #include "lamina/cell/production_cell.hpp"
 #include "lamina/web/cell_desk.hpp"
 #include "lamina/web/http_message.hpp"
+#include "lamina/web/upload_room.hpp"
 #include "lamina/web/web_access.hpp"
 #include "lamina/web/web_store.hpp"
 
@@ -35,6 +36,8 @@ struct SiteSettings {
   WebAccessSettings access;
   std::string upload_folder;
   std::uint64_t most_upload_bytes = std::uint64_t{1} << 30;
+  FreeBytes free_bytes = freeBytesOf;  ///< of the folder of uploads
+  std::string journal_folder;          ///< of the cell, that records of parts are read from
   UploadPrint upload_print = UploadPrint::Wait;
   std::vector<std::string> notices = {};  ///< shown on the page for as long as it runs
 };
@@ -71,6 +74,7 @@ class OperatorSite {
     WebIdentity who;
     std::vector<std::string> values;  ///< of the pattern's places
     HttpTarget target;
+    std::shared_ptr<UploadPlace> place = nullptr;  ///< on the disk, of uploads, for as long as this is there
   };
 
   /// `desk` and `store` outlive it.

@@ -10,6 +10,7 @@
 
 #include "lamina/web/http_message.hpp"
 #include "lamina/web/multipart_reader.hpp"
+#include "lamina/web/upload_room.hpp"
 
 namespace lamina {
 
@@ -25,17 +26,15 @@ class UploadTooLarge : public std::exception {
   std::string message_;
 };
 
-/// Why an upload of that size is not begun: 507 if the disk would have less than 1 GiB left after it, which
-/// the journal needs; 0 if it may begin.
-int againstUpload(const std::string& folder, std::uint64_t bytes);
-
 /// A form as it comes in: the part `file` goes to the disk under a name nobody can guess, the other fields
 /// into memory. The file is gone with this.
 class UploadFile {
  public:
   /// @param folder  that it is written to
   /// @param most  bytes of the file
-  UploadFile(std::string folder, const std::string& boundary, std::uint64_t most);
+  /// @param place  that is noted to be filled
+  UploadFile(std::string folder, const std::string& boundary, std::uint64_t most,
+             std::shared_ptr<UploadPlace> place);
   ~UploadFile();
   UploadFile(const UploadFile&) = delete;
   UploadFile& operator=(const UploadFile&) = delete;
@@ -59,6 +58,7 @@ class UploadFile {
   bool is_in_file_ = false;
   std::string field_;
   std::unique_ptr<Digest> digest_;
+  std::shared_ptr<UploadPlace> place_;
 };
 
 }  // namespace lamina

@@ -20,8 +20,11 @@ struct WebPatience {
   double body_s = 10.0;      ///< for a small body
   double idle_s = 30.0;      ///< between two requests of a connection
   double progress_s = 30.0;  ///< in which an upload brings 64 KiB more, or its end
-  double write_s = 10.0;     ///< in which a client takes an answer, a message or a picture
-  double ping_s = 10.0;      ///< between pings of a WebSocket, which closes after three without a word
+  /// In which a client takes an answer, a message or a picture, besides a second for so many bytes of it.
+  double write_s = 10.0;
+  double least_bytes_per_s = 16384.0;  ///< [B/s]
+  double slow_s = 2.0;                 ///< after which a client that has not taken all gives way to another
+  double ping_s = 10.0;  ///< between pings of a WebSocket, which closes after three without a word
 };
 
 struct WebServerSettings {
@@ -31,12 +34,14 @@ struct WebServerSettings {
   bool allows_plain = false;    ///< listens beyond the loopback interface without TLS, too
   std::size_t connections = 32;
   std::size_t connections_of_client = 8;
+  std::size_t most_behind = std::size_t{1} << 20;  ///< bytes that a WebSocket's client has yet to take
   WebPatience patience;
 };
 
 /// Listens for browsers and slicers. Each connection has a thread of its own, so that none waits for another;
-/// when there are too many, the one that has waited longest for its request gives way. WebSockets, pictures
-/// and uploads take three quarters of the places at most: one more request always finds one.
+/// when there are too many, the one that has waited longest for its request gives way, then a slow reader.
+/// WebSockets, pictures and uploads take three quarters of the places at most: one more request always finds
+/// one.
 class WebServer {
  public:
   /// `site` outlives it.

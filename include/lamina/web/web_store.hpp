@@ -37,6 +37,12 @@ struct KeptAnswer {
   std::string body;
 };
 
+/// A request that was begun under a key.
+struct KeptRequest {
+  std::string request;               ///< its digest
+  std::optional<KeptAnswer> answer;  ///< nothing if none was kept yet
+};
+
 /// 32 random bytes as 64 hexadecimal digits.
 /// @throws FileError if the system has none
 std::string randomKey();
@@ -70,9 +76,14 @@ class WebStore {
   std::vector<AuditRow> audit(std::size_t most) const;  ///< the last, oldest first
   std::optional<std::int64_t> firstBadAudit() const;
 
-  /// Keeps an answer under a key for a day.
-  void keep(const std::string& key, const KeptAnswer& answer, double now_s);
-  std::optional<KeptAnswer> kept(const std::string& key, double now_s) const;
+  /// Begins a request under a key, which is remembered for a day. Of several at a time, one begins.
+  /// @param request  its digest
+  /// @return the request that was begun under that key before; nothing if this one is
+  std::optional<KeptRequest> begin(const std::string& key, const std::string& request, double now_s);
+  /// Keeps the answer to the request that was begun under a key.
+  void keep(const std::string& key, const KeptAnswer& answer);
+  /// Nothing came of that request: it may be begun again.
+  void forget(const std::string& key);
 
  private:
   struct Connections;

@@ -172,6 +172,10 @@ WebResponse orderAnswer(const SiteCall& call, const DeskAnswer& answer) {
       return errorAnswer(404, "unknown", answer.message);
     case DeskAnswer::Outcome::Silent:
       return errorAnswer(503, "no_answer", answer.message);
+    case DeskAnswer::Outcome::Unsure:
+      return errorAnswer(504, "no_answer", answer.message);
+    case DeskAnswer::Outcome::Overtaken:
+      return errorAnswer(409, "overtaken", answer.message);
     case DeskAnswer::Outcome::Refused:
       break;
   }
@@ -196,6 +200,14 @@ std::int64_t wholeNumber(const std::string& text) {
   if (!is_whole)
     throw InvalidInput("'" + text.substr(0, 40) + "' is no whole number; expected one from 0 on");
   return std::stoll(text);
+}
+
+std::int64_t jobNumber(const std::string& text) {
+  // Messages of ROS carry 32 bits: a larger number, cut to them, would be that of another job.
+  constexpr std::int64_t kMostJob = 4294967295;
+  const std::int64_t number = wholeNumber(text);
+  if (number > kMostJob) throw InvalidInput("job " + text + "; expected at most " + std::to_string(kMostJob));
+  return number;
 }
 
 std::string textOf(const json& object, const std::string& key) {

@@ -33,7 +33,7 @@ WebResponse getJobs(SiteCall& call) {
 }
 
 WebResponse getJob(SiteCall& call) {
-  const std::int64_t id = wholeNumber(call.value(0));
+  const std::int64_t id = jobNumber(call.value(0));
   for (const ShownJob& job : call.parts.desk.snapshot().queue)
     if (job.id == id) return jsonAnswer(200, jobJson(job));
   return errorAnswer(404, "unknown", "job " + call.value(0) + " is not in the queue");
@@ -51,7 +51,7 @@ WebResponse addJob(SiteCall& call) {
 }
 
 WebResponse changeJob(SiteCall& call, QueueChange change, const char* word) {
-  const DeskAnswer answer = call.parts.desk.changeQueue(change, wholeNumber(call.value(0)), call.source());
+  const DeskAnswer answer = call.parts.desk.changeQueue(change, jobNumber(call.value(0)), call.source());
   return noted(orderAnswer(call, answer), std::string(word) + " job " + call.value(0));
 }
 
@@ -109,8 +109,11 @@ WebResponse getDeviation(SiteCall& call) {
 }
 
 WebResponse getPreview(SiteCall& call) {
-  const auto preview = call.parts.desk.preview(static_cast<std::int32_t>(
+  const ShownPreview shown = call.parts.desk.preview(static_cast<std::int32_t>(
       std::min<std::int64_t>(wholeNumber(call.value(0)), std::numeric_limits<std::int32_t>::max())));
+  if (shown.is_being_read)
+    return jsonAnswer(202, {{"is_being_read", true}, {"message", "the program is being read; ask again"}});
+  const auto& preview = shown.layer;
   if (!preview) return errorAnswer(404, "unknown", "there is no such layer, or no job");
   return jsonAnswer(200, {{"layer", preview->layer},
                           {"layers", preview->layers},

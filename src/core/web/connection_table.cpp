@@ -12,7 +12,7 @@ std::uint64_t ConnectionTable::add(int descriptor, const std::string& client) {
   const std::lock_guard<std::mutex> lock(mutex_);
   // Threads of connections that gave way need a moment to end: they are bounded, too.
   if (rows_.size() >= 2 * most_ || !makeRoom(client)) return 0;
-  rows_[++last_] = {descriptor, client, ConnectionUse::Waiting, ++uses_, false};
+  rows_[++last_] = {descriptor, client, ConnectionUse::Waiting, ++uses_, false, ConnectionPace::Usual};
   return last_;
 }
 
@@ -33,15 +33,22 @@ bool ConnectionTable::makeRoom(const std::string& client) {
     return !row.second.is_shut && row.second.client == client;
   }));
   const bool is_own_fault = count >= most_of_client_;
-  Row* oldest = nullptr;
+  Row* waiting = nullptr;
+  Row* slow = nullptr;
   for (auto& [number, row] : rows_) {
-    const bool may_go =
-        !row.is_shut && row.use == ConnectionUse::Waiting && (!is_own_fault || row.client == client);
-    if (may_go && (oldest == nullptr || row.since < oldest->since)) oldest = &row;
+    if (row.is_shut || (is_own_fault && row.client != client)) continue;
+    const bool is_waiting = row.use == ConnectionUse::Waiting;
+    if (!is_waiting && row.pace != ConnectionPace::Slow) continue;
+    Row*& oldest = is_waiting ? waiting : slow;
+    if (oldest == nullptr || row.since < oldest->since) oldest = &row;
   }
-  if (oldest == nullptr) return false;
-  ::shutdown(oldest->descriptor, SHUT_RDWR);
-  oldest->is_shut = true;
+  return giveWay(waiting != nullptr ? waiting : slow);
+}
+
+bool ConnectionTable::giveWay(Row* row) {
+  if (row == nullptr) return false;
+  ::shutdown(row->descriptor, SHUT_RDWR);
+  row->is_shut = true;
   return true;
 }
 
@@ -62,6 +69,12 @@ bool ConnectionTable::use(std::uint64_t number, ConnectionUse use) {
   found->second.use = use;
   found->second.since = ++uses_;
   return true;
+}
+
+void ConnectionTable::setPace(std::uint64_t number, ConnectionPace pace) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto found = rows_.find(number);
+  if (found != rows_.end()) found->second.pace = pace;
 }
 
 void ConnectionTable::remove(std::uint64_t number) {

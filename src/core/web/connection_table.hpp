@@ -18,6 +18,9 @@ enum class ConnectionUse : std::uint8_t {
   Stream  ///< WebSocket or pictures
 };
 
+/// How fast a client takes what is sent to it.
+enum class ConnectionPace : std::uint8_t { Usual, Slow };
+
 /// The connections that are open: how many, whose, and which gives way to another. Several threads call at a
 /// time.
 class ConnectionTable {
@@ -25,13 +28,17 @@ class ConnectionTable {
   ConnectionTable(std::size_t most, std::size_t most_of_client)
       : most_(most), most_of_client_(most_of_client) {}
 
-  /// Adds a connection. Where there are too many, one that waits for a request is shut down for it.
+  /// Adds a connection. Where there are too many, one that waits for a request is shut down for it,
+  /// or one whose client takes its answer slowly.
   /// @return its number; 0 if there is no place
   std::uint64_t add(int descriptor, const std::string& client);
 
   /// Notes what it is at from now on.
   /// @return false if there are too many of that use; then nothing has changed
   bool use(std::uint64_t number, ConnectionUse use);
+
+  /// Notes how fast its client takes what is sent to it.
+  void setPace(std::uint64_t number, ConnectionPace pace);
 
   /// Forgets a connection; its descriptor may be closed afterwards.
   void remove(std::uint64_t number);
@@ -51,9 +58,11 @@ class ConnectionTable {
     ConnectionUse use = ConnectionUse::Waiting;
     std::uint64_t since = 0;  ///< order in which uses began
     bool is_shut = false;     ///< and counts no more
+    ConnectionPace pace = ConnectionPace::Usual;
   };
   bool isFull(const std::string& client) const;
   bool makeRoom(const std::string& client);
+  static bool giveWay(Row* row);
 
   std::size_t most_;
   std::size_t most_of_client_;

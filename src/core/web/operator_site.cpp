@@ -10,14 +10,16 @@
 #include <set>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/sha256.hpp"
+#include "lamina/web/multipart_reader.hpp"
 #include "lamina/web/rate_limit.hpp"
-#include "lamina/web/upload_file.hpp"
 #include "web/site_routes.hpp"
 
 namespace lamina {
 namespace {
 
 constexpr std::size_t kLongestKey = 100;  // of Idempotency-Key
+constexpr int kMayBeDone = 504;           // the cell may still do what it has not answered
 // Whoever is refused, from one address or from many, neither fills the disk nor has others wait for it.
 constexpr Rate kAuditedRefusals = {1.0, 60.0};  // of one address
 constexpr Rate kAllAuditedRefusals = {2.0, 200.0};
@@ -58,9 +60,27 @@ const char* wordOf(HttpMethod method) {
   return "?";
 }
 
+/// What a request asks for, in full: its method, target, body or upload.
+std::string digestOf(const WebRequest& request) {
+  std::string text = std::string(wordOf(request.head.method)) + ' ' + request.head.target + '\n' +
+                     sha256Of(request.body) + '\n' + request.upload.sha256 + '\n' + request.upload.name;
+  for (const auto& [name, value] : request.upload.fields)
+    text += '\n' + std::to_string(name.size()) + ':' + name + std::to_string(value.size()) + ':' + value;
+  return sha256Of(text);
+}
+
+/// `Content-Length`; 0 without one, nothing if it is no number.
+std::optional<std::uint64_t> bodyLength(const HttpHead& head) {
+  constexpr std::size_t kMostDigits = 15;
+  const std::string text = head.header("content-length");
+  if (text.size() > kMostDigits || text.find_first_not_of("0123456789") != std::string::npos)
+    return std::nullopt;
+  return text.empty() ? 0 : std::stoull(text);
+}
+
 std::vector<SiteRoute> allRoutes() {
   std::vector<SiteRoute> routes = pageRoutes();
-  for (const auto& more : {cellRoutes(), octoprintRoutes()})
+  for (const auto& more : {cellRoutes(), partRoutes(), octoprintRoutes()})
     routes.insert(routes.end(), more.begin(), more.end());
   return routes;
 }
@@ -83,6 +103,7 @@ int statusOf(const Failure& failure) {
 struct OperatorSite::Inside {
   Inside(SiteSettings settings, CellDesk& desk, WebStore& store, std::vector<PageFile> files)
       : parts(std::move(settings), desk, store, std::move(files)),
+        room(parts.settings.upload_folder, parts.settings.free_bytes),
         refusals(kAuditedRefusals),
         all_refusals(kAllAuditedRefusals) {
     for (const SiteRoute& route : routes) patterns.push_back(partsOf(route.row.pattern));
@@ -95,6 +116,7 @@ struct OperatorSite::Inside {
                                     const CellTime& now);
   std::optional<WebRefusal> againstBody(const HttpHead& head, const RouteRow& row) const;
   WebResponse call(const Admitted& admitted, const WebRequest& request, const CellTime& now);
+  WebResponse answerAgain(const KeptRequest& known, const std::string& request, bool is_under_way) const;
   WebResponse callOnce(const std::string& key, const Admitted& admitted, const WebRequest& request,
                        const CellTime& now);
   bool isRefusalWritten(const std::string& address, const CellTime& now);
@@ -105,13 +127,15 @@ struct OperatorSite::Inside {
   SiteParts parts;
   std::vector<SiteRoute> routes = allRoutes();
   std::vector<std::vector<std::string>> patterns;
+  UploadRoom room;
   std::mutex mutex;  // of all that follows
   RateLimit refusals;
   RateLimit all_refusals;
-  std::set<std::string> keys_under_way;
   std::map<std::int64_t, double> used_s;
   std::array<Live, 2> lives;  // for those who see the state only, and for all others
   Frame frame;
+  std::mutex keys_mutex;  // of the keys: taken while the disk is written to
+  std::set<std::string> keys_under_way;
 };
 
 OperatorSite::OperatorSite(SiteSettings settings, CellDesk& desk, WebStore& store,
@@ -192,9 +216,8 @@ std::optional<WebRefusal> OperatorSite::Inside::againstRight(const RouteRow& row
 
 std::optional<WebRefusal> OperatorSite::Inside::againstBody(const HttpHead& head, const RouteRow& row) const {
   const std::string text = head.header("content-length");
-  const bool is_length = text.size() <= 15 && text.find_first_not_of("0123456789") == std::string::npos;
-  if (!is_length) return WebRefusal{400, "bad_length", "Content-Length is no whole number of bytes"};
-  const std::uint64_t length = text.empty() ? 0 : std::stoull(text);
+  if (!bodyLength(head)) return WebRefusal{400, "bad_length", "Content-Length is no whole number of bytes"};
+  const std::uint64_t length = *bodyLength(head);
   if (row.body != RouteBody::Upload) {
     if (length > kMostSmallBody)
       return WebRefusal{413, "too_large", "the body has " + text + " bytes; expected at most 65536"};
@@ -202,12 +225,14 @@ std::optional<WebRefusal> OperatorSite::Inside::againstBody(const HttpHead& head
   }
   if (!multipartBoundary(head.header("content-type")))
     return WebRefusal{415, "no_form", "an upload is a form of type multipart/form-data"};
+  if (head.headers.count("transfer-encoding") != 0)
+    return WebRefusal{
+        411, "no_length",
+        "the upload is sent in chunks; expected Content-Length, so that room can be kept for it"};
   const std::uint64_t most = parts.settings.most_upload_bytes + kMostSmallBody;
   if (length > most)
     return WebRefusal{413, "too_large",
                       "the upload has " + text + " bytes; expected at most " + std::to_string(most)};
-  if (againstUpload(parts.settings.upload_folder, length) != 0)
-    return WebRefusal{507, "disk_full", "the disk would have less than 1 GiB left after the upload"};
   return std::nullopt;
 }
 
@@ -254,6 +279,14 @@ std::variant<OperatorSite::Admitted, WebResponse> OperatorSite::admit(const Http
     }
     if (const auto refusal = inside.against(head, row, admitted.who, now))
       return refuse(*refusal, admitted.who);
+    if (row.body == RouteBody::Upload) {
+      admitted.place = inside.room.reserve(bodyLength(head).value_or(0));
+      if (!admitted.place)
+        return refuse({507, "disk_full",
+                       "the disk would have less than 1 GiB left after this upload, its copy and those that "
+                       "are under way"},
+                      admitted.who);
+    }
     return admitted;
   }
   if (is_path_known) return refuse({405, "wrong_method", "the address does not take this method"});
@@ -271,29 +304,55 @@ WebResponse OperatorSite::Inside::call(const Admitted& admitted, const WebReques
   }
 }
 
-/// An answer that was given to the same key is given again; while the first is under way, the second waits
-/// for nothing.
-WebResponse OperatorSite::Inside::callOnce(const std::string& key, const Admitted& admitted,
-                                           const WebRequest& request, const CellTime& now) {
-  if (const auto kept = parts.store.kept(key, now.utc_s)) {
+/// The answer to a request whose key was shown before.
+WebResponse OperatorSite::Inside::answerAgain(const KeptRequest& known, const std::string& request,
+                                              bool is_under_way) const {
+  if (known.request != request)
+    return errorAnswer(409, "other_request",
+                       "this Idempotency-Key was shown with another request; expected a key of its own");
+  if (known.answer) {
     WebResponse response;
-    response.status = kept->status;
-    response.body = kept->body;
+    response.status = known.answer->status;
+    response.body = known.answer->body;
     response.note = "repeated";
     return response;
   }
+  if (is_under_way)
+    return errorAnswer(409, "under_way", "a request of the same Idempotency-Key is under way");
+  return errorAnswer(
+      409, "not_known",
+      "the request of this Idempotency-Key was cut off, and may have been done; expected a look "
+      "at the state, and another key");
+}
+
+/// Runs a request once for its key. The key is on the disk before the request runs: however often it is
+/// repeated, also after a restart, it is not run again unless nothing came of it.
+WebResponse OperatorSite::Inside::callOnce(const std::string& key, const Admitted& admitted,
+                                           const WebRequest& request, const CellTime& now) {
+  const std::string digest = digestOf(request);
   {
-    const std::lock_guard<std::mutex> lock(mutex);
-    if (!keys_under_way.insert(key).second)
-      return errorAnswer(409, "under_way", "a request of the same Idempotency-Key is under way");
+    // Begun and noted in one: a repetition finds it either under way or answered.
+    const std::lock_guard<std::mutex> lock(keys_mutex);
+    std::optional<KeptRequest> known;
+    try {
+      known = parts.store.begin(key, digest, now.utc_s);
+    } catch (const Error& error) {
+      return errorAnswer(500, "not_kept", std::string("nothing was done: ") + error.what());
+    }
+    if (known) return answerAgain(*known, digest, keys_under_way.count(key) != 0);
+    keys_under_way.insert(key);
   }
   WebResponse response = call(admitted, request, now);
+  const std::lock_guard<std::mutex> lock(keys_mutex);
   try {
-    if (response.status < 500) parts.store.keep(key, {response.status, response.body}, now.utc_s);
+    const bool is_kept = response.status < 500 || response.status == kMayBeDone;
+    if (is_kept)
+      parts.store.keep(key, {response.status, response.body});
+    else
+      parts.store.forget(key);
   } catch (const Error& error) {
     parts.desk.report(9003, 0.0, std::string("answers cannot be kept: ") + error.what());
   }
-  const std::lock_guard<std::mutex> lock(mutex);
   keys_under_way.erase(key);
   return response;
 }
@@ -308,8 +367,7 @@ WebResponse OperatorSite::answer(const Admitted& admitted, const WebRequest& req
   else if (key.empty() || row.method == HttpMethod::Get || isUrgent(row))
     response = inside.call(admitted, request, now);
   else
-    response = inside.callOnce(std::to_string(admitted.who.token) + ' ' + row.pattern + ' ' + key, admitted,
-                               request, now);
+    response = inside.callOnce(std::to_string(admitted.who.token) + ' ' + key, admitted, request, now);
   // Whatever was asked for has been done by now: what stops the unit does not wait for the disk.
   const bool is_refused = response.status >= 400;
   if (row.method != HttpMethod::Get || response.status == 401 || response.status == 403) {

@@ -3,10 +3,12 @@
 #include "web/peer_stream.hpp"
 
 #include <fcntl.h>
+#include <linux/sockios.h>
 #include <netinet/in.h>
 #include <netinet/tcp.h>
 #include <openssl/err.h>
 #include <poll.h>
+#include <sys/ioctl.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -117,6 +119,11 @@ PeerSocket::Transfer PeerSocket::write(const void* bytes, std::size_t size) {
 bool PeerSocket::waitForBytes(double seconds) {
   if (ssl_ && SSL_pending(ssl_.get()) > 0) return true;
   return wait(POLLIN, seconds);
+}
+
+std::size_t PeerSocket::unsent() const {
+  int bytes = 0;
+  return ::ioctl(descriptor_, SIOCOUTQ, &bytes) == 0 && bytes > 0 ? static_cast<std::size_t>(bytes) : 0;
 }
 
 void PeerSocket::close() {

@@ -49,6 +49,9 @@ class PeerSocket {
   /// Waits for bytes to read. @return false if there are none within that time
   bool waitForBytes(double seconds);
 
+  /// Bytes that were written and not taken by the other host yet.
+  std::size_t unsent() const;
+
   /// Says that nothing more comes. Bytes that the other end still sends do not tear the answer away.
   void close();
 

@@ -51,6 +51,7 @@ struct SiteRoute {
 
 std::vector<SiteRoute> pageRoutes();       ///< files of the page, sessions, tokens, keys, audit
 std::vector<SiteRoute> cellRoutes();       ///< the cell by /api/v1
+std::vector<SiteRoute> partRoutes();       ///< records of parts that were made
 std::vector<SiteRoute> octoprintRoutes();  ///< what slicers ask for
 
 // Answers.
@@ -63,9 +64,12 @@ WebResponse orderAnswer(const SiteCall& call, const DeskAnswer& answer);
 /// The body as a JSON object.
 /// @throws InvalidInput if it is none
 nlohmann::json bodyObject(const SiteCall& call);
-/// A number of a job, alarm or token in the path.
+/// A number of an alarm or token in the path.
 /// @throws InvalidInput if it is no whole number from 0 to 2^53
 std::int64_t wholeNumber(const std::string& text);
+/// A number of a job in the path.
+/// @throws InvalidInput if it is no whole number from 0 to 2^32 - 1, as messages carry it
+std::int64_t jobNumber(const std::string& text);
 /// A text of a JSON object; empty if it is missing.
 /// @throws InvalidInput if it is something else than a text
 std::string textOf(const nlohmann::json& object, const std::string& key);

@@ -9,14 +9,13 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
-#include <filesystem>
+#include <utility>
 
 #include "lamina/base/error.hpp"
 
 namespace lamina {
 namespace {
 
-constexpr std::uint64_t kSpared = std::uint64_t{1} << 30;  // bytes of the disk that uploads leave
 constexpr std::size_t kLongestField = 4096;
 
 }  // namespace
@@ -43,18 +42,14 @@ struct UploadFile::Digest {
   }
 };
 
-int againstUpload(const std::string& folder, std::uint64_t bytes) {
-  std::error_code error;
-  const auto space = std::filesystem::space(folder, error);
-  return error || space.available < kSpared + bytes ? 507 : 0;
-}
-
-UploadFile::UploadFile(std::string folder, const std::string& boundary, std::uint64_t most)
+UploadFile::UploadFile(std::string folder, const std::string& boundary, std::uint64_t most,
+                       std::shared_ptr<UploadPlace> place)
     : folder_(std::move(folder)),
       most_(most),
       reader_(boundary, {[this](const MultipartHead& head) { begin(head); },
                          [this](std::string_view piece) { take(piece); }, [this] { is_in_file_ = false; }}),
-      digest_(std::make_unique<Digest>()) {}
+      digest_(std::make_unique<Digest>()),
+      place_(std::move(place)) {}
 
 UploadFile::~UploadFile() {
   if (descriptor_ >= 0) ::close(descriptor_);
@@ -95,6 +90,7 @@ void UploadFile::take(std::string_view piece) {
     if (written <= 0)
       throw UploadTooLarge(507, received_.path + ": cannot be written: " + std::strerror(errno));
     piece.remove_prefix(static_cast<std::size_t>(written));
+    place_->note(static_cast<std::uint64_t>(written));
   }
 }
 

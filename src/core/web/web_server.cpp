@@ -26,6 +26,7 @@
 #include "lamina/web/web_socket.hpp"
 #include "web/connection_table.hpp"
 #include "web/peer_stream.hpp"
+#include "web/response_text.hpp"
 
 namespace lamina {
 namespace {
@@ -115,36 +116,6 @@ std::optional<HttpHead> requestHead(const http::request<http::buffer_body>& requ
   return head;
 }
 
-std::string headText(const WebResponse& response, bool is_kept) {
-  std::string text = "HTTP/1.1 " + std::to_string(response.status) + ' ' + reasonOf(response.status) + "\r\n";
-  const auto add = [&text](const std::string& name, const std::string& value) {
-    text += name + ": " + value + "\r\n";
-  };
-  bool has_cache_rule = false;
-  for (const auto& [name, value] : response.headers) {
-    has_cache_rule = has_cache_rule || name == "Cache-Control";
-    add(name, value);
-  }
-  if (!has_cache_rule) add("Cache-Control", "no-store");
-  if (!response.body.empty()) add("Content-Type", response.type);
-  if (response.status != 204) add("Content-Length", std::to_string(response.body.size()));
-  add("Connection", is_kept ? "keep-alive" : "close");
-  add("Content-Security-Policy",
-      "default-src 'self'; object-src 'none'; base-uri 'none'; form-action 'self'; frame-ancestors 'none'");
-  add("X-Content-Type-Options", "nosniff");
-  add("X-Frame-Options", "DENY");
-  add("Referrer-Policy", "no-referrer");
-  add("Cross-Origin-Resource-Policy", "same-origin");
-  return text + "\r\n";
-}
-
-WebResponse plainError(int status, const std::string& code, const std::string& message) {
-  WebResponse response;
-  response.status = status;
-  response.body = R"({"code":")" + code + R"(","message":")" + message + "\"}";
-  return response;
-}
-
 /// One client, from its first byte to its last, in a thread of its own.
 class Connection {
  public:
@@ -168,20 +139,40 @@ class Connection {
   }
 
  private:
-  bool send(std::string_view bytes) {
-    socket_.allow(place_.settings.patience.write_s);
+  /// Sends all of it in the time that its size allows. Whoever takes longer than a moment gives way to others
+  /// meanwhile.
+  /// @param isTooFarBehind  asked with the bytes left each time that none were taken for a moment
+  template <class Check>
+  bool send(std::string_view bytes, const Check& isTooFarBehind) {
+    const WebPatience& patience = place_.settings.patience;
+    const double begun_s = clock_.now();
+    const double until_s =
+        begun_s + patience.write_s + static_cast<double>(bytes.size()) / patience.least_bytes_per_s;
+    bool is_slow = false;
     while (!bytes.empty()) {
+      const double now_s = clock_.now();
+      if (now_s >= until_s) return false;
+      if (!is_slow && now_s - begun_s >= patience.slow_s) {
+        is_slow = true;
+        place_.table.setPace(number_, ConnectionPace::Slow);
+      }
+      socket_.allow(std::min(patience.slow_s, until_s - now_s));
       const auto [result, written] = socket_.write(bytes.data(), bytes.size());
-      if (result != PeerResult::Done) return false;
-      // Whoever takes something goes on taking: a large answer has longer than a small one.
-      if (written > 0) socket_.allow(place_.settings.patience.write_s);
+      if (result == PeerResult::Closed || (result == PeerResult::Late && isTooFarBehind(bytes.size())))
+        return false;
       bytes.remove_prefix(written);
     }
+    if (is_slow) place_.table.setPace(number_, ConnectionPace::Usual);
     return true;
   }
 
+  bool send(std::string_view bytes) {
+    return send(bytes, [](std::size_t) { return false; });
+  }
+
   bool answer(const WebResponse& response, bool is_kept) {
-    return send(headText(response, is_kept)) && send(response.body) && is_kept;
+    // As one, so that the time is that of the whole answer.
+    return send(headText(response, is_kept) + response.body) && is_kept;
   }
 
   bool refuse(int status, const std::string& code, const std::string& message) {
@@ -278,7 +269,7 @@ class Connection {
     const SiteSettings& site = place_.site.settings();
     try {
       UploadFile file(site.upload_folder, *multipartBoundary(head.header("content-type")),
-                      site.most_upload_bytes);
+                      site.most_upload_bytes, admitted.place);
       if (!readUpload(parser, file))
         return refuse(408, "too_slow", "the upload stood still for too long, or broke off");
       const WebRequest request{head, "", file.finish()};
@@ -338,7 +329,7 @@ class Connection {
       }
       const OperatorSite::Live live = place_.site.live(*admitted.who.role);
       const bool is_new = live.text && live.number != sent;
-      if (is_new && !send(webSocketFrame(WebSocketOpcode::Text, *live.text))) return false;
+      if (is_new && !sendState(live, *admitted.who.role)) return false;
       if (is_new) sent = live.number;
       if (clock_.now() - told_s < ping_s) continue;
       told_s = clock_.now();
@@ -346,6 +337,17 @@ class Connection {
     }
     send(webSocketFrame(WebSocketOpcode::Close, std::string("\x03\xe9", 2)));
     return false;
+  }
+
+  /// @return false if the client is gone, or more than a MiB behind
+  bool sendState(const OperatorSite::Live& live, WebRole role) {
+    const std::string frame = webSocketFrame(WebSocketOpcode::Text, *live.text);
+    const std::size_t most = place_.settings.most_behind;
+    if (socket_.unsent() > most) return false;
+    return send(frame, [&](std::size_t left) {
+      const std::uint64_t missed = place_.site.live(role).number - live.number;
+      return socket_.unsent() + left + missed * frame.size() > most;
+    });
   }
 
   /// Answers pings, and ends with the client. What a client says is ignored: nothing is commanded here.

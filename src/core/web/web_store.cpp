@@ -18,8 +18,9 @@
 namespace lamina {
 namespace {
 
-constexpr int kVersion = 1;
-constexpr double kKept = 86400.0;  // [s]
+constexpr int kVersion = 2;
+constexpr std::int64_t kNoStatusYet = 0;  // of a request that was begun
+constexpr double kKept = 86400.0;         // [s]
 constexpr std::size_t kLongestName = 64;
 constexpr mode_t kForOthers = 077;
 
@@ -28,6 +29,9 @@ CREATE TABLE token (id INTEGER PRIMARY KEY AUTOINCREMENT, sha256 TEXT NOT NULL U
   created REAL NOT NULL, expires REAL, last_used REAL) STRICT;
 CREATE TABLE answer (key TEXT PRIMARY KEY, time REAL NOT NULL, status INTEGER NOT NULL, body TEXT NOT NULL) STRICT;
 )sql";
+/// Answers of version 1 do not say to what.
+constexpr const char* kRequestOfAnswers =
+    "DELETE FROM answer; ALTER TABLE answer ADD COLUMN request TEXT NOT NULL DEFAULT ''";
 constexpr const char* kTokenColumns = "SELECT id, name, role, created, expires, last_used FROM token ";
 
 /// Opens the file; one that is new is its owner's alone.
@@ -53,8 +57,11 @@ void bringForward(Database& database, const std::string& path) {
     throw FileError(path + ": written by a newer version of Lamina (" + std::to_string(version) +
                     "); expected at most " + std::to_string(kVersion));
   if (version == kVersion) return;
-  database.run(kTables);
-  database.run(kAuditTable);
+  if (version == 0) {
+    database.run(kTables);
+    database.run(kAuditTable);
+  }
+  database.run(kRequestOfAnswers);
   database.run("PRAGMA user_version = " + std::to_string(kVersion));
   transaction.commit();
 }
@@ -94,13 +101,17 @@ std::string randomKey() {
   return text;
 }
 
-/// One connection that reads and one that writes, each for one thread at a time.
+/// Connections for one thread at a time each. The audit is read, all of it, by one of its own: whoever asks
+/// for anything is looked up by `reading`, and waits for none of that.
 struct WebStore::Connections {
-  explicit Connections(const std::string& path) : writing(openForOwner(path)), reading(openForOwner(path)) {}
+  explicit Connections(const std::string& path)
+      : writing(openForOwner(path)), reading(openForOwner(path)), checking(openForOwner(path)) {}
   std::mutex writer;
   Database writing;
   mutable std::mutex reader;
   Database reading;
+  mutable std::mutex checker;
+  Database checking;
 };
 
 WebStore::WebStore(const std::string& path) : connections_(std::make_unique<Connections>(path)) {
@@ -173,34 +184,51 @@ void WebStore::add(const AuditRow& row) {
 }
 
 std::vector<AuditRow> WebStore::audit(std::size_t most) const {
-  const std::lock_guard<std::mutex> lock(connections_->reader);
-  return lastAuditRows(connections_->reading, most);
+  const std::lock_guard<std::mutex> lock(connections_->checker);
+  return lastAuditRows(connections_->checking, most);
 }
 
 std::optional<std::int64_t> WebStore::firstBadAudit() const {
-  const std::lock_guard<std::mutex> lock(connections_->reader);
-  return firstBadAuditRow(connections_->reading);
+  const std::lock_guard<std::mutex> lock(connections_->checker);
+  return firstBadAuditRow(connections_->checking);
 }
 
-void WebStore::keep(const std::string& key, const KeptAnswer& answer, double now_s) {
+std::optional<KeptRequest> WebStore::begin(const std::string& key, const std::string& request, double now_s) {
   const std::lock_guard<std::mutex> lock(connections_->writer);
   Transaction transaction(connections_->writing);
   connections_->writing.prepare("DELETE FROM answer WHERE time < ?").bind(now_s - kKept).run();
-  connections_->writing.prepare("INSERT OR REPLACE INTO answer (key, time, status, body) VALUES (?, ?, ?, ?)")
+  {
+    Statement row = connections_->writing.prepare("SELECT request, status, body FROM answer WHERE key = ?");
+    if (row.bind(key).step()) {
+      KeptRequest known{row.text(0), std::nullopt};
+      if (row.integer(1) != kNoStatusYet)
+        known.answer = KeptAnswer{static_cast<int>(row.integer(1)), row.text(2)};
+      return known;
+    }
+  }
+  connections_->writing
+      .prepare("INSERT INTO answer (key, time, status, body, request) VALUES (?, ?, ?, '', ?)")
       .bind(key)
       .bind(now_s)
-      .bind(std::int64_t{answer.status})
-      .bind(answer.body)
+      .bind(kNoStatusYet)
+      .bind(request)
       .run();
   transaction.commit();
+  return std::nullopt;
 }
 
-std::optional<KeptAnswer> WebStore::kept(const std::string& key, double now_s) const {
-  const std::lock_guard<std::mutex> lock(connections_->reader);
-  Statement row =
-      connections_->reading.prepare("SELECT status, body FROM answer WHERE key = ? AND time >= ?");
-  if (!row.bind(key).bind(now_s - kKept).step()) return std::nullopt;
-  return KeptAnswer{static_cast<int>(row.integer(0)), row.text(1)};
+void WebStore::keep(const std::string& key, const KeptAnswer& answer) {
+  const std::lock_guard<std::mutex> lock(connections_->writer);
+  connections_->writing.prepare("UPDATE answer SET status = ?, body = ? WHERE key = ?")
+      .bind(std::int64_t{answer.status})
+      .bind(answer.body)
+      .bind(key)
+      .run();
+}
+
+void WebStore::forget(const std::string& key) {
+  const std::lock_guard<std::mutex> lock(connections_->writer);
+  connections_->writing.prepare("DELETE FROM answer WHERE key = ?").bind(key).run();
 }
 
 }  // namespace lamina

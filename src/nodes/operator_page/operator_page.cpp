@@ -56,6 +56,7 @@ SiteSettings siteSettings(const OperatorPageSettings& settings, const std::strin
     host = hostName(host.find(':') == std::string::npos ? host : "[" + host + "]");
   site.access.hosts.push_back(settings.bind);
   site.upload_folder = folder + "/uploads";
+  site.journal_folder = folder;
   site.most_upload_bytes = static_cast<std::uint64_t>(settings.largest_upload_mb) << 20;
   site.upload_print = settings.upload_print;
   if (!isLoopbackAddress(settings.bind))

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
+#include <utility>
 
 #include "names.hpp"
 
@@ -110,8 +112,10 @@ DeskAnswer answerOf(const lamina_msgs::Status& status) {
   return answer;
 }
 
-bool isStop(UnitCommand command) {
-  return command == UnitCommand::Hold || command == UnitCommand::Stop || command == UnitCommand::Abort;
+OrderEffect effectOf(UnitCommand command) {
+  const bool is_stop = command == UnitCommand::Hold || command == UnitCommand::Suspend ||
+                       command == UnitCommand::Stop || command == UnitCommand::Abort;
+  return is_stop ? OrderEffect::Stops : OrderEffect::Moves;
 }
 
 }  // namespace
@@ -143,13 +147,13 @@ ShownDeviation RosDesk::deviation() const {
   return deviation_;
 }
 
-std::optional<LayerPreview> RosDesk::preview(std::int32_t layer) {
+ShownPreview RosDesk::preview(std::int32_t layer) {
   std::string program;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     program = seen_.machine.job;
   }
-  if (program.empty() || program.front() != '/') return std::nullopt;  // a toolpath that was published
+  if (program.empty() || program.front() != '/') return {};  // a toolpath that was published
   return preview_.layer(program, layer);
 }
 
@@ -214,9 +218,16 @@ void RosDesk::onDeviation(const sensor_msgs::ImageConstPtr& image) {
   seen_.deviation_number = deviation_.number;
 }
 
+DeskAnswer RosDesk::give(LaneOrder order) {
+  if (order.effect != OrderEffect::Stops) return orders_.ask(std::move(order));
+  // What was asked for before must not move the unit after it was stopped.
+  orders_.dropMoves(order.kind);
+  return stops_.ask(std::move(order));
+}
+
 template <class Service>
-DeskAnswer RosDesk::callUnit(ServiceLane& lane, const char* name, const Service& call) {
-  return lane.ask("cell_controller", patience_s_, [node = node_, name, call = call]() mutable {
+DeskAnswer RosDesk::callUnit(const Label& label, const char* name, const Service& call) {
+  const auto ask = [node = node_, name, call = call]() mutable {
     if (!ros::service::call(node.resolveName(name), call)) return silent(name);
     DeskAnswer answer;
     answer.code = call.response.result;
@@ -228,16 +239,17 @@ DeskAnswer RosDesk::callUnit(ServiceLane& lane, const char* name, const Service&
     else if (answer.code != static_cast<int>(CommandResult::Accepted))
       answer.outcome = DeskAnswer::Outcome::Refused;
     return answer;
-  });
+  };
+  return give({label.kind, label.effect, "cell_controller", patience_s_, ask});
 }
 
 template <class Service>
-DeskAnswer RosDesk::callForStatus(ServiceLane& lane, const char* name, const Service& call,
-                                  double patience_s) {
-  return lane.ask(name, patience_s, [node = node_, name, call = call]() mutable {
+DeskAnswer RosDesk::callForStatus(const Label& label, const char* name, const Service& call) {
+  const auto ask = [node = node_, name, call = call]() mutable {
     if (!ros::service::call(node.resolveName(name), call)) return silent(name);
     return answerOf(call.response.status);
-  });
+  };
+  return give({label.kind, label.effect, name, patience_s_, ask});
 }
 
 DeskAnswer RosDesk::command(const DeskCommand& command) {
@@ -246,14 +258,14 @@ DeskAnswer RosDesk::command(const DeskCommand& command) {
   call.request.source = command.source;
   call.request.expected_sequence = command.expected_sequence ? std::int64_t{*command.expected_sequence} : -1;
   call.request.cut_off = static_cast<std::uint8_t>(command.cut_off);
-  return callUnit(isStop(command.command) ? stops_ : orders_, names::kPackmlCommand, call);
+  return callUnit({toString(command.command), effectOf(command.command)}, names::kPackmlCommand, call);
 }
 
 DeskAnswer RosDesk::changeMode(int mode, const std::string& source) {
   lamina_msgs::SetUnitMode call;
   call.request.mode = static_cast<std::uint8_t>(mode);
   call.request.source = source;
-  return callUnit(orders_, names::kSetUnitMode, call);
+  return callUnit({"a mode"}, names::kSetUnitMode, call);
 }
 
 DeskAnswer RosDesk::enqueue(const DeskProgram& program) {
@@ -262,20 +274,29 @@ DeskAnswer RosDesk::enqueue(const DeskProgram& program) {
   call.request.name = program.name;
   call.request.part = program.part;
   call.request.source = program.source;
-  return programs_.ask("cell_controller", kProgramPatience, [node = node_, call]() mutable {
+  const auto ask = [node = node_, call]() mutable {
     if (!ros::service::call(node.resolveName(names::kEnqueueJob), call)) return silent(names::kEnqueueJob);
     DeskAnswer answer = answerOf(call.response.status);
     answer.job = call.response.job;
     return answer;
-  });
+  };
+  return programs_.ask({program.path, OrderEffect::Other, "cell_controller", kProgramPatience, ask});
 }
 
 DeskAnswer RosDesk::changeQueue(QueueChange change, std::int64_t job, const std::string& source) {
+  if (job > std::int64_t{std::numeric_limits<std::uint32_t>::max()}) {
+    DeskAnswer unknown;
+    unknown.outcome = DeskAnswer::Outcome::Unknown;
+    unknown.message = "there is no job " + std::to_string(job);
+    return unknown;
+  }
   lamina_msgs::ChangeQueue call;
   call.request.change = static_cast<std::uint8_t>(change);
   call.request.job = static_cast<std::uint32_t>(job);
   call.request.source = source;
-  DeskAnswer answer = callForStatus(orders_, names::kChangeQueue, call, patience_s_);
+  const std::string kind =
+      "change " + std::to_string(static_cast<int>(change)) + " of job " + std::to_string(job);
+  DeskAnswer answer = callForStatus({kind}, names::kChangeQueue, call);
   // A job in another state than the change needs is refused as bad input by the journal.
   if (answer.outcome == DeskAnswer::Outcome::BadInput) answer.outcome = DeskAnswer::Outcome::Refused;
   return answer;
@@ -285,11 +306,11 @@ DeskAnswer RosDesk::acknowledge(int alarm, const std::string& source) {
   lamina_msgs::AcknowledgeAlarm call;
   call.request.id = static_cast<std::uint16_t>(alarm);
   call.request.source = source;
-  return callUnit(orders_, names::kAcknowledgeAlarm, call);
+  return callUnit({"acknowledgement of alarm " + std::to_string(alarm)}, names::kAcknowledgeAlarm, call);
 }
 
 DeskAnswer RosDesk::confirmRemoval(const std::string& /*source*/) {
-  return orders_.ask("cell_controller", patience_s_, [node = node_]() {
+  const auto ask = [node = node_]() {
     std_srvs::Trigger call;
     if (!ros::service::call(node.resolveName(names::kConfirmRemoval), call))
       return silent(names::kConfirmRemoval);
@@ -297,21 +318,26 @@ DeskAnswer RosDesk::confirmRemoval(const std::string& /*source*/) {
     answer.message = call.response.message;
     if (!call.response.success) answer.outcome = DeskAnswer::Outcome::Refused;
     return answer;
-  });
+  };
+  return give({"the part's removal", OrderEffect::Other, "cell_controller", patience_s_, ask});
 }
 
 DeskAnswer RosDesk::startup(StartupCommand command, const std::string& step) {
   lamina_msgs::RunStartup call;
   call.request.command = static_cast<std::uint8_t>(command);
   call.request.step = step;
-  return callForStatus(command == StartupCommand::Abort ? stops_ : orders_, names::kRunStartup, call,
-                       patience_s_);
+  const Label label = command == StartupCommand::Abort
+                          ? Label{"the start-up's abort", OrderEffect::Stops}
+                          : Label{"the start-up's next step", OrderEffect::Moves};
+  return callForStatus(label, names::kRunStartup, call);
 }
 
 DeskAnswer RosDesk::setLoop(ShownLoopRequest request) {
   lamina_msgs::SetLoop call;
   call.request.request = static_cast<std::uint8_t>(request);
-  return callForStatus(orders_, names::kSetLoop, call, patience_s_);
+  const bool is_off = request == ShownLoopRequest::Off;
+  return callForStatus({"the loop's state", is_off ? OrderEffect::Other : OrderEffect::Moves},
+                       names::kSetLoop, call);
 }
 
 void RosDesk::report(int alarm, double value, const std::string& message) {

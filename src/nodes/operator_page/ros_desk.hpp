@@ -11,9 +11,10 @@
 
 #include "lamina/base/clock.hpp"
 #include "lamina/web/cell_desk.hpp"
+#include "lamina/web/order_lane.hpp"
+#include "lamina/web/program_preview.hpp"
 #include "messages.hpp"
-#include "program_preview.hpp"
-#include "service_lane.hpp"
+#include "program_layers.hpp"
 
 namespace lamina {
 
@@ -27,7 +28,7 @@ class RosDesk final : public CellDesk {
 
   CellSnapshot snapshot() const override;
   ShownDeviation deviation() const override;
-  std::optional<LayerPreview> preview(std::int32_t layer) override;
+  ShownPreview preview(std::int32_t layer) override;
 
   DeskAnswer command(const DeskCommand& command) override;
   DeskAnswer changeMode(int mode, const std::string& source) override;
@@ -48,10 +49,16 @@ class RosDesk final : public CellDesk {
   void onLayer(const lamina_msgs::LayerHeightConstPtr& layer);
   void onDeviation(const sensor_msgs::ImageConstPtr& image);
 
+  /// What an order is to its lane.
+  struct Label {
+    std::string kind;
+    OrderEffect effect = OrderEffect::Other;
+  };
+  DeskAnswer give(LaneOrder order);
   template <class Service>
-  DeskAnswer callUnit(ServiceLane& lane, const char* name, const Service& call);
+  DeskAnswer callUnit(const Label& label, const char* name, const Service& call);
   template <class Service>
-  DeskAnswer callForStatus(ServiceLane& lane, const char* name, const Service& call, double patience_s);
+  DeskAnswer callForStatus(const Label& label, const char* name, const Service& call);
 
   ros::NodeHandle node_;
   double patience_s_;
@@ -59,13 +66,13 @@ class RosDesk final : public CellDesk {
   mutable std::mutex mutex_;  // of what was heard
   CellSnapshot seen_;
   ShownDeviation deviation_;
-  ProgramPreview preview_;
+  ProgramPreview preview_{layersOf};
   ros::Publisher alarm_reports_;
   std::vector<ros::Subscriber> subscribers_;
   // What stops the unit waits behind nothing else; programs are read for minutes.
-  ServiceLane stops_;
-  ServiceLane orders_;
-  ServiceLane programs_;
+  OrderLane stops_;
+  OrderLane orders_;
+  OrderLane programs_;
 };
 
 }  // namespace lamina

@@ -184,7 +184,11 @@ TEST(OperatorPage, PrintsWhatWasUploadedAndShowsHowFarItIs) {
   ASSERT_TRUE(cell.starts());
   ASSERT_TRUE(cell.reaches("Execute"));
   EXPECT_TRUE(waitUntil([&] { return cell.state()["progress"]["layer"].get<int>() > 2; }));
-  const auto preview = cell.ask("GET", "/api/v1/preview/2");
+  std::pair<int, json> preview;
+  EXPECT_TRUE(waitUntil([&] {
+    preview = cell.ask("GET", "/api/v1/preview/2");
+    return preview.first != 202;
+  }));
   ASSERT_EQ(preview.first, 200) << preview.second;
   EXPECT_EQ(preview.second["layers"], 20);
   EXPECT_NEAR(preview.second["z_m"].get<double>(), 0.0006, 1e-9);

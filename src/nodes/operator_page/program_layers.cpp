@@ -1,9 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "program_preview.hpp"
+#include "program_layers.hpp"
 
 #include <cmath>
+#include <cstddef>
 #include <filesystem>
+#include <optional>
+#include <utility>
 
 #include "lamina/base/error.hpp"
 #include "lamina/program/gcode/gcode_reader.hpp"
@@ -78,7 +81,7 @@ class LayerGatherer {
 
 }  // namespace
 
-std::vector<LayerPreview> previewOf(const std::string& program) {
+std::vector<LayerPreview> layersOf(const std::string& program, const std::atomic<bool>& is_unwanted) {
   std::error_code error;
   const auto bytes = std::filesystem::file_size(program, error);
   if (!error && bytes > kMostBytes)
@@ -86,19 +89,12 @@ std::vector<LayerPreview> previewOf(const std::string& program) {
                        std::to_string(kMostBytes) + " to be drawn");
   LayerGatherer gatherer;
   GcodeHandlers handlers;
-  handlers.motion = [&gatherer](const GcodeMotion& motion) { gatherer.take(motion); };
+  handlers.motion = [&](const GcodeMotion& motion) {
+    if (is_unwanted) throw InvalidInput(program + " is not wanted any more");
+    gatherer.take(motion);
+  };
   readGcodeFile(program, {}, handlers);
   return std::move(gatherer).layers();
-}
-
-std::optional<LayerPreview> ProgramPreview::layer(const std::string& program, std::int32_t layer) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  if (program != program_) {
-    layers_ = previewOf(program);
-    program_ = program;
-  }
-  if (layer < 0 || static_cast<std::size_t>(layer) >= layers_.size()) return std::nullopt;
-  return layers_[static_cast<std::size_t>(layer)];
 }
 
 }  // namespace lamina

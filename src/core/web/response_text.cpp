@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "web/response_text.hpp"
+
+namespace lamina {
+
+std::string headText(const WebResponse& response, bool is_kept) {
+  std::string text = "HTTP/1.1 " + std::to_string(response.status) + ' ' + reasonOf(response.status) + "\r\n";
+  const auto add = [&text](const std::string& name, const std::string& value) {
+    text += name + ": " + value + "\r\n";
+  };
+  bool has_cache_rule = false;
+  for (const auto& [name, value] : response.headers) {
+    has_cache_rule = has_cache_rule || name == "Cache-Control";
+    add(name, value);
+  }
+  if (!has_cache_rule) add("Cache-Control", "no-store");
+  if (!response.body.empty()) add("Content-Type", response.type);
+  if (response.status != 204) add("Content-Length", std::to_string(response.body.size()));
+  add("Connection", is_kept ? "keep-alive" : "close");
+  add("Content-Security-Policy",
+      "default-src 'self'; object-src 'none'; base-uri 'none'; form-action 'self'; frame-ancestors 'none'");
+  add("X-Content-Type-Options", "nosniff");
+  add("X-Frame-Options", "DENY");
+  add("Referrer-Policy", "no-referrer");
+  add("Cross-Origin-Resource-Policy", "same-origin");
+  return text + "\r\n";
+}
+
+WebResponse plainError(int status, const std::string& code, const std::string& message) {
+  WebResponse response;
+  response.status = status;
+  response.body = R"({"code":")" + code + R"(","message":")" + message + "\"}";
+  return response;
+}
+
+}  // namespace lamina

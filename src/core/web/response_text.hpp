@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "lamina/web/http_message.hpp"
+
+namespace lamina {
+
+/// The head of an answer as it is sent, to the empty line, with the headers that all answers have.
+/// @param is_kept  whether another request may follow on the connection
+std::string headText(const WebResponse& response, bool is_kept);
+
+/// The answer to a request that no route sees.
+WebResponse plainError(int status, const std::string& code, const std::string& message);
+
+}  // namespace lamina
