@@ -386,10 +386,6 @@ TEST(WebServer, ListensBeyondTheLoopbackInterfaceWithTlsOnly) {
   EXPECT_NO_THROW(WebServer(settings, site.site, silentLog()));
   settings.bind = "not an address";
   EXPECT_THROW(WebServer(settings, site.site, silentLog()), DeviceError);
-  EXPECT_TRUE(isLoopbackAddress("127.8.9.1"));
-  EXPECT_TRUE(isLoopbackAddress("::1"));
-  EXPECT_FALSE(isLoopbackAddress("192.168.1.2"));
-  EXPECT_FALSE(isLoopbackAddress("::"));
 }
 
 struct FreeTls {

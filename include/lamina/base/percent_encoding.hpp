@@ -12,7 +12,7 @@ namespace lamina {
 /// hexadecimal digits, capitals.
 std::string percentEncoded(std::string_view text, std::string_view kept);
 
-/// The text again; nothing if a % is not followed by two such digits.
+/// The text again; nothing if a % is not followed by two hexadecimal digits, capitals or not.
 std::optional<std::string> percentDecoded(std::string_view text);
 
 }  // namespace lamina

@@ -64,7 +64,4 @@ class WebServer {
   std::unique_ptr<Listener> listener_;
 };
 
-/// Whether an address belongs to the loopback interface: "127.0.0.1", "::1".
-bool isLoopbackAddress(const std::string& address);
-
 }  // namespace lamina

@@ -7,6 +7,13 @@ namespace {
 
 constexpr std::string_view kHexDigits = "0123456789ABCDEF";
 
+int hexDigit(char digit) {
+  if (digit >= '0' && digit <= '9') return digit - '0';
+  if (digit >= 'A' && digit <= 'F') return digit - 'A' + 10;
+  if (digit >= 'a' && digit <= 'f') return digit - 'a' + 10;
+  return -1;
+}
+
 bool isLetterOrDigit(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
 }
@@ -33,10 +40,10 @@ std::optional<std::string> percentDecoded(std::string_view text) {
       continue;
     }
     if (i + 3 > text.size()) return std::nullopt;
-    const std::size_t high = kHexDigits.find(text[i + 1]);
-    const std::size_t low = kHexDigits.find(text[i + 2]);
-    if (high == std::string_view::npos || low == std::string_view::npos) return std::nullopt;
-    decoded += static_cast<char>(high << 4U | low);
+    const int high = hexDigit(text[i + 1]);
+    const int low = hexDigit(text[i + 2]);
+    if (high < 0 || low < 0) return std::nullopt;
+    decoded += static_cast<char>(high * 16 + low);
     i += 2;
   }
   return decoded;

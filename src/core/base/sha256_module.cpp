@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/hex_text.hpp"
 
 namespace lamina {
 namespace {
@@ -19,7 +20,6 @@ struct FreeContext {
 
 std::string digestOfBytes(const ByteSource& source) {
   constexpr std::size_t kPiece = 1 << 16;
-  constexpr const char* kDigits = "0123456789abcdef";
   const std::unique_ptr<EVP_MD_CTX, FreeContext> context(EVP_MD_CTX_new());
   bool is_good = context && EVP_DigestInit_ex(context.get(), EVP_sha256(), nullptr) == 1;
   std::vector<char> piece(kPiece);
@@ -32,12 +32,7 @@ std::string digestOfBytes(const ByteSource& source) {
   unsigned length = 0;
   if (!is_good || EVP_DigestFinal_ex(context.get(), digest.data(), &length) != 1)
     throw FileError("cannot compute a SHA-256: OpenSSL refuses");
-  std::string digits;
-  for (unsigned i = 0; i < length; ++i) {
-    digits += kDigits[digest[i] >> 4U];
-    digits += kDigits[digest[i] & 0xFU];
-  }
-  return digits;
+  return hexText(digest.data(), length);
 }
 
 }  // namespace

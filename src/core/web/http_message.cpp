@@ -5,36 +5,13 @@
 #include <algorithm>
 #include <array>
 
+#include "lamina/base/percent_encoding.hpp"
 #include "lamina/base/text.hpp"
 
 namespace lamina {
 namespace {
 
 constexpr std::size_t kMostSegments = 16;
-
-int hexDigit(char digit) {
-  if (digit >= '0' && digit <= '9') return digit - '0';
-  if (digit >= 'A' && digit <= 'F') return digit - 'A' + 10;
-  if (digit >= 'a' && digit <= 'f') return digit - 'a' + 10;
-  return -1;
-}
-
-std::optional<std::string> decoded(std::string_view text) {
-  std::string plain;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] != '%') {
-      plain += text[i];
-      continue;
-    }
-    if (i + 2 >= text.size()) return std::nullopt;
-    const int high = hexDigit(text[i + 1]);
-    const int low = hexDigit(text[i + 2]);
-    if (high < 0 || low < 0) return std::nullopt;
-    plain += static_cast<char>(high * 16 + low);
-    i += 2;
-  }
-  return plain;
-}
 
 bool isControl(char character) { return static_cast<unsigned char>(character) < 0x20 || character == 0x7f; }
 
@@ -61,8 +38,8 @@ std::optional<std::map<std::string, std::string>> parsedQuery(std::string_view t
   for (const std::string_view piece : pieces(text, '&')) {
     if (piece.empty()) continue;
     const std::size_t equals = piece.find('=');
-    const auto name = decoded(piece.substr(0, equals));
-    const auto value = decoded(equals == std::string_view::npos ? "" : piece.substr(equals + 1));
+    const auto name = percentDecoded(piece.substr(0, equals));
+    const auto value = percentDecoded(equals == std::string_view::npos ? "" : piece.substr(equals + 1));
     if (!name || !value) return std::nullopt;
     query[*name] = *value;
   }
@@ -88,7 +65,7 @@ std::optional<HttpTarget> parsedTarget(std::string_view target) {
   parsed.query = *query;
   if (path.empty()) return parsed;
   for (const std::string_view piece : pieces(path, '/')) {
-    auto segment = decoded(piece);
+    auto segment = percentDecoded(piece);
     if (!segment || !isPlainSegment(*segment) || parsed.segments.size() == kMostSegments) return std::nullopt;
     parsed.segments.push_back(std::move(*segment));
   }

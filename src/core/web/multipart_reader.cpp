@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/percent_encoding.hpp"
 #include "lamina/base/text.hpp"
 
 namespace lamina {
@@ -53,27 +54,13 @@ std::optional<std::string> parameterOf(std::string_view header, std::string_view
   return std::nullopt;
 }
 
-std::string percentPlain(std::string_view text) {
-  std::string plain;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const bool is_code = text[i] == '%' && i + 2 < text.size() &&
-                         std::isxdigit(static_cast<unsigned char>(text[i + 1])) != 0 &&
-                         std::isxdigit(static_cast<unsigned char>(text[i + 2])) != 0;
-    if (!is_code) {
-      plain += text[i];
-      continue;
-    }
-    plain += static_cast<char>(std::stoi(std::string(text.substr(i + 1, 2)), nullptr, 16));
-    i += 2;
-  }
-  return plain;
-}
-
 /// The value of `filename*=UTF-8''…` (RFC 5987).
 std::string extendedValue(const std::string& value) {
   const std::size_t language = value.find('\'');
   const std::size_t text = language == std::string::npos ? language : value.find('\'', language + 1);
-  return text == std::string::npos ? value : percentPlain(std::string_view(value).substr(text + 1));
+  if (text == std::string::npos) return value;
+  const std::string encoded = value.substr(text + 1);
+  return percentDecoded(encoded).value_or(encoded);  // a name, whatever it is: it is made safe
 }
 
 MultipartHead headOf(std::string_view text) {

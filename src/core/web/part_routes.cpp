@@ -39,8 +39,9 @@ std::optional<std::string> recordOf(const std::string& folder, std::int64_t job)
 
 WebResponse noRecord(const SiteCall& call) {
   return errorAnswer(404, "unknown",
-                     "job " + call.value(0) + " has no record: it has not ended, is not known, or the "
-                     "journal is not in the folder of the page");
+                     "job " + call.value(0) +
+                         " has no record: it has not ended, is not known, or the "
+                         "journal is not in the folder of the page");
 }
 
 WebResponse getRecord(SiteCall& call) {

@@ -10,11 +10,13 @@
 #include <openssl/x509v3.h>
 
 #include <array>
+#include <cctype>
 #include <filesystem>
 #include <memory>
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/hex_text.hpp"
 
 namespace lamina {
 namespace {
@@ -122,12 +124,11 @@ std::string tlsFingerprint(const std::string& certificate) {
   unsigned int size = 0;
   if (!read || X509_digest(read.get(), EVP_sha256(), digest.data(), &size) != 1)
     throw FileError(certificate + ": is no certificate in PEM");
-  static constexpr const char* kDigits = "0123456789ABCDEF";
+  const std::string digits = hexText(digest.data(), size);
   std::string shown;
-  for (unsigned int i = 0; i < size; ++i) {
-    if (i > 0) shown += ':';
-    shown += kDigits[digest.at(i) >> 4];
-    shown += kDigits[digest.at(i) & 15];
+  for (std::size_t i = 0; i < digits.size(); ++i) {
+    if (i > 0 && i % 2 == 0) shown += ':';
+    shown += static_cast<char>(std::toupper(static_cast<unsigned char>(digits[i])));
   }
   return shown;
 }

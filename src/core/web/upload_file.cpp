@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/hex_text.hpp"
 
 namespace lamina {
 namespace {
@@ -32,13 +33,7 @@ struct UploadFile::Digest {
     std::array<unsigned char, EVP_MAX_MD_SIZE> bytes{};
     unsigned int size = 0;
     EVP_DigestFinal_ex(context.get(), bytes.data(), &size);
-    static constexpr const char* kDigits = "0123456789abcdef";
-    std::string digits;
-    for (unsigned int i = 0; i < size; ++i) {
-      digits += kDigits[bytes.at(i) >> 4];
-      digits += kDigits[bytes.at(i) & 15];
-    }
-    return digits;
+    return hexText(bytes.data(), size);
   }
 };
 

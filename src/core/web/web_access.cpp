@@ -3,9 +3,9 @@
 #include "lamina/web/web_access.hpp"
 
 #include <algorithm>
-#include <array>
 #include <string_view>
 
+#include "lamina/base/loopback.hpp"
 #include "lamina/base/sha256.hpp"
 
 namespace lamina {
@@ -17,11 +17,6 @@ constexpr std::size_t kMostKeys = 8;  // of these at a time
 constexpr std::size_t kMostSessions = 256;
 constexpr std::size_t kMostAddresses = 1024;
 constexpr std::string_view kBearer = "Bearer ";
-constexpr std::array kLoopbackNames = {"localhost", "127.0.0.1", "::1"};
-
-bool isLoopbackName(const std::string& name) {
-  return std::find(kLoopbackNames.begin(), kLoopbackNames.end(), name) != kLoopbackNames.end();
-}
 
 std::string shownToken(const HttpHead& head) {
   const std::string authorization = head.header("authorization");
@@ -57,7 +52,7 @@ WebAccess::WebAccess(WebAccessSettings settings, WebStore& store)
 std::optional<WebRefusal> WebAccess::againstOrigin(const HttpHead& head, const HttpTarget& target) const {
   const std::string host = head.header("host");
   const std::string name = hostName(host);
-  if (!isLoopbackName(name) &&
+  if (!isLoopbackHost(name) &&
       std::find(settings_.hosts.begin(), settings_.hosts.end(), name) == settings_.hosts.end())
     return WebRefusal{403, "wrong_host", "the request is for host '" + name + "'; expected one of web.hosts"};
   if (target.query.count("apikey") != 0)
@@ -81,7 +76,7 @@ bool WebAccess::isLocal(const HttpHead& head) const {
   // What a proxy on this host passes on does not come from this host.
   const bool is_passed_on =
       head.headers.count("x-forwarded-for") != 0 || head.headers.count("forwarded") != 0;
-  return head.peer.is_local && !is_passed_on && isLoopbackName(hostName(head.header("host")));
+  return head.peer.is_local && !is_passed_on && isLoopbackHost(hostName(head.header("host")));
 }
 
 std::variant<WebIdentity, WebRefusal> WebAccess::identify(const HttpHead& head, const CellTime& now) {

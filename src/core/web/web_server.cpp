@@ -21,6 +21,7 @@
 #include <utility>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/loopback.hpp"
 #include "lamina/base/text.hpp"
 #include "lamina/web/upload_file.hpp"
 #include "lamina/web/web_socket.hpp"
@@ -415,15 +416,6 @@ class Connection {
 
 }  // namespace
 
-bool isLoopbackAddress(const std::string& address) {
-  error_code error;
-  const auto parsed = asio::ip::make_address(address, error);
-  if (error) return false;
-  if (parsed.is_v6() && parsed.to_v6().is_v4_mapped())
-    return asio::ip::make_address_v4(asio::ip::v4_mapped, parsed.to_v6()).is_loopback();
-  return parsed.is_loopback();
-}
-
 class WebServer::Listener {
  public:
   Listener(WebServerSettings settings, OperatorSite& site, LogSink log)
@@ -460,7 +452,7 @@ class WebServer::Listener {
   };
 
   void requireSafe() const {
-    if (settings_.tls || settings_.allows_plain || isLoopbackAddress(settings_.bind)) return;
+    if (settings_.tls || settings_.allows_plain || isLoopbackHost(settings_.bind)) return;
     throw InvalidConfig(
         "web.bind is " + settings_.bind +
         ", which other hosts reach, without TLS: tokens could be read on the way; expected web.tls, "
@@ -514,7 +506,7 @@ class WebServer::Listener {
     const int descriptor = socket.native_handle();
     const std::uint64_t number = table_.add(descriptor, address);
     if (number == 0) return;
-    const HttpPeer peer{address, isLoopbackAddress(address), tls_ != nullptr};
+    const HttpPeer peer{address, isLoopbackHost(address), tls_ != nullptr};
     start(number, socket.release(error), peer);
   }
 

@@ -13,6 +13,7 @@
 #include "journal/audit_chain.hpp"
 #include "journal/database.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/hex_text.hpp"
 #include "lamina/base/sha256.hpp"
 
 namespace lamina {
@@ -92,13 +93,7 @@ std::string randomKey() {
   std::array<unsigned char, 32> bytes{};
   if (RAND_bytes(bytes.data(), static_cast<int>(bytes.size())) != 1)
     throw FileError("no random bytes can be had from the system");
-  static constexpr const char* kDigits = "0123456789abcdef";
-  std::string text;
-  for (const unsigned char byte : bytes) {
-    text += kDigits[byte >> 4];
-    text += kDigits[byte & 15];
-  }
-  return text;
+  return hexText(bytes.data(), bytes.size());
 }
 
 /// Connections for one thread at a time each. The audit is read, all of it, by one of its own: whoever asks

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/loopback.hpp"
 #include "lamina/base/text.hpp"
 #include "log_bridge.hpp"
 #include "names.hpp"
@@ -59,7 +60,7 @@ SiteSettings siteSettings(const OperatorPageSettings& settings, const std::strin
   site.journal_folder = folder;
   site.most_upload_bytes = static_cast<std::uint64_t>(settings.largest_upload_mb) << 20;
   site.upload_print = settings.upload_print;
-  if (!isLoopbackAddress(settings.bind))
+  if (!isLoopbackHost(settings.bind))
     site.notices.push_back(settings.is_encrypted
                                ? "This page is reached from other hosts."
                                : "This page is reached from other hosts, without encryption.");

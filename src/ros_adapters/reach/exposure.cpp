@@ -52,10 +52,6 @@ std::vector<std::string> exposureWarnings(const Exposure& exposure) {
   return warnings;
 }
 
-bool isLoopbackHost(const std::string& host) {
-  return host == "localhost" || host == "::1" || host == "[::1]" || host.rfind("127.", 0) == 0;
-}
-
 std::string hostOfMaster(const std::string& uri) {
   const std::size_t scheme = uri.find("://");
   const std::string authority = uri.substr(scheme == std::string::npos ? 0 : scheme + 3);

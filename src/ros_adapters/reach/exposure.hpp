@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "lamina/base/loopback.hpp"
 #include "reach/listening_ports.hpp"
 
 namespace lamina {
@@ -20,9 +21,6 @@ struct Exposure {
 
 /// What a user should know at the start of a node, a sentence each; none if other hosts reach nothing.
 std::vector<std::string> exposureWarnings(const Exposure& exposure);
-
-/// Whether the name or address of a host stands for the loopback interface.
-bool isLoopbackHost(const std::string& host);
 
 /// The host in the address of a ROS master: "robot" in "http://robot:11311/".
 std::string hostOfMaster(const std::string& uri);
