@@ -442,6 +442,13 @@ TEST(OperatorSite, MakesAndRemovesTokens) {
   EXPECT_EQ(site.ask(HttpMethod::Post, "/api/v1/tokens", page, R"({"name":"","role":"viewer"})").status, 400);
   EXPECT_EQ(site.ask(HttpMethod::Post, "/api/v1/tokens", page, R"({"name":"b","role":"king"})").status, 400);
   EXPECT_EQ(site.get("/api/v1/session", token)["role"], "operator");
+  Headers keyed = page;
+  keyed["idempotency-key"] = "t1";
+  const std::string asked = R"({"name":"c","role":"viewer"})";
+  EXPECT_EQ(site.ask(HttpMethod::Post, "/api/v1/tokens", keyed, asked).status, 201);
+  EXPECT_EQ(site.ask(HttpMethod::Post, "/api/v1/tokens", keyed, asked).status, 400)
+      << "a token is shown once, and its answer is not kept";
+  EXPECT_EQ(site.ask(HttpMethod::Delete, "/api/v1/tokens/2", page).status, 200);
   site.now.utc_s += 2.0 * 86400.0;
   EXPECT_EQ(site.ask(HttpMethod::Get, "/api/v1/state", {{"x-api-key", token}}).status, 401);
   EXPECT_EQ(site.ask(HttpMethod::Delete, "/api/v1/tokens/1", page).status, 200);

@@ -88,6 +88,11 @@ std::vector<SiteRoute> allRoutes() {
 /// Orders that stop the unit: neither rates nor repeated keys stand before them.
 bool isUrgent(const RouteRow& row) { return row.right == WebRight::Hold; }
 
+/// Answers that hold a token or open a session are shown once, and kept by nobody.
+bool isShownOnce(const RouteRow& row) {
+  return row.right == WebRight::None || row.pattern == "/api/v1/tokens";
+}
+
 int statusOf(const Failure& failure) {
   switch (failure.code) {
     case ErrorCode::FileError:
@@ -364,7 +369,7 @@ WebResponse OperatorSite::answer(const Admitted& admitted, const WebRequest& req
   WebResponse response;
   if (key.size() > kLongestKey)
     response = errorAnswer(400, "bad_key", "Idempotency-Key has more than 100 bytes");
-  else if (key.empty() || row.method == HttpMethod::Get || isUrgent(row))
+  else if (key.empty() || row.method == HttpMethod::Get || isUrgent(row) || isShownOnce(row))
     response = inside.call(admitted, request, now);
   else
     response = inside.callOnce(std::to_string(admitted.who.token) + ' ' + key, admitted, request, now);
