@@ -14,7 +14,8 @@ from lamina_command import lamina
 JOINT = """<xacro:joint_of number="{0}" parent="{1}" xyz="{2}" axis="{3}"/>"""
 CHAIN = ("0 0 0.1807", "0 0 1"), ("0 0.176 0", "0 1 0"), ("0.6127 -0.137 0", "0 1 0"), ("0.57155 0 0", "0 1 0"), ("0 0.135 0", "0 0 -1"), (
     "0 0 -0.12", "0 1 0")
-MACRO = """<robot xmlns:xacro="http://ros.org/wiki/xacro"><xacro:macro name="joint_of" params="number parent xyz axis">
+MACRO = """<robot xmlns:xacro="http://ros.org/wiki/xacro"><xacro:macro name="joint_of" params="number parent xyz axis
+  mark:='$(find maker)/marks and more.yaml'">
 <link name="link_${number}"/><joint name="axis_${number}" type="revolute"><parent link="${parent}"/><child link="link_${number}"/>
 <origin xyz="${xyz}"/><axis xyz="${axis}"/><limit lower="${-pi}" upper="${pi}" velocity="${radians(120)}"/></joint></xacro:macro></robot>"""
 

@@ -37,6 +37,27 @@ std::string plainName(const std::string& tag) {
   return tag.rfind(prefix, 0) == 0 ? tag.substr(prefix.size()) : "";
 }
 
+/// The parameters of a macro: at blanks, but for those between quotes or within a substitution.
+std::vector<std::string> parametersOf(const std::string& text) {
+  std::vector<std::string> parameters;
+  std::string parameter;
+  bool is_quoted = false;
+  int depth = 0;
+  for (const char c : text + ' ') {
+    if (c == '\'') is_quoted = !is_quoted;
+    if (!is_quoted && (c == '(' || c == '{')) ++depth;
+    if (!is_quoted && (c == ')' || c == '}')) --depth;
+    const bool is_blank = c == ' ' || c == '\t' || c == '\n' || c == '\r';
+    if (!is_blank || is_quoted || depth > 0) {
+      parameter += c;
+      continue;
+    }
+    if (!parameter.empty()) parameters.push_back(parameter);
+    parameter.clear();
+  }
+  return parameters;
+}
+
 class Expansion {
  public:
   Expansion(const std::string& path, const std::map<std::string, std::string>& arguments,
@@ -85,7 +106,12 @@ class Expansion {
 
   XacroValue evaluate(const std::string& expression, const XacroFrame& frame, const TiXmlElement& at) {
     const XacroScope scope{[&](const std::string& name) { return property(frame, name); },
-                           [&](const std::string& path) { return YAML::LoadFile(placed(path)); }};
+                           [&](const std::string& path) {
+                             const std::string place = placed(path);
+                             if (!std::filesystem::is_regular_file(place))
+                               refuse(at, "load_yaml('" + path + "') names " + place + ", which is no file");
+                             return YAML::LoadFile(place);
+                           }};
     try {
       return evaluated(expression, scope);
     } catch (const InvalidConfig& error) {
@@ -235,9 +261,8 @@ class Expansion {
   void call(const XacroMacro& macro, const TiXmlElement& element, TiXmlElement& into, XacroFrame& frame) {
     XacroFrame inner;
     inner.around = &frame;
-    std::istringstream names(attributeOf(*macro.element, "params"));
     const TiXmlElement* block = element.FirstChildElement();
-    for (std::string parameter; names >> parameter;) {
+    for (const std::string& parameter : parametersOf(attributeOf(*macro.element, "params"))) {
       if (parameter[0] == '*') {
         if (block == nullptr) refuse(element, "lacks the block '" + parameter + "'");
         std::vector<const TiXmlElement*>& given =
