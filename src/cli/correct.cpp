@@ -111,6 +111,11 @@ void correctRapid(const CorrectArguments& arguments, const CorrectSettings& sett
   const Toolpath corrected =
       correctedToolpath(planned, ledMaps(correction), CorrectionWriting{}.split_change);
   writeRapidFiles(arguments.output, {corrected, ProgramFrame(Eigen::Isometry3d::Identity())}, settings.rapid);
+  std::fprintf(stderr,
+               "warning: %s has neither approach nor retract, and the tool and work object of rapid.*, not "
+               "those of %s; "
+               "expected both to be taken over by hand before it runs\n",
+               arguments.output.c_str(), arguments.program.c_str());
   printTimes(arguments, correction, {depositionTime(planned), depositionTime(corrected)}, format);
 }
 

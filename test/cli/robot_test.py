@@ -16,7 +16,7 @@ CHAIN = ("0 0 0.1807", "0 0 1"), ("0 0.176 0", "0 1 0"), ("0.6127 -0.137 0", "0 
     "0 0 -0.12", "0 1 0")
 MACRO = """<robot xmlns:xacro="http://ros.org/wiki/xacro"><xacro:macro name="joint_of" params="number parent xyz axis
   mark:='$(find maker)/marks and more.yaml'">
-<link name="link_${number}"/><joint name="axis_${number}" type="revolute"><parent link="${parent}"/><child link="link_${number}"/>
+<xacro:property name="of_no_use" value="${load_yaml('')}"/><link name="link_${number}"/><joint name="axis_${number}" type="revolute"><parent link="${parent}"/><child link="link_${number}"/>
 <origin xyz="${xyz}"/><axis xyz="${axis}"/><limit lower="${-pi}" upper="${pi}" velocity="${radians(120)}"/></joint></xacro:macro></robot>"""
 
 

@@ -169,14 +169,14 @@ TEST_F(StatedCheck, ATurntableIsTheMechanicalUnitOfTheWorkObject) {
 TEST_F(StatedCheck, AConfigurationThatReachesNothingIsFoundByItsLine) {
   job_.settings.program.rapid.configuration = RapidConfiguration::Joints;
   slice("irb_4600", "box.mod");
-  std::string& line = lines_[targetLine(lines_) + 20];
+  std::string& line = lines_[targetLine(lines_) + 10];
   const std::size_t begin = line.find(",[", line.find("],[") + 2);
   const std::size_t cfx = line.find("],[", begin) - 1;
   line[cfx] = line[cfx] == '7' ? '0' : static_cast<char>(line[cfx] ^ 4);
   const MachineCheck check = checked();
   const Finding* finding = findingOf(check, "configuration");
   ASSERT_NE(finding, nullptr);
-  EXPECT_EQ(finding->line, targetLine(lines_) + 21);
+  EXPECT_EQ(finding->line, targetLine(lines_) + 11) << finding->reason << " in " << line;
 }
 
 TEST_F(StatedCheck, AnotherToolThanThatOfTheDescriptionIsRefused) {

@@ -483,7 +483,8 @@ TEST(HeightController, BeginsAgainWhenTheMachineDoes) {
   const std::vector<std::string> parameters = {"_memory_file:=" + folder.file("memory.yaml")};
   std::optional<Controller> controller(std::in_place, parameters);
   LiveWall live(shortWall(4));
-  live.say([&] { return controller->layers.size() >= 2; });
+  // What is kept of a layer is written after its figures were published, and before the next state is.
+  live.say([&] { return controller->layers.size() >= 2 && controller->states.back().layer == 2; });
   EXPECT_EQ(controller->end(SIGKILL), -1);
   controller.emplace(parameters);
   ASSERT_TRUE(waitUntil([&] { return !controller->maps.empty(); }));

@@ -77,6 +77,12 @@ void dropUnread(TiXmlElement& robot) {
   }
 }
 
+std::string printed(const TiXmlDocument& document) {
+  TiXmlPrinter printer;
+  document.Accept(&printer);
+  return printer.Str();
+}
+
 }  // namespace
 
 std::string robotDescription(const std::string& text, const std::string& path,
@@ -87,12 +93,12 @@ std::string robotDescription(const std::string& text, const std::string& path,
   TiXmlElement& robot = *document.RootElement();
   const PackagePath searched(packages, path);
   requireFaultless(descriptionFaults(robot, searched), path);
+  const std::string as_written = printed(document);
   placeMeshes(robot, searched);
   limitMimics(robot);
   dropUnread(robot);
-  TiXmlPrinter printer;
-  document.Accept(&printer);
-  return printer.Str();
+  const std::string read = printed(document);
+  return read == as_written ? text : read;
 }
 
 std::string readRobotDescription(const std::string& path, const std::vector<std::string>& packages) {

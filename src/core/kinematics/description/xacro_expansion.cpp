@@ -28,6 +28,7 @@ struct XacroMacro {
 /// Names within a macro, over those around it.
 struct XacroFrame {
   std::map<std::string, XacroValue> properties;
+  std::map<std::string, std::string> faults;  ///< of properties that have no value: told where they are used
   std::map<std::string, std::vector<const TiXmlElement*>> blocks;
   const XacroFrame* around = nullptr;
 };
@@ -100,6 +101,9 @@ class Expansion {
     for (const XacroFrame* at = &frame; at != nullptr; at = at->around) {
       const auto found = at->properties.find(name);
       if (found != at->properties.end()) return found->second;
+      const auto fault = at->faults.find(name);
+      if (fault != at->faults.end())
+        throw InvalidConfig("property '" + name + "' has no value: " + fault->second);
     }
     return std::nullopt;
   }
@@ -109,7 +113,7 @@ class Expansion {
                            [&](const std::string& path) {
                              const std::string place = placed(path);
                              if (!std::filesystem::is_regular_file(place))
-                               refuse(at, "load_yaml('" + path + "') names " + place + ", which is no file");
+                               throw InvalidConfig("load_yaml names " + place + ", which is no file");
                              return YAML::LoadFile(place);
                            }};
     try {
@@ -242,9 +246,15 @@ class Expansion {
         block.push_back(each);
       return;
     }
-    XacroValue set = valueOf(value != nullptr ? value : attributeOf(element, "default"), frame, element);
     const bool is_outer = !attributeOf(element, "scope").empty() && frame.around != nullptr;
-    (is_outer ? const_cast<XacroFrame&>(*frame.around) : frame).properties[name] = std::move(set);  // NOLINT
+    XacroFrame& target = is_outer ? const_cast<XacroFrame&>(*frame.around) : frame;  // NOLINT
+    try {
+      target.properties[name] =
+          valueOf(value != nullptr ? value : attributeOf(element, "default"), frame, element);
+    } catch (const InvalidConfig& error) {
+      target.properties.erase(name);
+      target.faults[name] = error.what();
+    }
   }
 
   void insertBlock(const TiXmlElement& element, TiXmlElement& into, XacroFrame& frame) {

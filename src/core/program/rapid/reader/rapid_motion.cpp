@@ -13,8 +13,8 @@
 namespace lamina {
 namespace {
 
-constexpr double kSameFrame_mm = 0.01;  // beyond the decimals of a declaration
-constexpr double kSameFrame_rad = 1e-5;
+constexpr double kSameFrameMm = 0.01;  // beyond the decimals of a declaration
+constexpr double kSameFrameRad = 1e-5;
 
 std::string text(const Eigen::Isometry3d& frame) {
   const Eigen::Quaterniond q(frame.linear());
@@ -26,8 +26,8 @@ std::string text(const Eigen::Isometry3d& frame) {
 }
 
 bool isSameFrame(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
-  return (a.translation() - b.translation()).norm() <= kSameFrame_mm &&
-         Eigen::Quaterniond(a.linear()).angularDistance(Eigen::Quaterniond(b.linear())) <= kSameFrame_rad;
+  return (a.translation() - b.translation()).norm() <= kSameFrameMm &&
+         Eigen::Quaterniond(a.linear()).angularDistance(Eigen::Quaterniond(b.linear())) <= kSameFrameRad;
 }
 
 [[noreturn]] void refuseCell(const std::string& what, const std::string& expected) {

@@ -111,7 +111,7 @@ RapidMove takeMove(RapidCursor& cursor, RapidSource& source, const std::string& 
 
 /// After its first word.
 RapidJoints takeJointMove(RapidCursor& cursor, RapidSource& source) {
-  const RapidJoints joints = readRapidJoints(cursor);
+  RapidJoints joints = readRapidJoints(cursor);
   if (cursor.take("\\")) cursor.expectWord("noeoffs");
   cursor.expect(",");
   takeSpeed(cursor, source);
