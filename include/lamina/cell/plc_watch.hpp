@@ -55,8 +55,8 @@ struct PlcDemands {
 };
 
 /// Judges what the PLC says. Nothing follows from a bit that merely stays set: a part counts as removed when
-/// its bit comes while the heartbeat is not lost, and an alarm ends when its cause does. A link or PLC that was
-/// good and says nothing any more is silent, whether it is required or not, until `disarm`.
+/// its bit comes while the heartbeat is not lost, and an alarm ends when its cause does. A link or PLC that
+/// was good and says nothing any more is silent, whether it is required or not, until `disarm`.
 class PlcWatch {
  public:
   explicit PlcWatch(const PlcWatchSettings& settings) : settings_(settings) {}
