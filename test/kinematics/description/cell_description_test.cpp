@@ -120,17 +120,19 @@ TEST_F(CellFolder, XacroBecomesTheSameUrdf) {
         "<link name=\"${prefix}link\"><visual><xacro:insert_block name=\"origin\"/><geometry>"
         "<sphere radius=\"${size * 0.25 + radians(180) - "
         "pi}\"/></geometry></visual></link></xacro:macro></robot>");
-  write(
-      "arm.xacro",
-      "<robot name=\"a\" xmlns:xacro=\"http://ros.org/wiki/xacro\"><xacro:arg name=\"side\" "
-      "default=\"left\"/>"
-      "<xacro:include filename=\"part.xacro\"/><xacro:property name=\"l\" "
-      "value=\"${load_yaml('limits.yaml')}\"/>"
-      "<xacro:part prefix=\"$(arg side)_\"><origin xyz=\"${-(1+2)/4} 0 ${l['lift']['upper']}\"/></xacro:part>"
-      "<xacro:if value=\"${'$(arg side)' == 'right'}\"><link name=\"only_right\"/></xacro:if></robot>");
+  write("arm.xacro",
+        "<robot name=\"a\" xmlns:xacro=\"http://ros.org/wiki/xacro\"><xacro:arg name=\"side\" "
+        "default=\"left\"/>"
+        "<xacro:include filename=\"part.xacro\"/><xacro:property name=\"l\" "
+        "value=\"${load_yaml('limits.yaml')}\"/>"
+        "<xacro:part prefix=\"$(arg side)_\"><origin xyz=\"${-(1+2)/4} 0 ${l['lift']['upper']}\" "
+        "rpy=\"0 0 ${l['lift']['upper']}\"/></xacro:part>"
+        "<xacro:if value=\"${'$(arg side)' == 'right'}\"><link name=\"only_right\"/></xacro:if></robot>");
   const std::string left = expandXacro(folder_ / "arm.xacro");
   EXPECT_NE(left.find("<link name=\"left_link\">"), std::string::npos) << left;
-  EXPECT_NE(left.find("<origin xyz=\"-0.75 0 3.1415926535897931\""), std::string::npos) << left;
+  EXPECT_NE(left.find("<origin xyz=\"-0.75 0 3.1415926535897931\" rpy=\"0 0 3.1415926535897931\""),
+            std::string::npos)
+      << left;
   EXPECT_NE(left.find("<sphere radius=\"0.5\""), std::string::npos) << left;
   EXPECT_EQ(left.find("only_right"), std::string::npos);
   EXPECT_EQ(left.find("xacro"), std::string::npos);

@@ -249,8 +249,10 @@ class Expansion {
     const bool is_outer = !attributeOf(element, "scope").empty() && frame.around != nullptr;
     XacroFrame& target = is_outer ? const_cast<XacroFrame&>(*frame.around) : frame;  // NOLINT
     try {
-      target.properties[name] =
+      const XacroValue set =
           valueOf(value != nullptr ? value : attributeOf(element, "default"), frame, element);
+      target.properties.erase(name);  // a node of a YAML file that is assigned changes the file's
+      target.properties.emplace(name, set);
     } catch (const InvalidConfig& error) {
       target.properties.erase(name);
       target.faults[name] = error.what();

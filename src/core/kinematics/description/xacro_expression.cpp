@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <optional>
 
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
@@ -102,17 +103,18 @@ class Expression {
   XacroValue sign() {
     if (take("-")) return -number(sign());
     if (take("+")) return sign();
-    XacroValue value = atom();
+    // Made anew for each key: a node of a YAML file that is assigned changes the file's.
+    std::optional<XacroValue> value(atom());
     while (take("[")) {
-      const auto* node = std::get_if<YAML::Node>(&value);
+      const auto* node = std::get_if<YAML::Node>(&*value);
       const XacroValue key = comparison();
       if (!take("]")) refuse("needs ] here");
       if (node == nullptr || !node->IsMap()) refuse("takes an entry of what has none");
       const YAML::Node entry = YAML::Node(*node)[textOf(key)];
       if (!entry) refuse("takes an entry that is not there");
-      value = valueOfNode(entry);
+      value.emplace(valueOfNode(entry));
     }
-    return value;
+    return *value;
   }
 
   XacroValue atom() {

@@ -15,7 +15,7 @@
 namespace lamina {
 namespace {
 
-constexpr double kLongestWait_s = 1e6;
+constexpr double kLongestWaitS = 1e6;
 
 std::string thousandths(double value) {
   char digits[32];
@@ -68,7 +68,7 @@ std::optional<ToolpathEvent> readFiveAxisEvent(std::string_view command, const P
   if (isCommand(command, "G4")) {
     const WaitWord word = waitWord(settings);
     const std::optional<double> duration = wordValue(command, word.letter);
-    if (!duration || !(*duration >= 0.0 && *duration * word.unit_s <= kLongestWait_s))
+    if (!duration || !(*duration >= 0.0 && *duration * word.unit_s <= kLongestWaitS))
       throw InvalidProgram("found '" + std::string(command) + "'; expected G4 " + word.letter +
                            " with a duration of 0 to 1e6 s");
     return Dwell{*duration * word.unit_s};
