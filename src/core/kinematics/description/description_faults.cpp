@@ -104,7 +104,7 @@ class FaultCollector {
   /// Name of the link at one end; empty, and a fault, if there is none.
   std::string linkOf(const TiXmlElement& joint, const char* end) {
     const TiXmlElement* element = joint.FirstChildElement(end);
-    const std::string name = element != nullptr ? attributeOf(*element, "link") : "";
+    std::string name = element != nullptr ? attributeOf(*element, "link") : "";
     if (links_.count(name) != 0) return name;
     add("joint", joint, std::string("has the ") + end + " '" + name + "', which is no link");
     return "";

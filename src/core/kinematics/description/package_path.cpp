@@ -61,7 +61,7 @@ PackagePath::PackagePath(const std::vector<std::string>& packages, const std::st
 
 std::optional<std::string> PackagePath::package(const std::string& name) const {
   for (const std::string& folder : folders_)
-    if (const auto found = packageIn(folder, name)) return found;
+    if (auto found = packageIn(folder, name)) return found;
   return std::nullopt;
 }
 

@@ -19,7 +19,7 @@ constexpr int kDeepest = 50;  // of parentheses
 
 XacroValue valueOfNode(const YAML::Node& node) {
   if (!node.IsScalar()) return node;
-  const std::string text = node.Scalar();
+  const std::string& text = node.Scalar();
   if (node.Tag() == "!degrees" || node.Tag() == "!radians") {
     const double number = std::strtod(text.c_str(), nullptr);
     return node.Tag() == "!degrees" ? toRadians(number) : number;
