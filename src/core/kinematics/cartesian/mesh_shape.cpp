@@ -32,6 +32,7 @@ std::vector<Point3> outermost(const std::vector<Point3>& points) {
     chosen.insert(static_cast<std::size_t>(furthest - points.begin()));
   }
   std::vector<Point3> hull;
+  hull.reserve(chosen.size());
   for (const std::size_t index : chosen) hull.push_back(points[index]);
   return hull;
 }
