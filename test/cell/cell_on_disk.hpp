@@ -172,4 +172,13 @@ inline void bringToIdle(Cell& cell) {
   ASSERT_TRUE(cell.reaches(UnitState::Idle));
 }
 
+/// Brings a stopped cell to Execute with a job. @return the job
+inline std::int64_t bringToExecute(Cell& cell) {
+  bringToIdle(cell);
+  const std::int64_t job = cell.enqueue("a.gcode");
+  EXPECT_EQ(cell.command(UnitCommand::Start), CommandResult::Accepted);
+  EXPECT_TRUE(cell.reaches(UnitState::Execute));
+  return job;
+}
+
 }  // namespace lamina::test

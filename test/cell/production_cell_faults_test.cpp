@@ -12,6 +12,7 @@
 namespace lamina {
 namespace {
 
+using test::bringToExecute;
 using test::bringToIdle;
 using test::Cell;
 
@@ -59,10 +60,7 @@ class MissingExecutions {
 
 TEST(ProductionCell, StaysInCompletingUntilTheEndIsWritten) {
   Cell cell;
-  bringToIdle(cell);
-  const std::int64_t job = cell.enqueue("a.gcode");
-  cell.command(UnitCommand::Start);
-  ASSERT_TRUE(cell.reaches(UnitState::Execute));
+  const std::int64_t job = bringToExecute(cell);
   {
     const MissingExecutions missing(cell.folder());
     ASSERT_TRUE(cell.reaches(UnitState::Completing));
@@ -78,10 +76,7 @@ TEST(ProductionCell, StaysInCompletingUntilTheEndIsWritten) {
 
 TEST(ProductionCell, DiscardsNoJobWhoseEndCannotBeWritten) {
   Cell cell;
-  bringToIdle(cell);
-  const std::int64_t job = cell.enqueue("a.gcode");
-  cell.command(UnitCommand::Start);
-  ASSERT_TRUE(cell.reaches(UnitState::Execute));
+  const std::int64_t job = bringToExecute(cell);
   cell.kill();
   cell.executor.fail(0, "");
   cell.start();
@@ -121,10 +116,7 @@ TEST(ProductionCell, KeepsAJobThatIsStoppedBecauseItCannotBeHeldYet) {
 
 TEST(ProductionCell, OffersTheJobThatAnEmergencyStopHasStopped) {
   Cell cell;
-  bringToIdle(cell);
-  const std::int64_t job = cell.enqueue("a.gcode");
-  cell.command(UnitCommand::Start);
-  ASSERT_TRUE(cell.reaches(UnitState::Execute));
+  const std::int64_t job = bringToExecute(cell);
   cell.step();
   cell.run().raise(1207, 0.0, "", cell.now);
   EXPECT_EQ(cell.executor.orders.back(), "stop");

@@ -17,6 +17,7 @@
 namespace lamina {
 namespace {
 
+using test::bringToExecute;
 using test::bringToIdle;
 using test::Cell;
 
@@ -89,10 +90,7 @@ TEST(ProductionCell, StartsNothingBesideAPartThatWasNotRemoved) {
 
 TEST(ProductionCell, HoldsAndGoesOn) {
   Cell cell;
-  bringToIdle(cell);
-  const std::int64_t job = cell.enqueue("a.gcode");
-  cell.command(UnitCommand::Start);
-  ASSERT_TRUE(cell.reaches(UnitState::Execute));
+  const std::int64_t job = bringToExecute(cell);
   EXPECT_EQ(cell.command(UnitCommand::Hold), CommandResult::Accepted);
   ASSERT_TRUE(cell.reaches(UnitState::Held));
   EXPECT_EQ(cell.journal().job(job).state, JobState::Interrupted);
@@ -103,10 +101,7 @@ TEST(ProductionCell, HoldsAndGoesOn) {
 
 TEST(ProductionCell, EndsTheJobItStops) {
   Cell cell;
-  bringToIdle(cell);
-  const std::int64_t job = cell.enqueue("a.gcode");
-  cell.command(UnitCommand::Start);
-  ASSERT_TRUE(cell.reaches(UnitState::Execute));
+  const std::int64_t job = bringToExecute(cell);
   cell.command(UnitCommand::Stop);
   ASSERT_TRUE(cell.reaches(UnitState::Stopped));
   EXPECT_EQ(cell.journal().job(job).state, JobState::Aborted);
@@ -115,10 +110,7 @@ TEST(ProductionCell, EndsTheJobItStops) {
 
 TEST(ProductionCell, AbortsWhenTheMachineFails) {
   Cell cell;
-  bringToIdle(cell);
-  const std::int64_t job = cell.enqueue("a.gcode");
-  cell.command(UnitCommand::Start);
-  ASSERT_TRUE(cell.reaches(UnitState::Execute));
+  const std::int64_t job = bringToExecute(cell);
   cell.executor.fail(3104, "thermistor of the nozzle reads 400 degC; expected at most 300");
   ASSERT_TRUE(cell.reaches(UnitState::Aborted));
   EXPECT_EQ(cell.run().status().stop_reason->id, 3104);
@@ -132,10 +124,7 @@ TEST(ProductionCell, AbortsWhenTheMachineFails) {
 
 TEST(ProductionCell, OffersToGoOnAfterALostLink) {
   Cell cell;
-  bringToIdle(cell);
-  const std::int64_t job = cell.enqueue("a.gcode");
-  cell.command(UnitCommand::Start);
-  ASSERT_TRUE(cell.reaches(UnitState::Execute));
+  const std::int64_t job = bringToExecute(cell);
   cell.step();
   cell.executor.fail(3101, "the port is gone");
   ASSERT_TRUE(cell.reaches(UnitState::Aborted));
@@ -179,10 +168,7 @@ TEST(ProductionCell, DiscardsACutOffJobAndPrintsTheNext) {
 
 TEST(ProductionCell, AdoptsAJobThatRunsOnWithoutIt) {
   Cell cell;
-  bringToIdle(cell);
-  const std::int64_t job = cell.enqueue("a.gcode");
-  cell.command(UnitCommand::Start);
-  ASSERT_TRUE(cell.reaches(UnitState::Execute));
+  const std::int64_t job = bringToExecute(cell);
   cell.kill();
   cell.executor.step();
   cell.start();
@@ -207,10 +193,7 @@ TEST(ProductionCell, StartsNoJobWhoseFileHasChanged) {
 
 TEST(ProductionCell, EndsNoJobBeforeItsLastLayer) {
   Cell cell;
-  bringToIdle(cell);
-  const std::int64_t job = cell.enqueue("a.gcode");
-  cell.command(UnitCommand::Start);
-  ASSERT_TRUE(cell.reaches(UnitState::Execute));
+  const std::int64_t job = bringToExecute(cell);
   EXPECT_EQ(cell.command(UnitCommand::Complete), CommandResult::GuardFailed);
   EXPECT_EQ(cell.journal().job(job).state, JobState::Running);
 }
@@ -247,10 +230,7 @@ TEST(ProductionCell, KeepsAJobThatCouldNotBegin) {
 
 TEST(ProductionCell, KeepsAHeldJobWhoseLinkIsLost) {
   Cell cell;
-  bringToIdle(cell);
-  const std::int64_t job = cell.enqueue("a.gcode");
-  cell.command(UnitCommand::Start);
-  ASSERT_TRUE(cell.reaches(UnitState::Execute));
+  const std::int64_t job = bringToExecute(cell);
   cell.step();
   cell.command(UnitCommand::Hold);
   ASSERT_TRUE(cell.reaches(UnitState::Held));
@@ -272,10 +252,7 @@ TEST(ProductionCell, FollowsAnExecutorThatPausesByItself) {
 
 TEST(ProductionCell, CompletesAJobThatWasDoneWhileItWasDead) {
   Cell cell;
-  bringToIdle(cell);
-  const std::int64_t job = cell.enqueue("a.gcode");
-  cell.command(UnitCommand::Start);
-  ASSERT_TRUE(cell.reaches(UnitState::Execute));
+  const std::int64_t job = bringToExecute(cell);
   cell.step();
   cell.step();
   cell.step();
