@@ -26,6 +26,7 @@ inline constexpr char kProcessTrajectory[] = "process_trajectory";  ///< lamina/
 inline constexpr char kProcessState[] = "process_state";            ///< lamina/ProcessState
 inline constexpr char kProcessReady[] = "process_ready";            ///< lamina/ProcessReady
 inline constexpr char kTrackingError[] = "tracking_error";          ///< lamina/TrackingError
+inline constexpr char kSpeedFactor[] = "speed_factor";              ///< std_msgs/Float64
 inline constexpr char kPartMarkers[] = "part_markers";    ///< visualization_msgs/MarkerArray, latched
 inline constexpr char kCheckMarkers[] = "check_markers";  ///< visualization_msgs/MarkerArray, latched
 inline constexpr char kProfile[] = "profile";             ///< sensor_msgs/PointCloud2 of the profile sensor

@@ -72,6 +72,36 @@ TEST_F(SlicingModes, CurvedLayersFillASphere) {
   EXPECT_NEAR(sliced.summary.orientation.lean_deg.value, greatestLeanDeg(sliced.toolpath), 1e-6);
 }
 
+/// Of what is laid, against layers without gaps.
+double solidShare(const SlicedPart& sliced) {
+  return sliced.summary.deposited_mm3 / sliced.summary.sliced_volume_mm3;
+}
+
+TEST_F(SlicingModes, ACoatIsSolidWhateverTheInfill) {
+  useDome();
+  job_.settings.planning.infill.density = 0.2;
+  job_.settings.conformal.thickness_mm = 2.0;
+  job_.settings.planning.skins.bottom_layers = 2;
+  job_.settings.planning.skins.top_layers = 2;
+  EXPECT_GT(solidShare(slice("conformal")), 0.9);
+  job_.settings.planning.skins.top_layers = 0;
+  const double half = solidShare(slice("conformal"));
+  EXPECT_LT(half, 0.8);
+  job_.settings.planning.skins.bottom_layers = 0;
+  EXPECT_LT(solidShare(slice("conformal")), half - 0.1);
+}
+
+TEST_F(SlicingModes, ShellsOfCurvedLayersAreSkins) {
+  usePart("sphere", {{"radius_mm", "7"}, {"segments", "64"}});
+  job_.settings.planning.infill.density = 0.2;
+  const double sparse = slice("curved").summary.deposited_mm3;
+  job_.settings.planning.skins.bottom_layers = 3;
+  job_.settings.planning.skins.top_layers = 3;
+  const SlicedPart sliced = slice("curved");
+  // Nothing of a solid shell is left for a refusal or a gap: what its lattice lacked is there.
+  EXPECT_GT(sliced.summary.deposited_mm3, sparse + 0.1 * sliced.summary.sliced_volume_mm3);
+}
+
 TEST_F(SlicingModes, BentLayersKeepTheNozzleUprightAndTheVolume) {
   usePart("cone", {{"radius_mm", "20"}, {"top_radius_mm", "1"}, {"height_mm", "5"}});
   job_.output = folder_.file("cone.gcode");

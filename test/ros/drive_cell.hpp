@@ -5,6 +5,7 @@
 #include <actionlib/client/simple_action_client.h>
 #include <ros/ros.h>
 #include <sensor_msgs/JointState.h>
+#include <std_msgs/Float64.h>
 #include <std_srvs/Trigger.h>
 #include <visualization_msgs/MarkerArray.h>
 
@@ -64,6 +65,7 @@ class DriveCell {
     state_ = node_.subscribe<lamina_msgs::MachineState>(names::kMachineState, 1000, on_state);
     findings_ = node_.subscribe<visualization_msgs::MarkerArray>(names::kCheckMarkers, 10, on_findings);
     toolpath_ = node_.advertise<lamina_msgs::Toolpath>(names::kToolpath, 1, true);
+    speed_ = node_.advertise<std_msgs::Float64>(names::kSpeedFactor, 1);
   }
 
   /// Publishes a toolpath on the bed and asks for it.
@@ -97,6 +99,14 @@ class DriveCell {
   bool calls(const std::string& service) {
     std_srvs::Trigger trigger;
     return node_.serviceClient<std_srvs::Trigger>(service).call(trigger) && trigger.response.success;
+  }
+
+  /// Goes on at a share of the planned speeds.
+  void setSpeed(double share) {
+    waitUntil([&] { return speed_.getNumSubscribers() > 0; });
+    std_msgs::Float64 message;
+    message.data = share;
+    speed_.publish(message);
   }
 
   /// Index of the last report with a flow; 0 if there is none.
@@ -170,7 +180,7 @@ class DriveCell {
   std::map<ros::Time, lamina_msgs::ProcessState> process_at_;
   ros::Time state_stamp_;
   ros::Subscriber position_, process_, state_, findings_, part_, ahead_, tracking_;
-  ros::Publisher toolpath_;
+  ros::Publisher toolpath_, speed_;
 };
 
 }  // namespace lamina::test

@@ -126,6 +126,40 @@ TEST_P(DrivenMachine, PausesOnBeadAndTravelAndCompletesOnceResumed) {
   expectDriven(cell);
 }
 
+/// What the tip did while material flowed, of some reports.
+struct Deposit {
+  double fastest_mm_s = 0.0;
+  double greatest_flow = 0.0;
+};
+
+Deposit depositOf(const DriveCell& cell, std::size_t from, std::size_t to) {
+  Deposit deposit;
+  for (std::size_t i = from + 1; i < to; ++i) {
+    const DriveCell::Report& before = cell.reports[i - 1];
+    const DriveCell::Report& now = cell.reports[i];
+    if (now.process.flow == 0.0 || before.process.flow == 0.0) continue;
+    const double passed_s = (now.process.header.stamp - before.process.header.stamp).toSec();
+    deposit.fastest_mm_s = std::max(deposit.fastest_mm_s, (cell.tip(now) - cell.tip(before)).norm() / passed_s);
+    deposit.greatest_flow = std::max<double>(deposit.greatest_flow, now.process.flow);
+  }
+  return deposit;
+}
+
+TEST_P(DrivenMachine, GoesOnAtAShareOfTheSpeedAndItsFlow) {
+  cell.setSpeed(0.5);
+  cell.setSpeed(2.0);  // is not used
+  cell.drive(twoBeads());
+  awaitTravel();
+  const std::size_t second = cell.reports.size();
+  cell.setSpeed(1.0);
+  expectDriven(cell);
+  const Deposit slow = depositOf(cell, 0, second);
+  const Deposit fast = depositOf(cell, second, cell.reports.size());
+  EXPECT_NEAR(slow.fastest_mm_s, 15.0, 0.5);
+  EXPECT_NEAR(fast.fastest_mm_s, 30.0, 1.0);
+  EXPECT_NEAR(slow.greatest_flow, 0.5 * fast.greatest_flow, 0.02 * fast.greatest_flow);
+}
+
 TEST_P(DrivenMachine, AbortsOnABeadAndLiftsTheTool) {
   cell.drive(twoBeads());
   awaitBead();

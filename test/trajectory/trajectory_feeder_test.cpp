@@ -177,6 +177,89 @@ TEST(TrajectoryFeeder, APauseBrakesAfterTheReaction) {
   EXPECT_TRUE(feeder.at(2.15).process.is_powder_on);
 }
 
+TEST(TrajectoryFeeder, GoesOnAtAShareOfTheSpeed) {
+  TimingSettings settings = powderSettings();
+  settings.motion.acceleration_mm_s2 = 300.0;
+  const TimedPath timed = timedGantry(trajectoryFeederLine(), settings);
+  TrajectoryFeeder feeder(timed, {250.0, 50, 0.5, 0.1});
+  feeder.setSpeed(0.5, 0.5);
+  // At 16.5 mm after 0.6 s; 0.05 s and 1.125 mm to 15 mm/s, 12 mm at that, and 0.375 mm to rest.
+  EXPECT_NEAR(feeder.at(0.6).velocity[0], 30.0, 1e-9);
+  EXPECT_NEAR(feeder.at(0.65).velocity[0], 15.0, 1e-9);
+  EXPECT_NEAR(feeder.at(0.65).position[0], 17.625, 1e-9);
+  EXPECT_NEAR(feeder.restTime(), 0.65 + 12.0 / 15.0 + 0.05, 1e-9);
+  EXPECT_NEAR(feeder.at(1.0).process.flow_mm3_s, 15.0 * crossSection({0.4, 0.2}), 1e-9);
+  feeder.setSpeed(1.0, 1.0);
+  // At 24.375 mm after 1.1 s; 1.125 mm to full speed, 3 mm at that, 1.5 mm to rest.
+  EXPECT_NEAR(feeder.at(1.15).position[0], 25.5, 1e-9);
+  EXPECT_NEAR(feeder.restTime(), 1.15 + 3.0 / 30.0 + 0.1, 1e-9);
+}
+
+TEST(TrajectoryFeeder, ASpeedSetWhileItIsPausedHoldsOnceItGoesOn) {
+  TimingSettings settings = powderSettings();
+  settings.motion.acceleration_mm_s2 = 300.0;
+  const TimedPath timed = timedGantry(trajectoryFeederLine(), settings);
+  TrajectoryFeeder feeder(timed, {250.0, 50, 0.5, 0.1});
+  feeder.pause(0.5);
+  feeder.setSpeed(0.5, 1.0);
+  EXPECT_NEAR(feeder.restTime(), 0.7, 1e-9);
+  feeder.resume(2.0);
+  EXPECT_NEAR(feeder.restTime(), 2.1 + 0.05 + 11.25 / 15.0 + 0.05, 1e-9);
+}
+
+TEST(TrajectoryFeeder, RefusesASpeedOutOfBounds) {
+  const TimedPath timed = timedGantry(trajectoryFeederLine(), powderSettings());
+  TrajectoryFeeder feeder(timed, {});
+  for (const double share : {0.0, 0.009, 1.001, -1.0, std::nan("")})
+    EXPECT_THROW(feeder.setSpeed(share, 0.1), InvalidInput) << share;
+  EXPECT_NEAR(feeder.restTime(), timed.duration(), 1e-9);
+}
+
+TEST(TrajectoryFeeder, ChangesItsSpeedAnywhereAndLaysEverythingOnce) {
+  EXPECT_TRUE(rc::check("a job at changing speeds lays what it would without, within limits", [] {
+    Toolpath toolpath = test::randomToolpath(*rc::gen::arbitrary<std::uint64_t>());
+    toolpath.layers.resize(1);
+    auto& paths = toolpath.layers[0].paths;
+    paths.resize(std::min<std::size_t>(paths.size(), 2));
+    const TimingSettings settings = powderSettings(*rc::gen::element(0.0, 0.01));
+    const TimedPath timed = timedGantry(toolpath, settings);
+    TrajectoryFeeder feeder(timed, {});
+    double now_s = 0.0;
+    for (int changes = 0; changes < 4; ++changes) {
+      now_s += timed.duration() * 0.01 * *rc::gen::inRange(0, 40);
+      const JointState before = feeder.at(now_s);
+      feeder.setSpeed(*rc::gen::element(0.2, 0.5, 0.8, 1.0), now_s);
+      // What the controller has for the next moment is not touched.
+      RC_ASSERT((feeder.at(now_s).position - before.position).norm() == 0.0);
+      if (!*rc::gen::arbitrary<bool>()) continue;
+      feeder.pause(now_s);
+      if (feeder.state() != TrajectoryFeederState::Paused) continue;
+      now_s = feeder.restTime() + 0.1;
+      feeder.resume(now_s);
+    }
+    const Outcome outcome = outcomeOf(feeder, toolpath, settings, feeder.restTime());
+    RC_ASSERT(std::abs(outcome.volume / totals(toolpath).deposited_mm3 - 1.0) < kVolumeTolerance);
+    RC_ASSERT(outcome.farthest < 0.05 + 1e-6);
+    RC_ASSERT(outcome.acceleration < 1.0 + 1e-6);
+    const JointState end = feeder.at(feeder.restTime() + 1.0);
+    RC_ASSERT((end.position - timed.at(1e9).position).norm() < 1e-9);
+  }));
+}
+
+TEST(TrajectoryFeeder, StillRestsInFrontOfALayerAtAnotherSpeed) {
+  const Toolpath toolpath = test::twoLayers();
+  const TimedPath timed = timedGantry(toolpath, powderSettings());
+  TrajectoryFeeder feeder(timed, {});
+  ASSERT_TRUE(feeder.holdAtLayer(1, 0.0));
+  const double at_full_speed_s = feeder.restTime();
+  feeder.setSpeed(0.5, 0.2);
+  EXPECT_TRUE(feeder.isHeld());
+  EXPECT_GT(feeder.restTime(), 1.5 * at_full_speed_s);
+  const TiltingGantry gantry;
+  const Point3 tip = gantry.bedFromNozzle(feeder.at(feeder.restTime()).position).translation();
+  EXPECT_LT((tip - secondLayerOf(toolpath)).norm(), 1e-6);
+}
+
 TEST(TrajectoryFeeder, LaysEachMillimetreOnce) {
   const double area = crossSection({0.4, 0.2});
   for (const double jerk_ramp_s : {0.0, 0.01}) {

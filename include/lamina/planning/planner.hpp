@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -64,6 +65,14 @@ struct LayerIncline {
   Eigen::Quaterniond part_from_layers = Eigen::Quaterniond::Identity();
 };
 
+/// The place of layers that are planned flat.
+struct LayerPlaces {
+  LayerLift lift;
+  std::vector<bool> is_skin = {};  ///< by layer: solid by `skins.strategy`, whatever the infill; empty: none
+  /// Highest z of what stands on the bed before the first layer [mm, part frame].
+  double standing_mm = -std::numeric_limits<double>::infinity();
+};
+
 /// The plan of a part, with the toolpath of `planToolpath`.
 /// @throws as `planToolpath`
 Plan planPart(const std::string& part_name, const std::vector<Layer>& layers, const PlanSettings& settings,
@@ -91,10 +100,10 @@ Plan planPart(const std::string& part_name, const std::vector<Layer>& layers, co
 /// layers and travels between layers are joined in space (`lifting.md`). All figures but the toolpath are
 /// those of the flat plans.
 /// @param layers  the flat plans, with the heights of their beads
-/// @throws as `planToolpath`, and what `lift` throws; InvalidConfig for strategies that rise from layer to
+/// @throws as `planToolpath`, and what `places.lift` throws; InvalidConfig for strategies that rise from layer to
 ///         layer
 Plan planPart(const std::string& part_name, const std::vector<Layer>& layers, const PlanSettings& settings,
-              const LayerLift& lift, Progress& progress);
+              const LayerPlaces& places, Progress& progress);
 
 /// The toolpath of a part in planar layers: skirt, walls and infill of each layer, ordered for short travels
 /// and joined by them. The nozzle points down; its tip runs at the top of each layer. A layer with an empty

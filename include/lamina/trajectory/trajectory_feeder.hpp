@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "lamina/trajectory/timed_path.hpp"
@@ -24,6 +25,9 @@ enum class TrajectoryFeederState : std::uint8_t {
   Aborted,   ///< the same for good, lifted if asked
   Finished,  ///< the last point has been handed over
 };
+
+/// Why a motion cannot go on at a share of its planned speeds: it must be from 0.01 to 1. Empty if it can.
+std::string speedRefusal(double share);
 
 /// How the tool is lifted clear after an abort.
 struct ToolLift {
@@ -52,6 +56,13 @@ class TrajectoryFeeder {
   /// Powder and gas settle first. Paused where it is held in front of a layer, it is held there again. Does
   /// nothing unless paused.
   void resume(double now_s);
+  /// Goes on at a share of the planned speeds, from the first point that can still change, on the same path:
+  /// braking or speeding up as hard as the limits allow, then slower by one factor everywhere, so that no
+  /// limit of a joint can be passed. Rests keep their duration. While paused or at rest it holds from the
+  /// resumption on; in front of a layer that is waited for it stops as before. The flow follows the speed.
+  /// @param share  1 at the start
+  /// @throws InvalidInput as `speedRefusal`; nothing changes
+  void setSpeed(double share, double now_s);
   /// Stops where a layer begins, and rests there until it is released: at the end of what comes before, or on
   /// the travel that the layer begins with. Nothing changes before. A pause that ends below the layer ends
   /// it.

@@ -3,7 +3,9 @@
 #include "job/joint_program.hpp"
 
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -11,9 +13,12 @@
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/job/kinematic_model_run.hpp"
+#include "lamina/job/machine_check.hpp"
 #include "lamina/job/rapid_files.hpp"
 #include "lamina/kinematics/arm/abb_configuration.hpp"
+#include "lamina/job/slicing/slicing_mode.hpp"
 #include "lamina/kinematics/model/toolpath_reach.hpp"
+#include "lamina/orientation/kept_lean.hpp"
 
 namespace lamina {
 namespace {
@@ -107,10 +112,64 @@ void requireStated(const JointPathSettings& joints, const RapidSettings& setting
                         "expected held, or powder_5_axes");
 }
 
-KinematicModelRun runnable(const KinematicModel& model, const SlicedPart& sliced,
-                           const JointPathSettings& settings, Progress& progress) {
-  KinematicModelRun run = runOn(model, sliced.toolpath, sliced.bed_from_part, settings, progress);
-  requireRunnable(run, model);
+bool isProgram(const SliceJob& job) { return isGcode(job) || isRapidFile(job.output); }
+
+/// Of what no joints are led for.
+bool needsClearance(const SliceJob& job, const SlicedPart& sliced) {
+  switch (job.settings.clearance.need) {
+    case ClearanceNeed::Never: return false;
+    case ClearanceNeed::Always: return !job.output.empty();
+    case ClearanceNeed::Turning: return isProgram(job) && !hasPlaneLayers(sliced.summary.mode);
+  }
+  return false;
+}
+
+constexpr int kMostRaises = 8;  // rounds; a lean is gone after four
+
+bool mayRaise(const JobSettings& settings) {
+  return settings.clearance.raises_tool_axis && canTurnToolAxis(buildSpaceOf(settings.machine));
+}
+
+std::string noteOnRaised(const KeptLean& lean) {
+  char text[200];
+  std::snprintf(text, sizeof text,
+                "at %zu waypoints the tool axis leans less than the layers ask, by up to %.0f %%, for the "
+                "machine to run into nothing",
+                lean.raised(), 100.0 * (1.0 - lean.least()));
+  return text;
+}
+
+/// Leads the joints of a part; where the machine would run into something, or cannot get there, with its tool
+/// axis raised, as long as that leaves less of it.
+/// @throws Unreachable if it still would
+KinematicModelRun runnable(const KinematicModel& model, const SliceJob& job, SlicedPart& sliced,
+                           const JointPathSettings& joints, Progress& progress) {
+  const JobSettings& settings = job.settings;
+  KinematicModelRun run = runOn(model, sliced.toolpath, sliced.bed_from_part, joints, progress);
+  if (settings.clearance.need == ClearanceNeed::Never) {
+    requireRunnable(run, model);
+    return run;
+  }
+  MachineCheck check = checkRun(run, model, settings.clearance, progress);
+  if (check.isClear() || !mayRaise(settings)) {
+    requireClear(check, model);
+    return run;
+  }
+  RaiseLimits limits;
+  limits.up = sliced.bed_from_part.linear().transpose() * Point3::UnitZ();
+  limits.most_deg = settings.orientation.limits.max_off_normal_deg;
+  const Toolpath wanted = sliced.toolpath;
+  KeptLean lean(wanted, limits);
+  for (int round = 0; round < kMostRaises && !check.isClear(); ++round) {
+    for (const Finding& finding : check.faults) lean.raiseAt(finding.at);
+    for (const Finding& finding : check.collisions) lean.raiseAt(finding.at);
+    if (!lean.isChanged()) break;
+    sliced.toolpath = lean.toolpath();
+    run = runOn(model, sliced.toolpath, sliced.bed_from_part, joints, progress);
+    check = checkRun(run, model, settings.clearance, progress);
+  }
+  requireClear(check, model);
+  sliced.summary.notes.push_back(noteOnRaised(lean));
   return run;
 }
 
@@ -145,20 +204,20 @@ JointPath atWaypointsAskedFor(const KinematicModelRun& run) {
 }
 
 JointProgram planMachine(std::unique_ptr<KinematicModel> machine, const SliceJob& job,
-                         const SlicedPart& sliced, Progress& progress) {
-  KinematicModelRun run = runnable(*machine, sliced, job.settings.joints, progress);
+                         SlicedPart& sliced, Progress& progress) {
+  KinematicModelRun run = runnable(*machine, job, sliced, job.settings.joints, progress);
   const auto time = timeOf(run, *machine, job.settings);
   return {std::move(machine), std::move(run.divided.toolpath), std::move(run.path), time};
 }
 
 std::optional<JointProgram> planArm(std::unique_ptr<KinematicModel> arm, const SliceJob& job,
-                                    const SlicedPart& sliced, Progress& progress) {
+                                    SlicedPart& sliced, Progress& progress) {
   const RapidSettings& rapid = job.settings.program.rapid;
   JointPathSettings settings = job.settings.joints;
   requireStated(settings, rapid, *arm);
   const bool is_stated = statesJoints(rapid, *arm);
   if (!is_stated) settings.yaw = YawChoice::Held;
-  KinematicModelRun run = runnable(*arm, sliced, settings, progress);
+  KinematicModelRun run = runnable(*arm, job, sliced, settings, progress);
   const auto time = timeOf(run, *arm, job.settings);
   if (!is_stated) return JointProgram{std::move(arm), sliced.toolpath, atWaypointsAskedFor(run), time};
   ToolpathAsRun as_run = toolpathAsRun(std::move(run), *arm);
@@ -181,13 +240,16 @@ bool writesFiveAxis(const SliceJob& job, const BuildSpace& space, const SlicedPa
 }
 
 std::optional<JointProgram> planJointProgram(const SliceJob& job, const BuildSpace& space,
-                                             const SlicedPart& sliced, Progress& progress) {
+                                             SlicedPart& sliced, Progress& progress) {
   if (writesFiveAxis(job, space, sliced))
     return planMachine(kinematicModelOf(job.settings.machine), job, sliced, progress);
-  if (!isRapidFile(job.output) || !canTurnToolAxis(space)) return std::nullopt;
-  std::unique_ptr<KinematicModel> model = kinematicModelOf(job.settings.machine);
-  if (!isSixAxisArm(*model)) return std::nullopt;
-  return planArm(std::move(model), job, sliced, progress);
+  if (isRapidFile(job.output) && canTurnToolAxis(space)) {
+    std::unique_ptr<KinematicModel> arm = kinematicModelOf(job.settings.machine);
+    if (isSixAxisArm(*arm)) return planArm(std::move(arm), job, sliced, progress);
+  }
+  if (needsClearance(job, sliced))
+    runnable(*kinematicModelOf(job.settings.machine), job, sliced, job.settings.joints, progress);
+  return std::nullopt;
 }
 
 }  // namespace lamina

@@ -34,10 +34,13 @@ bool writesFiveAxis(const SliceJob& job, const BuildSpace& space, const SlicedPa
 /// external axes: its targets then turn about the tool axis as the joints do. Otherwise the arm is led
 /// through the very targets of the toolpath, which are written as they are.
 ///
-/// @param progress  stage "joints"
+/// Where it would run into something the tool axis is raised (`clearance.raise_tool_axis`), which changes the
+/// part's toolpath and is noted in its summary; what `clearance.need` asks for is checked.
+///
+/// @param progress  stages "joints" and "clearance"
 /// @throws Unreachable if the machine cannot run it: the first waypoint, and how many; InvalidConfig if
 ///   `joints.external` is to follow, but the variant of the program cannot report external axes
 std::optional<JointProgram> planJointProgram(const SliceJob& job, const BuildSpace& space,
-                                             const SlicedPart& sliced, Progress& progress);
+                                             SlicedPart& sliced, Progress& progress);
 
 }  // namespace lamina

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -32,6 +33,9 @@ struct PlanContext {
   /// Identity except for inclined layers.
   Eigen::Isometry3d part_from_layers = Eigen::Isometry3d::Identity();
   LayerLift lift;  ///< of layers that are planned flat; empty for others
+  std::vector<bool> is_skin;  ///< of lifted layers, by layer: solid, whatever the infill; empty: none
+  /// Highest z of what stands on the bed before the first layer [mm, part frame].
+  double standing_mm = -std::numeric_limits<double>::infinity();
 };
 
 /// The settings and the area of a variant of the plan in one layer (`PlanVariant`).

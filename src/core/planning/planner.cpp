@@ -134,6 +134,16 @@ PlanContext baseContext(PlanContext context) {
   return context;
 }
 
+/// Of layers whose sides are seen, where the planner does not know what lies above and below them.
+PlanContext skinContext(PlanContext context) {
+  if (isSolid(context.settings.infill)) return context;
+  context.strategy = context.skin_strategy;
+  context.settings.infill.strategy = context.settings.skins.strategy;
+  context.settings.infill.density = 1.0;
+  context.settings.infill.pitch_mm = 0.0;
+  return context;
+}
+
 /// Of the first layer.
 PlanContext bedContext(PlanContext context) {
   context.settings = onBed(std::move(context.settings));
@@ -458,14 +468,19 @@ Plan planInContext(const std::vector<Layer>& layers, const PlanContext& of_setti
     of_stack.variants = variantPlans(layers, *regions.variants, context, progress);
   const std::size_t base_layers = baseLayers(context);
   const PlanContext base = baseContext(context);
-  const PlanContext on_bed = bedContext(base_layers > 0 ? base : context);
+  const std::vector<bool>& is_skin = of_settings.is_skin;
+  const PlanContext skin = is_skin.empty() ? PlanContext{} : skinContext(context);
+  const auto contextAt = [&](std::size_t i) -> const PlanContext& {
+    if (i < base_layers) return base;
+    return i < is_skin.size() && is_skin[i] ? skin : context;
+  };
+  const PlanContext on_bed = bedContext(layers.empty() ? context : contextAt(0));
   std::vector<PlannedLayer> planned(layers.size());
   StackRelease release(of_stack, regions.spent, layers.size());
   parallelFor(
       layers.size(),
       [&](std::size_t i) {
-        const PlanContext& above = i < base_layers ? base : context;
-        planned[i] = planAnywhere(stackedAt(layers, of_stack, i), i, i == 0 ? on_bed : above);
+        planned[i] = planAnywhere(stackedAt(layers, of_stack, i), i, i == 0 ? on_bed : contextAt(i));
         if (i == 0) scaleFlow(planned[i].layer, context.settings.first_layer.flow);
         if (context.lift) liftLayer(planned[i], i, context.lift);
         takeRoomNeeded(planned[i].layer.paths);
@@ -477,7 +492,7 @@ Plan planInContext(const std::vector<Layer>& layers, const PlanContext& of_setti
   std::vector<ToolpathLayer>& paths = plan.toolpath.layers;
   const TravelSettings travel_settings = betweenLayers(of_settings.settings.travel);
   const TravelMaker travel =
-      context.lift ? spaceTravels(paths, travel_settings) : levelTravels(travel_settings);
+      context.lift ? spaceTravels(paths, travel_settings, of_settings.standing_mm) : levelTravels(travel_settings);
   if (context.strategy.link == LayerLink::Chained)
     chainLayers(paths, of_settings.settings, chainAnchor(paths, context), travel);
   if (isVase(context)) raiseWall(paths, base_layers, travel_settings);
@@ -525,13 +540,15 @@ Plan planPart(const std::string& part_name, const std::vector<Layer>& layers, co
 }
 
 Plan planPart(const std::string& part_name, const std::vector<Layer>& layers, const PlanSettings& settings,
-              const LayerLift& lift, Progress& progress) {
+              const LayerPlaces& places, Progress& progress) {
   PlanContext context = contextFor(layers, settings);
   if (isVase(context))
     throw InvalidConfig("infill.strategy is '" + settings.infill.strategy +
                         "', which rises from one level layer to the next; curved layers need another");
   context.settings.skirt.count = 0;
-  context.lift = lift;
+  context.lift = places.lift;
+  context.is_skin = places.is_skin;
+  context.standing_mm = places.standing_mm;
   Plan plan = planInContext(layers, context, progress);
   plan.toolpath.part_name = part_name;
   return plan;

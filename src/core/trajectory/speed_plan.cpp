@@ -157,7 +157,7 @@ void SpeedPlan::buildTimeline(const Waits& waits) {
   for (std::size_t i = 0; i < cells_.size(); ++i) {
     const CurveCell& cell = cells_[i];
     if (cell.start == 0.0 && curve_->isRest(cell.span)) appendWait(cell.span, 0.0, cell.span);
-    appendCell(timeline_, i, {curve_, cell.span, cell.start, std::sqrt(speed2_[i])}, speed2_[i + 1]);
+    appendCell(timeline_, i, {curve_, cell.span, cell.start, std::sqrt(speed2_[i])}, speed2_[i + 1], 1.0);
   }
   if (cells_.empty()) return;
   const std::uint32_t last = cells_.back().span;
@@ -165,15 +165,24 @@ void SpeedPlan::buildTimeline(const Waits& waits) {
 }
 
 /// From a place in a cell to its end. In a rounding the squared speed is linear; on the straight part the
-/// fastest profile is run.
-void SpeedPlan::appendCell(Timeline& out, std::size_t cell, MotionPlace from, double exit2) const {
-  const double length = cells_[cell].end - from.along;
+/// fastest profile is run, after it has braked to the share of the greatest speed.
+void SpeedPlan::appendCell(Timeline& out, std::size_t cell, MotionPlace from, double exit2,
+                           double share) const {
+  double length = cells_[cell].end - from.along;
   if (cells_[cell].part != 0) return out.appendStretch(from, length, exit2);
   const CellLimits limits = limitsOf(cell);
   const double a = limits.braking(0.0);
-  const double entry2 = squared(from.speed);
-  const double peak2 =
-      std::max({std::min(limits.speed2, a * length + 0.5 * (entry2 + exit2)), entry2, exit2});
+  const double fastest2 = squared(share) * limits.speed2;
+  double entry2 = squared(from.speed);
+  if (share < 1.0 && entry2 > fastest2 && exit2 <= fastest2) {
+    const double slowing = std::min(length, (entry2 - fastest2) / (2.0 * a));
+    entry2 = std::max(fastest2, entry2 - 2.0 * a * slowing);
+    out.appendStretch(from, slowing, entry2);
+    from.along += slowing;
+    from.speed = std::sqrt(entry2);
+    length -= slowing;
+  }
+  const double peak2 = std::max({std::min(fastest2, a * length + 0.5 * (entry2 + exit2)), entry2, exit2});
   const double up = std::min(length, (peak2 - entry2) / (2.0 * a));
   const double down = std::min(length - up, (peak2 - exit2) / (2.0 * a));
   const double cruise = length - up - down;
@@ -215,15 +224,18 @@ void SpeedPlan::appendStop(Timeline& out, MotionPlace from) const {
   }
 }
 
-void SpeedPlan::appendRestart(Timeline& out, MotionPlace from) const {
-  from.speed = 0.0;
-  std::size_t i = cellAt(from);
-  double x = 0.0;
-  while (i < cells_.size() && (from.along > cells_[i].start || x < speed2_[i])) {
+void SpeedPlan::appendFrom(Timeline& out, MotionPlace from, double share, RestThere rest) const {
+  const std::size_t first = cellAt(from);
+  std::size_t i = first;
+  double x = squared(from.speed);
+  const auto planned = [&](std::size_t node) { return squared(share) * speed2_[node]; };
+  while (i < cells_.size() && (from.along > cells_[i].start || x != planned(i))) {
     const double length = cells_[i].end - from.along;
     if (length > 0.0) {
-      const double exit2 = std::min(speed2_[i + 1], limitsOf(i).reachable(x, length));
-      appendCell(out, i, from, exit2);
+      const CellLimits limits = limitsOf(i);
+      const double slowest = std::min(speed2_[i + 1], x - 2.0 * limits.braking(x) * length);
+      const double exit2 = std::min(std::max(planned(i + 1), slowest), limits.reachable(x, length));
+      appendCell(out, i, from, exit2, share);
       x = exit2;
     }
     ++i;
@@ -231,12 +243,14 @@ void SpeedPlan::appendRestart(Timeline& out, MotionPlace from) const {
                              : MotionPlace{curve_, cells_.back().span, cells_.back().end};
   }
   const auto& phases = timeline_.phases();
-  const auto rest =
+  auto next =
       std::lower_bound(phases.begin(), phases.end(), from, [&](const Phase& phase, const MotionPlace& place) {
         if (phase.span != place.span) return phase.span < place.span;
         return phase.along < place.along;
       });
-  out.append(timeline_, static_cast<std::size_t>(rest - phases.begin()));
+  if (rest == RestThere::Over && i == first)
+    next = std::find_if(next, phases.end(), [](const Phase& phase) { return phase.kind == PhaseKind::Move; });
+  out.append(timeline_, static_cast<std::size_t>(next - phases.begin()), share);
 }
 
 }  // namespace lamina

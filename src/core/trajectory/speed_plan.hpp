@@ -46,6 +46,9 @@ struct Waits {
   double averaging_s = 0.0;  ///< rest at every stop at least this long
 };
 
+/// What a motion that goes on from a place makes of the plan's rest there.
+enum class RestThere : std::uint8_t { Due, Over };
+
 /// The greatest speeds along a curve that all limits allow: one pass back from rest at the end, one forth
 /// from rest at the start over its cells (time-optimal path parametrisation by reachability, with the
 /// greatest tangent and bend of each cell in place of those at its ends, so that limits hold inside as well).
@@ -58,15 +61,18 @@ class SpeedPlan {
 
   /// Adds the way from a place to rest, braking as hard as the limits allow.
   void appendStop(Timeline& out, MotionPlace from) const;
-  /// Adds the way from rest at a place to the end, at the plan's speed as soon as it is reached.
-  void appendRestart(Timeline& out, MotionPlace from) const;
+  /// Adds the way from a place, at its speed, to the end: at a share of the plan's speeds as soon as the limits
+  /// allow. A motion that takes longer by one factor everywhere keeps all limits.
+  /// @param from   no faster than the plan is there
+  /// @param share  (0, 1]
+  void appendFrom(Timeline& out, MotionPlace from, double share, RestThere rest) const;
 
  private:
   void planSpeeds();
   void limitNodes();
   void buildTimeline(const Waits& waits);
   CellLimits limitsOf(std::size_t cell) const { return cellLimits(*curve_, cells_[cell], averaging_s_); }
-  void appendCell(Timeline& out, std::size_t cell, MotionPlace from, double exit2) const;
+  void appendCell(Timeline& out, std::size_t cell, MotionPlace from, double exit2, double share) const;
   double waitAt(std::size_t station, const Waits& waits) const;
   std::size_t cellAt(const MotionPlace& place) const;
 

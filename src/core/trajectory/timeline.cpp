@@ -14,9 +14,18 @@ void Timeline::append(Phase phase, double duration_s) {
   phases_.push_back(phase);
 }
 
-void Timeline::append(const Timeline& other, std::size_t from) {
-  for (std::size_t i = from; i < other.phases_.size(); ++i)
-    append(other.phases_[i], other.endOf(i) - other.phases_[i].time_s);
+void Timeline::append(const Timeline& other, std::size_t from, double share) {
+  for (std::size_t i = from; i < other.phases_.size(); ++i) {
+    Phase phase = other.phases_[i];
+    const double duration_s = other.endOf(i) - phase.time_s;
+    if (phase.kind != PhaseKind::Move) {
+      append(phase, duration_s);
+      continue;
+    }
+    phase.speed *= share;
+    phase.acceleration *= share * share;
+    append(phase, duration_s / share);
+  }
 }
 
 void Timeline::appendStretch(const MotionPlace& start, double length, double exit2) {

@@ -44,8 +44,9 @@ class Timeline {
  public:
   /// Adds a phase of that duration; none if it is 0.
   void append(Phase phase, double duration_s);
-  /// Adds phases of another timeline from one of them on.
-  void append(const Timeline& other, std::size_t from);
+  /// Adds phases of another timeline from one of them on, its motions at a share of their speeds.
+  /// @param share  (0, 1]
+  void append(const Timeline& other, std::size_t from, double share);
   /// Adds a stretch from place to place of a span at constant acceleration between squared speeds.
   void appendStretch(const MotionPlace& start, double length, double exit2);
   /// Forgets what is at or after a time.

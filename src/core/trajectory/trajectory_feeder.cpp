@@ -6,6 +6,7 @@
 #include <cmath>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "lamina/base/error.hpp"
 #include "motion_sample.hpp"
@@ -47,6 +48,7 @@ std::shared_ptr<const TimedMotion> toolLift(const JointValues& from, const ToolL
   return std::make_shared<const TimedMotion>(std::move(stations), model, timing);
 }
 
+constexpr double kLeastSpeed = 0.01;  // of the planned speeds
 constexpr double kGridSlack = 1e-6;  // of a step: a time this near to a point is that point's
 
 }  // namespace
@@ -133,8 +135,23 @@ class TrajectoryFeeder::State {
     if (sent_ >= lastStep()) sent_ = std::max(sent_, stepAfter(start_s) - 1);
     appendRest(PhaseKind::Halt, start_s - timeline_.end());
     appendRest(PhaseKind::Wait, motion_->settings().process.settling_s);
-    motion_->plan().appendRestart(timeline_, rest_);
+    rest_.speed = 0.0;
+    motion_->plan().appendFrom(timeline_, rest_, speed_share_, RestThere::Due);
     state_ = TrajectoryFeederState::Running;
+    reschedule();
+  }
+
+  void setSpeed(double share, double now_s) {
+    const std::string refusal = speedRefusal(share);
+    if (!refusal.empty()) throw InvalidInput(refusal);
+    if (share == std::exchange(speed_share_, share) || state_ != TrajectoryFeederState::Running) return;
+    const WayToRest before = wayToRest();
+    if (!goOnAtSpeed(now_s)) return;
+    const std::optional<std::size_t> layer = std::exchange(held_layer_, std::nullopt);
+    reschedule();
+    if (!layer || hold(*layer, now_s)) return;
+    goBackTo(before);
+    held_layer_ = layer;
     reschedule();
   }
 
@@ -161,7 +178,7 @@ class TrajectoryFeeder::State {
     const double start_s = std::max(restTime(), timeOf(stepAfter(now_s + settings_.reaction_s)));
     if (sent_ >= lastStep()) sent_ = std::max(sent_, stepAfter(start_s) - 1);
     appendRest(PhaseKind::Halt, start_s - timeline_.end());
-    timeline_.append(lift_->plan().timeline(), 0);
+    timeline_.append(lift_->plan().timeline(), 0, 1.0);
   }
 
  private:
@@ -221,6 +238,20 @@ class TrajectoryFeeder::State {
     return timeOf(std::max(0L, stepAfter(now_s + settings_.reaction_s)));
   }
 
+  /// Plans the motion anew from the first point that can still change, or from the end of a rest that it falls
+  /// in; false if there is no motion left.
+  bool goOnAtSpeed(double now_s) {
+    double cut_s = reactionTo(now_s);
+    while (cut_s < timeline_.end() && timeline_.placeAt(cut_s).kind != PhaseKind::Move)
+      cut_s = timeline_.endOf(timeline_.phaseAt(cut_s));
+    if (cut_s >= timeline_.end()) return false;
+    const MotionPlace place = timeline_.placeAt(cut_s);
+    timeline_.cut(cut_s);
+    motion_->plan().appendFrom(timeline_, place, speed_share_, RestThere::Over);
+    sent_ = std::min(sent_, stepBefore(cut_s));
+    return true;
+  }
+
   /// Plans the way to rest from a time on; false if the motion ends before that.
   bool brakeFrom(double cut_s) {
     if (cut_s >= timeline_.end()) return false;
@@ -255,8 +286,14 @@ class TrajectoryFeeder::State {
   TrajectoryFeederState state_ = TrajectoryFeederState::Running;
   std::optional<std::size_t> held_layer_;  ///< in front of which it stops, or is paused
   MotionPlace rest_;                       ///< where it is paused, held or aborted
+  double speed_share_ = 1.0;               ///< of the planned speeds
   long sent_ = -1;                         ///< step of the last point handed over
 };
+
+std::string speedRefusal(double share) {
+  if (share >= kLeastSpeed && share <= 1.0) return "";
+  return "the speed is to be " + std::to_string(share) + " of the planned one; expected 0.01 to 1";
+}
 
 TrajectoryFeeder::TrajectoryFeeder(const TimedPath& path, const TrajectoryFeederSettings& settings) {
   TrajectoryFeederSettings checked = settings;
@@ -271,6 +308,7 @@ TrajectoryFeeder& TrajectoryFeeder::operator=(TrajectoryFeeder&&) noexcept = def
 
 std::optional<TrajectoryChunk> TrajectoryFeeder::next(double now_s) { return state_->next(now_s); }
 void TrajectoryFeeder::pause(double now_s) { state_->pause(now_s); }
+void TrajectoryFeeder::setSpeed(double share, double now_s) { state_->setSpeed(share, now_s); }
 void TrajectoryFeeder::resume(double now_s) { state_->resume(now_s); }
 bool TrajectoryFeeder::holdAtLayer(std::size_t layer, double now_s) { return state_->hold(layer, now_s); }
 void TrajectoryFeeder::release(double now_s) { state_->release(now_s); }

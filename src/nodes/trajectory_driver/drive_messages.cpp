@@ -70,6 +70,7 @@ void fillDiagnostics(const DriveStatus& status, diagnostic_updater::DiagnosticSt
   diagnostics.add("layer", status.heading_for.layer);
   diagnostics.add("time [s]", status.time_s);
   diagnostics.add("time in all [s]", status.duration_s);
+  diagnostics.add("speed, of that planned", status.speed_share);
   diagnostics.add("tip error [mm]", status.tip_error_mm);
   diagnostics.add("worst tip error [mm]", status.worst_tip_error_mm);
   diagnostics.add("starvations", status.feeding.starvations);

@@ -262,6 +262,15 @@ std::optional<std::string> DriveSession::resume(const ros::Time& now) {
   return std::nullopt;
 }
 
+void DriveSession::setSpeed(double share, const ros::Time& now) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (is_left_ || given_up_at_ || isFinal(status_.state)) return;
+  begin(now);
+  feeder_.setSpeed(share, jobTime(now));
+  status_.speed_share = share;
+  feed(now);
+}
+
 void DriveSession::abort(const ros::Time& now, const Failure& why) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (isFinal(status_.state) || status_.state == PackmlState::Aborting || is_left_) return;

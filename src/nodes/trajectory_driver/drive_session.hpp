@@ -32,6 +32,7 @@ struct DriveStatus {
   double duration_s = 0.0;  ///< of it all, pauses so far included
   WaypointIndex heading_for;
   Eigen::Vector3d tip_mm = Eigen::Vector3d::Zero();  ///< [bed frame]
+  double speed_share = 1.0;  ///< of the planned speeds
   Feeding feeding;
   JointValues joint_error;  ///< actual less wanted [mm, rad]; of size 0 before the motion
   double tip_error_mm = 0.0;
@@ -88,6 +89,9 @@ class DriveSession {
   /// @return why not; nothing if it is done
   std::optional<std::string> pause(const ros::Time& now);
   std::optional<std::string> resume(const ros::Time& now);
+  /// The share of the planned speeds at which it goes on (`TrajectoryFeeder::setSpeed`).
+  /// @throws InvalidInput as `speedRefusal`
+  void setSpeed(double share, const ros::Time& now);
   /// Brakes along the path, everything of the process off at once. Does nothing if it has ended or is
   /// aborted.
   void abort(const ros::Time& now, const Failure& why);

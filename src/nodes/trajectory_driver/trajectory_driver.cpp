@@ -107,6 +107,9 @@ TrajectoryDriver::TrajectoryDriver(ros::NodeHandle node, const DriverSettings& s
   const boost::function<void(const lamina_msgs::ToolpathConstPtr&)> plan = [this](const auto& message) {
     onPlan(message);
   };
+  const boost::function<void(const ros::MessageEvent<const std_msgs::Float64>&)> speed =
+      [this](const auto& event) { onSpeedFactor(event); };
+  speed_ = node.subscribe<std_msgs::Float64>(names::kSpeedFactor, 10, speed);
   if (settings_.is_corrected && settings_.follows_plans)
     plan_ = node.subscribe<lamina_msgs::Toolpath>(names::kReplannedToolpath, 1, plan);
   DriveStatus idle;
@@ -298,6 +301,7 @@ TrajectoryDriver::Driven TrajectoryDriver::run(const DriveMotion& motion) {
     session_ = session;
   }
   if (motion.correction) correctByLastMap(*session, motion.toolpath_id);
+  if (speed_share_ != 1.0) session->setSpeed(speed_share_, ros::Time::now());
   // Before what makes all safe, which then does not wait for the end of a plan's computation.
   std::optional<PlanInWork> plan;
   // However it ends, nothing burns or flows, and no session is left behind.
@@ -392,6 +396,19 @@ void TrajectoryDriver::onCorrection(const lamina_msgs::CorrectionMap& message) {
   } catch (const Error& error) {
     ROS_WARN("a correction is not used: %s", error.what());
   }
+}
+
+void TrajectoryDriver::onSpeedFactor(const ros::MessageEvent<const std_msgs::Float64>& event) {
+  const double share = event.getConstMessage()->data;
+  std::string refusal = owner_.refusal(event.getPublisherName());
+  if (refusal.empty()) refusal = speedRefusal(share);
+  if (!refusal.empty()) {
+    ROS_WARN("a speed factor is not used: %s", refusal.c_str());
+    return;
+  }
+  speed_share_ = share;
+  if (const auto job = session()) job->setSpeed(share, ros::Time::now());
+  ROS_INFO("going on at %.4g of the planned speeds", share);
 }
 
 void TrajectoryDriver::show(const DriveStatus& status) {

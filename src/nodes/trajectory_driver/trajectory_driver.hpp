@@ -5,6 +5,7 @@
 #include <actionlib/server/simple_action_server.h>
 #include <diagnostic_updater/diagnostic_updater.h>
 #include <ros/node_handle.h>
+#include <std_msgs/Float64.h>
 #include <std_srvs/Trigger.h>
 
 #include <atomic>
@@ -90,6 +91,7 @@ class TrajectoryDriver {
   /// On applied_correction.
   void tell(const std::vector<DrivenLayer>& layers);
   void onPlan(const lamina_msgs::ToolpathConstPtr& message);
+  void onSpeedFactor(const ros::MessageEvent<const std_msgs::Float64>& event);
   void show(const DriveStatus& status);
   void publishState(const DriveStatus& status);
 
@@ -109,6 +111,7 @@ class TrajectoryDriver {
   ros::Subscriber toolpath_subscriber_;
   ros::Subscriber correction_;
   ros::Subscriber plan_;
+  ros::Subscriber speed_;
   ros::Publisher toolpath_publisher_;  ///< of plans that are gone on with; advertised with the first
   ros::ServiceServer pause_;
   ros::ServiceServer resume_;
@@ -125,6 +128,7 @@ class TrajectoryDriver {
   std::optional<HeardMap> map_;  ///< that came last
   DriveStatus status_;
 
+  std::atomic<double> speed_share_{1.0};  ///< of this job and those that follow
   std::atomic<bool> is_driving_{false};
   std::atomic<bool> is_abort_requested_{false};  ///< of the goal
   std::string job_;

@@ -22,7 +22,7 @@ Toolpath planned(const Mesh& mesh, const PlanSettings& settings) {
   LiftSettings lift;
   lift.tool_axis = ToolAxis::Down;
   Toolpath toolpath =
-      planPart("part", slices.layers, settings, heightFieldLift(slices, lift, settings.travel), progress)
+      planPart("part", slices.layers, settings, {heightFieldLift(slices, lift, settings.travel)}, progress)
           .toolpath;
   validate(toolpath);
   return toolpath;

@@ -52,7 +52,7 @@ Stack halfCylinders(int count) {
 Toolpath planLifted(const Stack& stack, const PlanSettings& settings) {
   NoProgress progress;
   Toolpath toolpath = planPart("stack", stack.layers, settings,
-                               chartLift(stack.charts, stack.highest_mm, {}, settings.travel), progress)
+                               {chartLift(stack.charts, stack.highest_mm, {}, settings.travel)}, progress)
                           .toolpath;
   validate(toolpath);
   return toolpath;

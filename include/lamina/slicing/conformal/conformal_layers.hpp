@@ -19,14 +19,16 @@ struct ConformalLayers {
   double layer_height_mm = 0.0;  ///< of each
   double deposited_mm3 = 0.0;
   double part_mm3 = 0.0;  ///< of the part that is filled; 0 for a coat
+  /// Of faces that look in the direction of a coat, but lie beneath other faces: not coated.
+  double hidden_mm2 = 0.0;
 };
 
-/// A coat on a mesh: layers on its faces that look in the direction of the settings, growing outwards and
-/// ending where they meet the mesh or each other. As many layers of equal height, at most `layer_height_mm`,
+/// A coat on a mesh: layers on its faces that look in the direction of the settings and have no other face
+/// before them, seen from there, growing outwards and ending where they meet the mesh or each other. As many layers of equal height, at most `layer_height_mm`,
 /// as give the thickness exactly.
 ///
 /// @param mesh  facing outwards [mm, part frame]; may be open
-/// @throws Unsliceable if no face looks in that direction; InvalidConfig; Cancelled
+/// @throws Unsliceable if no face looks in that direction, or all that do are hidden; InvalidConfig; Cancelled
 ConformalLayers coatingLayers(const Mesh& mesh, const ConformalSettings& settings, double layer_height_mm,
                               Progress& progress);
 

@@ -40,6 +40,9 @@ struct LayerCoverage {
   std::size_t samples = 0;
   double open = 0.0;   ///< share of samples in no layer
   double twice = 0.0;  ///< share of samples in more than one
+  /// Greatest volume in no layer that hangs together: samples no farther apart than 1.25 times their spacing.
+  /// Fewer than four of them, of about 1/4000 of the part each, are put down to chance.
+  double void_mm3 = 0.0;
 };
 
 /// A part in curved layers, all in the order in which they are deposited: lower, middle, upper.
@@ -62,8 +65,9 @@ struct CurvedLayers {
 ///
 /// @param mesh             closed, facing outwards [mm, part frame]
 /// @param layer_height_mm  of every shell; of level layers as near to it as they fit
-/// @throws Unsliceable if all of that leaves open or lays twice more than `largest_gap_percent` of the part:
-///                     names the reason, its region is the surface nearest to it
+/// @throws Unsliceable if all of that leaves open or lays twice more than `largest_gap_percent` of the part,
+///                     or leaves a void larger than `largest_void_mm3`: names the reason, its region is the
+///                     surface nearest to it
 /// @throws InvalidMesh if the mesh is open or holds no volume; InvalidConfig; Cancelled
 CurvedLayers curvedLayers(const Mesh& mesh, const MeshTopology& topology, const CurvedSettings& settings,
                           double layer_height_mm, Progress& progress);

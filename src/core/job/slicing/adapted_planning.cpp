@@ -27,10 +27,10 @@ PlannedPart planWall(const AdaptedLayers& layers, const PlanningRequest& request
 /// Walls and infill on the surfaces that the curves span.
 PlannedPart planFilled(const AdaptedLayers& layers, double bottom_mm, const PlanningRequest& request,
                        Progress& progress) {
-  std::vector<StackedSurface> stack;
+  SurfaceStack stack;
   for (LayerSurface& surface :
        adaptedSurfaces(layers, bottom_mm, request.job.settings.adapted.step_mm, progress))
-    if (!surface.middle.triangles.empty()) stack.push_back({{}, std::move(surface)});
+    if (!surface.middle.triangles.empty()) stack.layers.push_back({{}, std::move(surface)});
   return planStack(std::move(stack), request, progress);
 }
 

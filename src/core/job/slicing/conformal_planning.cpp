@@ -31,6 +31,14 @@ std::string noteOnConformal(const ConformalLayers& layers, const ConformalSettin
   return text;
 }
 
+std::string noteOnHidden(double hidden_mm2) {
+  char text[160];
+  std::snprintf(text, sizeof text,
+                "%.4g mm2 of faces that look in conformal.direction lie beneath others and get no coat",
+                hidden_mm2);
+  return text;
+}
+
 /// Something stands on the bed before the first layer: the nozzle comes from above it.
 void comeFromAbove(Toolpath& toolpath, double highest_mm, const TravelSettings& travel) {
   for (const ToolpathLayer& layer : toolpath.layers)
@@ -58,13 +66,16 @@ PlannedPart planConformal(SourcePart source, const PlanningRequest& request, Pro
   const double highest_mm = std::max(boundingBox(source.mesh).high.z(), boundingBox(source.base).high.z());
   source = {};
   const std::string note = noteOnConformal(layers, settings.conformal);
-  std::vector<StackedSurface> stack;
-  stack.reserve(layers.layers.size());
-  for (LayerSurface& surface : layers.layers) stack.push_back({{}, std::move(surface)});
+  const double hidden_mm2 = layers.hidden_mm2;
+  SurfaceStack stack;
+  stack.standing_mm = highest_mm;
+  stack.layers.reserve(layers.layers.size());
+  for (LayerSurface& surface : layers.layers) stack.layers.push_back({{}, std::move(surface)});
   const double slice_s = laps.lap();
   PlannedPart planned = planStack(std::move(stack), request, progress);
   planned.counts.slice_s += slice_s;
   planned.notes.push_back(note);
+  if (hidden_mm2 > 0.0) planned.notes.push_back(noteOnHidden(hidden_mm2));
   comeFromAbove(planned.plan.toolpath, highest_mm, settings.planning.travel);
   return planned;
 }

@@ -86,7 +86,7 @@ PlannedPart planCurved(SourcePart source, const PlanningRequest& request, Progre
   const double bead_mm = settings.planning.bead.width_mm;
   const double left_out = leaveOutSlivers(layers.lower, bead_mm) + leaveOutSlivers(layers.upper, bead_mm);
   const double slice_s = laps.lap();
-  PlannedPart planned = planStack(stacked(std::move(layers)), request, progress);
+  PlannedPart planned = planStack({stacked(std::move(layers))}, request, progress);
   planned.counts.slice_s += slice_s;
   planned.notes.push_back(note);
   if (!air.empty()) planned.notes.push_back(air);

@@ -22,7 +22,10 @@ PlannedPart planHeightField(SourcePart source, const PlanningRequest& request, P
   LiftSettings lifting = settings.lifting;
   lifting.tool_axis = ToolAxis::Down;
   planned.plan = planPart(request.partName(), slices.layers, settings.planning,
-                          heightFieldLift(slices, lifting, settings.planning.travel), progress);
+                          {heightFieldLift(slices, lifting, settings.planning.travel),
+                           skinsOfStack(slices.layers.size(), settings.planning.skins,
+                                        settings.slicing.layer_height_mm)},
+                          progress);
   return planned;
 }
 

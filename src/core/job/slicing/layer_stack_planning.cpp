@@ -3,6 +3,7 @@
 #include "job/slicing/layer_stack_planning.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string>
 #include <utility>
@@ -89,9 +90,9 @@ LayerCounts countsOf(const std::vector<ChartedLayer>& layers) {
 }
 
 /// Up to and with each layer.
-std::vector<double> highestUpTo(const std::vector<ChartedLayer>& layers) {
+std::vector<double> highestUpTo(const std::vector<ChartedLayer>& layers, double standing_mm) {
   std::vector<double> highest;
-  double so_far = -std::numeric_limits<double>::infinity();
+  double so_far = standing_mm;
   for (const ChartedLayer& layer : layers) {
     so_far = std::max(so_far, layer.highest_mm);
     highest.push_back(so_far);
@@ -101,26 +102,42 @@ std::vector<double> highestUpTo(const std::vector<ChartedLayer>& layers) {
 
 }  // namespace
 
-PlannedPart planStack(std::vector<StackedSurface> stack, const PlanningRequest& request, Progress& progress) {
+std::vector<bool> skinsOfStack(std::size_t layers, const SkinSettings& skins, double layer_height_mm) {
+  const auto count = [layer_height_mm, layers](int asked, double thickness_mm) {
+    const double by_thickness = std::ceil(thickness_mm / layer_height_mm - kRounding);
+    return std::min(layers, static_cast<std::size_t>(std::max(static_cast<double>(asked), by_thickness)));
+  };
+  const std::size_t bottom = count(skins.bottom_layers, skins.bottom_mm);
+  const std::size_t top = count(skins.top_layers, skins.top_mm);
+  std::vector<bool> is_skin(layers, false);
+  std::fill_n(is_skin.begin(), bottom, true);
+  std::fill_n(is_skin.rbegin(), top, true);
+  return is_skin;
+}
+
+PlannedPart planStack(SurfaceStack stack, const PlanningRequest& request, Progress& progress) {
   const JobSettings& settings = request.job.settings;
   Laps laps;
-  std::vector<ChartedLayer> layers(stack.size());
+  std::vector<ChartedLayer> layers(stack.layers.size());
   parallelFor(
       layers.size(),
-      [&](std::size_t i) { layers[i] = chartedAt(i, std::move(stack[i]), settings.flattening); }, progress,
+      [&](std::size_t i) { layers[i] = chartedAt(i, std::move(stack.layers[i]), settings.flattening); }, progress,
       "flatten");
   PlannedPart planned;
   planned.counts = countsOf(layers);
   planned.counts.slice_s = laps.lap();
-  const std::vector<double> highest = highestUpTo(layers);
+  const std::vector<double> highest = highestUpTo(layers, stack.standing_mm);
   std::vector<Layer> plans;
   std::vector<std::vector<LayerChart>> charts;
   for (ChartedLayer& layer : layers) {
     plans.push_back(std::move(layer.plan));
     charts.push_back(std::move(layer.charts));
   }
-  const LayerLift lift = chartLift(charts, highest, settings.lifting, settings.planning.travel);
-  planned.plan = planPart(request.partName(), plans, settings.planning, lift, progress);
+  const LayerPlaces places{
+      chartLift(charts, highest, settings.lifting, settings.planning.travel),
+      skinsOfStack(plans.size(), settings.planning.skins, settings.slicing.layer_height_mm),
+      stack.standing_mm};
+  planned.plan = planPart(request.partName(), plans, settings.planning, places, progress);
   for (const ChartedLayer& layer : layers)
     if (layer.left_out_mm3 > kRounding * layer.volume_mm3) planned.plan.unprinted_mm3 += layer.left_out_mm3;
   return planned;

@@ -5,7 +5,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -107,9 +106,10 @@ std::optional<Path> makeSpaceTravel(const NozzlePose& from, const NozzlePose& to
   return path;
 }
 
-TravelMaker spaceTravels(const std::vector<ToolpathLayer>& layers, const TravelSettings& settings) {
+TravelMaker spaceTravels(const std::vector<ToolpathLayer>& layers, const TravelSettings& settings,
+                         double standing_mm) {
   std::vector<double> highest;
-  double z = -std::numeric_limits<double>::infinity();
+  double z = standing_mm;
   for (const ToolpathLayer& layer : layers) {
     for (const Path& path : layer.paths)
       if (path.role != PathRole::Travel)

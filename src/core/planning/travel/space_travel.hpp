@@ -33,6 +33,8 @@ std::optional<Path> makeSpaceTravel(const NozzlePose& from, const NozzlePose& to
                                     const TravelSettings& settings, double highest_mm);
 
 /// Makes travels by `makeSpaceTravel`, over all deposition up to and including the layer to which they lead.
-TravelMaker spaceTravels(const std::vector<ToolpathLayer>& layers, const TravelSettings& settings);
+/// @param standing_mm  highest z of what stands there before
+TravelMaker spaceTravels(const std::vector<ToolpathLayer>& layers, const TravelSettings& settings,
+                         double standing_mm);
 
 }  // namespace lamina

@@ -7,14 +7,18 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/geometry/mesh/mesh_topology.hpp"
+#include "lamina/geometry/mesh/subdivision.hpp"
 #include "lamina/parameterization/layer_volume.hpp"
 #include "lamina/parameterization/surface_cut.hpp"
 #include "lamina/slicing/conformal/facing_surface.hpp"
+#include "slicing/conformal/hidden_faces.hpp"
 #include "slicing/curved/unreached_surface.hpp"
 
 namespace lamina {
@@ -53,6 +57,45 @@ TriangleNumbers facesTowards(const Mesh& mesh, const ConformalSettings& settings
                           "); there is nothing to lay layers on",
                       mesh);
   return chosen;
+}
+
+/// A mesh, and those of its faces that are coated.
+struct CoatedFaces {
+  Mesh mesh;
+  TriangleNumbers faces;
+  double hidden_mm2 = 0.0;  ///< of what looks in the direction, beneath other faces
+};
+
+double areaOf(const Mesh& mesh, std::uint32_t face) {
+  const Triangle& corner = mesh.triangles[face];
+  const Point3& a = mesh.vertices[corner[0]];
+  return 0.5 * (mesh.vertices[corner[1]] - a).cross(mesh.vertices[corner[2]] - a).norm();
+}
+
+/// The nozzle comes from the direction, and cannot come to what lies beneath other faces. A mesh with faces
+/// that are hidden in part is divided, so that they end where they are.
+CoatedFaces coatedFaces(const Mesh& mesh, const ConformalSettings& settings) {
+  const Point3 direction = directionOf(settings);
+  CoatedFaces coated{mesh, facesTowards(mesh, settings)};
+  std::vector<Sight> sights = sightOf(coated.mesh, coated.faces, direction);
+  if (std::count(sights.begin(), sights.end(), Sight::Partial) > 0) {
+    coated.mesh = subdivide(mesh, settings.longest_edge_mm).mesh;
+    coated.faces = facesTowards(coated.mesh, settings);
+    sights = sightOf(coated.mesh, coated.faces, direction);
+  }
+  TriangleNumbers open;
+  for (std::size_t i = 0; i < sights.size(); ++i)
+    if (sights[i] == Sight::Open)
+      open.push_back(coated.faces[i]);
+    else
+      coated.hidden_mm2 += areaOf(coated.mesh, coated.faces[i]);
+  if (open.empty())
+    throw Unsliceable("all " + std::to_string(coated.hidden_mm2) +
+                          " mm2 of faces that look in conformal.direction lie beneath others; expected some "
+                          "that the nozzle can come to from there",
+                      mesh);
+  coated.faces = std::move(open);
+  return coated;
 }
 
 /// No point of the part is farther from the base.
@@ -100,12 +143,13 @@ ConformalLayers coatingLayers(const Mesh& mesh, const ConformalSettings& setting
   requirePositive("slicing.layer_height_mm", layer_height_mm);
   requirePositive("conformal.thickness_mm", settings.thickness_mm);
   const double count = std::ceil(settings.thickness_mm / layer_height_mm - kRounding);
-  const TriangleNumbers chosen = facesTowards(mesh, settings);
-  const Mesh rest = patchOf(mesh, remainder(mesh, chosen, {}));
+  const CoatedFaces coated = coatedFaces(mesh, settings);
+  const Mesh rest = patchOf(coated.mesh, remainder(coated.mesh, coated.faces, {}));
   const SignedDistance part(mesh);
   std::optional<NearestTriangle> nearest_rest;
   if (!rest.triangles.empty()) nearest_rest.emplace(rest);
   ConformalLayers result;
+  result.hidden_mm2 = coated.hidden_mm2;
   result.layer_height_mm = settings.thickness_mm / count;
   ShellLimits limits;
   limits.part = &part;
@@ -113,7 +157,7 @@ ConformalLayers coatingLayers(const Mesh& mesh, const ConformalSettings& setting
   limits.rest = nearest_rest ? &*nearest_rest : nullptr;
   limits.farthest_mm = settings.thickness_mm;
   limits.step_mm = result.layer_height_mm;
-  const ShellPropagation propagation({patchOf(mesh, chosen), {}}, settings.longest_edge_mm, limits, progress);
+  const ShellPropagation propagation({patchOf(coated.mesh, coated.faces), {}}, settings.longest_edge_mm, limits, progress);
   result.layers = propagation.shells(result.layer_height_mm, NozzleSide::Ahead, progress);
   result.deposited_mm3 = volume(result.layers);
   return result;

@@ -126,6 +126,7 @@ struct CurvedFlaws {
   std::vector<Point3> beside;  ///< beyond the edges of what its layers grow from, found before they grow
   std::vector<Point3> open;    ///< in no layer
   std::vector<Point3> twice;   ///< in more than one layer
+  std::vector<Point3> hollow;  ///< of those that are open, the most that hang together
 
   /// As many samples as are wrong at least.
   std::size_t count() const { return std::max(beside.size(), open.size() + twice.size()); }
@@ -176,6 +177,28 @@ Mesh surfaceNear(const CurvedPart& part, const std::vector<Point3>& points, doub
   return patchOf(part.mesh, numbers);
 }
 
+// Spacings of the samples: how far apart they are that hang together.
+constexpr double kTogether = 1.25;
+// Fewer samples that hang together may be chance.
+constexpr std::size_t kLeastTogether = 4;
+
+/// The most points of which each is near another one.
+std::vector<Point3> hangingTogether(std::vector<Point3> points, double within_mm) {
+  std::vector<Point3> most;
+  while (points.size() > most.size()) {
+    std::vector<Point3> group = {points.back()};
+    points.pop_back();
+    for (std::size_t i = 0; i < group.size(); ++i) {
+      const auto isFar = [&](const Point3& point) { return (point - group[i]).norm() > within_mm; };
+      const auto near = std::stable_partition(points.begin(), points.end(), isFar);
+      group.insert(group.end(), near, points.end());
+      points.erase(near, points.end());
+    }
+    if (group.size() > most.size()) most = std::move(group);
+  }
+  return most;
+}
+
 const char* surfacesOf(CurvedScheme scheme) {
   return scheme == CurvedScheme::LowerOnly ? "underside" : "underside and top side";
 }
@@ -201,7 +224,7 @@ Complaint complaintOn(const CurvedPart& part, const CurvedFlaws& flaws) {
 /// Refuses a part for what the scheme that comes nearest gets wrong: what, where, and what to do instead. The
 /// region is the surface nearest to it.
 /// @throws Unsliceable always
-[[noreturn]] void refuseCurved(const CurvedPart& part, const PartSamples& samples, const CurvedFlaws& flaws) {
+[[noreturn]] void refuseFlaws(const CurvedPart& part, const PartSamples& samples, const CurvedFlaws& flaws) {
   const Complaint complaint = complaintOn(part, flaws);
   const double share =
       static_cast<double>(complaint.points.size()) / static_cast<double>(samples.points().size());
@@ -213,6 +236,20 @@ Complaint complaintOn(const CurvedPart& part, const CurvedFlaws& flaws) {
                         " % expected (curved.largest_gap_percent). Slice it with slicing.mode=planar or "
                         "heightfield, or turn it so that a smooth side without feet or pockets lies below.",
                     surfaceNear(part, complaint.points, samples.spacing()));
+}
+
+/// Refuses a part for one void in it.
+/// @throws Unsliceable always
+[[noreturn]] void refuseVoid(const CurvedPart& part, const PartSamples& samples, const CurvedFlaws& flaws,
+                             double void_mm3) {
+  const Point3 where = densest(flaws.hollow, kSamePlace * samples.spacing());
+  throw Unsliceable("curved layers do not suit this shape: a void of about " + rounded(void_mm3, 0) +
+                        " mm3 would be left open around (" + rounded(where.x(), 1) + ", " +
+                        rounded(where.y(), 1) + ", " + rounded(where.z(), 1) + ") mm; expected at most " +
+                        rounded(part.settings.largest_void_mm3, 1) +
+                        " mm3 (curved.largest_void_mm3). Slice it with slicing.mode=planar or heightfield, "
+                        "or turn it so that a smooth side without feet or pockets lies below.",
+                    surfaceNear(part, flaws.hollow, samples.spacing()));
 }
 
 // Part of a layer's height by which the level layers of [Guacheta2021, listing A.7] may lie in those below
@@ -362,7 +399,10 @@ Attempt attempted(const CurvedPart& part, const CurvedDivision& division, const 
   const auto share = [&](const std::vector<Point3>& points) {
     return static_cast<double>(points.size()) / static_cast<double>(samples.points().size());
   };
-  layers.coverage = {samples.points().size(), share(flaws.open), share(flaws.twice)};
+  flaws.hollow = hangingTogether(flaws.open, kTogether * samples.spacing());
+  if (flaws.hollow.size() < kLeastTogether) flaws.hollow.clear();
+  layers.coverage = {samples.points().size(), share(flaws.open), share(flaws.twice),
+                     share(flaws.hollow) * layers.volumes.part_mm3};
   return attempt;
 }
 
@@ -407,14 +447,20 @@ CurvedLayers curvedLayers(const Mesh& mesh, const MeshTopology& topology, const 
   const CurvedPart part = curvedPart(mesh, topology, settings, layer_height_mm);
   const std::vector<CurvedDivision> ways = curvedDivisions(part);
   const PartSamples samples(mesh, kSamples);
+  const std::size_t most = mostFlaws(part, samples);
   std::optional<CurvedFlaws> least;
+  double void_mm3 = 0.0;
   for (const CurvedDivision& division : ways) {
     Attempt attempt = attempted(part, division, samples, progress);
     CurvedFlaws& flaws = attempt.flaws;
-    if (flaws.count() <= mostFlaws(part, samples)) return std::move(attempt.layers);
-    if (!least || flaws.count() < least->count()) least = std::move(flaws);
+    const double hollow_mm3 = attempt.layers.coverage.void_mm3;
+    if (flaws.count() <= most && hollow_mm3 <= settings.largest_void_mm3) return std::move(attempt.layers);
+    if (least && flaws.count() >= least->count()) continue;
+    least = std::move(flaws);
+    void_mm3 = hollow_mm3;
   }
-  refuseCurved(part, samples, *least);
+  if (least->count() > most) refuseFlaws(part, samples, *least);
+  refuseVoid(part, samples, *least, void_mm3);
 }
 
 }  // namespace lamina

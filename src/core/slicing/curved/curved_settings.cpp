@@ -12,6 +12,8 @@ void describe(SettingsSchema& schema, CurvedSettings& settings) {
                 "Longer edges of the surfaces that layers grow from are halved.");
   schema.number("curved.largest_gap_percent", settings.largest_gap_percent, Bounds::above(0.0, 100.0),
                 "Of the part: how much may be in no layer or in more than one before it is refused.");
+  schema.number("curved.largest_void_mm3", settings.largest_void_mm3, Bounds::above(0.0, 1e9),
+                "Of the part: how much that is in no layer may hang together before it is refused.");
 }
 
 }  // namespace lamina

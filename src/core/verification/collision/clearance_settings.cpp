@@ -5,6 +5,15 @@
 namespace lamina {
 
 void describe(SettingsSchema& schema, ClearanceSettings& settings) {
+  schema.choice<ClearanceNeed>("clearance.need", settings.need,
+                               {{"turning", ClearanceNeed::Turning},
+                                {"always", ClearanceNeed::Always},
+                                {"never", ClearanceNeed::Never}},
+                               "Which programs are refused if the machine runs into bed, part or itself: of "
+                               "joints that turn and of layers that are not plane, all, or none.");
+  schema.flag("clearance.raise_tool_axis", settings.raises_tool_axis,
+              "Whether the tool axis leans less than the layers ask where the machine would run into "
+              "something; by orientation.max_off_normal_deg at most.");
   schema.flag("clearance.report", settings.is_shown,
               "Whether the slicing node checks the head for collisions and shows them.");
   schema.number("clearance.spacing_mm", settings.spacing_mm, {0.01, 100.0},

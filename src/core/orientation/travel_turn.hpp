@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include "lamina/toolpath/toolpath.hpp"
+
+namespace lamina {
+
+/// Orientation of a path at its start, and where it ends (a closed one at its start).
+const Eigen::Quaterniond& startOrientation(const Path& path);
+const Eigen::Quaterniond& endOrientation(const Path& path);
+
+/// The toolpath with quaternions of one sign from run to run, and travels that turn from the end of one run
+/// to the start of the next in proportion to their length. The orientations travels had are not read.
+Toolpath withTravelsOriented(Toolpath toolpath);
+
+}  // namespace lamina
