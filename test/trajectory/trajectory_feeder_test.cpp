@@ -246,20 +246,6 @@ TEST(TrajectoryFeeder, ChangesItsSpeedAnywhereAndLaysEverythingOnce) {
   }));
 }
 
-TEST(TrajectoryFeeder, StillRestsInFrontOfALayerAtAnotherSpeed) {
-  const Toolpath toolpath = test::twoLayers();
-  const TimedPath timed = timedGantry(toolpath, powderSettings());
-  TrajectoryFeeder feeder(timed, {});
-  ASSERT_TRUE(feeder.holdAtLayer(1, 0.0));
-  const double at_full_speed_s = feeder.restTime();
-  feeder.setSpeed(0.5, 0.2);
-  EXPECT_TRUE(feeder.isHeld());
-  EXPECT_GT(feeder.restTime(), 1.5 * at_full_speed_s);
-  const TiltingGantry gantry;
-  const Point3 tip = gantry.bedFromNozzle(feeder.at(feeder.restTime()).position).translation();
-  EXPECT_LT((tip - secondLayerOf(toolpath)).norm(), 1e-6);
-}
-
 TEST(TrajectoryFeeder, LaysEachMillimetreOnce) {
   const double area = crossSection({0.4, 0.2});
   for (const double jerk_ramp_s : {0.0, 0.01}) {
@@ -318,6 +304,20 @@ TEST(TrajectoryFeeder, RestsInFrontOfALayerUntilItIsReleased) {
   EXPECT_NEAR(outcome.volume / totals(toolpath).deposited_mm3, 1.0, kVolumeTolerance);
   EXPECT_LT(outcome.farthest, 0.05 + 1e-6);
   EXPECT_LT(outcome.acceleration, 1.0 + 1e-6);
+}
+
+TEST(TrajectoryFeeder, StillRestsInFrontOfALayerAtAnotherSpeed) {
+  const Toolpath toolpath = test::twoLayers();
+  const TimedPath timed = timedGantry(toolpath, powderSettings());
+  TrajectoryFeeder feeder(timed, {});
+  ASSERT_TRUE(feeder.holdAtLayer(1, 0.0));
+  const double at_full_speed_s = feeder.restTime();
+  feeder.setSpeed(0.5, 0.2);
+  EXPECT_TRUE(feeder.isHeld());
+  EXPECT_GT(feeder.restTime(), 1.5 * at_full_speed_s);
+  const TiltingGantry gantry;
+  const Point3 tip = gantry.bedFromNozzle(feeder.at(feeder.restTime()).position).translation();
+  EXPECT_LT((tip - secondLayerOf(toolpath)).norm(), 1e-6);
 }
 
 /// The travel goes straight on from layer to layer: the motion does not rest where the layer begins.

@@ -23,7 +23,7 @@ double leanOf(const Path& path, std::size_t waypoint, const Point3& up) {
   return angleDeg(toolAxisOf(path.orientation.at(waypoint)), -up);
 }
 
-Eigen::Quaterniond raised(const Eigen::Quaterniond& held, double kept, const Point3& up) {
+Eigen::Quaterniond raisedFrame(const Eigen::Quaterniond& held, double kept, const Point3& up) {
   const Point3 axis = toolAxisOf(held);
   const double lean_deg = angleDeg(axis, -up);
   if (kept == 1.0 || lean_deg <= kUpright || lean_deg >= kMostLean) return held;
@@ -105,7 +105,7 @@ Toolpath KeptLean::toolpath() {
     std::vector<Eigen::Quaterniond> each;
     each.reserve(run.kept.size());
     for (std::size_t i = 0; i < run.kept.size(); ++i)
-      each.push_back(raised(path.orientation.at(i), run.kept[i], limits_.up));
+      each.push_back(raisedFrame(path.orientation.at(i), run.kept[i], limits_.up));
     path.orientation = AlongPath<Eigen::Quaterniond>(std::move(each));
   }
   is_changed_ = false;
