@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/input_file.hpp"
 #include "names.hpp"
 
 namespace lamina {
@@ -143,7 +144,7 @@ class PrintReader {
 BagFigures runRecordedPrints(const std::string& path, const std::string& space,
                              const LoopRunSettings& settings, const PrintReceivers& receivers) {
   BagFigures figures;
-  if (!std::ifstream(path)) throw FileError("cannot open '" + path + "'; expected a ROS bag");
+  requireReadable(path);
   try {
     rosbag::Bag bag(path, rosbag::bagmode::Read);
     rosbag::View view(bag);

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "lamina/base/edit_distance.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/plugin.hpp"
 
@@ -64,6 +65,16 @@ bool standsFirst(const std::string& subcommand, int argc, char** argv) {
   return false;
 }
 
+/// Names and aliases of all subcommands that were added.
+std::vector<std::string> namesOf(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* each : app.get_subcommands([](const CLI::App*) { return true; })) {
+    names.push_back(each->get_name());
+    for (const std::string& alias : each->get_aliases()) names.push_back(alias);
+  }
+  return names;
+}
+
 }  // namespace
 
 std::string subcommandOf(int argc, char** argv) {
@@ -84,6 +95,13 @@ int runCommandLine(int argc, char** argv, const std::vector<Subcommand>& subcomm
   chosen.format = formatAskedFor({argv + 1, argv + argc});
   const std::string called = subcommandOf(argc, argv);
   addSubcommands(app, chosen, subcommands, standsFirst(called, argc, argv) ? called : std::string());
+  const std::vector<std::string> names = namesOf(app);
+  if (!called.empty() && std::find(names.begin(), names.end(), called) == names.end()) {
+    printFailure({ErrorCode::InvalidConfig, "there is no subcommand '" + called + "'" +
+                                                suggestionFor(names, called) + " lamina --help lists them"},
+                 {}, chosen.format);
+    return static_cast<int>(CLI::ExitCodes::ExtrasError);
+  }
   std::vector<std::string> plugins;
   addPluginOption(app, plugins);
   try {

@@ -7,6 +7,7 @@
 
 #include "arguments/setting_options.hpp"
 #include "lamina/base/atomic_file.hpp"
+#include "lamina/base/input_file.hpp"
 #include "lamina/base/settings_yaml.hpp"
 #include "lamina/job/output_files.hpp"
 #include "lamina/optimisation/criteria.hpp"
@@ -49,7 +50,7 @@ Choice choiceOf(const DecideArguments& arguments) {
 /// The values of the variables in the row chosen, over the settings of the base.
 std::string configOf(const Choice& choice, const std::string& base) {
   std::vector<SettingText> settings;
-  if (!base.empty()) settings = settingsFromYaml(readFile(base), base);
+  if (!base.empty()) settings = settingsFromYaml(readFile(base, kMostSettingsBytes), base);
   for (std::size_t i = 0; i < choice.front.variables.size(); ++i)
     settings.push_back({choice.front.variables[i], choice.row().values[i]});
   return settingsToYaml(settings);

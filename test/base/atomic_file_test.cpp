@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <filesystem>
 
@@ -78,12 +79,30 @@ TEST(AtomicFile, HasATemporaryNameThatIsAnotherEachTime) {
   EXPECT_NE(first.temporaryPath(), second.temporaryPath());
 }
 
-TEST(AtomicFile, ReplacesALinkAndLeavesWhatItLedTo) {
+TEST(AtomicFile, WritesToWhatALinkOfOnesOwnNames) {
   const test::ScratchFolder folder;
-  writeWhole(folder.file("precious"), "old");
+  writeWhole(folder.file("target"), "before");
+  std::filesystem::create_symlink("target", folder.file("link"));
+  std::filesystem::create_symlink(folder.file("link"), folder.file("chain"));
+  std::filesystem::create_symlink(folder.file("missing"), folder.file("dangling"));
+  writeWhole(folder.file("chain"), "after");
+  writeWhole(folder.file("dangling"), "new");
+  for (const char* link : {"link", "chain", "dangling"})
+    EXPECT_TRUE(std::filesystem::is_symlink(folder.file(link))) << link;
+  EXPECT_EQ(readFile(folder.file("target")), "after");
+  EXPECT_EQ(readFile(folder.file("missing")), "new");
+}
+
+/// In a folder that others may write to, somebody may have laid it to a file of ours.
+TEST(AtomicFile, ReplacesALinkOfAnotherAndLeavesWhatItLedTo) {
+  if (::geteuid() != 0) GTEST_SKIP() << "only root can make a link of another's";
+  const test::ScratchFolder folder;
+  writeWhole(folder.file("precious"), "precious");
   std::filesystem::create_symlink(folder.file("precious"), folder.file("a"));
+  constexpr uid_t kNobody = 65534;
+  ASSERT_EQ(::lchown(folder.file("a").c_str(), kNobody, kNobody), 0);
   writeWhole(folder.file("a"), "new");
-  EXPECT_EQ(readFile(folder.file("precious")), "old");
+  EXPECT_EQ(readFile(folder.file("precious")), "precious");
   EXPECT_EQ(readFile(folder.file("a")), "new");
   EXPECT_FALSE(std::filesystem::is_symlink(folder.file("a")));
 }

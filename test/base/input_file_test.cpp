@@ -3,10 +3,16 @@
 #include "lamina/base/input_file.hpp"
 
 #include <gtest/gtest.h>
+#include <pthread.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
+#include <atomic>
+#include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <fstream>
+#include <string>
 #include <thread>
 
 #include "lamina/base/error.hpp"
@@ -37,20 +43,87 @@ TEST(InputFile, AddsTheRestToWhatWasReadBefore) {
   std::remove(path.c_str());
 }
 
-TEST(InputFile, ReadsAPipeToItsEnd) {
-  const std::string path = testing::TempDir() + "input_file_pipe";
-  std::remove(path.c_str());
-  ASSERT_EQ(::mkfifo(path.c_str(), 0600), 0);
+/// A pipe, as a file that is named by its descriptor.
+class DescriptorPipe {
+ public:
+  DescriptorPipe() { EXPECT_EQ(::pipe(ends_), 0); }
+  ~DescriptorPipe() {
+    ::close(ends_[0]);
+    closeForWriting();
+  }
+  DescriptorPipe(const DescriptorPipe&) = delete;
+  DescriptorPipe& operator=(const DescriptorPipe&) = delete;
+
+  std::string path() const { return "/dev/fd/" + std::to_string(ends_[0]); }
+  void write(const std::string& bytes) const {
+    for (std::size_t sent = 0; sent < bytes.size();) {
+      const ssize_t more = ::write(ends_[1], bytes.data() + sent, bytes.size() - sent);
+      if (more > 0) sent += static_cast<std::size_t>(more);
+    }
+  }
+  void closeForWriting() {
+    if (ends_[1] >= 0) ::close(ends_[1]);
+    ends_[1] = -1;
+  }
+
+ private:
+  int ends_[2] = {-1, -1};
+};
+
+TEST(InputFile, ReadsAPipeThatIsNamedByItsDescriptorToItsEnd) {
   const std::string sent(200000, 'x');
-  std::thread writer([&] { std::ofstream(path) << sent; });
-  EXPECT_EQ(InputFile(path).readRest(), sent);
+  DescriptorPipe pipe;
+  std::thread writer([&] {
+    pipe.write(sent);
+    pipe.closeForWriting();
+  });
+  EXPECT_EQ(InputFile(pipe.path()).readRest(), sent);
   writer.join();
+}
+
+TEST(InputFile, ASignalEndsTheWaitForAPipe) {
+  const DescriptorPipe pipe;
+  struct sigaction heard {};
+  heard.sa_handler = [](int) {};
+  struct sigaction before {};
+  ASSERT_EQ(::sigaction(SIGUSR1, &heard, &before), 0);
+  std::atomic<bool> is_over{false};
+  const pthread_t reader = ::pthread_self();
+  // Again and again, for one that comes before the wait ends nothing.
+  std::thread caller([&] {
+    while (!is_over) {
+      ::pthread_kill(reader, SIGUSR1);
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+  });
+  EXPECT_THROW(InputFile(pipe.path()).readRest(), Cancelled);
+  is_over = true;
+  caller.join();
+  ::sigaction(SIGUSR1, &before, nullptr);
+}
+
+TEST(InputFile, ReadsNoMoreThanItMay) {
+  const std::string path = testing::TempDir() + "input_file_most";
+  std::ofstream(path) << "abcdef";
+  EXPECT_EQ(InputFile(path).readRest({}, 6), "abcdef");
+  EXPECT_THROW(InputFile(path).readRest({}, 5), FileError);
   std::remove(path.c_str());
+  DescriptorPipe pipe;
+  pipe.write("abcdef");
+  pipe.closeForWriting();
+  EXPECT_THROW(InputFile(pipe.path()).readRest({}, 5), FileError);
 }
 
 TEST(InputFile, RefusesWhatCannotBeRead) {
   EXPECT_THROW(InputFile("/nowhere/file"), FileError);
   EXPECT_THROW(InputFile("/tmp"), FileError);
+  EXPECT_THROW(InputFile("/dev/zero"), FileError);
+  const std::string pipe = testing::TempDir() + "input_file_pipe";
+  std::remove(pipe.c_str());
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_THROW(InputFile{pipe}, FileError) << "nobody writes to it";
+  EXPECT_THROW(requireReadable(pipe), FileError);
+  std::remove(pipe.c_str());
 }
 
 }  // namespace

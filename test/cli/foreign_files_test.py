@@ -118,10 +118,26 @@ class ForeignFiles(unittest.TestCase):
                     self.assertNotIn(SECRET, output, f"{kind}: {command}, {suffix}")
                     self.assertGreaterEqual(done.returncode, 0, f"{kind}: {command}, {suffix}")
 
+    def test_no_command_waits_for_a_pipe_or_reads_a_device_without_end(self):
+        for command, suffixes in CALLS:
+            for suffix in suffixes:
+                pipe, device = self.path("pipe" + suffix), self.path("device" + suffix)
+                for path, make in ((pipe, os.mkfifo), (device, lambda name: os.symlink("/dev/zero", name))):
+                    if not os.path.lexists(path):
+                        make(path)
+                    done, output = self.call(command, path)
+                    self.assertNotEqual(done.returncode, 0, f"{command}, {suffix}: {output}")
+
     def test_every_command_that_reads_a_file_is_tried(self):
         tried = {command.split()[0] for command, _ in CALLS} | READS_NO_FILE
         listed = lamina("--help").stdout.split("Subcommands:")[1]
         self.assertEqual({line.split()[0].rstrip(",") for line in listed.splitlines() if re.match(r"  \w", line)} - tried, set())
+
+    def test_a_name_that_is_nearly_right_is_suggested(self):
+        for command, nearest in (("slcie box", "'slice'"), ("slice sfere", "'sphere'"), ("slice boxx", "'box'")):
+            done = lamina(*command.split())
+            self.assertIn("did you mean " + nearest, done.stderr)
+            self.assertNotEqual(done.returncode, 0)
 
     def test_a_file_of_the_kind_expected_is_quoted(self):
         cases = [("stream FILE --port none --set stream.firmware=marlin", "a.gcode", "G28\nG1 X1 *5\n", "'G1 X1 *5'"),

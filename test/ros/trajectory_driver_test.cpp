@@ -139,7 +139,8 @@ Deposit depositOf(const DriveCell& cell, std::size_t from, std::size_t to) {
     const DriveCell::Report& now = cell.reports[i];
     if (now.process.flow == 0.0 || before.process.flow == 0.0) continue;
     const double passed_s = (now.process.header.stamp - before.process.header.stamp).toSec();
-    deposit.fastest_mm_s = std::max(deposit.fastest_mm_s, (cell.tip(now) - cell.tip(before)).norm() / passed_s);
+    deposit.fastest_mm_s =
+        std::max(deposit.fastest_mm_s, (cell.tip(now) - cell.tip(before)).norm() / passed_s);
     deposit.greatest_flow = std::max<double>(deposit.greatest_flow, now.process.flow);
   }
   return deposit;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdio>
 #include <string>
 #include <string_view>
@@ -9,8 +10,9 @@
 namespace lamina {
 
 /// A file that appears under its name whole or not at all: it is written beside it under a temporary name
-/// that nobody can guess, never through a link, and renamed by `commit`. Destroyed without `commit`, it
-/// leaves nothing behind and an existing file untouched.
+/// that nobody can guess, and renamed by `commit`. Destroyed without `commit`, it leaves nothing behind and
+/// an existing file untouched. A link of one's own, or of root, stays one: what it names is replaced.
+/// Another's link is replaced itself, for somebody may have laid it to a file of ours.
 class AtomicFile {
  public:
   /// @throws FileError if the folder cannot be written to
@@ -40,7 +42,9 @@ class AtomicFile {
 void writeFile(const std::string& path, std::string_view bytes);
 
 /// The whole file as bytes.
-/// @throws FileError if it is missing, a folder, or cannot be read
+/// @throws FileError, Cancelled as `InputFile::readRest`
 std::string readFile(const std::string& path);
+/// The same, of so many bytes at most.
+std::string readFile(const std::string& path, std::size_t most_bytes);
 
 }  // namespace lamina

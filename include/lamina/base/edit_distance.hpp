@@ -3,12 +3,18 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace lamina {
 
 /// The Levenshtein distance: least number of bytes to insert, delete or replace that turn one text into the
 /// other. Its cost is the product of the two lengths.
 std::size_t editDistance(std::string_view a, std::string_view b);
+
+/// "; did you mean '...'?" with the first of the names that are nearest to what was given; empty if there are
+/// none.
+std::string suggestionFor(const std::vector<std::string>& names, std::string_view given);
 
 }  // namespace lamina

@@ -66,7 +66,7 @@ struct LayerIncline {
 };
 
 /// The place of layers that are planned flat.
-struct LayerPlaces {
+struct LayerLifting {
   LayerLift lift;
   std::vector<bool> is_skin = {};  ///< by layer: solid by `skins.strategy`, whatever the infill; empty: none
   /// Highest z of what stands on the bed before the first layer [mm, part frame].
@@ -100,10 +100,11 @@ Plan planPart(const std::string& part_name, const std::vector<Layer>& layers, co
 /// layers and travels between layers are joined in space (`lifting.md`). All figures but the toolpath are
 /// those of the flat plans.
 /// @param layers  the flat plans, with the heights of their beads
-/// @throws as `planToolpath`, and what `places.lift` throws; InvalidConfig for strategies that rise from layer to
+/// @throws as `planToolpath`, and what `lifting.lift` throws; InvalidConfig for strategies that rise from
+/// layer to
 ///         layer
 Plan planPart(const std::string& part_name, const std::vector<Layer>& layers, const PlanSettings& settings,
-              const LayerPlaces& places, Progress& progress);
+              const LayerLifting& lifting, Progress& progress);
 
 /// The toolpath of a part in planar layers: skirt, walls and infill of each layer, ordered for short travels
 /// and joined by them. The nozzle points down; its tip runs at the top of each layer. A layer with an empty

@@ -3,14 +3,18 @@
 #include "lamina/base/atomic_file.hpp"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <charconv>
 #include <cstdint>
 #include <cstring>
+#include <filesystem>
 #include <iterator>
 #include <random>
+#include <system_error>
+#include <utility>
 
 #include "lamina/base/error.hpp"
 #include "lamina/base/input_file.hpp"
@@ -31,9 +35,24 @@ std::string nameBeside(const std::string& path) {
   return path + "." + std::string(digits, result.ptr) + ".part";
 }
 
+/// What a link names, or a chain of links, as long as they are ours or root's.
+std::string behindOwnLinks(std::string path) {
+  constexpr int kMostLinks = 40;  // as the kernel follows
+  for (int links = 0; links < kMostLinks; ++links) {
+    struct stat status {};
+    const bool is_link = ::lstat(path.c_str(), &status) == 0 && S_ISLNK(status.st_mode);
+    if (!is_link || (status.st_uid != ::geteuid() && status.st_uid != 0)) return path;
+    std::error_code failure;
+    const std::filesystem::path target = std::filesystem::read_symlink(path, failure);
+    if (failure) return path;
+    path = (std::filesystem::path(path).parent_path() / target).string();
+  }
+  return path;
+}
+
 }  // namespace
 
-AtomicFile::AtomicFile(std::string path) : path_(std::move(path)) {
+AtomicFile::AtomicFile(std::string path) : path_(behindOwnLinks(std::move(path))) {
   // In a folder that others may write to, such as /tmp, somebody may have laid a link to a file of ours: a
   // new file is made, or none.
   temporary_path_ = nameBeside(path_);
@@ -71,5 +90,9 @@ void writeFile(const std::string& path, std::string_view bytes) {
 }
 
 std::string readFile(const std::string& path) { return InputFile(path).readRest(); }
+
+std::string readFile(const std::string& path, std::size_t most_bytes) {
+  return InputFile(path).readRest({}, most_bytes);
+}
 
 }  // namespace lamina

@@ -22,4 +22,12 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
   return row[b.size()];
 }
 
+std::string suggestionFor(const std::vector<std::string>& names, std::string_view given) {
+  const auto nearest =
+      std::min_element(names.begin(), names.end(), [given](const std::string& a, const std::string& b) {
+        return editDistance(a, given) < editDistance(b, given);
+      });
+  return nearest == names.end() ? "" : "; did you mean '" + *nearest + "'?";
+}
+
 }  // namespace lamina

@@ -3,12 +3,17 @@
 #include "lamina/base/input_file.hpp"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
+#include <utility>
 
+#include "lamina/base/available_memory.hpp"
 #include "lamina/base/error.hpp"
 
 namespace lamina {
@@ -18,19 +23,41 @@ namespace {
   throw FileError("cannot read '" + path + "': " + std::strerror(error_number));
 }
 
+bool isDescriptor(const std::string& path) {
+  const auto begins = [&path](std::string_view with) { return path.compare(0, with.size(), with) == 0; };
+  return path == "/dev/stdin" || begins("/dev/fd/") || begins("/proc/self/fd/");
+}
+
+const char* kindOf(mode_t mode) {
+  if (S_ISDIR(mode)) return "a folder";
+  if (S_ISFIFO(mode)) return "a pipe";
+  if (S_ISSOCK(mode)) return "a socket";
+  return "a device";
+}
+
+std::string megabytes(double bytes) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.1f MB", bytes / 1e6);
+  return text;
+}
+
 }  // namespace
 
 InputFile::InputFile(std::string path) : path_(std::move(path)) {
-  descriptor_ = ::open(path_.c_str(), O_RDONLY | O_CLOEXEC);
+  // Without waiting for whoever might write to a pipe.
+  descriptor_ = ::open(path_.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (descriptor_ < 0) fail(path_, errno);
   struct stat status {};
   const bool is_known = ::fstat(descriptor_, &status) == 0;
-  if (!is_known || S_ISDIR(status.st_mode)) {
-    const int error_number = is_known ? EISDIR : errno;
-    ::close(descriptor_);
-    fail(path_, error_number);
-  }
-  size_ = static_cast<std::size_t>(status.st_size);
+  const int error_number = errno;
+  const bool is_taken =
+      is_known && (S_ISREG(status.st_mode) || (isDescriptor(path_) && !S_ISDIR(status.st_mode)));
+  if (!is_taken) ::close(descriptor_);
+  if (!is_known) fail(path_, error_number);
+  if (!is_taken)
+    throw FileError("cannot read '" + path_ + "': it is " + kindOf(status.st_mode) +
+                    "; expected a regular file, or /dev/stdin");
+  size_ = S_ISREG(status.st_mode) ? static_cast<std::size_t>(status.st_size) : 0;
 }
 
 InputFile::~InputFile() { ::close(descriptor_); }
@@ -41,14 +68,38 @@ std::size_t InputFile::read(char* buffer, std::size_t count) {
     const ssize_t got = ::read(descriptor_, buffer + length, count - length);
     if (got == 0) break;
     if (got < 0 && errno == EINTR) continue;
+    if (got < 0 && errno == EAGAIN) {
+      wait();
+      continue;
+    }
     if (got < 0) fail(path_, errno);
     length += static_cast<std::size_t>(got);
   }
   return length;
 }
 
+void InputFile::wait() const {
+  pollfd waited{descriptor_, POLLIN, 0};
+  if (::poll(&waited, 1, -1) >= 0) return;
+  if (errno == EINTR) throw Cancelled("cancelled while '" + path_ + "' was read");
+  fail(path_, errno);
+}
+
 std::string InputFile::readRest(std::string_view read_before) {
+  constexpr double kMostOfMemory = 0.8;
+  constexpr double kMost = 1e15;  // where the machine does not say what memory it has
+  const double room = kMostOfMemory * availableMemory();
+  return readRest(read_before, static_cast<std::size_t>(std::min(room, kMost)));
+}
+
+std::string InputFile::readRest(std::string_view read_before, std::size_t most_bytes) {
   constexpr std::size_t kChunk = 1 << 16;
+  const auto requireRoomFor = [&](std::size_t bytes) {
+    if (bytes > most_bytes)
+      throw FileError("cannot read '" + path_ + "': it has " + megabytes(static_cast<double>(bytes)) +
+                      " or more; expected at most " + megabytes(static_cast<double>(most_bytes)));
+  };
+  requireRoomFor(size_);
   std::string bytes(read_before);
   bytes.reserve(size_ + kChunk);
   // In one go as far as the size is known; what has no size, or has grown since, follows in chunks.
@@ -58,9 +109,12 @@ std::string InputFile::readRest(std::string_view read_before) {
     bytes.resize(length + wanted);
     const std::size_t got = read(bytes.data() + length, wanted);
     bytes.resize(length + got);
+    requireRoomFor(bytes.size());
     is_at_end = got < wanted;
   }
   return bytes;
 }
+
+void requireReadable(const std::string& path) { const InputFile file(path); }
 
 }  // namespace lamina

@@ -106,13 +106,10 @@ SettingTable parseTable(const std::string& key, const std::string& text) {
 }
 
 /// "; did you mean ...?" with the key that is nearest; empty if there are none.
-std::string suggestionFor(const SettingsSchema& schema, const std::string& key) {
-  const std::vector<Setting>& settings = schema.settings();
-  const auto nearest =
-      std::min_element(settings.begin(), settings.end(), [&](const Setting& a, const Setting& b) {
-        return editDistance(a.key, key) < editDistance(b.key, key);
-      });
-  return nearest == settings.end() ? "" : "; did you mean '" + nearest->key + "'?";
+std::string keySuggestion(const SettingsSchema& schema, const std::string& key) {
+  std::vector<std::string> keys;
+  for (const Setting& setting : schema.settings()) keys.push_back(setting.key);
+  return suggestionFor(keys, key);
 }
 
 }  // namespace
@@ -246,7 +243,7 @@ void SettingsSchema::set(const std::string& key, const std::string& text) {
                         key.compare(0, setting->key.size() + 1, setting->key + ".") == 0;
   if (is_entry) return setting->set_entry(key.substr(setting->key.size() + 1), text);
   if (setting != nullptr) return setting->set(text);
-  throw InvalidConfig("unknown setting '" + key + "'" + suggestionFor(*this, key));
+  throw InvalidConfig("unknown setting '" + key + "'" + keySuggestion(*this, key));
 }
 
 namespace {
@@ -259,7 +256,7 @@ void applyFile(SettingsSchema& schema, const std::string& path) {
   });
   if (!settings.empty() && !is_known)
     throw InvalidConfig(path + ": none of its keys is a setting" +
-                        suggestionFor(schema, settings.front().key));
+                        keySuggestion(schema, settings.front().key));
   for (const SettingText& setting : settings) schema.set(setting.key, setting.text);
 }
 

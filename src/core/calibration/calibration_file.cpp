@@ -11,6 +11,7 @@
 #include "lamina/base/angle.hpp"
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/input_file.hpp"
 #include "lamina/base/settings_yaml.hpp"
 
 namespace lamina {
@@ -184,7 +185,9 @@ Calibration calibrationFromYaml(const std::string& yaml, const std::string& sour
   return calibration;
 }
 
-Calibration readCalibration(const std::string& path) { return calibrationFromYaml(readFile(path), path); }
+Calibration readCalibration(const std::string& path) {
+  return calibrationFromYaml(readFile(path, kMostSettingsBytes), path);
+}
 
 void writeCalibration(const std::string& path, const Calibration& calibration) {
   writeFile(path, toYaml(calibration));

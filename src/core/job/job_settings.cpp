@@ -6,6 +6,7 @@
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/input_file.hpp"
 #include "lamina/infill/strategy.hpp"
 #include "lamina/job/profiles/machine_defaults.hpp"
 #include "lamina/job/slicing/slicing_mode.hpp"
@@ -223,7 +224,7 @@ JobSettings loadJobSettings(const std::string& yaml_path, const std::vector<Sett
   applySettings(schema, yaml_path, overrides);
   std::set<std::string> typed;
   if (!yaml_path.empty())
-    for (const SettingText& setting : settingsFromYaml(readFile(yaml_path), yaml_path))
+    for (const SettingText& setting : settingsFromYaml(readFile(yaml_path, kMostSettingsBytes), yaml_path))
       typed.insert(setting.key);
   for (const SettingText& setting : overrides) typed.insert(setting.key);
   return withMachineDefaults(settings, typed);

@@ -15,8 +15,8 @@
 #include "lamina/job/kinematic_model_run.hpp"
 #include "lamina/job/machine_check.hpp"
 #include "lamina/job/rapid_files.hpp"
-#include "lamina/kinematics/arm/abb_configuration.hpp"
 #include "lamina/job/slicing/slicing_mode.hpp"
+#include "lamina/kinematics/arm/abb_configuration.hpp"
 #include "lamina/kinematics/model/toolpath_reach.hpp"
 #include "lamina/orientation/kept_lean.hpp"
 
@@ -117,9 +117,12 @@ bool isProgram(const SliceJob& job) { return isGcode(job) || isRapidFile(job.out
 /// Of what no joints are led for.
 bool needsClearance(const SliceJob& job, const SlicedPart& sliced) {
   switch (job.settings.clearance.need) {
-    case ClearanceNeed::Never: return false;
-    case ClearanceNeed::Always: return !job.output.empty();
-    case ClearanceNeed::Turning: return isProgram(job) && !hasPlaneLayers(sliced.summary.mode);
+    case ClearanceNeed::Never:
+      return false;
+    case ClearanceNeed::Always:
+      return !job.output.empty();
+    case ClearanceNeed::Turning:
+      return isProgram(job) && !hasPlaneLayers(sliced.summary.mode);
   }
   return false;
 }
@@ -203,8 +206,8 @@ JointPath atWaypointsAskedFor(const KinematicModelRun& run) {
   return kept;
 }
 
-JointProgram planMachine(std::unique_ptr<KinematicModel> machine, const SliceJob& job,
-                         SlicedPart& sliced, Progress& progress) {
+JointProgram planMachine(std::unique_ptr<KinematicModel> machine, const SliceJob& job, SlicedPart& sliced,
+                         Progress& progress) {
   KinematicModelRun run = runnable(*machine, job, sliced, job.settings.joints, progress);
   const auto time = timeOf(run, *machine, job.settings);
   return {std::move(machine), std::move(run.divided.toolpath), std::move(run.path), time};
@@ -239,8 +242,8 @@ bool writesFiveAxis(const SliceJob& job, const BuildSpace& space, const SlicedPa
          greatestToolAxisTurn(sliced.toolpath, sliced.bed_from_part, space) > kHeldToolAxis;
 }
 
-std::optional<JointProgram> planJointProgram(const SliceJob& job, const BuildSpace& space,
-                                             SlicedPart& sliced, Progress& progress) {
+std::optional<JointProgram> planJointProgram(const SliceJob& job, const BuildSpace& space, SlicedPart& sliced,
+                                             Progress& progress) {
   if (writesFiveAxis(job, space, sliced))
     return planMachine(kinematicModelOf(job.settings.machine), job, sliced, progress);
   if (isRapidFile(job.output) && canTurnToolAxis(space)) {

@@ -40,7 +40,7 @@ bool writesFiveAxis(const SliceJob& job, const BuildSpace& space, const SlicedPa
 /// @param progress  stages "joints" and "clearance"
 /// @throws Unreachable if the machine cannot run it: the first waypoint, and how many; InvalidConfig if
 ///   `joints.external` is to follow, but the variant of the program cannot report external axes
-std::optional<JointProgram> planJointProgram(const SliceJob& job, const BuildSpace& space,
-                                             SlicedPart& sliced, Progress& progress);
+std::optional<JointProgram> planJointProgram(const SliceJob& job, const BuildSpace& space, SlicedPart& sliced,
+                                             Progress& progress);
 
 }  // namespace lamina

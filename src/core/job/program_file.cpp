@@ -7,6 +7,7 @@
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/input_file.hpp"
 #include "lamina/job/rapid_files.hpp"
 #include "lamina/kinematics/arm/abb_configuration.hpp"
 #include "lamina/program/csv/csv_reader.hpp"
@@ -20,9 +21,12 @@ namespace {
 /// The comments at the head of a program. They state whether it has five axes, so the rest, which may be
 /// long, need not be read.
 std::string headOf(const std::string& path) {
-  std::ifstream file(path);
+  constexpr std::size_t kMostHead = 1 << 16;
+  std::string bytes(kMostHead, '\0');
+  bytes.resize(InputFile(path).read(bytes.data(), bytes.size()));
+  std::istringstream lines(bytes);
   std::string head;
-  for (std::string line; std::getline(file, line) && !line.empty() && line.front() == ';';)
+  for (std::string line; std::getline(lines, line) && !line.empty() && line.front() == ';';)
     head += line + "\n";
   return head;
 }

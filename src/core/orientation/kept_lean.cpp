@@ -16,7 +16,7 @@
 namespace lamina {
 namespace {
 
-constexpr double kUpright = 1e-9;  // deg: no lean
+constexpr double kUpright = 1e-9;    // deg: no lean
 constexpr double kMostLean = 179.0;  // deg: beyond it there is no plane in which to raise
 
 double leanOf(const Path& path, std::size_t waypoint, const Point3& up) {

@@ -32,7 +32,7 @@ struct PlanContext {
   std::optional<Box2> level_bed;   ///< area of the nozzle over the bed of level layers, if known
   /// Identity except for inclined layers.
   Eigen::Isometry3d part_from_layers = Eigen::Isometry3d::Identity();
-  LayerLift lift;  ///< of layers that are planned flat; empty for others
+  LayerLift lift;             ///< of layers that are planned flat; empty for others
   std::vector<bool> is_skin;  ///< of lifted layers, by layer: solid, whatever the infill; empty: none
   /// Highest z of what stands on the bed before the first layer [mm, part frame].
   double standing_mm = -std::numeric_limits<double>::infinity();

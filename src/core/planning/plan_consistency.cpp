@@ -255,6 +255,9 @@ void requireConsistent(const PlanSettings& settings) {
 }
 
 void requireSensibleWidths(const PlanSettings& settings, double layer_height_mm) {
+  if (settings.bead.width_mm < layer_height_mm * (1.0 - kRounding))
+    throw InvalidConfig("bead.width_mm is " + text(settings.bead.width_mm) + " mm in a layer of " +
+                        text(layer_height_mm) + " mm; expected at least that: beads are wider than high");
   const std::pair<const char*, double> stated[] = {
       {"infill.bead_width_mm", settings.infill.bead_width_mm},
       {"skins.bead_width_mm", settings.skins.bead_width_mm},

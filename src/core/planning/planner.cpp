@@ -491,8 +491,8 @@ Plan planInContext(const std::vector<Layer>& layers, const PlanContext& of_setti
   plan.supports = of_stack.aids.supports;
   std::vector<ToolpathLayer>& paths = plan.toolpath.layers;
   const TravelSettings travel_settings = betweenLayers(of_settings.settings.travel);
-  const TravelMaker travel =
-      context.lift ? spaceTravels(paths, travel_settings, of_settings.standing_mm) : levelTravels(travel_settings);
+  const TravelMaker travel = context.lift ? spaceTravels(paths, travel_settings, of_settings.standing_mm)
+                                          : levelTravels(travel_settings);
   if (context.strategy.link == LayerLink::Chained)
     chainLayers(paths, of_settings.settings, chainAnchor(paths, context), travel);
   if (isVase(context)) raiseWall(paths, base_layers, travel_settings);
@@ -540,15 +540,15 @@ Plan planPart(const std::string& part_name, const std::vector<Layer>& layers, co
 }
 
 Plan planPart(const std::string& part_name, const std::vector<Layer>& layers, const PlanSettings& settings,
-              const LayerPlaces& places, Progress& progress) {
+              const LayerLifting& lifting, Progress& progress) {
   PlanContext context = contextFor(layers, settings);
   if (isVase(context))
     throw InvalidConfig("infill.strategy is '" + settings.infill.strategy +
                         "', which rises from one level layer to the next; curved layers need another");
   context.settings.skirt.count = 0;
-  context.lift = places.lift;
-  context.is_skin = places.is_skin;
-  context.standing_mm = places.standing_mm;
+  context.lift = lifting.lift;
+  context.is_skin = lifting.is_skin;
+  context.standing_mm = lifting.standing_mm;
   Plan plan = planInContext(layers, context, progress);
   plan.toolpath.part_name = part_name;
   return plan;

@@ -11,6 +11,7 @@
 #include "base/strict_yaml.hpp"
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/input_file.hpp"
 #include "lamina/base/text.hpp"
 #include "lamina/study/placeholders.hpp"
 #include "lamina/study/search_settings.hpp"
@@ -357,7 +358,8 @@ Study readStudy(const std::string& yaml, const std::string& source_name, const s
 }
 
 Study readStudyFile(const std::string& path) {
-  Study study = readStudy(readFile(path), path, std::filesystem::path(path).parent_path().string());
+  Study study =
+      readStudy(readFile(path, kMostSettingsBytes), path, std::filesystem::path(path).parent_path().string());
   study.file = path;
   return study;
 }

@@ -61,8 +61,8 @@ class SpeedPlan {
 
   /// Adds the way from a place to rest, braking as hard as the limits allow.
   void appendStop(Timeline& out, MotionPlace from) const;
-  /// Adds the way from a place, at its speed, to the end: at a share of the plan's speeds as soon as the limits
-  /// allow. A motion that takes longer by one factor everywhere keeps all limits.
+  /// Adds the way from a place, at its speed, to the end: at a share of the plan's speeds as soon as the
+  /// limits allow. A motion that takes longer by one factor everywhere keeps all limits.
   /// @param from   no faster than the plan is there
   /// @param share  (0, 1]
   void appendFrom(Timeline& out, MotionPlace from, double share, RestThere rest) const;

@@ -49,7 +49,7 @@ std::shared_ptr<const TimedMotion> toolLift(const JointValues& from, const ToolL
 }
 
 constexpr double kLeastSpeed = 0.01;  // of the planned speeds
-constexpr double kGridSlack = 1e-6;  // of a step: a time this near to a point is that point's
+constexpr double kGridSlack = 1e-6;   // of a step: a time this near to a point is that point's
 
 }  // namespace
 
@@ -238,8 +238,8 @@ class TrajectoryFeeder::State {
     return timeOf(std::max(0L, stepAfter(now_s + settings_.reaction_s)));
   }
 
-  /// Plans the motion anew from the first point that can still change, or from the end of a rest that it falls
-  /// in; false if there is no motion left.
+  /// Plans the motion anew from the first point that can still change, or from the end of a rest that it
+  /// falls in; false if there is no motion left.
   bool goOnAtSpeed(double now_s) {
     double cut_s = reactionTo(now_s);
     while (cut_s < timeline_.end() && timeline_.placeAt(cut_s).kind != PhaseKind::Move)

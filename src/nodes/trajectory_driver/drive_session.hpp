@@ -32,7 +32,7 @@ struct DriveStatus {
   double duration_s = 0.0;  ///< of it all, pauses so far included
   WaypointIndex heading_for;
   Eigen::Vector3d tip_mm = Eigen::Vector3d::Zero();  ///< [bed frame]
-  double speed_share = 1.0;  ///< of the planned speeds
+  double speed_share = 1.0;                          ///< of the planned speeds
   Feeding feeding;
   JointValues joint_error;  ///< actual less wanted [mm, rad]; of size 0 before the motion
   double tip_error_mm = 0.0;

@@ -70,7 +70,8 @@ TEST(ConformalLayers, WhatLiesBeneathOtherMaterialGetsNoCoat) {
 TEST(ConformalLayers, FacesThatAreHiddenInPartAreCoatedUpToThere) {
   ConformalSettings settings;
   settings.longest_edge_mm = 0.5;
-  const Mesh table = test::joined(test::boxBetween({0, 0, 0}, {20, 10, 5}), test::boxBetween({3, 3, 8}, {7, 7, 9}));
+  const Mesh table =
+      test::joined(test::boxBetween({0, 0, 0}, {20, 10, 5}), test::boxBetween({3, 3, 8}, {7, 7, 9}));
   const ConformalLayers layers = coat(table, settings, 0.5);
   // 16 mm2 lie beneath the plate; of the faces across its edge, as wide as they are long, none is coated.
   EXPECT_GE(layers.hidden_mm2, 16.0);

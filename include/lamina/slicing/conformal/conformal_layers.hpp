@@ -24,11 +24,12 @@ struct ConformalLayers {
 };
 
 /// A coat on a mesh: layers on its faces that look in the direction of the settings and have no other face
-/// before them, seen from there, growing outwards and ending where they meet the mesh or each other. As many layers of equal height, at most `layer_height_mm`,
-/// as give the thickness exactly.
+/// before them, seen from there, growing outwards and ending where they meet the mesh or each other. As many
+/// layers of equal height, at most `layer_height_mm`, as give the thickness exactly.
 ///
 /// @param mesh  facing outwards [mm, part frame]; may be open
-/// @throws Unsliceable if no face looks in that direction, or all that do are hidden; InvalidConfig; Cancelled
+/// @throws Unsliceable if no face looks in that direction, or all that do are hidden; InvalidConfig;
+/// Cancelled
 ConformalLayers coatingLayers(const Mesh& mesh, const ConformalSettings& settings, double layer_height_mm,
                               Progress& progress);
 

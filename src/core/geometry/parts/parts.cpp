@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "lamina/base/edit_distance.hpp"
 #include "lamina/base/error.hpp"
 #include "shapes.hpp"
 
@@ -78,7 +79,7 @@ std::vector<Part> parts() {
 Part find(const std::string& name) {
   for (Part& part : parts())
     if (part.name == name) return part;
-  throw InvalidConfig("there is no part '" + name + "'; there are " +
+  throw InvalidConfig("there is no part '" + name + "'" + suggestionFor(partNames(), name) + " There are " +
                       listed(parts(), [](const Part& part) { return part.name; }));
 }
 

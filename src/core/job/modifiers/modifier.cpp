@@ -11,6 +11,7 @@
 #include "base/strict_yaml.hpp"
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/input_file.hpp"
 #include "lamina/base/text.hpp"
 #include "lamina/geometry/mesh/mesh_repair.hpp"
 #include "lamina/infill/strategy.hpp"
@@ -280,7 +281,8 @@ VolumeModifiers modifiersOf(const std::vector<MeshVolume>& volumes, const JobSet
 }
 
 std::vector<Modifier> readModifiersFile(const std::string& path) {
-  return readModifiers(readFile(path), path, std::filesystem::path(path).parent_path().string());
+  return readModifiers(readFile(path, kMostSettingsBytes), path,
+                       std::filesystem::path(path).parent_path().string());
 }
 
 }  // namespace lamina

@@ -3,8 +3,11 @@
 #include "job/part/part_source.hpp"
 
 #include <algorithm>
+#include <filesystem>
+#include <system_error>
 
 #include "lamina/base/atomic_file.hpp"
+#include "lamina/base/edit_distance.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/geometry/mesh/extrusion.hpp"
 #include "lamina/geometry/mesh/mesh_repair.hpp"
@@ -31,8 +34,17 @@ bool isParametric(const std::string& part) {
   return std::find(names.begin(), names.end(), part) != names.end();
 }
 
+/// What is neither a file nor looks like the name of one is taken for a part.
+void requireFileOrPart(const std::string& part) {
+  const std::filesystem::path path(part);
+  std::error_code unknown;
+  if (path.has_extension() || path.has_parent_path() || std::filesystem::exists(path, unknown)) return;
+  throw FileError("there is neither a file nor a part '" + part + "'" + suggestionFor(partNames(), part));
+}
+
 Mesh readOrMake(const std::string& part, const InputSettings& settings, Progress& progress) {
   if (isSvgName(part)) return extrudedOutline(part, settings);
+  if (!isParametric(part)) requireFileOrPart(part);
   if (!isParametric(part)) return readMesh(part, settings.units, settings.tessellation, progress);
   Mesh mesh = makePart(part);
   for (Point3& vertex : mesh.vertices) vertex *= settings.units.scale;

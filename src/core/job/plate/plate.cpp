@@ -13,6 +13,7 @@
 #include "lamina/base/angle.hpp"
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/input_file.hpp"
 
 namespace lamina {
 namespace {
@@ -117,7 +118,8 @@ Plate readPlate(const std::string& yaml, const std::string& source_name, const s
 }
 
 Plate readPlateFile(const std::string& path) {
-  return readPlate(readFile(path), path, std::filesystem::path(path).parent_path().string());
+  return readPlate(readFile(path, kMostSettingsBytes), path,
+                   std::filesystem::path(path).parent_path().string());
 }
 
 Plate plateOf(const std::vector<std::string>& files) {

@@ -7,6 +7,7 @@
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/input_file.hpp"
 #include "lamina/base/text.hpp"
 #include "lamina/job/profiles/machine_defaults.hpp"
 #include "lamina/job/profiles/stated_settings.hpp"
@@ -48,7 +49,7 @@ class LayeredLoad {
 
   void setConfig(const std::string& path) {
     applySettings(schema_, path, {});
-    for (const PlacedSetting& placed : placedSettingsFromYaml(readFile(path), path))
+    for (const PlacedSetting& placed : placedSettingsFromYaml(readFile(path, kMostSettingsBytes), path))
       setPlaced(placed, "--config", path);
   }
 

@@ -9,6 +9,7 @@
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/input_file.hpp"
 #include "lamina/base/text.hpp"
 
 namespace lamina {
@@ -72,7 +73,7 @@ Profile readProfile(const std::string& path) {
   Profile profile;
   profile.path = path;
   bool has_kind = false;
-  for (PlacedSetting& stated : placedSettingsFromYaml(readFile(path), path)) {
+  for (PlacedSetting& stated : placedSettingsFromYaml(readFile(path, kMostSettingsBytes), path)) {
     const std::string& key = stated.setting.key;
     if (key.compare(0, kHead.size(), kHead) == 0) {
       readHead(stated, profile);

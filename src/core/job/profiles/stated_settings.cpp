@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/input_file.hpp"
 
 namespace lamina {
 namespace {
@@ -50,6 +51,7 @@ std::string settingComments(const JobSettings& settings) {
 }
 
 std::vector<PlacedSetting> statedSettings(const std::string& program_path) {
+  requireReadable(program_path);
   std::ifstream program(program_path);
   if (!program) throw FileError("cannot open '" + program_path + "'");
   std::vector<PlacedSetting> stated;

@@ -21,11 +21,11 @@ PlannedPart planHeightField(SourcePart source, const PlanningRequest& request, P
   planned.notes = notesOf(slices.report, settings.height_field);
   LiftSettings lifting = settings.lifting;
   lifting.tool_axis = ToolAxis::Down;
-  planned.plan = planPart(request.partName(), slices.layers, settings.planning,
-                          {heightFieldLift(slices, lifting, settings.planning.travel),
-                           skinsOfStack(slices.layers.size(), settings.planning.skins,
-                                        settings.slicing.layer_height_mm)},
-                          progress);
+  planned.plan = planPart(
+      request.partName(), slices.layers, settings.planning,
+      {heightFieldLift(slices, lifting, settings.planning.travel),
+       skinsOfStack(slices.layers.size(), settings.planning.skins, settings.slicing.layer_height_mm)},
+      progress);
   return planned;
 }
 

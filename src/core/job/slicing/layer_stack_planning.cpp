@@ -121,8 +121,8 @@ PlannedPart planStack(SurfaceStack stack, const PlanningRequest& request, Progre
   std::vector<ChartedLayer> layers(stack.layers.size());
   parallelFor(
       layers.size(),
-      [&](std::size_t i) { layers[i] = chartedAt(i, std::move(stack.layers[i]), settings.flattening); }, progress,
-      "flatten");
+      [&](std::size_t i) { layers[i] = chartedAt(i, std::move(stack.layers[i]), settings.flattening); },
+      progress, "flatten");
   PlannedPart planned;
   planned.counts = countsOf(layers);
   planned.counts.slice_s = laps.lap();
@@ -133,11 +133,11 @@ PlannedPart planStack(SurfaceStack stack, const PlanningRequest& request, Progre
     plans.push_back(std::move(layer.plan));
     charts.push_back(std::move(layer.charts));
   }
-  const LayerPlaces places{
+  const LayerLifting lifting{
       chartLift(charts, highest, settings.lifting, settings.planning.travel),
       skinsOfStack(plans.size(), settings.planning.skins, settings.slicing.layer_height_mm),
       stack.standing_mm};
-  planned.plan = planPart(request.partName(), plans, settings.planning, places, progress);
+  planned.plan = planPart(request.partName(), plans, settings.planning, lifting, progress);
   for (const ChartedLayer& layer : layers)
     if (layer.left_out_mm3 > kRounding * layer.volume_mm3) planned.plan.unprinted_mm3 += layer.left_out_mm3;
   return planned;

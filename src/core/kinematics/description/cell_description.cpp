@@ -22,6 +22,7 @@
 #include "lamina/base/angle.hpp"
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/input_file.hpp"
 #include "lamina/kinematics/description/robot_description.hpp"
 
 namespace lamina {
@@ -367,7 +368,8 @@ bool isCellFile(const std::string& path) {
 }
 
 std::string readMachineDescription(const std::string& path) {
-  return isCellFile(path) ? cellDescription(readFile(path), path) : readRobotDescription(path);
+  return isCellFile(path) ? cellDescription(readFile(path, kMostSettingsBytes), path)
+                          : readRobotDescription(path);
 }
 
 }  // namespace lamina

@@ -8,6 +8,7 @@
 #include "kinematics/description/package_path.hpp"
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/input_file.hpp"
 
 namespace lamina {
 namespace {
@@ -102,7 +103,7 @@ std::string robotDescription(const std::string& text, const std::string& path,
 }
 
 std::string readRobotDescription(const std::string& path, const std::vector<std::string>& packages) {
-  return robotDescription(readFile(path), path, packages);
+  return robotDescription(readFile(path, kMostSettingsBytes), path, packages);
 }
 
 }  // namespace lamina

@@ -13,6 +13,7 @@
 #include "kinematics/description/xacro_expression.hpp"
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/input_file.hpp"
 
 namespace lamina {
 namespace {
@@ -88,7 +89,7 @@ class Expansion {
 
   const TiXmlElement& parsed(const std::string& path) {
     auto document = std::make_unique<TiXmlDocument>();
-    document->Parse(readFile(path).c_str());
+    document->Parse(readFile(path, kMostSettingsBytes).c_str());
     if (document->Error() || document->RootElement() == nullptr ||
         std::string(document->RootElement()->Value()) != "robot")
       throw InvalidConfig(path + ", line " + std::to_string(document->ErrorRow()) +
@@ -114,7 +115,7 @@ class Expansion {
                              const std::string place = placed(path);
                              if (!std::filesystem::is_regular_file(place))
                                throw InvalidConfig("load_yaml names " + place + ", which is no file");
-                             return YAML::LoadFile(place);
+                             return YAML::Load(readFile(place, kMostSettingsBytes));
                            }};
     try {
       return evaluated(expression, scope);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/input_file.hpp"
 #include "program/gcode/gcode_interpreter.hpp"
 
 namespace lamina {
@@ -49,13 +50,10 @@ void GcodeReader::finish() {
 
 void readGcodeFile(const std::string& path, const GcodeReaderSettings& settings,
                    const GcodeHandlers& handlers) {
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
-  if (!file) throw FileError("cannot open '" + path + "' for reading");
+  InputFile file(path);
   GcodeReader reader(settings, handlers);
   std::vector<char> buffer(1U << 18);
-  while (const std::size_t size = std::fread(buffer.data(), 1, buffer.size(), file.get()))
-    reader.read({buffer.data(), size});
-  if (std::ferror(file.get()) != 0) throw FileError("cannot read '" + path + "'; is it a file?");
+  while (const std::size_t size = file.read(buffer.data(), buffer.size())) reader.read({buffer.data(), size});
   reader.finish();
 }
 

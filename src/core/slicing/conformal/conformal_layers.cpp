@@ -157,7 +157,8 @@ ConformalLayers coatingLayers(const Mesh& mesh, const ConformalSettings& setting
   limits.rest = nearest_rest ? &*nearest_rest : nullptr;
   limits.farthest_mm = settings.thickness_mm;
   limits.step_mm = result.layer_height_mm;
-  const ShellPropagation propagation({patchOf(coated.mesh, coated.faces), {}}, settings.longest_edge_mm, limits, progress);
+  const ShellPropagation propagation({patchOf(coated.mesh, coated.faces), {}}, settings.longest_edge_mm,
+                                     limits, progress);
   result.layers = propagation.shells(result.layer_height_mm, NozzleSide::Ahead, progress);
   result.deposited_mm3 = volume(result.layers);
   return result;

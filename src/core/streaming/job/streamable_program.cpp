@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/input_file.hpp"
 #include "lamina/base/text.hpp"
 #include "lamina/streaming/job/firmware_protocol.hpp"
 #include "program/gcode/plain_command.hpp"
@@ -160,6 +161,7 @@ ProgramCursor StreamableProgram::open() const { return ProgramCursor(openText())
 
 std::unique_ptr<std::istream> StreamableProgram::openText() const {
   if (text_) return std::make_unique<std::istringstream>(*text_);
+  requireReadable(path_);
   auto file = std::make_unique<std::ifstream>(path_, std::ios::binary);
   if (!*file) throwUnreadable(path_, std::strerror(errno));
   return file;
