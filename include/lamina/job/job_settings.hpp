@@ -31,6 +31,7 @@
 #include "lamina/slicing/curved/curved_settings.hpp"
 #include "lamina/slicing/height_field/height_field_settings.hpp"
 #include "lamina/slicing/slicing_settings.hpp"
+#include "lamina/slicing/volumetric/volumetric_settings.hpp"
 #include "lamina/stiffness/stiffness_settings.hpp"
 #include "lamina/sweep/sweep_settings.hpp"
 #include "lamina/toolpath/motion_limits.hpp"
@@ -78,6 +79,7 @@ struct JobSettings {
   CurvedSettings curved;
   ConformalSettings conformal;
   HeightFieldSettings height_field;
+  VolumetricSettings volumetric;
   FlatteningSettings flattening;
   LiftSettings lifting;
   OrientationSettings orientation;

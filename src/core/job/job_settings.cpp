@@ -187,6 +187,7 @@ void describe(SettingsSchema& schema, JobSettings& settings) {
   describe(schema, settings.curved);
   describe(schema, settings.conformal);
   describe(schema, settings.height_field);
+  describe(schema, settings.volumetric);
   describe(schema, settings.flattening);
   describe(schema, settings.lifting);
   describe(schema, settings.orientation);
@@ -237,6 +238,7 @@ void validate(const JobSettings& settings) {
   schema.validate();
   requireConsistent(settings.planning);
   requireConsistent(settings.slicing);
+  requireConsistent(settings.volumetric);
   requireConsistent(settings.cooling);
   requireConsistent(settings.fan);
   requireConsistent(settings.flow);

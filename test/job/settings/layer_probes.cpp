@@ -102,6 +102,25 @@ SettingProbe heightFieldProbe() {
            {"heightfield.evenness=0.5"}}};
 }
 
+SettingProbe volumetricProbe() {
+  return {"volumetric layers",
+          std::string(kThick) + "slicing.mode=volumetric;volumetric.cell_mm=0.5",
+          toolpathOf("cone radius_mm=3 top_radius_mm=6 height_mm=4 segments=32"),
+          {{"volumetric.cell_mm=0.7"},
+           {"volumetric.max_overhang_deg=40"},
+           {"volumetric.overhang_used_deg=10"},
+           {"volumetric.max_thickness=1.05", "volumetric.overhang_used_deg=10"},
+           {"volumetric.max_tilt_deg=2"},
+           {"volumetric.sink_mm=1"},
+           {"volumetric.deviation_deg=0", "machine.name=five_axis_head_table;volumetric.overhang_used_deg=0"},
+           {"volumetric.largest_pendant_percent=1",
+            "volumetric.max_tilt_deg=2;volumetric.largest_unsupported_percent=100;"
+            "volumetric.largest_pendant_percent=100"},
+           {"volumetric.largest_unsupported_percent=1",
+            "volumetric.max_tilt_deg=2;volumetric.largest_pendant_percent=100;"
+            "volumetric.largest_unsupported_percent=100"}}};
+}
+
 SettingProbe orientationProbe() {
   return {"the nozzle's orientation",
           std::string(kThick) + "machine.name=five_axis_head_ac",
@@ -123,7 +142,7 @@ SettingProbe orientationProbe() {
 
 std::vector<SettingProbe> layerProbes() {
   return {inclinedProbe(),  beltProbe(), adaptedProbe(),     curvedProbe(),     gapProbe(),
-          conformalProbe(), baseProbe(), heightFieldProbe(), orientationProbe()};
+          conformalProbe(), baseProbe(), heightFieldProbe(), volumetricProbe(), orientationProbe()};
 }
 
 }  // namespace lamina::test

@@ -19,6 +19,7 @@ std::map<std::string, SlicingMode> builtInModes() {
       {"heightfield", {planHeightField, LayerShape::Bent, FirstLayer::OwnHeight, LaidOn::Bed}},
       {"inclined", plane},  // as planar; validate requires an angle
       {"planar", plane},
+      {"volumetric", {planVolumetric, LayerShape::Bent, FirstLayer::OwnHeight, LaidOn::Bed}},
   };
 }
 

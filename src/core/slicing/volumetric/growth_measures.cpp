@@ -1,0 +1,206 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "slicing/volumetric/growth_measures.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "lamina/base/parallel.hpp"
+#include "lamina/parameterization/surface_cut.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr std::size_t kBlockOfTriangles = 1024;
+constexpr double kBeyond = 0.02;
+constexpr double kMeeting = 0.9;  // cosine between neighbours' directions, below which fronts meet
+
+/// Calls visit(middle, area) for parts of a triangle whose edges are at most `longest_mm`.
+template <class Visit>
+void visitParts(const std::array<Point3, 3>& corner, double longest_mm, const Visit& visit) {
+  std::size_t longest = 0;
+  std::array<double, 3> length{};
+  for (std::size_t side = 0; side < 3; ++side) {
+    length[side] = (corner[(side + 1) % 3] - corner[side]).norm();
+    if (length[side] > length[longest]) longest = side;
+  }
+  if (length[longest] <= longest_mm) {
+    const double area = 0.5 * (corner[1] - corner[0]).cross(corner[2] - corner[0]).norm();
+    return visit(Point3((corner[0] + corner[1] + corner[2]) / 3.0), area);
+  }
+  const Point3 middle = 0.5 * (corner[longest] + corner[(longest + 1) % 3]);
+  std::array<Point3, 3> part = corner;
+  part[(longest + 1) % 3] = middle;
+  visitParts(part, longest_mm, visit);
+  part = corner;
+  part[longest] = middle;
+  visitParts(part, longest_mm, visit);
+}
+
+/// The node below a place of the surface, or the nearest around there.
+std::uint32_t nodeBelow(const CellGraph& cells, const Point3& place, const Point3& normal) {
+  const double cell = cells.frame().voxel_mm;
+  const Point3 inner = place - 0.25 * cell * normal;
+  const std::uint32_t there = cells.nodeAt(inner);
+  if (there != CellGraph::kNone) return there;
+  const Point3 at = (inner - cells.frame().corner) / cell;
+  std::uint32_t nearest = CellGraph::kNone;
+  double least = std::numeric_limits<double>::infinity();
+  for (int near = 0; near < 27; ++near) {
+    const auto [first, last] =
+        cells.nodesIn({static_cast<int>(at.x()) + near % 3 - 1, static_cast<int>(at.y()) + near / 3 % 3 - 1,
+                       static_cast<int>(at.z()) + near / 9 - 1});
+    for (std::uint32_t node = first; node < last; ++node) {
+      const double squared = (cells.middle(node) - inner).squaredNorm();
+      if (squared >= least) continue;
+      least = squared;
+      nearest = node;
+    }
+  }
+  return nearest;
+}
+
+/// Growth at a place of the surface as the layers have it: in the cube around it that joins the node below it.
+GrowthSample sampleThere(const CellGraph& cells, const GrowthLattice& lattice, const Point3& place,
+                         std::uint32_t node) {
+  const Point3 at = (place - cells.frame().corner) / cells.frame().voxel_mm - Point3::Constant(0.5);
+  const auto [first, last] =
+      lattice.cubesAt({static_cast<int>(at.x()), static_cast<int>(at.y()), static_cast<int>(at.z())});
+  for (std::uint32_t number = first; number < last; ++number) {
+    const GrowthCube& cube = lattice.cubes()[number];
+    if (std::find(cube.sample.begin(), cube.sample.end(), node) != cube.sample.end())
+      return lattice.within(cube, place);
+  }
+  return lattice.samples()[node];
+}
+
+/// Whether there is part below a place, or as far beside that as a layer may overhang: by its height.
+bool isOnPart(const CellGraph& cells, const Point3& below, const Point3& normal, double height_mm) {
+  if (cells.nodeAt(below) != CellGraph::kNone) return true;
+  const Point3 across = normal.unitOrthogonal();
+  const Point3 along = normal.cross(across);
+  for (const Point3& aside : {across, along, Point3(-across), Point3(-along)})
+    if (cells.nodeAt(below + height_mm * aside) != CellGraph::kNone) return true;
+  return false;
+}
+
+bool isGrown(const GrowthSample& sample) { return std::isfinite(sample.growth_mm); }
+
+}  // namespace
+
+HangingSurface hangingSurface(const Mesh& mesh, const CellGraph& cells, const GrowthLattice& lattice,
+                              const OverhangQuestion& question, Progress& progress) {
+  const double sine = std::sin(question.max_overhang_rad);
+  struct Sums {
+    double surface = 0.0;
+    double level = 0.0;
+  };
+  std::vector<Sums> sums(mesh.triangles.size());
+  HangingSurface hanging;
+  hanging.grown_by_triangle.assign(mesh.triangles.size(), 0.0);
+  const auto look = [&](std::size_t i) {
+    std::array<Point3, 3> corner;
+    for (std::size_t side = 0; side < 3; ++side) corner[side] = mesh.vertices[mesh.triangles[i][side]];
+    const Point3 normal = (corner[1] - corner[0]).cross(corner[2] - corner[0]).normalized();
+    visitParts(corner, cells.frame().voxel_mm, [&](const Point3& place, double area) {
+      if (place.z() <= question.above_mm) return;
+      sums[i].surface += area;
+      if (-normal.z() > sine) sums[i].level += area;
+      const std::uint32_t node = nodeBelow(cells, place, normal);
+      if (node == CellGraph::kNone) return;
+      if (!isGrown(lattice.samples()[node])) {
+        hanging.grown_by_triangle[i] += area;
+        return;
+      }
+      const GrowthSample sample = sampleThere(cells, lattice, place, node);
+      if (-normal.dot(sample.gradient) > sine * sample.gradient.norm())
+        hanging.grown_by_triangle[i] += area;
+    });
+  };
+  const auto lookAtBlock = [&](std::size_t block) {
+    const std::size_t end = std::min(mesh.triangles.size(), (block + 1) * kBlockOfTriangles);
+    for (std::size_t i = block * kBlockOfTriangles; i < end; ++i) look(i);
+  };
+  parallelFor((mesh.triangles.size() + kBlockOfTriangles - 1) / kBlockOfTriangles, lookAtBlock, progress,
+              "measure");
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    hanging.surface_mm2 += sums[i].surface;
+    hanging.level_mm2 += sums[i].level;
+    hanging.grown_mm2 += hanging.grown_by_triangle[i];
+  }
+  return hanging;
+}
+
+GrownThickness grownThickness(const CellGraph& cells, const GrowthLattice& lattice, double max_thickness) {
+  GrownThickness thickness;
+  double looked_at = 0.0;
+  double beyond = 0.0;
+  for (std::uint32_t node = 0; node < cells.nodeCount(); ++node) {
+    const GrowthSample& sample = lattice.samples()[node];
+    if (!isGrown(sample)) continue;
+    Eigen::Matrix3d square = Eigen::Matrix3d::Zero();
+    Point3 right = Point3::Zero();
+    bool do_fronts_meet = false;
+    for (const std::uint32_t near : cells.links(node)) {
+      const GrowthSample& other = lattice.samples()[near];
+      if (!isGrown(other)) continue;
+      if (sample.gradient.dot(other.gradient) < kMeeting * sample.steepness * other.steepness)
+        do_fronts_meet = true;
+      const Point3 way = other.at - sample.at;
+      square += way * way.transpose() / way.squaredNorm();
+      right += way * (other.growth_mm - sample.growth_mm) / way.squaredNorm();
+    }
+    if (do_fronts_meet || square.determinant() < 1e-3) continue;
+    const double value = 1.0 / square.ldlt().solve(right).norm();
+    looked_at += cells.volume(node);
+    thickness.least = std::min(thickness.least, value);
+    thickness.greatest = std::max(thickness.greatest, value);
+    if (value < 1.0 - kBeyond || value > max_thickness * (1.0 + kBeyond)) beyond += cells.volume(node);
+  }
+  if (looked_at > 0.0) thickness.beyond = beyond / looked_at;
+  return thickness;
+}
+
+std::size_t growthMinima(const CellGraph& cells, const GrowthLattice& lattice, double bed_mm) {
+  std::size_t minima = 0;
+  for (std::uint32_t node = 0; node < cells.nodeCount(); ++node) {
+    const GrowthSample& sample = lattice.samples()[node];
+    if (!isGrown(sample) || cells.corner(node).z() < bed_mm + cells.frame().voxel_mm) continue;
+    const NumberRange links = cells.links(node);
+    if (std::none_of(links.begin(), links.end(), [&](std::uint32_t near) {
+          return lattice.samples()[near].growth_mm < sample.growth_mm;
+        }))
+      ++minima;
+  }
+  return minima;
+}
+
+RestingShare restingShare(const LayerSurface& layer, const CellGraph& cells, double bed_mm) {
+  RestingShare share;
+  for (const LayerSurface& piece : connectedPieces(layer)) {
+    double area = 0.0;
+    double resting = 0.0;
+    for (const Triangle& corner : piece.middle.triangles) {
+      const std::vector<Point3>& at = piece.middle.vertices;
+      const double part = 0.5 * (at[corner[1]] - at[corner[0]]).cross(at[corner[2]] - at[corner[0]]).norm();
+      Point3 below = Point3::Zero();
+      for (const std::uint32_t vertex : corner)
+        below += (at[vertex] - piece.height_mm[vertex] * piece.normal[vertex]) / 3.0;
+      area += part;
+      const std::uint32_t vertex = corner[0];
+      if (below.z() <= bed_mm || isOnPart(cells, below, piece.normal[vertex], piece.height_mm[vertex]))
+        resting += part;
+    }
+    share.area_mm2 += area;
+    share.resting_mm2 += resting;
+    ++share.pieces;
+    if (area <= 0.0 || resting >= share.least * area) continue;
+    share.least = resting / area;
+    share.least_at = piece.middle.vertices.front();
+  }
+  return share;
+}
+
+}  // namespace lamina

@@ -1,0 +1,366 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/slicing/volumetric/volumetric_layers.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "lamina/base/angle.hpp"
+#include "lamina/base/error.hpp"
+#include "lamina/base/parallel.hpp"
+#include "lamina/geometry/spatial/signed_distance.hpp"
+#include "lamina/parameterization/layer_volume.hpp"
+#include "lamina/slicing/conformal/facing_surface.hpp"
+#include "slicing/curved/layer_coverage.hpp"
+#include "slicing/curved/part_samples.hpp"
+#include "slicing/curved/shell_tidying.hpp"
+#include "slicing/volumetric/growth_measures.hpp"
+#include "slicing/volumetric/growth_surfaces.hpp"
+#include "slicing/volumetric/head_lean.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kMarginDeg = 20.0;          // between the overhang taken and that used up
+constexpr double kNodesAimedAt = 500'000.0;  // in cells chosen by the part's volume
+constexpr double kMostNodes = 4'000'000.0;
+constexpr double kLargestCellMm = 1.0;
+constexpr double kLeastBeads = 2.0 / 3.0;  // of a cell so chosen, in bead widths
+constexpr double kLeastResting = 0.5;
+// So many that 0.5 % of them are within 0.1 % of what they stand for.
+constexpr std::size_t kSamplesOfPart = 20000;
+
+void requireClosed(const Mesh& mesh, const MeshTopology& topology) {
+  if (topology.has_border) throw InvalidMesh("the mesh is open; volumetric layers need a closed one");
+  const double inside = volume(mesh);
+  if (!(inside > 0.0))
+    throw InvalidMesh("the mesh holds " + std::to_string(inside) + " mm³; expected a positive volume");
+}
+
+double cellFor(double volume_mm3, const VolumetricRequest& request) {
+  if (request.settings.cell_mm > 0.0) return request.settings.cell_mm;
+  const double aimed_at = std::min(std::cbrt(volume_mm3 / kNodesAimedAt), kLargestCellMm);
+  return std::max({aimed_at, kLeastBeads * request.bead_mm, std::cbrt(volume_mm3 / kMostNodes)});
+}
+
+double overhangUsed(const VolumetricSettings& settings) {
+  const double asked = settings.overhang_used_deg >= 0.0 ? settings.overhang_used_deg
+                                                         : std::max(0.0, settings.max_overhang_deg - kMarginDeg);
+  return overhangWithin(toRadians(asked), settings.max_thickness);
+}
+
+std::string placeText(const Point3& place) {
+  char text[100];
+  std::snprintf(text, sizeof text, "(%.1f, %.1f, %.1f) mm", place.x(), place.y(), place.z());
+  return text;
+}
+
+struct GrownCells final : HeadRoom::Growth {
+  GrownCells(CellGraph graph, ArrivalField arrival) : cells(std::move(graph)), field(std::move(arrival)) {}
+
+  double at(const Point3& place) const override {
+    const std::uint32_t node = cells.nodeAt(place);
+    return node == CellGraph::kNone ? std::numeric_limits<double>::infinity() : field.growth_mm[node];
+  }
+
+  CellGraph cells;
+  ArrivalField field;
+};
+
+/// A part's growth, and what it was computed with.
+struct GrownPart {
+  const Mesh& mesh;
+  const VolumetricRequest& request;
+  double bed_mm;
+  double overhang_rad;
+  GrowthGauge gauge;
+  std::shared_ptr<const GrownCells> grown;
+
+  const CellGraph& cells() const { return grown->cells; }
+  const ArrivalField& field() const { return grown->field; }
+};
+
+GrownPart grownPart(const Mesh& mesh, const VolumetricRequest& request, Progress& progress) {
+  const VolumetricSettings& settings = request.settings;
+  const double bed = boundingBox(mesh).low.z() + settings.sink_mm;
+  const double overhang = overhangUsed(settings);
+  CellGraph cells(mesh, cellFor(volume(mesh), request), bed, progress);
+  const GrowthGauge gauge({overhang, settings.max_thickness, toRadians(settings.max_tilt_deg)});
+  ArrivalField field =
+      arrivalField(cells, gauge, {bed, 0.5 * request.slicing.first_layer_height_mm}, progress);
+  return {mesh, request, bed, overhang, gauge, std::make_shared<const GrownCells>(std::move(cells), std::move(field))};
+}
+
+Mesh trianglesWhere(const Mesh& mesh, const std::vector<double>& weight) {
+  TriangleNumbers numbers;
+  for (std::uint32_t i = 0; i < weight.size(); ++i)
+    if (weight[i] > 0.0) numbers.push_back(i);
+  return patchOf(mesh, numbers);
+}
+
+void requireStanding(const GrownPart& part) {
+  const double bead = part.request.bead_mm;
+  if (part.field().contact_mm2 >= bead * bead) return;
+  char text[240];
+  std::snprintf(text, sizeof text,
+                "the part touches the bed by %.3g mm² at half of the first layer; expected at least a bead's square, "
+                "%.3g mm²: sink it by volumetric.sink_mm, or turn it",
+                part.field().contact_mm2, bead * bead);
+  TriangleNumbers lowest;
+  for (std::uint32_t i = 0; i < part.mesh.triangles.size(); ++i)
+    for (const std::uint32_t corner : part.mesh.triangles[i])
+      if (part.mesh.vertices[corner].z() < part.bed_mm + part.cells().frame().voxel_mm) {
+        lowest.push_back(i);
+        break;
+      }
+  throw Unsliceable(text, patchOf(part.mesh, lowest));
+}
+
+/// What no growth reaches, and its lowest place.
+struct Pendant {
+  double volume_mm3 = 0.0;
+  double whole_mm3 = 0.0;
+  Point3 lowest = Point3::Constant(std::numeric_limits<double>::infinity());
+};
+
+Pendant pendantOf(const GrownPart& part) {
+  Pendant pendant;
+  for (std::uint32_t node = 0; node < part.cells().nodeCount(); ++node) {
+    const double volume = part.cells().volume(node);
+    pendant.whole_mm3 += volume;
+    if (std::isfinite(part.field().growth_mm[node])) continue;
+    pendant.volume_mm3 += volume;
+    if (part.cells().middle(node).z() < pendant.lowest.z()) pendant.lowest = part.cells().middle(node);
+  }
+  return pendant;
+}
+
+void requireReached(const GrownPart& part, const Pendant& pendant, const HangingSurface& hanging) {
+  const double percent = 100.0 * pendant.volume_mm3 / pendant.whole_mm3;
+  if (percent <= part.request.settings.largest_pendant_percent) return;
+  char text[300];
+  std::snprintf(text, sizeof text,
+                "%.3g mm³ of the part, %.2f %%, hang lower than growth comes to, the lowest at %s; expected at most "
+                "%.4g %% (volumetric.largest_pendant_percent): turn the part, or let layers tilt more "
+                "(volumetric.max_tilt_deg)",
+                pendant.volume_mm3, percent, placeText(pendant.lowest).c_str(),
+                part.request.settings.largest_pendant_percent);
+  throw Unsliceable(text, trianglesWhere(part.mesh, hanging.grown_by_triangle));
+}
+
+Point3 middleOfMost(const Mesh& mesh, const std::vector<double>& weight) {
+  const auto most = static_cast<std::size_t>(std::max_element(weight.begin(), weight.end()) - weight.begin());
+  const Triangle& corner = mesh.triangles[most];
+  return (mesh.vertices[corner[0]] + mesh.vertices[corner[1]] + mesh.vertices[corner[2]]) / 3.0;
+}
+
+void requireSupported(const GrownPart& part, const HangingSurface& hanging) {
+  const double percent = 100.0 * hanging.grown_mm2 / hanging.surface_mm2;
+  const VolumetricSettings& settings = part.request.settings;
+  if (percent <= settings.largest_unsupported_percent) return;
+  char text[400];
+  std::snprintf(text, sizeof text,
+                "%.4g mm² of the surface, %.2f %%, overhang by more than %.4g deg from volumetric layers (%.2f %% from "
+                "level ones), most of it at %s; expected at most %.4g %% (volumetric.largest_unsupported_percent): "
+                "use smaller cells (volumetric.cell_mm) or less overhang (volumetric.overhang_used_deg), or turn it",
+                hanging.grown_mm2, percent, settings.max_overhang_deg, 100.0 * hanging.level_mm2 / hanging.surface_mm2,
+                placeText(middleOfMost(part.mesh, hanging.grown_by_triangle)).c_str(),
+                settings.largest_unsupported_percent);
+  throw Unsliceable(text, trianglesWhere(part.mesh, hanging.grown_by_triangle));
+}
+
+/// Of growth from up [rad], below which 99.5 % of the volume stay.
+double usualTilt(const GrownPart& part) {
+  std::vector<std::pair<double, double>> tilts;  // with the volume
+  double whole = 0.0;
+  for (std::uint32_t node = 0; node < part.cells().nodeCount(); ++node) {
+    if (!std::isfinite(part.field().growth_mm[node])) continue;
+    const Point3& middle = part.cells().middle(node);
+    const Point3 gradient = part.field().near(middle, node, middle, part.gauge).gradient;
+    tilts.emplace_back(std::atan2(gradient.head<2>().norm(), gradient.z()), part.cells().volume(node));
+    whole += tilts.back().second;
+  }
+  std::sort(tilts.begin(), tilts.end());
+  double above = 0.0;
+  while (!tilts.empty() && above + tilts.back().second <= 0.005 * whole) {
+    above += tilts.back().second;
+    tilts.pop_back();
+  }
+  return tilts.empty() ? 0.0 : tilts.back().first;
+}
+
+void measureField(const GrownPart& part, const GrowthLattice& lattice, VolumetricMeasures& measures,
+                  Progress& progress) {
+  const VolumetricRequest& request = part.request;
+  measures.cell_mm = part.cells().frame().voxel_mm;
+  measures.nodes = part.cells().nodeCount();
+  measures.overhang_used_deg = toDegrees(part.overhang_rad);
+  measures.contact_mm2 = part.field().contact_mm2;
+  const Pendant pendant = pendantOf(part);
+  measures.pendant_mm3 = pendant.volume_mm3;
+  measures.volume_mm3 = pendant.whole_mm3;
+  measures.tilt_deg = toDegrees(usualTilt(part));
+  const GrownThickness thickness = grownThickness(part.cells(), lattice, request.settings.max_thickness);
+  measures.thinnest = thickness.least;
+  measures.thickest = thickness.greatest;
+  measures.beyond_thickness = thickness.beyond;
+  measures.minima = growthMinima(part.cells(), lattice, part.bed_mm);
+  const HangingSurface hanging =
+      hangingSurface(part.mesh, part.cells(), lattice,
+                     {toRadians(request.settings.max_overhang_deg),
+                      part.bed_mm + request.slicing.first_layer_height_mm},
+                     progress);
+  measures.surface_mm2 = hanging.surface_mm2;
+  measures.unsupported_level_mm2 = hanging.level_mm2;
+  measures.unsupported_mm2 = hanging.grown_mm2;
+  requireReached(part, pendant, hanging);
+  requireSupported(part, hanging);
+}
+
+/// Layers by the growth at which they begin and end.
+std::vector<LayerBounds> growthBounds(const GrownPart& part) {
+  double most = 0.0;
+  for (const double growth : part.field().growth_mm)
+    if (std::isfinite(growth)) most = std::max(most, growth);
+  return stackLayers(0.0, most + part.cells().frame().voxel_mm, part.request.slicing);
+}
+
+void cutLevelLayers(const GrownPart& part, const MeshTopology& topology, const std::vector<char>& is_level,
+                    std::vector<VolumetricLayer>& layers, Progress& progress) {
+  std::vector<double> heights;
+  for (std::size_t i = 0; i < layers.size(); ++i)
+    if (is_level[i] != 0) heights.push_back(layers[i].plane.bounds.cut());
+  std::vector<Section> sections = sliceMesh(part.mesh, topology, heights, progress);
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < layers.size(); ++i)
+    if (is_level[i] != 0) layers[i].plane.section = std::move(sections[next++]);
+}
+
+/// Pieces smaller than a bead's square have no room for a bead.
+/// @return what they would have held [mm³]
+double leaveOutCrumbs(std::vector<LayerSurface>& surfaces, double bead_mm, Progress& progress) {
+  const double before = volume(surfaces);
+  parallelFor(
+      surfaces.size(),
+      [&](std::size_t i) {
+        if (!surfaces[i].middle.triangles.empty()) surfaces[i] = tidied(surfaces[i], {bead_mm * bead_mm, 0.0});
+      },
+      progress, "layers");
+  return before - volume(surfaces);
+}
+
+void requireResting(const std::vector<RestingShare>& shares, const std::vector<LayerSurface>& surfaces,
+                    VolumetricMeasures& measures) {
+  double area = 0.0;
+  double resting = 0.0;
+  std::size_t worst = 0;
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    area += shares[i].area_mm2;
+    resting += shares[i].resting_mm2;
+    measures.pieces += shares[i].pieces;
+    if (shares[i].least < shares[worst].least) worst = i;
+  }
+  if (area <= 0.0) return;
+  measures.resting = resting / area;
+  measures.least_resting = shares[worst].least;
+  if (measures.least_resting >= kLeastResting) return;
+  char text[240];
+  std::snprintf(text, sizeof text,
+                "a piece of layer %zu at %s rests on what is laid before it by %.0f %% of its area; expected at least "
+                "%.0f %%: use smaller cells (volumetric.cell_mm), or turn the part",
+                worst, placeText(shares[worst].least_at).c_str(), 100.0 * shares[worst].least, 100.0 * kLeastResting);
+  throw Unsliceable(text, surfaces[worst].middle);
+}
+
+void measureResting(const GrownPart& part, const std::vector<LayerSurface>& surfaces, VolumetricMeasures& measures,
+                    Progress& progress) {
+  std::vector<RestingShare> shares(surfaces.size());
+  parallelFor(
+      surfaces.size(), [&](std::size_t i) { shares[i] = restingShare(surfaces[i], part.cells(), part.bed_mm); },
+      progress, "measure");
+  requireResting(shares, surfaces, measures);
+}
+
+/// What is in no layer and in more than one, above the bed.
+void measureCoverage(const GrownPart& part, const std::vector<VolumetricLayer>& layers,
+                     const std::vector<LayerSurface>& surfaces, VolumetricMeasures& measures, Progress& progress) {
+  std::vector<Layer> level;
+  for (const VolumetricLayer& layer : layers)
+    if (!layer.plane.section.contours.empty()) level.push_back(layer.plane);
+  const PartSamples samples(part.mesh, kSamplesOfPart);
+  const std::vector<std::uint32_t> counts = layerCounts(samples, {surfaces, level, {}}, progress);
+  std::size_t above = 0;
+  std::size_t open = 0;
+  std::size_t twice = 0;
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    if (samples.points()[i].z() < part.bed_mm) continue;
+    ++above;
+    if (counts[i] == 0) ++open;
+    if (counts[i] > 1) ++twice;
+  }
+  if (above == 0) return;
+  measures.open = static_cast<double>(open) / static_cast<double>(above);
+  measures.twice = static_cast<double>(twice) / static_cast<double>(above);
+}
+
+/// Turns the head from the layers' normals to where it is clear. Tips and heights stay those of the layers.
+void leanHead(const GrownPart& part, const GrowthLattice& lattice, std::vector<LayerSurface>& surfaces,
+              VolumetricLayers& result, Progress& progress) {
+  result.room = std::make_shared<const HeadRoom>(part.grown, part.request.head, part.bed_mm);
+  if (part.request.head.empty()) return;
+  const double greatest = toRadians(part.request.settings.deviation_deg);
+  const HeadLean lean(part.cells(), lattice, *result.room, greatest, progress);
+  result.measures.greatest_lean_deg = toDegrees(lean.greatest());
+  result.measures.shut = lean.shut();
+  const auto leanLayer = [&](std::size_t i) {
+    LayerSurface& surface = surfaces[i];
+    for (std::size_t v = 0; v < surface.normal.size(); ++v)
+      surface.normal[v] = lean.direction(surface.tip[v], surface.normal[v]);
+  };
+  parallelFor(surfaces.size(), leanLayer, progress, "head");
+}
+
+std::vector<VolumetricLayer> layersFor(const std::vector<LayerBounds>& bounds, double bed_mm) {
+  std::vector<VolumetricLayer> layers(bounds.size());
+  for (std::size_t i = 0; i < bounds.size(); ++i)
+    layers[i].plane.bounds = {bed_mm + bounds[i].bottom_mm, bed_mm + bounds[i].top_mm};
+  return layers;
+}
+
+bool isEmpty(const VolumetricLayer& layer) { return layer.isLevel() && layer.plane.section.contours.empty(); }
+
+}  // namespace
+
+VolumetricLayers volumetricLayers(const Mesh& mesh, const MeshTopology& topology, const VolumetricRequest& request,
+                                  Progress& progress) {
+  requireClosed(mesh, topology);
+  const GrownPart part = grownPart(mesh, request, progress);
+  requireStanding(part);
+  VolumetricLayers result;
+  const GrowthLattice lattice(part.cells(), part.field(), part.gauge, progress);
+  measureField(part, lattice, result.measures, progress);
+  const std::vector<LayerBounds> bounds = growthBounds(part);
+  result.layers = layersFor(bounds, part.bed_mm);
+  const std::vector<char> is_level = levelLayers(part.cells(), lattice, bounds, part.bed_mm);
+  cutLevelLayers(part, topology, is_level, result.layers, progress);
+  const SignedDistance skin(mesh);
+  std::vector<LayerSurface> surfaces = growthSurfaces(lattice, part.cells(), bounds, is_level, skin, progress);
+  result.measures.left_out_mm3 = leaveOutCrumbs(surfaces, request.bead_mm, progress);
+  measureResting(part, surfaces, result.measures, progress);
+  measureCoverage(part, result.layers, surfaces, result.measures, progress);
+  leanHead(part, lattice, surfaces, result, progress);
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    if (!result.layers[i].plane.section.contours.empty()) ++result.measures.level_layers;
+    result.layers[i].surface = std::move(surfaces[i]);
+  }
+  result.layers.erase(std::remove_if(result.layers.begin(), result.layers.end(), isEmpty), result.layers.end());
+  if (result.layers.empty()) throw InvalidInput("no layer of the part has room for a bead");
+  return result;
+}
+
+}  // namespace lamina

@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/slicing/volumetric/volumetric_layers.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "lamina/base/angle.hpp"
+#include "lamina/base/error.hpp"
+#include "lamina/base/parallel.hpp"
+#include "lamina/parameterization/layer_volume.hpp"
+#include "support/grown_parts.hpp"
+#include "support/solids.hpp"
+
+namespace lamina {
+namespace {
+
+VolumetricRequest usualRequest(double cell_mm = 0.5) {
+  VolumetricRequest request;
+  request.settings.cell_mm = cell_mm;
+  return request;
+}
+
+VolumetricLayers grownLayers(const Mesh& mesh, const VolumetricRequest& request = usualRequest()) {
+  NoProgress progress;
+  return volumetricLayers(mesh, pairHalfEdges(mesh), request, progress);
+}
+
+double volumeFilledBy(const std::vector<VolumetricLayer>& layers) {
+  double sum = 0.0;
+  for (const VolumetricLayer& layer : layers)
+    sum += layer.isLevel() ? signedArea(layer.plane.section.contours) * layer.plane.bounds.height()
+                           : volume(layer.surface);
+  return sum;
+}
+
+// A part that needs none of it gets what `planar` gives.
+TEST(VolumetricLayers, OfABoxAreExactlyLevel) {
+  const Mesh box = test::boxBetween({-5, -4, 0}, {5, 4, 6.1});
+  const VolumetricLayers layers = grownLayers(box);
+  const std::vector<LayerBounds> planar = stackLayers(0.0, 6.1, {});
+  ASSERT_EQ(layers.layers.size(), planar.size());
+  for (std::size_t i = 0; i < planar.size(); ++i) {
+    EXPECT_TRUE(layers.layers[i].isLevel());
+    EXPECT_EQ(layers.layers[i].plane.bounds.bottom_mm, planar[i].bottom_mm);
+    EXPECT_EQ(layers.layers[i].plane.bounds.top_mm, planar[i].top_mm);
+    EXPECT_NEAR(signedArea(layers.layers[i].plane.section.contours), 80.0, 1e-9);
+  }
+  EXPECT_EQ(layers.measures.level_layers, planar.size());
+  EXPECT_EQ(layers.measures.unsupported_mm2, 0.0);
+  EXPECT_EQ(layers.measures.tilt_deg, 0.0);
+}
+
+TEST(VolumetricLayers, OfAnOpeningFrustumLeaveNoOverhang) {
+  const VolumetricLayers layers = grownLayers(test::openingFrustum(60.0, 8.0));
+  const VolumetricMeasures& measures = layers.measures;
+  // The wall as a whole hangs over level layers; some of it next to the rim may over these.
+  EXPECT_GT(measures.unsupported_level_mm2, 0.3 * measures.surface_mm2);
+  EXPECT_LT(measures.unsupported_mm2, 0.005 * measures.surface_mm2);
+  EXPECT_NEAR(measures.tilt_deg, 35.0, 2.0);
+  EXPECT_EQ(measures.minima, 0U);
+  EXPECT_EQ(measures.pendant_mm3, 0.0);
+  EXPECT_LT(measures.open, 0.02);
+  EXPECT_LT(measures.twice, 0.01);
+  EXPECT_GT(measures.least_resting, 0.9);
+}
+
+TEST(VolumetricLayers, FillThePart) {
+  const Mesh part = test::tShape();
+  const VolumetricLayers layers = grownLayers(part);
+  EXPECT_NEAR(volumeFilledBy(layers.layers), volume(part), 0.015 * volume(part));
+  EXPECT_LT(layers.measures.open, 0.02);
+  EXPECT_LT(layers.measures.twice, 0.01);
+}
+
+// About the edge of the stem: layer k in the arms is where s / r of the lean is k heights.
+TEST(VolumetricLayers, OfATFanOutAboutItsEdges) {
+  const VolumetricLayers layers = grownLayers(test::tShape());
+  std::size_t bent = 0;
+  for (const VolumetricLayer& layer : layers.layers) {
+    if (layer.isLevel()) {
+      EXPECT_LT(layer.plane.bounds.top_mm, 20.7);
+      continue;
+    }
+    ++bent;
+    const LayerSurface& surface = layer.surface;
+    for (std::size_t i = 0; i < surface.middle.vertices.size(); ++i) {
+      const Point3& place = surface.middle.vertices[i];
+      EXPECT_NEAR(surface.normal[i].norm(), 1.0, 1e-9);
+      EXPECT_GT(surface.height_mm[i], 0.2 - 1e-9);
+      EXPECT_LT(surface.height_mm[i], 0.4 + 1e-9);
+      const double beyond = std::abs(place.x()) - 6.0;
+      if (beyond < 3.0 || place.z() < 20.0) continue;
+      const double lean_deg = toDegrees(std::atan2(beyond, place.z() - 20.0));
+      const double tilt_deg = toDegrees(std::acos(surface.normal[i].z()));
+      EXPECT_NEAR(tilt_deg, std::max(0.0, lean_deg - 25.0), 8.0);
+    }
+  }
+  EXPECT_GT(bent, 20U);
+}
+
+TEST(VolumetricLayers, FaceTheNozzle) {
+  const VolumetricLayers layers = grownLayers(test::openingFrustum(60.0, 6.0));
+  for (const VolumetricLayer& layer : layers.layers)
+    for (const Triangle& corner : layer.surface.middle.triangles) {
+      const std::vector<Point3>& at = layer.surface.middle.vertices;
+      const Point3 across = (at[corner[1]] - at[corner[0]]).cross(at[corner[2]] - at[corner[0]]);
+      if (across.norm() < 1e-4) continue;
+      EXPECT_GT(across.normalized().dot(layer.surface.normal[corner[0]]), 0.5);
+    }
+}
+
+TEST(VolumetricLayers, AreTheSameForAnyNumberOfThreads) {
+  const Mesh part = test::tShape();
+  const VolumetricLayers many = grownLayers(part);
+  const ThreadLimit limit(1);
+  const VolumetricLayers one = grownLayers(part);
+  ASSERT_EQ(many.layers.size(), one.layers.size());
+  for (std::size_t i = 0; i < one.layers.size(); ++i) {
+    EXPECT_EQ(many.layers[i].surface.middle.vertices, one.layers[i].surface.middle.vertices);
+    EXPECT_EQ(many.layers[i].surface.middle.triangles, one.layers[i].surface.middle.triangles);
+    EXPECT_EQ(many.layers[i].surface.height_mm, one.layers[i].surface.height_mm);
+  }
+}
+
+/// The message of the refusal of a part, or nothing.
+std::string refusalOf(const Mesh& mesh, const VolumetricRequest& request = usualRequest()) {
+  try {
+    grownLayers(mesh, request);
+  } catch (const Unsliceable& refusal) {
+    EXPECT_FALSE(refusal.region().triangles.empty());
+    return refusal.what();
+  }
+  return "";
+}
+
+TEST(VolumetricLayers, RefuseWhatDoesNotStand) {
+  // A tip on the bed.
+  const std::string refusal = refusalOf(makePart("cone", {{"radius_mm", "0.01"}, {"top_radius_mm", "8"}, {"height_mm", "8"}}));
+  EXPECT_NE(refusal.find("touches the bed"), std::string::npos) << refusal;
+  VolumetricRequest sunk = usualRequest();
+  sunk.settings.sink_mm = 2.0;
+  sunk.settings.max_overhang_deg = 60.0;
+  EXPECT_EQ(refusalOf(makePart("cone", {{"radius_mm", "0.01"}, {"top_radius_mm", "8"}, {"height_mm", "8"}}), sunk), "");
+}
+
+TEST(VolumetricLayers, RefuseWhatHangsLowerThanGrowthComes) {
+  const Mesh hook = test::lyingPrism(
+      {{{0, 0}, {8, 0}, {8, 20}, {18, 20}, {18, 8}, {24, 8}, {24, 26}, {0, 26}}, {}}, 6.0);
+  const std::string refusal = refusalOf(hook);
+  EXPECT_NE(refusal.find("hang lower than growth comes"), std::string::npos) << refusal;
+}
+
+TEST(VolumetricLayers, RefuseWhatStaysUnsupported) {
+  VolumetricRequest request = usualRequest();
+  request.settings.max_overhang_deg = 20.0;
+  request.settings.overhang_used_deg = 20.0;
+  request.settings.max_tilt_deg = 5.0;
+  request.settings.largest_pendant_percent = 100.0;
+  request.settings.largest_unsupported_percent = 1.0;
+  const std::string refusal = refusalOf(test::openingFrustum(50.0, 6.0), request);
+  EXPECT_NE(refusal.find("overhang by more than"), std::string::npos) << refusal;
+}
+
+TEST(VolumetricLayers, RefuseOpenMeshes) {
+  Mesh box = test::boxBetween({0, 0, 0}, {4, 4, 4});
+  box.triangles.pop_back();
+  EXPECT_THROW(grownLayers(box), InvalidMesh);
+}
+
+}  // namespace
+}  // namespace lamina
