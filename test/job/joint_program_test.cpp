@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -53,7 +54,8 @@ class JointProgramTest : public testing::Test {
 
   /// The file reports the very places that were led to, and the waypoints asked for are among them.
   void expectSame(const Toolpath& read, const SlicedPart& sliced, double within_mm) {
-    const auto joint_program = planJointProgram(job_, buildSpaceOf(job_.settings.machine), sliced, nobody_);
+    SlicedPart led = sliced;
+    const auto joint_program = planJointProgram(job_, buildSpaceOf(job_.settings.machine), led, nobody_);
     ASSERT_TRUE(joint_program);
     ASSERT_EQ(read.layers.size(), sliced.toolpath.layers.size());
     for (std::size_t l = 0; l < read.layers.size(); ++l) {
@@ -126,6 +128,42 @@ TEST_F(JointProgramTest, WhatAMachineCannotRunLeavesNoFile) {
   EXPECT_EQ(text.rfind("layer 0, path 0, waypoint 0: ", 0), 0U) << text;
   EXPECT_NE(text.find("the first of "), std::string::npos) << text;
   EXPECT_FALSE(hasWritten());
+}
+
+/// At 50 deg the head's block, 20 mm to each side from 25 mm over the tip, is in the bed.
+TEST_F(JointProgramTest, AProgramInWhichTheMachineCollidesIsRefusedUnlessAsked) {
+  job_.settings.orientation.mode = OrientationMode::Fixed;
+  job_.settings.orientation.fixed = {50.0, 0.0};
+  EXPECT_THROW(slice("five_axis_head_table", "box.gcode"), Unreachable);
+  EXPECT_FALSE(std::filesystem::exists(job_.output));
+  EXPECT_NO_THROW(slice("five_axis_head_table", "box.csv")) << "poses are for any head";
+  job_.settings.clearance.need = ClearanceNeed::Always;
+  EXPECT_THROW(slice("five_axis_head_table", "other.csv"), Unreachable);
+  job_.settings.clearance.need = ClearanceNeed::Never;
+  EXPECT_NO_THROW(slice("five_axis_head_table", "box.gcode"));
+  EXPECT_TRUE(std::filesystem::exists(job_.output));
+}
+
+TEST_F(JointProgramTest, TheToolAxisIsRaisedWhereTheHeadWouldBeInTheBed) {
+  job_.settings.orientation.mode = OrientationMode::Fixed;
+  job_.settings.orientation.fixed = {50.0, 0.0};
+  job_.settings.clearance.raises_tool_axis = true;
+  const SlicedPart sliced = slice("five_axis_head_table", "box.gcode");
+  double least = 180.0;
+  double most = 0.0;
+  for (const ToolpathLayer& layer : sliced.toolpath.layers)
+    for (const Path& path : layer.paths)
+      for (std::size_t i = 0; i < path.points.size(); ++i) {
+        const double lean_deg =
+            toolAxisAngle(path.orientation.at(i), Eigen::Quaterniond(0, 1, 0, 0)) * 180.0 / M_PI;
+        least = std::min(least, lean_deg);
+        most = std::max(most, lean_deg);
+      }
+  // atan(25 / 20) is 51.3 deg for its faces, atan(25 / 28.3) is 41.5 deg for its edges.
+  EXPECT_LT(most, 50.0);
+  EXPECT_GT(least, 35.0);
+  ASSERT_FALSE(sliced.summary.notes.empty());
+  EXPECT_NE(sliced.summary.notes.back().find("the tool axis leans less"), std::string::npos);
 }
 
 TEST_F(JointProgramTest, AnotherMachineDoesNotReadTheProgram) {

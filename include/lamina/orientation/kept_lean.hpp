@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 #include "lamina/geometry/vector.hpp"
@@ -29,6 +30,9 @@ class KeptLean {
   /// Raises the tool axis at a waypoint of a run, and what is near it, by a step. Of a travel, the end of the
   /// run before it and the start of the one after it.
   void raiseAt(const WaypointIndex& at);
+  /// Raises the tool axes of all runs so that none leans more than is allowed where it is.
+  /// @param most_deg  of the lean, by the place of the tip
+  void limit(const std::function<double(const Point3&)>& most_deg);
   /// Whether a tool axis was raised since the last call of `toolpath`.
   bool isChanged() const { return is_changed_; }
   /// The wanted toolpath with its tool axes raised towards straight down, each in the plane of both; travels
@@ -50,6 +54,7 @@ class KeptLean {
 
   const Path& pathOf(const Run& run) const { return wanted_.layers[run.layer].paths[run.path]; }
   void raise(Run& run, std::size_t waypoint);
+  void beginRaising(Run& run) const;
   void even(Run& run) const;
 
   const Toolpath& wanted_;

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "job/head_over_bed.hpp"
 #include "joint_program.hpp"
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
@@ -129,8 +130,11 @@ bool needsClearance(const SliceJob& job, const SlicedPart& sliced) {
 
 constexpr int kMostRaises = 8;  // rounds; a lean is gone after four
 
-bool mayRaise(const JobSettings& settings) {
-  return settings.clearance.raises_tool_axis && canTurnToolAxis(buildSpaceOf(settings.machine));
+/// Whether a tool axis leans that may lean less.
+bool mayRaise(const JobSettings& settings, const SlicedPart& sliced) {
+  const BuildSpace space = buildSpaceOf(settings.machine);
+  return settings.clearance.raises_tool_axis && canTurnToolAxis(space) &&
+         greatestToolAxisTurn(sliced.toolpath, sliced.bed_from_part, space) > kHeldToolAxis;
 }
 
 std::string noteOnRaised(const KeptLean& lean) {
@@ -142,38 +146,58 @@ std::string noteOnRaised(const KeptLean& lean) {
   return text;
 }
 
-/// Leads the joints of a part; where the machine would run into something, or cannot get there, with its tool
-/// axis raised, as long as that leaves less of it.
-/// @throws Unreachable if it still would
-KinematicModelRun runnable(const KinematicModel& model, const SliceJob& job, SlicedPart& sliced,
-                           const JointPathSettings& joints, Progress& progress) {
-  const JobSettings& settings = job.settings;
+/// A run of a part, and what stands in its way.
+struct CheckedRun {
+  KinematicModelRun run;
+  MachineCheck check;
+};
+
+CheckedRun checkedRun(const KinematicModel& model, const SliceJob& job, const SlicedPart& sliced,
+                      const JointPathSettings& joints, Progress& progress) {
   KinematicModelRun run = runOn(model, sliced.toolpath, sliced.bed_from_part, joints, progress);
-  if (settings.clearance.need == ClearanceNeed::Never) {
-    requireRunnable(run, model);
-    return run;
-  }
-  MachineCheck check = checkRun(run, model, settings.clearance, progress);
-  if (check.isClear() || !mayRaise(settings)) {
-    requireClear(check, model);
-    return run;
-  }
+  MachineCheck check = checkRun(run, model, job.settings.clearance, progress);
+  return {std::move(run), std::move(check)};
+}
+
+/// A part whose tool axis leans, raised where the machine would run into something, or cannot get there, as
+/// long as that leaves less of it: first for the bed, then from check to check.
+CheckedRun raisedRun(const KinematicModel& model, const SliceJob& job, SlicedPart& sliced,
+                     const JointPathSettings& joints, Progress& progress) {
+  const JobSettings& settings = job.settings;
   RaiseLimits limits;
   limits.up = sliced.bed_from_part.linear().transpose() * Point3::UnitZ();
   limits.most_deg = settings.orientation.limits.max_off_normal_deg;
   const Toolpath wanted = sliced.toolpath;
   KeptLean lean(wanted, limits);
-  for (int round = 0; round < kMostRaises && !check.isClear(); ++round) {
-    for (const Finding& finding : check.faults) lean.raiseAt(finding.at);
-    for (const Finding& finding : check.collisions) lean.raiseAt(finding.at);
+  const HeadOverBed head(model);
+  lean.limit([&](const Point3& tip) {
+    return head.greatestLeanDeg((sliced.bed_from_part * tip).z(), settings.clearance.tolerance_mm);
+  });
+  if (lean.isChanged()) sliced.toolpath = lean.toolpath();
+  CheckedRun checked = checkedRun(model, job, sliced, joints, progress);
+  for (int round = 0; round < kMostRaises && !checked.check.isClear(); ++round) {
+    for (const Finding& finding : checked.check.faults) lean.raiseAt(finding.at);
+    for (const Finding& finding : checked.check.collisions) lean.raiseAt(finding.at);
     if (!lean.isChanged()) break;
     sliced.toolpath = lean.toolpath();
-    run = runOn(model, sliced.toolpath, sliced.bed_from_part, joints, progress);
-    check = checkRun(run, model, settings.clearance, progress);
+    checked = checkedRun(model, job, sliced, joints, progress);
   }
-  requireClear(check, model);
-  sliced.summary.notes.push_back(noteOnRaised(lean));
-  return run;
+  if (lean.raised() > 0) sliced.summary.notes.push_back(noteOnRaised(lean));
+  return checked;
+}
+
+/// @throws Unreachable if the machine cannot run the part, or would run into something
+KinematicModelRun runnable(const KinematicModel& model, const SliceJob& job, SlicedPart& sliced,
+                           const JointPathSettings& joints, Progress& progress) {
+  if (job.settings.clearance.need == ClearanceNeed::Never) {
+    KinematicModelRun run = runOn(model, sliced.toolpath, sliced.bed_from_part, joints, progress);
+    requireRunnable(run, model);
+    return run;
+  }
+  CheckedRun checked = mayRaise(job.settings, sliced) ? raisedRun(model, job, sliced, joints, progress)
+                                                      : checkedRun(model, job, sliced, joints, progress);
+  requireClear(checked.check, model);
+  return std::move(checked.run);
 }
 
 /// A bead that joints cannot follow in time is what `lamina check` refuses; the program is the same.

@@ -56,14 +56,7 @@ void KeptLean::raiseAt(const WaypointIndex& at) {
 void KeptLean::raise(Run& run, std::size_t waypoint) {
   const Path& path = pathOf(run);
   const std::size_t count = path.points.size();
-  if (run.kept.empty()) {
-    run.kept.assign(count, 1.0);
-    for (std::size_t i = 0; i < count; ++i) {
-      const double lean_deg = leanOf(path, i, limits_.up);
-      const bool is_raised = lean_deg > kUpright && lean_deg < kMostLean;
-      run.least.push_back(is_raised ? std::max(0.0, 1.0 - limits_.most_deg / lean_deg) : 1.0);
-    }
-  }
+  beginRaising(run);
   const double kept = std::max(run.least[waypoint], run.kept[waypoint] - limits_.step);
   const auto lower = [&](std::size_t i) {
     const double lowered = std::max(run.least[i], kept);
@@ -77,6 +70,32 @@ void KeptLean::raise(Run& run, std::size_t waypoint) {
     lower((i + 1) % count);
   way_mm = 0.0;
   for (std::size_t i = waypoint; i > 0 && (way_mm += lengths[i - 1]) <= limits_.reach_mm; --i) lower(i - 1);
+}
+
+void KeptLean::beginRaising(Run& run) const {
+  if (!run.kept.empty()) return;
+  const Path& path = pathOf(run);
+  run.kept.assign(path.points.size(), 1.0);
+  for (std::size_t i = 0; i < path.points.size(); ++i) {
+    const double lean_deg = leanOf(path, i, limits_.up);
+    const bool is_raised = lean_deg > kUpright && lean_deg < kMostLean;
+    run.least.push_back(is_raised ? std::max(0.0, 1.0 - limits_.most_deg / lean_deg) : 1.0);
+  }
+}
+
+void KeptLean::limit(const std::function<double(const Point3&)>& most_deg) {
+  for (Run& run : runs_) {
+    const Path& path = pathOf(run);
+    for (std::size_t i = 0; i < path.points.size(); ++i) {
+      const double lean_deg = leanOf(path, i, limits_.up);
+      const double most = most_deg(path.points[i]);
+      if (lean_deg <= most) continue;
+      beginRaising(run);
+      const double kept = std::max(run.least[i], most / lean_deg);
+      is_changed_ = is_changed_ || kept < run.kept[i];
+      run.kept[i] = std::min(run.kept[i], kept);
+    }
+  }
 }
 
 /// No part of the lean that is kept rises faster along the run than it may.

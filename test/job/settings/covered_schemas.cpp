@@ -48,6 +48,8 @@ std::vector<std::string> coreKeys() {
 
 const std::vector<TestedElsewhere>& testedElsewhere() {
   static const std::vector<TestedElsewhere> all = {
+      {"clearance.need", "job/joint_program_test.cpp", "clearance.need"},
+      {"clearance.raise_tool_axis", "job/joint_program_test.cpp", "raises_tool_axis"},
       {"clearance.report", "ros/slicing_service_test.cpp", "clearance.report"},
       {"drop_voids.least_share", "job/voids/drop_void_job_test.cpp", "least_share"},
       {"stream.firmware", "streaming/firmware/firmware_protocol_test.cpp", "stream.firmware"},

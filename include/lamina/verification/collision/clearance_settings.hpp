@@ -16,10 +16,10 @@ enum class ClearanceNeed {
 /// How closely a machine's head is checked for collisions.
 struct ClearanceSettings {
   ClearanceNeed need = ClearanceNeed::Turning;
-  bool raises_tool_axis = true;  ///< where the machine would run into something, before a program is refused
-  bool is_shown = false;         ///< by the slicing node, which then checks, as markers
-  double spacing_mm = 1.0;       ///< between the places of the nozzle that are looked at, at most
-  double tolerance_mm = 0.05;    ///< how deep the head may be in bed or material
+  bool raises_tool_axis = false;  ///< where the machine would run into something, before a program is refused
+  bool is_shown = false;          ///< by the slicing node, which then checks, as markers
+  double spacing_mm = 1.0;        ///< between the places of the nozzle that are looked at, at most
+  double tolerance_mm = 0.05;     ///< how deep the head may be in bed or material
 };
 
 /// Adds the keys clearance.*.
