@@ -14,6 +14,7 @@ struct ProgramCall {
   std::vector<std::string> arguments;  ///< the first is the program, looked for in PATH if it has no slash
   std::string folder;                  ///< it runs in; empty for the current one
   double time_limit_s = 3600.0;
+  std::string scratch = {};  ///< a folder that is removed if this process is killed meanwhile; empty: none
 };
 
 /// What a program left behind.
@@ -25,7 +26,7 @@ struct ProgramEnd {
 
 /// Runs a program without a shell, with nothing on its standard input, and waits for its end. It leads a
 /// process group of its own: what it started and left running ends with it, and Ctrl-C on the terminal
-/// reaches it only through `progress`.
+/// reaches it only through `progress`. If this process is killed, a shell that waits for that ends the group.
 /// @throws InvalidConfig if there are no arguments, or a text holds a zero byte; FileError if it cannot be
 ///   started, or its exit code is not to be had because this process ignores SIGCHLD; TimedOut if it runs
 ///   longer than it may; InvalidInput if it writes more than 64 MB; Cancelled. It has ended when this throws:

@@ -152,6 +152,47 @@ class ProcessGroup {
   bool is_known_ = false;  ///< status_
 };
 
+/// Ends a process group, and removes a folder, if this process does not live to do so: a shell that reads
+/// from a pipe of which nobody else has the writing end.
+class Watcher {
+ public:
+  Watcher(pid_t leader, const std::string& scratch) {
+    std::array<std::string, 6> words = {
+        "/bin/sh",
+        "-c",
+        "read -r over; kill -KILL -- \"-$1\"; [ -z \"$2\" ] || rm -rf -- \"$2\"",
+        "watcher",
+        std::to_string(leader),
+        scratch};
+    std::array<char*, 7> pointers{};
+    for (std::size_t i = 0; i < words.size(); ++i) pointers[i] = words[i].data();
+    posix_spawn_file_actions_t actions{};
+    ::posix_spawn_file_actions_init(&actions);
+    ::fcntl(pipe_.readingEnd(), F_SETFL, 0);
+    ::posix_spawn_file_actions_adddup2(&actions, pipe_.readingEnd(), STDIN_FILENO);
+    ::posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+    ::posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
+    posix_spawnattr_t attributes{};
+    ::posix_spawnattr_init(&attributes);
+    ::posix_spawnattr_setpgroup(&attributes, 0);
+    ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+    const int error = ::posix_spawn(&shell_, pointers[0], &actions, &attributes, pointers.data(), environ);
+    ::posix_spawn_file_actions_destroy(&actions);
+    ::posix_spawnattr_destroy(&attributes);
+    if (error != 0) throw FileError(std::string("cannot start '/bin/sh': ") + std::strerror(error));
+  }
+  ~Watcher() {
+    ::kill(shell_, SIGKILL);
+    while (::waitpid(shell_, nullptr, 0) < 0 && errno == EINTR) continue;
+  }
+  Watcher(const Watcher&) = delete;
+  Watcher& operator=(const Watcher&) = delete;
+
+ private:
+  Pipe pipe_;
+  pid_t shell_ = 0;
+};
+
 void requireUsable(const ProgramCall& call) {
   if (call.arguments.empty() || call.arguments.front().empty()) throw InvalidConfig("no program is named");
   for (const std::string& argument : call.arguments)
@@ -202,7 +243,9 @@ ProgramEnd runProgram(const ProgramCall& call, const Progress& progress) {
   Pipe output;
   Pipe errors;
   const SpawnSettings settings(output, errors, call.folder);
-  ProcessGroup group(spawned(call, settings));
+  const pid_t leader = spawned(call, settings);
+  ProcessGroup group(leader);
+  const Watcher watcher(leader, call.scratch);
   output.closeWritingEnd();
   errors.closeWritingEnd();
   ProgramEnd end;

@@ -37,6 +37,7 @@ std::map<std::string, std::string> valuesAt(const DesignSpace& space, const Desi
 std::string outputOf(const Study& study, const StudyCommand& command,
                      const std::map<std::string, std::string>& values, const Progress& progress) {
   ProgramCall call;
+  call.scratch = values.at("folder");
   call.folder = study.folder;
   call.time_limit_s = study.commands->time_limit_s;
   for (const std::string& argument : command.arguments) call.arguments.push_back(filledIn(argument, values));
