@@ -79,6 +79,17 @@ TEST_F(VoidJobTest, FindsThePlaceOfAPartWhoseOutermostFinIsNotPrinted) {
   EXPECT_NEAR(report.layers[1].uncovered_mm2, 1.0, 0.1);  // the fin
 }
 
+TEST_F(VoidJobTest, RefusesThePartOfAnotherProgram) {
+  writeStl(job_.part, test::boxBetween({0, 0, 0}, {20, 10, 2}));
+  try {
+    run(linesFrom(20, 10, 4));
+    FAIL() << "the part is twice as long";
+  } catch (const InvalidInput& refusal) {
+    EXPECT_NE(std::string(refusal.what()).find("4 of 4 layers are of another size"), std::string::npos)
+        << refusal.what();
+  }
+}
+
 TEST_F(VoidJobTest, FindsTheLineThatIsMissing) {
   Toolpath program = linesFrom(0, 10, 4);
   program.layers[2].paths.erase(program.layers[2].paths.begin() + 4);

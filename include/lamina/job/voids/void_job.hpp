@@ -38,7 +38,8 @@ struct PlacedContours {
 /// half a millimetre, where slicers put parts, are tried there as well. Of all these the one is taken that
 /// leaves least uncovered and overfilled on some layers. Without a part, each contour is what the closed
 /// outer walls of its layer enclose.
-/// @throws InvalidMesh, FileError; InvalidInput if the offset is not finite, the layers are inclined, the
+/// @throws InvalidMesh, FileError; InvalidInput if most layers lay boxes of another size than those of the
+/// part's sections: another part, or scale; if the offset is not finite, the layers are inclined, the
 /// program's layers do not rise, or if there is neither part nor outer wall; Cancelled
 PlacedContours placeContours(const Toolpath& program, const VoidJob& job, Progress& progress);
 
