@@ -241,8 +241,8 @@ class GrowthMarch {
   const GrowthGauge& gauge_;
   GrowthBed bed_;
   std::vector<WayOffer> best_;
-  std::vector<std::uint32_t> tried_;     // stand from which a way to the node was looked for last
-  std::vector<std::uint16_t> columns_;   // of bits that stand on the bed, by node
+  std::vector<std::uint32_t> tried_;    // stand from which a way to the node was looked for last
+  std::vector<std::uint16_t> columns_;  // of bits that stand on the bed, by node
   std::vector<char> is_settled_;
   std::vector<char> is_checked_;  // its way is known to be in the part
   std::vector<char> is_shaded_;

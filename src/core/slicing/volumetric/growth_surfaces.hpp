@@ -12,8 +12,8 @@
 
 namespace lamina {
 
-/// Whether each layer, by the growth at which it begins and ends, is level as a whole: the plane at its height
-/// meets nothing but level growth, and no growth of that layer is anywhere else.
+/// Whether each layer, by the growth at which it begins and ends, is level as a whole: the plane at its
+/// height meets nothing but level growth, and no growth of that layer is anywhere else.
 /// @param bed_mm  z of the bed
 std::vector<char> levelLayers(const CellGraph& cells, const GrowthLattice& lattice,
                               const std::vector<LayerBounds>& layers, double bed_mm);
@@ -24,7 +24,8 @@ std::vector<char> levelLayers(const CellGraph& cells, const GrowthLattice& latti
 /// @param is_left  layers that get no surface
 /// @throws Cancelled
 std::vector<LayerSurface> growthSurfaces(const GrowthLattice& lattice, const CellGraph& cells,
-                                         const std::vector<LayerBounds>& layers, const std::vector<char>& is_left,
-                                         const SignedDistance& skin, Progress& progress);
+                                         const std::vector<LayerBounds>& layers,
+                                         const std::vector<char>& is_left, const SignedDistance& skin,
+                                         Progress& progress);
 
 }  // namespace lamina
