@@ -54,7 +54,7 @@ Point3 middleOf(std::uint64_t bits) {
   int count = 0;
   for (int bit = 0; bit < 64; ++bit) {
     if ((bits >> bit & 1U) == 0) continue;
-    sum += Point3(bit % 4, bit / 4 % 4, bit / 16);
+    sum += Eigen::Vector3i(bit % 4, bit / 4 % 4, bit / 16).cast<double>();
     ++count;
   }
   return (sum / count + Point3::Constant(0.5)) / CellGraph::kBits;

@@ -270,10 +270,10 @@ std::vector<char> levelLayers(const CellGraph& cells, const GrowthLattice& latti
 }
 
 std::vector<LayerSurface> growthSurfaces(const GrowthLattice& lattice, const CellGraph& cells,
-                                         const std::vector<LayerBounds>& layers,
-                                         const std::vector<char>& is_left, const SignedDistance& skin,
+                                         const LayersToCut& cut, const SignedDistance& skin,
                                          Progress& progress) {
-  const std::vector<CubeNumbers> cubes = cubesOfLayers(lattice, layers, is_left);
+  const std::vector<LayerBounds>& layers = cut.layers;
+  const std::vector<CubeNumbers> cubes = cubesOfLayers(lattice, layers, cut.is_left);
   std::vector<LayerSurface> surfaces(layers.size());
   const auto makeSurface = [&](std::size_t i) {
     if (!cubes[i].empty()) surfaces[i] = EqualGrowth(lattice, cells, cubes[i], layers[i], skin).surface();

@@ -361,7 +361,7 @@ VolumetricLayers volumetricLayers(const Mesh& mesh, const MeshTopology& topology
   cutLevelLayers(part, topology, is_level, result.layers, progress);
   const SignedDistance skin(mesh);
   std::vector<LayerSurface> surfaces =
-      growthSurfaces(lattice, part.cells(), bounds, is_level, skin, progress);
+      growthSurfaces(lattice, part.cells(), {bounds, is_level}, skin, progress);
   result.measures.left_out_mm3 = leaveOutCrumbs(surfaces, request.bead_mm, progress);
   measureResting(part, surfaces, result.measures, progress);
   measureCoverage(part, result.layers, surfaces, result.measures, progress);
