@@ -138,6 +138,35 @@ TEST_F(SlicingModes, AdaptedLayersCanBeFilled) {
               0.08 * sliced.summary.mesh_volume_mm3);
 }
 
+// About the rim of its foot, a wall that leans by 60 deg gets layers tilted by 60 - 25 deg.
+TEST_F(SlicingModes, VolumetricLayersTiltWhereAWallWouldHang) {
+  usePart("cone", {{"radius_mm", "6"}, {"top_radius_mm", "13"}, {"height_mm", "4"}});
+  job_.settings.machine.name = "five_axis_head_table";
+  job_.settings.volumetric.deviation_deg = 0.0;
+  const SlicedPart sliced = slice("volumetric");
+  EXPECT_NO_THROW(validate(sliced.toolpath));
+  EXPECT_NEAR(greatestLeanDeg(sliced.toolpath), 35.0, 3.0);
+  EXPECT_NEAR(sliced.summary.deposited_mm3, sliced.summary.mesh_volume_mm3,
+              0.10 * sliced.summary.mesh_volume_mm3);
+  const std::string id = toolpathId(sliced.toolpath);
+  const ThreadLimit limit(1);
+  EXPECT_EQ(toolpathId(slice("volumetric").toolpath), id);
+}
+
+TEST_F(SlicingModes, VolumetricLayersOfABoxAreThoseOfPlanar) {
+  usePart("box", {{"x_mm", "8"}, {"y_mm", "6"}, {"z_mm", "4.2"}});
+  job_.settings.planning.skirt.count = 0;
+  job_.settings.planning.bridges.is_used = job_.settings.planning.overhangs.is_used = false;
+  job_.settings.planning.skins.top_layers = job_.settings.planning.skins.bottom_layers = 0;
+  const SlicedPart grown = slice("volumetric");
+  const SlicedPart planar = slice("planar");
+  EXPECT_LT(greatestLeanDeg(grown.toolpath), 1e-9);
+  ASSERT_EQ(grown.toolpath.layers.size(), planar.toolpath.layers.size());
+  for (std::size_t i = 0; i < planar.toolpath.layers.size(); ++i)
+    EXPECT_EQ(grown.toolpath.layers[i].z_mm, planar.toolpath.layers[i].z_mm);
+  EXPECT_NEAR(grown.summary.deposited_mm3, planar.summary.deposited_mm3, 1e-6);
+}
+
 TEST_F(SlicingModes, ACoatLiesOnThePart) {
   usePart("sphere", {{"radius_mm", "10"}, {"segments", "64"}});
   job_.settings.conformal.thickness_mm = 1.0;

@@ -18,11 +18,12 @@ inline Mesh lyingPrism(const Region& profile, double depth_mm) {
   return mesh;
 }
 
-/// A stem 12 mm wide and 20 mm high, and on it a bar as thick as it says that reaches 12 mm beyond on both sides.
+/// A stem 12 mm wide and 20 mm high, and on it a bar as thick as it says that reaches 12 mm beyond on both
+/// sides.
 inline Mesh tShape(double bar_mm = 6.0) {
   const double top = 20.0 + bar_mm;
-  return lyingPrism(
-      {{{-6, 0}, {6, 0}, {6, 20}, {18, 20}, {18, top}, {-18, top}, {-18, 20}, {-6, 20}}, {}}, 8.0);
+  return lyingPrism({{{-6, 0}, {6, 0}, {6, 20}, {18, 20}, {18, top}, {-18, top}, {-18, 20}, {-6, 20}}, {}},
+                    8.0);
 }
 
 /// A frustum that opens upwards, its wall `lean_deg` from upright, on a circle of 10 mm.

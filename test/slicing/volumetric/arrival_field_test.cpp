@@ -61,7 +61,8 @@ TEST(ArrivalField, IsLevelInAConeAndInAFrustumThatOpensByLessThanTheOverhang) {
   EXPECT_LT(greatestError(grown(test::openingFrustum(28.0, 12.0), 0.5), height, anywhere), 1e-9);
 }
 
-// About its rim, in the plane through the axis: level where ways lean no more than the overhang, else straight.
+// About its rim, in the plane through the axis: level where ways lean no more than the overhang, else
+// straight.
 TEST(ArrivalField, FansOutAboutTheFootOfAFrustum) {
   const GrowthGauge gauge = usualGauge();
   for (const double lean : {45.0, 60.0, 75.0}) {
@@ -113,8 +114,8 @@ TEST(ArrivalField, DoesNotJumpGapsNarrowerThanACell) {
 
 TEST(ArrivalField, LeavesOutWhatHangs) {
   // An arm 10 mm out from a post, and a rod down from its end.
-  const Mesh hook = test::lyingPrism(
-      {{{0, 0}, {8, 0}, {8, 20}, {18, 20}, {18, 8}, {24, 8}, {24, 26}, {0, 26}}, {}}, 6.0);
+  const Mesh hook =
+      test::lyingPrism({{{0, 0}, {8, 0}, {8, 20}, {18, 20}, {18, 8}, {24, 8}, {24, 26}, {0, 26}}, {}}, 6.0);
   const Grown part = grown(hook, 0.5);
   double pendant = 0.0;
   for (std::uint32_t node = 0; node < part.cells.nodeCount(); ++node)
@@ -129,7 +130,8 @@ Mesh anyBody() {
   const double tall = 0.0137 + 0.1 * *rc::gen::inRange(42, 120);
   const double bulge = 0.1 * *rc::gen::inRange(-29, 60);
   const double over = 0.1 * *rc::gen::inRange(1, 60);
-  return test::lyingPrism({{{-4, 0}, {4, 0}, {4 + bulge, 0.5 * tall}, {4 + over, tall}, {-4, tall}}, {}}, 5.3117);
+  return test::lyingPrism({{{-4, 0}, {4, 0}, {4 + bulge, 0.5 * tall}, {4 + over, tall}, {-4, tall}}, {}},
+                          5.3117);
 }
 
 TEST(ArrivalField, OnlyGrowsFromWhatHasGrown) {

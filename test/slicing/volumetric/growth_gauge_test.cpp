@@ -95,11 +95,13 @@ TEST(GrowthGauge, GradientIsThatOfTheCost) {
     const Point3 gradient = gauge.gradient(way);
     RC_ASSERT(std::abs(gradient.dot(way) - gauge.cost(way)) < 1e-9 * way.norm());
     // Convex: nowhere below its tangent.
-    RC_ASSERT(gauge.cost(way + anyWayUp()) >= gauge.cost(way) - 1e-9);
+    const Point3 other = anyWayUp();
+    RC_ASSERT(gauge.cost(way + other) >= gauge.cost(way) + gradient.dot(other) - 1e-9);
   }));
 }
 
-// At a surface the way comes from inside, or along it: its normal cannot lag behind by more than the overhang.
+// At a surface the way comes from inside, or along it: its normal cannot lag behind by more than the
+// overhang.
 TEST(GrowthGauge, NoSurfaceOverhangsByMoreThanIsUsed) {
   EXPECT_TRUE(rc::check([] {
     const double overhang = 0.01 * *rc::gen::inRange(0, 3000);

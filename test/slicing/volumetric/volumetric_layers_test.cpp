@@ -140,17 +140,20 @@ std::string refusalOf(const Mesh& mesh, const VolumetricRequest& request = usual
 
 TEST(VolumetricLayers, RefuseWhatDoesNotStand) {
   // A tip on the bed.
-  const std::string refusal = refusalOf(makePart("cone", {{"radius_mm", "0.01"}, {"top_radius_mm", "8"}, {"height_mm", "8"}}));
+  const std::string refusal =
+      refusalOf(makePart("cone", {{"radius_mm", "0.01"}, {"top_radius_mm", "8"}, {"height_mm", "8"}}));
   EXPECT_NE(refusal.find("touches the bed"), std::string::npos) << refusal;
   VolumetricRequest sunk = usualRequest();
   sunk.settings.sink_mm = 2.0;
   sunk.settings.max_overhang_deg = 60.0;
-  EXPECT_EQ(refusalOf(makePart("cone", {{"radius_mm", "0.01"}, {"top_radius_mm", "8"}, {"height_mm", "8"}}), sunk), "");
+  EXPECT_EQ(
+      refusalOf(makePart("cone", {{"radius_mm", "0.01"}, {"top_radius_mm", "8"}, {"height_mm", "8"}}), sunk),
+      "");
 }
 
 TEST(VolumetricLayers, RefuseWhatHangsLowerThanGrowthComes) {
-  const Mesh hook = test::lyingPrism(
-      {{{0, 0}, {8, 0}, {8, 20}, {18, 20}, {18, 8}, {24, 8}, {24, 26}, {0, 26}}, {}}, 6.0);
+  const Mesh hook =
+      test::lyingPrism({{{0, 0}, {8, 0}, {8, 20}, {18, 20}, {18, 8}, {24, 8}, {24, 26}, {0, 26}}, {}}, 6.0);
   const std::string refusal = refusalOf(hook);
   EXPECT_NE(refusal.find("hang lower than growth comes"), std::string::npos) << refusal;
 }

@@ -75,8 +75,8 @@ class TravelLead {
   /// The turn goes on evenly with the way; where the tip stays, in steps of 10 deg at most.
   bool isClear(const HeadPlace& from, const HeadPlace& to) const {
     const double turn = std::acos(std::clamp(from.axis.dot(to.axis), -1.0, 1.0));
-    const int steps = std::max(1, static_cast<int>(std::ceil(
-                                      std::max((to.tip - from.tip).norm() / kSpacingMm, turn / 0.17))));
+    const int steps = std::max(
+        1, static_cast<int>(std::ceil(std::max((to.tip - from.tip).norm() / kSpacingMm, turn / 0.17))));
     for (int i = 0; i <= steps; ++i) {
       const double part = static_cast<double>(i) / steps;
       const Point3 axis = ((1.0 - part) * from.axis + part * to.axis).normalized();

@@ -18,11 +18,11 @@ struct TravelsOverPart {
   std::size_t shut = 0;       ///< of those, for which no way was found: they stay as they were
 };
 
-/// Leads travels on which the head would be in bed or part another way: out along the tool axis as far as it takes
-/// to turn upright and go up clear of everything, over all of it, and down and in likewise.
+/// Leads travels on which the head would be in bed or part another way: out along the tool axis as far as it
+/// takes to turn upright and go up clear of everything, over all of it, and down and in likewise.
 ///
 /// @param toolpath   its travels are changed
-/// @param growth_mm  laid before each of its layers
+/// @param growth_mm  laid once each of its layers is
 /// @param hop_mm     above what is highest
 /// @throws Cancelled
 TravelsOverPart leadTravels(Toolpath& toolpath, const std::vector<double>& growth_mm, const HeadRoom& room,

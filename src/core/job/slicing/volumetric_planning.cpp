@@ -18,29 +18,32 @@ namespace {
 
 std::string noteOnGrowth(const VolumetricMeasures& measures, double layer_height_mm) {
   char text[400];
-  std::snprintf(text, sizeof text,
-                "volumetric layers grown in %zu cells of %.3g mm with %.1f deg of overhang used, tilted by up to %.1f "
-                "deg; thickness %.3f to %.3f mm, %.2f %% of the volume beyond its bounds; %zu layers are level",
-                measures.nodes, measures.cell_mm, measures.overhang_used_deg, measures.tilt_deg,
-                measures.thinnest * layer_height_mm, measures.thickest * layer_height_mm,
-                100.0 * measures.beyond_thickness, measures.level_layers);
+  std::snprintf(
+      text, sizeof text,
+      "volumetric layers grown in %zu cells of %.3g mm with %.1f deg of overhang used, tilted by up to %.1f "
+      "deg; thickness %.3f to %.3f mm, %.2f %% of the volume beyond its bounds; %zu layers are level",
+      measures.nodes, measures.cell_mm, measures.overhang_used_deg, measures.tilt_deg,
+      measures.thinnest * layer_height_mm, measures.thickest * layer_height_mm,
+      100.0 * measures.beyond_thickness, measures.level_layers);
   return text;
 }
 
 std::string noteOnHanging(const VolumetricMeasures& measures, double max_overhang_deg) {
   char text[300];
-  std::snprintf(text, sizeof text,
-                "%.2f %% of the surface (%.4g mm²) overhangs its own layers by more than %.4g deg; level layers: %.2f "
-                "%% (%.4g mm²)",
-                100.0 * measures.unsupported_mm2 / measures.surface_mm2, measures.unsupported_mm2, max_overhang_deg,
-                100.0 * measures.unsupported_level_mm2 / measures.surface_mm2, measures.unsupported_level_mm2);
+  std::snprintf(
+      text, sizeof text,
+      "%.2f %% of the surface (%.4g mm²) overhangs its own layers by more than %.4g deg; level layers: %.2f "
+      "%% (%.4g mm²)",
+      100.0 * measures.unsupported_mm2 / measures.surface_mm2, measures.unsupported_mm2, max_overhang_deg,
+      100.0 * measures.unsupported_level_mm2 / measures.surface_mm2, measures.unsupported_level_mm2);
   return text;
 }
 
 std::string noteOnFilling(const VolumetricMeasures& measures) {
   char text[400];
   std::snprintf(text, sizeof text,
-                "%.2f %% of the part is in no layer, %.2f %% in more than one; %.2f %% of the bent layers lie on what is "
+                "%.2f %% of the part is in no layer, %.2f %% in more than one; %.2f %% of the bent layers "
+                "lie on what is "
                 "laid before, of the least of %zu pieces %.0f %%; %zu cells grow before their neighbours",
                 100.0 * measures.open, 100.0 * measures.twice, 100.0 * measures.resting, measures.pieces,
                 100.0 * measures.least_resting, measures.minima);
@@ -50,7 +53,8 @@ std::string noteOnFilling(const VolumetricMeasures& measures) {
 void addNotesOnLeftOut(const VolumetricMeasures& measures, std::vector<std::string>& notes) {
   char text[200];
   if (measures.pendant_mm3 > 0.0) {
-    std::snprintf(text, sizeof text, "%.3g mm³ of the part, %.3f %%, hang where no growth leads: they are not laid",
+    std::snprintf(text, sizeof text,
+                  "%.3g mm³ of the part, %.3f %%, hang where no growth leads: they are not laid",
                   measures.pendant_mm3, 100.0 * measures.pendant_mm3 / measures.volume_mm3);
     notes.emplace_back(text);
   }
@@ -63,10 +67,11 @@ void addNotesOnLeftOut(const VolumetricMeasures& measures, std::vector<std::stri
 
 std::string noteOnHead(const VolumetricMeasures& measures, const TravelsOverPart& travels) {
   char text[300];
-  std::snprintf(text, sizeof text,
-                "the head leans by up to %.1f deg from the layers' normals to clear bed and part, and is not clear in "
-                "%.2f %% of the volume; %zu of %zu travels are led round the part, for %zu no clear way was found",
-                measures.greatest_lean_deg, 100.0 * measures.shut, travels.led_round, travels.travels, travels.shut);
+  std::snprintf(
+      text, sizeof text,
+      "the head leans by up to %.1f deg from the layers' normals to clear bed and part, and is not clear in "
+      "%.2f %% of the volume; %zu of %zu travels are led round the part, for %zu no clear way was found",
+      measures.greatest_lean_deg, 100.0 * measures.shut, travels.led_round, travels.travels, travels.shut);
   return text;
 }
 
@@ -102,7 +107,7 @@ PlannedPart planVolumetric(SourcePart source, const PlanningRequest& request, Pr
   const VolumetricMeasures measures = layers.measures;
   const std::shared_ptr<const HeadRoom> room = layers.room;
   std::vector<double> laid_mm;
-  for (const VolumetricLayer& layer : layers.layers) laid_mm.push_back(layer.plane.bounds.cut() - bed_mm);
+  for (const VolumetricLayer& layer : layers.layers) laid_mm.push_back(layer.plane.bounds.top_mm - bed_mm);
   const double slice_s = laps.lap();
   PlannedPart planned = planStack({stackedLayers(std::move(layers))}, request, progress);
   const TravelsOverPart travels =

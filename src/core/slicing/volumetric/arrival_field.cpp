@@ -117,7 +117,8 @@ class GrowthMarch {
       for (int column = 0; column < 16; ++column) {
         if ((columns_[stand] >> column & 1U) == 0) continue;
         const double x = corner.x() + (column % 4) * bit;
-        const double y = corner.y() + (column / 4) * bit;
+        const int row = column / 4;
+        const double y = corner.y() + row * bit;
         const double squared = squaredDistance(to.x(), x, x + bit) + squaredDistance(to.y(), y, y + bit);
         if (squared >= nearest) continue;
         nearest = squared;
@@ -169,7 +170,7 @@ class GrowthMarch {
     for (std::uint64_t rest = cells_.bits(by); rest != 0; rest &= rest - 1) {
       int number = 0;
       while ((rest >> number & 1U) == 0) ++number;
-      Point3 at = corner + bit * Point3(number % 4, number / 4 % 4, number / 16);
+      Point3 at = corner + bit * Eigen::Vector3i(number % 4, number / 4 % 4, number / 16).cast<double>();
       const Point3 onwards = gauge_.gradient(cells_.middle(node) - at - Point3::Constant(0.5 * bit));
       for (int axis = 0; axis < 3; ++axis)
         if (onwards[axis] > slope[axis]) at[axis] += bit;
@@ -241,8 +242,8 @@ class GrowthMarch {
   const GrowthGauge& gauge_;
   GrowthBed bed_;
   std::vector<WayOffer> best_;
-  std::vector<std::uint32_t> tried_;     // stand from which a way to the node was looked for last
-  std::vector<std::uint16_t> columns_;   // of bits that stand on the bed, by node
+  std::vector<std::uint32_t> tried_;    // stand from which a way to the node was looked for last
+  std::vector<std::uint16_t> columns_;  // of bits that stand on the bed, by node
   std::vector<char> is_settled_;
   std::vector<char> is_checked_;  // its way is known to be in the part
   std::vector<char> is_shaded_;

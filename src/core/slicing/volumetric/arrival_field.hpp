@@ -36,13 +36,14 @@ struct ArrivalField {
   double bed_mm = 0.0;            ///< z
 
   /// As the way to a node goes on to a place near it, which may lie beside the part.
-  GrowthAt near(const Point3& place, std::uint32_t node, const Point3& middle, const GrowthGauge& gauge) const;
+  GrowthAt near(const Point3& place, std::uint32_t node, const Point3& middle,
+                const GrowthGauge& gauge) const;
 };
 
 /// Grows a part from the bed, node by node in the order of arrival. A way to a node is straight as far as it
-/// stays in the part, and turns where it must: at the bits of a node from which the next is seen. So the field
-/// is exact, but for the bits, where the bed is seen from everywhere, and level to 1e-9 mm where a way that
-/// leans no more than the overhang leads up from it. About 1 % of a cell above level counts as level.
+/// stays in the part, and turns where it must: at the bits of a node from which the next is seen. So the
+/// field is exact, but for the bits, where the bed is seen from everywhere, and level to 1e-9 mm where a way
+/// that leans no more than the overhang leads up from it. About 1 % of a cell above level counts as level.
 ///
 /// Each node is settled once; cost grows with the nodes, by about n log n.
 /// @throws Cancelled

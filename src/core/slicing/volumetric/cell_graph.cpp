@@ -54,7 +54,7 @@ Point3 middleOf(std::uint64_t bits) {
   int count = 0;
   for (int bit = 0; bit < 64; ++bit) {
     if ((bits >> bit & 1U) == 0) continue;
-    sum += Point3(bit % 4, bit / 4 % 4, bit / 16);
+    sum += Eigen::Vector3i(bit % 4, bit / 4 % 4, bit / 16).cast<double>();
     ++count;
   }
   return (sum / count + Point3::Constant(0.5)) / CellGraph::kBits;
@@ -150,11 +150,10 @@ void CellGraph::addNodes(const VoxelGrid& grid, int lowest_row, Progress& progre
 
 std::array<std::uint32_t, 2> CellGraph::nodesIn(const std::array<int, 3>& cell) const {
   if (!frame_.contains(cell[0], cell[1], cell[2])) return {0, 0};
-  const auto number =
-      (static_cast<std::size_t>(cell[2]) * static_cast<std::size_t>(frame_.count[1]) +
-       static_cast<std::size_t>(cell[1])) *
-          static_cast<std::size_t>(frame_.count[0]) +
-      static_cast<std::size_t>(cell[0]);
+  const auto number = (static_cast<std::size_t>(cell[2]) * static_cast<std::size_t>(frame_.count[1]) +
+                       static_cast<std::size_t>(cell[1])) *
+                          static_cast<std::size_t>(frame_.count[0]) +
+                      static_cast<std::size_t>(cell[0]);
   return {first_[number], first_[number + 1]};
 }
 

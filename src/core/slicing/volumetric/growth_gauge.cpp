@@ -43,7 +43,8 @@ Point3 GrowthGauge::gradient(const Point3& way) const {
   const double tilt = std::clamp(std::atan2(across, way.z()) - overhang_, 0.0, thickest_tilt_);
   const double inverse_thickness = std::exp(-tilt * tan_overhang_);
   Point3 gradient;
-  gradient << way.head<2>() * (std::sin(tilt) * inverse_thickness / across), std::cos(tilt) * inverse_thickness;
+  gradient << way.head<2>() * (std::sin(tilt) * inverse_thickness / across),
+      std::cos(tilt) * inverse_thickness;
   return gradient;
 }
 

@@ -153,7 +153,8 @@ void GrowthLattice::addBeside(const ArrivalField& field, const GrowthGauge& gaug
   const auto addSlab = [&](std::size_t k) {
     for (int j = 0; j < frame.count[1]; ++j)
       for (int i = 0; i < frame.count[0]; ++i)
-        for (Beside& beside : besideCell({i, j, static_cast<int>(k)}, field)) slabs[k].push_back(std::move(beside));
+        for (Beside& beside : besideCell({i, j, static_cast<int>(k)}, field))
+          slabs[k].push_back(std::move(beside));
   };
   parallelFor(slabs.size(), addSlab, progress, "layers");
   beside_at_.assign(static_cast<std::size_t>(frame.voxelCount()) + 1, 0);
@@ -167,8 +168,8 @@ void GrowthLattice::addBeside(const ArrivalField& field, const GrowthGauge& gaug
 }
 
 /// The sample of a piece of the part in a cell, or beside it.
-std::uint32_t GrowthLattice::cornerFor(const std::vector<std::uint32_t>& piece, const std::array<int, 3>& cell,
-                                       const ArrivalField& field) const {
+std::uint32_t GrowthLattice::cornerFor(const std::vector<std::uint32_t>& piece,
+                                       const std::array<int, 3>& cell, const ArrivalField& field) const {
   const auto [first, last] = cells_.nodesIn(cell);
   for (const std::uint32_t node : piece)
     if (node >= first && node < last) return node;

@@ -21,19 +21,20 @@ struct GrowthSample {
   std::uint32_t node = CellGraph::kNone;  ///< of the part; none for one beside it
 };
 
-/// Eight neighbouring cells and one piece of the part in them: a sample a corner. Corner x + 2 y + 4 z is that
-/// at x, y, z.
+/// Eight neighbouring cells and one piece of the part in them: a sample a corner. Corner x + 2 y + 4 z is
+/// that at x, y, z.
 struct GrowthCube {
   std::array<int, 3> cell{};  ///< of corner 0
   std::array<std::uint32_t, 8> sample{};
 };
 
 /// A growth field on the middles of cells, carried one cell out of the part, so that surfaces of equal growth
-/// reach its skin. Cells have a sample for each piece of the part in or beside them; cubes of samples join what
-/// is linked, and nothing across gaps.
+/// reach its skin. Cells have a sample for each piece of the part in or beside them; cubes of samples join
+/// what is linked, and nothing across gaps.
 class GrowthLattice {
  public:
-  GrowthLattice(const CellGraph& cells, const ArrivalField& field, const GrowthGauge& gauge, Progress& progress);
+  GrowthLattice(const CellGraph& cells, const ArrivalField& field, const GrowthGauge& gauge,
+                Progress& progress);
 
   const std::vector<GrowthSample>& samples() const { return samples_; }
   /// By their cells, along x first.
@@ -62,9 +63,9 @@ class GrowthLattice {
   std::size_t numberOf(const std::array<int, 3>& cell) const;
 
   const CellGraph& cells_;
-  std::vector<GrowthSample> samples_;      // of nodes by their numbers, then of places beside the part
-  std::vector<Beside> beside_;             // by cells
-  std::vector<std::uint32_t> beside_at_;   // of each cell its first, and the count at the end
+  std::vector<GrowthSample> samples_;     // of nodes by their numbers, then of places beside the part
+  std::vector<Beside> beside_;            // by cells
+  std::vector<std::uint32_t> beside_at_;  // of each cell its first, and the count at the end
   std::vector<GrowthCube> cubes_;
   std::vector<std::uint32_t> cubes_at_;
 };

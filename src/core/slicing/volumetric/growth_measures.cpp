@@ -62,7 +62,8 @@ std::uint32_t nodeBelow(const CellGraph& cells, const Point3& place, const Point
   return nearest;
 }
 
-/// Growth at a place of the surface as the layers have it: in the cube around it that joins the node below it.
+/// Growth at a place of the surface as the layers have it: in the cube around it that joins the node below
+/// it.
 GrowthSample sampleThere(const CellGraph& cells, const GrowthLattice& lattice, const Point3& place,
                          std::uint32_t node) {
   const Point3 at = (place - cells.frame().corner) / cells.frame().voxel_mm - Point3::Constant(0.5);
@@ -115,8 +116,7 @@ HangingSurface hangingSurface(const Mesh& mesh, const CellGraph& cells, const Gr
         return;
       }
       const GrowthSample sample = sampleThere(cells, lattice, place, node);
-      if (-normal.dot(sample.gradient) > sine * sample.gradient.norm())
-        hanging.grown_by_triangle[i] += area;
+      if (-normal.dot(sample.gradient) > sine * sample.gradient.norm()) hanging.grown_by_triangle[i] += area;
     });
   };
   const auto lookAtBlock = [&](std::size_t block) {
@@ -177,7 +177,8 @@ std::size_t growthMinima(const CellGraph& cells, const GrowthLattice& lattice, d
   return minima;
 }
 
-RestingShare restingShare(const LayerSurface& layer, const CellGraph& cells, double bed_mm) {
+RestingShare restingShare(const LayerSurface& layer, const CellGraph& cells, double bed_mm,
+                          double carried_mm2) {
   RestingShare share;
   for (const LayerSurface& piece : connectedPieces(layer)) {
     double area = 0.0;
@@ -196,7 +197,7 @@ RestingShare restingShare(const LayerSurface& layer, const CellGraph& cells, dou
     share.area_mm2 += area;
     share.resting_mm2 += resting;
     ++share.pieces;
-    if (area <= 0.0 || resting >= share.least * area) continue;
+    if (area - resting <= carried_mm2 || resting >= share.least * area) continue;
     share.least = resting / area;
     share.least_at = piece.middle.vertices.front();
   }

@@ -26,8 +26,8 @@ struct HangingSurface {
   std::vector<double> grown_by_triangle;  ///< the same of each triangle [mm²]
 };
 
-/// By samples of the surface at most a cell apart, each with the growth that the layers have there. What no growth
-/// leads to hangs.
+/// By samples of the surface at most a cell apart, each with the growth that the layers have there. What no
+/// growth leads to hangs.
 /// @throws Cancelled
 HangingSurface hangingSurface(const Mesh& mesh, const CellGraph& cells, const GrowthLattice& lattice,
                               const OverhangQuestion& question, Progress& progress);
@@ -39,8 +39,8 @@ struct GrownThickness {
   double beyond = 0.0;  ///< share of the volume outside of [1, max_thickness] by more than 2 %
 };
 
-/// By least squares over neighbours. Cells one of whose neighbours grows another way are where fronts meet: they
-/// are left out.
+/// By least squares over neighbours. Cells one of whose neighbours grows another way are where fronts meet:
+/// they are left out.
 GrownThickness grownThickness(const CellGraph& cells, const GrowthLattice& lattice, double max_thickness);
 
 /// Cells that are reached before all their neighbours.
@@ -58,6 +58,8 @@ struct RestingShare {
 
 /// Of the connected pieces of a layer. A place rests if one height below it there is
 /// part, no farther aside than that height, or the bed.
-RestingShare restingShare(const LayerSurface& layer, const CellGraph& cells, double bed_mm);
+/// @param carried_mm2  pieces of which no more than that does not rest are not looked for the least share
+RestingShare restingShare(const LayerSurface& layer, const CellGraph& cells, double bed_mm,
+                          double carried_mm2);
 
 }  // namespace lamina

@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
 #include <utility>
 
 #include "lamina/base/error.hpp"
@@ -54,6 +57,71 @@ Point3 directionOf(const GrowthSample& sample) {
   return length > 1e-6 ? Point3(sample.gradient / length) : Point3(Point3::UnitZ());
 }
 
+/// Which triangles meet at vertices, each with those that share a side with it there. Sides of more than two
+/// triangles join none.
+class VertexFans {
+ public:
+  explicit VertexFans(const Mesh& mesh) : mesh_(mesh), fan_(3 * mesh.triangles.size()) {
+    std::iota(fan_.begin(), fan_.end(), std::size_t{0});
+    std::map<std::array<std::uint32_t, 2>, std::vector<std::size_t>> sides;
+    for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle)
+      for (std::size_t side = 0; side < 3; ++side) {
+        const std::uint32_t a = mesh.triangles[triangle][side];
+        const std::uint32_t b = mesh.triangles[triangle][(side + 1) % 3];
+        sides[{std::min(a, b), std::max(a, b)}].push_back(triangle);
+      }
+    for (const auto& [ends, triangles] : sides) {
+      if (triangles.size() != 2) continue;
+      for (const std::uint32_t end : ends) join(cornerOf(triangles[0], end), cornerOf(triangles[1], end));
+    }
+  }
+
+  /// A corner (3 x triangle + its number) that stands for all of its fan.
+  std::size_t of(std::size_t corner) {
+    while (fan_[corner] != corner) corner = fan_[corner] = fan_[fan_[corner]];
+    return corner;
+  }
+
+ private:
+  std::size_t cornerOf(std::size_t triangle, std::uint32_t vertex) const {
+    const Triangle& corner = mesh_.triangles[triangle];
+    return 3 * triangle +
+           static_cast<std::size_t>(std::find(corner.begin(), corner.end(), vertex) - corner.begin());
+  }
+  void join(std::size_t a, std::size_t b) {
+    a = of(a);
+    b = of(b);
+    fan_[std::max(a, b)] = std::min(a, b);
+  }
+
+  const Mesh& mesh_;
+  std::vector<std::size_t> fan_;
+};
+
+/// Where pieces of a surface touch at a vertex or along a side, each gets vertices of its own.
+LayerSurface withoutTouchingPieces(LayerSurface surface) {
+  VertexFans fans(surface.middle);
+  constexpr std::size_t kFree = std::numeric_limits<std::size_t>::max();
+  std::vector<std::size_t> taken(surface.middle.vertices.size(), kFree);
+  std::map<std::size_t, std::uint32_t> copies;
+  for (std::size_t corner = 0; corner < 3 * surface.middle.triangles.size(); ++corner) {
+    std::uint32_t& vertex = surface.middle.triangles[corner / 3][corner % 3];
+    const std::size_t fan = fans.of(corner);
+    if (taken[vertex] == kFree) taken[vertex] = fan;
+    if (taken[vertex] == fan) continue;
+    const auto [copy, is_new] =
+        copies.emplace(fan, static_cast<std::uint32_t>(surface.middle.vertices.size()));
+    if (is_new) {
+      surface.middle.vertices.push_back(Point3(surface.middle.vertices[vertex]));
+      surface.tip.push_back(Point3(surface.tip[vertex]));
+      surface.normal.push_back(Point3(surface.normal[vertex]));
+      surface.height_mm.push_back(double(surface.height_mm[vertex]));
+    }
+    vertex = copy->second;
+  }
+  return surface;
+}
+
 class EqualGrowth {
  public:
   EqualGrowth(const GrowthLattice& lattice, const CellGraph& cells, const CubeNumbers& cubes,
@@ -64,7 +132,7 @@ class EqualGrowth {
     for (const std::uint32_t number : cubes_) addVertex(lattice_.cubes()[number]);
     for (std::size_t i = 0; i < cubes_.size(); ++i)
       for (std::size_t axis = 0; axis < 3; ++axis) addFace(i, axis);
-    return whereNotNegative(surface_, inside_);
+    return withoutTouchingPieces(whereNotNegative(surface_, inside_));
   }
 
  private:
@@ -139,7 +207,8 @@ class EqualGrowth {
       std::array<int, 3> cell = cube.cell;
       cell[u] += kAround[i][0];
       cell[v] += kAround[i][1];
-      const std::size_t back = static_cast<std::size_t>(kAround[i][0]) << u | static_cast<std::size_t>(kAround[i][1]) << v;
+      const std::size_t back =
+          static_cast<std::size_t>(kAround[i][0]) << u | static_cast<std::size_t>(kAround[i][1]) << v;
       around[i] = vertexOf(cell, {from ^ back, 7 ^ back}, {cube.sample[from], cube.sample[7]});
       if (around[i] == CellGraph::kNone) return;
     }
@@ -186,10 +255,13 @@ std::vector<char> levelLayers(const CellGraph& cells, const GrowthLattice& latti
   const double cell = cells.frame().voxel_mm;
   for (std::uint32_t node = 0; node < cells.nodeCount(); ++node) {
     const double bottom = cells.corner(node).z() - bed_mm;
-    if (!isLevelSample(lattice.samples()[node], bed_mm)) bendBetween(bottom - 0.5 * cell, bottom + 1.5 * cell);
+    if (!isLevelSample(lattice.samples()[node], bed_mm))
+      bendBetween(bottom - 0.5 * cell, bottom + 1.5 * cell);
   }
   for (const GrowthCube& cube : lattice.cubes()) {
-    const auto isBent = [&](std::uint32_t sample) { return !isLevelSample(lattice.samples()[sample], bed_mm); };
+    const auto isBent = [&](std::uint32_t sample) {
+      return !isLevelSample(lattice.samples()[sample], bed_mm);
+    };
     if (std::none_of(cube.sample.begin(), cube.sample.end(), isBent)) continue;
     const auto [low, high] = rangeOf(lattice, cube);
     bendBetween(low, high);
@@ -198,9 +270,10 @@ std::vector<char> levelLayers(const CellGraph& cells, const GrowthLattice& latti
 }
 
 std::vector<LayerSurface> growthSurfaces(const GrowthLattice& lattice, const CellGraph& cells,
-                                         const std::vector<LayerBounds>& layers, const std::vector<char>& is_left,
-                                         const SignedDistance& skin, Progress& progress) {
-  const std::vector<CubeNumbers> cubes = cubesOfLayers(lattice, layers, is_left);
+                                         const LayersToCut& cut, const SignedDistance& skin,
+                                         Progress& progress) {
+  const std::vector<LayerBounds>& layers = cut.layers;
+  const std::vector<CubeNumbers> cubes = cubesOfLayers(lattice, layers, cut.is_left);
   std::vector<LayerSurface> surfaces(layers.size());
   const auto makeSurface = [&](std::size_t i) {
     if (!cubes[i].empty()) surfaces[i] = EqualGrowth(lattice, cells, cubes[i], layers[i], skin).surface();

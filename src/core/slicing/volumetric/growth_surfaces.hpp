@@ -12,19 +12,23 @@
 
 namespace lamina {
 
-/// Whether each layer, by the growth at which it begins and ends, is level as a whole: the plane at its height
-/// meets nothing but level growth, and no growth of that layer is anywhere else.
+/// Whether each layer, by the growth at which it begins and ends, is level as a whole: the plane at its
+/// height meets nothing but level growth, and no growth of that layer is anywhere else.
 /// @param bed_mm  z of the bed
 std::vector<char> levelLayers(const CellGraph& cells, const GrowthLattice& lattice,
                               const std::vector<LayerBounds>& layers, double bed_mm);
 
+/// Layers by the growth at which each begins and ends, and those of them that get no surface.
+struct LayersToCut {
+  const std::vector<LayerBounds>& layers;
+  const std::vector<char>& is_left;
+};
+
 /// Surfaces of equal growth half way through each layer, by one vertex a cube that they cross, ended at the
 /// part's skin. Heights are those that the gradient gives at each vertex. The same for any number of threads.
-/// @param layers   the growth at which each begins and ends
-/// @param is_left  layers that get no surface
 /// @throws Cancelled
 std::vector<LayerSurface> growthSurfaces(const GrowthLattice& lattice, const CellGraph& cells,
-                                         const std::vector<LayerBounds>& layers, const std::vector<char>& is_left,
-                                         const SignedDistance& skin, Progress& progress);
+                                         const LayersToCut& cut, const SignedDistance& skin,
+                                         Progress& progress);
 
 }  // namespace lamina

@@ -30,24 +30,25 @@ Point3 turnedUp(const Point3& direction, double angle_rad) {
 }
 
 HeadLean::HeadLean(const CellGraph& cells, const GrowthLattice& lattice, const HeadRoom& room,
-                   double greatest_rad, Progress& progress)
+                   const LeanQuestion& question, Progress& progress)
     : cells_(cells) {
   const VoxelFrame& fine = cells.frame();
   const int ratio = std::max(1, static_cast<int>(std::lround(kLookedAtMm / fine.voxel_mm)));
   frame_.corner = fine.corner;
   frame_.voxel_mm = ratio * fine.voxel_mm;
   for (std::size_t axis = 0; axis < 3; ++axis) frame_.count[axis] = (fine.count[axis] + ratio - 1) / ratio;
-  look(lattice, room, greatest_rad, progress);
+  look(lattice, room, question, progress);
   evenOut();
 }
 
 std::size_t HeadLean::numberOf(int i, int j, int k) const {
-  return (static_cast<std::size_t>(k) * static_cast<std::size_t>(frame_.count[1]) + static_cast<std::size_t>(j)) *
+  return (static_cast<std::size_t>(k) * static_cast<std::size_t>(frame_.count[1]) +
+          static_cast<std::size_t>(j)) *
              static_cast<std::size_t>(frame_.count[0]) +
          static_cast<std::size_t>(i);
 }
 
-void HeadLean::look(const GrowthLattice& lattice, const HeadRoom& room, double greatest_rad,
+void HeadLean::look(const GrowthLattice& lattice, const HeadRoom& room, const LeanQuestion& question,
                     Progress& progress) {
   const auto count = static_cast<std::size_t>(frame_.voxelCount());
   std::vector<std::uint32_t> middle(count, CellGraph::kNone);
@@ -71,9 +72,10 @@ void HeadLean::look(const GrowthLattice& lattice, const HeadRoom& room, double g
     const GrowthSample& sample = lattice.samples()[middle[number]];
     const Point3 direction = sample.gradient.normalized();
     const Point3& tip = cells_.middle(middle[number]);
+    const double growth_mm = sample.growth_mm + question.ahead_mm;
     lean_[number] = 0.0F;
-    for (double lean = 0.0; lean <= greatest_rad + 1e-9; lean += kStepRad) {
-      if (!room.isClear(tip, turnedUp(direction, lean), sample.growth_mm)) continue;
+    for (double lean = 0.0; lean <= question.greatest_rad + 1e-9; lean += kStepRad) {
+      if (!room.isClear(tip, turnedUp(direction, lean), growth_mm)) continue;
       lean_[number] = static_cast<float>(lean);
       return;
     }

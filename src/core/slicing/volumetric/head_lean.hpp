@@ -10,14 +10,20 @@
 
 namespace lamina {
 
+/// What leans are looked for.
+struct LeanQuestion {
+  double greatest_rad = 0.6;
+  double ahead_mm = 0.2;  ///< growth that is laid before a place besides what has grown before it: its layer
+};
+
 /// How far the head leans from a part's layers towards upright, so that it clears bed and part.
 class HeadLean {
  public:
   /// Looks at one place in every cube of about 2 mm, for leans in steps of 5 deg. Between places the lean is
   /// evened out, never below what the nearest ones need.
   /// @throws Cancelled
-  HeadLean(const CellGraph& cells, const GrowthLattice& lattice, const HeadRoom& room, double greatest_rad,
-           Progress& progress);
+  HeadLean(const CellGraph& cells, const GrowthLattice& lattice, const HeadRoom& room,
+           const LeanQuestion& question, Progress& progress);
 
   /// The direction against the jet at a place of a layer.
   Point3 direction(const Point3& place, const Point3& normal) const;
@@ -27,7 +33,8 @@ class HeadLean {
   double shut() const { return shut_; }
 
  private:
-  void look(const GrowthLattice& lattice, const HeadRoom& room, double greatest_rad, Progress& progress);
+  void look(const GrowthLattice& lattice, const HeadRoom& room, const LeanQuestion& question,
+            Progress& progress);
   void evenOut();
   std::size_t numberOf(int i, int j, int k) const;
 

@@ -11,9 +11,9 @@ namespace lamina {
 namespace {
 
 constexpr double kHullSpacingMm = 4.0;
-constexpr double kTipMm = 3.0;      // not looked at
+constexpr double kTipMm = 3.0;  // not looked at
 constexpr double kFarthestMm = 120.0;
-constexpr double kBedMm = 0.05;     // bed is farther in by so much
+constexpr double kBedMm = 0.05;  // bed is farther in by so much
 
 void addRing(double along, double radius, std::vector<Point3>& hull) {
   const int count = std::max(6, static_cast<int>(std::ceil(2.0 * M_PI * radius / kHullSpacingMm)));
@@ -27,7 +27,8 @@ void addRing(double along, double radius, std::vector<Point3>& hull) {
 void addStage(const HeadStage& stage, std::vector<Point3>& hull) {
   const double from = std::max(kTipMm, stage.from_mm);
   const double to = std::min(kFarthestMm, stage.to_mm);
-  for (double radius = kHullSpacingMm; radius < stage.radius_mm; radius += kHullSpacingMm) addRing(from, radius, hull);
+  for (double radius = kHullSpacingMm; radius < stage.radius_mm; radius += kHullSpacingMm)
+    addRing(from, radius, hull);
   for (double along = from; along <= to; along += kHullSpacingMm) addRing(along, stage.radius_mm, hull);
 }
 
@@ -41,14 +42,14 @@ HeadRoom::HeadRoom(std::shared_ptr<const Growth> growth, const std::vector<HeadS
 bool HeadRoom::isClear(const Point3& tip, const Point3& axis, double growth_mm) const {
   const double flat = std::sqrt(std::max(0.0, 1.0 - axis.z() * axis.z()));
   for (const HeadStage& stage : stages_) {
-    const double along = axis.z() > 0.0 ? stage.from_mm : std::min(kFarthestMm, stage.to_mm);
+    const double along =
+        axis.z() > 0.0 ? std::max(kTipMm, stage.from_mm) : std::min(kFarthestMm, stage.to_mm);
     if (tip.z() + along * axis.z() - stage.radius_mm * flat < bed_mm_ - kBedMm) return false;
   }
   const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(Point3::UnitZ(), axis);
   const Eigen::Matrix3d frame = turn.toRotationMatrix();
-  return std::none_of(hull_.begin(), hull_.end(), [&](const Point3& point) {
-    return growth_->at(tip + frame * point) < growth_mm;
-  });
+  return std::none_of(hull_.begin(), hull_.end(),
+                      [&](const Point3& point) { return growth_->at(tip + frame * point) < growth_mm; });
 }
 
 }  // namespace lamina

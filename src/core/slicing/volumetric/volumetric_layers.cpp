@@ -32,6 +32,7 @@ constexpr double kMostNodes = 4'000'000.0;
 constexpr double kLargestCellMm = 1.0;
 constexpr double kLeastBeads = 2.0 / 3.0;  // of a cell so chosen, in bead widths
 constexpr double kLeastResting = 0.5;
+constexpr double kCarriedBeads = 4.0;  // squares of a bead that may hang from the rest of a piece
 // So many that 0.5 % of them are within 0.1 % of what they stand for.
 constexpr std::size_t kSamplesOfPart = 20000;
 
@@ -49,8 +50,9 @@ double cellFor(double volume_mm3, const VolumetricRequest& request) {
 }
 
 double overhangUsed(const VolumetricSettings& settings) {
-  const double asked = settings.overhang_used_deg >= 0.0 ? settings.overhang_used_deg
-                                                         : std::max(0.0, settings.max_overhang_deg - kMarginDeg);
+  const double asked = settings.overhang_used_deg >= 0.0
+                           ? settings.overhang_used_deg
+                           : std::max(0.0, settings.max_overhang_deg - kMarginDeg);
   return overhangWithin(toRadians(asked), settings.max_thickness);
 }
 
@@ -93,7 +95,8 @@ GrownPart grownPart(const Mesh& mesh, const VolumetricRequest& request, Progress
   const GrowthGauge gauge({overhang, settings.max_thickness, toRadians(settings.max_tilt_deg)});
   ArrivalField field =
       arrivalField(cells, gauge, {bed, 0.5 * request.slicing.first_layer_height_mm}, progress);
-  return {mesh, request, bed, overhang, gauge, std::make_shared<const GrownCells>(std::move(cells), std::move(field))};
+  return {mesh,     request, bed,
+          overhang, gauge,   std::make_shared<const GrownCells>(std::move(cells), std::move(field))};
 }
 
 Mesh trianglesWhere(const Mesh& mesh, const std::vector<double>& weight) {
@@ -107,10 +110,11 @@ void requireStanding(const GrownPart& part) {
   const double bead = part.request.bead_mm;
   if (part.field().contact_mm2 >= bead * bead) return;
   char text[240];
-  std::snprintf(text, sizeof text,
-                "the part touches the bed by %.3g mm² at half of the first layer; expected at least a bead's square, "
-                "%.3g mm²: sink it by volumetric.sink_mm, or turn it",
-                part.field().contact_mm2, bead * bead);
+  std::snprintf(
+      text, sizeof text,
+      "the part touches the bed by %.3g mm² at half of the first layer; expected at least a bead's square, "
+      "%.3g mm²: sink it by volumetric.sink_mm, or turn it",
+      part.field().contact_mm2, bead * bead);
   TriangleNumbers lowest;
   for (std::uint32_t i = 0; i < part.mesh.triangles.size(); ++i)
     for (const std::uint32_t corner : part.mesh.triangles[i])
@@ -144,12 +148,13 @@ void requireReached(const GrownPart& part, const Pendant& pendant, const Hanging
   const double percent = 100.0 * pendant.volume_mm3 / pendant.whole_mm3;
   if (percent <= part.request.settings.largest_pendant_percent) return;
   char text[300];
-  std::snprintf(text, sizeof text,
-                "%.3g mm³ of the part, %.2f %%, hang lower than growth comes to, the lowest at %s; expected at most "
-                "%.4g %% (volumetric.largest_pendant_percent): turn the part, or let layers tilt more "
-                "(volumetric.max_tilt_deg)",
-                pendant.volume_mm3, percent, placeText(pendant.lowest).c_str(),
-                part.request.settings.largest_pendant_percent);
+  std::snprintf(
+      text, sizeof text,
+      "%.3g mm³ of the part, %.2f %%, hang lower than growth comes to, the lowest at %s; expected at most "
+      "%.4g %% (volumetric.largest_pendant_percent): turn the part, or let layers tilt more "
+      "(volumetric.max_tilt_deg)",
+      pendant.volume_mm3, percent, placeText(pendant.lowest).c_str(),
+      part.request.settings.largest_pendant_percent);
   throw Unsliceable(text, trianglesWhere(part.mesh, hanging.grown_by_triangle));
 }
 
@@ -164,13 +169,14 @@ void requireSupported(const GrownPart& part, const HangingSurface& hanging) {
   const VolumetricSettings& settings = part.request.settings;
   if (percent <= settings.largest_unsupported_percent) return;
   char text[400];
-  std::snprintf(text, sizeof text,
-                "%.4g mm² of the surface, %.2f %%, overhang by more than %.4g deg from volumetric layers (%.2f %% from "
-                "level ones), most of it at %s; expected at most %.4g %% (volumetric.largest_unsupported_percent): "
-                "use smaller cells (volumetric.cell_mm) or less overhang (volumetric.overhang_used_deg), or turn it",
-                hanging.grown_mm2, percent, settings.max_overhang_deg, 100.0 * hanging.level_mm2 / hanging.surface_mm2,
-                placeText(middleOfMost(part.mesh, hanging.grown_by_triangle)).c_str(),
-                settings.largest_unsupported_percent);
+  std::snprintf(
+      text, sizeof text,
+      "%.4g mm² of the surface, %.2f %%, overhang by more than %.4g deg from volumetric layers (%.2f %% from "
+      "level ones), most of it at %s; expected at most %.4g %% (volumetric.largest_unsupported_percent): "
+      "use smaller cells (volumetric.cell_mm) or less overhang (volumetric.overhang_used_deg), or turn it",
+      hanging.grown_mm2, percent, settings.max_overhang_deg, 100.0 * hanging.level_mm2 / hanging.surface_mm2,
+      placeText(middleOfMost(part.mesh, hanging.grown_by_triangle)).c_str(),
+      settings.largest_unsupported_percent);
   throw Unsliceable(text, trianglesWhere(part.mesh, hanging.grown_by_triangle));
 }
 
@@ -210,11 +216,10 @@ void measureField(const GrownPart& part, const GrowthLattice& lattice, Volumetri
   measures.thickest = thickness.greatest;
   measures.beyond_thickness = thickness.beyond;
   measures.minima = growthMinima(part.cells(), lattice, part.bed_mm);
-  const HangingSurface hanging =
-      hangingSurface(part.mesh, part.cells(), lattice,
-                     {toRadians(request.settings.max_overhang_deg),
-                      part.bed_mm + request.slicing.first_layer_height_mm},
-                     progress);
+  const HangingSurface hanging = hangingSurface(
+      part.mesh, part.cells(), lattice,
+      {toRadians(request.settings.max_overhang_deg), part.bed_mm + request.slicing.first_layer_height_mm},
+      progress);
   measures.surface_mm2 = hanging.surface_mm2;
   measures.unsupported_level_mm2 = hanging.level_mm2;
   measures.unsupported_mm2 = hanging.grown_mm2;
@@ -248,7 +253,8 @@ double leaveOutCrumbs(std::vector<LayerSurface>& surfaces, double bead_mm, Progr
   parallelFor(
       surfaces.size(),
       [&](std::size_t i) {
-        if (!surfaces[i].middle.triangles.empty()) surfaces[i] = tidied(surfaces[i], {bead_mm * bead_mm, 0.0});
+        if (!surfaces[i].middle.triangles.empty())
+          surfaces[i] = tidied(surfaces[i], {bead_mm * bead_mm, 0.0});
       },
       progress, "layers");
   return before - volume(surfaces);
@@ -270,25 +276,29 @@ void requireResting(const std::vector<RestingShare>& shares, const std::vector<L
   measures.least_resting = shares[worst].least;
   if (measures.least_resting >= kLeastResting) return;
   char text[240];
-  std::snprintf(text, sizeof text,
-                "a piece of layer %zu at %s rests on what is laid before it by %.0f %% of its area; expected at least "
-                "%.0f %%: use smaller cells (volumetric.cell_mm), or turn the part",
-                worst, placeText(shares[worst].least_at).c_str(), 100.0 * shares[worst].least, 100.0 * kLeastResting);
+  std::snprintf(
+      text, sizeof text,
+      "a piece of layer %zu at %s rests on what is laid before it by %.0f %% of its area; expected at least "
+      "%.0f %%: use smaller cells (volumetric.cell_mm), or turn the part",
+      worst, placeText(shares[worst].least_at).c_str(), 100.0 * shares[worst].least, 100.0 * kLeastResting);
   throw Unsliceable(text, surfaces[worst].middle);
 }
 
-void measureResting(const GrownPart& part, const std::vector<LayerSurface>& surfaces, VolumetricMeasures& measures,
-                    Progress& progress) {
+void measureResting(const GrownPart& part, const std::vector<LayerSurface>& surfaces,
+                    VolumetricMeasures& measures, Progress& progress) {
+  const double carried_mm2 = kCarriedBeads * part.request.bead_mm * part.request.bead_mm;
   std::vector<RestingShare> shares(surfaces.size());
   parallelFor(
-      surfaces.size(), [&](std::size_t i) { shares[i] = restingShare(surfaces[i], part.cells(), part.bed_mm); },
+      surfaces.size(),
+      [&](std::size_t i) { shares[i] = restingShare(surfaces[i], part.cells(), part.bed_mm, carried_mm2); },
       progress, "measure");
   requireResting(shares, surfaces, measures);
 }
 
 /// What is in no layer and in more than one, above the bed.
 void measureCoverage(const GrownPart& part, const std::vector<VolumetricLayer>& layers,
-                     const std::vector<LayerSurface>& surfaces, VolumetricMeasures& measures, Progress& progress) {
+                     const std::vector<LayerSurface>& surfaces, VolumetricMeasures& measures,
+                     Progress& progress) {
   std::vector<Layer> level;
   for (const VolumetricLayer& layer : layers)
     if (!layer.plane.section.contours.empty()) level.push_back(layer.plane);
@@ -313,8 +323,9 @@ void leanHead(const GrownPart& part, const GrowthLattice& lattice, std::vector<L
               VolumetricLayers& result, Progress& progress) {
   result.room = std::make_shared<const HeadRoom>(part.grown, part.request.head, part.bed_mm);
   if (part.request.head.empty()) return;
-  const double greatest = toRadians(part.request.settings.deviation_deg);
-  const HeadLean lean(part.cells(), lattice, *result.room, greatest, progress);
+  const LeanQuestion question{toRadians(part.request.settings.deviation_deg),
+                              part.request.slicing.layer_height_mm};
+  const HeadLean lean(part.cells(), lattice, *result.room, question, progress);
   result.measures.greatest_lean_deg = toDegrees(lean.greatest());
   result.measures.shut = lean.shut();
   const auto leanLayer = [&](std::size_t i) {
@@ -336,8 +347,8 @@ bool isEmpty(const VolumetricLayer& layer) { return layer.isLevel() && layer.pla
 
 }  // namespace
 
-VolumetricLayers volumetricLayers(const Mesh& mesh, const MeshTopology& topology, const VolumetricRequest& request,
-                                  Progress& progress) {
+VolumetricLayers volumetricLayers(const Mesh& mesh, const MeshTopology& topology,
+                                  const VolumetricRequest& request, Progress& progress) {
   requireClosed(mesh, topology);
   const GrownPart part = grownPart(mesh, request, progress);
   requireStanding(part);
@@ -349,7 +360,8 @@ VolumetricLayers volumetricLayers(const Mesh& mesh, const MeshTopology& topology
   const std::vector<char> is_level = levelLayers(part.cells(), lattice, bounds, part.bed_mm);
   cutLevelLayers(part, topology, is_level, result.layers, progress);
   const SignedDistance skin(mesh);
-  std::vector<LayerSurface> surfaces = growthSurfaces(lattice, part.cells(), bounds, is_level, skin, progress);
+  std::vector<LayerSurface> surfaces =
+      growthSurfaces(lattice, part.cells(), {bounds, is_level}, skin, progress);
   result.measures.left_out_mm3 = leaveOutCrumbs(surfaces, request.bead_mm, progress);
   measureResting(part, surfaces, result.measures, progress);
   measureCoverage(part, result.layers, surfaces, result.measures, progress);
@@ -358,7 +370,8 @@ VolumetricLayers volumetricLayers(const Mesh& mesh, const MeshTopology& topology
     if (!result.layers[i].plane.section.contours.empty()) ++result.measures.level_layers;
     result.layers[i].surface = std::move(surfaces[i]);
   }
-  result.layers.erase(std::remove_if(result.layers.begin(), result.layers.end(), isEmpty), result.layers.end());
+  result.layers.erase(std::remove_if(result.layers.begin(), result.layers.end(), isEmpty),
+                      result.layers.end());
   if (result.layers.empty()) throw InvalidInput("no layer of the part has room for a bead");
   return result;
 }

@@ -11,16 +11,20 @@ namespace lamina {
 void describe(SettingsSchema& schema, VolumetricSettings& settings) {
   schema.number("volumetric.cell_mm", settings.cell_mm, {0.0, 10.0},
                 "Side of the cells in which growth is computed; 0 chooses it by the part's volume.");
-  schema.number("volumetric.max_overhang_deg", settings.max_overhang_deg, {0.0, 60.0},
-                "Greatest overhang that the material takes, from the layer's own normal; 0 on upright walls.");
-  schema.number("volumetric.overhang_used_deg", settings.overhang_used_deg, {-1.0, 60.0},
-                "Overhang that volumetric layers use up before they bend; negative for 20 deg less than is taken.");
-  schema.number("volumetric.max_thickness", settings.max_thickness, {1.0, 4.0},
-                "Greatest thickness of a volumetric layer, over slicing.layer_height_mm, which is the least.");
+  schema.number(
+      "volumetric.max_overhang_deg", settings.max_overhang_deg, {0.0, 60.0},
+      "Greatest overhang that the material takes, from the layer's own normal; 0 on upright walls.");
+  schema.number(
+      "volumetric.overhang_used_deg", settings.overhang_used_deg, {-1.0, 60.0},
+      "Overhang that volumetric layers use up before they bend; negative for 20 deg less than is taken.");
+  schema.number(
+      "volumetric.max_thickness", settings.max_thickness, {1.0, 4.0},
+      "Greatest thickness of a volumetric layer, over slicing.layer_height_mm, which is the least.");
   schema.number("volumetric.max_tilt_deg", settings.max_tilt_deg, {0.0, 90.0},
                 "Greatest tilt of volumetric layers from level.");
-  schema.number("volumetric.deviation_deg", settings.deviation_deg, {0.0, 60.0},
-                "How far the tool axis may lean from a layer's normal towards upright, so that the head is clear.");
+  schema.number(
+      "volumetric.deviation_deg", settings.deviation_deg, {0.0, 60.0},
+      "How far the tool axis may lean from a layer's normal towards upright, so that the head is clear.");
   schema.number("volumetric.sink_mm", settings.sink_mm, {0.0, 100.0},
                 "How far the part is sunk into the bed, and cut there, so that it stands.");
   schema.number("volumetric.largest_pendant_percent", settings.largest_pendant_percent, {0.0, 100.0},
