@@ -219,7 +219,7 @@ TEST_F(JointProgramTest, RapidTargetsLeadAnArmThroughTheJointsThatWereChecked) {
   lean();
   job_.settings.program.rapid.configuration = RapidConfiguration::Joints;
   for (const char* machine : {"irb_4600", "irb_4600_turntable"}) {
-    const SlicedPart sliced = slice(machine, "box.mod");
+    SlicedPart sliced = slice(machine, "box.mod");
     bed_from_part_ = sliced.bed_from_part;
     expectSame(readBack(), sliced, 1e-4);
     const auto joint_program = planJointProgram(job_, buildSpaceOf(job_.settings.machine), sliced, nobody_);
@@ -237,7 +237,7 @@ TEST_F(JointProgramTest, RapidTargetsLeadAnArmThroughTheJointsThatWereChecked) {
 TEST_F(JointProgramTest, ATurntableThatFollowsIsReportedAtEachTarget) {
   lean();
   job_.settings.joints.external = ExternalChoice::Follow;
-  const SlicedPart sliced = slice("irb_4600_turntable", "box.mod");
+  SlicedPart sliced = slice("irb_4600_turntable", "box.mod");
   const auto joint_program = planJointProgram(job_, buildSpaceOf(job_.settings.machine), sliced, nobody_);
   ASSERT_TRUE(joint_program);
   const std::vector<Target> targets = targetsOf(readFile(job_.output));

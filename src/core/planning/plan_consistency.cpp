@@ -17,6 +17,7 @@ namespace {
 constexpr double kRounding = 1e-6;   // of a distance
 constexpr double kLeastPitch = 0.5;  // plan widths
 constexpr double kMostPitch = 2.0;   // plan widths
+constexpr double kNarrowest = 0.5;   // bead, in heights of its layer
 
 std::string text(double value) {
   char digits[32];
@@ -255,9 +256,11 @@ void requireConsistent(const PlanSettings& settings) {
 }
 
 void requireSensibleWidths(const PlanSettings& settings, double layer_height_mm) {
-  if (settings.bead.width_mm < layer_height_mm * (1.0 - kRounding))
+  const double least_mm = kNarrowest * layer_height_mm;
+  if (settings.bead.width_mm < least_mm * (1.0 - kRounding))
     throw InvalidConfig("bead.width_mm is " + text(settings.bead.width_mm) + " mm in a layer of " +
-                        text(layer_height_mm) + " mm; expected at least that: beads are wider than high");
+                        text(layer_height_mm) + " mm; expected at least " + text(least_mm) +
+                        " mm: a bead more than twice as high as wide does not stand");
   const std::pair<const char*, double> stated[] = {
       {"infill.bead_width_mm", settings.infill.bead_width_mm},
       {"skins.bead_width_mm", settings.skins.bead_width_mm},
