@@ -18,9 +18,8 @@ namespace lamina {
 /// @throws InvalidConfig naming key, value and what was expected; if there is no such strategy
 void requireConsistent(const PlanSettings& settings);
 
-/// @throws InvalidConfig if the width of beads, or one that is stated for infill, skins or supports, is below
-/// the
-///   height of the layer [mm]
+/// @throws InvalidConfig if the width of beads is below half the height of the layer [mm], or one that is
+///   stated for infill, skins or supports below that height
 void requireSensibleWidths(const PlanSettings& settings, double layer_height_mm);
 
 /// @throws InvalidConfig if bead.pitch_mm is given and less than half or more than twice the plan width of a
