@@ -125,5 +125,13 @@ TEST(IroningConsistency, TellsWhatSkinsThereAre) {
 INSTANTIATE_TEST_SUITE_P(Strategies, DropConsistency,
                          testing::Values("drops_contour", "drops_dense", "drops_raster"));
 
+TEST(PlanConsistency, RefusesBeadsMoreThanTwiceAsHighAsWide) {
+  PlanSettings settings;
+  settings.bead.width_mm = 0.4;
+  EXPECT_NO_THROW(requireSensibleWidths(settings, 0.8));
+  EXPECT_THROW(requireSensibleWidths(settings, 0.81), InvalidConfig);
+  EXPECT_THROW(requireSensibleWidths(settings, 5.0), InvalidConfig);
+}
+
 }  // namespace
 }  // namespace lamina
