@@ -230,10 +230,10 @@ class RobotPrograms(unittest.TestCase):
         self.folder = folder.name
         self.program, self.corrected, self.maps = (os.path.join(self.folder, name) for name in ("wall.mod", "corrected.mod", "maps"))
         os.mkdir(self.maps)
-        part, toolpath = os.path.join(self.folder, "wall.stl"), os.path.join(self.folder, "wall.csv")
-        told("part", "flat_wall", "--set", "length_mm=20", "--set", "height_mm=1", "-o", part)
+        self.part, toolpath = os.path.join(self.folder, "wall.stl"), os.path.join(self.folder, "wall.csv")
+        told("part", "flat_wall", "--set", "length_mm=20", "--set", "height_mm=1", "-o", self.part)
         for output in (self.program, toolpath):
-            told("slice", part, "--set", "machine.name=irb_4600", "--set", "part.placement=as_is", "-o", output)
+            told("slice", self.part, "--set", "machine.name=irb_4600", "--set", "part.placement=as_is", "-o", output)
         with open(toolpath, encoding="utf-8") as file:
             self.rows = [line.split(",") for line in file.read().splitlines()[1:]]
             file.seek(0)
@@ -255,7 +255,7 @@ class RobotPrograms(unittest.TestCase):
         made = told("correct", self.program, self.maps, "-o", self.corrected)
         self.assertAlmostEqual(made["corrected_s"] - made["planned_s"], 0.25 * time_s, delta=1e-3)
         self.assertEqual(lamina("preview", self.corrected, "--layer", "2", "-o", os.path.join(self.folder, "layer.png")).returncode, 0)
-        self.assertNotEqual(told("metrics", self.corrected, "--part", "flat_wall"), {})
+        self.assertNotEqual(told("metrics", self.corrected, "--part", self.part), {})
 
     def test_maps_of_nothing_leave_the_motions(self):
         self.write("correction_2.csv", correction_map(2, [0.0] * 8))

@@ -130,7 +130,7 @@ TEST_F(JointProgramTest, WhatAMachineCannotRunLeavesNoFile) {
   EXPECT_FALSE(hasWritten());
 }
 
-/// At 50 deg the head's block, 20 mm to each side from 25 mm over the tip, is in the bed.
+/// At 50 deg the head's block, 30 mm to each side from 25 mm over the tip, is in the bed.
 TEST_F(JointProgramTest, AProgramInWhichTheMachineCollidesIsRefusedUnlessAsked) {
   job_.settings.orientation.mode = OrientationMode::Fixed;
   job_.settings.orientation.fixed = {50.0, 0.0};
@@ -159,9 +159,10 @@ TEST_F(JointProgramTest, TheToolAxisIsRaisedWhereTheHeadWouldBeInTheBed) {
         least = std::min(least, lean_deg);
         most = std::max(most, lean_deg);
       }
-  // atan(25 / 20) is 51.3 deg for its faces, atan(25 / 28.3) is 41.5 deg for its edges.
+  // With the tip half a millimetre over the bed atan(25.5 / 42.4) is 31.0 deg, for the edges of that block.
   EXPECT_LT(most, 50.0);
-  EXPECT_GT(least, 35.0);
+  EXPECT_GT(least, 30.0);
+  EXPECT_LT(least, 31.1);
   ASSERT_FALSE(sliced.summary.notes.empty());
   EXPECT_NE(sliced.summary.notes.back().find("the tool axis leans less"), std::string::npos);
 }

@@ -94,6 +94,8 @@ TEST_F(SlicingModes, ACoatIsSolidWhateverTheInfill) {
 TEST_F(SlicingModes, ShellsOfCurvedLayersAreSkins) {
   usePart("sphere", {{"radius_mm", "7"}, {"segments", "64"}});
   job_.settings.planning.infill.density = 0.2;
+  job_.settings.planning.skins.bottom_layers = 0;
+  job_.settings.planning.skins.top_layers = 0;
   const double sparse = slice("curved").summary.deposited_mm3;
   job_.settings.planning.skins.bottom_layers = 3;
   job_.settings.planning.skins.top_layers = 3;

@@ -196,6 +196,7 @@ KinematicModelRun runnable(const KinematicModel& model, const SliceJob& job, Sli
   }
   CheckedRun checked = mayRaise(job.settings, sliced) ? raisedRun(model, job, sliced, joints, progress)
                                                       : checkedRun(model, job, sliced, joints, progress);
+  requireRunnable(checked.run, model);
   requireClear(checked.check, model);
   return std::move(checked.run);
 }

@@ -58,10 +58,11 @@ SettingProbe curvedProbe() {
 }
 
 SettingProbe gapProbe() {
-  return {"curved layers that leave gaps",
-          std::string(kThick) + "slicing.mode=curved;curved.largest_gap_percent=100",
-          toolpathOf("blade points=16 sections=6 chord_mm=20 height_mm=12"),
-          {{"curved.largest_gap_percent=1"}, {"curved.largest_void_mm3=0.01"}}};
+  return {
+      "curved layers that leave gaps",
+      std::string(kThick) + "slicing.mode=curved;curved.largest_gap_percent=100;curved.largest_void_mm3=1000",
+      toolpathOf("blade points=16 sections=6 chord_mm=20 height_mm=12"),
+      {{"curved.largest_gap_percent=1"}, {"curved.largest_void_mm3=0.01"}}};
 }
 
 SettingProbe conformalProbe() {

@@ -126,6 +126,7 @@ SlicedPart slicedBox(const std::string& strategy, bool fills) {
   job.settings.planning.infill.density = 1.0;
   job.settings.planning.fill.drops.diameter_mm = 1.1;
   job.settings.planning.fill.drops.pitch_mm = 1.1;
+  job.settings.planning.bead.width_mm = 1.2;
   job.settings.slicing.layer_height_mm = 1.0;
   job.settings.slicing.first_layer_height_mm = 1.0;
   job.settings.drop_voids.is_on = fills;
