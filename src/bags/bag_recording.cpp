@@ -8,6 +8,7 @@
 #include <tf2_msgs/TFMessage.h>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/input_file.hpp"
 #include "loop/recording_gatherer.hpp"
 
 namespace lamina {
@@ -21,6 +22,7 @@ bool isNamed(const std::string& topic, const std::string& name) {
 
 void addMessages(BagRecording& read, const std::string& path, const BagNames& names) {
   RecordingGatherer gathered(names.bed, names.nozzle);
+  requireReadable(path);
   const rosbag::Bag bag(path);
   for (const rosbag::MessageInstance& message : rosbag::View(bag)) {
     const bool is_static = isNamed(message.getTopic(), "tf_static");

@@ -160,7 +160,7 @@ class Watcher {
     std::array<std::string, 6> words = {
         "/bin/sh",
         "-c",
-        "read -r over; kill -KILL -- \"-$1\"; [ -z \"$2\" ] || rm -rf -- \"$2\"",
+        "read -r over; kill -9 -\"$1\"; [ -z \"$2\" ] || rm -rf -- \"$2\"",
         "watcher",
         std::to_string(leader),
         scratch};

@@ -5,11 +5,14 @@
 #include <dlfcn.h>
 
 #include <cstdlib>
+#include <filesystem>
 #include <mutex>
 #include <set>
 #include <sstream>
+#include <system_error>
 
 #include "lamina/base/error_place.hpp"
+#include "lamina/base/input_file.hpp"
 
 namespace lamina {
 namespace {
@@ -39,6 +42,8 @@ bool isFirstLoad(void* library) {
 }  // namespace
 
 void loadPlugin(const std::string& path) {
+  std::error_code unknown;
+  if (std::filesystem::exists(fileName(path), unknown)) requireReadable(fileName(path));
   void* library = dlopen(fileName(path).c_str(), RTLD_NOW | RTLD_LOCAL);
   if (library == nullptr) throw FileError("cannot load plug-in '" + path + "': " + dlerror());
   const int interface = symbolOf<int()>(library, "lamina_plugin_interface", path)();
