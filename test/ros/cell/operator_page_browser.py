@@ -133,7 +133,9 @@ def check_telephone(page):
     """On a narrow screen nothing runs out of it, and what is pressed is large enough for a finger."""
     page.browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {"width": 360, "height": 740, "deviceScaleFactor": 2, "mobile": True})
     width = page.script("return document.documentElement.scrollWidth")
-    require(width <= 360, f"the page is {width} px wide on a screen of 360")
+    beyond = page.script("""return [...document.querySelectorAll("body *")].filter((e) => e.getBoundingClientRect().right > 360.5)
+        .map((e) => `${e.tagName} ${e.id || e.className} to ${e.getBoundingClientRect().right}`).slice(0, 10)""")
+    require(width <= 360, f"the page is {width} px wide on a screen of 360: {beyond}")
     small = page.script("""return [...document.querySelectorAll("button, select, input:not([type=checkbox])")]
         .map((e) => [e.innerText || e.id, e.getBoundingClientRect()])
         .filter(([, b]) => b.width > 0 && (b.height < 44 || b.width < 44)).map(([name, b]) => `${name} ${b.width} x ${b.height}`)""")
