@@ -157,13 +157,12 @@ class ProcessGroup {
 class Watcher {
  public:
   Watcher(pid_t leader, const std::string& scratch) {
-    std::array<std::string, 6> words = {
-        "/bin/sh",
-        "-c",
-        "read -r over; kill -9 -\"$1\"; [ -z \"$2\" ] || rm -rf -- \"$2\"",
-        "watcher",
-        std::to_string(leader),
-        scratch};
+    std::array<std::string, 6> words = {"/bin/sh",
+                                        "-c",
+                                        "read -r over; kill -9 -\"$1\"; [ -z \"$2\" ] || rm -rf -- \"$2\"",
+                                        "watcher",
+                                        std::to_string(leader),
+                                        scratch};
     std::array<char*, 7> pointers{};
     for (std::size_t i = 0; i < words.size(); ++i) pointers[i] = words[i].data();
     posix_spawn_file_actions_t actions{};
