@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/calibration/feeder_fit.hpp"
 
-#include <Eigen/Cholesky>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <string>
 
+#include "base/dense_solvers.hpp"
 #include "lamina/base/error.hpp"
 #include "robust_fit.hpp"
 
@@ -112,7 +112,7 @@ LinearFit linearFit(const FeederProblem& problem, double dead_time_s, double lag
       right += row * problem.beads[b].area_mm2[i];
       squares += problem.beads[b].area_mm2[i] * problem.beads[b].area_mm2[i];
     }
-  const Eigen::VectorXd found = normal.ldlt().solve(right);
+  const Eigen::VectorXd found = symmetricSolution(normal, right);
   fit.squares = squares - found.dot(right);
   fit.values.tail(beads) = found.head(beads);
   fit.values[kGain] = found[beads] * static_cast<double>(beads) / found.head(beads).sum();
@@ -174,7 +174,7 @@ FeederFit fitFeeder(const FeederSteps& steps, const std::vector<BeadSections>& b
   // A lag too short to be seen is known to be shorter than a step.
   found.information(kLag, kLag) += 1.0 / (problem.step_s * problem.step_s);
   const Eigen::MatrixXd covariance =
-      found.information.ldlt().solve(Eigen::MatrixXd::Identity(values.size(), values.size()));
+      symmetricSolution(found.information, Eigen::MatrixXd::Identity(values.size(), values.size()));
   FeederFit result;
   result.dead_time_s = std::max(0.0, values[kDeadTime]);
   result.dead_time_spread_s = std::sqrt(std::max(0.0, covariance(kDeadTime, kDeadTime)));

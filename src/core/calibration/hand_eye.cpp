@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/calibration/hand_eye.hpp"
 
-#include <Eigen/SVD>
 #include <cmath>
 
+#include "base/dense_solvers.hpp"
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 #include "recording_table.hpp"
@@ -42,8 +42,8 @@ Eigen::Matrix3d commonTurn(const std::vector<RelativeMotion>& motions, HandEyeFi
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
   for (const RelativeMotion& motion : motions)
     sum += rotationVector(motion.sensor.linear()) * rotationVector(motion.nozzle.linear()).transpose();
-  const Eigen::JacobiSVD<Eigen::Matrix3d> parts(sum, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  for (const double value : parts.singularValues()) fit.turn_values.push_back(std::sqrt(value));
+  const SingularParts parts = singularParts(sum);
+  for (const double value : parts.values) fit.turn_values.push_back(std::sqrt(value));
   if (fit.turn_values[0] < kLeastTurn)
     throw InvalidInput(
         "the head turns by " + std::to_string(toDegrees(fit.turn_values[0])) +
@@ -55,8 +55,10 @@ Eigen::Matrix3d commonTurn(const std::vector<RelativeMotion>& motions, HandEyeFi
         " deg about any other; expected at least 5 deg about two axes: the sensor's turn about that "
         "axis and its place along it cannot be told");
   Eigen::Vector3d signs(1.0, 1.0, 1.0);
-  if ((parts.matrixV() * parts.matrixU().transpose()).determinant() < 0.0) signs.z() = -1.0;
-  return parts.matrixV() * signs.asDiagonal() * parts.matrixU().transpose();
+  const Eigen::Matrix3d left = parts.left;
+  const Eigen::Matrix3d right = parts.right;
+  if ((right * left.transpose()).determinant() < 0.0) signs.z() = -1.0;
+  return right * signs.asDiagonal() * left.transpose();
 }
 
 Eigen::Vector3d commonPlace(const std::vector<RelativeMotion>& motions, const Eigen::Matrix3d& turn,
@@ -68,9 +70,10 @@ Eigen::Vector3d commonPlace(const std::vector<RelativeMotion>& motions, const Ei
     left.middleRows(row, 3) = motions[i].nozzle.linear() - Eigen::Matrix3d::Identity();
     right.segment(row, 3) = turn * motions[i].sensor.translation() - motions[i].nozzle.translation();
   }
-  const Eigen::JacobiSVD<Eigen::MatrixXd> parts(left, Eigen::ComputeThinU | Eigen::ComputeThinV);
-  for (const double value : parts.singularValues()) fit.place_values.push_back(value);
-  return parts.solve(right);
+  const SingularParts parts = singularParts(left);
+  for (const double value : parts.values) fit.place_values.push_back(value);
+  // Both axes of turns were seen above: no value is 0.
+  return parts.right * (parts.left.transpose() * right).cwiseQuotient(parts.values);
 }
 
 /// How far the body seems to move on the bed though it rests.

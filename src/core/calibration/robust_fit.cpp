@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "robust_fit.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+
+#include "base/dense_solvers.hpp"
 
 namespace lamina {
 namespace {
@@ -62,7 +63,7 @@ Eigen::VectorXd dampedStep(const NormalEquations& equations, const FitProblem& p
   const double greatest = scaled.diagonal().maxCoeff();
   scaled.diagonal().array() *= 1.0 + damping;
   scaled.diagonal().array() += 1e-12 * greatest + 1e-300;
-  const Eigen::VectorXd step = scaled.ldlt().solve(units.asDiagonal() * equations.slope);
+  const Eigen::VectorXd step = symmetricSolution(scaled, units.asDiagonal() * equations.slope);
   return -(units.asDiagonal() * step);
 }
 

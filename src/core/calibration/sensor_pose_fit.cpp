@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <memory>
 #include <optional>
 
+#include "base/dense_solvers.hpp"
 #include "cross_crests.hpp"
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
@@ -173,7 +172,8 @@ PoseMatrix scaledInformation(PoseProblem& problem, const Pose& pose, const Senso
     Eigen::MatrixXd of_others = all.bottomRightCorner(others, others);
     of_others.diagonal().array() *= 1.0 + 1e-10;
     of_others.diagonal().array() += 1e-12;
-    own -= all.topRightCorner(kPose, others) * of_others.ldlt().solve(all.bottomLeftCorner(others, kPose));
+    own -=
+        all.topRightCorner(kPose, others) * symmetricSolution(of_others, all.bottomLeftCorner(others, kPose));
   }
   Pose units;
   units << Eigen::Vector3d::Constant(settings.max_sigma_mm),
@@ -197,14 +197,13 @@ std::optional<std::size_t> nextKept(const PoseMatrix& information, const std::ar
   constexpr std::array<double, kPose> kReadiness = {1.0, 1.0, 1.0, 1.5, 1.5, 1.2};
   const std::vector<Eigen::Index> free = freeDirections(is_kept);
   if (free.empty()) return std::nullopt;
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> parts(restricted(information, free));
-  if (parts.eigenvalues()[0] >= 1.0) return std::nullopt;
+  const SymmetricParts parts = symmetricParts(restricted(information, free));
+  if (parts.values[0] >= 1.0) return std::nullopt;
   std::size_t worst = 0;
   double greatest = -1.0;
   for (std::size_t i = 0; i < free.size(); ++i) {
     const auto direction = static_cast<std::size_t>(free[i]);
-    const double share =
-        std::abs(parts.eigenvectors()(static_cast<Eigen::Index>(i), 0)) * kReadiness[direction];
+    const double share = std::abs(parts.vectors(static_cast<Eigen::Index>(i), 0)) * kReadiness[direction];
     if (share > greatest) worst = direction;
     greatest = std::max(greatest, share);
   }
@@ -212,12 +211,12 @@ std::optional<std::size_t> nextKept(const PoseMatrix& information, const std::ar
 }
 
 void addDirections(SensorPoseFit& fit, const PoseMatrix& information) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> parts(information);
+  const SymmetricParts parts = symmetricParts(information);
   for (Eigen::Index i = kPose; i-- > 0;) {
     ObservedDirection direction;
-    direction.singular_value = std::sqrt(std::max(0.0, parts.eigenvalues()[i]));
+    direction.singular_value = std::sqrt(std::max(0.0, parts.values[i]));
     for (Eigen::Index j = 0; j < kPose; ++j)
-      direction.share[static_cast<std::size_t>(j)] = parts.eigenvectors()(j, i);
+      direction.share[static_cast<std::size_t>(j)] = parts.vectors(j, i);
     fit.directions.push_back(direction);
   }
 }
@@ -230,7 +229,8 @@ SensorPoseFit describedFit(PoseProblem& problem, const Pose& pose, const SensorP
   addDirections(fit, information);
   const std::vector<Eigen::Index> free = freeDirections(problem.is_kept);
   const Eigen::MatrixXd part = restricted(information, free);
-  const Eigen::MatrixXd covariance = part.ldlt().solve(Eigen::MatrixXd::Identity(part.rows(), part.rows()));
+  const Eigen::MatrixXd covariance =
+      symmetricSolution(part, Eigen::MatrixXd::Identity(part.rows(), part.rows()));
   for (std::size_t i = 0; i < free.size(); ++i) {
     const double unit = free[i] < 3 ? settings.max_sigma_mm : settings.max_sigma_deg;
     const auto at = static_cast<Eigen::Index>(i);

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parameterization/landmark_mds.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <string>
 
+#include "base/dense_solvers.hpp"
 #include "lamina/base/error.hpp"
 
 namespace lamina {
@@ -35,26 +35,26 @@ Axes lastTwo(const Eigen::VectorXd& ascending, const Eigen::MatrixXd& vectors) {
 /// large.
 Axes greatestAxes(const Eigen::MatrixXd& matrix) {
   if (matrix.rows() <= kSmall) {
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(matrix);
-    return lastTwo(solver.eigenvalues(), solver.eigenvectors());
+    const SymmetricParts parts = symmetricParts(matrix);
+    return lastTwo(parts.values, parts.vectors);
   }
   constexpr Eigen::Index kVectors = 6;
   Eigen::MatrixXd basis(matrix.rows(), kVectors);
   for (Eigen::Index i = 0; i < basis.rows(); ++i)
     for (Eigen::Index j = 0; j < kVectors; ++j)
       basis(i, j) = std::cos(static_cast<double>((i + 1) * (j + 1)));
-  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
+  SymmetricParts parts;
   Eigen::Vector2d previous = Eigen::Vector2d::Zero();
   for (int i = 0; i < kPowerIterations; ++i) {
     const Eigen::MatrixXd spread = matrix * basis;
     const Eigen::HouseholderQR<Eigen::MatrixXd> qr(spread);
     basis = qr.householderQ() * Eigen::MatrixXd::Identity(matrix.rows(), kVectors);
-    solver.compute(basis.transpose() * matrix * basis);
-    const Eigen::Vector2d greatest = solver.eigenvalues().tail<2>();
+    parts = symmetricParts(basis.transpose() * matrix * basis);
+    const Eigen::Vector2d greatest = parts.values.tail<2>();
     if ((greatest - previous).norm() <= 1e-12 * greatest.norm()) break;
     previous = greatest;
   }
-  return lastTwo(solver.eigenvalues(), basis * solver.eigenvectors());
+  return lastTwo(parts.values, basis * parts.vectors);
 }
 
 }  // namespace

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trajectory/pose_correction.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
+#include "base/dense_solvers.hpp"
 #include "lamina/base/angle.hpp"
 #include "lamina/geometry/vector.hpp"
 
@@ -54,10 +54,7 @@ std::optional<JointValues> PoseCorrection::near(JointValues values, const Eigen:
     jacobian.bottomRows<3>() -= (tool_axis * (tool_axis.transpose() * jacobian.bottomRows<3>())).eval();
     jacobian.bottomRows<3>() *= kRadianWeight;
     const Eigen::MatrixXd scaled = jacobian.topRows(rows) * speeds_.asDiagonal();
-    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
-    solver.setThreshold(kRankThreshold);
-    solver.compute(scaled);
-    values += speeds_.cwiseProduct(solver.solve(error.head(rows)));
+    values += speeds_.cwiseProduct(shortestSolution(scaled, error.head(rows), kRankThreshold));
     if (!values.allFinite()) return std::nullopt;
   }
   return std::nullopt;

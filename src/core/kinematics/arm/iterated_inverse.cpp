@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <Eigen/SVD>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <kdl/chain.hpp>
 #include <kdl/chainiksolverpos_lma.hpp>
 
+#include "base/dense_solvers.hpp"
 #include "kinematics/arm/arm_axes.hpp"
 #include "kinematics/arm/arm_inverse.hpp"
 #include "kinematics/arm/newton_refinement.hpp"
@@ -103,7 +103,7 @@ class IteratedInverse : public ArmInverse {
     Eigen::Matrix<double, 6, 6> columns = jacobian(arm_, values);
     const double reach_mm = columns.topRows<3>().colwise().norm().maxCoeff();
     columns.topRows<3>() /= reach_mm;
-    const ArmValues singular = Eigen::JacobiSVD<Eigen::Matrix<double, 6, 6>>(columns).singularValues();
+    const Eigen::VectorXd singular = singularValues(columns);
     return singular[5] / singular[0];
   }
 

@@ -3,9 +3,10 @@
 #include "kinematics/arm/newton_refinement.hpp"
 
 #include <Eigen/LU>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+
+#include "base/dense_solvers.hpp"
 
 namespace lamina {
 namespace {
@@ -53,9 +54,7 @@ Linear linearAt(const SerialChain& arm, const ArmValues& values) {
 ArmValues stepFor(const Columns& columns, const Twist& twist) {
   ArmValues step = columns.partialPivLu().solve(twist);
   if (step.norm() < kLargestStep) return step;
-  Eigen::CompleteOrthogonalDecomposition<Columns> solver;
-  solver.setThreshold(kDependent);
-  const ArmValues shortest = solver.compute(columns).solve(twist);
+  const ArmValues shortest = shortestSolution(columns, twist, kDependent);
   return shortest * std::min(1.0, kLargestStep / std::max(shortest.norm(), kLargestStep));
 }
 

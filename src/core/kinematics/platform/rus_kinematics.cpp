@@ -3,11 +3,11 @@
 #include "lamina/kinematics/platform/rus_kinematics.hpp"
 
 #include <Eigen/LU>
-#include <Eigen/SVD>
 #include <cmath>
 #include <cstdio>
 #include <string>
 
+#include "base/dense_solvers.hpp"
 #include "lamina/base/error.hpp"
 
 namespace lamina {
@@ -173,7 +173,7 @@ SingularityMargins singularityMargins(const RusPlatform& platform, const Eigen::
     margins.stretched = std::min(margins.stretched, std::abs(sine));
   }
   equation.pose_rates.rightCols<3>() /= meanBallDistance(platform);
-  const CrankAngles values = equation.pose_rates.jacobiSvd().singularValues();
+  const Eigen::VectorXd values = singularValues(equation.pose_rates);
   margins.unheld = values[5] / values[0];
   return margins;
 }
