@@ -11,6 +11,15 @@ namespace {
 
 constexpr double kBeside = 5.0;       // mm
 constexpr double kSameHeight = 1e-6;  // mm
+constexpr double kUpright = 1e-3;     // rad
+
+/// The way out and back along the tool axis, and the wait at its end.
+void waitAlong(const Point3& against_tool_axis, double lift_mm, Path& path) {
+  const Point3 here = path.points.front();
+  path.points.push_back(here + lift_mm * against_tool_axis);
+  path.events.back().motion = path.points.size() - 1;
+  path.points.push_back(here);
+}
 
 }  // namespace
 
@@ -61,11 +70,16 @@ Path parkedWait(const Path& at, std::size_t waypoint, double travel_feed_mm_s, c
   path.orientation = at.orientation.at(waypoint);
   path.feed_mm_s = travel_feed_mm_s;
   path.points = {here};
+  path.events.emplace_back();
+  path.events.back().event.emplace<Dwell>();
+  const Point3 against = path.orientation.at(0) * Point3(0.0, 0.0, -1.0);
+  if (against.cross(ground.up).norm() > kUpright) {
+    waitAlong(against, std::max(settings.lift_mm, kBeside), path);
+    return path;
+  }
   if (lift_mm > 0.0) path.points.push_back(here + lift);
   if (park != here) path.points.push_back(park + lift);
-  path.events.emplace_back();
   path.events.back().motion = path.points.size() - 1;
-  path.events.back().event.emplace<Dwell>();
   if (park != here && lift_mm > 0.0) path.points.push_back(here + lift);
   path.points.push_back(here);
   return path;

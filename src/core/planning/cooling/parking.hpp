@@ -30,7 +30,8 @@ std::vector<ParkingGround> parkingGrounds(const Toolpath& toolpath);
 Point3 parkingPlace(const Point3& here, const Box3& box, ParkPlace place);
 
 /// The path to the parking place and back: retracted, up, over, and the same way back. Its only event is a
-/// dwell of no time before the way back.
+/// dwell of no time before the way back. Where the tool axis leans from the layers' normal, beside the part
+/// is not known to be clear: the nozzle waits 5 mm, or `cooling.lift_mm` if that is more, out along its axis.
 /// @param at        path at one end of which the nozzle is; gives tool and orientation
 /// @param waypoint  of that path
 Path parkedWait(const Path& at, std::size_t waypoint, double travel_feed_mm_s, const ParkingGround& ground,
