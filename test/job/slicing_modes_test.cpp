@@ -169,6 +169,32 @@ TEST_F(SlicingModes, VolumetricLayersOfABoxAreThoseOfPlanar) {
   EXPECT_NEAR(grown.summary.deposited_mm3, planar.summary.deposited_mm3, 1e-6);
 }
 
+// The underside between the pillars hangs over level layers, and over none that lean by more than 45 deg.
+TEST_F(SlicingModes, PiecesAlongTheirDirectionsMakeThePart) {
+  usePart("bridge",
+          {{"length_mm", "16"}, {"width_mm", "6"}, {"gap_mm", "6"}, {"pillar_mm", "8"}, {"plate_mm", "3"}});
+  job_.settings.planning.skirt.count = 0;
+  const SlicedPart sliced = slice("multi_direction");
+  EXPECT_NO_THROW(validate(sliced.toolpath));
+  EXPECT_GT(greatestLeanDeg(sliced.toolpath), 45.0);
+  EXPECT_NEAR(sliced.summary.deposited_mm3, sliced.summary.mesh_volume_mm3,
+              0.10 * sliced.summary.mesh_volume_mm3);
+  const std::string id = toolpathId(sliced.toolpath);
+  const ThreadLimit limit(1);
+  EXPECT_EQ(toolpathId(slice("multi_direction").toolpath), id);
+}
+
+TEST_F(SlicingModes, PiecesOfABoxAreThatOfPlanar) {
+  usePart("box", {{"x_mm", "8"}, {"y_mm", "6"}, {"z_mm", "4.2"}});
+  job_.settings.planning.skirt.count = 0;
+  const SlicedPart directed = slice("multi_direction");
+  const SlicedPart planar = slice("planar");
+  EXPECT_LT(greatestLeanDeg(directed.toolpath), 1e-9);
+  ASSERT_EQ(directed.toolpath.layers.size(), planar.toolpath.layers.size());
+  EXPECT_NEAR(directed.summary.deposited_mm3, planar.summary.deposited_mm3,
+              0.01 * planar.summary.deposited_mm3);
+}
+
 TEST_F(SlicingModes, ACoatLiesOnThePart) {
   usePart("sphere", {{"radius_mm", "10"}, {"segments", "64"}});
   job_.settings.conformal.thickness_mm = 1.0;

@@ -30,6 +30,7 @@
 #include "lamina/slicing/conformal/conformal_settings.hpp"
 #include "lamina/slicing/curved/curved_settings.hpp"
 #include "lamina/slicing/height_field/height_field_settings.hpp"
+#include "lamina/slicing/multi_direction/direction_settings.hpp"
 #include "lamina/slicing/slicing_settings.hpp"
 #include "lamina/slicing/volumetric/volumetric_settings.hpp"
 #include "lamina/stiffness/stiffness_settings.hpp"
@@ -80,6 +81,7 @@ struct JobSettings {
   ConformalSettings conformal;
   HeightFieldSettings height_field;
   VolumetricSettings volumetric;
+  DirectionSettings directions;
   FlatteningSettings flattening;
   LiftSettings lifting;
   OrientationSettings orientation;

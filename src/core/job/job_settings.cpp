@@ -188,6 +188,7 @@ void describe(SettingsSchema& schema, JobSettings& settings) {
   describe(schema, settings.conformal);
   describe(schema, settings.height_field);
   describe(schema, settings.volumetric);
+  describe(schema, settings.directions);
   describe(schema, settings.flattening);
   describe(schema, settings.lifting);
   describe(schema, settings.orientation);

@@ -122,6 +122,20 @@ SettingProbe volumetricProbe() {
             "volumetric.largest_unsupported_percent=100"}}};
 }
 
+SettingProbe directionsProbe() {
+  return {"pieces along directions of their own",
+          std::string(kThick) + "slicing.mode=multi_direction",
+          toolpathOf("bridge length_mm=16 width_mm=6 gap_mm=6 pillar_mm=8 plate_mm=3"),
+          {{"directions.count=20"},
+           {"directions.beam=1"},
+           {"directions.most_cuts=1"},
+           {"directions.max_tilt_deg=30", "directions.largest_unsupported_percent=100"},
+           {"directions.max_overhang_deg=30"},
+           {"directions.cell_mm=1.5"},
+           {"directions.largest_unsupported_percent=1",
+            "directions.most_cuts=0;directions.largest_unsupported_percent=100"}}};
+}
+
 SettingProbe orientationProbe() {
   return {"the nozzle's orientation",
           std::string(kThick) + "machine.name=five_axis_head_ac",
@@ -142,8 +156,9 @@ SettingProbe orientationProbe() {
 }  // namespace
 
 std::vector<SettingProbe> layerProbes() {
-  return {inclinedProbe(),  beltProbe(), adaptedProbe(),     curvedProbe(),     gapProbe(),
-          conformalProbe(), baseProbe(), heightFieldProbe(), volumetricProbe(), orientationProbe()};
+  return {inclinedProbe(),   beltProbe(),       adaptedProbe(),    curvedProbe(),
+          gapProbe(),        conformalProbe(),  baseProbe(),       heightFieldProbe(),
+          volumetricProbe(), directionsProbe(), orientationProbe()};
 }
 
 }  // namespace lamina::test

@@ -25,6 +25,9 @@ PlannedPart planAdapted(SourcePart source, const PlanningRequest& request, Progr
 /// By layers on a base, or a coat on the part.
 PlannedPart planConformal(SourcePart source, const PlanningRequest& request, Progress& progress);
 
+/// By pieces along directions of their own, each in plane layers.
+PlannedPart planMultiDirection(SourcePart source, const PlanningRequest& request, Progress& progress);
+
 /// By layers of equal growth from the bed through the part.
 PlannedPart planVolumetric(SourcePart source, const PlanningRequest& request, Progress& progress);
 

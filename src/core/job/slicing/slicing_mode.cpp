@@ -18,6 +18,7 @@ std::map<std::string, SlicingMode> builtInModes() {
       {"curved", {planCurved, LayerShape::Bent, FirstLayer::SameHeight, LaidOn::Bed}},
       {"heightfield", {planHeightField, LayerShape::Bent, FirstLayer::OwnHeight, LaidOn::Bed}},
       {"inclined", plane},  // as planar; validate requires an angle
+      {"multi_direction", {planMultiDirection, LayerShape::Bent, FirstLayer::OwnHeight, LaidOn::Bed}},
       {"planar", plane},
       {"volumetric", {planVolumetric, LayerShape::Bent, FirstLayer::OwnHeight, LaidOn::Bed}},
   };

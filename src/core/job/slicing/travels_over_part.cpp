@@ -20,6 +20,8 @@ namespace lamina {
 namespace {
 
 constexpr double kSpacingMm = 2.0;
+constexpr double kSmallTurn = 0.35;  // rad: by more the nozzle itself, of which no room is known, swings into
+constexpr double kRoomToTurnMm = 6.0;  // what is just laid, unless its tip is so far from that
 constexpr std::array<double, 9> kWaysOutMm = {1.0, 3.0, 6.0, 10.0, 15.0, 25.0, 40.0, 60.0, 90.0};
 
 struct HeadPlace {
@@ -31,12 +33,18 @@ HeadPlace placeOf(const Path& path, std::size_t waypoint) {
   return {path.points[waypoint], againstToolAxis(path.orientation.at(waypoint))};
 }
 
+double turnBetween(const HeadPlace& from, const HeadPlace& to) {
+  return std::acos(std::clamp(from.axis.dot(to.axis), -1.0, 1.0));
+}
+
 class TravelLead {
  public:
   TravelLead(const HeadRoom& room, double growth_mm, double over_mm)
       : room_(room), growth_mm_(growth_mm), over_mm_(over_mm) {}
 
   bool isClear(const Path& travel) const {
+    const HeadPlace last = placeOf(travel, travel.points.size() - 1);
+    if (turnBetween(placeOf(travel, 0), last) > kSmallTurn) return false;
     for (std::size_t i = 1; i < travel.points.size(); ++i)
       if (!isClear(placeOf(travel, i - 1), placeOf(travel, i))) return false;
     return true;
@@ -74,7 +82,7 @@ class TravelLead {
  private:
   /// The turn goes on evenly with the way; where the tip stays, in steps of 10 deg at most.
   bool isClear(const HeadPlace& from, const HeadPlace& to) const {
-    const double turn = std::acos(std::clamp(from.axis.dot(to.axis), -1.0, 1.0));
+    const double turn = turnBetween(from, to);
     const int steps = std::max(
         1, static_cast<int>(std::ceil(std::max((to.tip - from.tip).norm() / kSpacingMm, turn / 0.17))));
     for (int i = 0; i <= steps; ++i) {
@@ -87,7 +95,9 @@ class TravelLead {
 
   /// The nearest place along the tool axis from which the head can turn upright and go up.
   std::optional<Point3> wayOut(const HeadPlace& place) const {
+    const bool turns_much = turnBetween(place, {place.tip, Point3::UnitZ()}) > kSmallTurn;
     for (const double way : kWaysOutMm) {
+      if (turns_much && way < kRoomToTurnMm) continue;
       const HeadPlace out{place.tip + way * place.axis, place.axis};
       if (!isClear({place.tip + std::min(way, 1.0) * place.axis, place.axis}, out)) return std::nullopt;
       const HeadPlace upright{out.tip, Point3::UnitZ()};
