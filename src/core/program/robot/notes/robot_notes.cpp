@@ -13,6 +13,8 @@ namespace {
 
 constexpr std::string_view kFirst = "# ";
 constexpr std::string_view kFurther = "#+ ";
+constexpr int kFrameDecimals = 6;  // mm: people type these numbers into controllers
+constexpr int kTurnDecimals = 9;
 constexpr std::size_t kMostNote = 100000;  // characters: no note of ours comes near
 
 std::string shortest(double value) {
@@ -96,8 +98,9 @@ std::string frameNote(std::string_view name, const Eigen::Isometry3d& frame) {
   if (q.w() < 0.0) q.coeffs() *= -1.0;
   const Point3 at = frame.translation();
   std::string text(name);
-  for (const double number : {at.x(), at.y(), at.z(), q.w(), q.x(), q.y(), q.z()})
-    text += " " + shortest(number == 0.0 ? 0.0 : number);
+  for (const double number : {at.x(), at.y(), at.z()}) text += " " + trimmedDecimals(number, kFrameDecimals);
+  for (const double number : {q.w(), q.x(), q.y(), q.z()})
+    text += " " + trimmedDecimals(number, kTurnDecimals);
   return text;
 }
 

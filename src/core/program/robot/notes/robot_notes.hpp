@@ -45,7 +45,7 @@ class NoteGathering {
 std::vector<std::string> pathNotes(const Toolpath& toolpath, const RobotPath& path, bool begins_layer,
                                    double rise_mm);
 
-/// "name x y z w x y z": a frame [mm] with the digits of doubles.
+/// "name x y z w x y z": a frame [mm, 6 decimals; 9 of the turn].
 std::string frameNote(std::string_view name, const Eigen::Isometry3d& frame);
 
 }  // namespace lamina
