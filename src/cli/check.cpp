@@ -181,8 +181,9 @@ void addCheck(CLI::App& app, Chosen& chosen) {
   subcommand->alias("clearance");  // the command of the release before
   const auto arguments = std::make_shared<CheckArguments>();
   subcommand
-      ->add_option("input", arguments->input,
-                   "Toolpath (.csv), program (.gcode, .mod), mesh file or name of a part")
+      ->add_option(
+          "input", arguments->input,
+          "Toolpath (.csv), program (.gcode, .mod, .src, .script, .ls, .jbi), mesh file or name of a part")
       ->required();
   subcommand->add_option(
       "--machine", arguments->machine,

@@ -86,8 +86,9 @@ void addPreview(CLI::App& app, Chosen& chosen) {
   CLI::App* subcommand = app.add_subcommand("preview", "Draw a program, a toolpath or a sliced part");
   const auto arguments = std::make_shared<PreviewArguments>();
   subcommand
-      ->add_option("input", arguments->input,
-                   "Program (.gcode, .mod), toolpath (.csv), mesh file or name of a part")
+      ->add_option(
+          "input", arguments->input,
+          "Program (.gcode, .mod, .src, .script, .ls, .jbi), toolpath (.csv), mesh file or name of a part")
       ->required();
   subcommand->add_option("-o,--output", arguments->output, "Picture to write (.png)")->capture_default_str();
   subcommand->add_option("--layer", arguments->layer, "Draw this layer from above; the first is 0")

@@ -317,7 +317,8 @@ void addSlice(CLI::App& app, Chosen& chosen) {
   subcommand->add_option("--plate", arguments->plate,
                          "File of parts that share the bed, their places and settings (YAML)");
   subcommand->add_option("-o,--output", arguments->output,
-                         "File to write: .gcode, .mod or .csv; without it nothing is written");
+                         "File to write: .gcode, .csv, or a robot's .mod, .src, .script, .ls, .jbi; without "
+                         "it nothing is written");
   addProfileOptions(*subcommand, arguments->profiles);
   addSettingOptions(*subcommand, arguments->settings, "Settings (YAML); those not given keep their defaults");
   subcommand->add_option("--threads", arguments->threads, "At most this many threads")

@@ -106,6 +106,22 @@ class CommandLine(unittest.TestCase):
         self.assert_fails_with("InvalidInput", "slice", box, *arm, "-o", self.path("box.gcode"))
         self.assertFalse(os.path.exists(self.path("box.gcode")))
 
+    def test_programs_in_languages_of_robots_are_written_read_and_checked(self):
+        box = self.make_part("box", "--set", "x_mm=10", "--set", "y_mm=10", "--set", "z_mm=1")
+        arm = ["--set", "machine.name=irb_4600"]
+        for suffix in (".src", ".script", ".ls", ".jbi"):
+            program = self.path("box" + suffix)
+            cut = ["--set", "robot_program.allow_cut=true"]
+            done = run("slice", box, *arm, *cut, "-o", program)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            told = json.loads(run("check", program, "--machine", "irb_4600", "--json").stdout)
+            self.assertEqual(told["faulty_waypoints"], 0)
+            told = json.loads(run("voids", program, "--json").stdout)
+            self.assertEqual(told["layers"], 5)
+            upright = self.path("upright" + suffix)
+            self.assert_fails_with("InvalidInput", "slice", box, "-o", upright)
+            self.assertFalse(os.path.exists(upright))
+
     def test_inclined_layers_are_sliced_and_drawn(self):
         box = self.make_part("box", "--set", "x_mm=10", "--set", "y_mm=10", "--set", "z_mm=2")
         plane = ["--set", "slicing.plane.angle_deg=45", "--set", "machine.name=gantry_45"]

@@ -31,7 +31,8 @@ FOREIGN = {
     "percent": "%SECRETSECRET\n%%%\nSECRETSECRET()\n",
 }
 PROGRAM, MODULE, TABLE, MESH, YAML, URDF = ".gcode", ".mod", ".csv", ".stl", ".yaml", ".urdf"
-ANY = ("", PROGRAM, MODULE, TABLE, MESH)
+ROBOTS = (".src", ".script", ".ls", ".jbi")
+ANY = ("", PROGRAM, MODULE, *ROBOTS, TABLE, MESH)
 # A command, and the suffixes that lead it to its readers. FILE is the foreign file, OWN a program.
 CALLS = [
     *((command + " FILE", ANY) for command in ("check", "preview")),
@@ -144,6 +145,10 @@ class ForeignFiles(unittest.TestCase):
                  ("incline FILE -o OUT.gcode", "a.gcode", "G28\nG1 X1 #5\n", "'#5'"),
                  ("preview FILE -o OUT.png", "a.gcode", "G28\nG1 X1.2.3\n", "'.3'"),
                  ("preview FILE -o OUT.png", "a.mod", "MODULE a\nPROC main()\n%surprise\n", "'surprise'"),
+                 ("preview FILE -o OUT.png", "a.src", "DEF a()\nsurprise\n", "'surprise'"),
+                 ("preview FILE -o OUT.png", "a.script", "def a():\nsurprise(1)\n", "'surprise'"),
+                 ("preview FILE -o OUT.png", "A.ls", "/PROG  A\n/MN\n   1:surprise ;\n/POS\n/END\n", "'surprise ;'"),
+                 ("preview FILE -o OUT.png", "A.jbi", "/JOB\n//POS\n//INST\nNOP\nsurprise\n", "'surprise'"),
                  ("info FILE", "a.obj", "v 0 0 0\nv 1 a 0\n", "'a'"),
                  ("statistics FILE --response a --factors b", "a.csv", "height,time\n1,2\n", "height, time"),
                  ("slice box --config FILE", "a.yaml", "infill:\n  density: 0.1\n  densty: 0.2\n", "'infill.densty'"),

@@ -62,6 +62,8 @@ def cases_of_parts():
     for machine in ("irb_4600", "irb_4400", "irb_4600_turntable"):
         yield f"casing-{machine}", CASING, {**METAL, "machine.name": machine}, "mod"
     yield "casing-wire", CASING, {**METAL, "machine.name": "irb_4600", "rapid.variant": "wire_3_axes"}, "mod"
+    for language in ("src", "script", "ls", "jbi"):
+        yield f"casing-{language}", CASING, {**METAL, "machine.name": "irb_4600"}, language
     yield "blade-without-skirt", BLADE, {"skirt.count": "0"}, "gcode"
 
 

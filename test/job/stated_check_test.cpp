@@ -227,5 +227,57 @@ TEST_F(StatedCheck, LinearAxesStateNoJoints) {
   EXPECT_FALSE(readStatedMotion(job_.output, job_.settings.program, *model));
 }
 
+TEST_F(StatedCheck, ProgramsOfOtherRobotsAsWrittenAreClearAndHoldTheToolpath) {
+  job_.settings.program.robot.may_cut = true;
+  for (const char* file : {"box.src", "box.script", "BOX.ls", "BOX.jbi"}) {
+    slice("irb_4600", file);
+    const MachineCheck check = checked();
+    EXPECT_TRUE(check.isClear()) << file;
+    EXPECT_GT(check.waypoints, 50U) << file;
+  }
+}
+
+TEST_F(StatedCheck, ExternalAxesOfOtherRobotsAreReadBack) {
+  for (const char* file : {"box.src", "BOX.ls"}) {
+    slice("irb_4600_turntable", file);
+    EXPECT_TRUE(checked().isClear()) << file;
+  }
+  for (const char* file : {"box.script", "BOX.jbi"})
+    EXPECT_THROW(slice("irb_4600_turntable", file), InvalidInput);
+}
+
+TEST_F(StatedCheck, APoseThatAnotherRobotCannotReachIsFoundByItsLine) {
+  slice("irb_4600", "box.src");
+  std::size_t at = 0;
+  while (lines_[at].find("C_DIS") == std::string::npos || lines_[at].find("LIN") != 0) ++at;
+  const std::size_t z = lines_[at].find("Z ");
+  lines_[at].replace(z, lines_[at].find(',', z) - z, "Z 9000.000");
+  const MachineCheck check = checked();
+  const Finding* finding = findingOf(check, "out_of_reach");
+  ASSERT_NE(finding, nullptr);
+  EXPECT_EQ(finding->line, at + 1);
+}
+
+TEST_F(StatedCheck, AProgramForAnotherToolOrWithoutAStartIsRefused) {
+  slice("irb_4600", "box.src");
+  const std::vector<std::string> written = lines_;
+  const auto refusal = [&](const std::string& begin, const std::string& to) -> std::string {
+    lines_ = written;
+    for (std::string& line : lines_)
+      if (line.find(begin) == 0) line = to;
+    try {
+      checked();
+    } catch (const InvalidProgram& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_NE(refusal(";# tool", ";# tool 0 0 999 1 0 0 0").find("have the tool at (0.000, 0.000, 999.000) mm"),
+            std::string::npos);
+  EXPECT_NE(refusal(";# bed", ";# carried_bed 0 0 0 1 0 0 0").find("a bed that an external axis carries"),
+            std::string::npos);
+  EXPECT_NE(refusal("PTP", "").find("no move of the joints comes to the part"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace lamina

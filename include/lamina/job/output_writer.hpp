@@ -52,7 +52,8 @@ struct ProgramWriter {
 /// `programWriters().add(".xyz", {...})`.
 Registry<ProgramWriter>& programWriters();
 
-/// The suffixes that choose a writer, with their dot: .csv, .gcode, .mod, and those of plug-ins.
+/// The suffixes that choose a writer, with their dot: .csv, .gcode, those of robots (.mod, .src, ...), and
+/// those of plug-ins.
 std::vector<std::string> outputSuffixes();
 
 /// The writer that the path's suffix chooses.

@@ -13,20 +13,23 @@
 
 namespace lamina {
 
-/// Whether the suffix is that of a program: .gcode or .mod.
+/// Whether the suffix is that of a program: .gcode, or that of a robot's language.
 bool isProgramFile(const std::string& path);
 
-/// Reads a program of any kind, in coordinates of the bed: RAPID, G-code of linear axes, and five-axis G-code
-/// through the joints of the machine. The toolpath is named after the file.
+/// Reads a program of any kind, in coordinates of the bed: those of robots, G-code of linear axes, and
+/// five-axis G-code through the joints of the machine. The toolpath is named after the file.
 /// @throws FileError if it cannot be read
-/// @throws InvalidProgram naming the line, as `readRapidFile`, `toolpathFromGcodeFile`, `readFiveAxis`; of
+/// @throws InvalidProgram naming the line, as `readRapidFile`, `readRobotProgramFile`,
+/// `toolpathFromGcodeFile`, `readFiveAxis`; of
 ///   five axes also if the machine has others
 Toolpath readProgram(const std::string& path, const ProgramSettings& settings,
                      const MachineSettings& machine);
 
 /// The joints that a program holds, line by line: five-axis G-code has the rotary ones in its words, RAPID
-/// configurations and external axes in its targets (`readRapidMotion`). Nothing for programs that hold none:
-/// G-code of linear axes, RAPID of a machine that is no arm, toolpaths.
+/// configurations and external axes in its targets (`readRapidMotion`), other languages of robots the joints
+/// they start from
+/// (`readRobotMotion`). Nothing for programs that hold none:
+/// G-code of linear axes, programs of robots on a machine that is no arm, toolpaths.
 /// @throws as `readProgram`
 std::optional<StatedMotion> readStatedMotion(const std::string& path, const ProgramSettings& settings,
                                              const KinematicModel& model);

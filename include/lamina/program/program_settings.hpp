@@ -10,6 +10,7 @@
 #include "lamina/program/drops/drop_dialect.hpp"
 #include "lamina/program/five_axis/five_axis_settings.hpp"
 #include "lamina/program/rapid/rapid_settings.hpp"
+#include "lamina/program/robot/robot_program_settings.hpp"
 
 namespace lamina {
 
@@ -44,7 +45,8 @@ struct ProgramSettings {
   DropDialect drops;
   FiveAxisSettings five_axis;  ///< of programs for machines with rotary joints;
                                ///< keys of its own
-  RapidSettings rapid;         ///< of programs for robots; keys of its own
+  RapidSettings rapid;         ///< of programs for ABB's robots; keys of its own
+  RobotProgramSettings robot;  ///< of programs for other robots; keys of its own
   std::string strategy;        ///< that filled the part; reported in the header of
                                ///< drop programs, no setting of its own
 };

@@ -9,6 +9,7 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/infill/strategy.hpp"
+#include "lamina/job/robot_files.hpp"
 #include "lamina/kinematics/model/toolpath_reach.hpp"
 #include "lamina/planning/cooling/cooling.hpp"
 #include "lamina/program/gcode/gcode_dialect.hpp"
@@ -27,7 +28,7 @@ struct CarriedCooling {
 
 CarriedCooling carriedBy(const SliceJob& job) {
   const std::string suffix = std::filesystem::path(job.output).extension().string();
-  if (suffix == ".mod") return {false, false, "RAPID"};
+  if (isRobotFile(job.output)) return {false, false, robotLanguageName(job.output)};
   if (suffix != ".gcode") return {};
   const std::string& dialect = job.settings.program.dialect;
   const std::string by = "G-code of dialect '" + dialect + "'";

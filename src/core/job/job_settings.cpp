@@ -217,6 +217,7 @@ void describe(SettingsSchema& schema, JobSettings& settings) {
   describe(schema, settings.program);
   describe(schema, settings.program.five_axis);
   describe(schema, settings.program.rapid);
+  describe(schema, settings.program.robot);
 }
 
 JobSettings loadJobSettings(const std::string& yaml_path, const std::vector<SettingText>& overrides) {

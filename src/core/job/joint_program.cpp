@@ -15,7 +15,7 @@
 #include "lamina/base/error.hpp"
 #include "lamina/job/kinematic_model_run.hpp"
 #include "lamina/job/machine_check.hpp"
-#include "lamina/job/rapid_files.hpp"
+#include "lamina/job/robot_files.hpp"
 #include "lamina/job/slicing/slicing_mode.hpp"
 #include "lamina/kinematics/arm/abb_configuration.hpp"
 #include "lamina/kinematics/model/toolpath_reach.hpp"
@@ -98,14 +98,18 @@ bool isGcode(const SliceJob& job) { return std::filesystem::path(job.output).ext
 
 bool hasExternalAxis(const KinematicModel& arm) { return arm.joints().size() > 6; }
 
-bool statesJoints(const RapidSettings& settings, const KinematicModel& arm) {
+/// Other languages than RAPID always state them.
+bool statesJoints(const SliceJob& job, const KinematicModel& arm) {
+  const RapidSettings& settings = job.settings.program.rapid;
+  if (programRunner(job.output) == ProgramRunner::OtherRobot) return true;
   return settings.variant == RapidVariant::Powder5Axes &&
          (settings.configuration == RapidConfiguration::Joints || hasExternalAxis(arm));
 }
 
 /// Offsets from one point state neither how the tool is turned nor where external axes stand.
-void requireStated(const JointPathSettings& joints, const RapidSettings& settings,
-                   const KinematicModel& arm) {
+void requireStated(const JointPathSettings& joints, const SliceJob& job, const KinematicModel& arm) {
+  const RapidSettings& settings = job.settings.program.rapid;
+  if (programRunner(job.output) == ProgramRunner::OtherRobot) return;
   if (settings.variant == RapidVariant::Powder5Axes || !hasExternalAxis(arm)) return;
   if (joints.external == ExternalChoice::Follow)
     throw InvalidConfig(std::string("joints.external is follow with rapid.variant ") +
@@ -113,7 +117,7 @@ void requireStated(const JointPathSettings& joints, const RapidSettings& setting
                         "expected held, or powder_5_axes");
 }
 
-bool isProgram(const SliceJob& job) { return isGcode(job) || isRapidFile(job.output); }
+bool isProgram(const SliceJob& job) { return isGcode(job) || isRobotFile(job.output); }
 
 /// Of what no joints are led for.
 bool needsClearance(const SliceJob& job, const SlicedPart& sliced) {
@@ -240,10 +244,9 @@ JointProgram planMachine(std::unique_ptr<KinematicModel> machine, const SliceJob
 
 std::optional<JointProgram> planArm(std::unique_ptr<KinematicModel> arm, const SliceJob& job,
                                     SlicedPart& sliced, Progress& progress) {
-  const RapidSettings& rapid = job.settings.program.rapid;
   JointPathSettings settings = job.settings.joints;
-  requireStated(settings, rapid, *arm);
-  const bool is_stated = statesJoints(rapid, *arm);
+  requireStated(settings, job, *arm);
+  const bool is_stated = statesJoints(job, *arm);
   if (!is_stated) settings.yaw = YawChoice::Held;
   KinematicModelRun run = runnable(*arm, job, sliced, settings, progress);
   const auto time = timeOf(run, *arm, job.settings);
@@ -252,13 +255,23 @@ std::optional<JointProgram> planArm(std::unique_ptr<KinematicModel> arm, const S
   return JointProgram{std::move(arm), std::move(as_run.toolpath), std::move(as_run.joints), time};
 }
 
+/// A program that begins with a move of joints.
+void requireArm(const SliceJob& job, const BuildSpace& space) {
+  if (canTurnToolAxis(space) && isSixAxisArm(*kinematicModelOf(job.settings.machine))) return;
+  throw InvalidInput("output '" + job.output + "' is a program in " + robotLanguageName(job.output) +
+                     ", but the machine '" + space.name +
+                     "' is no arm with six joints; expected one (machine.name, machine.urdf)");
+}
+
 }  // namespace
 
 void requireProgramFor(const SliceJob& job, const BuildSpace& space) {
+  if (programRunner(job.output) == ProgramRunner::OtherRobot) return requireArm(job, space);
   if (!isGcode(job) || !canTurnToolAxis(space)) return;
   if (kinematicModelOf(job.settings.machine)->toolAxisSpin() == ToolAxisSpin::Given)
     throw InvalidInput("output '" + job.output + "' is G-code, but the machine '" + space.name +
-                       "' is a robot without axes x, y and z; expected .mod or .csv");
+                       "' is a robot without axes x, y and z; expected a robot's program (.mod, .src, "
+                       ".script, .ls, .jbi) or .csv");
 }
 
 bool writesFiveAxis(const SliceJob& job, const BuildSpace& space, const SlicedPart& sliced) {
@@ -271,7 +284,7 @@ std::optional<JointProgram> planJointProgram(const SliceJob& job, const BuildSpa
                                              Progress& progress) {
   if (writesFiveAxis(job, space, sliced))
     return planMachine(kinematicModelOf(job.settings.machine), job, sliced, progress);
-  if (isRapidFile(job.output) && canTurnToolAxis(space)) {
+  if (isRobotFile(job.output) && canTurnToolAxis(space)) {
     std::unique_ptr<KinematicModel> arm = kinematicModelOf(job.settings.machine);
     if (isSixAxisArm(*arm)) return planArm(std::move(arm), job, sliced, progress);
   }

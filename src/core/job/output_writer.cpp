@@ -9,6 +9,7 @@
 #include "lamina/base/error.hpp"
 #include "lamina/base/text.hpp"
 #include "lamina/job/rapid_files.hpp"
+#include "lamina/job/robot_files.hpp"
 #include "lamina/program/csv/csv_writer.hpp"
 #include "lamina/program/five_axis/five_axis_writer.hpp"
 #include "lamina/program/gcode/gcode_dialect.hpp"
@@ -23,6 +24,17 @@ void writeProgram(const PlacedToolpath& placed, const ProgramSettings& settings,
   writeFiveAxis(motion, settings.five_axis, settings, sink);
 }
 
+ProgramWriter robotWriter(RobotLanguage language) {
+  ProgramWriter robot;
+  robot.write = [language](const PlacedToolpath& placed, const ProgramSettings& settings,
+                           const TextSink& sink) {
+    writeRobotProgram(language, placed, settings.robot, sink);
+  };
+  robot.write_files = [](const std::string& path, const PlacedToolpath& placed,
+                         const ProgramSettings& settings) { writeRobotFiles(path, placed, settings.robot); };
+  return robot;
+}
+
 std::map<std::string, ProgramWriter> builtInWriters() {
   ProgramWriter csv;
   csv.write = [](const PlacedToolpath& placed, const ProgramSettings&, const TextSink& sink) {
@@ -34,7 +46,11 @@ std::map<std::string, ProgramWriter> builtInWriters() {
   };
   rapid.write_files = [](const std::string& path, const PlacedToolpath& placed,
                          const ProgramSettings& settings) { writeRapidFiles(path, placed, settings.rapid); };
-  return {{".csv", csv}, {".gcode", {writeProgram, {}}}, {".mod", rapid}};
+  std::map<std::string, ProgramWriter> writers = {
+      {".csv", csv}, {".gcode", {writeProgram, {}}}, {".mod", rapid}};
+  for (const RobotLanguage language : kRobotLanguages)
+    writers.emplace(suffixOf(language), robotWriter(language));
+  return writers;
 }
 
 /// @throws InvalidInput if the suffix chooses none

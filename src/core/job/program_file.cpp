@@ -8,12 +8,13 @@
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/input_file.hpp"
-#include "lamina/job/rapid_files.hpp"
+#include "lamina/job/robot_files.hpp"
 #include "lamina/kinematics/arm/abb_configuration.hpp"
 #include "lamina/program/csv/csv_reader.hpp"
 #include "lamina/program/five_axis/five_axis_reader.hpp"
 #include "lamina/program/gcode/toolpath_from_gcode.hpp"
 #include "lamina/program/rapid/reader/rapid_reader.hpp"
+#include "lamina/program/robot/robot_reader.hpp"
 
 namespace lamina {
 namespace {
@@ -45,12 +46,14 @@ auto readFiveAxisFile(const std::string& path, const Read& read) {
 }  // namespace
 
 bool isProgramFile(const std::string& path) {
-  return isRapidFile(path) || std::filesystem::path(path).extension() == ".gcode";
+  return isRobotFile(path) || std::filesystem::path(path).extension() == ".gcode";
 }
 
 Toolpath readProgram(const std::string& path, const ProgramSettings& settings,
                      const MachineSettings& machine) {
-  if (isRapidFile(path)) return readRapidFile(path);
+  if (isRobotFile(path))
+    return programRunner(path) == ProgramRunner::RapidRobot ? readRapidFile(path)
+                                                            : readRobotProgramFile(path);
   if (isFiveAxisProgram(headOf(path)))
     return readFiveAxisFile(path, [&](const std::string& text, const std::string& name) {
       return readFiveAxis(text, *kinematicModelOf(machine), settings.five_axis, settings, name);
@@ -61,8 +64,10 @@ Toolpath readProgram(const std::string& path, const ProgramSettings& settings,
 std::optional<StatedMotion> readStatedMotion(const std::string& path, const ProgramSettings& settings,
                                              const KinematicModel& model) {
   if (!isProgramFile(path)) return std::nullopt;
-  if (isRapidFile(path) && isSixAxisArm(model)) return readRapidMotionFile(path, model);
-  if (isRapidFile(path) || !isFiveAxisProgram(headOf(path))) return std::nullopt;
+  if (isRobotFile(path) && isSixAxisArm(model))
+    return programRunner(path) == ProgramRunner::RapidRobot ? readRapidMotionFile(path, model)
+                                                            : readRobotMotionFile(path, model);
+  if (isRobotFile(path) || !isFiveAxisProgram(headOf(path))) return std::nullopt;
   return readFiveAxisFile(path, [&](const std::string& text, const std::string& name) {
     return readFiveAxisMotion(text, model, settings.five_axis, settings, name);
   });
@@ -74,7 +79,9 @@ Toolpath readToolpathFile(const std::string& path, const ProgramSettings& settin
                           const MachineSettings& machine) {
   if (isToolpathFile(path)) return readCsv(readFile(path), std::filesystem::path(path).filename().string());
   if (isProgramFile(path)) return readProgram(path, settings, machine);
-  throw InvalidInput("'" + path + "' is neither a program nor a toolpath; expected .gcode, .mod or .csv");
+  throw InvalidInput("'" + path +
+                     "' is neither a program nor a toolpath; expected .gcode, .csv or a robot's program "
+                     "(.mod, .src, .script, .ls, .jbi)");
 }
 
 }  // namespace lamina

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Programs: G-code of three and five axes, RAPID.
+// Programs: G-code of three and five axes, RAPID, other languages of robots.
 #include "job/settings/setting_probe.hpp"
 #include "job/settings/sliced_text.hpp"
 
@@ -96,10 +96,58 @@ SettingProbe rapidValuesProbe() {
            {"rapid.loading=in_turn", "rapid.max_points=20"}}};
 }
 
+SettingProbe robotProbe(const char* name, const std::string& suffix, std::vector<SettingRow> rows) {
+  return {name, std::string(kSmall) + "machine.name=irb_4600", programOf(kPlate, suffix), std::move(rows)};
+}
+
+std::vector<SettingProbe> robotProbes() {
+  return {robotProbe("KRL", ".src",
+                     {{"robot_program.name=plate"},
+                      {"robot_program.tool_number=2"},
+                      {"robot_program.frame_number=2"},
+                      {"robot_program.approach_mm=20"},
+                      {"robot_program.corner_mm=1"},
+                      {"robot_program.joint_speed_percent=20"},
+                      {"robot_program.process_output=2"},
+                      {"robot_program.process_lead_s=1"},
+                      {"robot_program.process_end_s=1"},
+                      {"robot_program.levels=laser_power_w=1*0.001"},
+                      {"robot_program.joint_signs=1,1,-1,1,1,1"},
+                      {"robot_program.joint_zeros_deg=0,-90,90,0,0,0"},
+                      {"krl.points=dat"},
+                      {"krl.advance=3"},
+                      {"krl.turn_speed_deg_s=100"},
+                      {"krl.acceleration_m_s2=1"},
+                      {"krl.max_lines=100", "robot_program.allow_cut=true"}}),
+          robotProbe("URScript", ".script",
+                     {{"urscript.bead_move=movel"},
+                      {"urscript.acceleration_m_s2=1"},
+                      {"urscript.joint_acceleration_rad_s2=1"},
+                      {"urscript.max_points=10", "robot_program.allow_cut=true"}}),
+          robotProbe("Fanuc TP", ".ls",
+                     {{"robot_program.date=2026-01-31"},
+                      {"fanuc.cnt=50"},
+                      {"fanuc.joint_3_from_2=0"},
+                      {"fanuc.flip=negative"},
+                      {"fanuc.turn_axes=1,2,3"},
+                      {"fanuc.max_lines=100", "robot_program.allow_cut=true"}}),
+          robotProbe("INFORM", ".jbi",
+                     {{"inform.speed_unit=cm_min"},
+                      {"inform.corner_level=2"},
+                      {"inform.pulses_per_deg=1000,1000,1000,500,500,500"},
+                      {"inform.flip=negative"},
+                      {"inform.rconf_order=front_elbow_flip"},
+                      {"inform.rconf_length=24"},
+                      {"inform.frame_mark=three"},
+                      {"inform.max_points=10", "robot_program.allow_cut=true"}})};
+}
+
 }  // namespace
 
 std::vector<SettingProbe> programProbes() {
-  return {gcodeProbe(), fiveAxisProbe(), rapidNamesProbe(), rapidValuesProbe()};
+  std::vector<SettingProbe> probes = {gcodeProbe(), fiveAxisProbe(), rapidNamesProbe(), rapidValuesProbe()};
+  for (SettingProbe& probe : robotProbes()) probes.push_back(std::move(probe));
+  return probes;
 }
 
 }  // namespace lamina::test

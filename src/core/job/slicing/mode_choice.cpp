@@ -9,6 +9,7 @@
 #include <filesystem>
 
 #include "lamina/base/angle.hpp"
+#include "lamina/job/robot_files.hpp"
 #include "lamina/verification/overhang/overhang_angle.hpp"
 
 namespace lamina {
@@ -58,9 +59,15 @@ std::string percent(double part, double whole) {
 
 /// Machines hold their nozzle still; poses are for any head, and a robot turns it.
 bool maySteer(const SliceJob& job) {
-  const std::string suffix = std::filesystem::path(job.output).extension().string();
-  return suffix == ".csv" ||
-         (suffix == ".mod" && job.settings.program.rapid.variant == RapidVariant::Powder5Axes);
+  switch (programRunner(job.output)) {
+    case ProgramRunner::OtherRobot:
+      return true;
+    case ProgramRunner::RapidRobot:
+      return job.settings.program.rapid.variant == RapidVariant::Powder5Axes;
+    case ProgramRunner::Machine:
+      break;
+  }
+  return std::filesystem::path(job.output).extension() == ".csv";
 }
 
 /// Where no setting names the mode.

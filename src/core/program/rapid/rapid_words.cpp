@@ -12,7 +12,6 @@ namespace lamina {
 namespace {
 
 constexpr std::size_t kLongestName = 32;
-constexpr std::size_t kNumberRoom = 400;  // any double with a few decimals
 
 constexpr std::array<std::string_view, 49> kReserved = {
     "alias",   "and",      "backward", "case",    "connect", "const",     "default", "div",       "do",
@@ -242,20 +241,6 @@ bool isRapidZone(std::string_view name) {
   if (lower == "fine") return true;
   const std::optional<int> number = numberAfter('z', lower);
   return number && std::find(kZones.begin(), kZones.end(), *number) != kZones.end();
-}
-
-void appendDecimals(std::string& text, double value, int decimals) {
-  char digits[kNumberRoom];
-  const char* begin = digits;
-  const char* end =
-      std::to_chars(digits, digits + kNumberRoom, value, std::chars_format::fixed, decimals).ptr;
-  if (*begin == '-' && std::all_of(begin + 1, end, [](char c) { return c == '0' || c == '.'; })) ++begin;
-  text.append(begin, end);
-}
-
-void appendShortest(std::string& text, double value) {
-  char digits[kNumberRoom];
-  text.append(digits, std::to_chars(digits, digits + kNumberRoom, value, std::chars_format::fixed).ptr);
 }
 
 }  // namespace lamina

@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "program/number_text.hpp"
+
 namespace lamina {
 
 /// RAPID does not distinguish upper from lower case.
@@ -20,11 +22,5 @@ std::optional<double> rapidSpeed(std::string_view name);
 
 /// Whether it is a zone that every controller has: fine, z0 to z200.
 bool isRapidZone(std::string_view name);
-
-/// Appends the value with that many decimals, all of them; never -0.
-void appendDecimals(std::string& text, double value, int decimals);
-
-/// Appends the shortest digits that give the value back.
-void appendShortest(std::string& text, double value);
 
 }  // namespace lamina

@@ -7,19 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "lamina/kinematics/joint_path/joint_path.hpp"
-#include "lamina/kinematics/model/kinematic_model.hpp"
 #include "lamina/program/rapid/rapid_settings.hpp"
+#include "lamina/program/robot/robot_motion.hpp"
 #include "lamina/program/text_sink.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 
 namespace lamina {
-
-/// The arm that runs a program, and its joints at the toolpath's waypoints.
-struct RobotMotion {
-  const KinematicModel& arm;
-  const JointPath& joints;
-};
 
 /// A toolpath as a program in RAPID [Flores2018, section 6.1.3]: one module, or a main module
 /// and numbered ones with the points.

@@ -13,27 +13,12 @@
 namespace lamina {
 namespace {
 
-constexpr double kFarthest = 1e5;     // mm: beyond any robot
-constexpr double kSamePose = 1e-6;    // mm and rad: under what targets resolve
-constexpr double kUnitLength = 1e-6;  // of a quaternion
+constexpr double kSamePose = 1e-6;  // rad: under what targets resolve
 
-/// Refuses what no program can express, naming the place.
-class PathChecks {
+/// Refuses a nozzle that turns where it has to be held.
+class ToolAxisCheck {
  public:
-  PathChecks(const RapidPath& at, RapidVariant variant) : at_(at), path_(*at.path), variant_(variant) {}
-
-  void requireWritable() const {
-    if (path_.deposit == Deposit::Drops) refuse(0, "drops are laid; a robot's program lays beads only");
-    if (path_.points.size() < 2) refuse(path_.points.size(), "a path needs at least 2 waypoints");
-    for (std::size_t i = 0; i < path_.points.size(); ++i)
-      if (path_.points[i].hasNaN() || path_.points[i].cwiseAbs().maxCoeff() >= kFarthest)
-        refuse(i, "the position is not a number within 100 m");
-    requireWritableFeeds(at_);
-    for (std::size_t i = 0; i < path_.orientation.values().size(); ++i)
-      if (!(std::abs(path_.orientation.at(i).norm() - 1.0) <= kUnitLength))
-        refuse(i, "the orientation is no quaternion of unit length");
-    if (at_.deposits()) requireBeads();
-  }
+  ToolAxisCheck(const RapidPath& at, RapidVariant variant) : at_(at), path_(*at.path), variant_(variant) {}
 
   void requireToolAxis(const Point3& tool_axis) const {
     for (std::size_t i = 0; i < path_.orientation.values().size(); ++i) {
@@ -47,14 +32,6 @@ class PathChecks {
   }
 
  private:
-  void requireBeads() const {
-    for (std::size_t i = 0; i < path_.bead.values().size(); ++i) {
-      const Bead& bead = path_.bead.at(i);
-      if (!(bead.width_mm >= 0.0 && bead.height_mm >= 0.0 && std::isfinite(crossSection(bead))))
-        refuse(i, "bead width and height must be finite and not negative");
-    }
-  }
-
   [[noreturn]] void refuse(std::size_t waypoint, const std::string& what) const {
     refuseWaypoint(at_, waypoint, what);
   }
@@ -64,60 +41,13 @@ class PathChecks {
   RapidVariant variant_;
 };
 
-std::vector<RapidPath> pathsOf(const Toolpath& toolpath) {
-  std::vector<RapidPath> paths;
-  for (const ListedPath& listed : listedPaths(toolpath)) {
-    RapidPath path;
-    static_cast<ListedPath&>(path) = listed;
-    paths.push_back(path);
-  }
-  return paths;
-}
-
-const Eigen::Quaterniond& lastOrientation(const Path& path) {
-  return path.orientation.at(path.is_closed ? 0 : path.points.size() - 1);
-}
-
-void addSwitches(std::vector<RapidPath>& paths, RapidVariant variant) {
-  const bool turns = variant == RapidVariant::Powder5Axes;
-  paths.front().is_turned = true;
-  for (std::size_t p = 0; p < paths.size(); ++p) {
-    RapidPath& path = paths[p];
-    const RapidPath* before = p > 0 ? &paths[p - 1] : nullptr;
-    if (before != nullptr && turns)
-      path.is_turned =
-          lastOrientation(*before->path).angularDistance(path.path->orientation.at(0)) > kSamePose;
-    const bool goes_on = before != nullptr && before->deposits() && path.deposits() && !path.is_turned;
-    path.switches_on = path.deposits() && !goes_on;
-    if (before != nullptr) paths[p - 1].switches_off = before->deposits() && !goes_on;
-  }
-  paths.back().switches_off = paths.back().deposits();
-}
-
-/// Paths that a split should not come between: travels up to a run, and the run.
-struct Stretch {
-  std::size_t begin = 0;  ///< path
-  std::size_t end = 0;
-  std::size_t points = 0;
-};
-
-std::vector<Stretch> stretchesOf(const std::vector<RapidPath>& paths) {
-  std::vector<Stretch> stretches;
-  for (std::size_t p = 0; p < paths.size(); ++p) {
-    if (p == 0 || paths[p - 1].switches_off) stretches.push_back({p, p, 0});
-    stretches.back().end = p + 1;
-    stretches.back().points += paths[p].moveCount();
-  }
-  return stretches;
-}
-
 class Splitter {
  public:
   Splitter(const std::vector<RapidPath>& paths, const RapidSettings& settings)
       : paths_(paths), most_(static_cast<std::size_t>(settings.max_points)), loading_(settings.loading) {}
 
   std::vector<RapidChunk> split() {
-    for (const Stretch& stretch : stretchesOf(paths_)) {
+    for (const RobotStretch& stretch : robotStretches(paths_)) {
       if (open_.points > 0 && most_ > 0 && open_.points + stretch.points > most_) close();
       if (most_ > 0 && stretch.points > most_)
         cutUp(stretch);
@@ -135,7 +65,7 @@ class Splitter {
   }
 
   /// A stretch that fits no module: between two moves, wherever the module is full.
-  void cutUp(const Stretch& stretch) {
+  void cutUp(const RobotStretch& stretch) {
     const RapidPath& first = paths_[stretch.begin];
     if (loading_ == RapidLoading::InTurn)
       throw InvalidConfig("rapid.max_points is " + std::to_string(most_) + ", but the run from layer " +
@@ -165,12 +95,11 @@ class Splitter {
 RapidPlan planRapid(const Toolpath& toolpath, const RapidSettings& settings) {
   requireSupported(toolpath, {}, "RAPID");
   RapidPlan plan;
-  plan.paths = pathsOf(toolpath);
-  for (const RapidPath& path : plan.paths) PathChecks(path, settings.variant).requireWritable();
+  plan.paths =
+      robotPaths(toolpath, settings.variant == RapidVariant::Powder5Axes ? ToolTurns::Any : ToolTurns::None);
   const Point3 tool_axis = plan.paths.front().path->orientation.at(0) * Point3::UnitZ();
   if (settings.variant != RapidVariant::Powder5Axes)
-    for (const RapidPath& path : plan.paths) PathChecks(path, settings.variant).requireToolAxis(tool_axis);
-  addSwitches(plan.paths, settings.variant);
+    for (const RapidPath& path : plan.paths) ToolAxisCheck(path, settings.variant).requireToolAxis(tool_axis);
   plan.chunks = Splitter(plan.paths, settings).split();
   return plan;
 }

@@ -6,21 +6,11 @@
 #include <vector>
 
 #include "lamina/program/rapid/rapid_settings.hpp"
-#include "program/listed_paths.hpp"
+#include "program/robot/writer/robot_paths.hpp"
 
 namespace lamina {
 
-/// A path as moves of a robot: one that takes the pose it starts in, where the path before ends in another,
-/// and then its motions.
-struct RapidPath : ListedPath {
-  bool is_turned = false;     ///< begins with a move of its own
-  bool switches_on = false;   ///< the process starts before its first motion
-  bool switches_off = false;  ///< the process stops after its last motion
-
-  bool deposits() const { return path->role != PathRole::Travel; }
-  std::size_t turnCount() const { return is_turned ? 1 : 0; }
-  std::size_t moveCount() const { return path->motionCount() + turnCount(); }
-};
+using RapidPath = RobotPath;
 
 /// A place in a program, before a move: `move` may be the path's number of moves nowhere but at the end.
 struct RapidPlace {

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/job/robot_files.hpp"
+
+#include <deque>
+#include <filesystem>
+#include <vector>
+
+#include "lamina/base/atomic_file.hpp"
+#include "lamina/base/error.hpp"
+#include "lamina/job/rapid_files.hpp"
+#include "lamina/program/robot/robot_program.hpp"
+
+namespace lamina {
+namespace {
+
+std::vector<RobotFile> programOf(const RobotProgramRequest& request, const PlacedToolpath& placed) {
+  if (!placed.frame.program_from_bed.matrix().isIdentity(0.0))
+    throw InvalidInput(
+        "the machine's axes stand askew to its bed; a program for a robot reports coordinates of the bed, "
+        "expected a machine whose axes are at right angles");
+  if (!placed.joints)
+    throw InvalidInput(
+        std::string("a program in ") + toString(request.language) +
+        " begins with a move of joints, but none are known; expected a machine that is an arm with "
+        "six joints (machine.name, machine.urdf)");
+  const RobotMotion robot{placed.joints->model, placed.joints->path};
+  return robotProgram(placed.toolpath, placed.frame.bed_from_part, request, &robot);
+}
+
+}  // namespace
+
+ProgramRunner programRunner(const std::string& path) {
+  if (isRapidFile(path)) return ProgramRunner::RapidRobot;
+  return robotLanguageOf(path) ? ProgramRunner::OtherRobot : ProgramRunner::Machine;
+}
+
+bool isRobotFile(const std::string& path) { return programRunner(path) != ProgramRunner::Machine; }
+
+std::string robotLanguageName(const std::string& path) {
+  const auto language = robotLanguageOf(path);
+  return language ? toString(*language) : "RAPID";
+}
+
+void writeRobotProgram(RobotLanguage language, const PlacedToolpath& placed,
+                       const RobotProgramSettings& settings, const TextSink& sink) {
+  const std::vector<RobotFile> files = programOf({language, "lamina", settings}, placed);
+  if (files.size() > 1)
+    throw InvalidConfig(std::string("the program in ") + toString(language) + " takes " +
+                        std::to_string(files.size()) + " files; expected a place for each, or fewer points");
+  sink(files.front().text);
+}
+
+void writeRobotFiles(const std::string& path, const PlacedToolpath& placed,
+                     const RobotProgramSettings& settings) {
+  const std::filesystem::path first(path);
+  const std::vector<RobotFile> program =
+      programOf({*robotLanguageOf(path), first.stem().string(), settings}, placed);
+  std::deque<AtomicFile> files;
+  for (std::size_t i = 0; i < program.size(); ++i) {
+    if (i > 0 && program[i].name == first.filename().string())
+      throw InvalidConfig("the file '" + program[i].name + "' would be written over '" + path +
+                          "', which runs it; expected another robot_program.name");
+    AtomicFile& file = files.emplace_back(i == 0 ? path : (first.parent_path() / program[i].name).string());
+    file.write(program[i].text);
+  }
+  // The first last: it names the others.
+  for (auto file = files.rbegin(); file != files.rend(); ++file) file->commit();
+}
+
+}  // namespace lamina

@@ -1,0 +1,336 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "program/robot/fanuc/fanuc_parser.hpp"
+
+#include <array>
+#include <map>
+#include <utility>
+#include <variant>
+
+#include "lamina/program/robot/robot_angles.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr int kMostFanucPoints = 1000000;
+constexpr double kGreatestFanucSpeed = 1e6;  // in any unit
+constexpr const char* kFanucAngle = "an angle in degrees";
+constexpr const char* kFanucCoordinate = "a coordinate within 100 m, in mm";
+
+using FanucPoint = std::variant<JointMove, TipMove>;
+
+/// Reads text across lines.
+class FanucText {
+ public:
+  /// @param begin  index of the first line that is read
+  FanucText(std::vector<std::string_view> lines, const ReadFile& file, std::size_t begin = 0)
+      : lines_(std::move(lines)), file_(file), next_(begin) {}
+
+  bool isAtEnd() const { return next_ == lines_.size(); }
+  LineCursor nextLine() {
+    const std::string_view text = lines_[next_++];
+    return {text, next_, file_};
+  }
+  /// The line that holds what comes next.
+  LineCursor& here() {
+    while (cursor_.isAtEnd() && !isAtEnd()) cursor_ = nextLine();
+    return cursor_;
+  }
+  std::size_t lineCount() const { return lines_.size(); }
+
+ private:
+  std::vector<std::string_view> lines_;
+  const ReadFile& file_;
+  std::size_t next_;
+  LineCursor cursor_{"", 1, file_};
+};
+
+void readFrames(FanucText& text) {
+  for (const char* name : {"UF", "UT"}) {
+    text.here().expect(name);
+    text.here().expect(":");
+    text.here().integer(0, 99, "the number of a frame");
+    text.here().expect(",");
+  }
+}
+
+double measured(FanucText& text, const std::string& name, double limit, const char* unit,
+                const char* expected) {
+  text.here().expect(name);
+  text.here().expect("=");
+  const double value = text.here().number(-limit, limit, expected);
+  text.here().expect(unit);
+  return value;
+}
+
+/// `'N U T, 0, 0, 0',`: which way the arm stands follows from the motion.
+void readConfiguration(FanucText& text) {
+  text.here().expect(":");
+  text.here().expect("'");
+  const std::array<std::array<const char*, 2>, 3> letters = {{{"F", "N"}, {"U", "D"}, {"T", "B"}}};
+  for (const auto& [one, other] : letters)
+    if (!text.here().take(one)) text.here().expect(other);
+  while (text.here().take(",")) text.here().integer(-99, 99, "a number of turns");
+  text.here().expect("'");
+  text.here().expect(",");
+}
+
+FanucPoint fanucJoints(FanucText& text) {
+  JointMove move;
+  for (std::size_t j = 0; j < 6; ++j) {
+    if (j > 0) text.here().expect(",");
+    move.joints.arm_deg[j] = measured(text, "J" + std::to_string(j + 1), kGreatestAngle, "deg", kFanucAngle);
+  }
+  return move;
+}
+
+FanucPoint fanucPose(FanucText& text) {
+  TipMove move;
+  for (int axis = 0; axis < 3; ++axis) {
+    move.point[axis] = measured(text, std::string(1, "XYZ"[axis]), kFarthestRead, "mm", kFanucCoordinate);
+    text.here().expect(",");
+  }
+  RobotAngles angles;
+  angles.x_deg = measured(text, "W", kGreatestAngle, "deg", kFanucAngle);
+  text.here().expect(",");
+  angles.y_deg = measured(text, "P", kGreatestAngle, "deg", kFanucAngle);
+  text.here().expect(",");
+  angles.z_deg = measured(text, "R", kGreatestAngle, "deg", kFanucAngle);
+  move.orientation = turnOfAngles(angles);
+  return move;
+}
+
+std::vector<double> fanucExternal(FanucText& text) {
+  std::vector<double> external;
+  while (text.here().take(",")) {
+    if (external.size() == 3) text.here().refuse("three rails at most");
+    external.push_back(measured(text, "E" + std::to_string(external.size() + 1), kFarthestRead, "mm",
+                                "an external axis in mm"));
+  }
+  if (!text.here().take("GP2")) return external;
+  text.here().expect(":");
+  readFrames(text);
+  for (std::size_t turn = 1; turn == 1 || text.here().take(","); ++turn) {
+    if (turn > 3) text.here().refuse("three turning axes at most");
+    external.push_back(measured(text, "J" + std::to_string(turn), kGreatestAngle, "deg", kFanucAngle));
+  }
+  return external;
+}
+
+/// `P[3]{ ... };`.
+std::pair<int, FanucPoint> fanucPoint(FanucText& text) {
+  text.here().expect("P");
+  text.here().expect("[");
+  const int number = text.here().integer(1, kMostFanucPoints, "the number of a point");
+  text.here().expect("]");
+  text.here().expect("{");
+  text.here().expect("GP1");
+  text.here().expect(":");
+  readFrames(text);
+  const bool is_pose = text.here().take("CONFIG");
+  if (is_pose) readConfiguration(text);
+  FanucPoint point = is_pose ? fanucPose(text) : fanucJoints(text);
+  std::vector<double> external = fanucExternal(text);
+  if (auto* joints = std::get_if<JointMove>(&point))
+    joints->joints.external = std::move(external);
+  else
+    std::get<TipMove>(point).external = std::move(external);
+  text.here().expect("}");
+  text.here().expect(";");
+  return {number, std::move(point)};
+}
+
+class FanucParser {
+ public:
+  explicit FanucParser(const RobotSourceText& source)
+      : file_{source.file, {}}, text_(textLines(source.text), file_) {}
+
+  std::vector<ReadStatement> parse() {
+    readName();
+    readPoints();
+    readHead();
+    readLines();
+    return list_.take();
+  }
+
+ private:
+  LineCursor end() const { return {"", text_.lineCount() + 1, file_}; }
+
+  void readName() {
+    if (text_.isAtEnd()) end().refuse("/PROG");
+    text_.nextLine().expect("/PROG");
+    file_.quotation.recognise();
+  }
+
+  void readHead() {
+    while (!text_.isAtEnd()) {
+      LineCursor line = text_.nextLine();
+      if (line.take("/MN")) return line.expectEnd();
+    }
+    end().refuse("/MN, which begins the statements");
+  }
+
+  void readLines() {
+    while (!text_.isAtEnd()) {
+      LineCursor line = text_.nextLine();
+      if (line.isAtEnd()) continue;
+      if (line.take("/POS")) return line.expectEnd();
+      line.integer(1, kMostFanucPoints, "the number of a line, or /POS");
+      line.expect(":");
+      if (!line.take("!"))
+        readStatement(line);
+      else
+        readComment(line);
+    }
+    end().refuse("/POS, which begins the points");
+  }
+
+  void readComment(LineCursor& line) {
+    std::string_view comment = line.rest();
+    const std::size_t semicolon = comment.rfind(';');
+    if (semicolon == std::string_view::npos) line.refuse("a semicolon at the end of the line");
+    comment = comment.substr(0, semicolon);
+    while (!comment.empty() && comment.back() == ' ') comment.remove_suffix(1);
+    list_.addComment(comment, line.line());
+  }
+
+  void readStatement(LineCursor& line) {
+    if (line.take("J"))
+      list_.add(jointMove(line), line.line());
+    else if (line.take("L"))
+      list_.add(linearMove(line), line.line());
+    else if (line.take("DO"))
+      list_.add(output(line), line.line());
+    else if (line.take("AO"))
+      list_.add(level(line), line.line());
+    else if (line.take("WAIT"))
+      list_.add(wait(line), line.line());
+    else if (line.take("CALL"))
+      list_.add(FileCall{line.word("the name of a program")}, line.line());
+    else if (line.take("UFRAME_NUM") || line.take("UTOOL_NUM"))
+      readFrameNumber(line);
+    else
+      line.refuse("a statement that is known: J, L, DO, AO, WAIT, CALL, UFRAME_NUM, UTOOL_NUM");
+    line.expect(";");
+    line.expectEnd();
+  }
+
+  static void readFrameNumber(LineCursor& line) {
+    line.expect("=");
+    line.integer(0, 99, "the number of a frame");
+  }
+
+  RobotStatement jointMove(LineCursor& line) const {
+    const FanucPoint& point = pointNamed(line);
+    const auto* move = std::get_if<JointMove>(&point);
+    if (move == nullptr) line.refuse("a point that states joints");
+    percent(line);
+    isRest(line);
+    return *move;
+  }
+
+  RobotStatement linearMove(LineCursor& line) const {
+    const FanucPoint& point = pointNamed(line);
+    const auto* pose = std::get_if<TipMove>(&point);
+    if (pose == nullptr) line.refuse("a point that states a pose");
+    TipMove move = *pose;
+    move.feed_mm_s = speed(line);
+    move.rests = isRest(line);
+    return move;
+  }
+
+  const FanucPoint& pointNamed(LineCursor& line) const {
+    line.expect("P");
+    line.expect("[");
+    const int number = line.integer(1, kMostFanucPoints, "the number of a point");
+    const auto found = points_.find(number);
+    if (found == points_.end()) line.refuse("P[" + std::to_string(number) + "]", "a point below /POS");
+    line.expect("]");
+    return found->second;
+  }
+
+  static void percent(LineCursor& line) {
+    line.number(1.0, 100.0, "a speed in percent");
+    line.expect("%");
+  }
+
+  static double speed(LineCursor& line) {
+    const double value = line.number(1.0, kGreatestFanucSpeed, "a speed, 1 at least");
+    const std::array<std::pair<const char*, double>, 3> units = {
+        {{"mm/sec", 1.0}, {"cm/min", 10.0 / 60.0}, {"inch/min", 25.4 / 60.0}}};
+    for (const auto& [name, mm_s] : units)
+      if (line.take(name)) return value * mm_s;
+    line.refuse("mm/sec, cm/min or inch/min");
+  }
+
+  /// Whether the tip comes to the point.
+  static bool isRest(LineCursor& line) {
+    if (line.take("FINE")) return true;
+    const std::string_view rest = line.rest();
+    const std::size_t at = rest.find("CNT");
+    if (at == std::string_view::npos || rest.find_first_not_of(' ') != at) line.refuse("FINE or CNT");
+    line = LineCursor(rest.substr(at + 3), line.line(), line.file());
+    line.integer(0, 100, "CNT0 to CNT100");
+    return false;
+  }
+
+  static int outputNumber(LineCursor& line) {
+    line.expect("[");
+    const int number = line.integer(0, kMostOutputs, "the number of an output");
+    line.expect("]");
+    line.expect("=");
+    return number;
+  }
+
+  static OutputSwitch output(LineCursor& line) {
+    OutputSwitch output;
+    output.output = outputNumber(line);
+    output.is_on = line.take("ON");
+    if (!output.is_on) line.expect("OFF");
+    return output;
+  }
+
+  static LevelChange level(LineCursor& line) {
+    LevelChange level;
+    level.output = outputNumber(line);
+    level.value = line.number(-kGreatestLevel, kGreatestLevel, "a value");
+    return level;
+  }
+
+  static ProgramWait wait(LineCursor& line) {
+    const ProgramWait wait{line.number(0.0, kLongestWait, "a wait in s")};
+    line.expect("(");
+    line.expect("sec");
+    line.expect(")");
+    return wait;
+  }
+
+  /// They stand last, and moves name them.
+  void readPoints() {
+    FanucText text = text_;
+    for (bool is_found = false; !is_found;) {
+      if (text.isAtEnd()) end().refuse("/POS, which begins the points");
+      LineCursor line = text.nextLine();
+      is_found = line.take("/POS");
+    }
+    while (true) {
+      LineCursor start = text.here();
+      if (start.isAtEnd()) end().refuse("/END");
+      if (text.here().take("/END")) return text.here().expectEnd();
+      auto [number, point] = fanucPoint(text);
+      if (!points_.emplace(number, std::move(point)).second)
+        start.refuse("P[" + std::to_string(number) + "]", "each point once");
+    }
+  }
+
+  ReadFile file_;
+  FanucText text_;
+  StatementList list_;
+  std::map<int, FanucPoint> points_;
+};
+
+}  // namespace
+
+std::vector<ReadStatement> parseFanuc(const RobotSourceText& source) { return FanucParser(source).parse(); }
+
+}  // namespace lamina

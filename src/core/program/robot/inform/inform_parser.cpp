@@ -1,0 +1,308 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "program/robot/inform/inform_parser.hpp"
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <utility>
+
+#include "lamina/program/robot/robot_angles.hpp"
+#include "program/robot/notes/path_notes.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr int kMostInformPoints = 99999;
+constexpr int kMostInformFrames = 99;
+constexpr double kGreatestInformNumber = 4e9;  // pulses
+constexpr double kGreatestInformSpeed = 1e6;   // in any unit
+
+enum class InformPointKind : std::uint8_t { None, Pulses, Angles, Pose };
+
+/// A point as it stands in the file.
+struct InformPoint {
+  InformPointKind kind = InformPointKind::None;
+  std::array<double, 6> numbers{};
+  bool is_used = false;
+};
+
+/// Of moves: V is in mm/s, or in cm/min as the note `speeds` says.
+struct InformUnits {
+  std::array<double, 6> pulses_per_deg = {0, 0, 0, 0, 0, 0};  ///< 0: not stated
+  double mm_s = 1.0;
+};
+
+class InformParser {
+ public:
+  explicit InformParser(const RobotSourceText& source)
+      : file_{source.file, {}}, lines_(textLines(source.text)) {}
+
+  std::vector<ReadStatement> parse() {
+    readHead();
+    readUnits();
+    readPoints();
+    readInstructions();
+    return list_.take();
+  }
+
+ private:
+  bool isAtEnd() const { return next_ == lines_.size(); }
+  LineCursor nextLine() {
+    const std::string_view text = lines_[next_++];
+    return {text, next_, file_};
+  }
+  LineCursor end() const { return {"", lines_.size() + 1, file_}; }
+
+  /// Notes on units hold for the whole file, also for points, which stand before them.
+  void readUnits() {
+    StatementList comments;
+    for (std::size_t i = 0; i < lines_.size(); ++i) {
+      LineCursor line(lines_[i], i + 1, file_);
+      if (line.take("'")) comments.addComment(line.rest(), i + 1);
+    }
+    for (const ReadStatement& statement : comments.take()) {
+      NoteWords words(std::get<NoteLine>(statement.what).text, statement.line, file_.name);
+      if (words.take("pulses")) {
+        for (double& pulses : units_.pulses_per_deg) {
+          pulses = words.number<double>("pulses in a degree");
+          if (!(pulses >= -kGreatestInformNumber && pulses <= kGreatestInformNumber) || pulses == 0.0)
+            words.refuse(std::to_string(pulses), "pulses in a degree");
+        }
+      } else if (words.take("speeds") && !words.take("mm/s")) {
+        if (!words.take("cm/min")) words.refuse(words.next(), "mm/s or cm/min");
+        units_.mm_s = 10.0 / 60.0;
+      }
+    }
+  }
+
+  void readHead() {
+    bool is_job = false;
+    while (!isAtEnd()) {
+      LineCursor line = nextLine();
+      if (line.isAtEnd()) continue;
+      if (!is_job) {
+        line.expect("/JOB");
+        file_.quotation.recognise();
+        is_job = true;
+      } else if (line.take("//POS")) {
+        return line.expectEnd();
+      } else if (!line.take("//NAME")) {
+        line.refuse("//NAME or //POS");
+      }
+    }
+    end().refuse(is_job ? "//POS" : "/JOB");
+  }
+
+  void readPoints() {
+    InformPointKind kind = InformPointKind::None;
+    int stated = -1;
+    while (!isAtEnd()) {
+      LineCursor line = nextLine();
+      if (line.isAtEnd()) continue;
+      if (line.take("//INST")) {
+        line.expectEnd();
+        if (stated >= 0 && static_cast<std::size_t>(stated) != points_.size())
+          line.refuse(std::to_string(points_.size()) + " points",
+                      std::to_string(stated) + ", as ///NPOS says");
+        return;
+      }
+      if (line.take("///NPOS"))
+        stated = pointCounts(line);
+      else if (line.take("///"))
+        kind = sectionOf(line, kind);
+      else
+        readPoint(line, kind);
+    }
+    end().refuse("//INST");
+  }
+
+  static int pointCounts(LineCursor& line) {
+    const int count = line.integer(0, kMostInformPoints + 1, "the number of points");
+    for (int i = 0; i < 5; ++i) {
+      line.expect(",");
+      if (line.integer(0, kMostInformPoints, "a number of points") != 0)
+        line.refuse("no points of other kinds than C");
+    }
+    line.expectEnd();
+    return count;
+  }
+
+  static InformPointKind sectionOf(LineCursor& line, InformPointKind kind) {
+    if (line.take("USER") || line.take("TOOL")) {
+      line.integer(0, kMostInformFrames, "the number of a frame or tool");
+    } else if (line.take("RCONF")) {
+      do line.integer(0, 1, "0 or 1");
+      while (line.take(","));
+    } else if (line.take("POSTYPE")) {
+      if (!line.take("PULSE") && !line.take("USER") && !line.take("ANGLE"))
+        line.refuse("PULSE, USER or ANGLE");
+      kind = InformPointKind::None;
+    } else if (line.take("PULSE")) {
+      kind = InformPointKind::Pulses;
+    } else if (line.take("ANGLE")) {
+      kind = InformPointKind::Angles;
+    } else if (line.take("RECTAN")) {
+      kind = InformPointKind::Pose;
+    } else {
+      line.refuse("NPOS, USER, TOOL, RCONF, POSTYPE, PULSE, ANGLE or RECTAN");
+    }
+    line.expectEnd();
+    return kind;
+  }
+
+  void readPoint(LineCursor& line, InformPointKind kind) {
+    if (kind == InformPointKind::None) line.refuse("///PULSE, ///ANGLE or ///RECTAN before a point");
+    const std::string name = line.word("the name of a point");
+    line.expect("=");
+    InformPoint point;
+    point.kind = kind;
+    for (std::size_t i = 0; i < 6; ++i) {
+      if (i > 0) line.expect(",");
+      const bool is_position = kind == InformPointKind::Pose && i < 3;
+      const double limit = kind == InformPointKind::Pulses ? kGreatestInformNumber
+                           : is_position                   ? kFarthestRead
+                                                           : kGreatestAngle;
+      point.numbers[i] = line.number(-limit, limit, "a number of a point");
+    }
+    line.expectEnd();
+    if (!points_.emplace(name, point).second) line.refuse(name, "each point once");
+  }
+
+  void readInstructions() {
+    bool is_begun = false;
+    while (!isAtEnd()) {
+      LineCursor line = nextLine();
+      if (line.isAtEnd()) continue;
+      if (!is_begun) {
+        is_begun = line.take("NOP");
+        if (!is_begun && !line.take("////") && !line.take("///")) line.refuse("/// or NOP");
+        continue;
+      }
+      if (line.take("'")) {
+        list_.addComment(line.rest(), line.line());
+      } else if (line.take("END")) {
+        line.expectEnd();
+        return requireNothingMore();
+      } else {
+        readInstruction(line);
+        line.expectEnd();
+      }
+    }
+    end().refuse(is_begun ? "END" : "NOP");
+  }
+
+  void requireNothingMore() {
+    while (!isAtEnd()) {
+      LineCursor line = nextLine();
+      if (!line.isAtEnd()) line.refuse("nothing after END");
+    }
+  }
+
+  void readInstruction(LineCursor& line) {
+    if (line.take("MOVJ"))
+      list_.add(jointMove(line), line.line());
+    else if (line.take("MOVL"))
+      list_.add(linearMove(line), line.line());
+    else if (line.take("DOUT"))
+      list_.add(output(line), line.line());
+    else if (line.take("AOUT"))
+      list_.add(level(line), line.line());
+    else if (line.take("TIMER"))
+      list_.add(timer(line), line.line());
+    else if (line.take("CALL"))
+      list_.add(call(line), line.line());
+    else
+      line.refuse("an instruction that is known: MOVJ, MOVL, DOUT, AOUT, TIMER, CALL");
+  }
+
+  const InformPoint& pointNamed(LineCursor& line) {
+    const std::string name = line.word("the name of a point");
+    const auto found = points_.find(name);
+    if (found == points_.end()) line.refuse(name, "a point below //POS");
+    if (std::exchange(found->second.is_used, true)) line.refuse(name, "each point in one move");
+    return found->second;
+  }
+
+  JointMove jointMove(LineCursor& line) {
+    const InformPoint& point = pointNamed(line);
+    if (point.kind == InformPointKind::Pose) line.refuse("a point that states pulses or angles");
+    JointMove move;
+    for (std::size_t j = 0; j < 6; ++j) {
+      const double pulses = units_.pulses_per_deg[j];
+      if (point.kind == InformPointKind::Pulses && pulses == 0.0)
+        line.refuse("a note of the pulses in a degree, for a point in pulses");
+      move.joints.arm_deg[j] =
+          point.kind == InformPointKind::Pulses ? point.numbers[j] / pulses : point.numbers[j];
+    }
+    line.expect("VJ");
+    line.expect("=");
+    line.number(0.01, 100.0, "a speed in percent");
+    return move;
+  }
+
+  TipMove linearMove(LineCursor& line) {
+    const InformPoint& point = pointNamed(line);
+    if (point.kind != InformPointKind::Pose) line.refuse("a point that states a pose");
+    TipMove move;
+    move.point = Point3(point.numbers[0], point.numbers[1], point.numbers[2]);
+    move.orientation = turnOfAngles(RobotAngles{point.numbers[3], point.numbers[4], point.numbers[5]});
+    line.expect("V");
+    line.expect("=");
+    move.feed_mm_s = units_.mm_s * line.number(0.1, kGreatestInformSpeed, "a speed, 0.1 at least");
+    move.rests = true;
+    if (line.take("PL")) {
+      line.expect("=");
+      move.rests = line.integer(0, 8, "PL=0 to PL=8") == 0;
+    }
+    return move;
+  }
+
+  static int outputNumber(LineCursor& line, const char* kind) {
+    line.expect(kind);
+    line.expect("#(");
+    const int number = line.integer(0, kMostOutputs, "the number of an output");
+    line.expect(")");
+    return number;
+  }
+
+  static OutputSwitch output(LineCursor& line) {
+    OutputSwitch output;
+    output.output = outputNumber(line, "OT");
+    output.is_on = line.take("ON");
+    if (!output.is_on) line.expect("OFF");
+    return output;
+  }
+
+  static LevelChange level(LineCursor& line) {
+    LevelChange level;
+    level.output = outputNumber(line, "AO");
+    level.value = line.number(-kGreatestLevel, kGreatestLevel, "a value in V");
+    return level;
+  }
+
+  static ProgramWait timer(LineCursor& line) {
+    line.expect("T");
+    line.expect("=");
+    return {line.number(0.0, kLongestWait, "a wait in s")};
+  }
+
+  static FileCall call(LineCursor& line) {
+    line.expect("JOB");
+    line.expect(":");
+    return {line.word("the name of a job")};
+  }
+
+  ReadFile file_;
+  std::vector<std::string_view> lines_;
+  std::size_t next_ = 0;
+  InformUnits units_;
+  std::map<std::string, InformPoint> points_;
+  StatementList list_;
+};
+
+}  // namespace
+
+std::vector<ReadStatement> parseInform(const RobotSourceText& source) { return InformParser(source).parse(); }
+
+}  // namespace lamina

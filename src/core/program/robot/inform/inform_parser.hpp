@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "program/robot/reader/robot_parser.hpp"
+
+namespace lamina {
+
+/// The statements of a job in INFORM. Joints in pulses are degrees only to who knows how many pulses there
+/// are in one, which the note `pulses` states.
+/// @throws InvalidProgram naming file and line
+std::vector<ReadStatement> parseInform(const RobotSourceText& source);
+
+}  // namespace lamina

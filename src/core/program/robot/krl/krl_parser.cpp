@@ -1,0 +1,256 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "program/robot/krl/krl_parser.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "lamina/program/robot/robot_angles.hpp"
+#include "program/rapid/rapid_words.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kMillimetres = 1e3;  // in a metre
+constexpr int kMostExternal = 6;
+constexpr const char* kKrlCoordinate = "a coordinate within 100 m";
+constexpr const char* kKrlAngle = "an angle in degrees";
+
+/// Settings of the controller that change nothing that is read.
+constexpr std::array<std::string_view, 9> kKrlPreparing = {
+    "$ADVANCE", "$IPO_MODE", "$ORI_TYPE", "$TOOL", "$BASE", "$VEL.ORI1", "$VEL.ORI2", "$ACC.CP", "$APO.CDIS"};
+
+std::vector<double> krlExternal(LineCursor& cursor) {
+  std::vector<double> external;
+  while (cursor.take(",")) {
+    const std::string name = "E" + std::to_string(external.size() + 1);
+    if (external.size() == kMostExternal) cursor.refuse("six external axes at most");
+    cursor.expect(name);
+    external.push_back(cursor.number(-kFarthestRead, kFarthestRead, "an external axis, in mm or deg"));
+  }
+  return external;
+}
+
+JointMove krlJoints(LineCursor& cursor) {
+  JointMove move;
+  cursor.expect("{");
+  for (std::size_t j = 0; j < 6; ++j) {
+    if (j > 0) cursor.expect(",");
+    cursor.expect("A" + std::to_string(j + 1));
+    move.joints.arm_deg[j] = cursor.number(-kGreatestAngle, kGreatestAngle, kKrlAngle);
+  }
+  move.joints.external = krlExternal(cursor);
+  cursor.expect("}");
+  return move;
+}
+
+/// Without its speed.
+TipMove krlPose(LineCursor& cursor) {
+  TipMove move;
+  cursor.expect("{");
+  for (int axis = 0; axis < 3; ++axis) {
+    if (axis > 0) cursor.expect(",");
+    cursor.expect(std::string(1, "XYZ"[axis]));
+    move.point[axis] = cursor.number(-kFarthestRead, kFarthestRead, kKrlCoordinate);
+  }
+  RobotAngles angles;
+  const std::array<std::pair<const char*, double*>, 3> turns = {
+      {{"A", &angles.z_deg}, {"B", &angles.y_deg}, {"C", &angles.x_deg}}};
+  for (const auto& [name, angle] : turns) {
+    cursor.expect(",");
+    cursor.expect(name);
+    *angle = cursor.number(-kGreatestAngle, kGreatestAngle, kKrlAngle);
+  }
+  move.orientation = turnOfAngles(angles);
+  move.external = krlExternal(cursor);
+  cursor.expect("}");
+  return move;
+}
+
+/// Points by name, as written in capitals.
+using KrlPointNames = std::map<std::string, TipMove>;
+
+KrlPointNames krlPoints(const RobotSourceText& source) {
+  KrlPointNames points;
+  if (!source.data) return points;
+  ReadFile file{source.data_file, {}};
+  std::size_t number = 0;
+  for (const std::string_view text : textLines(*source.data)) {
+    LineCursor cursor(text, ++number, file);
+    if (cursor.isAtEnd() || cursor.take(";") || cursor.take("&")) continue;
+    if (!file.quotation.isRecognised()) {
+      cursor.expect("DEFDAT");
+      file.quotation.recognise();
+      continue;
+    }
+    if (cursor.take("ENDDAT")) continue;
+    cursor.expect("DECL");
+    cursor.take("GLOBAL");
+    cursor.expect("E6POS");
+    const std::string name = lowerCase(cursor.word("the name of a point"));
+    cursor.expect("=");
+    if (!points.emplace(name, krlPose(cursor)).second) cursor.refuse(name, "each point once");
+    cursor.expectEnd();
+  }
+  return points;
+}
+
+class KrlParser {
+ public:
+  explicit KrlParser(const RobotSourceText& source) : source_(source), file_{source.file, {}} {}
+
+  std::vector<ReadStatement> parse() {
+    std::size_t number = 0;
+    bool is_ended = false;
+    for (const std::string_view text : textLines(source_.text)) {
+      LineCursor cursor(text, ++number, file_);
+      if (cursor.isAtEnd()) continue;
+      if (is_ended) cursor.refuse("nothing after END");
+      if (cursor.take("&")) continue;
+      if (cursor.take(";")) {
+        list_.addComment(cursor.rest(), number);
+        continue;
+      }
+      is_ended = cursor.take("END");
+      if (is_ended)
+        cursor.expectEnd();
+      else
+        readLine(cursor);
+    }
+    LineCursor end("", number + 1, file_);
+    if (!is_begun_) end.refuse("DEF, which begins a program");
+    if (!is_ended) end.refuse("END");
+    return list_.take();
+  }
+
+ private:
+  void readLine(LineCursor& cursor) {
+    if (!is_begun_) {
+      cursor.expect("DEF");
+      cursor.word("the name of a program");
+      cursor.expect("(");
+      cursor.expect(")");
+      file_.quotation.recognise();
+      cursor.expectEnd();
+      is_begun_ = true;
+      return;
+    }
+    if (cursor.take("LIN"))
+      add(cursor, linear(cursor));
+    else if (cursor.take("PTP"))
+      add(cursor, krlJoints(cursor));
+    else if (cursor.take("TRIGGER"))
+      readTrigger(cursor);
+    else if (cursor.take("WAIT"))
+      readWait(cursor);
+    else if (cursor.take("BAS"))
+      return;  // prepares the controller
+    else if (cursor.take("$"))
+      readAssignment(cursor);
+    else
+      readCall(cursor);
+  }
+
+  void add(LineCursor& cursor, RobotStatement statement) {
+    cursor.expectEnd();
+    list_.add(std::move(statement), cursor.line());
+  }
+
+  TipMove linear(LineCursor& cursor) {
+    if (speed_mm_s_ == 0.0) cursor.refuse("$VEL.CP=, a speed, before the first move");
+    TipMove move;
+    if (!cursor.isAtEnd() && cursor.rest().front() == '{') {
+      move = krlPose(cursor);
+    } else {
+      const std::string name = lowerCase(cursor.word("a pose, or the name of a point"));
+      // A data file that no move names may be of another program.
+      if (!points_) points_ = krlPoints(source_);
+      const auto found = points_->find(name);
+      if (found == points_->end()) cursor.refuse(name, "a point of the data file");
+      move = found->second;
+    }
+    move.feed_mm_s = speed_mm_s_;
+    move.rests = !cursor.take("C_DIS");
+    return move;
+  }
+
+  void readTrigger(LineCursor& cursor) {
+    cursor.expect("WHEN");
+    cursor.expect("DISTANCE");
+    cursor.expect("=");
+    cursor.expect("0");
+    cursor.expect("DELAY");
+    cursor.expect("=");
+    cursor.number(-1e4, 1e4, "a delay in ms");
+    cursor.expect("DO");
+    cursor.expect("$");
+    cursor.expect("ANOUT");
+    add(cursor, level(cursor, true));
+  }
+
+  LevelChange level(LineCursor& cursor, bool is_on_the_way) {
+    LevelChange change;
+    change.output = indexOf(cursor);
+    change.value = cursor.number(-kGreatestLevel, kGreatestLevel, "a value");
+    change.is_on_the_way = is_on_the_way;
+    return change;
+  }
+
+  /// `[1]=`.
+  static int indexOf(LineCursor& cursor) {
+    cursor.expect("[");
+    const int index = cursor.integer(0, kMostOutputs, "the number of an output");
+    cursor.expect("]");
+    cursor.expect("=");
+    return index;
+  }
+
+  void readWait(LineCursor& cursor) {
+    cursor.expect("SEC");
+    add(cursor, ProgramWait{cursor.number(0.0, kLongestWait, "a wait in s")});
+  }
+
+  void readAssignment(LineCursor& cursor) {
+    if (cursor.take("VEL.CP")) {
+      cursor.expect("=");
+      speed_mm_s_ = kMillimetres * cursor.number(kSlowestRead / kMillimetres, kFastestRead / kMillimetres,
+                                                 "a speed in m/s, above 0");
+      return cursor.expectEnd();
+    }
+    if (cursor.take("ANOUT")) return add(cursor, level(cursor, false));
+    if (cursor.take("OUT")) {
+      OutputSwitch output;
+      output.output = indexOf(cursor);
+      output.is_on = cursor.take("TRUE");
+      if (!output.is_on) cursor.expect("FALSE");
+      return add(cursor, output);
+    }
+    for (const std::string_view name : kKrlPreparing)
+      if (cursor.take(name.substr(1))) return cursor.expect("=");
+    if (cursor.take("ACT_EX_AX")) return cursor.expect("=");
+    cursor.refuse("a variable of the controller that is known");
+  }
+
+  void readCall(LineCursor& cursor) {
+    const std::string name = cursor.word("a statement that is known");
+    if (!cursor.take("(")) cursor.refuse(name, "a statement that is known, or a call of a program");
+    cursor.expect(")");
+    add(cursor, FileCall{name});
+  }
+
+  const RobotSourceText& source_;
+  ReadFile file_;
+  std::optional<KrlPointNames> points_;  ///< of the data file, once a move names one
+  StatementList list_;
+  bool is_begun_ = false;
+  double speed_mm_s_ = 0.0;  ///< none yet
+};
+
+}  // namespace
+
+std::vector<ReadStatement> parseKrl(const RobotSourceText& source) { return KrlParser(source).parse(); }
+
+}  // namespace lamina

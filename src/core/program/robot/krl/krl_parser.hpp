@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "program/robot/reader/robot_parser.hpp"
+
+namespace lamina {
+
+/// The statements of a file in KRL, with its data file.
+/// @throws InvalidProgram naming file and line
+std::vector<ReadStatement> parseKrl(const RobotSourceText& source);
+
+}  // namespace lamina

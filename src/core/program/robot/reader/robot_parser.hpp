@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lamina/program/robot/robot_program_settings.hpp"
+#include "program/robot/notes/robot_notes.hpp"
+#include "program/robot/reader/line_cursor.hpp"
+#include "program/robot/robot_statement.hpp"
+
+namespace lamina {
+
+/// A file that is parsed, with what lies beside it. All must outlive what is read of it.
+struct RobotSourceText {
+  std::string file;
+  std::string_view text;
+  std::string data_file;                 ///< its name
+  std::optional<std::string> data = {};  ///< of a data file of the same name, where there is one
+};
+
+/// What a language's reader has to do.
+struct RobotGrammar {
+  std::vector<ReadStatement> (*parse)(const RobotSourceText& source) = nullptr;
+  std::string note_mark;    ///< "; # ", for errors
+  std::string suffix;       ///< of the files that a program runs
+  std::string data_suffix;  ///< of data files; empty for none
+};
+
+RobotGrammar robotGrammar(RobotLanguage language);
+
+/// The statements of a file as they are read, with the notes among its comments.
+class StatementList {
+ public:
+  /// @param comment  without lead
+  void addComment(std::string_view comment, std::size_t line);
+  void add(RobotStatement statement, std::size_t line);
+  std::vector<ReadStatement> take();
+
+ private:
+  void flush();
+
+  std::vector<ReadStatement> statements_;
+  NoteGathering note_;
+};
+
+/// Bounds of what is read, beyond those of any robot.
+constexpr double kFarthestRead = 1e5;   // mm
+constexpr double kGreatestAngle = 1e5;  // deg
+constexpr double kSlowestRead = 1e-3;   // mm/s
+constexpr double kFastestRead = 1e5;    // mm/s
+constexpr double kLongestWait = 1e6;    // s
+constexpr double kGreatestLevel = 1e9;  // of an analogue output
+constexpr int kMostOutputs = 99999;     // number of the last
+
+}  // namespace lamina

@@ -1,0 +1,205 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "program/robot/reader/robot_run.hpp"
+
+#include <array>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "lamina/base/error.hpp"
+#include "program/robot/notes/path_notes.hpp"
+#include "program/robot/notes/robot_notes.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kFarthestFrame = 1e6;  // mm
+constexpr double kUnitTurn = 1e-6;      // by which a quaternion may be off its length
+constexpr int kLastOutput = 99999;
+
+double boundedNumber(NoteWords& words, double limit, const char* expected) {
+  const auto value = words.number<double>(expected);
+  if (!(std::abs(value) <= limit)) words.refuse(std::to_string(value), expected);
+  return value;
+}
+
+Eigen::Quaterniond notedTurn(NoteWords& words) {
+  std::array<double, 4> q{};
+  for (double& each : q) each = boundedNumber(words, 2.0, "w x y z of an orientation");
+  const Eigen::Quaterniond turn(q[0], q[1], q[2], q[3]);
+  if (!(std::abs(turn.norm() - 1.0) <= kUnitTurn))
+    words.refuse(std::to_string(turn.norm()), "an orientation of length 1");
+  return turn.normalized();
+}
+
+Eigen::Isometry3d notedFrame(NoteWords& words) {
+  Point3 at;
+  for (int axis = 0; axis < 3; ++axis)
+    at[axis] = boundedNumber(words, kFarthestFrame, "x y z of a frame in mm");
+  Eigen::Isometry3d frame(notedTurn(words));
+  frame.translation() = at;
+  return frame;
+}
+
+ControllerMap notedMap(NoteWords& words) {
+  ControllerMap map;
+  for (double& sign : map.signs) {
+    sign = boundedNumber(words, 1.0, "1 or -1 for each joint");
+    if (std::abs(sign) != 1.0) words.refuse(std::to_string(sign), "1 or -1 for each joint");
+  }
+  for (double& zero : map.zeros_deg) zero = boundedNumber(words, 1e4, "the zero of each joint in deg");
+  map.joint_3_from_2 = boundedNumber(words, 1.0, "the share of joint 2 in joint 3, -1 to 1");
+  return map;
+}
+
+int notedOutput(NoteWords& words) {
+  const int output = words.number<int>("the number of an output");
+  if (output < 0 || output > kLastOutput) words.refuse(std::to_string(output), "the number of an output");
+  return output;
+}
+
+RobotLevel notedLevel(NoteWords& words) {
+  RobotLevel level;
+  level.name = std::string(words.next());
+  level.output = notedOutput(words);
+  level.per = boundedNumber(words, 1e12, "what the output is set to for each unit");
+  if (level.name.empty() || std::abs(level.per) < 1e-12)
+    words.refuse(level.name, "a process value, its output, and how much that is for each unit");
+  return level;
+}
+
+/// Runs one statement after the other.
+class RobotRun {
+ public:
+  explicit RobotRun(const std::string& note_mark) : assembly_({note_mark, "the move", "the program"}) {}
+
+  void run(const RobotScriptFile& file) {
+    file_ = &file.name;
+    passage_ = Passage::None;
+    for (const ReadStatement& statement : file.statements) {
+      line_ = statement.line;
+      std::visit([this](const auto& each) { add(each); }, statement.what);
+    }
+  }
+
+  RobotRunning finish() {
+    for (const PathNote& note : notes_.take())
+      refuseAt(note.line, "a path has no moves; expected them behind its note");
+    assembly_.end(line_);
+    running_.program = assembly_.finish();
+    running_.program.toolpath.part_from_layers = running_.head.bed_from_layers;
+    return std::move(running_);
+  }
+
+ private:
+  enum class Passage : std::uint8_t { None, Approach, Retract };
+
+  [[noreturn]] void refuseAt(std::size_t line, const std::string& what) const {
+    throw InvalidProgram("'" + *file_ + "' line " + std::to_string(line) + ": " + what);
+  }
+
+  void add(const NoteLine& note) {
+    NoteWords words(note.text, line_, *file_);
+    if (words.take("speeds") || words.take("pulses")) return;  // of whoever parsed the file
+    if (words.take(kApproachNote)) {
+      passage_ = Passage::Approach;
+    } else if (words.take(kRetractNote)) {
+      passage_ = Passage::Retract;
+    } else if (!addToHead(words)) {
+      notes_.read(words);
+      return;
+    }
+    words.expectEnd();
+  }
+
+  /// Whether it is a note on the whole program.
+  bool addToHead(NoteWords& words) {
+    RobotHeadNotes& head = running_.head;
+    if (words.take("file")) return words.next(), true;
+    if (words.take("tool")) return head.tool = notedFrame(words), true;
+    if (words.take("bed")) return head.bed = notedFrame(words), true;
+    if (words.take("process")) return head.process_output = notedOutput(words), true;
+    if (words.take("joints")) return head.map = notedMap(words), true;
+    if (words.take("layers")) return head.bed_from_layers = notedTurn(words), true;
+    if (words.take("level")) return head.levels.push_back(notedLevel(words)), true;
+    if (!words.take("carried_bed")) return false;
+    head.bed = notedFrame(words);
+    return head.is_bed_carried = true;
+  }
+
+  void add(const JointMove& move) {
+    if (passage_ != Passage::Approach)
+      refuseAt(line_, "found a move of the joints amid the part; expected a note of an approach before it");
+    requireOff("an approach");
+    passage_ = Passage::None;
+    if (!running_.start) running_.start = move.joints;
+  }
+
+  void add(const TipMove& move) {
+    if (passage_ == Passage::Retract) {
+      requireOff("a retract");
+      passage_ = Passage::None;
+      return;
+    }
+    for (const PathNote& note : notes_.take()) assembly_.addNote(note, *file_);
+    Eigen::Isometry3d pose(move.orientation);
+    pose.translation() = move.point;
+    if (move.is_over_base) pose = running_.head.bed.value_or(Eigen::Isometry3d::Identity()).inverse() * pose;
+    AssembledMove assembled;
+    assembled.point = pose.translation();
+    assembled.orientation =
+        move.is_over_base ? Eigen::Quaterniond(pose.linear()).normalized() : move.orientation;
+    assembled.feed_mm_s = move.feed_mm_s;
+    for (const RobotLevel& level : running_.head.levels)
+      if (const auto found = levels_.find(level.output); found != levels_.end())
+        assembled.values[level.name] = found->second / level.per;
+    assembled.index = running_.moves.size();
+    assembly_.add(assembled, process_, line_);
+    running_.moves.push_back({move.external, line_});
+  }
+
+  void requireOff(const char* where) const {
+    if (process_ == ProcessState::On)
+      refuseAt(line_, std::string("the process is on in ") + where + "; expected it off");
+  }
+
+  void add(const OutputSwitch& output) {
+    if (output.output != running_.head.process_output)
+      refuseAt(line_, "found output " + std::to_string(output.output) + "; expected " +
+                          std::to_string(running_.head.process_output) + ", that of the process");
+    process_ = output.is_on ? ProcessState::On : ProcessState::Off;
+  }
+
+  void add(const LevelChange& change) {
+    for (const RobotLevel& level : running_.head.levels)
+      if (level.output == change.output) {
+        levels_[change.output] = change.value;
+        return;
+      }
+    refuseAt(line_, "found analogue output " + std::to_string(change.output) +
+                        "; expected one that a note of a level names");
+  }
+
+  void add(const ProgramWait&) {}
+  void add(const FileCall&) {}
+
+  PathAssembly assembly_;
+  PathNotes notes_;
+  RobotRunning running_;
+  const std::string* file_ = nullptr;
+  std::size_t line_ = 0;
+  Passage passage_ = Passage::None;
+  ProcessState process_ = ProcessState::Off;
+  std::map<int, double> levels_;  ///< as they stand
+};
+
+}  // namespace
+
+RobotRunning runRobot(const std::vector<RobotScriptFile>& files, const std::string& note_mark) {
+  RobotRun run(note_mark);
+  for (const RobotScriptFile& file : files) run.run(file);
+  return run.finish();
+}
+
+}  // namespace lamina

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lamina/kinematics/model/kinematic_model.hpp"
+#include "lamina/program/robot/robot_program_settings.hpp"
+#include "lamina/program/stated_motion.hpp"
+#include "program/robot/reader/path_assembly.hpp"
+#include "program/robot/robot_cell.hpp"
+#include "program/robot/robot_statement.hpp"
+
+namespace lamina {
+
+/// A file of a program as it is read.
+struct RobotScriptFile {
+  std::string name;
+  std::vector<ReadStatement> statements;
+};
+
+/// What the notes at a program's head state.
+struct RobotHeadNotes {
+  std::optional<Eigen::Isometry3d> tool;  ///< the nozzle over the flange [mm]
+  std::optional<Eigen::Isometry3d> bed;   ///< over what carries it [mm]
+  bool is_bed_carried = false;
+  int process_output = 1;
+  std::vector<RobotLevel> levels;
+  ControllerMap map;
+  Eigen::Quaterniond bed_from_layers = Eigen::Quaterniond::Identity();
+};
+
+/// A move of the part, beyond what its toolpath has of it.
+struct RunMove {
+  std::vector<double> external;  ///< [mm, deg]
+  std::size_t line = 0;
+};
+
+/// A program as it runs.
+struct RobotRunning {
+  AssembledProgram program;
+  std::vector<RunMove> moves;  ///< by the index of the stations' moves
+  std::optional<ControllerJoints> start;
+  RobotHeadNotes head;
+};
+
+/// Runs the files in their order.
+/// @throws InvalidProgram naming file and line
+RobotRunning runRobot(const std::vector<RobotScriptFile>& files, const std::string& note_mark);
+
+/// See `readRobotMotion`.
+StatedMotion robotMotionOf(RobotRunning running, const KinematicModel& arm);
+
+}  // namespace lamina

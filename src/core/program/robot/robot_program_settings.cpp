@@ -1,0 +1,223 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/program/robot/robot_program_settings.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+
+#include "lamina/base/error.hpp"
+#include "lamina/base/text.hpp"
+
+namespace lamina {
+namespace {
+
+struct LanguageName {
+  RobotLanguage language;
+  const char* name;
+  const char* suffix;
+};
+
+constexpr std::array<LanguageName, 4> kLanguages = {{{RobotLanguage::Krl, "KRL", ".src"},
+                                                     {RobotLanguage::UrScript, "URScript", ".script"},
+                                                     {RobotLanguage::Fanuc, "Fanuc TP", ".ls"},
+                                                     {RobotLanguage::Inform, "INFORM", ".jbi"}}};
+
+const LanguageName& nameOf(RobotLanguage language) {
+  return *std::find_if(kLanguages.begin(), kLanguages.end(),
+                       [&](const LanguageName& each) { return each.language == language; });
+}
+
+void describeKrl(SettingsSchema& schema, KrlSettings& settings) {
+  schema.choice<KrlPoints>(
+      "krl.points", settings.points, {{"inline", KrlPoints::Inline}, {"dat", KrlPoints::Dat}},
+      "Points stand in the moves, or by name in the data file (.dat) beside the program.");
+  schema.integer("krl.advance", settings.advance, {0, 5}, "Moves that the controller looks ahead: $ADVANCE.");
+  schema.number("krl.turn_speed_deg_s", settings.turn_speed_deg_s, Bounds::above(0.0, 1000.0),
+                "Speed at which the tool turns: $VEL.ORI1 and $VEL.ORI2.");
+  schema.number("krl.acceleration_m_s2", settings.acceleration_m_s2, Bounds::above(0.0, 50.0),
+                "Acceleration of the tip: $ACC.CP.");
+  schema.integer("krl.max_lines", settings.max_lines, {100, 1e6}, "Lines in a file of KRL at most.");
+  schema.number("krl.max_mb", settings.max_mb, {0.1, 1000.0},
+                "Memory of the controller that all files of a program may take, in 10^6 bytes.");
+}
+
+void describeUrScript(SettingsSchema& schema, UrScriptSettings& settings) {
+  schema.choice<UrBeadMove>("urscript.bead_move", settings.bead_move,
+                            {{"movep", UrBeadMove::MoveP}, {"movel", UrBeadMove::MoveL}},
+                            "Statement that lays beads: movep keeps the tip's speed round corners.");
+  schema.number("urscript.acceleration_m_s2", settings.acceleration_m_s2, Bounds::above(0.0, 50.0),
+                "Acceleration of the tip.");
+  schema.number("urscript.joint_acceleration_rad_s2", settings.joint_acceleration_rad_s2,
+                Bounds::above(0.0, 100.0), "Acceleration of the move of the joints.");
+  schema.integer("urscript.max_points", settings.max_points, {4, 1e6}, "Points in a script at most.");
+}
+
+const std::vector<std::pair<std::string, JointSign>>& jointSigns() {
+  static const std::vector<std::pair<std::string, JointSign>> signs = {{"positive", JointSign::Positive},
+                                                                       {"negative", JointSign::Negative}};
+  return signs;
+}
+
+void describeFanuc(SettingsSchema& schema, FanucSettings& settings) {
+  schema.integer("fanuc.cnt", settings.cnt, {0, 100}, "CNT of points that may be rounded.");
+  schema.number(
+      "fanuc.joint_3_from_2", settings.joint_3_from_2, {-1.0, 1.0},
+      "Share of joint 2 in what the controller counts of joint 3: -1 where it counts the forearm from "
+      "level, 0 where from the upper arm.");
+  schema.choice<JointSign>("fanuc.flip", settings.flip, jointSigns(),
+                           "Sign of joint 5 with which CONFIG says F.");
+  schema.list("fanuc.turn_axes", settings.turn_axes, {1.0, 6.0},
+              "Joints whose whole turns CONFIG counts, in their order.");
+  schema.integer("fanuc.name_length", settings.name_length, {1, 36},
+                 "Characters of a program's name at most: 8 on older controllers.");
+  schema.integer("fanuc.max_lines", settings.max_lines, {100, 9999}, "Lines in a listing at most.");
+}
+
+void describeInform(SettingsSchema& schema, InformSettings& settings) {
+  schema.choice<InformSpeedUnit>(
+      "inform.speed_unit", settings.speed_unit,
+      {{"mm_s", InformSpeedUnit::MillimetresPerSecond}, {"cm_min", InformSpeedUnit::CentimetresPerMinute}},
+      "Unit of V, which a parameter of the controller sets.");
+  schema.integer("inform.corner_level", settings.corner_level, {0, 8}, "PL of points that may be rounded.");
+  schema.numbers(
+      "inform.pulses_per_deg", settings.pulses_per_deg, 6,
+      "Pulses of each joint in a degree, from the controller's parameters; empty: joints are stated in "
+      "degrees.");
+  schema.choice<JointSign>("inform.flip", settings.flip, jointSigns(),
+                           "Sign of joint 5 with which RCONF says flip, 0.");
+  schema.choice<InformRconfOrder>("inform.rconf_order", settings.rconf_order,
+                                  {{"flip_elbow_front", InformRconfOrder::FlipElbowFront},
+                                   {"front_elbow_flip", InformRconfOrder::FrontElbowFlip}},
+                                  "Order of the first three numbers of RCONF.");
+  schema.integer("inform.rconf_length", settings.rconf_length, {6, 24}, "Numbers in RCONF: 6, 8 or 24.");
+  schema.choice<InformFrameMark>("inform.frame_mark", settings.frame_mark,
+                                 {{"four", InformFrameMark::Four}, {"three", InformFrameMark::Three}},
+                                 "Slashes before FRAME.");
+  schema.integer("inform.name_length", settings.name_length, {1, 32},
+                 "Characters of a job's name at most: 8 on older controllers.");
+  schema.integer("inform.max_points", settings.max_points, {4, 9999}, "Points in a job at most.");
+}
+
+/// "2000-01-31".
+void requireDate(const std::string& date) {
+  const auto isDigits = [&](std::size_t begin, std::size_t end) {
+    return std::all_of(date.begin() + static_cast<std::ptrdiff_t>(begin),
+                       date.begin() + static_cast<std::ptrdiff_t>(end),
+                       [](char c) { return c >= '0' && c <= '9'; });
+  };
+  const bool is_date = date.size() == 10 && date[4] == '-' && date[7] == '-' && isDigits(0, 4) &&
+                       isDigits(5, 7) && isDigits(8, 10);
+  const int month = is_date ? std::stoi(date.substr(5, 2)) : 0;
+  const int day = is_date ? std::stoi(date.substr(8, 2)) : 0;
+  if (month < 1 || month > 12 || day < 1 || day > 31)
+    throw InvalidConfig("robot_program.date is '" + date + "'; must be a date as 2000-01-31");
+}
+
+RobotLevel levelOf(std::string_view entry) {
+  const auto refuse = [&]() -> RobotLevel {
+    throw InvalidConfig("robot_program.levels holds '" + std::string(entry) +
+                        "'; must be name=output*per, as laser_power_w=1*0.0025");
+  };
+  const auto number = [&](std::string_view text, auto& value) {
+    const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (text.empty() || result.ec != std::errc{} || result.ptr != text.data() + text.size()) refuse();
+  };
+  const std::size_t equals = entry.find('=');
+  const std::size_t star = entry.find('*');
+  if (equals == std::string_view::npos || star == std::string_view::npos || star < equals) return refuse();
+  RobotLevel level;
+  level.name = std::string(trimmed(entry.substr(0, equals)));
+  number(trimmed(entry.substr(equals + 1, star - equals - 1)), level.output);
+  number(trimmed(entry.substr(star + 1)), level.per);
+  const bool is_word = !level.name.empty() && level.name.find_first_of(" \t") == std::string::npos;
+  if (!is_word || level.output < 0 || level.output > 9999 || !std::isfinite(level.per) || level.per == 0.0)
+    return refuse();
+  return level;
+}
+
+}  // namespace
+
+const char* toString(RobotLanguage language) { return nameOf(language).name; }
+const char* suffixOf(RobotLanguage language) { return nameOf(language).suffix; }
+
+std::optional<RobotLanguage> robotLanguageOf(const std::string& path) {
+  const std::string suffix = std::filesystem::path(path).extension().string();
+  for (const LanguageName& each : kLanguages)
+    if (suffix == each.suffix) return each.language;
+  return std::nullopt;
+}
+
+void describe(SettingsSchema& schema, RobotProgramSettings& settings) {
+  schema.text("robot_program.name", settings.name,
+              "Name of a robot's program; empty for that of the file. Further files are numbered.");
+  schema.integer("robot_program.tool_number", settings.tool_number, {0, 32},
+                 "Number of the tool on the controller.");
+  schema.integer("robot_program.frame_number", settings.frame_number, {0, 64},
+                 "Number of the frame on the controller that is the bed.");
+  schema.number("robot_program.approach_mm", settings.approach_mm, {0.0, 1000.0},
+                "How far back along the tool axis a program starts by a move of the joints, and ends.");
+  schema.number("robot_program.corner_mm", settings.corner_mm, {0.0, 100.0},
+                "By how much points between may be rounded.");
+  schema.number("robot_program.joint_speed_percent", settings.joint_speed_percent, {1.0, 100.0},
+                "Speed of the move of the joints, of the fastest.");
+  schema.integer("robot_program.process_output", settings.process_output, {0, 4096},
+                 "Digital output that is on while material is laid.");
+  schema.number("robot_program.process_lead_s", settings.process_lead_s, {0.0, 600.0},
+                "Wait from the process on to the move.");
+  schema.number("robot_program.process_end_s", settings.process_end_s, {0.0, 600.0},
+                "Wait from the process off to the next move.");
+  schema.text("robot_program.levels", settings.levels,
+              "Analogue outputs of process values, with commas between: name=output*per, where the output is "
+              "set to the value times per; 0 while the process is off.");
+  schema.numbers(
+      "robot_program.joint_signs", settings.joint_signs, 6,
+      "1 or -1 for each joint: which way the controller counts it, over the description; empty for "
+      "the same way.");
+  schema.numbers("robot_program.joint_zeros_deg", settings.joint_zeros_deg, 6,
+                 "Where the controller counts each joint that the description has at zero; empty for zero.");
+  schema.flag(
+      "robot_program.allow_cut", settings.may_cut,
+      "Whether a run that no file can hold is cut, with the process stopped there; else it is refused.");
+  schema.text("robot_program.date", settings.date,
+              "Date that files state, as 2000-01-31: they are the same every time.");
+  describeKrl(schema, settings.krl);
+  describeUrScript(schema, settings.urscript);
+  describeFanuc(schema, settings.fanuc);
+  describeInform(schema, settings.inform);
+}
+
+std::vector<RobotLevel> robotLevels(const std::string& text) {
+  std::vector<RobotLevel> levels;
+  std::string_view rest = trimmed(text);
+  while (!rest.empty()) {
+    const std::size_t comma = std::min(rest.find(','), rest.size());
+    RobotLevel level = levelOf(trimmed(rest.substr(0, comma)));
+    for (const RobotLevel& other : levels)
+      if (other.name == level.name || other.output == level.output)
+        throw InvalidConfig("robot_program.levels names '" + level.name + "' at output " +
+                            std::to_string(level.output) + " after '" + other.name + "' at output " +
+                            std::to_string(other.output) + "; must differ");
+    levels.push_back(std::move(level));
+    rest.remove_prefix(std::min(comma + 1, rest.size()));
+  }
+  return levels;
+}
+
+void requireConsistent(const RobotProgramSettings& settings) {
+  for (const double sign : settings.joint_signs)
+    if (std::abs(sign) != 1.0)
+      throw InvalidConfig("robot_program.joint_signs holds " + std::to_string(sign) + "; must be 1 or -1");
+  for (const double axis : settings.fanuc.turn_axes)
+    if (axis != std::round(axis) || axis < 1.0 || axis > 6.0)
+      throw InvalidConfig("fanuc.turn_axes holds " + std::to_string(axis) + "; must be joints 1 to 6");
+  if (std::find(settings.inform.pulses_per_deg.begin(), settings.inform.pulses_per_deg.end(), 0.0) !=
+      settings.inform.pulses_per_deg.end())
+    throw InvalidConfig("inform.pulses_per_deg holds 0; must be the pulses in a degree of each joint");
+  requireDate(settings.date);
+  robotLevels(settings.levels);
+}
+
+}  // namespace lamina

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "program/robot/writer/robot_printer.hpp"
+
+#include <algorithm>
+
+#include "lamina/base/error.hpp"
+#include "program/robot/fanuc/fanuc_printer.hpp"
+#include "program/robot/inform/inform_printer.hpp"
+#include "program/robot/krl/krl_printer.hpp"
+#include "program/robot/urscript/urscript_printer.hpp"
+
+namespace lamina {
+namespace {
+
+bool isLetterOfName(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+bool isDigitOfName(char c) { return c >= '0' && c <= '9'; }
+
+}  // namespace
+
+RobotDialect robotDialect(RobotLanguage language, const RobotProgramSettings& settings) {
+  switch (language) {
+    case RobotLanguage::Krl:
+      return krlDialect(settings);
+    case RobotLanguage::UrScript:
+      return urScriptDialect(settings);
+    case RobotLanguage::Fanuc:
+      return fanucDialect(settings);
+    case RobotLanguage::Inform:
+      return informDialect(settings);
+  }
+  throw InvalidConfig("there is no language number " + std::to_string(static_cast<int>(language)));
+}
+
+ControllerMap controllerMap(RobotLanguage language, const RobotProgramSettings& settings) {
+  requireConsistent(settings);
+  ControllerMap map;
+  std::copy(settings.joint_signs.begin(), settings.joint_signs.end(), map.signs.begin());
+  std::copy(settings.joint_zeros_deg.begin(), settings.joint_zeros_deg.end(), map.zeros_deg.begin());
+  if (language == RobotLanguage::Fanuc) map.joint_3_from_2 = settings.fanuc.joint_3_from_2;
+  return map;
+}
+
+void requireProgramName(const std::string& name, std::size_t longest, RobotLanguage language) {
+  const bool is_name = !name.empty() && name.size() <= longest && isLetterOfName(name.front()) &&
+                       std::all_of(name.begin(), name.end(),
+                                   [](char c) { return isLetterOfName(c) || isDigitOfName(c) || c == '_'; });
+  if (!is_name)
+    throw InvalidConfig("the program's name is '" + name +
+                        "' (robot_program.name, or that of the file); must be a " +
+                        "letter, then letters, digits and underscores, at most " + std::to_string(longest) +
+                        " in " + toString(language));
+}
+
+void requireOutputNumber(int output, RobotLanguage language) {
+  if (output < 1)
+    throw InvalidInput("found output " + std::to_string(output) + "; expected 1 at least, from which " +
+                       toString(language) + " counts (robot_program.process_output, robot_program.levels)");
+}
+
+std::string upperCaseName(const std::string& name) {
+  std::string upper = name;
+  for (char& c : upper)
+    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+  return upper;
+}
+
+std::string plainText(const std::string& text) {
+  std::string plain = text;
+  std::replace_if(
+      plain.begin(), plain.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+  return plain;
+}
+
+}  // namespace lamina
