@@ -59,15 +59,21 @@ nlohmann::ordered_json toJson(const LoadCase& load, Load kind) {
           {"height_mm", load.height_mm}};
 }
 
-void printJson(const StiffnessResult& result, const StiffnessSettings& settings, double solve_s,
-               double wall_s) {
+/// Voxels by which strands are as thick as they should be; 0 if they are already.
+double finerVoxel(const LoadedPart& part) {
+  if (part.thickness.voxels >= kStrandVoxels) return 0.0;
+  return part.result.model.element_mm * part.thickness.voxels / kStrandVoxels;
+}
+
+void printJson(const LoadedPart& part, const StiffnessSettings& settings, double wall_s) {
+  const StiffnessResult& result = part.result;
   const ElementLattice& lattice = result.model.lattice;
   nlohmann::ordered_json dropped = nlohmann::ordered_json::array();
-  for (const DroppedPart& part : result.dropped)
-    dropped.push_back({{"elements", part.elements},
-                       {"low_mm", toJson(part.box.low)},
-                       {"high_mm", toJson(part.box.high)},
-                       {"misses", part.misses}});
+  for (const DroppedPart& piece : result.dropped)
+    dropped.push_back({{"elements", piece.elements},
+                       {"low_mm", toJson(piece.box.low)},
+                       {"high_mm", toJson(piece.box.high)},
+                       {"misses", piece.misses}});
   const nlohmann::ordered_json json = {{"load", toJson(result.model.load, settings.load)},
                                        {"force_n", result.force_n},
                                        {"modulus_mpa", result.modulus_mpa},
@@ -75,18 +81,21 @@ void printJson(const StiffnessResult& result, const StiffnessSettings& settings,
                                        {"greatest_stress_mpa", result.greatest_stress_mpa},
                                        {"greatest_stress_at_mm", toJson(result.greatest_stress_at)},
                                        {"voxel_mm", result.model.element_mm},
+                                       {"strand_voxels", part.thickness.voxels},
+                                       {"thin_percent", 100.0 * part.thickness.thin_share},
                                        {"elements", lattice.elementCount()},
                                        {"nodes", lattice.nodeCount()},
                                        {"dropped", dropped},
                                        {"iterations", result.iterations},
                                        {"residual", result.residual},
-                                       {"solve_s", solve_s},
+                                       {"solve_s", part.solve_s},
                                        {"wall_s", wall_s},
                                        {"peak_memory_mb", peakMemory() / kSolverMegabyte}};
   std::printf("%s\n", json.dump(2).c_str());
 }
 
-void printText(const StiffnessResult& result, const StiffnessSettings& settings, double solve_s) {
+void printText(const LoadedPart& part, const StiffnessSettings& settings) {
+  const StiffnessResult& result = part.result;
   const ElementLattice& lattice = result.model.lattice;
   const LoadCase& load = result.model.load;
   const Point3& at = result.greatest_stress_at;
@@ -102,13 +111,19 @@ void printText(const StiffnessResult& result, const StiffnessSettings& settings,
               static_cast<double>(result.greatest_stress_mpa), at.x(), at.y(), at.z());
   std::printf("elements     %lld of %g mm, %d nodes\n", static_cast<long long>(lattice.elementCount()),
               result.model.element_mm, lattice.nodeCount());
+  if (finerVoxel(part) > 0.0)
+    std::printf(
+        "thin         %.1f %% of what is solid is thinner than %d voxels and bends too stiffly; expected "
+        "voxels "
+        "of at most %.3g mm\n",
+        100.0 * part.thickness.thin_share, kStrandVoxels, finerVoxel(part));
   for (std::size_t i = 0; i < std::min(kDroppedShown, result.dropped.size()); ++i)
     std::printf("left out     %lld elements that do not reach: %s\n",
                 static_cast<long long>(result.dropped[i].elements), result.dropped[i].misses.c_str());
   if (result.dropped.size() > kDroppedShown)
     std::printf("left out     %zu more\n", result.dropped.size() - kDroppedShown);
   std::printf("solved       %d iterations to %.2g in %.2f s, %.0f MB at most\n", result.iterations,
-              result.residual, solve_s, peakMemory() / kSolverMegabyte);
+              result.residual, part.solve_s, peakMemory() / kSolverMegabyte);
 }
 
 double solverSecondsSince(SteadyStart::time_point start) {
@@ -127,9 +142,8 @@ void stiffness(const StiffnessArguments& arguments, OutputFormat format) {
   job.settings = settings;
   TerminalProgress progress;
   const LoadedPart part = runStiffnessJob(job, progress);
-  format == OutputFormat::Json
-      ? printJson(part.result, settings.stiffness, part.solve_s, solverSecondsSince(start))
-      : printText(part.result, settings.stiffness, part.solve_s);
+  format == OutputFormat::Json ? printJson(part, settings.stiffness, solverSecondsSince(start))
+                               : printText(part, settings.stiffness);
 }
 
 }  // namespace

@@ -18,6 +18,8 @@
 #include "lamina/stiffness/calculix_deck.hpp"
 #include "lamina/stiffness/stiffness.hpp"
 #include "lamina/sweep/abaqus_script.hpp"
+#include "lamina/sweep/gmsh_geometry.hpp"
+#include "lamina/sweep/inventor_macro.hpp"
 #include "lamina/sweep/solid_union.hpp"
 #include "output/terminal_progress.hpp"
 #include "subcommand.hpp"
@@ -31,6 +33,8 @@ struct SweepArguments {
   std::string corners;  ///< empty for what the settings say
   std::string output;
   std::string abaqus;
+  std::string gmsh;
+  std::string inventor;
   std::string deck;
   double density_g_cm3 = 1.24;
   SettingOptions settings;
@@ -56,10 +60,12 @@ struct SweepReport {
   static bool isNarrower(const Sweep& a, const Sweep& b) { return a.bead.width_mm < b.bead.width_mm; }
 };
 
-/// Writes what the voxels of the union are asked for, the script first: it costs least and refuses most.
+/// Writes what the voxels of the union are asked for, the scripts first: they cost least and refuse most.
 void writeOutputs(const std::vector<BeadSolid>& solids, const SweepArguments& arguments,
                   const JobSettings& settings, SweepReport& report) {
   if (!arguments.abaqus.empty()) writeFile(arguments.abaqus, abaqusScript(report.sweeps));
+  if (!arguments.gmsh.empty()) writeFile(arguments.gmsh, gmshGeometry(report.sweeps));
+  if (!arguments.inventor.empty()) writeFile(arguments.inventor, inventorMacro(report.sweeps));
   if (arguments.output.empty() && arguments.deck.empty()) return;
   TerminalProgress progress;
   const VoxelGrid inside = voxelUnion(solids, settings.sweep.voxel_mm, progress);
@@ -140,8 +146,11 @@ void sweep(const SweepArguments& arguments, OutputFormat format) {
   const JobSettings settings = jobSettingsFrom(options);
   requireSuffix(arguments.output, {".stl"});
   requireSuffix(arguments.abaqus, {".py"});
+  requireSuffix(arguments.gmsh, {".geo"});
+  requireSuffix(arguments.inventor, {".bas"});
   requireSuffix(arguments.deck, {".inp"});
-  requireApart({arguments.output, arguments.abaqus, arguments.deck}, {arguments.input, options.config});
+  requireApart({arguments.output, arguments.abaqus, arguments.gmsh, arguments.inventor, arguments.deck},
+               {arguments.input, options.config});
   const SweepReport report = sweepAll(arguments, settings);
   const double mass_g = report.volume_mm3 * arguments.density_g_cm3 / 1e3;
   format == OutputFormat::Json ? printJson(report, mass_g) : printText(report, mass_g);
@@ -161,6 +170,9 @@ void addSweep(CLI::App& app, Chosen& chosen) {
       ->check(CLI::IsMember({"whole", "lines", "revolved", "sections"}));
   subcommand->add_option("-o,--output", arguments->output, "Surface of the union to write (.stl)");
   subcommand->add_option("--abaqus", arguments->abaqus, "Script for Abaqus/CAE to write (.py)");
+  subcommand->add_option("--gmsh", arguments->gmsh, "Geometry for Gmsh to write (.geo)");
+  subcommand->add_option("--inventor", arguments->inventor,
+                         "Macro for Autodesk Inventor to write (.bas, a VBA module)");
   subcommand->add_option("--deck", arguments->deck,
                          "The voxels of the union, loaded as stiffness.* says, for CalculiX to write (.inp)");
   subcommand->add_option("--density-g-cm3", arguments->density_g_cm3, "Density of what is deposited")

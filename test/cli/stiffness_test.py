@@ -32,6 +32,14 @@ class Stiffness(unittest.TestCase):
             self.assertLessEqual(found["residual"], 1e-6)
             self.assertEqual(found["dropped"], [])
 
+    def test_strands_thinner_than_four_voxels_are_told(self):
+        told("scaffold", "sinusoidal", "--set", "scaffold.height_mm=1.5", "-o", self.path("cube.csv"))
+        coarse = told("stiffness", self.path("cube.csv"), "--voxel-mm", "0.15")
+        self.assertLess(coarse["strand_voxels"], 4)
+        self.assertGreater(coarse["thin_percent"], 10.0)
+        solid = told("stiffness", "box", "--voxel-mm", "2")
+        self.assertEqual((solid["strand_voxels"], solid["thin_percent"]), (4, 0.0))
+
     def test_a_printed_scaffold_is_softer_than_its_material_and_has_fields_to_look_at(self):
         told("scaffold", "sinusoidal", "--set", "scaffold.height_mm=3", "-o", self.path("cube.csv"))
         found = told("stiffness", self.path("cube.csv"), "--voxel-mm", "0.1", "-o", self.path("cube.vtk"))

@@ -85,6 +85,24 @@ class SweptBeads(unittest.TestCase):
         compile(text, script, "exec")
         self.assertEqual(text.count("SolidSweep("), 2)
 
+    def test_gmsh_and_inventor_get_all_lines(self):
+        geometry, macro = self.path("loop.geo"), self.path("loop.bas")
+        self.told("sweep", self.program, "--corners", "lines", "--gmsh", geometry, "--inventor", macro)
+        with open(geometry, encoding="utf-8") as file:
+            text = file.read()
+        lines = text.count("beads[] += v[1];")
+        self.assertGreater(lines, 2)
+        with open(macro, encoding="utf-8", newline="") as file:
+            self.assertEqual(file.read().count("  LineTo "), lines)
+        if shutil.which("gmsh") is None:
+            self.skipTest("needs gmsh")
+        with open(geometry, "a", encoding="utf-8") as file:
+            file.write("Printf(\"beads %g\", #beads[]);\n")
+        done = subprocess.run(["gmsh", geometry, "-0", "-parse_and_exit"], capture_output=True, text=True, timeout=200, check=False)
+        self.assertEqual(done.returncode, 0, done.stdout[-400:])
+        self.assertIn(f"beads {lines}", done.stdout)
+        self.assertNotIn("Error", done.stdout + done.stderr)
+
     def test_calculix_finds_the_same_force(self):
         deck = self.path("loop.inp")
         told = self.told("sweep", self.program, "--deck", deck, "--set", "stiffness.load=compression", "--set",

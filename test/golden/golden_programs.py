@@ -75,7 +75,8 @@ def cases_of_models(folder):
         yield f"{mesh.stem}-contour-solid", part, {"infill.strategy": "contour", "infill.density": "1"}, "gcode"
         yield f"{mesh.stem}-heightfield", part, {"slicing.mode": "heightfield"}, "csv"
         yield f"{mesh.stem}-conformal", part, {"slicing.mode": "conformal"}, "csv"
-        yield f"{mesh.stem}-inclined", part, {"slicing.plane.angle_deg": "45", "machine.name": "large_gantry_45"}, "gcode"
+        inclined = {"slicing.plane.angle_deg": "45", "machine.name": "large_gantry_45", "anchoring.strategy": "none"}
+        yield f"{mesh.stem}-inclined", part, inclined, "gcode"
 
 
 def arguments_of(settings):

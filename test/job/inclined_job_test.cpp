@@ -11,6 +11,7 @@
 #include "lamina/base/error.hpp"
 #include "lamina/base/random.hpp"
 #include "lamina/geometry/mesh_io/mesh_writer.hpp"
+#include "lamina/geometry/parts/parts.hpp"
 #include "lamina/job/slice_job.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
 #include "lamina/toolpath/scan_height.hpp"
@@ -171,6 +172,68 @@ TEST(InclinedJob, RunsBeginOnBedOrMaterialWhereTheyCan) {
   job.settings.planning.anchoring.strategy = Anchoring::SupportedStart;
   // The last sliver at the rim lies farther out than the layer before it.
   EXPECT_LE(run(job).summary.anchored.in_air, 1U);
+}
+
+/// A ball whose lowest place along the normal of layers at 45 deg lies r (1 - cos 45) above the bed.
+SliceJob ballAt45(const test::ScratchFolder& folder) {
+  SliceJob job = upright(folder.file("ball.stl"), 45.0, 0.0);
+  job.settings.slicing.layer_height_mm = job.settings.slicing.first_layer_height_mm = 0.4;
+  job.settings.planning.bead.width_mm = 0.8;
+  writeStl(job.part, makePart("sphere", {{"radius_mm", "20"}, {"segments", "48"}}));
+  return job;
+}
+
+double lowestOverBed(const SlicedPart& sliced, std::size_t layer) {
+  double lowest = 1e9;
+  for (const Path& path : sliced.toolpath.layers[layer].paths)
+    for (const Point3& point : path.points)
+      if (path.role != PathRole::Travel) lowest = std::min(lowest, (sliced.bed_from_part * point).z());
+  return lowest;
+}
+
+TEST(InclinedJob, RefusesAPartThatBeginsInTheAirUnlessAsked) {
+  const test::ScratchFolder folder;
+  SliceJob job = ballAt45(folder);
+  const std::string refusal = failureOf<InvalidInput>(job);
+  const std::string before = "the first layer of the part lies ";
+  ASSERT_EQ(refusal.rfind(before, 0), 0U) << refusal;
+  // The first layer is cut 0.2 mm above the lowest place, in a disc of sqrt(2 20 0.2 - 0.2^2) = 2.82 mm. The
+  // middle of its wall is 2.46 mm beside the axis, (20 (1 - cos 45) + 0.4 cos 45 - 2.46 sin 45) = 4.40 mm
+  // above the bed, and the lowest corner of the bead 0.4 (cos 45 + sin 45) below that.
+  EXPECT_NEAR(std::stod(refusal.substr(before.size())), 3.83, 0.15);
+  EXPECT_NE(refusal.find("expected at most 0.8 mm"), std::string::npos) << refusal;
+  EXPECT_NE(refusal.find("supports.use true"), std::string::npos) << refusal;
+  job.settings.planning.anchoring.strategy = Anchoring::None;
+  EXPECT_NEAR(lowestOverBed(run(job), 0), 4.40, 0.15);
+}
+
+/// Whatever their angle, to the last bit as before.
+TEST(InclinedJob, LaysAPartThatStandsOnTheBedAtAnyAngle) {
+  EXPECT_TRUE(rc::check("parts with a level face", [](std::uint64_t seed) {
+    Random random(seed);
+    const char* parts[] = {"box", "tube", "blade", "cone"};
+    SliceJob job = upright(parts[seed % 4], random.uniform(5.0, 75.0), random.uniform(0.0, 360.0));
+    job.settings.slicing.layer_height_mm = job.settings.slicing.first_layer_height_mm = 0.4;
+    RC_ASSERT(!run(job).toolpath.layers.empty());
+  }));
+}
+
+TEST(InclinedJob, SupportsReachFromTheBedToAPartThatBeginsInTheAir) {
+  const test::ScratchFolder folder;
+  SliceJob job = ballAt45(folder);
+  job.settings.planning.anchoring.strategy = Anchoring::None;
+  const std::size_t layers = run(job).toolpath.layers.size();
+  job.settings.planning.anchoring.strategy = Anchoring::SupportedStart;
+  job.settings.planning.supports.use = true;
+  const SlicedPart sliced = run(job);
+  EXPECT_EQ(sliced.summary.empty_layers, 0U);
+  // The shadow of the ball on the bed begins at y = r, r (2 sin 45 - 1) before the ball along the normal: 21
+  // layers. The gap beside the part and narrow columns take some of them.
+  EXPECT_GT(sliced.toolpath.layers.size(), layers + 10U);
+  EXPECT_LE(sliced.toolpath.layers.size(), layers + 23U);
+  EXPECT_LT(lowestOverBed(sliced, 0), 0.8);
+  EXPECT_GT(lowestOverBed(sliced, 0), 0.0);
+  EXPECT_NE(sliced.toolpath.layers.front().paths.front().role, PathRole::Travel);
 }
 
 TEST(InclinedJob, AHeadAt45DegreesLaysItsOwnLayersAndNoOthers) {

@@ -60,9 +60,11 @@ Quality ours(const Test& test, Nsga2Settings settings, int seeds) {
     const FrontSearch found = searchFront(problem.search(), settings, {}, progress);
     double distance = 0.0;
     std::vector<std::vector<double>> costs;
-    for (const Evaluation& one : found.front) {
+    // As pagmo's, of the population; the front also holds what older points nothing dominates.
+    const std::vector<Evaluation>& front = found.generations.back().front;
+    for (const Evaluation& one : front) {
       costs.push_back(one.responses);
-      distance += test.p_distance(one.point) / static_cast<double>(found.front.size());
+      distance += test.p_distance(one.point) / static_cast<double>(front.size());
     }
     searches.push_back({distance, hypervolume(costs, reference)});
   }

@@ -245,6 +245,29 @@ TEST_P(Nsga2Test, BeginsWithGivenPointsAndCornersIfAsked) {
   EXPECT_EQ(search(evaluator, settings).evaluations.size(), 20U);
 }
 
+/// Populations of a few points lose some of the front from one generation to the next.
+TEST_P(Nsga2Test, LosesNothingOfTheFrontAndItsHypervolumeNeverFalls) {
+  EXPECT_TRUE(rc::check("small populations", [&](std::uint64_t seed) {
+    CountingEvaluator evaluator;
+    Nsga2Settings settings = nsga2SettingsOf(GetParam(), 4 + static_cast<int>(seed % 5), 12);
+    settings.seed = static_cast<int>(seed % 100000);
+    const FrontSearch found = search(evaluator, settings);
+    for (std::size_t i = 1; i < found.generations.size(); ++i)
+      RC_ASSERT(found.generations[i].hypervolume >= found.generations[i - 1].hypervolume);
+    std::vector<Score> scores;
+    for (const Evaluation& one : found.evaluations)
+      scores.push_back(scoreOf(timeAndError(), evaluator.responseNames(), one));
+    std::vector<DesignPoint> wanted;
+    for (const std::size_t i : paretoFront(scores)) wanted.push_back(found.evaluations[i].point);
+    std::vector<DesignPoint> front;
+    for (const Evaluation& one : found.front) front.push_back(one.point);
+    std::sort(wanted.begin(), wanted.end());
+    wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
+    std::sort(front.begin(), front.end());
+    RC_ASSERT(front == wanted);
+  }));
+}
+
 TEST_P(Nsga2Test, RefusesSettingsThatCannotBeUsed) {
   CountingEvaluator evaluator;
   const auto refusal = [&](const Nsga2Settings& settings) -> std::string {

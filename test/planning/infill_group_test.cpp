@@ -128,7 +128,8 @@ TEST(InfillGroup, IsOfLevelLayersPlannedByThemselves) {
 }
 
 /// In inclined layers so far along the belt; the bed lies far below.
-Toolpath farAlong(std::vector<Layer> layers, const PlanSettings& settings, double out_mm) {
+Toolpath farAlong(std::vector<Layer> layers, PlanSettings settings, double out_mm) {
+  settings.anchoring.strategy = Anchoring::None;
   for (Layer& layer : layers)
     for (Polygon& contour : layer.section.contours)
       for (Point2& point : contour) point.y() += out_mm;

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "lamina/base/progress.hpp"
+#include "lamina/geometry/voxel/strand_thickness.hpp"
 #include "lamina/job/job_settings.hpp"
 #include "lamina/stiffness/stiffness.hpp"
 
@@ -29,6 +30,7 @@ struct StiffnessJob {
 struct LoadedPart {
   StiffnessResult result;
   double solve_s = 0.0;  ///< time that the solution took
+  StrandThickness thickness;
 };
 
 /// Fills voxels of deposition.voxel_mm, solves, writes. Everything is checked before a file is touched.

@@ -37,7 +37,8 @@ struct Nsga2Settings {
   double mutation_probability = 0.01;   ///< Sbx: of a variable
   double mutation_index = 50.0;         ///< Sbx: the greater, the smaller the steps
 
-  /// Points to begin with, before corners and random ones; as many as fit.
+  /// Points to begin with, before corners and random ones; as many as fit. What they measure is never lost:
+  /// no point of the front is dominated by one of them.
   std::vector<DesignPoint> first_points;
   /// What bounds the hypervolume, as responses of the objectives in order. Empty: the worst of each among the
   /// feasible points of the first generation that has one.
@@ -52,8 +53,8 @@ struct Generation {
   int index = 0;                  ///< 0 is the random one
   int evaluations = 0;            ///< until now, with those that failed
   int failed = 0;                 ///< until now
-  double hypervolume = 0.0;       ///< of the front
-  std::vector<Evaluation> front;  ///< feasible points of the population that no other dominates
+  double hypervolume = 0.0;       ///< of all that was tried until now; never falls
+  std::vector<Evaluation> front;  ///< feasible points of the population that no other of it dominates
 };
 
 /// Reported of each generation when it is done.
@@ -61,7 +62,8 @@ using GenerationListener = std::function<void(const Generation&)>;
 
 /// What a search found.
 struct FrontSearch {
-  std::vector<Evaluation> front;        ///< of the last generation; each point once, by its responses
+  /// Feasible evaluations that no other one dominates, of all generations; each point once, by its responses.
+  std::vector<Evaluation> front;
   std::vector<Evaluation> evaluations;  ///< all, in the order they were asked for
   std::vector<Generation> generations;
   std::vector<double> reference;  ///< of the hypervolume, as responses; empty if no point was ever feasible

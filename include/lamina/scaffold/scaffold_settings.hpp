@@ -61,7 +61,7 @@ struct ScaffoldSettings {
   double amplitude_mm = 0.5;
   int cycles = 5;     ///< of the wave along the length
   int filaments = 5;  ///< of a layer
-  int cycle_segments = 18;
+  int cycle_segments = 20;
 };
 
 /// Adds the keys scaffold.*.

@@ -29,6 +29,7 @@ struct StudyOutcome {
   std::vector<std::string> front_response_names;
   std::vector<Evaluation> front;         ///< empty for a surrogate
   std::vector<double> decision_indices;  ///< one for each point of the front
+  std::vector<SettingText> weights;      ///< of the decision, of all responses it looks at
   std::optional<Evaluation> chosen;      ///< none if nothing holds the constraints or has a weight
   std::vector<ComparedRow>
       compared;  ///< what was chosen, what was published, and what was measured beside it

@@ -52,6 +52,7 @@ LoadedPart runStiffnessJob(const StiffnessJob& job, Progress& progress) {
   const VoxelGrid grid = voxelsOf(job, progress);
   const SteadyTime::time_point start = SteadyTime::now();
   LoadedPart part;
+  part.thickness = strandThicknessOf(grid);
   part.result = solveStiffness(grid, job.settings.stiffness, progress);
   part.solve_s = std::chrono::duration<double>(SteadyTime::now() - start).count();
   if (!job.output.empty()) writeVtk(part.result, job.output);

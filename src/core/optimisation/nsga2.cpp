@@ -38,6 +38,16 @@ std::vector<double> turned(const Goals& goals, std::vector<double> values) {
   return values;
 }
 
+/// Nowhere worse, and somewhere better.
+bool dominates(const std::vector<double>& one, const std::vector<double>& other) {
+  bool is_better = false;
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    if (one[i] > other[i]) return false;
+    is_better = is_better || one[i] < other[i];
+  }
+  return is_better;
+}
+
 /// One that survived.
 struct Individual {
   std::size_t evaluation = 0;  ///< index
@@ -74,19 +84,17 @@ class FrontFinder {
     generation.index = index;
     generation.evaluations = static_cast<int>(found_.evaluations.size());
     generation.failed = failed_;
-    const std::vector<std::size_t> front = distinctFront();
+    const std::vector<std::size_t> front = distinct(populationFront());
+    for (const std::size_t i : front) generation.front.push_back(found_.evaluations[i]);
     std::vector<std::vector<double>> costs;
-    for (const std::size_t i : front) {
-      generation.front.push_back(found_.evaluations[i]);
-      costs.push_back(scores_[i].costs);
-    }
+    for (const std::size_t i : archive_) costs.push_back(scores_[i].costs);
     if (!reference_.empty()) generation.hypervolume = hypervolume(costs, reference_);
     found_.generations.push_back(std::move(generation));
     return found_.generations.back();
   }
 
   FrontSearch found() && {
-    found_.front = found_.generations.back().front;
+    for (const std::size_t i : distinct(archive_)) found_.front.push_back(found_.evaluations[i]);
     found_.reference = turned(problem_.goals, reference_);
     return std::move(found_);
   }
@@ -113,9 +121,26 @@ class FrontFinder {
       refuseUnusable(evaluation);
       if (!isEvaluated(evaluation)) ++failed_;
       scores_.push_back(scoreOf(problem_.goals, names_, evaluation));
+      archive(found_.evaluations.size());
       population_.push_back({found_.evaluations.size(), 0, 0.0});
       found_.evaluations.push_back(std::move(evaluation));
     }
+  }
+
+  /// Keeps an evaluation if no other dominates it, and drops those that it dominates.
+  void archive(std::size_t evaluation) {
+    const Score& score = scores_[evaluation];
+    if (!isFeasible(score)) return;
+    const auto dominatesIt = [&](std::size_t i) { return dominates(scores_[i].costs, score.costs); };
+    const auto better = std::find_if(archive_.begin(), archive_.end(), dominatesIt);
+    if (better != archive_.end()) {
+      // One that dominates much is asked first.
+      std::iter_swap(better, archive_.begin() + (better - archive_.begin()) / 2);
+      return;
+    }
+    const auto isDominated = [&](std::size_t i) { return dominates(score.costs, scores_[i].costs); };
+    archive_.erase(std::remove_if(archive_.begin(), archive_.end(), isDominated), archive_.end());
+    archive_.push_back(evaluation);
   }
 
   /// An objective that is no number cannot be compared.
@@ -174,11 +199,16 @@ class FrontFinder {
     }
   }
 
-  /// Feasible evaluations of the first front, ascending by costs, each point once.
-  std::vector<std::size_t> distinctFront() const {
+  /// Feasible evaluations of the first front.
+  std::vector<std::size_t> populationFront() const {
     std::vector<std::size_t> front;
     for (const Individual& one : population_)
       if (one.rank == 0 && isFeasible(scores_[one.evaluation])) front.push_back(one.evaluation);
+    return front;
+  }
+
+  /// Ascending by costs, each point once.
+  std::vector<std::size_t> distinct(std::vector<std::size_t> front) const {
     const auto key = [&](std::size_t i) { return std::tie(scores_[i].costs, found_.evaluations[i].point); };
     std::sort(front.begin(), front.end(), [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
     const auto isSame = [&](std::size_t a, std::size_t b) {
@@ -196,6 +226,7 @@ class FrontFinder {
   std::vector<double> reference_;  ///< as costs
   std::vector<Score> scores_;      ///< of all evaluations
   std::vector<Individual> population_;
+  std::vector<std::size_t> archive_;  ///< evaluations that no other dominates
   int failed_ = 0;
   FrontSearch found_;
 };

@@ -76,7 +76,7 @@ class LayerPlanner {
         below_(*stacked.layer, stacked.cover, context.bed, context.settings, index) {
     const Layer& layer = *stacked.layer;
     if (isAnchored(context))
-      support_test_.emplace(layer, stacked.below, *context.bed,
+      support_test_.emplace(layer, BelowLayer{stacked.below, stacked.supports}, *context.bed,
                             Bead{settings_.bead.width_mm, layer.bounds.height()});
     result_.z_mm = layer.bounds.top_mm;
     result_.height_mm = layer.bounds.height();

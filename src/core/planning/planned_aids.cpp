@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/parallel.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
 #include "lamina/geometry/polygon/simplify.hpp"
 #include "planning/adhesion/brim.hpp"
@@ -82,6 +83,7 @@ class AidPlanner {
     if (settings_.supports.use) findSupports(progress);
     if (!context_.bed) addBrim();
     if (settings_.supports.use) addSupports(progress);
+    if (context_.bed && settings_.supports.use) carryUp(progress);
     if (context_.bed) return std::move(planned_);
     addRaft();
     addSkirt();
@@ -139,6 +141,20 @@ class AidPlanner {
     addVolumes(planned_.supports, supports);
     for (std::size_t i = 0; i < supports.size(); ++i)
       std::move(supports[i].begin(), supports[i].end(), std::back_inserter(planned_.layers[i]));
+  }
+
+  /// A layer lies on what ends at most the gap above supports below it.
+  void carryUp(Progress& progress) {
+    const Point2 up = context_.bed->up.head<2>() / context_.bed->up.z();
+    planned_.carrying.resize(layers_.size());
+    const auto carry = [&](std::size_t i) {
+      const LayerBounds& bounds = layers_[i].bounds;
+      const double least_mm = bounds.bottom_mm - settings_.supports.top_gap_mm - bounds.height();
+      for (std::size_t k = i; k-- > 0 && layers_[k].bounds.top_mm > least_mm;)
+        append(moved(support_areas_[k], up * (bounds.top_mm - layers_[k].bounds.top_mm)),
+               planned_.carrying[i]);
+    };
+    parallelFor(layers_.size(), carry, progress, "supports");
   }
 
   Regions onFirstLayer() const {
@@ -280,12 +296,26 @@ PlannedAids aidsAlongBelt(const std::vector<Layer>& layers, const PlanContext& c
     PlannedAids planned = AidPlanner(near, there, {}, window).plan(progress);
     for (std::size_t i = stretch.begin; i < stretch.end; ++i)
       all.layers[i] = moved(std::move(planned.layers[i - begin]), stretch.away);
+    all.carrying.resize(layers.size());
+    for (std::size_t i = stretch.begin; i < stretch.end; ++i)
+      all.carrying[i] = moved(std::move(planned.carrying[i - begin]), stretch.away);
     all.supports = sumOf(all.supports, planned.supports);
   }
   return all;
 }
 
 }  // namespace
+
+void dropEmptyBelow(std::vector<Layer>& layers, PlannedAids& aids) {
+  std::ptrdiff_t count = 0;
+  for (std::size_t i = 0; i < layers.size() && layers[i].section.contours.empty(); ++i) {
+    if (i < aids.layers.size() && !aids.layers[i].empty()) break;
+    ++count;
+  }
+  layers.erase(layers.begin(), layers.begin() + count);
+  if (!aids.layers.empty()) aids.layers.erase(aids.layers.begin(), aids.layers.begin() + count);
+  if (!aids.carrying.empty()) aids.carrying.erase(aids.carrying.begin(), aids.carrying.begin() + count);
+}
 
 SupportTotals sumOf(const SupportTotals& a, const SupportTotals& b) {
   SupportTotals sum;

@@ -19,7 +19,12 @@ struct PlannedAids {
   std::vector<RaftLayer> raft;    ///< layers below the part, from the bed up
   double raft_mm = 0.0;           ///< height from the bed to the part
   SupportTotals supports;
+  /// Supports below each inclined layer, carried up to it along gravity; empty without these.
+  std::vector<Regions> carrying;
 };
+
+/// Takes away the first layers of an inclined stack that hold neither part nor support.
+void dropEmptyBelow(std::vector<Layer>& layers, PlannedAids& aids);
 
 /// The sum of totals of different layers. The greatest area of supports in a layer is that of one of them.
 SupportTotals sumOf(const SupportTotals& a, const SupportTotals& b);

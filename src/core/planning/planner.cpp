@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
 #include <iterator>
 #include <numeric>
 #include <optional>
@@ -30,11 +31,12 @@
 #include "planning/layer_planner.hpp"
 #include "planning/order/layer_chain.hpp"
 #include "planning/order/near_origin.hpp"
-#include "planning/order/support_test.hpp"
+#include "planning/order/starts_in_air.hpp"
 #include "planning/planned_aids.hpp"
 #include "planning/skins/layer_cover.hpp"
 #include "planning/skins/roof_branches.hpp"
 #include "planning/skins/stack_covers.hpp"
+#include "planning/supports/layers_below.hpp"
 #include "planning/tools/tool_beads.hpp"
 #include "planning/tools/tool_order.hpp"
 #include "planning/travel/retraction.hpp"
@@ -45,47 +47,7 @@
 namespace lamina {
 namespace {
 
-/// Of the part: supports begin on what the part does not show.
-bool laysBeads(const Path& path) {
-  const RoleKind kind = kindOf(path.role);
-  return (kind == RoleKind::Wall || kind == RoleKind::Infill) && path.deposit == Deposit::Bead;
-}
-
-/// Whether the first path of a layer goes on where the layer before ended.
-bool continues(const ToolpathLayer& layer, const ToolpathLayer* before) {
-  return before != nullptr && !before->paths.empty() && laysBeads(before->paths.back()) &&
-         before->paths.back().lastPoint() == layer.paths.front().firstPoint();
-}
-
-std::size_t startsInAir(const ToolpathLayer& layer, bool continues, const SupportTest& support_test) {
-  std::size_t count = 0;
-  bool is_laying = continues;
-  for (const Path& path : layer.paths) {
-    const bool is_start = laysBeads(path) && !is_laying;
-    if (is_start && !support_test.carries(path.firstPoint().head<2>())) ++count;
-    is_laying = laysBeads(path);
-  }
-  return count;
-}
-
-/// How many runs of beads begin with neither bed nor the layer before below them. A run that goes on where
-/// the one before ended does not begin.
-/// @param layers    as sliced
-/// @param toolpath  their plan, in the same frame
-std::size_t countStartsInAir(const std::vector<Layer>& layers, const std::vector<ToolpathLayer>& toolpath,
-                             const BedPlane& bed, double bead_width_mm) {
-  std::vector<std::size_t> counts(layers.size(), 0);
-  const auto count = [&](std::size_t i) {
-    if (toolpath[i].paths.empty()) return;
-    const SupportTest support_test(layers[i], i > 0 ? &layers[i - 1] : nullptr, bed,
-                                   {bead_width_mm, layers[i].bounds.height()});
-    counts[i] =
-        startsInAir(toolpath[i], continues(toolpath[i], i > 0 ? &toolpath[i - 1] : nullptr), support_test);
-  };
-  NoProgress nobody;
-  parallelFor(layers.size(), count, nobody, "plan");
-  return std::accumulate(counts.begin(), counts.end(), std::size_t{0});
-}
+constexpr double kGreatestGap = 1.0;  // bead widths, between the bed and the first bead of an inclined part
 
 PlanContext contextFor(const std::vector<Layer>& layers, const PlanSettings& settings) {
   PlanContext context;
@@ -278,6 +240,7 @@ StackedLayer stackedAt(const std::vector<Layer>& layers, const StackPlan& plan, 
   if (!plan.stack.branches.empty()) stacked.branches = &plan.stack.branches[index];
   if (!plan.stack.groups.empty()) stacked.group = &plan.stack.groups[index];
   if (!plan.aids.layers.empty()) stacked.aids = &plan.aids.layers[index];
+  if (!plan.aids.carrying.empty()) stacked.supports = &plan.aids.carrying[index];
   for (const VariantPlan& variant : plan.variants)
     if (!variant.areas[index].empty()) stacked.variants.push_back(variantAt(variant, index));
   return stacked;
@@ -372,9 +335,19 @@ std::vector<VariantPlan> variantPlans(const std::vector<Layer>& layers,
   return plans;
 }
 
+/// Of a layer without part, that of its supports.
+Point2 distanceOf(const StackedLayer& stacked) {
+  Layer layer{stacked.layer->bounds, {}};
+  if (!stacked.layer->section.contours.empty() || stacked.aids == nullptr)
+    return distanceFromOrigin(*stacked.layer);
+  for (const AidRuns& aids : *stacked.aids)
+    for (const FillPath& run : *aids.runs) layer.section.contours.push_back(run.points);
+  return distanceFromOrigin(layer);
+}
+
 /// An inclined layer far out on a belt is planned near the origin.
 PlannedLayer planAnywhere(const StackedLayer& stacked, std::size_t index, const PlanContext& context) {
-  const Point2 away = context.bed ? distanceFromOrigin(*stacked.layer) : Point2(Point2::Zero());
+  const Point2 away = context.bed ? distanceOf(stacked) : Point2(Point2::Zero());
   if (away.isZero()) return planLayer(stacked, index, context);
   const Layer layer = moved(*stacked.layer, -away);
   const Layer below = stacked.below != nullptr ? moved(*stacked.below, -away) : Layer{};
@@ -389,11 +362,12 @@ PlannedLayer planAnywhere(const StackedLayer& stacked, std::size_t index, const 
       stacked.branches != nullptr ? moved(*stacked.branches, -away) : std::vector<Polyline>{};
   const InfillGroup group = stacked.group != nullptr ? moved(*stacked.group, -away) : InfillGroup{};
   const LayerAids aids = stacked.aids != nullptr ? moved(*stacked.aids, -away) : LayerAids{};
+  const Regions supports = stacked.supports != nullptr ? moved(*stacked.supports, -away) : Regions{};
   PlannedLayer planned = planLayer(
       {&layer, stacked.below != nullptr ? &below : nullptr, stacked.cover != nullptr ? &cover : nullptr,
        stacked.cover_below != nullptr ? &cover_below : nullptr,
        stacked.branches != nullptr ? &branches : nullptr, stacked.group != nullptr ? &group : nullptr,
-       stacked.aids != nullptr ? &aids : nullptr},
+       stacked.aids != nullptr ? &aids : nullptr, stacked.supports != nullptr ? &supports : nullptr},
       index, near);
   for (Path& path : planned.layer.paths)
     for (Point3& point : path.points) point.head<2>() += away;
@@ -441,7 +415,8 @@ void requireTower(const PlanContext& context) {
 struct PlanRegions {
   const std::vector<PlanVariant>* variants = nullptr;
   const SupportMarks* marks = nullptr;
-  std::vector<Layer>* spent = nullptr;  ///< the layers, of which no section is needed once it is planned
+  std::vector<Layer>* spent = nullptr;   ///< the layers, of which no section is needed once it is planned
+  std::optional<PlannedAids> aids = {};  ///< if they are planned already
 };
 
 bool usesTools(const PlanContext& context, const PlanRegions& regions) {
@@ -458,12 +433,33 @@ void arrangeByTools(std::vector<ToolpathLayer>& layers, const PlanContext& conte
   arrangeTools(layers, context.settings, travel);
 }
 
+/// A vase rises from its own base.
+bool standsOnSupports(const PlanSettings& settings) {
+  return settings.supports.use && infillStrategy(settings.infill.strategy).link != LayerLink::Rising;
+}
+
+/// @throws InvalidInput if the first layer of the part is laid in mid-air, and runs are to be anchored
+void requireStanding(double gap_mm, const PlanSettings& settings) {
+  if (settings.anchoring.strategy == Anchoring::None || gap_mm <= kGreatestGap * settings.bead.width_mm)
+    return;
+  char gap[32];
+  std::snprintf(gap, sizeof gap, "%.3g", gap_mm);
+  char greatest[32];
+  std::snprintf(greatest, sizeof greatest, "%.3g", kGreatestGap * settings.bead.width_mm);
+  throw InvalidInput(std::string("the first layer of the part lies ") + gap +
+                     " mm above the bed, and nothing is below it; expected at most " + greatest +
+                     " mm, the width of a bead: supports.use true holds it up, a part turned so that it "
+                     "stands on an edge or a face along slicing.plane begins on the bed, and "
+                     "anchoring.strategy 'none' lays it in the air");
+}
+
 Plan planInContext(const std::vector<Layer>& layers, const PlanContext& of_settings, Progress& progress,
-                   const PlanRegions& regions = {}) {
+                   PlanRegions regions = {}) {
   const PlanContext context = wallContext(of_settings);
   StackPlan of_stack;
   of_stack.stack = stackCover(layers, of_settings, progress);
-  of_stack.aids = planAids(layers, of_settings, {regions.variants, regions.marks}, progress);
+  of_stack.aids = regions.aids ? std::move(*regions.aids)
+                               : planAids(layers, of_settings, {regions.variants, regions.marks}, progress);
   if (regions.variants != nullptr)
     of_stack.variants = variantPlans(layers, *regions.variants, context, progress);
   const std::size_t base_layers = baseLayers(context);
@@ -500,8 +496,12 @@ Plan planInContext(const std::vector<Layer>& layers, const PlanContext& of_setti
   if (usesTools(of_settings, regions)) arrangeByTools(paths, of_settings, travel);
   joinLayers(paths, travel);
   giveTravelsTools(paths);
-  if (context.bed)
-    plan.anchored.in_air = countStartsInAir(layers, paths, *context.bed, of_settings.settings.bead.width_mm);
+  if (context.bed) {
+    const CarriedLayers carried{layers, of_stack.aids.carrying, *context.bed,
+                                of_settings.settings.bead.width_mm};
+    plan.anchored.in_air = countStartsInAir(carried, paths);
+    requireStanding(gapBelowPart(carried, paths), of_settings.settings);
+  }
   addWipes(paths, travel_settings);
   return plan;
 }
@@ -531,10 +531,17 @@ Plan planPart(const std::string& part_name, std::vector<Layer> layers, const Pla
 
 Plan planPart(const std::string& part_name, const std::vector<Layer>& layers, const PlanSettings& settings,
               const LayerIncline& incline, Progress& progress) {
-  PlanContext context = contextFor(layers, settings);
+  std::vector<Layer> stack = layers;
+  if (standsOnSupports(settings))
+    stack = withLayersBelow(layers, countLayersBelow(layers, incline.bed, settings.supports));
+  PlanContext context = contextFor(stack, settings);
   context.bed = incline.bed;
   context.part_from_layers = incline.part_from_layers;
-  Plan plan = planInContext(layers, context, progress);
+  PlanRegions regions;
+  regions.aids = planAids(stack, context, {}, progress);
+  dropEmptyBelow(stack, *regions.aids);
+  context.layer_count = stack.size();
+  Plan plan = planInContext(stack, context, progress, std::move(regions));
   plan.toolpath.part_name = part_name;
   return plan;
 }

@@ -217,7 +217,7 @@ void addMaking(HtmlPage& page, const Study& study, const StudyOutcome& outcome) 
                 {"time [s]", shownNumber(outcome.wall_s)},
                 {"version", "Lamina " + outcome.version}};
   if (study.method == SearchMethod::Nsga2) table.rows.push_back({"decision", study.decision.method});
-  for (const SettingText& weight : study.decision.weights)
+  for (const SettingText& weight : outcome.weights)
     table.rows.push_back({"weight of " + weight.key, weight.text});
   for (const SettingText& setting : outcome.search) table.rows.push_back({setting.key, setting.text});
   page.table(table);

@@ -99,6 +99,61 @@ TEST(StudyJob, SearchesAFrontOfAPartAndWritesWhatItFound) {
   EXPECT_EQ(readCsvTable(files.front).rows.size(), outcome.front.size());
 }
 
+/// Variables of the study first, then what they measured.
+double responseOf(const StudyOutcome& outcome, const Evaluation& evaluation, const std::string& name) {
+  return evaluation.responses.at(responseIndex(outcome.front_response_names, name));
+}
+
+TEST(StudyJob, BeginsWithDefaultsBaselinesAndWhatWasPublished) {
+  const test::ScratchFolder folder;
+  const std::string own = changed(kPart, "skirt.count: 0}", "skirt.count: 0, infill.pitch_mm: 0.6}");
+  const StudyOutcome outcome = ran(own, folder.file("out"));
+  const int walls = JobSettings().planning.walls.count;
+  ASSERT_GE(outcome.evaluations.size(), 3U);
+  EXPECT_EQ(outcome.evaluations[0].point, (DesignPoint{0.6, static_cast<double>(walls)})) << "defaults";
+  EXPECT_EQ(outcome.evaluations[1].point, (DesignPoint{0.4, static_cast<double>(walls)})) << "dense";
+  EXPECT_EQ(outcome.evaluations[2].point, (DesignPoint{0.5, 1.0})) << "theirs";
+}
+
+TEST(StudyJob, SaysWhichBaselinesAreNoPointsOfTheSearch) {
+  const test::ScratchFolder folder;
+  const std::string other =
+      changed(kPart, "dense: {infill.pitch_mm: 0.4}", "spiral: {infill.strategy: spiral}");
+  const StudyOutcome outcome = ran(other, folder.file("out"));
+  const auto isOfTheBaseline = [](const std::string& note) {
+    return note == "not among the first points: spiral: sets infill.strategy, no variable of the search";
+  };
+  EXPECT_TRUE(std::any_of(outcome.notes.begin(), outcome.notes.end(), isOfTheBaseline));
+}
+
+/// With any weights: those of material alone would choose the sparsest.
+TEST(StudyJob, ChoosesNothingThatAKnownPointIsBetterThanInEveryGoal) {
+  for (const char* weights : {"under_fill_mm2: 3", "material_mm: 100", "print_time_s: 50"}) {
+    const test::ScratchFolder folder;
+    const StudyOutcome outcome = ran(changed(kPart, "under_fill_mm2: 3", weights), folder.file("out"));
+    ASSERT_TRUE(outcome.chosen);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::vector<double>& known = outcome.evaluations[i].responses;
+      EXPECT_FALSE(responseOf(outcome, *outcome.chosen, "under_fill_mm2") > known[0] &&
+                   responseOf(outcome, *outcome.chosen, "material_mm") > known[1])
+          << weights << ", " << i;
+    }
+  }
+}
+
+TEST(StudyJob, ReportsAllWeightsItDecidedBy) {
+  const test::ScratchFolder folder;
+  const StudyOutcome outcome = ran(kPart, folder.file("out"));
+  ASSERT_EQ(outcome.weights.size(), 4U);
+  const std::string report = readFile(studyFilesIn(folder.file("out")).report);
+  // Named in the study; the usual one of volume error; the usual one of all others.
+  for (const char* row : {"weight of under_fill_mm2</td><td class=\"number\">3<",
+                          "weight of volume_error_mm3</td><td class=\"number\">3<",
+                          "weight of print_time_s</td><td class=\"number\">1<",
+                          "weight of material_mm</td><td class=\"number\">1<"})
+    EXPECT_NE(report.find(row), std::string::npos) << row;
+}
+
 TEST(StudyJob, ReportsEachGeneration) {
   const test::ScratchFolder folder;
   std::vector<StudyState> states;

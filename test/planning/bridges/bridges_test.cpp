@@ -263,7 +263,9 @@ std::vector<Layer> movedAlong(std::vector<Layer> layers, double by_mm) {
 Plan inclinedPlan(const std::vector<Layer>& layers, double level_mm) {
   const Point3 up(0.0, std::sin(M_PI / 9.0), std::cos(M_PI / 9.0));
   NoProgress nobody;
-  Plan plan = planPart("part", layers, spanning(), LayerIncline{{up, level_mm}, {}}, nobody);
+  PlanSettings settings = spanning();
+  settings.anchoring.strategy = Anchoring::None;  // the bed may lie far below
+  Plan plan = planPart("part", layers, settings, LayerIncline{{up, level_mm}, {}}, nobody);
   validate(plan.toolpath);
   return plan;
 }

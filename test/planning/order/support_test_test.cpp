@@ -26,7 +26,7 @@ const Polygon kSquare = {{0, 0}, {10, 0}, {10, 10}, {0, 10}};
 
 TEST(SupportTest, CarriesWhereAQuarterOfTheBeadLiesOnTheLayerBefore) {
   const Layer below = layer(0.0, kSquare);
-  const SupportTest support_test(layer(0.2, kSquare), &below, farBed(), kBead);
+  const SupportTest support_test(layer(0.2, kSquare), BelowLayer{&below}, farBed(), kBead);
   EXPECT_TRUE(support_test.carries({5, 5}));
   EXPECT_TRUE(support_test.carries({5, 10.09}));
   EXPECT_FALSE(support_test.carries({5, 10.11}));
@@ -36,9 +36,20 @@ TEST(SupportTest, CarriesWhereAQuarterOfTheBeadLiesOnTheLayerBefore) {
 TEST(SupportTest, CarriesWhereTheBeadTouchesTheBed) {
   // At 45 deg a bead reaches (0.2 + 0.4 / 2) / sqrt 2 mm below its waypoint; the plane is at z' = 0.2.
   const BedPlane bed{Point3(0, M_SQRT1_2, M_SQRT1_2), 0.0};
-  const SupportTest support_test(layer(0.0, kSquare), nullptr, bed, kBead);
+  const SupportTest support_test(layer(0.0, kSquare), BelowLayer{}, bed, kBead);
   EXPECT_TRUE(support_test.carries({3, 0.19}));
   EXPECT_FALSE(support_test.carries({3, 0.21}));
+}
+
+TEST(SupportTest, CarriesOnSupportsToo) {
+  const Regions supports = {{{{20, 0}, {25, 0}, {25, 5}, {20, 5}}, {}}};
+  const Layer below = layer(0.0, kSquare);
+  const SupportTest support_test(layer(0.2, kSquare), BelowLayer{&below, &supports}, farBed(), kBead);
+  EXPECT_TRUE(support_test.carries({5, 5}));
+  EXPECT_TRUE(support_test.carries({22, 5.09}));
+  EXPECT_FALSE(support_test.carries({22, 5.11}));
+  // The plane at z' = 0.4 is (1000 + (y + 0.4) / sqrt 2) above the bed; a bead reaches 0.4 / sqrt 2 lower.
+  EXPECT_NEAR(support_test.gapToBed({3, 7}), 1000.0 + 7.0 * M_SQRT1_2, 1e-9);
 }
 
 TEST(SupportTest, AgreesWithTheEvenOddRule) {
@@ -50,7 +61,7 @@ TEST(SupportTest, AgreesWithTheEvenOddRule) {
       star.emplace_back(radius * std::cos(i * M_PI / 20), radius * std::sin(i * M_PI / 20));
     }
     const Layer below = layer(0.0, star);
-    const SupportTest support_test(layer(0.2, star), &below, farBed(), kBead);
+    const SupportTest support_test(layer(0.2, star), BelowLayer{&below}, farBed(), kBead);
     const std::vector<Polygon> grown = outlines(offset(unite({star}), 0.1));
     for (int i = 0; i < 50; ++i) {
       const Point2 point(random.uniform(-11.0, 11.0), random.uniform(-11.0, 11.0));

@@ -16,6 +16,7 @@
 #include "lamina/base/settings_yaml.hpp"
 #include "lamina/base/version.hpp"
 #include "lamina/job/output_files.hpp"
+#include "lamina/job/study/known_points.hpp"
 #include "lamina/job/study/study_measurement.hpp"
 #include "lamina/optimisation/criteria.hpp"
 #include "lamina/optimisation/evaluation.hpp"
@@ -30,6 +31,8 @@
 
 namespace lamina {
 namespace {
+
+constexpr std::size_t kManyPoints = 100;
 
 /// A choice, if one can be made, and what a reader has to know of it.
 struct FrontDecision {
@@ -139,6 +142,9 @@ class Comparing {
   void addBaseline(const Baseline& baseline) {
     try {
       const Evaluation evaluation{{}, measurement_.ofBaseline(baseline, progress_), {}};
+      if (chosen_ != nullptr && isWorseInAll(*chosen_, evaluation))
+        found_.notes.push_back("what is chosen is worse in every goal than " + baseline.name +
+                               ", which the search cannot lay");
       ComparedRow row{baseline.name + ", measured here",
                       valuesOf({}, measurement_.frontResponseNames(), evaluation)};
       found_.rows.push_back(std::move(row));
@@ -151,8 +157,22 @@ class Comparing {
 
   StudyComparison found() && { return std::move(found_); }
 
+  /// What is chosen, with the measurement's `frontResponseNames`; null for nothing.
+  void compareWith(const Evaluation* chosen) { chosen_ = chosen; }
+
  private:
+  bool isWorseInAll(const Evaluation& one, const Evaluation& other) const {
+    const std::vector<std::string>& names = measurement_.frontResponseNames();
+    const auto isWorse = [&](const Objective& objective) {
+      const std::size_t i = responseIndex(names, objective.response);
+      const double more = one.responses.at(i) - other.responses.at(i);
+      return objective.sense == Sense::Minimise ? more > 0.0 : more < 0.0;
+    };
+    return std::all_of(study_.goals.objectives.begin(), study_.goals.objectives.end(), isWorse);
+  }
+
   const Study& study_;
+  const Evaluation* chosen_ = nullptr;
   const StudyMeasurement& measurement_;
   Evaluator& in_full_;
   Progress& progress_;
@@ -167,6 +187,8 @@ StudyComparison comparisonOf(const Study& study, const StudyMeasurement& measure
                              const StudyOutcome& outcome, Progress& progress) {
   Comparing comparing(study, measurement, in_full, progress);
   if (outcome.chosen) comparing.addPoint("chosen", outcome.front_response_names, *outcome.chosen);
+  if (outcome.chosen && outcome.front_response_names == measurement.frontResponseNames())
+    comparing.compareWith(&*outcome.chosen);
   for (const PublishedRow& row : study.published) comparing.addPublished(row);
   if (study.slice)
     for (const Baseline& baseline : study.slice->baselines) comparing.addBaseline(baseline);
@@ -303,6 +325,32 @@ class StudyRun {
         JournalSettings{is_measured_more ? files_.front_journal : "", fingerprint, earlier});
   }
 
+  void beginWithKnownPoints() {
+    KnownPoints known = knownPointsOf(study_);
+    for (KnownPoint& each : known.points) settings_.nsga2.first_points.push_back(std::move(each.point));
+    for (const std::string& reason : known.left_out)
+      outcome_.notes.push_back("not among the first points: " + reason);
+  }
+
+  /// Of goals that trade with each other alone nothing can be chosen but by weights.
+  void noteHowMuchIsNotDominated() {
+    std::size_t feasible = 0;
+    for (const Evaluation& evaluation : outcome_.evaluations)
+      if (isEvaluated(evaluation) &&
+          violationOf(study_.goals, outcome_.response_names, evaluation.responses) == 0.0)
+        ++feasible;
+    if (feasible < kManyPoints || 2 * outcome_.front.size() <= feasible) return;
+    outcome_.notes.push_back(
+        std::to_string(outcome_.front.size()) + " of " + std::to_string(feasible) +
+        " points are dominated by no other: the objectives hardly do but trade with each "
+        "other, and the weights decide");
+  }
+
+  void noteWeights() {
+    for (const Criterion& criterion : criteria_)
+      outcome_.weights.push_back({criterion.response, shownNumber(criterion.weight)});
+  }
+
   void searchForFront() {
     const auto hear = [this](const Generation& generation) {
       if (listener_)
@@ -310,13 +358,16 @@ class StudyRun {
                    bestValues(study_.goals, measurement_.responseNames(), generation.front),
                    generation.hypervolume});
     };
+    beginWithKnownPoints();
     FrontSearch search =
         searchFront({study_.variables, study_.goals, *searched_}, settings_.nsga2, hear, progress_);
     outcome_.seed = settings_.nsga2.seed;
     outcome_.evaluations = std::move(search.evaluations);
     outcome_.generations = std::move(search.generations);
     outcome_.front = std::move(search.front);
+    noteWeights();
     if (outcome_.front.empty()) return;
+    noteHowMuchIsNotDominated();
     measureFrontInFull();
     decideAmongFront();
   }

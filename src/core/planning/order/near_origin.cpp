@@ -32,12 +32,15 @@ Point2 distanceFromOrigin(const Regions& regions) {
 
 std::vector<StackStretch> stretchesAlongBelt(const std::vector<Layer>& layers) {
   std::vector<StackStretch> stretches = {{0, layers.size(), Point2::Zero()}};
+  bool is_any = false;
   for (std::size_t i = 0; i < layers.size(); ++i) {
     if (boundingBox(layers[i].section.contours).isEmpty()) continue;
     const Point2 away = distanceFromOrigin(layers[i]);
+    const bool is_first = !is_any;
+    is_any = true;
+    if (is_first) stretches.back().away = away;
     if (away == stretches.back().away) continue;
     stretches.back().end = i;
-    if (i == 0) stretches.clear();
     stretches.push_back({i, layers.size(), away});
   }
   return stretches;

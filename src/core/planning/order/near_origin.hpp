@@ -23,7 +23,8 @@ struct StackStretch {
   Point2 away = Point2::Zero();  ///< that distance, of `distanceFromOrigin` [mm]
 };
 
-/// Divides a stack into such stretches. An empty layer belongs to the stretch of the layer before.
+/// Divides a stack into such stretches. An empty layer belongs to the stretch of the layer before,
+/// the first ones to that of the first layer that is not.
 std::vector<StackStretch> stretchesAlongBelt(const std::vector<Layer>& layers);
 
 /// A layer, or regions, moved in their plane [mm].

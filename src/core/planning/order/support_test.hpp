@@ -12,17 +12,26 @@
 
 namespace lamina {
 
-/// Tells whether beads of an inclined layer are supported along the tool axis, by the layer before or the
-/// bed. A bead is supported where it touches the bed with its flank or its foot, or where its middle is at
-/// most a quarter of its width beyond the edge of the layer before, so that a quarter of it lies on that
-/// layer.
+/// What lies below an inclined layer, beside the bed.
+struct BelowLayer {
+  const Layer* layer = nullptr;       ///< the layer before; null for the first
+  const Regions* supports = nullptr;  ///< carried up to the layer; null for none
+};
+
+/// Tells whether beads of an inclined layer are supported along the tool axis, by the layer before, a support
+/// or the bed. A bead is supported where it touches the bed with its flank or its foot, or where its middle
+/// is at most a quarter of its width beyond the edge of the layer before or a support, so that a quarter of
+/// it lies on that.
 class SupportTest {
  public:
-  /// @param below  the layer before; null for the first
-  SupportTest(const Layer& layer, const Layer* below, const BedPlane& bed, const Bead& bead);
+  SupportTest(const Layer& layer, const BelowLayer& below, const BedPlane& bed, const Bead& bead);
 
   /// @param point  of a run, in the plane of the layer [mm]
   bool carries(const Point2& point) const;
+  /// Whether the layer before or a support carries a bead there.
+  bool isOnSupport(const Point2& point) const { return isOverMaterial(point); }
+  /// From the bed to the lowest corner of a bead there [mm]; negative in the bed.
+  double gapToBed(const Point2& point) const;
 
  private:
   bool touchesBed(const Point2& point) const;

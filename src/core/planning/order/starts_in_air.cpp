@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planning/order/starts_in_air.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+#include "lamina/base/parallel.hpp"
+#include "planning/order/support_test.hpp"
+
+namespace lamina {
+namespace {
+
+/// Of the part: supports begin on what the part does not show.
+bool laysPart(const Path& path) {
+  const RoleKind kind = kindOf(path.role);
+  return kind == RoleKind::Wall || kind == RoleKind::Infill;
+}
+
+bool laysBeads(const Path& path) { return laysPart(path) && path.deposit == Deposit::Bead; }
+
+/// Whether the first path of a layer goes on where the layer before ended.
+bool continues(const ToolpathLayer& layer, const ToolpathLayer* before) {
+  return before != nullptr && !before->paths.empty() && laysBeads(before->paths.back()) &&
+         before->paths.back().lastPoint() == layer.paths.front().firstPoint();
+}
+
+std::size_t startsInAir(const ToolpathLayer& layer, bool continues, const SupportTest& support_test) {
+  std::size_t count = 0;
+  bool is_laying = continues;
+  for (const Path& path : layer.paths) {
+    const bool is_start = laysBeads(path) && !is_laying;
+    if (is_start && !support_test.carries(path.firstPoint().head<2>())) ++count;
+    is_laying = laysBeads(path);
+  }
+  return count;
+}
+
+SupportTest supportTestOf(const CarriedLayers& carried, std::size_t index) {
+  const std::vector<Layer>& layers = carried.layers;
+  return {layers[index],
+          {index > 0 ? &layers[index - 1] : nullptr,
+           carried.supports.empty() ? nullptr : &carried.supports[index]},
+          carried.bed,
+          {carried.bead_width_mm, layers[index].bounds.height()}};
+}
+
+}  // namespace
+
+std::size_t countStartsInAir(const CarriedLayers& carried, const std::vector<ToolpathLayer>& toolpath) {
+  std::vector<std::size_t> counts(carried.layers.size(), 0);
+  const auto count = [&](std::size_t i) {
+    if (toolpath[i].paths.empty()) return;
+    counts[i] = startsInAir(toolpath[i], continues(toolpath[i], i > 0 ? &toolpath[i - 1] : nullptr),
+                            supportTestOf(carried, i));
+  };
+  NoProgress nobody;
+  parallelFor(carried.layers.size(), count, nobody, "plan");
+  return std::accumulate(counts.begin(), counts.end(), std::size_t{0});
+}
+
+double gapBelowPart(const CarriedLayers& carried, const std::vector<ToolpathLayer>& toolpath) {
+  const auto laysAny = [](const ToolpathLayer& layer) {
+    return std::any_of(layer.paths.begin(), layer.paths.end(), laysPart);
+  };
+  const auto first = std::find_if(toolpath.begin(), toolpath.end(), laysAny);
+  if (first == toolpath.end()) return 0.0;
+  const SupportTest support_test = supportTestOf(carried, static_cast<std::size_t>(first - toolpath.begin()));
+  double gap_mm = std::numeric_limits<double>::infinity();
+  for (const Path& path : first->paths)
+    for (const Point3& point : path.points) {
+      if (!laysPart(path)) continue;
+      if (support_test.isOnSupport(point.head<2>())) return 0.0;
+      gap_mm = std::min(gap_mm, support_test.gapToBed(point.head<2>()));
+    }
+  return std::max(gap_mm, 0.0);
+}
+
+}  // namespace lamina

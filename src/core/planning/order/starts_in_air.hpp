@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "lamina/geometry/polygon/polygon.hpp"
+#include "lamina/planning/order/anchoring.hpp"
+#include "lamina/slicing/layer.hpp"
+#include "lamina/toolpath/toolpath.hpp"
+
+namespace lamina {
+
+/// Inclined layers as they were sliced, and what carries them.
+struct CarriedLayers {
+  const std::vector<Layer>& layers;
+  const std::vector<Regions>& supports;  ///< below each layer, carried up to it; none if empty
+  const BedPlane& bed;
+  double bead_width_mm = 0.0;
+};
+
+/// How many runs of beads begin with neither bed nor support nor the layer before below them. A run that goes
+/// on where the one before ended does not begin.
+/// @param toolpath  the plan of the layers, in their frame
+std::size_t countStartsInAir(const CarriedLayers& carried, const std::vector<ToolpathLayer>& toolpath);
+
+/// The gap between the bed and the lowest bead of the first layer with beads or drops of the part [mm]. Zero
+/// if the bed or a support carries any waypoint of it, and for a toolpath without the part.
+double gapBelowPart(const CarriedLayers& carried, const std::vector<ToolpathLayer>& toolpath);
+
+}  // namespace lamina
