@@ -129,7 +129,7 @@ std::vector<SettingProbe> robotProbes() {
                       {"fanuc.cnt=50"},
                       {"fanuc.joint_3_from_2=0"},
                       {"fanuc.flip=negative"},
-                      {"fanuc.turn_axes=1,2,3"},
+                      {"fanuc.turn_axes=1,4"},
                       {"fanuc.max_lines=100", "robot_program.allow_cut=true"}}),
           robotProbe("INFORM", ".jbi",
                      {{"inform.speed_unit=cm_min"},
