@@ -4,10 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
 #include "lamina/base/error.hpp"
+#include "lamina/toolpath/layer_frame.hpp"
 #include "lamina/toolpath/timing.hpp"
 #include "support/planned_layers.hpp"
 #include "support/shapes.hpp"
@@ -127,6 +130,33 @@ TEST(Cooling, WaitsOnTheSpotForAllThatTheLeastFeedLacks) {
   EXPECT_NEAR(layerTime(toolpath, 2), 8.0, 0.05);
   EXPECT_NEAR(summary.dwell_s / 5, 0.61, 0.02)
       << "8 s less the loops at 10 mm/s, 7.39 s, and the way to the next";
+}
+
+// Beside the part, a nozzle that leans may be in it: it waits out along its own axis.
+TEST(Cooling, WaitsAlongTheToolAxisWhereItLeans) {
+  const double lean = M_PI / 3.0;
+  const Eigen::Quaterniond held = Eigen::AngleAxisd(lean, Point3::UnitX()) * nozzleDown();
+  Toolpath toolpath = withNozzle(tower(), held);
+  CoolingSettings settings = atLeast(1000.0);
+  settings.park = ParkPlace::Outside;
+  cooled(toolpath, settings);
+  int waits = 0;
+  for (const ToolpathLayer& layer : toolpath.layers)
+    for (const Path& path : layer.paths) {
+      const bool waits_here = std::any_of(path.events.begin(), path.events.end(), [](const PathEvent& event) {
+        return std::holds_alternative<Dwell>(event.event);
+      });
+      if (!waits_here) continue;
+      ++waits;
+      ASSERT_EQ(path.points.size(), 3U);
+      EXPECT_EQ(path.events.back().motion, 1U);
+      // Against a tool axis that leans by 60 deg: (0, -sin 60, cos 60).
+      const Point3 out = path.points[1] - path.points[0];
+      EXPECT_NEAR((out.normalized() - Point3(0.0, -std::sin(lean), std::cos(lean))).norm(), 0.0, 1e-9);
+      EXPECT_GE(out.norm(), 5.0 - 1e-9);
+      EXPECT_EQ(path.points[2], path.points[0]);
+    }
+  EXPECT_GE(waits, 5);
 }
 
 TEST(Cooling, OnlyWaitsWhereFeedsBelongToTheProcess) {
