@@ -88,8 +88,9 @@ TEST(TravelsOverPart, TurnAwayFromWhatIsLaid) {
   }
 }
 
+// Out of the wall itself there is none.
 TEST(TravelsOverPart, WithoutAWayStayAndAreCounted) {
-  const Path way = wayBetween({0.0, 0.0, 10}, Point3::UnitX(), {15, 0, 10}, Point3::UnitX());
+  const Path way = wayBetween({0.0, 0.0, 10}, Point3::UnitZ(), {15, 0, 10}, Point3::UnitZ());
   Toolpath toolpath = toolpathWith(way);
   const TravelsOverPart told = lead(toolpath);
   EXPECT_EQ(told.led_round, 1U);
