@@ -38,10 +38,17 @@ TEST(ChildProcessTest, TakesNoFailureForSuccessWhereEndsAreIgnored) {
   std::signal(SIGCHLD, before);
 }
 
+/// Whether what stands in /proc is a process: there are "net" and the like, too.
+bool isProcess(const std::filesystem::path& entry) {
+  const std::string name = entry.filename().string();
+  return name.find_first_not_of("0123456789") == std::string::npos;
+}
+
 /// Whether no process of the group runs any more. One that has ended may be listed until somebody takes
 /// notice.
 bool isEnded(pid_t group) {
   for (const auto& process : std::filesystem::directory_iterator("/proc")) {
+    if (!isProcess(process.path())) continue;
     std::ifstream file(process.path() / "stat");
     const std::string line((std::istreambuf_iterator<char>(file)), {});
     const std::size_t name_end = line.rfind(')');
@@ -71,6 +78,7 @@ bool comesTrue(const Condition& condition) {
 bool isWatched(pid_t group) {
   const std::string told = std::string("watcher") + '\0' + std::to_string(group) + '\0';
   for (const auto& process : std::filesystem::directory_iterator("/proc")) {
+    if (!isProcess(process.path())) continue;
     std::ifstream line(process.path() / "cmdline");
     const std::string words((std::istreambuf_iterator<char>(line)), {});
     if (words.find(told) != std::string::npos) return true;

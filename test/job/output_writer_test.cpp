@@ -9,6 +9,7 @@
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/job/robot_files.hpp"
 #include "lamina/program/csv/csv_writer.hpp"
 #include "support/scoped_entry.hpp"
 #include "support/scratch_folder.hpp"
@@ -32,8 +33,13 @@ TEST(OutputWriter, IsChosenByTheSuffix) {
   const test::ScratchFolder folder;
   const Toolpath toolpath = oneLine();
   const Eigen::Isometry3d bed_from_part = Eigen::Isometry3d::Identity();
-  for (const std::string& suffix : outputSuffixes())
-    writeOutput(folder.file("a" + suffix), {toolpath, bed_from_part}, {});
+  for (const std::string& suffix : outputSuffixes()) {
+    const std::string path = folder.file("a" + suffix);
+    if (programRunner(path) == ProgramRunner::OtherRobot)
+      EXPECT_THROW(writeOutput(path, {toolpath, bed_from_part}, {}), InvalidInput) << "no joints are known";
+    else
+      writeOutput(path, {toolpath, bed_from_part}, {});
+  }
   EXPECT_EQ(readFile(folder.file("a.csv")).rfind(kCsvHeader, 0), 0U);
   EXPECT_NE(readFile(folder.file("a.gcode")).find("G90"), std::string::npos);
   EXPECT_EQ(readFile(folder.file("a.mod")).rfind("MODULE a\n", 0), 0U);

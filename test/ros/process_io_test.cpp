@@ -237,6 +237,8 @@ TEST(ProcessIo, EndsSafeAndIsSafeByTheDeviceWhenItIsKilled) {
   ASSERT_TRUE(waitUntil([&] { return cell.isLit(); }));
   EXPECT_EQ(node->end(SIGTERM), 0);
   EXPECT_FALSE(cell.isLit());
+  // What is sent before its link is gone would go to the one that ended.
+  ASSERT_TRUE(waitUntil([&] { return cell.plan.getNumSubscribers() == 0; }));
   cell.ready = {};
   node = cell.start();
   ASSERT_TRUE(cell.becomesReady()) << cell.ready.reason;

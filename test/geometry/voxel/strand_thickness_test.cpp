@@ -33,7 +33,7 @@ TEST(StrandThickness, CountsWhatIsThinBesideWhatIsNot) {
   VoxelGrid grid = boxed(openGrid(40, 30, 30), {{0, 0, 0}, {10, 10, 10}});
   grid = boxed(std::move(grid), {{10, 4, 4}, {35, 5, 5}});
   const StrandThickness found = strandThicknessOf(grid);
-  EXPECT_DOUBLE_EQ(found.thin_share, 25.0 / 1025.0);
+  EXPECT_NEAR(found.thin_share, 25.0 / 1025.0, 1e-15);
   EXPECT_EQ(found.voxels, 4);
   EXPECT_EQ(inCubes(grid, 1).solidCount(), 1025);
   EXPECT_EQ(strandThicknessOf(openGrid(5, 5, 5)).voxels, 0);

@@ -227,7 +227,7 @@ TEST_P(RobotReader, ReadsOrRefusesAnyMutatedText) {
     try {
       validate(readRobotProgram({{name, mutated}}, "part"));
     } catch (const InvalidProgram& error) {
-      RC_ASSERT(std::string(error.what()).find("'") != std::string::npos);
+      RC_ASSERT(std::string(error.what()).find('\'') != std::string::npos);
     }
   }));
 }

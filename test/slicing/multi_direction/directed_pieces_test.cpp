@@ -58,7 +58,7 @@ std::vector<std::vector<Layer>> allLayers(const DirectedPieces& found, const Mes
   NoProgress progress;
   std::vector<std::vector<Layer>> layers;
   for (std::size_t piece = 0; piece < found.pieces.size(); ++piece)
-    layers.push_back(layersOf(found, piece, mesh, pairHalfEdges(mesh), {}, progress));
+    layers.push_back(layersOf(found, piece, mesh, {}, progress));
   return layers;
 }
 

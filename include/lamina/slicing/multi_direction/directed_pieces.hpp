@@ -71,6 +71,6 @@ DirectedPieces directedPieces(const Mesh& mesh, const MeshTopology& topology, co
 /// the common height from their plane on.
 /// @throws Cancelled
 std::vector<Layer> layersOf(const DirectedPieces& pieces, std::size_t piece, const Mesh& mesh,
-                            const MeshTopology& topology, const SlicingSettings& slicing, Progress& progress);
+                            const SlicingSettings& slicing, Progress& progress);
 
 }  // namespace lamina

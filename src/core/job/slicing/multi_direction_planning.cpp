@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
-#include <iterator>
 #include <limits>
 #include <string>
 #include <utility>
@@ -142,7 +142,7 @@ PlannedPart planMultiDirection(SourcePart source, const PlanningRequest& request
   PieceByPiece pieces(request, found);
   const double slice_s = laps.lap();
   for (std::size_t i = 0; i < found.pieces.size(); ++i)
-    pieces.add(i, layersOf(found, i, source.mesh, source.topology, settings.slicing, progress), progress);
+    pieces.add(i, layersOf(found, i, source.mesh, settings.slicing, progress), progress);
   source = {};
   PlannedPart planned = std::move(pieces.planned());
   const TravelsOverPart travels = leadTravels(planned.plan.toolpath, pieces.growth(), *found.room,

@@ -192,8 +192,7 @@ DirectedPieces directedPieces(const Mesh& mesh, const MeshTopology& topology, co
 }
 
 std::vector<Layer> layersOf(const DirectedPieces& found, std::size_t piece, const Mesh& mesh,
-                            const MeshTopology& topology, const SlicingSettings& slicing,
-                            Progress& progress) {
+                            const SlicingSettings& slicing, Progress& progress) {
   const DirectedPiece& directed = found.pieces.at(piece);
   const Mesh own = turned(mesh, directed.partFromPiece().conjugate());
   const Box3 box = boundingBox(own);
@@ -201,9 +200,11 @@ std::vector<Layer> layersOf(const DirectedPieces& found, std::size_t piece, cons
       1.5 * (box.low.head<2>().cwiseAbs().maxCoeff() + box.high.head<2>().cwiseAbs().maxCoeff()) + 1.0;
   const std::vector<LayerBounds> bounds = boundsOf(directed, piece, slicing);
   std::vector<double> heights;
+  heights.reserve(bounds.size());
   for (const LayerBounds& layer : bounds) heights.push_back(layer.cut());
-  std::vector<Section> sections = sliceMesh(own, topology, heights, progress);
+  std::vector<Section> sections = sliceMesh(own, heights, progress);
   std::vector<Layer> layers;
+  layers.reserve(bounds.size());
   for (std::size_t i = 0; i < bounds.size(); ++i)
     layers.push_back(
         {bounds[i], withoutLaterPieces(std::move(sections[i]), found, piece, heights[i], reach_mm)});

@@ -139,7 +139,7 @@ class FanucPrinter : public RobotPrinter {
 
   /// @return how it is named in a line
   std::string openPoint(const std::string& configuration) {
-    const std::string name = "P[" + std::to_string(++points_) + "]";
+    std::string name = "P[" + std::to_string(++points_) + "]";
     positions_ += name + "{\n   GP1:\n" + frames() + "\t" + configuration + "\n";
     return name;
   }
@@ -194,7 +194,7 @@ std::unique_ptr<RobotPrinter> openFanuc(const RobotSite& site) {
 }
 
 std::string fanucName(const std::string& asked, const RobotProgramSettings& settings) {
-  const std::string name = upperCaseName(asked);
+  std::string name = upperCaseName(asked);
   requireProgramName(name, static_cast<std::size_t>(settings.fanuc.name_length), RobotLanguage::Fanuc);
   return name;
 }

@@ -202,7 +202,7 @@ std::unique_ptr<RobotPrinter> openInform(const RobotSite& site) {
 }
 
 std::string informName(const std::string& asked, const RobotProgramSettings& settings) {
-  const std::string name = upperCaseName(asked);
+  std::string name = upperCaseName(asked);
   requireProgramName(name, static_cast<std::size_t>(settings.inform.name_length), RobotLanguage::Inform);
   return name;
 }
