@@ -2,33 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "program/rapid/reader/rapid_motion.hpp"
 
-#include <cstdio>
 #include <utility>
 
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/kinematics/arm/arm_cell.hpp"
 #include "lamina/kinematics/arm/configured_joints.hpp"
+#include "program/cell_frame.hpp"
 
 namespace lamina {
 namespace {
-
-constexpr double kSameFrameMm = 0.01;  // beyond the decimals of a declaration
-constexpr double kSameFrameRad = 1e-5;
-
-std::string text(const Eigen::Isometry3d& frame) {
-  const Eigen::Quaterniond q(frame.linear());
-  char shown[160];
-  std::snprintf(shown, sizeof shown, "(%.3f, %.3f, %.3f) mm, w x y z %.6f %.6f %.6f %.6f",
-                frame.translation().x(), frame.translation().y(), frame.translation().z(), q.w(), q.x(),
-                q.y(), q.z());
-  return shown;
-}
-
-bool isSameFrame(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
-  return (a.translation() - b.translation()).norm() <= kSameFrameMm &&
-         Eigen::Quaterniond(a.linear()).angularDistance(Eigen::Quaterniond(b.linear())) <= kSameFrameRad;
-}
 
 [[noreturn]] void refuseCell(const std::string& what, const std::string& expected) {
   throw InvalidProgram(what + "; expected " + expected);
@@ -39,9 +22,10 @@ void requireCell(const RapidSource& source, const KinematicModel& arm) {
   const ArmCell cell = armCell(arm);
   const std::string of_arm = ", that of '" + arm.name() + "'";
   if (const auto tool = source.tools.find(source.tool); tool != source.tools.end())
-    if (!isSameFrame(tool->second.flange_from_tip, cell.flange_from_nozzle))
-      refuseCell("the tool '" + source.tool + "' is declared at " + text(tool->second.flange_from_tip),
-                 text(cell.flange_from_nozzle) + of_arm);
+    if (!isSameCellFrame(tool->second.flange_from_tip, cell.flange_from_nozzle))
+      refuseCell(
+          "the tool '" + source.tool + "' is declared at " + shownCellFrame(tool->second.flange_from_tip),
+          shownCellFrame(cell.flange_from_nozzle) + of_arm);
   const auto found = source.work_objects.find(source.work_object);
   if (found == source.work_objects.end()) return;
   const RapidWorkObject& object = found->second;
@@ -52,9 +36,9 @@ void requireCell(const RapidSource& source, const KinematicModel& arm) {
                                    : "a fixed one, as the bed" + of_arm);
   // Where a unit carries the work object, the controller has the user frame from the unit.
   const Eigen::Isometry3d bed = object.is_fixed ? object.user * object.object : object.object;
-  if (!isSameFrame(bed, cell.carrier_from_bed))
-    refuseCell("the work object '" + source.work_object + "' is declared at " + text(bed),
-               text(cell.carrier_from_bed) + of_arm);
+  if (!isSameCellFrame(bed, cell.carrier_from_bed))
+    refuseCell("the work object '" + source.work_object + "' is declared at " + shownCellFrame(bed),
+               shownCellFrame(cell.carrier_from_bed) + of_arm);
 }
 
 /// Follows the moves of a program with the joints of an arm.

@@ -1,37 +1,20 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <cstdio>
-
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/kinematics/arm/configured_joints.hpp"
+#include "program/cell_frame.hpp"
 #include "program/robot/reader/robot_run.hpp"
 
 namespace lamina {
 namespace {
 
-constexpr double kSameCellMm = 0.01;  // beyond the digits of notes that somebody has typed
-constexpr double kSameCellRad = 1e-5;
-
-std::string shownFrame(const Eigen::Isometry3d& frame) {
-  const Eigen::Quaterniond q(frame.linear());
-  char shown[160];
-  std::snprintf(shown, sizeof shown, "(%.3f, %.3f, %.3f) mm, w x y z %.6f %.6f %.6f %.6f",
-                frame.translation().x(), frame.translation().y(), frame.translation().z(), q.w(), q.x(),
-                q.y(), q.z());
-  return shown;
-}
-
 void requireSameFrame(const std::string& what, const std::optional<Eigen::Isometry3d>& stated,
                       const Eigen::Isometry3d& expected, const KinematicModel& arm) {
   if (!stated) return;
-  const bool is_same =
-      (stated->translation() - expected.translation()).norm() <= kSameCellMm &&
-      Eigen::Quaterniond(stated->linear()).angularDistance(Eigen::Quaterniond(expected.linear())) <=
-          kSameCellRad;
-  if (!is_same)
-    throw InvalidProgram("the program's notes have the " + what + " at " + shownFrame(*stated) +
-                         "; expected " + shownFrame(expected) + ", that of '" + arm.name() + "'");
+  if (!isSameCellFrame(*stated, expected))
+    throw InvalidProgram("the program's notes have the " + what + " at " + shownCellFrame(*stated) +
+                         "; expected " + shownCellFrame(expected) + ", that of '" + arm.name() + "'");
 }
 
 void requireSameCell(const RobotHeadNotes& head, const KinematicModel& arm) {

@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <string>
+
+namespace lamina {
+
+/// Whether a frame of a tool or bed that a program states is that of the cell: within 0.01 mm and 1e-5 rad,
+/// beyond the decimals of what somebody has typed.
+bool isSameCellFrame(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b);
+
+/// The frame for people: "(x, y, z) mm, w x y z ...".
+std::string shownCellFrame(const Eigen::Isometry3d& frame);
+
+}  // namespace lamina
