@@ -9,7 +9,7 @@ import re
 
 from rule_script import report
 
-DEFINITION = re.compile(r"^(?:struct|class|enum class) (\w+)\b(?!::)[^;]*$")
+DEFINITION = re.compile(r"^(?:struct|class|enum class) (\w+)\b(?!::)(?:[^;]*$|[^;]*\{)")
 
 
 def definitions(root):

@@ -110,9 +110,14 @@ class OneDefinition(unittest.TestCase):
         found = one_definition.faults(tree({"include/a.hpp": "struct Place {\n};\n", "src/b.hpp": "class Place final {\n};\n"}))
         self.assertEqual(len(list(found)), 1)
 
+    def test_a_type_of_one_line_is_a_type(self):
+        found = one_definition.faults(tree({"include/a.hpp": "enum class Ends { Open, Closed };\n",
+                                            "src/b.hpp": "enum class Ends : std::uint8_t { Joined };\n"}))
+        self.assertEqual(len(list(found)), 1)
+
     def test_a_type_may_be_announced_and_have_parts_elsewhere(self):
         found = one_definition.faults(tree({"include/a.hpp": "class Place {\n};\n",
-                                            "src/b.hpp": "class Place;\nclass Place::State {\n};\n"}))
+                                            "src/b.hpp": "class Place;\nenum class Place : int;\nclass Place::State {\n};\n"}))
         self.assertEqual(list(found), [])
 
 

@@ -9,16 +9,16 @@
 
 namespace lamina {
 
-enum class PathEnds : std::uint8_t { Open, Closed };
+enum class PathClosure : std::uint8_t { Open, Closed };
 
 /// The values of a path's motions as those of the waypoints at which they end; one value if all are the same.
 /// @param of_motions  one at least
 template <class Value>
-AlongPath<Value> perWaypoint(const std::vector<Value>& of_motions, PathEnds ends) {
+AlongPath<Value> perWaypoint(const std::vector<Value>& of_motions, PathClosure ends) {
   const bool is_common = std::all_of(of_motions.begin(), of_motions.end(),
                                      [&](const Value& value) { return value == of_motions.front(); });
   if (is_common) return of_motions.front();
-  const bool is_closed = ends == PathEnds::Closed;
+  const bool is_closed = ends == PathClosure::Closed;
   std::vector<Value> each;
   each.reserve(of_motions.size() + 1);
   each.push_back(is_closed ? of_motions.back() : of_motions.front());

@@ -157,14 +157,12 @@ std::string inventorMacro(const std::vector<Sweep>& sweeps) {
   if (sweeps.empty()) throw InvalidInput("there is no sweep; expected a toolpath that lays beads");
   InventorScript script;
   for (const Sweep& sweep : sweeps) {
-    BeadFrame before;
     for (std::size_t line = 0; line < sweep.lineCount(); ++line) {
       const BeadFrame frame = frameOfLine(sweep, line);
-      const bool begins = line == 0 || !goesOn(before, frame);
+      const bool begins = line == 0 || !goesOn(frameOfLine(sweep, line - 1), frame);
       if (begins && line > 0) script.finish();
       if (begins) script.begin(frame, sweep.bead);
       script.go(frame.middle + frame.way);
-      before = frame;
     }
     script.finish();
   }

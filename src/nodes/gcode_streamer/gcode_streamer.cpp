@@ -360,7 +360,7 @@ PlannedProgram GcodeStreamer::programOf(const MachineToolpath& plan, const Layer
   PlannedProgram planned{program,
                          std::make_shared<LayerCorrector>(
                              program, ProgrammedToolpath{plan.id, placed(plan.toolpath, plan.bed_from_part)},
-                             corrections, FirstLayer::Awaited)};
+                             corrections, FirstMap::Awaited)};
   planned.corrector->beginRecord();
   return planned;
 }

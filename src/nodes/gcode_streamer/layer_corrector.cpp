@@ -28,7 +28,7 @@ std::string folderFor(const StreamableProgram& program, const ProgrammedToolpath
 }  // namespace
 
 LayerCorrector::LayerCorrector(const StreamableProgram& program, ProgrammedToolpath toolpath,
-                               StreamCorrectionSettings settings, FirstLayer first)
+                               StreamCorrectionSettings settings, FirstMap first)
     : toolpath_(std::move(toolpath)),
       settings_(std::move(settings)),
       first_(first),
@@ -106,7 +106,7 @@ bool LayerCorrector::isKnown(std::int32_t layer) {
   if (is_planning_) return false;
   const auto found = heard_.find(number);
   const bool is_there = found != heard_.end();
-  const bool is_awaited = !is_there && (number > 0 || first_ == FirstLayer::Awaited);
+  const bool is_awaited = !is_there && (number > 0 || first_ == FirstMap::Awaited);
   if (is_awaited)
     awaited_ = number;
   else

@@ -32,7 +32,7 @@ struct LayerDecision {
 };
 
 /// Whether the first layer of a program waits for its map, too: of a part that begins nothing can be known.
-enum class FirstLayer { AsPlanned, Awaited };
+enum class FirstMap { AsPlanned, Awaited };
 
 /// Corrects the program of a toolpath on its way, by the maps that come while it is printed. Above the first
 /// layer each waits for its map. Maps may come from any thread; the
@@ -44,7 +44,7 @@ class LayerCorrector final : public ProgramRevision {
   /// @throws InvalidProgram as `ProgramCorrector`; if none of what it deposits lies on the toolpath
   /// @throws FileError if the program is gone, or nothing can be written to the folder of the record
   LayerCorrector(const StreamableProgram& program, ProgrammedToolpath toolpath,
-                 StreamCorrectionSettings settings, FirstLayer first = FirstLayer::AsPlanned);
+                 StreamCorrectionSettings settings, FirstMap first = FirstMap::AsPlanned);
 
   /// The record of a job before gives way to this one's: now, or else with the first line.
   /// @throws FileError if it cannot be written
@@ -89,7 +89,7 @@ class LayerCorrector final : public ProgramRevision {
 
   const ProgrammedToolpath toolpath_;
   const StreamCorrectionSettings settings_;
-  const FirstLayer first_;
+  const FirstMap first_;
   std::string programmed_id_;  ///< of the toolpath in coordinates of the program
   ProgramCorrector corrector_;
   CorrectionRecord record_;

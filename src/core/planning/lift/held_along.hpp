@@ -21,9 +21,9 @@ AlongPath<Value> alongPath(std::vector<Value> values, const IsSame& is_same) {
 
 /// The orientation of the nozzle along a path, likewise.
 inline AlongPath<Eigen::Quaterniond> heldAlong(std::vector<Eigen::Quaterniond> orientations) {
-  constexpr double kRounding = 1e-9;
+  constexpr double kSameTurn = 1e-9;
   return alongPath(std::move(orientations), [](const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) {
-    return (a.coeffs() - b.coeffs()).norm() < kRounding;
+    return (a.coeffs() - b.coeffs()).norm() < kSameTurn;
   });
 }
 

@@ -76,7 +76,7 @@ AlongPath<Bead> PathBuilder::beads(double layer_height_mm, double volume_per_fil
   if (is_common) return bead(mean, 0);
   std::vector<Bead> each(lengths.size());
   for (std::size_t m = 0; m < lengths.size(); ++m) each[m] = bead(filament_mm_[m] / lengths[m], m);
-  return perWaypoint(each, isClosed() ? PathEnds::Closed : PathEnds::Open);
+  return perWaypoint(each, isClosed() ? PathClosure::Closed : PathClosure::Open);
 }
 
 Path PathBuilder::build(double layer_height_mm, double volume_per_filament) const {
@@ -88,7 +88,7 @@ Path PathBuilder::build(double layer_height_mm, double volume_per_filament) cons
   path.events = events_;
   path.points = points_;
   if (path.is_closed) path.points.pop_back();
-  path.feed_mm_s = perWaypoint(feed_mm_s_, path.is_closed ? PathEnds::Closed : PathEnds::Open);
+  path.feed_mm_s = perWaypoint(feed_mm_s_, path.is_closed ? PathClosure::Closed : PathClosure::Open);
   if (deposits_) path.bead = beads(layer_height_mm, volume_per_filament);
   return path;
 }

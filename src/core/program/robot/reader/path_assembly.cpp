@@ -130,7 +130,7 @@ std::vector<ProcessValue> PathAssembly::values(const Path& path) const {
   for (const std::string& name : open_->values) {
     std::vector<double> each;
     for (std::size_t i = 1; i < poses_.size(); ++i) each.push_back(poses_[i].values.at(name));
-    all.push_back({name, perWaypoint(each, path.is_closed ? PathEnds::Closed : PathEnds::Open)});
+    all.push_back({name, perWaypoint(each, path.is_closed ? PathClosure::Closed : PathClosure::Open)});
   }
   return all;
 }
@@ -147,7 +147,7 @@ void PathAssembly::closePath() {
   path.role = open_->role;
   path.is_closed = open_->is_closed;
   path.process.is_retracted = open_->is_retracted;
-  const PathEnds ends = path.is_closed ? PathEnds::Closed : PathEnds::Open;
+  const PathClosure ends = path.is_closed ? PathClosure::Closed : PathClosure::Open;
   const bool returns = (poses_.back().point - poses_.front().point).norm() <= kSamePlace;
   if (path.is_closed && (poses_.size() < 3 || !returns))
     refuseOpen("a closed path does not return; expected it to end where it starts");
