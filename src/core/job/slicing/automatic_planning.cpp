@@ -10,57 +10,18 @@
 #include <vector>
 
 #include "job/slicing/mode_choice.hpp"
+#include "job/slicing/mode_trial.hpp"
 #include "job/slicing/skin_modes.hpp"
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
-#include "lamina/job/robot_files.hpp"
-#include "lamina/slicing/planar/layer_plane.hpp"
-#include "lamina/slicing/unsliceable.hpp"
-#include "lamina/toolpath/timing.hpp"
-#include "lamina/verification/overhang/unsupported_surface.hpp"
 
 namespace lamina {
 namespace {
-
-/// From the simplest to print.
-constexpr const char* kTiltingModes[] = {"multi_direction", "adapted", "volumetric"};
-
-Nozzle nozzleOf(const PlanningRequest& request) {
-  const bool is_held = programRunner(request.job.output) == ProgramRunner::RapidRobot &&
-                       request.job.settings.program.rapid.variant != RapidVariant::Powder5Axes;
-  return canTurnToolAxis(request.space) && !is_held ? Nozzle::Tilting : Nozzle::Held;
-}
-
-SupportQuestion questionOf(const JobSettings& settings) {
-  return {settings.automatic.max_overhang_deg, settings.slicing.first_layer_height_mm};
-}
-
-UnsupportedSurface unsupportedInPlanes(const Mesh& mesh, const JobSettings& settings) {
-  return unsupportedSurface(mesh, partFromLayers(settings.slicing.plane) * Point3::UnitZ(),
-                            questionOf(settings));
-}
 
 std::string percentText(double percent) {
   char text[32];
   std::snprintf(text, sizeof text, "%.2f %%", percent);
   return text;
-}
-
-/// The job by one mode, all modes taking the same overhang.
-SliceJob jobBy(const std::string& mode, SliceJob job) {
-  JobSettings& settings = job.settings;
-  settings.slicing.mode = mode;
-  settings.directions.max_overhang_deg = settings.automatic.max_overhang_deg;
-  settings.volumetric.max_overhang_deg = settings.automatic.max_overhang_deg;
-  return job;
-}
-
-LayerSupport measuredSupport(const Mesh& mesh, const PlannedPart& planned, const SliceJob& job) {
-  const bool is_plane = hasPlaneLayers(job.settings.slicing.mode);
-  const UnsupportedSurface surface =
-      is_plane ? unsupportedInPlanes(mesh, job.settings)
-               : unsupportedSurface(mesh, planned.plan.toolpath, questionOf(job.settings));
-  return {surface.surface_mm2, surface.unsupported_mm2, is_plane ? std::size_t{1} : planned.counts.layers};
 }
 
 /// Modes tried one after the other, and what came of them.
@@ -69,16 +30,9 @@ class ModeTrials {
   ModeTrials(const SourcePart& source, const PlanningRequest& request) : source_(source), request_(request) {}
 
   void attempt(const std::string& mode, Progress& progress) {
-    ModeCandidate candidate;
-    candidate.mode = mode;
-    std::optional<PlannedPart> planned;
-    try {
-      planned = plan(candidate, progress);
-    } catch (const InvalidInput& refusal) {
-      candidate.refusal = refusal.what();
-    }
-    candidates_.push_back(std::move(candidate));
-    planned_.push_back(std::move(planned));
+    ModeTrial trial = tryMode(mode, source_, request_, progress);
+    candidates_.push_back(std::move(trial.candidate));
+    planned_.push_back(std::move(trial.planned));
   }
 
   bool isGoodEnough() const { return isLastGoodEnough(candidates_, settings()); }
@@ -98,24 +52,6 @@ class ModeTrials {
 
  private:
   const AutomaticSettings& settings() const { return request_.job.settings.automatic; }
-
-  PlannedPart plan(ModeCandidate& candidate, Progress& progress) const {
-    const SliceJob job = jobBy(candidate.mode, request_.job);
-    validate(job.settings);
-    PlannedPart planned =
-        planShown(source_, candidate.mode, {job, request_.space, request_.bed_from_part}, progress);
-    if (totals(planned.plan.toolpath).deposition_runs == 0)
-      throw InvalidInput("no bead is deposited in any of its " + std::to_string(planned.counts.layers) +
-                         " layers; expected at least one");
-    const LayerSupport support =
-        planned.support ? *planned.support : measuredSupport(source_.mesh, planned, job);
-    candidate.unsupported_percent =
-        support.surface_mm2 > 0.0 ? 100.0 * support.unsupported_mm2 / support.surface_mm2 : 0.0;
-    candidate.steps = support.steps;
-    candidate.layers = planned.counts.layers;
-    candidate.time_s = estimateTime(planned.plan.toolpath, job.settings.motion).total_s;
-    return planned;
-  }
 
   const SourcePart& source_;
   const PlanningRequest& request_;
@@ -149,9 +85,9 @@ std::string noteOnHeld(const PlanningRequest& request) {
 PlannedPart planBySupport(ModeTrials& trials, const PlanningRequest& request, SliceSummary& summary,
                           Progress& progress) {
   trials.attempt("planar", progress);
-  const bool may_tilt = nozzleOf(request) == Nozzle::Tilting;
+  const bool may_tilt = nozzleFor(request.job, request.space) == Nozzle::Tilting;
   if (may_tilt)
-    for (const char* const mode : kTiltingModes) {
+    for (const std::string& mode : tiltingModes()) {
       if (trials.isGoodEnough()) break;
       trials.attempt(mode, progress);
     }
@@ -169,18 +105,6 @@ PlannedPart planBySupport(ModeTrials& trials, const PlanningRequest& request, Sl
 
 }  // namespace
 
-PlannedPart planShown(SourcePart source, const std::string& mode, const PlanningRequest& request,
-                      Progress& progress) {
-  const SlicingMode by = slicingModes().find(mode);
-  if (by.shape == LayerShape::Plane) return by.plan(std::move(source), request, progress);
-  const Mesh part = source.mesh;
-  try {
-    return by.plan(std::move(source), request, progress);
-  } catch (Unsliceable& refusal) {
-    throw std::move(refusal).on(part);
-  }
-}
-
 PlannedPart planAutomatically(const SourcePart& source, const PlanningRequest& request, SliceSummary& summary,
                               Progress& progress) {
   const JobSettings& settings = request.job.settings;
@@ -195,7 +119,8 @@ PlannedPart planAutomatically(const SourcePart& source, const PlanningRequest& r
   }
   ModeTrials trials(source, request);
   if (settings.automatic.follows_skins)
-    for (const ModeChoice& choice : modesForSkins(source.mesh, settings, nozzleOf(request))) {
+    for (const ModeChoice& choice :
+         modesForSkins(source.mesh, settings, nozzleFor(request.job, request.space))) {
       trials.attempt(choice.mode, progress);
       if (trials.isLastTaken()) return taken(trials, trials.candidates().size() - 1, choice.reason, summary);
     }

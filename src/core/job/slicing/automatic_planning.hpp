@@ -9,11 +9,6 @@
 
 namespace lamina {
 
-/// Slices by a named mode. A refusal gets the part that its region is shown on.
-/// @throws as `PlanFunction`
-PlannedPart planShown(SourcePart source, const std::string& mode, const PlanningRequest& request,
-                      Progress& progress);
-
 /// Slices by the mode that suits the part. What the settings already say decides first: a base to be laid on,
 /// an inclined plane, skins to be followed. Otherwise the modes are tried from the simplest on, until one
 /// leaves little enough unsupported (`chosenMode`). A head that cannot tilt gets level layers. The mode, the

@@ -10,6 +10,7 @@
 
 #include "job/joint_program.hpp"
 #include "job/slicing/automatic_planning.hpp"
+#include "job/slicing/mode_trial.hpp"
 #include "job/slicing/tool_orientation.hpp"
 #include "lamina/base/angle.hpp"
 #include "lamina/infill/strategy.hpp"
