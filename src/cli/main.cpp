@@ -13,6 +13,7 @@ int main(int argc, char** argv) {
     return runCommandLine(argc, argv,
                           {{"calibrate", addCalibrate},
                            {"check", addCheck},
+                           {"compare", addCompare},
                            {"coordinates", addCoordinates},
                            {"correct", addCorrect},
                            {"deposit", addDeposit},

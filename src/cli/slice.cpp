@@ -136,6 +136,22 @@ nlohmann::ordered_json slowShare(const SliceSummary& s) {
   return s.slow_bead_share;
 }
 
+/// What `auto` tried.
+nlohmann::ordered_json jsonOf(const std::vector<ModeCandidate>& candidates) {
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  for (const ModeCandidate& each : candidates) {
+    if (!each.refusal.empty())
+      all.push_back({{"mode", each.mode}, {"refusal", each.refusal}});
+    else
+      all.push_back({{"mode", each.mode},
+                     {"unsupported_percent", each.unsupported_percent},
+                     {"steps", each.steps},
+                     {"layers", each.layers},
+                     {"time_s", each.time_s}});
+  }
+  return all;
+}
+
 nlohmann::ordered_json jsonOf(const SliceSummary& s, const std::string& output) {
   return {
       {"mode", s.mode},
@@ -300,10 +316,10 @@ void slice(const SliceArguments& arguments, OutputFormat format) {
                               profiles.material, profiles.process});
   releaseStartPages();
   const SliceSummary summary = runShown(job);
-  if (format == OutputFormat::Json)
-    std::printf("%s\n", jsonOf(summary, job.output).dump(2).c_str());
-  else
-    printText(summary, job.output);
+  if (format == OutputFormat::Text) return printText(summary, job.output);
+  nlohmann::ordered_json json = jsonOf(summary, job.output);
+  json["candidates"] = jsonOf(summary.candidates);
+  std::printf("%s\n", json.dump(2).c_str());
 }
 
 }  // namespace

@@ -55,6 +55,7 @@ inline constexpr char kTokenDescription[] = "Tokens of the operator's page: make
 void addAudit(CLI::App& app, Chosen& chosen);
 void addCalibrate(CLI::App& app, Chosen& chosen);
 void addCheck(CLI::App& app, Chosen& chosen);
+void addCompare(CLI::App& app, Chosen& chosen);
 void addCoordinates(CLI::App& app, Chosen& chosen);
 void addCorrect(CLI::App& app, Chosen& chosen);
 void addDecide(CLI::App& app, Chosen& chosen);

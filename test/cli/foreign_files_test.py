@@ -52,6 +52,7 @@ CALLS = [
     ("slice box --set slicing.heights=file --set slicing.heights_file=FILE", ("", TABLE)),
     ("heights FILE", ("", MESH)),
     ("lay FILE", ("", MESH)),
+    ("compare FILE", ("", MESH)),
     ("replan FILE OWN -o OUT.csv", ("", PROGRAM, MODULE, TABLE)),
     ("replan OWN FILE -o OUT.csv", ("", TABLE)),
     ("rotate FILE -o OUT.stl", ("", MESH)),

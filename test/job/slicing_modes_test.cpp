@@ -240,36 +240,6 @@ TEST_F(SlicingModes, ARefusalShowsTheRegionOnThePart) {
   }
 }
 
-TEST_F(SlicingModes, AutoReportsWhatItChoseAndWhy) {
-  usePart("box", {});
-  SlicedPart sliced = slice("auto");
-  EXPECT_EQ(sliced.summary.mode, "planar");
-  EXPECT_NE(sliced.summary.mode_reason.find("too little"), std::string::npos);
-  job_.output = folder_.file("poses.csv");
-  useDome();
-  sliced = slice("auto");
-  EXPECT_EQ(sliced.summary.mode, "curved");
-  EXPECT_NE(sliced.summary.mode_reason.find("slopes gently"), std::string::npos);
-  job_.output = folder_.file("program.gcode");
-  EXPECT_NE(slice("auto").summary.mode, "curved") << "the head is fixed";
-  // The lower half of a sphere faces down, and hardly any of it lies on the bed.
-  job_.output = folder_.file("poses.csv");
-  usePart("sphere", {{"radius_mm", "7"}, {"segments", "32"}});
-  sliced = slice("auto");
-  EXPECT_EQ(sliced.summary.mode, "planar");
-  EXPECT_NE(sliced.summary.mode_reason.find("begin in the air"), std::string::npos);
-}
-
-TEST_F(SlicingModes, AutoReportsWhyItDidNotTakeTheBetterMode) {
-  job_.output = folder_.file("poses.csv");
-  usePart("cone", {{"radius_mm", "20"}, {"top_radius_mm", "26"}, {"height_mm", "3"}});
-  job_.settings.planning.infill.density = 0.0;
-  const SlicedPart sliced = slice("auto");
-  EXPECT_EQ(sliced.summary.mode, "planar");
-  EXPECT_NE(sliced.summary.mode_reason.find("not adapted: "), std::string::npos)
-      << sliced.summary.mode_reason;
-}
-
 TEST_F(SlicingModes, SettingsThatDoNotGoTogetherAreRefused) {
   usePart("box", {});
   EXPECT_THROW(slice("inclined"), InvalidConfig);
@@ -287,15 +257,6 @@ TEST_F(SlicingModes, SettingsThatDoNotGoTogetherAreRefused) {
   job_.settings.planning.infill.strategy = "zigzag";
   job_.settings.slicing.first_layer_height_mm = 0.4;
   EXPECT_THROW(slice("curved"), InvalidConfig);
-}
-
-TEST_F(SlicingModes, AutoTakesNoModeThatOtherSettingsContradict) {
-  useDome();
-  job_.output = folder_.file("poses.csv");
-  job_.settings.scan.every_layers = 3;
-  const SlicedPart sliced = slice("auto");
-  EXPECT_EQ(sliced.summary.mode, "planar");
-  EXPECT_NE(sliced.summary.mode_reason.find("scan.every_layers"), std::string::npos);
 }
 
 TEST_F(SlicingModes, ShellsThatBeginInTheAirAreReported) {

@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 The Lamina authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What tools/print_inclined and tools/print_by_joints make of what a machine reports, tools/draw_closed_loop of two prints and
+"""What tools/print_inclined and tools/print_by_joints make of what a machine reports, tools/compare_deposit of a deposit,
+tools/draw_closed_loop of two prints and
 tools/draw_cell of a cell's timeline, without a master.
 
 Usage: print_tools_test.py ROOT
@@ -13,6 +14,7 @@ import io
 import json
 import pathlib
 import socket
+import struct
 import sys
 import tempfile
 import threading
@@ -106,6 +108,36 @@ class ByJoints(unittest.TestCase):
             tool("print_by_joints").Process().await_connection()
         subscriber.return_value.get_num_connections.return_value = 1
         tool("print_by_joints").Process().await_connection()
+
+
+class CompareDeposit(unittest.TestCase):
+    def box(self, path, low, high):
+        """A box as a binary STL file."""
+        corners = [[(low, high)[corner >> axis & 1][axis] for axis in range(3)] for corner in range(8)]
+        faces = ((0, 2, 3), (0, 3, 1), (4, 5, 7), (4, 7, 6), (0, 1, 5), (0, 5, 4), (2, 6, 7), (2, 7, 3), (0, 4, 6), (0, 6, 2), (1, 3, 7), (1, 7, 5))
+        content = bytes(80) + struct.pack("<I", len(faces))
+        for face in faces:
+            content += struct.pack("<12fH", 0, 0, 0, *(value for corner in face for value in corners[corner]), 0)
+        path.write_bytes(content)
+        return str(path)
+
+    def test_what_deposit_and_part_share_is_counted(self):
+        compare = tool("compare_deposit")
+        with tempfile.TemporaryDirectory() as scratch:
+            root = pathlib.Path(scratch)
+            part = compare.Solid(self.box(root / "part.stl", (0, 0, 0), (8, 8, 10)))
+            laid, left_open, outside = compare.shares(part, compare.Solid(self.box(root / "deposit.stl", (4, 0, 0), (12, 8, 5))))
+        self.assertAlmostEqual(laid, 0.5)
+        self.assertAlmostEqual(left_open, 0.75)
+        self.assertAlmostEqual(outside, 0.25)
+
+    def test_a_part_without_volume_is_a_failure(self):
+        compare = tool("compare_deposit")
+        with tempfile.TemporaryDirectory() as scratch:
+            empty = pathlib.Path(scratch) / "empty.stl"
+            empty.write_bytes(bytes(84))
+            with self.assertRaisesRegex(SystemExit, "no volume"):
+                compare.shares(compare.Solid(str(empty)), compare.Solid(str(empty)))
 
 
 class ClosedLoop(unittest.TestCase):

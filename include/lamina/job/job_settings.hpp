@@ -12,6 +12,7 @@
 #include "lamina/job/part/placement.hpp"
 #include "lamina/job/plate/plate_settings.hpp"
 #include "lamina/job/profiles/capabilities.hpp"
+#include "lamina/job/slicing/automatic_settings.hpp"
 #include "lamina/kinematics/cartesian/machine_settings.hpp"
 #include "lamina/kinematics/joint_path/joint_path_settings.hpp"
 #include "lamina/metrics/metrics_settings.hpp"
@@ -76,6 +77,7 @@ struct JobSettings {
   MachineCapabilities capabilities;
   MaterialSettings material;
   SlicingSettings slicing;
+  AutomaticSettings automatic;
   AdaptedSettings adapted;
   CurvedSettings curved;
   ConformalSettings conformal;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "lamina/job/slicing/mode_candidate.hpp"
 #include "lamina/orientation/orientation_report.hpp"
 #include "lamina/planning/order/anchoring.hpp"
 #include "lamina/planning/order/fill_starts.hpp"
@@ -17,12 +18,13 @@ namespace lamina {
 
 /// What slicing a part gave, and what it took.
 struct SliceSummary {
-  std::string mode = "planar";     ///< that the layers were made by; never `auto`
-  std::string mode_reason;         ///< why it was chosen; empty if the settings name it
-  std::vector<std::string> notes;  ///< what to know of the layers and the tool, a sentence each
-  OverhangAngle lean;              ///< of the part's walls over its layers
-  OrientationReport orientation;   ///< all zero if the nozzle is held as the slicer gave it
-  std::size_t triangles = 0;       ///< of the repaired mesh
+  std::string mode = "planar";            ///< that the layers were made by; never `auto`
+  std::string mode_reason;                ///< why it was chosen; empty if the settings name it
+  std::vector<ModeCandidate> candidates;  ///< that `auto` tried; empty if the settings name the mode
+  std::vector<std::string> notes;         ///< what to know of the layers and the tool, a sentence each
+  OverhangAngle lean;                     ///< of the part's walls over its layers
+  OrientationReport orientation;          ///< all zero if the nozzle is held as the slicer gave it
+  std::size_t triangles = 0;              ///< of the repaired mesh
   std::size_t layers = 0;
   std::size_t contours = 0;       ///< closed ones, of all layers
   std::size_t open_contours = 0;  ///< none on a closed mesh

@@ -183,6 +183,7 @@ void describe(SettingsSchema& schema, JobSettings& settings) {
   describe(schema, settings.slicing);
   // Taken beside the other keys of the first layer, too.
   schema.renamed("first_layer.height_mm", "slicing.first_layer_height_mm");
+  describe(schema, settings.automatic);
   describe(schema, settings.adapted);
   describe(schema, settings.curved);
   describe(schema, settings.conformal);

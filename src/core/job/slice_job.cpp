@@ -15,6 +15,7 @@
 #include "job/joint_program.hpp"
 #include "job/laps.hpp"
 #include "job/slice_run.hpp"
+#include "job/slicing/automatic_planning.hpp"
 #include "job/slicing/part_slicing.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/parallel.hpp"
@@ -22,6 +23,7 @@
 #include "lamina/job/annotations/progress_marks.hpp"
 #include "lamina/job/output_files.hpp"
 #include "lamina/job/output_writer.hpp"
+#include "lamina/job/slicing/slicing_mode.hpp"
 #include "lamina/planning/hooks/hooks.hpp"
 #include "lamina/planning/tools/tool_heating.hpp"
 #include "lamina/program/gcode/gcode_dialect.hpp"
@@ -149,7 +151,13 @@ SlicedPart runIn(const BuildSpace& space, const SliceJob& job, const SliceFuncti
 
 SlicedPart runSliceJob(const SliceJob& job, Progress& progress) {
   validate(job.settings);
-  return runIn(buildSpaceOf(job.settings.machine), job, readAndSlice, progress);
+  const BuildSpace space = buildSpaceOf(job.settings.machine);
+  const SlicingSettings& slicing = job.settings.slicing;
+  if (slicing.mode != kAutoMode || slicing.plane.angle_deg != 0.0)
+    return runIn(space, job, readAndSlice, progress);
+  SliceJob inclined = job;
+  inclined.settings.slicing.plane = planeOfHead(space);
+  return runIn(space, inclined, readAndSlice, progress);
 }
 
 SlicedPart runLevelSliceJob(SliceJob job, Progress& progress) {

@@ -89,6 +89,11 @@ std::vector<Truth> truths() {
       {"box", {{"x_mm", "2"}, {"y_mm", "3"}, {"z_mm", "4"}}, 24.0, 52.0},
       {"flat_wall", {{"length_mm", "10"}, {"thickness_mm", "1"}, {"height_mm", "5"}}, 50.0, 130.0},
       {"pyramid", {{"width_mm", "6"}, {"depth_mm", "6"}, {"height_mm", "4"}}, 48.0, 36.0 + 4 * 15.0},
+      // Both sides, and 12 mm along the outline.
+      {"tee",
+       {},
+       12.0 * (12.0 * 40 + 76.0 * 10),
+       2 * (12.0 * 40 + 76.0 * 10) + 12.0 * (12 + 2 * 40 + (76 - 12) + 2 * 10 + 76.0)},
       {"tetradecahedron", {{"edge_mm", "2"}}, 64.0 * std::sqrt(2.0), 4.0 * (6.0 + 12.0 * std::sqrt(3.0))},
       {"cylinder",
        {{"radius_mm", "10"}, {"height_mm", "7"}, {"segments", "60"}},
@@ -133,6 +138,16 @@ TEST(Parts, ACurvedWallHasTheVolumeOfItsArc) {
   EXPECT_NEAR(volume(makePart("curved_wall", {{"segments", "500"}})), truth, 1e-5 * truth);
 }
 
+// After Pappus: the section times the way of its middle.
+TEST(Parts, AnElbowHasTheVolumeOfItsWay) {
+  const double truth = M_PI * 64.0 * (6.0 + 0.5 * M_PI * 20.0);
+  const Mesh mesh = makePart("elbow", {{"segments", "400"}});
+  EXPECT_NEAR(volume(mesh), truth, 2e-4 * truth);
+  const Box3 box = boundingBox(mesh);
+  EXPECT_NEAR(box.high.x(), 20.0, 1e-9);
+  EXPECT_NEAR(box.high.z(), 6.0 + 20.0 + 8.0, 1e-9);
+}
+
 TEST(Parts, ABladeKeepsItsVolumeWhenItLeans) {
   const auto lean = [](const char* degrees) {
     return volume(makePart("blade", {{"lean_deg", degrees}, {"twist_deg", "0"}}));
@@ -151,6 +166,8 @@ TEST(Parts, RefusesAnUnknownNameNamingTheOthers) {
 
 TEST(Parts, RefusesParametersThatContradictEachOther) {
   EXPECT_THROW(makePart("tube", {{"inner_radius_mm", "10"}}), InvalidConfig);
+  EXPECT_THROW(makePart("tee", {{"stem_mm", "76"}}), InvalidConfig);
+  EXPECT_THROW(makePart("elbow", {{"bend_radius_mm", "8"}}), InvalidConfig);
   EXPECT_THROW(makePart("through_hole_plate", {{"hole_radius_mm", "15"}}), InvalidConfig);
   EXPECT_THROW(makePart("through_hole_plate", {{"segments", "42"}}), InvalidConfig);
   EXPECT_THROW(makePart("blind_hole_plate", {{"hole_depth_mm", "10"}}), InvalidConfig);

@@ -136,6 +136,24 @@ SettingProbe directionsProbe() {
             "directions.most_cuts=0;directions.largest_unsupported_percent=100"}}};
 }
 
+SettingProbe automaticProbe() {
+  return {
+      "a mode chosen by what it leaves unsupported",
+      std::string(kThick) + "slicing.mode=auto;machine.name=five_axis_head_table;auto.max_overhang_deg=30",
+      toolpathOf("cone radius_mm=3 top_radius_mm=6 height_mm=4 segments=32"),
+      {{"auto.good_unsupported_percent=60"},
+       {"auto.alike_percent=100"},
+       {"auto.longest_time=1", "auto.alike_percent=100"},
+       {"auto.max_overhang_deg=40"}}};
+}
+
+SettingProbe skinsProbe() {
+  return {"a mode chosen by the part's skins",
+          std::string(kThick) + "slicing.mode=auto",
+          toolpathOf("cone radius_mm=8 top_radius_mm=1 height_mm=2 segments=48"),
+          {{"auto.follow_skins=true"}}};
+}
+
 SettingProbe orientationProbe() {
   return {"the nozzle's orientation",
           std::string(kThick) + "machine.name=five_axis_head_ac",
@@ -156,9 +174,9 @@ SettingProbe orientationProbe() {
 }  // namespace
 
 std::vector<SettingProbe> layerProbes() {
-  return {inclinedProbe(),   beltProbe(),       adaptedProbe(),    curvedProbe(),
-          gapProbe(),        conformalProbe(),  baseProbe(),       heightFieldProbe(),
-          volumetricProbe(), directionsProbe(), orientationProbe()};
+  return {inclinedProbe(),  beltProbe(),  adaptedProbe(),     curvedProbe(),     gapProbe(),
+          conformalProbe(), baseProbe(),  heightFieldProbe(), volumetricProbe(), directionsProbe(),
+          automaticProbe(), skinsProbe(), orientationProbe()};
 }
 
 }  // namespace lamina::test

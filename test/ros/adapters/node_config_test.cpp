@@ -212,7 +212,7 @@ std::size_t loadOf(const std::string& node, const std::string& file, lamina::Set
 }
 
 TEST(NodeConfig, OfTheDemosByJointsHoldsSettingsThereAre) {
-  for (const std::string file : {"demo_five_axis.yaml", "demo_robot.yaml"}) {
+  for (const std::string file : {"demo_five_axis.yaml", "demo_volumetric.yaml", "demo_robot.yaml"}) {
     lamina::JobSettings slicing;
     lamina::SettingsSchema slicing_schema;
     describe(slicing_schema, slicing);

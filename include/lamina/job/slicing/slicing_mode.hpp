@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,10 +37,19 @@ struct LayerCounts {
   double slice_s = 0.0;
 };
 
+/// What a mode knows of its own layers.
+struct LayerSupport {
+  double surface_mm2 = 0.0;
+  double unsupported_mm2 = 0.0;  ///< overhangs its own layers by more than the mode's settings take
+  std::size_t steps = 1;         ///< pieces printed along one direction; each bent layer is one of its own
+  Mesh unsupported = {};         ///< triangles of what overhangs so [part frame]
+};
+
 /// A part's toolpath in the part frame, and how it came about.
 struct PlannedPart {
   Plan plan;
   LayerCounts counts;
+  std::optional<LayerSupport> support;  ///< of modes that measure it
   OverhangAngle lean;
   std::vector<std::string> notes;  ///< what a user should know of the layers, a sentence each
 };

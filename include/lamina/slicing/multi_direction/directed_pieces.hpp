@@ -37,6 +37,7 @@ struct DirectedPieces {
   double cell_mm = 0.0;
   double surface_mm2 = 0.0;
   double unsupported_level_mm2 = 0.0;    ///< without any cut
+  Mesh hanging;                          ///< triangles of what is left unsupported
   double cut_mm2 = 0.0;                  ///< area of all cuts
   std::shared_ptr<const HeadRoom> room;  ///< of the head, over the part as its pieces are printed
 

@@ -59,6 +59,7 @@ struct VolumetricMeasures {
 struct VolumetricLayers {
   std::vector<VolumetricLayer> layers;
   VolumetricMeasures measures;
+  Mesh hanging;                          ///< triangles of the surface that is left unsupported
   std::shared_ptr<const HeadRoom> room;  ///< of the head that was asked for, over the part as it grows
 };
 

@@ -67,10 +67,12 @@ std::vector<Part> parts() {
           part<Cone>("cone", "a cone, or a frustum"),
           part<CurvedWall>("curved_wall", "a thin upright wall along an arc"),
           part<Cylinder>("cylinder", "an upright cylinder"),
+          part<Elbow>("elbow", "a round rod that stands upright and bends over"),
           part<FlatWall>("flat_wall", "a thin upright wall"),
           part<Pyramid>("pyramid", "a pyramid on a rectangle"),
           part<SemiCone>("semi_cone", "half of a cone, cut through its axis"),
           part<Sphere>("sphere", "a sphere"),
+          part<TeeShape>("tee", "a bar across the top of a stem"),
           part<Tetradecahedron>("tetradecahedron", "a truncated octahedron on one of its squares"),
           part<ThroughHolePlate>("through_hole_plate", "a plate with a round hole right through"),
           part<Tube>("tube", "an upright tube")};

@@ -102,6 +102,24 @@ struct BridgeShape {
   double plate_mm = 4.0;
 };
 
+/// A bar on top of a stem, alike on both sides of it.
+struct TeeShape {
+  double stem_mm = 12.0;
+  double stem_height_mm = 40.0;
+  double bar_mm = 76.0;
+  double bar_height_mm = 10.0;
+  double width_mm = 12.0;
+};
+
+/// A round rod that stands upright and then bends over towards +x.
+struct Elbow {
+  double radius_mm = 8.0;
+  double bend_radius_mm = 20.0;
+  double angle_deg = 90.0;
+  double foot_mm = 6.0;
+  int segments = 64;
+};
+
 struct ThroughHolePlate {
   double x_mm = 30.0;
   double y_mm = 30.0;
@@ -133,6 +151,8 @@ void describe(SettingsSchema& schema, SemiCone& shape);
 void describe(SettingsSchema& schema, CurvedWall& shape);
 void describe(SettingsSchema& schema, Blade& shape);
 void describe(SettingsSchema& schema, BridgeShape& shape);
+void describe(SettingsSchema& schema, TeeShape& shape);
+void describe(SettingsSchema& schema, Elbow& shape);
 void describe(SettingsSchema& schema, ThroughHolePlate& shape);
 void describe(SettingsSchema& schema, BlindHolePlate& shape);
 
@@ -149,6 +169,8 @@ Mesh build(const SemiCone& shape);
 Mesh build(const CurvedWall& shape);
 Mesh build(const Blade& shape);
 Mesh build(const BridgeShape& shape);
+Mesh build(const TeeShape& shape);
+Mesh build(const Elbow& shape);
 Mesh build(const ThroughHolePlate& shape);
 Mesh build(const BlindHolePlate& shape);
 

@@ -105,6 +105,40 @@ Mesh build(const BridgeShape& shape) {
   return mesh;
 }
 
+void describe(SettingsSchema& schema, TeeShape& shape) {
+  schema.number("stem_mm", shape.stem_mm, kLength, "size of the stem along x");
+  schema.number("stem_height_mm", shape.stem_height_mm, kLength, "height of the stem");
+  schema.number("bar_mm", shape.bar_mm, kLength, "size of the bar along x");
+  schema.number("bar_height_mm", shape.bar_height_mm, kLength, "height of the bar");
+  schema.number("width_mm", shape.width_mm, kLength, "size along y");
+}
+
+Mesh build(const TeeShape& shape) {
+  if (shape.stem_mm >= shape.bar_mm)
+    throw InvalidConfig("stem_mm is " + std::to_string(shape.stem_mm) + "; must be less than bar_mm, " +
+                        std::to_string(shape.bar_mm));
+  const double stem = 0.5 * shape.stem_mm;
+  const double bar = 0.5 * shape.bar_mm;
+  const double under = shape.stem_height_mm;
+  const double top = under + shape.bar_height_mm;
+  // Corners within the top let `loft` close the sides by triangles with an area.
+  Mesh mesh = prism({{bar, top},
+                     {stem, top},
+                     {stem / 3.0, top},
+                     {-stem / 3.0, top},
+                     {-2.0 * stem / 3.0, top},
+                     {-bar, top},
+                     {-bar, under},
+                     {-stem, under},
+                     {-stem, 0.0},
+                     {stem, 0.0},
+                     {stem, under},
+                     {bar, under}},
+                    shape.width_mm);
+  for (Point3& vertex : mesh.vertices) vertex = {vertex.x(), 0.5 * shape.width_mm - vertex.z(), vertex.y()};
+  return mesh;
+}
+
 void describe(SettingsSchema& schema, Tetradecahedron& shape) {
   schema.number("edge_mm", shape.edge_mm, kLength, "length of each edge");
 }

@@ -2,113 +2,99 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "job/slicing/mode_choice.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
-#include <filesystem>
-
-#include "lamina/base/angle.hpp"
-#include "lamina/job/robot_files.hpp"
-#include "lamina/verification/overhang/overhang_angle.hpp"
+#include <limits>
+#include <tuple>
 
 namespace lamina {
 namespace {
 
-constexpr double kLevelDeg = 1.0;
-constexpr double kSteepDeg = 45.0;
-constexpr double kLeastGentleShare = 0.05;   // of the surface, from which steps are worth avoiding
-constexpr double kMostHangingShare = 0.05;   // of the surface, facing down above the bed
-constexpr double kUpright = 0.02;            // n_z of walls
-constexpr double kLeastFollowedShare = 0.5;  // of the gentle upper side, from which bent layers pay
-
-/// How much of a part's surface slopes gently.
-struct GentleSlopes {
-  double area_mm2 = 0.0;      // of the whole surface
-  double gentle_mm2 = 0.0;    // facing up or down
-  double upper_mm2 = 0.0;     // of it, facing up
-  double followed_mm2 = 0.0;  // of that, flatter than bent layers may become
-  double hanging_mm2 = 0.0;   // facing down, and not on the bed
-};
-
-GentleSlopes gentleSlopes(const Mesh& mesh, double max_slope_deg, double layer_height_mm) {
-  GentleSlopes slopes;
-  const double on_bed = boundingBox(mesh).low.z() + layer_height_mm;
-  for (const Triangle& corner : mesh.triangles) {
-    const Point3& a = mesh.vertices[corner[0]];
-    const Point3 cross = (mesh.vertices[corner[1]] - a).cross(mesh.vertices[corner[2]] - a);
-    const double doubled = cross.norm();
-    slopes.area_mm2 += 0.5 * doubled;
-    const double highest = std::max({a.z(), mesh.vertices[corner[1]].z(), mesh.vertices[corner[2]].z()});
-    if (cross.z() < -kUpright * doubled && highest > on_bed) slopes.hanging_mm2 += 0.5 * doubled;
-    const double slope_deg = toDegrees(std::atan2(cross.head<2>().norm(), std::abs(cross.z())));
-    if (slope_deg < kLevelDeg || slope_deg > kSteepDeg) continue;
-    slopes.gentle_mm2 += 0.5 * doubled;
-    if (cross.z() < 0.0) continue;
-    slopes.upper_mm2 += 0.5 * doubled;
-    if (slope_deg <= max_slope_deg) slopes.followed_mm2 += 0.5 * doubled;
-  }
-  return slopes;
+double longestTime(const std::vector<ModeCandidate>& candidates, const AutomaticSettings& settings) {
+  double quickest = std::numeric_limits<double>::infinity();
+  for (const ModeCandidate& candidate : candidates)
+    if (candidate.refusal.empty()) quickest = std::min(quickest, candidate.time_s);
+  return settings.longest_time * quickest;
 }
 
-std::string percent(double part, double whole) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1f %%", whole > 0.0 ? 100.0 * part / whole : 0.0);
+bool isGood(const ModeCandidate& candidate, const AutomaticSettings& settings) {
+  return candidate.unsupported_percent <= settings.good_unsupported_percent;
+}
+
+/// Places of those that are not refused and do not take too long.
+std::vector<std::size_t> eligible(const std::vector<ModeCandidate>& candidates,
+                                  const AutomaticSettings& settings) {
+  const double longest_s = longestTime(candidates, settings);
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+    if (candidates[i].refusal.empty() && candidates[i].time_s <= longest_s) places.push_back(i);
+  return places;
+}
+
+std::string numbersOf(const ModeCandidate& candidate) {
+  char text[160];
+  std::snprintf(text, sizeof text, "%.2f %% of the surface unsupported in %zu step%s, %zu layers, %.1f min",
+                candidate.unsupported_percent, candidate.steps, candidate.steps == 1 ? "" : "s",
+                candidate.layers, candidate.time_s / 60.0);
   return text;
 }
 
-/// Machines hold their nozzle still; poses are for any head, and a robot turns it.
-bool maySteer(const SliceJob& job) {
-  switch (programRunner(job.output)) {
-    case ProgramRunner::OtherRobot:
-      return true;
-    case ProgramRunner::RapidRobot:
-      return job.settings.program.rapid.variant == RapidVariant::Powder5Axes;
-    case ProgramRunner::Machine:
-      break;
-  }
-  return std::filesystem::path(job.output).extension() == ".csv";
-}
-
-/// Where no setting names the mode.
-std::vector<ModeChoice> modesBySurface(const Mesh& mesh, const SliceJob& job) {
-  const JobSettings& settings = job.settings;
-  const GentleSlopes slopes =
-      gentleSlopes(mesh, settings.height_field.max_slope_deg, settings.slicing.layer_height_mm);
-  const std::string gentle =
-      percent(slopes.gentle_mm2, slopes.area_mm2) + " of the surface slopes gently (1 to 45 deg from level)";
-  if (slopes.gentle_mm2 < kLeastGentleShare * slopes.area_mm2)
-    return {{"planar", gentle + ", too little for curved layers to pay"}};
-  std::vector<ModeChoice> modes;
-  const bool lies_on_bed = slopes.hanging_mm2 <= kMostHangingShare * slopes.area_mm2;
-  if (maySteer(job) && lies_on_bed)
-    modes.push_back({"curved", gentle + ", and the output is poses, so that the nozzle may tilt"});
-  if (slopes.followed_mm2 >= kLeastFollowedShare * slopes.upper_mm2 && slopes.followed_mm2 > 0.0)
-    modes.push_back({"heightfield", gentle + ", and bent layers can follow " +
-                                        percent(slopes.followed_mm2, slopes.upper_mm2) +
-                                        " of what of it faces up"});
-  const std::string hanging = lies_on_bed ? ""
-                                          : ", and curved layers would begin in the air, for " +
-                                                percent(slopes.hanging_mm2, slopes.area_mm2) +
-                                                " of the surface faces down above the bed";
-  modes.push_back({"planar", gentle + ", but bent layers cannot follow it" + hanging});
-  return modes;
+std::string limitText(double percent) {
+  char text[48];
+  std::snprintf(text, sizeof text, "%.4g %%", percent);
+  return text;
 }
 
 }  // namespace
 
-std::vector<ModeChoice> modesFor(const Mesh& mesh, const SliceJob& job) {
-  const JobSettings& settings = job.settings;
-  if (!settings.conformal.base.empty()) return {{"conformal", "conformal.base is set"}};
-  if (settings.slicing.plane.angle_deg != 0.0) return {{"inclined", "slicing.plane.angle_deg is not 0"}};
-  if (!isLoneWall(settings.planning)) return modesBySurface(mesh, job);
-  const OverhangAngle lean = overhangAngle(
-      mesh, Point3::UnitZ(), {settings.planning.bead.width_mm, settings.slicing.layer_height_mm});
-  std::vector<ModeChoice> modes;
-  if (lean.greatest_rad > 0.0 && maySteer(job))
-    modes.push_back({"adapted", "a lone wall is asked for, and it leans outwards"});
-  modes.push_back({"planar", "a lone wall is asked for, and layers are not adapted to it"});
-  return modes;
+std::optional<std::size_t> chosenMode(const std::vector<ModeCandidate>& candidates,
+                                      const AutomaticSettings& settings) {
+  const std::vector<std::size_t> places = eligible(candidates, settings);
+  if (places.empty()) return std::nullopt;
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::size_t place : places) {
+    if (isGood(candidates[place], settings)) return place;
+    least = std::min(least, candidates[place].unsupported_percent);
+  }
+  std::optional<std::size_t> best;
+  const auto rank = [&](std::size_t place) {
+    return std::tuple(candidates[place].steps, candidates[place].time_s, place);
+  };
+  for (const std::size_t place : places)
+    if (candidates[place].unsupported_percent <= least + settings.alike_percent)
+      if (!best || rank(place) < rank(*best)) best = place;
+  return best;
+}
+
+bool isLastGoodEnough(const std::vector<ModeCandidate>& candidates, const AutomaticSettings& settings) {
+  const std::vector<std::size_t> places = eligible(candidates, settings);
+  return !places.empty() && places.back() + 1 == candidates.size() && isGood(candidates.back(), settings);
+}
+
+std::string reasonFor(const std::vector<ModeCandidate>& candidates, std::size_t chosen,
+                      const AutomaticSettings& settings) {
+  const ModeCandidate& taken = candidates[chosen];
+  std::string reason = "it leaves " + numbersOf(taken) + ", ";
+  if (isGood(taken, settings))
+    reason += "the simplest with at most " + limitText(settings.good_unsupported_percent);
+  else
+    reason += "in the fewest steps of those that leave about the least; none leaves at most " +
+              limitText(settings.good_unsupported_percent);
+  if (chosen > 0 && candidates.front().refusal.empty())
+    reason += "; " + candidates.front().mode + " would leave " + numbersOf(candidates.front());
+  return reason;
+}
+
+std::string noteOn(const std::vector<ModeCandidate>& candidates, std::size_t which,
+                   const AutomaticSettings& settings) {
+  const ModeCandidate& candidate = candidates[which];
+  if (!candidate.refusal.empty()) return "not " + candidate.mode + ": " + candidate.refusal;
+  std::string note = "not " + candidate.mode + ": it would leave " + numbersOf(candidate);
+  const double longest_s = longestTime(candidates, settings);
+  if (candidate.time_s <= longest_s) return note;
+  char text[96];
+  std::snprintf(text, sizeof text, "; it may take %.1f min (auto.longest_time)", longest_s / 60.0);
+  return note + text;
 }
 
 }  // namespace lamina

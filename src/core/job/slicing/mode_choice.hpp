@@ -2,25 +2,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "lamina/geometry/mesh/mesh.hpp"
-#include "lamina/job/slice_job.hpp"
+#include "lamina/job/slicing/automatic_settings.hpp"
+#include "lamina/job/slicing/mode_candidate.hpp"
 
 namespace lamina {
 
-/// A mode and why it suits a part, a sentence without full stop.
-struct ModeChoice {
-  std::string mode = "planar";
-  std::string reason;
-};
+/// Of those that are not refused and take at most `longest_time` times as long as the quickest of them: the
+/// first that leaves little enough unsupported. If none does, the one with the fewest steps of those that
+/// leave as little as the best, or alike; of several of these the quickest, then the first.
+/// @param candidates  the simplest first
+/// @return its place; nothing if all are refused
+std::optional<std::size_t> chosenMode(const std::vector<ModeCandidate>& candidates,
+                                      const AutomaticSettings& settings);
 
-/// The modes to try for `slicing.mode: auto`, the best first; a base that is set must be laid on, else the
-/// last one is planar, which refuses no part. What the settings already say decides first (a base, an
-/// inclined plane, a lone wall); then how much of the part's surface slopes gently, between 1 and 45 deg from
-/// level, where level layers leave steps; then whether the nozzle may tilt: a program for a machine with a
-/// fixed head gets layers that bend, poses get curved ones.
-std::vector<ModeChoice> modesFor(const Mesh& mesh, const SliceJob& job);
+/// Whether the last candidate is good enough beside those before it, so that no further one has to be tried.
+bool isLastGoodEnough(const std::vector<ModeCandidate>& candidates, const AutomaticSettings& settings);
+
+/// Why one of them was chosen, with the numbers: a sentence without full stop.
+std::string reasonFor(const std::vector<ModeCandidate>& candidates, std::size_t chosen,
+                      const AutomaticSettings& settings);
+
+/// What one of them would give, or why it was passed over: a sentence without full stop.
+std::string noteOn(const std::vector<ModeCandidate>& candidates, std::size_t which,
+                   const AutomaticSettings& settings);
 
 }  // namespace lamina

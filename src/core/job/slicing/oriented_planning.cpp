@@ -9,14 +9,13 @@
 #include <utility>
 
 #include "job/joint_program.hpp"
-#include "job/slicing/mode_choice.hpp"
+#include "job/slicing/automatic_planning.hpp"
+#include "job/slicing/mode_trial.hpp"
 #include "job/slicing/tool_orientation.hpp"
 #include "lamina/base/angle.hpp"
-#include "lamina/base/error.hpp"
 #include "lamina/infill/strategy.hpp"
 #include "lamina/kinematics/model/toolpath_reach.hpp"
 #include "lamina/orientation/orient_toolpath.hpp"
-#include "lamina/slicing/unsliceable.hpp"
 
 namespace lamina {
 namespace {
@@ -72,41 +71,6 @@ bool needsPart(const JobSettings& settings) {
   return !hasPlaneLayers(settings.slicing.mode) || settings.orientation.mode == OrientationMode::Wall;
 }
 
-/// A refusal gets the part that its region is shown on.
-PlannedPart planShown(SourcePart source, const std::string& mode, const PlanningRequest& request,
-                      Progress& progress) {
-  const SlicingMode by = slicingModes().find(mode);
-  if (by.shape == LayerShape::Plane) return by.plan(std::move(source), request, progress);
-  const Mesh part = source.mesh;
-  try {
-    return by.plan(std::move(source), request, progress);
-  } catch (Unsliceable& refusal) {
-    throw std::move(refusal).on(part);
-  }
-}
-
-/// The first mode that does not refuse the part. The reasons of those before it stand in the summary.
-PlannedPart planByBestMode(const SourcePart& source, const PlanningRequest& request, SliceSummary& summary,
-                           Progress& progress) {
-  std::string refusals;
-  const std::vector<ModeChoice> modes = modesFor(source.mesh, request.job);
-  for (const ModeChoice& choice : modes) {
-    try {
-      JobSettings chosen = request.job.settings;
-      chosen.slicing.mode = choice.mode;
-      validate(chosen);
-      PlannedPart planned = planShown(source, choice.mode, request, progress);
-      summary.mode = choice.mode;
-      summary.mode_reason = choice.reason + refusals;
-      return planned;
-    } catch (const InvalidInput& refusal) {
-      if (choice.mode == modes.back().mode) throw;
-      refusals += "; not " + choice.mode + ": " + refusal.what();
-    }
-  }
-  throw InvalidMesh("no slicing mode takes the part" + refusals);
-}
-
 }  // namespace
 
 Toolpath planOriented(SourcePart source, const PlanningRequest& request, SliceSummary& summary,
@@ -115,7 +79,7 @@ Toolpath planOriented(SourcePart source, const PlanningRequest& request, SliceSu
   const Mesh part = needsPart(settings) ? source.mesh : Mesh();
   summary.mode = settings.slicing.mode;
   PlannedPart planned = settings.slicing.mode == kAutoMode
-                            ? planByBestMode(source, request, summary, progress)
+                            ? planAutomatically(source, request, summary, progress)
                             : planShown(std::move(source), settings.slicing.mode, request, progress);
   addPlanned(summary, planned);
   addNoteOnCrossings(summary, settings);

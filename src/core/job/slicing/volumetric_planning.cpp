@@ -108,11 +108,17 @@ PlannedPart planVolumetric(SourcePart source, const PlanningRequest& request, Pr
   const std::shared_ptr<const HeadRoom> room = layers.room;
   std::vector<double> laid_mm;
   for (const VolumetricLayer& layer : layers.layers) laid_mm.push_back(layer.plane.bounds.top_mm - bed_mm);
+  Mesh hanging = std::move(layers.hanging);
+  for (Point3& vertex : hanging.vertices) vertex.z() += settings.volumetric.sink_mm;
+  const std::size_t bent_layers = layers.layers.size() - measures.level_layers;
   const double slice_s = laps.lap();
   PlannedPart planned = planStack({stackedLayers(std::move(layers))}, request, progress);
   const TravelsOverPart travels =
       leadTravels(planned.plan.toolpath, laid_mm, *room, settings.planning.travel.hop_mm, progress);
   planned.counts.slice_s += slice_s;
+  planned.support = LayerSupport{measures.surface_mm2, measures.unsupported_mm2,
+                                 bent_layers + (measures.level_layers > 0 ? std::size_t{1} : std::size_t{0}),
+                                 std::move(hanging)};
   planned.notes = {noteOnGrowth(measures, settings.slicing.layer_height_mm),
                    noteOnHanging(measures, settings.volumetric.max_overhang_deg), noteOnFilling(measures)};
   planned.notes.push_back(noteOnHead(measures, travels));

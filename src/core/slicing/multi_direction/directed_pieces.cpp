@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <limits>
 #include <string>
@@ -88,6 +89,26 @@ std::vector<DirectedPiece> piecesOf(const CutSequence& sequence, double rest_mm2
   }
   pieces.front().to_mm = std::min(pieces.front().to_mm, box.high.z());
   return pieces;
+}
+
+void append(Mesh& mesh, const Mesh& further) {
+  const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+  mesh.vertices.insert(mesh.vertices.end(), further.vertices.begin(), further.vertices.end());
+  for (const Triangle& corner : further.triangles)
+    mesh.triangles.push_back({first + corner[0], first + corner[1], first + corner[2]});
+}
+
+/// What overhangs in the pieces that are cut off and in what stays.
+Mesh hangingIn(const CutSequence& sequence, const CutQuestion& question) {
+  Mesh hanging;
+  FacePolygons left = question.faces;
+  for (const CuttingPlane& cut : sequence.cuts) {
+    const FacePolygons piece = left.below({-cut.up, -cut.from_mm});
+    append(hanging, piece.meshOf(facesHangingAlong(piece, cut.up, question)));
+    left = left.below(cut);
+  }
+  append(hanging, left.meshOf(hangingFaces(left, question).faces));
+  return hanging;
 }
 
 void requireSupported(const DirectedPieces& found, const CutSequence& sequence, const CutQuestion& question) {
@@ -186,6 +207,7 @@ DirectedPieces directedPieces(const Mesh& mesh, const MeshTopology& topology, co
   found.cut_mm2 = sequence.cut_mm2;
   found.pieces = piecesOf(sequence, hangingFaces(sequence.rest, question).area_mm2, cells, box);
   requireSupported(found, sequence, question);
+  found.hanging = hangingIn(sequence, question);
   found.room = std::make_shared<const HeadRoom>(
       std::make_shared<const PiecewiseGrowth>(std::move(cells), found.pieces), request.head, box.low.z());
   return found;

@@ -314,6 +314,14 @@ class CutSearch {
 
 }  // namespace
 
+std::vector<std::uint32_t> facesHangingAlong(const FacePolygons& faces, const Point3& up,
+                                             const CutQuestion& question) {
+  std::vector<std::uint32_t> hanging;
+  for (std::uint32_t face = 0; face < faces.count(); ++face)
+    if (faces.normal(face).dot(up) < overhangLimit(question)) hanging.push_back(face);
+  return hanging;
+}
+
 HangingFaces hangingFaces(const FacePolygons& faces, const CutQuestion& question) {
   HangingFaces hanging;
   const double held_mm = question.rules.bed_mm + question.first_layer_mm;

@@ -28,6 +28,10 @@ struct HangingFaces {
 /// Faces that hang along +z and do not belong to the first layer.
 HangingFaces hangingFaces(const FacePolygons& faces, const CutQuestion& question);
 
+/// Faces that overhang by more than is taken from a direction.
+std::vector<std::uint32_t> facesHangingAlong(const FacePolygons& faces, const Point3& up,
+                                             const CutQuestion& question);
+
 /// Cuts in the order in which they are found: the last piece first.
 struct CutSequence {
   std::vector<CuttingPlane> cuts;

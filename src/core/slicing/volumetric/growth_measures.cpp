@@ -4,7 +4,9 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "lamina/base/parallel.hpp"
@@ -17,7 +19,7 @@ constexpr std::size_t kBlockOfTriangles = 1024;
 constexpr double kBeyond = 0.02;
 constexpr double kMeeting = 0.9;  // cosine between neighbours' directions, below which fronts meet
 
-/// Calls visit(middle, area) for parts of a triangle whose edges are at most `longest_mm`.
+/// Calls visit(part, middle, area) for parts of a triangle whose edges are at most `longest_mm`.
 template <class Visit>
 void visitParts(const std::array<Point3, 3>& corner, double longest_mm, const Visit& visit) {
   std::size_t longest = 0;
@@ -28,7 +30,7 @@ void visitParts(const std::array<Point3, 3>& corner, double longest_mm, const Vi
   }
   if (length[longest] <= longest_mm) {
     const double area = 0.5 * (corner[1] - corner[0]).cross(corner[2] - corner[0]).norm();
-    return visit(Point3((corner[0] + corner[1] + corner[2]) / 3.0), area);
+    return visit(corner, Point3((corner[0] + corner[1] + corner[2]) / 3.0), area);
   }
   const Point3 middle = 0.5 * (corner[longest] + corner[(longest + 1) % 3]);
   std::array<Point3, 3> part = corner;
@@ -99,24 +101,26 @@ HangingSurface hangingSurface(const Mesh& mesh, const CellGraph& cells, const Gr
     double level = 0.0;
   };
   std::vector<Sums> sums(mesh.triangles.size());
+  std::vector<std::vector<Point3>> corners(mesh.triangles.size());
   HangingSurface hanging;
   hanging.grown_by_triangle.assign(mesh.triangles.size(), 0.0);
   const auto look = [&](std::size_t i) {
     std::array<Point3, 3> corner;
     for (std::size_t side = 0; side < 3; ++side) corner[side] = mesh.vertices[mesh.triangles[i][side]];
     const Point3 normal = (corner[1] - corner[0]).cross(corner[2] - corner[0]).normalized();
-    visitParts(corner, cells.frame().voxel_mm, [&](const Point3& place, double area) {
+    const auto hang = [&](const std::array<Point3, 3>& part, double area) {
+      hanging.grown_by_triangle[i] += area;
+      corners[i].insert(corners[i].end(), part.begin(), part.end());
+    };
+    visitParts(corner, cells.frame().voxel_mm, [&](const auto& part, const Point3& place, double area) {
       if (place.z() <= question.above_mm) return;
       sums[i].surface += area;
       if (-normal.z() > sine) sums[i].level += area;
       const std::uint32_t node = nodeBelow(cells, place, normal);
       if (node == CellGraph::kNone) return;
-      if (!isGrown(lattice.samples()[node])) {
-        hanging.grown_by_triangle[i] += area;
-        return;
-      }
+      if (!isGrown(lattice.samples()[node])) return hang(part, area);
       const GrowthSample sample = sampleThere(cells, lattice, place, node);
-      if (-normal.dot(sample.gradient) > sine * sample.gradient.norm()) hanging.grown_by_triangle[i] += area;
+      if (-normal.dot(sample.gradient) > sine * sample.gradient.norm()) hang(part, area);
     });
   };
   const auto lookAtBlock = [&](std::size_t block) {
@@ -129,6 +133,11 @@ HangingSurface hangingSurface(const Mesh& mesh, const CellGraph& cells, const Gr
     hanging.surface_mm2 += sums[i].surface;
     hanging.level_mm2 += sums[i].level;
     hanging.grown_mm2 += hanging.grown_by_triangle[i];
+    for (std::size_t c = 0; c < corners[i].size(); c += 3) {
+      const auto first = static_cast<std::uint32_t>(hanging.grown.vertices.size());
+      hanging.grown.vertices.insert(hanging.grown.vertices.end(), &corners[i][c], &corners[i][c] + 3);
+      hanging.grown.triangles.push_back({first, first + 1, first + 2});
+    }
   }
   return hanging;
 }

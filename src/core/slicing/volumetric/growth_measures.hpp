@@ -24,6 +24,7 @@ struct HangingSurface {
   double level_mm2 = 0.0;                 ///< overhangs by more than is taken, over level layers
   double grown_mm2 = 0.0;                 ///< over the layers of the growth
   std::vector<double> grown_by_triangle;  ///< the same of each triangle [mm²]
+  Mesh grown;                             ///< the same as pieces of triangles
 };
 
 /// By samples of the surface at most a cell apart, each with the growth that the layers have there. What no

@@ -200,7 +200,8 @@ double usualTilt(const GrownPart& part) {
   return tilts.empty() ? 0.0 : tilts.back().first;
 }
 
-void measureField(const GrownPart& part, const GrowthLattice& lattice, VolumetricMeasures& measures,
+/// @return what hangs of the surface
+Mesh measureField(const GrownPart& part, const GrowthLattice& lattice, VolumetricMeasures& measures,
                   Progress& progress) {
   const VolumetricRequest& request = part.request;
   measures.cell_mm = part.cells().frame().voxel_mm;
@@ -216,7 +217,7 @@ void measureField(const GrownPart& part, const GrowthLattice& lattice, Volumetri
   measures.thickest = thickness.greatest;
   measures.beyond_thickness = thickness.beyond;
   measures.minima = growthMinima(part.cells(), lattice, part.bed_mm);
-  const HangingSurface hanging = hangingSurface(
+  HangingSurface hanging = hangingSurface(
       part.mesh, part.cells(), lattice,
       {toRadians(request.settings.max_overhang_deg), part.bed_mm + request.slicing.first_layer_height_mm},
       progress);
@@ -225,6 +226,7 @@ void measureField(const GrownPart& part, const GrowthLattice& lattice, Volumetri
   measures.unsupported_mm2 = hanging.grown_mm2;
   requireReached(part, pendant, hanging);
   requireSupported(part, hanging);
+  return std::move(hanging.grown);
 }
 
 /// Layers by the growth at which they begin and end.
@@ -354,7 +356,7 @@ VolumetricLayers volumetricLayers(const Mesh& mesh, const MeshTopology& topology
   requireStanding(part);
   VolumetricLayers result;
   const GrowthLattice lattice(part.cells(), part.field(), part.gauge, progress);
-  measureField(part, lattice, result.measures, progress);
+  result.hanging = measureField(part, lattice, result.measures, progress);
   const std::vector<LayerBounds> bounds = growthBounds(part);
   result.layers = layersFor(bounds, part.bed_mm);
   const std::vector<char> is_level = levelLayers(part.cells(), lattice, bounds, part.bed_mm);

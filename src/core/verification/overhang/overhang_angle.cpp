@@ -7,9 +7,9 @@
 #include <limits>
 #include <vector>
 
-#include "lamina/base/error.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/geometry/spatial/nearest_triangle.hpp"
+#include "verification/overhang/deposited_walls.hpp"
 
 namespace lamina {
 namespace {
@@ -29,13 +29,7 @@ Facet facetOf(const Mesh& mesh, const Triangle& corner) {
   return {(a + b + c) / 3.0, doubled > 0.0 ? Point3(cross / doubled) : Point3(Point3::Zero()), 0.5 * doubled};
 }
 
-/// What carries a facet: the way its layer grows, and how high and wide its bead is.
-struct Growth {
-  Point3 direction;
-  Bead bead;
-};
-
-void addFacet(OverhangAngle& lean, const Facet& facet, const Growth& growth) {
+void addFacet(OverhangAngle& lean, const Facet& facet, const LayerGrowth& growth) {
   const double sine = std::min(1.0, -facet.normal.dot(growth.direction));
   if (sine <= 0.0) return;
   const double cosine = std::sqrt(1.0 - sine * sine);
@@ -48,44 +42,6 @@ void addFacet(OverhangAngle& lean, const Facet& facet, const Growth& growth) {
   lean.greatest_rad = angle;
   lean.greatest_at = facet.middle;
   lean.overhang_mm = overhang;
-}
-
-/// The motions along which walls are deposited, in the order they are deposited, and how they grow.
-struct DepositedWalls {
-  Mesh motions;  // each one a triangle without width
-  std::vector<Growth> growth;
-  std::size_t in_first_layer = 0;
-};
-
-void addMotions(DepositedWalls& walls, const Path& path, double width_mm) {
-  const auto first = static_cast<std::uint32_t>(walls.motions.vertices.size());
-  walls.motions.vertices.insert(walls.motions.vertices.end(), path.points.begin(), path.points.end());
-  for (std::size_t m = 0; m < path.motionCount(); ++m) {
-    const std::size_t end = path.motionEnd(m);
-    const auto from = static_cast<std::uint32_t>(first + m);
-    const auto to = static_cast<std::uint32_t>(first + end);
-    walls.motions.triangles.push_back({from, to, to});
-    walls.growth.push_back(
-        {-(path.orientation.at(end) * Point3::UnitZ()), {width_mm, path.bead.at(end).height_mm}});
-  }
-}
-
-DepositedWalls depositedWalls(const Toolpath& toolpath, double width_mm) {
-  const auto collect = [&](auto isWanted) {
-    DepositedWalls walls;
-    for (std::size_t l = 0; l < toolpath.layers.size(); ++l) {
-      for (const Path& path : toolpath.layers[l].paths)
-        if (isWanted(path.role)) addMotions(walls, path, width_mm);
-      if (l == 0) walls.in_first_layer = walls.growth.size();
-    }
-    return walls;
-  };
-  DepositedWalls walls = collect([](PathRole role) { return role == PathRole::OuterWall; });
-  if (walls.growth.empty())
-    walls = collect(
-        [](PathRole role) { return kindOf(role) == RoleKind::Wall || kindOf(role) == RoleKind::Infill; });
-  if (walls.growth.empty()) throw InvalidInput("the toolpath deposits nothing; expected at least one bead");
-  return walls;
 }
 
 double lowestAlong(const Mesh& mesh, const Point3& growth) {

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lamina/base/progress.hpp"
+#include "lamina/geometry/mesh/mesh.hpp"
+#include "lamina/job/slice_job.hpp"
+#include "lamina/job/slicing/mode_candidate.hpp"
+
+namespace lamina {
+
+/// A part sliced by one mode.
+struct ComparedMode {
+  ModeCandidate candidate;
+  Toolpath toolpath;  ///< in the part frame; empty if the mode refuses the part
+  Mesh unsupported;   ///< triangles of the surface that overhangs its own layers by more than is taken
+};
+
+/// A part sliced by several modes.
+struct ModeComparison {
+  Mesh part;
+  std::vector<ComparedMode> modes;
+  std::optional<std::size_t>
+      chosen;  ///< the one that `auto` would take of them; nothing if all refuse the part
+};
+
+/// The modes that are worth a comparison on a machine: level or inclined layers and those that bend for a
+/// head that cannot tilt, and all that tilt it for others.
+std::vector<std::string> comparableModes(const SliceJob& job);
+
+/// Slices a part by several modes, one after the other, by the settings of the job and
+/// `auto.max_overhang_deg`. Nothing is written. What modes refuse stands in their candidates.
+/// @throws InvalidConfig (no mode, one twice, one that there is not; settings), FileError, InvalidMesh (of
+/// the
+///   file), Cancelled
+ModeComparison compareModes(const SliceJob& job, const std::vector<std::string>& modes, Progress& progress);
+
+}  // namespace lamina

@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "job/slicing/automatic_planning.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "job/slicing/mode_choice.hpp"
+#include "job/slicing/mode_trial.hpp"
+#include "job/slicing/skin_modes.hpp"
+#include "lamina/base/angle.hpp"
+#include "lamina/base/error.hpp"
+
+namespace lamina {
+namespace {
+
+std::string percentText(double percent) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2f %%", percent);
+  return text;
+}
+
+/// Modes tried one after the other, and what came of them.
+class ModeTrials {
+ public:
+  ModeTrials(const SourcePart& source, const PlanningRequest& request) : source_(source), request_(request) {}
+
+  void attempt(const std::string& mode, Progress& progress) {
+    ModeTrial trial = tryMode(mode, source_, request_, progress);
+    candidates_.push_back(std::move(trial.candidate));
+    planned_.push_back(std::move(trial.planned));
+  }
+
+  bool isGoodEnough() const { return isLastGoodEnough(candidates_, settings()); }
+  bool isLastTaken() const { return candidates_.back().refusal.empty(); }
+  const std::vector<ModeCandidate>& candidates() const { return candidates_; }
+  std::optional<std::size_t> chosen() const { return chosenMode(candidates_, settings()); }
+  PlannedPart take(std::size_t place) { return std::move(*planned_[place]); }
+  std::string reason(std::size_t place) const { return reasonFor(candidates_, place, settings()); }
+
+  /// On all that were tried but one.
+  std::vector<std::string> notesBeside(std::size_t place) const {
+    std::vector<std::string> notes;
+    for (std::size_t i = 0; i < candidates_.size(); ++i)
+      if (i != place) notes.push_back(noteOn(candidates_, i, settings()));
+    return notes;
+  }
+
+ private:
+  const AutomaticSettings& settings() const { return request_.job.settings.automatic; }
+
+  const SourcePart& source_;
+  const PlanningRequest& request_;
+  std::vector<ModeCandidate> candidates_;
+  std::vector<std::optional<PlannedPart>> planned_;
+};
+
+PlannedPart taken(ModeTrials& trials, std::size_t place, const std::string& reason, SliceSummary& summary) {
+  PlannedPart planned = trials.take(place);
+  summary.mode = trials.candidates()[place].mode;
+  summary.mode_reason = reason;
+  summary.candidates = trials.candidates();
+  for (std::string& note : trials.notesBeside(place)) planned.notes.push_back(std::move(note));
+  return planned;
+}
+
+/// Where nothing is to choose, an error stays what it is.
+PlannedPart planNamed(const std::string& mode, const std::string& reason, const SourcePart& source,
+                      const PlanningRequest& request, SliceSummary& summary, Progress& progress) {
+  const SliceJob job = jobBy(mode, request.job);
+  validate(job.settings);
+  summary.mode = mode;
+  summary.mode_reason = reason;
+  return planShown(source, mode, {job, request.space, request.bed_from_part}, progress);
+}
+
+std::string noteOnHeld(const PlanningRequest& request) {
+  return "modes that tilt the nozzle were not tried: " + request.space.name + " holds it as it is";
+}
+
+PlannedPart planBySupport(ModeTrials& trials, const PlanningRequest& request, SliceSummary& summary,
+                          Progress& progress) {
+  trials.attempt("planar", progress);
+  const bool may_tilt = nozzleFor(request.job, request.space) == Nozzle::Tilting;
+  if (may_tilt)
+    for (const std::string& mode : tiltingModes()) {
+      if (trials.isGoodEnough()) break;
+      trials.attempt(mode, progress);
+    }
+  const std::optional<std::size_t> chosen = trials.chosen();
+  if (!chosen) {
+    std::string refusals;
+    for (const ModeCandidate& candidate : trials.candidates())
+      refusals += "; not " + candidate.mode + ": " + candidate.refusal;
+    throw InvalidMesh("no slicing mode takes the part" + refusals);
+  }
+  PlannedPart planned = taken(trials, *chosen, trials.reason(*chosen), summary);
+  if (!may_tilt && !trials.isGoodEnough()) planned.notes.push_back(noteOnHeld(request));
+  return planned;
+}
+
+}  // namespace
+
+PlannedPart planAutomatically(const SourcePart& source, const PlanningRequest& request, SliceSummary& summary,
+                              Progress& progress) {
+  const JobSettings& settings = request.job.settings;
+  if (!settings.conformal.base.empty())
+    return planNamed("conformal", "conformal.base is set", source, request, summary, progress);
+  if (settings.slicing.plane.angle_deg != 0.0) {
+    PlannedPart planned = planNamed("inclined", "", source, request, summary, progress);
+    summary.mode_reason = "the plane of the layers is inclined; " +
+                          percentText(unsupportedInPlanes(source.mesh, settings).percent()) +
+                          " of the surface stay unsupported";
+    return planned;
+  }
+  ModeTrials trials(source, request);
+  if (settings.automatic.follows_skins)
+    for (const ModeChoice& choice :
+         modesForSkins(source.mesh, settings, nozzleFor(request.job, request.space))) {
+      trials.attempt(choice.mode, progress);
+      if (trials.isLastTaken()) return taken(trials, trials.candidates().size() - 1, choice.reason, summary);
+    }
+  return planBySupport(trials, request, summary, progress);
+}
+
+PlaneSettings planeOfHead(const BuildSpace& space) {
+  constexpr double kUprightDeg = 0.01;
+  constexpr double kPerDegree = 1e6;  // what a machine is described to
+  const auto rounded = [](double angle) { return std::round(angle * kPerDegree) / kPerDegree + 0.0; };
+  PlaneSettings plane;
+  const Point3 axis = toolAxis(space);
+  const double angle_deg = toDegrees(std::atan2(axis.head<2>().norm(), -axis.z()));
+  if (angle_deg <= kUprightDeg || canTurnToolAxis(space)) return plane;
+  plane.angle_deg = rounded(angle_deg);
+  plane.axis_heading_deg = rounded(toDegrees(std::atan2(-axis.x(), axis.y())));
+  return plane;
+}
+
+}  // namespace lamina

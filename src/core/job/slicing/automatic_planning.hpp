@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "job/slicing/part_planning.hpp"
+#include "lamina/job/slice_job.hpp"
+
+namespace lamina {
+
+/// Slices by the mode that suits the part. What the settings already say decides first: a base to be laid on,
+/// an inclined plane, skins to be followed. Otherwise the modes are tried from the simplest on, until one
+/// leaves little enough unsupported (`chosenMode`). A head that cannot tilt gets level layers. The mode, the
+/// reason, what was tried and what was refused stand in the summary.
+/// @throws InvalidMesh with all reasons if several modes were tried, and all refuse the part; as
+/// `PlanFunction`
+PlannedPart planAutomatically(const SourcePart& source, const PlanningRequest& request, SliceSummary& summary,
+                              Progress& progress);
+
+/// The plane across which a head that holds its nozzle inclined prints; level for all others.
+PlaneSettings planeOfHead(const BuildSpace& space);
+
+}  // namespace lamina

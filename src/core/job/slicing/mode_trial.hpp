@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "job/slicing/part_planning.hpp"
+#include "job/slicing/skin_modes.hpp"
+#include "lamina/job/slicing/mode_candidate.hpp"
+#include "lamina/verification/overhang/unsupported_surface.hpp"
+
+namespace lamina {
+
+/// A part planned by one mode, and what that gives.
+struct ModeTrial {
+  ModeCandidate candidate;
+  std::optional<PlannedPart> planned;  ///< with its support; nothing if the mode refuses the part
+};
+
+/// Modes that tilt the nozzle so that less hangs, from the simplest to print.
+std::vector<std::string> tiltingModes();
+
+/// Whether the machine, and the program for it, may tilt the nozzle.
+Nozzle nozzleFor(const SliceJob& job, const BuildSpace& space);
+
+/// Of a part in plane layers as the settings incline them.
+UnsupportedSurface unsupportedInPlanes(const Mesh& mesh, const JobSettings& settings);
+
+/// The job by one mode, all modes taking the same overhang.
+SliceJob jobBy(const std::string& mode, SliceJob job);
+
+/// Slices by a named mode. A refusal gets the part that its region is shown on.
+/// @throws as `PlanFunction`
+PlannedPart planShown(SourcePart source, const std::string& mode, const PlanningRequest& request,
+                      Progress& progress);
+
+/// Plans a part by a mode. Refusals stand in the candidate.
+/// @throws Cancelled
+ModeTrial tryMode(const std::string& mode, const SourcePart& source, const PlanningRequest& request,
+                  Progress& progress);
+
+}  // namespace lamina

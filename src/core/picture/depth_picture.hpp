@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <functional>
+#include <limits>
+#include <vector>
+
+#include "lamina/geometry/mesh/mesh.hpp"
+#include "lamina/picture/canvas.hpp"
+
+namespace lamina {
+
+/// Looks along a direction, without perspective.
+struct View {
+  Point3 right;
+  Point3 up;
+  Point3 towards_viewer;
+
+  Point2 seen(const Point3& point) const { return {right.dot(point), up.dot(point)}; }
+};
+
+View viewFrom(double heading_rad, double elevation_rad);
+
+/// Of a region that a picture points at.
+Colour regionColour();
+
+/// What is seen in each pixel of a view: of all faces turned to the viewer the nearest.
+class DepthPicture {
+ public:
+  DepthPicture(const View& view, const Box2& world, double pixels_per_mm);
+
+  void addPart(const Mesh& mesh);
+  /// Shines through what hides it.
+  /// @param nearer  how far it is held to lie before the part's own face in the same place [mm]
+  void addRegion(const Mesh& mesh, double nearer);
+  /// Gives the part other colours, by the place that is seen. May be called from any thread.
+  void paintPart(const std::function<Colour(const Point3&)>& colour_at);
+
+  CellColours raster() const;
+
+ private:
+  struct Pixel {
+    double depth = -std::numeric_limits<double>::infinity();
+    Colour colour{1.0, 1.0, 1.0};
+    double light = 1.0;
+    bool is_region = false;
+    bool has_region = false;
+  };
+
+  static Colour colourOf(const Pixel& pixel);
+  void addFaces(const Mesh& mesh, double nearer, Pixel pixel);
+  Point3 inPixels(const Point3& point, double nearer) const;
+  void fill(const std::array<Point3, 3>& corner, const Pixel& face);
+  void put(int row, int column, double depth, const Pixel& face);
+
+  View view_;
+  Box2 world_;
+  double scale_;
+  int columns_;
+  int rows_;
+  std::vector<Pixel> pixels_;
+};
+
+}  // namespace lamina

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/job/slicing/mode_comparison.hpp"
+
+#include <gtest/gtest.h>
+
+#include "lamina/base/error.hpp"
+#include "lamina/geometry/mesh_io/mesh_writer.hpp"
+#include "lamina/geometry/parts/parts.hpp"
+#include "support/scratch_folder.hpp"
+
+namespace lamina {
+namespace {
+
+class ModeComparisonTest : public ::testing::Test {
+ protected:
+  ModeComparisonTest() {
+    job_.settings.slicing.layer_height_mm = 0.5;
+    job_.settings.slicing.first_layer_height_mm = 0.5;
+    job_.settings.planning.bead.width_mm = 0.8;
+    job_.settings.machine.name = "five_axis_head_table";
+    job_.part = folder_.file("tee.stl");
+    writeStl(job_.part, makePart("tee", {{"stem_mm", "10"},
+                                         {"stem_height_mm", "24"},
+                                         {"bar_mm", "22"},
+                                         {"bar_height_mm", "4"},
+                                         {"width_mm", "8"}}));
+  }
+
+  ModeComparison compared(const std::vector<std::string>& modes) {
+    NoProgress nobody;
+    return compareModes(job_, modes, nobody);
+  }
+
+  test::ScratchFolder folder_;
+  SliceJob job_;
+};
+
+TEST_F(ModeComparisonTest, EachModeShowsWhatItLeavesUnsupported) {
+  const ModeComparison comparison = compared({"planar", "multi_direction", "volumetric"});
+  ASSERT_EQ(comparison.modes.size(), 3U);
+  // The undersides of both arms, 6 x 8 mm each.
+  EXPECT_NEAR(surfaceArea(comparison.modes[0].unsupported), 96.0, 1e-4);
+  const double surface = surfaceArea(comparison.part);
+  for (const ComparedMode& mode : comparison.modes) {
+    EXPECT_FALSE(mode.toolpath.layers.empty()) << mode.candidate.mode;
+    // Volumetric layers leave the foot out of the surface that they count.
+    EXPECT_NEAR(surfaceArea(mode.unsupported), 0.01 * mode.candidate.unsupported_percent * surface,
+                0.1 * surfaceArea(mode.unsupported) + 1e-6)
+        << mode.candidate.mode;
+  }
+  ASSERT_TRUE(comparison.chosen.has_value());
+  EXPECT_EQ(comparison.modes[*comparison.chosen].candidate.mode, "multi_direction");
+}
+
+TEST_F(ModeComparisonTest, ARefusalStandsInItsPlace) {
+  const ModeComparison comparison = compared({"adapted"});
+  EXPECT_NE(comparison.modes.front().candidate.refusal.find("adapted.max_lean_deg"), std::string::npos);
+  EXPECT_TRUE(comparison.modes.front().toolpath.layers.empty());
+  EXPECT_FALSE(comparison.chosen.has_value());
+}
+
+TEST_F(ModeComparisonTest, WhatIsComparedFollowsFromTheMachine) {
+  EXPECT_EQ(comparableModes(job_),
+            (std::vector<std::string>{"planar", "multi_direction", "adapted", "volumetric", "curved"}));
+  job_.settings.machine.name = "cartesian_gantry";
+  EXPECT_EQ(comparableModes(job_), (std::vector<std::string>{"planar", "heightfield"}));
+  job_.settings.machine.name = "gantry_45";
+  EXPECT_EQ(comparableModes(job_), (std::vector<std::string>{"inclined"}));
+}
+
+TEST_F(ModeComparisonTest, ModesThatAreNoneOrTwiceAreRefused) {
+  EXPECT_THROW(compared({}), InvalidConfig);
+  EXPECT_THROW(compared({"planar", "planar"}), InvalidConfig);
+  EXPECT_THROW(compared({"wavy"}), InvalidConfig);
+  EXPECT_THROW(compared({"auto"}), InvalidConfig);
+}
+
+}  // namespace
+}  // namespace lamina
