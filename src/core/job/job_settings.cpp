@@ -194,6 +194,7 @@ void describe(SettingsSchema& schema, JobSettings& settings) {
   describe(schema, settings.orientation);
   describe(schema, settings.compensation);
   describe(schema, settings.planning);
+  describe(schema, settings.runs);
   describe(schema, settings.flow);
   describe(schema, settings.cooling);
   describe(schema, settings.fan);
@@ -243,6 +244,7 @@ void validate(const JobSettings& settings) {
   requireConsistent(settings.volumetric);
   requireConsistent(settings.cooling);
   requireConsistent(settings.fan);
+  requireConsistent(settings.runs);
   requireConsistent(settings.flow);
   requireConsistent(settings.hooks);
   requireConsistent(settings.pauses);

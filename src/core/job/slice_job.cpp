@@ -14,6 +14,7 @@
 #include "job/flow_control.hpp"
 #include "job/joint_program.hpp"
 #include "job/laps.hpp"
+#include "job/run_changes.hpp"
 #include "job/slice_run.hpp"
 #include "job/slicing/part_slicing.hpp"
 #include "lamina/base/error.hpp"
@@ -127,6 +128,7 @@ SlicedPart runIn(const BuildSpace& space, const SliceJob& job, const SliceFuncti
   Laps laps;
   progress.report("read", 0.0);
   SlicedPart sliced = slice(job, space, progress);
+  changeRunsOf(sliced, job.settings, space);
   limitFlowOf(sliced, job.settings, progress);
   coolPart(sliced, job, space, progress);
   finishFlowOf(sliced, job.settings, progress);
