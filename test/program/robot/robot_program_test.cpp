@@ -299,8 +299,8 @@ TEST(RobotProgram, RefusesDropsEventsAndSettingsThatCannotBe) {
   drops.layers[1].paths[0].deposit = Deposit::Drops;
   EXPECT_TRUE(holds(refusalOf([&] { robotFiles(RobotLanguage::Krl, drops); }), "drops are laid"));
   Toolpath waits = test::twoLayers();
-  waits.layers[1].paths[0].events = {{0, Dwell{1.0}}};
-  EXPECT_TRUE(holds(refusalOf([&] { robotFiles(RobotLanguage::Krl, waits); }), "dwell"));
+  waits.layers[1].paths[0].events = {{0, OperatorPause{"look"}}};
+  EXPECT_TRUE(holds(refusalOf([&] { robotFiles(RobotLanguage::Krl, waits); }), "pause cannot be carried"));
   EXPECT_TRUE(holds(refusalOf([&] { robotFiles(RobotLanguage::Krl, {"empty", {}}); }), "no path"));
   RobotProgramSettings settings;
   settings.joint_signs = {1, 1, 2, 1, 1, 1};

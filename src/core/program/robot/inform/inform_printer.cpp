@@ -20,6 +20,7 @@ constexpr int kInformPositionDecimals = 3;     // mm
 constexpr int kInformAngleDecimals = 4;        // deg
 constexpr double kFarthestInform = 1e5;        // mm
 constexpr double kGreatestInformLevel = 14.0;  // V
+constexpr double kLongestInformWait = 655.35;  // s: 65535 hundredths
 constexpr double kMostPulses = 2e9;            // a whole number of 32 bits
 
 const SpeedUnit kInformMillimetres = {"mm/s", 1.0, 0.1, 1500.0};
@@ -176,6 +177,14 @@ class InformPrinter : public RobotPrinter {
                             (output.is_on ? "ON" : "OFF"));
   }
 
+  void add(const ArcSwitch& arc) {
+    const std::string number = "#(" + std::to_string(arc.schedule) + ")";
+    const std::string weave = "WEV#(" + std::to_string(arc.weave) + ")";
+    if (!arc.is_on && arc.weave > 0) instructions_.emplace_back("WVOF");
+    instructions_.push_back(arc.is_on ? "ARCON ASF" + number : "ARCOF AEF" + number);
+    if (arc.is_on && arc.weave > 0) instructions_.push_back("WVON " + weave);
+  }
+
   void add(const LevelChange& level) {
     requireOutputNumber(level.output, RobotLanguage::Inform);
     if (!(std::abs(level.value) <= kGreatestInformLevel))
@@ -184,7 +193,10 @@ class InformPrinter : public RobotPrinter {
     instructions_.push_back("AOUT AO#(" + std::to_string(level.output) + ") " + decimalText(level.value, 2));
   }
 
-  void add(const ProgramWait& wait) { instructions_.push_back("TIMER T=" + decimalText(wait.duration_s, 2)); }
+  void add(const ProgramWait& wait) {
+    for (const double part_s : waitParts(wait.duration_s, kLongestInformWait))
+      instructions_.push_back("TIMER T=" + decimalText(part_s, 2));
+  }
 
   void add(const FileCall& call) { instructions_.push_back("CALL JOB:" + call.name); }
 
