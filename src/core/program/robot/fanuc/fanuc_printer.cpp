@@ -21,15 +21,10 @@ constexpr int kFanucDecimals = 3;
 constexpr double kLongestFanucWait = 327.67;  // s: 32767 hundredths
 constexpr double kFarthestFanuc = 1e5;        // mm: of the format %10.3f
 
-const SpeedUnit kMillimetresPerSecond = {"mm/sec", 1.0, 1.0, 2000.0};
-const SpeedUnit kCentimetresPerMinute = {"cm/min", 10.0 / 60.0, 1.0, 12000.0};
-const SpeedUnit kInchesPerMinute = {"inch/min", 25.4 / 60.0, 1.0, 4724.0};
-
 /// Of beads as welders write them.
-std::string fanucSpeed(const TipMove& move) {
-  const std::vector<SpeedUnit> units =
-      move.lays ? std::vector<SpeedUnit>{kCentimetresPerMinute, kMillimetresPerSecond, kInchesPerMinute}
-                : std::vector<SpeedUnit>{kMillimetresPerSecond, kCentimetresPerMinute, kInchesPerMinute};
+std::string fanucSpeed(const TipMove& move, const RobotProgramSettings& settings) {
+  std::vector<SpeedUnit> units = speedUnits(RobotLanguage::Fanuc, settings);
+  if (!move.lays) std::swap(units[0], units[1]);
   const RoundedSpeed speed = roundedSpeed(move.feed_mm_s, units);
   return trimmedDecimals(speed.value, 0) + speed.unit.name;
 }
@@ -113,7 +108,7 @@ class FanucPrinter : public RobotPrinter {
   }
 
   void add(const TipMove& move) {
-    const std::string speed = fanucSpeed(move);
+    const std::string speed = fanucSpeed(move, site_.settings);
     const std::string point = openPoint("\tCONFIG : '" + configuration(move) + "',");
     const RobotAngles angles = robotAngles(move.orientation, last_x_deg_);
     last_x_deg_ = angles.x_deg;

@@ -23,9 +23,6 @@ constexpr double kGreatestInformLevel = 14.0;  // V
 constexpr double kLongestInformWait = 655.35;  // s: 65535 hundredths
 constexpr double kMostPulses = 2e9;            // a whole number of 32 bits
 
-const SpeedUnit kInformMillimetres = {"mm/s", 1.0, 0.1, 1500.0};
-const SpeedUnit kInformCentimetres = {"cm/min", 10.0 / 60.0, 0.1, 9000.0};
-
 std::string informPoint(std::size_t number) {
   char name[24];
   std::snprintf(name, sizeof name, "C%05zu", number);
@@ -142,9 +139,8 @@ class InformPrinter : public RobotPrinter {
     positions_.push_back(name + "=" + values + decimalText(angles.x_deg, kInformAngleDecimals) + "," +
                          decimalText(angles.y_deg, kInformAngleDecimals) + "," +
                          decimalText(angles.z_deg, kInformAngleDecimals));
-    const bool is_mm = site_.settings.inform.speed_unit == InformSpeedUnit::MillimetresPerSecond;
     const RoundedSpeed speed =
-        roundedSpeed(move.feed_mm_s, {is_mm ? kInformMillimetres : kInformCentimetres});
+        roundedSpeed(move.feed_mm_s, speedUnits(RobotLanguage::Inform, site_.settings));
     instructions_.push_back("MOVL " + name + " V=" + decimalText(speed.value, 1) +
                             " PL=" + std::to_string(move.rests ? 0 : site_.settings.inform.corner_level));
   }
