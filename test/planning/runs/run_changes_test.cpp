@@ -72,6 +72,14 @@ LeadSettings straightLead(double length_mm, double angle_deg = 0.0) {
   return lead;
 }
 
+LeadCount addLeads(Toolpath& toolpath, const LeadSettings& settings) {
+  return addEnds(toolpath, settings, {}).leads;
+}
+
+std::size_t addEntries(Toolpath& toolpath, const EntrySettings& settings) {
+  return addEnds(toolpath, {}, settings).entries;
+}
+
 /// Shares of the turn at which the rings of a tube start.
 std::vector<double> startsOfTube(const Toolpath& toolpath) {
   std::vector<double> starts;
@@ -292,15 +300,29 @@ TEST(Entries, ComeAlongTheToolAxis) {
 
 TEST(Entries, ComeToTheDryLeadOfARun) {
   Toolpath toolpath = ofPaths({travelTo({0, 20, 0.5}, {0, 0, 0.5}), laidBead({{0, 0, 0.5}, {30, 0, 0.5}})});
-  addLeads(toolpath, straightLead(6.0));
   EntrySettings settings;
   settings.distance_mm = 5.0;  // where the travel comes down from
-  addEntries(toolpath, settings);
+  addEnds(toolpath, straightLead(6.0), settings);
   validate(toolpath);
   const auto& paths = toolpath.layers[0].paths;
   EXPECT_EQ(paths[0].points.size(), 3U);
   EXPECT_LT((paths[1].points[0] - Point3(-6, 0, 5.5)).norm(), 1e-9);
   EXPECT_LT((paths[1].points[1] - Point3(-6, 0, 0.5)).norm(), 1e-9);
+}
+
+TEST(Entries, JoinWhereOneLeadIsLeftOutAndTheOtherIsNot) {
+  // The second run starts right beside a wall.
+  const Path wall = laidBead({{49, -10, 0.5}, {49, 10, 0.5}});
+  Toolpath toolpath =
+      ofPaths({wall, travelTo({49, 10, 0.5}, {0, 0, 0.5}), laidBead({{0, 0, 0.5}, {30, 0, 0.5}}),
+               travelTo({30, 0, 0.5}, {50, 0, 0.5}), laidBead({{50, 0, 0.5}, {80, 0, 0.5}})});
+  EntrySettings settings;
+  settings.distance_mm = 3.0;
+  const EndCount count = addEnds(toolpath, straightLead(6.0), settings);
+  validate(toolpath);
+  EXPECT_EQ(count.leads.left_out, 1U);
+  EXPECT_EQ(count.leads.added, 5U);
+  EXPECT_EQ(count.entries, 6U);
 }
 
 TEST(Levels, OfAWireFollowFromBeadAndFeed) {

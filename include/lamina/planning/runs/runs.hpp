@@ -31,17 +31,22 @@ struct LeadCount {
   std::size_t left_out = 0;   ///< with less room than `least_mm`
 };
 
+/// What is added at the ends of runs.
+struct EndCount {
+  LeadCount leads;
+  std::size_t entries = 0;
+};
+
 /// Adds a lead before and after each run of the part: a travel at the run's feed, or a path of role Prime
 /// where it lays a bead. It goes to the side with more room, and outside of a closed run where both have the
-/// same: no nearer to other beads of the layer than beads are to each other. Travels lead to the leads' ends.
-/// Runs that follow another path without a travel get none.
-LeadCount addLeads(Toolpath& toolpath, const LeadSettings& settings);
-
-/// Lets the tool come to each run from `distance_mm` away, and leave it as far, straight and at a feed of
-/// its own. Travels get the points; the first run gets a travel before it, the last one after it, where there
-/// is none.
-/// @return how many points are added
-std::size_t addEntries(Toolpath& toolpath, const EntrySettings& settings);
+/// same: no nearer to other beads of the layer than beads are to each other.
+///
+/// Lets the tool come to each run, or its lead, from `distance_mm` away, and leave it as far, straight and at
+/// a feed of its own: by travels of their own.
+///
+/// Travels before and after lead to the ends of these. Runs that follow another path without a travel get
+/// none.
+EndCount addEnds(Toolpath& toolpath, const LeadSettings& lead, const EntrySettings& entry);
 
 /// Lets the tip swing across the beads of the part, by waypoints of its own: whole half waves, of closed
 /// paths whole waves, each path for itself, about its line. Left is that of the way, seen against the jet.

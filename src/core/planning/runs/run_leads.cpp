@@ -10,6 +10,7 @@
 #include "lamina/base/angle.hpp"
 #include "lamina/planning/runs/runs.hpp"
 #include "planning/runs/run_ends.hpp"
+#include "planning/runs/run_entries.hpp"
 
 namespace lamina {
 namespace {
@@ -91,54 +92,79 @@ std::vector<LaidMotion> laidMotions(const ToolpathLayer& layer) {
 class LeadRoom {
  public:
   LeadRoom(const std::vector<LaidMotion>& motions, const Point3& at, double reach_mm, std::size_t own) {
-    for (const LaidMotion& motion : motions)
-      if (motion.distanceTo(at) <= reach_mm + motion.width_mm)
-        (motion.path == own ? own_ : others_).push_back(motion);
-    for (const LaidMotion& motion : others_) first_mm_.push_back(motion.distanceTo(at));
+    for (const LaidMotion& motion : motions) {
+      const double first_mm = motion.distanceTo(at);
+      if (first_mm <= reach_mm + motion.width_mm) motions_.push_back({motion, motion.path == own, first_mm});
+    }
   }
 
   /// The longest way along which the lead keeps off what is laid.
   template <class PointAt>
   double longest(double way_mm, double width_mm, PointAt pointAt) const {
     const auto count = static_cast<std::size_t>(std::ceil(way_mm / (kSampleShare * width_mm)));
+    const double step_mm = way_mm / static_cast<double>(count);
     double free_mm = 0.0;
     double last_own_mm = 0.0;
     bool has_left = false;
+    std::vector<Nearby> nearby;
     for (std::size_t i = 1; i <= count; ++i) {
-      const double at_mm = way_mm * static_cast<double>(i) / static_cast<double>(count);
+      const double at_mm = step_mm * static_cast<double>(i);
       const Point3 point = pointAt(at_mm);
-      const double own_mm = nearest(own_, point);
+      if (i % kBlock == 1) {
+        const double to_last_mm = (pointAt(at_mm + step_mm * kBlock) - point).norm();
+        nearby = nearTo(point, 2.0 * to_last_mm + width_mm);
+      }
+      // What is farther than that is as good as any.
+      const double own_mm = std::min(toOwn(nearby, point), width_mm);
       // A lead begins at its own bead, and may go away from it only.
-      if (own_mm < last_own_mm - kSameRoom && own_mm < width_mm) break;
+      if (own_mm < last_own_mm - kSameRoom) break;
       if (has_left && own_mm < width_mm - kLeadRoom) break;
       has_left |= own_mm >= width_mm;
       last_own_mm = own_mm;
-      if (!keepsOff(point, width_mm)) break;
+      if (!keepsOff(nearby, point, width_mm)) break;
       free_mm = at_mm;
     }
     return free_mm;
   }
 
-  double toOthers(const Point3& point) const { return nearest(others_, point); }
-
- private:
-  static double nearest(const std::vector<LaidMotion>& motions, const Point3& point) {
+  double toOthers(const Point3& point) const {
     double least = std::numeric_limits<double>::infinity();
-    for (const LaidMotion& motion : motions) least = std::min(least, motion.distanceTo(point));
+    for (const Nearby& each : motions_)
+      if (!each.is_own) least = std::min(least, each.motion.distanceTo(point));
     return least;
   }
 
-  bool keepsOff(const Point3& point, double width_mm) const {
-    for (std::size_t i = 0; i < others_.size(); ++i) {
-      const double need_mm = std::min(0.5 * (width_mm + others_[i].width_mm), first_mm_[i]);
-      if (others_[i].distanceTo(point) < need_mm - kLeadRoom) return false;
-    }
-    return true;
+ private:
+  static constexpr std::size_t kBlock = 10;  // places for which what is near is sought once
+
+  struct Nearby {
+    LaidMotion motion;
+    bool is_own = false;    ///< of the lead's path
+    double first_mm = 0.0;  ///< from where the lead begins
+  };
+
+  std::vector<Nearby> nearTo(const Point3& point, double reach_mm) const {
+    std::vector<Nearby> found;
+    for (const Nearby& each : motions_)
+      if (each.motion.distanceTo(point) <= reach_mm + each.motion.width_mm) found.push_back(each);
+    return found;
   }
 
-  std::vector<LaidMotion> own_;
-  std::vector<LaidMotion> others_;
-  std::vector<double> first_mm_;  ///< of the others, from where the lead begins
+  static double toOwn(const std::vector<Nearby>& nearby, const Point3& point) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Nearby& each : nearby)
+      if (each.is_own) least = std::min(least, each.motion.distanceTo(point));
+    return least;
+  }
+
+  static bool keepsOff(const std::vector<Nearby>& nearby, const Point3& point, double width_mm) {
+    return std::none_of(nearby.begin(), nearby.end(), [&](const Nearby& each) {
+      const double need_mm = std::min(0.5 * (width_mm + each.motion.width_mm), each.first_mm);
+      return !each.is_own && each.motion.distanceTo(point) < need_mm - kLeadRoom;
+    });
+  }
+
+  std::vector<Nearby> motions_;
 };
 
 /// The side away from the inside of a closed way: that of a path whose ends are near each other, too.
@@ -252,58 +278,111 @@ class LayerLeads {
   std::vector<LaidMotion> motions_;
 };
 
-/// Leads before and after a path.
-struct PathLeads {
+/// What is added before and after a path, in this order round it: entry, lead.
+struct PathEnds {
+  std::optional<Path> entry;
   std::optional<Path> in;
   std::optional<Path> out;
+  std::optional<Path> exit;
 };
 
-void insertLeads(ToolpathLayer& layer, std::vector<PathLeads>& leads) {
-  std::vector<Path> paths;
-  for (std::size_t p = 0; p < layer.paths.size(); ++p) {
-    if (leads[p].in) paths.push_back(std::move(*leads[p].in));
-    paths.push_back(std::move(layer.paths[p]));
-    if (leads[p].out) paths.push_back(std::move(*leads[p].out));
+/// Adds leads and entries to all runs.
+class RunEndings {
+ public:
+  RunEndings(Toolpath& toolpath, const LeadSettings& lead, const EntrySettings& entry)
+      : toolpath_(toolpath), lead_(lead), entry_(entry), places_(placesOf(toolpath)) {
+    for (const ToolpathLayer& layer : toolpath.layers) {
+      layers_.emplace_back(layer, lead_);
+      ends_.emplace_back(layer.paths.size());
+    }
   }
-  layer.paths = std::move(paths);
-}
 
-bool isTravelOrNone(const Toolpath& toolpath, const std::vector<RunPlace>& places, std::size_t index) {
-  return index >= places.size() || pathAt(toolpath, places[index]).role == PathRole::Travel;
-}
+  EndCount add() {
+    const std::vector<RunSpan> runs = runsOf(toolpath_, places_);
+    for (const RunSpan& run : runs) {
+      if (isFree(run.begin - 1)) addLead(run.begin, LeadEnd::In);
+      if (isFree(run.end)) addLead(run.end - 1, LeadEnd::Out);
+    }
+    // Once all leads are known: rooms are those of what was planned.
+    for (const RunSpan& run : runs) {
+      if (isFree(run.begin - 1)) joinBefore(run.begin);
+      if (isFree(run.end)) joinAfter(run.end - 1);
+    }
+    for (std::size_t l = 0; l < toolpath_.layers.size(); ++l) insert(toolpath_.layers[l].paths, ends_[l]);
+    return count_;
+  }
+
+ private:
+  /// Whether a travel stands there, or nothing: the index before the first is beyond all.
+  bool isFree(std::size_t index) const {
+    return index >= places_.size() || pathAt(toolpath_, places_[index]).role == PathRole::Travel;
+  }
+
+  PathEnds& endsAt(std::size_t index) { return ends_[places_[index].layer][places_[index].path]; }
+
+  void addLead(std::size_t index, LeadEnd end) {
+    const RunPlace& place = places_[index];
+    std::optional<Path> lead = layers_[place.layer].lead(place.path, end, count_.leads);
+    (end == LeadEnd::In ? endsAt(index).in : endsAt(index).out) = std::move(lead);
+  }
+
+  void joinBefore(std::size_t index) {
+    PathEnds& ends = endsAt(index);
+    const Path& path = pathAt(toolpath_, places_[index]);
+    const Eigen::Quaterniond nozzle = path.orientation.at(0);
+    const Point3 start = ends.in ? ends.in->firstPoint() : path.firstPoint();
+    Path* travel = index > 0 ? &pathAt(toolpath_, places_[index - 1]) : nullptr;
+    if (ends.in && travel != nullptr) shiftEnd(*travel, start, nozzle * Point3::UnitZ());
+    if (entry_.distance_mm == 0.0) return;
+    const Point3 from = entryPoint(start, nozzle, entry_);
+    if (travel != nullptr) endAtEntry(*travel, from);
+    ends.entry = entryTravel(from, start, nozzle, entry_.feed_mm_s);
+    ++count_.entries;
+  }
+
+  void joinAfter(std::size_t index) {
+    PathEnds& ends = endsAt(index);
+    const Path& path = pathAt(toolpath_, places_[index]);
+    const Eigen::Quaterniond nozzle = nozzleAtEnd(path);
+    const Point3 end = ends.out ? ends.out->lastPoint() : path.lastPoint();
+    Path* travel = index + 1 < places_.size() ? &pathAt(toolpath_, places_[index + 1]) : nullptr;
+    if (ends.out && travel != nullptr) shiftStart(*travel, end, nozzle * Point3::UnitZ());
+    if (entry_.distance_mm == 0.0) return;
+    const Point3 to = entryPoint(end, nozzle, entry_);
+    if (travel != nullptr) startAtEntry(*travel, to);
+    ends.exit = entryTravel(end, to, nozzle, entry_.feed_mm_s);
+    ++count_.entries;
+  }
+
+  static void insert(std::vector<Path>& paths, std::vector<PathEnds>& ends) {
+    std::vector<Path> all;
+    const auto take = [&all](std::optional<Path>& path) {
+      if (path) all.push_back(std::move(*path));
+    };
+    for (std::size_t p = 0; p < paths.size(); ++p) {
+      take(ends[p].entry);
+      take(ends[p].in);
+      all.push_back(std::move(paths[p]));
+      take(ends[p].out);
+      take(ends[p].exit);
+    }
+    paths = std::move(all);
+  }
+
+  Toolpath& toolpath_;
+  const LeadSettings& lead_;
+  const EntrySettings& entry_;
+  std::vector<RunPlace> places_;
+  std::vector<LayerLeads> layers_;
+  std::vector<std::vector<PathEnds>> ends_;
+  EndCount count_;
+};
 
 }  // namespace
 
-LeadCount addLeads(Toolpath& toolpath, const LeadSettings& settings) {
-  LeadCount count;
-  if (settings.in == LeadShape::None && settings.out == LeadShape::None) return count;
-  const std::vector<RunPlace> places = placesOf(toolpath);
-  std::vector<LayerLeads> layers;
-  std::vector<std::vector<PathLeads>> leads;
-  for (const ToolpathLayer& layer : toolpath.layers) {
-    layers.emplace_back(layer, settings);
-    leads.emplace_back(layer.paths.size());
-  }
-  for (const RunSpan& run : runsOf(toolpath, places)) {
-    const RunPlace& first = places[run.begin];
-    const RunPlace& last = places[run.end - 1];
-    if (run.begin == 0 || isTravelOrNone(toolpath, places, run.begin - 1))
-      leads[first.layer][first.path].in = layers[first.layer].lead(first.path, LeadEnd::In, count);
-    if (isTravelOrNone(toolpath, places, run.end))
-      leads[last.layer][last.path].out = layers[last.layer].lead(last.path, LeadEnd::Out, count);
-  }
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const PathLeads& of_path = leads[places[i].layer][places[i].path];
-    const Path& path = pathAt(toolpath, places[i]);
-    if (of_path.in && i > 0)
-      shiftEnd(pathAt(toolpath, places[i - 1]), of_path.in->firstPoint(),
-               path.orientation.at(0) * Point3::UnitZ());
-    if (of_path.out && i + 1 < places.size())
-      shiftStart(pathAt(toolpath, places[i + 1]), of_path.out->lastPoint(),
-                 nozzleAtEnd(path) * Point3::UnitZ());
-  }
-  for (std::size_t l = 0; l < toolpath.layers.size(); ++l) insertLeads(toolpath.layers[l], leads[l]);
-  return count;
+EndCount addEnds(Toolpath& toolpath, const LeadSettings& lead, const EntrySettings& entry) {
+  if (lead.in == LeadShape::None && lead.out == LeadShape::None && entry.distance_mm == 0.0) return {};
+  return RunEndings(toolpath, lead, entry).add();
 }
 
 }  // namespace lamina
