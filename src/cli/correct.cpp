@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -12,7 +13,9 @@
 #include "lamina/job/output_files.hpp"
 #include "lamina/job/output_writer.hpp"
 #include "lamina/job/rapid_files.hpp"
+#include "lamina/job/robot_files.hpp"
 #include "lamina/program/rapid/reader/rapid_reader.hpp"
+#include "lamina/program/robot/robot_reader.hpp"
 #include "lamina/streaming/journal/job_journal.hpp"
 #include "subcommand.hpp"
 
@@ -31,13 +34,16 @@ struct CorrectArguments {
 struct CorrectSettings {
   LoopSettings feeding;
   RapidSettings rapid;
+  RobotProgramSettings robot;
 };
 
 CorrectSettings settingsFrom(const CorrectArguments& arguments) {
   CorrectSettings settings;
   SettingsSchema schema;
   describeFeeding(schema, settings.feeding);
-  if (isRapidFile(arguments.program)) describe(schema, settings.rapid);
+  const ProgramRunner runner = programRunner(arguments.program);
+  if (runner == ProgramRunner::RapidRobot) describe(schema, settings.rapid);
+  if (runner == ProgramRunner::OtherRobot) describe(schema, settings.robot);
   applySettings(schema, arguments.settings.config, overridesFrom(arguments.settings.assignments));
   return settings;
 }
@@ -97,25 +103,41 @@ void printTimes(const CorrectArguments& arguments, const PlannedCorrection& corr
               correction.maps.size(), corrected_s, planned_s);
 }
 
+/// In the language of the program, over the bed.
+void writeCorrected(const CorrectArguments& arguments, const CorrectSettings& settings,
+                    const Toolpath& corrected) {
+  if (!isRapidFile(arguments.output)) {
+    writeRobotFiles(arguments.output, corrected, settings.robot);
+    return;
+  }
+  writeRapidFiles(arguments.output, {corrected, ProgramFrame(Eigen::Isometry3d::Identity())}, settings.rapid);
+}
+
+std::string suffixOfFile(const std::string& path) { return std::filesystem::path(path).extension().string(); }
+
 /// A robot's process runs at a steady rate: the amount is laid by the time on the way.
-void correctRapid(const CorrectArguments& arguments, const CorrectSettings& settings, OutputFormat format) {
-  constexpr double kReadTolerance = 1e-3;  // mm: positions have four decimals
-  if (!isRapidFile(arguments.output))
+void correctRobot(const CorrectArguments& arguments, const CorrectSettings& settings, OutputFormat format) {
+  constexpr double kReadTolerance = 2e-3;  // mm: positions have three decimals at least
+  const std::string language = robotLanguageName(arguments.program);
+  if (suffixOfFile(arguments.output) != suffixOfFile(arguments.program))
     throw InvalidInput("the program is " + arguments.program + ", the output " + arguments.output +
-                       "; expected a RAPID program of it, with the suffix .mod");
+                       "; expected a program in " + language + " of it, with the suffix " +
+                       suffixOfFile(arguments.program));
   PlannedCorrection correction = correctionFrom(arguments.corrections, settings.feeding, {});
-  Toolpath read = readRapidFile(arguments.program);
+  Toolpath read = isRapidFile(arguments.program) ? readRapidFile(arguments.program)
+                                                 : readRobotProgramFile(arguments.program);
   requireSamePaths(read, correction.planned.toolpath, kReadTolerance);
   correction.planned.toolpath = std::move(read);
   const Toolpath& planned = correction.planned.toolpath;
   const Toolpath corrected =
       correctedToolpath(planned, ledMaps(correction), CorrectionWriting{}.split_change);
-  writeRapidFiles(arguments.output, {corrected, ProgramFrame(Eigen::Isometry3d::Identity())}, settings.rapid);
+  writeCorrected(arguments, settings, corrected);
   std::fprintf(stderr,
-               "warning: %s has neither approach nor retract, and the tool and work object of rapid.*, not "
+               "warning: %s has neither approach nor retract, and the tool and work object of %s, not "
                "those of %s; "
                "expected both to be taken over by hand before it runs\n",
-               arguments.output.c_str(), arguments.program.c_str());
+               arguments.output.c_str(), isRapidFile(arguments.program) ? "rapid.*" : "robot_program.*",
+               arguments.program.c_str());
   printTimes(arguments, correction, {depositionTime(planned), depositionTime(corrected)}, format);
 }
 
@@ -123,7 +145,7 @@ void correct(const CorrectArguments& arguments, OutputFormat format) {
   requireApart({arguments.output}, {arguments.program, arguments.corrections.maps,
                                     arguments.corrections.toolpath, arguments.settings.config});
   const CorrectSettings settings = settingsFrom(arguments);
-  if (isRapidFile(arguments.program)) return correctRapid(arguments, settings, format);
+  if (isRobotFile(arguments.program)) return correctRobot(arguments, settings, format);
   const std::string program = readFile(arguments.program);
   // Only a record asks of which program its lines are.
   const bool is_recorded = recordedJob(arguments.corrections.maps).has_value();
@@ -141,7 +163,9 @@ void addCorrect(CLI::App& app, Chosen& chosen) {
   CLI::App* subcommand = app.add_subcommand(
       "correct", "Write a program corrected by the maps of the closed loop, to be looked at; sends nothing");
   const auto arguments = std::make_shared<CorrectArguments>();
-  subcommand->add_option("program", arguments->program, "Program (.gcode), or RAPID program (.mod)")
+  subcommand
+      ->add_option("program", arguments->program,
+                   "Program (.gcode), or program of a robot (.mod, .src, .ls, .jbi)")
       ->required();
   subcommand
       ->add_option("maps", arguments->corrections.maps,
@@ -150,7 +174,8 @@ void addCorrect(CLI::App& app, Chosen& chosen) {
   subcommand->add_option("-o,--output", arguments->output, "File for the corrected program")->required();
   addToolpathOption(*subcommand, arguments->corrections);
   addSettingOptions(*subcommand, arguments->settings,
-                    "Settings (YAML) of the feeder: loop.*; of RAPID programs also rapid.*");
+                    "Settings (YAML) of the feeder: loop.*; of RAPID programs also rapid.*, of other robots' "
+                    "robot_program.*");
   addJsonFlag(*subcommand, chosen);
   subcommand->callback(
       [arguments, &chosen] { chosen.run = [arguments, &chosen] { correct(*arguments, chosen.format); }; });

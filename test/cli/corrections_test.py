@@ -257,6 +257,26 @@ class RobotPrograms(unittest.TestCase):
         self.assertEqual(lamina("preview", self.corrected, "--layer", "2", "-o", os.path.join(self.folder, "layer.png")).returncode, 0)
         self.assertNotEqual(told("metrics", self.corrected, "--part", self.part), {})
 
+    def test_other_languages_take_their_time_too(self):
+        length_mm, time_s = self.length_and_time(2, 1)
+        self.write("correction_2.csv", correction_map(2, [0.25] * 8, length_mm=length_mm))
+        for suffix in ("src", "ls", "jbi"):
+            program, corrected = (os.path.join(self.folder, f"{name}.{suffix}") for name in ("wall", "corrected"))
+            told("slice", self.part, "--set", "machine.name=irb_4600", "--set", "part.placement=as_is", "-o", program)
+            made = told("correct", program, self.maps, "-o", corrected)
+            # Fanuc's speeds are whole numbers, Yaskawa's have one decimal.
+            self.assertAlmostEqual(made["corrected_s"] - made["planned_s"], 0.25 * time_s, delta=0.02 * time_s)
+            picture = os.path.join(self.folder, "layer.png")
+            self.assertEqual(lamina("preview", corrected, "--layer", "2", "-o", picture).returncode, 0)
+
+    def test_scripts_without_joints_are_refused(self):
+        self.write("correction_2.csv", correction_map(2, [0.25] * 8))
+        program, corrected = (os.path.join(self.folder, f"{name}.script") for name in ("wall", "corrected"))
+        told("slice", self.part, "--set", "machine.name=irb_4600", "--set", "part.placement=as_is", "-o", program)
+        refused = lamina("correct", program, self.maps, "-o", corrected)
+        self.assertIn("poses in URScript are over the robot's base", refused.stderr)
+        self.assertFalse(os.path.exists(corrected))
+
     def test_maps_of_nothing_leave_the_motions(self):
         self.write("correction_2.csv", correction_map(2, [0.0] * 8))
         made = told("correct", self.program, self.maps, "-o", self.corrected)

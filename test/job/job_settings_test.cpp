@@ -59,6 +59,35 @@ TEST(JobSettings, RefusesToFillVoidsBetweenDropsWhereBeadsAreDeposited) {
   EXPECT_THROW(validate(settings), InvalidConfig);
 }
 
+TEST(JobSettings, RefusesRunsOfDropsAndTwoWeaves) {
+  const auto refusal = [](const JobSettings& settings) -> std::string {
+    try {
+      validate(settings);
+    } catch (const InvalidConfig& error) {
+      return error.what();
+    }
+    return "";
+  };
+  JobSettings drops;
+  drops.planning.infill.strategy = "drops_dense";
+  drops.runs.weave.kind = WeaveKind::Sine;
+  EXPECT_NE(refusal(drops).find("weave.kind is not 'none' with infill.strategy 'drops_dense'"),
+            std::string::npos);
+  drops.runs.weave.kind = WeaveKind::None;
+  drops.runs.levels.values = "laser_power_w=100";
+  EXPECT_NE(refusal(drops).find("levels.values is set with infill.strategy"), std::string::npos);
+  drops.runs.levels.values.clear();
+  EXPECT_EQ(refusal(drops), "");
+  JobSettings woven;
+  woven.runs.weave.kind = WeaveKind::Zigzag;
+  EXPECT_EQ(refusal(woven), "");
+  woven.program.robot.arc.weave_schedule = 3;
+  EXPECT_NE(refusal(woven).find("robot_program.weave_schedule 3; expected one of them"), std::string::npos);
+  woven.program.robot.arc.weave_schedule = 0;
+  woven.program.rapid.weave_data = "weave1";
+  EXPECT_NE(refusal(woven).find("rapid.weave_data 'weave1'; expected one of them"), std::string::npos);
+}
+
 TEST(JobSettings, OverridesWinOverTheFile) {
   const test::ScratchFolder folder;
   std::ofstream(folder.file("a.yaml")) << "slicing: {layer_height_mm: 0.3}\nwalls:\n  count: 5\n";

@@ -25,6 +25,7 @@
 #include "lamina/planning/hooks/hook_settings.hpp"
 #include "lamina/planning/lift/chart_lift.hpp"
 #include "lamina/planning/plan_settings.hpp"
+#include "lamina/planning/runs/run_settings.hpp"
 #include "lamina/planning/scan_pass.hpp"
 #include "lamina/program/program_settings.hpp"
 #include "lamina/slicing/adapted/adapted_settings.hpp"
@@ -89,6 +90,7 @@ struct JobSettings {
   OrientationSettings orientation;
   CompensationSettings compensation;
   PlanSettings planning = planOfPrinters();
+  BeadRunSettings runs;
   FlowSettings flow;
   CoolingSettings cooling = coolingOfPrinters();
   FanSettings fan = fanOfPrinters();

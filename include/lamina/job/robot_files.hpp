@@ -4,9 +4,11 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "lamina/job/output_writer.hpp"
 #include "lamina/program/robot/robot_program_settings.hpp"
+#include "lamina/program/robot/speed_rounding.hpp"
 
 namespace lamina {
 
@@ -31,9 +33,20 @@ std::string robotLanguageName(const std::string& path);
 void writeRobotProgram(RobotLanguage language, const PlacedToolpath& placed,
                        const RobotProgramSettings& settings, const TextSink& sink);
 
+/// Files of a program that was written.
+struct RobotWriting {
+  std::vector<std::string> files;  ///< names, the one that is loaded first before those that it runs
+  SpeedRounding speeds;
+};
+
 /// Writes the file that is loaded first under the path, and those that it runs beside it; all files or none.
 /// @throws InvalidInput, InvalidConfig as above; FileError
-void writeRobotFiles(const std::string& path, const PlacedToolpath& placed,
-                     const RobotProgramSettings& settings);
+RobotWriting writeRobotFiles(const std::string& path, const PlacedToolpath& placed,
+                             const RobotProgramSettings& settings);
+
+/// The same of a toolpath over the bed whose joints are not known, without approach and retract.
+/// @throws InvalidInput also if the language is URScript, whose poses are over the robot's base
+RobotWriting writeRobotFiles(const std::string& path, const Toolpath& over_bed,
+                             const RobotProgramSettings& settings);
 
 }  // namespace lamina

@@ -144,6 +144,34 @@ void requirePlaneLayersFor(const JobSettings& settings) {
       "slicing.layer_height_mm: all shells are as high");
 }
 
+/// Drops have no runs; and either the toolpath weaves or the controller.
+void requireRunsFor(const JobSettings& settings) {
+  const BeadRunSettings& runs = settings.runs;
+  const std::string& strategy = settings.planning.infill.strategy;
+  const std::vector<std::pair<const char*, bool>> asked = {
+      {"starts.rule is not 'keep'", runs.starts.rule != StartRule::Keep},
+      {"lead.in is not 'none'", runs.lead.in != LeadShape::None},
+      {"lead.out is not 'none'", runs.lead.out != LeadShape::None},
+      {"lead.overlap_mm is not 0 mm", runs.lead.overlap_mm > 0.0},
+      {"entry.distance_mm is not 0 mm", runs.entry.distance_mm > 0.0},
+      {"levels.values is set", !runs.levels.values.empty()},
+      {"weave.kind is not 'none'", runs.weave.kind != WeaveKind::None}};
+  if (infillStrategy(strategy).deposit == Deposit::Drops)
+    for (const auto& [key_is, is_asked] : asked)
+      if (is_asked)
+        throw InvalidConfig(std::string(key_is) + " with infill.strategy '" + strategy +
+                            "'; expected a strategy that lays beads: drops have no runs");
+  if (runs.weave.kind == WeaveKind::None) return;
+  if (settings.program.robot.arc.weave_schedule > 0)
+    throw InvalidConfig("weave.kind is not 'none' with robot_program.weave_schedule " +
+                        std::to_string(settings.program.robot.arc.weave_schedule) +
+                        "; expected one of them: the controller would weave across a woven way");
+  if (!settings.program.rapid.weave_data.empty())
+    throw InvalidConfig("weave.kind is not 'none' with rapid.weave_data '" +
+                        settings.program.rapid.weave_data +
+                        "'; expected one of them: the controller would weave across a woven way");
+}
+
 }  // namespace
 
 PlanSettings planOfPrinters() {
@@ -195,6 +223,7 @@ void describe(SettingsSchema& schema, JobSettings& settings) {
   describe(schema, settings.orientation);
   describe(schema, settings.compensation);
   describe(schema, settings.planning);
+  describe(schema, settings.runs);
   describe(schema, settings.flow);
   describe(schema, settings.cooling);
   describe(schema, settings.fan);
@@ -244,6 +273,7 @@ void validate(const JobSettings& settings) {
   requireConsistent(settings.volumetric);
   requireConsistent(settings.cooling);
   requireConsistent(settings.fan);
+  requireConsistent(settings.runs);
   requireConsistent(settings.flow);
   requireConsistent(settings.hooks);
   requireConsistent(settings.pauses);
@@ -252,6 +282,7 @@ void validate(const JobSettings& settings) {
   requireConsistentPlane(settings);
   requirePlaneLayersFor(settings);
   requireCapable(settings);
+  requireRunsFor(settings);
   thumbnailsFrom(settings.program.thumbnails);
   const std::string& strategy = settings.planning.infill.strategy;
   if (settings.slicing.heights != LayerHeights::Equal && infillStrategy(strategy).deposit == Deposit::Drops)

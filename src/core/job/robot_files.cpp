@@ -28,6 +28,25 @@ std::vector<RobotFile> programOf(const RobotProgramRequest& request, const Place
   return robotProgram(placed.toolpath, placed.frame.bed_from_part, request, &robot);
 }
 
+/// All files or none.
+/// @return their names
+std::vector<std::string> commitFiles(const std::string& path, const std::vector<RobotFile>& program) {
+  const std::filesystem::path first(path);
+  std::vector<std::string> names;
+  std::deque<AtomicFile> files;
+  for (std::size_t i = 0; i < program.size(); ++i) {
+    names.push_back(i == 0 ? first.filename().string() : program[i].name);
+    if (i > 0 && program[i].name == names.front())
+      throw InvalidConfig("the file '" + program[i].name + "' would be written over '" + path +
+                          "', which runs it; expected another robot_program.name");
+    AtomicFile& file = files.emplace_back(i == 0 ? path : (first.parent_path() / program[i].name).string());
+    file.write(program[i].text);
+  }
+  // The first last: it names the others.
+  for (auto file = files.rbegin(); file != files.rend(); ++file) file->commit();
+  return names;
+}
+
 }  // namespace
 
 ProgramRunner programRunner(const std::string& path) {
@@ -51,21 +70,25 @@ void writeRobotProgram(RobotLanguage language, const PlacedToolpath& placed,
   sink(files.front().text);
 }
 
-void writeRobotFiles(const std::string& path, const PlacedToolpath& placed,
-                     const RobotProgramSettings& settings) {
-  const std::filesystem::path first(path);
-  const std::vector<RobotFile> program =
-      programOf({*robotLanguageOf(path), first.stem().string(), settings}, placed);
-  std::deque<AtomicFile> files;
-  for (std::size_t i = 0; i < program.size(); ++i) {
-    if (i > 0 && program[i].name == first.filename().string())
-      throw InvalidConfig("the file '" + program[i].name + "' would be written over '" + path +
-                          "', which runs it; expected another robot_program.name");
-    AtomicFile& file = files.emplace_back(i == 0 ? path : (first.parent_path() / program[i].name).string());
-    file.write(program[i].text);
-  }
-  // The first last: it names the others.
-  for (auto file = files.rbegin(); file != files.rend(); ++file) file->commit();
+RobotWriting writeRobotFiles(const std::string& path, const PlacedToolpath& placed,
+                             const RobotProgramSettings& settings) {
+  const RobotLanguage language = *robotLanguageOf(path);
+  const std::string name = std::filesystem::path(path).stem().string();
+  return {commitFiles(path, programOf({language, name, settings}, placed)),
+          speedRounding(placed.toolpath, language, settings)};
+}
+
+RobotWriting writeRobotFiles(const std::string& path, const Toolpath& over_bed,
+                             const RobotProgramSettings& settings) {
+  const RobotLanguage language = *robotLanguageOf(path);
+  if (language == RobotLanguage::UrScript)
+    throw InvalidInput("'" + path +
+                       "' would be a script without joints; expected another language: poses in URScript are "
+                       "over the robot's base, which only joints tell");
+  const std::string name = std::filesystem::path(path).stem().string();
+  return {
+      commitFiles(path, robotProgram(over_bed, Eigen::Isometry3d::Identity(), {language, name, settings})),
+      speedRounding(over_bed, language, settings)};
 }
 
 }  // namespace lamina

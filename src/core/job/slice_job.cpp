@@ -5,15 +5,18 @@
 #include <sys/resource.h>
 
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "job/cooled_part.hpp"
 #include "job/first_layer_heat.hpp"
 #include "job/flow_control.hpp"
 #include "job/joint_program.hpp"
 #include "job/laps.hpp"
+#include "job/run_changes.hpp"
 #include "job/slice_run.hpp"
 #include "job/slicing/automatic_planning.hpp"
 #include "job/slicing/part_slicing.hpp"
@@ -23,6 +26,7 @@
 #include "lamina/job/annotations/progress_marks.hpp"
 #include "lamina/job/output_files.hpp"
 #include "lamina/job/output_writer.hpp"
+#include "lamina/job/robot_files.hpp"
 #include "lamina/job/slicing/slicing_mode.hpp"
 #include "lamina/planning/hooks/hooks.hpp"
 #include "lamina/planning/tools/tool_heating.hpp"
@@ -61,9 +65,27 @@ ProgramSettings codeFor(ProgramSettings program, const std::optional<JointProgra
   return program;
 }
 
-void write(const SliceJob& job, const BuildSpace& space, const SlicedPart& sliced,
-           const std::optional<JointProgram>& joint_program) {
-  if (job.output.empty()) return;
+/// What a language made of the program, for notes.
+std::vector<std::string> notesOf(const RobotWriting& writing) {
+  std::vector<std::string> notes;
+  const SpeedRounding& speeds = writing.speeds;
+  char note[200];
+  if (speeds.motions > 0) {
+    std::snprintf(note, sizeof note,
+                  "%zu motions have rounded speeds, at most by %.2f %%: %.4g mm/s is written as %.4g mm/s",
+                  speeds.motions, 100.0 * speeds.greatest_share, speeds.feed_mm_s, speeds.written_mm_s);
+    notes.emplace_back(note);
+  }
+  if (writing.files.size() > 1)
+    notes.push_back("the program takes " + std::to_string(writing.files.size()) + " files, '" +
+                    writing.files[1] + "' to '" + writing.files.back() + "' beside the first");
+  return notes;
+}
+
+/// @return notes for the summary
+std::vector<std::string> write(const SliceJob& job, const BuildSpace& space, const SlicedPart& sliced,
+                               const std::optional<JointProgram>& joint_program) {
+  if (job.output.empty()) return {};
   ProgramSettings program =
       startedFor(job.settings.planning.first_layer, codeFor(job.settings.program, joint_program));
   program.strategy = job.settings.planning.infill.strategy;
@@ -76,10 +98,16 @@ void write(const SliceJob& job, const BuildSpace& space, const SlicedPart& slice
     annotations = annotationsOf(sliced.toolpath, job.settings);
     program.start_code += accelerations(job.settings);
   }
-  if (!joint_program) return writeOutput(job.output, {sliced.toolpath, frame}, program, annotations);
-  writeOutput(job.output,
-              {joint_program->toolpath, frame, ProgramJoints{*joint_program->model, joint_program->joints}},
-              program, annotations);
+  if (!joint_program) {
+    writeOutput(job.output, {sliced.toolpath, frame}, program, annotations);
+    return {};
+  }
+  const PlacedToolpath placed{joint_program->toolpath, frame,
+                              ProgramJoints{*joint_program->model, joint_program->joints}};
+  if (programRunner(job.output) == ProgramRunner::OtherRobot)
+    return notesOf(writeRobotFiles(job.output, placed, program.robot));
+  writeOutput(job.output, placed, program, annotations);
+  return {};
 }
 
 /// Within the limits of the joints, where they are led.
@@ -129,6 +157,7 @@ SlicedPart runIn(const BuildSpace& space, const SliceJob& job, const SliceFuncti
   Laps laps;
   progress.report("read", 0.0);
   SlicedPart sliced = slice(job, space, progress);
+  changeRunsOf(sliced, job.settings, space);
   limitFlowOf(sliced, job.settings, progress);
   coolPart(sliced, job, space, progress);
   finishFlowOf(sliced, job.settings, progress);
@@ -141,8 +170,10 @@ SlicedPart runIn(const BuildSpace& space, const SliceJob& job, const SliceFuncti
   progress.report("write", 0.0);
   throwIfCancelled(progress, "write");
   // The estimate is a walk along the whole toolpath by one thread; it refuses nothing that was planned.
+  std::vector<std::string> notes;
   inParallel([&] { addTime(sliced, job.settings.motion, joint_program); },
-             [&] { write(job, space, sliced, joint_program); });
+             [&] { notes = write(job, space, sliced, joint_program); });
+  sliced.summary.notes.insert(sliced.summary.notes.end(), notes.begin(), notes.end());
   sliced.summary.write_s = laps.lap();
   sliced.summary.wall_s = whole.lap();
   sliced.summary.peak_memory_mb = peakMemory();

@@ -112,6 +112,21 @@ TEST(CorrectedToolpath, ReadsBackFromRapidToTheSameFigures) {
           << k << ", " << p;
 }
 
+TEST(CorrectedToolpath, IsOfAProgramWithWaypointsOnTheWay) {
+  const Toolpath part = test::stackedBeads(2);
+  Toolpath divided = part;
+  std::vector<Point3>& points = divided.layers[1].paths[1].points;
+  const Point3 middle = 0.5 * (points[0] + points[1]);
+  points.insert(points.begin() + 1, middle);
+  EXPECT_NO_THROW(requireSamePaths(divided, part, 1e-3));
+  EXPECT_THROW(requireSamePaths(part, divided, 1e-3), InvalidInput) << "fewer";
+  points[1].y() += 0.01;
+  EXPECT_THROW(requireSamePaths(divided, part, 1e-3), InvalidInput) << "beside the way";
+  points[1] = middle;
+  points.back() = middle;
+  EXPECT_THROW(requireSamePaths(divided, part, 1e-3), InvalidInput) << "not to the end";
+}
+
 TEST(CorrectedToolpath, RefusesWhatItCannotLay) {
   const Toolpath part = test::stackedBeads(2);
   CorrectionMap other = firstBeadMap(part, 1, {{0.1, 0.0, 0.0}});

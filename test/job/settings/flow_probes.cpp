@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-// First layer, compensation, flow and ways of travels.
+// First layer, compensation, flow, ways of travels; starts, leads, entries, process values and weaving of
+// runs.
 #include "job/settings/setting_probe.hpp"
 #include "job/settings/sliced_text.hpp"
 
@@ -70,10 +71,81 @@ SettingProbe skinWayProbe() {
       {{"travel.comb=no_skin", "travel.comb=inside"}, {"travel.hop=over_skin"}}};
 }
 
+constexpr char kRuns[] =
+    "slicing.layer_height_mm=0.8;slicing.first_layer_height_mm=0.8;bead.width_mm=1.6;skirt.count=0;"
+    "walls.count=1;infill.density=0;feed.outer_wall_mm_s=8";
+constexpr char kRunPart[] = "box x_mm=24 y_mm=18 z_mm=2.4";
+
+SettingProbe leadProbe() {
+  return {"leads of walls",
+          std::string(kRuns) + ";lead.in=line;lead.length_mm=6",
+          toolpathOf(kRunPart),
+          {{"lead.in=arc"},
+           {"lead.out=line"},
+           {"lead.length_mm=4"},
+           {"lead.angle_deg=45"},
+           {"lead.rise_deg=20"},
+           {"lead.radius_mm=3", "lead.in=arc"},
+           {"lead.sweep_deg=45", "lead.in=arc"},
+           {"lead.process=on"},
+           {"lead.overlap_mm=5"}}};
+}
+
+SettingProbe leadRoomProbe() {
+  return {"leads within a hole",
+          std::string(kRuns) + ";lead.in=line;lead.length_mm=20;lead.angle_deg=90",
+          toolpathOf("through_hole_plate x_mm=24 y_mm=24 z_mm=1.6 hole_radius_mm=5 segments=32"),
+          {{"lead.least_mm=12"}}};
+}
+
+SettingProbe runStartProbe() {
+  return {"starts and entries of walls",
+          std::string(kRuns) + ";starts.rule=golden;entry.distance_mm=3",
+          toolpathOf(kRunPart),
+          {{"starts.rule=opposite"},
+           {"starts.first_share=0.3"},
+           {"entry.distance_mm=5"},
+           {"entry.feed_mm_s=4"},
+           {"entry.direction=level",
+            "slicing.plane.angle_deg=45;starts.rule=keep;machine.name=large_gantry_45"}}};
+}
+
+SettingProbe levelProbe() {
+  return {"process values of walls",
+          std::string(kRuns) +
+              ";levels.values=laser_power_w=1000, wire_speed_mm_s=from_bead;levels.start_mm=4;"
+              "levels.start_share=0.6;levels.end_mm=3;levels.end_share=0.5",
+          toolpathOf(kRunPart),
+          {{"levels.values=laser_power_w=900"},
+           {"levels.wire_diameter_mm=1"},
+           {"levels.start_share=0.7"},
+           {"levels.start_mm=5"},
+           {"levels.end_share=0.4"},
+           {"levels.end_mm=2"}}};
+}
+
+SettingProbe weaveProbe() {
+  return {"walls are woven",
+          std::string(kRuns) + ";weave.kind=sine;weave.amplitude_mm=0.7;weave.wavelength_mm=3",
+          toolpathOf(kRunPart),
+          {{"weave.kind=zigzag"},
+           {"weave.amplitude_mm=0.5"},
+           {"weave.wavelength_mm=4"},
+           {"weave.flat_share=0.1", "weave.kind=trapezium"},
+           {"weave.left_s=0.2"},
+           {"weave.right_s=0.2"},
+           {"weave.feed=tip"},
+           {"weave.tolerance_mm=0.005"}}};
+}
+
 }  // namespace
 
 std::vector<SettingProbe> flowProbes() {
   return {firstLayerProbe(), compensationProbe(), flowProbe(), wayProbe(), skinWayProbe()};
+}
+
+std::vector<SettingProbe> runProbes() {
+  return {leadProbe(), leadRoomProbe(), runStartProbe(), levelProbe(), weaveProbe()};
 }
 
 }  // namespace lamina::test

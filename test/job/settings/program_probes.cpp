@@ -93,7 +93,11 @@ SettingProbe rapidValuesProbe() {
            {"rapid.layer_wait_s=2", "rapid.variant=wire_3_axes"},
            {"rapid.wire_stop_s=0.3", "rapid.variant=wire_3_axes"},
            {"rapid.max_points=20"},
-           {"rapid.loading=in_turn", "rapid.max_points=20"}}};
+           {"rapid.loading=in_turn", "rapid.max_points=20"},
+           {"rapid.process=arc"},
+           {"rapid.seam_data=seam2", "rapid.process=arc"},
+           {"rapid.weld_data=weld2", "rapid.process=arc"},
+           {"rapid.weave_data=weave1", "rapid.process=arc"}}};
 }
 
 SettingProbe robotProbe(const char* name, const std::string& suffix, std::vector<SettingRow> rows) {
@@ -114,6 +118,10 @@ std::vector<SettingProbe> robotProbes() {
                       {"robot_program.levels=laser_power_w=1*0.001"},
                       {"robot_program.joint_signs=1,1,-1,1,1,1"},
                       {"robot_program.joint_zeros_deg=0,-90,90,0,0,0"},
+                      {"krl.arc_on=ARC({schedule})",
+                       "krl.arc_on=ON();krl.arc_off=OFF();robot_program.process=schedules"},
+                      {"krl.arc_off=OFF({schedule})",
+                       "krl.arc_on=ON();krl.arc_off=OFF();robot_program.process=schedules"},
                       {"krl.points=dat"},
                       {"krl.advance=3"},
                       {"krl.turn_speed_deg_s=100"},
@@ -126,6 +134,10 @@ std::vector<SettingProbe> robotProbes() {
                       {"urscript.max_points=10", "robot_program.allow_cut=true"}}),
           robotProbe("Fanuc TP", ".ls",
                      {{"robot_program.date=2026-01-31"},
+                      {"robot_program.process=schedules"},
+                      {"robot_program.start_schedule=2", "robot_program.process=schedules"},
+                      {"robot_program.end_schedule=2", "robot_program.process=schedules"},
+                      {"robot_program.weave_schedule=2", "robot_program.process=schedules"},
                       {"fanuc.cnt=50"},
                       {"fanuc.joint_3_from_2=0"},
                       {"fanuc.flip=negative"},

@@ -74,6 +74,7 @@ std::vector<SettingProbe> supportProbes();
 std::vector<SettingProbe> layerProbes();
 std::vector<SettingProbe> fillProbes();
 std::vector<SettingProbe> flowProbes();
+std::vector<SettingProbe> runProbes();
 std::vector<SettingProbe> dropProbes();
 std::vector<SettingProbe> profileProbes();
 std::vector<SettingProbe> programProbes();

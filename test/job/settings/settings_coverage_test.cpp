@@ -54,6 +54,7 @@ TEST(SettingsCoverage, OfMonitoring) { expectEffects(monitorProbes()); }
 TEST(SettingsCoverage, OfBridges) { expectEffects(bridgeProbes()); }
 TEST(SettingsCoverage, OfSkins) { expectEffects(skinProbes()); }
 TEST(SettingsCoverage, OfHeights) { expectEffects(heightProbes()); }
+TEST(SettingsCoverage, OfRuns) { expectEffects(runProbes()); }
 TEST(SettingsCoverage, OfFlow) { expectEffects(flowProbes()); }
 TEST(SettingsCoverage, OfArcs) { expectEffects(arcProbes()); }
 TEST(SettingsCoverage, OfHooks) { expectEffects(hookProbes()); }

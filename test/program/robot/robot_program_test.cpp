@@ -11,6 +11,7 @@
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/program/robot/robot_angles.hpp"
+#include "lamina/program/robot/speed_rounding.hpp"
 #include "program/robot/whole_speed.hpp"
 #include "program/robot/writer/robot_printer.hpp"
 #include "support/rapid_programs.hpp"
@@ -162,6 +163,23 @@ TEST(RobotProgram, WholeSpeedsAreInTheUnitOfLeastError) {
   EXPECT_TRUE(holds(refusalOf([&] { roundedSpeed(3000.0, units); }), "expected 2 % at most"));
 }
 
+TEST(RobotProgram, TellsHowFarItsSpeedsAreRounded) {
+  Toolpath toolpath = test::twoLayers();
+  const auto rounding = [&](RobotLanguage language) { return speedRounding(toolpath, language, {}); };
+  EXPECT_EQ(rounding(RobotLanguage::Fanuc).motions, 0U);  // 30 mm/s: 180 cm/min
+  toolpath.layers[1].paths[0].feed_mm_s = 6.7;
+  const SpeedRounding fanuc = rounding(RobotLanguage::Fanuc);
+  EXPECT_EQ(fanuc.motions, 1U);
+  EXPECT_NEAR(fanuc.greatest_share, 1.0 - 40.0 / 6.0 / 6.7, 1e-12);  // 40 cm/min
+  EXPECT_EQ(fanuc.feed_mm_s, 6.7);
+  EXPECT_NEAR(fanuc.written_mm_s, 40.0 / 6.0, 1e-12);
+  EXPECT_EQ(rounding(RobotLanguage::Inform).motions, 0U);
+  toolpath.layers[1].paths[0].feed_mm_s = 6.74;
+  EXPECT_NEAR(rounding(RobotLanguage::Inform).greatest_share, 0.04 / 6.74, 1e-12);
+  EXPECT_EQ(rounding(RobotLanguage::Krl).motions, 0U);
+  EXPECT_EQ(rounding(RobotLanguage::UrScript).motions, 0U);
+}
+
 TEST(RobotProgram, InformStatesPulsesWhereTheyAreKnownAndThePosture) {
   RobotProgramSettings settings;
   settings.inform.pulses_per_deg = {1000, 1000, 1000, 500, 500, 250.5};
@@ -299,8 +317,8 @@ TEST(RobotProgram, RefusesDropsEventsAndSettingsThatCannotBe) {
   drops.layers[1].paths[0].deposit = Deposit::Drops;
   EXPECT_TRUE(holds(refusalOf([&] { robotFiles(RobotLanguage::Krl, drops); }), "drops are laid"));
   Toolpath waits = test::twoLayers();
-  waits.layers[1].paths[0].events = {{0, Dwell{1.0}}};
-  EXPECT_TRUE(holds(refusalOf([&] { robotFiles(RobotLanguage::Krl, waits); }), "dwell"));
+  waits.layers[1].paths[0].events = {{0, OperatorPause{"look"}}};
+  EXPECT_TRUE(holds(refusalOf([&] { robotFiles(RobotLanguage::Krl, waits); }), "pause cannot be carried"));
   EXPECT_TRUE(holds(refusalOf([&] { robotFiles(RobotLanguage::Krl, {"empty", {}}); }), "no path"));
   RobotProgramSettings settings;
   settings.joint_signs = {1, 1, 2, 1, 1, 1};

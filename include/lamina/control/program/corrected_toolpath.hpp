@@ -24,7 +24,8 @@ namespace lamina {
 Toolpath correctedToolpath(const Toolpath& toolpath, const std::vector<CorrectionMap>& maps,
                            double split_change);
 
-/// Refuses the toolpath read from a program if it is not the one that was planned.
+/// Refuses the toolpath read from a program if it is not the one that was planned. It may have further
+/// waypoints between those of the latter, on the way.
 /// @throws InvalidInput naming the first layer, path or waypoint that differs by more than `tolerance_mm`
 void requireSamePaths(const Toolpath& read, const Toolpath& planned, double tolerance_mm);
 

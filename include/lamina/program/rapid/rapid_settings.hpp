@@ -19,6 +19,12 @@ const char* toString(RapidVariant variant);
 /// Where the configuration of the arm in a target comes from.
 enum class RapidConfiguration : std::uint8_t { Fixed, Joints };
 
+/// By what a module starts and stops the process.
+enum class RapidProcess : std::uint8_t {
+  Outputs,  ///< as in the listings
+  Arc,      ///< ArcLStart, ArcL, ArcLEnd of the controller's arc package
+};
+
 /// How the modules of a program that is split come to the controller.
 enum class RapidLoading : std::uint8_t {
   Together,  ///< all of them are loaded beforehand
@@ -70,6 +76,11 @@ struct RapidSettings {
   std::string gas_signal = "SolicitudGas";
   std::string wire_trigger = "TimeHilo_OFF";
   std::string aliases;  ///< "name=name of the controller, ..."
+
+  RapidProcess process = RapidProcess::Outputs;
+  std::string seam_data = "seam1";  ///< names of data that the controller holds, of arc statements
+  std::string weld_data = "weld1";
+  std::string weave_data;  ///< empty for none
 
   double powder_wait_s = 0.0;     ///< from powder and gas on to the first move
   double laser_off_wait_s = 1.2;  ///< of the powder variants

@@ -38,12 +38,28 @@ enum class KrlPoints : std::uint8_t {
   Dat,     ///< in the data file beside it, by name
 };
 
+/// By what a program starts and stops the process.
+enum class RobotProcess : std::uint8_t {
+  Outputs,    ///< digital and analogue ones
+  Schedules,  ///< statements of the controller's arc package, which name schedules kept there
+};
+
+/// Statements of an arc package.
+struct ArcSettings {
+  RobotProcess process = RobotProcess::Outputs;
+  int start_schedule = 1;
+  int end_schedule = 1;
+  int weave_schedule = 0;  ///< 0 for none
+};
+
 /// How KRL is written.
 struct KrlSettings {
   KrlPoints points = KrlPoints::Inline;
   int advance = 5;                  ///< $ADVANCE: moves that the controller looks ahead
   double turn_speed_deg_s = 200.0;  ///< $VEL.ORI1, $VEL.ORI2
   double acceleration_m_s2 = 2.3;   ///< $ACC.CP
+  std::string arc_on;               ///< statement that starts the arc; {schedule}, {weave} are put in
+  std::string arc_off;              ///< statement that ends it
   int max_lines = 5000;             ///< in a file
   double max_mb = 4.0;              ///< of all files together
 };
@@ -100,15 +116,16 @@ struct InformSettings {
 /// How a toolpath is written as a program of a robot whose language is not RAPID; what all languages share,
 /// and each one's own.
 struct RobotProgramSettings {
-  std::string name;                     ///< empty for that of the file
-  int tool_number = 1;                  ///< of the tool on the controller
-  int frame_number = 1;                 ///< of the bed on the controller
-  double approach_mm = 50.0;            ///< back along the tool axis, where a program starts and ends
-  double corner_mm = 0.5;               ///< by which a point between may be rounded
-  double joint_speed_percent = 10.0;    ///< of the move by joints that begins a file
-  int process_output = 1;               ///< digital, on while material is laid
-  double process_lead_s = 0.0;          ///< from the process on to the move
-  double process_end_s = 0.0;           ///< from the process off to the next move
+  std::string name;                   ///< empty for that of the file
+  int tool_number = 1;                ///< of the tool on the controller
+  int frame_number = 1;               ///< of the bed on the controller
+  double approach_mm = 50.0;          ///< back along the tool axis, where a program starts and ends
+  double corner_mm = 0.5;             ///< by which a point between may be rounded
+  double joint_speed_percent = 10.0;  ///< of the move by joints that begins a file
+  int process_output = 1;             ///< digital, on while material is laid
+  double process_lead_s = 0.0;        ///< from the process on to the move
+  double process_end_s = 0.0;         ///< from the process off to the next move
+  ArcSettings arc;
   std::string levels;                   ///< "name=output*per, ...": analogue outputs of process values
   std::vector<double> joint_signs;      ///< of the controller's joints over the description's; empty for 1
   std::vector<double> joint_zeros_deg;  ///< added to them; empty for 0

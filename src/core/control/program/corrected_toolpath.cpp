@@ -118,19 +118,40 @@ void requireMaps(const std::vector<CorrectionMap>& maps, const Toolpath& toolpat
   }
 }
 
+double offSegment(const Point3& point, const Point3& from, const Point3& to) {
+  const Point3 way = to - from;
+  const double square = way.squaredNorm();
+  const double share = square > 0.0 ? std::clamp((point - from).dot(way) / square, 0.0, 1.0) : 0.0;
+  return (point - from - share * way).norm();
+}
+
+/// Programs whose joints are led have waypoints of their own between those that were planned.
 void requireSamePath(const Path& read, const Path& planned, const std::string& name, double tolerance_mm) {
   if (read.role != planned.role || read.is_closed != planned.is_closed ||
-      read.points.size() != planned.points.size())
+      read.points.size() < planned.points.size())
     throw InvalidInput(name + " is of role " + toString(read.role) + " with " +
                        std::to_string(read.points.size()) + " waypoints; the maps are of a toolpath with " +
                        toString(planned.role) + " and " + std::to_string(planned.points.size()) + " there");
+  std::size_t next = 0;
   for (std::size_t i = 0; i < read.points.size(); ++i) {
-    const double off_mm = (read.points[i] - planned.points[i]).norm();
+    const bool has_more = next < planned.points.size();
+    const Point3& to = has_more ? planned.points[next] : planned.lastPoint();
+    double off_mm = (read.points[i] - to).norm();
+    if (has_more && off_mm <= tolerance_mm) {
+      ++next;
+      continue;
+    }
+    if (next > 0 && read.points.size() > planned.points.size())
+      off_mm = offSegment(read.points[i], planned.points[next - 1], to);
     if (!(off_mm <= tolerance_mm))
       throw InvalidInput(name + ", waypoint " + std::to_string(i) + " is " + std::to_string(off_mm) +
                          " mm off that of the toolpath that the maps are of; expected at most " +
                          std::to_string(tolerance_mm) + " mm");
   }
+  if (next < planned.points.size())
+    throw InvalidInput(name + " does not come to waypoint " + std::to_string(next) +
+                       " of the toolpath that the maps are of; expected all " +
+                       std::to_string(planned.points.size()) + " of its waypoints");
 }
 
 }  // namespace

@@ -51,6 +51,19 @@ void describeNames(SettingsSchema& schema, RapidSettings& settings) {
               "between.");
 }
 
+void describeArc(SettingsSchema& schema, RapidSettings& settings) {
+  schema.choice<RapidProcess>("rapid.process", settings.process,
+                              {{"outputs", RapidProcess::Outputs}, {"arc", RapidProcess::Arc}},
+                              "Whether the process is switched by outputs, or by moves of the arc package: "
+                              "ArcLStart, ArcL, ArcLEnd.");
+  schema.text("rapid.seam_data", settings.seam_data,
+              "Name of the seam data of arc moves, on the controller.");
+  schema.text("rapid.weld_data", settings.weld_data,
+              "Name of the weld data of arc moves, on the controller.");
+  schema.text("rapid.weave_data", settings.weave_data,
+              "Name of the weave data of arc moves, on the controller; empty for none.");
+}
+
 void describeCell(SettingsSchema& schema, RapidSettings& settings) {
   schema.flag("rapid.declare_cell", settings.declares_cell,
               "Whether the module declares tool, work object and start point; else the controller has them.");
@@ -181,6 +194,22 @@ void requireNames(const RapidSettings& settings) {
                         "'; must be fine or a zone of RAPID's own");
 }
 
+void requireArc(const RapidSettings& settings) {
+  if (settings.process == RapidProcess::Outputs) {
+    if (!settings.weave_data.empty())
+      throw InvalidConfig("rapid.weave_data is '" + settings.weave_data +
+                          "' with rapid.process 'outputs'; expected none, or 'arc'");
+    return;
+  }
+  if (settings.variant == RapidVariant::Wire3Axes)
+    throw InvalidConfig(
+        "rapid.process is 'arc' with rapid.variant 'wire_3_axes', which feeds its wire by outputs; expected "
+        "'powder_5_axes' or 'powder_3_axes', whose moves arc statements take");
+  requireRapidName("rapid.seam_data", settings.seam_data);
+  requireRapidName("rapid.weld_data", settings.weld_data);
+  if (!settings.weave_data.empty()) requireRapidName("rapid.weave_data", settings.weave_data);
+}
+
 void requireAliases(const RapidSettings& settings) {
   const std::vector<std::string> signals = {settings.laser_signal, settings.laser_ready_signal,
                                             settings.wire_signal, settings.powder_signal,
@@ -205,6 +234,7 @@ void describe(SettingsSchema& schema, RapidSettings& settings) {
                               "What is deposited by how many axes.");
   describeNames(schema, settings);
   describeCell(schema, settings);
+  describeArc(schema, settings);
   describeValues(schema, settings);
 }
 
@@ -217,6 +247,7 @@ RapidSettings checkedRapidSettings(RapidSettings settings) {
   if (settings.work_object_frame.empty()) settings.work_object_frame = none;
   if (settings.work_object.empty()) settings.work_object = is_wire ? "w_frametrabajo" : "temple";
   requireListed(settings);
+  requireArc(settings);
   requireNames(settings);
   requireAliases(settings);
   return settings;

@@ -39,9 +39,25 @@ void describeKrl(SettingsSchema& schema, KrlSettings& settings) {
                 "Speed at which the tool turns: $VEL.ORI1 and $VEL.ORI2.");
   schema.number("krl.acceleration_m_s2", settings.acceleration_m_s2, Bounds::above(0.0, 50.0),
                 "Acceleration of the tip: $ACC.CP.");
+  schema.text("krl.arc_on", settings.arc_on,
+              "Statement of the arc package that starts the arc, as ARC_ON({schedule},{weave}).");
+  schema.text("krl.arc_off", settings.arc_off, "Statement that ends it, as ARC_OFF({schedule}).");
   schema.integer("krl.max_lines", settings.max_lines, {100, 1e6}, "Lines in a file of KRL at most.");
   schema.number("krl.max_mb", settings.max_mb, {0.1, 1000.0},
                 "Memory of the controller that all files of a program may take, in 10^6 bytes.");
+}
+
+void describeArc(SettingsSchema& schema, ArcSettings& arc) {
+  schema.choice<RobotProcess>(
+      "robot_program.process", arc.process,
+      {{"outputs", RobotProcess::Outputs}, {"schedules", RobotProcess::Schedules}},
+      "Whether the process is switched by outputs, or by statements of the arc package that name schedules.");
+  schema.integer("robot_program.start_schedule", arc.start_schedule, {1, 999},
+                 "Schedule on the controller by which an arc starts.");
+  schema.integer("robot_program.end_schedule", arc.end_schedule, {1, 999},
+                 "Schedule on the controller by which an arc ends.");
+  schema.integer("robot_program.weave_schedule", arc.weave_schedule, {0, 999},
+                 "Schedule on the controller by which it weaves while the arc burns; 0 for none.");
 }
 
 void describeUrScript(SettingsSchema& schema, UrScriptSettings& settings) {
@@ -169,6 +185,7 @@ void describe(SettingsSchema& schema, RobotProgramSettings& settings) {
                 "Wait from the process on to the move.");
   schema.number("robot_program.process_end_s", settings.process_end_s, {0.0, 600.0},
                 "Wait from the process off to the next move.");
+  describeArc(schema, settings.arc);
   schema.text("robot_program.levels", settings.levels,
               "Analogue outputs of process values, with commas between: name=output*per, where the output is "
               "set to the value times per; 0 while the process is off.");
@@ -216,6 +233,9 @@ void requireConsistent(const RobotProgramSettings& settings) {
   if (std::find(settings.inform.pulses_per_deg.begin(), settings.inform.pulses_per_deg.end(), 0.0) !=
       settings.inform.pulses_per_deg.end())
     throw InvalidConfig("inform.pulses_per_deg holds 0; must be the pulses in a degree of each joint");
+  if (settings.arc.weave_schedule > 0 && settings.arc.process == RobotProcess::Outputs)
+    throw InvalidConfig("robot_program.weave_schedule is " + std::to_string(settings.arc.weave_schedule) +
+                        " with robot_program.process 'outputs'; expected 0, or 'schedules'");
   requireDate(settings.date);
   robotLevels(settings.levels);
 }

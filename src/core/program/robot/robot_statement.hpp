@@ -56,6 +56,13 @@ struct OutputSwitch {
   bool is_on = false;
 };
 
+/// The arc by statements of the controller's own.
+struct ArcSwitch {
+  bool is_on = false;
+  int schedule = 1;  ///< kept on the controller
+  int weave = 0;     ///< schedule of the weave while it burns; 0 for none
+};
+
 /// An analogue output that holds from the point before the next move.
 struct LevelChange {
   int output = 0;
@@ -73,7 +80,7 @@ struct FileCall {
 
 /// What a robot's program is made of, in any language.
 using RobotStatement =
-    std::variant<NoteLine, JointMove, TipMove, OutputSwitch, LevelChange, ProgramWait, FileCall>;
+    std::variant<NoteLine, JointMove, TipMove, OutputSwitch, ArcSwitch, LevelChange, ProgramWait, FileCall>;
 
 /// A statement of a file, and where it stands.
 struct ReadStatement {

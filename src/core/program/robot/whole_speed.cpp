@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "lamina/base/error.hpp"
+#include "lamina/program/robot/speed_rounding.hpp"
 #include "program/number_text.hpp"
 
 namespace lamina {
@@ -15,7 +16,44 @@ namespace {
 constexpr double kGreatestError = 0.02;  // of a speed
 constexpr double kSameError = 1e-9;      // two units that are as good as each other
 
+const SpeedUnit kMillimetresPerSecond = {"mm/sec", 1.0, 1.0, 2000.0};
+const SpeedUnit kCentimetresPerMinute = {"cm/min", 10.0 / 60.0, 1.0, 12000.0};
+const SpeedUnit kInchesPerMinute = {"inch/min", 25.4 / 60.0, 1.0, 4724.0};
+const SpeedUnit kInformMillimetres = {"mm/s", 1.0, 0.1, 1500.0};
+const SpeedUnit kInformCentimetres = {"cm/min", 10.0 / 60.0, 0.1, 9000.0};
+
+constexpr double kRoundedShare = 1e-4;  // of a speed: less is not told
+
 }  // namespace
+
+std::vector<SpeedUnit> speedUnits(RobotLanguage language, const RobotProgramSettings& settings) {
+  if (language == RobotLanguage::Fanuc)
+    return {kCentimetresPerMinute, kMillimetresPerSecond, kInchesPerMinute};
+  if (language != RobotLanguage::Inform) return {};
+  const bool is_mm = settings.inform.speed_unit == InformSpeedUnit::MillimetresPerSecond;
+  return {is_mm ? kInformMillimetres : kInformCentimetres};
+}
+
+SpeedRounding speedRounding(const Toolpath& toolpath, RobotLanguage language,
+                            const RobotProgramSettings& settings) {
+  SpeedRounding rounding;
+  const std::vector<SpeedUnit> units = speedUnits(language, settings);
+  if (units.empty()) return rounding;
+  for (const ToolpathLayer& layer : toolpath.layers)
+    for (const Path& path : layer.paths)
+      for (std::size_t m = 0; m < path.motionCount(); ++m) {
+        const double feed_mm_s = path.feed_mm_s.at(path.motionEnd(m));
+        const RoundedSpeed speed = roundedSpeed(feed_mm_s, units);
+        const double written_mm_s = speed.value * speed.unit.mm_s;
+        const double share = std::abs(written_mm_s / feed_mm_s - 1.0);
+        rounding.motions += share > kRoundedShare ? 1 : 0;
+        if (share <= rounding.greatest_share) continue;
+        rounding.greatest_share = share;
+        rounding.feed_mm_s = feed_mm_s;
+        rounding.written_mm_s = written_mm_s;
+      }
+  return rounding;
+}
 
 RoundedSpeed roundedSpeed(double feed_mm_s, const std::vector<SpeedUnit>& units) {
   RoundedSpeed best;

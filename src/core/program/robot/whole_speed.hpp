@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "lamina/program/robot/robot_program_settings.hpp"
+
 namespace lamina {
 
 /// A unit in which a language writes speeds with a fixed number of decimals.
@@ -20,6 +22,10 @@ struct RoundedSpeed {
   SpeedUnit unit;
   double value = 0.0;  ///< in it
 };
+
+/// The units in which a language states speeds with few digits, those of beads first; none if it has digits
+/// enough.
+std::vector<SpeedUnit> speedUnits(RobotLanguage language, const RobotProgramSettings& settings);
 
 /// A speed in the unit of least error; of several, the first.
 /// @param units  one at least

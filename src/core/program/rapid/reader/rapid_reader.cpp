@@ -124,17 +124,24 @@ class RapidRun {
         refuse(procedure, line, "found MoveAbsJ amid the part; expected it in the approach alone");
       if (each.action == RapidAction::Heed) is_heeded_ = each.index == 1;
       if (each.action == RapidAction::Move)
-        addMove(source_.moves[each.index], line);
+        addMove(procedure, source_.moves[each.index], line);
+      else if (each.action == RapidAction::Wait)
+        assembly_.addDwell(each.duration_s, line);
       else
         applyProcess(procedure, each);
     }
     assembly_.end(line);
   }
 
-  void addMove(RapidMove move, std::size_t line) {
+  void addMove(const RapidProcedure& procedure, RapidMove move, std::size_t line) {
     move.is_heeded = is_heeded_;
+    const bool needs_arc = move.arc == RapidArc::On || move.arc == RapidArc::End;
+    if (needs_arc && process_ == ProcessState::Off)
+      refuse(procedure, line, "found a move of an arc that is not started; expected ArcLStart before it");
     assembly_.add({move.target.point, move.target.orientation, move.feed_mm_s, {}, moves_.size()}, process_,
                   line);
+    if (move.arc == RapidArc::Start) process_ = ProcessState::On;
+    if (move.arc == RapidArc::End) process_ = ProcessState::Off;
     moves_.push_back(std::move(move));
   }
 

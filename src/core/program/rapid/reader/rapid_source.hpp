@@ -23,12 +23,16 @@ struct RapidTarget {
   std::vector<double> external;  ///< axes that are there [mm, deg]
 };
 
+/// What a move does to the arc.
+enum class RapidArc : std::uint8_t { None, Start, On, End };
+
 /// A move instruction with everything it names looked up.
 struct RapidMove {
   RapidTarget target;
   double feed_mm_s = 0.0;
   std::size_t line = 0;
   bool is_heeded = false;  ///< its configuration: under ConfL\On
+  RapidArc arc = RapidArc::None;
 };
 
 /// A jointtarget.
@@ -54,6 +58,7 @@ enum class RapidAction : std::uint8_t {
   Heed,        ///< configurations of linear moves, if `index` is 1
   Set,         ///< of an output
   Reset,       ///< of an output
+  Wait,        ///< that is the toolpath's, `duration_s`
   Call,        ///< `index` into the names that are called
   Preparing    ///< nothing that moves or deposits
 };
@@ -62,6 +67,7 @@ struct RapidStatement {
   RapidAction action = RapidAction::Preparing;
   std::size_t line = 0;
   std::size_t index = 0;
+  double duration_s = 0.0;
 };
 
 struct RapidProcedure {

@@ -8,6 +8,8 @@
 namespace lamina {
 namespace {
 
+constexpr double kLongestRapidWait = 1e6;  // s
+
 double knownNumber(RapidCursor& cursor, const RapidSource& source) {
   const std::size_t line = cursor.line();
   const std::string name = cursor.takeName("a number or its name");
@@ -91,6 +93,27 @@ void takeToolAndObject(RapidCursor& cursor, RapidSource& source) {
                               "' as in the moves before");
 }
 
+std::optional<RapidArc> arcOf(const std::string& word) {
+  if (word == "movel" || word == "triggl") return RapidArc::None;
+  if (word == "arclstart") return RapidArc::Start;
+  if (word == "arcl") return RapidArc::On;
+  if (word == "arclend") return RapidArc::End;
+  return std::nullopt;
+}
+
+/// `seam1,weld1\Weave:=weave1,`: data that the controller holds.
+void takeArcData(RapidCursor& cursor) {
+  cursor.takeName("the name of seam data");
+  cursor.expect(",");
+  cursor.takeName("the name of weld data");
+  if (cursor.take("\\")) {
+    cursor.expectWord("weave");
+    cursor.expect(":=");
+    cursor.takeName("the name of weave data");
+  }
+  cursor.expect(",");
+}
+
 /// After its first word.
 RapidMove takeMove(RapidCursor& cursor, RapidSource& source, const std::string& word) {
   RapidMove move;
@@ -103,6 +126,8 @@ RapidMove takeMove(RapidCursor& cursor, RapidSource& source, const std::string& 
     cursor.takeName("the name of a trigger");
     cursor.expect(",");
   }
+  move.arc = *arcOf(word);
+  if (move.arc != RapidArc::None) takeArcData(cursor);
   takeZone(cursor, source);
   cursor.expect(",");
   takeToolAndObject(cursor, source);
@@ -176,6 +201,15 @@ void takeLateCall(RapidCursor& cursor, RapidSource& source, RapidStatement& stat
   cursor.expect("%");
 }
 
+/// Waits for the tool to stand are the toolpath's.
+void takeWait(RapidCursor& cursor, RapidStatement& statement) {
+  statement.action = RapidAction::Wait;
+  statement.duration_s = cursor.takeNumber("a wait in s");
+  if (!(statement.duration_s >= 0.0 && statement.duration_s <= kLongestRapidWait))
+    cursor.refuseAt(statement.line, "a wait is " + std::to_string(statement.duration_s) +
+                                        " s; expected 0 to " + std::to_string(kLongestRapidWait) + " s");
+}
+
 }  // namespace
 
 void readRapidStatement(RapidCursor& cursor, RapidSource& source, RapidProcedure& procedure) {
@@ -185,7 +219,11 @@ void readRapidStatement(RapidCursor& cursor, RapidSource& source, RapidProcedure
     takeLateCall(cursor, source, statement);
   } else {
     std::string word = cursor.takeName("an instruction");
-    if (word == "movel" || word == "triggl") {
+    if (word == "waittime" && cursor.take("\\")) {
+      cursor.expectWord("inpos");
+      cursor.expect(",");
+      takeWait(cursor, statement);
+    } else if (arcOf(word)) {
       statement.action = RapidAction::Move;
       statement.index = source.moves.size();
       source.moves.push_back(takeMove(cursor, source, word));
@@ -203,10 +241,11 @@ void readRapidStatement(RapidCursor& cursor, RapidSource& source, RapidProcedure
       cursor.takeName("the name of a signal");
     } else if (!skipPreparation(cursor, source, word)) {
       if (!cursor.isNext(';'))
-        cursor.refuseAt(statement.line,
-                        "found instruction '" + word +
-                            "'; expected MoveL, TriggL, MoveAbsJ, Set, Reset, WaitTime, "
-                            "WaitDI, AliasIO, ConfL, SingArea, ActUnit, TriggIO, Load, UnLoad or a call");
+        cursor.refuseAt(
+            statement.line,
+            "found instruction '" + word +
+                "'; expected MoveL, TriggL, ArcLStart, ArcL, ArcLEnd, MoveAbsJ, Set, Reset, WaitTime, "
+                "WaitDI, AliasIO, ConfL, SingArea, ActUnit, TriggIO, Load, UnLoad or a call");
       statement.action = RapidAction::Call;
       statement.index = source.called.size();
       source.called.push_back(std::move(word));

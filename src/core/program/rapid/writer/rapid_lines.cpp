@@ -11,6 +11,7 @@ namespace {
 constexpr int kPositionDecimals = 4;
 constexpr int kOrientationDecimals = 7;
 constexpr int kAxisDecimals = 3;
+constexpr int kWaitDecimals = 3;  // s
 
 bool isExternal(const DrivenJoint& joint) { return joint.name.rfind("external_", 0) == 0; }
 
@@ -87,9 +88,10 @@ std::string rapidOffset(const Point3& point, const RapidSettings& settings) {
   return text + ")";
 }
 
-RapidLines::RapidLines(const RapidPlan& plan, const RapidSpeeds& speeds,
+RapidLines::RapidLines(const Toolpath& toolpath, const RapidPlan& plan, const RapidSpeeds& speeds,
                        const Eigen::Isometry3d& bed_from_part, const RapidSettings& settings)
-    : plan_(plan),
+    : toolpath_(toolpath),
+      plan_(plan),
       speeds_(speeds),
       bed_from_part_(bed_from_part),
       turn_(bed_from_part.linear()),
@@ -101,6 +103,9 @@ RapidLines::RapidLines(const RapidPlan& plan, const RapidSpeeds& speeds,
     const Point3 start(settings.start_point_mm[0], settings.start_point_mm[1], settings.start_point_mm[2]);
     bed_from_part_.pretranslate(-start);
   }
+  if (settings.process == RapidProcess::Arc)
+    arc_ = settings.seam_data + "," + settings.weld_data +
+           (settings.weave_data.empty() ? "" : "\\Weave:=" + settings.weave_data) + ",";
   tail_ = settings.tool + "\\WObj:=" + settings.work_object + ";\n";
 }
 
@@ -124,6 +129,7 @@ bool RapidLines::startsAfter(const RapidPlace& place) const {
 bool RapidLines::isFine(const RapidPlace& place) const {
   const RapidPath& path = plan_.paths[place.path];
   if (path.is_turned && place.move == 0) return true;
+  if (dwellAfter(toolpath_, plan_.paths, place.path, place.move) > 0.0) return true;
   if (!isLastMove(place)) return false;
   const bool is_last = place.path + 1 == plan_.paths.size();
   return is_last || path.switches_off || startsAfter(place) || plan_.paths[place.path + 1].is_turned;
@@ -133,28 +139,53 @@ void RapidLines::append(const RapidPlace& place, std::string& text) const {
   const RapidPath& path = plan_.paths[place.path];
   const bool is_turn = path.is_turned && place.move == 0;
   const std::size_t waypoint = is_turn ? 0 : path.path->motionEnd(place.move - path.turnCount());
-  const bool is_run_end = isLastMove(place) && path.switches_off;
-  const bool is_wire = settings_.variant == RapidVariant::Wire3Axes;
   const double feed = path.path->feed_mm_s.at(waypoint);
   const std::string& speed = is_turn           ? speeds_.approach()
                              : path.deposits() ? speeds_.deposition(feed)
                                                : speeds_.air(feed);
-  text += is_wire && is_run_end ? "TriggL " : "MoveL ";
+  text += instruction(place);
   appendTarget(place, waypoint, text);
-  appendTail(is_run_end, speed, isFine(place) ? settings_.end_zone : settings_.zone, text);
-  if (is_run_end)
-    text += off_;
-  else if (startsAfter(place))
-    text += on_;
+  appendTail(place, speed, text);
+  appendProcess(place, text);
   text += '\n';
 }
 
-void RapidLines::appendTail(bool is_run_end, const std::string& speed, const std::string& zone,
-                            std::string& text) const {
+bool RapidLines::isRunEnd(const RapidPlace& place) const {
+  return isLastMove(place) && plan_.paths[place.path].switches_off;
+}
+
+bool RapidLines::isArc(const RapidPlace& place) const {
+  const RapidPath& path = plan_.paths[place.path];
+  const bool is_turn = path.is_turned && place.move == 0;
+  return settings_.process == RapidProcess::Arc && (startsAfter(place) || (path.deposits() && !is_turn));
+}
+
+const char* RapidLines::instruction(const RapidPlace& place) const {
+  if (isArc(place)) return startsAfter(place) ? "ArcLStart " : isRunEnd(place) ? "ArcLEnd " : "ArcL ";
+  return settings_.variant == RapidVariant::Wire3Axes && isRunEnd(place) ? "TriggL " : "MoveL ";
+}
+
+/// What stands between two moves, but for arcs, whose moves switch the process.
+void RapidLines::appendProcess(const RapidPlace& place, std::string& text) const {
+  const bool by_outputs = settings_.process == RapidProcess::Outputs;
+  if (by_outputs && isRunEnd(place)) text += off_;
+  const double dwell_s = dwellAfter(toolpath_, plan_.paths, place.path, place.move);
+  if (dwell_s > 0.0) {
+    text += "WaitTime\\InPos,";
+    appendDecimals(text, dwell_s, kWaitDecimals);
+    text += ';';
+  }
+  if (by_outputs && !isRunEnd(place) && startsAfter(place)) text += on_;
+}
+
+void RapidLines::appendTail(const RapidPlace& place, const std::string& speed, std::string& text) const {
+  const std::string& zone = isFine(place) ? settings_.end_zone : settings_.zone;
+  const bool is_run_end = isRunEnd(place);
   const char* comma = settings_.variant == RapidVariant::Powder5Axes ? "," : ", ";
   text.append(comma).append(speed).append(comma);
   if (settings_.variant == RapidVariant::Wire3Axes && is_run_end)
     text.append(settings_.wire_trigger).append(comma);
+  if (isArc(place)) text.append(arc_);
   text.append(zone).append(settings_.variant == RapidVariant::Powder3Axes ? ", " : ",").append(tail_);
 }
 

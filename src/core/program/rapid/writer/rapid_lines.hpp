@@ -36,8 +36,9 @@ std::string rapidOffset(const Point3& point, const RapidSettings& settings);
 /// Writes the two lines of each point of a program.
 class RapidLines {
  public:
-  RapidLines(const RapidPlan& plan, const RapidSpeeds& speeds, const Eigen::Isometry3d& bed_from_part,
-             const RapidSettings& settings);
+  /// The plan is of the toolpath; all must outlive the lines.
+  RapidLines(const Toolpath& toolpath, const RapidPlan& plan, const RapidSpeeds& speeds,
+             const Eigen::Isometry3d& bed_from_part, const RapidSettings& settings);
 
   /// From here on targets report configuration and external axes of the arm. Both must outlive the lines.
   void setRobot(const KinematicModel& arm, const ProgramStations& stations);
@@ -47,12 +48,17 @@ class RapidLines {
  private:
   bool isLastMove(const RapidPlace& place) const;
   bool startsAfter(const RapidPlace& place) const;
+  bool isRunEnd(const RapidPlace& place) const;
   bool isFine(const RapidPlace& place) const;
   void appendTarget(const RapidPlace& place, std::size_t waypoint, std::string& text) const;
   void appendAxes(const RapidPlace& place, std::string& text) const;
-  void appendTail(bool is_run_end, const std::string& speed, const std::string& zone,
-                  std::string& text) const;
+  void appendTail(const RapidPlace& place, const std::string& speed, std::string& text) const;
 
+  bool isArc(const RapidPlace& place) const;
+  const char* instruction(const RapidPlace& place) const;
+  void appendProcess(const RapidPlace& place, std::string& text) const;
+
+  const Toolpath& toolpath_;
   const RapidPlan& plan_;
   const RapidSpeeds& speeds_;
   Eigen::Isometry3d bed_from_part_;
@@ -60,6 +66,7 @@ class RapidLines {
   RapidSettings settings_;
   std::string tail_;  ///< tool and work object
   std::string fixed_axes_;
+  std::string arc_;  ///< data of arc moves
   std::string on_;
   std::string off_;
   const KinematicModel* arm_ = nullptr;

@@ -93,7 +93,7 @@ class Splitter {
 }  // namespace
 
 RapidPlan planRapid(const Toolpath& toolpath, const RapidSettings& settings) {
-  requireSupported(toolpath, {}, "RAPID");
+  requireSupported(toolpath, {ProcessElement::Dwell}, "RAPID");
   RapidPlan plan;
   plan.paths =
       robotPaths(toolpath, settings.variant == RapidVariant::Powder5Axes ? ToolTurns::Any : ToolTurns::None);

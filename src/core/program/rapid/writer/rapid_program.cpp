@@ -37,6 +37,9 @@ namespace {
 constexpr double kLinearAxisSpeed = 5000.0;  // mm/s of external axes: as in RAPID's own speeds
 constexpr double kRotaryAxisSpeed = 1000.0;  // deg/s
 
+/// Whether outputs of the listings switch the process.
+bool hasOutputs(const RapidSettings& settings) { return settings.process == RapidProcess::Outputs; }
+
 bool isWire(const RapidSettings& settings) { return settings.variant == RapidVariant::Wire3Axes; }
 
 std::string number(double value) {
@@ -137,7 +140,7 @@ std::string processData(const RapidSettings& settings) {
 }
 
 std::string laserProcedures(const RapidSettings& settings) {
-  if (isWire(settings)) return "";
+  if (isWire(settings) || !hasOutputs(settings)) return "";
   return "  PROC " + settings.laser_on + "()\n    Set " + settings.laser_signal + ";\n  ENDPROC\n  PROC " +
          settings.laser_off + "()\n    Reset " + settings.laser_signal + ";\n  ENDPROC\n";
 }
@@ -150,6 +153,7 @@ std::string preparation(const RapidHead& head, const RapidSettings& settings) {
   text += settings.configuration == RapidConfiguration::Fixed ? "    ConfL\\Off;\n" : "    ConfL\\On;\n";
   if (head.passages.is_wrist_singular) text += "    SingArea\\Wrist;\n";
   if (!settings.positioner.empty()) text += "    ActUnit " + settings.positioner + ";\n";
+  if (!hasOutputs(settings)) return text + head.passages.to_part;
   text += "    Reset " + settings.laser_signal + ";\n" + head.passages.to_part;
   if (isWire(settings))
     return text + "    Reset " + settings.wire_signal + ";\n    TriggIO " + settings.wire_trigger + "," +
@@ -179,7 +183,7 @@ std::string rapidHead(const RapidHead& head, const RapidSpeeds& speeds, const Ra
                      motionData(speeds, settings) + processData(settings) + laserProcedures(settings) +
                      "  PROC main()\n" + preparation(head, settings) + calls(head, settings) +
                      head.passages.from_part;
-  if (!isWire(settings))
+  if (!isWire(settings) && hasOutputs(settings))
     text += "    Reset " + settings.powder_signal + ";Reset " + settings.gas_signal + ";\n";
   return text + "  ENDPROC\n" + head.passages.procedures;
 }
@@ -206,7 +210,7 @@ class RapidProgram::State {
         rise_mm_(riseOf(toolpath, bed_from_part)),
         plan_(planRapid(toolpath, settings_)),
         speeds_(plan_.paths, settings_),
-        lines_(plan_, speeds_, bed_from_part, settings_) {
+        lines_(toolpath, plan_, speeds_, bed_from_part, settings_) {
     head_.external = {settings_.external_axis};
     if (robot != nullptr) {
       stations_.emplace(toolpath, bed_from_part, robot->arm, robot->joints);

@@ -175,6 +175,12 @@ class FanucParser {
       LineCursor line = text_.nextLine();
       if (line.isAtEnd()) continue;
       if (line.take("/POS")) return line.expectEnd();
+      // What goes on with the line before has no number.
+      if (line.take(":")) {
+        list_.add(arc(line), line.line());
+        endStatement(line);
+        continue;
+      }
       line.integer(1, kMostFanucPoints, "the number of a line, or /POS");
       line.expect(":");
       if (!line.take("!"))
@@ -194,6 +200,42 @@ class FanucParser {
     list_.addComment(comment, line.line());
   }
 
+  /// A move may end on the next line.
+  static void endStatement(LineCursor& line) {
+    line.expect(";");
+    line.expectEnd();
+  }
+
+  static ArcSwitch arc(LineCursor& line) {
+    line.expect("Arc");
+    ArcSwitch arc;
+    arc.is_on = line.take("Start");
+    if (!arc.is_on) line.expect("End");
+    arc.schedule = scheduleNumber(line);
+    return arc;
+  }
+
+  static int scheduleNumber(LineCursor& line) {
+    line.expect("[");
+    const int number = line.integer(1, kMostOutputs, "the number of a schedule");
+    line.expect("]");
+    return number;
+  }
+
+  /// Nothing of the tool's centre line.
+  static void skipWeave(LineCursor& line) {
+    if (line.take("End")) return;
+    line.expect("Sine");
+    scheduleNumber(line);
+  }
+
+  bool goesOn() const {
+    FanucText ahead = text_;
+    if (ahead.isAtEnd()) return false;
+    LineCursor next = ahead.nextLine();
+    return next.take(":");
+  }
+
   void readStatement(LineCursor& line) {
     if (line.take("J"))
       list_.add(jointMove(line), line.line());
@@ -207,13 +249,19 @@ class FanucParser {
       list_.add(wait(line), line.line());
     else if (line.take("CALL"))
       list_.add(FileCall{line.word("the name of a program")}, line.line());
+    else if (isWord(line, "Arc"))
+      list_.add(arc(line), line.line());
+    else if (line.take("Weave"))
+      skipWeave(line);
     else if (line.take("UFRAME_NUM") || line.take("UTOOL_NUM"))
       readFrameNumber(line);
     else
-      line.refuse("a statement that is known: J, L, DO, AO, WAIT, CALL, UFRAME_NUM, UTOOL_NUM");
-    line.expect(";");
-    line.expectEnd();
+      line.refuse("a statement that is known: J, L, DO, AO, Arc, Weave, WAIT, CALL, UFRAME_NUM, UTOOL_NUM");
+    if (line.isAtEnd() && goesOn()) return;
+    endStatement(line);
   }
+
+  static bool isWord(LineCursor line, const char* word) { return line.take(word); }
 
   static void readFrameNumber(LineCursor& line) {
     line.expect("=");

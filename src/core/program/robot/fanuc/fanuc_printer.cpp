@@ -18,17 +18,13 @@ namespace {
 constexpr std::size_t kFanucNoteWidth = 32;
 constexpr std::size_t kFanucCommentWidth = 16;
 constexpr int kFanucDecimals = 3;
-constexpr double kFarthestFanuc = 1e5;  // mm: of the format %10.3f
-
-const SpeedUnit kMillimetresPerSecond = {"mm/sec", 1.0, 1.0, 2000.0};
-const SpeedUnit kCentimetresPerMinute = {"cm/min", 10.0 / 60.0, 1.0, 12000.0};
-const SpeedUnit kInchesPerMinute = {"inch/min", 25.4 / 60.0, 1.0, 4724.0};
+constexpr double kLongestFanucWait = 327.67;  // s: 32767 hundredths
+constexpr double kFarthestFanuc = 1e5;        // mm: of the format %10.3f
 
 /// Of beads as welders write them.
-std::string fanucSpeed(const TipMove& move) {
-  const std::vector<SpeedUnit> units =
-      move.lays ? std::vector<SpeedUnit>{kCentimetresPerMinute, kMillimetresPerSecond, kInchesPerMinute}
-                : std::vector<SpeedUnit>{kMillimetresPerSecond, kCentimetresPerMinute, kInchesPerMinute};
+std::string fanucSpeed(const TipMove& move, const RobotProgramSettings& settings) {
+  std::vector<SpeedUnit> units = speedUnits(RobotLanguage::Fanuc, settings);
+  if (!move.lays) std::swap(units[0], units[1]);
   const RoundedSpeed speed = roundedSpeed(move.feed_mm_s, units);
   return trimmedDecimals(speed.value, 0) + speed.unit.name;
 }
@@ -42,6 +38,11 @@ std::string fanucNumber(double value) {
   return std::string(digits.size() < 10 ? 10 - digits.size() : 0, ' ') + digits;
 }
 
+std::string withoutBlanks(std::string line) {
+  while (!line.empty() && line.back() == ' ') line.pop_back();
+  return line;
+}
+
 int turnNumber(double degrees) { return static_cast<int>(std::floor((degrees + 180.0) / 360.0)); }
 
 class FanucPrinter : public RobotPrinter {
@@ -52,6 +53,8 @@ class FanucPrinter : public RobotPrinter {
 
   void print(const RobotStatement& statement) override {
     std::visit([this](const auto& each) { add(each); }, statement);
+    is_behind_move_ =
+        std::holds_alternative<TipMove>(statement) || std::holds_alternative<JointMove>(statement);
   }
 
   RobotFileSize size() const override { return {lines_.size(), points_}; }
@@ -105,7 +108,7 @@ class FanucPrinter : public RobotPrinter {
   }
 
   void add(const TipMove& move) {
-    const std::string speed = fanucSpeed(move);
+    const std::string speed = fanucSpeed(move, site_.settings);
     const std::string point = openPoint("\tCONFIG : '" + configuration(move) + "',");
     const RobotAngles angles = robotAngles(move.orientation, last_x_deg_);
     last_x_deg_ = angles.x_deg;
@@ -165,6 +168,18 @@ class FanucPrinter : public RobotPrinter {
     lines_.push_back("  DO[" + std::to_string(output.output) + "]=" + (output.is_on ? "ON" : "OFF"));
   }
 
+  /// Part of the move before, where one comes right before.
+  void add(const ArcSwitch& arc) {
+    const std::string text =
+        std::string("Arc ") + (arc.is_on ? "Start[" : "End[") + std::to_string(arc.schedule) + "]   ";
+    if (is_behind_move_)
+      lines_.back() = withoutBlanks(lines_.back()) + "\n    :  " + text;
+    else
+      lines_.push_back("  " + text);
+    if (arc.weave > 0)
+      lines_.push_back(arc.is_on ? "  Weave Sine[" + std::to_string(arc.weave) + "]" : "  Weave End");
+  }
+
   void add(const LevelChange& level) {
     requireOutputNumber(level.output, RobotLanguage::Fanuc);
     if (!(std::abs(level.value) < kFarthestFanuc))
@@ -175,13 +190,15 @@ class FanucPrinter : public RobotPrinter {
   }
 
   void add(const ProgramWait& wait) {
-    lines_.push_back("  WAIT " + decimalText(wait.duration_s, 2) + "(sec)");
+    for (const double part_s : waitParts(wait.duration_s, kLongestFanucWait))
+      lines_.push_back("  WAIT " + decimalText(part_s, 2) + "(sec)");
   }
 
   void add(const FileCall& call) { lines_.push_back("  CALL " + call.name); }
 
   const RobotSite& site_;
   std::vector<std::string> lines_;
+  bool is_behind_move_ = false;
   std::string positions_;
   std::size_t points_ = 0;
   int rails_ = 0;

@@ -210,10 +210,19 @@ class InformParser {
       list_.add(level(line), line.line());
     else if (line.take("TIMER"))
       list_.add(timer(line), line.line());
+    else if (line.take("ARCON"))
+      list_.add(ArcSwitch{true, numberOf(line, "ASF", "the number of a schedule")}, line.line());
+    else if (line.take("ARCOF"))
+      list_.add(ArcSwitch{false, numberOf(line, "AEF", "the number of a schedule")}, line.line());
+    else if (line.take("WVON"))
+      numberOf(line, "WEV", "the number of a schedule");
+    else if (line.take("WVOF"))
+      return;
     else if (line.take("CALL"))
       list_.add(call(line), line.line());
     else
-      line.refuse("an instruction that is known: MOVJ, MOVL, DOUT, AOUT, TIMER, CALL");
+      line.refuse(
+          "an instruction that is known: MOVJ, MOVL, DOUT, AOUT, ARCON, ARCOF, WVON, WVOF, TIMER, CALL");
   }
 
   const InformPoint& pointNamed(LineCursor& line) {
@@ -259,9 +268,13 @@ class InformParser {
   }
 
   static int outputNumber(LineCursor& line, const char* kind) {
+    return numberOf(line, kind, "the number of an output");
+  }
+
+  static int numberOf(LineCursor& line, const char* kind, const char* expected) {
     line.expect(kind);
     line.expect("#(");
-    const int number = line.integer(0, kMostOutputs, "the number of an output");
+    const int number = line.integer(0, kMostOutputs, expected);
     line.expect(")");
     return number;
   }

@@ -20,10 +20,8 @@ constexpr int kInformPositionDecimals = 3;     // mm
 constexpr int kInformAngleDecimals = 4;        // deg
 constexpr double kFarthestInform = 1e5;        // mm
 constexpr double kGreatestInformLevel = 14.0;  // V
+constexpr double kLongestInformWait = 655.35;  // s: 65535 hundredths
 constexpr double kMostPulses = 2e9;            // a whole number of 32 bits
-
-const SpeedUnit kInformMillimetres = {"mm/s", 1.0, 0.1, 1500.0};
-const SpeedUnit kInformCentimetres = {"cm/min", 10.0 / 60.0, 0.1, 9000.0};
 
 std::string informPoint(std::size_t number) {
   char name[24];
@@ -141,9 +139,8 @@ class InformPrinter : public RobotPrinter {
     positions_.push_back(name + "=" + values + decimalText(angles.x_deg, kInformAngleDecimals) + "," +
                          decimalText(angles.y_deg, kInformAngleDecimals) + "," +
                          decimalText(angles.z_deg, kInformAngleDecimals));
-    const bool is_mm = site_.settings.inform.speed_unit == InformSpeedUnit::MillimetresPerSecond;
     const RoundedSpeed speed =
-        roundedSpeed(move.feed_mm_s, {is_mm ? kInformMillimetres : kInformCentimetres});
+        roundedSpeed(move.feed_mm_s, speedUnits(RobotLanguage::Inform, site_.settings));
     instructions_.push_back("MOVL " + name + " V=" + decimalText(speed.value, 1) +
                             " PL=" + std::to_string(move.rests ? 0 : site_.settings.inform.corner_level));
   }
@@ -176,6 +173,14 @@ class InformPrinter : public RobotPrinter {
                             (output.is_on ? "ON" : "OFF"));
   }
 
+  void add(const ArcSwitch& arc) {
+    const std::string number = "#(" + std::to_string(arc.schedule) + ")";
+    const std::string weave = "WEV#(" + std::to_string(arc.weave) + ")";
+    if (!arc.is_on && arc.weave > 0) instructions_.emplace_back("WVOF");
+    instructions_.push_back(arc.is_on ? "ARCON ASF" + number : "ARCOF AEF" + number);
+    if (arc.is_on && arc.weave > 0) instructions_.push_back("WVON " + weave);
+  }
+
   void add(const LevelChange& level) {
     requireOutputNumber(level.output, RobotLanguage::Inform);
     if (!(std::abs(level.value) <= kGreatestInformLevel))
@@ -184,7 +189,10 @@ class InformPrinter : public RobotPrinter {
     instructions_.push_back("AOUT AO#(" + std::to_string(level.output) + ") " + decimalText(level.value, 2));
   }
 
-  void add(const ProgramWait& wait) { instructions_.push_back("TIMER T=" + decimalText(wait.duration_s, 2)); }
+  void add(const ProgramWait& wait) {
+    for (const double part_s : waitParts(wait.duration_s, kLongestInformWait))
+      instructions_.push_back("TIMER T=" + decimalText(part_s, 2));
+  }
 
   void add(const FileCall& call) { instructions_.push_back("CALL JOB:" + call.name); }
 

@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "lamina/base/text.hpp"
 #include "lamina/program/robot/robot_angles.hpp"
 #include "program/rapid/rapid_words.hpp"
 
@@ -111,6 +112,7 @@ class KrlParser {
       if (is_ended) cursor.refuse("nothing after END");
       if (cursor.take("&")) continue;
       if (cursor.take(";")) {
+        keepArc(cursor.rest());
         list_.addComment(cursor.rest(), number);
         continue;
       }
@@ -138,6 +140,10 @@ class KrlParser {
       is_begun_ = true;
       return;
     }
+    if (const std::optional<bool> arc = arcOf(cursor.rest())) {
+      list_.add(ArcSwitch{*arc}, cursor.line());
+      return;
+    }
     if (cursor.take("LIN"))
       add(cursor, linear(cursor));
     else if (cursor.take("PTP"))
@@ -152,6 +158,24 @@ class KrlParser {
       readAssignment(cursor);
     else
       readCall(cursor);
+  }
+
+  /// The statements of the arc package stand in notes.
+  void keepArc(std::string_view comment) {
+    const auto keep = [&](std::string_view note, std::string& text) {
+      const std::string mark = "# " + std::string(note) + " ";
+      if (comment.substr(0, mark.size()) == mark) text = std::string(trimmed(comment.substr(mark.size())));
+    };
+    keep(kArcOnNote, arc_on_);
+    keep(kArcOffNote, arc_off_);
+  }
+
+  /// Whether a line starts an arc or ends it; nothing if it does neither.
+  std::optional<bool> arcOf(std::string_view line) const {
+    const std::string_view text = trimmed(line);
+    if (!arc_on_.empty() && text == arc_on_) return true;
+    if (!arc_off_.empty() && text == arc_off_) return false;
+    return std::nullopt;
   }
 
   void add(LineCursor& cursor, RobotStatement statement) {
@@ -245,6 +269,8 @@ class KrlParser {
   ReadFile file_;
   std::optional<KrlPointNames> points_;  ///< of the data file, once a move names one
   StatementList list_;
+  std::string arc_on_;  ///< empty where no note states it
+  std::string arc_off_;
   bool is_begun_ = false;
   double speed_mm_s_ = 0.0;  ///< none yet
 };

@@ -17,6 +17,13 @@ namespace lamina {
 constexpr std::string_view kApproachNote = "approach";
 constexpr std::string_view kRetractNote = "retract";
 
+/// Begins a wait that is the toolpath's, not the process's.
+constexpr std::string_view kDwellNote = "dwell";
+
+/// Begin notes of the statements by which a program in KRL starts and ends its arc.
+constexpr std::string_view kArcOnNote = "arc_on";
+constexpr std::string_view kArcOffNote = "arc_off";
+
 /// The comments of a note in a language whose comments begin with `lead` and hold no more than `width`
 /// characters after it: "# " before the first words, "#+ " before those for which there was no room.
 std::vector<std::string> noteComments(std::string_view note, std::string_view lead, std::size_t width);

@@ -104,6 +104,15 @@ void PathAssembly::addMotion(const AssembledMove& move, ProcessState process, st
   poses_.push_back(move);
 }
 
+void PathAssembly::addDwell(double duration_s, std::size_t line) {
+  if (!open_ || poses_.empty()) refuse(line, "the tool waits before the first path; expected a move before");
+  const std::size_t motion = poses_.size() - 1;
+  if (!events_.empty() && events_.back().motion == motion)
+    std::get<Dwell>(events_.back().event).duration_s += duration_s;
+  else
+    events_.push_back({motion, Dwell{duration_s}});
+}
+
 void PathAssembly::end(std::size_t line) {
   if (note_ != notes_.size())
     refuse(line, style_.whole + " ends amid the path of line " + std::to_string(notes_[note_].line) +
@@ -161,6 +170,7 @@ void PathAssembly::closePath() {
   path.orientation = orientations(poses_, count);
   // What follows starts where the path does, not at its return, which may differ in the last decimal.
   if (path.is_closed) last_->point = poses_.front().point;
+  path.events = std::exchange(events_, {});
   addStations(count);
   program_.toolpath.layers.back().paths.push_back(std::move(path));
   open_.reset();

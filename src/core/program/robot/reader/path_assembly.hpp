@@ -57,6 +57,8 @@ class PathAssembly {
   void addNote(const PathNote& note, const std::string& file);
   /// @param process  while it runs
   void add(const AssembledMove& move, ProcessState process, std::size_t line);
+  /// The tool waits where it stands, after the moves so far [s]. Waits at one place are one.
+  void addDwell(double duration_s, std::size_t line);
   /// The file or procedure ends.
   void end(std::size_t line);
 
@@ -83,6 +85,7 @@ class PathAssembly {
   std::optional<PathNote> open_;  ///< the path that is being read
   std::string open_file_;
   std::vector<AssembledMove> poses_;  ///< where it starts, and at the end of each motion
+  std::vector<PathEvent> events_;     ///< of the path
   AssembledProgram program_;
 };
 

@@ -79,6 +79,7 @@ class RobotRun {
     passage_ = Passage::None;
     for (const ReadStatement& statement : file.statements) {
       line_ = statement.line;
+      is_dwelling_ &= std::holds_alternative<ProgramWait>(statement.what);
       std::visit([this](const auto& each) { add(each); }, statement.what);
     }
   }
@@ -101,7 +102,11 @@ class RobotRun {
 
   void add(const NoteLine& note) {
     NoteWords words(note.text, line_, *file_);
-    if (words.take("speeds") || words.take("pulses")) return;  // of whoever parsed the file
+    // Of whoever parsed the file.
+    if (words.take("speeds") || words.take("pulses") || words.take(kArcOnNote) || words.take(kArcOffNote))
+      return;
+    is_dwelling_ = words.take(kDwellNote);
+    if (is_dwelling_) return words.expectEnd();
     if (words.take(kApproachNote)) {
       passage_ = Passage::Approach;
     } else if (words.take(kRetractNote)) {
@@ -181,7 +186,12 @@ class RobotRun {
                         "; expected one that a note of a level names");
   }
 
-  void add(const ProgramWait&) {}
+  void add(const ArcSwitch& arc) { process_ = arc.is_on ? ProcessState::On : ProcessState::Off; }
+
+  /// Others are the process's own.
+  void add(const ProgramWait& wait) {
+    if (is_dwelling_) assembly_.addDwell(wait.duration_s, line_);
+  }
   void add(const FileCall&) {}
 
   PathAssembly assembly_;
@@ -191,6 +201,7 @@ class RobotRun {
   std::size_t line_ = 0;
   Passage passage_ = Passage::None;
   ProcessState process_ = ProcessState::Off;
+  bool is_dwelling_ = false;      ///< a note of a dwell comes right before
   std::map<int, double> levels_;  ///< as they stand
 };
 

@@ -37,6 +37,9 @@ class UrScriptPrinter : public RobotPrinter {
     if (!site.external.empty())
       throw InvalidInput("the arm has " + std::to_string(site.external.size()) +
                          " external axes; expected none: URScript moves none");
+    if (site.settings.arc.process == RobotProcess::Schedules)
+      throw InvalidConfig(
+          "robot_program.process is 'schedules'; expected 'outputs': URScript has no statements of welders");
     if (site.cell) base_from_bed_ = site.cell->carrier_from_bed;
   }
 
@@ -124,6 +127,8 @@ class UrScriptPrinter : public RobotPrinter {
     addLine("set_standard_digital_out(" + std::to_string(output.output) + ", " +
             (output.is_on ? "True" : "False") + ")");
   }
+
+  void add(const ArcSwitch&) {}  // refused before
 
   void add(const LevelChange& level) {
     requireUrOutput(level.output, kLastUrLevel, "analogue");

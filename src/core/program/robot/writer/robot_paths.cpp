@@ -68,6 +68,20 @@ std::vector<RobotPath> robotPaths(const Toolpath& toolpath, ToolTurns turns) {
   return paths;
 }
 
+double dwellAfter(const Toolpath& toolpath, const std::vector<RobotPath>& paths, std::size_t path,
+                  std::size_t move) {
+  const RobotPath& at = paths[path];
+  double sum_s = dwellBefore(at.path->events, move + 1 - at.turnCount());
+  if (move + 1 < at.moveCount()) return sum_s;
+  if (path + 1 < paths.size()) {
+    const RobotPath& next = paths[path + 1];
+    return sum_s + (next.is_turned ? 0.0 : dwellBefore(next.path->events, 0));
+  }
+  for (const ToolpathEvent& event : toolpath.events_at_end)
+    if (const auto* const dwell = std::get_if<Dwell>(&event)) sum_s += dwell->duration_s;
+  return sum_s;
+}
+
 std::vector<RobotStretch> robotStretches(const std::vector<RobotPath>& paths) {
   std::vector<RobotStretch> stretches;
   for (std::size_t p = 0; p < paths.size(); ++p) {

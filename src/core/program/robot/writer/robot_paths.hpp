@@ -31,6 +31,12 @@ enum class ToolTurns : std::uint8_t { None, Any };
 ///   that is not within 100 m, a feed, orientation or bead that is no such thing; if there is no path
 std::vector<RobotPath> robotPaths(const Toolpath& toolpath, ToolTurns turns);
 
+/// Waits of the toolpath between a move and what follows it [s]: those before the next motion of its path,
+/// or, after its last one, those behind it and before the next path, if that begins without a move of its
+/// own. After the last move of all, those at the toolpath's end too.
+double dwellAfter(const Toolpath& toolpath, const std::vector<RobotPath>& paths, std::size_t path,
+                  std::size_t move);
+
 /// Paths that a split should not come between: travels up to a run, and the run.
 struct RobotStretch {
   std::size_t begin = 0;  ///< path

@@ -58,6 +58,13 @@ void requireOutputNumber(int output, RobotLanguage language) {
                        toString(language) + " counts (robot_program.process_output, robot_program.levels)");
 }
 
+std::vector<double> waitParts(double duration_s, double longest_s) {
+  std::vector<double> parts;
+  for (; duration_s > longest_s; duration_s -= longest_s) parts.push_back(longest_s);
+  parts.push_back(duration_s);
+  return parts;
+}
+
 std::string upperCaseName(const std::string& name) {
   std::string upper = name;
   for (char& c : upper)

@@ -81,6 +81,9 @@ void requireProgramName(const std::string& name, std::size_t longest, RobotLangu
 /// @throws InvalidInput if it is 0
 void requireOutputNumber(int output, RobotLanguage language);
 
+/// A wait in parts that a language can state, one after the other [s].
+std::vector<double> waitParts(double duration_s, double longest_s);
+
 /// The name in capitals of ASCII.
 std::string upperCaseName(const std::string& name);
 

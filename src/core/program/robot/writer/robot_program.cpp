@@ -21,8 +21,12 @@ constexpr std::size_t kFilePoints = 2;  // that are not of a stretch: to the sta
 /// What is in force where a file is cut.
 class Standing {
  public:
+  /// @param end_schedule  by which an arc ends
+  explicit Standing(int end_schedule) : end_schedule_(end_schedule) {}
+
   void follow(const RobotStatement& statement) {
     if (const auto* output = std::get_if<OutputSwitch>(&statement)) on_[output->output] = output->is_on;
+    if (const auto* arc = std::get_if<ArcSwitch>(&statement)) arc_ = *arc;
     if (const auto* level = std::get_if<LevelChange>(&statement)) levels_[level->output] = level->value;
   }
 
@@ -30,6 +34,7 @@ class Standing {
     std::vector<RobotStatement> statements;
     for (const auto& [output, is_on] : on_)
       if (is_on) statements.emplace_back(OutputSwitch{output, false});
+    if (arc_.is_on) statements.emplace_back(ArcSwitch{false, end_schedule_, arc_.weave});
     for (const auto& [output, value] : levels_) statements.emplace_back(LevelChange{output, 0.0, false});
     return statements;
   }
@@ -39,12 +44,15 @@ class Standing {
     for (const auto& [output, value] : levels_) statements.emplace_back(LevelChange{output, value, false});
     for (const auto& [output, is_on] : on_)
       if (is_on) statements.emplace_back(OutputSwitch{output, true});
-    const bool starts = !statements.empty() && std::holds_alternative<OutputSwitch>(statements.back());
+    if (arc_.is_on) statements.emplace_back(arc_);
+    const bool starts = !statements.empty() && !std::holds_alternative<LevelChange>(statements.back());
     if (starts && lead_s > 0.0) statements.emplace_back(ProgramWait{lead_s});
     return statements;
   }
 
  private:
+  int end_schedule_;
+  ArcSwitch arc_;
   std::map<int, bool> on_;
   std::map<int, double> levels_;
 };
@@ -125,7 +133,7 @@ class RobotFiles {
                           " points of " + toString(dialect_.language) + ", more than a file may have (" +
                           dialect_.limit_key +
                           "); expected robot_program.allow_cut, which stops the process amid the run");
-    Standing standing;
+    Standing standing(site_.settings.arc.end_schedule);
     for (std::size_t i = 0; i < statements.size(); ++i) {
       standing.follow(statements[i]);
       const auto* move = std::get_if<TipMove>(&statements[i]);

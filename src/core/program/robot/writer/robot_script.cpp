@@ -68,7 +68,7 @@ RobotScript::RobotScript(const RobotJob& job, const RobotProgramSettings& settin
       levels_(robotLevels(settings.levels)),
       turn_(job.bed_from_part.linear()) {
   requireConsistent(settings);
-  requireSupported(job.toolpath, {ProcessElement::Value}, "a robot's program");
+  requireSupported(job.toolpath, {ProcessElement::Value, ProcessElement::Dwell}, "a robot's program");
   requireLevels(job.toolpath, levels_);
   paths_ = robotPaths(job.toolpath, ToolTurns::Any);
   stretches_ = robotStretches(paths_);
@@ -87,7 +87,8 @@ std::vector<std::string> RobotScript::headNotes() const {
     notes.push_back(frameNote("tool", cell_->flange_from_nozzle));
     notes.push_back(frameNote(cell_->is_bed_carried ? "carried_bed" : "bed", cell_->carrier_from_bed));
   }
-  notes.push_back("process " + std::to_string(settings_.process_output));
+  if (settings_.arc.process == RobotProcess::Outputs)
+    notes.push_back("process " + std::to_string(settings_.process_output));
   for (const RobotLevel& level : levels_)
     notes.push_back("level " + level.name + " " + std::to_string(level.output) + " " + number(level.per));
   if (cell_ && !map_.isPlain()) {
@@ -161,6 +162,7 @@ double RobotScript::feedOfApproach() const {
 bool RobotScript::restsAfter(std::size_t index, std::size_t move) const {
   const RobotPath& path = paths_[index];
   if (path.is_turned && move == 0) return true;
+  if (dwellAfter(job_.toolpath, paths_, index, move) > 0.0) return true;
   if (move + 1 < path.moveCount()) return false;
   if (index + 1 == paths_.size() || path.switches_off) return true;
   return paths_[index + 1].is_turned || paths_[index + 1].switches_on;
@@ -208,8 +210,9 @@ class RobotScript::Stretch {
       TipMove to = script_.moveTo(index, move);
       rests_ = to.rests;
       statements_.emplace_back(std::move(to));
+      if (path.switches_off && move + 1 == path.moveCount()) addEnd();
+      addDwell(index, move);
     }
-    if (path.switches_off) addEnd();
   }
 
   std::vector<RobotStatement> take() { return std::move(statements_); }
@@ -227,14 +230,27 @@ class RobotScript::Stretch {
       }
   }
 
+  void addDwell(std::size_t index, std::size_t move) {
+    const double duration_s = dwellAfter(script_.job_.toolpath, script_.paths_, index, move);
+    if (duration_s == 0.0) return;
+    statements_.emplace_back(NoteLine{std::string(kDwellNote)});
+    statements_.emplace_back(ProgramWait{duration_s});
+  }
+
+  RobotStatement processSwitch(bool is_on) const {
+    const ArcSettings& arc = script_.settings_.arc;
+    if (arc.process == RobotProcess::Outputs) return OutputSwitch{script_.settings_.process_output, is_on};
+    return ArcSwitch{is_on, is_on ? arc.start_schedule : arc.end_schedule, arc.weave_schedule};
+  }
+
   void addStart() {
-    statements_.emplace_back(OutputSwitch{script_.settings_.process_output, true});
+    statements_.push_back(processSwitch(true));
     if (script_.settings_.process_lead_s > 0.0)
       statements_.emplace_back(ProgramWait{script_.settings_.process_lead_s});
   }
 
   void addEnd() {
-    statements_.emplace_back(OutputSwitch{script_.settings_.process_output, false});
+    statements_.push_back(processSwitch(false));
     for (const RobotLevel& level : script_.levels_)
       statements_.emplace_back(LevelChange{level.output, 0.0, false});
     if (script_.settings_.process_end_s > 0.0)

@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planning/runs/run_ends.hpp"
+
+#include <algorithm>
+
+namespace lamina {
+namespace {
+
+constexpr double kSameRunPose = 1e-6;  // mm and rad
+constexpr double kOnAxis = 1e-6;       // mm
+
+bool laysBeads(const Path& path) { return path.role != PathRole::Travel && path.deposit == Deposit::Bead; }
+
+bool goesOn(const Path& before, const Path& path) {
+  return laysBeads(before) && laysBeads(path) &&
+         (before.lastPoint() - path.firstPoint()).norm() <= kSameRunPose &&
+         nozzleAtEnd(before).angularDistance(path.orientation.at(0)) <= kSameRunPose;
+}
+
+bool standsAbove(const Point3& point, const Point3& end, const Point3& axis) {
+  const Point3 offset = point - end;
+  return (offset - axis * axis.dot(offset)).norm() <= kOnAxis;
+}
+
+}  // namespace
+
+bool isOfPart(const Path& path) {
+  const RoleKind kind = kindOf(path.role);
+  return (kind == RoleKind::Wall || kind == RoleKind::Infill) && path.role != PathRole::Ironing &&
+         path.deposit == Deposit::Bead;
+}
+
+std::vector<RunPlace> placesOf(const Toolpath& toolpath) {
+  std::vector<RunPlace> places;
+  for (std::size_t l = 0; l < toolpath.layers.size(); ++l)
+    for (std::size_t p = 0; p < toolpath.layers[l].paths.size(); ++p) places.push_back({l, p});
+  return places;
+}
+
+std::vector<RunSpan> beadRunsOf(const Toolpath& toolpath, const std::vector<RunPlace>& places) {
+  std::vector<RunSpan> runs;
+  for (std::size_t i = 0; i < places.size();) {
+    const std::size_t begin = i++;
+    if (!laysBeads(pathAt(toolpath, places[begin]))) continue;
+    while (i < places.size() && goesOn(pathAt(toolpath, places[i - 1]), pathAt(toolpath, places[i]))) ++i;
+    runs.push_back({begin, i});
+  }
+  return runs;
+}
+
+std::vector<RunSpan> runsOf(const Toolpath& toolpath, const std::vector<RunPlace>& places) {
+  std::vector<RunSpan> runs = beadRunsOf(toolpath, places);
+  runs.erase(std::remove_if(runs.begin(), runs.end(),
+                            [&](const RunSpan& run) {
+                              const auto begin = places.begin() + static_cast<std::ptrdiff_t>(run.begin);
+                              const auto end = places.begin() + static_cast<std::ptrdiff_t>(run.end);
+                              return std::none_of(begin, end, [&](const RunPlace& place) {
+                                return isOfPart(pathAt(toolpath, place));
+                              });
+                            }),
+             runs.end());
+  return runs;
+}
+
+RunTravels travelsOf(Toolpath& toolpath, const std::vector<RunPlace>& places, const RunSpan& run) {
+  RunTravels travels;
+  const auto travelAt = [&](std::size_t index) -> Path* {
+    Path& path = pathAt(toolpath, places[index]);
+    if (path.role == PathRole::Travel) return &path;
+    travels.is_joined = true;
+    return nullptr;
+  };
+  if (run.begin > 0) travels.before = travelAt(run.begin - 1);
+  if (run.end < places.size()) travels.after = travelAt(run.end);
+  return travels;
+}
+
+const Eigen::Quaterniond& nozzleAtEnd(const Path& path) {
+  return path.orientation.at(path.is_closed ? 0 : path.points.size() - 1);
+}
+
+Point3 startTangent(const Path& path) {
+  for (std::size_t m = 0; m < path.motionCount(); ++m) {
+    const Point3 way = path.points[path.motionEnd(m)] - path.points[m];
+    if (way.norm() > 0.0) return way.normalized();
+  }
+  return Point3::Zero();
+}
+
+Point3 endTangent(const Path& path) {
+  for (std::size_t m = path.motionCount(); m-- > 0;) {
+    const Point3 way = path.points[path.motionEnd(m)] - path.points[m];
+    if (way.norm() > 0.0) return way.normalized();
+  }
+  return Point3::Zero();
+}
+
+void shiftEnd(Path& travel, const Point3& to, const Point3& axis) {
+  const Point3 end = travel.points.back();
+  for (std::size_t i = travel.points.size(); i-- > 1 && standsAbove(travel.points[i], end, axis);)
+    travel.points[i] += to - end;
+}
+
+void shiftStart(Path& travel, const Point3& to, const Point3& axis) {
+  const Point3 start = travel.points.front();
+  for (std::size_t i = 0; i + 1 < travel.points.size() && standsAbove(travel.points[i], start, axis); ++i)
+    travel.points[i] += to - start;
+}
+
+}  // namespace lamina

@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/planning/runs/run_settings.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <string_view>
+
+#include "lamina/base/error.hpp"
+#include "lamina/base/text.hpp"
+#include "lamina/toolpath/process_levels.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kMostWavesOfSwing = 2.0;  // wavelengths in an amplitude: beyond, no joint follows
+constexpr std::string_view kFromBead = "from_bead";
+
+void describeLead(SettingsSchema& schema, LeadSettings& lead) {
+  const std::vector<std::pair<std::string, LeadShape>> shapes = {
+      {"none", LeadShape::None}, {"line", LeadShape::Line}, {"arc", LeadShape::Arc}};
+  schema.choice<LeadShape>("lead.in", lead.in, shapes, "Way that leads to the beads of each run.");
+  schema.choice<LeadShape>("lead.out", lead.out, shapes, "Way that leads on from the beads of each run.");
+  schema.number("lead.length_mm", lead.length_mm, Bounds::above(0.0, 1000.0), "Length of a straight lead.");
+  schema.number("lead.angle_deg", lead.angle_deg, {0.0, 90.0},
+                "Angle of a straight lead to the bead's tangent, in the layer, on the free side.");
+  schema.number("lead.rise_deg", lead.rise_deg, {0.0, 80.0}, "Rise of a lead out of the layer.");
+  schema.number("lead.radius_mm", lead.radius_mm, Bounds::above(0.0, 1000.0),
+                "Radius of a lead that is an arc.");
+  schema.number("lead.sweep_deg", lead.sweep_deg, Bounds::above(0.0, 180.0),
+                "Sweep of a lead that is an arc.");
+  schema.number("lead.least_mm", lead.least_mm, Bounds::above(0.0, 1000.0),
+                "Leads for which there is less room are left out; longer ones are shortened.");
+  schema.choice<LeadDeposit>(
+      "lead.process", lead.deposit,
+      {{"off", LeadDeposit::Off}, {"on", LeadDeposit::On}, {"ramp", LeadDeposit::Ramp}},
+      "Whether leads lay nothing, the run's bead, or one that grows to it and fades from it.");
+  schema.number("lead.overlap_mm", lead.overlap_mm, {0.0, 1000.0},
+                "By how much a closed run goes on over its start, where the bead grows as it fades at the "
+                "end; 0 for none.");
+}
+
+void describeLevels(SettingsSchema& schema, LevelSettings& levels) {
+  schema.text(
+      "levels.values", levels.values,
+      "Process values of all beads, as laser_power_w=1200, wire_speed_mm_s=from_bead; empty for none.");
+  schema.number("levels.wire_diameter_mm", levels.wire_diameter_mm, Bounds::above(0.0, 50.0),
+                "Diameter of the wire, by which its speed follows from the bead.");
+  const Bounds share{0.0, 10.0};
+  schema.number("levels.start_share", levels.start_share, share,
+                "Share of the process values where a run starts.");
+  schema.number("levels.start_mm", levels.start_mm, {0.0, 1000.0},
+                "Way over which they become whole; 0 for at once.");
+  schema.number("levels.end_share", levels.end_share, share, "Share of the process values where a run ends.");
+  schema.number("levels.end_mm", levels.end_mm, {0.0, 1000.0},
+                "Way over which they become that share; 0 for not at all.");
+}
+
+void describeWeave(SettingsSchema& schema, WeaveSettings& weave) {
+  schema.choice<WeaveKind>("weave.kind", weave.kind,
+                           {{"none", WeaveKind::None},
+                            {"zigzag", WeaveKind::Zigzag},
+                            {"sine", WeaveKind::Sine},
+                            {"trapezium", WeaveKind::Trapezium}},
+                           "How the tip swings across its beads.");
+  schema.number("weave.amplitude_mm", weave.amplitude_mm, Bounds::above(0.0, 100.0),
+                "Half the width that the tip swings; half the bead at most.");
+  schema.number("weave.wavelength_mm", weave.wavelength_mm, Bounds::above(0.0, 1000.0),
+                "Length of a wave along the bead; a whole number of half waves is laid.");
+  schema.number("weave.flat_share", weave.flat_share, Bounds::above(0.0, 0.45),
+                "Share of a wave that a trapezium keeps to each side.");
+  schema.number("weave.left_s", weave.left_s, {0.0, 60.0},
+                "Rest on the left of the bead, with the process on.");
+  schema.number("weave.right_s", weave.right_s, {0.0, 60.0},
+                "Rest on the right of the bead, with the process on.");
+  schema.choice<WeaveFeed>("weave.feed", weave.feed,
+                           {{"advance", WeaveFeed::Advance}, {"tip", WeaveFeed::Tip}},
+                           "Whether feeds are those along the bead, or of the tip.");
+  schema.number("weave.tolerance_mm", weave.tolerance_mm, Bounds::above(0.0, 10.0),
+                "How far the chords of a sine may be from it.");
+}
+
+[[noreturn]] void refuseLevels(std::string_view entry, const std::string& expected) {
+  throw InvalidConfig("levels.values holds '" + std::string(entry) + "'; " + expected);
+}
+
+StatedLevel statedLevel(std::string_view entry) {
+  const std::size_t equals = entry.find('=');
+  if (equals == std::string_view::npos) refuseLevels(entry, "must be name=value");
+  StatedLevel level;
+  level.name = std::string(trimmed(entry.substr(0, equals)));
+  const bool is_known = std::any_of(
+      kAllProcessLevels.begin(), kAllProcessLevels.end(),
+      [&](ProcessLevel known) { return known != ProcessLevel::Fan && level.name == nameOf(known); });
+  if (!is_known)
+    refuseLevels(entry, "known are laser_power_w, wire_speed_mm_s, screw_rpm, powder_g_min, gas_l_min");
+  const std::string_view value = trimmed(entry.substr(equals + 1));
+  level.is_from_bead = value == kFromBead;
+  if (level.is_from_bead && level.name != nameOf(ProcessLevel::WireSpeed))
+    refuseLevels(entry, "only wire_speed_mm_s follows from the bead");
+  if (level.is_from_bead) return level;
+  const auto result = std::from_chars(value.data(), value.data() + value.size(), level.value);
+  const bool is_number = result.ec == std::errc{} && result.ptr == value.data() + value.size();
+  if (!is_number || !(level.value >= 0.0 && std::isfinite(level.value)))
+    refuseLevels(entry, "the value must be a finite number of 0 or more");
+  return level;
+}
+
+void requireConsistent(const LevelSettings& levels) {
+  const bool is_stated = !statedLevels(levels.values).empty();
+  const auto require = [&](bool is_met, const std::string& key_is, const std::string& expected) {
+    if (!is_met) throw InvalidConfig(key_is + "; expected " + expected);
+  };
+  require(is_stated || (levels.start_mm == 0.0 && levels.end_mm == 0.0),
+          "levels.start_mm is " + std::to_string(levels.start_mm) + " mm and levels.end_mm " +
+              std::to_string(levels.end_mm) + " mm with no process values",
+          "0, or levels.values");
+  require(levels.start_share == 1.0 || levels.start_mm > 0.0,
+          "levels.start_share is " + std::to_string(levels.start_share) + " with levels.start_mm 0 mm",
+          "1, or a way");
+  require(levels.end_share == 1.0 || levels.end_mm > 0.0,
+          "levels.end_share is " + std::to_string(levels.end_share) + " with levels.end_mm 0 mm",
+          "1, or a way");
+}
+
+}  // namespace
+
+void describe(SettingsSchema& schema, BeadRunSettings& settings) {
+  schema.choice<StartRule>(
+      "starts.rule", settings.starts.rule,
+      {{"keep", StartRule::Keep}, {"golden", StartRule::Golden}, {"opposite", StartRule::Opposite}},
+      "Where closed runs start from layer to layer: as planned, farther by 0.618 of their length, or half "
+      "their length on in every other.");
+  schema.number("starts.first_share", settings.starts.first_share, {0.0, 1.0},
+                "Share of the length, from the planned start, where the first layer starts by such a rule.");
+  describeLead(schema, settings.lead);
+  schema.number(
+      "entry.distance_mm", settings.entry.distance_mm, {0.0, 1000.0},
+      "Distance from which the tool comes straight to each run, and to which it leaves; 0 for none.");
+  schema.choice<EntryDirection>("entry.direction", settings.entry.direction,
+                                {{"jet", EntryDirection::Jet}, {"level", EntryDirection::Level}},
+                                "Whether it comes along the tool axis or straight from above the bed.");
+  schema.number("entry.feed_mm_s", settings.entry.feed_mm_s, Bounds::above(0.0, 10000.0), "Feed there.");
+  describeLevels(schema, settings.levels);
+  describeWeave(schema, settings.weave);
+}
+
+std::vector<StatedLevel> statedLevels(const std::string& text) {
+  std::vector<StatedLevel> levels;
+  std::string_view rest = trimmed(text);
+  while (!rest.empty()) {
+    const std::size_t comma = std::min(rest.find(','), rest.size());
+    const std::string_view entry = trimmed(rest.substr(0, comma));
+    StatedLevel level = statedLevel(entry);
+    for (const StatedLevel& other : levels)
+      if (other.name == level.name) refuseLevels(entry, "each name once");
+    levels.push_back(std::move(level));
+    rest.remove_prefix(std::min(comma + 1, rest.size()));
+  }
+  return levels;
+}
+
+void requireConsistent(const BeadRunSettings& settings) {
+  const LeadSettings& lead = settings.lead;
+  if (lead.rise_deg > 0.0 && lead.deposit != LeadDeposit::Off)
+    throw InvalidConfig("lead.rise_deg is " + std::to_string(lead.rise_deg) +
+                        " deg with leads that lay a bead; expected 0 deg, or lead.process 'off'");
+  requireConsistent(settings.levels);
+  const WeaveSettings& weave = settings.weave;
+  if (weave.kind == WeaveKind::None) return;
+  if (weave.amplitude_mm > kMostWavesOfSwing * weave.wavelength_mm)
+    throw InvalidConfig("weave.amplitude_mm is " + std::to_string(weave.amplitude_mm) +
+                        " mm with weave.wavelength_mm " + std::to_string(weave.wavelength_mm) +
+                        " mm; expected an amplitude of two wavelengths at most");
+}
+
+}  // namespace lamina
