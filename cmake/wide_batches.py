@@ -3,7 +3,7 @@
 """Prints the batch of each source: as many as are allowed in one, of any folders of a target. No name in the anonymous
 namespaces of a folder is a word in another's.
 
-Usage: wide_batches.py N LIST   LIST holds a line "target folder path" for each source; prints "target batch path"
+Usage: wide_batches.py N LIST   LIST holds a line "target path" for each source; prints "target batch path"
 """
 import collections
 import functools
@@ -20,6 +20,12 @@ from anonymous_names import names_of  # noqa: E402
 WORD = re.compile(r"(?<![.\w>])[A-Za-z_]\w*")  # not what is a member of something
 INCLUDE = re.compile(r'^#include [<"]([^<">]+)[">]', re.MULTILINE)
 COMMENT_OR_TEXT = re.compile(r'//[^\n]*|"(?:\\.|[^"\\\n])*"')
+
+
+def folder_of(path):
+    """The folder within which names differ: of tests, however nested, that of their domain."""
+    parts = pathlib.Path(path).relative_to(ROOT).parts
+    return parts[:2] if parts[0] == "test" else parts[:-1]
 
 
 class Batch:
@@ -74,8 +80,8 @@ def main():
     most = int(sys.argv[1])
     targets = collections.defaultdict(list)
     for line in pathlib.Path(sys.argv[2]).read_text().splitlines():
-        target, folder, path = line.split(" ", 2)
-        targets[target].append((folder, path))
+        target, path = line.split(" ", 1)
+        targets[target].append((folder_of(path), path))
     for target, sources in targets.items():
         for number, batch in enumerate(batches_of(sources, most)):
             for path in batch:

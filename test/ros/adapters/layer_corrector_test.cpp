@@ -236,7 +236,7 @@ TEST(LayerCorrector, GoesOverToAPlanWhereItWaits) {
     EXPECT_FALSE(stream.isKnown(1)) << "it waits while the plan is written";
     return PlannedProgram{beadProgram(), std::make_shared<LayerCorrector>(
                                              beadProgram(), ProgrammedToolpath{id, programmed().toolpath},
-                                             used(), FirstLayer::Awaited)};
+                                             used(), FirstMap::Awaited)};
   };
   EXPECT_TRUE(stream.isKnown(0));
   EXPECT_NE(stream.goOverTo(id, write).find("held in front of none"), std::string::npos);
