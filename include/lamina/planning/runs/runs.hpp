@@ -60,7 +60,7 @@ std::size_t weave(Toolpath& toolpath, const WeaveSettings& settings, const Motio
 
 /// States process values on all that lays beads. At the ends of runs they rise and fall in steps of an eighth
 /// of the way: each motion has the value of its middle. `from_bead` is the speed of a wire that brings the
-/// bead's volume, section times feed over the wire's section.
+/// bead's volume, section times feed over the wire's section. Once feeds are final.
 /// @throws InvalidConfig as `statedLevels`
 void stateLevels(Toolpath& toolpath, const LevelSettings& settings);
 
