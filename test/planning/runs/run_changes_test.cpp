@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "lamina/base/error.hpp"
 #include "lamina/planning/runs/runs.hpp"
@@ -139,6 +141,66 @@ TEST(SpreadStarts, LeavesRunsOfSeveralPathsAndOpenOnes) {
   settings.first_share = 0.3;
   EXPECT_EQ(spreadStarts(joined, settings), 0U);
   EXPECT_EQ(toolpathId(joined), id);
+}
+
+/// The nozzle leans outside by 30 deg all round, and travels rise along it.
+Toolpath leaningTube() {
+  Path wall = ring(20.0, 10.0);
+  std::vector<Eigen::Quaterniond> each;
+  for (std::size_t i = 0; i < wall.points.size(); ++i) {
+    const double angle = kTurn * static_cast<double>(i) / static_cast<double>(wall.points.size());
+    each.push_back(Eigen::AngleAxisd(angle, Point3::UnitZ()) *
+                   Eigen::AngleAxisd(M_PI / 6.0, Point3::UnitY()) * nozzleDown());
+  }
+  const Eigen::Quaterniond nozzle = each.front();
+  wall.orientation = AlongPath<Eigen::Quaterniond>(std::move(each));
+  const Point3 start = wall.firstPoint();
+  const Point3 off = start - 2.0 * (nozzle * Point3::UnitZ());
+  Path to = travelTo(start, start);
+  to.points = {{0, 0, 40}, {off.x(), off.y(), 40}, off, start};
+  to.orientation =
+      AlongPath<Eigen::Quaterniond>(std::vector<Eigen::Quaterniond>{nozzleDown(), nozzle, nozzle, nozzle});
+  Path away = to;
+  std::reverse(away.points.begin(), away.points.end());
+  away.orientation =
+      AlongPath<Eigen::Quaterniond>(std::vector<Eigen::Quaterniond>{nozzle, nozzle, nozzle, nozzleDown()});
+  return ofPaths({to, wall, away});
+}
+
+TEST(SpreadStarts, TravelsComeAsTheNozzleLeansAtTheNewStart) {
+  Toolpath toolpath = leaningTube();
+  StartSettings settings;
+  settings.rule = StartRule::Opposite;
+  settings.first_share = 0.5;
+  EXPECT_EQ(spreadStarts(toolpath, settings), 1U);
+  validate(toolpath);
+  const auto& paths = toolpath.layers[0].paths;
+  const Eigen::Quaterniond& nozzle = paths[1].orientation.at(0);
+  // 2 mm back along an axis that leans by 30 deg to the other side now.
+  const Point3 raised(-21.0, 0.0, 10.0 + std::sqrt(3.0));
+  EXPECT_LT((paths[0].points[3] - Point3(-20, 0, 10)).norm(), 1e-6);
+  EXPECT_LT((paths[0].points[2] - raised).norm(), 1e-6);
+  EXPECT_LT((paths[0].points[1] - Point3(-21, 0, 40)).norm(), 1e-6);
+  EXPECT_LT((paths[2].points[1] - raised).norm(), 1e-6);
+  for (const std::size_t waypoint : {1U, 2U, 3U})
+    EXPECT_LT(paths[0].orientation.at(waypoint).angularDistance(nozzle), 1e-9);
+  EXPECT_LT(paths[0].orientation.at(0).angularDistance(nozzleDown()), 1e-9);
+  for (const std::size_t waypoint : {0U, 1U, 2U})
+    EXPECT_LT(paths[2].orientation.at(waypoint).angularDistance(nozzle), 1e-9);
+}
+
+TEST(OverlapEnds, TravelsLeaveAsTheNozzleLeansAtTheNewEnd) {
+  Toolpath toolpath = leaningTube();
+  LeadSettings settings;
+  settings.overlap_mm = 0.25 * length(toolpath.layers[0].paths[1]);
+  EXPECT_EQ(overlapEnds(toolpath, settings), 1U);
+  validate(toolpath);
+  const auto& paths = toolpath.layers[0].paths;
+  const Eigen::Quaterniond& nozzle = paths[1].orientation.at(paths[1].points.size() - 1);
+  EXPECT_LT((paths[2].points[0] - Point3(0, 20, 10)).norm(), 1e-6);
+  EXPECT_LT((paths[2].points[1] - Point3(0, 21, 10.0 + std::sqrt(3.0))).norm(), 1e-6);
+  EXPECT_LT(paths[2].orientation.at(0).angularDistance(nozzle), 1e-9);
+  EXPECT_LT(paths[2].orientation.at(1).angularDistance(nozzle), 1e-9);
 }
 
 TEST(OverlapEnds, GrowsAndFadesToTheBeadEverywhere) {

@@ -12,8 +12,8 @@ namespace lamina {
 
 /// Lets closed runs start elsewhere from layer to layer, so that starts do not stand above each other. A run
 /// that is one closed path starts, in layer i, at the share frac(first + 0.618034 i) of its length from where
-/// it was planned to (golden), or frac(first + i / 2) (opposite). Travels lead to the new starts. Runs that
-/// follow others without a travel, and paths with events amid them, stay.
+/// it was planned to (golden), or frac(first + i / 2) (opposite). Travels lead to the new starts, turned as
+/// the nozzle is there. Runs that follow others without a travel, and paths with events amid them, stay.
 /// @return how many start elsewhere
 std::size_t spreadStarts(Toolpath& toolpath, const StartSettings& settings);
 

@@ -332,7 +332,7 @@ class RunEndings {
     const Eigen::Quaterniond nozzle = path.orientation.at(0);
     const Point3 start = ends.in ? ends.in->firstPoint() : path.firstPoint();
     Path* travel = index > 0 ? &pathAt(toolpath_, places_[index - 1]) : nullptr;
-    if (ends.in && travel != nullptr) shiftEnd(*travel, start, nozzle * Point3::UnitZ());
+    if (ends.in && travel != nullptr) shiftEnd(*travel, startPose(path), {start, nozzle});
     if (entry_.distance_mm == 0.0) return;
     const Point3 from = entryPoint(start, nozzle, entry_);
     if (travel != nullptr) endAtEntry(*travel, from);
@@ -346,7 +346,7 @@ class RunEndings {
     const Eigen::Quaterniond nozzle = nozzleAtEnd(path);
     const Point3 end = ends.out ? ends.out->lastPoint() : path.lastPoint();
     Path* travel = index + 1 < places_.size() ? &pathAt(toolpath_, places_[index + 1]) : nullptr;
-    if (ends.out && travel != nullptr) shiftStart(*travel, end, nozzle * Point3::UnitZ());
+    if (ends.out && travel != nullptr) shiftStart(*travel, endPose(path), {end, nozzle});
     if (entry_.distance_mm == 0.0) return;
     const Point3 to = entryPoint(end, nozzle, entry_);
     if (travel != nullptr) startAtEntry(*travel, to);
