@@ -387,6 +387,40 @@ TEST(Entries, JoinWhereOneLeadIsLeftOutAndTheOtherIsNot) {
   EXPECT_EQ(count.entries, 6U);
 }
 
+TEST(Entries, AreRunByTheToolOfTheirRun) {
+  Path run = laidBead({{0, 0, 0.5}, {30, 0, 0.5}});
+  Path travel = travelTo({0, 20, 0.5}, {0, 0, 0.5});
+  run.tool = travel.tool = 1;
+  Toolpath toolpath = ofPaths({travel, run});
+  EntrySettings settings;
+  settings.distance_mm = 12.0;
+  addEnds(toolpath, straightLead(6.0), settings);
+  ASSERT_EQ(toolpath.layers[0].paths.size(), 6U);
+  for (const Path& path : toolpath.layers[0].paths) EXPECT_EQ(path.tool, 1U);
+}
+
+TEST(Entries, AndDryLeadsKeepTheMaterialPulledBack) {
+  const Path run = laidBead({{0, 0, 0.5}, {30, 0, 0.5}});
+  Path to = travelTo({0, 20, 0.5}, run.points[0]);
+  Path away = travelTo(run.points[1], {9, 9, 0.5});
+  EntrySettings entry;
+  entry.distance_mm = 3.0;
+  const auto retractionsOf = [&](LeadDeposit deposit) {
+    Toolpath toolpath = ofPaths({to, run, away});
+    LeadSettings lead = straightLead(6.0);
+    lead.deposit = deposit;
+    addEnds(toolpath, lead, entry);
+    std::vector<bool> retracted;
+    for (const Path& path : toolpath.layers[0].paths) retracted.push_back(path.process.is_retracted);
+    return retracted;
+  };
+  EXPECT_EQ(retractionsOf(LeadDeposit::Off), std::vector<bool>(7, false));
+  to.process.is_retracted = away.process.is_retracted = true;
+  EXPECT_EQ(retractionsOf(LeadDeposit::Off), (std::vector<bool>{true, true, true, false, true, true, true}));
+  // What lays a bead needs its material.
+  EXPECT_EQ(retractionsOf(LeadDeposit::On), (std::vector<bool>{true, true, false, false, false, true, true}));
+}
+
 TEST(Levels, OfAWireFollowFromBeadAndFeed) {
   Toolpath toolpath = ofPaths({laidBead({{0, 0, 2}, {30, 0, 2}}, {6.0, 2.0})});
   LevelSettings settings;

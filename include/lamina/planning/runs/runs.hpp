@@ -42,7 +42,8 @@ struct EndCount {
 /// same: no nearer to other beads of the layer than beads are to each other.
 ///
 /// Lets the tool come to each run, or its lead, from `distance_mm` away, and leave it as far, straight and at
-/// a feed of its own: by travels of their own.
+/// a feed of its own: by travels of their own. These, and leads that lay nothing, are retracted where the
+/// travel beside them is.
 ///
 /// Travels before and after lead to the ends of these. Runs that follow another path without a travel get
 /// none.

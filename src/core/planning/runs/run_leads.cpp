@@ -209,7 +209,6 @@ class LayerLeads {
     Path lead = along(*start, shape, side, way_mm);
     lead.feed_mm_s = path.feed_mm_s.at(waypoint);
     lead.orientation = end == LeadEnd::In ? path.orientation.at(0) : nozzleAtEnd(path);
-    lead.tool = path.tool;
     deposit(lead, path.bead.at(waypoint));
     if (end == LeadEnd::In) reverse(lead);
     return lead;
@@ -333,10 +332,12 @@ class RunEndings {
     const Point3 start = ends.in ? ends.in->firstPoint() : path.firstPoint();
     Path* travel = index > 0 ? &pathAt(toolpath_, places_[index - 1]) : nullptr;
     if (ends.in && travel != nullptr) shiftEnd(*travel, startPose(path), {start, nozzle});
+    if (ends.in) runAs(*ends.in, path, travel);
     if (entry_.distance_mm == 0.0) return;
     const Point3 from = entryPoint(start, nozzle, entry_);
     if (travel != nullptr) endAtEntry(*travel, from);
     ends.entry = entryTravel(from, start, nozzle, entry_.feed_mm_s);
+    runAs(*ends.entry, path, travel);
     ++count_.entries;
   }
 
@@ -347,11 +348,20 @@ class RunEndings {
     const Point3 end = ends.out ? ends.out->lastPoint() : path.lastPoint();
     Path* travel = index + 1 < places_.size() ? &pathAt(toolpath_, places_[index + 1]) : nullptr;
     if (ends.out && travel != nullptr) shiftStart(*travel, endPose(path), {end, nozzle});
+    if (ends.out) runAs(*ends.out, path, travel);
     if (entry_.distance_mm == 0.0) return;
     const Point3 to = entryPoint(end, nozzle, entry_);
     if (travel != nullptr) startAtEntry(*travel, to);
     ends.exit = entryTravel(end, to, nozzle, entry_.feed_mm_s);
+    runAs(*ends.exit, path, travel);
     ++count_.entries;
+  }
+
+  /// By the run's tool; and between run and travel the material stays pulled back as on the travel.
+  static void runAs(Path& added, const Path& run, const Path* travel) {
+    added.tool = run.tool;
+    if (added.role == PathRole::Travel && travel != nullptr)
+      added.process.is_retracted = travel->process.is_retracted;
   }
 
   static void insert(std::vector<Path>& paths, std::vector<PathEnds>& ends) {
