@@ -323,6 +323,62 @@ TEST(Leads, AreShortenedToTheRoomOrLeftOut) {
   EXPECT_GE(lead.points[0].norm(), 5.0 - pitch_mm - 0.3);
 }
 
+TEST(Leads, DoNotLieAlongTheirOwnBead) {
+  // A square that starts amid a side: the tangent is the side.
+  Path square = laidBead({{20, 0, 0.5}, {20, 20, 0.5}, {-20, 20, 0.5}, {-20, -20, 0.5}, {20, -20, 0.5}});
+  square.is_closed = true;
+  Toolpath toolpath = ofPaths({square});
+  const LeadCount count = addLeads(toolpath, straightLead(10.0));
+  EXPECT_EQ(count.added, 0U);
+  EXPECT_EQ(count.left_out, 2U);
+  Toolpath turned = ofPaths({square});
+  EXPECT_EQ(addLeads(turned, straightLead(10.0, 30.0)).added, 2U);
+}
+
+TEST(Leads, LayNothingAlongABeadThatTheyHardlyLeave) {
+  // The end of a tangent of 10 mm is 2.4 mm off a circle of 20 mm: within a bead of 6 mm, off one of 1 mm.
+  const auto leadsOf = [](const Bead& bead, LeadDeposit deposit) {
+    Path wall = ring(20.0, 2.0, 64);
+    wall.bead = bead;
+    Toolpath toolpath = ofPaths({wall});
+    LeadSettings settings = straightLead(10.0);
+    settings.deposit = deposit;
+    return addLeads(toolpath, settings);
+  };
+  EXPECT_EQ(leadsOf({6.0, 2.0}, LeadDeposit::On).left_out, 2U);
+  EXPECT_EQ(leadsOf({6.0, 2.0}, LeadDeposit::Ramp).left_out, 2U);
+  EXPECT_EQ(leadsOf({6.0, 2.0}, LeadDeposit::Off).added, 2U);
+  EXPECT_EQ(leadsOf({1.0, 0.5}, LeadDeposit::On).added, 2U);
+}
+
+TEST(Leads, StraightOnFromAnOpenBeadMayBeShorterThanItIsWide) {
+  Toolpath toolpath = ofPaths({laidBead({{0, 0, 2}, {30, 0, 2}}, {6.0, 2.0})});
+  LeadSettings settings = straightLead(2.0);
+  settings.deposit = LeadDeposit::On;
+  EXPECT_EQ(addLeads(toolpath, settings).added, 2U);
+}
+
+TEST(Leads, AreGivenTheRoomOfTheWholeBeadWhereItOverlaps) {
+  // Walls 8 mm inside and outside of the start; beads of 6 x 2 mm are packed 5.57 mm apart.
+  const Bead section{6.0, 2.0};
+  Path wall = ring(20.0, 2.0);
+  wall.bead = section;
+  const Path outside = laidBead({{28, -10, 2}, {28, 10, 2}}, section);
+  const Path inside = laidBead({{12, -8, 2}, {12, 8, 2}}, section);
+  Toolpath toolpath = ofPaths({wall, travelTo(wall.firstPoint(), outside.points[0]), outside,
+                               travelTo(outside.points[1], inside.points[0]), inside});
+  LeadSettings settings = straightLead(20.0, 90.0);
+  settings.out = LeadShape::None;
+  settings.overlap_mm = 10.0;
+  EXPECT_EQ(overlapEnds(toolpath, settings), 1U);
+  addLeads(toolpath, settings);
+  validate(toolpath);
+  const Path& lead = toolpath.layers[0].paths[0];
+  ASSERT_EQ(lead.role, PathRole::Travel);
+  EXPECT_LE(length(lead), 8.0 - planWidth(section) + 0.1);
+  EXPECT_GE(length(lead), 1.0);
+}
+
 TEST(Leads, LayTheBeadOrOneThatGrowsToIt) {
   Toolpath toolpath = ofPaths({laidBead({{0, 0, 0.5}, {30, 0, 0.5}})});
   LeadSettings settings = straightLead(6.0);
@@ -485,6 +541,14 @@ TEST(BeadRunSettings, RefuseWhatCannotBeByName) {
   settings.lead.rise_deg = 10.0;
   settings.lead.deposit = LeadDeposit::On;
   EXPECT_NE(refusal(settings).find("lead.rise_deg is 10.000000 deg"), std::string::npos);
+  settings.lead.rise_deg = 0.0;
+  settings.lead.overlap_mm = 8.0;
+  EXPECT_EQ(refusal(settings), "") << "without leads nothing is laid before the overlap";
+  settings.lead.in = LeadShape::Line;
+  EXPECT_NE(refusal(settings).find("lead.overlap_mm is 8.000000 mm with leads that lay a bead"),
+            std::string::npos);
+  settings.lead.deposit = LeadDeposit::Off;
+  EXPECT_EQ(refusal(settings), "");
 }
 
 }  // namespace
