@@ -7,6 +7,9 @@
 #include <fstream>
 #include <limits>
 #include <map>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
@@ -86,6 +89,25 @@ TEST(JobSettings, RefusesRunsOfDropsAndTwoWeaves) {
   woven.program.robot.arc.weave_schedule = 0;
   woven.program.rapid.weave_data = "weave1";
   EXPECT_NE(refusal(woven).find("rapid.weave_data 'weave1'; expected one of them"), std::string::npos);
+}
+
+TEST(JobSettings, RefuseWipesAlongEndsThatMove) {
+  const std::vector<std::pair<std::string, std::string>> moving = {{"starts.rule", "golden"},
+                                                                   {"lead.in", "line"},
+                                                                   {"lead.out", "arc"},
+                                                                   {"lead.overlap_mm", "5"},
+                                                                   {"entry.distance_mm", "5"}};
+  for (const auto& [key, value] : moving) {
+    EXPECT_NO_THROW(validate(loadJobSettings("", {{key, value}})));
+    try {
+      validate(loadJobSettings("", {{key, value}, {"travel.wipe_mm", "2"}}));
+      ADD_FAILURE() << key;
+    } catch (const InvalidConfig& error) {
+      const std::string what = error.what();
+      EXPECT_EQ(what.find(key + " is not "), 0U) << what;
+      EXPECT_NE(what.find("with travel.wipe_mm 2.000000 mm"), std::string::npos) << what;
+    }
+  }
 }
 
 TEST(JobSettings, OverridesWinOverTheFile) {

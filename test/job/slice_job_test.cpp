@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <mutex>
@@ -102,6 +103,22 @@ TEST_F(SliceJobTest, WritesTheSameBytesWithAnyNumberOfThreads) {
   const ThreadLimit one(1);
   run();
   EXPECT_EQ(readFile(job_.output), expected);
+}
+
+TEST_F(SliceJobTest, LeadsTheWireAsFastAsTheFlowIsLimitedTo) {
+  job_.settings.runs.levels.values = "wire_speed_mm_s=from_bead";
+  job_.settings.flow.greatest_mm3_s = 1.0;
+  job_.settings.cooling.least_layer_time_s = 0.0;
+  const SlicedPart sliced = run();
+  double fastest_mm_s = 0.0;
+  for (const ToolpathLayer& layer : sliced.toolpath.layers)
+    for (const Path& path : layer.paths)
+      for (const ProcessValue& value : path.values) {
+        if (value.name != "wire_speed_mm_s") continue;
+        for (const double speed_mm_s : value.value.values())
+          fastest_mm_s = std::max(fastest_mm_s, speed_mm_s);
+      }
+  EXPECT_NEAR(fastest_mm_s, 0.88419, 1e-5);  // 1 mm3/s by 1.13097 mm2 of wire
 }
 
 TEST_F(SliceJobTest, TakesAParametricPartByItsName) {

@@ -144,18 +144,35 @@ void requirePlaneLayersFor(const JobSettings& settings) {
       "slicing.layer_height_mm: all shells are as high");
 }
 
-/// Drops have no runs; and either the toolpath weaves or the controller.
+/// A key that asks for something, as refusals name it.
+struct AskedKey {
+  const char* key_is;
+  bool is_asked;
+};
+
+/// Those that let runs start or end elsewhere.
+std::vector<AskedKey> keysOfEnds(const BeadRunSettings& runs) {
+  return {{"starts.rule is not 'keep'", runs.starts.rule != StartRule::Keep},
+          {"lead.in is not 'none'", runs.lead.in != LeadShape::None},
+          {"lead.out is not 'none'", runs.lead.out != LeadShape::None},
+          {"lead.overlap_mm is not 0 mm", runs.lead.overlap_mm > 0.0},
+          {"entry.distance_mm is not 0 mm", runs.entry.distance_mm > 0.0}};
+}
+
+/// Drops have no runs; wipes are planned along the ends that runs had; and either the toolpath weaves or the
+/// controller.
 void requireRunsFor(const JobSettings& settings) {
   const BeadRunSettings& runs = settings.runs;
   const std::string& strategy = settings.planning.infill.strategy;
-  const std::vector<std::pair<const char*, bool>> asked = {
-      {"starts.rule is not 'keep'", runs.starts.rule != StartRule::Keep},
-      {"lead.in is not 'none'", runs.lead.in != LeadShape::None},
-      {"lead.out is not 'none'", runs.lead.out != LeadShape::None},
-      {"lead.overlap_mm is not 0 mm", runs.lead.overlap_mm > 0.0},
-      {"entry.distance_mm is not 0 mm", runs.entry.distance_mm > 0.0},
-      {"levels.values is set", !runs.levels.values.empty()},
-      {"weave.kind is not 'none'", runs.weave.kind != WeaveKind::None}};
+  std::vector<AskedKey> asked = keysOfEnds(runs);
+  if (settings.planning.travel.wipe_mm > 0.0)
+    for (const auto& [key_is, is_asked] : asked)
+      if (is_asked)
+        throw InvalidConfig(std::string(key_is) + " with travel.wipe_mm " +
+                            std::to_string(settings.planning.travel.wipe_mm) +
+                            " mm; expected 0 mm: wipes stay along the ends that were planned");
+  asked.push_back({"levels.values is set", !runs.levels.values.empty()});
+  asked.push_back({"weave.kind is not 'none'", runs.weave.kind != WeaveKind::None});
   if (infillStrategy(strategy).deposit == Deposit::Drops)
     for (const auto& [key_is, is_asked] : asked)
       if (is_asked)

@@ -30,7 +30,6 @@ void changeRunsOf(SlicedPart& sliced, const JobSettings& settings, const BuildSp
   const std::size_t overlapped = overlapEnds(toolpath, runs.lead);
   const EndCount ends = addEnds(toolpath, runs.lead, runs.entry);
   const std::size_t woven = weave(toolpath, runs.weave, settings.motion);
-  stateLevels(toolpath, runs.levels);
   noteCount(sliced, started, "closed runs start elsewhere than planned (starts.rule)");
   noteCount(sliced, overlapped, "closed runs go on over their start (lead.overlap_mm)");
   noteLeads(sliced, ends.leads);

@@ -8,8 +8,8 @@
 
 namespace lamina {
 
-/// Spreads the starts of runs, overlaps their ends, adds leads and entries, states process values, with notes
-/// of what was changed. Before layers are cooled, so that times are those of what is run. Totals of the
+/// Spreads the starts of runs, overlaps their ends, adds leads and entries, weaves, with notes of what was
+/// changed. Before layers are cooled, so that times are those of what is run. Totals of the
 /// summary are those of what comes out.
 /// @throws InvalidInput as `overlapEnds`
 /// @throws Unreachable if the machine does not reach what was added

@@ -29,6 +29,7 @@
 #include "lamina/job/robot_files.hpp"
 #include "lamina/job/slicing/slicing_mode.hpp"
 #include "lamina/planning/hooks/hooks.hpp"
+#include "lamina/planning/runs/runs.hpp"
 #include "lamina/planning/tools/tool_heating.hpp"
 #include "lamina/program/gcode/gcode_dialect.hpp"
 #include "lamina/toolpath/timing.hpp"
@@ -161,6 +162,7 @@ SlicedPart runIn(const BuildSpace& space, const SliceJob& job, const SliceFuncti
   limitFlowOf(sliced, job.settings, progress);
   coolPart(sliced, job, space, progress);
   finishFlowOf(sliced, job.settings, progress);
+  stateLevels(sliced.toolpath, job.settings.runs.levels);
   addHeatAfterFirstLayer(sliced.toolpath, job.settings.planning.first_layer, job.settings.program);
   hookPart(sliced, job.settings, space);
   if (job.settings.program.states_progress && writesGcode(job))

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "lamina/base/error.hpp"
 #include "lamina/planning/runs/runs.hpp"
@@ -141,6 +143,66 @@ TEST(SpreadStarts, LeavesRunsOfSeveralPathsAndOpenOnes) {
   EXPECT_EQ(toolpathId(joined), id);
 }
 
+/// The nozzle leans outside by 30 deg all round, and travels rise along it.
+Toolpath leaningTube() {
+  Path wall = ring(20.0, 10.0);
+  std::vector<Eigen::Quaterniond> each;
+  for (std::size_t i = 0; i < wall.points.size(); ++i) {
+    const double angle = kTurn * static_cast<double>(i) / static_cast<double>(wall.points.size());
+    each.push_back(Eigen::AngleAxisd(angle, Point3::UnitZ()) *
+                   Eigen::AngleAxisd(M_PI / 6.0, Point3::UnitY()) * nozzleDown());
+  }
+  const Eigen::Quaterniond nozzle = each.front();
+  wall.orientation = AlongPath<Eigen::Quaterniond>(std::move(each));
+  const Point3 start = wall.firstPoint();
+  const Point3 off = start - 2.0 * (nozzle * Point3::UnitZ());
+  Path to = travelTo(start, start);
+  to.points = {{0, 0, 40}, {off.x(), off.y(), 40}, off, start};
+  to.orientation =
+      AlongPath<Eigen::Quaterniond>(std::vector<Eigen::Quaterniond>{nozzleDown(), nozzle, nozzle, nozzle});
+  Path away = to;
+  std::reverse(away.points.begin(), away.points.end());
+  away.orientation =
+      AlongPath<Eigen::Quaterniond>(std::vector<Eigen::Quaterniond>{nozzle, nozzle, nozzle, nozzleDown()});
+  return ofPaths({to, wall, away});
+}
+
+TEST(SpreadStarts, TravelsComeAsTheNozzleLeansAtTheNewStart) {
+  Toolpath toolpath = leaningTube();
+  StartSettings settings;
+  settings.rule = StartRule::Opposite;
+  settings.first_share = 0.5;
+  EXPECT_EQ(spreadStarts(toolpath, settings), 1U);
+  validate(toolpath);
+  const auto& paths = toolpath.layers[0].paths;
+  const Eigen::Quaterniond& nozzle = paths[1].orientation.at(0);
+  // 2 mm back along an axis that leans by 30 deg to the other side now.
+  const Point3 raised(-21.0, 0.0, 10.0 + std::sqrt(3.0));
+  EXPECT_LT((paths[0].points[3] - Point3(-20, 0, 10)).norm(), 1e-6);
+  EXPECT_LT((paths[0].points[2] - raised).norm(), 1e-6);
+  EXPECT_LT((paths[0].points[1] - Point3(-21, 0, 40)).norm(), 1e-6);
+  EXPECT_LT((paths[2].points[1] - raised).norm(), 1e-6);
+  for (const std::size_t waypoint : {1U, 2U, 3U})
+    EXPECT_LT(paths[0].orientation.at(waypoint).angularDistance(nozzle), 1e-9);
+  EXPECT_LT(paths[0].orientation.at(0).angularDistance(nozzleDown()), 1e-9);
+  for (const std::size_t waypoint : {0U, 1U, 2U})
+    EXPECT_LT(paths[2].orientation.at(waypoint).angularDistance(nozzle), 1e-9);
+}
+
+TEST(OverlapEnds, TravelsLeaveAsTheNozzleLeansAtTheNewEnd) {
+  Toolpath toolpath = leaningTube();
+  LeadSettings settings;
+  settings.overlap_mm = 0.25 * length(toolpath.layers[0].paths[1]);
+  EXPECT_EQ(overlapEnds(toolpath, settings), 1U);
+  validate(toolpath);
+  const auto& paths = toolpath.layers[0].paths;
+  const Eigen::Quaterniond& nozzle = paths[1].orientation.at(paths[1].points.size() - 1);
+  EXPECT_LT((paths[2].points[0] - Point3(0, 20, 10)).norm(), 1e-6);
+  EXPECT_LT((paths[2].points[1] - Point3(0, 21, 10.0 + std::sqrt(3.0))).norm(), 1e-6);
+  EXPECT_LT(paths[2].orientation.at(0).angularDistance(nozzle), 1e-9);
+  EXPECT_LT(paths[2].orientation.at(1).angularDistance(nozzle), 1e-9);
+}
+
 TEST(OverlapEnds, GrowsAndFadesToTheBeadEverywhere) {
   Toolpath toolpath = tube(20.0, 1);
   const double whole_mm = length(toolpath.layers[0].paths[1]);
@@ -261,6 +323,62 @@ TEST(Leads, AreShortenedToTheRoomOrLeftOut) {
   EXPECT_GE(lead.points[0].norm(), 5.0 - pitch_mm - 0.3);
 }
 
+TEST(Leads, DoNotLieAlongTheirOwnBead) {
+  // A square that starts amid a side: the tangent is the side.
+  Path square = laidBead({{20, 0, 0.5}, {20, 20, 0.5}, {-20, 20, 0.5}, {-20, -20, 0.5}, {20, -20, 0.5}});
+  square.is_closed = true;
+  Toolpath toolpath = ofPaths({square});
+  const LeadCount count = addLeads(toolpath, straightLead(10.0));
+  EXPECT_EQ(count.added, 0U);
+  EXPECT_EQ(count.left_out, 2U);
+  Toolpath turned = ofPaths({square});
+  EXPECT_EQ(addLeads(turned, straightLead(10.0, 30.0)).added, 2U);
+}
+
+TEST(Leads, LayNothingAlongABeadThatTheyHardlyLeave) {
+  // The end of a tangent of 10 mm is 2.4 mm off a circle of 20 mm: within a bead of 6 mm, off one of 1 mm.
+  const auto leadsOf = [](const Bead& bead, LeadDeposit deposit) {
+    Path wall = ring(20.0, 2.0, 64);
+    wall.bead = bead;
+    Toolpath toolpath = ofPaths({wall});
+    LeadSettings settings = straightLead(10.0);
+    settings.deposit = deposit;
+    return addLeads(toolpath, settings);
+  };
+  EXPECT_EQ(leadsOf({6.0, 2.0}, LeadDeposit::On).left_out, 2U);
+  EXPECT_EQ(leadsOf({6.0, 2.0}, LeadDeposit::Ramp).left_out, 2U);
+  EXPECT_EQ(leadsOf({6.0, 2.0}, LeadDeposit::Off).added, 2U);
+  EXPECT_EQ(leadsOf({1.0, 0.5}, LeadDeposit::On).added, 2U);
+}
+
+TEST(Leads, StraightOnFromAnOpenBeadMayBeShorterThanItIsWide) {
+  Toolpath toolpath = ofPaths({laidBead({{0, 0, 2}, {30, 0, 2}}, {6.0, 2.0})});
+  LeadSettings settings = straightLead(2.0);
+  settings.deposit = LeadDeposit::On;
+  EXPECT_EQ(addLeads(toolpath, settings).added, 2U);
+}
+
+TEST(Leads, AreGivenTheRoomOfTheWholeBeadWhereItOverlaps) {
+  // Walls 8 mm inside and outside of the start; beads of 6 x 2 mm are packed 5.57 mm apart.
+  const Bead section{6.0, 2.0};
+  Path wall = ring(20.0, 2.0);
+  wall.bead = section;
+  const Path outside = laidBead({{28, -10, 2}, {28, 10, 2}}, section);
+  const Path inside = laidBead({{12, -8, 2}, {12, 8, 2}}, section);
+  Toolpath toolpath = ofPaths({wall, travelTo(wall.firstPoint(), outside.points[0]), outside,
+                               travelTo(outside.points[1], inside.points[0]), inside});
+  LeadSettings settings = straightLead(20.0, 90.0);
+  settings.out = LeadShape::None;
+  settings.overlap_mm = 10.0;
+  EXPECT_EQ(overlapEnds(toolpath, settings), 1U);
+  addLeads(toolpath, settings);
+  validate(toolpath);
+  const Path& lead = toolpath.layers[0].paths[0];
+  ASSERT_EQ(lead.role, PathRole::Travel);
+  EXPECT_LE(length(lead), 8.0 - planWidth(section) + 0.1);
+  EXPECT_GE(length(lead), 1.0);
+}
+
 TEST(Leads, LayTheBeadOrOneThatGrowsToIt) {
   Toolpath toolpath = ofPaths({laidBead({{0, 0, 0.5}, {30, 0, 0.5}})});
   LeadSettings settings = straightLead(6.0);
@@ -323,6 +441,40 @@ TEST(Entries, JoinWhereOneLeadIsLeftOutAndTheOtherIsNot) {
   EXPECT_EQ(count.leads.left_out, 1U);
   EXPECT_EQ(count.leads.added, 5U);
   EXPECT_EQ(count.entries, 6U);
+}
+
+TEST(Entries, AreRunByTheToolOfTheirRun) {
+  Path run = laidBead({{0, 0, 0.5}, {30, 0, 0.5}});
+  Path travel = travelTo({0, 20, 0.5}, {0, 0, 0.5});
+  run.tool = travel.tool = 1;
+  Toolpath toolpath = ofPaths({travel, run});
+  EntrySettings settings;
+  settings.distance_mm = 12.0;
+  addEnds(toolpath, straightLead(6.0), settings);
+  ASSERT_EQ(toolpath.layers[0].paths.size(), 6U);
+  for (const Path& path : toolpath.layers[0].paths) EXPECT_EQ(path.tool, 1U);
+}
+
+TEST(Entries, AndDryLeadsKeepTheMaterialPulledBack) {
+  const Path run = laidBead({{0, 0, 0.5}, {30, 0, 0.5}});
+  Path to = travelTo({0, 20, 0.5}, run.points[0]);
+  Path away = travelTo(run.points[1], {9, 9, 0.5});
+  EntrySettings entry;
+  entry.distance_mm = 3.0;
+  const auto retractionsOf = [&](LeadDeposit deposit) {
+    Toolpath toolpath = ofPaths({to, run, away});
+    LeadSettings lead = straightLead(6.0);
+    lead.deposit = deposit;
+    addEnds(toolpath, lead, entry);
+    std::vector<bool> retracted;
+    for (const Path& path : toolpath.layers[0].paths) retracted.push_back(path.process.is_retracted);
+    return retracted;
+  };
+  EXPECT_EQ(retractionsOf(LeadDeposit::Off), std::vector<bool>(7, false));
+  to.process.is_retracted = away.process.is_retracted = true;
+  EXPECT_EQ(retractionsOf(LeadDeposit::Off), (std::vector<bool>{true, true, true, false, true, true, true}));
+  // What lays a bead needs its material.
+  EXPECT_EQ(retractionsOf(LeadDeposit::On), (std::vector<bool>{true, true, false, false, false, true, true}));
 }
 
 TEST(Levels, OfAWireFollowFromBeadAndFeed) {
@@ -389,6 +541,14 @@ TEST(BeadRunSettings, RefuseWhatCannotBeByName) {
   settings.lead.rise_deg = 10.0;
   settings.lead.deposit = LeadDeposit::On;
   EXPECT_NE(refusal(settings).find("lead.rise_deg is 10.000000 deg"), std::string::npos);
+  settings.lead.rise_deg = 0.0;
+  settings.lead.overlap_mm = 8.0;
+  EXPECT_EQ(refusal(settings), "") << "without leads nothing is laid before the overlap";
+  settings.lead.in = LeadShape::Line;
+  EXPECT_NE(refusal(settings).find("lead.overlap_mm is 8.000000 mm with leads that lay a bead"),
+            std::string::npos);
+  settings.lead.deposit = LeadDeposit::Off;
+  EXPECT_EQ(refusal(settings), "");
 }
 
 }  // namespace

@@ -115,8 +115,9 @@ struct StatedLevel {
 ///   value is negative or no number; `from_bead` is of wire_speed_mm_s alone
 std::vector<StatedLevel> statedLevels(const std::string& text);
 
-/// @throws InvalidConfig naming key, value and unit: a lead that rises while it lays, a weave that is wider
-///   than four of its waves, shares or rests without the weave or ramp that they are of
+/// @throws InvalidConfig naming key, value and unit: a lead that rises while it lays, one that lays beside
+///   an overlap, a weave that is wider than four of its waves, shares or rests without the weave or ramp that
+///   they are of
 void requireConsistent(const BeadRunSettings& settings);
 
 }  // namespace lamina

@@ -12,8 +12,8 @@ namespace lamina {
 
 /// Lets closed runs start elsewhere from layer to layer, so that starts do not stand above each other. A run
 /// that is one closed path starts, in layer i, at the share frac(first + 0.618034 i) of its length from where
-/// it was planned to (golden), or frac(first + i / 2) (opposite). Travels lead to the new starts. Runs that
-/// follow others without a travel, and paths with events amid them, stay.
+/// it was planned to (golden), or frac(first + i / 2) (opposite). Travels lead to the new starts, turned as
+/// the nozzle is there. Runs that follow others without a travel, and paths with events amid them, stay.
 /// @return how many start elsewhere
 std::size_t spreadStarts(Toolpath& toolpath, const StartSettings& settings);
 
@@ -39,10 +39,12 @@ struct EndCount {
 
 /// Adds a lead before and after each run of the part: a travel at the run's feed, or a path of role Prime
 /// where it lays a bead. It goes to the side with more room, and outside of a closed run where both have the
-/// same: no nearer to other beads of the layer than beads are to each other.
+/// same: no nearer to other beads of the layer than beads are to each other. None that would lie on its own
+/// bead along more than half of its way.
 ///
 /// Lets the tool come to each run, or its lead, from `distance_mm` away, and leave it as far, straight and at
-/// a feed of its own: by travels of their own.
+/// a feed of its own: by travels of their own. These, and leads that lay nothing, are retracted where the
+/// travel beside them is.
 ///
 /// Travels before and after lead to the ends of these. Runs that follow another path without a travel get
 /// none.
@@ -60,7 +62,7 @@ std::size_t weave(Toolpath& toolpath, const WeaveSettings& settings, const Motio
 
 /// States process values on all that lays beads. At the ends of runs they rise and fall in steps of an eighth
 /// of the way: each motion has the value of its middle. `from_bead` is the speed of a wire that brings the
-/// bead's volume, section times feed over the wire's section.
+/// bead's volume, section times feed over the wire's section. Once feeds are final.
 /// @throws InvalidConfig as `statedLevels`
 void stateLevels(Toolpath& toolpath, const LevelSettings& settings);
 

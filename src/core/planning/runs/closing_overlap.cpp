@@ -87,9 +87,9 @@ std::size_t overlapEnds(Toolpath& toolpath, const LeadSettings& settings) {
                          std::to_string(place.path) + ": lead.overlap_mm is " +
                          std::to_string(settings.overlap_mm) + " mm; must be less than the closed run, " +
                          std::to_string(length(path)) + " mm");
+    const NozzlePose before = endPose(path);
     path = overlapping(path, settings.overlap_mm);
-    if (travels.after != nullptr)
-      shiftStart(*travels.after, path.lastPoint(), nozzleAtEnd(path) * Point3::UnitZ());
+    if (travels.after != nullptr) shiftStart(*travels.after, before, endPose(path));
     ++count;
   }
   return count;

@@ -3,6 +3,7 @@
 #include "planning/runs/run_ends.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace lamina {
 namespace {
@@ -22,6 +23,54 @@ bool standsAbove(const Point3& point, const Point3& end, const Point3& axis) {
   const Point3 offset = point - end;
   return (offset - axis * axis.dot(offset)).norm() <= kOnAxis;
 }
+
+/// Moves the waypoints of a travel from its end on, as long as they stand above it.
+class EndShift {
+ public:
+  EndShift(Path& travel, const Point3& end, const NozzlePose& from, const NozzlePose& to)
+      : travel_(travel),
+        end_(end),
+        axis_(from.orientation * Point3::UnitZ()),
+        to_(to),
+        turn_(to.orientation * from.orientation.conjugate()),
+        is_turned_(from.orientation.angularDistance(to.orientation) > kSameRunPose),
+        last_(end),
+        new_last_(to.point) {}
+
+  /// @return whether the waypoint stood there
+  bool take(std::size_t waypoint) {
+    Point3& point = travel_.points[waypoint];
+    const Point3 before = point;
+    if (standsAbove(before, end_, axis_)) {
+      point = is_turned_ ? Point3(to_.point + turn_ * (before - end_)) : Point3(before + (to_.point - end_));
+    } else if (standsAbove(before, last_, Point3::UnitZ())) {
+      point << new_last_.head<2>(), std::max(before.z(), new_last_.z());
+    } else {
+      return false;
+    }
+    last_ = before;
+    new_last_ = point;
+    if (is_turned_) turnAt(waypoint);
+    return true;
+  }
+
+ private:
+  void turnAt(std::size_t waypoint) {
+    std::vector<Eigen::Quaterniond> each = travel_.orientation.values();
+    if (travel_.orientation.isCommon()) each.resize(travel_.points.size(), Eigen::Quaterniond(each.front()));
+    each[waypoint] = to_.orientation;
+    travel_.orientation = AlongPath<Eigen::Quaterniond>(std::move(each));
+  }
+
+  Path& travel_;
+  Point3 end_;
+  Point3 axis_;
+  NozzlePose to_;
+  Eigen::Quaterniond turn_;
+  bool is_turned_;
+  Point3 last_;      ///< waypoint taken before, where it stood
+  Point3 new_last_;  ///< and where it stands
+};
 
 }  // namespace
 
@@ -96,16 +145,16 @@ Point3 endTangent(const Path& path) {
   return Point3::Zero();
 }
 
-void shiftEnd(Path& travel, const Point3& to, const Point3& axis) {
-  const Point3 end = travel.points.back();
-  for (std::size_t i = travel.points.size(); i-- > 1 && standsAbove(travel.points[i], end, axis);)
-    travel.points[i] += to - end;
+void shiftEnd(Path& travel, const NozzlePose& from, const NozzlePose& to) {
+  EndShift shift(travel, travel.points.back(), from, to);
+  std::size_t waypoint = travel.points.size() - 1;
+  while (waypoint > 0 && shift.take(waypoint)) --waypoint;
 }
 
-void shiftStart(Path& travel, const Point3& to, const Point3& axis) {
-  const Point3 start = travel.points.front();
-  for (std::size_t i = 0; i + 1 < travel.points.size() && standsAbove(travel.points[i], start, axis); ++i)
-    travel.points[i] += to - start;
+void shiftStart(Path& travel, const NozzlePose& from, const NozzlePose& to) {
+  EndShift shift(travel, travel.points.front(), from, to);
+  std::size_t waypoint = 0;
+  while (waypoint + 1 < travel.points.size() && shift.take(waypoint)) ++waypoint;
 }
 
 }  // namespace lamina

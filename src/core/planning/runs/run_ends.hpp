@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lamina/toolpath/toolpath.hpp"
+#include "planning/travel/space_travel.hpp"
 
 namespace lamina {
 
@@ -58,9 +59,11 @@ Point3 startTangent(const Path& path);
 /// The same of the last one.
 Point3 endTangent(const Path& path);
 
-/// The travel ends elsewhere, and what of it stood above its end along `axis` stands above the new one.
-void shiftEnd(Path& travel, const Point3& to, const Point3& axis);
+/// The travel ends elsewhere and, where the nozzle stands another way there, turned as it. What of it stood
+/// above its end, along the tool axis and then along z, stands as far above the new one.
+/// @param from  the end that it had
+void shiftEnd(Path& travel, const NozzlePose& from, const NozzlePose& to);
 /// The same of its start.
-void shiftStart(Path& travel, const Point3& to, const Point3& axis);
+void shiftStart(Path& travel, const NozzlePose& from, const NozzlePose& to);
 
 }  // namespace lamina

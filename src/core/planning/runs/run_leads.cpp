@@ -20,6 +20,7 @@ constexpr std::size_t kRampSteps = 10;
 constexpr double kSampleShare = 0.25;  // of a bead's width, between places that are looked at
 constexpr double kLeadRoom = 1e-3;     // mm: by which a lead may be nearer than beads are
 constexpr double kSameRoom = 1e-6;     // mm
+constexpr double kLeavingShare = 0.5;  // of a lead's way, by which one that leaves its bead goes away from it
 
 enum class LeadSide { Left = 1, Right = -1 };
 
@@ -98,14 +99,17 @@ class LeadRoom {
     }
   }
 
-  /// The longest way along which the lead keeps off what is laid.
+  /// The longest way along which the lead keeps off what is laid. None if it would lie on its own bead along
+  /// more than half of that.
+  /// @param on_own_mm  from its own path: nearer it lies on the bead, unless it goes straight away
   template <class PointAt>
-  double longest(double way_mm, double width_mm, PointAt pointAt) const {
+  double longest(double way_mm, double width_mm, double on_own_mm, PointAt pointAt) const {
     const auto count = static_cast<std::size_t>(std::ceil(way_mm / (kSampleShare * width_mm)));
     const double step_mm = way_mm / static_cast<double>(count);
     double free_mm = 0.0;
     double last_own_mm = 0.0;
     bool has_left = false;
+    std::size_t count_on_own = 0;
     std::vector<Nearby> nearby;
     for (std::size_t i = 1; i <= count; ++i) {
       const double at_mm = step_mm * static_cast<double>(i);
@@ -123,8 +127,9 @@ class LeadRoom {
       last_own_mm = own_mm;
       if (!keepsOff(nearby, point, width_mm)) break;
       free_mm = at_mm;
+      if (own_mm < std::min(on_own_mm, kLeavingShare * at_mm)) ++count_on_own;
     }
-    return free_mm;
+    return 2.0 * step_mm * static_cast<double>(count_on_own) > free_mm ? 0.0 : free_mm;
   }
 
   double toOthers(const Point3& point) const {
@@ -177,6 +182,14 @@ LeadSide outside(const Path& path, const Point3& up) {
   return twice_area > 0.0 ? LeadSide::Right : LeadSide::Left;
 }
 
+/// Where beads grow and fade at the ends of a path, those are no measure of the room that it takes.
+double widestPlan(const Path& path) {
+  double widest_mm = 0.0;
+  for (std::size_t m = 0; m < path.motionCount(); ++m)
+    widest_mm = std::max(widest_mm, planWidth(path.bead.at(path.motionEnd(m))));
+  return widest_mm;
+}
+
 enum class LeadEnd { In, Out };
 
 /// Makes the leads of one layer.
@@ -196,7 +209,7 @@ class LayerLeads {
     const auto start = leadStart(end == LeadEnd::In ? path.firstPoint() : path.lastPoint(), tangent,
                                  end == LeadEnd::In ? Point3(-tangent) : tangent,
                                  end == LeadEnd::In ? path.orientation.at(0) : nozzleAtEnd(path));
-    const double width_mm = planWidth(path.bead.at(waypoint));
+    const double width_mm = widestPlan(path);
     if (!start || width_mm <= 0.0) return std::nullopt;
     const auto [side, way_mm] = freeSide(*start, shape, index, width_mm);
     const double whole_mm = wholeWay(shape, settings_);
@@ -209,7 +222,6 @@ class LayerLeads {
     Path lead = along(*start, shape, side, way_mm);
     lead.feed_mm_s = path.feed_mm_s.at(waypoint);
     lead.orientation = end == LeadEnd::In ? path.orientation.at(0) : nozzleAtEnd(path);
-    lead.tool = path.tool;
     deposit(lead, path.bead.at(waypoint));
     if (end == LeadEnd::In) reverse(lead);
     return lead;
@@ -223,8 +235,11 @@ class LayerLeads {
     const auto pointOn = [&](LeadSide side, double way_mm) {
       return leadPoint(start, shape, side, settings_, way_mm);
     };
+    // What lays nothing may pass over its bead, but not go along it.
+    const double on_own_mm = settings_.deposit == LeadDeposit::Off ? kLeadRoom : 0.5 * width_mm;
     const auto longest = [&](LeadSide side) {
-      return room.longest(whole_mm, width_mm, [&](double way_mm) { return pointOn(side, way_mm); });
+      return room.longest(whole_mm, width_mm, on_own_mm,
+                          [&](double way_mm) { return pointOn(side, way_mm); });
     };
     const double left_mm = longest(LeadSide::Left);
     const double right_mm = longest(LeadSide::Right);
@@ -332,11 +347,13 @@ class RunEndings {
     const Eigen::Quaterniond nozzle = path.orientation.at(0);
     const Point3 start = ends.in ? ends.in->firstPoint() : path.firstPoint();
     Path* travel = index > 0 ? &pathAt(toolpath_, places_[index - 1]) : nullptr;
-    if (ends.in && travel != nullptr) shiftEnd(*travel, start, nozzle * Point3::UnitZ());
+    if (ends.in && travel != nullptr) shiftEnd(*travel, startPose(path), {start, nozzle});
+    if (ends.in) runAs(*ends.in, path, travel);
     if (entry_.distance_mm == 0.0) return;
     const Point3 from = entryPoint(start, nozzle, entry_);
     if (travel != nullptr) endAtEntry(*travel, from);
     ends.entry = entryTravel(from, start, nozzle, entry_.feed_mm_s);
+    runAs(*ends.entry, path, travel);
     ++count_.entries;
   }
 
@@ -346,12 +363,21 @@ class RunEndings {
     const Eigen::Quaterniond nozzle = nozzleAtEnd(path);
     const Point3 end = ends.out ? ends.out->lastPoint() : path.lastPoint();
     Path* travel = index + 1 < places_.size() ? &pathAt(toolpath_, places_[index + 1]) : nullptr;
-    if (ends.out && travel != nullptr) shiftStart(*travel, end, nozzle * Point3::UnitZ());
+    if (ends.out && travel != nullptr) shiftStart(*travel, endPose(path), {end, nozzle});
+    if (ends.out) runAs(*ends.out, path, travel);
     if (entry_.distance_mm == 0.0) return;
     const Point3 to = entryPoint(end, nozzle, entry_);
     if (travel != nullptr) startAtEntry(*travel, to);
     ends.exit = entryTravel(end, to, nozzle, entry_.feed_mm_s);
+    runAs(*ends.exit, path, travel);
     ++count_.entries;
+  }
+
+  /// By the run's tool; and between run and travel the material stays pulled back as on the travel.
+  static void runAs(Path& added, const Path& run, const Path* travel) {
+    added.tool = run.tool;
+    if (added.role == PathRole::Travel && travel != nullptr)
+      added.process.is_retracted = travel->process.is_retracted;
   }
 
   static void insert(std::vector<Path>& paths, std::vector<PathEnds>& ends) {

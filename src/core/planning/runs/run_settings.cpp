@@ -166,6 +166,11 @@ void requireConsistent(const BeadRunSettings& settings) {
   if (lead.rise_deg > 0.0 && lead.deposit != LeadDeposit::Off)
     throw InvalidConfig("lead.rise_deg is " + std::to_string(lead.rise_deg) +
                         " deg with leads that lay a bead; expected 0 deg, or lead.process 'off'");
+  const bool has_leads = lead.in != LeadShape::None || lead.out != LeadShape::None;
+  if (has_leads && lead.overlap_mm > 0.0 && lead.deposit != LeadDeposit::Off)
+    throw InvalidConfig("lead.overlap_mm is " + std::to_string(lead.overlap_mm) +
+                        " mm with leads that lay a bead; expected 0 mm, or lead.process 'off': the bead "
+                        "that a lead leads to would begin with nothing");
   requireConsistent(settings.levels);
   const WeaveSettings& weave = settings.weave;
   if (weave.kind == WeaveKind::None) return;

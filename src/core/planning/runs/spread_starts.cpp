@@ -66,11 +66,10 @@ std::size_t spreadStarts(Toolpath& toolpath, const StartSettings& settings) {
     Path& path = pathAt(toolpath, places[run.begin]);
     const RunTravels travels = travelsOf(toolpath, places, run);
     if (run.count() > 1 || !path.is_closed || travels.is_joined || hasEventsAmid(path)) continue;
-    const Eigen::Quaterniond before = path.orientation.at(0);
+    const NozzlePose before = startPose(path);
     path = startingAlong(path, startShare(settings, places[run.begin].layer) * length(path));
-    const Point3 axis = before * Point3::UnitZ();
-    if (travels.before != nullptr) shiftEnd(*travels.before, path.firstPoint(), axis);
-    if (travels.after != nullptr) shiftStart(*travels.after, path.firstPoint(), axis);
+    if (travels.before != nullptr) shiftEnd(*travels.before, before, startPose(path));
+    if (travels.after != nullptr) shiftStart(*travels.after, before, startPose(path));
     ++moved;
   }
   return moved;
