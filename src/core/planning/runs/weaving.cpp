@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kWaveEnd = 1e-9;        // mm
 constexpr double kCornerApart = 0.02;    // of a wave
-constexpr double kMostAdvance = 3.0;     // of the line for each mm of the tip's way
+constexpr double kMostAdvance = 6.0;     // of the line for each mm of the tip's way
 constexpr double kMostSwing = 2.0;       // waves, as of the settings
 constexpr std::size_t kMostInHalf = 64;  // points of half a wave
 
