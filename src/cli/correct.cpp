@@ -15,6 +15,8 @@
 #include "lamina/job/rapid_files.hpp"
 #include "lamina/job/robot_files.hpp"
 #include "lamina/program/rapid/reader/rapid_reader.hpp"
+#include "lamina/program/rapid/writer/rapid_program.hpp"
+#include "lamina/program/robot/robot_program.hpp"
 #include "lamina/program/robot/robot_reader.hpp"
 #include "lamina/streaming/journal/job_journal.hpp"
 #include "subcommand.hpp"
@@ -113,6 +115,26 @@ void writeCorrected(const CorrectArguments& arguments, const CorrectSettings& se
   writeRapidFiles(arguments.output, {corrected, ProgramFrame(Eigen::Isometry3d::Identity())}, settings.rapid);
 }
 
+/// What the corrected program would state, before anything of it is on the disk.
+StatedEquipment writtenEquipment(const CorrectArguments& arguments, const CorrectSettings& settings,
+                                 const Toolpath& corrected) {
+  const std::string name = std::filesystem::path(arguments.output).stem().string();
+  const Eigen::Isometry3d over_bed = Eigen::Isometry3d::Identity();
+  if (!isRapidFile(arguments.output)) {
+    const RobotLanguage language = *robotLanguageOf(arguments.output);
+    return readEquippedRobotProgram(robotProgram(corrected, over_bed, {language, name, settings.robot}), name)
+        .equipment;
+  }
+  const RapidProgram program(corrected, over_bed, settings.rapid);
+  std::vector<std::string> texts(program.moduleNames().size());
+  std::vector<RapidText> modules;
+  for (std::size_t m = 0; m < texts.size(); ++m) {
+    program.write(m, [&text = texts[m]](std::string_view piece) { text += piece; });
+    modules.push_back({program.moduleNames()[m], texts[m]});
+  }
+  return readEquippedRapid(modules, name).equipment;
+}
+
 std::string suffixOfFile(const std::string& path) { return std::filesystem::path(path).extension().string(); }
 
 /// A robot's process runs at a steady rate: the amount is laid by the time on the way.
@@ -124,20 +146,22 @@ void correctRobot(const CorrectArguments& arguments, const CorrectSettings& sett
                        "; expected a program in " + language + " of it, with the suffix " +
                        suffixOfFile(arguments.program));
   PlannedCorrection correction = correctionFrom(arguments.corrections, settings.feeding, {});
-  Toolpath read = isRapidFile(arguments.program) ? readRapidFile(arguments.program)
-                                                 : readRobotProgramFile(arguments.program);
-  requireSamePaths(read, correction.planned.toolpath, kReadTolerance);
-  correction.planned.toolpath = std::move(read);
+  EquippedToolpath read = isRapidFile(arguments.program) ? readEquippedRapidFile(arguments.program)
+                                                         : readEquippedRobotProgramFile(arguments.program);
+  requireSamePaths(read.toolpath, correction.planned.toolpath, kReadTolerance);
+  correction.planned.toolpath = std::move(read.toolpath);
   const Toolpath& planned = correction.planned.toolpath;
   const Toolpath corrected =
       correctedToolpath(planned, ledMaps(correction), CorrectionWriting{}.split_change);
+  const std::string keys = isRapidFile(arguments.program) ? "rapid.*" : "robot_program.*";
+  requireSameEquipment(read.equipment, writtenEquipment(arguments, settings, corrected), arguments.program,
+                       keys);
   writeCorrected(arguments, settings, corrected);
   std::fprintf(stderr,
                "warning: %s has neither approach nor retract, and the tool and work object of %s, not "
                "those of %s; "
                "expected both to be taken over by hand before it runs\n",
-               arguments.output.c_str(), isRapidFile(arguments.program) ? "rapid.*" : "robot_program.*",
-               arguments.program.c_str());
+               arguments.output.c_str(), keys.c_str(), arguments.program.c_str());
   printTimes(arguments, correction, {depositionTime(planned), depositionTime(corrected)}, format);
 }
 

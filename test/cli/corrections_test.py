@@ -269,6 +269,57 @@ class RobotPrograms(unittest.TestCase):
             picture = os.path.join(self.folder, "layer.png")
             self.assertEqual(lamina("preview", corrected, "--layer", "2", "-o", picture).returncode, 0)
 
+    def slice_again(self, suffix, *settings):
+        program, corrected = (os.path.join(self.folder, f"{name}.{suffix}") for name in ("wall", "corrected"))
+        chosen = [word for setting in settings for word in ("--set", setting)]
+        told("slice", self.part, "--set", "part.placement=as_is", *chosen, "-o", program)
+        return program, corrected
+
+    def test_arcs_are_not_written_as_outputs(self):
+        length_mm, time_s = self.length_and_time(2, 1)
+        self.write("correction_2.csv", correction_map(2, [0.25] * 8, length_mm=length_mm))
+        arcs = ("robot_program.process=schedules", "robot_program.start_schedule=6", "robot_program.weave_schedule=4")
+        for suffix, settings, outputs in (("ls", arcs, "'output 1'"), ("jbi", arcs, "'output 1'"),
+                                          ("mod", ("rapid.process=arc", "rapid.seam_data=seam7"), "'set solicitudlaser'")):
+            program, corrected = self.slice_again(suffix, "machine.name=irb_4600", *settings)
+            refused = lamina("correct", program, self.maps, "-o", corrected)
+            self.assertEqual(refused.returncode, 1)
+            for said in ("is switched by", "seam7" if suffix == "mod" else "arc start by schedule 6", outputs):
+                self.assertIn(said, refused.stderr)
+            self.assertFalse(os.path.exists(corrected))
+            chosen = [word for setting in settings for word in ("--set", setting)]
+            made = told("correct", program, self.maps, *chosen, "-o", corrected)
+            self.assertAlmostEqual(made["corrected_s"] - made["planned_s"], 0.25 * time_s, delta=0.02 * time_s)
+
+    def test_external_axes_are_not_dropped(self):
+        length_mm, _ = self.length_and_time(2, 1)
+        self.write("correction_2.csv", correction_map(2, [0.25] * 8, length_mm=length_mm))
+        for suffix in ("src", "ls", "mod"):
+            program, corrected = self.slice_again(suffix, "machine.name=irb_4600_turntable")
+            refused = lamina("correct", program, self.maps, "-o", corrected)
+            self.assertEqual(refused.returncode, 1)
+            self.assertRegex(refused.stderr, "the external axes of .* are [12] |is carried by")
+            self.assertFalse(os.path.exists(corrected))
+
+    def test_waits_between_layers_stay(self):
+        waiting = ("machine.name=irb_4600", "cooling.by=dwell", "cooling.least_layer_time_s=100")
+        toolpath, _ = self.slice_again("csv", *waiting)
+        with open(toolpath, encoding="utf-8") as file:
+            text = file.read()
+        self.write("toolpath.csv", f"#TOOLPATH: {ID}\n" + text)
+        self.rows = [line.split(",") for line in text.splitlines()[1:]]
+        length_mm, time_s = self.length_and_time(2, 1)
+        self.write("correction_2.csv", correction_map(2, [0.25] * 8, length_mm=length_mm))
+        program, corrected = self.slice_again("src", *waiting)
+        made = told("correct", program, self.maps, "-o", corrected)
+        self.assertAlmostEqual(made["corrected_s"] - made["planned_s"], 0.25 * time_s, delta=0.02 * time_s)
+        waits = []
+        for path in (program, corrected):
+            with open(path, encoding="utf-8") as file:
+                waits.append([line for line in file.read().splitlines() if line.startswith("WAIT SEC")])
+        self.assertGreater(len(waits[0]), 1)
+        self.assertEqual(waits[0], waits[1])
+
     def test_scripts_without_joints_are_refused(self):
         self.write("correction_2.csv", correction_map(2, [0.25] * 8))
         program, corrected = (os.path.join(self.folder, f"{name}.script") for name in ("wall", "corrected"))

@@ -127,6 +127,19 @@ TEST(CorrectedToolpath, IsOfAProgramWithWaypointsOnTheWay) {
   EXPECT_THROW(requireSamePaths(divided, part, 1e-3), InvalidInput) << "not to the end";
 }
 
+TEST(CorrectedToolpath, KeepsWaitsBeforeAndBehindABead) {
+  Toolpath part = test::stackedBeads(2);
+  part.layers[1].paths[1].events = {{0, Dwell{1.0}}, {part.layers[1].paths[1].motionCount(), Dwell{2.0}}};
+  const Toolpath corrected = correctedToolpath(part, {firstBeadMap(part, 1, waveOf(0.3, 0.0))}, 0.02);
+  const Path& bead = corrected.layers[1].paths[1];
+  ASSERT_GT(bead.motionCount(), part.layers[1].paths[1].motionCount());
+  ASSERT_EQ(bead.events.size(), 2U);
+  EXPECT_EQ(bead.events[0].motion, 0U);
+  EXPECT_EQ(bead.events[1].motion, bead.motionCount());
+  EXPECT_EQ(std::get<Dwell>(bead.events[1].event).duration_s, 2.0);
+  EXPECT_NO_THROW(validate(corrected));
+}
+
 TEST(CorrectedToolpath, RefusesWhatItCannotLay) {
   const Toolpath part = test::stackedBeads(2);
   CorrectionMap other = firstBeadMap(part, 1, {{0.1, 0.0, 0.0}});
@@ -135,7 +148,9 @@ TEST(CorrectedToolpath, RefusesWhatItCannotLay) {
   EXPECT_THROW(correctedToolpath(part, {firstBeadMap(part, 1, {{0.0, 0.0, 1.6}})}, 0.02), InvalidInput);
   EXPECT_THROW(correctedToolpath(part, {}, 0.0), InvalidInput);
   Toolpath with_dwell = part;
-  with_dwell.layers[1].paths[1].events = {{0, Dwell{1.0}}};
+  Path& amid = with_dwell.layers[1].paths[1];
+  amid.points.insert(amid.points.begin() + 1, 0.5 * (amid.points[0] + amid.points[1]));
+  amid.events = {{1, Dwell{1.0}}};
   EXPECT_THROW(correctedToolpath(with_dwell, {firstBeadMap(with_dwell, 1, {{0.1, 0.0, 0.0}})}, 0.02),
                InvalidInput);
   Toolpath joined = part;

@@ -157,6 +157,48 @@ TEST(Weaving, LeavesTravelsAndShortPaths) {
   EXPECT_EQ(woven(wide({{0, 0, 2}, {0.9, 0, 2}}), weaveOf(WeaveKind::Sine), 0).points.size(), 2U);
 }
 
+/// Round the origin, with corners every 5 deg.
+Path wideRing(double radius_mm) {
+  std::vector<Point3> points;
+  for (int i = 0; i < 72; ++i) {
+    const double angle = M_PI * i / 36.0;
+    points.emplace_back(radius_mm * std::cos(angle), radius_mm * std::sin(angle), 2.0);
+  }
+  Path ring = wide(points);
+  ring.is_closed = true;
+  return ring;
+}
+
+TEST(Weaving, LeavesShortPathsWhateverTheirBead) {
+  Path stub = wide({{0, 0, 2}, {0.9, 0, 2}});
+  stub.bead = Bead{1.0, 2.0};
+  stub.feed_mm_s = 100.0;
+  EXPECT_EQ(woven(stub, weaveOf(WeaveKind::Sine), 0).points.size(), 2U);
+}
+
+TEST(Weaving, JudgesTheWavesThatFitIntoThePath) {
+  // 1.1 mm hold half a wave of 2.2 mm: 2 (2 pi 16 / 2.2)² = 4176 mm/s², of 4 mm 1263 mm/s².
+  Path stub = wide({{0, 0, 2}, {1.1, 0, 2}});
+  stub.feed_mm_s = 16.0;
+  const std::string what = weaveRefusal(stub, weaveOf(WeaveKind::Sine));
+  EXPECT_NE(what.find("every 2.200000 mm at 16.000000 mm/s takes 4176"), std::string::npos) << what;
+  // An amplitude of two wavelengths of the settings is four of the one that fits.
+  WeaveSettings settings = weaveOf(WeaveKind::Sine);
+  settings.wavelength_mm = 1.0;
+  stub.points[1].x() = 0.26;
+  stub.feed_mm_s = 0.1;
+  EXPECT_NE(weaveRefusal(stub, settings)
+                .find("weave.amplitude_mm is 2.000000 mm with waves that are 0.520000 mm long"),
+            std::string::npos);
+}
+
+TEST(Weaving, RefusesBendsInWhichTheTipStandsStill) {
+  const std::string what = weaveRefusal(wideRing(2.0), weaveOf(WeaveKind::Sine));
+  EXPECT_NE(what.find("layer 0, path 0: motion "), std::string::npos) << what;
+  EXPECT_NE(what.find("2.000000 mm (weave.amplitude_mm) aside in a bend"), std::string::npos) << what;
+  EXPECT_EQ(weaveRefusal(wideRing(6.0), weaveOf(WeaveKind::Sine)), "");
+}
+
 TEST(Weaving, RefusesWhatDoesNotFitBeadOrMachine) {
   WeaveSettings settings = weaveOf(WeaveKind::Sine);
   settings.amplitude_mm = 3.1;
@@ -171,6 +213,14 @@ TEST(Weaving, RefusesWhatDoesNotFitBeadOrMachine) {
   const std::string what = weaveRefusal(fast, settings);
   EXPECT_NE(what.find("takes 1973.9"), std::string::npos) << what;
   EXPECT_NE(what.find("motion.acceleration_mm_s2, 1500"), std::string::npos) << what;
+  // On its crest a sine turns by 4.93 / mm whichever feed is kept: 20² 4.93.
+  settings.feed = WeaveFeed::Tip;
+  EXPECT_NE(weaveRefusal(fast, settings).find("takes 1973.9"), std::string::npos);
+  // A zigzag at 20 mm/s of its tip advances by 20 / 5^0.5 mm/s: 2 (2 pi 8.944 / 4)² = 395 mm/s².
+  settings.kind = WeaveKind::Zigzag;
+  EXPECT_EQ(weaveRefusal(fast, settings), "");
+  settings.feed = WeaveFeed::Advance;
+  EXPECT_NE(weaveRefusal(fast, settings).find("takes 1973.9"), std::string::npos);
   BeadRunSettings runs;
   runs.weave = settings;
   runs.weave.wavelength_mm = 0.9;

@@ -1,15 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Waits of a toolpath, and statements of arc packages.
+// Waits of a toolpath, statements of arc packages, and what else a program states beside its toolpath.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <chrono>
 #include <cmath>
 #include <functional>
 
 #include "lamina/base/error.hpp"
 #include "lamina/program/rapid/reader/rapid_reader.hpp"
 #include "lamina/program/robot/robot_reader.hpp"
+#include "program/robot/fanuc/fanuc_parser.hpp"
 #include "support/rapid_programs.hpp"
 #include "support/robot_programs.hpp"
 #include "support/toolpaths.hpp"
@@ -219,6 +221,75 @@ TEST(RobotArcs, RefuseWhatALanguageDoesNotHave) {
   EXPECT_TRUE(hasText(refusal(RobotLanguage::Fanuc, settings), "robot_program.weave_schedule is 2"));
 }
 
+StatedEquipment equipmentOf(RobotLanguage language, const RobotProgramSettings& settings) {
+  return readEquippedRobotProgram(robotFiles(language, test::twoLayers(), settings), "part").equipment;
+}
+
+std::string equipmentRefusal(const StatedEquipment& read, const StatedEquipment& written) {
+  return refusedWith([&] { requireSameEquipment(read, written, "a.ls", "robot_program.*"); });
+}
+
+TEST(StatedEquipment, TellsArcsFromOutputsAndFromOtherArcs) {
+  for (const RobotLanguage language : {RobotLanguage::Krl, RobotLanguage::Fanuc, RobotLanguage::Inform}) {
+    const StatedEquipment weaving = equipmentOf(language, byArc(4));
+    EXPECT_EQ(equipmentRefusal(weaving, equipmentOf(language, byArc(4))), "");
+    EXPECT_TRUE(hasText(equipmentRefusal(weaving, equipmentOf(language, {})), "expected 'output 1', as it"));
+    EXPECT_NE(equipmentRefusal(weaving, equipmentOf(language, byArc(5))), "") << toString(language);
+    EXPECT_NE(equipmentRefusal(weaving, equipmentOf(language, byArc())), "") << toString(language);
+  }
+  EXPECT_EQ(
+      equipmentRefusal(equipmentOf(RobotLanguage::Fanuc, byArc(4)), equipmentOf(RobotLanguage::Fanuc, {})),
+      "the process of 'a.ls' is switched by 'arc end by schedule 7', 'arc start by schedule 6', 'weave by "
+      "schedule 4'; expected 'output 1', as it would be written anew by robot_program.*");
+}
+
+TEST(StatedEquipment, HoldsOutputsLevelsAndWaitsOfTheProcess) {
+  RobotProgramSettings settings;
+  settings.process_output = 3;
+  settings.process_lead_s = 0.5;
+  settings.levels = "laser_power_w=2*0.0025";
+  for (const RobotLanguage language : {RobotLanguage::Krl, RobotLanguage::Fanuc, RobotLanguage::Inform})
+    EXPECT_EQ(
+        equipmentOf(language, settings).process,
+        (std::set<std::string>{"output 3", "wait of 0.5 s", "analogue output 2 of laser_power_w by 0.0025"}))
+        << toString(language);
+}
+
+TEST(StatedEquipment, HoldsExternalAxesAndACarriedBed) {
+  const std::string plain = robotFiles(RobotLanguage::Krl, test::twoLayers())[0].text;
+  const auto read = [](const std::string& text) {
+    return readEquippedRobotProgram({{"a.src", text}}, "part").equipment;
+  };
+  std::string text = plain;
+  const std::string end = "C 180.0000}";
+  for (std::size_t at = text.find(end); at != std::string::npos; at = text.find(end, at + 1))
+    text.replace(at, end.size(), "C 180.0000,E1 100.5}");
+  EXPECT_EQ(equipmentRefusal(read(text), read(plain)),
+            "the external axes of 'a.ls' are 1 (100.5 at all moves); expected none, as it would be written "
+            "anew by robot_program.*");
+  text.replace(text.rfind("E1 100.5"), 8, "E1 101.5");
+  EXPECT_TRUE(
+      hasText(equipmentRefusal(read(text), read(plain)), "1 (100.5 at the first move, others later)"));
+  text = plain;
+  text.insert(text.find(";# layer"), ";# carried_bed 0 0 300 1 0 0 0\n");
+  EXPECT_TRUE(hasText(equipmentRefusal(read(text), read(plain)),
+                      "the bed of 'a.ls' is carried by an external axis; expected one that stands still"));
+}
+
+TEST(RobotReaderOfFanuc, TakesTimeByTheLinesOfItsArcs) {
+  constexpr int kArcs = 40000;
+  std::string text = "/PROG A\n/MN\n";
+  for (int i = 0; i < kArcs; ++i) text += "   1:L P[1] 10mm/sec FINE\n    :  Arc Start[6]    ;\n";
+  text +=
+      "/POS\nP[1]{\n   GP1:\n    UF : 1, UT : 1,\n    CONFIG : 'N U T, 0, 0, 0',\n    X = 1.0 mm, Y = 2.0 "
+      "mm, "
+      "Z = 3.0 mm,\n    W = 180.0 deg, P = 0.0 deg, R = 0.0 deg\n};\n/END\n";
+  const auto begin = std::chrono::steady_clock::now();
+  EXPECT_EQ(parseFanuc({"a.ls", text, "", std::nullopt}).size(), 2U * kArcs);
+  // Copies of all lines for each arc would take 50 GB through memory.
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(3));
+}
+
 RapidSettings rapidArc() {
   RapidSettings settings;
   settings.process = RapidProcess::Arc;
@@ -252,6 +323,31 @@ TEST(RapidArcs, AreReadBackWithTheirWaits) {
       for (std::size_t p = 0; p < read.layers[l].paths.size(); ++p)
         RC_ASSERT(read.layers[l].paths[p].role == toolpath.layers[l].paths[p].role);
   }));
+}
+
+TEST(StatedEquipment, OfRapidHoldsDataSignalsAxesAndTheUnitThatCarriesTheBed) {
+  const auto read = [](const std::string& text) {
+    return readEquippedRapid({{"m.mod", text}}, "part").equipment;
+  };
+  const auto written = [](const RapidSettings& settings) {
+    return test::rapidModules(test::twoLayers(), settings)[0];
+  };
+  const std::string plain = written({});
+  const std::string what = equipmentRefusal(read(written(rapidArc())), read(plain));
+  EXPECT_TRUE(
+      hasText(what, "switched by 'seam data seam1', 'weave data weave1', 'weld data weld1'; expected '"))
+      << what;
+  EXPECT_TRUE(hasText(what, "'set solicitudlaser'")) << what;
+  EXPECT_EQ(equipmentRefusal(read(plain), read(plain)), "");
+  RapidSettings other;
+  other.laser_off_wait_s = 2.0;
+  EXPECT_TRUE(hasText(equipmentRefusal(read(written(other)), read(plain)), "'wait of 2 s'"));
+  other = {};
+  other.positioner = "STN1";
+  EXPECT_TRUE(hasText(equipmentRefusal(read(written(other)), read(plain)), "is carried by STN1"));
+  std::string turned = plain;
+  turned.replace(turned.rfind("[0.000,9e+09"), 12, "[9.500,9e+09");
+  EXPECT_TRUE(hasText(equipmentRefusal(read(turned), read(plain)), "1 (0 at the first move, others later)"));
 }
 
 TEST(RapidArcs, RefuseWhatCannotBe) {

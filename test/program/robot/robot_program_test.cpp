@@ -242,6 +242,36 @@ TEST(RobotProgram, TheProcessIsOffWhereAFileEnds) {
   }));
 }
 
+/// How a language switches the process and moves the tip.
+struct SwitchWords {
+  RobotLanguage language;
+  std::string on;
+  std::string off;
+  std::string move;
+};
+
+TEST(RobotProgram, TheProcessStartsForMovesAlone) {
+  const std::vector<SwitchWords> each = {
+      {RobotLanguage::Krl, "$OUT[1]=TRUE", "$OUT[1]=FALSE", "LIN {"},
+      {RobotLanguage::UrScript, "_out(1, True)", "_out(1, False)", "  move"},
+      {RobotLanguage::Fanuc, "DO[1]=ON", "DO[1]=OFF", ":L P["},
+      {RobotLanguage::Inform, "OT#(1) ON", "OT#(1) OFF", "MOVL "}};
+  EXPECT_TRUE(rc::check([&each](std::uint64_t seed) {
+    RobotProgramSettings settings;
+    settings.may_cut = true;
+    settings.krl.max_lines = settings.fanuc.max_lines = 90 + static_cast<int>(seed % 30);
+    settings.urscript.max_points = settings.inform.max_points = 4 + static_cast<int>(seed % 9);
+    for (const SwitchWords& words : each)
+      for (const RobotFile& file : robotFiles(words.language, test::randomToolpath(seed), settings))
+        for (std::size_t on = file.text.find(words.on); on != std::string::npos;
+             on = file.text.find(words.on, on + 1)) {
+          const std::size_t move = file.text.find(words.move, on);
+          RC_ASSERT(move != std::string::npos);
+          RC_ASSERT(move < file.text.find(words.off, on));
+        }
+  }));
+}
+
 TEST(RobotProgram, RefusesRunsLongerThanAFileUnlessTheyMayBeCut) {
   RobotProgramSettings settings;
   settings.urscript.max_points = 4;

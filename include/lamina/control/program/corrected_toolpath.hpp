@@ -15,12 +15,13 @@ namespace lamina {
 ///
 /// Motions are split where the amount changes by more than `split_change`; the time of each piece is exact. A
 /// corrected closed path becomes an open one that ends at its start. Travels connect the shifted ends of the
-/// paths beside them. Paths and layers keep their numbers; without maps the toolpath is unchanged.
+/// paths beside them. Events before a path and behind it stay there. Paths and layers keep their numbers;
+/// without maps the toolpath is unchanged.
 ///
 /// @param maps  at most one per layer
-/// @throws InvalidInput as `validate`; naming layer and path: of a path with drops or events, or one whose
-///   height differs from that of the path before without a travel between; if a map is of another toolpath,
-///   or shifts the nozzle by more than its layer's height; if `split_change` is not positive
+/// @throws InvalidInput as `validate`; naming layer and path: of a path with drops or events amid it, or one
+///   whose height differs from that of the path before without a travel between; if a map is of another
+///   toolpath, or shifts the nozzle by more than its layer's height; if `split_change` is not positive
 Toolpath correctedToolpath(const Toolpath& toolpath, const std::vector<CorrectionMap>& maps,
                            double split_change);
 

@@ -7,6 +7,7 @@
 
 #include "lamina/kinematics/model/kinematic_model.hpp"
 #include "lamina/program/robot/robot_program.hpp"
+#include "lamina/program/stated_equipment.hpp"
 #include "lamina/program/stated_motion.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 
@@ -26,6 +27,10 @@ Toolpath readRobotProgram(const std::vector<RobotFile>& files, const std::string
 /// @throws FileError if it cannot be read
 /// @throws InvalidProgram as above
 Toolpath readRobotProgramFile(const std::string& path);
+
+/// The same with what the program states beside its toolpath.
+EquippedToolpath readEquippedRobotProgram(const std::vector<RobotFile>& files, const std::string& part_name);
+EquippedToolpath readEquippedRobotProgramFile(const std::string& path);
 
 /// The same with the joints by which an arm runs it: from those of the move that comes to the part on, the
 /// nearest to those before at each pose. External axes stand as in the moves. A pose that has no such joints

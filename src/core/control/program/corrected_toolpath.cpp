@@ -76,6 +76,8 @@ Path correctedPath(const Path& path, const PathCorrection& correction, double sp
   corrected.feed_mm_s = AlongPath<double>(std::move(waypoints.feeds_mm_s));
   for (std::size_t v = 0; v < path.values.size(); ++v)
     corrected.values[v].value = AlongPath<double>(std::move(waypoints.process[v]));
+  for (PathEvent& placed : corrected.events)
+    if (placed.motion > 0) placed.motion = corrected.motionCount();
   return corrected;
 }
 
@@ -85,9 +87,12 @@ bool isNone(const PathCorrection& correction) {
 }
 
 void requireCorrectable(const Path& path, const std::string& name) {
-  if (path.deposit == Deposit::Drops || !path.events.empty())
-    throw InvalidInput(name + " has " + (path.events.empty() ? "drops" : "events") +
-                       "; expected a bead without events, to correct it");
+  if (path.deposit == Deposit::Drops) throw InvalidInput(name + " has drops; expected a bead, to correct it");
+  for (const PathEvent& placed : path.events)
+    if (placed.motion > 0 && placed.motion < path.motionCount())
+      throw InvalidInput(name + " has an event before motion " + std::to_string(placed.motion) + " of " +
+                         std::to_string(path.motionCount()) +
+                         "; expected events before its first or behind its last, to correct it");
 }
 
 /// Travels end where the paths beside them begin and end now.

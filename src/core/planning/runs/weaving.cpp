@@ -16,6 +16,8 @@ namespace {
 
 constexpr double kWaveEnd = 1e-9;        // mm
 constexpr double kCornerApart = 0.02;    // of a wave
+constexpr double kMostAdvance = 6.0;     // of the line for each mm of the tip's way
+constexpr double kMostSwing = 2.0;       // waves, as of the settings
 constexpr std::size_t kMostInHalf = 64;  // points of half a wave
 
 [[noreturn]] void refuseWeave(const RunPlace& place, const std::string& what) {
@@ -130,12 +132,26 @@ std::vector<double> weaveWays(const Path& path, const WeaveSettings& settings, c
 /// One path, woven.
 class Weave {
  public:
-  Weave(const Path& path, const WeaveSettings& settings)
-      : path_(path), settings_(settings), train_(waveTrain(settings, length(path), path.is_closed)) {}
+  /// All must outlive it.
+  Weave(const Path& path, const RunPlace& place, const WeaveSettings& settings)
+      : path_(path),
+        place_(place),
+        settings_(settings),
+        train_(waveTrain(settings, length(path), path.is_closed)) {}
 
   bool hasWaves() const { return train_.halves > 0; }
 
-  Path woven() const {
+  /// @throws InvalidInput naming the path: if it is too narrow or short for the swing, or bends more sharply
+  ///   than the tip can swing; if an event stands amid it, or it takes more acceleration than there is
+  Path woven(const MotionLimits& limits) const {
+    requireRoom();
+    Path woven = swung();
+    requireSlow(length(woven) / length(path_), limits);
+    return woven;
+  }
+
+ private:
+  Path swung() const {
     std::vector<double> ways = weaveWays(path_, settings_, train_);
     if (path_.is_closed) ways.pop_back();
     Path woven = path_;
@@ -145,22 +161,56 @@ class Weave {
     for (const double way_mm : ways) places.push_back(cursor.at(way_mm));
     for (std::size_t i = 0; i < ways.size(); ++i) woven.points.push_back(pointAt(places[i], ways[i]));
     if (!path_.is_closed) woven.points.back() = path_.lastPoint();
+    requireOnward(places, ways, woven);
     takeQuantities(places, woven);
     keepAdvance(ways, woven);
     addRests(ways, woven);
     return woven;
   }
 
- private:
+  void requireRoom() const {
+    // Beads that grow or fade swing with the widest.
+    double width_mm = 0.0;
+    for (std::size_t m = 0; m < path_.motionCount(); ++m)
+      width_mm = std::max(width_mm, path_.bead.at(path_.motionEnd(m)).width_mm);
+    if (2.0 * settings_.amplitude_mm > width_mm)
+      refuseWeave(place_, "weave.amplitude_mm is " + shownMm(settings_.amplitude_mm) +
+                              ", twice which is more than the bead's width, " + shownMm(width_mm) +
+                              "; expected half the bead at most");
+    if (settings_.amplitude_mm > kMostSwing * train_.wavelength_mm)
+      refuseWeave(place_, "weave.amplitude_mm is " + shownMm(settings_.amplitude_mm) +
+                              " with waves that are " + shownMm(train_.wavelength_mm) + " long to fit into " +
+                              shownMm(length(path_)) + "; expected an amplitude of two wavelengths at most");
+    if (std::any_of(path_.events.begin(), path_.events.end(), [this](const PathEvent& placed) {
+          return placed.motion > 0 && placed.motion < path_.motionCount();
+        }))
+      refuseWeave(place_, "an event stands amid it; expected none where a tip weaves");
+  }
+
+  /// A tip that keeps its own feed takes that of its advance on the crest of a sine; other waves count as a
+  /// sine that takes as long.
+  /// @param way_share  the tip's way for each mm of advance
+  void requireSlow(double way_share, const MotionLimits& limits) const {
+    const bool is_slower = settings_.feed == WeaveFeed::Tip && settings_.kind != WeaveKind::Sine;
+    for (std::size_t m = 0; m < path_.motionCount(); ++m) {
+      const double feed_mm_s = path_.feed_mm_s.at(path_.motionEnd(m)) / (is_slower ? way_share : 1.0);
+      const double turn_s = 2.0 * M_PI * feed_mm_s / train_.wavelength_mm;
+      const double needed = settings_.amplitude_mm * turn_s * turn_s;
+      if (needed > limits.acceleration_mm_s2)
+        refuseWeave(place_, "weaving by " + shownMm(settings_.amplitude_mm) + " every " +
+                                shownMm(train_.wavelength_mm) + " at " + std::to_string(feed_mm_s) +
+                                " mm/s takes " + std::to_string(needed) +
+                                " mm/s2; expected motion.acceleration_mm_s2, " +
+                                std::to_string(limits.acceleration_mm_s2) + " mm/s2, at most");
+    }
+  }
+
   Point3 pointAt(const WayPlace& place, double way_mm) const {
-    const std::size_t end = path_.motionEnd(place.motion);
-    const Point3 centre =
-        path_.points[place.motion] + place.share * (path_.points[end] - path_.points[place.motion]);
     const double waves = way_mm / train_.wavelength_mm;
     const double side_mm = settings_.amplitude_mm *
                            growth(waves, 0.5 * static_cast<double>(train_.halves), path_.is_closed) *
                            swing(settings_, waves);
-    return centre + side_mm * leftAt(place);
+    return centreAt(place) + side_mm * leftAt(place);
   }
 
   /// Across the way, against the jet. Near a corner it turns evenly to that between both ways: the tip would
@@ -216,6 +266,29 @@ class Weave {
     woven.orientation = AlongPath<Eigen::Quaterniond>(std::move(turns));
   }
 
+  double advanceOf(const std::vector<double>& ways, std::size_t motion) const {
+    return (motion + 1 < ways.size() ? ways[motion + 1] : length(path_)) - ways[motion];
+  }
+
+  Point3 centreAt(const WayPlace& place) const {
+    return path_.points[place.motion] + place.share * motionWay(path_, place.motion);
+  }
+
+  /// On the inside of a bend whose radius is the amplitude the tip stands still.
+  void requireOnward(const std::vector<WayPlace>& places, const std::vector<double>& ways,
+                     const Path& woven) const {
+    for (std::size_t m = 0; m < woven.motionCount(); ++m) {
+      const double advance_mm = advanceOf(ways, m);
+      const double way_mm = motionLength(woven, m);
+      if (advance_mm <= kMostAdvance * way_mm) continue;
+      refuseWeave(place_, "motion " + std::to_string(places[m].motion) + ": the tip, " +
+                              shownMm(settings_.amplitude_mm) +
+                              " (weave.amplitude_mm) aside in a bend, goes " + shownMm(way_mm) + " while " +
+                              shownMm(advance_mm) + " of the line are laid; expected " +
+                              shownMm(advance_mm / kMostAdvance) + " at least, on a line that bends less");
+    }
+  }
+
   /// The tip goes farther than its centre: the bead of each motion is the thinner, the feed higher where it
   /// is that of the advance.
   void keepAdvance(const std::vector<double>& ways, Path& woven) const {
@@ -225,8 +298,7 @@ class Weave {
     for (std::size_t i = 0; i < count; ++i) beads[i] = woven.bead.at(i), feeds[i] = woven.feed_mm_s.at(i);
     for (std::size_t m = 0; m < woven.motionCount(); ++m) {
       const std::size_t end = woven.motionEnd(m);
-      const double advance_mm = (m + 1 < ways.size() ? ways[m + 1] : length(path_)) - ways[m];
-      const double share = advance_mm / motionLength(woven, m);
+      const double share = advanceOf(ways, m) / motionLength(woven, m);
       beads[end] = beadOfArea(share * crossSection(beads[end]), beads[end].height_mm);
       if (settings_.feed == WeaveFeed::Advance) feeds[end] /= share;
     }
@@ -258,36 +330,10 @@ class Weave {
   }
 
   const Path& path_;
+  const RunPlace& place_;
   const WeaveSettings& settings_;
   WaveTrain train_;
 };
-
-void requireFits(const Path& path, const RunPlace& place, const WeaveSettings& settings,
-                 const MotionLimits& limits) {
-  // Beads that grow or fade swing with the widest.
-  double width_mm = 0.0;
-  for (std::size_t m = 0; m < path.motionCount(); ++m)
-    width_mm = std::max(width_mm, path.bead.at(path.motionEnd(m)).width_mm);
-  for (std::size_t m = 0; m < path.motionCount(); ++m) {
-    const std::size_t end = path.motionEnd(m);
-    if (2.0 * settings.amplitude_mm > width_mm)
-      refuseWeave(place, "weave.amplitude_mm is " + shownMm(settings.amplitude_mm) +
-                             ", twice which is more than the bead's width, " + shownMm(width_mm) +
-                             "; expected half the bead at most");
-    const double turn_s = 2.0 * M_PI * path.feed_mm_s.at(end) / settings.wavelength_mm;
-    const double needed = settings.amplitude_mm * turn_s * turn_s;
-    if (needed > limits.acceleration_mm_s2)
-      refuseWeave(place, "weaving by " + shownMm(settings.amplitude_mm) + " every " +
-                             shownMm(settings.wavelength_mm) + " at " +
-                             std::to_string(path.feed_mm_s.at(end)) + " mm/s takes " +
-                             std::to_string(needed) + " mm/s2; expected motion.acceleration_mm_s2, " +
-                             std::to_string(limits.acceleration_mm_s2) + " mm/s2, at most");
-  }
-  if (std::any_of(path.events.begin(), path.events.end(), [&](const PathEvent& placed) {
-        return placed.motion > 0 && placed.motion < path.motionCount();
-      }))
-    refuseWeave(place, "an event stands amid it; expected none where a tip weaves");
-}
 
 }  // namespace
 
@@ -299,10 +345,9 @@ std::size_t weave(Toolpath& toolpath, const WeaveSettings& settings, const Motio
     for (std::size_t i = run.begin; i < run.end; ++i) {
       Path& path = pathAt(toolpath, places[i]);
       if (!isOfPart(path)) continue;
-      requireFits(path, places[i], settings, limits);
-      const Weave weaving(path, settings);
+      const Weave weaving(path, places[i], settings);
       if (!weaving.hasWaves()) continue;
-      path = weaving.woven();
+      path = weaving.woven(limits);
       ++count;
     }
   return count;

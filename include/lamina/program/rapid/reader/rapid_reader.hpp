@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lamina/kinematics/model/kinematic_model.hpp"
+#include "lamina/program/stated_equipment.hpp"
 #include "lamina/program/stated_motion.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 
@@ -32,6 +33,10 @@ Toolpath readRapid(const std::vector<RapidText>& modules, const std::string& par
 /// @throws FileError if one cannot be read
 /// @throws InvalidProgram as above
 Toolpath readRapidFile(const std::string& path);
+
+/// The same with what the program states beside its toolpath.
+EquippedToolpath readEquippedRapid(const std::vector<RapidText>& modules, const std::string& part_name);
+EquippedToolpath readEquippedRapidFile(const std::string& path);
 
 /// The same with the joints by which an arm runs it. Under `ConfL\\On` those are the joints of the
 /// configuration in each target; under `ConfL\\Off` the nearest to those before, from the joints of the

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "lamina/base/atomic_file.hpp"
@@ -219,6 +220,22 @@ RapidRunning runningOf(const RapidSource& source, const std::string& part_name) 
   return running;
 }
 
+StatedEquipment equipmentOf(const RapidSource& source, const RapidRunning& running) {
+  StatedEquipment equipment;
+  equipment.process = source.process;
+  equipment.external = running.stations.front().move.target.external;
+  for (const RapidStation& station : running.stations)
+    equipment.moves_external |= station.move.target.external != equipment.external;
+  const auto object = source.work_objects.find(source.work_object);
+  if (object != source.work_objects.end()) equipment.bed_carrier = object->second.carrier;
+  return equipment;
+}
+
+EquippedToolpath equippedRapid(const RapidSource& source, RapidRunning running) {
+  StatedEquipment equipment = equipmentOf(source, running);
+  return {std::move(running.toolpath), std::move(equipment)};
+}
+
 /// All modules of a program on disk; what was read of it refers to the texts.
 class RapidFiles {
  public:
@@ -244,13 +261,22 @@ class RapidFiles {
 }  // namespace
 
 Toolpath readRapid(const std::vector<RapidText>& modules, const std::string& part_name) {
-  RapidSource source;
-  for (const RapidText& module : modules) addModule(module.file, module.text, source);
-  if (modules.empty()) throw InvalidProgram("there is no module; expected one at least");
-  return runningOf(source, part_name).toolpath;
+  return readEquippedRapid(modules, part_name).toolpath;
 }
 
 Toolpath readRapidFile(const std::string& path) { return RapidFiles(path).running().toolpath; }
+
+EquippedToolpath readEquippedRapid(const std::vector<RapidText>& modules, const std::string& part_name) {
+  RapidSource source;
+  for (const RapidText& module : modules) addModule(module.file, module.text, source);
+  if (modules.empty()) throw InvalidProgram("there is no module; expected one at least");
+  return equippedRapid(source, runningOf(source, part_name));
+}
+
+EquippedToolpath readEquippedRapidFile(const std::string& path) {
+  const RapidFiles files(path);
+  return equippedRapid(files.source(), files.running());
+}
 
 StatedMotion readRapidMotion(const std::vector<RapidText>& modules, const std::string& part_name,
                              const KinematicModel& arm) {

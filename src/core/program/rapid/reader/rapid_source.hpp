@@ -92,6 +92,7 @@ struct RapidSource {
   std::map<std::string, RapidProcedure> procedures;
   std::vector<RapidComment> head;  ///< comments before the first procedure of the first module
   std::vector<std::string> files;  ///< names of the modules' files
+  std::set<std::string> process;   ///< statements that switch it, wait for it, or name its data
 };
 
 /// Adds a module.

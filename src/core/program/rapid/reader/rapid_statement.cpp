@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <optional>
 
+#include "program/number_text.hpp"
 #include "program/rapid/rapid_words.hpp"
 #include "program/rapid/reader/rapid_source.hpp"
 
@@ -102,16 +103,22 @@ std::optional<RapidArc> arcOf(const std::string& word) {
 }
 
 /// `seam1,weld1\Weave:=weave1,`: data that the controller holds.
-void takeArcData(RapidCursor& cursor) {
-  cursor.takeName("the name of seam data");
+void takeArcData(RapidCursor& cursor, RapidSource& source) {
+  source.process.insert("seam data " + cursor.takeName("the name of seam data"));
   cursor.expect(",");
-  cursor.takeName("the name of weld data");
+  source.process.insert("weld data " + cursor.takeName("the name of weld data"));
   if (cursor.take("\\")) {
     cursor.expectWord("weave");
     cursor.expect(":=");
-    cursor.takeName("the name of weave data");
+    source.process.insert("weave data " + cursor.takeName("the name of weave data"));
   }
   cursor.expect(",");
+}
+
+void addTimed(const std::string& word, double duration_s, RapidSource& source) {
+  std::string text = word + " of ";
+  appendShortest(text, duration_s);
+  source.process.insert(text + " s");
 }
 
 /// After its first word.
@@ -127,7 +134,7 @@ RapidMove takeMove(RapidCursor& cursor, RapidSource& source, const std::string& 
     cursor.expect(",");
   }
   move.arc = *arcOf(word);
-  if (move.arc != RapidArc::None) takeArcData(cursor);
+  if (move.arc != RapidArc::None) takeArcData(cursor, source);
   takeZone(cursor, source);
   cursor.expect(",");
   takeToolAndObject(cursor, source);
@@ -148,18 +155,19 @@ RapidJoints takeJointMove(RapidCursor& cursor, RapidSource& source) {
 }
 
 /// What prepares a program: signals, files, triggers. After its first word.
-bool skipPreparation(RapidCursor& cursor, const RapidSource& source, const std::string& word) {
+bool skipPreparation(RapidCursor& cursor, RapidSource& source, const std::string& word) {
   if (word == "aliasio") {
-    cursor.takeString("the signal's name on the controller in quotation marks");
+    const std::string on_controller =
+        cursor.takeString("the signal's name on the controller in quotation marks");
     cursor.expect(",");
-    cursor.takeName("the name of a signal");
+    source.process.insert(cursor.takeName("the name of a signal") + " as " + on_controller);
   } else if (word == "singarea") {
     cursor.expect("\\");
     if (!cursor.takeWord("wrist") && !cursor.takeWord("off")) cursor.refuse("Wrist or Off");
   } else if (word == "actunit") {
     cursor.takeName("the name of a mechanical unit");
   } else if (word == "waittime") {
-    takeSum(cursor, source);
+    addTimed("wait", takeSum(cursor, source), source);
   } else if (word == "waitdi") {
     cursor.takeName("the name of a signal");
     cursor.expect(",");
@@ -167,7 +175,7 @@ bool skipPreparation(RapidCursor& cursor, const RapidSource& source, const std::
   } else if (word == "triggio") {
     cursor.takeName("the name of a trigger");
     cursor.expect(",");
-    takeSum(cursor, source);
+    addTimed("trigger", takeSum(cursor, source), source);
     cursor.expect("\\");
     cursor.expectWord("time");
     cursor.expect("\\");
@@ -238,7 +246,7 @@ void readRapidStatement(RapidCursor& cursor, RapidSource& source, RapidProcedure
       if (statement.index == 0 && !cursor.takeWord("off")) cursor.refuse("On or Off");
     } else if (word == "set" || word == "reset") {
       statement.action = word == "set" ? RapidAction::Set : RapidAction::Reset;
-      cursor.takeName("the name of a signal");
+      source.process.insert(word + " " + cursor.takeName("the name of a signal"));
     } else if (!skipPreparation(cursor, source, word)) {
       if (!cursor.isNext(';'))
         cursor.refuseAt(

@@ -31,6 +31,8 @@ class FanucText {
     const std::string_view text = lines_[next_++];
     return {text, next_, file_};
   }
+  /// The next line, which stays the next.
+  LineCursor lineAhead() const { return {lines_[next_], next_ + 1, file_}; }
   /// The line that holds what comes next.
   LineCursor& here() {
     while (cursor_.isAtEnd() && !isAtEnd()) cursor_ = nextLine();
@@ -223,18 +225,13 @@ class FanucParser {
   }
 
   /// Nothing of the tool's centre line.
-  static void skipWeave(LineCursor& line) {
+  void readWeave(LineCursor& line) {
     if (line.take("End")) return;
     line.expect("Sine");
-    scheduleNumber(line);
+    if (!list_.weaveArc(scheduleNumber(line))) line.refuse("Weave", "Arc Start before it");
   }
 
-  bool goesOn() const {
-    FanucText ahead = text_;
-    if (ahead.isAtEnd()) return false;
-    LineCursor next = ahead.nextLine();
-    return next.take(":");
-  }
+  bool goesOn() const { return !text_.isAtEnd() && text_.lineAhead().take(":"); }
 
   void readStatement(LineCursor& line) {
     if (line.take("J"))
@@ -252,7 +249,7 @@ class FanucParser {
     else if (isWord(line, "Arc"))
       list_.add(arc(line), line.line());
     else if (line.take("Weave"))
-      skipWeave(line);
+      readWeave(line);
     else if (line.take("UFRAME_NUM") || line.take("UTOOL_NUM"))
       readFrameNumber(line);
     else

@@ -215,7 +215,7 @@ class InformParser {
     else if (line.take("ARCOF"))
       list_.add(ArcSwitch{false, numberOf(line, "AEF", "the number of a schedule")}, line.line());
     else if (line.take("WVON"))
-      numberOf(line, "WEV", "the number of a schedule");
+      readWeave(line);
     else if (line.take("WVOF"))
       return;
     else if (line.take("CALL"))
@@ -223,6 +223,11 @@ class InformParser {
     else
       line.refuse(
           "an instruction that is known: MOVJ, MOVL, DOUT, AOUT, ARCON, ARCOF, WVON, WVOF, TIMER, CALL");
+  }
+
+  void readWeave(LineCursor& line) {
+    if (!list_.weaveArc(numberOf(line, "WEV", "the number of a schedule")))
+      line.refuse("WVON", "ARCON before it");
   }
 
   const InformPoint& pointNamed(LineCursor& line) {

@@ -36,6 +36,14 @@ void StatementList::add(RobotStatement statement, std::size_t line) {
   statements_.push_back({std::move(statement), line});
 }
 
+bool StatementList::weaveArc(int schedule) {
+  flush();
+  auto* arc = statements_.empty() ? nullptr : std::get_if<ArcSwitch>(&statements_.back().what);
+  if (arc == nullptr || !arc->is_on) return false;
+  arc->weave = schedule;
+  return true;
+}
+
 void StatementList::flush() {
   if (note_.isEmpty()) return;
   const std::size_t line = note_.line();

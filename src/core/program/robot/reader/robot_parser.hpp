@@ -38,6 +38,9 @@ class StatementList {
   /// @param comment  without lead
   void addComment(std::string_view comment, std::size_t line);
   void add(RobotStatement statement, std::size_t line);
+  /// The statement before starts an arc, which weaves by this schedule.
+  /// @return whether it does start one
+  bool weaveArc(int schedule);
   std::vector<ReadStatement> take();
 
  private:

@@ -128,6 +128,10 @@ RobotRunning runningOfFile(const std::string& path) {
   return runningFrom(file.filename().string(), inFolderOf(file), file.stem().string());
 }
 
+EquippedToolpath equipped(RobotRunning running) {
+  return {std::move(running.program.toolpath), std::move(running.equipment)};
+}
+
 }  // namespace
 
 Toolpath readRobotProgram(const std::vector<RobotFile>& files, const std::string& part_name) {
@@ -135,6 +139,14 @@ Toolpath readRobotProgram(const std::vector<RobotFile>& files, const std::string
 }
 
 Toolpath readRobotProgramFile(const std::string& path) { return runningOfFile(path).program.toolpath; }
+
+EquippedToolpath readEquippedRobotProgram(const std::vector<RobotFile>& files, const std::string& part_name) {
+  return equipped(runningFrom(firstOf(files), among(files), part_name));
+}
+
+EquippedToolpath readEquippedRobotProgramFile(const std::string& path) {
+  return equipped(runningOfFile(path));
+}
 
 StatedMotion readRobotMotion(const std::vector<RobotFile>& files, const std::string& part_name,
                              const KinematicModel& arm) {

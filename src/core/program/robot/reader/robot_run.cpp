@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "lamina/base/error.hpp"
+#include "program/number_text.hpp"
 #include "program/robot/notes/path_notes.hpp"
 #include "program/robot/notes/robot_notes.hpp"
 
@@ -69,6 +70,12 @@ RobotLevel notedLevel(NoteWords& words) {
   return level;
 }
 
+std::string shortest(double value) {
+  std::string text;
+  appendShortest(text, value);
+  return text;
+}
+
 /// Runs one statement after the other.
 class RobotRun {
  public:
@@ -103,8 +110,12 @@ class RobotRun {
   void add(const NoteLine& note) {
     NoteWords words(note.text, line_, *file_);
     // Of whoever parsed the file.
-    if (words.take("speeds") || words.take("pulses") || words.take(kArcOnNote) || words.take(kArcOffNote))
+    if (words.take("speeds") || words.take("pulses")) return;
+    if (words.take(kArcOnNote) || words.take(kArcOffNote)) {
+      has_arc_texts_ = true;
+      running_.equipment.process.insert(note.text);
       return;
+    }
     is_dwelling_ = words.take(kDwellNote);
     if (is_dwelling_) return words.expectEnd();
     if (words.take(kApproachNote)) {
@@ -127,9 +138,15 @@ class RobotRun {
     if (words.take("process")) return head.process_output = notedOutput(words), true;
     if (words.take("joints")) return head.map = notedMap(words), true;
     if (words.take("layers")) return head.bed_from_layers = notedTurn(words), true;
-    if (words.take("level")) return head.levels.push_back(notedLevel(words)), true;
+    if (words.take("level")) {
+      const RobotLevel level = notedLevel(words);
+      running_.equipment.process.insert("analogue output " + std::to_string(level.output) + " of " +
+                                        level.name + " by " + shortest(level.per));
+      return head.levels.push_back(level), true;
+    }
     if (!words.take("carried_bed")) return false;
     head.bed = notedFrame(words);
+    running_.equipment.bed_carrier = "an external axis";
     return head.is_bed_carried = true;
   }
 
@@ -161,6 +178,9 @@ class RobotRun {
         assembled.values[level.name] = found->second / level.per;
     assembled.index = running_.moves.size();
     assembly_.add(assembled, process_, line_);
+    StatedEquipment& equipment = running_.equipment;
+    if (running_.moves.empty()) equipment.external = move.external;
+    equipment.moves_external |= equipment.external != move.external;
     running_.moves.push_back({move.external, line_});
   }
 
@@ -174,6 +194,7 @@ class RobotRun {
       refuseAt(line_, "found output " + std::to_string(output.output) + "; expected " +
                           std::to_string(running_.head.process_output) + ", that of the process");
     process_ = output.is_on ? ProcessState::On : ProcessState::Off;
+    running_.equipment.process.insert("output " + std::to_string(output.output));
   }
 
   void add(const LevelChange& change) {
@@ -186,11 +207,22 @@ class RobotRun {
                         "; expected one that a note of a level names");
   }
 
-  void add(const ArcSwitch& arc) { process_ = arc.is_on ? ProcessState::On : ProcessState::Off; }
+  void add(const ArcSwitch& arc) {
+    process_ = arc.is_on ? ProcessState::On : ProcessState::Off;
+    // Templates have their numbers in their notes.
+    if (has_arc_texts_) return;
+    std::set<std::string>& process = running_.equipment.process;
+    process.insert(std::string("arc ") + (arc.is_on ? "start" : "end") + " by schedule " +
+                   std::to_string(arc.schedule));
+    if (arc.weave > 0) process.insert("weave by schedule " + std::to_string(arc.weave));
+  }
 
   /// Others are the process's own.
   void add(const ProgramWait& wait) {
-    if (is_dwelling_) assembly_.addDwell(wait.duration_s, line_);
+    if (is_dwelling_)
+      assembly_.addDwell(wait.duration_s, line_);
+    else
+      running_.equipment.process.insert("wait of " + shortest(wait.duration_s) + " s");
   }
   void add(const FileCall&) {}
 
@@ -202,6 +234,7 @@ class RobotRun {
   Passage passage_ = Passage::None;
   ProcessState process_ = ProcessState::Off;
   bool is_dwelling_ = false;      ///< a note of a dwell comes right before
+  bool has_arc_texts_ = false;    ///< notes hold the statements of the arc package
   std::map<int, double> levels_;  ///< as they stand
 };
 

@@ -10,6 +10,7 @@
 
 #include "lamina/kinematics/model/kinematic_model.hpp"
 #include "lamina/program/robot/robot_program_settings.hpp"
+#include "lamina/program/stated_equipment.hpp"
 #include "lamina/program/stated_motion.hpp"
 #include "program/robot/reader/path_assembly.hpp"
 #include "program/robot/robot_cell.hpp"
@@ -46,6 +47,7 @@ struct RobotRunning {
   std::vector<RunMove> moves;  ///< by the index of the stations' moves
   std::optional<ControllerJoints> start;
   RobotHeadNotes head;
+  StatedEquipment equipment;
 };
 
 /// Runs the files in their order.

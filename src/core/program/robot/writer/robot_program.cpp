@@ -57,6 +57,14 @@ class Standing {
   std::map<int, double> levels_;
 };
 
+/// A file is not cut behind it: the process would start again where the tip rests, and for no move.
+std::size_t lastMoveOf(const std::vector<RobotStatement>& statements) {
+  std::size_t last = 0;
+  for (std::size_t i = 0; i < statements.size(); ++i)
+    if (std::holds_alternative<TipMove>(statements[i])) last = i;
+  return last;
+}
+
 /// Puts a program's statements into files.
 class RobotFiles {
  public:
@@ -134,11 +142,12 @@ class RobotFiles {
                           dialect_.limit_key +
                           "); expected robot_program.allow_cut, which stops the process amid the run");
     Standing standing(site_.settings.arc.end_schedule);
+    const std::size_t last_move = lastMoveOf(statements);
     for (std::size_t i = 0; i < statements.size(); ++i) {
       standing.follow(statements[i]);
       const auto* move = std::get_if<TipMove>(&statements[i]);
       const bool is_full = !hasRoomFor(last().size(), kMoveLines, 1);
-      if (move == nullptr || !is_full || i + 1 == statements.size()) {
+      if (move == nullptr || !is_full || i == last_move) {
         last().print(statements[i]);
         continue;
       }
