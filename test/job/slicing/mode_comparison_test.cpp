@@ -60,6 +60,30 @@ TEST_F(ModeComparisonTest, ARefusalStandsInItsPlace) {
   EXPECT_FALSE(comparison.chosen.has_value());
 }
 
+std::string chosenIn(const ModeComparison& comparison) {
+  return comparison.chosen ? comparison.modes[*comparison.chosen].candidate.mode : "none";
+}
+
+// Whatever the order in which they are asked for.
+TEST_F(ModeComparisonTest, TheChosenOneIsWhatAutoTakes) {
+  job_.settings.automatic.good_unsupported_percent = 20.0;
+  EXPECT_EQ(chosenIn(compared({"volumetric", "planar"})), "planar");
+  job_.settings.automatic.good_unsupported_percent = 1.0;
+  EXPECT_EQ(chosenIn(compared({"volumetric", "multi_direction", "planar"})), "multi_direction");
+}
+
+TEST_F(ModeComparisonTest, NothingIsChosenBesideWhatAutoWouldTry) {
+  EXPECT_EQ(chosenIn(compared({"volumetric"})), "none") << "planar comes first";
+  EXPECT_EQ(chosenIn(compared({"planar", "volumetric"})), "none") << "multi_direction may be good enough";
+  job_.settings.automatic.follows_skins = true;
+  EXPECT_EQ(chosenIn(compared({"planar"})), "none");
+}
+
+TEST_F(ModeComparisonTest, AHeadThatCannotTiltIsChosenLevelLayersFor) {
+  job_.settings.machine.name = "cartesian_gantry";
+  EXPECT_EQ(chosenIn(compared({"volumetric", "planar"})), "planar");
+}
+
 TEST_F(ModeComparisonTest, WhatIsComparedFollowsFromTheMachine) {
   EXPECT_EQ(comparableModes(job_),
             (std::vector<std::string>{"planar", "multi_direction", "adapted", "volumetric", "curved"}));

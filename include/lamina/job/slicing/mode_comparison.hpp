@@ -25,8 +25,9 @@ struct ComparedMode {
 struct ModeComparison {
   Mesh part;
   std::vector<ComparedMode> modes;
-  std::optional<std::size_t>
-      chosen;  ///< the one that `auto` would take of them; nothing if all refuse the part
+  /// The one that `auto` takes. Nothing if all that it tries refuse the part, or one of those is not
+  /// compared; nor where `conformal.base` or `auto.follow_skins` decide.
+  std::optional<std::size_t> chosen;
 };
 
 /// The modes that are worth a comparison on a machine: level or inclined layers and those that bend for a

@@ -84,13 +84,10 @@ std::string noteOnHeld(const PlanningRequest& request) {
 
 PlannedPart planBySupport(ModeTrials& trials, const PlanningRequest& request, SliceSummary& summary,
                           Progress& progress) {
-  trials.attempt("planar", progress);
-  const bool may_tilt = nozzleFor(request.job, request.space) == Nozzle::Tilting;
-  if (may_tilt)
-    for (const std::string& mode : tiltingModes()) {
-      if (trials.isGoodEnough()) break;
-      trials.attempt(mode, progress);
-    }
+  for (const std::string& mode : modesInTurn(request.job, request.space)) {
+    trials.attempt(mode, progress);
+    if (trials.isGoodEnough()) break;
+  }
   const std::optional<std::size_t> chosen = trials.chosen();
   if (!chosen) {
     std::string refusals;
@@ -99,7 +96,8 @@ PlannedPart planBySupport(ModeTrials& trials, const PlanningRequest& request, Sl
     throw InvalidMesh("no slicing mode takes the part" + refusals);
   }
   PlannedPart planned = taken(trials, *chosen, trials.reason(*chosen), summary);
-  if (!may_tilt && !trials.isGoodEnough()) planned.notes.push_back(noteOnHeld(request));
+  const bool is_held = nozzleFor(request.job, request.space) == Nozzle::Held;
+  if (is_held && !trials.isGoodEnough()) planned.notes.push_back(noteOnHeld(request));
   return planned;
 }
 

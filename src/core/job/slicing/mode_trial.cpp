@@ -48,6 +48,13 @@ Nozzle nozzleFor(const SliceJob& job, const BuildSpace& space) {
   return canTurnToolAxis(space) && !is_held ? Nozzle::Tilting : Nozzle::Held;
 }
 
+std::vector<std::string> modesInTurn(const SliceJob& job, const BuildSpace& space) {
+  std::vector<std::string> modes = {"planar"};
+  if (nozzleFor(job, space) == Nozzle::Held) return modes;
+  for (std::string& mode : tiltingModes()) modes.push_back(std::move(mode));
+  return modes;
+}
+
 UnsupportedSurface unsupportedInPlanes(const Mesh& mesh, const JobSettings& settings) {
   return unsupportedSurface(mesh, partFromLayers(settings.slicing.plane) * Point3::UnitZ(),
                             questionOf(settings));

@@ -25,6 +25,10 @@ std::vector<std::string> tiltingModes();
 /// Whether the machine, and the program for it, may tilt the nozzle.
 Nozzle nozzleFor(const SliceJob& job, const BuildSpace& space);
 
+/// The modes that `auto` tries until one is good enough, from the simplest on, where it is the support that
+/// decides.
+std::vector<std::string> modesInTurn(const SliceJob& job, const BuildSpace& space);
+
 /// Of a part in plane layers as the settings incline them.
 UnsupportedSurface unsupportedInPlanes(const Mesh& mesh, const JobSettings& settings);
 
