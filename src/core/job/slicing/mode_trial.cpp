@@ -22,7 +22,7 @@ LayerSupport measuredSupport(const Mesh& mesh, const PlannedPart& planned, const
   UnsupportedSurface surface =
       is_plane ? unsupportedInPlanes(mesh, job.settings)
                : unsupportedSurface(mesh, planned.plan.toolpath, questionOf(job.settings));
-  return {surface.surface_mm2, surface.unsupported_mm2, is_plane ? std::size_t{1} : planned.counts.layers,
+  return {surface.unsupported_mm2, is_plane ? std::size_t{1} : planned.counts.layers,
           std::move(surface.region)};
 }
 
@@ -92,8 +92,8 @@ ModeTrial tryMode(const std::string& mode, const SourcePart& source, const Plann
     return trial;
   }
   const LayerSupport& support = *trial.planned->support;
-  if (support.surface_mm2 > 0.0)
-    trial.candidate.unsupported_percent = 100.0 * support.unsupported_mm2 / support.surface_mm2;
+  const double surface_mm2 = surfaceArea(source.mesh);
+  if (surface_mm2 > 0.0) trial.candidate.unsupported_percent = 100.0 * support.unsupported_mm2 / surface_mm2;
   trial.candidate.steps = support.steps;
   trial.candidate.layers = trial.planned->counts.layers;
   trial.candidate.time_s = estimateTime(trial.planned->plan.toolpath, job.settings.motion).total_s;
