@@ -12,6 +12,7 @@
 #include "lamina/geometry/mesh_io/mesh_writer.hpp"
 #include "lamina/geometry/parts/parts.hpp"
 #include "lamina/job/slice_job.hpp"
+#include "lamina/slicing/unsliceable.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace lamina {
@@ -52,6 +53,16 @@ class AutomaticChoice : public ::testing::Test {
     job_.settings.slicing.mode = mode;
     slice();
     return readFile(job_.output);
+  }
+
+  Failure failure(const std::string& mode) {
+    job_.settings.slicing.mode = mode;
+    try {
+      slice();
+      return {};
+    } catch (const Error&) {
+      return currentFailure();
+    }
   }
 
   test::ScratchFolder folder_;
@@ -142,9 +153,34 @@ TEST_F(AutomaticChoice, APartThatNoModeTakesIsRefusedWithAllReasons) {
     slice();
     FAIL() << "half of the first layer is higher than the part";
   } catch (const InvalidInput& refusal) {
+    EXPECT_EQ(refusal.code(), ErrorCode::InvalidMesh);
     for (const char* const mode : {"planar", "multi_direction", "adapted", "volumetric"})
       EXPECT_NE(std::string(refusal.what()).find(std::string("not ") + mode + ": "), std::string::npos)
           << refusal.what();
+  }
+}
+
+// Where nothing is to choose, the error is that of the mode.
+TEST_F(AutomaticChoice, TheOnlyModeRefusesAPartByItsOwnError) {
+  usePart("box", {{"z_mm", "0.1"}});
+  job_.settings.machine.name = "cartesian_gantry";
+  const Failure by_planar = failure("planar");
+  EXPECT_EQ(by_planar.code, ErrorCode::InvalidInput) << by_planar.message;
+  const Failure by_auto = failure("auto");
+  EXPECT_EQ(by_auto.code, by_planar.code) << by_auto.message;
+  EXPECT_EQ(by_auto.message, by_planar.message);
+}
+
+// Its sides lean by far more than adapted.max_lean_deg, and it is too low for a layer.
+TEST_F(AutomaticChoice, ARefusalOfAllShowsWhatStandsInTheWay) {
+  usePart("cone", {{"radius_mm", "20"}, {"top_radius_mm", "1"}, {"height_mm", "0.2"}});
+  try {
+    slice();
+    FAIL() << "half of the first layer is higher than the part";
+  } catch (const Unsliceable& refusal) {
+    EXPECT_NE(std::string(refusal.what()).find("not planar: "), std::string::npos) << refusal.what();
+    EXPECT_FALSE(refusal.region().triangles.empty());
+    EXPECT_FALSE(refusal.part().triangles.empty());
   }
 }
 

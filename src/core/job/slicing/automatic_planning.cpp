@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <exception>
 #include <optional>
 #include <string>
 #include <utility>
@@ -14,6 +15,7 @@
 #include "job/slicing/skin_modes.hpp"
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/slicing/unsliceable.hpp"
 
 namespace lamina {
 namespace {
@@ -32,6 +34,8 @@ class ModeTrials {
   void attempt(const std::string& mode, Progress& progress) {
     ModeTrial trial = tryMode(mode, source_, request_, progress);
     candidates_.push_back(std::move(trial.candidate));
+    if (trial.refused_by) refused_by_ = trial.refused_by;
+    if (!trial.in_the_way.triangles.empty()) in_the_way_ = std::move(trial.in_the_way);
     planned_.push_back(std::move(trial.planned));
   }
 
@@ -41,6 +45,16 @@ class ModeTrials {
   std::optional<std::size_t> chosen() const { return chosenMode(candidates_, settings()); }
   PlannedPart take(std::size_t place) { return std::move(*planned_[place]); }
   std::string reason(std::size_t place) const { return reasonFor(candidates_, place, settings()); }
+
+  /// Of one mode its own error; of several all reasons, and the region of the last that shows one.
+  [[noreturn]] void refuse() const {
+    if (candidates_.size() == 1) std::rethrow_exception(refused_by_);
+    std::string message = "no slicing mode takes the part";
+    for (const ModeCandidate& candidate : candidates_)
+      message += "; not " + candidate.mode + ": " + candidate.refusal;
+    if (in_the_way_.triangles.empty()) throw InvalidMesh(message);
+    throw Unsliceable(message, in_the_way_).on(source_.mesh);
+  }
 
   /// On all that were tried but one.
   std::vector<std::string> notesBeside(std::size_t place) const {
@@ -57,6 +71,8 @@ class ModeTrials {
   const PlanningRequest& request_;
   std::vector<ModeCandidate> candidates_;
   std::vector<std::optional<PlannedPart>> planned_;
+  std::exception_ptr refused_by_;
+  Mesh in_the_way_;
 };
 
 PlannedPart taken(ModeTrials& trials, std::size_t place, const std::string& reason, SliceSummary& summary) {
@@ -89,12 +105,7 @@ PlannedPart planBySupport(ModeTrials& trials, const PlanningRequest& request, Sl
     if (trials.isGoodEnough()) break;
   }
   const std::optional<std::size_t> chosen = trials.chosen();
-  if (!chosen) {
-    std::string refusals;
-    for (const ModeCandidate& candidate : trials.candidates())
-      refusals += "; not " + candidate.mode + ": " + candidate.refusal;
-    throw InvalidMesh("no slicing mode takes the part" + refusals);
-  }
+  if (!chosen) trials.refuse();
   PlannedPart planned = taken(trials, *chosen, trials.reason(*chosen), summary);
   const bool is_held = nozzleFor(request.job, request.space) == Nozzle::Held;
   if (is_held && !trials.isGoodEnough()) planned.notes.push_back(noteOnHeld(request));

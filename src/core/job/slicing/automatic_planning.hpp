@@ -13,7 +13,8 @@ namespace lamina {
 /// an inclined plane, skins to be followed. Otherwise the modes are tried from the simplest on, until one
 /// leaves little enough unsupported (`chosenMode`). A head that cannot tilt gets level layers. The mode, the
 /// reason, what was tried and what was refused stand in the summary.
-/// @throws InvalidMesh with all reasons if several modes were tried, and all refuse the part; as
+/// @throws InvalidMesh with all reasons if several modes were tried, and all refuse the part (`Unsliceable`
+/// if one of them shows what stands in the way); the error of the mode itself if one was tried; as
 /// `PlanFunction`
 PlannedPart planAutomatically(const SourcePart& source, const PlanningRequest& request, SliceSummary& summary,
                               Progress& progress);

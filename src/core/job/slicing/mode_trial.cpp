@@ -89,6 +89,9 @@ ModeTrial tryMode(const std::string& mode, const SourcePart& source, const Plann
     trial.planned = plannedBy(job, source, request, progress);
   } catch (const InvalidInput& refusal) {
     trial.candidate.refusal = refusal.what();
+    trial.refused_by = std::current_exception();
+    if (const auto* const shown = dynamic_cast<const Unsliceable*>(&refusal))
+      trial.in_the_way = shown->region();
     return trial;
   }
   const LayerSupport& support = *trial.planned->support;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <exception>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,6 +18,8 @@ namespace lamina {
 struct ModeTrial {
   ModeCandidate candidate;
   std::optional<PlannedPart> planned;  ///< with its support; nothing if the mode refuses the part
+  std::exception_ptr refused_by;       ///< the error that the refusal is the text of
+  Mesh in_the_way;                     ///< of an `Unsliceable`: its region
 };
 
 /// Modes that tilt the nozzle so that less hangs, from the simplest to print.
@@ -40,7 +43,7 @@ SliceJob jobBy(const std::string& mode, SliceJob job);
 PlannedPart planShown(SourcePart source, const std::string& mode, const PlanningRequest& request,
                       Progress& progress);
 
-/// Plans a part by a mode. Refusals stand in the candidate.
+/// Plans a part by a mode. Refusals stand in the trial.
 /// @throws Cancelled
 ModeTrial tryMode(const std::string& mode, const SourcePart& source, const PlanningRequest& request,
                   Progress& progress);
