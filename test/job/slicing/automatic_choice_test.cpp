@@ -88,6 +88,18 @@ TEST_F(AutomaticChoice, APartThatLevelLayersHoldGetsThemToTheByte) {
   EXPECT_EQ(summary.candidates.front().layers, summary.layers);
 }
 
+TEST_F(AutomaticChoice, AFirstLayerThatFollowsTheNozzleIsThatOfLevelLayers) {
+  usePart("box", {{"x_mm", "8"}, {"y_mm", "6"}, {"z_mm", "4"}});
+  job_.output = folder_.file("box.csv");
+  const auto of_nozzle = [&](const std::string& mode) {
+    job_.settings = loadJobSettings(
+        "", {{"slicing.mode", mode}, {"machine.nozzle_mm", "0.6"}, {"slicing.layer_height_mm", "0.2"}});
+    return program(mode);
+  };
+  EXPECT_TRUE(of_nozzle("auto") == of_nozzle("planar"));
+  EXPECT_EQ(job_.settings.slicing.first_layer_height_mm, 0.3) << "half of the nozzle";
+}
+
 TEST_F(AutomaticChoice, ATeeIsPrintedInPieces) {
   useTee();
   const SlicedPart sliced = slice();
