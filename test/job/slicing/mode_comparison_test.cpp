@@ -54,6 +54,46 @@ TEST_F(ModeComparisonTest, EachModeShowsWhatItLeavesUnsupported) {
   EXPECT_EQ(comparison.modes[*comparison.chosen].candidate.mode, "multi_direction");
 }
 
+// A plate 2 mm high at 20 mm, over a box as high: a coat would lie above 22 mm.
+TEST_F(ModeComparisonTest, WhatIsLaidOnABaseIsComparedOnIt) {
+  job_.settings.conformal.base = folder_.file("box.stl");
+  writeStl(job_.settings.conformal.base, makePart("box"));
+  Mesh plate = makePart("box", {{"z_mm", "2"}});
+  for (Point3& vertex : plate.vertices) vertex.z() += 20.0;
+  job_.part = folder_.file("plate.stl");
+  writeStl(job_.part, plate);
+  const ModeComparison comparison = compared({"conformal"});
+  ASSERT_EQ(comparison.modes.front().candidate.refusal, "");
+  Box3 tips;
+  for (const ToolpathLayer& layer : comparison.modes.front().toolpath.layers)
+    for (const Path& path : layer.paths)
+      if (path.role == PathRole::OuterWall)
+        for (const Point3& tip : path.points) tips.include(tip);
+  EXPECT_NEAR(tips.low.z(), 20.5, 1e-6);
+  EXPECT_NEAR(tips.high.z(), 22.0, 1e-6);
+  EXPECT_FALSE(comparison.chosen.has_value());
+}
+
+TEST_F(ModeComparisonTest, APartIsComparedAsLargeAsItIsLaid) {
+  job_.settings.compensation.shrink_z = 0.2;
+  const ModeComparison comparison = compared({"planar"});
+  // 28 mm as drawn, in layers of 0.5 mm.
+  EXPECT_NEAR(boundingBox(comparison.part).size().z(), 35.0, 1e-4);
+  EXPECT_EQ(comparison.modes.front().candidate.layers, 70U);
+}
+
+TEST_F(ModeComparisonTest, APartLargerThanTheMachineIsRefused) {
+  job_.part = folder_.file("beam.stl");
+  writeStl(job_.part, makePart("box", {{"x_mm", "5000"}}));
+  EXPECT_THROW(compared({"planar"}), Unreachable);
+}
+
+TEST_F(ModeComparisonTest, APlaneThatTheHeadCannotLayIsRefused) {
+  job_.settings.machine.name = "gantry_45";
+  job_.settings.slicing.plane.angle_deg = 30.0;
+  EXPECT_THROW(compared({"inclined"}), Unreachable);
+}
+
 TEST_F(ModeComparisonTest, ARefusalStandsInItsPlace) {
   const ModeComparison comparison = compared({"adapted"});
   EXPECT_NE(comparison.modes.front().candidate.refusal.find("adapted.max_lean_deg"), std::string::npos);

@@ -10,7 +10,7 @@
 #include "job/slicing/mode_trial.hpp"
 #include "job/slicing/part_slicing.hpp"
 #include "lamina/base/error.hpp"
-#include "lamina/job/part/placement.hpp"
+#include "lamina/job/slicing/slicing_mode.hpp"
 
 namespace lamina {
 namespace {
@@ -24,8 +24,10 @@ void requireDistinct(const std::vector<std::string>& modes) {
   }
 }
 
-/// With the plane that an inclined head needs, unless one is asked for.
+/// As `auto` takes it: laid on the base if there is one, and with the plane that an inclined head needs,
+/// unless one is asked for.
 SliceJob onMachine(SliceJob job, const BuildSpace& space) {
+  job.settings.slicing.mode = kAutoMode;
   if (job.settings.slicing.plane.angle_deg == 0.0) job.settings.slicing.plane = planeOfHead(space);
   return job;
 }
@@ -71,22 +73,22 @@ std::vector<std::string> comparableModes(const SliceJob& job) {
 
 ModeComparison compareModes(const SliceJob& job, const std::vector<std::string>& modes, Progress& progress) {
   requireDistinct(modes);
-  validate(job.settings);
   const BuildSpace space = buildSpaceOf(job.settings.machine);
   const SliceJob placed = onMachine(job, space);
-  const SourcePart source = readSource(placed, progress);
-  const PlanningRequest request{placed, space,
-                                placePart(boundingBox(source.mesh), space, placed.settings.placement)};
+  validate(placed.settings);
+  requireToolAxisFor(placed, space);
+  const LaidPart laid = laidPart(readSource(placed, progress), placed, space);
+  const PlanningRequest request{placed, space, laid.bed_from_part};
   ModeComparison comparison;
   for (const std::string& mode : modes) {
-    ModeTrial trial = tryMode(mode, source, request, progress);
+    ModeTrial trial = tryMode(mode, laid.source, request, progress);
     ComparedMode& compared = comparison.modes.emplace_back();
     compared.candidate = std::move(trial.candidate);
     if (!trial.planned) continue;
     compared.toolpath = std::move(trial.planned->plan.toolpath);
     compared.unsupported = std::move(trial.planned->support->unsupported);
   }
-  comparison.part = source.mesh;
+  comparison.part = laid.source.mesh;
   comparison.chosen = takenByAuto(comparison.modes, modesOfAuto(request), job.settings.automatic);
   return comparison;
 }
