@@ -131,6 +131,38 @@ TEST(ModeChoice, StoppingEarlyChangesNothing) {
       }
 }
 
+TEST(ModeChoice, OneThatIsNoBetterInAnythingIsOutdone) {
+  const ModeCandidate planar = candidate("planar", 4.0, 1, 60.0);
+  EXPECT_TRUE(isOutdone({planar, candidate("volumetric", 4.0, 40, 60.0)}, 1));
+  EXPECT_FALSE(isOutdone({planar, candidate("volumetric", 4.0, 40, 60.0)}, 0));
+  EXPECT_FALSE(isOutdone({planar, candidate("volumetric", 3.9, 40, 60.0)}, 1)) << "it leaves less";
+  EXPECT_FALSE(isOutdone({planar, candidate("volumetric", 4.0, 40, 59.0)}, 1)) << "it is quicker";
+  EXPECT_FALSE(isOutdone({planar, candidate("volumetric", 3.0, 1, 60.0)}, 0)) << "the first of alike ones";
+  EXPECT_TRUE(isOutdone({planar, candidate("volumetric", 3.0, 1, 59.0)}, 0));
+  EXPECT_TRUE(isOutdone({refused("adapted")}, 0));
+  EXPECT_FALSE(isOutdone({refused("adapted"), planar}, 1)) << "by one that is refused";
+}
+
+// Its plan may be thrown away, then, before the rest is tried.
+TEST(ModeChoice, AnOutdoneOneIsNeverChosen) {
+  std::vector<ModeCandidate> each = {refused("x")};
+  for (const double share : {0.0, 1.3, 1.6, 4.0})
+    for (const std::size_t steps : {1, 3})
+      for (const double time : {30.0, 60.0, 100.0}) each.push_back(candidate("x", share, steps, time));
+  std::size_t outdone = 0;
+  for (const ModeCandidate& a : each)
+    for (const ModeCandidate& b : each)
+      for (const ModeCandidate& c : each) {
+        if (isLastGoodEnough({a}, {}) || isLastGoodEnough({a, b}, {})) continue;
+        const auto chosen = chosenMode({a, b, c}, {});
+        if (!chosen) continue;
+        if (*chosen < 2) EXPECT_FALSE(isOutdone({a, b}, *chosen));
+        EXPECT_FALSE(isOutdone({a, b, c}, *chosen));
+        outdone += isOutdone({a, b}, 0) ? 1 : 0;
+      }
+  EXPECT_GT(outdone, 1000U);
+}
+
 TEST(ModeChoice, TheReasonHasTheNumbers) {
   const AutomaticSettings settings;
   const std::vector<ModeCandidate> all = {candidate("planar", 13.95, 1, 2520.0),

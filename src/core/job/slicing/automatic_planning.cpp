@@ -26,7 +26,7 @@ std::string percentText(double percent) {
   return text;
 }
 
-/// Modes tried one after the other, and what came of them.
+/// Modes tried one after the other, and what came of them. Only plans that may still be taken are kept.
 class ModeTrials {
  public:
   ModeTrials(const SourcePart& source, const PlanningRequest& request) : source_(source), request_(request) {}
@@ -36,7 +36,10 @@ class ModeTrials {
     candidates_.push_back(std::move(trial.candidate));
     if (trial.refused_by) refused_by_ = trial.refused_by;
     if (!trial.in_the_way.triangles.empty()) in_the_way_ = std::move(trial.in_the_way);
+    if (trial.planned) trial.planned->support.reset();
     planned_.push_back(std::move(trial.planned));
+    for (std::size_t i = 0; i < planned_.size(); ++i)
+      if (isOutdone(candidates_, i)) planned_[i].reset();
   }
 
   bool isGoodEnough() const { return isLastGoodEnough(candidates_, settings()); }

@@ -93,6 +93,19 @@ bool isLastGoodEnough(const std::vector<ModeCandidate>& candidates, const Automa
   return !candidates.empty() && isGoodEnough(candidates, candidates.size() - 1, settings);
 }
 
+bool isOutdone(const std::vector<ModeCandidate>& candidates, std::size_t which) {
+  const ModeCandidate& one = candidates[which];
+  if (!one.refusal.empty()) return true;
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    const ModeCandidate& other = candidates[i];
+    if (i == which || !other.refusal.empty()) continue;
+    const bool is_first = std::tuple(other.steps, other.time_s, i) < std::tuple(one.steps, one.time_s, which);
+    if (is_first && other.time_s <= one.time_s && other.unsupported_percent <= one.unsupported_percent)
+      return true;
+  }
+  return false;
+}
+
 std::string reasonFor(const std::vector<ModeCandidate>& candidates, std::size_t chosen,
                       const AutomaticSettings& settings) {
   const ModeCandidate& taken = candidates[chosen];

@@ -25,6 +25,11 @@ std::optional<std::size_t> chosenMode(const std::vector<ModeCandidate>& candidat
 /// Whether the last candidate is good enough beside those before it, so that no further one has to be tried.
 bool isLastGoodEnough(const std::vector<ModeCandidate>& candidates, const AutomaticSettings& settings);
 
+/// Whether one of them is never chosen, whatever else is tried: it is refused, or another, preferred where
+/// both are alike, leaves no more unsupported in no more steps and no more time.
+/// @param candidates  none of them tried behind one that is good enough
+bool isOutdone(const std::vector<ModeCandidate>& candidates, std::size_t which);
+
 /// Why one of them was chosen, with the numbers: a sentence without full stop.
 std::string reasonFor(const std::vector<ModeCandidate>& candidates, std::size_t chosen,
                       const AutomaticSettings& settings);
