@@ -243,6 +243,27 @@ TEST_F(AutomaticChoice, IsCancelledLikeAnyOther) {
   }
 }
 
+class CancelledInStage final : public Progress {
+ public:
+  explicit CancelledInStage(std::string stage) : stage_(std::move(stage)) {}
+  void report(const std::string& stage, double) override {
+    if (stage == stage_) is_cancelled_ = true;
+  }
+  bool isCancelled() const override { return is_cancelled_; }
+
+ private:
+  std::string stage_;
+  std::atomic<bool> is_cancelled_{false};
+};
+
+// Of adapted layers it is measured after they are planned; pieces and planar ones leave too much.
+TEST_F(AutomaticChoice, IsCancelledWhileSupportIsMeasured) {
+  usePart("cone", {{"radius_mm", "6"}, {"top_radius_mm", "12"}, {"height_mm", "5"}});
+  job_.settings.directions.most_cuts = 0;
+  CancelledInStage progress("overhang");
+  EXPECT_THROW(runSliceJob(job_, progress), Cancelled);
+}
+
 TEST(AutomaticSettings, OutOfBoundsAreRefused) {
   for (const auto& [key, value] :
        {std::pair("auto.good_unsupported_percent", "101"), std::pair("auto.good_unsupported_percent", "-1"),

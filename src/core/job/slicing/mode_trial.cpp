@@ -17,11 +17,12 @@ SupportQuestion questionOf(const JobSettings& settings) {
   return {settings.automatic.max_overhang_deg, settings.slicing.first_layer_height_mm};
 }
 
-LayerSupport measuredSupport(const Mesh& mesh, const PlannedPart& planned, const SliceJob& job) {
-  const bool is_plane = hasPlaneLayers(job.settings.slicing.mode);
+LayerSupport measuredSupport(const Mesh& mesh, const PlannedPart& planned, const JobSettings& settings,
+                             Progress& progress) {
+  const bool is_plane = hasPlaneLayers(settings.slicing.mode);
   UnsupportedSurface surface =
-      is_plane ? unsupportedInPlanes(mesh, job.settings)
-               : unsupportedSurface(mesh, planned.plan.toolpath, questionOf(job.settings));
+      is_plane ? unsupportedInPlanes(mesh, settings)
+               : unsupportedSurface(mesh, planned.plan.toolpath, questionOf(settings), progress);
   return {surface.unsupported_mm2, is_plane ? std::size_t{1} : planned.counts.layers,
           std::move(surface.region)};
 }
@@ -34,7 +35,6 @@ PlannedPart plannedBy(const SliceJob& job, const SourcePart& source, const Plann
   if (totals(planned.plan.toolpath).deposition_runs == 0)
     throw InvalidInput("no bead is deposited in any of its " + std::to_string(planned.counts.layers) +
                        " layers; expected at least one");
-  if (!planned.support) planned.support = measuredSupport(source.mesh, planned, job);
   return planned;
 }
 
@@ -94,12 +94,14 @@ ModeTrial tryMode(const std::string& mode, const SourcePart& source, const Plann
       trial.in_the_way = shown->region();
     return trial;
   }
-  const LayerSupport& support = *trial.planned->support;
+  PlannedPart& planned = *trial.planned;
+  if (!planned.support) planned.support = measuredSupport(source.mesh, planned, job.settings, progress);
+  const LayerSupport& support = *planned.support;
   const double surface_mm2 = surfaceArea(source.mesh);
   if (surface_mm2 > 0.0) trial.candidate.unsupported_percent = 100.0 * support.unsupported_mm2 / surface_mm2;
   trial.candidate.steps = support.steps;
-  trial.candidate.layers = trial.planned->counts.layers;
-  trial.candidate.time_s = estimateTime(trial.planned->plan.toolpath, job.settings.motion).total_s;
+  trial.candidate.layers = planned.counts.layers;
+  trial.candidate.time_s = estimateTime(planned.plan.toolpath, job.settings.motion).total_s;
   return trial;
 }
 

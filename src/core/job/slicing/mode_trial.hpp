@@ -43,8 +43,8 @@ SliceJob jobBy(const std::string& mode, SliceJob job);
 PlannedPart planShown(SourcePart source, const std::string& mode, const PlanningRequest& request,
                       Progress& progress);
 
-/// Plans a part by a mode. Refusals stand in the trial.
-/// @throws Cancelled
+/// Plans a part by a mode, and measures what it leaves unsupported. Refusals stand in the trial.
+/// @throws Cancelled; as `unsupportedSurface`
 ModeTrial tryMode(const std::string& mode, const SourcePart& source, const PlanningRequest& request,
                   Progress& progress);
 
