@@ -196,6 +196,23 @@ TEST_F(AutomaticChoice, ARefusalOfAllShowsWhatStandsInTheWay) {
   }
 }
 
+// The joints of its head turn by 60 deg at most, the arms of the tee need 90.
+TEST_F(AutomaticChoice, WhatTheMachineCannotRunNamesLevelLayers) {
+  useTee();
+  job_.settings.machine.name = "five_axis_head_ab";
+  job_.output = folder_.file("tee.gcode");
+  const Failure by_auto = failure("auto");
+  EXPECT_EQ(by_auto.code, ErrorCode::Unreachable) << by_auto.message;
+  EXPECT_NE(
+      by_auto.message.find("; auto took slicing.mode=multi_direction, slicing.mode=planar would not tilt"),
+      std::string::npos)
+      << by_auto.message;
+  const Failure by_name = failure("multi_direction");
+  EXPECT_EQ(by_name.code, ErrorCode::Unreachable) << by_name.message;
+  EXPECT_EQ(by_name.message.find("slicing.mode=planar"), std::string::npos) << by_name.message;
+  EXPECT_EQ(failure("planar").code, ErrorCode::Ok);
+}
+
 TEST_F(AutomaticChoice, ALaxerLimitTakesTheSimplerMode) {
   useTee();
   job_.settings.automatic.good_unsupported_percent = 20.0;

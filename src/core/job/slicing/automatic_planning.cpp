@@ -139,6 +139,15 @@ PlannedPart planAutomatically(const SourcePart& source, const PlanningRequest& r
   return planBySupport(trials, request, summary, progress);
 }
 
+Unreachable withLevelLayersNamed(const Unreachable& refusal, const SliceSummary& summary) {
+  const std::vector<ModeCandidate>& candidates = summary.candidates;
+  if (candidates.empty() || hasPlaneLayers(summary.mode)) return refusal;
+  for (const ModeCandidate& candidate : candidates)
+    if (candidate.mode == "planar" && !candidate.refusal.empty()) return refusal;
+  return Unreachable(std::string(refusal.what()) + "; auto took slicing.mode=" + summary.mode +
+                     ", slicing.mode=planar would not tilt the nozzle");
+}
+
 PlaneSettings planeOfHead(const BuildSpace& space) {
   constexpr double kUprightDeg = 0.01;
   constexpr double kPerDegree = 1e6;  // what a machine is described to

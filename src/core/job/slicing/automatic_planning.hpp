@@ -5,6 +5,7 @@
 #include <string>
 
 #include "job/slicing/part_planning.hpp"
+#include "lamina/base/error.hpp"
 #include "lamina/job/slice_job.hpp"
 
 namespace lamina {
@@ -18,6 +19,10 @@ namespace lamina {
 /// `PlanFunction`
 PlannedPart planAutomatically(const SourcePart& source, const PlanningRequest& request, SliceSummary& summary,
                               Progress& progress);
+
+/// Why the machine cannot run a part. Where `auto` took layers that are not plane, and does not know that
+/// level ones refuse the part, it names these: they tilt nothing.
+Unreachable withLevelLayersNamed(const Unreachable& refusal, const SliceSummary& summary);
 
 /// The plane across which a head that holds its nozzle inclined prints; level for all others.
 PlaneSettings planeOfHead(const BuildSpace& space);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "job/part/shrinkage.hpp"
+#include "job/slicing/automatic_planning.hpp"
 #include "job/slicing/inclined_layers.hpp"
 #include "job/slicing/oriented_planning.hpp"
 #include "lamina/base/error.hpp"
@@ -136,7 +137,11 @@ SlicedPart sliceSource(SourcePart source, const SliceJob& job, const BuildSpace&
   sliced.toolpath = withCopies(std::move(sliced.toolpath), job.settings.copies, space, sliced.bed_from_part,
                                job.settings.planning.travel.feed_mm_s);
   addToolpath(sliced.summary, sliced.toolpath);
-  requireWithin(space, job, sliced);
+  try {
+    requireWithin(space, job, sliced);
+  } catch (const Unreachable& refusal) {
+    throw withLevelLayersNamed(refusal, sliced.summary);
+  }
   return sliced;
 }
 
