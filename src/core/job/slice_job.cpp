@@ -135,6 +135,15 @@ void hookPart(SlicedPart& sliced, const JobSettings& settings, const BuildSpace&
   addHooks(sliced.toolpath, settings.hooks, site);
 }
 
+std::optional<JointProgram> jointProgramOf(const SliceJob& job, const BuildSpace& space, SlicedPart& sliced,
+                                           Progress& progress) {
+  try {
+    return planJointProgram(job, space, sliced, progress);
+  } catch (const Unreachable& refusal) {
+    throw withLevelLayersNamed(refusal, sliced.summary);
+  }
+}
+
 SlicedPart readAndSlice(const SliceJob& job, const BuildSpace& space, Progress& progress) {
   Laps laps;
   SourcePart source = readSource(job, progress);
@@ -167,7 +176,7 @@ SlicedPart runIn(const BuildSpace& space, const SliceJob& job, const SliceFuncti
   hookPart(sliced, job.settings, space);
   if (job.settings.program.states_progress && writesGcode(job))
     addProgressMarks(sliced.toolpath, gcodeDialect(job.settings.program.dialect), job.settings.motion);
-  const std::optional<JointProgram> joint_program = planJointProgram(job, space, sliced, progress);
+  const std::optional<JointProgram> joint_program = jointProgramOf(job, space, sliced, progress);
   sliced.summary.plan_s = laps.lap() - sliced.summary.read_s - sliced.summary.slice_s;
   progress.report("write", 0.0);
   throwIfCancelled(progress, "write");

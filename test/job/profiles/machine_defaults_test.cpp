@@ -142,6 +142,18 @@ TEST_F(MachineDefaultsTest, ModesOfEqualLayersAreNotRefusedForAFirstLayerThatNob
   }
 }
 
+TEST_F(MachineDefaultsTest, AutoFollowsLikeLevelLayersUnlessSettingsMayChooseEqualOnes) {
+  const auto first = [](std::vector<SettingText> overrides) {
+    overrides.push_back({"machine.nozzle_mm", "0.6"});
+    overrides.push_back({"slicing.layer_height_mm", "0.25"});
+    overrides.push_back({"slicing.mode", "auto"});
+    return loadJobSettings("", overrides).slicing.first_layer_height_mm;
+  };
+  EXPECT_EQ(first({}), 0.3);
+  EXPECT_EQ(first({{"auto.follow_skins", "true"}}), 0.25);
+  EXPECT_EQ(first({{"conformal.base", "base.stl"}}), 0.25);
+}
+
 TEST_F(MachineDefaultsTest, HoldWithoutProfilesToo) {
   EXPECT_EQ(loadJobSettings("", {{"machine.nozzle_mm", "0.6"}}).planning.bead.width_mm, 0.6);
   const std::string file = folder_.file("typed.yaml");

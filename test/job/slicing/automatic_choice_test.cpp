@@ -12,6 +12,7 @@
 #include "lamina/geometry/mesh_io/mesh_writer.hpp"
 #include "lamina/geometry/parts/parts.hpp"
 #include "lamina/job/slice_job.hpp"
+#include "lamina/slicing/unsliceable.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace lamina {
@@ -54,6 +55,16 @@ class AutomaticChoice : public ::testing::Test {
     return readFile(job_.output);
   }
 
+  Failure failure(const std::string& mode) {
+    job_.settings.slicing.mode = mode;
+    try {
+      slice();
+      return {};
+    } catch (const Error&) {
+      return currentFailure();
+    }
+  }
+
   test::ScratchFolder folder_;
   SliceJob job_;
 };
@@ -75,6 +86,18 @@ TEST_F(AutomaticChoice, APartThatLevelLayersHoldGetsThemToTheByte) {
   ASSERT_EQ(summary.candidates.size(), 1U) << "nothing else has to be tried";
   EXPECT_EQ(summary.candidates.front().unsupported_percent, 0.0);
   EXPECT_EQ(summary.candidates.front().layers, summary.layers);
+}
+
+TEST_F(AutomaticChoice, AFirstLayerThatFollowsTheNozzleIsThatOfLevelLayers) {
+  usePart("box", {{"x_mm", "8"}, {"y_mm", "6"}, {"z_mm", "4"}});
+  job_.output = folder_.file("box.csv");
+  const auto of_nozzle = [&](const std::string& mode) {
+    job_.settings = loadJobSettings(
+        "", {{"slicing.mode", mode}, {"machine.nozzle_mm", "0.6"}, {"slicing.layer_height_mm", "0.2"}});
+    return program(mode);
+  };
+  EXPECT_TRUE(of_nozzle("auto") == of_nozzle("planar"));
+  EXPECT_EQ(job_.settings.slicing.first_layer_height_mm, 0.3) << "half of the nozzle";
 }
 
 TEST_F(AutomaticChoice, ATeeIsPrintedInPieces) {
@@ -142,10 +165,52 @@ TEST_F(AutomaticChoice, APartThatNoModeTakesIsRefusedWithAllReasons) {
     slice();
     FAIL() << "half of the first layer is higher than the part";
   } catch (const InvalidInput& refusal) {
+    EXPECT_EQ(refusal.code(), ErrorCode::InvalidMesh);
     for (const char* const mode : {"planar", "multi_direction", "adapted", "volumetric"})
       EXPECT_NE(std::string(refusal.what()).find(std::string("not ") + mode + ": "), std::string::npos)
           << refusal.what();
   }
+}
+
+// Where nothing is to choose, the error is that of the mode.
+TEST_F(AutomaticChoice, TheOnlyModeRefusesAPartByItsOwnError) {
+  usePart("box", {{"z_mm", "0.1"}});
+  job_.settings.machine.name = "cartesian_gantry";
+  const Failure by_planar = failure("planar");
+  EXPECT_EQ(by_planar.code, ErrorCode::InvalidInput) << by_planar.message;
+  const Failure by_auto = failure("auto");
+  EXPECT_EQ(by_auto.code, by_planar.code) << by_auto.message;
+  EXPECT_EQ(by_auto.message, by_planar.message);
+}
+
+// Its sides lean by far more than adapted.max_lean_deg, and it is too low for a layer.
+TEST_F(AutomaticChoice, ARefusalOfAllShowsWhatStandsInTheWay) {
+  usePart("cone", {{"radius_mm", "20"}, {"top_radius_mm", "1"}, {"height_mm", "0.2"}});
+  try {
+    slice();
+    FAIL() << "half of the first layer is higher than the part";
+  } catch (const Unsliceable& refusal) {
+    EXPECT_NE(std::string(refusal.what()).find("not planar: "), std::string::npos) << refusal.what();
+    EXPECT_FALSE(refusal.region().triangles.empty());
+    EXPECT_FALSE(refusal.part().triangles.empty());
+  }
+}
+
+// The joints of its head turn by 60 deg at most, the arms of the tee need 90.
+TEST_F(AutomaticChoice, WhatTheMachineCannotRunNamesLevelLayers) {
+  useTee();
+  job_.settings.machine.name = "five_axis_head_ab";
+  job_.output = folder_.file("tee.gcode");
+  const Failure by_auto = failure("auto");
+  EXPECT_EQ(by_auto.code, ErrorCode::Unreachable) << by_auto.message;
+  EXPECT_NE(
+      by_auto.message.find("; auto took slicing.mode=multi_direction, slicing.mode=planar would not tilt"),
+      std::string::npos)
+      << by_auto.message;
+  const Failure by_name = failure("multi_direction");
+  EXPECT_EQ(by_name.code, ErrorCode::Unreachable) << by_name.message;
+  EXPECT_EQ(by_name.message.find("slicing.mode=planar"), std::string::npos) << by_name.message;
+  EXPECT_EQ(failure("planar").code, ErrorCode::Ok);
 }
 
 TEST_F(AutomaticChoice, ALaxerLimitTakesTheSimplerMode) {
@@ -193,6 +258,27 @@ TEST_F(AutomaticChoice, IsCancelledLikeAnyOther) {
     CancelledChoice progress(reports);
     EXPECT_THROW(runSliceJob(job_, progress), Cancelled) << reports;
   }
+}
+
+class CancelledInStage final : public Progress {
+ public:
+  explicit CancelledInStage(std::string stage) : stage_(std::move(stage)) {}
+  void report(const std::string& stage, double) override {
+    if (stage == stage_) is_cancelled_ = true;
+  }
+  bool isCancelled() const override { return is_cancelled_; }
+
+ private:
+  std::string stage_;
+  std::atomic<bool> is_cancelled_{false};
+};
+
+// Of adapted layers it is measured after they are planned; pieces and planar ones leave too much.
+TEST_F(AutomaticChoice, IsCancelledWhileSupportIsMeasured) {
+  usePart("cone", {{"radius_mm", "6"}, {"top_radius_mm", "12"}, {"height_mm", "5"}});
+  job_.settings.directions.most_cuts = 0;
+  CancelledInStage progress("overhang");
+  EXPECT_THROW(runSliceJob(job_, progress), Cancelled);
 }
 
 TEST(AutomaticSettings, OutOfBoundsAreRefused) {

@@ -99,17 +99,29 @@ TEST(ModeChoice, NoFurtherOneIsTriedBehindAGoodOne) {
   EXPECT_FALSE(isLastGoodEnough({}, settings));
 }
 
+// What comes later is not tried, and so makes nothing too slow that is good enough.
+TEST(ModeChoice, AGoodOneIsNotRuledOutByALaterOneThatIsQuicker) {
+  EXPECT_EQ(chosenName({candidate("planar", 0.0, 1, 100.0), candidate("volumetric", 0.0, 40, 30.0)}),
+            "planar");
+  EXPECT_EQ(chosenName({candidate("planar", 1.5, 1, 100.0), candidate("multi_direction", 0.5, 3, 120.0),
+                        candidate("volumetric", 0.0, 40, 30.0)}),
+            "multi_direction");
+  // What is not good enough is.
+  EXPECT_EQ(chosenName({candidate("planar", 1.5, 1, 100.0), candidate("volumetric", 1.5, 40, 30.0)}),
+            "volumetric");
+}
+
 // Whoever tries modes one after the other takes what the whole table gives.
 TEST(ModeChoice, StoppingEarlyChangesNothing) {
   const AutomaticSettings settings;
   const double shares[] = {0.0, 1.0, 1.3, 4.0};
-  const double times[] = {50.0, 100.0, 160.0};
+  const double times[] = {30.0, 50.0, 100.0, 160.0};
   for (const double a : shares)
     for (const double b : shares)
       for (const double time : times) {
         const std::vector<ModeCandidate> all = {candidate("planar", a, 1, 100.0),
                                                 candidate("multi_direction", b, 3, time),
-                                                candidate("volumetric", 0.0, 40, 90.0)};
+                                                candidate("volumetric", 0.0, 40, 25.0)};
         std::vector<ModeCandidate> tried;
         for (const ModeCandidate& each : all) {
           tried.push_back(each);
@@ -117,6 +129,38 @@ TEST(ModeChoice, StoppingEarlyChangesNothing) {
         }
         EXPECT_EQ(chosenName(tried), chosenName(all)) << a << " " << b << " " << time;
       }
+}
+
+TEST(ModeChoice, OneThatIsNoBetterInAnythingIsOutdone) {
+  const ModeCandidate planar = candidate("planar", 4.0, 1, 60.0);
+  EXPECT_TRUE(isOutdone({planar, candidate("volumetric", 4.0, 40, 60.0)}, 1));
+  EXPECT_FALSE(isOutdone({planar, candidate("volumetric", 4.0, 40, 60.0)}, 0));
+  EXPECT_FALSE(isOutdone({planar, candidate("volumetric", 3.9, 40, 60.0)}, 1)) << "it leaves less";
+  EXPECT_FALSE(isOutdone({planar, candidate("volumetric", 4.0, 40, 59.0)}, 1)) << "it is quicker";
+  EXPECT_FALSE(isOutdone({planar, candidate("volumetric", 3.0, 1, 60.0)}, 0)) << "the first of alike ones";
+  EXPECT_TRUE(isOutdone({planar, candidate("volumetric", 3.0, 1, 59.0)}, 0));
+  EXPECT_TRUE(isOutdone({refused("adapted")}, 0));
+  EXPECT_FALSE(isOutdone({refused("adapted"), planar}, 1)) << "by one that is refused";
+}
+
+// Its plan may be thrown away, then, before the rest is tried.
+TEST(ModeChoice, AnOutdoneOneIsNeverChosen) {
+  std::vector<ModeCandidate> each = {refused("x")};
+  for (const double share : {0.0, 1.3, 1.6, 4.0})
+    for (const std::size_t steps : {1, 3})
+      for (const double time : {30.0, 60.0, 100.0}) each.push_back(candidate("x", share, steps, time));
+  std::size_t outdone = 0;
+  for (const ModeCandidate& a : each)
+    for (const ModeCandidate& b : each)
+      for (const ModeCandidate& c : each) {
+        if (isLastGoodEnough({a}, {}) || isLastGoodEnough({a, b}, {})) continue;
+        const auto chosen = chosenMode({a, b, c}, {});
+        if (!chosen) continue;
+        if (*chosen < 2) EXPECT_FALSE(isOutdone({a, b}, *chosen));
+        EXPECT_FALSE(isOutdone({a, b, c}, *chosen));
+        outdone += isOutdone({a, b}, 0) ? 1 : 0;
+      }
+  EXPECT_GT(outdone, 1000U);
 }
 
 TEST(ModeChoice, TheReasonHasTheNumbers) {
@@ -133,7 +177,25 @@ TEST(ModeChoice, TheReasonHasTheNumbers) {
   const std::vector<ModeCandidate> slow = {candidate("planar", 13.0, 1, 60.0),
                                            candidate("volumetric", 0.0, 40, 600.0)};
   EXPECT_NE(noteOn(slow, 1, settings).find("it may take 3.0 min (auto.longest_time)"), std::string::npos);
-  EXPECT_NE(reasonFor(slow, 0, settings).find("none leaves at most 1 %"), std::string::npos);
+}
+
+// Of three minutes and more nothing is said to leave too much.
+TEST(ModeChoice, TheReasonSaysWhereTimeDecided) {
+  const AutomaticSettings settings;
+  const ModeCandidate planar = candidate("planar", 13.0, 1, 60.0);
+  EXPECT_EQ(
+      reasonFor({planar, candidate("volumetric", 0.0, 40, 600.0)}, 0, settings),
+      "it leaves 13.00 % of the surface unsupported in 1 step, 10 layers, 1.0 min, in the fewest steps of "
+      "those that leave about the least; none of those that take at most 3.0 min (auto.longest_time) "
+      "leaves at most 1 %");
+  EXPECT_NE(reasonFor({planar, candidate("volumetric", 13.0, 40, 120.0)}, 0, settings)
+                .find("about the least; none leaves at most 1 %"),
+            std::string::npos);
+  EXPECT_NE(reasonFor({planar, candidate("multi_direction", 0.1, 3, 181.0),
+                       candidate("volumetric", 0.2, 40, 179.0)},
+                      2, settings)
+                .find("the simplest of those that take at most 3.0 min (auto.longest_time) with at most 1 %"),
+            std::string::npos);
 }
 
 }  // namespace

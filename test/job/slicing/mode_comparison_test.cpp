@@ -44,13 +44,54 @@ TEST_F(ModeComparisonTest, EachModeShowsWhatItLeavesUnsupported) {
   const double surface = surfaceArea(comparison.part);
   for (const ComparedMode& mode : comparison.modes) {
     EXPECT_FALSE(mode.toolpath.layers.empty()) << mode.candidate.mode;
-    // Volumetric layers leave the foot out of the surface that they count.
+    // Of the whole surface, the foot too, whatever the mode.
     EXPECT_NEAR(surfaceArea(mode.unsupported), 0.01 * mode.candidate.unsupported_percent * surface,
-                0.1 * surfaceArea(mode.unsupported) + 1e-6)
+                1e-6 * surface)
         << mode.candidate.mode;
   }
+  EXPECT_GT(comparison.modes[2].candidate.unsupported_percent, 0.1) << "volumetric leaves some";
   ASSERT_TRUE(comparison.chosen.has_value());
   EXPECT_EQ(comparison.modes[*comparison.chosen].candidate.mode, "multi_direction");
+}
+
+// A plate 2 mm high at 20 mm, over a box as high: a coat would lie above 22 mm.
+TEST_F(ModeComparisonTest, WhatIsLaidOnABaseIsComparedOnIt) {
+  job_.settings.conformal.base = folder_.file("box.stl");
+  writeStl(job_.settings.conformal.base, makePart("box"));
+  Mesh plate = makePart("box", {{"z_mm", "2"}});
+  for (Point3& vertex : plate.vertices) vertex.z() += 20.0;
+  job_.part = folder_.file("plate.stl");
+  writeStl(job_.part, plate);
+  const ModeComparison comparison = compared({"conformal"});
+  ASSERT_EQ(comparison.modes.front().candidate.refusal, "");
+  Box3 tips;
+  for (const ToolpathLayer& layer : comparison.modes.front().toolpath.layers)
+    for (const Path& path : layer.paths)
+      if (path.role == PathRole::OuterWall)
+        for (const Point3& tip : path.points) tips.include(tip);
+  EXPECT_NEAR(tips.low.z(), 20.5, 1e-6);
+  EXPECT_NEAR(tips.high.z(), 22.0, 1e-6);
+  EXPECT_FALSE(comparison.chosen.has_value());
+}
+
+TEST_F(ModeComparisonTest, APartIsComparedAsLargeAsItIsLaid) {
+  job_.settings.compensation.shrink_z = 0.2;
+  const ModeComparison comparison = compared({"planar"});
+  // 28 mm as drawn, in layers of 0.5 mm.
+  EXPECT_NEAR(boundingBox(comparison.part).size().z(), 35.0, 1e-4);
+  EXPECT_EQ(comparison.modes.front().candidate.layers, 70U);
+}
+
+TEST_F(ModeComparisonTest, APartLargerThanTheMachineIsRefused) {
+  job_.part = folder_.file("beam.stl");
+  writeStl(job_.part, makePart("box", {{"x_mm", "5000"}}));
+  EXPECT_THROW(compared({"planar"}), Unreachable);
+}
+
+TEST_F(ModeComparisonTest, APlaneThatTheHeadCannotLayIsRefused) {
+  job_.settings.machine.name = "gantry_45";
+  job_.settings.slicing.plane.angle_deg = 30.0;
+  EXPECT_THROW(compared({"inclined"}), Unreachable);
 }
 
 TEST_F(ModeComparisonTest, ARefusalStandsInItsPlace) {
@@ -58,6 +99,30 @@ TEST_F(ModeComparisonTest, ARefusalStandsInItsPlace) {
   EXPECT_NE(comparison.modes.front().candidate.refusal.find("adapted.max_lean_deg"), std::string::npos);
   EXPECT_TRUE(comparison.modes.front().toolpath.layers.empty());
   EXPECT_FALSE(comparison.chosen.has_value());
+}
+
+std::string chosenIn(const ModeComparison& comparison) {
+  return comparison.chosen ? comparison.modes[*comparison.chosen].candidate.mode : "none";
+}
+
+// Whatever the order in which they are asked for.
+TEST_F(ModeComparisonTest, TheChosenOneIsWhatAutoTakes) {
+  job_.settings.automatic.good_unsupported_percent = 20.0;
+  EXPECT_EQ(chosenIn(compared({"volumetric", "planar"})), "planar");
+  job_.settings.automatic.good_unsupported_percent = 1.0;
+  EXPECT_EQ(chosenIn(compared({"volumetric", "multi_direction", "planar"})), "multi_direction");
+}
+
+TEST_F(ModeComparisonTest, NothingIsChosenBesideWhatAutoWouldTry) {
+  EXPECT_EQ(chosenIn(compared({"volumetric"})), "none") << "planar comes first";
+  EXPECT_EQ(chosenIn(compared({"planar", "volumetric"})), "none") << "multi_direction may be good enough";
+  job_.settings.automatic.follows_skins = true;
+  EXPECT_EQ(chosenIn(compared({"planar"})), "none");
+}
+
+TEST_F(ModeComparisonTest, AHeadThatCannotTiltIsChosenLevelLayersFor) {
+  job_.settings.machine.name = "cartesian_gantry";
+  EXPECT_EQ(chosenIn(compared({"volumetric", "planar"})), "planar");
 }
 
 TEST_F(ModeComparisonTest, WhatIsComparedFollowsFromTheMachine) {

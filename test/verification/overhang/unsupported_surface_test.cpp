@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
+#include <string>
 
 #include "lamina/base/error.hpp"
 #include "lamina/geometry/parts/parts.hpp"
@@ -57,15 +59,47 @@ TEST(UnsupportedSurface, AnAngleThatTheMaterialTakesIsSupported) {
 // Layers that grow towards +x leave the side at -x unsupported, but for what rests on the bed.
 TEST(UnsupportedSurface, FollowsTheToolAxis) {
   Mesh box = makePart("box");
-  const UnsupportedSurface level = unsupportedSurface(box, wallsAlong(-Point3::UnitZ()), {45.0, 1.0});
+  NoProgress nobody;
+  const UnsupportedSurface level = unsupportedSurface(box, wallsAlong(-Point3::UnitZ()), {45.0, 1.0}, nobody);
   EXPECT_EQ(level.unsupported_mm2, 0.0);
-  const UnsupportedSurface aside = unsupportedSurface(box, wallsAlong(-Point3::UnitX()), {45.0, 1.0});
+  const UnsupportedSurface aside = unsupportedSurface(box, wallsAlong(-Point3::UnitX()), {45.0, 1.0}, nobody);
   EXPECT_NEAR(aside.unsupported_mm2, 400.0, 40.0);
   for (const Point3& vertex : aside.region.vertices) EXPECT_NEAR(vertex.x(), boundingBox(box).low.x(), 1e-9);
 }
 
 TEST(UnsupportedSurface, AToolpathThatDepositsNothingIsRefused) {
-  EXPECT_THROW(unsupportedSurface(makePart("box"), Toolpath{}, {}), InvalidInput);
+  NoProgress nobody;
+  EXPECT_THROW(unsupportedSurface(makePart("box"), Toolpath{}, {}, nobody), InvalidInput);
+}
+
+/// Counts reports, and is cancelled from one on.
+class CountedReports final : public Progress {
+ public:
+  explicit CountedReports(int cancelled_from) : cancelled_from_(cancelled_from) {}
+  void report(const std::string& stage, double) override {
+    EXPECT_EQ(stage, "overhang");
+    ++reports_;
+  }
+  bool isCancelled() const override { return reports_ >= cancelled_from_; }
+  int reports() const { return reports_; }
+
+ private:
+  int cancelled_from_;
+  std::atomic<int> reports_{0};
+};
+
+TEST(UnsupportedSurface, ReportsAndIsCancelled) {
+  const Toolpath walls = wallsAlong(-Point3::UnitZ());
+  CountedReports watched(1000);
+  unsupportedSurface(makePart("box"), walls, {}, watched);
+  EXPECT_GE(watched.reports(), 100);
+  for (const int from : {0, 1, 50}) {
+    CountedReports cancelled(from);
+    EXPECT_THROW(unsupportedSurface(makePart("box"), walls, {}, cancelled), Cancelled) << from;
+  }
+  CountedReports at_once(0);
+  EXPECT_THROW(unsupportedSurface(makePart("box"), Toolpath{}, {}, at_once), Cancelled)
+      << "before anything is looked at";
 }
 
 }  // namespace

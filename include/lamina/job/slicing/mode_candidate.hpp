@@ -11,7 +11,7 @@ namespace lamina {
 struct ModeCandidate {
   std::string mode;
   std::string refusal;               ///< why it is not to be had; empty if it is
-  double unsupported_percent = 0.0;  ///< of the surface: overhangs its own layers by more than is taken
+  double unsupported_percent = 0.0;  ///< of the whole surface: overhangs its own layers by more than is taken
   std::size_t steps = 1;  ///< pieces printed along one direction; each bent layer is one of its own
   std::size_t layers = 0;
   double time_s = 0.0;  ///< of printing, at the tip

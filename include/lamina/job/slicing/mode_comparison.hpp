@@ -23,10 +23,11 @@ struct ComparedMode {
 
 /// A part sliced by several modes.
 struct ModeComparison {
-  Mesh part;
+  Mesh part;  ///< as it is laid: larger than in its file where it shrinks
   std::vector<ComparedMode> modes;
-  std::optional<std::size_t>
-      chosen;  ///< the one that `auto` would take of them; nothing if all refuse the part
+  /// The one that `auto` takes. Nothing if all that it tries refuse the part, or one of those is not
+  /// compared; nor where `conformal.base` or `auto.follow_skins` decide.
+  std::optional<std::size_t> chosen;
 };
 
 /// The modes that are worth a comparison on a machine: level or inclined layers and those that bend for a
@@ -34,10 +35,10 @@ struct ModeComparison {
 std::vector<std::string> comparableModes(const SliceJob& job);
 
 /// Slices a part by several modes, one after the other, by the settings of the job and
-/// `auto.max_overhang_deg`. Nothing is written. What modes refuse stands in their candidates.
-/// @throws InvalidConfig (no mode, one twice, one that there is not; settings), FileError, InvalidMesh (of
-/// the
-///   file), Cancelled
+/// `auto.max_overhang_deg`, prepared as for `auto`: on `conformal.base`, as large as it must be before it
+/// shrinks. Nothing is written. What modes refuse stands in their candidates.
+/// @throws InvalidConfig (no mode, one twice, one that there is not; settings), FileError, InvalidMesh
+///   (of the file), Unreachable (larger than the machine, or a plane that its head cannot lay), Cancelled
 ModeComparison compareModes(const SliceJob& job, const std::vector<std::string>& modes, Progress& progress);
 
 }  // namespace lamina

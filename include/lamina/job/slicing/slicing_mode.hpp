@@ -39,10 +39,10 @@ struct LayerCounts {
 
 /// What a mode knows of its own layers.
 struct LayerSupport {
-  double surface_mm2 = 0.0;
-  double unsupported_mm2 = 0.0;  ///< overhangs its own layers by more than the mode's settings take
-  std::size_t steps = 1;         ///< pieces printed along one direction; each bent layer is one of its own
-  Mesh unsupported = {};         ///< triangles of what overhangs so [part frame]
+  double unsupported_mm2 =
+      0.0;                ///< of the surface: overhangs its own layers by more than the mode's settings take
+  std::size_t steps = 1;  ///< pieces printed along one direction; each bent layer is one of its own
+  Mesh unsupported = {};  ///< triangles of what overhangs so [part frame]
 };
 
 /// A part's toolpath in the part frame, and how it came about.

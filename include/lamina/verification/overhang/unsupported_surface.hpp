@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "lamina/base/progress.hpp"
 #include "lamina/geometry/mesh/mesh.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 
@@ -32,8 +33,9 @@ UnsupportedSurface unsupportedSurface(const Mesh& mesh, const Point3& growth,
 /// that is deposited if there are none. Edges are halved until none is longer than a hundredth of the part's
 /// diagonal.
 /// @param toolpath  in the frame of the mesh
-/// @throws InvalidInput if nothing is deposited
+/// @param progress  stage "overhang"
+/// @throws InvalidInput if nothing is deposited, or more than 20 million triangles would result; Cancelled
 UnsupportedSurface unsupportedSurface(const Mesh& mesh, const Toolpath& toolpath,
-                                      const SupportQuestion& question);
+                                      const SupportQuestion& question, Progress& progress);
 
 }  // namespace lamina

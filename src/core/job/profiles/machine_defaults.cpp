@@ -24,6 +24,13 @@ std::string typedText(double value) {
   return text;
 }
 
+/// Level layers come first in `auto`, unless other settings choose a mode that may lay all layers alike.
+bool hasOwnFirstLayer(const JobSettings& settings) {
+  const std::string& mode = settings.slicing.mode;
+  if (mode == kAutoMode) return settings.conformal.base.empty() && !settings.automatic.follows_skins;
+  return slicingModes().find(mode).first_layer == FirstLayer::OwnHeight;
+}
+
 /// A height of layers, and the setting of the machine that it follows from; none for the built-in one.
 struct FollowedHeight {
   double height_mm;
@@ -78,10 +85,8 @@ class DefaultsOfMachine {
   /// Modes that may lay all layers alike refuse a first one of another height, but for the built-in one.
   void followFirstLayer(FollowedHeight first) {
     const SlicingSettings& slicing = settings_.slicing;
-    const bool has_own =
-        slicing.mode != kAutoMode && slicingModes().find(slicing.mode).first_layer == FirstLayer::OwnHeight;
     const bool is_built_in = typedText(first.height_mm) == typedText(slicing.first_layer_height_mm);
-    if (!has_own && !is_built_in) first.height_mm = slicing.layer_height_mm;
+    if (!hasOwnFirstLayer(settings_) && !is_built_in) first.height_mm = slicing.layer_height_mm;
     addHeight("slicing.first_layer_height_mm", first);
   }
 

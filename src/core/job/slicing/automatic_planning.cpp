@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <exception>
 #include <optional>
 #include <string>
 #include <utility>
@@ -14,6 +15,7 @@
 #include "job/slicing/skin_modes.hpp"
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/slicing/unsliceable.hpp"
 
 namespace lamina {
 namespace {
@@ -24,7 +26,7 @@ std::string percentText(double percent) {
   return text;
 }
 
-/// Modes tried one after the other, and what came of them.
+/// Modes tried one after the other, and what came of them. Only plans that may still be taken are kept.
 class ModeTrials {
  public:
   ModeTrials(const SourcePart& source, const PlanningRequest& request) : source_(source), request_(request) {}
@@ -32,7 +34,12 @@ class ModeTrials {
   void attempt(const std::string& mode, Progress& progress) {
     ModeTrial trial = tryMode(mode, source_, request_, progress);
     candidates_.push_back(std::move(trial.candidate));
+    if (trial.refused_by) refused_by_ = trial.refused_by;
+    if (!trial.in_the_way.triangles.empty()) in_the_way_ = std::move(trial.in_the_way);
+    if (trial.planned) trial.planned->support.reset();
     planned_.push_back(std::move(trial.planned));
+    for (std::size_t i = 0; i < planned_.size(); ++i)
+      if (isOutdone(candidates_, i)) planned_[i].reset();
   }
 
   bool isGoodEnough() const { return isLastGoodEnough(candidates_, settings()); }
@@ -41,6 +48,16 @@ class ModeTrials {
   std::optional<std::size_t> chosen() const { return chosenMode(candidates_, settings()); }
   PlannedPart take(std::size_t place) { return std::move(*planned_[place]); }
   std::string reason(std::size_t place) const { return reasonFor(candidates_, place, settings()); }
+
+  /// Of one mode its own error; of several all reasons, and the region of the last that shows one.
+  [[noreturn]] void refuse() const {
+    if (candidates_.size() == 1) std::rethrow_exception(refused_by_);
+    std::string message = "no slicing mode takes the part";
+    for (const ModeCandidate& candidate : candidates_)
+      message += "; not " + candidate.mode + ": " + candidate.refusal;
+    if (in_the_way_.triangles.empty()) throw InvalidMesh(message);
+    throw Unsliceable(message, in_the_way_).on(source_.mesh);
+  }
 
   /// On all that were tried but one.
   std::vector<std::string> notesBeside(std::size_t place) const {
@@ -57,6 +74,8 @@ class ModeTrials {
   const PlanningRequest& request_;
   std::vector<ModeCandidate> candidates_;
   std::vector<std::optional<PlannedPart>> planned_;
+  std::exception_ptr refused_by_;
+  Mesh in_the_way_;
 };
 
 PlannedPart taken(ModeTrials& trials, std::size_t place, const std::string& reason, SliceSummary& summary) {
@@ -84,22 +103,15 @@ std::string noteOnHeld(const PlanningRequest& request) {
 
 PlannedPart planBySupport(ModeTrials& trials, const PlanningRequest& request, SliceSummary& summary,
                           Progress& progress) {
-  trials.attempt("planar", progress);
-  const bool may_tilt = nozzleFor(request.job, request.space) == Nozzle::Tilting;
-  if (may_tilt)
-    for (const std::string& mode : tiltingModes()) {
-      if (trials.isGoodEnough()) break;
-      trials.attempt(mode, progress);
-    }
-  const std::optional<std::size_t> chosen = trials.chosen();
-  if (!chosen) {
-    std::string refusals;
-    for (const ModeCandidate& candidate : trials.candidates())
-      refusals += "; not " + candidate.mode + ": " + candidate.refusal;
-    throw InvalidMesh("no slicing mode takes the part" + refusals);
+  for (const std::string& mode : modesInTurn(request.job, request.space)) {
+    trials.attempt(mode, progress);
+    if (trials.isGoodEnough()) break;
   }
+  const std::optional<std::size_t> chosen = trials.chosen();
+  if (!chosen) trials.refuse();
   PlannedPart planned = taken(trials, *chosen, trials.reason(*chosen), summary);
-  if (!may_tilt && !trials.isGoodEnough()) planned.notes.push_back(noteOnHeld(request));
+  const bool is_held = nozzleFor(request.job, request.space) == Nozzle::Held;
+  if (is_held && !trials.isGoodEnough()) planned.notes.push_back(noteOnHeld(request));
   return planned;
 }
 
@@ -125,6 +137,15 @@ PlannedPart planAutomatically(const SourcePart& source, const PlanningRequest& r
       if (trials.isLastTaken()) return taken(trials, trials.candidates().size() - 1, choice.reason, summary);
     }
   return planBySupport(trials, request, summary, progress);
+}
+
+Unreachable withLevelLayersNamed(const Unreachable& refusal, const SliceSummary& summary) {
+  const std::vector<ModeCandidate>& candidates = summary.candidates;
+  if (candidates.empty() || hasPlaneLayers(summary.mode)) return refusal;
+  for (const ModeCandidate& candidate : candidates)
+    if (candidate.mode == "planar" && !candidate.refusal.empty()) return refusal;
+  return Unreachable(std::string(refusal.what()) + "; auto took slicing.mode=" + summary.mode +
+                     ", slicing.mode=planar would not tilt the nozzle");
 }
 
 PlaneSettings planeOfHead(const BuildSpace& space) {

@@ -3,6 +3,7 @@
 #include "job/slicing/mode_choice.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdio>
 #include <limits>
 #include <tuple>
@@ -10,10 +11,12 @@
 namespace lamina {
 namespace {
 
-double longestTime(const std::vector<ModeCandidate>& candidates, const AutomaticSettings& settings) {
+/// Of printing, beside the first of them.
+double longestTime(const std::vector<ModeCandidate>& candidates, std::size_t count,
+                   const AutomaticSettings& settings) {
   double quickest = std::numeric_limits<double>::infinity();
-  for (const ModeCandidate& candidate : candidates)
-    if (candidate.refusal.empty()) quickest = std::min(quickest, candidate.time_s);
+  for (std::size_t i = 0; i < count; ++i)
+    if (candidates[i].refusal.empty()) quickest = std::min(quickest, candidates[i].time_s);
   return settings.longest_time * quickest;
 }
 
@@ -21,10 +24,18 @@ bool isGood(const ModeCandidate& candidate, const AutomaticSettings& settings) {
   return candidate.unsupported_percent <= settings.good_unsupported_percent;
 }
 
+/// Beside those before it: what is tried later takes nothing from it.
+bool isGoodEnough(const std::vector<ModeCandidate>& candidates, std::size_t place,
+                  const AutomaticSettings& settings) {
+  const ModeCandidate& candidate = candidates[place];
+  return candidate.refusal.empty() && isGood(candidate, settings) &&
+         candidate.time_s <= longestTime(candidates, place + 1, settings);
+}
+
 /// Places of those that are not refused and do not take too long.
 std::vector<std::size_t> eligible(const std::vector<ModeCandidate>& candidates,
                                   const AutomaticSettings& settings) {
-  const double longest_s = longestTime(candidates, settings);
+  const double longest_s = longestTime(candidates, candidates.size(), settings);
   std::vector<std::size_t> places;
   for (std::size_t i = 0; i < candidates.size(); ++i)
     if (candidates[i].refusal.empty() && candidates[i].time_s <= longest_s) places.push_back(i);
@@ -45,17 +56,29 @@ std::string limitText(double percent) {
   return text;
 }
 
+/// " of those that take at most ..." if that leaves one out of the first of them; empty otherwise.
+std::string limitOfTime(const std::vector<ModeCandidate>& candidates, std::size_t count,
+                        const AutomaticSettings& settings) {
+  const double longest_s = longestTime(candidates, count, settings);
+  const bool leaves_one_out =
+      std::any_of(candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(count),
+                  [&](const ModeCandidate& each) { return each.refusal.empty() && each.time_s > longest_s; });
+  if (!leaves_one_out) return "";
+  char text[96];
+  std::snprintf(text, sizeof text, " of those that take at most %.1f min (auto.longest_time)",
+                longest_s / 60.0);
+  return text;
+}
+
 }  // namespace
 
 std::optional<std::size_t> chosenMode(const std::vector<ModeCandidate>& candidates,
                                       const AutomaticSettings& settings) {
+  for (std::size_t place = 0; place < candidates.size(); ++place)
+    if (isGoodEnough(candidates, place, settings)) return place;
   const std::vector<std::size_t> places = eligible(candidates, settings);
-  if (places.empty()) return std::nullopt;
   double least = std::numeric_limits<double>::infinity();
-  for (const std::size_t place : places) {
-    if (isGood(candidates[place], settings)) return place;
-    least = std::min(least, candidates[place].unsupported_percent);
-  }
+  for (const std::size_t place : places) least = std::min(least, candidates[place].unsupported_percent);
   std::optional<std::size_t> best;
   const auto rank = [&](std::size_t place) {
     return std::tuple(candidates[place].steps, candidates[place].time_s, place);
@@ -67,8 +90,20 @@ std::optional<std::size_t> chosenMode(const std::vector<ModeCandidate>& candidat
 }
 
 bool isLastGoodEnough(const std::vector<ModeCandidate>& candidates, const AutomaticSettings& settings) {
-  const std::vector<std::size_t> places = eligible(candidates, settings);
-  return !places.empty() && places.back() + 1 == candidates.size() && isGood(candidates.back(), settings);
+  return !candidates.empty() && isGoodEnough(candidates, candidates.size() - 1, settings);
+}
+
+bool isOutdone(const std::vector<ModeCandidate>& candidates, std::size_t which) {
+  const ModeCandidate& one = candidates[which];
+  if (!one.refusal.empty()) return true;
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    const ModeCandidate& other = candidates[i];
+    if (i == which || !other.refusal.empty()) continue;
+    const bool is_first = std::tuple(other.steps, other.time_s, i) < std::tuple(one.steps, one.time_s, which);
+    if (is_first && other.time_s <= one.time_s && other.unsupported_percent <= one.unsupported_percent)
+      return true;
+  }
+  return false;
 }
 
 std::string reasonFor(const std::vector<ModeCandidate>& candidates, std::size_t chosen,
@@ -76,9 +111,11 @@ std::string reasonFor(const std::vector<ModeCandidate>& candidates, std::size_t 
   const ModeCandidate& taken = candidates[chosen];
   std::string reason = "it leaves " + numbersOf(taken) + ", ";
   if (isGood(taken, settings))
-    reason += "the simplest with at most " + limitText(settings.good_unsupported_percent);
+    reason += "the simplest" + limitOfTime(candidates, chosen + 1, settings) + " with at most " +
+              limitText(settings.good_unsupported_percent);
   else
-    reason += "in the fewest steps of those that leave about the least; none leaves at most " +
+    reason += "in the fewest steps of those that leave about the least; none" +
+              limitOfTime(candidates, candidates.size(), settings) + " leaves at most " +
               limitText(settings.good_unsupported_percent);
   if (chosen > 0 && candidates.front().refusal.empty())
     reason += "; " + candidates.front().mode + " would leave " + numbersOf(candidates.front());
@@ -90,7 +127,7 @@ std::string noteOn(const std::vector<ModeCandidate>& candidates, std::size_t whi
   const ModeCandidate& candidate = candidates[which];
   if (!candidate.refusal.empty()) return "not " + candidate.mode + ": " + candidate.refusal;
   std::string note = "not " + candidate.mode + ": it would leave " + numbersOf(candidate);
-  const double longest_s = longestTime(candidates, settings);
+  const double longest_s = longestTime(candidates, candidates.size(), settings);
   if (candidate.time_s <= longest_s) return note;
   char text[96];
   std::snprintf(text, sizeof text, "; it may take %.1f min (auto.longest_time)", longest_s / 60.0);

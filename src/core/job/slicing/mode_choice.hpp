@@ -12,9 +12,11 @@
 
 namespace lamina {
 
-/// Of those that are not refused and take at most `longest_time` times as long as the quickest of them: the
-/// first that leaves little enough unsupported. If none does, the one with the fewest steps of those that
-/// leave as little as the best, or alike; of several of these the quickest, then the first.
+/// The first that leaves little enough unsupported, and takes at most `longest_time` times as long as the
+/// quickest of those up to it: what comes later changes nothing, so that it need not be tried. If there is
+/// none, of those that take at most `longest_time` times as long as the quickest of all, the one with the
+/// fewest steps of those that leave as little as the best, or alike; of several of these the quickest, then
+/// the first. Refused ones count for nothing.
 /// @param candidates  the simplest first
 /// @return its place; nothing if all are refused
 std::optional<std::size_t> chosenMode(const std::vector<ModeCandidate>& candidates,
@@ -22,6 +24,11 @@ std::optional<std::size_t> chosenMode(const std::vector<ModeCandidate>& candidat
 
 /// Whether the last candidate is good enough beside those before it, so that no further one has to be tried.
 bool isLastGoodEnough(const std::vector<ModeCandidate>& candidates, const AutomaticSettings& settings);
+
+/// Whether one of them is never chosen, whatever else is tried: it is refused, or another, preferred where
+/// both are alike, leaves no more unsupported in no more steps and no more time.
+/// @param candidates  none of them tried behind one that is good enough
+bool isOutdone(const std::vector<ModeCandidate>& candidates, std::size_t which);
 
 /// Why one of them was chosen, with the numbers: a sentence without full stop.
 std::string reasonFor(const std::vector<ModeCandidate>& candidates, std::size_t chosen,

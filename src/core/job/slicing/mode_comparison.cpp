@@ -10,7 +10,7 @@
 #include "job/slicing/mode_trial.hpp"
 #include "job/slicing/part_slicing.hpp"
 #include "lamina/base/error.hpp"
-#include "lamina/job/part/placement.hpp"
+#include "lamina/job/slicing/slicing_mode.hpp"
 
 namespace lamina {
 namespace {
@@ -24,10 +24,41 @@ void requireDistinct(const std::vector<std::string>& modes) {
   }
 }
 
-/// With the plane that an inclined head needs, unless one is asked for.
+/// As `auto` takes it: laid on the base if there is one, and with the plane that an inclined head needs,
+/// unless one is asked for.
 SliceJob onMachine(SliceJob job, const BuildSpace& space) {
+  job.settings.slicing.mode = kAutoMode;
   if (job.settings.slicing.plane.angle_deg == 0.0) job.settings.slicing.plane = planeOfHead(space);
   return job;
+}
+
+/// What `auto` tries; nothing where settings decide that are not compared: a base, or skins.
+std::vector<std::string> modesOfAuto(const PlanningRequest& request) {
+  const JobSettings& settings = request.job.settings;
+  if (!settings.conformal.base.empty()) return {};
+  if (settings.slicing.plane.angle_deg != 0.0) return {"inclined"};
+  if (settings.automatic.follows_skins) return {};
+  return modesInTurn(request.job, request.space);
+}
+
+/// The place of the mode that `auto` takes; nothing if one that it tries is not among them.
+std::optional<std::size_t> takenByAuto(const std::vector<ComparedMode>& modes,
+                                       const std::vector<std::string>& in_turn,
+                                       const AutomaticSettings& settings) {
+  std::vector<ModeCandidate> tried;
+  std::vector<std::size_t> places;
+  for (const std::string& mode : in_turn) {
+    const auto found = std::find_if(modes.begin(), modes.end(), [&](const ComparedMode& compared) {
+      return compared.candidate.mode == mode;
+    });
+    if (found == modes.end()) return std::nullopt;
+    tried.push_back(found->candidate);
+    places.push_back(static_cast<std::size_t>(found - modes.begin()));
+    if (isLastGoodEnough(tried, settings)) break;
+  }
+  const std::optional<std::size_t> chosen = chosenMode(tried, settings);
+  if (!chosen) return std::nullopt;
+  return places[*chosen];
 }
 
 }  // namespace
@@ -35,34 +66,30 @@ SliceJob onMachine(SliceJob job, const BuildSpace& space) {
 std::vector<std::string> comparableModes(const SliceJob& job) {
   const BuildSpace space = buildSpaceOf(job.settings.machine);
   if (onMachine(job, space).settings.slicing.plane.angle_deg != 0.0) return {"inclined"};
-  if (nozzleFor(job, space) == Nozzle::Held) return {"planar", "heightfield"};
-  std::vector<std::string> modes = tiltingModes();
-  modes.insert(modes.begin(), "planar");
-  modes.emplace_back("curved");
+  std::vector<std::string> modes = modesInTurn(job, space);
+  modes.emplace_back(nozzleFor(job, space) == Nozzle::Held ? "heightfield" : "curved");
   return modes;
 }
 
 ModeComparison compareModes(const SliceJob& job, const std::vector<std::string>& modes, Progress& progress) {
   requireDistinct(modes);
-  validate(job.settings);
   const BuildSpace space = buildSpaceOf(job.settings.machine);
   const SliceJob placed = onMachine(job, space);
-  const SourcePart source = readSource(placed, progress);
-  const PlanningRequest request{placed, space,
-                                placePart(boundingBox(source.mesh), space, placed.settings.placement)};
+  validate(placed.settings);
+  requireToolAxisFor(placed, space);
+  const LaidPart laid = laidPart(readSource(placed, progress), placed, space);
+  const PlanningRequest request{placed, space, laid.bed_from_part};
   ModeComparison comparison;
-  std::vector<ModeCandidate> candidates;
   for (const std::string& mode : modes) {
-    ModeTrial trial = tryMode(mode, source, request, progress);
-    candidates.push_back(trial.candidate);
+    ModeTrial trial = tryMode(mode, laid.source, request, progress);
     ComparedMode& compared = comparison.modes.emplace_back();
     compared.candidate = std::move(trial.candidate);
     if (!trial.planned) continue;
     compared.toolpath = std::move(trial.planned->plan.toolpath);
     compared.unsupported = std::move(trial.planned->support->unsupported);
   }
-  comparison.part = source.mesh;
-  comparison.chosen = chosenMode(candidates, job.settings.automatic);
+  comparison.part = laid.source.mesh;
+  comparison.chosen = takenByAuto(comparison.modes, modesOfAuto(request), job.settings.automatic);
   return comparison;
 }
 

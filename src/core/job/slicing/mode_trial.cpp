@@ -17,12 +17,13 @@ SupportQuestion questionOf(const JobSettings& settings) {
   return {settings.automatic.max_overhang_deg, settings.slicing.first_layer_height_mm};
 }
 
-LayerSupport measuredSupport(const Mesh& mesh, const PlannedPart& planned, const SliceJob& job) {
-  const bool is_plane = hasPlaneLayers(job.settings.slicing.mode);
+LayerSupport measuredSupport(const Mesh& mesh, const PlannedPart& planned, const JobSettings& settings,
+                             Progress& progress) {
+  const bool is_plane = hasPlaneLayers(settings.slicing.mode);
   UnsupportedSurface surface =
-      is_plane ? unsupportedInPlanes(mesh, job.settings)
-               : unsupportedSurface(mesh, planned.plan.toolpath, questionOf(job.settings));
-  return {surface.surface_mm2, surface.unsupported_mm2, is_plane ? std::size_t{1} : planned.counts.layers,
+      is_plane ? unsupportedInPlanes(mesh, settings)
+               : unsupportedSurface(mesh, planned.plan.toolpath, questionOf(settings), progress);
+  return {surface.unsupported_mm2, is_plane ? std::size_t{1} : planned.counts.layers,
           std::move(surface.region)};
 }
 
@@ -34,7 +35,6 @@ PlannedPart plannedBy(const SliceJob& job, const SourcePart& source, const Plann
   if (totals(planned.plan.toolpath).deposition_runs == 0)
     throw InvalidInput("no bead is deposited in any of its " + std::to_string(planned.counts.layers) +
                        " layers; expected at least one");
-  if (!planned.support) planned.support = measuredSupport(source.mesh, planned, job);
   return planned;
 }
 
@@ -46,6 +46,13 @@ Nozzle nozzleFor(const SliceJob& job, const BuildSpace& space) {
   const bool is_held = programRunner(job.output) == ProgramRunner::RapidRobot &&
                        job.settings.program.rapid.variant != RapidVariant::Powder5Axes;
   return canTurnToolAxis(space) && !is_held ? Nozzle::Tilting : Nozzle::Held;
+}
+
+std::vector<std::string> modesInTurn(const SliceJob& job, const BuildSpace& space) {
+  std::vector<std::string> modes = {"planar"};
+  if (nozzleFor(job, space) == Nozzle::Held) return modes;
+  for (std::string& mode : tiltingModes()) modes.push_back(std::move(mode));
+  return modes;
 }
 
 UnsupportedSurface unsupportedInPlanes(const Mesh& mesh, const JobSettings& settings) {
@@ -82,14 +89,19 @@ ModeTrial tryMode(const std::string& mode, const SourcePart& source, const Plann
     trial.planned = plannedBy(job, source, request, progress);
   } catch (const InvalidInput& refusal) {
     trial.candidate.refusal = refusal.what();
+    trial.refused_by = std::current_exception();
+    if (const auto* const shown = dynamic_cast<const Unsliceable*>(&refusal))
+      trial.in_the_way = shown->region();
     return trial;
   }
-  const LayerSupport& support = *trial.planned->support;
-  if (support.surface_mm2 > 0.0)
-    trial.candidate.unsupported_percent = 100.0 * support.unsupported_mm2 / support.surface_mm2;
+  PlannedPart& planned = *trial.planned;
+  if (!planned.support) planned.support = measuredSupport(source.mesh, planned, job.settings, progress);
+  const LayerSupport& support = *planned.support;
+  const double surface_mm2 = surfaceArea(source.mesh);
+  if (surface_mm2 > 0.0) trial.candidate.unsupported_percent = 100.0 * support.unsupported_mm2 / surface_mm2;
   trial.candidate.steps = support.steps;
-  trial.candidate.layers = trial.planned->counts.layers;
-  trial.candidate.time_s = estimateTime(trial.planned->plan.toolpath, job.settings.motion).total_s;
+  trial.candidate.layers = planned.counts.layers;
+  trial.candidate.time_s = estimateTime(planned.plan.toolpath, job.settings.motion).total_s;
   return trial;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <exception>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,6 +18,8 @@ namespace lamina {
 struct ModeTrial {
   ModeCandidate candidate;
   std::optional<PlannedPart> planned;  ///< with its support; nothing if the mode refuses the part
+  std::exception_ptr refused_by;       ///< the error that the refusal is the text of
+  Mesh in_the_way;                     ///< of an `Unsliceable`: its region
 };
 
 /// Modes that tilt the nozzle so that less hangs, from the simplest to print.
@@ -24,6 +27,10 @@ std::vector<std::string> tiltingModes();
 
 /// Whether the machine, and the program for it, may tilt the nozzle.
 Nozzle nozzleFor(const SliceJob& job, const BuildSpace& space);
+
+/// The modes that `auto` tries until one is good enough, from the simplest on, where it is the support that
+/// decides.
+std::vector<std::string> modesInTurn(const SliceJob& job, const BuildSpace& space);
 
 /// Of a part in plane layers as the settings incline them.
 UnsupportedSurface unsupportedInPlanes(const Mesh& mesh, const JobSettings& settings);
@@ -36,8 +43,8 @@ SliceJob jobBy(const std::string& mode, SliceJob job);
 PlannedPart planShown(SourcePart source, const std::string& mode, const PlanningRequest& request,
                       Progress& progress);
 
-/// Plans a part by a mode. Refusals stand in the candidate.
-/// @throws Cancelled
+/// Plans a part by a mode, and measures what it leaves unsupported. Refusals stand in the trial.
+/// @throws Cancelled; as `unsupportedSurface`
 ModeTrial tryMode(const std::string& mode, const SourcePart& source, const PlanningRequest& request,
                   Progress& progress);
 

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <utility>
 
 #include "job/part/shrinkage.hpp"
+#include "job/slicing/automatic_planning.hpp"
 #include "job/slicing/inclined_layers.hpp"
 #include "job/slicing/oriented_planning.hpp"
 #include "lamina/base/error.hpp"
@@ -71,14 +73,10 @@ Box3 boxOnBed(const SourcePart& source) {
   return box;
 }
 
-/// What was read, and where it stands.
-void place(const SourcePart& source, const BuildSpace& space, const SliceJob& job, SlicedPart& sliced) {
-  const Box3 box = boxOnBed(source);
-  requireFits(box, boundingBox(space), space.name);
-  sliced.bed_from_part = placePart(box, space, job.settings.placement);
-  sliced.summary.triangles = source.mesh.triangles.size();
-  sliced.summary.mesh_volume_mm3 = volume(source.mesh);
-  sliced.summary.repairs = source.repairs;
+void addSource(SliceSummary& summary, const SourcePart& source) {
+  summary.triangles = source.mesh.triangles.size();
+  summary.mesh_volume_mm3 = volume(source.mesh);
+  summary.repairs = source.repairs;
 }
 
 std::string volumesNote(std::size_t left_out) {
@@ -113,24 +111,37 @@ SourcePart readSource(const SliceJob& job, Progress& progress) {
   return source;
 }
 
+LaidPart laidPart(SourcePart read, const SliceJob& job, const BuildSpace& space) {
+  LaidPart laid{grownForShrinkage(std::move(read), job.settings)};
+  const Box3 box = boxOnBed(laid.source);
+  requireFits(box, boundingBox(space), space.name);
+  laid.bed_from_part = placePart(box, space, job.settings.placement);
+  return laid;
+}
+
 SlicedPart sliceSource(SourcePart source, const SliceJob& job, const BuildSpace& space, Progress& progress) {
   SlicedPart sliced;
   const Point3 drawn = boundingBox(source.mesh).size();
-  source = grownForShrinkage(std::move(source), job.settings);
-  const Point3 laid = boundingBox(source.mesh).size();
-  const std::size_t volumes = source.volumes.size();
-  place(source, space, job, sliced);
+  LaidPart laid = laidPart(std::move(source), job, space);
+  const Point3 size = boundingBox(laid.source.mesh).size();
+  const std::size_t volumes = laid.source.volumes.size();
+  addSource(sliced.summary, laid.source);
+  sliced.bed_from_part = laid.bed_from_part;
   sliced.toolpath =
-      planOriented(std::move(source), {job, space, sliced.bed_from_part}, sliced.summary, progress);
+      planOriented(std::move(laid.source), {job, space, sliced.bed_from_part}, sliced.summary, progress);
   sliced.bed_from_part.pretranslate(Point3(0.0, 0.0, sliced.summary.raft_mm));
   const bool are_level = sliced.summary.mode == "planar" && job.settings.slicing.plane.angle_deg == 0.0;
   if (volumes > 0 && !are_level) sliced.summary.notes.push_back(volumesNote(volumes));
-  if (changesSize(job.settings.compensation)) sliced.summary.notes.push_back(sizeNote(drawn, laid));
+  if (changesSize(job.settings.compensation)) sliced.summary.notes.push_back(sizeNote(drawn, size));
   requireDeposition(sliced.toolpath, job.settings.planning);
   sliced.toolpath = withCopies(std::move(sliced.toolpath), job.settings.copies, space, sliced.bed_from_part,
                                job.settings.planning.travel.feed_mm_s);
   addToolpath(sliced.summary, sliced.toolpath);
-  requireWithin(space, job, sliced);
+  try {
+    requireWithin(space, job, sliced);
+  } catch (const Unreachable& refusal) {
+    throw withLevelLayersNamed(refusal, sliced.summary);
+  }
   return sliced;
 }
 

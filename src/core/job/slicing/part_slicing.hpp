@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Geometry>
+
 #include "job/part/part_source.hpp"
 #include "lamina/base/progress.hpp"
 #include "lamina/job/slice_job.hpp"
@@ -19,6 +21,15 @@ void requireToolAxisFor(const SliceJob& job, const BuildSpace& space);
 /// Reads what a job prints, and what it is laid on where its mode asks for that.
 /// @throws InvalidMesh, FileError, Cancelled as `readPart`
 SourcePart readSource(const SliceJob& job, Progress& progress);
+
+/// What is sliced: as large as it must be before it shrinks, and where it stands.
+struct LaidPart {
+  SourcePart source;
+  Eigen::Isometry3d bed_from_part = Eigen::Isometry3d::Identity();
+};
+
+/// @throws Unreachable if the part, with what it is laid on, is larger than the build space
+LaidPart laidPart(SourcePart read, const SliceJob& job, const BuildSpace& space);
 
 /// Everything between mesh and program: places, slices and plans what was read, and checks it against the
 /// build space. Of the times in the summary only that of slicing is set.

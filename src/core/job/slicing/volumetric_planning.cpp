@@ -116,7 +116,7 @@ PlannedPart planVolumetric(SourcePart source, const PlanningRequest& request, Pr
   const TravelsOverPart travels =
       leadTravels(planned.plan.toolpath, laid_mm, *room, settings.planning.travel.hop_mm, progress);
   planned.counts.slice_s += slice_s;
-  planned.support = LayerSupport{measures.surface_mm2, measures.unsupported_mm2,
+  planned.support = LayerSupport{measures.unsupported_mm2,
                                  bent_layers + (measures.level_layers > 0 ? std::size_t{1} : std::size_t{0}),
                                  std::move(hanging)};
   planned.notes = {noteOnGrowth(measures, settings.slicing.layer_height_mm),

@@ -17,6 +17,7 @@ namespace lamina {
 namespace {
 
 constexpr double kSamplesPerDiagonal = 100.0;
+constexpr const char* kStage = "overhang";
 
 /// @param growth_of  of a triangle by its number: unit vector; zero for one that rests
 template <class GrowthOf>
@@ -50,12 +51,13 @@ UnsupportedSurface unsupportedSurface(const Mesh& mesh, const Point3& growth,
 }
 
 UnsupportedSurface unsupportedSurface(const Mesh& mesh, const Toolpath& toolpath,
-                                      const SupportQuestion& question) {
+                                      const SupportQuestion& question, Progress& progress) {
+  throwIfCancelled(progress, kStage);
   const DepositedWalls walls = depositedWalls(toolpath, 0.0);
   const NearestTriangle nearest(walls.motions);
+  throwIfCancelled(progress, kStage);
   const Mesh fine = subdivide(mesh, boundingBox(mesh).size().norm() / kSamplesPerDiagonal).mesh;
   std::vector<Point3> growth(fine.triangles.size());
-  NoProgress nobody;
   parallelFor(
       growth.size(),
       [&](std::size_t i) {
@@ -65,7 +67,7 @@ UnsupportedSurface unsupportedSurface(const Mesh& mesh, const Toolpath& toolpath
         const std::uint32_t motion = nearest.nearest(middle).triangle;
         growth[i] = motion < walls.in_first_layer ? Point3(Point3::Zero()) : walls.growth[motion].direction;
       },
-      nobody, "overhang");
+      progress, kStage);
   return unsupportedBy(fine, question, [&](std::uint32_t i) { return growth[i]; });
 }
 
