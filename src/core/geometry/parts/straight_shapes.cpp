@@ -16,6 +16,13 @@ Polygon rectangle(double x, double y) {
   return {{-0.5 * x, -0.5 * y}, {0.5 * x, -0.5 * y}, {0.5 * x, 0.5 * y}, {-0.5 * x, 0.5 * y}};
 }
 
+/// A prism along y, in the middle over y = 0; its outline stands upright, in x and z.
+Mesh standingPrism(const Polygon& outline, double width_mm) {
+  Mesh mesh = prism(outline, width_mm);
+  for (Point3& vertex : mesh.vertices) vertex = {vertex.x(), 0.5 * width_mm - vertex.z(), vertex.y()};
+  return mesh;
+}
+
 /// The permutations of (0, ±1, ±2).
 std::vector<Point3> truncatedOctahedronVertices() {
   std::vector<Point3> vertices;
@@ -92,17 +99,15 @@ Mesh build(const BridgeShape& shape) {
   const double inner = 0.5 * shape.gap_mm;
   const double outer = 0.5 * shape.length_mm;
   const double top = shape.pillar_mm + shape.plate_mm;
-  Mesh mesh = prism({{-inner, 0.0},
-                     {-inner, shape.pillar_mm},
-                     {inner, shape.pillar_mm},
-                     {inner, 0.0},
-                     {outer, 0.0},
-                     {outer, top},
-                     {-outer, top},
-                     {-outer, 0.0}},
-                    shape.width_mm);
-  for (Point3& vertex : mesh.vertices) vertex = {vertex.x(), 0.5 * shape.width_mm - vertex.z(), vertex.y()};
-  return mesh;
+  return standingPrism({{-inner, 0.0},
+                        {-inner, shape.pillar_mm},
+                        {inner, shape.pillar_mm},
+                        {inner, 0.0},
+                        {outer, 0.0},
+                        {outer, top},
+                        {-outer, top},
+                        {-outer, 0.0}},
+                       shape.width_mm);
 }
 
 void describe(SettingsSchema& schema, TeeShape& shape) {
@@ -122,21 +127,19 @@ Mesh build(const TeeShape& shape) {
   const double under = shape.stem_height_mm;
   const double top = under + shape.bar_height_mm;
   // Corners within the top let `loft` close the sides by triangles with an area.
-  Mesh mesh = prism({{bar, top},
-                     {stem, top},
-                     {stem / 3.0, top},
-                     {-stem / 3.0, top},
-                     {-2.0 * stem / 3.0, top},
-                     {-bar, top},
-                     {-bar, under},
-                     {-stem, under},
-                     {-stem, 0.0},
-                     {stem, 0.0},
-                     {stem, under},
-                     {bar, under}},
-                    shape.width_mm);
-  for (Point3& vertex : mesh.vertices) vertex = {vertex.x(), 0.5 * shape.width_mm - vertex.z(), vertex.y()};
-  return mesh;
+  return standingPrism({{bar, top},
+                        {stem, top},
+                        {stem / 3.0, top},
+                        {-stem / 3.0, top},
+                        {-2.0 * stem / 3.0, top},
+                        {-bar, top},
+                        {-bar, under},
+                        {-stem, under},
+                        {-stem, 0.0},
+                        {stem, 0.0},
+                        {stem, under},
+                        {bar, under}},
+                       shape.width_mm);
 }
 
 void describe(SettingsSchema& schema, Tetradecahedron& shape) {
