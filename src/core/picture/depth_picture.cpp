@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "lamina/base/parallel.hpp"
+#include "lamina/picture/colour.hpp"
 
 namespace lamina {
 namespace {
@@ -14,10 +15,6 @@ namespace {
 constexpr double kShineThrough = 0.22;
 constexpr Colour kPartColour{0.72, 0.74, 0.78};
 constexpr Colour kRegionColour{0.85, 0.10, 0.10};
-
-Colour lit(const Colour& colour, double light) {
-  return {colour.red * light, colour.green * light, colour.blue * light};
-}
 
 }  // namespace
 
@@ -75,7 +72,7 @@ CellColours DepthPicture::raster() const {
 }
 
 Colour DepthPicture::colourOf(const Pixel& pixel) {
-  const Colour own = lit(pixel.colour, pixel.light);
+  const Colour own = shaded(pixel.colour, pixel.light);
   if (pixel.is_region || !pixel.has_region) return own;
   const double kept = 1.0 - kShineThrough;
   return {kept * own.red + kShineThrough * kRegionColour.red,
