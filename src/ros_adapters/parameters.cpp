@@ -65,6 +65,13 @@ bool fits(const std::string& setting_type, XmlRpcValue::Type type) {
   return type == XmlRpcValue::TypeString;
 }
 
+/// YAML takes more words for truth values than those that a person would.
+std::string hintFor(XmlRpcValue::Type type) {
+  return type == XmlRpcValue::TypeBoolean
+             ? "; in YAML the words on, off, yes and no have to stand in quotes to be words"
+             : "";
+}
+
 std::string onOneLine(const std::string& text) {
   std::string line;
   for (const char c : text) line += c == '\n' ? std::string("\\n") : std::string(1, c);
@@ -83,7 +90,8 @@ void applyParameters(SettingsSchema& schema, const ros::NodeHandle& node) {
   for (const auto& [setting, type] : parameters(node)) {
     const Setting* known = schema.find(setting.key);
     if (known != nullptr && !fits(known->type, type))
-      throw InvalidConfig(setting.key + " is '" + setting.text + "', which is no " + known->type);
+      throw InvalidConfig(setting.key + " is '" + setting.text + "', which is no " + known->type +
+                          hintFor(type));
     schema.set(setting.key, setting.text);
   }
 }

@@ -70,6 +70,12 @@ TEST(Parameters, OfAnotherTypeAreRefused) {
   EXPECT_NE(refusal("list"), "");
 }
 
+TEST(Parameters, ThatYamlTakesForTruthValuesAreToBeQuoted) {
+  const std::string message = refusal("word_for_text");
+  EXPECT_NE(message.find("machine.name is 'false'"), std::string::npos) << message;
+  EXPECT_NE(message.find("quotes"), std::string::npos) << message;
+}
+
 TEST(Parameters, OutOfRangeAreRefused) {
   const std::string message = refusal("out_of_range");
   EXPECT_NE(message.find("slicing.height_mm is '0'"), std::string::npos) << message;

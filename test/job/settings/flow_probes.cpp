@@ -87,7 +87,7 @@ SettingProbe leadProbe() {
            {"lead.rise_deg=20"},
            {"lead.radius_mm=3", "lead.in=arc"},
            {"lead.sweep_deg=45", "lead.in=arc"},
-           {"lead.process=on"},
+           {"lead.process=bead"},
            {"lead.overlap_mm=5"}}};
 }
 

@@ -345,16 +345,16 @@ TEST(Leads, LayNothingAlongABeadThatTheyHardlyLeave) {
     settings.deposit = deposit;
     return addLeads(toolpath, settings);
   };
-  EXPECT_EQ(leadsOf({6.0, 2.0}, LeadDeposit::On).left_out, 2U);
+  EXPECT_EQ(leadsOf({6.0, 2.0}, LeadDeposit::Bead).left_out, 2U);
   EXPECT_EQ(leadsOf({6.0, 2.0}, LeadDeposit::Ramp).left_out, 2U);
-  EXPECT_EQ(leadsOf({6.0, 2.0}, LeadDeposit::Off).added, 2U);
-  EXPECT_EQ(leadsOf({1.0, 0.5}, LeadDeposit::On).added, 2U);
+  EXPECT_EQ(leadsOf({6.0, 2.0}, LeadDeposit::Dry).added, 2U);
+  EXPECT_EQ(leadsOf({1.0, 0.5}, LeadDeposit::Bead).added, 2U);
 }
 
 TEST(Leads, StraightOnFromAnOpenBeadMayBeShorterThanItIsWide) {
   Toolpath toolpath = ofPaths({laidBead({{0, 0, 2}, {30, 0, 2}}, {6.0, 2.0})});
   LeadSettings settings = straightLead(2.0);
-  settings.deposit = LeadDeposit::On;
+  settings.deposit = LeadDeposit::Bead;
   EXPECT_EQ(addLeads(toolpath, settings).added, 2U);
 }
 
@@ -470,11 +470,11 @@ TEST(Entries, AndDryLeadsKeepTheMaterialPulledBack) {
     for (const Path& path : toolpath.layers[0].paths) retracted.push_back(path.process.is_retracted);
     return retracted;
   };
-  EXPECT_EQ(retractionsOf(LeadDeposit::Off), std::vector<bool>(7, false));
+  EXPECT_EQ(retractionsOf(LeadDeposit::Dry), std::vector<bool>(7, false));
   to.process.is_retracted = away.process.is_retracted = true;
-  EXPECT_EQ(retractionsOf(LeadDeposit::Off), (std::vector<bool>{true, true, true, false, true, true, true}));
+  EXPECT_EQ(retractionsOf(LeadDeposit::Dry), (std::vector<bool>{true, true, true, false, true, true, true}));
   // What lays a bead needs its material.
-  EXPECT_EQ(retractionsOf(LeadDeposit::On), (std::vector<bool>{true, true, false, false, false, true, true}));
+  EXPECT_EQ(retractionsOf(LeadDeposit::Bead), (std::vector<bool>{true, true, false, false, false, true, true}));
 }
 
 TEST(Levels, OfAWireFollowFromBeadAndFeed) {
@@ -539,7 +539,7 @@ TEST(BeadRunSettings, RefuseWhatCannotBeByName) {
   EXPECT_NE(refusal(settings).find("levels.start_mm is 3.000000 mm"), std::string::npos);
   settings.levels = {};
   settings.lead.rise_deg = 10.0;
-  settings.lead.deposit = LeadDeposit::On;
+  settings.lead.deposit = LeadDeposit::Bead;
   EXPECT_NE(refusal(settings).find("lead.rise_deg is 10.000000 deg"), std::string::npos);
   settings.lead.rise_deg = 0.0;
   settings.lead.overlap_mm = 8.0;
@@ -547,7 +547,7 @@ TEST(BeadRunSettings, RefuseWhatCannotBeByName) {
   settings.lead.in = LeadShape::Line;
   EXPECT_NE(refusal(settings).find("lead.overlap_mm is 8.000000 mm with leads that lay a bead"),
             std::string::npos);
-  settings.lead.deposit = LeadDeposit::Off;
+  settings.lead.deposit = LeadDeposit::Dry;
   EXPECT_EQ(refusal(settings), "");
 }
 

@@ -28,8 +28,8 @@ enum class LeadShape : std::uint8_t { None, Line, Arc };
 
 /// What the process does along a lead.
 enum class LeadDeposit : std::uint8_t {
-  Off,
-  On,    ///< lays the run's bead
+  Dry,   ///< lays nothing
+  Bead,  ///< lays the run's bead
   Ramp,  ///< lays a bead that grows to that of the run, or fades from it
 };
 
@@ -43,7 +43,7 @@ struct LeadSettings {
   double radius_mm = 5.0;   ///< of an arc
   double sweep_deg = 90.0;  ///< of an arc
   double least_mm = 1.0;    ///< leads that are shorter are left out
-  LeadDeposit deposit = LeadDeposit::Off;
+  LeadDeposit deposit = LeadDeposit::Dry;
   double overlap_mm = 0.0;  ///< by which a closed run goes on over its start; 0 for none
 };
 

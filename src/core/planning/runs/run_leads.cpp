@@ -236,7 +236,7 @@ class LayerLeads {
       return leadPoint(start, shape, side, settings_, way_mm);
     };
     // What lays nothing may pass over its bead, but not go along it.
-    const double on_own_mm = settings_.deposit == LeadDeposit::Off ? kLeadRoom : 0.5 * width_mm;
+    const double on_own_mm = settings_.deposit == LeadDeposit::Dry ? kLeadRoom : 0.5 * width_mm;
     const auto longest = [&](LeadSide side) {
       return room.longest(whole_mm, width_mm, on_own_mm,
                           [&](double way_mm) { return pointOn(side, way_mm); });
@@ -267,8 +267,8 @@ class LayerLeads {
   }
 
   void deposit(Path& lead, const Bead& bead) const {
-    lead.role = settings_.deposit == LeadDeposit::Off ? PathRole::Travel : PathRole::Prime;
-    if (settings_.deposit == LeadDeposit::On) lead.bead = bead;
+    lead.role = settings_.deposit == LeadDeposit::Dry ? PathRole::Travel : PathRole::Prime;
+    if (settings_.deposit == LeadDeposit::Bead) lead.bead = bead;
     if (settings_.deposit != LeadDeposit::Ramp) return;
     const auto steps = static_cast<double>(lead.points.size() - 1);
     std::vector<Bead> beads = {bead};

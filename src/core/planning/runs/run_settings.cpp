@@ -34,7 +34,7 @@ void describeLead(SettingsSchema& schema, LeadSettings& lead) {
                 "Leads for which there is less room are left out; longer ones are shortened.");
   schema.choice<LeadDeposit>(
       "lead.process", lead.deposit,
-      {{"off", LeadDeposit::Off}, {"on", LeadDeposit::On}, {"ramp", LeadDeposit::Ramp}},
+      {{"dry", LeadDeposit::Dry}, {"bead", LeadDeposit::Bead}, {"ramp", LeadDeposit::Ramp}},
       "Whether leads lay nothing, the run's bead, or one that grows to it and fades from it.");
   schema.number("lead.overlap_mm", lead.overlap_mm, {0.0, 1000.0},
                 "By how much a closed run goes on over its start, where the bead grows as it fades at the "
@@ -163,13 +163,13 @@ std::vector<StatedLevel> statedLevels(const std::string& text) {
 
 void requireConsistent(const BeadRunSettings& settings) {
   const LeadSettings& lead = settings.lead;
-  if (lead.rise_deg > 0.0 && lead.deposit != LeadDeposit::Off)
+  if (lead.rise_deg > 0.0 && lead.deposit != LeadDeposit::Dry)
     throw InvalidConfig("lead.rise_deg is " + std::to_string(lead.rise_deg) +
-                        " deg with leads that lay a bead; expected 0 deg, or lead.process 'off'");
+                        " deg with leads that lay a bead; expected 0 deg, or lead.process 'dry'");
   const bool has_leads = lead.in != LeadShape::None || lead.out != LeadShape::None;
-  if (has_leads && lead.overlap_mm > 0.0 && lead.deposit != LeadDeposit::Off)
+  if (has_leads && lead.overlap_mm > 0.0 && lead.deposit != LeadDeposit::Dry)
     throw InvalidConfig("lead.overlap_mm is " + std::to_string(lead.overlap_mm) +
-                        " mm with leads that lay a bead; expected 0 mm, or lead.process 'off': the bead "
+                        " mm with leads that lay a bead; expected 0 mm, or lead.process 'dry': the bead "
                         "that a lead leads to would begin with nothing");
   requireConsistent(settings.levels);
   const WeaveSettings& weave = settings.weave;
