@@ -474,7 +474,8 @@ TEST(Entries, AndDryLeadsKeepTheMaterialPulledBack) {
   to.process.is_retracted = away.process.is_retracted = true;
   EXPECT_EQ(retractionsOf(LeadDeposit::Dry), (std::vector<bool>{true, true, true, false, true, true, true}));
   // What lays a bead needs its material.
-  EXPECT_EQ(retractionsOf(LeadDeposit::Bead), (std::vector<bool>{true, true, false, false, false, true, true}));
+  EXPECT_EQ(retractionsOf(LeadDeposit::Bead),
+            (std::vector<bool>{true, true, false, false, false, true, true}));
 }
 
 TEST(Levels, OfAWireFollowFromBeadAndFeed) {
