@@ -9,6 +9,7 @@
 #include <tf2_msgs/TFMessage.h>
 
 #include <map>
+#include <memory>
 
 #include "lamina/base/clock.hpp"
 #include "latched.hpp"
@@ -24,8 +25,22 @@ constexpr double kMapPeriod = 2.0;  // s
 template <class Message>
 using Heard = boost::function<void(const boost::shared_ptr<const Message>&)>;
 
+/// What feeds the node. One for all tests: a topic that is advertised anew may lose messages while its
+/// subscriber still drops the connection of before.
+struct Feed {
+  ros::NodeHandle node{"bounded"};
+  ros::Publisher toolpath = node.advertise<lamina_msgs::Toolpath>(names::kToolpath, 1, true);
+  ros::Publisher profile = node.advertise<sensor_msgs::PointCloud2>(names::kProfile, 1000);
+  ros::Publisher transforms = node.advertise<tf2_msgs::TFMessage>("tf", 1000);
+  ros::Publisher fixed = node.advertise<tf2_msgs::TFMessage>("tf_static", 1, true);
+  ros::Time stamp{1000.0};
+};
+
 class BoundedMonitor : public ::testing::Test {
  protected:
+  static void SetUpTestSuite() { feed = std::make_unique<Feed>(); }
+  static void TearDownTestSuite() { feed.reset(); }
+
   void SetUp() override {
     const Heard<diagnostic_msgs::DiagnosticArray> on_diagnostics = [this](const auto& array) {
       for (const auto& status : array->status)
@@ -39,12 +54,13 @@ class BoundedMonitor : public ::testing::Test {
     const Heard<lamina_msgs::Measuring> on_measuring = [this](const auto& measuring) {
       measured_id_ = measuring->toolpath_id;
     };
-    subscribers_ = {node_.subscribe<diagnostic_msgs::DiagnosticArray>("/diagnostics", 100, on_diagnostics),
-                    node_.subscribe<rosgraph_msgs::Log>("/rosout", 1000, on_log),
-                    node_.subscribe<sensor_msgs::PointCloud2>(names::kHeightMap, 10, on_map),
-                    node_.subscribe<lamina_msgs::Measuring>(names::kMeasuring, 1, on_measuring)};
+    subscribers_ = {
+        feed->node.subscribe<diagnostic_msgs::DiagnosticArray>("/diagnostics", 100, on_diagnostics),
+        feed->node.subscribe<rosgraph_msgs::Log>("/rosout", 1000, on_log),
+        feed->node.subscribe<sensor_msgs::PointCloud2>(names::kHeightMap, 10, on_map),
+        feed->node.subscribe<lamina_msgs::Measuring>(names::kMeasuring, 1, on_measuring)};
     ASSERT_TRUE(test::waitUntil([this] {
-      return profile_.getNumSubscribers() > 0 && transforms_.getNumSubscribers() > 0 &&
+      return feed->profile.getNumSubscribers() > 0 && feed->transforms.getNumSubscribers() > 0 &&
              subscribers_[2].getNumPublishers() > 0 && !counted_.empty();
     }));
   }
@@ -62,8 +78,8 @@ class BoundedMonitor : public ::testing::Test {
     sensor_msgs::PointCloud2 cloud = toCloudMessage(std::vector<Point3>(points, Point3(1, 2, 3)));
     cloud.header.frame_id = "nowhere";
     for (std::size_t i = 0; i < clouds; ++i) {
-      cloud.header.stamp = stamp_ += ros::Duration(0.001);
-      profile_.publish(cloud);
+      cloud.header.stamp = feed->stamp += ros::Duration(0.001);
+      feed->profile.publish(cloud);
     }
   }
 
@@ -76,30 +92,25 @@ class BoundedMonitor : public ::testing::Test {
     sensor_msgs::PointCloud2 cloud = messages.clouds.front();
     tf2_msgs::TFMessage moving;
     moving.transforms = {messages.transforms.front()};
-    moving.transforms[0].header.stamp = cloud.header.stamp = stamp_ += ros::Duration(0.001);
-    transforms_.publish(moving);
-    profile_.publish(cloud);
+    moving.transforms[0].header.stamp = cloud.header.stamp = feed->stamp += ros::Duration(0.001);
+    feed->transforms.publish(moving);
+    feed->profile.publish(cloud);
   }
 
-  ros::NodeHandle node_{"bounded"};
-  ros::Publisher toolpath_ = node_.advertise<lamina_msgs::Toolpath>(names::kToolpath, 1, true);
-  ros::Publisher profile_ = node_.advertise<sensor_msgs::PointCloud2>(names::kProfile, 1000);
-  ros::Publisher transforms_ = node_.advertise<tf2_msgs::TFMessage>("tf", 1000);
-  ros::Publisher fixed_ = node_.advertise<tf2_msgs::TFMessage>("tf_static", 1, true);
+  static inline std::unique_ptr<Feed> feed;
   std::vector<ros::Subscriber> subscribers_;
   std::map<std::string, std::string> counted_;
   std::vector<std::string> logged_;
   std::string measured_id_;
   int maps_ = 0;
-  ros::Time stamp_{1000.0};
 };
 
 TEST_F(BoundedMonitor, PublishesMapsNoOftenerThanItsPeriod) {
   tf2_msgs::TFMessage fixed;
   fixed.transforms = {
-      test::stamped(test::nozzleFromSensor(), names::kNozzleFrame, names::kSensorFrame, stamp_)};
-  publishLatched(fixed_, fixed);
-  publishLatched(toolpath_, test::twoPlates());
+      test::stamped(test::nozzleFromSensor(), names::kNozzleFrame, names::kSensorFrame, feed->stamp)};
+  publishLatched(feed->fixed, fixed);
+  publishLatched(feed->toolpath, test::twoPlates());
   ASSERT_TRUE(test::waitUntil([this] { return measured_id_ == test::twoPlates().id; }));
   const SteadyClock clock;
   const double begin = clock.now();
@@ -108,12 +119,15 @@ TEST_F(BoundedMonitor, PublishesMapsNoOftenerThanItsPeriod) {
     return maps_ >= 2;
   }));
   EXPECT_GE(clock.now() - begin, kMapPeriod) << "between the first map and the second";
+  EXPECT_TRUE(test::waitUntil([this] { return counted_["clouds waiting"] == "0"; }))
+      << counted_["clouds waiting"];
 }
 
 TEST_F(BoundedMonitor, CloudsThatTakeMoreMemoryThanTheQueueMayPushOutTheOldest) {
   awaitLog();
   sendUnplaced(100, 10);
-  ASSERT_TRUE(test::waitUntil([this] { return counted_["clouds waiting"] == "100"; }));
+  ASSERT_TRUE(test::waitUntil([this] { return counted_["clouds waiting"] == "100"; }))
+      << counted_["clouds waiting"];
   EXPECT_EQ(counted_["clouds pushed out"], "0") << "they take less than 0.1 MB";
   sendUnplaced(20, 100000);
   // Each of 1.2 MB, and a little more for a message: 8 fit into 10 MB, all small ones and 12 have to go.

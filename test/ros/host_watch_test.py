@@ -119,8 +119,8 @@ class HostWatch(TwoHosts):
         self.start("nsenter", f"--net=/proc/{self.other.pid}/ns/net", "roslaunch", "--wait", LAUNCH, f"address:={OTHER}", f"motion:={HOST}",
                    ROS_IP=OTHER, ROS_MASTER_URI=f"http://{HOST}:{MASTER_PORT}")
         self.watch("motion", HOST, "desk", OTHER, "_nodes:=/host_watch_desk", "_disk/least_gib:=1000")
+        self.await_that(lambda: self.state and self.state.nodes and self.state.nodes[0].answers, "the watched node is not seen")
         self.await_compared()
-        self.await_that(lambda: self.state.nodes and self.state.nodes[0].answers, "the watched node is not seen")
         os.kill(self.state.nodes[0].pid, signal.SIGKILL)
         self.await_that(lambda: 8005 in self.raised(), "the restart is not told")
         self.assertIn(7002, self.raised())

@@ -156,7 +156,9 @@ TEST(ModeChoice, AnOutdoneOneIsNeverChosen) {
         if (isLastGoodEnough({a}, {}) || isLastGoodEnough({a, b}, {})) continue;
         const auto chosen = chosenMode({a, b, c}, {});
         if (!chosen) continue;
-        if (*chosen < 2) EXPECT_FALSE(isOutdone({a, b}, *chosen));
+        if (*chosen < 2) {
+          EXPECT_FALSE(isOutdone({a, b}, *chosen));
+        }
         EXPECT_FALSE(isOutdone({a, b, c}, *chosen));
         outdone += isOutdone({a, b}, 0) ? 1 : 0;
       }
