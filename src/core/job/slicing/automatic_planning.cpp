@@ -88,12 +88,11 @@ PlannedPart taken(ModeTrials& trials, std::size_t place, const std::string& reas
 }
 
 /// Where nothing is to choose, an error stays what it is.
-PlannedPart planNamed(const std::string& mode, const std::string& reason, const SourcePart& source,
-                      const PlanningRequest& request, SliceSummary& summary, Progress& progress) {
+PlannedPart planNamed(const std::string& mode, const SourcePart& source, const PlanningRequest& request,
+                      SliceSummary& summary, Progress& progress) {
   const SliceJob job = jobBy(mode, request.job);
   validate(job.settings);
   summary.mode = mode;
-  summary.mode_reason = reason;
   return planShown(source, mode, {job, request.space, request.bed_from_part}, progress);
 }
 
@@ -120,10 +119,12 @@ PlannedPart planBySupport(ModeTrials& trials, const PlanningRequest& request, Sl
 PlannedPart planAutomatically(const SourcePart& source, const PlanningRequest& request, SliceSummary& summary,
                               Progress& progress) {
   const JobSettings& settings = request.job.settings;
-  if (!settings.conformal.base.empty())
-    return planNamed("conformal", "conformal.base is set", source, request, summary, progress);
+  if (!settings.conformal.base.empty()) {
+    summary.mode_reason = "conformal.base is set";
+    return planNamed("conformal", source, request, summary, progress);
+  }
   if (settings.slicing.plane.angle_deg != 0.0) {
-    PlannedPart planned = planNamed("inclined", "", source, request, summary, progress);
+    PlannedPart planned = planNamed("inclined", source, request, summary, progress);
     summary.mode_reason = "the plane of the layers is inclined; " +
                           percentText(unsupportedInPlanes(source.mesh, settings).percent()) +
                           " of the surface stay unsupported";

@@ -158,6 +158,7 @@ class Weave {
     woven.points.clear();
     WayCursor cursor(path_);
     std::vector<WayPlace> places;
+    places.reserve(ways.size());
     for (const double way_mm : ways) places.push_back(cursor.at(way_mm));
     for (std::size_t i = 0; i < ways.size(); ++i) woven.points.push_back(pointAt(places[i], ways[i]));
     if (!path_.is_closed) woven.points.back() = path_.lastPoint();
@@ -260,6 +261,7 @@ class Weave {
       woven.values[k].value = taken(path_.values[k].value, places);
     if (path_.orientation.isCommon()) return;
     std::vector<Eigen::Quaterniond> turns;
+    turns.reserve(places.size());
     for (const WayPlace& place : places)
       turns.push_back(path_.orientation.at(place.motion)
                           .slerp(place.share, path_.orientation.at(path_.motionEnd(place.motion))));
