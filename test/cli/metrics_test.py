@@ -50,9 +50,8 @@ class Metrics(unittest.TestCase):
         for name in NAMES[:6]:
             expected = sliced["metrics"][name]
             self.assertAlmostEqual(toolpath["metrics"][name], expected, delta=1e-6 * expected, msg=name)
-            # Coordinates of programs are rounded to a thousandth of a millimetre; a program leaves out the way
-            # to its first point.
-            self.assertAlmostEqual(program["metrics"][name], expected, delta=0.02 * expected + 0.5, msg=name)
+            # Coordinates of programs are rounded to a thousandth of a millimetre.
+            self.assertAlmostEqual(program["metrics"][name], expected, delta=0.001 * expected + 0.05, msg=name)
         for told, expected in zip(program["program_from_part_mm"], sliced["program_from_part_mm"]):
             self.assertAlmostEqual(told, expected, delta=0.002)
         for told in toolpath["program_from_part_mm"]:  # which are in the frame of the part

@@ -19,6 +19,9 @@ namespace lamina {
 
 /// Nine numbers that say how good a toolpath is for a part, all to be small [Guacheta2021, table 4-2].
 /// What was not measured is not a number.
+///
+/// Time and lengths are counted from the first run that deposits to the last, skirts included: neither the
+/// way from home nor that to where the machine parks. Zero where nothing deposits.
 struct ToolpathMetrics {
   double print_time_s = 0.0;  ///< from rest to rest on every motion
   double material_mm = 0.0;   ///< length along which material is deposited

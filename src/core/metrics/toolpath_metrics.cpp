@@ -93,28 +93,58 @@ Eigen::Isometry3d onPlatform(const Toolpath& toolpath, Eigen::Isometry3d bed_fro
   return bed_from_part;
 }
 
-bool deposits(const Path& path) { return path.role != PathRole::Travel; }
+/// Some of the paths of a toolpath, all layers counted through.
+struct PathRange {
+  std::size_t first = 0;
+  std::size_t last = 0;  ///< not included
+};
 
-/// From the first run that deposits to the last: slicers come from home and park outside the platform's
-/// reach.
-Toolpath withoutEnds(Toolpath toolpath) {
-  auto& layers = toolpath.layers;
-  for (ToolpathLayer& layer : layers) {
-    const auto first = std::find_if(layer.paths.begin(), layer.paths.end(), deposits);
-    const bool is_reached = first != layer.paths.end();
-    layer.paths.erase(layer.paths.begin(), first);
-    if (is_reached) break;
-  }
-  for (auto layer = layers.rbegin(); layer != layers.rend(); ++layer) {
-    while (!layer->paths.empty() && !deposits(layer->paths.back())) layer->paths.pop_back();
-    if (!layer->paths.empty()) break;
+/// From the first run that deposits to the last: slicers come from home and park out of reach, which says
+/// nothing about the path, and programs do not tell where the machine stood before. Empty if nothing
+/// deposits.
+PathRange printedRange(const Toolpath& toolpath) {
+  PathRange range;
+  std::size_t path_number = 0;
+  for (const ToolpathLayer& layer : toolpath.layers)
+    for (const Path& path : layer.paths) {
+      if (path.role != PathRole::Travel) {
+        if (range.last == 0) range.first = path_number;
+        range.last = path_number + 1;
+      }
+      ++path_number;
+    }
+  return range;
+}
+
+Toolpath onlyPrinted(Toolpath toolpath) {
+  const PathRange printed = printedRange(toolpath);
+  std::size_t path_number = 0;
+  for (ToolpathLayer& layer : toolpath.layers) {
+    const auto is_outside = [&](const Path&) {
+      const bool outside = path_number < printed.first || path_number >= printed.last;
+      ++path_number;
+      return outside;
+    };
+    layer.paths.erase(std::remove_if(layer.paths.begin(), layer.paths.end(), is_outside), layer.paths.end());
   }
   return toolpath;
 }
 
+void addMotions(ToolpathMetrics& metrics, const Toolpath& toolpath, const MetricsSettings& settings) {
+  const PathRange printed = printedRange(toolpath);
+  std::size_t path_number = 0;
+  for (const ToolpathLayer& layer : toolpath.layers)
+    for (const Path& path : layer.paths) {
+      const bool is_printed = path_number >= printed.first && path_number < printed.last;
+      ++path_number;
+      if (!is_printed) continue;
+      for (std::size_t m = 0; m < path.motionCount(); ++m) addMotion(metrics, path, m, settings);
+    }
+}
+
 void simulate(ToolpathMetrics& metrics, const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
               const MetricsSettings& settings, Progress& progress) {
-  const Toolpath timed = withoutEnds(atSpeed(toolpath, settings.speed_mm_s));
+  const Toolpath timed = onlyPrinted(atSpeed(toolpath, settings.speed_mm_s));
   MotionLimits limits;
   limits.acceleration_mm_s2 = limits.travel_acceleration_mm_s2 = settings.acceleration_mm_s2;
   const RusDescription platform = rusDescriptionFromUrdf(kinematicModelByName("rus_platform")->urdf());
@@ -187,9 +217,7 @@ ToolpathMetrics measureToolpath(const Toolpath& toolpath, const Mesh& part,
                                 const Eigen::Isometry3d& bed_from_part, const MetricsSettings& settings,
                                 Progress& progress) {
   ToolpathMetrics metrics;
-  for (const ToolpathLayer& layer : toolpath.layers)
-    for (const Path& path : layer.paths)
-      for (std::size_t m = 0; m < path.motionCount(); ++m) addMotion(metrics, path, m, settings);
+  addMotions(metrics, toolpath, settings);
   metrics.volume_error_mm3 = volumeError(toolpath, std::abs(volume(part)), settings.volume);
   if (settings.measures_surface) {
     const SurfaceFill fill = measureSurfaceFill(toolpath, part, bed_from_part, settings.surface, progress);
