@@ -5,9 +5,13 @@
 #include <benchmark/benchmark.h>
 #include <sqlite3.h>
 
+#include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
+#include <thread>
+#include <vector>
 
 #include "lamina/base/scratch_folder.hpp"
 #include "lamina/journal/cell_journal.hpp"
@@ -74,6 +78,34 @@ void addsAnAlarm(benchmark::State& state) {
   }
 }
 BENCHMARK(addsAnAlarm)->Unit(benchmark::kMillisecond);
+
+/// A commit of the progress ten times a second, as a cell makes them of a job that runs: how long each takes.
+void commitsProgress(benchmark::State& state) {
+  CellJournal journal(oldJournal().path);
+  const std::int64_t job = journal.queue().front().id;
+  journal.release(job, "anna", 1.0);
+  const std::int64_t execution = journal.begin(job, "anna", 1.0);
+  std::vector<double> taken_ms;
+  ExecutionProgress progress;
+  for (auto _ : state) {
+    ++progress.taken_through;
+    const auto began = std::chrono::steady_clock::now();
+    journal.setProgress(execution, progress, 2.0);
+    const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - began;
+    taken_ms.push_back(taken.count());
+    state.SetIterationTime(taken.count() * 1e-3);
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  }
+  journal.end(execution, JobState::Ended, "", 3.0);
+  std::sort(taken_ms.begin(), taken_ms.end());
+  const auto at = [&taken_ms](double share) {
+    return taken_ms[static_cast<std::size_t>(share * static_cast<double>(taken_ms.size() - 1))];
+  };
+  state.counters["median_ms"] = at(0.5);
+  state.counters["p99_ms"] = at(0.99);
+  state.counters["worst_ms"] = at(1.0);
+}
+BENCHMARK(commitsProgress)->Unit(benchmark::kMillisecond)->UseManualTime()->Iterations(600);
 
 }  // namespace
 

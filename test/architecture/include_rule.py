@@ -32,6 +32,7 @@ ARROWS = {
     "streaming/resume": ["streaming/job"],
     "streaming/firmware": ["streaming/job"],
     "streaming/client": ["streaming/transport", "streaming/firmware", "streaming/journal"],
+    "streaming/guard": ["streaming/client"],
     "streaming/emulator": ["streaming/transport", "streaming/firmware"],
     "startup": ["streaming/client", "gcode_rewrite"],
     "deposition": ["toolpath"],

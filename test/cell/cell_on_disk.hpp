@@ -32,6 +32,7 @@ class PrintingExecutor final : public Executor {
   }
   void pause() override {
     orders.emplace_back("pause");
+    if (pauses_not_heard > 0 && pauses_not_heard-- > 0) return;
     if (isAtWork()) report.phase = ExecutorPhase::Pausing;
   }
   void resume() override {
@@ -82,6 +83,7 @@ class PrintingExecutor final : public Executor {
 
   ExecutorReport report;
   std::vector<std::string> orders;
+  int pauses_not_heard = 0;                    ///< as of one that the job has not reached yet
   std::map<std::string, std::uint64_t> taken;  ///< lines, by execution: what its progress file knows
   std::map<std::string, int> begun;            ///< its first lines were laid
   std::map<std::string, int> resumed;

@@ -55,6 +55,29 @@ TEST(PlcWatch, DoesNothingWithoutAPlc) {
   EXPECT_FALSE(watch.interlocks(1000.0).is_alive);
 }
 
+TEST(PlcWatch, CountsAZoneThatIsTakenOnTheWayWhereTheUnitCanHold) {
+  PlcWatchSettings settings;
+  settings.holds_on_the_way = true;
+  PlcReport report = goodReport();
+  report.interlocks.is_zone_taken = true;
+  for (const UnitState state : {UnitState::Starting, UnitState::Unholding, UnitState::Unsuspending}) {
+    PlcWatch watch(settings);
+    watch.hear(report, 0.0);
+    EXPECT_EQ(idsOf(watch.demands(statusIn(state), 0.0).raised), (std::vector<int>{1204})) << toString(state);
+    const PlcDemands held = watch.demands(statusIn(UnitState::Held), 0.1);
+    EXPECT_TRUE(held.raised.empty() && held.ended.empty()) << "it stays while the unit waits";
+    report.interlocks.is_zone_taken = false;
+    watch.hear(report, 0.2);
+    const PlcDemands free = watch.demands(statusIn(UnitState::Held), 0.2);
+    EXPECT_EQ(free.ended, (std::vector<int>{1204}));
+    EXPECT_FALSE(watch.demands(statusIn(UnitState::Held), 0.3).command) << "what is held waits for a person";
+    report.interlocks.is_zone_taken = true;
+  }
+  PlcWatch idle(settings);
+  idle.hear(report, 0.0);
+  EXPECT_TRUE(idle.demands(statusIn(UnitState::Idle), 0.0).raised.empty());
+}
+
 TEST(PlcWatch, SuspendsForAZoneThatIsTakenAndGoesOnWhenItIsFree) {
   PlcWatch watch({});
   PlcReport report = goodReport();

@@ -99,6 +99,72 @@ TEST(ProductionCell, HoldsAndGoesOn) {
   EXPECT_EQ(cell.executor.orders, (std::vector<std::string>{"start", "pause", "resume"}));
 }
 
+/// Brings a stopped cell to Starting with a job. @return the job
+std::int64_t bringToStarting(Cell& cell) {
+  bringToIdle(cell);
+  const std::int64_t job = cell.enqueue("a.gcode");
+  EXPECT_EQ(cell.command(UnitCommand::Start), CommandResult::Accepted);
+  EXPECT_EQ(cell.state(), UnitState::Starting);
+  return job;
+}
+
+TEST(ProductionCell, HoldsAJobThatStartsAndGoesOnFromItsFirstLine) {
+  Cell cell;
+  const std::int64_t job = bringToStarting(cell);
+  EXPECT_EQ(cell.command(UnitCommand::Hold), CommandResult::Accepted);
+  EXPECT_EQ(cell.state(), UnitState::Holding);
+  ASSERT_TRUE(cell.reaches(UnitState::Held));
+  EXPECT_EQ(cell.journal().job(job).state, JobState::Interrupted);
+  EXPECT_TRUE(cell.executor.begun.empty()) << "no line was laid";
+  EXPECT_EQ(cell.command(UnitCommand::Unhold), CommandResult::Accepted);
+  ASSERT_TRUE(cell.reaches(UnitState::Execute));
+  EXPECT_EQ(cell.journal().job(job).state, JobState::Running);
+  ASSERT_TRUE(cell.reaches(UnitState::Complete));
+  EXPECT_EQ(cell.executor.orders, (std::vector<std::string>{"start", "pause", "resume"}));
+  EXPECT_EQ(cell.executor.begun.size(), 1U);
+}
+
+TEST(ProductionCell, AsksAgainForAPauseThatCameBeforeTheJob) {
+  Cell cell;
+  bringToStarting(cell);
+  cell.executor.pauses_not_heard = 2;
+  cell.executor.report.lines = 1000;  // it goes on meanwhile
+  EXPECT_EQ(cell.command(UnitCommand::Hold), CommandResult::Accepted);
+  const double held_s = cell.now.steady_s;
+  ASSERT_TRUE(cell.reaches(UnitState::Held));
+  EXPECT_EQ(cell.executor.orders, (std::vector<std::string>{"start", "pause", "pause", "pause"}));
+  EXPECT_NEAR(cell.now.steady_s - held_s, 1.0, 0.2) << "twice half a second, and no order at each tick";
+}
+
+TEST(ProductionCell, HoldsForWhatWouldSuspendItWhileItStarts) {
+  for (const int alarm : {1204, 3201}) {
+    Cell cell;
+    bringToStarting(cell);
+    cell.run().raise(alarm, 0.0, "", cell.now);
+    EXPECT_EQ(cell.state(), UnitState::Holding);
+    ASSERT_TRUE(cell.reaches(UnitState::Held));
+    EXPECT_TRUE(cell.executor.begun.empty());
+    EXPECT_EQ(cell.command(UnitCommand::Unhold), CommandResult::GuardFailed) << "its cause is there";
+    cell.run().end(alarm, cell.now);
+    cell.run().acknowledge(alarm, "anna", cell.now);
+    EXPECT_EQ(cell.command(UnitCommand::Unhold), CommandResult::Accepted) << cell.answer.reason;
+    ASSERT_TRUE(cell.reaches(UnitState::Complete));
+  }
+}
+
+TEST(ProductionCell, HoldsAgainOnItsWayBack) {
+  Cell cell;
+  bringToExecute(cell);
+  cell.command(UnitCommand::Hold);
+  ASSERT_TRUE(cell.reaches(UnitState::Held));
+  cell.command(UnitCommand::Unhold);
+  ASSERT_EQ(cell.state(), UnitState::Unholding);
+  EXPECT_EQ(cell.command(UnitCommand::Hold), CommandResult::Accepted);
+  ASSERT_TRUE(cell.reaches(UnitState::Held));
+  cell.command(UnitCommand::Unhold);
+  ASSERT_TRUE(cell.reaches(UnitState::Complete));
+}
+
 TEST(ProductionCell, EndsTheJobItStops) {
   Cell cell;
   const std::int64_t job = bringToExecute(cell);

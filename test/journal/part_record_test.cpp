@@ -23,6 +23,7 @@ struct MadePart {
   std::int64_t job = 0;
   std::int64_t execution = 0;
   Artefact program;
+  Artefact map;
 
   MadePart() {
     std::ofstream(folder.path() + "/a.gcode") << "G1 X1";
@@ -44,7 +45,8 @@ struct MadePart {
     journal.interrupt(execution, "vacuum lost", 6.0);
     journal.goOn(execution, 7.0);
     journal.end(execution, JobState::Ended, "", 8.0);
-    keepRecord(journal, store, execution, "good", 8.0);
+    map = store.keepText("the map of layer 1", "correction", "layer_1.csv");
+    keepRecord(journal, store, execution, {"good", 8.0, {map}});
   }
 };
 
@@ -55,10 +57,10 @@ void replaceFile(const std::string& path, const std::string& bytes) {
 
 TEST(PartRecord, TellsOfLayersAsATable) {
   MadePart made;
-  EXPECT_EQ(partRecord(made.journal, made.execution, "good").layers_csv,
+  EXPECT_EQ(partRecord(made.journal, made.execution, {"good", 8.0, {}}).layers_csv,
             "layer,began,ended,expected_mm,mean_mm,rms_mm,flatness_mm,worst_mm,coverage,gain,nozzle_c,bed_c,"
             "correction\n0,4.000,,,-0.02,,,,,,,,ab12\n1,5.500,,,,,,,,,,,\n");
-  EXPECT_THROW(partRecord(made.journal, 99, "good"), InvalidInput);
+  EXPECT_THROW(partRecord(made.journal, 99, {"good", 8.0, {}}), InvalidInput);
 }
 
 TEST(PartRecord, IsReadWithAllItsDigests) {
@@ -71,6 +73,18 @@ TEST(PartRecord, IsReadWithAllItsDigests) {
     EXPECT_NE(checked.record.json.find(part), std::string::npos) << part;
   EXPECT_EQ(ExecutionLog(made.journal).part(made.execution)->verdict, "good");
   EXPECT_THROW(readRecord(made.journal, made.store, made.job + 1), InvalidInput);
+}
+
+TEST(PartRecord, KeepsTheMapsThatThePartWasCorrectedBy) {
+  MadePart made;
+  const CheckedRecord checked = readRecord(made.journal, made.store, made.job);
+  ASSERT_EQ(checked.files.size(), 2U);
+  EXPECT_EQ(checked.files[1].sha256, made.map.sha256);
+  EXPECT_EQ(checked.files[1].name, "layer_1.csv");
+  EXPECT_EQ(checked.files[1].bytes, 18U);
+  std::filesystem::remove(made.store.pathOf(made.map));
+  EXPECT_EQ(readRecord(made.journal, made.store, made.job).faults,
+            std::vector<std::string>{"layer_1.csv is gone, or no longer has its digest"});
 }
 
 TEST(PartRecord, NamesEachFileThatHasChanged) {

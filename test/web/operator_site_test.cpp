@@ -380,10 +380,10 @@ TEST(OperatorSite, ReadsTheRecordOfAPartToViewersAndNotToSenders) {
     layer.mean_mm = 0.2;
     ExecutionLog(journal).setLayer(execution, layer);
     journal.end(execution, JobState::Ended, "", 4.0);
-    const PartRecord made = partRecord(journal, execution, "good");
+    const PartRecord made = partRecord(journal, execution, {"good", 5.0, {}});
     record = made.json;
     layers_csv = made.layers_csv;
-    keepRecord(journal, store, execution, "good", 5.0);
+    keepRecord(journal, store, execution, {"good", 5.0, {}});
   }
   const Headers viewer = {{"x-api-key", site.add(WebRole::Viewer, "wall")}};
   EXPECT_EQ(site.ask(HttpMethod::Get, "/api/v1/jobs/1/record", viewer).body, record);

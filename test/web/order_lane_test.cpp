@@ -6,6 +6,7 @@
 
 #include <future>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace lamina::test {
@@ -66,7 +67,7 @@ TEST(OrderLane, DropsWhatWouldMoveTheUnitWhenItIsStopped) {
   held.waitFor(1);
   auto acknowledge = held.ask("acknowledgement of alarm 1001", OrderEffect::Other);
   held.waitFor(2);
-  held.lane.dropMoves("Hold");
+  held.lane.dropMoves({"Hold", OrderEffect::Stops, "cell", kLong, {}});
   const DeskAnswer dropped = unhold.get();
   EXPECT_EQ(dropped.outcome, Outcome::Overtaken);
   EXPECT_EQ(dropped.message, "Unhold was not given: overtaken by Hold");
@@ -74,6 +75,47 @@ TEST(OrderLane, DropsWhatWouldMoveTheUnitWhenItIsStopped) {
   EXPECT_EQ(acknowledge.get().outcome, Outcome::Done);
   EXPECT_EQ(held.given, std::vector<std::string>{"acknowledgement of alarm 1001"});
   EXPECT_EQ(held.ask("Start", OrderEffect::Moves).get().outcome, Outcome::Done) << "asked for afterwards";
+}
+
+/// A lane on which Start is being given, and is answered so once it is let go.
+std::pair<DeskAnswer, int> stoppedAmid(OrderEffect effect, Outcome outcome) {
+  OrderLane lane;
+  std::promise<void> is_begun;
+  std::promise<void> go;
+  auto start = std::async(std::launch::async, [&] {
+    return lane.ask({"Start", effect, "cell", kLong, [&] {
+                       is_begun.set_value();
+                       go.get_future().wait();
+                       DeskAnswer answer;
+                       answer.outcome = outcome;
+                       return answer;
+                     }});
+  });
+  is_begun.get_future().wait();
+  int stops = 0;
+  lane.dropMoves({"Hold", OrderEffect::Stops, "cell", kLong, [&stops] {
+                    ++stops;
+                    return DeskAnswer{};
+                  }});
+  go.set_value();
+  DeskAnswer answer = start.get();
+  return {std::move(answer), stops};
+}
+
+TEST(OrderLane, GivesAStopOnceMoreAfterAnOrderThatWasOnItsWay) {
+  for (const Outcome outcome : {Outcome::Done, Outcome::Silent}) {
+    const auto [answer, stops] = stoppedAmid(OrderEffect::Moves, outcome);
+    EXPECT_EQ(stops, 1);
+    EXPECT_EQ(answer.outcome, Outcome::Overtaken);
+    EXPECT_EQ(answer.message,
+              "Start was on its way when Hold was asked for, which was given after it once more");
+  }
+  const auto [refused, stops_of_refused] = stoppedAmid(OrderEffect::Moves, Outcome::Refused);
+  EXPECT_EQ(stops_of_refused, 0) << "nothing has moved";
+  EXPECT_EQ(refused.outcome, Outcome::Refused);
+  const auto [other, stops_of_other] = stoppedAmid(OrderEffect::Other, Outcome::Done);
+  EXPECT_EQ(stops_of_other, 0);
+  EXPECT_EQ(other.outcome, Outcome::Done);
 }
 
 TEST(OrderLane, LetsOneOrderOfEachKindWait) {
@@ -95,7 +137,7 @@ TEST(OrderLane, GivesOneHoldForAllThatAskForIt) {
   EXPECT_EQ(held.ask("Hold", OrderEffect::Stops, 0.01).get().outcome, Outcome::Unsure)
       << "who is impatient takes it from nobody";
   EXPECT_EQ(held.lane.waiting(), 1U);
-  held.lane.dropMoves("Stop");
+  held.lane.dropMoves({"Stop", OrderEffect::Stops, "cell", kLong, {}});
   held.letGo();
   EXPECT_EQ(hold.get().outcome, Outcome::Done);
   EXPECT_EQ(held.given, std::vector<std::string>{"Hold"});

@@ -38,6 +38,8 @@ struct PlcWatchSettings {
   bool is_required = false;  ///< the unit runs only beside a PLC, whose interlocks it needs
   bool unsuspends = true;    ///< what the PLC has suspended goes on when the PLC's reason is gone
   double patience_s = 10.0;  ///< for a link or PLC that is required and silent, while the unit runs
+  bool holds_on_the_way =
+      false;  ///< its reasons to suspend also count on the way to Execute, where they hold
 };
 
 /// An alarm that the PLC's words raise.

@@ -6,12 +6,14 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "lamina/cell/cell_time.hpp"
 #include "lamina/cell/guards.hpp"
 #include "lamina/cell/unit_machine.hpp"
 #include "lamina/journal/artefact_store.hpp"
 #include "lamina/journal/cell_journal.hpp"
+#include "lamina/journal/execution_log.hpp"
 
 namespace lamina {
 
@@ -82,6 +84,8 @@ struct CellParts {
   CellJournal& journal;
   ArtefactStore& artefacts;
   Executor& executor;
+  /// Keeps, and names, the maps that an execution was corrected by; may be empty.
+  std::function<std::vector<Artefact>(const QueuedJob&, const ExecutionRow&)> corrections = {};
 };
 
 /// A cell at work: the unit, its journal and one executor. Commands, reports and times come in; orders to the
@@ -133,6 +137,7 @@ class ProductionCell {
   std::vector<UnmetGuard> unmet(const UnitRequest& request, const CellSurroundings& found,
                                 CutOffJob cut_off) const;
   void settle(CellTime now);
+  void pauseAgain(CellTime now);
   bool isComplete() const;
   bool isAtWork() const;
   QueuedJob nextJob() const;
@@ -151,6 +156,7 @@ class ProductionCell {
   CellJournal& journal_;
   ArtefactStore& artefacts_;
   Executor& executor_;
+  std::function<std::vector<Artefact>(const QueuedJob&, const ExecutionRow&)> corrections_;
   UnitMachine unit_;
   ExecutorReport report_;
   std::optional<std::int64_t> execution_;             ///< that has no end yet
@@ -167,6 +173,7 @@ class ProductionCell {
   std::int32_t layer_written_ = -1;
   double counters_written_s_ = 0.0;
   double end_tried_s_ = 0.0;  ///< of a job that is done
+  double paused_s_ = 0.0;     ///< when the executor was last asked to
   Refusal refusal_;
 };
 

@@ -18,18 +18,24 @@ struct PartRecord {
   std::string layers_csv;
 };
 
+/// How a part has turned out.
+struct PartOutcome {
+  std::string verdict;                ///< "good", "defective" or "aborted"
+  double time_s = 0.0;                ///< UTC, of the record
+  std::vector<Artefact> corrections;  ///< with which, and the program, what was sent can be made again
+};
+
 /// The record of an execution, as the journal stands.
-/// @param verdict  "good", "defective" or "aborted"
 /// @throws InvalidInput if there is no such execution
-PartRecord partRecord(CellJournal& journal, std::int64_t execution, const std::string& verdict);
+PartRecord partRecord(CellJournal& journal, std::int64_t execution, const PartOutcome& end);
 
 /// Keeps the record of an execution and names its part in the journal, both durably.
-void keepRecord(CellJournal& journal, ArtefactStore& store, std::int64_t execution,
-                const std::string& verdict, double time_s);
+void keepRecord(CellJournal& journal, ArtefactStore& store, std::int64_t execution, const PartOutcome& end);
 
 /// A record that was read, and what is wrong with it or with the files that it names.
 struct CheckedRecord {
   PartRecord record;
+  std::vector<Artefact> files;      ///< of the job, and of the corrections it was laid with
   std::vector<std::string> faults;  ///< none if every digest is the one that the journal keeps
 };
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "lamina/startup/job_watch.hpp"
 #include "lamina/startup/startup.hpp"
 #include "lamina/streaming/client/stream_session.hpp"
 
@@ -53,6 +54,15 @@ class StartupSession {
   /// @throws Rejected naming the first step that is not satisfied, and its reason; if a step is under way
   /// @throws DeviceError if the machine cannot be reached
   void beginJob(const ProgramIdentity& program);
+  /// The program that the job has begun to send. Of one whose lines are changed on their way, its commands
+  /// count as sent somewhat early.
+  void watchJob(const StreamableProgram& program, WatchedLines lines);
+  /// What the machine has lost of its start-up since, and the program has not ended (`JobWatch`); empty
+  /// without a sequence.
+  std::vector<JobLoss> losses(const StreamStatus& status);
+  /// What to ask the machine during a job, one command on each line: what it does not report by itself of the
+  /// steps of the sequence. Empty for nothing.
+  std::string questions() const;
   /// What the machine says during the job.
   void heard(const FirmwareReply& reply);
   /// The job is over: what it has switched off is lost.

@@ -47,9 +47,10 @@ class OrderLane {
   /// if it was not begun in time, `Unsure` if it was
   DeskAnswer ask(LaneOrder order);
 
-  /// Drops orders that would move the unit and were not begun yet.
-  /// @param by  what stops it: "Hold"
-  void dropMoves(const std::string& by);
+  /// Drops orders that would move the unit and were not begun yet. One that is on its way cannot be taken
+  /// back: if it turns out not to have been refused, what stops the unit is given after it once more.
+  /// @param stop  what stops it, with its kind: "Hold"
+  void dropMoves(const LaneOrder& stop);
 
   /// Orders that were not begun yet.
   std::size_t waiting() const;
@@ -62,6 +63,7 @@ class OrderLane {
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   std::deque<std::shared_ptr<Waiting>> waiting_;
+  std::shared_ptr<Waiting> under_way_;  ///< that is being given; null if none is
   bool is_ending_ = false;
   std::thread thread_;
 };

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdio>
 #include <ctime>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -24,6 +25,7 @@ struct RecordArguments {
   std::string folder;
   std::int64_t job = 0;
   std::string html;
+  std::string files;
 };
 
 std::string utc(const Json& time_s) {
@@ -96,6 +98,10 @@ std::vector<RecordTable> tablesOf(const Json& record, const std::string& layers_
   for (const Json& file : record.at("artefacts"))
     files.rows.push_back(
         {plain(file.at("kind")), plain(file.at("name")), plain(file.at("bytes")), plain(file.at("sha256"))});
+  if (record.contains("corrections"))
+    for (const Json& file : record.at("corrections"))
+      files.rows.push_back({plain(file.at("kind")), plain(file.at("name")), plain(file.at("bytes")),
+                            plain(file.at("sha256"))});
   tables.push_back(files);
   RecordTable gaps{"Times in which it waited", {{"began", "ended", "after line", "reason"}}};
   for (const Json& gap : record.at("gaps"))
@@ -175,6 +181,22 @@ std::string printed(const std::vector<RecordTable>& tables) {
   return text;
 }
 
+/// Each under its name, as `lamina correct` reads a program and the maps that it was corrected by.
+void writeFiles(const ArtefactStore& store, const std::vector<Artefact>& files, const std::string& folder) {
+  std::error_code failure;
+  std::filesystem::create_directories(folder, failure);
+  if (failure) throw FileError("cannot make the folder " + folder + ": " + failure.message());
+  for (const Artefact& file : files) {
+    // A name is of who put the job into the queue: no path.
+    const std::string name = std::filesystem::path(file.name).filename().string();
+    if (name.empty() || name == "." || name == "..")
+      throw FileError("a file of the record is called '" + file.name + "'; expected a name");
+    AtomicFile out(folder + '/' + name);
+    out.write(readFile(store.pathOf(file)));
+    out.commit();
+  }
+}
+
 void printRecord(const RecordArguments& arguments, Chosen& chosen) {
   CellJournal journal = CellJournal::read(arguments.folder + "/cell.db");
   const auto store = ArtefactStore::toRead(arguments.folder + "/artefacts");
@@ -190,6 +212,7 @@ void printRecord(const RecordArguments& arguments, Chosen& chosen) {
     file.write(page(tables, checked.faults));
     file.commit();
   }
+  if (!arguments.files.empty()) writeFiles(store, checked.files, arguments.files);
   if (chosen.format == OutputFormat::Json) {
     const Json json = {{"record", record}, {"faults", checked.faults}};
     std::printf("%s\n", json.dump(2).c_str());
@@ -209,6 +232,9 @@ void addRecord(CLI::App& app, Chosen& chosen) {
       ->required();
   record->add_option("job", arguments->job, "Number of the job")->required();
   record->add_option("--html", arguments->html, "Also write it as a page to print");
+  record->add_option(
+      "--files", arguments->files,
+      "Also write the files of the job, and the maps that it was corrected by, into this folder");
   addJsonFlag(*record, chosen);
   record->callback(
       [arguments, &chosen] { chosen.run = [arguments, &chosen] { printRecord(*arguments, chosen); }; });

@@ -28,6 +28,10 @@ bool restsBetweenJobs(UnitState state) {
   }
 }
 
+bool isOnTheWay(UnitState state) {
+  return state == UnitState::Starting || state == UnitState::Unholding || state == UnitState::Unsuspending;
+}
+
 bool isWaiting(UnitState state) { return state == UnitState::Held || state == UnitState::Suspended; }
 
 bool isSuspension(int alarm) { return alarm >= 1201 && alarm <= 1206; }
@@ -87,7 +91,9 @@ std::vector<PlcAlarm> PlcWatch::causes(const UnitStatus& unit, double now_s) {
   for (const UnmetGuard& guard :
        againstPlc(found, settings_.is_required ? PlcNeed::Required : PlcNeed::None)) {
     const bool is_raised = raised_.count(guard.code) != 0;
-    const bool counts = unit.state == UnitState::Execute || (is_raised && !restsBetweenJobs(unit.state));
+    const bool runs =
+        unit.state == UnitState::Execute || (settings_.holds_on_the_way && isOnTheWay(unit.state));
+    const bool counts = runs || (is_raised && !restsBetweenJobs(unit.state));
     if (suspends(guard.code) && counts) present.push_back({guard.code, guard.sentence});
   }
   if (!found.is_alive && !restsBetweenJobs(unit.state))

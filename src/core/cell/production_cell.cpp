@@ -20,6 +20,7 @@ constexpr char kPartOnPlate[] = "part_on_plate";
 constexpr double kProgressInterval = 0.1;   // [s] between two commits
 constexpr double kCountersInterval = 10.0;  // [s]
 constexpr double kRetryInterval = 1.0;      // [s] of a journal that could not be written
+constexpr double kPauseInterval = 0.5;      // [s] between two orders to an executor that has not heard
 constexpr double kRefusalInterval = 1.0;    // [s] between two rows of one refused command
 
 bool isAtRest(ExecutorPhase phase) { return phase == ExecutorPhase::Resting || phase == ExecutorPhase::Done; }
@@ -30,7 +31,8 @@ bool isResumable(int alarm) {
   if (alarm == 0) return false;
   const AlarmCategory category = alarmKind(alarm).category;
   if (category == AlarmCategory::Hold || category == AlarmCategory::Suspend) return true;
-  return alarm == kStuckState || alarm == kEmergencyStop || alarm == 2202 || alarm == 3101 || alarm == 3105;
+  return alarm == kStuckState || alarm == kEmergencyStop || alarm == 2202 || alarm == 2203 || alarm == 3101 ||
+         alarm == 3105;
 }
 
 UnitState adoptedState(ExecutorPhase phase) {
@@ -131,6 +133,7 @@ ProductionCell::ProductionCell(const UnitSettings& settings, const CellParts& pa
     : journal_(parts.journal),
       artefacts_(parts.artefacts),
       executor_(parts.executor),
+      corrections_(parts.corrections),
       unit_(settings, firstState(journal_, artefacts_, seen), countersOf(journal_.counters(), settings.modes),
             now.steady_s) {
   if (const auto cut_off = journal_.open()) execution_ = cut_off->id;
@@ -303,8 +306,19 @@ void ProductionCell::onEnd(CellTime now) {
   settle(now);
 }
 
+/// An order to pause that came before the job did was refused.
+void ProductionCell::pauseAgain(CellTime now) {
+  const UnitState state = unit_.status().state;
+  const bool is_due = state == UnitState::Holding || state == UnitState::Suspending;
+  const bool is_heard = report_.phase != ExecutorPhase::Starting && report_.phase != ExecutorPhase::Running;
+  if (!is_due || is_heard || now.steady_s - paused_s_ < kPauseInterval) return;
+  paused_s_ = now.steady_s;
+  executor_.pause();
+}
+
 void ProductionCell::tick(CellTime now) {
   unit_.tick(now.steady_s);
+  pauseAgain(now);
   if (unit_.status().state == UnitState::Execute && report_.phase == ExecutorPhase::Paused)
     unit_.command({UnitCommand::Hold, "executor", {}, {}}, now.steady_s);
   settle(now);
@@ -378,6 +392,7 @@ void ProductionCell::act(const UnitChange& change, CellTime now) {
       return begin(now);
     case UnitState::Holding:
     case UnitState::Suspending:
+      paused_s_ = now.steady_s;
       return executor_.pause();
     case UnitState::Unholding:
     case UnitState::Unsuspending:
@@ -492,7 +507,9 @@ void ProductionCell::keepLastRecord(CellTime now) {
   const auto ended = ExecutionLog(journal_).lastWithoutPart();
   if (!ended) return;
   const char* verdict = ended->outcome == JobState::Ended ? "good" : "aborted";
-  keepRecord(journal_, artefacts_, ended->id, verdict, now.utc_s);
+  PartOutcome end{verdict, now.utc_s, {}};
+  if (corrections_) end.corrections = corrections_(journal_.job(ended->job), *ended);
+  keepRecord(journal_, artefacts_, ended->id, end);
 }
 
 void ProductionCell::write(CellTime now, const std::function<void()>& rows) {

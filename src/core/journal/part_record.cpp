@@ -65,9 +65,9 @@ std::string layersCsv(const std::vector<LayerRow>& layers) {
   return csv;
 }
 
-Json artefactsJson(const QueuedJob& job) {
+Json artefactsJson(const std::vector<Artefact>& all) {
   Json artefacts = Json::array();
-  for (const Artefact& artefact : job.artefacts)
+  for (const Artefact& artefact : all)
     artefacts.push_back({{"kind", artefact.kind},
                          {"name", artefact.name},
                          {"sha256", artefact.sha256},
@@ -137,6 +137,18 @@ std::string serialOf(const ExecutionRow& execution) {
   return std::to_string(execution.job) + '-' + std::to_string(execution.attempt);
 }
 
+/// Of what is no list of files, none.
+std::vector<Artefact> artefactsIn(const Json& json) {
+  std::vector<Artefact> artefacts;
+  if (!json.is_array()) return artefacts;
+  for (const Json& each : json) {
+    if (!each.is_object()) continue;
+    artefacts.push_back({each.value("sha256", ""), each.value("bytes", std::uint64_t{0}),
+                         each.value("kind", ""), each.value("name", "")});
+  }
+  return artefacts;
+}
+
 Artefact layersArtefact(const std::string& csv) {
   return {sha256Of(csv), csv.size(), "layers", "layers.csv"};
 }
@@ -151,7 +163,7 @@ std::string readOrNothing(const std::string& path) {
 
 }  // namespace
 
-PartRecord partRecord(CellJournal& journal, std::int64_t execution, const std::string& verdict) {
+PartRecord partRecord(CellJournal& journal, std::int64_t execution, const PartOutcome& end) {
   const ExecutionLog log(journal);
   const ExecutionRow row = log.execution(execution);
   const QueuedJob job = journal.job(row.job);
@@ -163,7 +175,7 @@ PartRecord partRecord(CellJournal& journal, std::int64_t execution, const std::s
   const Json json = {{"schema", "lamina-part-record"},
                      {"version", kRecordVersion},
                      {"serial", serialOf(row)},
-                     {"verdict", {{"value", verdict}, {"by", "unit"}}},
+                     {"verdict", {{"value", end.verdict}, {"by", "unit"}}},
                      {"made", {{"host", hostName()}, {"machine", job.machine}, {"lamina", laminaVersion()}}},
                      {"job",
                       {{"id", job.id},
@@ -172,7 +184,8 @@ PartRecord partRecord(CellJournal& journal, std::int64_t execution, const std::s
                        {"digest", job.digest},
                        {"created_by", job.created_by},
                        {"released_by", job.released_by}}},
-                     {"artefacts", artefactsJson(job)},
+                     {"artefacts", artefactsJson(job.artefacts)},
+                     {"corrections", artefactsJson(end.corrections)},
                      {"execution", executionJson(row)},
                      {"gaps", gapsJson(log.gaps(execution))},
                      {"transitions", transitionsJson(log.transitions(execution))},
@@ -187,16 +200,15 @@ PartRecord partRecord(CellJournal& journal, std::int64_t execution, const std::s
   return record;
 }
 
-void keepRecord(CellJournal& journal, ArtefactStore& store, std::int64_t execution,
-                const std::string& verdict, double time_s) {
-  const PartRecord record = partRecord(journal, execution, verdict);
+void keepRecord(CellJournal& journal, ArtefactStore& store, std::int64_t execution, const PartOutcome& end) {
+  const PartRecord record = partRecord(journal, execution, end);
   store.keepText(record.layers_csv, "layers", "layers.csv");
   PartRow part;
   part.serial = serialOf(ExecutionLog(journal).execution(execution));
-  part.verdict = verdict;
+  part.verdict = end.verdict;
   part.verdict_by = "unit";
   part.record = store.keepText(record.json, "record", "record.json");
-  ExecutionLog(journal).setPart(execution, part, time_s);
+  ExecutionLog(journal).setPart(execution, part, end.time_s);
 }
 
 CheckedRecord readRecord(CellJournal& journal, const ArtefactStore& store, std::int64_t job) {
@@ -217,7 +229,10 @@ CheckedRecord readRecord(CellJournal& journal, const ArtefactStore& store, std::
   if (layersArtefact(checked.record.layers_csv).sha256 != layers_digest)
     faults.push_back("layers.csv is gone, or no longer has its digest: " + layers_digest);
   const QueuedJob known = journal.job(job);
-  for (const std::string& torn : store.torn(known.artefacts))
+  checked.files = known.artefacts;
+  const Json corrections = json.is_object() ? json.value("corrections", Json::array()) : Json::array();
+  for (Artefact& file : artefactsIn(corrections)) checked.files.push_back(std::move(file));
+  for (const std::string& torn : store.torn(checked.files))
     faults.push_back(torn + " is gone, or no longer has its digest");
   if (jobDigest(known.artefacts) != known.digest)
     faults.push_back("the files of the job are not those that its digest was made of: " + known.digest);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include "lamina/base/error.hpp"
 #include "lamina/base/text.hpp"
@@ -27,34 +26,6 @@ constexpr double kBedPoll = 10.0;
 
 std::string withChecks(const std::string& code, const StartupSettings& settings) {
   return code + "\n" + settings.check_code + "\n";
-}
-
-/// Whether firmware refuses to move before homing: Marlin's "echo:Home XYZ First", RepRapFirmware's "Error:
-/// G0/G1: insufficient axes homed".
-bool asksForHoming(const std::string& text) {
-  if (text.find("insufficient axes homed") != std::string::npos) return true;
-  return text.compare(0, 10, "echo:Home ") == 0 && text.find("irst") != std::string::npos;
-}
-
-std::string codeOf(const std::string& command) { return command.substr(0, command.find(' ')); }
-
-/// The number after a letter that stands after a space.
-std::optional<double> wordValue(const std::string& command, char letter) {
-  const std::size_t at = command.find(std::string(" ") + letter);
-  if (at == std::string::npos) return std::nullopt;
-  char* end = nullptr;
-  const double value = std::strtod(command.c_str() + at + 2, &end);
-  return end == command.c_str() + at + 2 ? std::nullopt : std::optional<double>(value);
-}
-
-/// Axes whose motors a command switches off: those it names, or all.
-std::string axesOf(const std::string& command) {
-  const std::string words = command.size() > 3 ? command.substr(3) : "";
-  std::string axes;
-  for (const char axis : {'X', 'Y', 'Z'})
-    if (words.find(axis) != std::string::npos) axes += axis;
-  if (!axes.empty()) return axes;
-  return words.find('E') == std::string::npos ? "XYZ" : "";
 }
 
 }  // namespace
@@ -425,7 +396,7 @@ void Startup::onCommandSent(const std::string& command) {
   } else if (code == "M112") {
     forgetMachine("M112 has stopped the machine in an emergency");
   } else if (code == "M140" || code == "M190") {
-    const auto target_c = wordValue(command, 'S') ? wordValue(command, 'S') : wordValue(command, 'R');
+    const auto target_c = bedTargetIn(command);
     const bool is_other =
         target_c && std::abs(*target_c - settings_.bed_target_c) > settings_.bed_tolerance_c;
     const Entry* const bed = find(StartupStep::HeatBed);

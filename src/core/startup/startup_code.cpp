@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "lamina/base/text.hpp"
+#include "program/gcode/command_words.hpp"
 
 namespace lamina {
 
@@ -57,6 +58,27 @@ std::vector<std::string> vacuumOffCommands(const StartupSettings& settings) {
       if (!trimmed(line).empty()) commands.emplace_back(trimmed(line));
   }
   return commands;
+}
+
+std::string codeOf(const std::string& command) { return command.substr(0, command.find(' ')); }
+
+std::optional<double> bedTargetIn(const std::string& command) {
+  const auto target_c = wordValue(command, 'S');
+  return target_c ? target_c : wordValue(command, 'R');
+}
+
+std::string axesOf(const std::string& command) {
+  const std::string words = command.size() > 3 ? command.substr(3) : "";
+  std::string axes;
+  for (const char axis : {'X', 'Y', 'Z'})
+    if (words.find(axis) != std::string::npos) axes += axis;
+  if (!axes.empty()) return axes;
+  return words.find('E') == std::string::npos ? "XYZ" : "";
+}
+
+bool asksForHoming(const std::string& text) {
+  if (text.find("insufficient axes homed") != std::string::npos) return true;
+  return text.compare(0, 10, "echo:Home ") == 0 && text.find("irst") != std::string::npos;
 }
 
 bool isDoneByHand(StartupStep step, const StartupSettings& settings) {

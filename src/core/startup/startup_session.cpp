@@ -5,6 +5,8 @@
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
+#include <optional>
+#include <sstream>
 #include <string>
 #include <thread>
 #include <utility>
@@ -31,6 +33,9 @@ class StartupSession::Impl {
   void abort();
   bool isBusy() const;
   void beginJob(const ProgramIdentity& program);
+  void watchJob(const StreamableProgram& program, WatchedLines lines);
+  std::vector<JobLoss> losses(const StreamStatus& status);
+  std::string questions() const;
   void heard(const FirmwareReply& reply);
   void endJob(const StreamableProgram& program, const StreamStatus& status);
 
@@ -73,6 +78,13 @@ class StartupSession::Impl {
   Task task_ = Task::None;
   StartupStep step_ = StartupStep::PowerOn;  ///< of Task::Step
   PortUser port_user_ = PortUser::Nobody;
+  struct WatchedJob {
+    JobWatch watch;
+    ProgramCursor cursor;
+    std::uint64_t lines = 0;  ///< read of it
+    bool was_dry = false;     ///< when it began
+  };
+  std::optional<WatchedJob> job_;
   bool is_ending_ = false;
   std::thread thread_;
 };
@@ -241,10 +253,45 @@ void StartupSession::Impl::lookBeforeJob(Lock& lock) {
 void StartupSession::Impl::heard(const FirmwareReply& reply) {
   const Lock lock(mutex_);
   startup_.onReply(reply, now());
+  if (job_) job_->watch.onReply(reply, now());
+}
+
+void StartupSession::Impl::watchJob(const StreamableProgram& program, WatchedLines lines) {
+  const Lock lock(mutex_);
+  if (isEmpty()) return;
+  const bool is_dry = startup_.stateOf(StartupStep::DryPellets) == StartupState::Done;
+  job_.emplace(WatchedJob{JobWatch(settings_, lines), program.open(), 0, is_dry});
+}
+
+std::vector<JobLoss> StartupSession::Impl::losses(const StreamStatus& status) {
+  const Lock lock(mutex_);
+  if (!job_) return {};
+  for (; job_->lines < status.lines_sent; ++job_->lines) {
+    const auto line = job_->cursor.next();
+    if (!line) break;
+    job_->watch.onSent(line->command);
+  }
+  startup_.elapse(now());
+  std::vector<JobLoss> losses = job_->watch.losses();
+  if (job_->was_dry && startup_.stateOf(StartupStep::DryPellets) != StartupState::Done)
+    for (const StartupStatus& step : startup_.steps())
+      if (step.step == StartupStep::DryPellets) losses.push_back({KeptCondition::Dryness, step.reason, 0.0});
+  return losses;
+}
+
+/// Temperatures come by themselves.
+std::string StartupSession::Impl::questions() const {
+  if (isEmpty()) return {};
+  std::istringstream lines(settings_.check_code);
+  std::string questions;
+  for (std::string line; std::getline(lines, line);)
+    if (!line.empty() && codeOf(line) != "M105") questions += line + '\n';
+  return questions;
 }
 
 void StartupSession::Impl::endJob(const StreamableProgram& program, const StreamStatus& status) {
   Lock lock(mutex_);
+  job_.reset();
   noteSent(program, status);
   const ErrorCode code = status.failure.code;
   if (code != ErrorCode::Ok && code != ErrorCode::Cancelled) startup_.forgetMachine(status.failure.message);
@@ -267,6 +314,11 @@ void StartupSession::transferred(const ProgramIdentity& program) { impl_->transf
 void StartupSession::abort() { impl_->abort(); }
 bool StartupSession::isBusy() const { return impl_->isBusy(); }
 void StartupSession::beginJob(const ProgramIdentity& program) { impl_->beginJob(program); }
+void StartupSession::watchJob(const StreamableProgram& program, WatchedLines lines) {
+  impl_->watchJob(program, lines);
+}
+std::vector<JobLoss> StartupSession::losses(const StreamStatus& status) { return impl_->losses(status); }
+std::string StartupSession::questions() const { return impl_->questions(); }
 void StartupSession::heard(const FirmwareReply& reply) { impl_->heard(reply); }
 void StartupSession::endJob(const StreamableProgram& program, const StreamStatus& status) {
   impl_->endJob(program, status);

@@ -19,6 +19,12 @@ DeskAnswer notGiven(DeskAnswer::Outcome outcome, const std::string& message) {
   return answer;
 }
 
+/// Also an order that nobody has answered may be done.
+bool mayMove(DeskAnswer::Outcome outcome) {
+  return outcome == DeskAnswer::Outcome::Done || outcome == DeskAnswer::Outcome::Silent ||
+         outcome == DeskAnswer::Outcome::Unsure;
+}
+
 }  // namespace
 
 struct OrderLane::Waiting {
@@ -26,6 +32,7 @@ struct OrderLane::Waiting {
   std::optional<DeskAnswer> answer;
   bool is_under_way = false;
   int askers = 1;
+  std::optional<LaneOrder> stop;  ///< that was asked for while it was being given
 };
 
 OrderLane::OrderLane() : thread_([this] { run(); }) {}
@@ -77,12 +84,13 @@ DeskAnswer OrderLane::ask(LaneOrder order) {
   return notGiven(DeskAnswer::Outcome::Silent, node + " has not answered; nothing was asked of it");
 }
 
-void OrderLane::dropMoves(const std::string& by) {
+void OrderLane::dropMoves(const LaneOrder& stop) {
   const std::lock_guard<std::mutex> lock(mutex_);
+  if (under_way_ && under_way_->order.effect == OrderEffect::Moves) under_way_->stop = stop;
   for (const auto& waiting : waiting_)
     if (waiting->order.effect == OrderEffect::Moves)
       waiting->answer = notGiven(DeskAnswer::Outcome::Overtaken,
-                                 waiting->order.kind + " was not given: overtaken by " + by);
+                                 waiting->order.kind + " was not given: overtaken by " + stop.kind);
   waiting_.erase(std::remove_if(waiting_.begin(), waiting_.end(),
                                 [](const auto& waiting) { return waiting->answer.has_value(); }),
                  waiting_.end());
@@ -102,9 +110,19 @@ void OrderLane::run() {
     const auto waiting = std::move(waiting_.front());
     waiting_.pop_front();
     waiting->is_under_way = true;
+    under_way_ = waiting;
     lock.unlock();
-    const DeskAnswer answer = waiting->order.call();
+    DeskAnswer answer = waiting->order.call();
     lock.lock();
+    under_way_.reset();
+    if (waiting->stop && mayMove(answer.outcome)) {
+      lock.unlock();
+      static_cast<void>(waiting->stop->call());
+      lock.lock();
+      answer.outcome = DeskAnswer::Outcome::Overtaken;
+      answer.message = waiting->order.kind + " was on its way when " + waiting->stop->kind +
+                       " was asked for, which was given after it once more";
+    }
     waiting->answer = answer;
     changed_.notify_all();
   }

@@ -4,9 +4,12 @@
 
 #include <ros/callback_queue.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
+#include "call_source.hpp"
+#include "kept_corrections.hpp"
 #include "lamina/base/error.hpp"
 #include "latched.hpp"
 #include "names.hpp"
@@ -30,6 +33,7 @@ constexpr int kExecutorSilent = 2202;
 constexpr int kJournalDamaged = 7001;
 constexpr int kJournalNotWritable = 7003;
 constexpr int kMasterLost = 8002;
+constexpr int kAnyAuditBroken = 9003;
 
 UnitSettings unitSettings(const CellControllerSettings& settings) {
   UnitSettings unit;
@@ -37,11 +41,27 @@ UnitSettings unitSettings(const CellControllerSettings& settings) {
   return unit;
 }
 
+PlcWatchSettings watchedPlc(const CellControllerSettings& settings) {
+  PlcWatchSettings plc = settings.plc;
+  plc.holds_on_the_way = settings.is_held_on_the_way;
+  return plc;
+}
+
 std::string madeFolder(const std::string& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) throw FileError(folder + ": cannot be made: " + error.message());
   return folder;
+}
+
+using RemovalEvent = ros::ServiceEvent<std_srvs::Trigger::Request, std_srvs::Trigger::Response>;
+
+/// Who confirms is known by the connection alone.
+ros::ServiceServer advertiseRemoval(ros::NodeHandle& node,
+                                    const boost::function<bool(RemovalEvent&)>& serve) {
+  ros::AdvertiseServiceOptions options;
+  options.initBySpecType<RemovalEvent>(names::kConfirmRemoval, serve);
+  return node.advertiseService(options);
 }
 
 std::uint8_t numberOf(CommandResult result) { return static_cast<std::uint8_t>(result); }
@@ -60,7 +80,7 @@ CellController::CellController(ros::NodeHandle node, const CellControllerSetting
       artefacts_(settings.folder + "/artefacts"),
       care_(journal_, settings.folder, settings.care),
       executor_(node, [this](const ExecutorReport& report) { onReport(report); }),
-      plc_(node, settings.plc, [this] {
+      plc_(node, watchedPlc(settings), [this] {
         if (cell_) onTick();
       }) {
   const auto numbers = journal_.counters();
@@ -71,13 +91,16 @@ CellController::CellController(ros::NodeHandle node, const CellControllerSetting
   const auto seen = awaitExecutor();
   is_executor_lost_ = !executor_.isThere();
   silent_ticks_ = is_executor_lost_ ? kSilentTicks : 0;
-  cell_ = std::make_unique<ProductionCell>(unit_settings_, CellParts{journal_, artefacts_, executor_}, seen,
-                                           now());
+  const auto keeper = [this](const QueuedJob& job, const ExecutionRow& execution) {
+    return correctionsOf(job, execution);
+  };
+  cell_ = std::make_unique<ProductionCell>(unit_settings_, CellParts{journal_, artefacts_, executor_, keeper},
+                                           seen, now());
   services_ = {node.advertiseService(names::kPackmlCommand, &CellController::onCommand, this),
                node.advertiseService(names::kSetUnitMode, &CellController::onMode, this),
                node.advertiseService(names::kChangeQueue, &CellController::onChange, this),
                node.advertiseService(names::kAcknowledgeAlarm, &CellController::onAcknowledge, this),
-               node.advertiseService(names::kConfirmRemoval, &CellController::onRemoval, this),
+               advertiseRemoval(node, [this](RemovalEvent& event) { return onRemoval(event); }),
                node.advertiseService(names::kSetRemoteAccess, &CellController::onRemoteAccess, this)};
   intake_ = std::make_unique<JobIntake>(node, artefacts_, settings_.machine);
   alarm_reports_ = node.subscribe(names::kAlarmReports, 100, &CellController::onAlarmReport, this);
@@ -91,6 +114,16 @@ std::optional<ExecutorReport> CellController::awaitExecutor() const {
   while (ros::ok() && !(executor_.seen() && executor_.isThere()) && clock_.now() < until_s)
     ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.05));
   return executor_.seen();
+}
+
+/// A part whose maps are not to be had has a record all the same.
+std::vector<Artefact> CellController::correctionsOf(const QueuedJob& job, const ExecutionRow& execution) {
+  try {
+    return keptCorrections(artefacts_, settings_.corrections_folder, job, execution);
+  } catch (const Error& error) {
+    ROS_WARN_STREAM("the maps that job " << job.id << " was corrected by are not kept: " << error.what());
+    return {};
+  }
 }
 
 CellTime CellController::now() const { return {clock_.now(), ros::WallTime::now().toSec()}; }
@@ -119,10 +152,14 @@ std::vector<UnmetGuard> CellController::againstStart(const std::string& source) 
          "the emergency stop was pressed; expected the next Start from a person at the machine"});
   if (is_executor_lost_) against.push_back({kExecutorLost, "the executor gives no sign of life"});
   if (!hasMaster()) against.push_back({kMasterLost, "the ROS master does not answer"});
-  for (const ActiveAlarm& alarm : cell_->status().alarms.all())
+  for (const ActiveAlarm& alarm : cell_->status().alarms.all()) {
+    const auto is_told = [&alarm](const UnmetGuard& guard) { return guard.code == alarm.id; };
+    if (alarm.id == kAnyAuditBroken && std::none_of(against.begin(), against.end(), is_told))
+      against.push_back({kAnyAuditBroken, alarm.message});
     if (alarm.id == kJournalDamaged && !alarm.acknowledged_s)
       against.push_back(
           {kJournalDamaged, "the journal was damaged: " + alarm.message + "; acknowledge it first"});
+  }
   return against;
 }
 
@@ -208,10 +245,13 @@ bool CellController::onAcknowledge(lamina_msgs::AcknowledgeAlarm::Request& reque
   return true;
 }
 
-bool CellController::onRemoval(Trigger::Request& /*request*/, Trigger::Response& response) {
+bool CellController::onRemoval(RemovalEvent& event) {
+  std_srvs::Trigger::Response& response = event.getResponse();
   response.success = cell_->isPartOnPlate();
   if (!response.success) response.message = "there is no part on the plate";
-  cell_->confirmRemoval("operator", now());
+  const ros::M_string& connection = event.getConnectionHeader();
+  const auto source = connection.find(kSourceOfCall);
+  cell_->confirmRemoval(source == connection.end() ? event.getCallerName() : source->second, now());
   published_s_ = 0.0;
   return true;
 }

@@ -38,6 +38,7 @@ class CellController {
   CellController(ros::NodeHandle node, const CellControllerSettings& settings);
 
  private:
+  using RemovalEvent = ros::ServiceEvent<std_srvs::Trigger::Request, std_srvs::Trigger::Response>;
   using Trigger = std_srvs::Trigger;
 
   std::optional<ExecutorReport> awaitExecutor() const;
@@ -47,7 +48,7 @@ class CellController {
   bool onChange(lamina_msgs::ChangeQueue::Request& request, lamina_msgs::ChangeQueue::Response& response);
   bool onAcknowledge(lamina_msgs::AcknowledgeAlarm::Request& request,
                      lamina_msgs::AcknowledgeAlarm::Response& response);
-  bool onRemoval(Trigger::Request& request, Trigger::Response& response);
+  bool onRemoval(RemovalEvent& event);
   bool onRemoteAccess(lamina_msgs::SetRemoteAccess::Request& request,
                       lamina_msgs::SetRemoteAccess::Response& response);
   void change(const lamina_msgs::ChangeQueue::Request& request);
@@ -71,6 +72,7 @@ class CellController {
   void addProgress(lamina_msgs::PackmlStatus& status) const;
   void publish();
   void publishQueue();
+  std::vector<Artefact> correctionsOf(const QueuedJob& job, const ExecutionRow& execution);
   CellTime now() const;
 
   CellControllerSettings settings_;

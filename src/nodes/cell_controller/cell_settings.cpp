@@ -16,11 +16,15 @@ void describe(SettingsSchema& schema, CellControllerSettings& settings) {
                  "Hour of the day, UTC, from which on the journal is copied once a day; -1 for no copies.");
   schema.integer("journal.copies_kept", settings.care.copies.kept, {1, 1000},
                  "Copies that are kept, the last ones.");
+  schema.text(
+      "corrections.folder", settings.corrections_folder,
+      "Folder in which gcode_streamer records the maps that it applies (its corrections.folder), on this "
+      "host: they are kept with the record of each part. Empty for none.");
   schema.number("executor.patience_s", settings.patience_s, {0.1, 60.0},
                 "Time in which the executor answers: at the start of the node, and each order.");
-  schema.flag("packml.hold_anywhere", settings.is_held_on_the_way,
-              "Whether Hold is accepted in Starting, Unholding, Suspending, Suspended and Unsuspending, too; "
-              "gcode_streamer pauses a job that runs, and no other.");
+  schema.flag(
+      "packml.hold_anywhere", settings.is_held_on_the_way,
+      "Whether Hold is accepted in Starting, Unholding, Suspending, Suspended and Unsuspending, too.");
   schema.flag(
       "start.local_after_estop", settings.is_start_local_after_stop,
       "Whether the first Start after the PLC has reported the emergency stop has to come from somebody else "

@@ -14,9 +14,10 @@ namespace lamina {
 /// Parameters of the node cell_controller.
 struct CellControllerSettings {
   MachineSettings machine;
-  std::string folder = "cell";      ///< of journal and files
-  double patience_s = 2.0;          ///< for the executor: at the start, and for each order
-  bool is_held_on_the_way = false;  ///< Hold is accepted on the way to and from Execute
+  std::string folder = "cell";     ///< of journal and files
+  double patience_s = 2.0;         ///< for the executor: at the start, and for each order
+  std::string corrections_folder;  ///< of the streamer; empty for none
+  bool is_held_on_the_way = true;  ///< Hold is accepted on the way to and from Execute
   bool is_start_local_after_stop =
       true;  ///< the first Start after an emergency stop does not come from the PLC
   PlcWatchSettings plc;

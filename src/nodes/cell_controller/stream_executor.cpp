@@ -109,6 +109,7 @@ void StreamExecutor::endJob(const std::string& order) {
 void StreamExecutor::call(OrderThread& thread, ros::ServiceClient& service, const std::string& order) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
+    if (waiting_ == order) return;  // it is on its way
     waiting_ = order;
     waiting_since_ = ros::WallTime::now();
   }

@@ -72,6 +72,8 @@ GcodeStreamer::GcodeStreamer(ros::NodeHandle node, const GcodeStreamerSettings& 
                                [this](auto& request, auto& response) { return onAbort(request, response); })),
       change_(node.advertiseService(names::kChangeJob, &GcodeStreamer::onChange, this)),
       owner_watch_(node, settings.owner_grace_s),
+      job_alarms_(node),
+      pulses_(settings.guard_socket, [this] { return pulse(); }),
       startup_(settings.startup, settings.stream, settings.port,
                [this](const auto& steps) { onSteps(steps); }),
       startup_service_(node, startup_),
@@ -145,6 +147,8 @@ StreamStatus GcodeStreamer::stream(const lamina_msgs::StreamProgramGoal& goal) {
     const std::lock_guard<std::mutex> lock(mutex_);
     job_ = goal.program.empty() ? goal.toolpath_id : goal.program;
     is_of_toolpath_ = goal.program.empty();
+    is_preparing_ = true;
+    is_hold_due_ = false;
   }
   const StreamableProgram program = programFor(goal);
   JobStart start = goal.resume ? JobStart::Resume : JobStart::New;
@@ -202,11 +206,19 @@ StreamStatus GcodeStreamer::streamProgram(const StreamableProgram& program, JobS
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     session_ = session;
+    is_preparing_ = false;
+    if (is_hold_due_) session->pause();
   }
   ROS_INFO("streaming %s, %lu lines, to %s", program.name().c_str(), static_cast<unsigned long>(sent.lines()),
            settings_.port.name.c_str());
   owner_watch_.expect();
+  if (!pulses_.isHeard())
+    ROS_WARN("nobody listens at %s: no watch stops the machine if this node dies",
+             settings_.guard_socket.c_str());
+  const bool may_be_replaced = corrected && settings_.corrections.follows_plans;
+  startup_.watchJob(program, may_be_replaced ? WatchedLines::MayBeReplaced : WatchedLines::OfTheProgram);
   StreamStatus status = follow(*session, [&](const StreamStatus& now) {
+    watchStartup(*session, now);
     if (!execution.empty()) holdWithoutOwner(*session);
     if (corrected) tellDecisions(*corrected);
     if (recorded) tellLaidAsPlanned(*recorded, now.layer);
@@ -222,6 +234,17 @@ void GcodeStreamer::holdWithoutOwner(StreamSession& session) {
   ROS_ERROR("the cell that ordered the job has said nothing for more than %.1f s; the job is held",
             settings_.owner_grace_s);
   session.pause();
+}
+
+/// A job that has ended, or is being ended, keeps nothing.
+void GcodeStreamer::watchStartup(StreamSession& session, const StreamStatus& status) {
+  const bool keeps = status.state == PackmlState::Execute || status.state == PackmlState::Holding ||
+                     status.state == PackmlState::Held || status.state == PackmlState::Unholding;
+  job_alarms_.tell(keeps ? startup_.losses(status) : std::vector<JobLoss>());
+  const double now_s = SteadyClock().now();
+  if (!keeps || now_s - asked_s_ < settings_.startup.check_interval_s) return;
+  asked_s_ = now_s;
+  session.ask(startup_.questions());
 }
 
 /// To the end of the job; what is due besides is looked at as often as it is reported.
@@ -425,6 +448,7 @@ void GcodeStreamer::finish(const StreamStatus& status, double duration_s) {
     job = job_;
     corrected_.reset();
     first_layer_map_.reset();
+    is_preparing_ = false;
   }
   const lamina_msgs::StreamProgramResult result = toResult(status, duration_s);
   if (status.failure.code == ErrorCode::Ok) {
@@ -447,60 +471,6 @@ std::shared_ptr<StreamSession> GcodeStreamer::session() const {
   return session_;
 }
 
-bool GcodeStreamer::onPause(Trigger::Request&, Trigger::Response& response) {
-  const auto job = session();
-  const PackmlState state = job ? job->status().state : PackmlState::Idle;
-  response.success = state == PackmlState::Execute;
-  response.message = response.success
-                         ? "holding after the lines under way"
-                         : std::string("state is ") + toString(state) + "; only Execute can be paused";
-  if (response.success) job->pause();
-  return true;
-}
-
-bool GcodeStreamer::onResume(Trigger::Request&, Trigger::Response& response) {
-  const auto job = session();
-  const PackmlState state = job ? job->status().state : PackmlState::Idle;
-  response.success = state == PackmlState::Holding || state == PackmlState::Held;
-  response.message = response.success
-                         ? "going on"
-                         : std::string("state is ") + toString(state) + "; only Held can be resumed";
-  if (response.success) job->resume();
-  return true;
-}
-
-bool GcodeStreamer::onAbort(Trigger::Request&, Trigger::Response& response) {
-  const auto job = session();
-  const bool is_starting_up = !job && startup_.isBusy();
-  response.success = job != nullptr || is_starting_up;
-  response.message = response.success ? "stopping the machine" : "no job is under way";
-  if (job) job->abort({ErrorCode::Cancelled, "aborted on request"});
-  if (!is_starting_up) return true;
-  try {
-    startup_.abort();
-  } catch (const Error& error) {
-    response.success = false;
-    response.message = error.what();
-  }
-  return true;
-}
-
-bool GcodeStreamer::onChange(lamina_msgs::ChangeJob::Request& request,
-                             lamina_msgs::ChangeJob::Response& response) {
-  try {
-    const LiveChange change = liveChangeOf(request.setting, request.value);
-    const auto job = session();
-    if (!job) throw Rejected("no job is under way");
-    const std::string refusal = job->change(change);
-    if (!refusal.empty()) throw Rejected(refusal);
-  } catch (const Error&) {
-    const Failure failure = currentFailure();
-    ROS_ERROR_STREAM(refusalText({"change", request.setting, ""}, failure));
-    response.status = toMessage(failure);
-  }
-  return true;
-}
-
 void GcodeStreamer::onStatus(const StreamStatus& status) {
   bool has_changed = false;
   bool has_moved = false;
@@ -513,6 +483,7 @@ void GcodeStreamer::onStatus(const StreamStatus& status) {
     status_ = status;
   }
   if (is_warned) ROS_WARN_STREAM(status.warning);
+  if (has_changed) pulses_.send();
   if (has_changed) publishState(status);
   if (position_ && has_moved) publishPosition(*status.position);
 }

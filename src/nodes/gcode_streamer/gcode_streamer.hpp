@@ -16,8 +16,10 @@
 
 #include "conversions.hpp"
 #include "corrected_stream.hpp"
+#include "job_alarms.hpp"
 #include "lamina/kinematics/cartesian/cartesian_machine.hpp"
 #include "lamina/streaming/client/stream_session.hpp"
+#include "lamina/streaming/guard/pulse_link.hpp"
 #include "messages.hpp"
 #include "owner/action_gate.hpp"
 #include "owner/executor_owner.hpp"
@@ -56,6 +58,7 @@ class GcodeStreamer {
   StreamableProgram programFromToolpath(const std::string& id) const;
   StreamableProgram programFromToolpath(const MachineToolpath& placed, const ProgramSettings& settings) const;
   void holdWithoutOwner(StreamSession& session);
+  void watchStartup(StreamSession& session, const StreamStatus& status);
   void finish(const StreamStatus& status, double duration_s);
 
   /// What corrects the program on its way; null if programs are not corrected.
@@ -77,6 +80,11 @@ class GcodeStreamer {
   bool onChange(lamina_msgs::ChangeJob::Request& request, lamina_msgs::ChangeJob::Response& response);
   /// The job under way; null if there is none.
   std::shared_ptr<StreamSession> session() const;
+  /// Has the goal whose session is not there yet hold or not hold. @return false if there is none
+  bool holdPrepared(bool is_held);
+
+  /// What a watch needs to stop the machine in this node's place.
+  MachinePulse pulse() const;
 
   void onStatus(const StreamStatus& status);
   void publishState(const StreamStatus& status);
@@ -102,6 +110,8 @@ class GcodeStreamer {
   ros::ServiceServer abort_;
   ros::ServiceServer change_;
   OwnerWatch owner_watch_;
+  JobAlarms job_alarms_;
+  double asked_s_ = 0.0;  ///< when the machine was last asked how it is, during a job
   diagnostic_updater::Updater updater_;
   ros::Timer diagnostics_timer_;
 
@@ -110,11 +120,14 @@ class GcodeStreamer {
   std::shared_ptr<CorrectedStream> corrected_;    ///< the job under way
   std::optional<CorrectionMap> first_layer_map_;  ///< that came while there was no job
   bool is_of_toolpath_ = false;                   ///< the job under way, and not of a file
+  bool is_preparing_ = false;                     ///< a goal, whose session is not there yet
+  bool is_hold_due_ = false;                      ///< of it
   lamina_msgs::ToolpathConstPtr toolpath_;
   StreamStatus status_;
   std::string job_;
   std::vector<lamina_msgs::StartupStep> steps_;
 
+  PulseSender pulses_;  ///< until job and start-up have left the machine safe
   StartupSession startup_;
   StartupService startup_service_;
 

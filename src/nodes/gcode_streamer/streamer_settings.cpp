@@ -37,6 +37,8 @@ void describe(SettingsSchema& schema, GcodeStreamerSettings& settings) {
       "owner.grace_s", settings.owner_grace_s, {0.0, 3600.0},
       "Time without a word of the cell_controller that ordered the job, after which the job is held; "
       "0 for any time.");
+  schema.text("guard.socket", settings.guard_socket,
+              "Socket of the host_watch that stops the machine if this node dies or hangs; empty for none.");
 }
 
 }  // namespace lamina

@@ -22,10 +22,11 @@ struct GcodeStreamerSettings {
   StartupSettings startup;
   StreamCorrectionSettings corrections;
   double owner_grace_s = 0.0;  ///< without the cell that ordered the job, until it is held; 0 for any time
+  std::string guard_socket;    ///< of the watch that stops the machine in this node's place; empty for none
 };
 
 /// Adds the keys port, baud, executor.owner, machine.*, stream.*, program.*, startup.*, corrections.*,
-/// owner.* and some of loop.*.
+/// owner.*, guard.* and some of loop.*.
 void describe(SettingsSchema& schema, GcodeStreamerSettings& settings);
 
 }  // namespace lamina

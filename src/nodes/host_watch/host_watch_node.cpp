@@ -70,6 +70,11 @@ HostWatchNode::HostWatchNode(ros::NodeHandle node, const HostWatchNodeSettings& 
         "UDP port " << settings.port << " of " << settings.bind
                     << " is open to the network; datagrams of other hosts than hosts.peers are dropped");
   const boost::function<void(const ros::WallTimerEvent&)> tick = [this](const auto&) { onTick(); };
+  if (!settings.guard_socket.empty())
+    machine_.emplace(
+        settings.guard_socket, settings.guard,
+        WatchObserver{[this](const GuardNews& news) { onMachine(news); },
+                      [] { ROS_WARN("the stop of a machine whose streamer is lost has begun"); }});
   timer_ = node.createWallTimer(ros::WallDuration(kTickInterval), tick);
 }
 
@@ -89,6 +94,21 @@ lamina_msgs::AlarmReport HostWatchNode::reportOf(const HostAlarm& alarm) const {
 void HostWatchNode::greet(const ros::SingleSubscriberPublisher& listener) {
   const std::lock_guard<std::mutex> lock(mutex_);
   for (const HostAlarm& alarm : watch_.present()) listener.publish(reportOf(alarm));
+  if (settings_.guard_socket.empty()) return;
+  for (const HostAlarm& alarm : machine_alarms_.present()) listener.publish(reportOf(alarm));
+}
+
+void HostWatchNode::onMachine(const GuardNews& news) {
+  std::vector<HostAlarm> alarms;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    alarms = machine_alarms_.of(news);
+  }
+  if (news.kind == GuardNewsKind::Back) ROS_INFO_STREAM("the streamer is back: " << news.message);
+  for (const HostAlarm& alarm : alarms) {
+    if (!alarm.is_gone) ROS_WARN_STREAM(alarm.id << ": " << alarm.message);
+    alarms_.publish(reportOf(alarm));
+  }
 }
 
 void HostWatchNode::onTick() {

@@ -5,9 +5,12 @@
 #include <ros/node_handle.h>
 
 #include <mutex>
+#include <optional>
 
 #include "graph_look.hpp"
 #include "lamina/cell/host_watch.hpp"
+#include "lamina/streaming/guard/streamer_watch.hpp"
+#include "machine_alarms.hpp"
 #include "messages.hpp"
 #include "peer_link.hpp"
 #include "watch_settings.hpp"
@@ -18,26 +21,29 @@ namespace lamina {
 /// docs/nodes/host_watch.md.
 class HostWatchNode {
  public:
-  /// @throws DeviceError if the UDP port cannot be had
+  /// @throws DeviceError if the UDP port or the socket of pulses cannot be had
   /// @throws InvalidConfig as `peersOf`
   HostWatchNode(ros::NodeHandle node, const HostWatchNodeSettings& settings);
 
  private:
   void onTick();
   void publish();
+  void onMachine(const GuardNews& news);
   void greet(const ros::SingleSubscriberPublisher& listener);
   lamina_msgs::AlarmReport reportOf(const HostAlarm& alarm) const;
 
   HostWatchNodeSettings settings_;
   std::vector<PeerAddress> addresses_;
-  std::mutex mutex_;  ///< of the watch
+  std::mutex mutex_;  ///< of the watch and the machine's alarms
   HostWatch watch_;
+  MachineAlarms machine_alarms_;
   ros::Publisher alarms_;
   ros::Publisher state_;
   ros::WallTimer timer_;
   double published_s_ = 0.0;
   GraphLook look_;
   PeerLink link_;
+  std::optional<StreamerWatch> machine_;
 };
 
 }  // namespace lamina

@@ -7,6 +7,7 @@
 
 #include "lamina/base/settings.hpp"
 #include "lamina/cell/host_watch.hpp"
+#include "lamina/streaming/guard/machine_guard.hpp"
 
 namespace lamina {
 
@@ -22,6 +23,8 @@ struct HostWatchNodeSettings {
   std::string folder = ".";
   double least_gib = 2.0;
   std::string nodes;
+  std::string guard_socket;  ///< of the streamer whose machine is watched; empty for none
+  GuardSettings guard;
 };
 
 /// Another host, and where it is spoken to.
@@ -31,7 +34,7 @@ struct PeerAddress {
   int port = 0;
 };
 
-/// Adds the keys hosts.*, clock.*, master.*, disk.* and nodes.
+/// Adds the keys hosts.*, clock.*, master.*, disk.*, nodes and guard.*.
 void describe(SettingsSchema& schema, HostWatchNodeSettings& settings);
 
 /// The other hosts, in the order of their names.

@@ -69,6 +69,8 @@ SiteSettings siteSettings(const OperatorPageSettings& settings, const std::strin
 
 WebServerSettings serverSettings(const OperatorPageSettings& settings, const std::string& folder) {
   WebServerSettings server;
+  server.connections = static_cast<std::size_t>(settings.connections);
+  server.connections_of_client = static_cast<std::size_t>(settings.connections_of_address);
   server.bind = settings.bind;
   server.port = static_cast<std::uint16_t>(settings.port);
   server.tls = tlsFiles(settings, folder);

@@ -23,6 +23,11 @@ void describe(SettingsSchema& schema, OperatorPageSettings& settings) {
               "Whether the page may be reached from other hosts without TLS.");
   schema.integer("web.largest_upload_mb", settings.largest_upload_mb, {1, 65536},
                  "Size of the largest program.");
+  schema.integer("web.connections", settings.connections, {8, 1024},
+                 "Connections at a time, of which three quarters at most are pages that are kept up to date, "
+                 "and uploads.");
+  schema.integer("web.connections_of_address", settings.connections_of_address, {2, 1024},
+                 "Connections at a time from one address.");
   schema.choice("auth.loopback", settings.loopback,
                 {{"none", LoopbackAccess::None}, {"token", LoopbackAccess::Token}},
                 "Whether who comes from this host needs a token.");

@@ -26,6 +26,8 @@ struct OperatorPageSettings {
   std::string key;          ///< empty: in the folder
   bool allows_plain = false;
   int largest_upload_mb = 1024;
+  int connections = 32;            ///< at a time
+  int connections_of_address = 8;  ///< of them from one address
   LoopbackAccess loopback = LoopbackAccess::None;
   UploadPrint upload_print = UploadPrint::Wait;
   std::string camera_topic = "camera/image_raw";

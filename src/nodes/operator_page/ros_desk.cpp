@@ -11,6 +11,7 @@
 #include <limits>
 #include <utility>
 
+#include "call_source.hpp"
 #include "names.hpp"
 
 namespace lamina {
@@ -221,7 +222,7 @@ void RosDesk::onDeviation(const sensor_msgs::ImageConstPtr& image) {
 DeskAnswer RosDesk::give(LaneOrder order) {
   if (order.effect != OrderEffect::Stops) return orders_.ask(std::move(order));
   // What was asked for before must not move the unit after it was stopped.
-  orders_.dropMoves(order.kind);
+  orders_.dropMoves(order);
   return stops_.ask(std::move(order));
 }
 
@@ -311,11 +312,13 @@ DeskAnswer RosDesk::acknowledge(int alarm, const std::string& source) {
   return callUnit({"acknowledgement of alarm " + std::to_string(alarm)}, names::kAcknowledgeAlarm, call);
 }
 
-DeskAnswer RosDesk::confirmRemoval(const std::string& /*source*/) {
-  const auto ask = [node = node_]() {
+DeskAnswer RosDesk::confirmRemoval(const std::string& source) {
+  const auto ask = [node = node_, source]() mutable {
     std_srvs::Trigger call;
-    if (!ros::service::call(node.resolveName(names::kConfirmRemoval), call))
-      return silent(names::kConfirmRemoval);
+    // A Trigger has no place for who asks: it goes with the connection.
+    auto client =
+        node.serviceClient<std_srvs::Trigger>(names::kConfirmRemoval, false, {{kSourceOfCall, source}});
+    if (!client.call(call)) return silent(names::kConfirmRemoval);
     DeskAnswer answer;
     answer.message = call.response.message;
     if (!call.response.success) answer.outcome = DeskAnswer::Outcome::Refused;

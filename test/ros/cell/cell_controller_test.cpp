@@ -27,7 +27,7 @@ using test::squareProgram;
 using test::waitUntil;
 
 TEST(CellController, PrintsReleasedJobsOneAfterTheOther) {
-  CellOfNodes cell("prints", 1000.0, {"_packml/hold_anywhere:=true"});
+  CellOfNodes cell("prints", 1000.0);
   EXPECT_EQ(cell.status.state_name, "Stopped");
   const std::string late = cell.refusalOfExpired(Command::RESET);
   EXPECT_NE(late.find("after it had expired"), std::string::npos) << late;
@@ -53,8 +53,10 @@ TEST(CellController, PrintsReleasedJobsOneAfterTheOther) {
   EXPECT_FALSE(cell.setMode(9));
   EXPECT_TRUE(cell.setMode(2));
   EXPECT_TRUE(waitUntil([&] { return cell.status.mode_name == "Maintenance"; }));
-  EXPECT_TRUE(cell.confirmRemoval());
-  EXPECT_FALSE(cell.confirmRemoval());
+  EXPECT_FALSE(cell.isInJournal("page: anna"));
+  EXPECT_TRUE(cell.confirmRemoval("page: anna"));
+  EXPECT_FALSE(cell.confirmRemoval("test"));
+  EXPECT_TRUE(cell.isInJournal("page: anna"));
 }
 
 /// Runs a command of the shell; its exit code.
@@ -79,6 +81,8 @@ TEST(CellController, WritesTheRecordOfAPart) {
   const std::string command = std::string(LAMINA_COMMAND) + " record " + folder + "/cell 1 ";
   EXPECT_EQ(runs(command + "--html " + folder + "/record.html > " + folder + "/text"), 0);
   EXPECT_EQ(runs(command + "--json > " + folder + "/record.json"), 0);
+  EXPECT_EQ(runs(command + "--files " + folder + "/files > /dev/null"), 0);
+  EXPECT_EQ(readFile(folder + "/files/part.gcode"), program);
   EXPECT_NE(readFile(folder + "/text").find("all digests are right"), std::string::npos);
   EXPECT_NE(readFile(folder + "/record.html").find("<h2>Layers</h2>"), std::string::npos);
   EXPECT_NE(readFile(folder + "/record.json").find("\"count\": 2"), std::string::npos) << "layers";
@@ -138,7 +142,7 @@ TEST(CellController, RefusesWhatTheMachineCannotPrint) {
 }
 
 TEST(CellController, HoldsAndGoesOnAndStops) {
-  CellOfNodes cell("holds", 20.0);
+  CellOfNodes cell("holds", 20.0, {"_packml/hold_anywhere:=false"});
   cell.bringToIdle();
   cell.change(cell.enqueue(squareProgram(2000)), lamina_msgs::ChangeQueue::Request::RELEASE);
   ASSERT_TRUE(cell.starts());
@@ -156,6 +160,42 @@ TEST(CellController, HoldsAndGoesOnAndStops) {
   ASSERT_EQ(cell.command(Command::STOP), kAccepted) << cell.reason;
   ASSERT_TRUE(cell.reaches("Stopped"));
   EXPECT_EQ(cell.status.job.id, 0U);
+}
+
+TEST(CellController, HoldsAJobThatStarts) {
+  CellOfNodes cell("early", 1000.0);
+  cell.bringToIdle();
+  const std::string program = squareProgram(200);
+  cell.change(cell.enqueue(program), lamina_msgs::ChangeQueue::Request::RELEASE);
+  ASSERT_TRUE(cell.starts());
+  ASSERT_EQ(cell.command(Command::HOLD), kAccepted) << cell.reason;
+  ASSERT_TRUE(cell.reaches("Held"));
+  const bool was_in_time = std::find(cell.states.begin(), cell.states.end(), "Execute") == cell.states.end();
+  EXPECT_TRUE(!was_in_time || cell.machine.commands().empty());
+  ASSERT_EQ(cell.command(Command::UNHOLD), kAccepted) << cell.reason;
+  ASSERT_TRUE(cell.reaches("Complete"));
+  EXPECT_EQ(cell.machine.commands(), commandsOf(program));
+}
+
+TEST(CellController, HasItsMachineStoppedByTheWatchWhenTheStreamerDies) {
+  CellOfNodes cell("guarded", 20.0);
+  const test::NodeProcess watch(
+      LAMINA_WATCH_NODE,
+      {"__ns:=/guarded", "__name:=host_watch", "_guard/grace_s:=0", "_guard/socket:=" + cell.guardSocket()});
+  cell.bringToIdle();
+  cell.change(cell.enqueue("M104 S200\nM140 S60\n" + squareProgram(4000)),
+              lamina_msgs::ChangeQueue::Request::RELEASE);
+  ASSERT_TRUE(waitUntil([&] { return std::filesystem::exists(cell.guardSocket()); }));
+  ASSERT_TRUE(cell.starts());
+  ASSERT_TRUE(waitUntil([&] { return cell.machine.commands().size() > 50; }));
+  EXPECT_EQ(cell.machine->nozzleTarget(), 200.0);
+  cell.streamer->end(SIGKILL);
+  EXPECT_TRUE(waitUntil([&] { return cell.hasAlarm(2203); }));
+  EXPECT_EQ(cell.machine->nozzleTarget(), 0.0);
+  EXPECT_EQ(cell.machine->bedTarget(), 0.0);
+  ASSERT_TRUE(cell.reaches("Aborted"));
+  ASSERT_TRUE(waitUntil([&] { return !cell.queue.jobs.empty() && cell.queue.jobs[0].state == 4; }))
+      << "the job is interrupted";
 }
 
 TEST(CellController, OwnsItsExecutor) {

@@ -92,7 +92,7 @@ class Operator {
     if (state == "Stopped" || state == "Complete") cell_.command(Command::RESET);
     if (state == "Held") cell_.command(Command::UNHOLD);
     if (state != "Idle") return;
-    if (cell_.status.is_part_on_plate && !cell_.status.resume_waits) cell_.confirmRemoval();
+    if (cell_.status.is_part_on_plate && !cell_.status.resume_waits) cell_.confirmRemoval("test");
     const std::uint8_t cut_off = cell_.status.resume_waits ? Command::RESUME : Command::UNDECIDED;
     cell_.command(Command::START, cut_off, cell_.status.sequence);
   }

@@ -10,6 +10,7 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <utility>
@@ -84,10 +85,11 @@ class CellOfNodes {
 
   /// @param environment  variables as NAME=value
   void startStreamer(const std::vector<std::string>& environment = {}) {
-    streamer = start(environment, LAMINA_STREAMER_NODE,
-                     {"_port:=" + port_, "_stream/journal:=" + progressFile(), "_stream/settle_s:=0.01",
-                      "_stream/probe_after_s:=0.3", "_executor/owner:=cell_controller",
-                      "_owner/grace_s:=" + std::to_string(owner_grace_s_)});
+    streamer =
+        start(environment, LAMINA_STREAMER_NODE,
+              {"_port:=" + port_, "_stream/journal:=" + progressFile(), "_stream/settle_s:=0.01",
+               "_stream/probe_after_s:=0.3", "_executor/owner:=cell_controller",
+               "_guard/socket:=" + guardSocket(), "_owner/grace_s:=" + std::to_string(owner_grace_s_)});
   }
   /// Waits for its first state.
   void startController() {
@@ -103,6 +105,7 @@ class CellOfNodes {
     arguments.insert(arguments.end(), parameters_.begin(), parameters_.end());
     controller = start(environment, LAMINA_CELL_NODE, arguments);
   }
+  std::string guardSocket() const { return folder.path() + "/streamer.pulse"; }
   std::string progressFile() const { return folder.path() + "/progress"; }
   std::string journalFile() const { return folder.path() + "/cell/cell.db"; }
 
@@ -195,9 +198,20 @@ class CellOfNodes {
     EXPECT_TRUE(ros::service::call(space_ + '/' + names::kSetUnitMode, call));
     return call.response.result == kAccepted;
   }
-  bool confirmRemoval() {
+  bool confirmRemoval(const std::string& source) {
     std_srvs::Trigger call;
-    return ros::service::call(space_ + '/' + names::kConfirmRemoval, call) && call.response.success;
+    auto client = node_.serviceClient<std_srvs::Trigger>(space_ + '/' + names::kConfirmRemoval, false,
+                                                         {{"lamina_source", source}});
+    return client.call(call) && call.response.success;
+  }
+  /// Whether the journal, or what is on its way into it, has that text.
+  bool isInJournal(const std::string& text) const {
+    const auto has = [&text](const std::string& path) {
+      std::ifstream file(path, std::ios::binary);
+      const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+      return bytes.find(text) != std::string::npos;
+    };
+    return has(journalFile()) || has(journalFile() + "-wal");
   }
   void bringToIdle() {
     ASSERT_EQ(command(Command::RESET), kAccepted) << reason;

@@ -173,6 +173,20 @@ TEST_P(UploadJobTest, PausesAndGoesOn) {
   EXPECT_EQ(link.server->printer.executed().size(), 2002U);
 }
 
+TEST_P(UploadJobTest, PausesAsSoonAsItPrintsIfItIsAskedToBefore) {
+  SimulatedHttp link = hot();
+  link.start();
+  ASSERT_EQ(link.job.status().state, PackmlState::Starting);
+  EXPECT_TRUE(link.job.pause(link.now));
+  link.runUntilState(PackmlState::Held);
+  EXPECT_EQ(link.server->printer.state(), EmulatedPrinter::State::Paused);
+  EXPECT_LT(link.server->printer.executed().size(), 2002U);
+  EXPECT_TRUE(link.job.resume(link.now));
+  link.runUntil(1e5);
+  EXPECT_EQ(link.job.status().state, PackmlState::Complete) << link.job.status().failure.message;
+  EXPECT_EQ(link.server->printer.executed().size(), 2002U);
+}
+
 TEST_P(UploadJobTest, FollowsAPauseAtTheMachine) {
   SimulatedHttp link = hot();
   link.events.push_back({5.0, [](EmulatedPrintServer& server) { server.printer.pause(); }});

@@ -62,14 +62,19 @@ class StreamSession {
   StreamSession(const StreamSession&) = delete;
   StreamSession& operator=(const StreamSession&) = delete;
 
-  /// Asks to hold after the lines under way; without effect unless in Execute.
+  /// Asks to hold after the lines under way, or before the first one; without effect unless in Starting or
+  /// Execute.
   void pause();
-  /// Asks to go on; without effect unless in Holding or Held.
+  /// Asks to go on; without effect unless in Starting, Holding or Held.
   void resume();
   /// Changes a setting of the running job; waits until the session's thread has taken it.
   /// @return why it is refused, in words; empty if it is taken. A later answer of a print server is in the
   ///   status's message.
   std::string change(const LiveChange& change);
+  /// Asks the machine, one after the other, between two lines of the job; its answers come to whoever hears
+  /// it. Without effect where `StreamJob::ask` is.
+  /// @param commands  one on each line
+  void ask(const std::string& commands);
   /// Asks for a safe stop; the job ends in Aborted.
   void abort(const Failure& why);
 

@@ -15,7 +15,8 @@ namespace lamina {
 ///
 /// States: Idle until `start`; Starting, while the firmware is identified and the protocol is set up and
 /// confirmed; Execute; Completing, while the machine has all lines and finishes its motions; Complete.
-/// `pause` leads to Holding until the lines under way are taken, then to Held. `abort` and every failure lead
+/// `pause` leads to Holding until the lines under way are taken, then to Held; while Starting, as soon as the
+/// first line could be sent. `abort` and every failure lead
 /// to Aborting, a safe stop that the machine confirms, then to Aborted. A machine that got no line of the
 /// program gets no safe stop, since its motions belong to somebody else.
 ///
@@ -41,6 +42,7 @@ class Streamer final : public StreamJob {
   bool pause(double now) override;
   bool resume(double now) override;
   std::string change(const LiveChange& change, double now) override;
+  bool ask(const std::string& command, double now) override;
   void abort(const Failure& why, double now) override;
   std::string takeOutput() override;
   double nextDeadline() const override;
@@ -53,6 +55,7 @@ class Streamer final : public StreamJob {
   void adopt(double now);
 
   StreamOrder order_;
+  bool is_hold_due_ = false;                              ///< once the machine is known
   std::unique_ptr<class Identification> identification_;  ///< until the machine is known
   std::unique_ptr<StreamJob> job_;                        ///< from then on
 };

@@ -76,9 +76,10 @@ class StreamJob {
   /// Whether the safe stop waits for the link.
   virtual bool isOffline() const = 0;
 
-  /// @return false if the job is not in Execute
+  /// A job that is Starting holds before its first line; on a print server as soon as it prints.
+  /// @return false if the job is neither Starting nor in Execute
   virtual bool pause(double now) = 0;
-  /// @return false if the job is not in Holding or Held
+  /// @return false if the job is not in Holding or Held, and not Starting either
   virtual bool resume(double now) = 0;
   /// Changes a setting of the running job, between two of its lines.
   /// @return why it is refused, in words: the firmware has no such change, or the job is neither in Execute
@@ -86,6 +87,11 @@ class StreamJob {
   virtual std::string change(const LiveChange& change, double /*now*/) {
     return notOf("this firmware", change.setting);
   }
+  /// Asks the machine something between two lines of the running job, without a number; a question that is
+  /// not answered is given up.
+  /// @param command  changes nothing, and is answered by `ok`
+  /// @return false if this firmware is not asked, the job is neither in Execute nor held, or a question waits
+  virtual bool ask(const std::string& /*command*/, double /*now*/) { return false; }
   /// Safe stop. Without effect once the job is over or is being aborted.
   virtual void abort(const Failure& why, double now) = 0;
 

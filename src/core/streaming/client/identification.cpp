@@ -28,9 +28,9 @@ bool isOfGrbl(std::string_view line) {
   return line.find("for help]") != std::string_view::npos;
 }
 
-/// The protocols that firmware of this name speaks. Marlin's is also spoken by firmware that gives a name of
-/// its maker's, or none: it counts where no other does.
-std::vector<std::string> protocolsOf(const std::string& firmware_name) {
+}  // namespace
+
+std::vector<std::string> protocolsSpokenBy(const std::string& firmware_name) {
   std::vector<std::string> names = firmwareProtocols().names();
   const auto isDeaf = [&](const std::string& name) {
     return name == kMarlin || !firmwareProtocols().find(name)->isSpokenBy(firmware_name);
@@ -39,8 +39,6 @@ std::vector<std::string> protocolsOf(const std::string& firmware_name) {
   if (names.empty() && firmwareProtocols().find(kMarlin)->isSpokenBy(firmware_name)) names.push_back(kMarlin);
   return names;
 }
-
-}  // namespace
 
 Identification::Identification(const StreamOrder& order)
     : settings_(order.settings), heard_(order.heard), timer_(order.settings.probe_after_s) {
@@ -93,7 +91,7 @@ void Identification::onReply(const FirmwareReply& reply, double now) {
 }
 
 void Identification::choose() {
-  const std::vector<std::string> protocols = protocolsOf(firmware_name_);
+  const std::vector<std::string> protocols = protocolsSpokenBy(firmware_name_);
   record_.status.firmware_name = firmware_name_;
   if (protocols.size() == 1) {
     found_ = FoundFirmware{protocols.front(), firmware_name_};

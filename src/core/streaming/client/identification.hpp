@@ -21,6 +21,10 @@ struct FoundFirmware {
   std::string firmware_name;  ///< as it was given; empty if none was
 };
 
+/// The protocols that firmware of this name speaks. Marlin's is also spoken by firmware that gives a name of
+/// its maker's, or none: it counts where no other does.
+std::vector<std::string> protocolsSpokenBy(const std::string& firmware_name);
+
 /// Identifies the firmware at a port before anything else is sent. It sends `M115`, which firmware answers by
 /// its name, and grbl's kin refuse in a way of their own. It changes nothing in the machine.
 class Identification {

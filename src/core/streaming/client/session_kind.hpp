@@ -23,6 +23,7 @@ class SessionKind {
   virtual void pause() = 0;
   virtual void resume() = 0;
   virtual std::string change(const LiveChange& change) = 0;
+  virtual void ask(const std::string& commands) = 0;
   virtual void abort(const Failure& why) = 0;
   virtual StreamStatus status() const = 0;
   virtual bool isOver() const = 0;

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <future>
 #include <memory>
+#include <sstream>
 #include <thread>
 #include <utility>
 
@@ -70,6 +71,13 @@ class LinkSession final : public SessionKind {
     const auto refusal = std::make_shared<std::promise<std::string>>();
     command([this, change, refusal](double now) { refusal->set_value(streamer_.change(change, now)); });
     return answerOf(refusal->get_future());
+  }
+  void ask(const std::string& commands) override {
+    command([this, commands](double now) {
+      std::istringstream lines(commands);
+      for (std::string line; std::getline(lines, line);)
+        if (!line.empty()) streamer_.ask(line, now);
+    });
   }
   void abort(const Failure& why) override {
     command([this, why](double now) { streamer_.abort(why, now); });
@@ -205,6 +213,7 @@ StreamSession::~StreamSession() = default;
 void StreamSession::pause() { kind_->pause(); }
 void StreamSession::resume() { kind_->resume(); }
 std::string StreamSession::change(const LiveChange& change) { return kind_->change(change); }
+void StreamSession::ask(const std::string& commands) { kind_->ask(commands); }
 void StreamSession::abort(const Failure& why) { kind_->abort(why); }
 StreamStatus StreamSession::status() const { return kind_->status(); }
 bool StreamSession::isOver() const { return kind_->isOver(); }

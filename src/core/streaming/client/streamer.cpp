@@ -54,6 +54,7 @@ void Streamer::adopt(double now) {
   job_ = firmwareProtocols().find(order_.settings.firmware)->begin(order_);
   job_->start(now);
   job_->takeStateChanges();  // Starting, which the job is in already
+  if (is_hold_due_) job_->pause(now);
   const std::string unread = identification_->takeUnread();
   if (!unread.empty()) job_->receive(unread, now);
 }
@@ -84,11 +85,22 @@ void Streamer::reconnect(double now) {
 }
 
 bool Streamer::isOffline() const { return job_ && job_->isOffline(); }
-bool Streamer::pause(double now) { return job_ && job_->pause(now); }
-bool Streamer::resume(double now) { return job_ && job_->resume(now); }
+bool Streamer::pause(double now) {
+  if (job_) return job_->pause(now);
+  is_hold_due_ = status().state == PackmlState::Starting;
+  return is_hold_due_;
+}
+
+bool Streamer::resume(double now) {
+  if (job_) return job_->resume(now);
+  return std::exchange(is_hold_due_, false);
+}
+
 std::string Streamer::change(const LiveChange& change, double now) {
   return job_ ? job_->change(change, now) : kNoJobToChange;
 }
+
+bool Streamer::ask(const std::string& command, double now) { return job_ && job_->ask(command, now); }
 
 void Streamer::abort(const Failure& why, double now) {
   if (job_) return job_->abort(why, now);

@@ -93,6 +93,8 @@ class UploadSession final : public SessionKind {
   void resume() override {
     command([this](double now) { job_.resume(now); });
   }
+  /// A print server says nothing else than how its print is.
+  void ask(const std::string& /*commands*/) override {}
   std::string change(const LiveChange& change) override {
     if (isOver()) return kNoJobToChange;
     const auto refusal = std::make_shared<std::promise<std::string>>();

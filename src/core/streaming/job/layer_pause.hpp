@@ -8,10 +8,12 @@
 
 namespace lamina {
 
-/// The layer before which the job is to hold at the user's request.
+/// The layer, or the next line, before which the job is to hold at the user's request.
 class LayerPause {
  public:
   void set(double layer) { layer_ = static_cast<std::int32_t>(layer); }
+  void setNextLine() { layer_ = kBelowAll; }
+  void clear() { layer_.reset(); }
 
   /// Whether the job is to hold before the layer after this one, or before an earlier one.
   bool isNear(std::int32_t layer) const { return layer_ && layer >= *layer_ - 1; }
@@ -24,6 +26,8 @@ class LayerPause {
   }
 
  private:
+  static constexpr std::int32_t kBelowAll = -2;  // lines in front of the first layer have -1
+
   std::optional<std::int32_t> layer_;
 };
 

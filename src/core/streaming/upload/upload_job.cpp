@@ -309,6 +309,10 @@ double UploadJob::nextDeadline() const {
 }
 
 bool UploadJob::pause(double now) {
+  if (record_.status.state == PackmlState::Starting) {
+    layer_pause_.setNextLine();
+    return true;
+  }
   if (record_.status.state != PackmlState::Execute) return false;
   record_.enter(PackmlState::Holding);
   is_to_resume_ = false;
@@ -318,6 +322,10 @@ bool UploadJob::pause(double now) {
 }
 
 bool UploadJob::resume(double now) {
+  if (record_.status.state == PackmlState::Starting) {
+    layer_pause_.clear();
+    return true;
+  }
   if (record_.status.state == PackmlState::Holding) {
     is_to_resume_ = true;
     return true;

@@ -47,7 +47,7 @@ bool GrblJob::isHeldBack(const ProgramLine& line, double now) {
     is_at_layer_ = true;
     idle_at_s_ = -1.0;
     next_poll_s_ = now;
-    record_.status.message = "holds in front of layer " + std::to_string(line.layer);
+    if (line.layer >= 0) record_.status.message = "holds in front of layer " + std::to_string(line.layer);
   }
   return is_at_layer_;
 }

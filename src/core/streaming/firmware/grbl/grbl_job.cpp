@@ -500,6 +500,10 @@ void GrblJob::finish(double now) {
 // Pause, abort and the link.
 
 bool GrblJob::pause(double now) {
+  if (state() == PackmlState::Starting) {
+    layer_pause_.setNextLine();
+    return true;
+  }
   if (state() != PackmlState::Execute || !isRunning()) return false;
   record_.enter(PackmlState::Holding);
   is_held_by_user_ = true;
@@ -510,6 +514,10 @@ bool GrblJob::pause(double now) {
 }
 
 bool GrblJob::resume(double now) {
+  if (state() == PackmlState::Starting) {
+    layer_pause_.clear();
+    return true;
+  }
   if (state() == PackmlState::Holding) {
     is_resume_wanted_ = true;  // grbl ignores it before it is at rest
     return true;

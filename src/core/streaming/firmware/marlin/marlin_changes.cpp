@@ -20,6 +20,18 @@ std::string MarlinJob::change(const LiveChange& change, double now) {
   return {};
 }
 
+/// Questions wait for nobody: more than a few would stop the lines.
+bool MarlinJob::ask(const std::string& command, double now) {
+  constexpr std::size_t kMostWaiting = 16;
+  const PackmlState state = record_.status.state;
+  const bool is_running =
+      state == PackmlState::Execute || state == PackmlState::Holding || state == PackmlState::Held;
+  if (!is_running || changes_.size() >= kMostWaiting) return false;
+  changes_.push_back(command);
+  if (phase_ == Phase::Feeding) proceed(now);
+  return true;
+}
+
 /// What becomes of a layer may depend on all that is below it: its time counts from when the machine is at
 /// rest.
 /// @return whether the lines of a layer wait

@@ -39,6 +39,7 @@ class MarlinJob final : public StreamJob {
   bool pause(double now) override;
   bool resume(double now) override;
   std::string change(const LiveChange& change, double now) override;
+  bool ask(const std::string& command, double now) override;
   void abort(const Failure& why, double now) override;
 
   std::string takeOutput() override;

@@ -383,6 +383,10 @@ void OkPacedJob::timeOut(double now) {
 }
 
 bool OkPacedJob::pause(double now) {
+  if (record_.status.state == PackmlState::Starting) {
+    layer_pause_.setNextLine();
+    return true;
+  }
   if (record_.status.state != PackmlState::Execute) return false;
   record_.enter(PackmlState::Holding);
   starvation_.standStill();
@@ -391,6 +395,10 @@ bool OkPacedJob::pause(double now) {
 }
 
 bool OkPacedJob::resume(double now) {
+  if (record_.status.state == PackmlState::Starting) {
+    layer_pause_.clear();
+    return true;
+  }
   if (record_.status.state != PackmlState::Held && record_.status.state != PackmlState::Holding) return false;
   layer_due_ = 0.0;  // the time to wait for a layer begins anew
   is_paused_by_machine_ = false;

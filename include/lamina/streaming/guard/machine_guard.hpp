@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lamina/streaming/guard/machine_pulse.hpp"
+
+namespace lamina {
+
+struct GuardSettings {
+  double silence_s = 1.0;  ///< of a streamer that still lives, after which it is lost
+  double grace_s = 10.0;   ///< from the loss of one that is at work until the machine is stopped; 0: at once
+  /// For which a streamer that came back leaves the machine as the lost one left it, until it is stopped; 0
+  /// for any time.
+  double unattended_s = 600.0;
+  double retry_s = 2.0;  ///< to the next try of a stop that was not confirmed
+};
+
+/// A machine that is to be stopped now.
+struct GuardOrder {
+  MachinePulse machine;  ///< as its streamer said last
+  int hung_process = 0;  ///< that has the port and says nothing: to be ended first; 0 for none
+};
+
+enum class GuardNewsKind : std::uint8_t {
+  Lost,        ///< a streamer that was at work
+  Back,        ///< it, or another in its place
+  Stopped,     ///< the machine, which has confirmed it
+  NotStopped,  ///< which is tried again
+};
+
+struct GuardNews {
+  GuardNewsKind kind = GuardNewsKind::Lost;
+  std::string message;
+};
+
+/// Decides when a machine is stopped in the place of the process that streams to it: when that was lost at
+/// work, and nobody has taken its work up in time. Pulses, ends of connections and times come in; orders and
+/// news come out. Times are seconds since any start and never go back.
+///
+/// What was at rest is never stopped.
+class MachineGuard {
+ public:
+  explicit MachineGuard(GuardSettings settings) : settings_(settings) {}
+
+  /// @param process  that sent it, by its number in the system
+  void hear(const MachinePulse& pulse, int process, double now_s);
+  /// The connection of a process has ended: it has.
+  void end(int process, double now_s);
+  /// The machine that is to be stopped now, once; to be called at `nextDeadline` at the latest.
+  std::optional<GuardOrder> due(double now_s);
+  /// What became of the last order.
+  void onStop(bool is_confirmed, const std::string& message, double now_s);
+
+  /// When time alone may have an effect; infinite for never.
+  double nextDeadline() const;
+  std::vector<GuardNews> takeNews();
+
+ private:
+  struct Streamer {
+    MachinePulse pulse;
+    int process = 0;
+    double heard_s = 0.0;
+  };
+  struct Left {
+    MachinePulse machine;
+    int hung_process = 0;
+    double due_s = 0.0;
+    bool is_watched_again = false;
+    bool is_failure_told = false;
+  };
+  void lose(const Streamer& streamer, int hung_process, const std::string& how, double now_s);
+
+  GuardSettings settings_;
+  std::optional<Streamer> streamer_;  ///< that gives signs of life
+  std::optional<Left> left_;          ///< as a lost one left it
+  bool is_stopping_ = false;
+  std::vector<GuardNews> news_;
+};
+
+}  // namespace lamina

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <string>
+#include <thread>
+
+#include "lamina/base/clock.hpp"
+#include "lamina/streaming/guard/machine_guard.hpp"
+#include "lamina/streaming/guard/pulse_link.hpp"
+
+namespace lamina {
+
+/// Who is told what a watch does, from its thread.
+struct WatchObserver {
+  std::function<void(const GuardNews&)> news;
+  std::function<void()> begun;  ///< the first bytes of a stop have left; may be empty
+};
+
+/// Watches the streamer of one machine, in a thread of its own, and stops the machine in its place
+/// (`MachineGuard`). A streamer that hangs, and has the port, is ended first.
+class StreamerWatch {
+ public:
+  /// @throws InvalidInput, DeviceError as `PulseListener`
+  StreamerWatch(const std::string& socket, GuardSettings settings, WatchObserver observer);
+  /// Waits for a stop under way.
+  ~StreamerWatch();
+  StreamerWatch(const StreamerWatch&) = delete;
+  StreamerWatch& operator=(const StreamerWatch&) = delete;
+
+ private:
+  void run();
+  void hear(double timeout_s);
+  void tell();
+  void endHung(int process);
+
+  SteadyClock clock_;
+  PulseListener listener_;
+  MachineGuard guard_;
+  WatchObserver observer_;
+  std::atomic<bool> is_ending_{false};
+  std::thread thread_;
+};
+
+}  // namespace lamina

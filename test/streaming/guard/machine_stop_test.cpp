@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Machines that are stopped in the place of their streamer, over real pseudo-terminals and sockets.
+#include "lamina/streaming/guard/machine_stop.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "lamina/base/error.hpp"
+#include "streaming/guard/left_machine.hpp"
+
+namespace lamina {
+namespace {
+
+using test::inTemporary;
+using test::LeftMachine;
+
+TEST(UrgentStop, HasTheBeamAndTheHeatersOff) {
+  EXPECT_EQ(urgentStopOf("marlin", false), "M108\nM410\nM5\nM104 S0\nM140 S0\n");
+  EXPECT_EQ(urgentStopOf("marlin", true), "M108\nM410\nM5\n");
+  EXPECT_EQ(urgentStopOf("auto", false), urgentStopOf("marlin", false));
+  EXPECT_EQ(urgentStopOf("klipper", false), "M5\nTURN_OFF_HEATERS\n");
+  EXPECT_EQ(urgentStopOf("klipper", true), "M5\n");
+  EXPECT_EQ(urgentStopOf("grbl", false), "!");
+  EXPECT_NE(urgentStopOf("reprapfirmware", false).find("M104 S0\n"), std::string::npos);
+}
+
+TEST(UrgentStop, FitsIntoAReceiveBuffer) {
+  for (const char* firmware : {"marlin", "klipper", "reprapfirmware", "grbl"})
+    EXPECT_LT(urgentStopOf(firmware, false).size(), 127U) << firmware;
+}
+
+TEST(MachineStop, IsConfirmedByTheMachine) {
+  const LeftMachine machine("stop_confirmed");
+  machine.heat();
+  int begun = 0;
+  const MachineStopReport report = stopMachine(machine.pulse(), [&begun] { ++begun; });
+  EXPECT_TRUE(report.is_confirmed) << report.message;
+  EXPECT_EQ(report.message, "it is at rest, its heaters are off");
+  EXPECT_EQ(begun, 1);
+  EXPECT_EQ(machine->nozzleTarget(), 0.0);
+  EXPECT_EQ(machine->bedTarget(), 0.0);
+}
+
+TEST(MachineStop, LeavesHeatersOnThatAreToStayOn) {
+  const LeftMachine machine("stop_kept");
+  machine.heat();
+  MachinePulse pulse = machine.pulse();
+  pulse.keeps_heaters_on = true;
+  const MachineStopReport report = stopMachine(pulse, {});
+  EXPECT_TRUE(report.is_confirmed) << report.message;
+  EXPECT_EQ(machine->nozzleTarget(), 200.0);
+}
+
+TEST(MachineStop, SwitchesOffWhatTheProgramHasUsed) {
+  const LeftMachine machine("stop_used");
+  machine.heat();
+  MachinePulse pulse = machine.pulse();
+  pulse.program = inTemporary("stop_used.gcode");
+  std::ofstream(pulse.program) << "M106 P2 S255\nM141 S60\nM104 T1 S200\nG1 X1\n";
+  EXPECT_TRUE(stopMachine(pulse, {}).is_confirmed);
+  const std::string ran = machine.ran();
+  for (const char* command : {"M106 P2 S0", "M141 S0", "M104 T1 S0"})
+    EXPECT_NE(ran.find(command), std::string::npos) << command << " in " << ran;
+}
+
+TEST(MachineStop, SaysThatNobodyIsThere) {
+  const MachineStopReport report = stopMachine({true, {"/nowhere/machine", 115200}, "marlin", "", false}, {});
+  EXPECT_FALSE(report.is_confirmed);
+  EXPECT_NE(report.message.find("/nowhere/machine"), std::string::npos) << report.message;
+}
+
+}  // namespace
+}  // namespace lamina
