@@ -512,8 +512,10 @@ class LayerPlanner {
 
   /// They need no anchor on the part.
   void addAids(const AidRuns& aids) {
+    const Regions nowhere;
+    const InsideTest area(aids.area ? *aids.area : nowhere);
     for (const FillPath& run : inOrder(*aids.runs, aids.order, nozzle_)) {
-      const bool is_inside = aids.area && staysInside(*aids.area, nozzle_, run.points.front());
+      const bool is_inside = aids.area && area.staysInside(nozzle_, run.points.front());
       Path path = pathAlong(run, aids.bead, aids.top_mm, feedIn(settings_.feed, run.role, index_));
       path.tool = aids.tool;
       layPath(std::move(path), is_inside ? TravelOver::Infill : TravelOver::Anything);

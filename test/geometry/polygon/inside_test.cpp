@@ -44,5 +44,22 @@ TEST(StaysInside, AgreesWithPointsAlongTheLine) {
   }));
 }
 
+TEST(StaysInside, IsToldAlikeOfManyLines) {
+  EXPECT_TRUE(rc::check("random lines", [] {
+    Random random(*rc::gen::arbitrary<std::uint64_t>());
+    std::vector<Polygon> stars;
+    for (int i = 0; i < 6; ++i)
+      stars.push_back(test::star(random, {random.uniform(-8, 8), random.uniform(-8, 8)}, 1.0, 4.0, 9));
+    const Regions regions = unite(stars);
+    const InsideTest test(regions);
+    for (int i = 0; i < 50; ++i) {
+      const Point2 from(random.uniform(-8, 8), random.uniform(-8, 8));
+      const Point2 to(random.uniform(-8, 8), random.uniform(-8, 8));
+      RC_ASSERT(test.staysInside(from, to) == staysInside(regions, from, to));
+    }
+  }));
+  EXPECT_FALSE(InsideTest({}).staysInside({0, 0}, {1, 1}));
+}
+
 }  // namespace
 }  // namespace lamina

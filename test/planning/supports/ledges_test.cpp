@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "lamina/geometry/polygon/offset.hpp"
@@ -74,6 +75,36 @@ TEST(Ledges, AreHeldUpByColumnsAndBranchesThoughNarrowerThanTheGap) {
       EXPECT_GE(nearestSupport(held, 0, kUpper - 6), kFullGap - 1e-6) << ledge_mm;
       EXPECT_LT(nearestSupport(held, 0, kUpper - 6), kFullGap + 1.0) << "stands below it";
     }
+}
+
+/// A block of 20 x 20 mm whose side at x = 10 mm leans outwards by an angle from the vertical, from 6 mm up.
+std::vector<Layer> leaningBlock(double lean_deg) {
+  const double step = test::kLayerHeight * std::tan(lean_deg * M_PI / 180.0);
+  return test::layersOf(50, [step](int l) {
+    return std::vector<Polygon>{rectangle(-10, -10, 10 + step * std::max(0, l - 30), 10)};
+  });
+}
+
+TEST(HangingWalls, AreHeldUpByBranchesHoweverTheyLean) {
+  for (const double lean_deg : {50.0, 58.0, 62.0, 66.0, 70.0, 75.0, 80.0})
+    EXPECT_LE(longestInWalls(test::plan(leaningBlock(lean_deg), heldUp(SupportKind::Tree))), kThreeBeads)
+        << lean_deg;
+}
+
+TEST(HangingWalls, AreThoseBeyondTheLayerBelow) {
+  const Polygon block = rectangle(-10, -10, 10, 10);
+  const auto hanging = [&](double jut_mm, double length_mm) {
+    const Polygon wing = rectangle(10, -0.5 * length_mm, 10 + jut_mm, 0.5 * length_mm);
+    return area(hangingWalls({Region{wing, {}}}, unite({block, wing}), kWallsOfPrinter));
+  };
+  // Three quarters of a bead, or hardly more, on a stretch as long as three.
+  EXPECT_EQ(hanging(0.29, 20.0), 0.0);
+  EXPECT_NEAR(hanging(0.31, 20.0), 0.31 * 20.0, 1e-3);
+  EXPECT_EQ(hanging(0.5, 1.0), 0.0);
+  EXPECT_NEAR(hanging(0.5, 1.2), 0.5 * 1.2, 1e-3);
+  // Of a wing of 15 mm the walls at its three sides, two beads of 0.4 mm.
+  EXPECT_NEAR(hanging(15.0, 20.0), 20.0 * 0.8 + 2 * 14.2 * 0.8, 1e-3);
+  EXPECT_TRUE(hangingWalls({Region{block, {}}}, {Region{block, {}}}, {0.4, 0.0}).empty()) << "without walls";
 }
 
 TEST(Ledges, HangWithoutSupports) {

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "lamina/base/parallel.hpp"
+#include "lamina/geometry/polygon/offset.hpp"
 #include "planning/supports/branch_loops.hpp"
 #include "planning/supports/overhang_areas.hpp"
 #include "support/supported_parts.hpp"
@@ -48,16 +49,11 @@ Plan plannedWithBranches(const std::vector<Layer>& layers, const SupportSettings
 TEST(SupportTree, HasATipNearEveryPlaceThatHangsOver) {
   const SupportTree tree = treeBelow(tee(), branching());
   EXPECT_EQ(tree.dropped, 0U);
-  double farthest = 0.0;
-  for (double x = 5.0; x <= 20.0; x += 0.25)
-    for (double y = -20.0; y <= 20.0; y += 0.25)
-      for (const double side : {-1.0, 1.0}) {
-        double nearest = 100.0;
-        for (const BranchTip& tip : tree.tips)
-          nearest = std::min(nearest, (tip.at - Point2(side * x, y)).norm());
-        farthest = std::max(farthest, nearest);
-      }
-  EXPECT_LE(farthest, branching().tip_spacing_mm);
+  std::vector<Polygon> near_tips;
+  for (const BranchTip& tip : tree.tips)
+    near_tips.push_back(test::circle(tip.at, branching().tip_spacing_mm, 64));
+  const Regions wings = unite({rectangle(-20, -20, -5, 20), rectangle(5, -20, 20, 20)});
+  EXPECT_NEAR(area(difference(wings, unite(near_tips))), 0.0, 1e-6);
   // Tips are where branches touch, a gap of 0.2 mm below the slab.
   for (const BranchTip& tip : tree.tips) {
     EXPECT_EQ(tip.top.full_layers, 99U);
@@ -91,6 +87,63 @@ TEST(SupportTree, LeansNoMoreThanItsAngle) {
   EXPECT_GT(greatestStep(tree), 0.9 * step);
   for (std::size_t l = 0; l < 99; ++l) EXPECT_FALSE(tree.layers[l].empty()) << l;
   EXPECT_LT(tree.layers[0].size(), tree.layers[98].size() / 8) << "branches have met";
+}
+
+/// Outlines of what is laid of branches in each layer, along the middle of its beads.
+std::vector<std::vector<Polygon>> laidBranches(const Toolpath& toolpath) {
+  std::vector<std::vector<Polygon>> laid(toolpath.layers.size());
+  for (std::size_t l = 0; l < laid.size(); ++l)
+    for (const Path& path : toolpath.layers[l].paths) {
+      if (path.role != PathRole::Support) continue;
+      laid[l].emplace_back();
+      for (const Point3& point : path.points) laid[l].back().push_back(point.head<2>());
+    }
+  return laid;
+}
+
+/// Those of the loops that come within a millimetre of a place.
+std::vector<Polygon> loopsNear(const std::vector<Polygon>& loops, const Point2& place) {
+  std::vector<Polygon> near;
+  for (const Polygon& loop : loops) {
+    const Box2 box = boundingBox({loop});
+    if (((box.low - place).array() < 1.0).all() && ((place - box.high).array() < 1.0).all())
+      near.push_back(loop);
+  }
+  return near;
+}
+
+/// How far waypoints of branches lie beyond what is laid of them in the layer below.
+double farthestBeyondBelow(const Toolpath& toolpath) {
+  const std::vector<std::vector<Polygon>> laid = laidBranches(toolpath);
+  double farthest = 0.0;
+  for (std::size_t l = 1; l < laid.size(); ++l)
+    for (const Polygon& loop : laid[l])
+      for (const Point2& point : loop) {
+        const std::vector<Polygon> below = loopsNear(laid[l - 1], point);
+        if (below.empty()) return 1000.0;
+        if (!contains(below, point)) farthest = std::max(farthest, test::distanceToOutline(below, point));
+      }
+  return farthest;
+}
+
+TEST(SupportTree, HasSectionsThatLeanNoMoreThanItsAngle) {
+  NoProgress nobody;
+  PlanSettings settings;
+  settings.supports = branching();
+  const std::vector<Regions> areas = branchLoops(treeBelow(tee(), branching()), {}, settings, nobody).areas;
+  const double step = kLayerHeight * std::tan(branching().branch_angle_deg * M_PI / 180.0);
+  double beyond_less = 0.0;
+  for (std::size_t l = 1; l < 99; ++l) {
+    const Regions below = unite(outlines(areas[l - 1]));
+    EXPECT_NEAR(area(difference(areas[l], offset(below, step + 1e-4))), 0.0, 1e-6) << l;
+    beyond_less += area(difference(areas[l], offset(below, 0.8 * step)));
+  }
+  EXPECT_GT(beyond_less, 1.0);
+}
+
+TEST(SupportTree, IsLaidOnWhatIsLaidBelow) {
+  // By a quarter of a bead at least.
+  EXPECT_LE(farthestBeyondBelow(plannedWithBranches(tee(), branching()).toolpath), 0.75 * 0.4);
 }
 
 TEST(SupportTree, KeepsItsDistanceFromThePart) {
@@ -130,14 +183,22 @@ TEST(SupportTree, OnTheBedOnlyLeavesASphereUnderAnArchAlone) {
   for (std::size_t l = 0; l < 100; ++l)
     for (const BranchDisc& disc : tree.layers[l])
       EXPECT_GE(disc.at.norm() - disc.radius_mm, test::sphereRadiusIn(l)) << l;
+  // What is laid lies on what is laid below it by a quarter of a bead, layer by layer down to the bed.
+  EXPECT_LE(farthestBeyondBelow(plannedWithBranches(test::archOverSphere(), settings).toolpath), 0.75 * 0.4);
 }
 
 TEST(SupportTree, TakesNoMoreThanTheLattice) {
   SupportSettings lattice = branching();
   lattice.kind = SupportKind::Lattice;
   const SupportTotals columns = plannedWithBranches(tee(), lattice).supports;
-  const SupportTotals branches = plannedWithBranches(tee(), branching()).supports;
+  const Plan plan = plannedWithBranches(tee(), branching());
+  const SupportTotals branches = plan.supports;
   EXPECT_LE(branches.support_mm3, columns.support_mm3 + columns.interface_mm3);
+  double laid_mm3 = 0.0;
+  for (const ToolpathLayer& layer : plan.toolpath.layers)
+    for (const Path& path : layer.paths)
+      if (path.role == PathRole::Support) laid_mm3 += depositedVolume(path);
+  EXPECT_NEAR(branches.support_mm3, laid_mm3, 1e-6 * laid_mm3);
   EXPECT_GT(branches.support_mm3, 100.0);
   EXPECT_NEAR(branches.overhang_mm2, 1200.0, 1e-6);
   EXPECT_NEAR(branches.unsupported_mm2, 0.0, 1e-6);

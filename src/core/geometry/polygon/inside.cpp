@@ -3,6 +3,7 @@
 #include "geometry/polygon/inside.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "geometry/polygon/plane_vectors.hpp"
 
@@ -30,21 +31,55 @@ bool isInside(const Region& region, const Point2& point) {
                       [&point](const Polygon& hole) { return encloses(hole, point); });
 }
 
-}  // namespace
+constexpr double kBoxMargin = 1e-6;  // mm; far above rounding
 
-bool staysInside(const Regions& regions, const Point2& from, const Point2& to) {
+/// Without the tolerance at its ends.
+std::optional<Line> shortened(const Point2& from, const Point2& to) {
   const Point2 along = to - from;
   const double length = along.norm();
-  if (length <= 2.0 * kEndTolerance) return true;
+  if (length <= 2.0 * kEndTolerance) return std::nullopt;
   const Point2 inset = kEndTolerance / length * along;
-  const Line line{from + inset, to - inset};
-  // No more than one region has the start of the line; it stays inside if that one's outlines do not cross
-  // it.
-  const auto around = std::find_if(regions.begin(), regions.end(),
-                                   [&line](const Region& region) { return isInside(region, line.from); });
-  if (around == regions.end() || line.isCrossedBy(around->outer)) return false;
-  return std::none_of(around->holes.begin(), around->holes.end(),
+  return Line{from + inset, to - inset};
+}
+
+bool isWithin(const Region& around, const Line& line) {
+  if (line.isCrossedBy(around.outer)) return false;
+  return std::none_of(around.holes.begin(), around.holes.end(),
                       [&line](const Polygon& hole) { return line.isCrossedBy(hole); });
+}
+
+}  // namespace
+
+// No more than one region has the start of a line; the line stays inside if that one's outlines do not cross
+// it.
+
+bool staysInside(const Regions& regions, const Point2& from, const Point2& to) {
+  const std::optional<Line> line = shortened(from, to);
+  if (!line) return true;
+  const auto around = std::find_if(regions.begin(), regions.end(),
+                                   [&line](const Region& region) { return isInside(region, line->from); });
+  return around != regions.end() && isWithin(*around, *line);
+}
+
+InsideTest::InsideTest(const Regions& regions) : regions_(regions) {
+  boxes_.reserve(regions.size());
+  for (const Region& region : regions) {
+    Box2 box;
+    for (const Point2& point : region.outer) box.include(point);
+    boxes_.push_back({box.low - Point2::Constant(kBoxMargin), box.high + Point2::Constant(kBoxMargin)});
+  }
+}
+
+bool InsideTest::staysInside(const Point2& from, const Point2& to) const {
+  const std::optional<Line> line = shortened(from, to);
+  if (!line) return true;
+  for (std::size_t i = 0; i < regions_.size(); ++i) {
+    const Box2& box = boxes_[i];
+    if ((line->from.array() < box.low.array()).any() || (line->from.array() > box.high.array()).any())
+      continue;
+    if (isInside(regions_[i], line->from)) return isWithin(regions_[i], *line);
+  }
+  return false;
 }
 
 }  // namespace lamina

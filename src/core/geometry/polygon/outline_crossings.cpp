@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 #include "geometry/polygon/plane_vectors.hpp"
 
@@ -20,9 +21,14 @@ constexpr std::size_t kMostPairs = 64;
 struct Edge {
   Point2 from;
   Point2 to;
-  double low_x, high_x, low_y, high_y;
   std::uint32_t outline;
   std::uint32_t index;
+};
+
+/// An edge that the sweep has come to and not yet left.
+struct ActiveEdge {
+  double low_x, high_x, high_y;
+  std::uint32_t edge;
 };
 
 /// Whether the line through a and b has c and d clearly on one side.
@@ -33,8 +39,7 @@ bool leavesOnOneSide(const Point2& a, const Point2& b, const Point2& c, const Po
 }
 
 bool areApart(const Edge& a, const Edge& b) {
-  return a.high_x < b.low_x || b.high_x < a.low_x || leavesOnOneSide(a.from, a.to, b.from, b.to) ||
-         leavesOnOneSide(b.from, b.to, a.from, a.to);
+  return leavesOnOneSide(a.from, a.to, b.from, b.to) || leavesOnOneSide(b.from, b.to, a.from, a.to);
 }
 
 /// Neighbours share a point; they are apart otherwise unless the one folds back onto the other.
@@ -49,16 +54,17 @@ class Sweep {
     std::size_t count = 0;
     for (const Polygon& outline : outlines) count += outline.size();
     edges_.reserve(count);
+    from_below_.reserve(count);
     for (std::uint32_t i = 0; i < outlines.size(); ++i) addEdges(i);
-    std::sort(edges_.begin(), edges_.end(), [](const Edge& a, const Edge& b) { return a.low_y < b.low_y; });
+    std::sort(from_below_.begin(), from_below_.end());
   }
 
   bool run() {
     std::size_t pairs_left = kMostPairs * edges_.size();
-    for (std::uint32_t i = 0; i < edges_.size(); ++i) {
-      if (pairs_left < active_.size() || !standsApart(edges_[i])) return false;
+    for (const auto& [low_y, edge] : from_below_) {
+      if (pairs_left < active_.size() || !standsApart(edge, low_y)) return false;
       pairs_left -= active_.size();
-      active_.push_back(i);
+      active_.push_back(activeEdge(edge));
     }
     return true;
   }
@@ -69,37 +75,43 @@ class Sweep {
     for (std::uint32_t i = 0; i < points.size(); ++i) {
       const Point2& a = points[i];
       const Point2& b = points[i + 1 < points.size() ? i + 1 : 0];
-      const auto [low_x, high_x] = std::minmax(a.x(), b.x());
-      const auto [low_y, high_y] = std::minmax(a.y(), b.y());
-      edges_.push_back({a, b, low_x, high_x, low_y, high_y, outline, i});
+      from_below_.emplace_back(std::min(a.y(), b.y()), static_cast<std::uint32_t>(edges_.size()));
+      edges_.push_back({a, b, outline, i});
     }
   }
 
+  ActiveEdge activeEdge(std::uint32_t edge) const {
+    const auto [low_x, high_x] = std::minmax(edges_[edge].from.x(), edges_[edge].to.x());
+    return {low_x, high_x, std::max(edges_[edge].from.y(), edges_[edge].to.y()), edge};
+  }
+
   /// From all edges that reach up to its lower end; those that do not are let go.
-  bool standsApart(const Edge& edge) {
+  bool standsApart(std::uint32_t edge, double low_y) {
+    const auto [low_x, high_x] = std::minmax(edges_[edge].from.x(), edges_[edge].to.x());
     std::size_t kept = 0;
-    bool is_apart = true;
-    for (const std::uint32_t other : active_) {
-      if (edges_[other].high_y < edge.low_y) continue;
+    for (const ActiveEdge& other : active_) {
+      if (other.high_y < low_y) continue;
       active_[kept++] = other;
-      is_apart = is_apart && pairIsApart(edges_[other], edge);
+      const bool is_beside = other.high_x < low_x || high_x < other.low_x;
+      if (!is_beside && !pairIsApart(edges_[other.edge], edges_[edge])) return false;
     }
     active_.resize(kept);
-    return is_apart;
+    return true;
   }
 
   bool pairIsApart(const Edge& a, const Edge& b) const {
     if (a.outline == b.outline) {
-      const auto size = static_cast<std::uint32_t>(outlines_[a.outline].size());
-      if ((a.index + 1) % size == b.index) return areNeighboursApart(a, b);
-      if ((b.index + 1) % size == a.index) return areNeighboursApart(b, a);
+      const auto last = static_cast<std::uint32_t>(outlines_[a.outline].size() - 1);
+      if ((a.index < last ? a.index + 1 : 0) == b.index) return areNeighboursApart(a, b);
+      if ((b.index < last ? b.index + 1 : 0) == a.index) return areNeighboursApart(b, a);
     }
     return areApart(a, b);
   }
 
   const std::vector<Polygon>& outlines_;
   std::vector<Edge> edges_;
-  std::vector<std::uint32_t> active_;
+  std::vector<std::pair<double, std::uint32_t>> from_below_;  ///< lower ends, and edges
+  std::vector<ActiveEdge> active_;
 };
 
 }  // namespace

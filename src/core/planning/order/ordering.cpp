@@ -163,7 +163,9 @@ std::vector<OrderedRun> nearestNeighbours(const std::vector<RunEnds>& runs, cons
 class Improver {
  public:
   Improver(const std::vector<RunEnds>& runs, std::vector<OrderedRun>& order, const Point2& from)
-      : runs_(runs), order_(order), from_(from) {}
+      : runs_(runs), order_(order), from_(from), links_(order.size() + 1) {
+    findLinks(0, order.size());
+  }
 
   void improve() {
     for (int pass = 0; pass < kMostPasses; ++pass)
@@ -189,34 +191,48 @@ class Improver {
     return i < order_.size() ? (start(i) - point).norm() : 0.0;
   }
 
+  /// Of the travels to runs that have changed their places, and to the one behind them.
+  void findLinks(std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i <= last; ++i) links_[i] = onward(before(i), i);
+  }
+
+  // Sums are given up as soon as they are too long: this is what most pairs come to.
+
   bool tryReversing(std::size_t i, std::size_t j) {
-    const double now = onward(before(i), i) + onward(end(j), j + 1);
-    const double then = (end(j) - before(i)).norm() + onward(start(i), j + 1);
-    if (then > now - kLeastGain) return false;
+    const double most = links_[i] + links_[j + 1] - kLeastGain;
+    const double first_way = (end(j) - before(i)).norm();
+    if (first_way > most || first_way + onward(start(i), j + 1) > most) return false;
     const auto first = order_.begin() + static_cast<std::ptrdiff_t>(i);
     const auto last = order_.begin() + static_cast<std::ptrdiff_t>(j) + 1;
     std::reverse(first, last);
     for (auto it = first; it != last; ++it) it->is_reversed = !it->is_reversed;
+    findLinks(i, j + 1);
     return true;
   }
 
   /// Moves run i behind run j, turned round if that is shorter.
   bool tryMoving(std::size_t i, std::size_t j) {
     if (i == j) return false;
-    const double now = onward(before(i), i) + onward(end(i), i + 1) + onward(end(j), j + 1);
+    const double most = links_[i] + links_[i + 1] + links_[j + 1] - kLeastGain;
     const double closed = onward(before(i), i + 1);
-    const double kept = closed + (start(i) - end(j)).norm() + onward(end(i), j + 1);
-    const double turned = closed + (end(i) - end(j)).norm() + onward(start(i), j + 1);
-    if (std::min(kept, turned) > now - kLeastGain) return false;
+    if (closed > most) return false;
+    double kept = closed + (start(i) - end(j)).norm();
+    double turned = closed + (end(i) - end(j)).norm();
+    if (std::min(kept, turned) > most) return false;
+    kept += onward(end(i), j + 1);
+    turned += onward(start(i), j + 1);
+    if (std::min(kept, turned) > most) return false;
     if (turned < kept) order_[i].is_reversed = !order_[i].is_reversed;
     const auto first = order_.begin() + static_cast<std::ptrdiff_t>(i);
     std::rotate(first, first + 1, order_.begin() + static_cast<std::ptrdiff_t>(j) + 1);
+    findLinks(i, j + 1);
     return true;
   }
 
   const std::vector<RunEnds>& runs_;
   std::vector<OrderedRun>& order_;
   Point2 from_;
+  std::vector<double> links_;  ///< length of the travel to each run; 0 behind the last
 };
 
 }  // namespace

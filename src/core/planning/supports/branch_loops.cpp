@@ -3,6 +3,7 @@
 #include "planning/supports/branch_loops.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <iterator>
@@ -12,6 +13,7 @@
 
 #include "lamina/base/parallel.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
+#include "planning/supports/edge_bands.hpp"
 #include "planning/tools/tool_beads.hpp"
 
 namespace lamina {
@@ -21,13 +23,22 @@ constexpr int kDiscSides = 16;
 constexpr double kLineDistance = 0.1;  // mm: on which areas without a tip are measured
 constexpr double kThickBranch = 3.0;   // mm, radius from which a branch has two loops
 
-Polygon circleRound(const Point2& middle, double radius_mm) {
-  Polygon circle;
+using UnitCircle = std::array<Point2, kDiscSides>;
+
+UnitCircle unitCircle() {
+  UnitCircle circle;
   for (int i = 0; i < kDiscSides; ++i) {
     const double angle = 2.0 * M_PI * i / kDiscSides;
-    circle.push_back(middle + radius_mm * Point2(std::cos(angle), std::sin(angle)));
+    circle[static_cast<std::size_t>(i)] = {std::cos(angle), std::sin(angle)};
   }
   return circle;
+}
+
+Polygon sectionOf(const BranchDisc& disc, const UnitCircle& circle) {
+  Polygon section;
+  section.reserve(circle.size());
+  for (const Point2& point : circle) section.push_back(disc.at + disc.radius_mm * point);
+  return section;
 }
 
 void addLoopsOf(const Region& branch, double pitch_mm, std::vector<FillPath>& runs) {
@@ -38,15 +49,30 @@ void addLoopsOf(const Region& branch, double pitch_mm, std::vector<FillPath>& ru
       runs.push_back({std::move(loop), true, PathRole::Support, Deposit::Bead, {}});
 }
 
-/// Where a level line crosses outlines, from left to right.
-std::vector<double> crossingsOf(const std::vector<Polygon>& borders, double y) {
-  std::vector<double> crossings;
-  for (const Polygon& border : borders)
-    for (std::size_t i = 0, j = border.size() - 1; i < border.size(); j = i++)
-      if ((border[j].y() > y) != (border[i].y() > y))
-        crossings.push_back(border[j].x() + (y - border[j].y()) / (border[i].y() - border[j].y()) *
-                                                (border[i].x() - border[j].x()));
-  std::sort(crossings.begin(), crossings.end());
+/// Where a level line crosses a border.
+struct LineCrossing {
+  std::int64_t line = 0;
+  double x = 0.0;
+};
+
+double heightOf(std::int64_t line) { return (static_cast<double>(line) + 0.5) * kLineDistance; }
+
+/// Line by line, from left to right.
+std::vector<LineCrossing> crossingsOf(const Region& region) {
+  std::vector<LineCrossing> crossings;
+  forEachEdge(region, [&](const BorderEdge& edge) {
+    const auto& [from, to] = edge;
+    const auto [low, high] = std::minmax(from.y(), to.y());
+    const auto last = static_cast<std::int64_t>(std::floor(high / kLineDistance));
+    for (auto line = static_cast<std::int64_t>(std::floor(low / kLineDistance)) - 1; line <= last; ++line) {
+      const double y = heightOf(line);
+      if ((from.y() > y) == (to.y() > y)) continue;
+      crossings.push_back({line, from.x() + (y - from.y()) / (to.y() - from.y()) * (to.x() - from.x())});
+    }
+  });
+  std::sort(crossings.begin(), crossings.end(), [](const LineCrossing& a, const LineCrossing& b) {
+    return a.line != b.line ? a.line < b.line : a.x < b.x;
+  });
   return crossings;
 }
 
@@ -80,11 +106,10 @@ std::vector<std::size_t> groupsOf(const std::vector<BranchDisc>& discs) {
 }
 
 /// Group by group: a sweep over all of them would look at what lies side by side again and again.
-Regions united(const std::vector<BranchDisc>& discs) {
+Regions united(const std::vector<BranchDisc>& discs, const UnitCircle& circle) {
   const std::vector<std::size_t> first = groupsOf(discs);
   std::vector<std::vector<Polygon>> groups(discs.size());
-  for (std::size_t i = 0; i < discs.size(); ++i)
-    groups[first[i]].push_back(circleRound(discs[i].at, discs[i].radius_mm));
+  for (std::size_t i = 0; i < discs.size(); ++i) groups[first[i]].push_back(sectionOf(discs[i], circle));
   Regions result;
   for (std::vector<Polygon>& group : groups) {
     if (group.size() == 1) {
@@ -107,8 +132,8 @@ class TipBands {
   }
 
   /// Of a level line from a place to another, how much is no nearer to a tip than the radius.
-  double lengthBeyond(double y, double from_x, double to_x) const {
-    std::vector<std::pair<double, double>> reached;
+  double lengthBeyond(double y, double from_x, double to_x) {
+    reached_.clear();
     for (const std::int64_t step : {-1, 0, 1}) {
       const auto band = bands_.find(bandOf(y) + step);
       if (band == bands_.end()) continue;
@@ -119,13 +144,13 @@ class TipBands {
         const double squared = radius_ * radius_ - (place->y() - y) * (place->y() - y);
         if (squared <= 0.0) continue;
         const double half = std::sqrt(squared);
-        reached.emplace_back(place->x() - half, place->x() + half);
+        reached_.emplace_back(place->x() - half, place->x() + half);
       }
     }
-    std::sort(reached.begin(), reached.end());
+    std::sort(reached_.begin(), reached_.end());
     double beyond = 0.0;
     double at = from_x;
-    for (const auto& [low, high] : reached) {
+    for (const auto& [low, high] : reached_) {
       if (low > at) beyond += std::min(low, to_x) - at;
       at = std::max(at, high);
       if (at >= to_x) return beyond;
@@ -138,22 +163,17 @@ class TipBands {
 
   double radius_;
   std::map<std::int64_t, std::vector<Point2>> bands_;
+  std::vector<std::pair<double, double>> reached_;  ///< of one line
 };
 
 /// On level lines through the regions.
-double areaBeyond(const Regions& regions, const TipBands& tips) {
+double areaBeyond(const Regions& regions, TipBands& tips) {
   double sum = 0.0;
   for (const Region& region : regions) {
-    const std::vector<Polygon> borders = outlines({region});
-    const Box2 box = boundingBox(borders);
-    const auto last = static_cast<std::int64_t>(std::floor(box.high.y() / kLineDistance));
-    for (auto line = static_cast<std::int64_t>(std::floor(box.low.y() / kLineDistance)); line <= last;
-         ++line) {
-      const double y = (static_cast<double>(line) + 0.5) * kLineDistance;
-      const std::vector<double> crossings = crossingsOf(borders, y);
-      for (std::size_t i = 0; i + 1 < crossings.size(); i += 2)
-        sum += kLineDistance * tips.lengthBeyond(y, crossings[i], crossings[i + 1]);
-    }
+    const std::vector<LineCrossing> crossings = crossingsOf(region);
+    for (std::size_t i = 0; i + 1 < crossings.size(); i += 2)
+      sum +=
+          kLineDistance * tips.lengthBeyond(heightOf(crossings[i].line), crossings[i].x, crossings[i + 1].x);
   }
   return sum;
 }
@@ -177,11 +197,12 @@ BranchLoops branchLoops(const SupportTree& tree, const Regions& taken, const Pla
   BranchLoops loops;
   loops.layers.resize(tree.layers.size());
   loops.areas.resize(tree.layers.size());
+  const UnitCircle circle = unitCircle();
   const auto plan_layer = [&](std::size_t i) {
     std::map<std::pair<double, double>, std::vector<BranchDisc>> discs;  // by top and bottom
     for (const BranchDisc& disc : tree.layers[i]) discs[{disc.top_mm, disc.bottom_mm}].push_back(disc);
     for (const auto& [heights, of_height] : discs) {
-      Regions area = united(of_height);
+      Regions area = united(of_height, circle);
       if (i == 0 && !taken.empty()) area = difference(area, taken);
       AidRuns aids = loopsIn(area, heights.second, heights.first, settings);
       loops.areas[i].insert(loops.areas[i].end(), area.begin(), area.end());
@@ -197,7 +218,7 @@ SupportTotals branchTotals(const std::vector<Regions>& overhangs, const SupportT
   SupportTotals totals;
   totals.dropped_branches = tree.dropped;
   for (const Regions& regions : loops.areas) totals.area_mm2 = std::max(totals.area_mm2, area(regions));
-  const TipBands tips(tree.tips, settings.tip_spacing_mm);
+  TipBands tips(tree.tips, settings.tip_spacing_mm);
   for (const Regions& overhang : overhangs) {
     totals.overhang_mm2 += area(overhang);
     totals.unsupported_mm2 += areaBeyond(overhang, tips);

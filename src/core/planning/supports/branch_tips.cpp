@@ -2,12 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planning/supports/branch_tips.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <unordered_map>
 #include <utility>
 
+#include "lamina/base/parallel.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
+#include "planning/supports/edge_bands.hpp"
 
 namespace lamina {
 namespace {
@@ -16,10 +20,11 @@ namespace {
 /// farther from a tip than a spacing: it is near a place tried, which is near a tip.
 constexpr double kNearestTips = 0.6;
 constexpr double kTried = 0.25;
-constexpr double kNearestOnRim = 0.45;  // the same along rims, where walls span from tip to tip
-constexpr double kClear = 0.01;         // mm: off the border of where a branch has room
-constexpr double kSameLayer = 1e-6;     // mm
-constexpr double kRim = 0.05;           // mm, beside that border: where tips below ledges are
+constexpr double kNearestOnRim = 0.45;     // the same along rims, where walls span from tip to tip
+constexpr double kClear = 0.01;            // mm: off the border of where a branch has room
+constexpr double kSameLayer = 1e-6;        // mm
+constexpr double kBesideWall = 0.8;        // of a tip's radius, off the wall that it still holds up
+constexpr std::size_t kLayersAtOnce = 64;  // in which places are sought before tips are spread
 
 /// Tips by their place, so that neighbours are found at once.
 class TipGrid {
@@ -64,17 +69,34 @@ std::vector<Point2> placesAlongRim(const Region& region, double step_mm) {
   return places;
 }
 
+/// Where a level line crosses borders, in no order; a place on it is inside if an odd number lie to its
+/// right.
+std::vector<double> crossedAt(double y, const std::vector<BorderEdge>& edges) {
+  std::vector<double> crossed;
+  for (const auto& [from, to] : edges)
+    if ((from.y() > y) != (to.y() > y))
+      crossed.push_back(from.x() + (to.x() - from.x()) * (y - from.y()) / (to.y() - from.y()));
+  return crossed;
+}
+
 /// On triangles.
 std::vector<Point2> placesWithin(const Region& region, double step_mm) {
   std::vector<Point2> places;
-  const std::vector<Polygon> borders = outlines({region});
-  const Box2 box = boundingBox(borders);
+  std::vector<BorderEdge> edges;
+  Box2 box;
+  forEachEdge(region, [&](const BorderEdge& edge) {
+    edges.push_back(edge);
+    box.include(edge.from);
+  });
   const double rise = step_mm * std::sqrt(0.75);
   for (auto row = static_cast<int>(std::floor(box.low.y() / rise)); row * rise <= box.high.y(); ++row) {
+    const std::vector<double> crossed = crossedAt(row * rise, edges);
     const double shift = row % 2 == 0 ? 0.0 : 0.5 * step_mm;
     for (auto k = static_cast<int>(std::floor(box.low.x() / step_mm)) - 1; k * step_mm <= box.high.x(); ++k) {
       const Point2 place(k * step_mm + shift, row * rise);
-      if (contains(borders, place)) places.push_back(place);
+      const auto to_the_right =
+          std::count_if(crossed.begin(), crossed.end(), [&](double x) { return place.x() < x; });
+      if (to_the_right % 2 == 1) places.push_back(place);
     }
   }
   return places;
@@ -89,71 +111,113 @@ Regions roomFor(const Region& piece, const Regions& near_part, double tip_mm) {
   return free.empty() ? inside : free;
 }
 
-class TipSpread {
- public:
-  TipSpread(const StackedMaterial& stack, const WallBeads& walls, const SupportSettings& settings)
-      : stack_(stack),
-        walls_(walls),
-        settings_(settings),
-        near_(kNearestTips * settings.tip_spacing_mm, kNearestTips * settings.tip_spacing_mm),
-        rim_(kNearestOnRim * settings.tip_spacing_mm, kNearestTips * settings.tip_spacing_mm),
-        beside_(kNearestTips * settings.tip_spacing_mm, kSameLayer) {}
+/// Places that tips below one layer may have, those to be tried first in front.
+struct TriedPlaces {
+  struct Room {
+    std::vector<Point2> on_rim;
+    std::vector<Point2> within;
+  };
+  std::optional<ColumnTop> top;  ///< none without room for any
+  std::vector<Point2> below_walls;
+  std::vector<Room> rooms;
+};
 
-  void holdUp(const Regions& overhang, std::size_t layer) {
-    const std::optional<ColumnTop> top = columnTopBelow(stack_.bounds, layer, settings_.top_gap_mm);
-    if (!top || overhang.empty()) return;
-    const std::size_t last = top->caps.empty() ? top->full_layers - 1 : top->caps.back().layer;
-    const double height = stack_.bounds[layer].bottom_mm;
-    for (const Region& room : besideLedges(overhang, layer, last))
-      for (const auto& places : {placesAlongRim(room, kTried * settings_.tip_spacing_mm),
-                                 placesWithin(room, kTried * settings_.tip_spacing_mm)})
-        for (const Point2& place : places)
-          if (!beside_.hasNear(place, height)) add({place, layer, *top}, height);
+/// Finds the places; what it finds for one layer does not depend on others.
+class PlaceSearch {
+ public:
+  PlaceSearch(const StackedMaterial& stack, const WallBeads& walls, const SupportSettings& settings)
+      : stack_(stack), walls_(walls), settings_(settings), step_(kTried * settings.tip_spacing_mm) {}
+
+  TriedPlaces placesBelow(const Regions& overhang, std::size_t layer) const {
+    TriedPlaces places;
+    if (overhang.empty()) return places;
+    places.top = columnTopBelow(stack_.bounds, layer, settings_.top_gap_mm);
+    if (!places.top) return places;
+    const ColumnTop& top = *places.top;
+    const std::size_t last = top.caps.empty() ? top.full_layers - 1 : top.caps.back().layer;
+    places.below_walls = placesBelowWalls(overhang, layer, last);
     const double reach = settings_.side_gap_mm + radius() + kClear;
     const Regions near_part = offset(within(*stack_.material[last], boxOf(overhang), 3.0 * reach), reach);
     for (const Region& piece : overhang)
-      for (const Region& room : roomFor(piece, near_part, settings_.tip_mm)) {
-        for (const Point2& place : placesAlongRim(room, kTried * settings_.tip_spacing_mm))
-          if (!rim_.hasNear(place, height)) add({place, layer, *top}, height);
-        for (const Point2& place : placesWithin(room, kTried * settings_.tip_spacing_mm))
-          if (!near_.hasNear(place, height)) add({place, layer, *top}, height);
-      }
+      for (const Region& room : roomFor(piece, near_part, settings_.tip_mm))
+        places.rooms.push_back({placesAlongRim(room, step_), placesWithin(room, step_)});
+    return places;
   }
-
-  std::vector<BranchTip> tips() && { return std::move(tips_); }
 
  private:
   double radius() const { return 0.5 * settings_.tip_mm; }
 
-  void add(BranchTip tip, double height_mm) {
-    near_.add(tip.at, height_mm);
-    rim_.add(tip.at, height_mm);
-    beside_.add(tip.at, height_mm);
-    tips_.push_back(std::move(tip));
+  /// Along the middle of the outer wall where it hangs, or between that and the next one, or as near to there
+  /// as a tip may be; beside ledges first.
+  std::vector<Point2> placesBelowWalls(const Regions& overhang, std::size_t layer, std::size_t last) const {
+    const Regions hanging = hangingWalls(overhang, *stack_.material[layer], walls_);
+    if (hanging.empty()) return {};
+    const double gap = settings_.side_gap_mm;
+    const Regions ledges = nearPart(hanging, *stack_.material[last], gap + 0.5 * radius(), walls_);
+    std::vector<Point2> places;
+    if (!ledges.empty()) places = placesAlongWall(ledges, layer, last, ledgeGap(settings_));
+    const std::vector<Point2> others = placesAlongWall(hanging, layer, last, gap);
+    places.insert(places.end(), others.begin(), others.end());
+    return places;
   }
 
-  /// Along the nearest places to the part that a tip may have: no part of it lies below a layer that is not
-  /// held up by it.
-  Regions besideLedges(const Regions& overhang, std::size_t layer, std::size_t last) const {
-    const Regions ledges =
-        ledgesIn(overhang, *stack_.material[layer], *stack_.material[last], walls_, settings_);
-    if (ledges.empty()) return {};
-    const double gap = ledgeGap(settings_) + kClear;
-    const Box2 box = boxOf(ledges);
-    Regions part;
+  /// No part of a tip there lies below a layer that is not held up by it.
+  std::vector<Point2> placesAlongWall(const Regions& hanging, std::size_t layer, std::size_t last,
+                                      double gap_mm) const {
+    const Box2 box = boxOf(hanging);
+    const double within_wall = 0.5 * std::min(walls_.thickness_mm, 2.0 * walls_.width_mm);
+    Regions taken = offset(within(*stack_.material[layer], box, 4.0 * walls_.width_mm), -within_wall);
     for (std::size_t k = last; k < layer; ++k) {
-      const double reach = radius() + (k == last ? gap : kClear);
-      part = united(part, offset(within(*stack_.material[k], box, 4.0 * reach), reach));
+      const double reach = radius() + (k == last ? gap_mm : 0.0) + kClear;
+      taken = united(taken, offset(within(*stack_.material[k], box, 4.0 * reach), reach));
     }
-    return intersection(difference(offset(part, kRim), part), offset(ledges, radius()));
+    const EdgeBands near(offset(hanging, kBesideWall * radius()));
+    std::vector<Point2> places;
+    for (const Region& region : taken)
+      for (const Point2& place : placesAlongRim(region, step_))
+        if (near.enclose(place)) places.push_back(place);
+    return places;
   }
 
   const StackedMaterial& stack_;
   const WallBeads& walls_;
   const SupportSettings& settings_;
+  double step_;
+};
+
+class TipSpread {
+ public:
+  explicit TipSpread(double spacing_mm)
+      : near_(kNearestTips * spacing_mm, kNearestTips * spacing_mm),
+        rim_(kNearestOnRim * spacing_mm, kNearestTips * spacing_mm),
+        walls_(kNearestOnRim * spacing_mm, kSameLayer) {}
+
+  void holdUp(const TriedPlaces& tried, std::size_t layer, double height_mm) {
+    if (!tried.top) return;
+    const auto tryAll = [&](const std::vector<Point2>& places, const TipGrid& grid) {
+      for (const Point2& place : places)
+        if (!grid.hasNear(place, height_mm)) add({place, layer, *tried.top}, height_mm);
+    };
+    tryAll(tried.below_walls, walls_);
+    for (const TriedPlaces::Room& room : tried.rooms) {
+      tryAll(room.on_rim, rim_);
+      tryAll(room.within, near_);
+    }
+  }
+
+  std::vector<BranchTip> tips() && { return std::move(tips_); }
+
+ private:
+  void add(BranchTip tip, double height_mm) {
+    near_.add(tip.at, height_mm);
+    rim_.add(tip.at, height_mm);
+    walls_.add(tip.at, height_mm);
+    tips_.push_back(std::move(tip));
+  }
+
   TipGrid near_;
-  TipGrid rim_;     ///< where walls hang
-  TipGrid beside_;  ///< of one layer each
+  TipGrid rim_;
+  TipGrid walls_;  ///< of one layer each
   std::vector<BranchTip> tips_;
 };
 
@@ -161,8 +225,16 @@ class TipSpread {
 
 std::vector<BranchTip> branchTips(const StackedMaterial& stack, const std::vector<Regions>& overhangs,
                                   const WallBeads& walls, const SupportSettings& settings) {
-  TipSpread spread(stack, walls, settings);
-  for (std::size_t j = overhangs.size(); j-- > 0;) spread.holdUp(overhangs[j], j);
+  const PlaceSearch search(stack, walls, settings);
+  TipSpread spread(settings.tip_spacing_mm);
+  for (std::size_t end = overhangs.size(); end > 0; end -= std::min(end, kLayersAtOnce)) {
+    const std::size_t count = std::min(end, kLayersAtOnce);
+    std::vector<TriedPlaces> tried(count);
+    parallelFor(count,
+                [&](std::size_t k) { tried[k] = search.placesBelow(overhangs[end - 1 - k], end - 1 - k); });
+    for (std::size_t k = 0; k < count; ++k)
+      spread.holdUp(tried[k], end - 1 - k, stack.bounds[end - 1 - k].bottom_mm);
+  }
   return std::move(spread).tips();
 }
 

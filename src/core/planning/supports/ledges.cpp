@@ -16,6 +16,19 @@ constexpr double kHanging = 0.75;  // of a bead: less, and it lies on the layer 
 constexpr double kLongest = 3.0;   // of a stretch that stays where it is without a support
 constexpr double kDetail = 0.4;    // by which outlines of columns are simplified
 
+/// What the walls of a layer enclose, within a box and somewhat beyond.
+Regions insideOf(const Regions& layer, const Box2& box, const WallBeads& walls) {
+  return offset(within(layer, box, 3.0 * walls.thickness_mm), -walls.thickness_mm);
+}
+
+Regions withoutShort(Regions pieces, const WallBeads& walls) {
+  const auto isShort = [&](const Region& piece) {
+    return boxOf({piece}).size().norm() < kLongest * walls.width_mm;
+  };
+  pieces.erase(std::remove_if(pieces.begin(), pieces.end(), isShort), pieces.end());
+  return pieces;
+}
+
 }  // namespace
 
 double ledgeGap(const SupportSettings& settings) {
@@ -23,6 +36,18 @@ double ledgeGap(const SupportSettings& settings) {
 }
 
 double ledgeStep(const WallBeads& walls) { return 0.5 * walls.width_mm; }
+
+Regions hangingWalls(const Regions& overhang, const Regions& layer, const WallBeads& walls) {
+  if (overhang.empty() || walls.thickness_mm <= 0.0) return {};
+  const Regions wide = withoutNarrow(overhang, kHanging * walls.width_mm);
+  if (wide.empty()) return {};
+  return withoutShort(differenceByPieces(wide, insideOf(layer, boxOf(wide), walls)), walls);
+}
+
+Regions nearPart(const Regions& hanging, const Regions& below, double distance_mm, const WallBeads& walls) {
+  const Regions near = within(below, boxOf(hanging), 3.0 * distance_mm);
+  return withoutShort(intersection(hanging, grownByPieces(near, distance_mm)), walls);
+}
 
 Regions ledgesIn(const Regions& overhang, const Regions& layer, const Regions& below, const WallBeads& walls,
                  const SupportSettings& settings) {
@@ -32,13 +57,9 @@ Regions ledgesIn(const Regions& overhang, const Regions& layer, const Regions& b
   const Regions wide = withoutNarrow(overhang, kHanging * width);
   if (wide.empty()) return {};
   const Box2 box = boxOf(wide);
-  const Regions inside = offset(within(layer, box, 3.0 * walls.thickness_mm), -walls.thickness_mm);
-  Regions ledges =
-      intersection(differenceByPieces(wide, inside), grownByPieces(within(below, box, 3.0 * gap), gap));
-  ledges.erase(
-      std::remove_if(ledges.begin(), ledges.end(),
-                     [&](const Region& ledge) { return boxOf({ledge}).size().norm() < kLongest * width; }),
-      ledges.end());
+  const Regions ledges = withoutShort(intersection(differenceByPieces(wide, insideOf(layer, box, walls)),
+                                                   grownByPieces(within(below, box, 3.0 * gap), gap)),
+                                      walls);
   if (ledges.empty()) return {};
   const double column = gap + std::max(width, settings.least_width_mm) + kDetail * width;
   const Regions narrow = difference(ledges, withoutNarrow(overhang, column));

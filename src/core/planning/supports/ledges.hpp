@@ -20,6 +20,18 @@ double ledgeGap(const SupportSettings& settings);
 /// Greatest widening of a column from layer to layer on each side, at which half a bead is unsupported.
 double ledgeStep(const WallBeads& walls);
 
+/// Walls that hang over nothing: beads of which more than three quarters lie beyond the layer below, on
+/// stretches longer than three of their widths.
+/// @param overhang  of the layer, as far as it is supported
+/// @param layer     whole area of the layer
+/// @return empty without walls
+Regions hangingWalls(const Regions& overhang, const Regions& layer, const WallBeads& walls);
+
+/// Of hanging walls the stretches that come within a distance of the part, as long again as three beads.
+/// @param hanging  those of `hangingWalls`
+/// @param below    area of the part beside the end of the supports
+Regions nearPart(const Regions& hanging, const Regions& below, double distance_mm, const WallBeads& walls);
+
 /// Ledges: places where walls overhang within the side gap, out of reach of a column that keeps it. They are
 /// beads of which more than three quarters lie beyond the part, on stretches longer than three of their
 /// widths, and the area round them that a column needs to be as wide as a bead beyond the gap.

@@ -13,6 +13,7 @@
 #include "geometry/polygon/edge_collapse_inset.hpp"
 #include "geometry/polygon/plane_vectors.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
+#include "planning/supports/edge_bands.hpp"
 #include "planning/supports/stacked_material.hpp"
 
 namespace lamina {
@@ -40,102 +41,8 @@ std::vector<BoxedRegion> boxed(const Regions& regions) {
   return result;
 }
 
-/// Twice the area of a triangle that counts as flat [mm²].
-constexpr double kFlat = 1e-8;
 constexpr double kRounding = 1e-4;  // mm: of offsets
 constexpr double kReach = 1.0;      // mm: beyond the box of what is clipped
-
-struct BorderEdge {
-  Point2 from;
-  Point2 to;
-};
-
-bool leavesOnOneSide(const BorderEdge& line, const BorderEdge& edge) {
-  const double first = side(line.from, line.to, edge.from);
-  const double second = side(line.from, line.to, edge.to);
-  return (first > kFlat && second > kFlat) || (first < -kFlat && second < -kFlat);
-}
-
-template <class Visit>
-void forEachEdge(const Region& region, const Visit& visit) {
-  const auto walk = [&](const Polygon& border) {
-    for (std::size_t i = 0, j = border.size() - 1; i < border.size(); j = i++)
-      visit(BorderEdge{border[j], border[i]});
-  };
-  walk(region.outer);
-  for (const Polygon& hole : region.holes) walk(hole);
-}
-
-/// Edges of regions by level bands, so many that each edge lies in three of them on average at most.
-class EdgeBands {
- public:
-  explicit EdgeBands(const Regions& regions) {
-    std::size_t count = 0;
-    double spanned_mm = 0.0;
-    for (const Region& region : regions)
-      forEachEdge(region, [&](const BorderEdge& edge) {
-        box_.include(edge.from);
-        spanned_mm += std::abs(edge.to.y() - edge.from.y());
-        ++count;
-      });
-    bands_.resize(1);
-    if (count == 0) return;
-    const double height_mm = std::max(box_.size().y(), 1e-9);
-    const double most =
-        static_cast<double>(count) * std::min(0.5, 2.0 * height_mm / std::max(spanned_mm, 1e-9));
-    bands_.resize(std::max<std::size_t>(1, static_cast<std::size_t>(most)));
-    per_mm_ = static_cast<double>(bands_.size()) / height_mm;
-    for (const Region& region : regions)
-      forEachEdge(region, [&](const BorderEdge& edge) {
-        const auto [low, high] = bandsOf(edge);
-        for (std::size_t band = low; band <= high; ++band) bands_[band].push_back(edge);
-      });
-  }
-
-  const Box2& box() const { return box_; }
-
-  /// Whether none of the edges meets it, beyond doubt.
-  bool areApartFrom(const BorderEdge& edge) const {
-    const auto [low_x, high_x] = std::minmax(edge.from.x(), edge.to.x());
-    const auto [low_y, high_y] = std::minmax(edge.from.y(), edge.to.y());
-    if (high_y < box_.low.y() || low_y > box_.high.y()) return true;
-    if (high_x < box_.low.x() || low_x > box_.high.x()) return true;
-    const auto [low, high] = bandsOf(edge);
-    for (std::size_t band = low; band <= high; ++band)
-      for (const BorderEdge& other : bands_[band]) {
-        if (std::max(other.from.x(), other.to.x()) < low_x || std::min(other.from.x(), other.to.x()) > high_x)
-          continue;
-        if (!leavesOnOneSide(other, edge) && !leavesOnOneSide(edge, other)) return false;
-      }
-    return true;
-  }
-
-  /// By the even-odd rule.
-  bool enclose(const Point2& point) const {
-    if ((point.array() < box_.low.array()).any() || (point.array() > box_.high.array()).any()) return false;
-    bool is_inside = false;
-    for (const BorderEdge& edge : bands_[bandOf(point.y())]) {
-      if ((edge.from.y() > point.y()) == (edge.to.y() > point.y())) continue;
-      const double share = (point.y() - edge.from.y()) / (edge.to.y() - edge.from.y());
-      if (point.x() < edge.from.x() + share * (edge.to.x() - edge.from.x())) is_inside = !is_inside;
-    }
-    return is_inside;
-  }
-
- private:
-  std::size_t bandOf(double y) const {
-    const double band = (y - box_.low.y()) * per_mm_;
-    return static_cast<std::size_t>(std::clamp(band, 0.0, static_cast<double>(bands_.size() - 1)));
-  }
-  std::pair<std::size_t, std::size_t> bandsOf(const BorderEdge& edge) const {
-    const auto [low, high] = std::minmax(edge.from.y(), edge.to.y());
-    return {bandOf(low), bandOf(high)};
-  }
-
-  Box2 box_;
-  double per_mm_ = 0.0;
-  std::vector<std::vector<BorderEdge>> bands_;
-};
 
 /// From a point to the nearest outline.
 double clearance(const Region& region, const Point2& point) {
@@ -210,6 +117,8 @@ Regions grownByPieces(const Regions& regions, double distance_mm) {
   std::vector<Polygon> moved;
   for (const Region& region : regions) {
     if (std::optional<std::vector<Polygon>> borders = grownBorders(region, distance_mm)) {
+      // An outline alone does not meet itself.
+      if (regions.size() == 1 && borders->size() == 1) return {{std::move(borders->front()), {}}};
       std::move(borders->begin(), borders->end(), std::back_inserter(moved));
       continue;
     }

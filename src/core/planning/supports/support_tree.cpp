@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -13,6 +15,7 @@
 #include "lamina/base/angle.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
+#include "planning/supports/edge_bands.hpp"
 #include "planning/supports/piecewise.hpp"
 
 namespace lamina {
@@ -38,30 +41,34 @@ class BlockedPlaces {
   }
 
   bool contain(const Point2& at, double radius_mm, std::size_t layer) const {
-    return contains(bordersOf(radius_mm, layer), at);
+    return bordersOf(radius_mm, layer).enclose(at);
   }
 
-  /// The nearest place that is free, a little beyond the border; none if that is farther than `reach_mm`.
+  /// The nearest place that is free, a little beyond the border; none if that is farther than `reach_mm`. Of
+  /// equally near ones that on the first edge.
   std::optional<Point2> nearestFree(const Point2& at, double radius_mm, std::size_t layer,
                                     double reach_mm) const {
     double nearest = reach_mm;
+    std::uint32_t first = 0;
     std::optional<Point2> free;
-    for (const Polygon& border : bordersOf(radius_mm, layer))
-      for (std::size_t i = 0, j = border.size() - 1; i < border.size(); j = i++) {
-        const Point2 along = border[i] - border[j];
-        const double squared = along.squaredNorm();
-        const double t = squared > 0.0 ? std::clamp((at - border[j]).dot(along) / squared, 0.0, 1.0) : 0.0;
-        const Point2 way = border[j] + t * along - at;
-        const double distance = way.norm() + kPushedOut;
-        if (distance >= nearest || way.norm() == 0.0) continue;
-        nearest = distance;
-        free = at + way * (distance / way.norm());
-      }
+    bordersOf(radius_mm, layer).visitNear(at, reach_mm, [&](const BorderEdge& edge, std::uint32_t index) {
+      const Point2 along = edge.to - edge.from;
+      const double squared = along.squaredNorm();
+      const double t = squared > 0.0 ? std::clamp((at - edge.from).dot(along) / squared, 0.0, 1.0) : 0.0;
+      const Point2 way = edge.from + t * along - at;
+      const double length = way.norm();
+      const double distance = length + kPushedOut;
+      const bool is_nearer = distance < nearest || (distance == nearest && free && index < first);
+      if (!is_nearer || length == 0.0) return;
+      nearest = distance;
+      first = index;
+      free = at + way * (distance / length);
+    });
     return free;
   }
 
  private:
-  using Borders = std::vector<Polygon>;
+  using Borders = std::shared_ptr<const EdgeBands>;
 
   /// The least radius round the part itself, as it decides where a tip has room; others round that.
   void find(const StackedMaterial& stack, std::size_t count, const SupportSettings& settings,
@@ -71,29 +78,44 @@ class BlockedPlaces {
     const auto isShared = [&](std::size_t k) { return k > 0 && stack.material[k] == stack.material[k - 1]; };
     const auto grow = [&](std::size_t k) {
       if (isShared(k)) return;
-      const double least = settings.side_gap_mm + radii_[0];
-      const Regions narrow = grownByPieces(*stack.material[k], least);
-      blocked[0][k] = std::make_shared<const Regions>(narrow);
+      blocked[0][k] = std::make_shared<const Regions>(
+          grownByPieces(*stack.material[k], settings.side_gap_mm + radii_[0]));
+      const Regions narrow = simplified(*blocked[0][k], kCoarseOutline);
+      // By no less than the distance, though from fewer corners.
       for (std::size_t c = 1; c < kRadii; ++c)
         blocked[c][k] =
-            std::make_shared<const Regions>(grownBy(radii_[c] - radii_[0], narrow, kCoarseOutline));
+            std::make_shared<const Regions>(grownByPieces(narrow, radii_[c] - radii_[0] + kCoarseOutline));
     };
     parallelFor(count, grow, progress, "supports");
-    for (std::size_t c = 0; c < kRadii; ++c) {
+    for (std::vector<SharedRegions>& layers : blocked) {
       for (std::size_t k = 1; k < count; ++k)
-        if (isShared(k)) blocked[c][k] = blocked[c][k - 1];
-      if (settings.foot == SupportFoot::Bed) addOutOfReach(stack, settings, blocked[c]);
-      borders_[c].resize(count);
-      for (std::size_t k = 0; k < count; ++k)
-        borders_[c][k] = k > 0 && blocked[c][k] == blocked[c][k - 1]
-                             ? borders_[c][k - 1]
-                             : std::make_shared<const Borders>(outlines(*blocked[c][k]));
+        if (isShared(k)) layers[k] = layers[k - 1];
+      if (settings.foot == SupportFoot::Bed) addOutOfReach(stack, settings, layers);
     }
+    arrange(blocked, progress);
   }
 
-  /// By no less than the distance, though from fewer corners.
-  static Regions grownBy(double distance_mm, const Regions& regions, double tolerance_mm) {
-    return grownByPieces(simplified(regions, tolerance_mm), distance_mm + tolerance_mm);
+  /// The greatest radius that a branch can have so far below the highest tip.
+  static double widestBelow(double height_mm, const SupportSettings& settings) {
+    const double length_mm = height_mm / std::cos(toRadians(settings.branch_angle_deg));
+    return 0.5 * settings.tip_mm + std::tan(toRadians(settings.branch_taper_deg)) * length_mm;
+  }
+
+  void arrange(const std::array<std::vector<SharedRegions>, kRadii>& blocked, Progress& progress) {
+    const std::size_t count = blocked.front().size();
+    for (std::vector<Borders>& layers : borders_) layers.resize(count);
+    const auto isShared = [&](std::size_t c, std::size_t k) {
+      return k > 0 && blocked[c][k] == blocked[c][k - 1];
+    };
+    const auto arrange_layer = [&](std::size_t k) {
+      for (std::size_t c = 0; c < kRadii; ++c)
+        if (blocked[c][k] && !isShared(c, k))
+          borders_[c][k] = std::make_shared<const EdgeBands>(*blocked[c][k]);
+    };
+    parallelFor(count, arrange_layer, progress, "supports");
+    for (std::size_t c = 0; c < kRadii; ++c)
+      for (std::size_t k = 1; k < count; ++k)
+        if (isShared(c, k)) borders_[c][k] = borders_[c][k - 1];
   }
 
   /// From the bed up: a branch can go no farther aside in a layer than its lean allows.
@@ -103,6 +125,7 @@ class BlockedPlaces {
     SharedRegions own_below;
     for (std::size_t k = 0; k < blocked.size(); ++k) {
       const SharedRegions own = blocked[k];
+      if (!own) return;  // nor farther up
       const bool is_prism = own == own_below && blocked[k - 1] == own;
       own_below = own;
       if (k == 0 || is_prism) continue;
@@ -111,14 +134,14 @@ class BlockedPlaces {
     }
   }
 
-  const Borders& bordersOf(double radius_mm, std::size_t layer) const {
+  const EdgeBands& bordersOf(double radius_mm, std::size_t layer) const {
     std::size_t c = 0;
     while (c + 1 < kRadii && radii_[c] < radius_mm - kRadiusSlack) ++c;
     return *borders_[c][layer];
   }
 
   std::array<double, kRadii> radii_{};
-  std::array<std::vector<std::shared_ptr<const Borders>>, kRadii> borders_;
+  std::array<std::vector<Borders>, kRadii> borders_;
 };
 
 /// The lower end of a branch that still grows.
@@ -181,7 +204,7 @@ class BranchGrower {
     std::size_t k = layer;
     if (waiting_.empty()) waiting_.resize(count_);
     if (blocked_.contain(tips_[tip].at, radius, k) && !keepsLedgeGap(tips_[tip].at, k)) {
-      if (k == 0 || contains(outlines(*stack_.material[k]), tips_[tip].at)) {
+      if (k == 0 || isInPart(tips_[tip].at, k)) {
         feet_[tip] = BranchFoot::None;
         return;
       }
@@ -246,12 +269,22 @@ class BranchGrower {
     return goals;
   }
 
+  bool isInPart(const Point2& at, std::size_t layer) const {
+    bool is_inside = false;
+    for (const Region& region : *stack_.material[layer]) {
+      is_inside = is_inside != encloses(region.outer, at);
+      for (const Polygon& hole : region.holes) is_inside = is_inside != encloses(hole, at);
+    }
+    return is_inside;
+  }
+
   bool isNearPart(const Point2& at, std::size_t layer, double distance_mm) const {
-    const std::vector<Polygon> borders = outlines(*stack_.material[layer]);
-    for (const Polygon& border : borders)
-      for (std::size_t i = 0, j = border.size() - 1; i < border.size(); j = i++)
-        if ((nearestOnSegment(border[j], border[i], at) - at).norm() < distance_mm) return true;
-    return contains(borders, at);
+    bool is_near = false;
+    for (const Region& region : *stack_.material[layer])
+      forEachEdge(region, [&](const BorderEdge& edge) {
+        is_near = is_near || (nearestOnSegment(edge.from, edge.to, at) - at).norm() < distance_mm;
+      });
+    return is_near || isInPart(at, layer);
   }
 
   /// As thin as a tip.

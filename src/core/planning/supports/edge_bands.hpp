@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "lamina/geometry/polygon/polygon.hpp"
+
+namespace lamina {
+
+struct BorderEdge {
+  Point2 from;
+  Point2 to;
+};
+
+/// Calls visit(edge) for the edges of its outline and then of its holes, in their order.
+template <class Visit>
+void forEachEdge(const Region& region, const Visit& visit) {
+  const auto walk = [&](const Polygon& border) {
+    for (std::size_t i = 0, j = border.size() - 1; i < border.size(); j = i++)
+      visit(BorderEdge{border[j], border[i]});
+  };
+  walk(region.outer);
+  for (const Polygon& hole : region.holes) walk(hole);
+}
+
+/// Edges of regions by level bands, so many that each edge lies in three of them on average at most:
+/// questions of one place look at the edges about as high only.
+class EdgeBands {
+ public:
+  /// Without any edge.
+  EdgeBands() = default;
+  explicit EdgeBands(const Regions& regions);
+
+  const Box2& box() const { return box_; }
+
+  /// Whether none of the edges meets it, beyond doubt.
+  bool areApartFrom(const BorderEdge& edge) const;
+
+  /// By the even-odd rule; on a border either way.
+  bool enclose(const Point2& point) const;
+
+  /// Calls visit(edge, index) for the edges that come within `reach_mm` of the height of a point, and for
+  /// some others; for one that lies in several bands more than once. The index tells where an edge comes in
+  /// the order of all.
+  template <class Visit>
+  void visitNear(const Point2& point, double reach_mm, const Visit& visit) const {
+    if (begin_.empty() || point.y() + reach_mm < box_.low.y() || point.y() - reach_mm > box_.high.y()) return;
+    const std::size_t last = bandOf(point.y() + reach_mm);
+    for (std::size_t band = bandOf(point.y() - reach_mm); band <= last; ++band)
+      for (std::uint32_t k = begin_[band]; k < begin_[band + 1]; ++k) visit(edges_[in_band_[k]], in_band_[k]);
+  }
+
+ private:
+  std::size_t bandOf(double y) const {
+    const double band = (y - box_.low.y()) * per_mm_;
+    return static_cast<std::size_t>(std::clamp(band, 0.0, static_cast<double>(begin_.size() - 2)));
+  }
+  std::pair<std::size_t, std::size_t> bandsOf(const BorderEdge& edge) const;
+
+  Box2 box_;
+  double per_mm_ = 0.0;
+  std::vector<BorderEdge> edges_;
+  std::vector<std::uint32_t>
+      begin_;  ///< of each band in in_band_, and the end of the last; empty without edges
+  std::vector<std::uint32_t> in_band_;  ///< indices of edges
+};
+
+}  // namespace lamina
