@@ -9,7 +9,7 @@ find_package(catkin REQUIRED COMPONENTS
 add_message_files(FILES
   AlarmReport.msg AppliedCorrection.msg Bead.msg CellAlarm.msg CellAlarms.msg CellJob.msg CorrectionMap.msg CorrectionPath.msg
   DepositionState.msg DepositionSummary.msg FilledVoid.msg HeaterState.msg HostNode.msg HostPeer.msg HostState.msg
-  InclineSummary.msg JobQueue.msg JointTolerance.msg LayerHeight.msg LoopFigures.msg LoopState.msg MachineState.msg
+  InclineSummary.msg JobQueue.msg JogState.msg JointTolerance.msg LayerHeight.msg LoopFigures.msg LoopState.msg MachineState.msg
   Measuring.msg PackmlStatus.msg PlcInputs.msg ProcessOutput.msg ProcessPoint.msg ProcessReady.msg ProcessState.msg
   ProcessTrajectory.msg ProcessValue.msg ProfileCounts.msg Setting.msg SliceSummary.msg StartupStep.msg Status.msg Toolpath.msg
   ToolpathEvent.msg ToolpathLayer.msg ToolpathPath.msg TrackingError.msg VoidCount.msg VoidFillingSummary.msg)

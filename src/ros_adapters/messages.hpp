@@ -34,6 +34,7 @@
 #include <lamina/InclineGcode.h>
 #include <lamina/InclineSummary.h>
 #include <lamina/JobQueue.h>
+#include <lamina/JogState.h>
 #include <lamina/LayerHeight.h>
 #include <lamina/LoadProgram.h>
 #include <lamina/LoopFigures.h>

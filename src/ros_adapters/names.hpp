@@ -26,6 +26,9 @@ inline constexpr char kProcessTrajectory[] = "process_trajectory";  ///< lamina/
 inline constexpr char kProcessState[] = "process_state";            ///< lamina/ProcessState
 inline constexpr char kProcessReady[] = "process_ready";            ///< lamina/ProcessReady
 inline constexpr char kTrackingError[] = "tracking_error";          ///< lamina/TrackingError
+inline constexpr char kJogTwist[] = "jog_twist";                    ///< geometry_msgs/TwistStamped
+inline constexpr char kJogJoints[] = "jog_joints";                  ///< sensor_msgs/JointState
+inline constexpr char kJogState[] = "jog_state";                    ///< lamina/JogState, latched
 inline constexpr char kSpeedFactor[] = "speed_factor";              ///< std_msgs/Float64
 inline constexpr char kPartMarkers[] = "part_markers";    ///< visualization_msgs/MarkerArray, latched
 inline constexpr char kCheckMarkers[] = "check_markers";  ///< visualization_msgs/MarkerArray, latched
@@ -104,6 +107,7 @@ inline constexpr char kPluginsParameter[] = "plugins";  ///< private: paths of p
 
 // Frames.
 inline constexpr char kWorldFrame[] = "world";
+inline constexpr char kBaseFrame[] = "base_link";
 inline constexpr char kBedFrame[] = "bed";
 inline constexpr char kPartFrame[] = "part";
 inline constexpr char kNozzleFrame[] = "nozzle";

@@ -83,6 +83,8 @@ class DriveCell {
     waitUntil([&] { return client_.isServerConnected(); });
     lamina_msgs::DriveToolpathGoal goal;
     goal.toolpath_id = id;
+    goal.dry = dry;
+    goal.speed = speed;
     state.clear();
     client_.sendGoal(goal);
   }
@@ -99,6 +101,16 @@ class DriveCell {
   bool calls(const std::string& service) {
     std_srvs::Trigger trigger;
     return node_.serviceClient<std_srvs::Trigger>(service).call(trigger) && trigger.response.success;
+  }
+
+  /// The status with which a change of the job under way is answered.
+  lamina_msgs::Status change(const std::string& setting, double value) {
+    lamina_msgs::ChangeJob asked;
+    asked.request.setting = setting;
+    asked.request.value = value;
+    if (!node_.serviceClient<lamina_msgs::ChangeJob>(names::kChangeJob).call(asked))
+      asked.response.status.message = "the node does not answer";
+    return asked.response.status;
   }
 
   /// Goes on at a share of the planned speeds.
@@ -136,6 +148,8 @@ class DriveCell {
   std::unique_ptr<const KinematicModel> model;
   std::vector<Report> reports;  ///< of machine and process
   std::string state;
+  std::string dry;                      ///< how what is asked for is run dry
+  double speed = 0.0;                   ///< of that
   std::size_t findings = 0;             ///< markers
   std::size_t grown = 0;                ///< markers of the part
   std::size_t processes = 0;            ///< that were sent to the controller

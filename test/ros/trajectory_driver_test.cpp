@@ -8,44 +8,25 @@
 #include "follow_joint_trajectory.hpp"
 #include "lamina/control/correction_map.hpp"
 #include "node_process.hpp"
+#include "two_beads.hpp"
 
 namespace lamina {
 namespace {
 
 using lamina_msgs::Status;
+using test::Deposit;
+using test::depositOf;
 using test::DriveCell;
+using test::isOnBead;
+using test::kHalf;
+using test::kHeight;
+using test::kLag;
+using test::straight;
+using test::twoBeads;
 using test::waitUntil;
 
-constexpr double kHeight = 0.5;      // mm
-constexpr double kHalf = 20.0;       // mm: beads go from -20 to 20 along x
 constexpr double kUnderBed = -40.0;  // mm
 constexpr double kLiftSpeed = 20.0;  // mm/s, of all drivers
-constexpr double kLag = 0.5;         // mm that joints trail by, or a report is old
-
-Path straight(PathRole role, const Point3& from, const Point3& to) {
-  Path path;
-  path.role = role;
-  path.points = {from, to};
-  path.feed_mm_s = 30.0;
-  path.orientation = Eigen::AngleAxisd(0.15, Point3(1, 1, 0).normalized()) * nozzleDown();
-  if (role != PathRole::Travel) path.bead = Bead{1.0, kHeight};
-  return path;
-}
-
-/// Two beads with the tool axis leaning, at a height, and the travel between them.
-Toolpath twoBeads(double z = kHeight) {
-  const Point3 ends[] = {{-kHalf, 5, z}, {kHalf, 5, z}, {kHalf, 35, z}, {-kHalf, 35, z}};
-  return {"beads",
-          {{z,
-            kHeight,
-            {straight(PathRole::OuterWall, ends[0], ends[1]), straight(PathRole::Travel, ends[1], ends[2]),
-             straight(PathRole::OuterWall, ends[2], ends[3])}}}};
-}
-
-bool isOnBead(const Point3& tip, double within) {
-  const double off = std::min(std::abs(tip.y() - 5.0), std::abs(tip.y() - 35.0));
-  return off < kLag && std::abs(tip.z() - kHeight) < kLag && std::abs(tip.x()) < kHalf + within;
-}
 
 void expectDriven(DriveCell& cell) {
   ASSERT_TRUE(cell.ends());
@@ -124,26 +105,6 @@ TEST_P(DrivenMachine, PausesOnBeadAndTravelAndCompletesOnceResumed) {
     if (i == 0) awaitTravel();
   }
   expectDriven(cell);
-}
-
-/// What the tip did while material flowed, of some reports.
-struct Deposit {
-  double fastest_mm_s = 0.0;
-  double greatest_flow = 0.0;
-};
-
-Deposit depositOf(const DriveCell& cell, std::size_t from, std::size_t to) {
-  Deposit deposit;
-  for (std::size_t i = from + 1; i < to; ++i) {
-    const DriveCell::Report& before = cell.reports[i - 1];
-    const DriveCell::Report& now = cell.reports[i];
-    if (now.process.flow == 0.0 || before.process.flow == 0.0) continue;
-    const double passed_s = (now.process.header.stamp - before.process.header.stamp).toSec();
-    deposit.fastest_mm_s =
-        std::max(deposit.fastest_mm_s, (cell.tip(now) - cell.tip(before)).norm() / passed_s);
-    deposit.greatest_flow = std::max<double>(deposit.greatest_flow, now.process.flow);
-  }
-  return deposit;
 }
 
 TEST_P(DrivenMachine, GoesOnAtAShareOfTheSpeedAndItsFlow) {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include "fed_gantry.hpp"
 #include "lamina/base/error.hpp"
 #include "support/joint_paths.hpp"
 #include "support/random_toolpath.hpp"
@@ -13,30 +14,16 @@
 namespace lamina {
 namespace {
 
+using test::expectSame;
+using test::fastFeeder;
+using test::powderSettings;
 using test::TiltingGantry;
+using test::timedGantry;
+using test::trajectoryFeederLine;
 
 constexpr double kStep = 1e-3;  // s
 // Sums over steps of kStep miss up to a step of each motion.
 constexpr double kVolumeTolerance = 0.02;
-
-TimingSettings powderSettings(double jerk_ramp_s = 0.0) {
-  TimingSettings settings;
-  settings.process.kind = ProcessKind::Powder;
-  settings.trajectory.jerk_ramp_s = jerk_ramp_s;
-  return settings;
-}
-
-TimedPath timedGantry(const Toolpath& toolpath, const TimingSettings& settings) {
-  const TiltingGantry gantry;
-  return {toolpath, uprightPath(toolpath, gantry), gantry, settings};
-}
-
-void expectSame(const JointState& a, const JointState& b) {
-  EXPECT_EQ(a.time_s, b.time_s);
-  EXPECT_EQ(a.position, b.position);
-  EXPECT_EQ(a.velocity, b.velocity);
-  EXPECT_EQ(a.acceleration, b.acceleration);
-}
 
 TEST(TrajectoryFeeder, ChunksJoinExactlyAndEndAtTheEnd) {
   const TimedPath timed = timedGantry(test::twoLayers(), powderSettings());
@@ -154,11 +141,6 @@ TEST(TrajectoryFeeder, PausesAnywhereAndLaysEverythingOnce) {
   }));
 }
 
-/// A bead of 30 mm along x.
-Toolpath trajectoryFeederLine() {
-  return {"line", {{0.2, 0.2, {test::straightPath({0, 0, 0.2}, {30, 0, 0.2})}}}};
-}
-
 TEST(TrajectoryFeeder, APauseBrakesAfterTheReaction) {
   TimingSettings settings = powderSettings();
   settings.motion.acceleration_mm_s2 = 300.0;
@@ -212,7 +194,32 @@ TEST(TrajectoryFeeder, RefusesASpeedOutOfBounds) {
   TrajectoryFeeder feeder(timed, {});
   for (const double share : {0.0, 0.009, 1.001, -1.0, std::nan("")})
     EXPECT_THROW(feeder.setSpeed(share, 0.1), InvalidInput) << share;
+  EXPECT_EQ(speedRefusal(1.2, {}),
+            "feed is 1.2; must be from 0.01 to 1, 1 is as planned; feeder.feed_most allows more, up to 3");
   EXPECT_NEAR(feeder.restTime(), timed.duration(), 1e-9);
+}
+
+/// Whether no waypoint is gone back to, and none is left out, from sample to sample.
+bool passesWaypointsInOrder(const TrajectoryFeeder& feeder, const Toolpath& toolpath) {
+  const auto number = [&](const WaypointIndex& at) {
+    std::size_t before = 0;
+    for (std::size_t p = 0; p < at.path; ++p) before += toolpath.layers[0].paths[p].motionCount();
+    return before + (at.waypoint == 0 ? toolpath.layers[0].paths[at.path].motionCount() : at.waypoint);
+  };
+  std::size_t last = 0;
+  JointState before = feeder.at(0.0);
+  for (double t = 0.0; t < feeder.restTime(); t += kStep) {
+    const JointState state = feeder.at(t);
+    const std::size_t here = number(state.heading_for);
+    if (here < last) return false;
+    last = here;
+    for (Eigen::Index j = 0; j < 4; ++j) {
+      const double limit = TiltingGantry().joints()[static_cast<std::size_t>(j)].max_speed;
+      if (std::abs(state.position[j] - before.position[j]) > (1.0 + 1e-6) * limit * kStep) return false;
+    }
+    before = state;
+  }
+  return true;
 }
 
 TEST(TrajectoryFeeder, ChangesItsSpeedAnywhereAndLaysEverythingOnce) {
@@ -223,12 +230,12 @@ TEST(TrajectoryFeeder, ChangesItsSpeedAnywhereAndLaysEverythingOnce) {
     paths.resize(std::min<std::size_t>(paths.size(), 2));
     const TimingSettings settings = powderSettings(*rc::gen::element(0.0, 0.01));
     const TimedPath timed = timedGantry(toolpath, settings);
-    TrajectoryFeeder feeder(timed, {});
+    TrajectoryFeeder feeder(timed, fastFeeder());
     double now_s = 0.0;
     for (int changes = 0; changes < 4; ++changes) {
       now_s += timed.duration() * 0.01 * *rc::gen::inRange(0, 40);
       const JointState before = feeder.at(now_s);
-      feeder.setSpeed(*rc::gen::element(0.2, 0.5, 0.8, 1.0), now_s);
+      feeder.setSpeed(*rc::gen::element(0.2, 0.5, 0.8, 1.0, 1.3, 2.0, 3.0), now_s);
       // What the controller has for the next moment is not touched.
       RC_ASSERT((feeder.at(now_s).position - before.position).norm() == 0.0);
       if (!*rc::gen::arbitrary<bool>()) continue;
@@ -241,6 +248,7 @@ TEST(TrajectoryFeeder, ChangesItsSpeedAnywhereAndLaysEverythingOnce) {
     RC_ASSERT(std::abs(outcome.volume / totals(toolpath).deposited_mm3 - 1.0) < kVolumeTolerance);
     RC_ASSERT(outcome.farthest < 0.05 + 1e-6);
     RC_ASSERT(outcome.acceleration < 1.0 + 1e-6);
+    RC_ASSERT(passesWaypointsInOrder(feeder, toolpath));
     const JointState end = feeder.at(feeder.restTime() + 1.0);
     RC_ASSERT((end.position - timed.at(1e9).position).norm() < 1e-9);
   }));

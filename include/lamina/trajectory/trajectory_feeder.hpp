@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "lamina/toolpath/job_override.hpp"
 #include "lamina/trajectory/timed_path.hpp"
 #include "lamina/trajectory/trajectory_feeder_settings.hpp"
 
@@ -26,8 +27,18 @@ enum class TrajectoryFeederState : std::uint8_t {
   Finished,  ///< the last point has been handed over
 };
 
-/// Why a motion cannot go on at a share of its planned speeds: it must be from 0.01 to 1. Empty if it can.
-std::string speedRefusal(double share);
+class SpeedPlan;
+
+/// Why a motion cannot go on at a share of its planned speeds: it must be from 0.01 to `feeder.feed_most`.
+/// Empty if it can.
+std::string speedRefusal(double share, const TrajectoryFeederSettings& settings);
+
+/// A share of the planned speeds, and what was worked out to go on at it.
+struct SpeedChange {
+  double share = 1.0;
+  double reached = 1.0;  ///< share of the planned speeds that the limits allow, on average over the motion
+  std::shared_ptr<const SpeedPlan> plan;  ///< null for the planned speeds and for slower ones
+};
 
 /// How the tool is lifted clear after an abort.
 struct ToolLift {
@@ -56,13 +67,27 @@ class TrajectoryFeeder {
   /// Powder and gas settle first. Paused where it is held in front of a layer, it is held there again. Does
   /// nothing unless paused.
   void resume(double now_s);
+  /// What a change of the speed needs: linear time for more than the planned speeds, none else. May be called
+  /// while others use the feeder.
+  /// @throws InvalidInput as `speedRefusal`
+  SpeedChange speedChange(double share) const;
   /// Goes on at a share of the planned speeds, from the first point that can still change, on the same path:
   /// braking or speeding up as hard as the limits allow, then slower by one factor everywhere, so that no
-  /// limit of a joint can be passed. Rests keep their duration. While paused or at rest it holds from the
-  /// resumption on; in front of a layer that is waited for it stops as before. The flow follows the speed.
+  /// limit of a joint can be passed; at more than the planned speeds, as fast as the share of the feeds asks
+  /// where the limits of joints, path and roundings allow it. Rests keep their duration. While paused or at
+  /// rest it holds from the resumption on; in front of a layer that is waited for it stops as before. The
+  /// flow follows the speed.
+  void setSpeed(const SpeedChange& change, double now_s);
+  /// The same, worked out at once.
   /// @param share  1 at the start
   /// @throws InvalidInput as `speedRefusal`; nothing changes
   void setSpeed(double share, double now_s);
+  /// Lays a share of the planned material (flow, wire, screw, powder), or burns with a share of the planned
+  /// power, from the first point that can still change on, gone over to within `feeder.override_ramp_s` times
+  /// the change. The motion stays.
+  /// @throws InvalidInput if the share is out of `boundsOf`, is one of the feed, or one of the power where
+  ///   the toolpath states none; nothing changes
+  void setShare(JobOverride kind, double share, double now_s);
   /// Stops where a layer begins, and rests there until it is released: at the end of what comes before, or on
   /// the travel that the layer begins with. Nothing changes before. A pause that ends below the layer ends
   /// it.

@@ -11,6 +11,7 @@ namespace {
 
 constexpr int kPartsOfHalf = 4;         // of a rounding, on either side of its station
 constexpr double kShortestPart = 1e-9;  // of a span, that is worth a cell
+constexpr double kFaster = 1e-12;       // of a squared speed, that is no rounding of numbers
 
 double rise(double u) { return u * u * (3.0 - 2.0 * u); }
 double riseRate(double u) { return 6.0 * u * (1.0 - u); }
@@ -70,17 +71,17 @@ std::vector<CurveCell> curveCells(const JointCurve& curve) {
 
 }  // namespace
 
-CellLimits cellLimits(const JointCurve& curve, const CurveCell& cell, double averaging_s) {
+CellLimits cellLimits(const JointCurve& curve, const CurveCell& cell, const SpeedsAsked& asked) {
   const JointStation& end = curve.spanEnd(cell.span);
   CellLimits limits;
   limits.acceleration = curve.maxAcceleration();
   limits.path_acceleration = end.acceleration_mm_s2;
-  limits.speed2 = end.feed_mm_s * end.feed_mm_s;
+  limits.speed2 = squared(asked.feed_share * end.feed_mm_s);
   if (cell.part == 0) {
     limits.tangent = curve.tangent(cell.span).cwiseAbs();
     limits.bend = JointValues::Zero(limits.tangent.size());
   } else {
-    limitInRounding(limits, curve, cell, averaging_s);
+    limitInRounding(limits, curve, cell, asked.averaging_s);
   }
   for (Eigen::Index j = 0; j < limits.tangent.size(); ++j) {
     const double speed = curve.maxSpeed()[j];
@@ -108,8 +109,8 @@ double CellLimits::braking(double x) const {
   return std::max(0.0, most);
 }
 
-SpeedPlan::SpeedPlan(const JointCurve& curve, const Waits& waits)
-    : curve_(&curve), averaging_s_(waits.averaging_s), cells_(curveCells(curve)) {
+SpeedPlan::SpeedPlan(const JointCurve& curve, const Waits& waits, double feed_share)
+    : curve_(&curve), asked_{waits.averaging_s, feed_share}, cells_(curveCells(curve)) {
   planSpeeds();
   buildTimeline(waits);
 }
@@ -174,7 +175,7 @@ void SpeedPlan::appendCell(Timeline& out, std::size_t cell, MotionPlace from, do
   const double a = limits.braking(0.0);
   const double fastest2 = squared(share) * limits.speed2;
   double entry2 = squared(from.speed);
-  if (share < 1.0 && entry2 > fastest2 && exit2 <= fastest2) {
+  if (entry2 > (1.0 + kFaster) * fastest2 && exit2 <= fastest2) {
     const double slowing = std::min(length, (entry2 - fastest2) / (2.0 * a));
     entry2 = std::max(fastest2, entry2 - 2.0 * a * slowing);
     out.appendStretch(from, slowing, entry2);
@@ -224,25 +225,26 @@ void SpeedPlan::appendStop(Timeline& out, MotionPlace from) const {
   }
 }
 
-void SpeedPlan::appendFrom(Timeline& out, MotionPlace from, double share, RestThere rest) const {
+void SpeedPlan::appendFrom(Timeline& out, MotionPlace from, const SharedSpeeds& speeds,
+                           RestThere rest) const {
   const std::size_t first = cellAt(from);
   std::size_t i = first;
   double x = squared(from.speed);
-  const auto planned = [&](std::size_t node) { return squared(share) * speed2_[node]; };
+  const auto planned = [&](std::size_t node) { return squared(speeds.share) * speeds.plan.speed2_[node]; };
   while (i < cells_.size() && (from.along > cells_[i].start || x != planned(i))) {
     const double length = cells_[i].end - from.along;
     if (length > 0.0) {
       const CellLimits limits = limitsOf(i);
       const double slowest = std::min(speed2_[i + 1], x - 2.0 * limits.braking(x) * length);
       const double exit2 = std::min(std::max(planned(i + 1), slowest), limits.reachable(x, length));
-      appendCell(out, i, from, exit2, share);
+      speeds.plan.appendCell(out, i, from, exit2, speeds.share);
       x = exit2;
     }
     ++i;
     from = i < cells_.size() ? MotionPlace{curve_, cells_[i].span, cells_[i].start, std::sqrt(x)}
                              : MotionPlace{curve_, cells_.back().span, cells_.back().end};
   }
-  const auto& phases = timeline_.phases();
+  const auto& phases = speeds.plan.timeline_.phases();
   auto next =
       std::lower_bound(phases.begin(), phases.end(), from, [&](const Phase& phase, const MotionPlace& place) {
         if (phase.span != place.span) return phase.span < place.span;
@@ -250,7 +252,7 @@ void SpeedPlan::appendFrom(Timeline& out, MotionPlace from, double share, RestTh
       });
   if (rest == RestThere::Over && i == first)
     next = std::find_if(next, phases.end(), [](const Phase& phase) { return phase.kind == PhaseKind::Move; });
-  out.append(timeline_, static_cast<std::size_t>(next - phases.begin()), share);
+  out.append(speeds.plan.timeline_, static_cast<std::size_t>(next - phases.begin()), speeds.share);
 }
 
 }  // namespace lamina

@@ -35,8 +35,13 @@ struct CellLimits {
   double braking(double x) const;
 };
 
-/// @param averaging_s  over which the motion will be averaged to limit jerk; 0 for not at all
-CellLimits cellLimits(const JointCurve& curve, const CurveCell& cell, double averaging_s);
+/// What speeds are planned for.
+struct SpeedsAsked {
+  double averaging_s = 0.0;  ///< over which the motion will be averaged to limit jerk; 0 for not at all
+  double feed_share = 1.0;   ///< of the toolpath's feeds
+};
+
+CellLimits cellLimits(const JointCurve& curve, const CurveCell& cell, const SpeedsAsked& asked);
 
 /// At rest before and after beads [s].
 struct Waits {
@@ -49,35 +54,43 @@ struct Waits {
 /// What a motion that goes on from a place makes of the plan's rest there.
 enum class RestThere : std::uint8_t { Due, Over };
 
+class SpeedPlan;
+
+/// A plan's speeds, slower by one factor everywhere: what takes longer so keeps all limits.
+struct SharedSpeeds {
+  const SpeedPlan& plan;  ///< along the same curve, nowhere faster than the plan that it is gone over from
+  double share = 1.0;     ///< (0, 1]
+};
+
 /// The greatest speeds along a curve that all limits allow: one pass back from rest at the end, one forth
 /// from rest at the start over its cells (time-optimal path parametrisation by reachability, with the
 /// greatest tangent and bend of each cell in place of those at its ends, so that limits hold inside as well).
 class SpeedPlan {
  public:
-  SpeedPlan(const JointCurve& curve, const Waits& waits);
+  /// @param feed_share  of the toolpath's feeds, (0, inf): more than 1 is run where all else allows it
+  SpeedPlan(const JointCurve& curve, const Waits& waits, double feed_share = 1.0);
 
   /// The motion from rest at the start to rest at the end.
   const Timeline& timeline() const { return timeline_; }
 
   /// Adds the way from a place to rest, braking as hard as the limits allow.
   void appendStop(Timeline& out, MotionPlace from) const;
-  /// Adds the way from a place, at its speed, to the end: at a share of the plan's speeds as soon as the
-  /// limits allow. A motion that takes longer by one factor everywhere keeps all limits.
-  /// @param from   no faster than the plan is there
-  /// @param share  (0, 1]
-  void appendFrom(Timeline& out, MotionPlace from, double share, RestThere rest) const;
+  /// Adds the way from a place, at its speed, to the end: at the speeds of a plan as soon as the limits
+  /// allow.
+  /// @param from  no faster than this plan is there
+  void appendFrom(Timeline& out, MotionPlace from, const SharedSpeeds& speeds, RestThere rest) const;
 
  private:
   void planSpeeds();
   void limitNodes();
   void buildTimeline(const Waits& waits);
-  CellLimits limitsOf(std::size_t cell) const { return cellLimits(*curve_, cells_[cell], averaging_s_); }
+  CellLimits limitsOf(std::size_t cell) const { return cellLimits(*curve_, cells_[cell], asked_); }
   void appendCell(Timeline& out, std::size_t cell, MotionPlace from, double exit2, double share) const;
   double waitAt(std::size_t station, const Waits& waits) const;
   std::size_t cellAt(const MotionPlace& place) const;
 
   const JointCurve* curve_;
-  double averaging_s_;
+  SpeedsAsked asked_;
   std::vector<CurveCell> cells_;
   std::vector<double> speed2_;  ///< at the start of each cell; one more for the end
   Timeline timeline_;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <memory>
+
 #include "lamina/trajectory/timed_path.hpp"
 #include "trajectory/process_schedule.hpp"
 #include "trajectory/speed_plan.hpp"
@@ -19,6 +21,9 @@ class TimedMotion {
   const JointCurve& curve() const { return curve_; }
   const SpeedPlan& plan() const { return plan_; }
   const ProcessSchedule& schedule() const { return schedule_; }
+  /// The speeds that are the greatest where the toolpath's feeds are greater by a factor. Linear time.
+  /// @param feed_share  (0, inf)
+  std::unique_ptr<const SpeedPlan> planAt(double feed_share) const;
   /// Over which the motion is averaged to limit jerk.
   double averaging() const;
 

@@ -60,6 +60,10 @@ TimedMotion::TimedMotion(JointStations stations, const KinematicModel& model, co
       plan_(curve_, waitsOf(settings)),
       schedule_(plan_.timeline(), averaging(), settings.process, ProcessSchedule::Beads::Whole) {}
 
+std::unique_ptr<const SpeedPlan> TimedMotion::planAt(double feed_share) const {
+  return std::make_unique<const SpeedPlan>(curve_, waitsOf(settings_), feed_share);
+}
+
 double TimedMotion::averaging() const { return averagingTime(settings_.trajectory); }
 
 TimedPath::TimedPath(const Toolpath& toolpath, const JointPath& path, const KinematicModel& model,

@@ -10,6 +10,7 @@
 
 #include "lamina/base/error.hpp"
 #include "motion_sample.hpp"
+#include "ramped_share.hpp"
 #include "straight_lift.hpp"
 #include "timed_motion.hpp"
 
@@ -48,6 +49,20 @@ std::shared_ptr<const TimedMotion> toolLift(const JointValues& from, const ToolL
   return std::make_shared<const TimedMotion>(std::move(stations), model, timing);
 }
 
+double movingTime(const Timeline& timeline) {
+  double sum_s = 0.0;
+  for (std::size_t i = 0; i < timeline.phases().size(); ++i)
+    if (timeline.phases()[i].kind == PhaseKind::Move)
+      sum_s += timeline.endOf(i) - timeline.phases()[i].time_s;
+  return sum_s;
+}
+
+void shareMaterial(ProcessSignals& signals, double share) {
+  signals.flow_mm3_s *= share;
+  for (const ProcessLevel level : {ProcessLevel::WireSpeed, ProcessLevel::ScrewSpeed, ProcessLevel::Powder})
+    if (signals.levels.has(level)) signals.levels[level] *= share;
+}
+
 constexpr double kLeastSpeed = 0.01;  // of the planned speeds
 constexpr double kGridSlack = 1e-6;   // of a step: a time this near to a point is that point's
 
@@ -59,7 +74,10 @@ class TrajectoryFeeder::State {
       : motion_(std::move(motion)),
         settings_(settings),
         timeline_(motion_->plan().timeline()),
-        schedule_(motion_->schedule()) {}
+        schedule_(motion_->schedule()),
+        planned_(motion_, &motion_->plan()),
+        speeds_(planned_),
+        fastest_(planned_) {}
 
   TrajectoryFeederState state() const {
     const bool is_over = state_ == TrajectoryFeederState::Running && !isHeld() && sent_ >= lastStep();
@@ -71,6 +89,9 @@ class TrajectoryFeeder::State {
   JointState at(double time_s) const {
     JointState state = motionSample(timeline_, motion_->averaging(), time_s);
     state.process = schedule_.signalsAt(time_s, state.process);
+    shareMaterial(state.process, flow_.at(time_s));
+    ProcessLevels& levels = state.process.levels;
+    if (levels.has(ProcessLevel::LaserPower)) levels[ProcessLevel::LaserPower] *= power_.at(time_s);
     return state;
   }
 
@@ -136,15 +157,29 @@ class TrajectoryFeeder::State {
     appendRest(PhaseKind::Halt, start_s - timeline_.end());
     appendRest(PhaseKind::Wait, motion_->settings().process.settling_s);
     rest_.speed = 0.0;
-    motion_->plan().appendFrom(timeline_, rest_, speed_share_, RestThere::Due);
+    fastest_->appendFrom(timeline_, rest_, sharedSpeeds(), RestThere::Due);
     state_ = TrajectoryFeederState::Running;
     reschedule();
   }
 
-  void setSpeed(double share, double now_s) {
-    const std::string refusal = speedRefusal(share);
+  SpeedChange speedChange(double share) const {
+    const std::string refusal = speedRefusal(share, settings_);
     if (!refusal.empty()) throw InvalidInput(refusal);
-    if (share == std::exchange(speed_share_, share) || state_ != TrajectoryFeederState::Running) return;
+    if (share <= 1.0) return {share, share, nullptr};
+    std::shared_ptr<const SpeedPlan> plan = motion_->planAt(share);
+    const double reached = movingTime(motion_->plan().timeline()) / movingTime(plan->timeline());
+    return {share, reached, std::move(plan)};
+  }
+
+  void setSpeed(const SpeedChange& change, double now_s) {
+    if (change.share == std::exchange(speed_share_, change.share)) return;
+    speeds_ = change.plan ? change.plan : planned_;
+    // A plan for greater feeds is nowhere slower than one for lesser ones.
+    if (change.share > fastest_share_) {
+      fastest_ = speeds_;
+      fastest_share_ = change.share;
+    }
+    if (state_ != TrajectoryFeederState::Running) return;
     const WayToRest before = wayToRest();
     if (!goOnAtSpeed(now_s)) return;
     const std::optional<std::size_t> layer = std::exchange(held_layer_, std::nullopt);
@@ -153,6 +188,14 @@ class TrajectoryFeeder::State {
     goBackTo(before);
     held_layer_ = layer;
     reschedule();
+  }
+
+  void setShare(JobOverride kind, double share, double now_s) {
+    const std::string refusal = shareRefusal(kind, share);
+    if (!refusal.empty()) throw InvalidInput(refusal);
+    const double from_s = reactionTo(now_s);
+    (kind == JobOverride::Power ? power_ : flow_).lead(share, from_s, settings_.override_ramp_s);
+    if (state_ != TrajectoryFeederState::Aborted) sent_ = std::min(sent_, stepBefore(from_s));
   }
 
   bool isOver(double now_s) const {
@@ -193,6 +236,21 @@ class TrajectoryFeeder::State {
     timeline_ = way.timeline;
     rest_ = way.rest;
     sent_ = way.sent;
+  }
+
+  SharedSpeeds sharedSpeeds() const { return {*speeds_, std::min(speed_share_, 1.0)}; }
+
+  std::string shareRefusal(JobOverride kind, double share) const {
+    if (kind == JobOverride::Feed) return "a feed is no share of the process; expected flow or power";
+    if (kind == JobOverride::Power && !statesPower())
+      return "the toolpath states no laser power; expected the process value laser_power_w in its paths";
+    return overrideRefusal(kind, share, boundsOf(kind));
+  }
+  bool statesPower() const {
+    const JointCurve& curve = motion_->curve();
+    for (std::size_t span = 0; span < curve.spanCount(); ++span)
+      if (curve.spanEnd(span).levels.has(ProcessLevel::LaserPower)) return true;
+    return false;
   }
 
   std::size_t layerOf(const MotionPlace& place) const {
@@ -247,7 +305,7 @@ class TrajectoryFeeder::State {
     if (cut_s >= timeline_.end()) return false;
     const MotionPlace place = timeline_.placeAt(cut_s);
     timeline_.cut(cut_s);
-    motion_->plan().appendFrom(timeline_, place, speed_share_, RestThere::Over);
+    fastest_->appendFrom(timeline_, place, sharedSpeeds(), RestThere::Over);
     sent_ = std::min(sent_, stepBefore(cut_s));
     return true;
   }
@@ -263,7 +321,7 @@ class TrajectoryFeeder::State {
       timeline_.append({0.0, place.curve, place.along, 0.0, 0.0, place.span, PhaseKind::Halt},
                        1.0 / settings_.rate_hz);
     }
-    motion_->plan().appendStop(timeline_, place);
+    fastest_->appendStop(timeline_, place);
     rest_ = timeline_.placeAt(timeline_.end());
     sent_ = std::min(sent_, stepBefore(cut_s));
     return true;
@@ -286,13 +344,20 @@ class TrajectoryFeeder::State {
   TrajectoryFeederState state_ = TrajectoryFeederState::Running;
   std::optional<std::size_t> held_layer_;  ///< in front of which it stops, or is paused
   MotionPlace rest_;                       ///< where it is paused, held or aborted
-  double speed_share_ = 1.0;               ///< of the planned speeds
-  long sent_ = -1;                         ///< step of the last point handed over
+  std::shared_ptr<const SpeedPlan> planned_;
+  std::shared_ptr<const SpeedPlan> speeds_;   ///< gone on at, or at a share of
+  std::shared_ptr<const SpeedPlan> fastest_;  ///< than which nothing that is under way is faster
+  double speed_share_ = 1.0;                  ///< of the planned speeds
+  double fastest_share_ = 1.0;
+  RampedShare flow_;   ///< of the planned material
+  RampedShare power_;  ///< of the planned power
+  long sent_ = -1;     ///< step of the last point handed over
 };
 
-std::string speedRefusal(double share) {
-  if (share >= kLeastSpeed && share <= 1.0) return "";
-  return "the speed is to be " + std::to_string(share) + " of the planned one; expected 0.01 to 1";
+std::string speedRefusal(double share, const TrajectoryFeederSettings& settings) {
+  const std::string refusal = overrideRefusal(JobOverride::Feed, share, {kLeastSpeed, settings.feed_most});
+  const bool is_too_fast = share > settings.feed_most;
+  return refusal + (is_too_fast ? "; feeder.feed_most allows more, up to 3" : "");
 }
 
 TrajectoryFeeder::TrajectoryFeeder(const TimedPath& path, const TrajectoryFeederSettings& settings) {
@@ -308,7 +373,14 @@ TrajectoryFeeder& TrajectoryFeeder::operator=(TrajectoryFeeder&&) noexcept = def
 
 std::optional<TrajectoryChunk> TrajectoryFeeder::next(double now_s) { return state_->next(now_s); }
 void TrajectoryFeeder::pause(double now_s) { state_->pause(now_s); }
-void TrajectoryFeeder::setSpeed(double share, double now_s) { state_->setSpeed(share, now_s); }
+SpeedChange TrajectoryFeeder::speedChange(double share) const { return state_->speedChange(share); }
+void TrajectoryFeeder::setSpeed(const SpeedChange& change, double now_s) { state_->setSpeed(change, now_s); }
+void TrajectoryFeeder::setSpeed(double share, double now_s) {
+  state_->setSpeed(state_->speedChange(share), now_s);
+}
+void TrajectoryFeeder::setShare(JobOverride kind, double share, double now_s) {
+  state_->setShare(kind, share, now_s);
+}
 void TrajectoryFeeder::resume(double now_s) { state_->resume(now_s); }
 bool TrajectoryFeeder::holdAtLayer(std::size_t layer, double now_s) { return state_->hold(layer, now_s); }
 void TrajectoryFeeder::release(double now_s) { state_->release(now_s); }

@@ -70,7 +70,10 @@ void fillDiagnostics(const DriveStatus& status, diagnostic_updater::DiagnosticSt
   diagnostics.add("layer", status.heading_for.layer);
   diagnostics.add("time [s]", status.time_s);
   diagnostics.add("time in all [s]", status.duration_s);
-  diagnostics.add("speed, of that planned", status.speed_share);
+  diagnostics.add("speed, of that planned", status.feed_share);
+  diagnostics.add("speed that the limits allow, of that planned", status.reached_share);
+  diagnostics.add("flow, of that planned", status.flow_share);
+  diagnostics.add("power, of that planned", status.power_share);
   diagnostics.add("tip error [mm]", status.tip_error_mm);
   diagnostics.add("worst tip error [mm]", status.worst_tip_error_mm);
   diagnostics.add("starvations", status.feeding.starvations);

@@ -11,9 +11,17 @@
 namespace lamina {
 namespace {
 
-constexpr double kSettling = 0.2;  // s for which joints must be still
-constexpr double kCoarser = 10.0;  // tolerance on the tip on the way to the start, that is run fast
-constexpr double kPatience = 5.0;  // s that a controller may need to stop by itself
+constexpr double kSettling = 0.2;   // s for which joints must be still
+constexpr double kCoarser = 10.0;   // tolerance on the tip on the way to the start, that is run fast
+constexpr double kShortOf = 0.995;  // of a share, that is told
+constexpr double kPatience = 5.0;   // s that a controller may need to stop by itself
+
+/// With nothing of the process on, more than the planned speed harms no bead.
+TrajectoryFeederSettings feedingOf(const DriveMotion& motion, const DriverSettings& settings) {
+  TrajectoryFeederSettings feeding = settings.feeder;
+  if (motion.process == ProcessUse::Off) feeding.feed_most = boundsOf(JobOverride::Feed).most;
+  return feeding;
+}
 
 }  // namespace
 
@@ -22,8 +30,9 @@ DriveSession::DriveSession(const DriveMotion& motion, const KinematicModel& mode
     : motion_(motion),
       model_(model),
       settings_(settings),
+      feeding_(feedingOf(motion, settings)),
       links_(links),
-      feeder_(motion.path, settings.feeder),
+      feeder_(motion.path, feeding_),
       tracking_(model),
       reports_(settings.tracking, settings.controller_wait_s, ros::Time()) {
   links_.controller.begin();
@@ -96,7 +105,7 @@ void DriveSession::feed(const ros::Time& now) {
       if (!refusal.empty()) ROS_WARN("a height is not followed: %s", refusal.c_str());
     }
     // First what is to happen on the way, then the way.
-    links_.process.send(*chunk, begin_, motion_.toolpath_id);
+    links_.process.send(*chunk, begin_, motion_.toolpath_id, motion_.process);
     links_.controller.send(*chunk, begin_);
     fed_s_ = chunk->points.back().time_s;
   }
@@ -262,12 +271,40 @@ std::optional<std::string> DriveSession::resume(const ros::Time& now) {
   return std::nullopt;
 }
 
-void DriveSession::setSpeed(double share, const ros::Time& now) {
+bool DriveSession::isChangeable() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const PackmlState state = status_.state;
+  return !is_left_ && !given_up_at_ &&
+         (state == PackmlState::Execute || state == PackmlState::Holding || state == PackmlState::Held ||
+          state == PackmlState::Unholding);
+}
+
+void DriveSession::setShare(JobOverride kind, double share, const ros::Time& now) {
+  if (kind == JobOverride::Feed) return setSpeed(share, now);
+  if (motion_.running == PackmlState::Starting) return;  // the process is off
+  if (isDry()) throw InvalidInput(std::string("a dry run has no ") + nameOf(kind) + "; expected feed");
   const std::lock_guard<std::mutex> lock(mutex_);
   if (is_left_ || given_up_at_ || isFinal(status_.state)) return;
   begin(now);
-  feeder_.setSpeed(share, jobTime(now));
-  status_.speed_share = share;
+  feeder_.setShare(kind, share, jobTime(now));
+  (kind == JobOverride::Flow ? status_.flow_share : status_.power_share) = share;
+  feed(now);
+}
+
+void DriveSession::setSpeed(double share, const ros::Time& now) {
+  if (motion_.running == PackmlState::Starting) share = std::min(share, 1.0);
+  // Long toolpaths take their time, in which the controller is fed on.
+  const SpeedChange change = feeder_.speedChange(share);
+  if (change.reached < kShortOf * share)
+    ROS_WARN(
+        "the limits of joints and path let the motion take %.4g of the planned speeds on average, not %.4g",
+        change.reached, share);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (is_left_ || given_up_at_ || isFinal(status_.state)) return;
+  begin(now);
+  feeder_.setSpeed(change, jobTime(now));
+  status_.feed_share = share;
+  status_.reached_share = change.reached;
   feed(now);
 }
 

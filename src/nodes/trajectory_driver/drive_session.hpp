@@ -32,7 +32,10 @@ struct DriveStatus {
   double duration_s = 0.0;  ///< of it all, pauses so far included
   WaypointIndex heading_for;
   Eigen::Vector3d tip_mm = Eigen::Vector3d::Zero();  ///< [bed frame]
-  double speed_share = 1.0;                          ///< of the planned speeds
+  double feed_share = 1.0;                           ///< of the planned speeds
+  double reached_share = 1.0;                        ///< of them that the limits allow on average
+  double flow_share = 1.0;                           ///< of the planned material
+  double power_share = 1.0;                          ///< of the planned power
   Feeding feeding;
   JointValues joint_error;  ///< actual less wanted [mm, rad]; of size 0 before the motion
   double tip_error_mm = 0.0;
@@ -47,6 +50,7 @@ struct DriveMotion {
   std::string toolpath_id;
   PackmlState running = PackmlState::Execute;             ///< Starting on the way to the start
   std::shared_ptr<ChunkCorrection> correction = nullptr;  ///< null if it is driven as planned
+  ProcessUse process = ProcessUse::AsPlanned;
 };
 
 /// What a drive is connected with.
@@ -89,9 +93,16 @@ class DriveSession {
   /// @return why not; nothing if it is done
   std::optional<std::string> pause(const ros::Time& now);
   std::optional<std::string> resume(const ros::Time& now);
-  /// The share of the planned speeds at which it goes on (`TrajectoryFeeder::setSpeed`).
-  /// @throws InvalidInput as `speedRefusal`
-  void setSpeed(double share, const ros::Time& now);
+  /// The share of what is planned at which it goes on (`TrajectoryFeeder`); on the way to the start no more
+  /// than the planned speeds.
+  /// @throws InvalidInput as `TrajectoryFeeder::speedChange` and `setShare`; or in a dry run, if it is no
+  /// feed
+  void setShare(JobOverride kind, double share, const ros::Time& now);
+  /// Whether a job is in Execute or held, or goes from one to the other.
+  bool isChangeable() const;
+  bool isDry() const { return motion_.process == ProcessUse::Off; }
+  /// What the feed may be: of dry runs more than `feeder.feed_most`.
+  const TrajectoryFeederSettings& feeding() const { return feeding_; }
   /// Brakes along the path, everything of the process off at once. Does nothing if it has ended or is
   /// aborted.
   void abort(const ros::Time& now, const Failure& why);
@@ -103,6 +114,7 @@ class DriveSession {
 
   bool isByStamps() const { return settings_.tracking.silence_by == SilenceBy::Stamps; }
   void begin(const ros::Time& now);
+  void setSpeed(double share, const ros::Time& now);
   double jobTime(const ros::Time& now) const { return (now - begin_).toSec(); }
   double controllerTime(const ros::Time& now) const;
   bool isRun(const ros::Time& now) const;
@@ -121,6 +133,7 @@ class DriveSession {
   const DriveMotion motion_;
   const KinematicModel& model_;
   const DriverSettings& settings_;
+  const TrajectoryFeederSettings feeding_;
   const DriveLinks links_;
 
   mutable std::mutex mutex_;  ///< of what follows up to the reports

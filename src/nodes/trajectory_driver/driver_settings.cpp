@@ -26,6 +26,8 @@ void describe(SettingsSchema& schema, DriverSettings& settings) {
               "Whether a job needs process_io: it begins once that is ready, and is held when it is not.");
   schema.number("process_io.silence_s", settings.process_io.silence_s, Bounds::above(0.0, 60.0),
                 "Time without word of process_io that holds the job.");
+  describe(schema, settings.dry);
+  describe(schema, settings.jog);
   schema.flag("corrections.use", settings.is_corrected,
               "Whether what is not handed over yet is corrected by the maps on the topic correction.");
   schema.flag("corrections.follow_plans", settings.follows_plans,

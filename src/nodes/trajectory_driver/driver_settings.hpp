@@ -5,11 +5,13 @@
 #include <cstdint>
 #include <string>
 
+#include "dry_order.hpp"
 #include "lamina/base/settings.hpp"
 #include "lamina/control/loop_settings.hpp"
 #include "lamina/job/run_settings.hpp"
 #include "lamina/kinematics/cartesian/machine_settings.hpp"
 #include "lamina/trajectory/approach.hpp"
+#include "lamina/trajectory/jog_settings.hpp"
 #include "lamina/trajectory/trajectory_feeder_settings.hpp"
 #include "lamina/verification/collision/clearance_settings.hpp"
 
@@ -42,6 +44,8 @@ struct DriverSettings {
   TrackingLimits tracking;
   ApproachSettings approach;
   ProcessIoDemand process_io;
+  DrySettings dry;
+  JogSettings jog;
   bool is_corrected = false;      ///< by the maps on the topic correction
   bool follows_plans = false;     ///< goes on with layers planned anew
   LoopSettings loop;              ///< of which `describeFeeding` and the wait for maps count
@@ -53,8 +57,8 @@ struct DriverSettings {
 };
 
 /// Adds the keys machine.*, executor.owner, joints.*, motion.*, trajectory.*, process.*, feeder.*,
-/// clearance.*, tracking.*, approach.*, process_io.*, corrections.*, sensor.calibration, some of loop.*,
-/// check_clearance, start_delay_s, lift_mm, lift_mm_s and controller_wait_s.
+/// clearance.*, tracking.*, approach.*, process_io.*, dry.*, jog.*, corrections.*, sensor.calibration, some
+/// of loop.*, check_clearance, start_delay_s, lift_mm, lift_mm_s and controller_wait_s.
 void describe(SettingsSchema& schema, DriverSettings& settings);
 
 }  // namespace lamina

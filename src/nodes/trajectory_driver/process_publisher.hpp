@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "dry_order.hpp"
 #include "lamina/trajectory/trajectory_feeder.hpp"
 
 namespace lamina {
@@ -17,7 +18,9 @@ class ProcessPublisher {
   explicit ProcessPublisher(ros::NodeHandle& node);
 
   /// @param begin  when the clock of the points was 0
-  void send(const TrajectoryChunk& chunk, const ros::Time& begin, const std::string& toolpath_id);
+  /// @param process  off: everything stays safe, whatever the points say
+  void send(const TrajectoryChunk& chunk, const ros::Time& begin, const std::string& toolpath_id,
+            ProcessUse process);
   /// Everything off, from this instant on.
   void makeSafe(const ros::Time& now);
 

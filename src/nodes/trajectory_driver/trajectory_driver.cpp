@@ -72,10 +72,13 @@ TrajectoryDriver::TrajectoryDriver(ros::NodeHandle node, const DriverSettings& s
       process_(node),
       process_io_(node, settings_.process_io),
       joints_(node, *model_),
+      overrides_(node, settings_.feeder, owner_, [this] { return session(); }),
       controller_(node, *model_,
                   [this](const ControllerReport& report) {
                     if (const auto job = session()) job->hear(report, ros::Time::now());
                   }),
+      jog_(node, settings_, *model_, owner_,
+           JogLinks{controller_, process_, joints_, [this] { return bedFromPart(); }}),
       action_(
           node, ActionGate<lamina_msgs::DriveToolpathAction>::inner(names::kDriveToolpath, owner_),
           [this](const lamina_msgs::DriveToolpathGoalConstPtr& goal) { onGoal(goal); }, false),
@@ -107,9 +110,6 @@ TrajectoryDriver::TrajectoryDriver(ros::NodeHandle node, const DriverSettings& s
   const boost::function<void(const lamina_msgs::ToolpathConstPtr&)> plan = [this](const auto& message) {
     onPlan(message);
   };
-  const boost::function<void(const ros::MessageEvent<const std_msgs::Float64>&)> speed =
-      [this](const auto& event) { onSpeedFactor(event); };
-  speed_ = node.subscribe<std_msgs::Float64>(names::kSpeedFactor, 10, speed);
   if (settings_.is_corrected && settings_.follows_plans)
     plan_ = node.subscribe<lamina_msgs::Toolpath>(names::kReplannedToolpath, 1, plan);
   DriveStatus idle;
@@ -126,9 +126,10 @@ void TrajectoryDriver::awaitRest() const {
 void TrajectoryDriver::onGoal(const lamina_msgs::DriveToolpathGoalConstPtr& goal) {
   is_abort_requested_ = false;
   is_driving_ = true;
+  jog_.block();
   job_ = goal->toolpath_id;
   publishState(DriveStatus());
-  const DriveStatus status = drive(goal->toolpath_id);
+  const DriveStatus status = drive(*goal);
   publishState(status);
   const lamina_msgs::DriveToolpathResult result = toResult(status);
   if (status.failure.code == ErrorCode::Ok) {
@@ -145,6 +146,7 @@ void TrajectoryDriver::onGoal(const lamina_msgs::DriveToolpathGoalConstPtr& goal
       action_.setAborted(result, status.failure.message);
   }
   is_driving_ = false;
+  jog_.allow();
 }
 
 bool TrajectoryDriver::isCancelled() const {
@@ -152,10 +154,12 @@ bool TrajectoryDriver::isCancelled() const {
 }
 
 /// What was driven counts, whatever comes after it.
-DriveStatus TrajectoryDriver::drive(const std::string& toolpath_id) {
+DriveStatus TrajectoryDriver::drive(const lamina_msgs::DriveToolpathGoal& goal) {
   DriveStatus so_far;
   try {
-    const MachineToolpath placed = toolpath(toolpath_id);
+    dry_ = dryOrderOf(goal);
+    MachineToolpath placed = toolpath(goal.toolpath_id);
+    placed.toolpath = drivenAs(dry_, std::move(placed.toolpath), settings_.dry);
     controller_.requirePresent(settings_.controller_wait_s);
     awaitProcessIo();
     GoalProgress progress([this] { return isCancelled(); });
@@ -189,15 +193,16 @@ TrajectoryDriver::Driven TrajectoryDriver::drive(const PreparedJob& prepared, Ma
   if (prepared.way) {
     const TimedPath& way = *prepared.way->motion;
     ROS_INFO("going to the start of %s: %.1f s", id.c_str(), way.duration());
-    DriveStatus status = run({way, id, PackmlState::Starting}).status;
+    DriveStatus status = run({way, id, PackmlState::Starting, nullptr, dry_.process()}).status;
     if (status.state != PackmlState::Complete) return {std::move(status), std::nullopt};
   }
   const std::shared_ptr<ChunkCorrection> correction = correctionOf(job);
   if (correction && first_map == MapOfFirstLayer::Awaited) awaitFirstMap(*correction);
   const TimedPath& path = *job.timed.trajectory;
-  ROS_INFO("driving %s: %.1f s on %s", id.c_str(), path.duration(), model_->name().c_str());
-  Driven driven = run({path, id, PackmlState::Execute, correction});
-  if (driven.status.state == PackmlState::Complete) publishLatched(deposited_, growing_->whole());
+  ROS_INFO("driving %s%s: %.1f s on %s", id.c_str(), isDry() ? " dry" : "", path.duration(),
+           model_->name().c_str());
+  Driven driven = run({path, id, PackmlState::Execute, correction, dry_.process()});
+  if (driven.status.state == PackmlState::Complete && !isDry()) publishLatched(deposited_, growing_->whole());
   show(driven.status);
   return driven;
 }
@@ -209,7 +214,7 @@ DriveJob TrajectoryDriver::jobOf(const MachineToolpath& placed, Progress& progre
 }
 
 std::shared_ptr<ChunkCorrection> TrajectoryDriver::correctionOf(const DriveJob& job) const {
-  if (!settings_.is_corrected) return nullptr;
+  if (!settings_.is_corrected || isDry()) return nullptr;
   return std::make_shared<ChunkCorrection>(
       DrivenToolpath{job.placed.id, job.timed.run.toolpath(), job.placed.bed_from_part}, settings_.loop,
       *model_);
@@ -301,7 +306,10 @@ TrajectoryDriver::Driven TrajectoryDriver::run(const DriveMotion& motion) {
     session_ = session;
   }
   if (motion.correction) correctByLastMap(*session, motion.toolpath_id);
-  if (speed_share_ != 1.0) session->setSpeed(speed_share_, ros::Time::now());
+  if (isDry())
+    session->setShare(JobOverride::Feed, dry_.speed, ros::Time::now());
+  else
+    overrides_.applyTo(*session);
   // Before what makes all safe, which then does not wait for the end of a plan's computation.
   std::optional<PlanInWork> plan;
   // However it ends, nothing burns or flows, and no session is left behind.
@@ -338,6 +346,7 @@ void TrajectoryDriver::abortIfCancelled(DriveSession& session) const {
 }
 
 void TrajectoryDriver::awaitProcessIo() const {
+  if (isDry()) return;
   const ros::Time begin = ros::Time::now();
   for (;;) {
     const ros::Time now = ros::Time::now();
@@ -352,7 +361,7 @@ void TrajectoryDriver::awaitProcessIo() const {
 /// On the way to the start the process is off; the job is held as soon as it begins.
 void TrajectoryDriver::holdIfProcessFails(DriveSession& session) const {
   const ros::Time now = ros::Time::now();
-  if (session.status().state != PackmlState::Execute) return;
+  if (isDry() || session.status().state != PackmlState::Execute) return;
   const std::string fault = process_io_.fault(now);
   if (fault.empty() || session.pause(now)) return;
   ROS_ERROR_STREAM("the job is held: " << fault);
@@ -398,25 +407,13 @@ void TrajectoryDriver::onCorrection(const lamina_msgs::CorrectionMap& message) {
   }
 }
 
-void TrajectoryDriver::onSpeedFactor(const ros::MessageEvent<const std_msgs::Float64>& event) {
-  const double share = event.getConstMessage()->data;
-  std::string refusal = owner_.refusal(event.getPublisherName());
-  if (refusal.empty()) refusal = speedRefusal(share);
-  if (!refusal.empty()) {
-    ROS_WARN("a speed factor is not used: %s", refusal.c_str());
-    return;
-  }
-  speed_share_ = share;
-  if (const auto job = session()) job->setSpeed(share, ros::Time::now());
-  ROS_INFO("going on at %.4g of the planned speeds", share);
-}
-
 void TrajectoryDriver::show(const DriveStatus& status) {
   action_.publishFeedback(toFeedback(status));
   publishState(status);
   lamina_msgs::TrackingError tracking = toTrackingError(status, *model_);
   tracking.header.stamp = ros::Time::now();
   tracking_.publish(tracking);
+  if (isDry()) return;
   const visualization_msgs::MarkerArray deposited = growing_->upTo(status.heading_for);
   if (!deposited.markers.empty()) publishLatched(deposited_, deposited);
 }
@@ -437,6 +434,13 @@ std::shared_ptr<DriveSession> TrajectoryDriver::session() const {
   return session_;
 }
 
+/// Of the toolpath published last; as the bed without one.
+Eigen::Matrix3d TrajectoryDriver::bedFromPart() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!toolpath_) return Eigen::Matrix3d::Identity();
+  return fromMessage(toolpath_->bed_from_part).linear();
+}
+
 bool TrajectoryDriver::onPause(Trigger::Request&, Trigger::Response& response) {
   const auto job = session();
   const std::optional<std::string> refusal =
@@ -448,7 +452,7 @@ bool TrajectoryDriver::onPause(Trigger::Request&, Trigger::Response& response) {
 
 bool TrajectoryDriver::onResume(Trigger::Request&, Trigger::Response& response) {
   const auto job = session();
-  const std::string fault = process_io_.fault(ros::Time::now());
+  const std::string fault = job && job->isDry() ? "" : process_io_.fault(ros::Time::now());
   std::optional<std::string> refusal = "no toolpath is being driven";
   if (job) refusal = fault.empty() ? job->resume(ros::Time::now()) : fault;
   response.success = !refusal;

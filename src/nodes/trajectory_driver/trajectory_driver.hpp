@@ -5,7 +5,6 @@
 #include <actionlib/server/simple_action_server.h>
 #include <diagnostic_updater/diagnostic_updater.h>
 #include <ros/node_handle.h>
-#include <std_msgs/Float64.h>
 #include <std_srvs/Trigger.h>
 
 #include <atomic>
@@ -19,6 +18,8 @@
 #include "drive_job.hpp"
 #include "drive_session.hpp"
 #include "driver_settings.hpp"
+#include "job_overrides.hpp"
+#include "jog_driver.hpp"
 #include "markers/growing_part.hpp"
 #include "messages.hpp"
 #include "owner/action_gate.hpp"
@@ -72,7 +73,8 @@ class TrajectoryDriver {
 
   /// Aborted, preempted, or the node ends.
   bool isCancelled() const;
-  DriveStatus drive(const std::string& toolpath_id);
+  DriveStatus drive(const lamina_msgs::DriveToolpathGoal& goal);
+  bool isDry() const { return dry_.process() == ProcessUse::Off; }
   PreparedJob prepared(const MachineToolpath& placed, Progress& progress);
   Driven drive(const PreparedJob& prepared, MapOfFirstLayer first_map);
   DriveJob jobOf(const MachineToolpath& placed, Progress& progress);
@@ -91,7 +93,6 @@ class TrajectoryDriver {
   /// On applied_correction.
   void tell(const std::vector<DrivenLayer>& layers);
   void onPlan(const lamina_msgs::ToolpathConstPtr& message);
-  void onSpeedFactor(const ros::MessageEvent<const std_msgs::Float64>& event);
   void show(const DriveStatus& status);
   void publishState(const DriveStatus& status);
 
@@ -99,6 +100,7 @@ class TrajectoryDriver {
   bool onResume(Trigger::Request& request, Trigger::Response& response);
   bool onAbort(Trigger::Request& request, Trigger::Response& response);
   std::shared_ptr<DriveSession> session() const;
+  Eigen::Matrix3d bedFromPart() const;
 
   DriverSettings settings_;
   ExecutorOwner owner_;
@@ -111,7 +113,6 @@ class TrajectoryDriver {
   ros::Subscriber toolpath_subscriber_;
   ros::Subscriber correction_;
   ros::Subscriber plan_;
-  ros::Subscriber speed_;
   ros::Publisher toolpath_publisher_;  ///< of plans that are gone on with; advertised with the first
   ros::ServiceServer pause_;
   ros::ServiceServer resume_;
@@ -128,12 +129,14 @@ class TrajectoryDriver {
   std::optional<HeardMap> map_;  ///< that came last
   DriveStatus status_;
 
-  std::atomic<double> speed_share_{1.0};  ///< of this job and those that follow
   std::atomic<bool> is_driving_{false};
   std::atomic<bool> is_abort_requested_{false};  ///< of the goal
   std::string job_;
+  DryOrder dry_;  ///< of the goal under way
   std::unique_ptr<GrowingPart> growing_;
+  JobOverrides overrides_;
   ControllerClient controller_;
+  JogDriver jog_;
   // Last, so that its thread ends before what it uses.
   mutable Server action_;
   ActionGate<lamina_msgs::DriveToolpathAction> gate_;

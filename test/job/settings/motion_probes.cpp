@@ -83,18 +83,22 @@ SettingProbe lineToleranceProbe() {
           {{"trajectory.line_tolerance_mm=1"}, {"trajectory.line_tolerance_deg=0.001"}}};
 }
 
-/// What a feeder hands over until it is aborted at 0.5 s.
+/// What a feeder hands over that is made as fast as it may be and lays half from 0.25 s on, until it is
+/// aborted at 0.5 s.
 std::string handedOver(const SettingTexts& set) {
   const TiltingGantry gantry;
   const Toolpath toolpath = twoLayers();
   const TimedPath timed(toolpath, uprightPath(toolpath, gantry), gantry, {});
-  TrajectoryFeeder feeder(timed, settingsWith<TrajectoryFeederSettings>(set));
+  const auto settings = settingsWith<TrajectoryFeederSettings>(set);
+  TrajectoryFeeder feeder(timed, settings);
   std::string text;
   for (double now_s = 0.0; now_s < 1.0; now_s += 0.125) {
+    if (now_s == 0.25) feeder.setSpeed(settings.feed_most, now_s);
+    if (now_s == 0.25) feeder.setShare(JobOverride::Flow, 0.5, now_s);
     if (now_s == 0.5) feeder.abort(now_s);
     while (const auto chunk = feeder.next(now_s))
-      text += numbersText(
-          {now_s, double(chunk->points.size()), chunk->points.front().time_s, chunk->points.back().time_s});
+      text += numbersText({now_s, double(chunk->points.size()), chunk->points.front().time_s,
+                           chunk->points.back().time_s, chunk->points.back().process.flow_mm3_s});
   }
   return text + numbersText({feeder.restTime()});
 }
@@ -142,7 +146,12 @@ std::vector<SettingProbe> motionProbes() {
       {"hand-over",
        "",
        handedOver,
-       {{"feeder.rate_hz=100"}, {"feeder.points=20"}, {"feeder.ahead_s=1"}, {"feeder.reaction_s=0.2"}}},
+       {{"feeder.rate_hz=100"},
+        {"feeder.points=20"},
+        {"feeder.ahead_s=1"},
+        {"feeder.reaction_s=0.2"},
+        {"feeder.feed_most=2"},
+        {"feeder.override_ramp_s=0"}}},
       {"a simulated controller",
        "",
        servoed,

@@ -152,6 +152,28 @@ const std::vector<TestedElsewhere>& pageTests() {
   return all;
 }
 
+/// Of moving machines by hand, and of jobs run dry.
+const std::vector<TestedElsewhere>& jogTests() {
+  static const std::vector<TestedElsewhere> all = {
+      {"dry.extrusion", "gcode_rewrite/dry_run_test.cpp", "settings.extrusion"},
+      {"dry.lift_mm", "ros/trajectory_driver.test", "lift_mm"},
+      {"dry.pointer_mm", "ros/trajectory_driver.test", "pointer_mm"},
+      {"dry.speed", "gcode_rewrite/dry_run_test.cpp", "settings.speed"},
+      {"dry.unknown", "gcode_rewrite/dry_run_test.cpp", "strict.unknown"},
+      {"jog.lease_s", "trajectory/jog_test.cpp", "settings.lease_s"},
+      {"jog.reaction_s", "trajectory/jog_test.cpp", "settings.reaction_s"},
+      {"jog.rate_hz", "trajectory/jog_test.cpp", "settings.rate_hz"},
+      {"jog.joint_share", "trajectory/jog_test.cpp", "settings.joint_share"},
+      {"jog.tip_mm_s", "trajectory/jog_test.cpp", "slow.tip_mm_s"},
+      {"jog.turn_deg_s", "trajectory/jog_test.cpp", "slow.turn_deg_s"},
+      {"jog.limit_margin_deg", "trajectory/jog_test.cpp", "settings.limit_margin_deg"},
+      {"jog.limit_margin_mm", "trajectory/jog_test.cpp", "settings.limit_margin_mm"},
+      {"jog.least_margin_deg", "trajectory/jog_test.cpp", "settings.least_margin_deg"},
+      {"jog.clearance_mm", "trajectory/jog_test.cpp", "settings.clearance_mm"},
+      {"jog.workspace_mm", "trajectory/jog_test.cpp", "settings.workspace_mm"}};
+  return all;
+}
+
 const std::vector<TestedElsewhere>& nodeTests() {
   static const std::vector<TestedElsewhere> all = {
       {"baud", "ros/gcode_streamer_test.cpp", "_baud"},
@@ -217,6 +239,7 @@ TEST(NodeSettingsCoverage, EverySettingStandsInATest) {
   tests.insert(tests.end(), processTests().begin(), processTests().end());
   tests.insert(tests.end(), pageTests().begin(), pageTests().end());
   tests.insert(tests.end(), plcTests().begin(), plcTests().end());
+  tests.insert(tests.end(), jogTests().begin(), jogTests().end());
   for (const TestedElsewhere& setting : tests) {
     covered.insert(setting.key);
     const std::string text = readFile(std::string(LAMINA_SOURCE_DIR) + "/test/" + setting.file);

@@ -34,6 +34,7 @@ TEST(StreamMessages, TakeAFractionForThePercentThatItStandsFor) {
   // 100 * 1.1 is 110.00000000000001, and 100 * 2.3 below 230.
   EXPECT_EQ(liveChangeOf("spindle", 1.1).value, 110.0);
   EXPECT_EQ(liveChangeOf("feed", 2.3).value, 230.0);
+  EXPECT_EQ(liveChangeOf("power", 1.1).value, 110.0);
   for (int percent = 10; percent <= 200; ++percent)
     EXPECT_EQ(liveChangeOf("spindle", 0.01 * percent).value, percent);
   EXPECT_EQ(liveChangeOf("babystep", -0.00005).value, -0.05) << "mm";

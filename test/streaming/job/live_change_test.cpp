@@ -32,9 +32,13 @@ TEST(LiveChange, IsNamedAndBounded) {
   EXPECT_NE(refusedAs("feed", std::nan("")), "nothing was thrown");
   EXPECT_EQ(refusedAs("colour", 1.0),
             "'colour' cannot be changed while a job runs; expected one of feed, flow, babystep, cancel_part, "
-            "pause_at_layer, rapid, spindle");
+            "pause_at_layer, rapid, spindle, power");
   EXPECT_EQ(liveChange("rapid", 50.0).setting, LiveSetting::Rapid);
   EXPECT_EQ(refusedAs("spindle", 250.0), "spindle is 250 %; must be a whole number from 10 to 200 %");
+  EXPECT_EQ(liveChange("power", 90.0).setting, LiveSetting::Power);
+  EXPECT_EQ(refusedAs("power", 201.0), "power is 201 %; must be a whole number from 10 to 200 %");
+  EXPECT_EQ(refusedAs("flow", 301.0), "flow is 301 %; must be from 10 to 300 %");
+  EXPECT_EQ(notOf("Marlin", LiveSetting::Power), "Marlin has no power");
   EXPECT_EQ(notOf("grbl", LiveSetting::CancelPart), "grbl has no cancel_part");
 }
 

@@ -16,6 +16,7 @@ enum class LiveSetting : std::uint8_t {
   PauseAtLayer,  ///< holds in front of that layer's first line
   Rapid,         ///< rapid motions [%], of grbl
   Spindle,       ///< speed of the spindle, power of the laser [%], of grbl
+  Power,         ///< the same by the name that driven toolpaths have for it [%]
 };
 
 struct LiveChange {
@@ -23,9 +24,11 @@ struct LiveChange {
   double value = 100.0;
 };
 
-/// A change by the name of its setting: feed, flow, babystep, cancel_part, pause_at_layer, rapid, spindle.
-/// @throws InvalidInput if there is no such setting, or the value is out of its bounds: 10 to 300 %, 10 to
-///   300 %, 0.5 mm up or down, an index from 0, a layer from 0, 25, 50 or 100 %, 10 to 200 %
+/// A change by the name of its setting: feed, flow, babystep, cancel_part, pause_at_layer, rapid, spindle,
+/// power.
+/// @throws InvalidInput if there is no such setting, or the value is out of its bounds: feed, flow and power
+/// as
+///   `boundsOf` has them, 0.5 mm up or down, an index from 0, a layer from 0, 25, 50 or 100 %, 10 to 200 %
 LiveChange liveChange(const std::string& name, double value);
 
 /// The name of a setting: "feed".

@@ -28,6 +28,9 @@ TEST(GrblOverrides, ScaleTheLasersPowerAmidALine) {
   link.runUntil(6.0);
   EXPECT_EQ(link.firmware.spindleSpeed(), 730.0);
   EXPECT_EQ(link.streamer.status().message, "");
+  EXPECT_EQ(link.streamer.change({LiveSetting::Power, 90.0}, link.now), "");
+  link.runUntil(9.0);
+  EXPECT_EQ(link.firmware.spindleSpeed(), 900.0);
 }
 
 // Byte by byte from any override to any other.

@@ -37,6 +37,7 @@ std::string GrblOverrides::set(const LiveChange& change, double now) {
       rapid_ = percent;
       break;
     case LiveSetting::Spindle:
+    case LiveSetting::Power:
       if (!is_in_range) return outOfRange(change, "10 to 200 %");
       spindle_ = percent;
       break;

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "lamina/kinematics/model/kinematic_model.hpp"
+#include "lamina/trajectory/jog_settings.hpp"
+#include "lamina/trajectory/trajectory_feeder.hpp"
+
+namespace lamina {
+
+/// Who may move a machine by hand: one at a time, and only for as long as it says so again and again.
+class JogLease {
+ public:
+  explicit JogLease(double lease_s) : lease_s_(lease_s) {}
+
+  /// Takes the lease, if nobody else holds it, or holds it for longer.
+  /// @return why not, in words; empty if it is held now
+  std::string renew(const std::string& holder, double now_s);
+  /// Empty if nobody holds it.
+  std::string holder(double now_s) const { return now_s < until_s_ ? holder_ : std::string(); }
+
+ private:
+  double lease_s_;
+  double until_s_ = -1.0;
+  std::string holder_;
+};
+
+/// What joints or nozzle are to do until the lease is over.
+struct JogOrder {
+  enum class Kind { Joints, Nozzle };
+  Kind kind = Kind::Joints;
+  JointValues rates;                                      ///< of joints [mm/s, rad/s]
+  Eigen::Vector3d linear_mm_s = Eigen::Vector3d::Zero();  ///< of the tip [bed frame]
+  Eigen::Vector3d turn_rad_s = Eigen::Vector3d::Zero();   ///< of the nozzle about its tip [bed frame]
+};
+
+/// How much of an order is done.
+struct JogAnswer {
+  double scale = 1.0;  ///< share of the speed asked for, at the end of the lease
+  std::string reason;  ///< why it is less than 1; empty otherwise
+};
+
+/// Why joints may not stand one after the other in these places, in words; empty if they may.
+using JogGuard = std::function<std::string(const std::vector<JointValues>&)>;
+
+/// Moves joints by hand: each order goes on from the motion under way, with the joints' accelerations
+/// bounded, for the time of the lease, and then to rest. What is planned always ends at rest, so that the
+/// motion ends by itself, smoothly, when no further order comes, wherever the link between them breaks.
+/// Deterministic: all times are of the caller's clock.
+class Jog {
+ public:
+  /// At rest at time 0. The model must outlive it.
+  /// @param ramp_s  in which a joint goes from rest to its greatest speed, and back
+  /// @throws InvalidConfig naming key, value and bound
+  Jog(const KinematicModel& model, const JogSettings& settings, double ramp_s, const JointValues& start);
+
+  /// Plans on from the first point that can still change. Of an order that the limits do not allow that share
+  /// is done which they do, in its direction; braking in time for the limits of joints, singularities, the
+  /// workspace and what the guard says. An order that cannot be done at all brakes.
+  /// @throws InvalidInput if values are not finite or not those of the model, or the machine cannot move its
+  ///   nozzle so; the motion brakes
+  JogAnswer order(const JogOrder& order, double now_s, const JogGuard& guard = {});
+
+  /// The points that replace what was handed over before, from the first that the last order has changed.
+  const TrajectoryChunk& chunk() const { return chunk_; }
+  /// When what is planned is at rest [s].
+  double restTime() const { return points_.back().time_s; }
+  JointState at(double time_s) const;
+
+ private:
+  struct Planned;
+
+  Planned planned(const JogOrder& order, const JointState& from, double now_s, double share) const;
+  std::string refusalOf(const Planned& plan, const JogGuard& guard) const;
+  JointValues ratesFor(const JogOrder& order, const JointValues& position, JogAnswer& answer) const;
+  JointValues nozzleRates(const JogOrder& order, const JointValues& position, JogAnswer& answer) const;
+  double allowedRate(Eigen::Index joint, const JointState& from, double direction) const;
+  bool restsTooNear(const JointState& from, const JointState& last) const;
+  JointState stepped(const JointState& from, const JointValues& wanted) const;
+  double step() const { return 1.0 / settings_.rate_hz; }
+  JointState switchPoint(double now_s) const;
+  void take(const std::vector<JointState>& points);
+
+  const KinematicModel& model_;
+  JogSettings settings_;
+  JointValues acceleration_;  ///< greatest, of each joint
+  std::vector<JointState> points_;
+  TrajectoryChunk chunk_;
+};
+
+}  // namespace lamina

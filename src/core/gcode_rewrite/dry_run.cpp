@@ -1,0 +1,373 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/gcode_rewrite/dry_run.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "decimal_number.hpp"
+#include "dry_commands.hpp"
+#include "lamina/base/atomic_file.hpp"
+#include "lamina/base/error.hpp"
+#include "lamina/base/text.hpp"
+#include "program/gcode/plain_command.hpp"
+
+namespace lamina {
+
+/// A word of a command, as it stands there.
+struct GcodeWordText {
+  char letter = 0;  ///< upper case
+  bool has_value = false;
+  double value = 0.0;
+  std::string_view text;  ///< with its letter
+};
+
+namespace {
+
+constexpr std::string_view kModal = "XYZABCUVWIJKREFS";  // which lines begin with that go on with a motion
+
+bool isNumeral(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+char capital(char c) { return static_cast<char>(std::toupper(static_cast<unsigned char>(c))); }
+
+/// The words of a command; nothing if it holds anything else.
+std::optional<std::vector<GcodeWordText>> wordsOf(std::string_view text) {
+  std::vector<GcodeWordText> words;
+  const auto skipBlanks = [&](std::size_t at) {
+    while (at < text.size() && (text[at] == ' ' || text[at] == '\t')) ++at;
+    return at;
+  };
+  for (std::size_t at = skipBlanks(0); at < text.size(); at = skipBlanks(at)) {
+    if (std::isalpha(static_cast<unsigned char>(text[at])) == 0) return std::nullopt;
+    GcodeWordText word;
+    word.letter = capital(text[at]);
+    const std::size_t number = skipBlanks(at + 1);
+    const DecimalNumber read = readDecimal(text.substr(number));
+    word.has_value = read.length > 0;
+    word.value = read.value;
+    const std::size_t end = word.has_value ? number + read.length : at + 1;
+    if (word.has_value && !std::isfinite(word.value)) return std::nullopt;
+    word.text = text.substr(at, end - at);
+    words.push_back(word);
+    at = end;
+  }
+  return words;
+}
+
+/// Where a comment begins: at a ';' that no quotes enclose.
+std::size_t commentBegin(std::string_view line) {
+  bool is_quoted = false;
+  for (std::size_t at = 0; at < line.size(); ++at) {
+    if (line[at] == '"') is_quoted = !is_quoted;
+    if (line[at] == ';' && !is_quoted) return at;
+  }
+  return is_quoted ? std::min(line.find(';'), line.size()) : line.size();
+}
+
+/// Without its number and checksum, which would be wrong.
+std::string_view unnumbered(std::string_view command) {
+  if (command.size() < 2 || capital(command[0]) != 'N' || !isNumeral(command[1])) return command;
+  std::size_t at = 1;
+  while (at < command.size() && isNumeral(command[at])) ++at;
+  command = command.substr(at);
+  const std::size_t star = command.rfind('*');
+  if (star != std::string_view::npos && star + 1 < command.size() &&
+      std::all_of(command.begin() + static_cast<std::ptrdiff_t>(star) + 1, command.end(), isNumeral))
+    command = command.substr(0, star);
+  return trimmed(command);
+}
+
+/// Without comments in parentheses.
+std::string unbracketed(std::string_view command) {
+  std::string kept;
+  int depth = 0;
+  for (const char c : command) {
+    if (c == '(') ++depth;
+    if (depth == 0) kept += c;
+    if (c == ')') depth = std::max(0, depth - 1);
+  }
+  return std::string(trimmed(kept));
+}
+
+bool isCode(const GcodeWordText& word) {
+  return word.letter == 'G' || word.letter == 'M' || word.letter == 'T';
+}
+
+/// The number of a command without its fraction; -1 if it has none.
+int codeOf(const GcodeWordText& word) {
+  constexpr double kMost = 99999.0;
+  return word.has_value && word.value >= 0.0 && word.value <= kMost ? static_cast<int>(word.value) : -1;
+}
+
+bool isG(const GcodeWordText& word, int code) { return word.letter == 'G' && codeOf(word) == code; }
+
+bool isMotionWord(const GcodeWordText& word) {
+  return isG(word, 0) || isG(word, 1) || isG(word, 2) || isG(word, 3) || isG(word, 5);
+}
+
+/// The number of a command such as "M117 hello"; nothing if it is no M command.
+std::optional<int> machineCodeOf(std::string_view text) {
+  if (text.size() < 2 || capital(text[0]) != 'M' || !isNumeral(text[1])) return std::nullopt;
+  return codeOf({'M', true, readDecimal(text.substr(1)).value, {}});
+}
+
+/// Whether a G code changes how a motion on its line is read, and does not take its words.
+bool keepsMotion(int code) {
+  return (code >= 17 && code <= 21) || code == 40 || code == 43 || code == 49 || (code >= 53 && code <= 59) ||
+         code == 61 || code == 64 || code == 80 || (code >= 90 && code <= 98 && code != 92);
+}
+
+bool probes(int code) { return code >= 28 && code <= 34; }
+
+/// M codes that may stand on a line with a motion.
+bool isFlag(int code) { return code <= 9 || code == 30; }
+
+/// What follows is for people, or the names of parts.
+bool carriesText(int code) { return code == 117 || code == 118 || code == 486; }
+
+bool isName(std::string_view text) {
+  return text.size() > 1 && std::isalpha(static_cast<unsigned char>(text[1])) != 0;
+}
+
+const GcodeWordText* find(const std::vector<GcodeWordText>& words, char letter) {
+  const auto found = std::find_if(words.begin(), words.end(),
+                                  [&](const GcodeWordText& word) { return word.letter == letter; });
+  return found == words.end() ? nullptr : &*found;
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string line;
+  for (const std::string& word : words) line += (line.empty() ? "" : " ") + word;
+  return line;
+}
+
+}  // namespace
+
+/// A command of letters with numbers.
+struct DryRun::Block {
+  std::string_view text;
+  std::vector<GcodeWordText> words;
+
+  bool has(char letter, int code) const {
+    return std::any_of(words.begin(), words.end(), [&](const GcodeWordText& word) {
+      return word.letter == letter && codeOf(word) == code;
+    });
+  }
+  /// Of G and M.
+  auto codes() const {
+    return std::count_if(words.begin(), words.end(),
+                         [](const GcodeWordText& word) { return word.letter == 'G' || word.letter == 'M'; });
+  }
+  /// Whether its other words are those of a motion: also where the motion is that of a line before.
+  bool moves() const {
+    return std::none_of(words.begin(), words.end(), [](const GcodeWordText& word) {
+      return word.letter == 'G' && !isMotionWord(word) && !keepsMotion(codeOf(word));
+    });
+  }
+};
+
+void describe(SettingsSchema& schema, DryRunSettings& settings) {
+  schema.number("dry.speed", settings.speed, {0.01, 3.0},
+                "Share of the programmed feeds at which a dry run goes.");
+  schema.text("dry.extrusion", settings.extrusion, "Letters of extruder axes, which a dry run leaves out.");
+  schema.choice<UnknownCommand>(
+      "dry.unknown", settings.unknown,
+      {{"leave_out", UnknownCommand::LeaveOut}, {"refuse", UnknownCommand::Refuse}},
+      "What a dry run makes of commands that may switch something on, such as macros.");
+}
+
+DryRun::DryRun(const DryRunSettings& settings) : settings_(settings) {
+  SettingsSchema schema;
+  describe(schema, settings_);
+  schema.validate();
+  for (const char letter : settings_.extrusion)
+    if (std::string_view("ABCDEUVW").find(letter) == std::string_view::npos)
+      throw InvalidConfig("dry.extrusion is '" + settings_.extrusion + "'; must be letters of ABCDEUVW");
+}
+
+std::optional<std::string> DryRun::line(std::string_view text) {
+  ++number_;
+  const std::size_t begin = commentBegin(text);
+  const std::string_view comment = trimmed(text.substr(begin));
+  const std::string_view asked = unnumbered(trimmed(text.substr(0, begin)));
+  if (asked.empty() || asked.front() == '%') return std::string(trimmed(text));
+  if (isPlainCommand(asked)) quotation_.recognise();
+  ++report_.lines;
+  const std::optional<std::string> kept = command(asked);
+  if (!kept && comment.empty()) return std::nullopt;
+  if (!kept) return std::string(comment);
+  return *kept + (comment.empty() ? "" : " " + std::string(comment));
+}
+
+std::optional<std::string> DryRun::command(std::string_view text) {
+  const std::optional<int> machine_code = machineCodeOf(text);
+  if (machine_code && carriesText(*machine_code)) return std::string(text);
+  const std::string plain = unbracketed(text);
+  if (plain.empty()) return std::nullopt;
+  if (isName(plain)) return unknown(plain);
+  const std::optional<std::vector<GcodeWordText>> words = wordsOf(plain);
+  if (words && isCode(words->front())) return coded({plain, *words});
+  if (words && kModal.find(words->front().letter) != std::string_view::npos) return motion({plain, *words});
+  if (machine_code) return machineCommand(*machine_code, {plain, {}});
+  if (capital(plain.front()) == 'T') return takenOut();
+  if (kModal.find(capital(plain.front())) != std::string_view::npos || capital(plain.front()) == 'G')
+    refuse("holds more than letters with numbers; expected a motion that can be run dry", plain);
+  return unknown(plain);
+}
+
+std::optional<std::string> DryRun::coded(const Block& block) {
+  const GcodeWordText& first = block.words.front();
+  if (first.letter == 'T') return takenOut();
+  if (first.letter == 'M' && block.codes() == 1) return machineCommand(codeOf(first), block);
+  for (const GcodeWordText& word : block.words) {
+    if (word.letter == 'G' && verdictOnG(codeOf(word)) == DryVerdict::Process && block.codes() == 1)
+      return takenOut();
+    if (isCode(word)) requireReadable(word, block);
+  }
+  return block.has('G', 10) ? offset(block) : motion(block);
+}
+
+void DryRun::requireReadable(const GcodeWordText& word, const Block& block) const {
+  if (word.letter == 'G' && verdictOnG(codeOf(word)) == DryVerdict::Unknown)
+    refuse("is not known to a dry run; it may change how motions are read", block.text);
+  const bool is_of_process = word.letter == 'G' && verdictOnG(codeOf(word)) == DryVerdict::Process;
+  if (is_of_process || (word.letter == 'M' && !isFlag(codeOf(word))))
+    refuse("holds several commands, one with words of its own; expected it on a line by itself", block.text);
+}
+
+std::optional<std::string> DryRun::motion(const Block& block) {
+  std::vector<std::string> kept;
+  for (const GcodeWordText& word : block.words)
+    if (std::optional<std::string> text = keptWord(word, block)) kept.push_back(*std::move(text));
+  const std::size_t taken = block.words.size() - kept.size();
+  report_.process += taken;
+  // A place that was set for the extruder alone would without its word be set to 0 for all axes.
+  if (kept.empty() || (taken > 0 && kept.size() == 1 && block.has('G', 92))) return std::nullopt;
+  std::string line = joined(kept);
+  if (taken > 0 && line == motion_) return std::nullopt;
+  for (const GcodeWordText& word : block.words)
+    if (isMotionWord(word)) motion_ = word.text;
+  return line;
+}
+
+std::optional<std::string> DryRun::keptWord(const GcodeWordText& word, const Block& block) {
+  const bool is_probing =
+      isG(block.words.front(), codeOf(block.words.front())) && probes(codeOf(block.words.front()));
+  if (settings_.extrusion.find(word.letter) != std::string::npos && !is_probing) return std::nullopt;
+  if (word.letter == 'T') return std::nullopt;
+  if (word.letter == 'M') {
+    const DryVerdict verdict = verdictOnM(codeOf(word));
+    has_beam_ = has_beam_ || codeOf(word) == 3 || codeOf(word) == 4;
+    return verdict == DryVerdict::Keep ? std::optional(std::string(word.text)) : std::nullopt;
+  }
+  if (!block.moves()) return std::string(word.text);
+  if (word.letter == 'S') {
+    requireNoHoming(word, block);
+    return std::nullopt;
+  }
+  return word.letter == 'F' && word.has_value ? scaledFeed(word) : std::string(word.text);
+}
+
+/// RepRapFirmware homes by S1 and moves single motors by S2; grbl's S is a power.
+void DryRun::requireNoHoming(const GcodeWordText& word, const Block& block) const {
+  constexpr double kMostKinds = 4.0;
+  const bool may_home = word.has_value && word.value >= 1.0 && word.value <= kMostKinds;
+  if (may_home && !has_beam_ && !block.has('M', 3) && !block.has('M', 4))
+    refuse("has S in a motion, which may be a homing one or a power; expected H for a homing motion",
+           block.text);
+}
+
+std::string DryRun::scaledFeed(const GcodeWordText& word) const {
+  if (settings_.speed == 1.0) return std::string(word.text);
+  constexpr int kDecimals = 6;
+  std::string text = "F";
+  try {
+    appendFixed(text, word.value * settings_.speed, kDecimals);
+  } catch (const InvalidInput&) {
+    refuse("is a feed of more digits than a program may hold", word.text);
+  }
+  while (text.back() == '0') text.pop_back();
+  if (text.back() == '.') text.pop_back();
+  return text;
+}
+
+/// G10: a retraction by the firmware, temperatures and offsets of a tool, or the origin of coordinates.
+std::optional<std::string> DryRun::offset(const Block& block) {
+  if (block.codes() > 1) refuse("holds several commands; expected G10 on a line by itself", block.text);
+  if (find(block.words, 'L') != nullptr) return std::string(block.text);
+  std::vector<std::string> kept;
+  bool sets_offset = false;
+  for (const GcodeWordText& word : block.words) {
+    if (word.letter == 'R' || word.letter == 'S') continue;
+    kept.emplace_back(word.text);
+    sets_offset = sets_offset || std::string_view("XYZUVW").find(word.letter) != std::string_view::npos;
+  }
+  report_.process += block.words.size() - kept.size();
+  if (sets_offset) return joined(kept);
+  if (kept.size() == block.words.size()) ++report_.process;
+  return std::nullopt;
+}
+
+std::optional<std::string> DryRun::machineCommand(int code, const Block& block) {
+  has_beam_ = has_beam_ || code == 3 || code == 4;
+  const DryVerdict verdict = verdictOnM(code);
+  if (verdict == DryVerdict::Keep) return std::string(block.text);
+  if (verdict == DryVerdict::Unknown) return unknown(block.text);
+  if (verdict == DryVerdict::Process) return takenOut();
+  const GcodeWordText* const target = find(block.words, 'S');
+  const bool is_off = target != nullptr && target->has_value && target->value == 0.0 &&
+                      find(block.words, 'R') == nullptr && find(block.words, 'B') == nullptr;
+  if (!is_off) return takenOut();
+  std::vector<std::string> kept = {"M" + std::to_string(withoutWait(code))};
+  for (const GcodeWordText& word : block.words)
+    if (word.letter == 'S' || word.letter == 'T' || word.letter == 'P' || word.letter == 'H')
+      kept.emplace_back(word.text);
+  return joined(kept);
+}
+
+std::optional<std::string> DryRun::unknown(std::string_view text) {
+  const std::string_view name = text.substr(0, text.find_first_of(" \t="));
+  if (isStatement(name))
+    refuse("is a statement, without which the lines within it mean something else", text);
+  const DryVerdict verdict = verdictOnName(name);
+  if (verdict == DryVerdict::Keep) return std::string(text);
+  if (verdict == DryVerdict::Process) return takenOut();
+  if (settings_.unknown == UnknownCommand::Refuse)
+    refuse("is not known to switch nothing on; dry.unknown=leave_out leaves it out", text);
+  ++report_.unknown;
+  if (report_.first_unknown.empty())
+    report_.first_unknown = "line " + std::to_string(number_) + ": " + quotation_.of(text);
+  return std::nullopt;
+}
+
+std::optional<std::string> DryRun::takenOut() {
+  ++report_.process;
+  return std::nullopt;
+}
+
+void DryRun::refuse(const std::string& why, std::string_view text) const {
+  throw InvalidProgram("line " + std::to_string(number_) + ": " + quotation_.of(text) + " " + why);
+}
+
+std::string toText(const DryRunReport& report) {
+  std::string text =
+      "dry run: " + std::to_string(report.process) + " commands and words of the process taken out";
+  if (report.unknown > 0)
+    text += ", " + std::to_string(report.unknown) +
+            " commands left out that are not known to switch nothing on, the first in " +
+            report.first_unknown;
+  return text;
+}
+
+DryRunReport writeDryRun(std::istream& program, const std::string& dry, const DryRunSettings& settings) {
+  DryRun run(settings);
+  AtomicFile file(dry);
+  for (std::string line; std::getline(program, line);)
+    if (const std::optional<std::string> kept = run.line(line)) file.write(*kept + "\n");
+  file.commit();
+  return run.report();
+}
+
+}  // namespace lamina

@@ -1,0 +1,232 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "jog_driver.hpp"
+
+#include <ros/ros.h>
+
+#include <cmath>
+#include <utility>
+
+#include "conversions.hpp"
+#include "lamina/base/error.hpp"
+#include "lamina/verification/collision/joint_clearance.hpp"
+#include "latched.hpp"
+#include "names.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kTellPeriod = 0.1;   // s between reports
+constexpr double kJogSettling = 0.2;  // s after which a jog begins anew, from where the joints are reported
+constexpr double kJogPatience = 5.0;  // s that the controller may need to come to rest
+constexpr double kBlockLook = 0.02;   // s
+
+class NeverCancelled final : public Progress {
+ public:
+  void report(const std::string& /*stage*/, double /*fraction*/) override {}
+  bool isCancelled() const override { return false; }
+};
+
+}  // namespace
+
+JogDriver::JogDriver(ros::NodeHandle& node, const DriverSettings& settings, const KinematicModel& model,
+                     const ExecutorOwner& owner, JogLinks links)
+    : settings_(settings),
+      model_(model),
+      owner_(owner),
+      links_(std::move(links)),
+      publisher_(node.advertise<lamina_msgs::JogState>(names::kJogState, 10, true)),
+      lease_(settings.jog.lease_s) {
+  const boost::function<void(const Event<geometry_msgs::TwistStamped>&)> on_twist =
+      [this](const auto& event) { onTwist(event); };
+  const boost::function<void(const Event<sensor_msgs::JointState>&)> on_joints = [this](const auto& event) {
+    onJoints(event);
+  };
+  // The last order alone counts.
+  twist_ = node.subscribe<geometry_msgs::TwistStamped>(names::kJogTwist, 1, on_twist);
+  joints_ = node.subscribe<sensor_msgs::JointState>(names::kJogJoints, 1, on_joints);
+  const boost::function<void(const ros::TimerEvent&)> look = [this](const ros::TimerEvent&) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (!is_told_) tell(ros::Time::now());
+  };
+  timer_ = node.createTimer(ros::Duration(kTellPeriod), look);
+}
+
+void JogDriver::block() {
+  const ros::Time begin = ros::Time::now();
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    is_blocked_ = true;
+    if (!jog_) return;
+  }
+  for (;;) {
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      const ros::Time now = ros::Time::now();
+      const bool is_over = jog_->chunk().points.empty() || (!isMoving(now) && links_.controller.isDone());
+      if (is_over || (now - begin).toSec() > kJogPatience) {
+        jog_.reset();
+        tell(now);
+        return;
+      }
+    }
+    ros::WallDuration(kBlockLook).sleep();
+  }
+}
+
+void JogDriver::allow() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  is_blocked_ = false;
+}
+
+void JogDriver::onTwist(const Event<geometry_msgs::TwistStamped>& event) {
+  const auto message = event.getConstMessage();
+  give(event.getPublisherName(), message->header.frame_id,
+       [&](const JointValues& position) { return orderOf(*message, position); });
+}
+
+void JogDriver::onJoints(const Event<sensor_msgs::JointState>& event) {
+  const auto message = event.getConstMessage();
+  give(event.getPublisherName(), "joints",
+       [&](const JointValues& /*position*/) { return orderOf(*message); });
+}
+
+void JogDriver::give(const std::string& holder, const std::string& frame, const MakeOrder& make) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const ros::Time now = ros::Time::now();
+  state_.frame = frame;
+  try {
+    std::string refusal = is_blocked_ ? "a job is under way" : owner_.refusal(holder);
+    if (refusal.empty()) refusal = lease_.renew(holder, now.toSec());
+    if (!refusal.empty()) throw Rejected(refusal);
+    beginIfAtRest(now);
+    const JogAnswer answer = follow(holder, make, (now - begin_).toSec());
+    state_.scale = answer.scale;
+    state_.reason = answer.reason;
+  } catch (const Error& error) {
+    state_.scale = 0.0;
+    state_.reason = error.what();
+    ROS_WARN_THROTTLE(1.0, "%s is not jogged by %s: %s", frame.c_str(), holder.c_str(), error.what());
+  }
+  tell(now);
+}
+
+/// From where the joints are, as reported, and as often as a jog begins.
+void JogDriver::beginIfAtRest(const ros::Time& now) {
+  const std::optional<std::string> failure = jog_ ? links_.controller.failure() : std::nullopt;
+  if (failure) jog_.reset();
+  if (failure) throw DeviceError(*failure);
+  if (jog_ && (now - begin_).toSec() < jog_->restTime() + kJogSettling) return;
+  links_.controller.requirePresent(0.0);
+  const JointValues here = links_.joints.fresh(settings_.tracking.silence_s, 0.0);
+  links_.controller.begin();
+  jog_.emplace(model_, settings_.jog, settings_.run.timing.trajectory.joint_ramp_s, here);
+  begin_ = now;
+}
+
+JogAnswer JogDriver::follow(const std::string& holder, const MakeOrder& make, double now_s) {
+  const auto send = [this] {
+    // First what is to happen on the way, which is nothing; then the way.
+    links_.process.send(jog_->chunk(), begin_, "", ProcessUse::Off);
+    links_.controller.send(jog_->chunk(), begin_);
+  };
+  const JogGuard guard = [this](const std::vector<JointValues>& places) { return collisionOn(places); };
+  // What cannot be read changes nothing: what is under way ends with its lease.
+  const JogOrder order = make(jog_->at(now_s + settings_.jog.reaction_s).position);
+  try {
+    const JogAnswer answer = jog_->order(order, now_s, settings_.is_clearance_checked ? guard : JogGuard());
+    send();
+    return answer;
+  } catch (const InvalidInput&) {
+    ROS_WARN_THROTTLE(1.0, "an order to jog by %s cannot be carried out; the machine rests", holder.c_str());
+    send();
+    throw;
+  }
+}
+
+JogOrder JogDriver::orderOf(const geometry_msgs::TwistStamped& message, const JointValues& position) const {
+  const std::string& frame = message.header.frame_id;
+  Eigen::Matrix3d bed_from_frame = Eigen::Matrix3d::Identity();
+  if (frame == names::kNozzleFrame)
+    bed_from_frame = model_.bedFromNozzle(position).linear();
+  else if (frame == names::kPartFrame)
+    bed_from_frame = links_.bed_from_part();
+  else if (frame == names::kBaseFrame)
+    bed_from_frame = bedFromBase(position);
+  else if (frame != names::kBedFrame)
+    throw InvalidInput("a jog is in frame '" + frame + "'; expected nozzle, part, bed or base_link");
+  const auto& linear = message.twist.linear;
+  const auto& angular = message.twist.angular;
+  JogOrder order;
+  order.kind = JogOrder::Kind::Nozzle;
+  order.linear_mm_s = bed_from_frame * Eigen::Vector3d(toMillimetres(linear.x), toMillimetres(linear.y),
+                                                       toMillimetres(linear.z));
+  order.turn_rad_s = bed_from_frame * Eigen::Vector3d(angular.x, angular.y, angular.z);
+  return order;
+}
+
+/// Joints that are not named rest.
+JogOrder JogDriver::orderOf(const sensor_msgs::JointState& message) const {
+  if (message.name.empty() || message.name.size() != message.velocity.size())
+    throw InvalidInput("a jog names " + std::to_string(message.name.size()) + " joints with " +
+                       std::to_string(message.velocity.size()) +
+                       " velocities; expected as many, and at least one");
+  JogOrder order;
+  order.rates = JointValues::Zero(static_cast<Eigen::Index>(model_.joints().size()));
+  for (std::size_t i = 0; i < message.name.size(); ++i) {
+    bool is_known = false;
+    for (std::size_t j = 0; j < model_.joints().size(); ++j) {
+      const DrivenJoint& joint = model_.joints()[j];
+      if (joint.name != message.name[i]) continue;
+      is_known = true;
+      order.rates[static_cast<Eigen::Index>(j)] =
+          joint.kind == JointKind::Linear ? toMillimetres(message.velocity[i]) : message.velocity[i];
+    }
+    if (!is_known) throw InvalidInput(model_.name() + " has no joint '" + message.name[i] + "' to jog");
+  }
+  return order;
+}
+
+Eigen::Matrix3d JogDriver::bedFromBase(const JointValues& position) const {
+  const auto links = model_.bedFromLinks(position);
+  const auto base = links.find(names::kBaseFrame);
+  if (base == links.end())
+    throw InvalidInput(model_.name() + " has no link base_link to jog in; expected bed or nozzle");
+  return base->second.linear();
+}
+
+/// What the way runs into first, in words. A machine that touches something already is not moved by hand.
+std::string JogDriver::collisionOn(const std::vector<JointValues>& places) {
+  if (!bodies_) bodies_ = linkBodies(model_.urdf());
+  Path travel;
+  travel.role = PathRole::Travel;
+  JointPath path;
+  for (const JointValues& place : places) {
+    path.at.push_back({0, 0, travel.points.size()});
+    path.values.push_back(place);
+    travel.points.emplace_back(model_.bedFromNozzle(place).translation());
+  }
+  Toolpath toolpath;
+  toolpath.layers.push_back({0.0, 0.0, {travel}});
+  NeverCancelled progress;
+  const JointClearanceReport report = checkJointClearance(
+      {toolpath, Eigen::Isometry3d::Identity(), model_, path}, *bodies_, settings_.clearance, progress);
+  if (report.collisions.empty()) return "";
+  const Collision& first = report.collisions.front();
+  return "link '" + first.link + "' would run into " +
+         (first.obstacle == Obstacle::Machine ? "link '" + first.other + "'" : "the bed");
+}
+
+bool JogDriver::isMoving(const ros::Time& now) const {
+  return jog_ && (now - begin_).toSec() < jog_->restTime();
+}
+
+void JogDriver::tell(const ros::Time& now) {
+  state_.header.stamp = now;
+  state_.holder = lease_.holder(now.toSec());
+  state_.moving = isMoving(now);
+  is_told_ = !state_.moving && state_.holder.empty();
+  publishLatched(publisher_, state_);
+}
+
+}  // namespace lamina

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <geometry_msgs/TwistStamped.h>
+#include <ros/node_handle.h>
+#include <sensor_msgs/JointState.h>
+
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "controller_client.hpp"
+#include "driver_settings.hpp"
+#include "lamina/kinematics/model/link_bodies.hpp"
+#include "lamina/trajectory/jog.hpp"
+#include "messages.hpp"
+#include "owner/executor_owner.hpp"
+#include "present_joints.hpp"
+#include "process_publisher.hpp"
+
+namespace lamina {
+
+/// What a jog is connected with.
+struct JogLinks {
+  ControllerClient& controller;
+  ProcessPublisher& process;
+  const PresentJoints& joints;
+  /// How the part stands over the bed, of the toolpath published last.
+  std::function<Eigen::Matrix3d()> bed_from_part;
+};
+
+/// Moves the machine by hand while no job runs: topics jog_twist, jog_joints and jog_state
+/// (docs/nodes/trajectory_driver.md).
+class JogDriver {
+ public:
+  /// All that is referred to must outlive it.
+  JogDriver(ros::NodeHandle& node, const DriverSettings& settings, const KinematicModel& model,
+            const ExecutorOwner& owner, JogLinks links);
+
+  /// Refuses orders until `allow`. Returns once what was under way is at rest.
+  void block();
+  void allow();
+
+ private:
+  template <class Message>
+  using Event = ros::MessageEvent<const Message>;
+  /// An order in the bed frame, from where the machine is when it takes effect.
+  using MakeOrder = std::function<JogOrder(const JointValues& position)>;
+
+  void onTwist(const Event<geometry_msgs::TwistStamped>& event);
+  void onJoints(const Event<sensor_msgs::JointState>& event);
+  void give(const std::string& holder, const std::string& frame, const MakeOrder& make);
+  JogAnswer follow(const std::string& holder, const MakeOrder& make, double now_s);
+  void beginIfAtRest(const ros::Time& now);
+  JogOrder orderOf(const geometry_msgs::TwistStamped& message, const JointValues& position) const;
+  JogOrder orderOf(const sensor_msgs::JointState& message) const;
+  Eigen::Matrix3d bedFromBase(const JointValues& position) const;
+  std::string collisionOn(const std::vector<JointValues>& places);
+  bool isMoving(const ros::Time& now) const;
+  void tell(const ros::Time& now);
+
+  const DriverSettings& settings_;
+  const KinematicModel& model_;
+  ExecutorOwner owner_;
+  JogLinks links_;
+  ros::Publisher publisher_;
+
+  std::mutex mutex_;  ///< of what follows up to the subscribers
+  JogLease lease_;
+  std::optional<Jog> jog_;
+  std::optional<LinkBodies> bodies_;  ///< made with the first order
+  ros::Time begin_;                   ///< when the clock of the jog is 0
+  bool is_blocked_ = false;
+  bool is_told_ = true;  ///< that the machine is at rest
+  lamina_msgs::JogState state_;
+
+  ros::Subscriber twist_;
+  ros::Subscriber joints_;
+  ros::Timer timer_;
+};
+
+}  // namespace lamina
