@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "geometry/polygon/plane_vectors.hpp"
 #include "infill/hilbert/hilbert_order.hpp"
 #include "infill/hilbert/hilbert_quadtree.hpp"
 #include "infill/lattice/lattice.hpp"
@@ -100,6 +102,53 @@ TEST(Hilbert, LaysTheMaterialThatAStripHolds) {
     const std::vector<FillPath> paths = hilbert({{rectangle(0, 0, 20, width), {}}}, requestOf(0.4, 0.0));
     EXPECT_NEAR(plannedArea(paths, 0.4), (20 - 0.04) * (width - 0.04), 0.05 * 20 * width) << width;
   }
+}
+
+/// How near a run comes to the line half a pitch inside its region's border [mm].
+double distanceToBorder(const FillPath& run, const Regions& regions) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Polygon& border : outlines(offset(regions, -0.2)))
+    for (std::size_t k = 0; k < border.size(); ++k)
+      for (const Point2& point : run.points)
+        nearest = std::min(
+            nearest, (nearestOnSegment(border[k], border[(k + 1) % border.size()], point) - point).norm());
+  return nearest;
+}
+
+TEST(HilbertQuadtree, OfLittleDensityHoldsOnToTheBorder) {
+  const Regions square = {{rectangle(0, 0, 10.4, 10.4), {}}};
+  for (const double angle : {0.0, 0.3})
+    for (const FillPath& run : hilbertQuadtree(square, requestOf(3.0, angle)))
+      EXPECT_LE(distanceToBorder(run, square), 0.1001) << angle;
+  Random random(1);
+  for (int i = 0; i < 20; ++i) {
+    const Regions star = {{test::star(random, {0, 0}, 5.0, 12.0, 24), {}}};
+    for (const FillPath& run : hilbertQuadtree(star, requestOf(2.0, 0.1 * i))) {
+      EXPECT_EQ(run.points.size(), run.width_mm.size());
+      EXPECT_LE(distanceToBorder(run, star), 0.1001) << i;
+    }
+  }
+}
+
+TEST(HilbertQuadtree, ASpurToTheBorderLaysAsMuchAsABeadOfItsLength) {
+  // The corners of the run stand on a grid; the tip of the spur is 0.1 mm, a quarter of a pitch, beyond the
+  // line that is 0.2 mm inside.
+  const std::vector<FillPath> runs =
+      hilbertQuadtree({{rectangle(0, 0, 10.4, 10.4), {}}}, requestOf(3.0, 0.0));
+  ASSERT_EQ(runs.size(), 1U);
+  ASSERT_TRUE(runs[0].is_closed);
+  FillPath bare = runs[0];
+  const auto inset = [](const Point2& p) { return std::min({p.x(), p.y(), 10.4 - p.x(), 10.4 - p.y()}); };
+  const auto tip = std::min_element(bare.points.begin(), bare.points.end(),
+                                    [&](const Point2& a, const Point2& b) { return inset(a) < inset(b); });
+  EXPECT_NEAR(inset(*tip), 0.1, 1e-9);
+  const auto at = tip - bare.points.begin();
+  const Point2 foot = bare.points[at - 1];
+  EXPECT_EQ(bare.points[at + 1], foot);
+  bare.points.erase(tip, tip + 2);
+  bare.width_mm.erase(bare.width_mm.begin() + at, bare.width_mm.begin() + at + 2);
+  const double width_mm = bare.width_mm[0];
+  EXPECT_NEAR(plannedArea(runs, 0.4) - plannedArea({bare}, 0.4), width_mm * (inset(foot) - 0.1), 1e-9);
 }
 
 TEST(HilbertQuadtree, OfHalfTheDensityLaysHalfTheMaterial) {

@@ -48,6 +48,8 @@ constexpr double kShortest = 1.0;
 constexpr double kLeastRadius = 0.6;
 /// How much of a region's area a loop along its border may lay.
 constexpr double kMostFilled = 1.06;
+/// What a loop along the border may leave open in one place, in squared pitches.
+constexpr double kLargestScrap = 0.2;
 
 double largestRadius(const MedialAxis& axis) {
   double largest = 0.0;
@@ -56,14 +58,23 @@ double largestRadius(const MedialAxis& axis) {
   return largest;
 }
 
-/// One loop along the border, half as wide as the largest disc inside: it reaches everything. None if it
-/// would lay too much, because the region is narrower elsewhere.
-std::optional<ContourLoop> borderLoop(const Region& region, double radius) {
+/// Whether a bead along the border, of a width that is also the largest disc's radius, leaves nothing open
+/// but scraps: where the region is thinner than the bead is wide, no centre line is left.
+bool reachesAll(const Region& region, const Regions& centre_lines, double radius, double pitch_mm) {
+  const Regions left = difference({region}, offset(centre_lines, 0.5 * radius));
+  return std::all_of(left.begin(), left.end(),
+                     [&](const Region& each) { return area({each}) < kLargestScrap * pitch_mm * pitch_mm; });
+}
+
+/// One loop along the border, half as wide as the largest disc inside. None if it would lay too much or would
+/// not reach everything, because the region is narrower elsewhere.
+std::optional<ContourLoop> borderLoop(const Region& region, double radius, double pitch_mm) {
   const Regions centre_lines = offset({region}, -0.5 * radius);
   if (centre_lines.size() != 1 || !centre_lines.front().holes.empty()) return std::nullopt;
   ContourLoop loop;
   loop.points = centre_lines.front().outer;
   if (perimeter(loop.points) * radius > kMostFilled * area({region})) return std::nullopt;
+  if (!reachesAll(region, centre_lines, radius, pitch_mm)) return std::nullopt;
   loop.width_mm.assign(loop.points.size(), radius);
   return loop;
 }
@@ -79,7 +90,7 @@ std::vector<ContourLoop> narrowLoops(const Region& region, double pitch_mm) {
   MedialAxis axis = beadAxis(straightened(region, kStraightRest * pitch_mm), settings);
   const double radius = largestRadius(axis);
   if (radius > kLeastRadius * pitch_mm)
-    if (std::optional<ContourLoop> loop = borderLoop(region, radius)) return {std::move(*loop)};
+    if (std::optional<ContourLoop> loop = borderLoop(region, radius, pitch_mm)) return {std::move(*loop)};
   for (AxisBranch& branch : axis.branches)
     branch.points = inRadiusSteps(branch.points, kWidthStep * pitch_mm);
   std::vector<ContourLoop> loops;
