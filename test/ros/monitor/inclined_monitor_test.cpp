@@ -8,8 +8,8 @@
 
 #include "lamina/toolpath/layer_frame.hpp"
 #include "latched.hpp"
-#include "plate_scan.hpp"
-#include "wait_until.hpp"
+#include "ros/plate_scan.hpp"
+#include "ros/wait_until.hpp"
 
 namespace lamina {
 namespace {

@@ -13,8 +13,8 @@
 
 #include "lamina/base/clock.hpp"
 #include "latched.hpp"
-#include "plate_scan.hpp"
-#include "wait_until.hpp"
+#include "ros/plate_scan.hpp"
+#include "ros/wait_until.hpp"
 
 namespace lamina {
 namespace {

@@ -16,9 +16,9 @@
 #include <functional>
 #include <map>
 
-#include "plate_scan.hpp"
-#include "ros_home.hpp"
-#include "wait_until.hpp"
+#include "ros/plate_scan.hpp"
+#include "ros/ros_home.hpp"
+#include "ros/wait_until.hpp"
 
 namespace lamina {
 namespace {
