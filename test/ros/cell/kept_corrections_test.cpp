@@ -27,6 +27,12 @@ std::string keptProgram() {
   return text;
 }
 
+CorrectionMap keptMap(std::size_t layer) {
+  const Toolpath part = test::stackedBeads(3);
+  const LayerCells cells = layerCells(part.layers[layer], layer, 0.5);
+  return correctionMap(cells, {std::vector<double>(cells.size(), 0.2), {}, {}}, toolpathId(part), 1);
+}
+
 /// A job, and a folder as the streamer has left it, whose second layer was laid by a map.
 struct LaidPart {
   test::ScratchFolder folder;
@@ -41,13 +47,12 @@ struct LaidPart {
     journal.release(job, "anna", kBegan);
     execution = journal.begin(job, "anna", kBegan);
     const Toolpath part = test::stackedBeads(3);
-    const LayerCells cells = layerCells(part.layers[1], 1, 0.5);
-    const CorrectionMap map =
-        correctionMap(cells, {std::vector<double>(cells.size(), 0.2), {}, {}}, toolpathId(part), 1);
+    const CorrectionMap map = keptMap(1);
     const AppliedRow row{1, 1, digestOf(map), 1};
     writeFile(maps.file("toolpath.csv"), programmedToolpathCsv({toolpathId(part), part}));
     writeFile(maps.file("layer_1.csv"), correctionMapCsv(map));
-    writeFile(maps.file("layer_2.csv"), "of an earlier job, which no record names");
+    writeFile(maps.file("layer_2.csv"),
+              correctionMapCsv(keptMap(2)));  // of an earlier job: no record names it
     writeFile(maps.file("record.csv"),
               appliedRecordCsv({sha256Of(recorded_program), toolpathId(part), "the job"}, {row}));
     setWritten(kBegan + 60.0);

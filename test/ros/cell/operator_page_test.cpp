@@ -88,8 +88,9 @@ class CellWithPage {
   }
 
   void startPage(const std::vector<std::string>& parameters) {
-    std::vector<std::string> arguments = {"__ns:=" + space_, "_web/port:=0",
-                                          "_web/folder:=" + folder.path() + "/page", "_cell/patience_s:=20"};
+    std::vector<std::string> arguments = {
+        "__ns:=" + space_,      "_web/port:=0",         "_web/folder:=" + folder.path() + "/page",
+        "_cell/patience_s:=20", "_web/connections:=64", "_web/connections_of_address:=16"};
     arguments.insert(arguments.end(), parameters.begin(), parameters.end());
     page = std::make_unique<test::NodeProcess>(LAMINA_PAGE_NODE, arguments);
     web_port = address_.next();
