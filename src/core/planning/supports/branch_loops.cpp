@@ -105,21 +105,28 @@ std::vector<std::size_t> groupsOf(const std::vector<BranchDisc>& discs) {
   return first;
 }
 
-/// Group by group: a sweep over all of them would look at what lies side by side again and again.
-Regions united(const std::vector<BranchDisc>& discs, const UnitCircle& circle) {
+/// What overlaps, group by group: a sweep over all of them would look at what lies side by side again and
+/// again.
+std::vector<std::vector<BranchDisc>> overlapping(const std::vector<BranchDisc>& discs) {
   const std::vector<std::size_t> first = groupsOf(discs);
-  std::vector<std::vector<Polygon>> groups(discs.size());
-  for (std::size_t i = 0; i < discs.size(); ++i) groups[first[i]].push_back(sectionOf(discs[i], circle));
-  Regions result;
-  for (std::vector<Polygon>& group : groups) {
-    if (group.size() == 1) {
-      result.push_back({std::move(group.front()), {}});
-    } else if (!group.empty()) {
-      Regions joined = unite(group);
-      std::move(joined.begin(), joined.end(), std::back_inserter(result));
-    }
+  std::vector<std::vector<BranchDisc>> groups(discs.size());
+  for (std::size_t i = 0; i < discs.size(); ++i) groups[first[i]].push_back(discs[i]);
+  groups.erase(std::remove_if(groups.begin(), groups.end(), [](const auto& group) { return group.empty(); }),
+               groups.end());
+  return groups;
+}
+
+/// The loops of a branch that meets no other: its section, shrunk.
+void addLoopsOf(const BranchDisc& disc, const UnitCircle& circle, double pitch_mm,
+                std::vector<FillPath>& runs) {
+  const double to_side = std::cos(M_PI / kDiscSides);
+  const int count = disc.radius_mm * to_side > kThickBranch ? 2 : 1;
+  for (int i = 0; i < count; ++i) {
+    const double radius_mm = disc.radius_mm - (i + 0.5) * pitch_mm / to_side;
+    if (radius_mm <= 0.0) return;
+    runs.push_back(
+        {sectionOf({disc.at, radius_mm, 0.0, 0.0, 0}, circle), true, PathRole::Support, Deposit::Bead, {}});
   }
-  return result;
 }
 
 /// Tips in level bands, each from left to right.
@@ -178,17 +185,42 @@ double areaBeyond(const Regions& regions, TipBands& tips) {
   return sum;
 }
 
-AidRuns loopsIn(const Regions& area, double bottom_mm, double top_mm, const PlanSettings& settings) {
-  AidRuns aids;
-  aids.bead = beadOf(PathRole::Support, settings, top_mm - bottom_mm).bead;
-  aids.top_mm = top_mm;
-  aids.tool = static_cast<std::uint32_t>(std::max(0, settings.supports.tool));
-  aids.area = std::make_shared<const Regions>(area);
-  std::vector<FillPath> runs;
-  for (const Region& branch : area) addLoopsOf(branch, planWidth(aids.bead), runs);
-  aids.runs = std::make_shared<const std::vector<FillPath>>(std::move(runs));
-  return aids;
-}
+/// The loops of branches that end at one height of a layer.
+class LayerLoops {
+ public:
+  /// @param heights  of top and bottom
+  LayerLoops(const std::pair<double, double>& heights, const PlanSettings& settings) {
+    aids_.bead = beadOf(PathRole::Support, settings, heights.first - heights.second).bead;
+    aids_.top_mm = heights.first;
+    aids_.tool = static_cast<std::uint32_t>(std::max(0, settings.supports.tool));
+  }
+
+  void add(const std::vector<BranchDisc>& group, const UnitCircle& circle, const Regions& taken) {
+    if (group.size() == 1 && taken.empty()) {
+      area_.push_back({sectionOf(group.front(), circle), {}});
+      addLoopsOf(group.front(), circle, planWidth(aids_.bead), runs_);
+      return;
+    }
+    std::vector<Polygon> sections;
+    for (const BranchDisc& disc : group) sections.push_back(sectionOf(disc, circle));
+    const Regions joined = group.size() == 1 ? Regions{{sections.front(), {}}} : unite(sections);
+    for (const Region& branch : taken.empty() ? joined : difference(joined, taken)) {
+      addLoopsOf(branch, planWidth(aids_.bead), runs_);
+      area_.push_back(branch);
+    }
+  }
+
+  AidRuns runs() && {
+    aids_.area = std::make_shared<const Regions>(std::move(area_));
+    aids_.runs = std::make_shared<const std::vector<FillPath>>(std::move(runs_));
+    return std::move(aids_);
+  }
+
+ private:
+  AidRuns aids_;
+  Regions area_;
+  std::vector<FillPath> runs_;
+};
 
 }  // namespace
 
@@ -202,10 +234,11 @@ BranchLoops branchLoops(const SupportTree& tree, const Regions& taken, const Pla
     std::map<std::pair<double, double>, std::vector<BranchDisc>> discs;  // by top and bottom
     for (const BranchDisc& disc : tree.layers[i]) discs[{disc.top_mm, disc.bottom_mm}].push_back(disc);
     for (const auto& [heights, of_height] : discs) {
-      Regions area = united(of_height, circle);
-      if (i == 0 && !taken.empty()) area = difference(area, taken);
-      AidRuns aids = loopsIn(area, heights.second, heights.first, settings);
-      loops.areas[i].insert(loops.areas[i].end(), area.begin(), area.end());
+      LayerLoops of_layer(heights, settings);
+      for (const std::vector<BranchDisc>& group : overlapping(of_height))
+        of_layer.add(group, circle, i == 0 ? taken : Regions{});
+      AidRuns aids = std::move(of_layer).runs();
+      loops.areas[i].insert(loops.areas[i].end(), aids.area->begin(), aids.area->end());
       if (!aids.runs->empty()) loops.layers[i].push_back(std::move(aids));
     }
   };
