@@ -16,6 +16,7 @@
 
 #include "conversions.hpp"
 #include "corrected_stream.hpp"
+#include "dry_program.hpp"
 #include "lamina/kinematics/cartesian/cartesian_machine.hpp"
 #include "lamina/streaming/client/stream_session.hpp"
 #include "messages.hpp"
@@ -48,6 +49,8 @@ class GcodeStreamer {
 
   void onGoal(const lamina_msgs::StreamProgramGoalConstPtr& goal);
   StreamStatus stream(const lamina_msgs::StreamProgramGoal& goal);
+  std::unique_ptr<const DryProgram> dryProgram(const lamina_msgs::StreamProgramGoal& goal,
+                                               const StreamableProgram& program);
   void beginJob(const lamina_msgs::StreamProgramGoal& goal, const StreamableProgram& program);
   StreamStatus streamProgram(const StreamableProgram& program, JobStart start, const std::string& execution);
   ExecutionRecord recordOfExecution(const lamina_msgs::StreamProgramGoal& goal) const;
@@ -104,6 +107,8 @@ class GcodeStreamer {
   OwnerWatch owner_watch_;
   diagnostic_updater::Updater updater_;
   ros::Timer diagnostics_timer_;
+
+  bool is_dry_ = false;  ///< the job under way; of the action's thread alone
 
   mutable std::mutex mutex_;  ///< of everything below
   std::shared_ptr<StreamSession> session_;
