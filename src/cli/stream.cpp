@@ -11,6 +11,8 @@
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/clock.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/scratch_folder.hpp"
+#include "lamina/gcode_rewrite/dry_run.hpp"
 #include "lamina/streaming/client/stream_session.hpp"
 #include "output/live_input.hpp"
 #include "output/terminal_progress.hpp"
@@ -29,12 +31,20 @@ struct StreamArguments {
   CorrectionFiles corrections;
   StreamMode mode = StreamMode::Begin;
   bool is_live = false;
+  bool is_dry = false;
 };
 
 /// What is set on the command line.
 struct StreamCommandSettings {
   StreamSettings stream;
   LoopSettings feeding;
+  DryRunSettings dry;
+};
+
+/// A program as it is sent; in a folder of its own where it is written for that.
+struct ProgramToSend {
+  std::unique_ptr<const ScratchFolder> folder;
+  StreamableProgram program;
 };
 
 StreamCommandSettings settingsFrom(const StreamArguments& arguments) {
@@ -42,6 +52,7 @@ StreamCommandSettings settingsFrom(const StreamArguments& arguments) {
   SettingsSchema schema;
   describe(schema, settings.stream);
   if (!arguments.corrections.maps.empty()) describeFeeding(schema, settings.feeding);
+  if (arguments.is_dry) describe(schema, settings.dry);
   for (const SettingText& setting : overridesFrom(arguments.settings)) schema.set(setting.key, setting.text);
   requireConsistent(settings.stream);
   return settings;
@@ -59,6 +70,17 @@ StreamableProgram programFrom(const StreamArguments& arguments, const StreamComm
   const PlannedCorrection correction =
       correctionFrom(arguments.corrections, settings.feeding, sha256Of(planned));
   return programByMaps(planned, arguments.corrections, correction, settings.stream);
+}
+
+/// A dry run leaves out what its process would do, which is told.
+ProgramToSend programToSend(const StreamArguments& arguments, const StreamCommandSettings& settings) {
+  StreamableProgram asked = programFrom(arguments, settings);
+  if (!arguments.is_dry) return {nullptr, std::move(asked)};
+  auto folder = std::make_unique<const ScratchFolder>();
+  const std::string path = folder->path() + "/dry.gcode";
+  const DryRunReport report = writeDryRun(*asked.openText(), path, settings.dry);
+  std::fprintf(stderr, "%s\n", toText(report).c_str());
+  return {std::move(folder), StreamableProgram::fromFile(path, settings.stream)};
 }
 
 JobStart startOf(const StreamArguments& arguments) {
@@ -180,11 +202,13 @@ void runStream(const StreamArguments& arguments, Chosen& chosen) {
   const StreamCommandSettings settings = settingsFrom(arguments);
   const std::string journal_path = journalPath(settings.stream, arguments.port.name);
   if (arguments.mode == StreamMode::ShowProgress) return showProgress(journal_path, chosen.format);
-  const StreamableProgram program = programFrom(arguments, settings);
+  const ProgramToSend sent = programToSend(arguments, settings);
   const SteadyClock clock;
   const double start = clock.now();
-  const StreamJournal journal = journalFor(journal_path, program, arguments.port, startOf(arguments));
-  const StreamStatus status = streamWhole(program, settings.stream, arguments, journal);
+  // A dry run leaves the progress of a job that was cut off alone.
+  StreamJournal journal;
+  if (!arguments.is_dry) journal = journalFor(journal_path, sent.program, arguments.port, startOf(arguments));
+  const StreamStatus status = streamWhole(sent.program, settings.stream, arguments, journal);
   chosen.counts = countsOf(status);
   throwIfFailed(status);
   print(status, clock.now() - start, chosen.format);
@@ -201,8 +225,10 @@ void addStream(CLI::App& app, Chosen& chosen) {
                    "serial port such as /dev/ttyUSB0, tcp:host:port, or http://host:port")
       ->required();
   command->add_option("--baud,-b", arguments->port.baud, "baud rate of a serial port")->capture_default_str();
-  command->add_option("--set", arguments->settings,
-                      "key=value, one of stream.*, with --corrections also of loop.*; may be repeated");
+  command->add_option(
+      "--set", arguments->settings,
+      "key=value, one of stream.*, with --corrections also of loop.*, with --dry of dry.*; may be "
+      "repeated");
   command->add_option(
       "--corrections", arguments->corrections.maps,
       "correction map (.csv) or folder of maps, by which the program is corrected as lamina correct "
@@ -210,11 +236,15 @@ void addStream(CLI::App& app, Chosen& chosen) {
   addToolpathOption(*command, arguments->corrections);
   command->add_flag("--live", arguments->is_live,
                     "follow commands on the standard input, a line each: feed 90, flow 105, babystep -0.05, "
-                    "cancel_part 2, pause_at_layer 12, rapid 50, spindle 80, pause, resume");
+                    "cancel_part 2, pause_at_layer 12, rapid 50, spindle 80, power 80, pause, resume");
+  auto* const dry = command->add_flag(
+      "--dry", arguments->is_dry,
+      "run the program with nothing of its process on: no extrusion, heat, fan, laser or change of tool");
   auto* const resume = command->add_flag_callback(
       "--resume", [arguments] { arguments->mode = StreamMode::Resume; },
       "go on with the job whose streaming was cut off, on a machine that has lived on; at a print server, "
       "follow the print that goes on there");
+  resume->excludes(dry);
   command
       ->add_flag_callback(
           "--progress", [arguments] { arguments->mode = StreamMode::ShowProgress; },

@@ -404,6 +404,32 @@ class CommandLine(unittest.TestCase):
         emulator.wait(timeout=60)
         self.assertIn(b"M104 S0", content(self.path("run")))
 
+    def test_a_dry_run_moves_and_switches_nothing_on(self):
+        program = self.path("wet.gcode")
+        with open(program, "w") as file:
+            file.write("M109 S200\nM83\nG1 X5 E1 F1200\nM106 S255\nPURGE_IT\nG1 E-1\nG1 Y5 E1 ; on\nM104 S0\n")
+        machine = self.path("machine")
+        emulator = subprocess.Popen([LAMINA, "emulate", "--pty", machine, "--speed-up", "0", "--record", self.path("run")],
+                                    stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        self.addCleanup(emulator.wait)
+        self.addCleanup(emulator.kill)
+        self.wait_for(lambda: os.path.exists(machine))
+        stream = [LAMINA, "stream", program, "--port", machine, "--set", "stream.journal=" + self.path("progress"), "--dry"]
+        dry = subprocess.run([*stream, "--set", "dry.speed=0.5"], capture_output=True, text=True, timeout=60)
+        self.assertEqual(dry.returncode, 0, dry.stderr)
+        self.assertIn("dry run: 5 commands and words of the process taken out, 1 commands left out", dry.stderr)
+        self.assertIn("line 5: 'PURGE_IT'", dry.stderr)
+        self.assertFalse(os.path.exists(self.path("progress")))
+        emulator.send_signal(signal.SIGINT)
+        emulator.wait(timeout=60)
+        ran = [line for line in content(self.path("run")).decode().splitlines() if line and not line.startswith(";")]
+        self.assertEqual(ran, ["M83", "G1 X5 F600", "G1 Y5", "M104 S0"])
+        refused = subprocess.run([*stream, "--set", "dry.unknown=refuse"], capture_output=True, text=True, timeout=60)
+        self.assertNotEqual(refused.returncode, 0)
+        self.assertIn("line 5", refused.stderr)
+        for other in (["--resume"], ["--set", "dry.speed=0"]):
+            self.assertNotEqual(subprocess.run([*stream, *other], capture_output=True, timeout=60).returncode, 0)
+
     def wait_for_text(self, descriptor, text):
         seen = b""
         while text not in seen:

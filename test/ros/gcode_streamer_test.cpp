@@ -137,6 +137,31 @@ TEST_F(GcodeStreamer, StreamsAFileThroughEveryFaultOfTheLine) {
   EXPECT_NE(std::find(states_.begin(), states_.end(), "Execute"), states_.end());
 }
 
+/// Of what the machine has run nothing heats, extrudes or blows, and its feeds are half of the program's.
+TEST_F(GcodeStreamer, RunsAProgramDry) {
+  const TestMachine machine(0.0, {});
+  lamina_msgs::StreamProgramGoal goal;
+  goal.program = write({"M104 S210", "M109 S210", "G28", "G92 E0", "M83", "G1 X10 Y10 E2 F1200", "M106 S255",
+                        "G1 E-1 F2400", "G0 X20", "G1 E1", "G1 Y20 E1", "START_PRINT", "M104 S0", "M84"});
+  goal.dry = "air";
+  goal.speed = 0.5;
+  client_.sendGoal(goal);
+  const auto given = result();
+  EXPECT_EQ(given.status.code, Status::OK) << given.status.message;
+  const std::vector<std::string> expected = {"G28", "M83",    "G1 X10 Y10 F600", "G1 F1200", "G0 X20",
+                                             "G1",  "G1 Y20", "M104 S0",         "M84"};
+  EXPECT_EQ(machine.commands(), expected);
+  for (const auto& [dry, speed, resume] : {std::tuple("lift", 0.0, false), std::tuple("", 0.5, false),
+                                           std::tuple("air", 5.0, false), std::tuple("air", 0.0, true)}) {
+    goal.dry = dry;
+    goal.speed = speed;
+    goal.resume = resume;
+    client_.sendGoal(goal);
+    const auto code = result().status.code;
+    EXPECT_TRUE(code == Status::INVALID_INPUT || code == Status::INVALID_CONFIG) << dry << " at " << speed;
+  }
+}
+
 TEST_F(GcodeStreamer, HoldsOnPauseAndGoesOnOnResume) {
   const TestMachine machine(5.0);
   const auto program = zigzag(600);  // 8 s
@@ -149,6 +174,8 @@ TEST_F(GcodeStreamer, HoldsOnPauseAndGoesOnOnResume) {
   EXPECT_EQ(change("babystep", 0.00005), Status::OK);
   EXPECT_EQ(change("feed", 2.0), Status::OK);
   EXPECT_EQ(change("feed", 30.0), Status::INVALID_INPUT);
+  EXPECT_EQ(change("flow", 3.1), Status::INVALID_INPUT);
+  EXPECT_EQ(change("power", 0.9), Status::REJECTED) << "Marlin has none";
   EXPECT_EQ(change("colour", 1.0), Status::INVALID_INPUT);
   EXPECT_TRUE(waitUntil([&] { return machine->isIdle(); }));
   EXPECT_EQ(machine.commands().size(), held_at);

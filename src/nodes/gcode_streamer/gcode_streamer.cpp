@@ -151,6 +151,7 @@ StreamStatus GcodeStreamer::stream(const lamina_msgs::StreamProgramGoal& goal) {
     is_hold_due_ = false;
   }
   const StreamableProgram program = programFor(goal);
+  const std::unique_ptr<const DryProgram> dry = dryProgram(goal, program);
   JobStart start = goal.resume ? JobStart::Resume : JobStart::New;
   if (goal.resume && !goal.execution.empty()) {
     const ExecutionRecord record = recordOfExecution(goal);
@@ -160,7 +161,7 @@ StreamStatus GcodeStreamer::stream(const lamina_msgs::StreamProgramGoal& goal) {
   beginJob(goal, program);
   StreamStatus status;
   try {
-    status = streamProgram(program, start, goal.execution);
+    status = streamProgram(dry ? dry->program() : program, start, goal.execution);
   } catch (const Error&) {
     status.failure = currentFailure();
     startup_.endJob(program, status);
@@ -168,6 +169,18 @@ StreamStatus GcodeStreamer::stream(const lamina_msgs::StreamProgramGoal& goal) {
   }
   startup_.endJob(program, status);
   return status;
+}
+
+/// The program as it is run dry; null if it is run with its process.
+std::unique_ptr<const DryProgram> GcodeStreamer::dryProgram(const lamina_msgs::StreamProgramGoal& goal,
+                                                            const StreamableProgram& program) {
+  is_dry_ = isDry(goal);
+  if (!is_dry_) return nullptr;
+  DryRunSettings settings = settings_.dry;
+  if (goal.speed != 0.0) settings.speed = goal.speed;
+  auto dry = std::make_unique<const DryProgram>(program, settings, settings_.stream);
+  ROS_INFO_STREAM(toText(dry->report()));
+  return dry;
 }
 
 /// @throws Rejected if the machine is not started up
@@ -190,8 +203,9 @@ StreamStatus GcodeStreamer::streamProgram(const StreamableProgram& program, JobS
   if (start == JobStart::Resume && settings_.corrections.is_used)
     recorded = recordedProgram(program, settings_.corrections, settings_.stream);
   const StreamableProgram& sent = recorded ? recorded->program : program;
-  StreamJournal journal =
-      journalFor(journalPath(settings_.stream, settings_.port.name), sent, settings_.port, start);
+  StreamJournal journal;
+  if (!is_dry_)
+    journal = journalFor(journalPath(settings_.stream, settings_.port.name), sent, settings_.port, start);
   journal.execution = execution;
   const std::shared_ptr<CorrectedStream> corrected = recorded ? nullptr : correctionOf(program);
   {
@@ -294,7 +308,7 @@ StreamableProgram GcodeStreamer::programFromToolpath(const MachineToolpath& plac
 }
 
 std::shared_ptr<CorrectedStream> GcodeStreamer::correctionOf(const StreamableProgram& program) const {
-  if (!settings_.corrections.is_used) return nullptr;
+  if (!settings_.corrections.is_used || is_dry_) return nullptr;
   lamina_msgs::ToolpathConstPtr message;
   {
     const std::lock_guard<std::mutex> lock(mutex_);

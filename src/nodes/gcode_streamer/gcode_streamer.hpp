@@ -16,6 +16,7 @@
 
 #include "conversions.hpp"
 #include "corrected_stream.hpp"
+#include "dry_program.hpp"
 #include "job_alarms.hpp"
 #include "lamina/kinematics/cartesian/cartesian_machine.hpp"
 #include "lamina/streaming/client/stream_session.hpp"
@@ -50,6 +51,8 @@ class GcodeStreamer {
 
   void onGoal(const lamina_msgs::StreamProgramGoalConstPtr& goal);
   StreamStatus stream(const lamina_msgs::StreamProgramGoal& goal);
+  std::unique_ptr<const DryProgram> dryProgram(const lamina_msgs::StreamProgramGoal& goal,
+                                               const StreamableProgram& program);
   void beginJob(const lamina_msgs::StreamProgramGoal& goal, const StreamableProgram& program);
   StreamStatus streamProgram(const StreamableProgram& program, JobStart start, const std::string& execution);
   ExecutionRecord recordOfExecution(const lamina_msgs::StreamProgramGoal& goal) const;
@@ -114,6 +117,8 @@ class GcodeStreamer {
   double asked_s_ = 0.0;  ///< when the machine was last asked how it is, during a job
   diagnostic_updater::Updater updater_;
   ros::Timer diagnostics_timer_;
+
+  bool is_dry_ = false;  ///< the job under way; of the action's thread alone
 
   mutable std::mutex mutex_;  ///< of everything below
   std::shared_ptr<StreamSession> session_;

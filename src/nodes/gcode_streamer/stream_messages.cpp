@@ -44,7 +44,8 @@ void addStarvation(const Starvation& starvation, diagnostic_updater::DiagnosticS
 LiveChange liveChangeOf(const std::string& setting, double value) {
   constexpr double kPercent = 100.0;
   constexpr double kMillimetres = 1000.0;
-  if (setting == "feed" || setting == "flow" || setting == "rapid" || setting == "spindle")
+  if (setting == "feed" || setting == "flow" || setting == "rapid" || setting == "spindle" ||
+      setting == "power")
     return liveChange(setting, inUnit(value, kPercent));
   if (setting == "babystep") return liveChange(setting, inUnit(value, kMillimetres));
   return liveChange(setting, value);

@@ -33,6 +33,7 @@ void describe(SettingsSchema& schema, GcodeStreamerSettings& settings) {
   describe(schema, settings.program);
   describe(schema, settings.startup);
   describe(schema, settings.corrections);
+  describe(schema, settings.dry);
   schema.number(
       "owner.grace_s", settings.owner_grace_s, {0.0, 3600.0},
       "Time without a word of the cell_controller that ordered the job, after which the job is held; "

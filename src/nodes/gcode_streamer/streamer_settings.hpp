@@ -6,6 +6,7 @@
 
 #include "correction_settings.hpp"
 #include "lamina/base/settings.hpp"
+#include "lamina/gcode_rewrite/dry_run.hpp"
 #include "lamina/kinematics/cartesian/machine_settings.hpp"
 #include "lamina/program/program_settings.hpp"
 #include "lamina/startup/startup_settings.hpp"
@@ -21,12 +22,13 @@ struct GcodeStreamerSettings {
   ProgramSettings program;
   StartupSettings startup;
   StreamCorrectionSettings corrections;
+  DryRunSettings dry;
   double owner_grace_s = 0.0;  ///< without the cell that ordered the job, until it is held; 0 for any time
   std::string guard_socket;    ///< of the watch that stops the machine in this node's place; empty for none
 };
 
 /// Adds the keys port, baud, executor.owner, machine.*, stream.*, program.*, startup.*, corrections.*,
-/// owner.*, guard.* and some of loop.*.
+/// dry.*, owner.*, guard.* and some of loop.*.
 void describe(SettingsSchema& schema, GcodeStreamerSettings& settings);
 
 }  // namespace lamina

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "drive_cell.hpp"
 #include "lamina/toolpath/toolpath.hpp"
+#include "ros/drive_cell.hpp"
 
 namespace lamina::test {
 

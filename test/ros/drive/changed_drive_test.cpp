@@ -5,7 +5,7 @@
 #include <geometry_msgs/TwistStamped.h>
 #include <gtest/gtest.h>
 
-#include "node_process.hpp"
+#include "ros/node_process.hpp"
 #include "two_beads.hpp"
 
 namespace lamina {
