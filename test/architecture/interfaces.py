@@ -14,7 +14,6 @@ from rule_script import report
 PANEL = "starts RViz, which has no display in tests"
 GAPS = {
     "incline.launch": PANEL, "layers.launch": PANEL,
-    "goal_time_tolerance": "of control_msgs", "goal_tolerance": "of control_msgs",
 }
 
 OPTION = re.compile(r'add_(?:option|flag)\w*\(\s*"([^"]+)"')

@@ -40,7 +40,8 @@ class Controlled {
   }
 
   /// All joints from the middle to a place off it, or back, within `kLong`.
-  void send(const ros::Time& begin, double from_mm, double to_mm) {
+  void send(const ros::Time& begin, double from_mm, double to_mm) { send(goalOf(begin, from_mm, to_mm)); }
+  follow::Goal goalOf(const ros::Time& begin, double from_mm, double to_mm) const {
     follow::Goal goal;
     goal.trajectory.header.stamp = begin;
     goal.trajectory.joint_names = jointNames(*model_);
@@ -55,6 +56,9 @@ class Controlled {
       goal.trajectory.points.push_back(toMessage(point, model_->joints()));
       goal.trajectory.points.back().time_from_start = ros::Duration(off_mm == from_mm ? 0.0 : kLong);
     }
+    return goal;
+  }
+  void send(const follow::Goal& goal) {
     stamps.clear();
     client_.sendGoal(goal, Client::SimpleDoneCallback(), Client::SimpleActiveCallback(),
                      [this](const auto& feedback) { stamps.push_back(feedback->header.stamp); });
@@ -74,6 +78,7 @@ class Controlled {
     return client_.getState();
   }
   std::string reason() { return client_.getResult()->error_string; }
+  std::int32_t code() { return client_.getResult()->error_code; }
   /// Of process states since the index, those that flow.
   std::size_t flowing(std::size_t since) const {
     std::size_t count = 0;
@@ -133,8 +138,61 @@ TEST(SimulatedController, AJointThatLeavesItsPathEndsTheGoal) {
   ASSERT_TRUE(controlled.isReady());
   controlled.send(ros::Time(), 0.0, 20.0);
   EXPECT_EQ(controlled.ends(), GoalState::ABORTED);
-  EXPECT_NE(controlled.reason().find("left its path by more than 1"), std::string::npos)
-      << controlled.reason();
+  EXPECT_EQ(controlled.code(), follow::Result::PATH_TOLERANCE_VIOLATED + 0) << controlled.reason();
+  EXPECT_NE(controlled.reason().find("off its path; expected 1.0"), std::string::npos) << controlled.reason();
+}
+
+/// Each code of the action, of a controller whose joints trail by a second and that has no tolerance of its
+/// own.
+TEST(SimulatedController, GivesEachCodeOfTheActionForItsFault) {
+  Controlled controlled("trailing");
+  ASSERT_TRUE(controlled.isReady());
+  const auto endsAs = [&](const follow::Goal& goal, std::int32_t code, const std::string& reason) {
+    controlled.send(goal);
+    EXPECT_EQ(controlled.ends(), code == 0 ? GoalState::SUCCEEDED : GoalState::ABORTED) << reason;
+    EXPECT_EQ(controlled.code(), code) << reason << "; is " << controlled.reason();
+    EXPECT_NE(controlled.reason().find(reason), std::string::npos) << controlled.reason();
+  };
+  const auto goal = [&] { return controlled.goalOf(ros::Time(), 0.0, 5.0); };
+  follow::Goal unnamed = goal();
+  unnamed.trajectory.joint_names[0] = "elbow";
+  endsAs(unnamed, follow::Result::INVALID_JOINTS, "named 0 times");
+  follow::Goal twice = goal();
+  twice.trajectory.joint_names.push_back(twice.trajectory.joint_names[0]);
+  endsAs(twice, follow::Result::INVALID_JOINTS, "named 2 times");
+  follow::Goal foreign = goal();
+  foreign.path_tolerance.resize(1);
+  foreign.path_tolerance[0].name = "elbow";
+  endsAs(foreign, follow::Result::INVALID_JOINTS, "a tolerance is of joint 'elbow'");
+  endsAs(controlled.goalOf(ros::Time::now() - ros::Duration(60.0), 0.0, 5.0),
+         follow::Result::OLD_HEADER_TIMESTAMP, "in the past");
+  follow::Goal empty = goal();
+  empty.trajectory.points.clear();
+  endsAs(empty, follow::Result::INVALID_GOAL, "without points");
+  follow::Goal far = controlled.goalOf(ros::Time(), 0.0, 1e5);
+  endsAs(far, follow::Result::INVALID_GOAL, "a point is at joint");
+  const std::string joint = goal().trajectory.joint_names[0];
+  follow::Goal tight = goal();
+  tight.path_tolerance.resize(1);
+  tight.path_tolerance[0].name = joint;
+  tight.path_tolerance[0].position = 0.001;
+  endsAs(tight, follow::Result::PATH_TOLERANCE_VIOLATED, "joint '" + joint + "'");
+  // It trails by some mm at the goal's time, and comes within 1 mm some seconds later.
+  const ros::Duration settle(8.0);
+  settle.sleep();
+  follow::Goal hasty = controlled.goalOf(ros::Time(), 0.0, 20.0);
+  hasty.goal_tolerance = tight.path_tolerance;
+  hasty.goal_time_tolerance = ros::Duration(0.3);
+  endsAs(hasty, follow::Result::GOAL_TOLERANCE_VIOLATED, "off its goal");
+  settle.sleep();
+  follow::Goal patient = controlled.goalOf(ros::Time(), 20.0, 0.0);
+  patient.goal_tolerance = hasty.goal_tolerance;
+  patient.goal_time_tolerance = ros::Duration(30.0);
+  endsAs(patient, follow::Result::SUCCESSFUL, "");
+  follow::Goal any = controlled.goalOf(ros::Time(), 0.0, 5.0);
+  any.goal_tolerance = hasty.goal_tolerance;
+  any.goal_tolerance[0].position = -1.0;
+  endsAs(any, follow::Result::SUCCESSFUL, "");
 }
 
 }  // namespace

@@ -217,7 +217,7 @@ JointValues Jog::nozzleRates(const JogOrder& order, const JointValues& position,
       jacobian.col(j) *= kMillimetres;
   const double damping = kDamping * std::max(0.0, 1.0 - model_.singularityMargin(position) / kDamped);
   const Eigen::JacobiSVD<Eigen::MatrixXd> parts(jacobian, Eigen::ComputeThinU | Eigen::ComputeThinV);
-  const Eigen::VectorXd values = parts.singularValues();
+  const Eigen::VectorXd& values = parts.singularValues();
   Eigen::VectorXd inverse = Eigen::VectorXd::Zero(values.size());
   for (Eigen::Index i = 0; i < values.size(); ++i)
     if (values[i] > kNone * values[0]) inverse[i] = values[i] / (values[i] * values[i] + damping * damping);

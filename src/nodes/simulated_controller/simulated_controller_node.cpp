@@ -39,13 +39,15 @@ std::string textOf(const DrivenJoint& joint, double is, double low, double high)
          std::to_string(high);
 }
 
+/// @throws GoalFault as OLD_HEADER_TIMESTAMP if all points are past
 /// @throws InvalidInput if a joint leaves its limits, is too fast, or would have to jump to join the points
 void requireFeasible(const TrajectoryChunk& chunk, const KinematicModel& model, const JointState& now) {
   const auto joining = std::find_if(chunk.points.begin(), chunk.points.end(),
                                     [&](const JointState& point) { return point.time_s > now.time_s; });
   if (joining == chunk.points.end())
-    throw InvalidInput("the last point is " + std::to_string(now.time_s - chunk.points.back().time_s) +
-                       " s in the past; expected one that is still to come");
+    throw GoalFault(follow::Result::OLD_HEADER_TIMESTAMP,
+                    "the last point is " + std::to_string(now.time_s - chunk.points.back().time_s) +
+                        " s in the past; expected one that is still to come");
   for (std::size_t j = 0; j < model.joints().size(); ++j) {
     const DrivenJoint& joint = model.joints()[j];
     const auto i = static_cast<Eigen::Index>(j);
@@ -104,14 +106,20 @@ void SimulatedControllerNode::onGoal() {
   const auto goal = server_.acceptNewGoal();
   try {
     accept(*goal);
+  } catch (const GoalFault& fault) {
+    giveUp(fault.code(), fault.what());
   } catch (const Error& error) {
-    follow::Result result;
-    result.error_code = follow::Result::INVALID_GOAL;
-    result.error_string = error.what();
-    ROS_ERROR("goal refused: %s", error.what());
-    brake();
-    server_.setAborted(result, error.what());
+    giveUp(follow::Result::INVALID_GOAL, error.what());
   }
+}
+
+void SimulatedControllerNode::giveUp(std::int32_t code, const std::string& why) {
+  follow::Result result;
+  result.error_code = code;
+  result.error_string = why;
+  ROS_ERROR("goal refused or given up: %s", why.c_str());
+  brake();
+  server_.setAborted(result, why);
 }
 
 void SimulatedControllerNode::brake() {
@@ -129,6 +137,8 @@ double SimulatedControllerNode::latenessOf(const ros::Time& begin) const {
 }
 
 void SimulatedControllerNode::accept(const follow::Goal& goal) {
+  requireJoints(goal.trajectory.joint_names, *model_);
+  const GoalTolerances tolerances(goal, *model_, settings_.path_tolerance);
   if (goal.trajectory.points.empty()) throw InvalidInput("a goal without points; expected one at least");
   const ros::Time begin =
       goal.trajectory.header.stamp.isZero() ? clientStampOf(clock_.now()) : goal.trajectory.header.stamp;
@@ -149,6 +159,7 @@ void SimulatedControllerNode::accept(const follow::Goal& goal) {
   controller_.accept(chunk);
   if (!goal.trajectory.header.stamp.isZero()) awaited_.hearGoal(begin);
   goal_end_s_ = chunk.points.back().time_s;
+  tolerances_ = tolerances;
 }
 
 /// A goal that is cancelled, and not followed by another, brakes the machine.
@@ -163,15 +174,15 @@ void SimulatedControllerNode::onTick() {
   catchUp();
   warnOfStarvation();
   if (!server_.isActive()) return;
-  if (isOutOfTolerance()) {
-    follow::Result result;
-    result.error_code = follow::Result::PATH_TOLERANCE_VIOLATED;
-    result.error_string = "a joint left its path by more than " + std::to_string(settings_.path_tolerance);
-    brake();
-    return server_.setAborted(result, result.error_string);
-  }
+  const GoalTolerances::Motion motion{controller_.wanted(), controller_.position(), controller_.velocity()};
+  const std::string off = tolerances_.faultOnTheWay(motion, *model_);
+  if (!off.empty()) return giveUp(follow::Result::PATH_TOLERANCE_VIOLATED, off);
   // While time stands still, more of the goal's motion may come.
-  if (clock_.now() >= goal_end_s_ && !stands_since_) server_.setSucceeded();
+  if (clock_.now() < goal_end_s_ || stands_since_) return;
+  const std::string far = tolerances_.faultAtTheEnd(motion, *model_);
+  if (far.empty()) return server_.setSucceeded();
+  if (clock_.now() >= goal_end_s_ + tolerances_.patience())
+    giveUp(follow::Result::GOAL_TOLERANCE_VIOLATED, far);
 }
 
 void SimulatedControllerNode::catchUp() {
@@ -222,11 +233,6 @@ void SimulatedControllerNode::warnOfStarvation() {
   if (starvations == starvations_) return;
   starvations_ = starvations;
   ROS_WARN("nothing left to follow while moving: braking, process off");
-}
-
-bool SimulatedControllerNode::isOutOfTolerance() const {
-  if (settings_.path_tolerance <= 0.0) return false;
-  return (controller_.wanted() - controller_.position()).cwiseAbs().maxCoeff() > settings_.path_tolerance;
 }
 
 void SimulatedControllerNode::report(const ros::Time& now) {

@@ -14,6 +14,7 @@
 #include "awaited_process.hpp"
 #include "controller_settings.hpp"
 #include "follow_joint_trajectory.hpp"
+#include "goal_tolerances.hpp"
 #include "laid_material.hpp"
 #include "lamina/base/manual_clock.hpp"
 #include "machine_transforms.hpp"
@@ -39,6 +40,7 @@ class SimulatedControllerNode {
   void onGoal();
   void onPreempt();
   void accept(const follow::Goal& goal);
+  void giveUp(std::int32_t code, const std::string& why);
   void brake();
   ros::Time clientStampOf(double time_s) const;
   double latenessOf(const ros::Time& begin) const;
@@ -55,7 +57,6 @@ class SimulatedControllerNode {
   void mountSensor();
   Eigen::Isometry3d bedFromSensor() const;
   void publishFeedback(const ros::Time& now);
-  bool isOutOfTolerance() const;
 
   ControllerSettings settings_;
   std::unique_ptr<const KinematicModel> model_;
@@ -80,6 +81,7 @@ class SimulatedControllerNode {
   ros::Subscriber process_trajectory_;
   ros::Timer timer_;
   double goal_end_s_ = 0.0;
+  GoalTolerances tolerances_;    ///< of the goal under way
   std::size_t starvations_ = 0;  ///< reported so far
   Server server_;
 };

@@ -80,13 +80,13 @@ void JogDriver::allow() {
 }
 
 void JogDriver::onTwist(const Event<geometry_msgs::TwistStamped>& event) {
-  const auto message = event.getConstMessage();
+  const auto& message = event.getConstMessage();
   give(event.getPublisherName(), message->header.frame_id,
        [&](const JointValues& position) { return orderOf(*message, position); });
 }
 
 void JogDriver::onJoints(const Event<sensor_msgs::JointState>& event) {
-  const auto message = event.getConstMessage();
+  const auto& message = event.getConstMessage();
   give(event.getPublisherName(), "joints",
        [&](const JointValues& /*position*/) { return orderOf(*message); });
 }
@@ -134,7 +134,7 @@ JogAnswer JogDriver::follow(const std::string& holder, const MakeOrder& make, do
   // What cannot be read changes nothing: what is under way ends with its lease.
   const JogOrder order = make(jog_->at(now_s + settings_.jog.reaction_s).position);
   try {
-    const JogAnswer answer = jog_->order(order, now_s, settings_.is_clearance_checked ? guard : JogGuard());
+    JogAnswer answer = jog_->order(order, now_s, settings_.is_clearance_checked ? guard : JogGuard());
     send();
     return answer;
   } catch (const InvalidInput&) {

@@ -20,7 +20,7 @@ class PulseSender {
   /// @param socket  path of the listener's; empty for no pulses
   /// @param pulse   called from the sender's thread
   /// @throws InvalidInput if the path is longer than a socket's may be
-  PulseSender(std::string socket, std::function<MachinePulse()> pulse);
+  PulseSender(const std::string& socket, std::function<MachinePulse()> pulse);
   ~PulseSender();
   PulseSender(const PulseSender&) = delete;
   PulseSender& operator=(const PulseSender&) = delete;

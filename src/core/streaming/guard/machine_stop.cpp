@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <boost/asio/io_context.hpp>
 #include <chrono>
+#include <exception>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -100,8 +101,12 @@ class OpenPort {
     link_->open({[this](std::string_view bytes) { heard_.append(bytes); }, [](const std::string&) {}});
   }
   ~OpenPort() {
-    link_->close();
-    runFor(kPoll);
+    try {
+      link_->close();
+      runFor(kPoll);
+    } catch (const std::exception&) {
+      // What had to be sent is sent; the port closes with the process.
+    }
   }
   OpenPort(const OpenPort&) = delete;
   OpenPort& operator=(const OpenPort&) = delete;

@@ -124,7 +124,7 @@ class PulseSender::Impl {
   std::thread thread_;
 };
 
-PulseSender::PulseSender(std::string socket, std::function<MachinePulse()> pulse) {
+PulseSender::PulseSender(const std::string& socket, std::function<MachinePulse()> pulse) {
   if (!socket.empty()) impl_ = std::make_unique<Impl>(socket, std::move(pulse));
 }
 PulseSender::~PulseSender() = default;
