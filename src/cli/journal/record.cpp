@@ -212,15 +212,16 @@ void printRecord(const RecordArguments& arguments, Chosen& chosen) {
     file.write(page(tables, checked.faults));
     file.commit();
   }
-  if (!arguments.files.empty()) writeFiles(store, checked.files, arguments.files);
   if (chosen.format == OutputFormat::Json) {
     const Json json = {{"record", record}, {"faults", checked.faults}};
     std::printf("%s\n", json.dump(2).c_str());
-    return;
+  } else {
+    std::fputs(printed(tables).c_str(), stdout);
+    for (const std::string& fault : checked.faults) std::fprintf(stderr, "lamina: %s\n", fault.c_str());
+    if (checked.faults.empty()) std::puts("all digests are right");
   }
-  std::fputs(printed(tables).c_str(), stdout);
-  for (const std::string& fault : checked.faults) std::fprintf(stderr, "lamina: %s\n", fault.c_str());
-  if (checked.faults.empty()) std::puts("all digests are right");
+  // Last: what cannot be written hides nothing of the record.
+  if (!arguments.files.empty()) writeFiles(store, checked.files, arguments.files);
 }
 
 }  // namespace
