@@ -212,16 +212,15 @@ void printRecord(const RecordArguments& arguments, Chosen& chosen) {
     file.write(page(tables, checked.faults));
     file.commit();
   }
+  if (!arguments.files.empty()) writeFiles(store, checked.files, arguments.files);
   if (chosen.format == OutputFormat::Json) {
     const Json json = {{"record", record}, {"faults", checked.faults}};
     std::printf("%s\n", json.dump(2).c_str());
-  } else {
-    std::fputs(printed(tables).c_str(), stdout);
-    for (const std::string& fault : checked.faults) std::fprintf(stderr, "lamina: %s\n", fault.c_str());
-    if (checked.faults.empty()) std::puts("all digests are right");
+    return;
   }
-  // Last: what cannot be written hides nothing of the record.
-  if (!arguments.files.empty()) writeFiles(store, checked.files, arguments.files);
+  std::fputs(printed(tables).c_str(), stdout);
+  for (const std::string& fault : checked.faults) std::fprintf(stderr, "lamina: %s\n", fault.c_str());
+  if (checked.faults.empty()) std::puts("all digests are right");
 }
 
 }  // namespace
