@@ -83,8 +83,31 @@ TEST(PartRecord, KeepsTheMapsThatThePartWasCorrectedBy) {
   EXPECT_EQ(checked.files[1].name, "layer_1.csv");
   EXPECT_EQ(checked.files[1].bytes, 18U);
   std::filesystem::remove(made.store.pathOf(made.map));
-  EXPECT_EQ(readRecord(made.journal, made.store, made.job).faults,
-            std::vector<std::string>{"layer_1.csv is gone, or no longer has its digest"});
+  const CheckedRecord without = readRecord(made.journal, made.store, made.job);
+  EXPECT_EQ(without.faults, std::vector<std::string>{"layer_1.csv is gone, or no longer has its digest"});
+  EXPECT_EQ(without.files.size(), 1U);
+}
+
+TEST(PartRecord, TakesNoPathForADigest) {
+  MadePart made;
+  std::ofstream(made.folder.path() + "/secret.csv") << "secret";
+  std::string json = readRecord(made.journal, made.store, made.job).record.json;
+  json.replace(json.find(made.map.sha256), made.map.sha256.size(), "../secret");
+  replaceFile(made.store.pathOf(ExecutionLog(made.journal).part(made.execution)->record), json);
+  const CheckedRecord checked = readRecord(made.journal, made.store, made.job);
+  ASSERT_EQ(checked.files.size(), 1U);
+  EXPECT_EQ(checked.files[0].name, "a.gcode");
+  ASSERT_EQ(checked.faults.size(), 2U) << "the record's own digest, and that of the map";
+  EXPECT_EQ(checked.faults[1], "layer_1.csv has the digest '../secret'; expected 64 hexadecimal digits");
+}
+
+TEST(PartRecord, OfOtherTypesThanExpectedIsRead) {
+  MadePart made;
+  const std::string path = made.store.pathOf(ExecutionLog(made.journal).part(made.execution)->record);
+  replaceFile(path, R"({"corrections": [{"sha256": 1, "bytes": "x", "kind": [], "name": {}}, 3]})");
+  const CheckedRecord checked = readRecord(made.journal, made.store, made.job);
+  EXPECT_EQ(checked.files.size(), 1U);
+  EXPECT_GE(checked.faults.size(), 3U);
 }
 
 TEST(PartRecord, NamesEachFileThatHasChanged) {

@@ -71,6 +71,8 @@ TEST_F(WatchedJob, LosesItsBedWhenItGetsColdUnderItsTarget) {
 TEST_F(WatchedJob, LosesItsBedWhenSomebodyElseSwitchesItOff) {
   report(90.0, 90.0);
   report(90.0, 0.0);
+  EXPECT_EQ(found(), "") << "its line may be on its way";
+  reportFor(5.0, 90.0, 0.0);
   EXPECT_EQ(found(), "B");
   EXPECT_EQ(reason(), "the bed's target is 0 degC, which the program has not set; expected 90 degC");
   report(90.0, 90.0);
@@ -87,6 +89,24 @@ TEST_F(WatchedJob, KeepsATargetThatTheProgramHasChanged) {
   EXPECT_EQ(found(), "");
   reportFor(10.0, 77.0, 80.0);
   EXPECT_EQ(found(), "B") << "and then below its new target";
+}
+
+TEST_F(WatchedJob, KeepsATargetThatIsReportedBeforeItsLineCountsAsSent) {
+  report(90.0, 90.0);
+  report(90.0, 100.0);
+  watch_.onSent("M190 S100");
+  EXPECT_EQ(found(), "");
+  for (double bed_c = 90.0; bed_c < 100.0; bed_c += 0.1) report(bed_c, 100.0);
+  EXPECT_EQ(found(), "");
+  reportFor(10.0, 95.0, 100.0);
+  EXPECT_EQ(found(), "B") << "it is kept from then on";
+}
+
+TEST_F(WatchedJob, TakesAForeignTargetBackThatItsProgramSetsLate) {
+  reportFor(10.0, 90.0, 100.0);
+  EXPECT_EQ(found(), "B");
+  watch_.onSent("M190 S100");
+  EXPECT_EQ(found(), "");
 }
 
 TEST_F(WatchedJob, LetsABedHeatToANewTarget) {

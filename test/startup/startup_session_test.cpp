@@ -47,7 +47,10 @@ class StartupSessionTest : public testing::Test {
   }
   void startSession() {
     session_ = std::make_unique<StartupSession>(settings_, stream_, MachinePort{port(), 115200},
-                                                StartupSession::Observer());
+                                                [this](const auto& steps) {
+                                                  const std::lock_guard<std::mutex> lock(mutex_);
+                                                  told_ = steps;
+                                                });
   }
   std::string port() const { return folder_.file("machine"); }
 
@@ -106,6 +109,7 @@ class StartupSessionTest : public testing::Test {
   StreamSettings stream_;
   mutable std::mutex mutex_;
   std::vector<std::string> commands_;
+  std::vector<StartupStatus> told_;  ///< to the observer, last
   std::unique_ptr<EmulatedMachine> machine_;
   std::unique_ptr<StartupSession> session_;
 };
@@ -172,6 +176,24 @@ TEST_F(StartupSessionTest, LeavesTheMachineSafeWhenItEnds) {
   EXPECT_DOUBLE_EQ(machine_->bedTarget(), 40.0);
   session_.reset();
   EXPECT_DOUBLE_EQ(machine_->bedTarget(), 0.0);
+  ASSERT_FALSE(told_.empty());
+  for (const StartupStatus& status : told_) {
+    EXPECT_NE(status.state, State::Done) << toString(status.step);
+    EXPECT_NE(status.state, State::Running) << toString(status.step);
+  }
+}
+
+TEST_F(StartupSessionTest, SaysThatABedIsHotThatItMayNotSwitchOff) {
+  settings_.abort_code.clear();
+  plugIn();
+  startSession();
+  run(StartupSessionStep::HeatBed);
+  expectState(StartupSessionStep::HeatBed, State::Done);
+  session_.reset();
+  EXPECT_DOUBLE_EQ(machine_->bedTarget(), 40.0);
+  EXPECT_TRUE(std::any_of(told_.begin(), told_.end(), [](const StartupStatus& status) {
+    return status.step == StartupSessionStep::HeatBed && status.state == State::Done;
+  }));
 }
 
 TEST_F(StartupSessionTest, ReportsThatNoMachineIsThere) {

@@ -35,7 +35,7 @@ void keepRecord(CellJournal& journal, ArtefactStore& store, std::int64_t executi
 /// A record that was read, and what is wrong with it or with the files that it names.
 struct CheckedRecord {
   PartRecord record;
-  std::vector<Artefact> files;      ///< of the job, and of the corrections it was laid with
+  std::vector<Artefact> files;      ///< of the job and its corrections, whose digests are right
   std::vector<std::string> faults;  ///< none if every digest is the one that the journal keeps
 };
 

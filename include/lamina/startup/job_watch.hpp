@@ -51,6 +51,12 @@ class JobWatch {
   std::vector<JobLoss> losses() const;
 
  private:
+  /// Of the bed, that the program has not set.
+  struct ForeignTarget {
+    double target_c = 0.0;
+    double since_s = 0.0;
+    bool is_believed = false;  ///< it lasts
+  };
   void followTarget(const ReportedTemperatures& temperatures, double now_s);
   void followBed(double bed_c, double now_s);
   void release(const std::string& command);
@@ -70,7 +76,7 @@ class JobWatch {
   double target_since_s_ = 0.0;  ///< when it was first reported
   bool is_reached_ = true;
   double bed_c_ = 0.0;
-  std::optional<double> foreign_target_c_;
+  std::optional<ForeignTarget> foreign_;
   std::optional<double> cold_since_s_;
   bool is_cold_ = false;
   bool is_late_ = false;

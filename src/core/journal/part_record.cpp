@@ -22,6 +22,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int kRecordVersion = 1;
+constexpr std::size_t kDigestDigits = 64;
 
 Json numberOrNull(const std::optional<double>& number) {
   if (number && std::isfinite(*number)) return *number;
@@ -137,20 +138,52 @@ std::string serialOf(const ExecutionRow& execution) {
   return std::to_string(execution.job) + '-' + std::to_string(execution.attempt);
 }
 
+/// Whether it can be the name of a kept file, and nothing but that: a changed record may hold any path.
+bool isDigest(const std::string& text) {
+  return text.size() == kDigestDigits && text.find_first_not_of("0123456789abcdef") == std::string::npos;
+}
+
+std::string textIn(const Json& object, const char* key) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_string() ? found->get<std::string>() : "";
+}
+
 /// Of what is no list of files, none.
 std::vector<Artefact> artefactsIn(const Json& json) {
   std::vector<Artefact> artefacts;
   if (!json.is_array()) return artefacts;
   for (const Json& each : json) {
     if (!each.is_object()) continue;
-    artefacts.push_back({each.value("sha256", ""), each.value("bytes", std::uint64_t{0}),
-                         each.value("kind", ""), each.value("name", "")});
+    const auto bytes = each.find("bytes");
+    const bool has_size = bytes != each.end() && bytes->is_number_unsigned();
+    artefacts.push_back({textIn(each, "sha256"), has_size ? bytes->get<std::uint64_t>() : 0,
+                         textIn(each, "kind"), textIn(each, "name")});
   }
   return artefacts;
 }
 
 Artefact layersArtefact(const std::string& csv) {
   return {sha256Of(csv), csv.size(), "layers", "layers.csv"};
+}
+
+struct CheckedFiles {
+  std::vector<Artefact> right;
+  std::vector<std::string> faults;
+};
+
+CheckedFiles checkFiles(std::vector<Artefact> files, const ArtefactStore& store) {
+  CheckedFiles checked;
+  checked.right.reserve(files.size());
+  for (Artefact& file : files) {
+    if (!isDigest(file.sha256))
+      checked.faults.push_back(file.name + " has the digest '" + file.sha256 +
+                               "'; expected 64 hexadecimal digits");
+    else if (!store.torn({file}).empty())
+      checked.faults.push_back(file.name + " is gone, or no longer has its digest");
+    else
+      checked.right.push_back(std::move(file));
+  }
+  return checked;
 }
 
 std::string readOrNothing(const std::string& path) {
@@ -224,16 +257,18 @@ CheckedRecord readRecord(CellJournal& journal, const ArtefactStore& store, std::
     faults.push_back("record.json no longer has the digest that the journal keeps: " + part->record.sha256);
   const Json json = Json::parse(checked.record.json, nullptr, false);
   const Json layers = json.is_object() ? json.value("layers", Json::object()) : Json::object();
-  const std::string layers_digest = layers.value("sha256", "");
-  checked.record.layers_csv = readOrNothing(store.pathOf({layers_digest, 0, "layers", "layers.csv"}));
+  const std::string layers_digest = textIn(layers, "sha256");
+  if (isDigest(layers_digest))
+    checked.record.layers_csv = readOrNothing(store.pathOf({layers_digest, 0, "layers", "layers.csv"}));
   if (layersArtefact(checked.record.layers_csv).sha256 != layers_digest)
     faults.push_back("layers.csv is gone, or no longer has its digest: " + layers_digest);
   const QueuedJob known = journal.job(job);
-  checked.files = known.artefacts;
+  std::vector<Artefact> files = known.artefacts;
   const Json corrections = json.is_object() ? json.value("corrections", Json::array()) : Json::array();
-  for (Artefact& file : artefactsIn(corrections)) checked.files.push_back(std::move(file));
-  for (const std::string& torn : store.torn(checked.files))
-    faults.push_back(torn + " is gone, or no longer has its digest");
+  for (Artefact& file : artefactsIn(corrections)) files.push_back(std::move(file));
+  CheckedFiles kept = checkFiles(std::move(files), store);
+  checked.files = std::move(kept.right);
+  faults.insert(faults.end(), kept.faults.begin(), kept.faults.end());
   if (jobDigest(known.artefacts) != known.digest)
     faults.push_back("the files of the job are not those that its digest was made of: " + known.digest);
   if (!json.is_object() || json.value("job", Json::object()).value("digest", "") != known.digest)

@@ -39,7 +39,11 @@ void JobWatch::onSent(const std::string& command) {
   const std::string code = codeOf(command);
   if (code == "M140" || code == "M190") {
     const auto target_c = bedTargetIn(command);
-    if (target_c) asked_c_.push_back(*target_c);
+    if (target_c) {
+      asked_c_.push_back(*target_c);
+      // The report of a target may come before the word that its line was sent.
+      if (foreign_ && isSame(*target_c, foreign_->target_c)) foreign_.reset();
+    }
   } else if (code == "M84" || code == "M18" || code == "M410") {
     release(code == "M410" ? "M410" : command);
   } else if (code == "G28") {
@@ -78,14 +82,18 @@ void JobWatch::onReply(const FirmwareReply& reply, double now_s) {
 void JobWatch::followTarget(const ReportedTemperatures& temperatures, double now_s) {
   const double reported_c =
       temperatures.bed_target_c.value_or(asked_c_.empty() ? target_c_ : asked_c_.back());
-  foreign_target_c_.reset();
-  if (isSame(reported_c, target_c_)) return;
+  if (isSame(reported_c, target_c_)) {
+    foreign_.reset();
+    return;
+  }
   const auto asked = std::find_if(asked_c_.begin(), asked_c_.end(),
                                   [&](double target_c) { return isSame(target_c, reported_c); });
   if (asked == asked_c_.end() && !is_opaque_) {
-    foreign_target_c_ = reported_c;
+    if (!foreign_ || !isSame(foreign_->target_c, reported_c)) foreign_ = ForeignTarget{reported_c, now_s};
+    foreign_->is_believed = now_s - foreign_->since_s >= kColdFor;
     return;
   }
+  foreign_.reset();
   if (asked != asked_c_.end()) asked_c_.erase(asked_c_.begin(), asked + 1);
   target_c_ = reported_c;
   target_since_s_ = now_s;
@@ -106,9 +114,9 @@ void JobWatch::followBed(double bed_c, double now_s) {
 }
 
 std::optional<JobLoss> JobWatch::bedLoss() const {
-  if (foreign_target_c_)
+  if (foreign_ && foreign_->is_believed)
     return JobLoss{KeptCondition::Bed,
-                   "the bed's target is " + shortNumber(*foreign_target_c_) +
+                   "the bed's target is " + shortNumber(foreign_->target_c) +
                        " degC, which the program has not set; expected " + shortNumber(target_c_) + " degC",
                    bed_c_};
   const std::string found = "the bed is at " + shortNumber(bed_c_) + " degC; expected at least " +

@@ -113,6 +113,7 @@ void requireStreamable(const StartupSettings& settings, const StreamSettings& st
 }
 
 constexpr double kPoll = 0.1;  // s
+constexpr const char* kEnded = "the start-up's process was ended";
 
 /// Leaves a mutex alone while it lives.
 class Unlocked {
@@ -259,7 +260,9 @@ void StartupSession::Impl::heard(const FirmwareReply& reply) {
 void StartupSession::Impl::watchJob(const StreamableProgram& program, WatchedLines lines) {
   const Lock lock(mutex_);
   if (isEmpty()) return;
-  const bool is_dry = startup_.stateOf(StartupStep::DryPellets) == StartupState::Done;
+  // Of a dryer that reports nothing, the clock alone would end a long job.
+  const bool is_dry =
+      !settings_.dry_label.empty() && startup_.stateOf(StartupStep::DryPellets) == StartupState::Done;
   job_.emplace(WatchedJob{JobWatch(settings_, lines), program.open(), 0, is_dry});
 }
 
@@ -341,7 +344,13 @@ void StartupSession::Impl::work() {
     if (task_ == task) task_ = Task::None;
     notify(lock);
   }
-  if (startup_.hasMachineAtWork()) leaveSafe(lock);
+  if (!startup_.hasMachineAtWork()) return;
+  const bool is_safe = leaveSafe(lock).empty() && !settings_.abort_code.empty();
+  if (is_safe) startup_.forgetMachine(kEnded);
+  for (const StartupStep step : allStartupSteps())
+    if (is_safe) startup_.giveUp(step, kEnded);
+  // Who is told last that a bed is hot would have the machine stopped once more.
+  notify(lock);
 }
 
 bool StartupSession::Impl::isInterrupted() const { return is_ending_ || task_ == Task::Abort; }

@@ -213,6 +213,9 @@ StreamStatus GcodeStreamer::streamProgram(const StreamableProgram& program, JobS
     if (corrected && first_layer_map_) corrected->hear(*first_layer_map_);
     corrected_ = corrected;
   }
+  // Before the machine has anything to do: the program may be gone.
+  const bool may_be_replaced = corrected && settings_.corrections.follows_plans;
+  startup_.watchJob(program, may_be_replaced ? WatchedLines::MayBeReplaced : WatchedLines::OfTheProgram);
   const auto session = std::make_shared<StreamSession>(
       sent, settings_.stream, settings_.port, [this](const StreamStatus& status) { onStatus(status); },
       SessionOptions{[this](const FirmwareReply& reply) { startup_.heard(reply); }, journal, start,
@@ -229,8 +232,6 @@ StreamStatus GcodeStreamer::streamProgram(const StreamableProgram& program, JobS
   if (!pulses_.isHeard())
     ROS_WARN("nobody listens at %s: no watch stops the machine if this node dies",
              settings_.guard_socket.c_str());
-  const bool may_be_replaced = corrected && settings_.corrections.follows_plans;
-  startup_.watchJob(program, may_be_replaced ? WatchedLines::MayBeReplaced : WatchedLines::OfTheProgram);
   StreamStatus status = follow(*session, [&](const StreamStatus& now) {
     watchStartup(*session, now);
     if (!execution.empty()) holdWithoutOwner(*session);

@@ -40,7 +40,11 @@ JobAlarms::JobAlarms(ros::NodeHandle node)
     : reports_(node.advertise<lamina_msgs::AlarmReport>(
           names::kAlarmReports, 100, [this](const ros::SingleSubscriberPublisher& listener) {
             const std::lock_guard<std::mutex> lock(mutex_);
-            for (const auto& [id, loss] : raised_) listener.publish(reportOf(id, loss));
+            // Those of a node that died are not raised any more.
+            for (const auto& [what, id] : kAlarms) {
+              const auto raised = raised_.find(id);
+              listener.publish(raised == raised_.end() ? reportOf(id) : reportOf(id, raised->second));
+            }
           })) {}
 
 void JobAlarms::tell(const std::vector<JobLoss>& losses) {

@@ -17,9 +17,11 @@ bool isAtWork(PackmlState state) {
   return state != PackmlState::Idle && state != PackmlState::Starting && !isFinal(state);
 }
 
-/// What a start-up has heated stays hot between jobs.
-bool isAtWork(const lamina_msgs::StartupStep& step) {
+/// What a start-up has heated stays hot between jobs. A dryer that the operator switched on is not this
+/// node's.
+bool isAtWork(const lamina_msgs::StartupStep& step, const StartupSettings& settings) {
   using Step = lamina_msgs::StartupStep;
+  if (step.name == "dry_pellets" && settings.dry_code.empty()) return false;
   return step.state == Step::RUNNING || (step.state == Step::DONE && step.name == "heat_bed");
 }
 
@@ -94,9 +96,10 @@ MachinePulse GcodeStreamer::pulse() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   MachinePulse pulse;
   const bool is_streaming = session_ != nullptr && isAtWork(status_.state);
-  const bool is_started_up =
-      std::any_of(steps_.begin(), steps_.end(), [](const auto& step) { return isAtWork(step); });
+  const bool is_started_up = std::any_of(
+      steps_.begin(), steps_.end(), [this](const auto& step) { return isAtWork(step, settings_.startup); });
   pulse.is_at_work = (is_streaming || is_started_up) && settings_.port.name.rfind("http", 0) != 0;
+  pulse.has_job = is_streaming;
   pulse.port = settings_.port;
   pulse.firmware = settings_.stream.firmware;
   const bool is_known = is_streaming || !status_.firmware_name.empty();

@@ -13,7 +13,8 @@ namespace {
 constexpr int kStreamer = 100;  // its process
 constexpr int kNext = 101;
 
-MachinePulse atWork() { return {true, {"/dev/ttyUSB0", 115200}, "marlin", "/a.gcode", false}; }
+MachinePulse atWork() { return {true, {"/dev/ttyUSB0", 115200}, "marlin", "/a.gcode", false, true}; }
+MachinePulse startingUp() { return {true, {"/dev/ttyUSB0", 115200}, "marlin", "", false, false}; }
 MachinePulse atRest() { return {false, {"/dev/ttyUSB0", 115200}, "marlin", "", false}; }
 
 std::vector<GuardNewsKind> kindsOf(const std::vector<GuardNews>& news) {
@@ -131,24 +132,114 @@ TEST(MachineGuard, TriesAgainUntilTheMachineHasConfirmed) {
   guard.hear(atWork(), kStreamer, 0.0);
   guard.end(kStreamer, 1.0);
   ASSERT_TRUE(guard.due(1.0));
-  guard.onStop(false, "no answer", 4.0);
+  guard.onStop({false, "no answer", false}, 4.0);
   EXPECT_EQ(guard.nextDeadline(), 6.0);
   ASSERT_TRUE(guard.due(6.0));
-  guard.onStop(false, "no answer", 7.0);
+  guard.onStop({false, "no answer", false}, 7.0);
   ASSERT_TRUE(guard.due(9.0));
-  guard.onStop(true, "at rest", 10.0);
+  guard.onStop({true, "at rest", true}, 10.0);
   EXPECT_EQ(kindsOf(guard.takeNews()),
             (Kinds{GuardNewsKind::Lost, GuardNewsKind::NotStopped, GuardNewsKind::Stopped}));
   EXPECT_FALSE(guard.due(1e6));
 }
 
-TEST(MachineGuard, TakesAnotherProcessForTheEndOfTheFirst) {
+TEST(MachineGuard, TellsTwoStreamersApart) {
+  MachineGuard guard({1.0, 10.0, 60.0, 2.0});
+  for (double now_s = 0.0; now_s < 5.0; now_s += 0.5) {
+    guard.hear(atWork(), kStreamer, now_s);
+    guard.hear(atRest(), kNext, now_s);
+  }
+  EXPECT_TRUE(guard.takeNews().empty()) << "both live";
+  guard.end(kStreamer, 5.0);
+  guard.hear(atRest(), kNext, 5.1);
+  EXPECT_EQ(kindsOf(guard.takeNews()), (Kinds{GuardNewsKind::Lost, GuardNewsKind::Back}));
+}
+
+TEST(MachineGuard, LetsNoStepOfAStartUpTakeUpAJob) {
   MachineGuard guard({1.0, 10.0, 60.0, 2.0});
   guard.hear(atWork(), kStreamer, 0.0);
-  guard.hear(atRest(), kNext, 0.5);
+  guard.end(kStreamer, 1.0);
+  for (double now_s = 3.0; now_s < 200.0; now_s += 0.5) {
+    guard.hear(startingUp(), kNext, now_s);
+    ASSERT_FALSE(guard.due(now_s)) << "somebody is at the machine, " << now_s;
+  }
+  for (double now_s = 200.0; now_s < 259.5; now_s += 0.5) {
+    guard.hear(atRest(), kNext, now_s);
+    ASSERT_FALSE(guard.due(now_s)) << now_s;
+  }
+  guard.hear(atRest(), kNext, 259.5);
+  const auto order = guard.due(259.5);
+  ASSERT_TRUE(order) << "60 s after the step";
+  EXPECT_EQ(order->machine.program, "/a.gcode") << "as the lost one left it";
+}
+
+TEST(MachineGuard, StopsWhatTheJobHasUsedWhenAStartUpDiesAfterIt) {
+  MachineGuard guard({1.0, 10.0, 60.0, 2.0});
+  guard.hear(atWork(), kStreamer, 0.0);
+  guard.end(kStreamer, 1.0);
+  guard.hear(startingUp(), kNext, 3.0);
+  guard.end(kNext, 3.5);
+  EXPECT_FALSE(guard.due(13.4));
+  const auto order = guard.due(13.5);
+  ASSERT_TRUE(order);
+  EXPECT_EQ(order->machine.program, "/a.gcode");
+}
+
+TEST(MachineGuard, TellsAFailureAnewAfterSomebodyWasBack) {
+  MachineGuard guard({1.0, 0.0, 60.0, 2.0});
+  guard.hear(atWork(), kStreamer, 0.0);
+  guard.end(kStreamer, 1.0);
+  ASSERT_TRUE(guard.due(1.0));
+  guard.onStop({false, "no answer", false}, 2.0);
+  guard.hear(atRest(), kNext, 3.0);
+  guard.takeNews();
+  for (double now_s = 3.5; now_s < 63.0; now_s += 0.5) guard.hear(atRest(), kNext, now_s);
+  ASSERT_TRUE(guard.due(63.0));
+  guard.onStop({false, "no answer", false}, 63.1);
+  EXPECT_EQ(kindsOf(guard.takeNews()), Kinds{GuardNewsKind::NotStopped});
+}
+
+TEST(MachineGuard, TellsAJobThatGoesOnAfterTheStopHadBegun) {
+  MachineGuard guard({1.0, 0.0, 60.0, 2.0});
+  guard.hear(atWork(), kStreamer, 0.0);
+  guard.end(kStreamer, 1.0);
+  ASSERT_TRUE(guard.due(1.0));
+  guard.onStop({false, "no answer", true}, 2.0);
+  guard.takeNews();
+  guard.hear(atRest(), kNext, 3.0);
+  guard.hear(atWork(), kNext, 3.5);
+  const auto news = guard.takeNews();
+  ASSERT_EQ(kindsOf(news), (Kinds{GuardNewsKind::Back, GuardNewsKind::Stopped}));
+  EXPECT_EQ(news[1].message, "the stop had begun when process 101 at /dev/ttyUSB0 came back");
+}
+
+TEST(MachineGuard, BelievesWhoHungThatItIsAtRest) {
+  MachineGuard guard({1.0, 10.0, 60.0, 2.0});
+  guard.hear(atWork(), kStreamer, 0.0);
+  EXPECT_FALSE(guard.due(1.0));
+  guard.hear(atRest(), kStreamer, 4.0);
   EXPECT_EQ(kindsOf(guard.takeNews()), (Kinds{GuardNewsKind::Lost, GuardNewsKind::Back}));
-  guard.end(kStreamer, 0.6);
-  EXPECT_TRUE(guard.takeNews().empty());
+  guard.end(kStreamer, 4.5);
+  EXPECT_FALSE(guard.due(1e6)) << "it has left the machine safe itself";
+}
+
+TEST(MachineGuard, EndsNoProcessThatHasEnded) {
+  MachineGuard guard({1.0, 10.0, 60.0, 2.0});
+  guard.hear(atWork(), kStreamer, 0.0);
+  EXPECT_FALSE(guard.due(1.0));
+  guard.end(kStreamer, 2.0);
+  const auto order = guard.due(11.0);
+  ASSERT_TRUE(order);
+  EXPECT_EQ(order->hung_process, 0) << "its number may be another's";
+}
+
+TEST(MachineGuard, StopsAtItsEndWhatNobodyHasTakenUp) {
+  MachineGuard guard({1.0, 10.0, 60.0, 2.0});
+  EXPECT_FALSE(guard.dueAtEnd());
+  guard.hear(atWork(), kStreamer, 0.0);
+  EXPECT_FALSE(guard.dueAtEnd()) << "its streamer lives";
+  guard.end(kStreamer, 1.0);
+  EXPECT_TRUE(guard.dueAtEnd());
 }
 
 /// Streamers that come, work, rest, hang and die at random, and what is due then.
@@ -194,7 +285,7 @@ class AnyStreamers {
     const auto order = guard_.due(now_s_);
     RC_ASSERT(order.has_value() == is_due);
     if (!order) return;
-    guard_.onStop(true, "", now_s_);
+    guard_.onStop({true, "", true}, now_s_);
     lost_s_.reset();
     is_left_ = false;
   }

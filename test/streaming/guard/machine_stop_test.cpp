@@ -39,6 +39,7 @@ TEST(MachineStop, IsConfirmedByTheMachine) {
   EXPECT_TRUE(report.is_confirmed) << report.message;
   EXPECT_EQ(report.message, "it is at rest, its heaters are off");
   EXPECT_EQ(begun, 1);
+  EXPECT_TRUE(report.has_begun);
   EXPECT_EQ(machine->nozzleTarget(), 0.0);
   EXPECT_EQ(machine->bedTarget(), 0.0);
 }
@@ -68,6 +69,7 @@ TEST(MachineStop, SwitchesOffWhatTheProgramHasUsed) {
 TEST(MachineStop, SaysThatNobodyIsThere) {
   const MachineStopReport report = stopMachine({true, {"/nowhere/machine", 115200}, "marlin", "", false}, {});
   EXPECT_FALSE(report.is_confirmed);
+  EXPECT_FALSE(report.has_begun);
   EXPECT_NE(report.message.find("/nowhere/machine"), std::string::npos) << report.message;
 }
 

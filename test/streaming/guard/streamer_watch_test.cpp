@@ -210,6 +210,24 @@ TEST(StreamerWatch, TriesAMachineAgainThatWasAway) {
   EXPECT_TRUE(comesTrue([&] { return told.count(GuardNewsKind::Stopped) == 1; }));
 }
 
+TEST(StreamerWatch, StopsAtItsEndAMachineWhoseGraceIsNotOver) {
+  const LeftMachine machine("watch_ends");
+  const std::string socket = inTemporary("watch_ends.pulse");
+  Told told;
+  {
+    const StreamerWatch watch(socket, {1.0, 1000.0, 0.0, 0.5}, told.observer());
+    machine.heat();
+    {
+      const PulsingProcess streamer(socket, machine.pulse());
+      ::usleep(100000);
+    }
+    ASSERT_TRUE(comesTrue([&] { return told.count(GuardNewsKind::Lost) == 1; }));
+    EXPECT_EQ(machine->nozzleTarget(), 200.0);
+  }
+  EXPECT_EQ(machine->nozzleTarget(), 0.0);
+  EXPECT_EQ(told.count(GuardNewsKind::Stopped), 1U);
+}
+
 TEST(PulseLink, CarriesThePulsesOfAProcessAndItsEnd) {
   const std::string socket = inTemporary("link.pulse");
   PulseListener listener(socket);

@@ -3,11 +3,13 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "lamina/streaming/guard/machine_pulse.hpp"
+#include "lamina/streaming/guard/machine_stop.hpp"
 
 namespace lamina {
 
@@ -42,7 +44,9 @@ struct GuardNews {
 /// work, and nobody has taken its work up in time. Pulses, ends of connections and times come in; orders and
 /// news come out. Times are seconds since any start and never go back.
 ///
-/// What was at rest is never stopped.
+/// What was at rest is never stopped. Only a job takes up what another process has left, or that process
+/// itself does: a step of a start-up delays the stop and no more. Once a stop has begun, what was left is
+/// lost, and a job that takes it up is told so as if the stop had been confirmed.
 class MachineGuard {
  public:
   explicit MachineGuard(GuardSettings settings) : settings_(settings) {}
@@ -53,8 +57,10 @@ class MachineGuard {
   void end(int process, double now_s);
   /// The machine that is to be stopped now, once; to be called at `nextDeadline` at the latest.
   std::optional<GuardOrder> due(double now_s);
+  /// The watch ends: what nobody has taken up is to be stopped now.
+  std::optional<GuardOrder> dueAtEnd();
   /// What became of the last order.
-  void onStop(bool is_confirmed, const std::string& message, double now_s);
+  void onStop(const MachineStopReport& report, double now_s);
 
   /// When time alone may have an effect; infinite for never.
   double nextDeadline() const;
@@ -68,16 +74,21 @@ class MachineGuard {
   };
   struct Left {
     MachinePulse machine;
-    int hung_process = 0;
+    int process = 0;       ///< that left it and may still live; 0: it has ended
+    int hung_process = 0;  ///< as in the order
     double due_s = 0.0;
+    bool is_touched = false;  ///< by a stop that was not confirmed
     bool is_watched_again = false;
     bool is_failure_told = false;
   };
+  void takeUp(const MachinePulse& pulse, int process);
+  void watchAgain(const MachinePulse& pulse, int process, double now_s);
+  std::optional<GuardOrder> order();
   void lose(const Streamer& streamer, int hung_process, const std::string& how, double now_s);
 
   GuardSettings settings_;
-  std::optional<Streamer> streamer_;  ///< that gives signs of life
-  std::optional<Left> left_;          ///< as a lost one left it
+  std::map<int, Streamer> streamers_;  ///< that give signs of life, by their processes
+  std::optional<Left> left_;           ///< as a lost one left it
   bool is_stopping_ = false;
   std::vector<GuardNews> news_;
 };

@@ -18,6 +18,7 @@ struct MachinePulse {
   std::string firmware = kAnyFirmware;  ///< name of the protocol; `auto` until it is known
   std::string program;                  ///< file of the job under way; empty for none
   bool keeps_heaters_on = false;        ///< at a safe stop
+  bool has_job = false;                 ///< it is at work on a job, and not on a step of a start-up alone
 };
 
 /// The longest text of a pulse [byte].

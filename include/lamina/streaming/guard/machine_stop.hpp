@@ -13,6 +13,7 @@ namespace lamina {
 struct MachineStopReport {
   bool is_confirmed = false;  ///< the machine itself has reported that it is at rest and heats nothing
   std::string message;
+  bool has_begun = false;  ///< its first bytes have left: what the machine was to do is lost
 };
 
 /// What is sent at once, without numbers, so that also firmware that waits for heat stops as soon as it reads

@@ -25,7 +25,7 @@ class StreamerWatch {
  public:
   /// @throws InvalidInput, DeviceError as `PulseListener`
   StreamerWatch(const std::string& socket, GuardSettings settings, WatchObserver observer);
-  /// Waits for a stop under way.
+  /// Waits for a stop under way, and stops what was left and not taken up, once.
   ~StreamerWatch();
   StreamerWatch(const StreamerWatch&) = delete;
   StreamerWatch& operator=(const StreamerWatch&) = delete;
@@ -34,6 +34,7 @@ class StreamerWatch {
   void run();
   void hear(double timeout_s);
   void tell();
+  void stop(const GuardOrder& order);
   void endHung(int process);
 
   SteadyClock clock_;

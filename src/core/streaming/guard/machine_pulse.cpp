@@ -11,8 +11,8 @@
 namespace lamina {
 namespace {
 
-constexpr std::string_view kHead = "lamina pulse 1";
-constexpr std::size_t kLines = 7;
+constexpr std::string_view kHead = "lamina pulse 2";
+constexpr std::size_t kLines = 8;
 constexpr int kFastestBaud = 4000000;
 
 std::string onOneLine(std::string text) {
@@ -44,6 +44,7 @@ std::string toText(const MachinePulse& pulse) {
   text += pulse.is_at_work ? "\n1\n" : "\n0\n";
   text += std::to_string(pulse.port.baud) + '\n';
   text += pulse.keeps_heaters_on ? "1\n" : "0\n";
+  text += pulse.has_job ? "1\n" : "0\n";
   text += onOneLine(pulse.firmware) + '\n' + onOneLine(pulse.port.name) + '\n' + onOneLine(pulse.program);
   return text + '\n';
 }
@@ -55,12 +56,11 @@ std::optional<MachinePulse> pulseIn(std::string_view text) {
   const auto at_work = numberIn(lines[1], 1);
   const auto baud = numberIn(lines[2], kFastestBaud);
   const auto heaters = numberIn(lines[3], 1);
-  if (!at_work || !baud || !heaters || lines[4].empty() || lines[5].empty()) return std::nullopt;
-  return MachinePulse{*at_work == 1,
-                      {std::string(lines[5]), *baud},
-                      std::string(lines[4]),
-                      std::string(lines[6]),
-                      *heaters == 1};
+  const auto job = numberIn(lines[4], 1);
+  if (!at_work || !baud || !heaters || !job || lines[5].empty() || lines[6].empty()) return std::nullopt;
+  return MachinePulse{*at_work == 1,         {std::string(lines[6]), *baud},
+                      std::string(lines[5]), std::string(lines[7]),
+                      *heaters == 1,         *job == 1};
 }
 
 std::string protocolOfFirmware(const std::string& firmware_name) {

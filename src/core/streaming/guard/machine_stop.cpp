@@ -212,17 +212,23 @@ std::string urgentStopOf(const std::string& firmware, bool keeps_heaters_on) {
 }
 
 MachineStopReport stopMachine(const MachinePulse& machine, const std::function<void()>& begun) {
+  bool has_begun = false;
+  const auto told = [&has_begun](MachineStopReport report) {
+    report.has_begun = has_begun;
+    return report;
+  };
   try {
     {
       OpenPort port(machine.port);
+      has_begun = true;
       port.send(urgentStopOf(machine.firmware, machine.keeps_heaters_on));
       if (begun) begun();
-      if (isGrbl(machine.firmware)) return resetGrbl(port);
+      if (isGrbl(machine.firmware)) return told(resetGrbl(port));
       port.hears("", kAnswers);
     }
-    return confirmed(machine);
+    return told(confirmed(machine));
   } catch (const Error& error) {
-    return {false, error.what()};
+    return told({false, error.what(), false});
   }
 }
 

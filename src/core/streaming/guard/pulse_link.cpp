@@ -24,6 +24,7 @@
 #include <utility>
 
 #include "lamina/base/error.hpp"
+#include "streaming/transport/thread_priority.hpp"
 
 namespace lamina {
 namespace {
@@ -90,6 +91,7 @@ class PulseSender::Impl {
 
  private:
   void run() {
+    preferThisThread();
     std::unique_lock<std::mutex> lock(mutex_);
     while (!is_ending_) {
       is_due_ = false;

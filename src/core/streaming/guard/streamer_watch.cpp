@@ -31,12 +31,18 @@ void StreamerWatch::run() {
     hear(guard_.nextDeadline() - clock_.now());
     const auto order = guard_.due(clock_.now());
     tell();
-    if (!order) continue;
-    if (order->hung_process > 0) endHung(order->hung_process);
-    const MachineStopReport report = stopMachine(order->machine, observer_.begun);
-    guard_.onStop(report.is_confirmed, order->machine.port.name + ": " + report.message, clock_.now());
-    tell();
+    if (order) stop(*order);
   }
+  // Nobody else knows of it.
+  if (const auto order = guard_.dueAtEnd()) stop(*order);
+}
+
+void StreamerWatch::stop(const GuardOrder& order) {
+  if (order.hung_process > 0) endHung(order.hung_process);
+  MachineStopReport report = stopMachine(order.machine, observer_.begun);
+  report.message = order.machine.port.name + ": " + report.message;
+  guard_.onStop(report, clock_.now());
+  tell();
 }
 
 void StreamerWatch::hear(double timeout_s) {
