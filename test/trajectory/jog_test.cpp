@@ -237,6 +237,31 @@ TEST(Jog, StaysInItsWorkspaceAndWhereTheGuardLetsIt) {
   EXPECT_GT(farthest, 5.0);
 }
 
+TEST(Jog, ChangesNothingOnceItsFirstPointIsPast) {
+  const TiltingGantry gantry;
+  Jog jog(gantry, testJog(), kRamp, jogStart());
+  jog.order(jointOrder(alongX(15.0)), 0.0);
+  const double rest_s = jog.restTime();
+  const JointValues end = jog.at(rest_s).position;
+  double time_s = 0.15;
+  const JogClock clock = [&] { return time_s; };
+  const JogGuard slow = [&](const std::vector<JointValues>&) {
+    time_s += 0.2;
+    return std::string();
+  };
+  const JogAnswer late = jog.order(jointOrder(alongX(-15.0)), time_s, slow, clock);
+  EXPECT_EQ(late.scale, 0.0);
+  EXPECT_NE(late.reason.find("too late"), std::string::npos) << late.reason;
+  EXPECT_TRUE(jog.chunk().points.empty());
+  EXPECT_EQ(jog.restTime(), rest_s);
+  EXPECT_EQ(jog.at(rest_s).position, end);
+  EXPECT_THROW(jog.order(tipOrder({std::nan(""), 0, 0}), 0.15, {}, clock), InvalidInput);
+  EXPECT_TRUE(jog.chunk().points.empty()) << "nor is it braked in the past";
+  time_s = 0.4;
+  EXPECT_EQ(jog.order(jointOrder(alongX(15.0)), time_s, {}, clock).scale, 1.0);
+  EXPECT_EQ(jog.chunk().points.front().time_s, 0.5);
+}
+
 TEST(Jog, RefusesSettingsOutOfBounds) {
   const TiltingGantry gantry;
   JogSettings settings;

@@ -47,6 +47,9 @@ struct JogAnswer {
 /// Why joints may not stand one after the other in these places, in words; empty if they may.
 using JogGuard = std::function<std::string(const std::vector<JointValues>&)>;
 
+/// The time by the clock of a jog [s], also while an order is worked out.
+using JogClock = std::function<double()>;
+
 /// Moves joints by hand: each order goes on from the motion under way, with the joints' accelerations
 /// bounded, for the time of the lease, and then to rest. What is planned always ends at rest, so that the
 /// motion ends by itself, smoothly, when no further order comes, wherever the link between them breaks.
@@ -60,12 +63,16 @@ class Jog {
 
   /// Plans on from the first point that can still change. Of an order that the limits do not allow that share
   /// is done which they do, in its direction; braking in time for the limits of joints, singularities, the
-  /// workspace and what the guard says. An order that cannot be done at all brakes.
+  /// workspace and what the guard says. An order that cannot be done at all brakes. One that is worked out
+  /// only when its first point is past changes nothing: what is under way goes on to rest by itself.
+  /// @param clock  none for orders that take no time to work out
   /// @throws InvalidInput if values are not finite or not those of the model, or the machine cannot move its
   ///   nozzle so; the motion brakes
-  JogAnswer order(const JogOrder& order, double now_s, const JogGuard& guard = {});
+  JogAnswer order(const JogOrder& order, double now_s, const JogGuard& guard = {},
+                  const JogClock& clock = {});
 
-  /// The points that replace what was handed over before, from the first that the last order has changed.
+  /// The points that replace what was handed over before, from the first that the last order has changed;
+  /// none if it came too late.
   const TrajectoryChunk& chunk() const { return chunk_; }
   /// When what is planned is at rest [s].
   double restTime() const { return points_.back().time_s; }

@@ -96,27 +96,34 @@ Jog::Jog(const KinematicModel& model, const JogSettings& settings, double ramp_s
   points_.push_back(std::move(rest));
 }
 
-JogAnswer Jog::order(const JogOrder& order, double now_s, const JogGuard& guard) {
+JogAnswer Jog::order(const JogOrder& order, double now_s, const JogGuard& guard, const JogClock& clock) {
   const JointState from = switchPoint(now_s);
   JogOrder rest;
   rest.rates = JointValues::Zero(from.position.size());
   JogAnswer refused{0.0, ""};
+  const auto isLate = [&] { return clock && clock() > from.time_s; };
+  const auto brake = [&] {
+    const Planned plan = planned(rest, from, now_s, 1.0);
+    if (!isLate()) take(plan.points);
+  };
+  chunk_.points.clear();
   for (const double share : kShares) {
     std::optional<Planned> plan;
     try {
       plan = planned(order, from, now_s, share);
     } catch (const InvalidInput&) {
-      take(planned(rest, from, now_s, 1.0).points);
+      brake();
       throw;
     }
     refused.reason = refusalOf(*plan, guard);
+    if (isLate()) return {0.0, "the order is checked too late to be followed within jog.reaction_s"};
     if (!refused.reason.empty()) continue;
     take(plan->points);
     plan->answer.scale *= share;
     if (share < 1.0 && plan->answer.reason.empty()) plan->answer.reason = "the way beyond is not clear";
     return plan->answer;
   }
-  take(planned(rest, from, now_s, 1.0).points);
+  brake();
   return refused;
 }
 
