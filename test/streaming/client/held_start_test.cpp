@@ -10,6 +10,7 @@
 #include "streaming/emulator/ok_paced/emulated_reprap.hpp"
 #include "streaming/emulator/simulated_link.hpp"
 #include "streaming/firmware/ok_paced/paced_link.hpp"
+#include "streaming/job/layer_pause.hpp"
 
 namespace lamina {
 namespace {
@@ -102,6 +103,19 @@ TEST_P(PacedStart, SendsNoLineWhileItIsHeld) {
     EXPECT_EQ(ran, (std::vector<std::string>{"G90", "G28", "G1 X1 F600", "G1 X2", "G1 X3"}));
   }
   EXPECT_GE(asked_in_time, 3);
+}
+
+TEST(LayerPause, BeforeTheNextLineIsTakenBackAlone) {
+  LayerPause pause;
+  pause.set(3);
+  pause.setNextLine();
+  pause.clearNextLine();
+  EXPECT_FALSE(pause.isDueAt(-1));
+  EXPECT_TRUE(pause.isDueAt(3));
+  EXPECT_FALSE(pause.isDueAt(4)) << "once";
+  pause.setNextLine();
+  EXPECT_TRUE(pause.isDueAt(-1));
+  EXPECT_FALSE(pause.isDueAt(-1)) << "once";
 }
 
 INSTANTIATE_TEST_SUITE_P(Firmware, PacedStart, testing::Bool());

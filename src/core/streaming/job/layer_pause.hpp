@@ -12,23 +12,22 @@ namespace lamina {
 class LayerPause {
  public:
   void set(double layer) { layer_ = static_cast<std::int32_t>(layer); }
-  void setNextLine() { layer_ = kBelowAll; }
-  void clear() { layer_.reset(); }
+  void setNextLine() { is_next_line_ = true; }
+  void clearNextLine() { is_next_line_ = false; }
 
   /// Whether the job is to hold before the layer after this one, or before an earlier one.
-  bool isNear(std::int32_t layer) const { return layer_ && layer >= *layer_ - 1; }
+  bool isNear(std::int32_t layer) const { return is_next_line_ || (layer_ && layer >= *layer_ - 1); }
 
   /// Whether a line of this layer must wait. True once per request.
   bool isDueAt(std::int32_t layer) {
-    if (!layer_ || layer < *layer_) return false;
-    layer_.reset();
-    return true;
+    const bool is_layer = layer_ && layer >= *layer_;
+    if (is_layer) layer_.reset();
+    return std::exchange(is_next_line_, false) || is_layer;
   }
 
  private:
-  static constexpr std::int32_t kBelowAll = -2;  // lines in front of the first layer have -1
-
   std::optional<std::int32_t> layer_;
+  bool is_next_line_ = false;
 };
 
 }  // namespace lamina

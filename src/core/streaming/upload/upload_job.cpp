@@ -314,6 +314,7 @@ bool UploadJob::pause(double now) {
     return true;
   }
   if (record_.status.state != PackmlState::Execute) return false;
+  layer_pause_.clearNextLine();
   record_.enter(PackmlState::Holding);
   is_to_resume_ = false;
   command_ = UploadStep::Pause;
@@ -323,7 +324,7 @@ bool UploadJob::pause(double now) {
 
 bool UploadJob::resume(double now) {
   if (record_.status.state == PackmlState::Starting) {
-    layer_pause_.clear();
+    layer_pause_.clearNextLine();
     return true;
   }
   if (record_.status.state == PackmlState::Holding) {

@@ -505,6 +505,8 @@ bool GrblJob::pause(double now) {
     return true;
   }
   if (state() != PackmlState::Execute || !isRunning()) return false;
+  layer_pause_.clearNextLine();
+  is_at_layer_ = false;
   record_.enter(PackmlState::Holding);
   is_held_by_user_ = true;
   is_resume_wanted_ = false;
@@ -515,7 +517,7 @@ bool GrblJob::pause(double now) {
 
 bool GrblJob::resume(double now) {
   if (state() == PackmlState::Starting) {
-    layer_pause_.clear();
+    layer_pause_.clearNextLine();
     return true;
   }
   if (state() == PackmlState::Holding) {

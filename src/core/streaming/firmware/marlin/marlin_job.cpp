@@ -241,6 +241,7 @@ bool MarlinJob::pause(double now) {
     return true;
   }
   if (record_.status.state != PackmlState::Execute) return false;
+  layer_pause_.clearNextLine();
   record_.enter(PackmlState::Holding);
   starvation_.standStill();
   if (phase_ == Phase::Feeding) proceed(now);
@@ -249,7 +250,7 @@ bool MarlinJob::pause(double now) {
 
 bool MarlinJob::resume(double now) {
   if (record_.status.state == PackmlState::Starting) {
-    layer_pause_.clear();
+    layer_pause_.clearNextLine();
     return true;
   }
   if (record_.status.state != PackmlState::Held && record_.status.state != PackmlState::Holding) return false;

@@ -388,6 +388,7 @@ bool OkPacedJob::pause(double now) {
     return true;
   }
   if (record_.status.state != PackmlState::Execute) return false;
+  layer_pause_.clearNextLine();
   record_.enter(PackmlState::Holding);
   starvation_.standStill();
   proceed(now);
@@ -396,7 +397,7 @@ bool OkPacedJob::pause(double now) {
 
 bool OkPacedJob::resume(double now) {
   if (record_.status.state == PackmlState::Starting) {
-    layer_pause_.clear();
+    layer_pause_.clearNextLine();
     return true;
   }
   if (record_.status.state != PackmlState::Held && record_.status.state != PackmlState::Holding) return false;
