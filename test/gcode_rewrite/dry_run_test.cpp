@@ -91,6 +91,39 @@ TEST(DryRun, LeavesOutOrRefusesWhatItDoesNotKnow) {
   EXPECT_NE(dryRefusal("G1 X1 M104 S200\n").find("line by itself"), std::string::npos);
 }
 
+TEST(DryRun, RefusesCommandsBehindWhatItCannotRead) {
+  for (const char* const line : {"M9 M3 S[1000]", "M0 M4 S#1", "M557 X10:200 Y10:200 M106 S255",
+                                 "M566 X600:600M104 S200", "M118 P0 S\"start\" M104 S210",
+                                 "M117 \"hi\" M106 S255", "M486 S1 A\"part\" G1 E5 F300", "M400 P{var.x}"})
+    EXPECT_NE(dryRefusal(std::string("G28\n") + line + "\n").find("line 2"), std::string::npos) << line;
+  const std::string kept =
+      "M557 X10:200 Y10:200\nM566 X600:600\nM118 P0 S\"M104 S210\"\nM486 S1 A\"part G1\"\nM486 Arod_T1\n";
+  EXPECT_EQ(dryOf(kept), kept);
+}
+
+TEST(DryRun, LeavesNothingOfAllAxesWhereItWasOfTheExtruderAlone) {
+  EXPECT_EQ(dryOf("G28 G1 X1 E5 F300\n"), "G28 G1 X1 F300\n");
+  EXPECT_EQ(dryOf("G29 E1\nG30 E1\n"), "G29 E1\nG30 E1\n") << "it is of the probe";
+  EXPECT_EQ(dryOf("G90 G92 E0\nG61 E\nG92 E0\nG92.1 E0\nG92 G90 X1 E0\n"), "G90\nG92.1\nG92 G90 X1\n");
+  DryRunSettings settings;
+  settings.extrusion = "A";
+  EXPECT_EQ(dryOf("G28 A0\nG30 A10\nG28 X0 A0\nG28\n", settings), "G28 X0\nG28\n");
+}
+
+TEST(DryRun, KeepsNoTemperaturesOfOffsets) {
+  EXPECT_EQ(dryOf("G10 L1 P0 S210 R150\nG10 L1 P0 X3 S210\nG10 L20 P1 X0\nG10 L2 P1 R30\n"),
+            "G10 L1 P0 X3\nG10 L20 P1 X0\nG10 L2 P1 R30\n");
+}
+
+TEST(DryRun, KeepsOfTargetsOfNoughtWhatSwitchesOff) {
+  EXPECT_EQ(dryOf("M106 P1 S0 T45 H1\nM106 S0 T1\nM104 S0 S210\nM104 S0 T1 T2\nM140 S0 H2\n"),
+            "M106 P1 S0\nM106 S0\nM140 S0 H2\n");
+}
+
+TEST(DryRun, KeepsWhatStandsBehindAChangeOfTool) {
+  EXPECT_EQ(dryOf("T1 G90 G54\nT1 G0 Z50\nT1\n"), "G90 G54\nG0 Z50\n");
+}
+
 TEST(DryRun, ScalesFeeds) {
   DryRunSettings settings;
   settings.speed = 0.25;

@@ -119,8 +119,6 @@ bool keepsMotion(int code) {
          code == 61 || code == 64 || code == 80 || (code >= 90 && code <= 98 && code != 92);
 }
 
-bool probes(int code) { return code >= 28 && code <= 34; }
-
 /// M codes that may stand on a line with a motion.
 bool isFlag(int code) { return code <= 9 || code == 30; }
 
@@ -129,6 +127,42 @@ bool carriesText(int code) { return code == 117 || code == 118 || code == 486; }
 
 bool isName(std::string_view text) {
   return text.size() > 1 && std::isalpha(static_cast<unsigned char>(text[1])) != 0;
+}
+
+/// Whether a G, M or T with a number stands behind the first word, other than within quotes. Quotes that do
+/// not end enclose nothing.
+bool holdsFurtherCode(std::string_view text) {
+  const bool has_quotes = std::count(text.begin(), text.end(), '"') % 2 == 0;
+  bool is_quoted = false;
+  for (std::size_t at = 1; at + 1 < text.size(); ++at) {
+    if (text[at] == '"') is_quoted = !is_quoted;
+    const char letter = capital(text[at]);
+    const char before = text[at - 1];
+    const bool is_within_name = std::isalpha(static_cast<unsigned char>(before)) != 0 || before == '_';
+    const bool is_letter = letter == 'G' || letter == 'M' || letter == 'T';
+    if (!(is_quoted && has_quotes) && is_letter && !is_within_name && isNumeral(text[at + 1])) return true;
+  }
+  return false;
+}
+
+bool holdsExpression(std::string_view text) { return text.find_first_of("[#{") != std::string_view::npos; }
+
+bool holdsTwice(const std::vector<GcodeWordText>& words, std::string_view letters) {
+  return std::any_of(letters.begin(), letters.end(), [&](char letter) {
+    return std::count_if(words.begin(), words.end(),
+                         [&](const GcodeWordText& word) { return word.letter == letter; }) > 1;
+  });
+}
+
+bool isAxisText(const std::string& word) {
+  return std::string_view("XYZABCUVW").find(capital(word.front())) != std::string_view::npos;
+}
+
+/// Commands that without a word of an axis are of all axes: G28, G30, G61 and G92, but not G92.1.
+bool isOfAllAxes(const std::string& word) {
+  const double value =
+      capital(word.front()) == 'G' ? readDecimal(trimmed(std::string_view(word).substr(1))).value : 0.0;
+  return value == 28.0 || value == 30.0 || value == 61.0 || value == 92.0;
 }
 
 const GcodeWordText* find(const std::vector<GcodeWordText>& words, char letter) {
@@ -203,14 +237,25 @@ std::optional<std::string> DryRun::line(std::string_view text) {
 
 std::optional<std::string> DryRun::command(std::string_view text) {
   const std::optional<int> machine_code = machineCodeOf(text);
-  if (machine_code && carriesText(*machine_code)) return std::string(text);
+  if (machine_code && carriesText(*machine_code)) {
+    constexpr int kMessage = 117;
+    const bool may_end = *machine_code != kMessage || text.find('"') != std::string_view::npos;
+    if (may_end && holdsFurtherCode(text))
+      refuse("holds a further command behind its text; expected it on a line by itself", text);
+    return std::string(text);
+  }
   const std::string plain = unbracketed(text);
   if (plain.empty()) return std::nullopt;
   if (isName(plain)) return unknown(plain);
   const std::optional<std::vector<GcodeWordText>> words = wordsOf(plain);
   if (words && isCode(words->front())) return coded({plain, *words});
   if (words && kModal.find(words->front().letter) != std::string_view::npos) return motion({plain, *words});
-  if (machine_code) return machineCommand(*machine_code, {plain, {}});
+  if (machine_code) {
+    const bool is_kept = verdictOnM(*machine_code) == DryVerdict::Keep;
+    if (is_kept && (holdsFurtherCode(plain) || holdsExpression(plain)))
+      refuse("holds a further command or an expression; expected one command that can be read", plain);
+    return machineCommand(*machine_code, {plain, {}});
+  }
   if (capital(plain.front()) == 'T') return takenOut();
   if (kModal.find(capital(plain.front())) != std::string_view::npos || capital(plain.front()) == 'G')
     refuse("holds more than letters with numbers; expected a motion that can be run dry", plain);
@@ -219,7 +264,7 @@ std::optional<std::string> DryRun::command(std::string_view text) {
 
 std::optional<std::string> DryRun::coded(const Block& block) {
   const GcodeWordText& first = block.words.front();
-  if (first.letter == 'T') return takenOut();
+  if (first.letter == 'T' && block.codes() == 0) return takenOut();
   if (first.letter == 'M' && block.codes() == 1) return machineCommand(codeOf(first), block);
   for (const GcodeWordText& word : block.words) {
     if (word.letter == 'G' && verdictOnG(codeOf(word)) == DryVerdict::Process && block.codes() == 1)
@@ -239,12 +284,20 @@ void DryRun::requireReadable(const GcodeWordText& word, const Block& block) cons
 
 std::optional<std::string> DryRun::motion(const Block& block) {
   std::vector<std::string> kept;
-  for (const GcodeWordText& word : block.words)
-    if (std::optional<std::string> text = keptWord(word, block)) kept.push_back(*std::move(text));
+  kept.reserve(block.words.size());
+  bool has_extruder = false;
+  for (const GcodeWordText& word : block.words) {
+    if (std::optional<std::string> text = keptWord(word, block))
+      kept.push_back(*std::move(text));
+    else
+      has_extruder = has_extruder || settings_.extrusion.find(word.letter) != std::string::npos;
+  }
   const std::size_t taken = block.words.size() - kept.size();
   report_.process += taken;
-  // A place that was set for the extruder alone would without its word be set to 0 for all axes.
-  if (kept.empty() || (taken > 0 && kept.size() == 1 && block.has('G', 92))) return std::nullopt;
+  // What was for the extruder alone, such as a place that is set, would without its word be for all axes.
+  if (has_extruder && std::none_of(kept.begin(), kept.end(), isAxisText))
+    kept.erase(std::remove_if(kept.begin(), kept.end(), isOfAllAxes), kept.end());
+  if (kept.empty()) return std::nullopt;
   std::string line = joined(kept);
   if (taken > 0 && line == motion_) return std::nullopt;
   for (const GcodeWordText& word : block.words)
@@ -253,8 +306,9 @@ std::optional<std::string> DryRun::motion(const Block& block) {
 }
 
 std::optional<std::string> DryRun::keptWord(const GcodeWordText& word, const Block& block) {
-  const bool is_probing =
-      isG(block.words.front(), codeOf(block.words.front())) && probes(codeOf(block.words.front()));
+  const GcodeWordText& front = block.words.front();
+  // Of Marlin: whether the probe is stowed between places.
+  const bool is_probing = word.letter == 'E' && block.codes() == 1 && (isG(front, 29) || isG(front, 30));
   if (settings_.extrusion.find(word.letter) != std::string::npos && !is_probing) return std::nullopt;
   if (word.letter == 'T') return std::nullopt;
   if (word.letter == 'M') {
@@ -296,11 +350,13 @@ std::string DryRun::scaledFeed(const GcodeWordText& word) const {
 /// G10: a retraction by the firmware, temperatures and offsets of a tool, or the origin of coordinates.
 std::optional<std::string> DryRun::offset(const Block& block) {
   if (block.codes() > 1) refuse("holds several commands; expected G10 on a line by itself", block.text);
-  if (find(block.words, 'L') != nullptr) return std::string(block.text);
+  const GcodeWordText* const kind = find(block.words, 'L');
+  const bool is_of_origin = kind != nullptr && (kind->value == 2.0 || kind->value == 20.0);
+  if (is_of_origin && !holdsTwice(block.words, "L")) return std::string(block.text);
   std::vector<std::string> kept;
   bool sets_offset = false;
   for (const GcodeWordText& word : block.words) {
-    if (word.letter == 'R' || word.letter == 'S') continue;
+    if (word.letter == 'R' || word.letter == 'S' || word.letter == 'T') continue;
     kept.emplace_back(word.text);
     sets_offset = sets_offset || std::string_view("XYZUVW").find(word.letter) != std::string_view::npos;
   }
@@ -319,11 +375,13 @@ std::optional<std::string> DryRun::machineCommand(int code, const Block& block) 
   const GcodeWordText* const target = find(block.words, 'S');
   const bool is_off = target != nullptr && target->has_value && target->value == 0.0 &&
                       find(block.words, 'R') == nullptr && find(block.words, 'B') == nullptr;
-  if (!is_off) return takenOut();
+  // What else stands there may switch on: T and H of M106 make a fan follow a heater, its T its speed.
+  constexpr int kFan = 106;
+  const std::string_view letters = code == kFan ? "SP" : "STPH";
+  if (!is_off || holdsTwice(block.words, letters)) return takenOut();
   std::vector<std::string> kept = {"M" + std::to_string(withoutWait(code))};
   for (const GcodeWordText& word : block.words)
-    if (word.letter == 'S' || word.letter == 'T' || word.letter == 'P' || word.letter == 'H')
-      kept.emplace_back(word.text);
+    if (letters.find(word.letter) != std::string_view::npos) kept.emplace_back(word.text);
   return joined(kept);
 }
 
