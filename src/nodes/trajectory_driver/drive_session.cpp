@@ -279,33 +279,44 @@ bool DriveSession::isChangeable() const {
           state == PackmlState::Unholding);
 }
 
-void DriveSession::setShare(JobOverride kind, double share, const ros::Time& now) {
-  if (kind == JobOverride::Feed) return setSpeed(share, now);
-  if (motion_.running == PackmlState::Starting) return;  // the process is off
+bool DriveSession::setShare(JobOverride kind, double share) {
+  if (kind == JobOverride::Feed) return setSpeed(share);
+  if (motion_.running == PackmlState::Starting) return true;  // the process is off
   if (isDry()) throw InvalidInput(std::string("a dry run has no ") + nameOf(kind) + "; expected feed");
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (is_left_ || given_up_at_ || isFinal(status_.state)) return;
+  if (is_left_ || given_up_at_ || isFinal(status_.state)) return true;
+  const ros::Time now = ros::Time::now();
   begin(now);
   feeder_.setShare(kind, share, jobTime(now));
   (kind == JobOverride::Flow ? status_.flow_share : status_.power_share) = share;
   feed(now);
+  return true;
 }
 
-void DriveSession::setSpeed(double share, const ros::Time& now) {
+bool DriveSession::setSpeed(double share) {
   if (motion_.running == PackmlState::Starting) share = std::min(share, 1.0);
-  // Long toolpaths take their time, in which the controller is fed on.
+  std::uint64_t order = 0;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    order = ++speed_orders_;
+  }
+  // Long toolpaths take their time, in which the controller is fed on, and a later order may be ready first.
   const SpeedChange change = feeder_.speedChange(share);
   if (change.reached < kShortOf * share)
     ROS_WARN(
         "the limits of joints and path let the motion take %.4g of the planned speeds on average, not %.4g",
         change.reached, share);
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (is_left_ || given_up_at_ || isFinal(status_.state)) return;
+  if (order != speed_orders_) return false;
+  if (is_left_ || given_up_at_ || isFinal(status_.state)) return true;
+  // Not before: the motion is cut a little after now, which must not have been sent as past by then.
+  const ros::Time now = ros::Time::now();
   begin(now);
   feeder_.setSpeed(change, jobTime(now));
   status_.feed_share = share;
   status_.reached_share = change.reached;
   feed(now);
+  return true;
 }
 
 void DriveSession::abort(const ros::Time& now, const Failure& why) {

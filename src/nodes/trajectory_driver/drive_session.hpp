@@ -4,6 +4,7 @@
 
 #include <ros/time.h>
 
+#include <cstdint>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -94,10 +95,12 @@ class DriveSession {
   std::optional<std::string> pause(const ros::Time& now);
   std::optional<std::string> resume(const ros::Time& now);
   /// The share of what is planned at which it goes on (`TrajectoryFeeder`); on the way to the start no more
-  /// than the planned speeds.
+  /// than the planned speeds. It takes effect from when it is worked out; of orders of the feed the last
+  /// counts, also where an earlier one takes longer.
+  /// @return false if a later order of the feed has taken its place
   /// @throws InvalidInput as `TrajectoryFeeder::speedChange` and `setShare`; or in a dry run, if it is no
   /// feed
-  void setShare(JobOverride kind, double share, const ros::Time& now);
+  bool setShare(JobOverride kind, double share);
   /// Whether a job is in Execute or held, or goes from one to the other.
   bool isChangeable() const;
   bool isDry() const { return motion_.process == ProcessUse::Off; }
@@ -114,7 +117,7 @@ class DriveSession {
 
   bool isByStamps() const { return settings_.tracking.silence_by == SilenceBy::Stamps; }
   void begin(const ros::Time& now);
-  void setSpeed(double share, const ros::Time& now);
+  bool setSpeed(double share);
   double jobTime(const ros::Time& now) const { return (now - begin_).toSec(); }
   double controllerTime(const ros::Time& now) const;
   bool isRun(const ros::Time& now) const;
@@ -146,6 +149,7 @@ class DriveSession {
   bool is_left_ = false;         ///< for a plan
   std::optional<ros::Time> given_up_at_;
   DriveStatus status_;
+  std::uint64_t speed_orders_ = 0;  ///< given so far
 
   // Reports come while the client of the controller is locked, which is locked too while a chunk is sent.
   mutable std::mutex report_mutex_;

@@ -41,7 +41,7 @@ void JobOverrides::applyTo(DriveSession& session) const {
   for (const auto& [kind, share] : shares_) {
     ROS_WARN("%s is %.4g of what is planned, as it was set before", nameOf(kind), share);
     try {
-      session.setShare(kind, share, ros::Time::now());
+      session.setShare(kind, share);
     } catch (const InvalidInput& refused) {
       ROS_WARN("%s stays as planned: %s", nameOf(kind), refused.what());
     }
@@ -72,8 +72,8 @@ void JobOverrides::change(const std::string& setting, double share) {
   if (kind == JobOverride::Feed && share > bounds.most) refusal = speedRefusal(share, feeding);
   if (!refusal.empty()) throw InvalidInput(refusal);
   if (!job || !job->isChangeable()) throw Rejected(kNoJobToChange);
-  job->setShare(kind, share, ros::Time::now());
-  if (!job->isDry()) keep(kind, share);
+  const bool stands = job->setShare(kind, share);
+  if (stands && !job->isDry()) keep(kind, share);
 }
 
 void JobOverrides::onSpeedFactor(const ros::MessageEvent<const std_msgs::Float64>& event) {
@@ -85,8 +85,8 @@ void JobOverrides::onSpeedFactor(const ros::MessageEvent<const std_msgs::Float64
     ROS_WARN("a speed factor is not used: %s", refusal.c_str());
     return;
   }
-  if (job) job->setShare(JobOverride::Feed, share, ros::Time::now());
-  if (!job || !job->isDry()) keep(JobOverride::Feed, share);
+  const bool stands = !job || job->setShare(JobOverride::Feed, share);
+  if (stands && (!job || !job->isDry())) keep(JobOverride::Feed, share);
 }
 
 void JobOverrides::keep(JobOverride kind, double share) {

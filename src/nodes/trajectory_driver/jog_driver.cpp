@@ -63,7 +63,8 @@ void JogDriver::block() {
     {
       const std::lock_guard<std::mutex> lock(mutex_);
       const ros::Time now = ros::Time::now();
-      const bool is_over = jog_->chunk().points.empty() || (!isMoving(now) && links_.controller.isDone());
+      const bool was_moved = jog_->restTime() > 0.0;
+      const bool is_over = !was_moved || (!isMoving(now) && links_.controller.isDone());
       if (is_over || (now - begin).toSec() > kJogPatience) {
         jog_.reset();
         tell(now);
@@ -95,12 +96,15 @@ void JogDriver::give(const std::string& holder, const std::string& frame, const 
   const std::lock_guard<std::mutex> lock(mutex_);
   const ros::Time now = ros::Time::now();
   state_.frame = frame;
+  if (lease_.holder(now.toSec()).empty()) failure_.clear();
   try {
     std::string refusal = is_blocked_ ? "a job is under way" : owner_.refusal(holder);
     if (refusal.empty()) refusal = lease_.renew(holder, now.toSec());
+    if (refusal.empty() && !failure_.empty())
+      refusal = failure_ + "; the machine is jogged again once no order has come for jog.lease_s";
     if (!refusal.empty()) throw Rejected(refusal);
     beginIfAtRest(now);
-    const JogAnswer answer = follow(holder, make, (now - begin_).toSec());
+    const JogAnswer answer = follow(holder, make);
     state_.scale = answer.scale;
     state_.reason = answer.reason;
   } catch (const Error& error) {
@@ -114,27 +118,39 @@ void JogDriver::give(const std::string& holder, const std::string& frame, const 
 /// From where the joints are, as reported, and as often as a jog begins.
 void JogDriver::beginIfAtRest(const ros::Time& now) {
   const std::optional<std::string> failure = jog_ ? links_.controller.failure() : std::nullopt;
-  if (failure) jog_.reset();
-  if (failure) throw DeviceError(*failure);
+  if (failure) {
+    // A key that is still held must not start the motion that has just failed again.
+    failure_ = *failure;
+    jog_.reset();
+    throw DeviceError(*failure);
+  }
   if (jog_ && (now - begin_).toSec() < jog_->restTime() + kJogSettling) return;
   links_.controller.requirePresent(0.0);
-  const JointValues here = links_.joints.fresh(settings_.tracking.silence_s, 0.0);
+  const JointValues here = links_.joints.fresh(kJogSettling, 0.0);
+  if (!links_.joints.areStillFor(kJogSettling))
+    throw Rejected("the joints still move; expected them at rest for " + std::to_string(kJogSettling) +
+                   " s before a jog begins");
+  // Not while time passes for a motion.
+  if (settings_.is_clearance_checked && !bodies_) bodies_ = linkBodies(model_.urdf());
   links_.controller.begin();
   jog_.emplace(model_, settings_.jog, settings_.run.timing.trajectory.joint_ramp_s, here);
-  begin_ = now;
+  begin_ = ros::Time::now();
 }
 
-JogAnswer JogDriver::follow(const std::string& holder, const MakeOrder& make, double now_s) {
+JogAnswer JogDriver::follow(const std::string& holder, const MakeOrder& make) {
   const auto send = [this] {
+    if (jog_->chunk().points.empty()) return;  // it came too late to be followed
     // First what is to happen on the way, which is nothing; then the way.
     links_.process.send(jog_->chunk(), begin_, "", ProcessUse::Off);
     links_.controller.send(jog_->chunk(), begin_);
   };
   const JogGuard guard = [this](const std::vector<JointValues>& places) { return collisionOn(places); };
+  const JogClock clock = [this] { return (ros::Time::now() - begin_).toSec(); };
+  const double now_s = clock();
   // What cannot be read changes nothing: what is under way ends with its lease.
   const JogOrder order = make(jog_->at(now_s + settings_.jog.reaction_s).position);
   try {
-    JogAnswer answer = jog_->order(order, now_s, settings_.is_clearance_checked ? guard : JogGuard());
+    JogAnswer answer = jog_->order(order, now_s, settings_.is_clearance_checked ? guard : JogGuard(), clock);
     send();
     return answer;
   } catch (const InvalidInput&) {
@@ -197,7 +213,6 @@ Eigen::Matrix3d JogDriver::bedFromBase(const JointValues& position) const {
 
 /// What the way runs into first, in words. A machine that touches something already is not moved by hand.
 std::string JogDriver::collisionOn(const std::vector<JointValues>& places) {
-  if (!bodies_) bodies_ = linkBodies(model_.urdf());
   Path travel;
   travel.role = PathRole::Travel;
   JointPath path;

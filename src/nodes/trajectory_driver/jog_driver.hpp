@@ -54,7 +54,7 @@ class JogDriver {
   void onTwist(const Event<geometry_msgs::TwistStamped>& event);
   void onJoints(const Event<sensor_msgs::JointState>& event);
   void give(const std::string& holder, const std::string& frame, const MakeOrder& make);
-  JogAnswer follow(const std::string& holder, const MakeOrder& make, double now_s);
+  JogAnswer follow(const std::string& holder, const MakeOrder& make);
   void beginIfAtRest(const ros::Time& now);
   JogOrder orderOf(const geometry_msgs::TwistStamped& message, const JointValues& position) const;
   JogOrder orderOf(const sensor_msgs::JointState& message) const;
@@ -72,8 +72,9 @@ class JogDriver {
   std::mutex mutex_;  ///< of what follows up to the subscribers
   JogLease lease_;
   std::optional<Jog> jog_;
-  std::optional<LinkBodies> bodies_;  ///< made with the first order
+  std::optional<LinkBodies> bodies_;  ///< made before the first jog begins
   ros::Time begin_;                   ///< when the clock of the jog is 0
+  std::string failure_;               ///< of the last jog, while its holder's lease goes on
   bool is_blocked_ = false;
   bool is_told_ = true;  ///< that the machine is at rest
   lamina_msgs::JogState state_;
