@@ -202,6 +202,7 @@ class LayerLoops {
       return;
     }
     std::vector<Polygon> sections;
+    sections.reserve(group.size());
     for (const BranchDisc& disc : group) sections.push_back(sectionOf(disc, circle));
     const Regions joined = group.size() == 1 ? Regions{{sections.front(), {}}} : unite(sections);
     for (const Region& branch : taken.empty() ? joined : difference(joined, taken)) {
