@@ -221,6 +221,11 @@ TEST(Jog, StaysInItsWorkspaceAndWhereTheGuardLetsIt) {
   EXPECT_GT(jog.at(jog.restTime()).position[0], 8.0);
   EXPECT_EQ(jog.order(tipOrder({-20, 0, 0}), 4.0).scale, 1.0) << "it comes back";
 
+  Jog outside(gantry, settings, kRamp, jogStart(40.0));
+  for (int i = 0; i < 30; ++i) outside.order(tipOrder({0, 20, 0}), 0.1 * i);
+  EXPECT_LE(outside.at(outside.restTime()).position[1], 10.0) << "each axis by itself";
+  EXPECT_GT(outside.at(outside.restTime()).position[1], 8.0);
+
   settings.workspace_mm.clear();
   settings.clearance_mm = 1.5;
   Jog guarded(gantry, settings, kRamp, jogStart());
@@ -267,6 +272,9 @@ TEST(Jog, RefusesSettingsOutOfBounds) {
   JogSettings settings;
   settings.lease_s = 0.0;
   EXPECT_THROW(Jog(gantry, settings, kRamp, jogStart()), InvalidConfig);
+  settings = {};
+  settings.reaction_s = settings.lease_s;
+  EXPECT_THROW(Jog(gantry, settings, kRamp, jogStart()), InvalidConfig) << "nothing would move";
   settings = {};
   settings.workspace_mm = {0, 0, 0};
   EXPECT_THROW(Jog(gantry, settings, kRamp, jogStart()), InvalidConfig);

@@ -58,7 +58,7 @@ class Jog {
  public:
   /// At rest at time 0. The model must outlive it.
   /// @param ramp_s  in which a joint goes from rest to its greatest speed, and back
-  /// @throws InvalidConfig naming key, value and bound
+  /// @throws InvalidConfig naming key, value and bound; so if the lease ends before anything could move
   Jog(const KinematicModel& model, const JogSettings& settings, double ramp_s, const JointValues& start);
 
   /// Plans on from the first point that can still change. Of an order that the limits do not allow that share

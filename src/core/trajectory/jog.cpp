@@ -28,6 +28,7 @@ constexpr double kMissed = 0.01;         // of what is asked of the nozzle, that
 constexpr double kKept = 1.0;            // s of points that are remembered
 constexpr double kOnTheGrid = 1e-6;      // of a step
 constexpr double kMillimetres = 1000.0;  // per metre: tip and turn are weighed in m and rad
+constexpr double kLeastSteps = 2.0;      // of a lease behind the reaction: one may go to the grid of points
 constexpr double kTurnBeyond = 0.1;      // s that a turn in place must be clear beyond its rest
 constexpr double kShares[] = {1.0, 0.5, 0.25, 0.125};
 
@@ -88,6 +89,10 @@ Jog::Jog(const KinematicModel& model, const JogSettings& settings, double ramp_s
   SettingsSchema schema;
   describe(schema, settings_);
   schema.validate();
+  if (settings_.lease_s < settings_.reaction_s + kLeastSteps * step())
+    throw InvalidConfig("jog.lease_s is " + std::to_string(settings_.lease_s) + " s; expected at least " +
+                        std::to_string(settings_.reaction_s + kLeastSteps * step()) +
+                        " s, jog.reaction_s and two points at jog.rate_hz, or nothing moves");
   for (Eigen::Index j = 0; j < start.size(); ++j)
     acceleration_[j] = model.joints()[static_cast<std::size_t>(j)].max_speed / ramp_s;
   JointState rest;
@@ -136,12 +141,12 @@ std::string Jog::refusalOf(const Planned& plan, const JogGuard& guard) const {
       const Eigen::Vector3d tip = model_.bedFromNozzle(place).translation();
       const Eigen::Map<const Eigen::Vector3d> low(settings_.workspace_mm.data());
       const Eigen::Map<const Eigen::Vector3d> high(settings_.workspace_mm.data() + 3);
-      return ((low - tip).cwiseMax(tip - high)).maxCoeff();
+      return Eigen::Array3d((low - tip).cwiseMax(tip - high));
     };
-    // Who stands outside may come back.
-    const double out = beyondBox(places[2]);
-    if (out > 0.0 && out > beyondBox(places[0]))
-      return "the tip would leave jog.workspace_mm by " + std::to_string(out) + " mm";
+    // Who stands outside may come back, along each axis by itself.
+    const Eigen::Array3d out = beyondBox(places[2]);
+    if ((out > 0.0 && out > beyondBox(places[0])).any())
+      return "the tip would leave jog.workspace_mm by " + std::to_string(out.maxCoeff()) + " mm";
   }
   return guard ? guard(places) : std::string();
 }
@@ -155,11 +160,14 @@ Jog::Planned Jog::planned(const JogOrder& order, const JointState& from, double 
     const JointState& last = plan.points.back();
     plan.answer = {};
     JointValues wanted = share * ratesFor(order, last.position, plan.answer);
-    for (Eigen::Index j = 0; j < wanted.size(); ++j)
+    for (Eigen::Index j = 0; j < wanted.size(); ++j) {
+      const DrivenJoint& joint = model_.joints()[static_cast<std::size_t>(j)];
+      // What is left of rounding must not stop the others at this joint's limit.
+      if (std::abs(wanted[j]) < kRounding * joint.max_speed) wanted[j] = 0.0;
       if (wanted[j] != 0.0)
         scaleTo(allowedRate(j, last, wanted[j]) / std::abs(wanted[j]),
-                "joint '" + model_.joints()[static_cast<std::size_t>(j)].name + "' is near its limit", wanted,
-                plan.answer);
+                "joint '" + joint.name + "' is near its limit", wanted, plan.answer);
+    }
     JointState next = stepped(last, wanted);
     if (order.kind == JogOrder::Kind::Nozzle && restsTooNear(next, last)) {
       next = stepped(last, JointValues::Zero(wanted.size()));
