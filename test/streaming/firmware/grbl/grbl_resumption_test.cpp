@@ -46,6 +46,18 @@ TEST(GrblResumption, IsRefusedWhereThePlaceDoesNotTell) {
   EXPECT_NE(resumed("G91\nG1 X1 F600\nX1\n", 1, 3, {1.0, 0.0, 0.0}, "[GC:G1 G91 F600]").refusal, "");
 }
 
+TEST(GrblResumption, TellsTheEndsOfShortMotionsApart) {
+  const std::string steps = "G90\nG1 X0.02 F600\nX0.04\nX0.06\nX0.065\n";
+  // As reported by an axis of 80 steps a millimetre: 3 steps are 0.0375 mm.
+  EXPECT_EQ(resumed(steps, 1, 4, {0.038, 0.0, 0.0}).line, 3U);
+  EXPECT_EQ(resumed(steps, 1, 4, {0.020, 0.0, 0.0}).line, 2U) << "another ends 0.02 mm further";
+  EXPECT_NE(resumed(steps, 1, 4, {0.030, 0.0, 0.0}).refusal.find("where 2 of lines 1 to 4 end"),
+            std::string::npos);
+  EXPECT_NE(resumed(steps, 1, 5, {0.060, 0.0, 0.0}).refusal.find("where 2 of lines 1 to 5 end"),
+            std::string::npos);
+  EXPECT_NE(resumed(steps, 1, 4, {0.081, 0.0, 0.0}).refusal.find("where 0 of"), std::string::npos);
+}
+
 TEST(GrblResumption, IsRefusedAfterAReset) {
   const char* forgotten = "[GC:G0 G54 G17 G21 G90 G94 M5 M9 T0 F0 S0]";
   const std::string refusal = resumed("G90\nG1 X1 F600\nX0\n", 2, 3, {0.0, 0.0, 0.0}, forgotten).refusal;

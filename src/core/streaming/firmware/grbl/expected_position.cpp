@@ -123,13 +123,11 @@ void ExpectedPosition::follow(std::string_view command) {
   is_absolute_ = true;
 }
 
-bool ExpectedPosition::isAt(const GrblAxes& work, double tolerance_mm) const {
-  bool is_known = false;
-  for (std::size_t i = 0; i < axes_.size(); ++i) {
-    if (axes_[i] && std::abs(*axes_[i] - work[i]) > tolerance_mm) return false;
-    is_known = is_known || axes_[i];
-  }
-  return is_known;
+std::optional<double> ExpectedPosition::distanceFrom(const GrblAxes& work) const {
+  std::optional<double> largest;
+  for (std::size_t i = 0; i < axes_.size(); ++i)
+    if (axes_[i]) largest = std::max(largest.value_or(0.0), std::abs(*axes_[i] - work[i]));
+  return largest;
 }
 
 std::string ExpectedPosition::contradictionBy(const GrblAxes& work) const {

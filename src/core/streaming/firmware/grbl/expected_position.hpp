@@ -24,8 +24,9 @@ class ExpectedPosition {
 
   /// The position axis by axis [mm]; none where unknown.
   const std::array<std::optional<double>, 3>& places() const { return axes_; }
-  /// Whether an axis is known, and the machine is at the position of all known axes.
-  bool isAt(const GrblAxes& work, double tolerance_mm) const;
+  /// The largest distance of a known axis from its position [mm]; none if no axis is known.
+  /// @param work  position of the machine [mm]
+  std::optional<double> distanceFrom(const GrblAxes& work) const;
 
   /// How the machine's position contradicts this, as "X is 3.000 mm; expected 4.000 mm"; empty if it does
   /// not.

@@ -13,6 +13,8 @@ namespace {
 
 // Above the rounding of reports and of steps.
 constexpr double kSamePlace = 0.02;  // mm
+// By which a line ends nearer than others: above the rounding to steps of 100 a millimetre, and of reports.
+constexpr double kNearer = 0.01;  // mm
 
 /// Lines that leave the machine where it is, from the one that led there on.
 struct Stay {
@@ -89,6 +91,19 @@ Candidates candidatesOf(const StreamableProgram& program, const UnfinishedLines&
   return found;
 }
 
+/// The stays that the place does not tell from the nearest.
+std::vector<const Stay*> staysAt(const std::vector<Stay>& stays, const GrblAxes& work) {
+  double nearest = kSamePlace;
+  for (const Stay& stay : stays)
+    nearest = std::min(nearest, stay.expected.distanceFrom(work).value_or(kSamePlace));
+  std::vector<const Stay*> here;
+  for (const Stay& stay : stays) {
+    const auto distance = stay.expected.distanceFrom(work);
+    if (distance && *distance <= kSamePlace && *distance < nearest + kNearer) here.push_back(&stay);
+  }
+  return here;
+}
+
 }  // namespace
 
 GrblResumption resumptionOf(const StreamableProgram& program, const UnfinishedLines& unfinished,
@@ -96,9 +111,7 @@ GrblResumption resumptionOf(const StreamableProgram& program, const UnfinishedLi
   const Candidates candidates = candidatesOf(program, unfinished, modes);
   if (hasLostItsFeed(modes, candidates.has_set_feed))
     return refusedBecause("the machine has forgotten its feed: it was reset, and may have lost its position");
-  std::vector<const Stay*> here;
-  for (const Stay& stay : candidates.stays)
-    if (stay.expected.isAt(work, kSamePlace)) here.push_back(&stay);
+  const std::vector<const Stay*> here = staysAt(candidates.stays, work);
   if (here.size() != 1)
     return refusedBecause("the machine stands where " + std::to_string(here.size()) + " of " +
                           linesText(unfinished) +
