@@ -9,6 +9,16 @@ if(LAMINA_LINKER_BINDS_EARLY)
   set(LAMINA_EARLY_BINDING -Wl,-z,now,-z,pack-relative-relocs)
 endif()
 
+# Debian's default linker takes four times as long for what is linked to many libraries.
+check_linker_flag(CXX -fuse-ld=gold LAMINA_LINKS_FAST)
+
+# lamina_link_fast(target): tests and benchmarks, of which there are many
+function(lamina_link_fast target)
+  if(LAMINA_LINKS_FAST)
+    target_link_options(${target} PRIVATE -fuse-ld=gold)
+  endif()
+endfunction()
+
 # A page that is touched brings fifteen others with it. Without the order the same objects are linked (tools/order-functions).
 option(LAMINA_ORDERED "Put what slicing runs side by side in memory" ON)
 set(LAMINA_SLICING_FUNCTIONS ${PROJECT_SOURCE_DIR}/cmake/slicing_functions.ld)

@@ -47,6 +47,7 @@ TEST(Guards, EachStopsTheStartAlone) {
       {8003, [](StartConditions& found) { found.clock_offset_s = -0.006; }},
       {7003, [](StartConditions& found) { found.journal_error = "read-only"; }},
       {7002, [](StartConditions& found) { found.free_bytes = 1e9; }},
+      {7002, [](StartConditions& found) { found.free_bytes = std::nullopt; }},
       {7101, [](StartConditions& found) { found.torn = {"bracket.gcode"}; }},
   };
   for (const auto& [code, spoil] : each) {
@@ -69,6 +70,14 @@ TEST(Guards, AreAllToldAtOnce) {
   EXPECT_EQ(unmet[0].sentence, "the PLC reports no gas, vacuum");
   EXPECT_EQ(unmet[1].code, 1302);
   EXPECT_EQ(unmet[2].sentence, "the journal's disk has 0 MiB left; expected at least 1024 MiB");
+}
+
+TEST(Guards, SayThatTheRoomOnTheDiskIsNotKnown) {
+  StartConditions found = readyToStart();
+  found.free_bytes = std::nullopt;
+  ASSERT_EQ(againstStart(found).size(), 1U);
+  EXPECT_EQ(againstStart(found).front().sentence,
+            "the journal's disk does not say how much it has left; expected at least 1024 MiB");
 }
 
 TEST(Guards, LeaveOutWhatTheCellDoesNotHave) {

@@ -80,6 +80,8 @@ TEST(CorrectionMap, RefusesWhatIsNone) {
     return text;
   };
   EXPECT_NO_THROW(readCorrectionMap(good, "map"));
+  EXPECT_NO_THROW(readCorrectionMap("# layered by the night shift\n" + good, "map"))
+      << "a remark, not the layer";
   EXPECT_THROW(readCorrectionMap(changed("0.2", "0.21"), "map"), InvalidInput) << "digest";
   EXPECT_THROW(readCorrectionMap(changed("0.2", "nan"), "map"), InvalidInput);
   EXPECT_THROW(readCorrectionMap(changed("0.2", "-1.5"), "map"), InvalidInput);

@@ -50,6 +50,15 @@ TEST(JournalCopies, AreWholeAndTheLastOnesAreKept) {
   EXPECT_EQ(copies, 3U);
 }
 
+TEST(JournalCopies, AreDueAndRefusedWhereTheirFolderCannotBeLookedInto) {
+  const ScratchFolder folder;
+  const CellJournal journal(folder.path() + "/cell.db");
+  std::filesystem::create_directory_symlink("copies", folder.path() + "/copies");  // a link to itself
+  const std::string due = copyDue(folder.path(), kNoon, {});
+  EXPECT_EQ(due, "copies/cell-2025-11-24.db");
+  EXPECT_THROW(copyJournal(folder.path(), due, 7), FileError);
+}
+
 /// As on a full disk; 0 if the copy was refused and nothing is left of it.
 int copyOnAFullDisk(const std::string& folder) {
   std::signal(SIGXFSZ, SIG_IGN);

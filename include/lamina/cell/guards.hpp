@@ -47,9 +47,9 @@ struct StartConditions {
   PlcInterlocks plc;
   std::optional<double> clock_offset_s;  ///< to the host of the sensor; nothing if there is one host
   bool needs_clouds = false;             ///< the job measures layers
-  std::string loop_blocked;   ///< why the loop may not run though the job wants it; empty if it may
-  double free_bytes = 0.0;    ///< where the journal is
-  std::string journal_error;  ///< why it cannot be written; empty if it can
+  std::string loop_blocked;          ///< why the loop may not run though the job wants it; empty if it may
+  std::optional<double> free_bytes;  ///< of the journal's disk; nothing if the system does not say
+  std::string journal_error;         ///< why it cannot be written; empty if it can
 };
 
 /// All that stands against Start, in the order of its codes; empty if nothing does. Alarms are looked at by

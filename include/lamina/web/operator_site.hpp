@@ -36,8 +36,8 @@ struct SiteSettings {
   WebAccessSettings access;
   std::string upload_folder;
   std::uint64_t most_upload_bytes = std::uint64_t{1} << 30;
-  FreeBytes free_bytes = freeBytesOf;  ///< of the folder of uploads
-  std::string journal_folder;          ///< of the cell, that records of parts are read from
+  FreeBytes free_bytes = freeForUploads;  ///< of the folder of uploads
+  std::string journal_folder;             ///< of the cell, that records of parts are read from
   UploadPrint upload_print = UploadPrint::Wait;
   std::vector<std::string> notices = {};  ///< shown on the page for as long as it runs
 };

@@ -12,8 +12,8 @@ namespace lamina {
 /// How many bytes the disk of a folder has left.
 using FreeBytes = std::function<std::uint64_t(const std::string& folder)>;
 
-/// What the system says; 0 if it does not.
-std::uint64_t freeBytesOf(const std::string& folder);
+/// What the system says; 0 if it does not, so that nothing is promised.
+std::uint64_t freeForUploads(const std::string& folder);
 
 struct UploadPromises;
 
@@ -39,7 +39,7 @@ class UploadPlace {
 /// threads call at a time.
 class UploadRoom {
  public:
-  explicit UploadRoom(std::string folder, FreeBytes free_bytes = freeBytesOf);
+  explicit UploadRoom(std::string folder, FreeBytes free_bytes = freeForUploads);
 
   /// Promises room for an upload of so many bytes and for its copy in the store of the cell.
   /// @return nothing if the disk has not enough beside what others were promised

@@ -45,6 +45,11 @@ std::vector<UnmetGuard> inOrder(std::vector<UnmetGuard> unmet) {
   return unmet;
 }
 
+std::string roomLeft(std::optional<double> free_bytes) {
+  if (!free_bytes) return "the journal's disk does not say how much it has left";
+  return "the journal's disk has " + std::to_string(std::lround(*free_bytes / 1048576.0)) + " MiB left";
+}
+
 }  // namespace
 
 std::vector<UnmetGuard> againstPlc(const PlcInterlocks& plc, PlcNeed need) {
@@ -76,10 +81,8 @@ std::vector<UnmetGuard> againstStart(const StartConditions& found) {
                                " ms; expected at most 5 ms"});
   if (!found.journal_error.empty())
     unmet.push_back({7003, "the journal cannot be written: " + found.journal_error});
-  if (found.free_bytes < kSmallestDisk)
-    unmet.push_back({7002, "the journal's disk has " +
-                               std::to_string(std::lround(found.free_bytes / 1048576.0)) +
-                               " MiB left; expected at least 1024 MiB"});
+  if (!found.free_bytes.has_value() || *found.free_bytes < kSmallestDisk)
+    unmet.push_back({7002, roomLeft(found.free_bytes) + "; expected at least 1024 MiB"});
   if (!found.torn.empty())
     unmet.push_back({7101, "no longer with the hash they were released with: " + listed(found.torn)});
   return inOrder(std::move(unmet));

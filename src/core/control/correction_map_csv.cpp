@@ -48,6 +48,7 @@ StatedWord stated(std::string_view text, std::string_view name, const std::strin
     comment = trimmed(comment.substr(1));
     if (comment.substr(0, name.size()) != name) continue;
     const std::string_view word = trimmed(comment.substr(name.size()));
+    if (comment.size() > name.size() && comment[name.size()] != ' ') continue;
     if (!word.empty()) return {word, line};
   }
   throw InvalidInput(source + ": no comment '# " + std::string(name) + " ...'; expected a correction map");

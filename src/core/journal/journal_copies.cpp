@@ -21,9 +21,11 @@ constexpr char kPrefix[] = "cell-";
 std::vector<std::filesystem::path> copiesIn(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> copies;
   std::error_code error;
-  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
-    const std::string name = entry.path().filename();
-    if (name.rfind(kPrefix, 0) == 0 && entry.path().extension() == ".db") copies.push_back(entry.path());
+  // A folder that cannot be read any further holds no more copies for now: nothing of it is removed in error.
+  for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error)) {
+    const std::string name = entry->path().filename();
+    if (name.rfind(kPrefix, 0) == 0 && entry->path().extension() == ".db") copies.push_back(entry->path());
   }
   std::sort(copies.begin(), copies.end());
   return copies;
@@ -40,7 +42,9 @@ std::string copyDue(const std::string& folder, double utc_s, const JournalCopySe
   std::array<char, 32> date{};
   std::strftime(date.data(), date.size(), "%Y-%m-%d", &parts);
   const std::string name = std::string(kCopies) + '/' + kPrefix + date.data() + ".db";
-  return std::filesystem::exists(std::filesystem::path(folder) / name) ? "" : name;
+  // Where nobody may look, the copy is due, and says why it cannot be made.
+  std::error_code error;
+  return std::filesystem::exists(std::filesystem::path(folder) / name, error) ? "" : name;
 }
 
 void copyJournal(const std::string& folder, const std::string& name, int kept) {

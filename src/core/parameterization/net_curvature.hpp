@@ -17,9 +17,10 @@ std::vector<double> insideCurvature(const Mesh& mesh, const MeshTopology& topolo
 /// t), whatever its mesh; a surface that unrolls has 0, a saddle less.
 double netCurvature(const Mesh& mesh, const MeshTopology& topology);
 
-/// The least net curvature with which a surface, if it is as round as a cap, cannot lie flat with all lengths
-/// true within a tolerance. Of all maps of a cap the azimuthal equidistant one stretches least, by t / sin t
-/// [Milnor1969].
+/// The greatest net curvature [rad] with which a surface that is as round as a cap can lie flat with all
+/// lengths true within a tolerance. Of all maps of a cap the azimuthal equidistant one stretches least, by t
+/// / sin t [Milnor1969].
+/// @param tolerance  relative, from 0 to less than 1; 0 gives 0
 double greatestFlatCurvature(double tolerance);
 
 }  // namespace lamina

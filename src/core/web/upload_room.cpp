@@ -3,10 +3,10 @@
 #include "lamina/web/upload_room.hpp"
 
 #include <algorithm>
-#include <filesystem>
 #include <mutex>
 #include <utility>
 
+#include "lamina/base/disk_space.hpp"
 #include "lamina/web/upload_file.hpp"
 
 namespace lamina {
@@ -18,11 +18,7 @@ constexpr std::uint64_t kCopies = 2;  // what is uploaded, and what the cell's s
 
 }  // namespace
 
-std::uint64_t freeBytesOf(const std::string& folder) {
-  std::error_code error;
-  const auto space = std::filesystem::space(folder, error);
-  return error ? 0 : space.available;
-}
+std::uint64_t freeForUploads(const std::string& folder) { return freeBytesOf(folder).value_or(0); }
 
 struct UploadPromises {
   std::string folder;

@@ -10,6 +10,7 @@
 
 #include "call_source.hpp"
 #include "kept_corrections.hpp"
+#include "lamina/base/disk_space.hpp"
 #include "lamina/base/error.hpp"
 #include "latched.hpp"
 #include "names.hpp"
@@ -136,7 +137,7 @@ CellSurroundings CellController::surroundings() const {
   for (const lamina_msgs::StartupStep& step : executor_.machine().startup)
     if (step.state != lamina_msgs::StartupStep::DONE && step.state != lamina_msgs::StartupStep::SKIPPED)
       found.start.unready.push_back(step.name + " is " + step.state_name + ": " + step.reason);
-  found.start.free_bytes = freeBytes(settings_.folder);
+  found.start.free_bytes = freeBytesOf(settings_.folder);
   found.go_on.is_position_known = !is_executor_lost_;
   found.go_on.has_master = hasMaster();
   found.start.plc_need = found.go_on.plc_need = settings_.plc.is_required ? PlcNeed::Required : PlcNeed::None;

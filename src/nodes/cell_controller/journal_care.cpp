@@ -5,10 +5,10 @@
 #include <ros/ros.h>
 
 #include <chrono>
-#include <filesystem>
+#include <exception>
 #include <utility>
 
-#include "lamina/base/error.hpp"
+#include "lamina/base/disk_space.hpp"
 
 namespace lamina {
 namespace {
@@ -26,12 +26,6 @@ std::string auditFault(const CellJournal& journal) {
 }
 
 }  // namespace
-
-double freeBytes(const std::string& folder) {
-  std::error_code error;
-  const auto space = std::filesystem::space(folder, error);
-  return error ? 0.0 : static_cast<double>(space.available);
-}
 
 JournalCare::JournalCare(const CellJournal& journal, std::string folder, const JournalCareSettings& settings)
     : folder_(std::move(folder)), settings_(settings), broken_audit_(auditFault(journal)) {}
@@ -53,12 +47,15 @@ std::vector<CareAlarm> JournalCare::look(CellTime now) {
 }
 
 std::vector<CareAlarm> JournalCare::lookAtDisk() {
-  const double free_gib = freeBytes(folder_) / kGibibyte;
+  const auto free_bytes = freeBytesOf(folder_);
+  const double free_gib = static_cast<double>(free_bytes.value_or(0)) / kGibibyte;
   const bool was_low = std::exchange(is_disk_low_, free_gib < settings_.least_free_gib);
   if (was_low == is_disk_low_) return {};
+  const std::string left =
+      free_bytes ? "has " + std::to_string(free_gib) + " GiB left" : "does not say what it has left";
   return {{kDiskLow, free_gib,
-           "the journal's disk has " + std::to_string(free_gib) + " GiB left; expected at least " +
-               std::to_string(settings_.least_free_gib) + " GiB",
+           "the journal's disk " + left + "; expected at least " + std::to_string(settings_.least_free_gib) +
+               " GiB",
            was_low}};
 }
 
@@ -77,7 +74,7 @@ void JournalCare::followCopy(CellTime now) {
       std::async(std::launch::async, [folder = folder_, due, kept = settings_.copies.kept]() -> std::string {
         try {
           copyJournal(folder, due, kept);
-        } catch (const Error& error) {
+        } catch (const std::exception& error) {
           return error.what();
         }
         return "";

@@ -25,9 +25,6 @@ struct CareAlarm {
   bool is_gone = false;
 };
 
-/// [bytes] that a folder's disk has left; 0 if nobody can say.
-double freeBytes(const std::string& folder);
-
 /// Looks after a journal: its audit as the node starts, the room on its disk, its nightly copies, which are
 /// made in a thread of their own so that the unit never waits for them.
 class JournalCare {

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "stream_messages.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "conversions.hpp"
@@ -13,7 +15,13 @@ namespace {
 
 constexpr char kNotReported[] = "not reported by this firmware";
 
-std::uint32_t count(std::uint64_t value) { return static_cast<std::uint32_t>(value); }
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+/// Messages count in 32 bits: a count that has more stays at the largest.
+std::uint32_t count(std::uint64_t value) {
+  return static_cast<std::uint32_t>(
+      std::min<std::uint64_t>(value, std::numeric_limits<std::uint32_t>::max()));
+}
 
 /// Without the last bits, which are of the fraction: 1.1 is 110 %, where a whole number may be asked for.
 double inUnit(double value, double per_unit) {
@@ -61,19 +69,20 @@ lamina_msgs::MachineState toMachineState(const StreamStatus& status, const std::
   message.lines_acknowledged = count(status.lines_acknowledged);
   message.resends = count(status.resends);
   message.layer = status.layer;
+  message.position.x = message.position.y = message.position.z = kUnknown;
+  message.nozzle_temperature = message.bed_temperature = kUnknown;
   if (status.position) {
     message.position = toMessage(Point3(status.position->x, status.position->y, status.position->z));
   }
   if (status.temperatures) {
     message.nozzle_temperature = status.temperatures->nozzle_c;
-    message.bed_temperature = status.temperatures->bed_c.value_or(0.0);
+    message.bed_temperature = status.temperatures->bed_c.value_or(kUnknown);
   }
   message.status = toMessage(status.failure);
   return message;
 }
 
 lamina_msgs::HeaterState toHeaterState(const StreamStatus& status) {
-  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   lamina_msgs::HeaterState message;
   message.nozzle = message.nozzle_target = message.bed = message.bed_target = kUnknown;
   if (!status.temperatures) return message;

@@ -4,10 +4,10 @@
 
 #include <ros/ros.h>
 
-#include <filesystem>
 #include <limits>
 #include <utility>
 
+#include "lamina/base/disk_space.hpp"
 #include "latched.hpp"
 #include "names.hpp"
 
@@ -112,12 +112,11 @@ void HostWatchNode::onMachine(const GuardNews& news) {
 }
 
 void HostWatchNode::onTick() {
-  std::error_code error;
-  const auto space = std::filesystem::space(settings_.folder, error);
+  const auto free_bytes = freeBytesOf(settings_.folder);
   std::vector<HostAlarm> alarms;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (!error) watch_.onFreeSpace(static_cast<double>(space.available));
+    if (free_bytes) watch_.onFreeSpace(static_cast<double>(*free_bytes));
     alarms = watch_.tick(shiftedNow(settings_.shift_s));
   }
   for (const HostAlarm& alarm : alarms) {

@@ -5,7 +5,7 @@
 #include <ros/service.h>
 #include <std_srvs/Trigger.h>
 
-#include <cstdio>
+#include <cmath>
 #include <mutex>
 #include <thread>
 #include <utility>
@@ -19,6 +19,11 @@ namespace {
 
 using lamina_msgs::MachineState;
 
+std::string temperatureText(const char* of, double celsius) {
+  if (!std::isfinite(celsius)) return "";
+  return std::string(" · ") + of + ' ' + std::to_string(std::lround(celsius)) + " °C";
+}
+
 WatchedState reportOf(const MachineState& state) {
   WatchedState report;
   report.is_held = state.state == MachineState::HELD;
@@ -29,11 +34,8 @@ WatchedState reportOf(const MachineState& state) {
     report.text +=
         " · line " + std::to_string(state.lines_acknowledged) + " of " + std::to_string(state.lines_total);
   }
-  if (state.nozzle_temperature <= 0.0 && state.bed_temperature <= 0.0) return report;
-  char temperatures[64];
-  std::snprintf(temperatures, sizeof temperatures, " · nozzle %.0f °C · bed %.0f °C",
-                state.nozzle_temperature, state.bed_temperature);
-  report.text += temperatures;
+  report.text +=
+      temperatureText("nozzle", state.nozzle_temperature) + temperatureText("bed", state.bed_temperature);
   return report;
 }
 

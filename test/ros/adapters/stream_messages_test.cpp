@@ -47,6 +47,28 @@ TEST(StreamMessages, TakeAFractionForThePercentThatItStandsFor) {
   }
 }
 
+TEST(StreamMessages, SayThatWhatIsNotReportedIsNotKnown) {
+  StreamStatus status;
+  const lamina_msgs::MachineState silent = toMachineState(status, "part");
+  for (const double value : {silent.position.x, silent.position.y, silent.position.z,
+                             silent.nozzle_temperature, silent.bed_temperature})
+    EXPECT_TRUE(std::isnan(value)) << value;
+  status.temperatures.emplace();
+  status.temperatures->nozzle_c = 210.0;
+  status.position.emplace();
+  status.position->x = 20.0;
+  const lamina_msgs::MachineState heard = toMachineState(status, "part");
+  EXPECT_EQ(heard.nozzle_temperature, 210.0);
+  EXPECT_TRUE(std::isnan(heard.bed_temperature)) << "a machine without a bed heater";
+  EXPECT_DOUBLE_EQ(heard.position.x, 0.02) << "m";
+}
+
+TEST(StreamMessages, CountNoFurtherThanMessagesDo) {
+  StreamStatus status;
+  status.lines_total = (std::uint64_t{1} << 32) + 5;
+  EXPECT_EQ(toMachineState(status, "part").lines_total, 4294967295U);
+}
+
 TEST(StreamMessages, TellWhoCountsStarvations) {
   const lamina_msgs::StreamProgramResult by_streamer = toResult(starved(StarvationSource::Streamer), 1.0);
   EXPECT_EQ(by_streamer.starvations_counted_by, "streamer");

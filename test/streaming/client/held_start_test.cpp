@@ -110,12 +110,12 @@ TEST(LayerPause, BeforeTheNextLineIsTakenBackAlone) {
   pause.set(3);
   pause.setNextLine();
   pause.clearNextLine();
-  EXPECT_FALSE(pause.isDueAt(-1));
-  EXPECT_TRUE(pause.isDueAt(3));
-  EXPECT_FALSE(pause.isDueAt(4)) << "once";
+  EXPECT_FALSE(pause.takeIfDueAt(-1));
+  EXPECT_TRUE(pause.takeIfDueAt(3));
+  EXPECT_FALSE(pause.takeIfDueAt(4)) << "once";
   pause.setNextLine();
-  EXPECT_TRUE(pause.isDueAt(-1));
-  EXPECT_FALSE(pause.isDueAt(-1)) << "once";
+  EXPECT_TRUE(pause.takeIfDueAt(-1));
+  EXPECT_FALSE(pause.takeIfDueAt(-1)) << "once";
 }
 
 INSTANTIATE_TEST_SUITE_P(Firmware, PacedStart, testing::Bool());

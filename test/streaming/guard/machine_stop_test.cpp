@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <string>
 
 #include "lamina/base/error.hpp"
 #include "streaming/guard/left_machine.hpp"
@@ -16,19 +17,31 @@ namespace {
 using test::inTemporary;
 using test::LeftMachine;
 
+MachinePulse machineWith(const std::string& firmware) {
+  MachinePulse machine;
+  machine.firmware = firmware;
+  return machine;
+}
+
+MachinePulse keepingItsHeat(const std::string& firmware) {
+  MachinePulse machine = machineWith(firmware);
+  machine.keeps_heaters_on = true;
+  return machine;
+}
+
 TEST(UrgentStop, HasTheBeamAndTheHeatersOff) {
-  EXPECT_EQ(urgentStopOf("marlin", false), "M108\nM410\nM5\nM104 S0\nM140 S0\n");
-  EXPECT_EQ(urgentStopOf("marlin", true), "M108\nM410\nM5\n");
-  EXPECT_EQ(urgentStopOf("auto", false), urgentStopOf("marlin", false));
-  EXPECT_EQ(urgentStopOf("klipper", false), "M5\nTURN_OFF_HEATERS\n");
-  EXPECT_EQ(urgentStopOf("klipper", true), "M5\n");
-  EXPECT_EQ(urgentStopOf("grbl", false), "!");
-  EXPECT_NE(urgentStopOf("reprapfirmware", false).find("M104 S0\n"), std::string::npos);
+  EXPECT_EQ(urgentStopOf(machineWith("marlin")), "M108\nM410\nM5\nM104 S0\nM140 S0\n");
+  EXPECT_EQ(urgentStopOf(keepingItsHeat("marlin")), "M108\nM410\nM5\n");
+  EXPECT_EQ(urgentStopOf(machineWith("auto")), urgentStopOf(machineWith("marlin")));
+  EXPECT_EQ(urgentStopOf(machineWith("klipper")), "M5\nTURN_OFF_HEATERS\n");
+  EXPECT_EQ(urgentStopOf(keepingItsHeat("klipper")), "M5\n");
+  EXPECT_EQ(urgentStopOf(machineWith("grbl")), "!");
+  EXPECT_NE(urgentStopOf(machineWith("reprapfirmware")).find("M104 S0\n"), std::string::npos);
 }
 
 TEST(UrgentStop, FitsIntoAReceiveBuffer) {
   for (const char* firmware : {"marlin", "klipper", "reprapfirmware", "grbl"})
-    EXPECT_LT(urgentStopOf(firmware, false).size(), 127U) << firmware;
+    EXPECT_LT(urgentStopOf(machineWith(firmware)).size(), 127U) << firmware;
 }
 
 TEST(MachineStop, IsConfirmedByTheMachine) {

@@ -18,8 +18,9 @@ struct MachineStopReport {
 
 /// What is sent at once, without numbers, so that also firmware that waits for heat stops as soon as it reads
 /// on: beam off, heaters off, with the end of motions where the firmware has one.
-/// @param firmware  name of a protocol; any other stands for Marlin's kin
-std::string urgentStopOf(const std::string& firmware, bool keeps_heaters_on);
+/// @param machine  by its firmware, of which any that is not known stands for Marlin's kin, and whether it
+/// keeps its heat
+std::string urgentStopOf(const MachinePulse& machine);
 
 /// Stops a machine whose streamer is gone: sends `urgentStopOf`, then has the machine confirm, line by line,
 /// that all that the program has used is off. grbl is slowed down and reset. Returns after some seconds, or

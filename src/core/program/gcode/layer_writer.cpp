@@ -45,7 +45,7 @@ LayerWriter::LayerWriter(const ProgramFrame& frame, const Point3& layer_normal,
     : linear_(frame.program_from_bed.linear() * frame.bed_from_part.linear()),
       translation_(frame.program_from_bed * frame.bed_from_part.translation()),
       frame_(frame),
-      is_askew_(frame.program_from_bed.linear() != Eigen::Matrix3d::Identity()),
+      is_mapped_(frame.program_from_bed.linear() != Eigen::Matrix3d::Identity()),
       rise_mm_((frame.bed_from_part.linear() * layer_normal).dot(frame.bed_from_part.translation())),
       filament_per_volume_(gcodeDialect(settings.dialect).has_extruder ? filamentPerVolume(settings) : 0.0),
       settings_(settings),
@@ -185,7 +185,7 @@ void LayerWriter::writeEvents(const Path& path, std::size_t motion, Modal& modal
 
 double LayerWriter::feedFactor(const Point3& start, const Point3& end) const {
   const Point3 way = end - start;
-  return is_askew_ && !way.isZero() ? (linear_ * way).norm() / way.norm() : 1.0;
+  return is_mapped_ && !way.isZero() ? (linear_ * way).norm() / way.norm() : 1.0;
 }
 
 void LayerWriter::writeHeight(double height_mm, Modal& modal, std::string& text) {

@@ -74,7 +74,7 @@ class LayerWriter {
   Eigen::Matrix3d linear_;  ///< program_from_part
   Point3 translation_;
   ProgramFrame frame_;
-  bool is_askew_;   ///< lengths along the axes differ from those over the bed
+  bool is_mapped_;  ///< axes are not the bed's: lengths along them may differ
   double rise_mm_;  ///< of the part along the layers' normal
   double filament_per_volume_;
   ProgramSettings settings_;

@@ -196,12 +196,9 @@ MachineStopReport confirmed(const MachinePulse& machine) {
 
 }  // namespace
 
-std::string urgentStopOf(const std::string& firmware, bool keeps_heaters_on) {
-  if (isGrbl(firmware)) return kFeedHold;
-  MachinePulse machine;
-  machine.firmware = firmware;
-  machine.keeps_heaters_on = keeps_heaters_on;
-  const Protocol protocol = protocolOf(firmware);
+std::string urgentStopOf(const MachinePulse& machine) {
+  if (isGrbl(machine.firmware)) return kFeedHold;
+  const Protocol protocol = protocolOf(machine.firmware);
   if (std::dynamic_pointer_cast<const OkPacedFirmware>(protocol)) {
     std::string text;
     for (const std::string& command : stopCommandsOf(machine)) text += command + '\n';
@@ -221,7 +218,7 @@ MachineStopReport stopMachine(const MachinePulse& machine, const std::function<v
     {
       OpenPort port(machine.port);
       has_begun = true;
-      port.send(urgentStopOf(machine.firmware, machine.keeps_heaters_on));
+      port.send(urgentStopOf(machine));
       if (begun) begun();
       if (isGrbl(machine.firmware)) return told(resetGrbl(port));
       port.hears("", kAnswers);

@@ -18,8 +18,8 @@ class LayerPause {
   /// Whether the job is to hold before the layer after this one, or before an earlier one.
   bool isNear(std::int32_t layer) const { return is_next_line_ || (layer_ && layer >= *layer_ - 1); }
 
-  /// Whether a line of this layer must wait. True once per request.
-  bool isDueAt(std::int32_t layer) {
+  /// Whether a line of this layer must wait; takes the request, so that it is true once.
+  bool takeIfDueAt(std::int32_t layer) {
     const bool is_layer = layer_ && layer >= *layer_;
     if (is_layer) layer_.reset();
     return std::exchange(is_next_line_, false) || is_layer;

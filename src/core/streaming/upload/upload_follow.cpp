@@ -178,7 +178,7 @@ void UploadJob::follow(double now) {
 }
 
 void UploadJob::pauseAtLayer(double now) {
-  if (record_.status.state != PackmlState::Execute || !layer_pause_.isDueAt(record_.status.layer)) return;
+  if (record_.status.state != PackmlState::Execute || !layer_pause_.takeIfDueAt(record_.status.layer)) return;
   record_.status.message = "held in layer " + std::to_string(record_.status.layer);
   pause(now);
 }

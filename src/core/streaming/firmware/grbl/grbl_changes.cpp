@@ -43,7 +43,7 @@ void GrblJob::followOverrides(const GrblReport& report, double now) {
 
 /// In front of the layer at which a person wants to hold: the lines before it are run to their end first.
 bool GrblJob::isHeldBack(const ProgramLine& line, double now) {
-  if (!is_at_layer_ && layer_pause_.isDueAt(line.layer)) {
+  if (!is_at_layer_ && layer_pause_.takeIfDueAt(line.layer)) {
     is_at_layer_ = true;
     idle_at_s_ = -1.0;
     next_poll_s_ = now;

@@ -113,7 +113,7 @@ void MarlinJob::pump(double now) {
   while (const ProgramLine* line = feed_.isNextKnown() ? feed_.peek() : nullptr) {
     is_rest_asked_ = false;
     layer_due_ = 0.0;
-    if (!isStopping() && layer_pause_.isDueAt(line->layer)) {
+    if (!isStopping() && layer_pause_.takeIfDueAt(line->layer)) {
       pause(now);
       break;
     }

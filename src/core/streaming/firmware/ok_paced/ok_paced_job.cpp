@@ -282,7 +282,7 @@ bool OkPacedJob::sendNext(double now) {
   if (lines > 0 && !leavesRoomForStop()) return false;
   const std::size_t bytes = under_way_.bytes() + line->command.size() + kMostFrameBytes;
   if (lines > 0 && bytes > static_cast<std::size_t>(settings_.window_bytes)) return false;
-  if (layer_pause_.isDueAt(line->layer)) return !pause(now);
+  if (layer_pause_.takeIfDueAt(line->layer)) return !pause(now);
   const bool is_end = feed_.next() > record_.status.lines_total;
   if (is_end && lines > 0) return false;
   if (is_end && record_.status.state == PackmlState::Execute) record_.enter(PackmlState::Completing);
