@@ -8,7 +8,7 @@
 #include <memory>
 #include <pluginlib/class_loader.hpp>
 
-#include "lamina/base/error_place.hpp"
+#include "lamina/base/layer_error.hpp"
 #include "lamina/base/plugin.hpp"
 #include "names.hpp"
 

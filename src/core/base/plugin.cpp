@@ -11,8 +11,8 @@
 #include <sstream>
 #include <system_error>
 
-#include "lamina/base/error_place.hpp"
 #include "lamina/base/input_file.hpp"
+#include "lamina/base/layer_error.hpp"
 
 namespace lamina {
 namespace {

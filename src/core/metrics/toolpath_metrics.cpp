@@ -9,7 +9,7 @@
 #include <map>
 #include <utility>
 
-#include "lamina/base/error_place.hpp"
+#include "lamina/base/layer_error.hpp"
 #include "lamina/base/text.hpp"
 #include "lamina/kinematics/model/kinematic_model.hpp"
 #include "lamina/metrics/surface_fill.hpp"

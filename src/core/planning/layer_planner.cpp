@@ -15,7 +15,7 @@
 #include "infill/drops/drop_fill.hpp"
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
-#include "lamina/base/error_place.hpp"
+#include "lamina/base/layer_error.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
 #include "lamina/geometry/polygon/simplify.hpp"
 #include "lamina/toolpath/toolpath.hpp"

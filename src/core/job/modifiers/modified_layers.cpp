@@ -9,7 +9,7 @@
 
 #include "job/part/part_source.hpp"
 #include "lamina/base/error.hpp"
-#include "lamina/base/error_place.hpp"
+#include "lamina/base/layer_error.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/geometry/mesh/box_mesh.hpp"
 #include "lamina/geometry/mesh/mesh_repair.hpp"

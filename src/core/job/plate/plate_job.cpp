@@ -21,7 +21,7 @@
 #include "job/slicing/oriented_planning.hpp"
 #include "job/slicing/part_slicing.hpp"
 #include "lamina/base/error.hpp"
-#include "lamina/base/error_place.hpp"
+#include "lamina/base/layer_error.hpp"
 #include "lamina/geometry/polygon/convex_hull.hpp"
 #include "lamina/infill/strategy.hpp"
 #include "lamina/job/output_files.hpp"

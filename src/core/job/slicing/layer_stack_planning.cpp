@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "job/laps.hpp"
-#include "lamina/base/error_place.hpp"
+#include "lamina/base/layer_error.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/parameterization/chart_outline.hpp"
 #include "lamina/parameterization/layer_charts.hpp"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lamina/base/error_place.hpp"
+#include "lamina/base/layer_error.hpp"
 
 #include <gtest/gtest.h>
 
