@@ -1,22 +1,32 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <sstream>
 
 #include "arguments/setting_options.hpp"
 #include "arguments/toolpath_input.hpp"
 #include "lamina/base/csv_table.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/text.hpp"
 #include "lamina/control/replanned_toolpath.hpp"
 #include "lamina/job/output_files.hpp"
 #include "lamina/job/output_writer.hpp"
+#include "lamina/toolpath/layer_frame.hpp"
 #include "subcommand.hpp"
 
 namespace lamina::cli {
 namespace {
+
+constexpr double kClearance = 5.0;       // mm above the part, before anything else moves
+constexpr double kSameDirection = 1e-6;  // of unit vectors
 
 /// The command line of `lamina replan` as it was typed.
 struct ReplanArguments {
@@ -45,21 +55,70 @@ double numberAt(const CsvTable& table, std::size_t row, const std::string& colum
   return number;
 }
 
-/// The last row of `loop_layers.csv` whose layer was seen.
+[[noreturn]] void refuseCell(const CsvTable& table, std::size_t row, const std::string& column,
+                             const std::string& expected) {
+  throw InvalidInput(table.source + ", line " + std::to_string(table.lines[row]) + ": " + column + " is " +
+                     table.rows[row][columnOf(table, column)] + "; expected " + expected);
+}
+
+std::size_t layerAt(const CsvTable& table, std::size_t row) {
+  const double layer = numberAt(table, row, "layer");
+  if (layer < 0.0 || layer > kMostLayers || layer != std::floor(layer))
+    refuseCell(table, row, "layer", "a whole number from 0");
+  return static_cast<std::size_t>(layer);
+}
+
+/// The highest layer of `loop_layers.csv` that was seen, by its last row.
 MeasuredLayer lastMeasured(const CsvTable& table) {
-  for (std::size_t row = table.rows.size(); row-- > 0;) {
-    if (!(numberAt(table, row, "coverage") > 0.0)) continue;
-    const double layer = numberAt(table, row, "layer");
-    if (layer < 0.0 || layer > kMostLayers || layer != std::floor(layer))
-      throw InvalidInput(table.source + ", line " + std::to_string(table.lines[row]) + ": layer is " +
-                         std::to_string(layer) + "; expected a whole number from 0");
-    const double gain = numberAt(table, row, "gain_mean");
-    if (!(gain > 0.0))
-      throw InvalidInput(table.source + ", line " + std::to_string(table.lines[row]) + ": gain_mean is " +
-                         std::to_string(gain) + "; expected a positive gain");
-    return {static_cast<std::size_t>(layer), numberAt(table, row, "mean_error_mm"), gain};
+  std::optional<std::size_t> last;
+  for (std::size_t row = 0; row < table.rows.size(); ++row)
+    if (numberAt(table, row, "coverage") > 0.0 && (!last || layerAt(table, row) >= layerAt(table, *last)))
+      last = row;
+  if (!last) throw InvalidInput(table.source + ": no layer was seen; expected one with a coverage above 0");
+  const double most = LayerWindow().greatest_flow;
+  const double gain = numberAt(table, *last, "gain_mean");
+  if (!(gain >= 1.0 / most && gain <= most))
+    refuseCell(table, *last, "gain_mean", "a gain that 0.4 to 2.5 times the volume makes up for");
+  return {layerAt(table, *last), numberAt(table, *last, "mean_error_mm"), gain};
+}
+
+/// @throws InvalidInput if a part would end below the bed that it stands on
+void requireAboveBed(const Toolpath& toolpath, const MeasuredLayer& measured) {
+  if (measured.layer >= toolpath.layers.size()) return;  // refused as no layer that is left
+  const double planned_mm = toolpath.layers[measured.layer].z_mm;
+  if (planned_mm - measured.mean_error_mm > 0.0) return;
+  throw InvalidInput("layer " + std::to_string(measured.layer) + " ends at " + std::to_string(planned_mm) +
+                     " mm, and its mean error is " + std::to_string(measured.mean_error_mm) +
+                     " mm: it would have ended below the bed; expected a smaller error");
+}
+
+/// Lines of a start code that heat, in their order.
+std::string heatingOf(const std::string& start_code) {
+  std::string heating;
+  std::istringstream lines(start_code);
+  for (std::string line; std::getline(lines, line);) {
+    const std::string_view word = trimmed(line).substr(0, 4);
+    if (word == "M104" || word == "M109" || word == "M140" || word == "M190" || word == "M141" ||
+        word == "M191")
+      heating += '\n' + line;
   }
-  throw InvalidInput(table.source + ": no layer was seen; expected one with a coverage above 0");
+  return heating;
+}
+
+/// Settings of a program that begins over a part: it neither homes nor wipes, and rises above the part before
+/// it heats. Only level layers say how far that is.
+ProgramSettings overThePart(ProgramSettings settings, const Toolpath& toolpath,
+                            const MeasuredLayer& measured) {
+  const std::string heating = heatingOf(settings.start_code);
+  settings.start_code = "G21\nG90";
+  const double top_mm = toolpath.layers[measured.layer].z_mm + std::max(0.0, -measured.mean_error_mm);
+  if ((layerNormal(toolpath) - Point3::UnitZ()).norm() < kSameDirection) {
+    std::array<char, 48> rise{};
+    std::snprintf(rise.data(), rise.size(), "\nG0 Z%.3f F600", top_mm + kClearance);
+    settings.start_code += rise.data();
+  }
+  settings.start_code += heating;
+  return settings;
 }
 
 void print(const ReplanArguments& arguments, const PlacedToolpath& planned, const std::string& id,
@@ -75,6 +134,11 @@ void print(const ReplanArguments& arguments, const PlacedToolpath& planned, cons
   std::printf("%s: %zu layers of %.4g to %.4g mm, up to %.4g mm, %.4g times the volume; toolpath %s\n",
               arguments.output.c_str(), heights.heights_mm.size(), heights.heights_mm.front(),
               heights.heights_mm.back(), top_mm, heights.flow, id.c_str());
+  if (std::filesystem::path(arguments.output).extension() == ".gcode")
+    std::printf(
+        "start     no homing, the heating of program.start_code alone; the machine must know its position, "
+        "and the "
+        "nozzle stand above all that is laid\n");
 }
 
 void replan(const ReplanArguments& arguments, OutputFormat format) {
@@ -84,6 +148,7 @@ void replan(const ReplanArguments& arguments, OutputFormat format) {
   requireApart({arguments.output}, {arguments.toolpath, arguments.figures, arguments.settings.config});
   const ToolpathInput input = readToolpath(arguments.toolpath, settings);
   const MeasuredLayer measured = lastMeasured(readCsvTable(arguments.figures));
+  requireAboveBed(input.toolpath, measured);
   const LayersLeft left{measured.layer + 1, measured.mean_error_mm};
   const Replanning by = arguments.by == "add" ? Replanning::Add : Replanning::Scale;
   const auto heights = newHeights(partUnderWay(input.toolpath, left, measured.gain_mean), by);
@@ -93,7 +158,7 @@ void replan(const ReplanArguments& arguments, OutputFormat format) {
                        std::to_string(measured.layer) + "; expected more layers left, or a smaller error");
   const PlacedToolpath planned{replannedToolpath(input.toolpath, left, *heights), {}};
   const std::string id = replannedId(planned.toolpath, left.first, toolpathId(input.toolpath));
-  writeOutput(arguments.output, planned, settings.program);
+  writeOutput(arguments.output, planned, overThePart(settings.program, input.toolpath, measured));
   print(arguments, planned, id, *heights, format);
 }
 
