@@ -54,8 +54,10 @@ def lamina_command(executable, mesh, output, skins, support=None, feeds="own"):
         settings.update({"supports.use": "true", "supports.kind": support, "supports.angle_deg": SUPPORT_ANGLE_DEG})
     if feeds != "own":
         settings.update(LAMINA_FEEDS)
-    if feeds == "common, sections of rectangles":
+    if feeds.startswith("common, sections of rectangles"):
         settings.update(LAMINA_SECTIONS)
+    if feeds.endswith("lines not joined"):
+        settings["infill.link"] = "none"
     assignments = [text for key, value in settings.items() for text in ("--set", f"{key}={value}")]
     return [executable, "slice", mesh, "-o", output, "--json", *assignments], {}
 

@@ -159,6 +159,19 @@ TEST(CellAtlas, PutsALayerInPlaceOfOneOfTheSameNumber) {
   EXPECT_TRUE(atlas.look({5.0, 30.0, 1.5}).newest);
 }
 
+/// Cells as long as beads are wide, and as far apart: a cell reaches 1.53 by 1.02 squares of the index, so
+/// two by two, where it begins at an edge up to rounding.
+TEST(CellAtlas, ListsCellsThatBeginAtTheEdgesOfSquaresInTwoByTwo) {
+  std::vector<double> beads_y;
+  for (int k = 0; k < 100; ++k) beads_y.push_back(0.1 + 3.0 * k);
+  CellAtlas atlas;
+  atlas.add(shared(test::straightBeads(beads_y, 300.0, 3.0)));
+  const std::size_t cells = atlas.cellsOf(0)->size();
+  ASSERT_EQ(cells, 10000U);
+  const std::size_t squares = 101 * 101;
+  EXPECT_LE(atlas.bytes(), 32 * cells + 4 * (4 * cells + squares + 1) + 4);
+}
+
 TEST(CellAtlas, GivesWhatTwoBeadsShareToTheNearerAndOfEqualsToTheFirst) {
   CellAtlas atlas;
   atlas.add(shared(test::straightBeads({0.0, 2.0}, 10.0, 0.5)));  // 3 mm wide: 1 mm is shared

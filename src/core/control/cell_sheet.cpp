@@ -11,6 +11,9 @@ namespace {
 
 // Lengths and widths of a cell that it reaches: above crests cells that touch fan out a little.
 constexpr float kReach = 0.51F;
+// Beyond these shares of half its length, and of its width, a cell is not reached, whatever the rounding.
+constexpr float kBeyondAlong = 1.5301F;
+constexpr float kBeyondAcross = 0.5101F;
 constexpr double kLeastRadius = 0.5;  // of a bend at its planned top: a point lies no nearer to its middle
 
 std::vector<float> windowsOf(const LayerCells& cells, double window_layers) {
@@ -78,72 +81,116 @@ void CellSheet::addBentStations() {
   }
 }
 
+inline float CellSheet::PlaneStation::along(const PlanePlace& place) const {
+  return (place.u - u) * tangent_u + (place.v - v) * tangent_v;
+}
+
+inline float CellSheet::PlaneStation::across(const PlanePlace& place, float along_mm) const {
+  return (place.v - v) * tangent_u - (place.u - u) * tangent_v - 0.5F * left * along_mm * along_mm;
+}
+
+inline double CellSheet::BentStation::along(const Point3& off) const {
+  return off.dot(tangent.cast<double>());
+}
+
+inline float CellSheet::BentStation::across(const Point3& off, double along_mm) const {
+  return off.cast<float>().dot(growth.cross(tangent)) - left * static_cast<float>(0.5 * along_mm * along_mm);
+}
+
+/// The bead curves away from its tangent: by its own curvature at its planned top.
+inline double CellSheet::BentStation::heightAt(const Point3& off, double along_mm) const {
+  const auto bend = static_cast<double>(up);
+  const double square = off.dot(growth.cast<double>());
+  return square - bend * (0.5 * along_mm * along_mm) / std::max(kLeastRadius, 1.0 - bend * square);
+}
+
 /// Along the outside of bends cells gape: in a bend no tighter than the bead by half their length at most.
 inline bool CellSheet::Footing::isOn() const { return across <= kReach && along <= 2.0F * kReach + across; }
 
-/// @param place  in the axes of the index
-inline CellSheet::Footing CellSheet::onPlane(std::uint32_t cell, const Point3& place) const {
+/// Most cells are ruled out before anything is divided.
+inline CellSheet::Footing CellSheet::onPlane(std::uint32_t cell, const PlanePlace& place) const {
   const PlaneStation& station = plane_[cell];
-  const float u = static_cast<float>(place.x()) - station.u;
-  const float v = static_cast<float>(place.y()) - station.v;
-  Footing on;
-  on.along_mm = u * station.tangent_u + v * station.tangent_v;
-  on.along = std::abs(on.along_mm) / station.half;
-  if (!(on.along <= 3.0F * kReach)) return on;
-  on.across_mm =
-      v * station.tangent_u - u * station.tangent_v - 0.5F * station.left * on.along_mm * on.along_mm;
-  on.across = std::abs(on.across_mm) / station.width;
-  on.height_mm = place.z() - first_top_ - static_cast<double>(station.lift);
-  if (on.isOn() && std::abs(on.height_mm) <= windowOf(cell)) on.cell = cell;
+  const float along_mm = station.along(place);
+  if (std::abs(along_mm) > kBeyondAlong * station.half) return {};
+  const float across_mm = station.across(place, along_mm);
+  if (std::abs(across_mm) > kBeyondAcross * station.width) return {};
+  const Footing on = {std::abs(along_mm) / station.half, std::abs(across_mm) / station.width};
+  if (!on.isOn() || !(std::abs(heightOnPlane(station, place)) <= windowOf(cell))) return {};
   return on;
+}
+
+inline double CellSheet::heightOnPlane(const PlaneStation& station, const PlanePlace& place) const {
+  return place.z - first_top_ - static_cast<double>(station.lift);
 }
 
 inline CellSheet::Footing CellSheet::onBent(std::uint32_t cell, const Point3& point) const {
   const BentStation& station = bent_[cell];
   const Point3 off = point - station.middle;
-  Footing on;
-  const double along = off.dot(station.tangent.cast<double>());
-  on.along_mm = static_cast<float>(along);
-  on.along = std::abs(on.along_mm) / station.half;
-  if (!(on.along <= 3.0F * kReach)) return on;
-  // The bead curves away from its tangent: by its own curvature at its planned top.
-  const double half_square = 0.5 * along * along;
-  const auto up = static_cast<double>(station.up);
-  const double square = off.dot(station.growth.cast<double>());
-  on.height_mm = square - up * half_square / std::max(kLeastRadius, 1.0 - up * square);
-  if (!(std::abs(on.height_mm) <= windowOf(cell))) return on;
-  on.across_mm = off.cast<float>().dot(station.growth.cross(station.tangent)) -
-                 station.left * static_cast<float>(half_square);
-  on.across = std::abs(on.across_mm) / station.width;
-  if (on.isOn()) on.cell = cell;
+  const double along = station.along(off);
+  const float along_mm = std::abs(static_cast<float>(along));
+  if (along_mm > kBeyondAlong * station.half) return {};
+  const float across_mm = std::abs(station.across(off, along));
+  if (across_mm > kBeyondAcross * station.width) return {};
+  const Footing on = {along_mm / station.half, across_mm / station.width};
+  if (!on.isOn() || !(std::abs(station.heightAt(off, along)) <= windowOf(cell))) return {};
   return on;
 }
 
 /// Of cells in a row, pieces of one bead, the nearer along; of several beads the nearer in widths.
 template <class FootingOf>
-CellSheet::Footing CellSheet::best(const StationIndex::Cells& near, FootingOf footing) const {
-  Footing best;
-  Footing of_bead;
+CellSheet::Found CellSheet::best(const StationIndex::Cells& near, FootingOf footing) const {
+  Found best;
+  Found of_bead;
   std::uint32_t last = 0;
   for (const std::uint32_t cell : near) {
     if (cell >= laid) break;
     const Footing here = footing(cell);
-    if (here.cell == Footing::kNone) continue;
-    const bool goes_on = of_bead.cell != Footing::kNone && cell == last + 1;
+    if (here.isOff()) continue;
+    const bool goes_on = of_bead.isCell() && cell == last + 1;
     last = cell;
     if (goes_on) {
-      if (here.along < of_bead.along) of_bead = here;
+      if (here.along < of_bead.on.along) of_bead = {cell, here};
       continue;
     }
-    if (best.cell == Footing::kNone || of_bead.across < best.across) best = of_bead;
-    of_bead = here;
+    if (!best.isCell() || of_bead.on.across < best.on.across) best = of_bead;
+    of_bead = {cell, here};
   }
-  return best.cell == Footing::kNone || of_bead.across < best.across ? of_bead : best;
+  return !best.isCell() || of_bead.on.across < best.on.across ? of_bead : best;
+}
+
+inline std::optional<CellSight> CellSheet::lookOnPlane(const Point3& at,
+                                                       const StationIndex::Cells& near) const {
+  const PlanePlace place = {static_cast<float>(at.x()), static_cast<float>(at.y()), at.z()};
+  const Found found = best(near, [&](std::uint32_t cell) { return onPlane(cell, place); });
+  if (!found.isCell()) return std::nullopt;
+  const PlaneStation& station = plane_[found.cell];
+  const float along_mm = station.along(place);
+  return CellSight{cells_->layer,
+                   found.cell,
+                   static_cast<double>(along_mm),
+                   static_cast<double>(station.across(place, along_mm)),
+                   static_cast<double>(found.on.across),
+                   -heightOnPlane(station, place)};
+}
+
+inline std::optional<CellSight> CellSheet::lookOnBent(const Point3& point,
+                                                      const StationIndex::Cells& near) const {
+  const Found found = best(near, [&](std::uint32_t cell) { return onBent(cell, point); });
+  if (!found.isCell()) return std::nullopt;
+  const BentStation& station = bent_[found.cell];
+  const Point3 off = point - station.middle;
+  const double along_mm = station.along(off);
+  return CellSight{cells_->layer,
+                   found.cell,
+                   static_cast<double>(static_cast<float>(along_mm)),
+                   static_cast<double>(station.across(off, along_mm)),
+                   static_cast<double>(found.on.across),
+                   -station.heightAt(off, along_mm)};
 }
 
 std::optional<CellSight> CellSheet::look(const Point3& point) const {
   const Point3 place = index_.placeOf(point);
-  return look(point, place, index_.near(place));
+  return is_plane_ ? lookOnPlane(place, index_.near(place)) : lookOnBent(point, index_.near(place));
 }
 
 inline void CellSheet::fetch(std::uint32_t cell) const {
@@ -173,27 +220,14 @@ std::vector<std::optional<CellSight>> CellSheet::look(const std::vector<Point3>&
     __builtin_prefetch(each.near.first);
   }
   for (const Sought& each : sought)
-    if (each.near.first != each.near.last) fetch(*each.near.first);
+    for (const std::uint32_t cell : each.near) fetch(cell);
   std::vector<std::optional<CellSight>> sights;
   sights.reserve(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i)
-    sights.push_back(look(points[i], sought[i].place, sought[i].near));
+  if (is_plane_)
+    for (const Sought& each : sought) sights.push_back(lookOnPlane(each.place, each.near));
+  else
+    for (std::size_t i = 0; i < points.size(); ++i) sights.push_back(lookOnBent(points[i], sought[i].near));
   return sights;
-}
-
-std::optional<CellSight> CellSheet::look(const Point3& point, const Point3& place,
-                                         const StationIndex::Cells& near) const {
-  const Footing on = is_plane_ ? best(near, [&](std::uint32_t cell) { return onPlane(cell, place); })
-                               : best(near, [&](std::uint32_t cell) { return onBent(cell, point); });
-  if (on.cell == Footing::kNone) return std::nullopt;
-  CellSight sight;
-  sight.layer = cells_->layer;
-  sight.cell = on.cell;
-  sight.off_mm = static_cast<double>(on.along_mm);
-  sight.across_mm = static_cast<double>(on.across_mm);
-  sight.across_share = static_cast<double>(on.across);
-  sight.error_mm = -on.height_mm;
-  return sight;
 }
 
 std::size_t CellSheet::bytes() const {

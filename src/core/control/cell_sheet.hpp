@@ -30,6 +30,11 @@ class CellSheet {
   std::size_t laid = 0;
 
  private:
+  /// A point of a plane layer, in the axes of the index.
+  struct PlanePlace {
+    float u, v;
+    double z;
+  };
   /// A cell of a plane layer, in the axes of the index.
   struct PlaneStation {
     float u, v;
@@ -38,6 +43,9 @@ class CellSheet {
     float width;
     float lift;  ///< height of the top above that of the first cell
     float left;  ///< curvature along the path, positive to the left [1/mm]
+
+    float along(const PlanePlace& place) const;                   ///< [mm]
+    float across(const PlanePlace& place, float along_mm) const;  ///< [mm]
   };
   /// A cell of any layer.
   struct BentStation {
@@ -46,29 +54,39 @@ class CellSheet {
     Eigen::Vector3f growth;
     float half, width;
     float up, left;  ///< curvature along the path [1/mm]; up is negative over a crest
+
+    double along(const Point3& off) const;                      ///< [mm] of a point off the middle
+    float across(const Point3& off, double along_mm) const;     ///< [mm]
+    double heightAt(const Point3& off, double along_mm) const;  ///< [mm] above the planned top
   };
-  /// A point in the frame of a cell: `along` in half lengths of it, `across` in widths.
+  /// A point in the frame of a cell: `along` in half lengths of it, `across` in widths. Off the cell, unless
+  /// set.
   struct Footing {
-    static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-    std::uint32_t cell = kNone;
-    float along = 0.0F;
-    float across = 0.0F;
-    float along_mm = 0.0F;
-    float across_mm = 0.0F;
-    double height_mm = 0.0;
+    float along = std::numeric_limits<float>::infinity();
+    float across = std::numeric_limits<float>::infinity();
 
     bool isOn() const;
+    bool isOff() const { return across == std::numeric_limits<float>::infinity(); }
+  };
+  struct Found {
+    static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+    std::uint32_t cell = kNone;
+    Footing on;
+
+    bool isCell() const { return cell != kNone; }
   };
 
   void addPlaneStations();
   void addBentStations();
   double windowOf(std::uint32_t cell) const { return window_mm_[window_mm_.size() == 1 ? 0 : cell]; }
-  Footing onPlane(std::uint32_t cell, const Point3& place) const;
+  Footing onPlane(std::uint32_t cell, const PlanePlace& place) const;
   Footing onBent(std::uint32_t cell, const Point3& point) const;
+  double heightOnPlane(const PlaneStation& station, const PlanePlace& place) const;
   template <class FootingOf>
-  Footing best(const StationIndex::Cells& near, FootingOf footing) const;
-  std::optional<CellSight> look(const Point3& point, const Point3& place,
-                                const StationIndex::Cells& near) const;
+  Found best(const StationIndex::Cells& near, FootingOf footing) const;
+  /// @param at  in the axes of the index
+  std::optional<CellSight> lookOnPlane(const Point3& at, const StationIndex::Cells& near) const;
+  std::optional<CellSight> lookOnBent(const Point3& point, const StationIndex::Cells& near) const;
   void fetch(std::uint32_t cell) const;
 
   std::shared_ptr<const LayerCells> cells_;

@@ -17,6 +17,18 @@ constexpr double kSprayLayers = 0.3;
 constexpr double kNearOverFar = 0.25;  // of depths of one sensor
 constexpr double kSameColumn = 0.25;   // of the way from ray to ray
 
+/// Whether a point is one: drivers send zeros in place of those that they miss.
+bool isFinite(const Point3& point) {
+  // The difference of anything else to itself is not a number.
+  const bool is_finite = (point.x() - point.x()) + (point.y() - point.y()) + (point.z() - point.z()) == 0.0;
+  return is_finite && (point.z() != 0.0 || point.x() != 0.0 || point.y() != 0.0);
+}
+
+bool isWithin(const Point3& point, const SightSettings& settings) {
+  return settings.greatest_depth_mm <= 0.0 ||
+         (point.z() >= settings.least_depth_mm && point.z() <= settings.greatest_depth_mm);
+}
+
 /// Whether a value is off the median of itself and its neighbours, as many on both sides, by more than a
 /// bound: where half of them are not below it less the bound, and half not above it plus the bound, it is
 /// not.
@@ -39,9 +51,28 @@ bool isOffMedian(const std::vector<Point3>& points, std::size_t i, double bound)
   return isOffMedian(&points[i], static_cast<std::ptrdiff_t>(side), bound);
 }
 
+/// Whether three neighbours of a point agree with it: so nearly all do, and with itself they are more than
+/// half of seven.
+bool agreesWithThree(const Point3* point, double bound) {
+  const double above = point->z() + bound;
+  const double below = point->z() - bound;
+  const auto is_near = [&](std::ptrdiff_t k) { return point[k].z() <= above && point[k].z() >= below; };
+  return is_near(-1) && is_near(1) && is_near(2);
+}
+
+/// The first point that is off the median; the number of points if there is none.
+std::size_t firstOffMedian(const std::vector<Point3>& points, double bound) {
+  constexpr std::size_t kSide = static_cast<std::size_t>(kNeighbours);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const bool is_amid = i >= kSide && i + kSide < points.size();
+    if (is_amid && agreesWithThree(&points[i], bound)) continue;
+    if (isOffMedian(points, i, bound)) return i;
+  }
+  return points.size();
+}
+
 std::vector<Point3> withoutSpray(std::vector<Point3> points, double bound) {
-  std::size_t first = 0;
-  while (first < points.size() && !isOffMedian(points, first, bound)) ++first;
+  const std::size_t first = firstOffMedian(points, bound);
   if (first == points.size()) return points;
   std::vector<Point3> kept(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(first));
   kept.reserve(points.size());
@@ -71,8 +102,8 @@ std::vector<std::size_t> columnsOf(const std::vector<Point3>& points) {
     least = std::min(least, point.z());
     greatest = std::max(greatest, point.z());
   }
-  std::vector<std::size_t> columns;
-  columns.reserve(points.size() + 1);
+  std::vector<std::size_t> columns(points.size() + 1);
+  std::size_t count = 0;
   const bool knows_rays = !points.empty() && least > kNearOverFar * greatest;
   const auto apart = [](const Point3& a, const Point3& b) { return std::abs(a.x() * b.z() - b.x() * a.z()); };
   const auto depths = [](const Point3& a, const Point3& b) { return a.z() * b.z(); };
@@ -83,9 +114,11 @@ std::vector<std::size_t> columnsOf(const std::vector<Point3>& points) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     const bool is_same = knows_rays && i > 0 &&
                          apart(points[i - 1], points[i]) < least_step * depths(points[i - 1], points[i]);
-    if (!is_same) columns.push_back(i);
+    columns[count] = i;
+    count += is_same ? 0 : 1;
   }
-  columns.push_back(points.size());
+  columns[count] = points.size();
+  columns.resize(count + 1);
   return columns;
 }
 
@@ -98,18 +131,18 @@ SoundPoints soundPoints(const std::vector<Point3>& points, double layer_mm, cons
   const std::size_t end = points.size() - std::min(trim, points.size() - trim);
   counts.received = points.size();
   counts.trimmed = trim + (points.size() - end);
-  sound.points.reserve(points.size());
-  for (std::size_t i = trim; i < end; ++i) {
-    const Point3& point = points[i];
-    const double depth = point.z();
-    const bool is_within = settings.greatest_depth_mm <= 0.0 ||
-                           (depth >= settings.least_depth_mm && depth <= settings.greatest_depth_mm);
-    if (!point.allFinite() || point.isZero(0.0))
+  const auto at = [&](std::size_t i) { return points.begin() + static_cast<std::ptrdiff_t>(i); };
+  std::size_t valid = trim;
+  while (valid < end && isFinite(points[valid]) && isWithin(points[valid], settings)) ++valid;
+  sound.points.reserve(end - trim);
+  sound.points.assign(at(trim), at(valid));
+  for (std::size_t i = valid; i < end; ++i) {
+    if (!isFinite(points[i]))
       ++counts.not_finite;
-    else if (!is_within)
+    else if (!isWithin(points[i], settings))
       ++counts.outside_window;
     else
-      sound.points.push_back(point);
+      sound.points.push_back(points[i]);
   }
   const std::size_t before = sound.points.size();
   const double bound = std::max(kSpraySigmas * settings.sigma_mm, kSprayLayers * layer_mm);

@@ -46,6 +46,8 @@ class ProfileReader {
         stamp_sigma_(profile.stamp_sigma_mm) {
     for (const std::size_t layer : atlas.layers()) {
       sheets_.push_back({atlas.cellsOf(layer), atlas.isPlane(layer), nullptr});
+      Sheet& sheet = sheets_.back();
+      if (sheet.is_plane && sheet.cells->size() > 0) sheet.cosine = sheet.cells->growth[0].dot(to_sensor_);
       for (const LayerPrediction& prediction : predictions)
         if (prediction.layer == layer && prediction.estimates &&
             prediction.estimates->size() == sheets_.back().cells->size())
@@ -71,8 +73,10 @@ class ProfileReader {
   }
 
   std::vector<LayerReading> readings() {
-    std::stable_sort(runs_.begin(), runs_.end(), isBefore);
+    if (!std::is_sorted(runs_.begin(), runs_.end(), isBefore))
+      std::stable_sort(runs_.begin(), runs_.end(), isBefore);
     std::vector<LayerReading> readings;
+    readings.reserve(runs_.size());
     for (std::size_t i = 0; i < runs_.size();) {
       CrownRun sum = runs_[i];
       for (++i; i < runs_.size() && !isBefore(sum, runs_[i]); ++i) {
@@ -91,6 +95,10 @@ class ProfileReader {
   /// The returns along one ray: at most one of them counts.
   void readColumn(const std::vector<Point3>& points, const std::vector<std::optional<CellSight>>& newest,
                   std::size_t first, std::size_t last) {
+    if (last - first == 1) {
+      if (const auto taken = take(points[first], newest[first])) add(taken->sight);
+      return;
+    }
     std::optional<TakenSight> best;
     for (std::size_t i = first; i != last; ++i) {
       const auto taken = take(points[i], newest[i]);
@@ -105,8 +113,8 @@ class ProfileReader {
     std::shared_ptr<const LayerCells> cells;
     bool is_plane;
     const std::vector<CellEstimate>* estimates;
-
-    const Eigen::Vector3d& growthAt(std::size_t cell) const { return cells->growth[is_plane ? 0 : cell]; }
+    double cosine = 0.0;    ///< of beam and growth, of a plane layer
+    double sigma_mm = 0.0;  ///< of its points; 0 until it is asked for
   };
 
   const Sheet& sheetOf(std::size_t layer) const {
@@ -115,10 +123,16 @@ class ProfileReader {
     return *sheet;
   }
 
-  double sigmaOf(const CrownRun& run) const {
-    const Eigen::Vector3d growth = sheetOf(run.layer).growthAt(run.cell);
+  double sigmaOf(const Eigen::Vector3d& growth) const {
     const double sigma = pointSigma(std::max(least_cosine_, growth.dot(to_sensor_)), settings_);
     return stamp_sigma_.isZero(0.0) ? sigma : std::hypot(sigma, growth.dot(stamp_sigma_));
+  }
+
+  double sigmaOf(const CrownRun& run) {
+    Sheet& sheet = sheets_[static_cast<std::size_t>(&sheetOf(run.layer) - sheets_.data())];
+    if (!sheet.is_plane) return sigmaOf(sheet.cells->growth[run.cell]);
+    if (sheet.sigma_mm == 0.0) sheet.sigma_mm = sigmaOf(sheet.cells->growth[0]);
+    return sheet.sigma_mm;
   }
 
   /// Of cells that lie far apart in memory, ahead of when it is asked for.
@@ -158,8 +172,9 @@ class ProfileReader {
 
   /// Whether the point lies where its cell should be level and is seen well; counted where not.
   bool isSeen(const CellSight& sight) {
-    const bool is_grazing = sheetOf(sight.layer).growthAt(sight.cell).dot(to_sensor_) < least_cosine_;
-    if (is_grazing) {
+    const Sheet& sheet = sheetOf(sight.layer);
+    const double cosine = sheet.is_plane ? sheet.cosine : sheet.cells->growth[sight.cell].dot(to_sensor_);
+    if (cosine < least_cosine_) {
       ++counts.grazing;
       return false;
     }

@@ -18,6 +18,7 @@ constexpr double kLeastEdge = 1e-3;      // mm
 constexpr double kSameDirection = 1e-9;  // of unit vectors
 constexpr double kGapeReach = 1.53;      // half lengths that a cell reaches where it gapes
 constexpr double kAcross = 0.51;         // bead widths that it reaches
+constexpr double kWithin = 1.0 - 1e-9;   // of it: cells that end on a square's edge do not reach the next
 
 bool growsAlongOne(const LayerCells& cells) {
   return std::all_of(cells.growth.begin(), cells.growth.end(), [&](const Eigen::Vector3d& growth) {
@@ -110,8 +111,8 @@ void StationIndex::visitPlaces(const LayerCells& cells, Visit visit) const {
     for (std::size_t i = run.first; i < run.first + run.count; ++i) {
       const Point3 middle = placeOf(cells.middle[i]);
       const Point3 reach = reachOf(cells, run, i);
-      const Place first = squareAt(middle - reach);
-      const Place last = squareAt(middle + reach);
+      const Place first = squareAt(middle - kWithin * reach);
+      const Place last = squareAt(middle + kWithin * reach);
       Place place{};
       for (place[2] = first[2]; place[2] <= last[2]; ++place[2])
         for (place[1] = first[1]; place[1] <= last[1]; ++place[1])

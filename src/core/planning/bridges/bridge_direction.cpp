@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -47,11 +48,20 @@ void addDirection(std::vector<double>& directions, double angle) {
   if (std::none_of(directions.begin(), directions.end(), isSame)) directions.push_back(angle);
 }
 
+/// Lines across a piece in one direction, as far as both of their ends are held.
+struct HeldLines {
+  double angle;
+  double share;  ///< of the length of all lines
+  double spacing_mm;
+  double bottom_mm;                                      ///< of the raster
+  std::vector<std::pair<std::int64_t, double>> middles;  ///< line of the raster, and place on it
+};
+
 /// A piece over nothing, and round it a border of which every edge is held by the layer below or is not.
 class HeldPiece {
  public:
   HeldPiece(const Region& piece, const Regions& below, const BridgeSearch& search)
-      : search_(search), below_(below, search.anchor_mm) {
+      : search_(search), below_regions_(&below), below_(below, search.anchor_mm) {
     for (const Polygon& outline : simplify(outlines({piece}), kSimplification * search.pitch_mm))
       (signedArea(outline) > 0.0 ? piece_.outer : piece_.holes.emplace_back()) = outline;
     for (const Region& region : offset({piece_}, 0.5 * search.anchor_mm)) {
@@ -59,7 +69,6 @@ class HeldPiece {
       divided.outer = dividedBorder(region.outer);
       for (const Polygon& hole : region.holes) divided.holes.push_back(dividedBorder(hole));
     }
-    free_ = difference(border_, below);
   }
 
   bool isHeldSomewhere() const {
@@ -93,21 +102,25 @@ class HeldPiece {
     return directions;
   }
 
-  /// How much is held by lines in that direction, of which there are no more than that.
-  BridgeDirection along(double angle, std::size_t most_lines) const {
+  /// What is held by lines in that direction, of which there are no more than that.
+  HeldLines along(double angle, std::size_t most_lines) const {
     const RasterFrame upright(angle);
-    Box2 box;
-    Polygon turned;
-    for (const Point2& point : piece_.outer) turned.push_back(upright.intoRaster(point));
-    box = boundingBox({turned});
-    BridgeDirection found{angle, 0.0, 0.0};
-    if (box.isEmpty() || !(box.size().y() > 0.0)) return found;
-    const double lines = std::clamp(std::ceil(box.size().y() / search_.pitch_mm), 1.0, double(most_lines));
-    const double spacing = box.size().y() / lines;
-    const RasterFrame frame(angle, box.low.y() + 0.5 * spacing);
-    const Raster inner = rasterise({piece_}, spacing, frame);
-    const Raster outer = rasterise(border_, spacing, frame);
-    const Raster free = rasterise(free_, spacing, frame);
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (const Point2& point : piece_.outer) {
+      const double y = upright.intoRaster(point).y();
+      low = std::min(low, y);
+      high = std::max(high, y);
+    }
+    HeldLines found{angle, 0.0, 0.0, 0.0, {}};
+    if (!(high - low > 0.0)) return found;
+    const double lines = std::clamp(std::ceil((high - low) / search_.pitch_mm), 1.0, double(most_lines));
+    found.spacing_mm = (high - low) / lines;
+    found.bottom_mm = low + 0.5 * found.spacing_mm;
+    const RasterFrame frame(angle, found.bottom_mm);
+    const Raster outer = rasterise(border_, found.spacing_mm, frame);
+    if (!holdsAny(outer)) return found;
+    const Raster inner = rasterise({piece_}, found.spacing_mm, frame);
     double length = 0.0, held = 0.0;
     for (std::size_t i = 0; i + 1 < inner.sorted.size(); i += 2) {
       const Crossing& from = inner.crossings[inner.sorted[i]];
@@ -115,10 +128,22 @@ class HeldPiece {
       length += way;
       if (!isHeldAt(outer, from.line, from.x + 0.5 * way)) continue;
       held += way;
-      found.span_mm = std::max(found.span_mm, lengthAt(free, from.line, from.x + 0.5 * way));
+      found.middles.emplace_back(from.line, from.x + 0.5 * way);
     }
-    found.held = length > 0.0 ? held / length : 0.0;
+    found.share = length > 0.0 ? held / length : 0.0;
     return found;
+  }
+
+  /// What the border encloses over nothing, walls among it.
+  Regions open() const { return difference(border_, *below_regions_); }
+
+  /// The longest of the held lines, from border to border.
+  static double longestSpan(const HeldLines& lines, const Regions& open) {
+    if (lines.middles.empty()) return 0.0;
+    const Raster free = rasterise(open, lines.spacing_mm, RasterFrame(lines.angle, lines.bottom_mm));
+    double longest = 0.0;
+    for (const auto& [line, x] : lines.middles) longest = std::max(longest, lengthAt(free, line, x));
+    return longest;
   }
 
  private:
@@ -177,10 +202,21 @@ class HeldPiece {
     return {};
   }
 
+  bool isHeld(const Crossing& end) const { return is_held_[end.outline][end.edge]; }
+
+  /// Whether any line of the border's raster ends on held edges.
+  bool holdsAny(const Raster& raster) const {
+    for (std::size_t row = 0; row + 1 < raster.line_begin.size(); ++row)
+      for (std::uint32_t i = raster.line_begin[row]; i + 1 < raster.line_begin[row + 1]; i += 2)
+        if (isHeld(raster.crossings[raster.sorted[i]]) && isHeld(raster.crossings[raster.sorted[i + 1]]))
+          return true;
+    return false;
+  }
+
   /// Whether the line of the border's raster that holds x ends on held edges.
   bool isHeldAt(const Raster& raster, std::int64_t line, double x) const {
     const auto [from, to] = endsAt(raster, line, x);
-    return from != nullptr && is_held_[from->outline][from->edge] && is_held_[to->outline][to->edge];
+    return from != nullptr && isHeld(*from) && isHeld(*to);
   }
 
   static double lengthAt(const Raster& raster, std::int64_t line, double x) {
@@ -189,10 +225,10 @@ class HeldPiece {
   }
 
   BridgeSearch search_;
+  const Regions* below_regions_;
   BorderDistance below_;
   Region piece_;
   Regions border_;
-  Regions free_;                            ///< of what the border encloses: over nothing, walls among it
   std::vector<std::vector<bool>> is_held_;  ///< edges of the border's outlines
 };
 
@@ -204,7 +240,7 @@ bool isHopeless(const HeldPiece& piece, const std::vector<double>& edges, const 
   angles.insert(angles.end(), chords.begin(), chords.end());
   for (int i = 0; i < kFirstDirections; ++i) angles.push_back(M_PI * i / kFirstDirections);
   return std::none_of(angles.begin(), angles.end(), [&](double angle) {
-    return piece.along(angle, kFewLines).held >= kHopeless * least_held;
+    return piece.along(angle, kFewLines).share >= kHopeless * least_held;
   });
 }
 
@@ -218,23 +254,27 @@ BridgeDirection bridgeDirection(const Region& piece, const Regions& below, const
   if (isHopeless(held, angles, chords, search.least_held)) return {};
   for (const double chord : chords) addDirection(angles, chord);
   for (int i = 0; i < kDirectionsAround; ++i) addDirection(angles, M_PI * i / kDirectionsAround);
-  std::vector<BridgeDirection> found;
+  std::vector<HeldLines> found;
   double most = 0.0;
   for (const double angle : angles) {
     found.push_back(held.along(angle, kMostLines));
-    most = std::max(most, found.back().held);
+    most = std::max(most, found.back().share);
   }
+  const Regions open = held.open();
   BridgeDirection best;
-  for (const BridgeDirection& each : found)
-    if (each.held > 0.0 && each.held >= most - kEquallyHeld &&
-        (best.held == 0.0 || each.span_mm < best.span_mm - kSameSpan))
-      best = each;
+  for (const HeldLines& each : found) {
+    if (!(each.share > 0.0 && each.share >= most - kEquallyHeld)) continue;
+    const double span_mm = HeldPiece::longestSpan(each, open);
+    if (best.held == 0.0 || span_mm < best.span_mm - kSameSpan) best = {each.angle, each.share, span_mm};
+  }
   return best;
 }
 
 BridgeDirection bridgeAlong(double angle_rad, const Region& piece, const Regions& below,
                             const BridgeSearch& search) {
-  return HeldPiece(piece, below, search).along(inHalfTurn(angle_rad), kMostLines);
+  const HeldPiece held(piece, below, search);
+  const HeldLines lines = held.along(inHalfTurn(angle_rad), kMostLines);
+  return {lines.angle, lines.share, HeldPiece::longestSpan(lines, held.open())};
 }
 
 }  // namespace lamina

@@ -16,7 +16,9 @@ namespace {
 
 constexpr double kPartsOfLag = 50.0;      // so finely a change is followed
 constexpr double kShortestTime = 0.5e-3;  // s; the shortest piece
+constexpr double kSameTime = 1e-9;        // s; changes of one time
 constexpr double kShortestWay = 0.02;     // mm; the same
+constexpr double kPastShortest = 1.01;    // of the shortest way: what is not too short
 constexpr double kSteady = 1e-6;          // of a flow: what does not change
 
 /// A motion, and how it is run.
@@ -104,30 +106,68 @@ class RunPusher {
       for (const double change_s : desired.changesBetween(start_s + shift_s, end_s + shift_s))
         changes_s.push_back(change_s - shift_s - start_s);
     std::sort(changes_s.begin(), changes_s.end());
+    const auto is_same = [](double earlier, double later) { return later - earlier < kSameTime; };
+    changes_s.erase(std::unique(changes_s.begin(), changes_s.end(), is_same), changes_s.end());
     changes_s.push_back(motion.profile.duration_s);
     return changes_s;
   }
 
   /// When pieces of a motion end, from its start.
   std::vector<double> ends(const TimedMotion& motion, double start_s, const DesiredFlow& desired) const {
-    const std::vector<double> changes_s = changes(motion, start_s, desired);
+    const std::vector<Stretch> stretches = stretchesOf(motion, start_s, desired);
     std::vector<double> ends_s;
+    for (std::size_t i = 0; i < stretches.size(); ++i) {
+      const Stretch& stretch = stretches[i];
+      if (!stretch.slopes) {
+        // A jump, and a slope too short for a piece of its own, is made up for in one short piece beside it:
+        // along all that is steady, it would be laid as a bead too thick, or too thin.
+        const double short_s = std::max(kShortestTime, kPastShortest * kShortestWay / stretch.speed_mm_s);
+        const bool follows_change = stretch.jumps || (i > 0 && isLost(stretches[i - 1]));
+        const bool precedes_change = i + 1 < stretches.size() && isLost(stretches[i + 1]);
+        if (follows_change && short_s < stretch.duration()) ends_s.push_back(stretch.from_s + short_s);
+        if (precedes_change && 2.0 * short_s < stretch.duration()) ends_s.push_back(stretch.to_s - short_s);
+        ends_s.push_back(stretch.to_s);
+        continue;
+      }
+      const int steps = static_cast<int>(std::ceil(stretch.duration() / step_s_));
+      for (int step = 1; step <= steps; ++step)
+        ends_s.push_back(stretch.from_s + stretch.duration() * step / steps);
+    }
+    return ends_s;
+  }
+
+  /// What lies between two changes of a motion, times from its start.
+  struct Stretch {
+    double from_s = 0.0;
+    double to_s = 0.0;
+    double way_mm = 0.0;
+    double speed_mm_s = 0.0;  ///< of the nozzle, early in it
+    bool slopes = false;      ///< flow due or speed change along it
+    bool jumps = false;       ///< the flow due jumps as it begins
+
+    double duration() const { return to_s - from_s; }
+  };
+
+  static bool isLost(const Stretch& stretch) { return stretch.slopes && stretch.way_mm < kShortestWay; }
+
+  std::vector<Stretch> stretchesOf(const TimedMotion& motion, double start_s,
+                                   const DesiredFlow& desired) const {
+    const std::vector<double> changes_s = changes(motion, start_s, desired);
+    const SpeedProfile& profile = motion.profile;
+    std::vector<Stretch> stretches;
     for (std::size_t i = 0; i + 1 < changes_s.size(); ++i) {
       const double from_s = changes_s[i];
       const double to_s = changes_s[i + 1];
       const double early_s = std::min(from_s + step_s_, 0.5 * (from_s + to_s));
       const auto due = [&](double time_s) { return desired.flowBefore(start_s + time_s + dead_s_); };
-      const bool slopes = differ(due(early_s), due(to_s)) ||
-                          differ(motion.profile.speedAt(early_s), motion.profile.speedAt(to_s));
-      const int steps = slopes ? static_cast<int>(std::ceil((to_s - from_s) / step_s_)) : 1;
-      // A jump is made up for at once; by the second piece if the first, from rest, is too short.
-      const bool jumps = start_s + from_s == 0.0 || differ(due(from_s), due(early_s));
-      if (steps == 1 && jumps)
-        for (const double piece_s : {step_s_, 2.0 * step_s_})
-          if (from_s + piece_s < to_s) ends_s.push_back(from_s + piece_s);
-      for (int step = 1; step <= steps; ++step) ends_s.push_back(from_s + (to_s - from_s) * step / steps);
+      Stretch stretch = {from_s, to_s, profile.distanceAt(to_s) - profile.distanceAt(from_s),
+                         profile.speedAt(early_s)};
+      stretch.slopes =
+          differ(due(early_s), due(to_s)) || differ(profile.speedAt(early_s), profile.speedAt(to_s));
+      stretch.jumps = start_s + from_s == 0.0 || differ(due(from_s), due(early_s));
+      stretches.push_back(stretch);
     }
-    return ends_s;
+    return stretches;
   }
 
   static bool differ(double one, double other) {
