@@ -140,14 +140,14 @@ nlohmann::ordered_json slowShare(const SliceSummary& s) {
 nlohmann::ordered_json jsonOf(const std::vector<ModeCandidate>& candidates) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   for (const ModeCandidate& each : candidates) {
-    if (!each.refusal.empty())
-      all.push_back({{"mode", each.mode}, {"refusal", each.refusal}});
-    else
-      all.push_back({{"mode", each.mode},
-                     {"unsupported_percent", each.unsupported_percent},
-                     {"steps", each.steps},
-                     {"layers", each.layers},
-                     {"time_s", each.time_s}});
+    nlohmann::ordered_json& one = all.emplace_back();
+    one["mode"] = each.mode;
+    if (!each.refusal.empty()) one["refusal"] = each.refusal;
+    if (each.layers == 0) continue;
+    one["unsupported_percent"] = each.unsupported_percent;
+    one["steps"] = each.steps;
+    one["layers"] = each.layers;
+    one["time_s"] = each.time_s;
   }
   return all;
 }

@@ -145,6 +145,7 @@ TEST_F(SlicingModes, VolumetricLayersTiltWhereAWallWouldHang) {
   usePart("cone", {{"radius_mm", "6"}, {"top_radius_mm", "13"}, {"height_mm", "4"}});
   job_.settings.machine.name = "five_axis_head_table";
   job_.settings.volumetric.deviation_deg = 0.0;
+  job_.settings.volumetric.overhang_used_deg = 25.0;  // whatever room the head has
   const SlicedPart sliced = slice("volumetric");
   EXPECT_NO_THROW(validate(sliced.toolpath));
   EXPECT_NEAR(greatestLeanDeg(sliced.toolpath), 35.0, 3.0);

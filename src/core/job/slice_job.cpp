@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "job/cooled_part.hpp"
@@ -140,17 +141,34 @@ std::optional<JointProgram> jointProgramOf(const SliceJob& job, const BuildSpace
   try {
     return planJointProgram(job, space, sliced, progress);
   } catch (const Unreachable& refusal) {
-    throw withLevelLayersNamed(refusal, sliced.summary);
+    rethrowForChoice(refusal, sliced.summary);
   }
 }
 
-SlicedPart readAndSlice(const SliceJob& job, const BuildSpace& space, Progress& progress) {
-  Laps laps;
-  SourcePart source = readSource(job, progress);
-  const double read_s = laps.lap();
-  SlicedPart sliced = sliceSource(std::move(source), job, space, progress);
-  sliced.summary.read_s = read_s;
-  return sliced;
+/// @param refused  what `auto` need not try
+SliceFunction slicingWithout(std::vector<ModeCandidate> refused) {
+  return [refused = std::move(refused)](const SliceJob& job, const BuildSpace& space, Progress& progress) {
+    Laps laps;
+    SourcePart source = readSource(job, progress);
+    const double read_s = laps.lap();
+    SlicedPart sliced = sliceSource(std::move(source), job, space, progress, refused);
+    sliced.summary.read_s = read_s;
+    return sliced;
+  };
+}
+
+/// Choice after choice, until the machine can run what was chosen.
+SlicedPart runChoosing(const BuildSpace& space, const SliceJob& job, Progress& progress) {
+  Laps whole;
+  for (std::vector<ModeCandidate> refused;;) {
+    try {
+      SlicedPart sliced = runIn(space, job, slicingWithout(refused), progress);
+      sliced.summary.wall_s = whole.lap();
+      return sliced;
+    } catch (const ChoiceRefused& refusal) {
+      refused = refusal.refused();
+    }
+  }
 }
 
 }  // namespace
@@ -195,18 +213,17 @@ SlicedPart runSliceJob(const SliceJob& job, Progress& progress) {
   validate(job.settings);
   const BuildSpace space = buildSpaceOf(job.settings.machine);
   const SlicingSettings& slicing = job.settings.slicing;
-  if (slicing.mode != kAutoMode || slicing.plane.angle_deg != 0.0)
-    return runIn(space, job, readAndSlice, progress);
+  if (slicing.mode != kAutoMode || slicing.plane.angle_deg != 0.0) return runChoosing(space, job, progress);
   SliceJob inclined = job;
   inclined.settings.slicing.plane = planeOfHead(space);
-  return runIn(space, inclined, readAndSlice, progress);
+  return runChoosing(space, inclined, progress);
 }
 
 SlicedPart runLevelSliceJob(SliceJob job, Progress& progress) {
   job.settings.slicing.plane = {};
   job.settings.slicing.mode = "planar";
   validate(job.settings);
-  return runIn(withUprightHead(buildSpaceOf(job.settings.machine)), job, readAndSlice, progress);
+  return runIn(withUprightHead(buildSpaceOf(job.settings.machine)), job, slicingWithout({}), progress);
 }
 
 }  // namespace lamina

@@ -35,6 +35,14 @@ class AutomaticChoice : public ::testing::Test {
     writeStl(job_.part, makePart(name, parameters));
   }
 
+  void usePartOffTheBed(const std::string& name, const std::vector<SettingText>& parameters = {}) {
+    Mesh mesh = makePart(name, parameters);
+    for (Point3& vertex : mesh.vertices) vertex.x() += 5000.0;
+    job_.part = folder_.file(name + ".stl");
+    writeStl(job_.part, mesh);
+    job_.settings.placement = Placement::AsIs;
+  }
+
   /// Its arms hang by 6 mm, over a stem 24 mm high.
   void useTee() {
     usePart("tee", {{"stem_mm", "10"},
@@ -196,21 +204,50 @@ TEST_F(AutomaticChoice, ARefusalOfAllShowsWhatStandsInTheWay) {
   }
 }
 
-// The joints of its head turn by 60 deg at most, the arms of the tee need 90.
-TEST_F(AutomaticChoice, WhatTheMachineCannotRunNamesLevelLayers) {
+// The joints of its head turn by 50 deg at most, the arms of the tee take more.
+TEST_F(AutomaticChoice, WhatTheMachineCannotRunGivesWayToTheNextMode) {
   useTee();
   job_.settings.machine.name = "five_axis_head_ab";
   job_.output = folder_.file("tee.gcode");
+  const Failure by_name = failure("multi_direction");
+  ASSERT_EQ(by_name.code, ErrorCode::Unreachable) << by_name.message;
+  job_.settings.slicing.mode = "auto";
+  const SliceSummary summary = slice().summary;
+  EXPECT_NE(summary.mode, "multi_direction");
+  ASSERT_GE(summary.candidates.size(), 3U) << "those behind it are tried";
+  const ModeCandidate& pieces = summary.candidates[1];
+  EXPECT_EQ(pieces.mode, "multi_direction");
+  EXPECT_EQ(pieces.refusal, by_name.message);
+  EXPECT_LE(pieces.unsupported_percent, 1.0);
+  EXPECT_GE(pieces.steps, 2U);
+  EXPECT_NE(summary.mode_reason.find("; multi_direction would leave 0.00 % of the surface unsupported in "),
+            std::string::npos)
+      << summary.mode_reason;
+  EXPECT_NE(summary.mode_reason.find("but the machine cannot run it: " + by_name.message), std::string::npos)
+      << summary.mode_reason;
+  const std::string program_of_auto = readFile(job_.output);
+  EXPECT_TRUE(program_of_auto == program(summary.mode));
+}
+
+// Neither pieces nor adapted layers take its sides; of the others the machine reaches nothing.
+TEST_F(AutomaticChoice, WhatTheMachineRunsInNoModeIsOutOfReachForAllReasons) {
+  usePartOffTheBed("cone", {{"radius_mm", "6"}, {"top_radius_mm", "13"}, {"height_mm", "4"}});
+  job_.settings.directions.most_cuts = 0;
+  job_.settings.adapted.max_lean_deg = 50.0;
+  job_.output = folder_.file("cone.gcode");
   const Failure by_auto = failure("auto");
   EXPECT_EQ(by_auto.code, ErrorCode::Unreachable) << by_auto.message;
-  EXPECT_NE(
-      by_auto.message.find("; auto took slicing.mode=multi_direction, slicing.mode=planar would not tilt"),
-      std::string::npos)
-      << by_auto.message;
-  const Failure by_name = failure("multi_direction");
-  EXPECT_EQ(by_name.code, ErrorCode::Unreachable) << by_name.message;
-  EXPECT_EQ(by_name.message.find("slicing.mode=planar"), std::string::npos) << by_name.message;
-  EXPECT_EQ(failure("planar").code, ErrorCode::Ok);
+  for (const char* const mode : {"planar", "multi_direction", "adapted", "volumetric"})
+    EXPECT_NE(by_auto.message.find(std::string("not ") + mode + ": "), std::string::npos) << by_auto.message;
+}
+
+TEST_F(AutomaticChoice, TheOnlyModeThatAMachineCannotRunIsRefusedByItsOwnError) {
+  usePartOffTheBed("box", {{"x_mm", "8"}, {"y_mm", "6"}, {"z_mm", "4"}});
+  job_.settings.machine.name = "cartesian_gantry";
+  job_.output = folder_.file("box.gcode");
+  const Failure by_planar = failure("planar");
+  EXPECT_EQ(by_planar.code, ErrorCode::Unreachable) << by_planar.message;
+  EXPECT_EQ(failure("auto").message, by_planar.message);
 }
 
 TEST_F(AutomaticChoice, ALaxerLimitTakesTheSimplerMode) {

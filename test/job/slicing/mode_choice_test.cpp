@@ -181,6 +181,23 @@ TEST(ModeChoice, TheReasonHasTheNumbers) {
   EXPECT_NE(noteOn(slow, 1, settings).find("it may take 3.0 min (auto.longest_time)"), std::string::npos);
 }
 
+TEST(ModeChoice, TheReasonNamesWhatTheMachineCannotRun) {
+  const AutomaticSettings settings;
+  std::vector<ModeCandidate> all = {candidate("planar", 13.95, 1, 2520.0),
+                                    candidate("multi_direction", 0.25, 3, 2700.0), refused("adapted")};
+  EXPECT_EQ(machineRefusals(all), "") << "adapted refuses the part itself";
+  all[1].refusal = "layer 3: out of reach";
+  const std::string pieces =
+      "would leave 0.25 % of the surface unsupported in 3 steps, 30 layers, 45.0 min, but the machine cannot "
+      "run it: layer 3: out of reach";
+  EXPECT_EQ(machineRefusals(all), "; multi_direction " + pieces);
+  EXPECT_EQ(noteOn(all, 1, settings), "not multi_direction: it " + pieces);
+  EXPECT_EQ(chosenName(all), "planar");
+  EXPECT_NE(
+      reasonFor(all, 0, settings).find("about the least; none that the machine can run leaves at most 1 %"),
+      std::string::npos);
+}
+
 // Of three minutes and more nothing is said to leave too much.
 TEST(ModeChoice, TheReasonSaysWhereTimeDecided) {
   const AutomaticSettings settings;

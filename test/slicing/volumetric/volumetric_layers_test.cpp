@@ -127,6 +127,41 @@ TEST(VolumetricLayers, AreTheSameForAnyNumberOfThreads) {
   }
 }
 
+/// Two feet 6 mm wide and 20 mm apart, and 10 mm of lintel on them, 8 mm above the bed.
+Mesh portal() {
+  return test::lyingPrism(
+      {{{-16, 0}, {-10, 0}, {-10, 8}, {10, 8}, {10, 0}, {16, 0}, {16, 18}, {-16, 18}}, {}}, 8.0);
+}
+
+/// A nozzle whose shaft fills a cone of 31 deg, and a head above it.
+std::vector<HeadStage> usualHead() { return {{0.0, 25.0, 3.0}, {25.0, 100.0, 30.0}}; }
+
+// Fronts that are tilted by 65 deg leave a valley of 50 deg, into which no cone of 62 deg goes.
+TEST(VolumetricLayers, UseMoreOverhangWhereTheHeadHasNoRoomBetweenFronts) {
+  VolumetricRequest request = usualRequest(0.6);
+  EXPECT_NEAR(grownLayers(portal(), request).measures.overhang_used_deg, 25.0, 1e-9) << "there is no head";
+  request.head = usualHead();
+  const VolumetricMeasures suited = grownLayers(portal(), request).measures;
+  request.settings.overhang_used_deg = 25.0;
+  const VolumetricMeasures asked = grownLayers(portal(), request).measures;
+  EXPECT_NEAR(asked.overhang_used_deg, 25.0, 1e-9);
+  EXPECT_GT(asked.shut, 0.01);
+  EXPECT_GE(suited.overhang_used_deg, 30.0 - 1e-9);
+  EXPECT_LT(suited.shut, 0.8 * asked.shut);
+  EXPECT_LE(suited.unsupported_mm2, 0.05 * suited.surface_mm2);
+}
+
+// Cells of 2 mm cost so much in angle that the undersides of the bar are not supported.
+TEST(VolumetricLayers, UseLessOverhangWhereMuchIsLeftUnsupported) {
+  VolumetricRequest request = usualRequest(2.0);
+  const VolumetricMeasures suited = grownLayers(test::tShape(), request).measures;
+  request.settings.overhang_used_deg = 25.0;
+  const VolumetricMeasures asked = grownLayers(test::tShape(), request).measures;
+  EXPECT_GT(asked.unsupported_mm2, 0.02 * asked.surface_mm2);
+  EXPECT_LT(suited.overhang_used_deg, 25.0);
+  EXPECT_LT(suited.unsupported_mm2, asked.unsupported_mm2);
+}
+
 /// The message of the refusal of a part, or nothing.
 std::string refusalOf(const Mesh& mesh, const VolumetricRequest& request = usualRequest()) {
   try {

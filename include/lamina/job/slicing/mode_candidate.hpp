@@ -7,7 +7,8 @@
 
 namespace lamina {
 
-/// A mode that a part may be sliced by, and what it would give.
+/// A mode that a part may be sliced by, and what it would give: of one that refuses the part nothing, of one
+/// whose layers the machine cannot run the same as of others.
 struct ModeCandidate {
   std::string mode;
   std::string refusal;               ///< why it is not to be had; empty if it is

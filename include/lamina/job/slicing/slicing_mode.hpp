@@ -13,6 +13,7 @@
 #include "lamina/base/registry.hpp"
 #include "lamina/job/part/source_part.hpp"
 #include "lamina/job/slice_job.hpp"
+#include "lamina/job/slicing/mode_candidate.hpp"
 #include "lamina/kinematics/model/build_space.hpp"
 #include "lamina/planning/planner.hpp"
 
@@ -23,6 +24,7 @@ struct PlanningRequest {
   const SliceJob& job;
   const BuildSpace& space;
   Eigen::Isometry3d bed_from_part = Eigen::Isometry3d::Identity();
+  std::vector<ModeCandidate> refused = {};  ///< of what `auto` may choose: known not to be had
 
   /// Name of the part: its file's without folder and suffix.
   std::string partName() const;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "job/slicing/automatic_planning.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <exception>
@@ -32,7 +33,8 @@ class ModeTrials {
   ModeTrials(const SourcePart& source, const PlanningRequest& request) : source_(source), request_(request) {}
 
   void attempt(const std::string& mode, Progress& progress) {
-    ModeTrial trial = tryMode(mode, source_, request_, progress);
+    ModeTrial trial = known(mode);
+    if (trial.candidate.refusal.empty()) trial = tryMode(mode, source_, request_, progress);
     candidates_.push_back(std::move(trial.candidate));
     if (trial.refused_by) refused_by_ = trial.refused_by;
     if (!trial.in_the_way.triangles.empty()) in_the_way_ = std::move(trial.in_the_way);
@@ -52,9 +54,12 @@ class ModeTrials {
   /// Of one mode its own error; of several all reasons, and the region of the last that shows one.
   [[noreturn]] void refuse() const {
     if (candidates_.size() == 1) std::rethrow_exception(refused_by_);
-    std::string message = "no slicing mode takes the part";
+    const bool is_for_machine = std::any_of(candidates_.begin(), candidates_.end(), isRefusedByMachine);
+    std::string message =
+        is_for_machine ? "no slicing mode suits part and machine" : "no slicing mode takes the part";
     for (const ModeCandidate& candidate : candidates_)
       message += "; not " + candidate.mode + ": " + candidate.refusal;
+    if (is_for_machine) throw Unreachable(message);
     if (in_the_way_.triangles.empty()) throw InvalidMesh(message);
     throw Unsliceable(message, in_the_way_).on(source_.mesh);
   }
@@ -68,6 +73,15 @@ class ModeTrials {
   }
 
  private:
+  /// What an earlier choice found; without refusal if it found none.
+  ModeTrial known(const std::string& mode) const {
+    ModeTrial trial;
+    for (const ModeCandidate& candidate : request_.refused)
+      if (candidate.mode == mode) trial.candidate = candidate;
+    trial.refused_by = std::make_exception_ptr(Unreachable(trial.candidate.refusal));
+    return trial;
+  }
+
   const AutomaticSettings& settings() const { return request_.job.settings.automatic; }
 
   const SourcePart& source_;
@@ -81,7 +95,7 @@ class ModeTrials {
 PlannedPart taken(ModeTrials& trials, std::size_t place, const std::string& reason, SliceSummary& summary) {
   PlannedPart planned = trials.take(place);
   summary.mode = trials.candidates()[place].mode;
-  summary.mode_reason = reason;
+  summary.mode_reason = reason + machineRefusals(trials.candidates());
   summary.candidates = trials.candidates();
   for (std::string& note : trials.notesBeside(place)) planned.notes.push_back(std::move(note));
   return planned;
@@ -140,13 +154,17 @@ PlannedPart planAutomatically(const SourcePart& source, const PlanningRequest& r
   return planBySupport(trials, request, summary, progress);
 }
 
-Unreachable withLevelLayersNamed(const Unreachable& refusal, const SliceSummary& summary) {
-  const std::vector<ModeCandidate>& candidates = summary.candidates;
-  if (candidates.empty() || hasPlaneLayers(summary.mode)) return refusal;
-  for (const ModeCandidate& candidate : candidates)
-    if (candidate.mode == "planar" && !candidate.refusal.empty()) return refusal;
-  return Unreachable(std::string(refusal.what()) + "; auto took slicing.mode=" + summary.mode +
-                     ", slicing.mode=planar would not tilt the nozzle");
+ChoiceRefused::ChoiceRefused(const Unreachable& refusal, const SliceSummary& summary)
+    : Unreachable(std::string(refusal.what()) + "; auto took slicing.mode=" + summary.mode) {
+  for (ModeCandidate candidate : summary.candidates) {
+    if (candidate.mode == summary.mode) candidate.refusal = refusal.what();
+    if (!candidate.refusal.empty()) refused_.push_back(std::move(candidate));
+  }
+}
+
+void rethrowForChoice(const Unreachable& refusal, const SliceSummary& summary) {
+  if (summary.candidates.empty()) throw refusal;
+  throw ChoiceRefused(refusal, summary);
 }
 
 PlaneSettings planeOfHead(const BuildSpace& space) {

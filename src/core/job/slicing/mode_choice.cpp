@@ -50,6 +50,12 @@ std::string numbersOf(const ModeCandidate& candidate) {
   return text;
 }
 
+std::string wouldLeave(const ModeCandidate& candidate) {
+  const std::string numbers = "would leave " + numbersOf(candidate);
+  if (!isRefusedByMachine(candidate)) return numbers;
+  return numbers + ", but the machine cannot run it: " + candidate.refusal;
+}
+
 std::string limitText(double percent) {
   char text[48];
   std::snprintf(text, sizeof text, "%.4g %%", percent);
@@ -68,6 +74,11 @@ std::string limitOfTime(const std::vector<ModeCandidate>& candidates, std::size_
   std::snprintf(text, sizeof text, " of those that take at most %.1f min (auto.longest_time)",
                 longest_s / 60.0);
   return text;
+}
+
+std::string limitOfMachine(const std::vector<ModeCandidate>& candidates) {
+  const bool leaves_one_out = std::any_of(candidates.begin(), candidates.end(), isRefusedByMachine);
+  return leaves_one_out ? " that the machine can run" : "";
 }
 
 }  // namespace
@@ -114,19 +125,31 @@ std::string reasonFor(const std::vector<ModeCandidate>& candidates, std::size_t 
     reason += "the simplest" + limitOfTime(candidates, chosen + 1, settings) + " with at most " +
               limitText(settings.good_unsupported_percent);
   else
-    reason += "in the fewest steps of those that leave about the least; none" +
+    reason += "in the fewest steps of those that leave about the least; none" + limitOfMachine(candidates) +
               limitOfTime(candidates, candidates.size(), settings) + " leaves at most " +
               limitText(settings.good_unsupported_percent);
   if (chosen > 0 && candidates.front().refusal.empty())
-    reason += "; " + candidates.front().mode + " would leave " + numbersOf(candidates.front());
+    reason += "; " + candidates.front().mode + " " + wouldLeave(candidates.front());
   return reason;
+}
+
+bool isRefusedByMachine(const ModeCandidate& candidate) {
+  return !candidate.refusal.empty() && candidate.layers > 0;
+}
+
+std::string machineRefusals(const std::vector<ModeCandidate>& candidates) {
+  std::string text;
+  for (const ModeCandidate& candidate : candidates)
+    if (isRefusedByMachine(candidate)) text += "; " + candidate.mode + " " + wouldLeave(candidate);
+  return text;
 }
 
 std::string noteOn(const std::vector<ModeCandidate>& candidates, std::size_t which,
                    const AutomaticSettings& settings) {
   const ModeCandidate& candidate = candidates[which];
+  if (isRefusedByMachine(candidate)) return "not " + candidate.mode + ": it " + wouldLeave(candidate);
   if (!candidate.refusal.empty()) return "not " + candidate.mode + ": " + candidate.refusal;
-  std::string note = "not " + candidate.mode + ": it would leave " + numbersOf(candidate);
+  std::string note = "not " + candidate.mode + ": it " + wouldLeave(candidate);
   const double longest_s = longestTime(candidates, candidates.size(), settings);
   if (candidate.time_s <= longest_s) return note;
   char text[96];

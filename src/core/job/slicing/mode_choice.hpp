@@ -34,6 +34,13 @@ bool isOutdone(const std::vector<ModeCandidate>& candidates, std::size_t which);
 std::string reasonFor(const std::vector<ModeCandidate>& candidates, std::size_t chosen,
                       const AutomaticSettings& settings);
 
+/// Whether a mode takes the part, but the machine cannot run its layers.
+bool isRefusedByMachine(const ModeCandidate& candidate);
+
+/// What each mode would give whose layers the machine cannot run, and why it cannot, to be added to the
+/// reason; empty if there is none.
+std::string machineRefusals(const std::vector<ModeCandidate>& candidates);
+
 /// What one of them would give, or why it was passed over: a sentence without full stop.
 std::string noteOn(const std::vector<ModeCandidate>& candidates, std::size_t which,
                    const AutomaticSettings& settings);

@@ -119,7 +119,8 @@ LaidPart laidPart(SourcePart read, const SliceJob& job, const BuildSpace& space)
   return laid;
 }
 
-SlicedPart sliceSource(SourcePart source, const SliceJob& job, const BuildSpace& space, Progress& progress) {
+SlicedPart sliceSource(SourcePart source, const SliceJob& job, const BuildSpace& space, Progress& progress,
+                       const std::vector<ModeCandidate>& refused) {
   SlicedPart sliced;
   const Point3 drawn = boundingBox(source.mesh).size();
   LaidPart laid = laidPart(std::move(source), job, space);
@@ -127,8 +128,8 @@ SlicedPart sliceSource(SourcePart source, const SliceJob& job, const BuildSpace&
   const std::size_t volumes = laid.source.volumes.size();
   addSource(sliced.summary, laid.source);
   sliced.bed_from_part = laid.bed_from_part;
-  sliced.toolpath =
-      planOriented(std::move(laid.source), {job, space, sliced.bed_from_part}, sliced.summary, progress);
+  sliced.toolpath = planOriented(std::move(laid.source), {job, space, sliced.bed_from_part, refused},
+                                 sliced.summary, progress);
   sliced.bed_from_part.pretranslate(Point3(0.0, 0.0, sliced.summary.raft_mm));
   const bool are_level = sliced.summary.mode == "planar" && job.settings.slicing.plane.angle_deg == 0.0;
   if (volumes > 0 && !are_level) sliced.summary.notes.push_back(volumesNote(volumes));
@@ -140,7 +141,7 @@ SlicedPart sliceSource(SourcePart source, const SliceJob& job, const BuildSpace&
   try {
     requireWithin(space, job, sliced);
   } catch (const Unreachable& refusal) {
-    throw withLevelLayersNamed(refusal, sliced.summary);
+    rethrowForChoice(refusal, sliced.summary);
   }
   return sliced;
 }

@@ -34,6 +34,7 @@ LaidPart laidPart(SourcePart read, const SliceJob& job, const BuildSpace& space)
 /// Everything between mesh and program: places, slices and plans what was read, and checks it against the
 /// build space. Of the times in the summary only that of slicing is set.
 /// @throws as `runSliceJob`
-SlicedPart sliceSource(SourcePart source, const SliceJob& job, const BuildSpace& space, Progress& progress);
+SlicedPart sliceSource(SourcePart source, const SliceJob& job, const BuildSpace& space, Progress& progress,
+                       const std::vector<ModeCandidate>& refused = {});
 
 }  // namespace lamina

@@ -10,11 +10,15 @@
 #include "job/laps.hpp"
 #include "job/slicing/head_stages.hpp"
 #include "job/slicing/layer_stack_planning.hpp"
+#include "job/slicing/settled_axis.hpp"
 #include "job/slicing/travels_over_part.hpp"
+#include "lamina/base/angle.hpp"
 #include "lamina/slicing/volumetric/volumetric_layers.hpp"
 
 namespace lamina {
 namespace {
+
+constexpr double kSettledRad = toRadians(1.0);
 
 std::string noteOnGrowth(const VolumetricMeasures& measures, double layer_height_mm) {
   char text[400];
@@ -113,6 +117,7 @@ PlannedPart planVolumetric(SourcePart source, const PlanningRequest& request, Pr
   const std::size_t bent_layers = layers.layers.size() - measures.level_layers;
   const double slice_s = laps.lap();
   PlannedPart planned = planStack({stackedLayers(std::move(layers))}, request, progress);
+  settleAxes(planned.plan.toolpath, kSettledRad);
   const TravelsOverPart travels =
       leadTravels(planned.plan.toolpath, laid_mm, *room, settings.planning.travel.hop_mm, progress);
   planned.counts.slice_s += slice_s;

@@ -19,18 +19,12 @@
 #include "slicing/curved/layer_coverage.hpp"
 #include "slicing/curved/part_samples.hpp"
 #include "slicing/curved/shell_tidying.hpp"
-#include "slicing/volumetric/growth_measures.hpp"
+#include "slicing/volumetric/grown_part.hpp"
 #include "slicing/volumetric/growth_surfaces.hpp"
-#include "slicing/volumetric/head_lean.hpp"
 
 namespace lamina {
 namespace {
 
-constexpr double kMarginDeg = 20.0;          // between the overhang taken and that used up
-constexpr double kNodesAimedAt = 500'000.0;  // in cells chosen by the part's volume
-constexpr double kMostNodes = 4'000'000.0;
-constexpr double kLargestCellMm = 1.0;
-constexpr double kLeastBeads = 2.0 / 3.0;  // of a cell so chosen, in bead widths
 constexpr double kLeastResting = 0.5;
 constexpr double kCarriedBeads = 4.0;  // squares of a bead that may hang from the rest of a piece
 // So many that 0.5 % of them are within 0.1 % of what they stand for.
@@ -43,60 +37,10 @@ void requireClosed(const Mesh& mesh, const MeshTopology& topology) {
     throw InvalidMesh("the mesh holds " + std::to_string(inside) + " mm³; expected a positive volume");
 }
 
-double cellFor(double volume_mm3, const VolumetricRequest& request) {
-  if (request.settings.cell_mm > 0.0) return request.settings.cell_mm;
-  const double aimed_at = std::min(std::cbrt(volume_mm3 / kNodesAimedAt), kLargestCellMm);
-  return std::max({aimed_at, kLeastBeads * request.bead_mm, std::cbrt(volume_mm3 / kMostNodes)});
-}
-
-double overhangUsed(const VolumetricSettings& settings) {
-  const double asked = settings.overhang_used_deg >= 0.0
-                           ? settings.overhang_used_deg
-                           : std::max(0.0, settings.max_overhang_deg - kMarginDeg);
-  return overhangWithin(toRadians(asked), settings.max_thickness);
-}
-
 std::string placeText(const Point3& place) {
   char text[100];
   std::snprintf(text, sizeof text, "(%.1f, %.1f, %.1f) mm", place.x(), place.y(), place.z());
   return text;
-}
-
-struct GrownCells final : HeadRoom::Growth {
-  GrownCells(CellGraph graph, ArrivalField arrival) : cells(std::move(graph)), field(std::move(arrival)) {}
-
-  double at(const Point3& place) const override {
-    const std::uint32_t node = cells.nodeAt(place);
-    return node == CellGraph::kNone ? std::numeric_limits<double>::infinity() : field.growth_mm[node];
-  }
-
-  CellGraph cells;
-  ArrivalField field;
-};
-
-/// A part's growth, and what it was computed with.
-struct GrownPart {
-  const Mesh& mesh;
-  const VolumetricRequest& request;
-  double bed_mm;
-  double overhang_rad;
-  GrowthGauge gauge;
-  std::shared_ptr<const GrownCells> grown;
-
-  const CellGraph& cells() const { return grown->cells; }
-  const ArrivalField& field() const { return grown->field; }
-};
-
-GrownPart grownPart(const Mesh& mesh, const VolumetricRequest& request, Progress& progress) {
-  const VolumetricSettings& settings = request.settings;
-  const double bed = boundingBox(mesh).low.z() + settings.sink_mm;
-  const double overhang = overhangUsed(settings);
-  CellGraph cells(mesh, cellFor(volume(mesh), request), bed, progress);
-  const GrowthGauge gauge({overhang, settings.max_thickness, toRadians(settings.max_tilt_deg)});
-  ArrivalField field =
-      arrivalField(cells, gauge, {bed, 0.5 * request.slicing.first_layer_height_mm}, progress);
-  return {mesh,     request, bed,
-          overhang, gauge,   std::make_shared<const GrownCells>(std::move(cells), std::move(field))};
 }
 
 Mesh trianglesWhere(const Mesh& mesh, const std::vector<double>& weight) {
@@ -104,25 +48,6 @@ Mesh trianglesWhere(const Mesh& mesh, const std::vector<double>& weight) {
   for (std::uint32_t i = 0; i < weight.size(); ++i)
     if (weight[i] > 0.0) numbers.push_back(i);
   return patchOf(mesh, numbers);
-}
-
-void requireStanding(const GrownPart& part) {
-  const double bead = part.request.bead_mm;
-  if (part.field().contact_mm2 >= bead * bead) return;
-  char text[240];
-  std::snprintf(
-      text, sizeof text,
-      "the part touches the bed by %.3g mm² at half of the first layer; expected at least a bead's square, "
-      "%.3g mm²: sink it by volumetric.sink_mm, or turn it",
-      part.field().contact_mm2, bead * bead);
-  TriangleNumbers lowest;
-  for (std::uint32_t i = 0; i < part.mesh.triangles.size(); ++i)
-    for (const std::uint32_t corner : part.mesh.triangles[i])
-      if (part.mesh.vertices[corner].z() < part.bed_mm + part.cells().frame().voxel_mm) {
-        lowest.push_back(i);
-        break;
-      }
-  throw Unsliceable(text, patchOf(part.mesh, lowest));
 }
 
 /// What no growth reaches, and its lowest place.
@@ -200,10 +125,9 @@ double usualTilt(const GrownPart& part) {
   return tilts.empty() ? 0.0 : tilts.back().first;
 }
 
-/// @return what hangs of the surface
-Mesh measureField(const GrownPart& part, const GrowthLattice& lattice, VolumetricMeasures& measures,
-                  Progress& progress) {
+void measureField(const GrownPart& part, VolumetricMeasures& measures) {
   const VolumetricRequest& request = part.request;
+  const GrowthLattice& lattice = *part.lattice;
   measures.cell_mm = part.cells().frame().voxel_mm;
   measures.nodes = part.cells().nodeCount();
   measures.overhang_used_deg = toDegrees(part.overhang_rad);
@@ -217,16 +141,12 @@ Mesh measureField(const GrownPart& part, const GrowthLattice& lattice, Volumetri
   measures.thickest = thickness.greatest;
   measures.beyond_thickness = thickness.beyond;
   measures.minima = growthMinima(part.cells(), lattice, part.bed_mm);
-  HangingSurface hanging = hangingSurface(
-      part.mesh, part.cells(), lattice,
-      {toRadians(request.settings.max_overhang_deg), part.bed_mm + request.slicing.first_layer_height_mm},
-      progress);
+  const HangingSurface& hanging = part.hanging;
   measures.surface_mm2 = hanging.surface_mm2;
   measures.unsupported_level_mm2 = hanging.level_mm2;
   measures.unsupported_mm2 = hanging.grown_mm2;
   requireReached(part, pendant, hanging);
   requireSupported(part, hanging);
-  return std::move(hanging.grown);
 }
 
 /// Layers by the growth at which they begin and end.
@@ -321,19 +241,15 @@ void measureCoverage(const GrownPart& part, const std::vector<VolumetricLayer>& 
 }
 
 /// Turns the head from the layers' normals to where it is clear. Tips and heights stay those of the layers.
-void leanHead(const GrownPart& part, const GrowthLattice& lattice, std::vector<LayerSurface>& surfaces,
-              VolumetricLayers& result, Progress& progress) {
-  result.room = std::make_shared<const HeadRoom>(part.grown, part.request.head, part.bed_mm);
-  if (part.request.head.empty()) return;
-  const LeanQuestion question{toRadians(part.request.settings.deviation_deg),
-                              part.request.slicing.layer_height_mm};
-  const HeadLean lean(part.cells(), lattice, *result.room, question, progress);
-  result.measures.greatest_lean_deg = toDegrees(lean.greatest());
-  result.measures.shut = lean.shut();
+void leanHead(const GrownPart& part, std::vector<LayerSurface>& surfaces, VolumetricMeasures& measures,
+              Progress& progress) {
+  if (!part.lean) return;
+  measures.greatest_lean_deg = toDegrees(part.lean->greatest());
+  measures.shut = part.shut();
   const auto leanLayer = [&](std::size_t i) {
     LayerSurface& surface = surfaces[i];
     for (std::size_t v = 0; v < surface.normal.size(); ++v)
-      surface.normal[v] = lean.direction(surface.tip[v], surface.normal[v]);
+      surface.normal[v] = part.lean->direction(surface.tip[v], surface.normal[v]);
   };
   parallelFor(surfaces.size(), leanLayer, progress, "head");
 }
@@ -353,10 +269,11 @@ VolumetricLayers volumetricLayers(const Mesh& mesh, const MeshTopology& topology
                                   const VolumetricRequest& request, Progress& progress) {
   requireClosed(mesh, topology);
   const GrownPart part = grownPart(mesh, request, progress);
-  requireStanding(part);
+  const GrowthLattice& lattice = *part.lattice;
   VolumetricLayers result;
-  const GrowthLattice lattice(part.cells(), part.field(), part.gauge, progress);
-  result.hanging = measureField(part, lattice, result.measures, progress);
+  measureField(part, result.measures);
+  result.hanging = part.hanging.grown;
+  result.room = part.room;
   const std::vector<LayerBounds> bounds = growthBounds(part);
   result.layers = layersFor(bounds, part.bed_mm);
   const std::vector<char> is_level = levelLayers(part.cells(), lattice, bounds, part.bed_mm);
@@ -367,7 +284,7 @@ VolumetricLayers volumetricLayers(const Mesh& mesh, const MeshTopology& topology
   result.measures.left_out_mm3 = leaveOutCrumbs(surfaces, request.bead_mm, progress);
   measureResting(part, surfaces, result.measures, progress);
   measureCoverage(part, result.layers, surfaces, result.measures, progress);
-  leanHead(part, lattice, surfaces, result, progress);
+  leanHead(part, surfaces, result.measures, progress);
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     if (!result.layers[i].plane.section.contours.empty()) ++result.measures.level_layers;
     result.layers[i].surface = std::move(surfaces[i]);

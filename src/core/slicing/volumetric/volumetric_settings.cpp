@@ -14,9 +14,9 @@ void describe(SettingsSchema& schema, VolumetricSettings& settings) {
   schema.number(
       "volumetric.max_overhang_deg", settings.max_overhang_deg, {0.0, 60.0},
       "Greatest overhang that the material takes, from the layer's own normal; 0 on upright walls.");
-  schema.number(
-      "volumetric.overhang_used_deg", settings.overhang_used_deg, {-1.0, 60.0},
-      "Overhang that volumetric layers use up before they bend; negative for 20 deg less than is taken.");
+  schema.number("volumetric.overhang_used_deg", settings.overhang_used_deg, {-1.0, 60.0},
+                "Overhang that volumetric layers use up before they bend; negative for 20 deg less than is "
+                "taken, or as head and surface ask for.");
   schema.number(
       "volumetric.max_thickness", settings.max_thickness, {1.0, 4.0},
       "Greatest thickness of a volumetric layer, over slicing.layer_height_mm, which is the least.");

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <limits>
+#include <memory>
+
+#include "lamina/base/progress.hpp"
+#include "lamina/slicing/volumetric/volumetric_layers.hpp"
+#include "slicing/volumetric/arrival_field.hpp"
+#include "slicing/volumetric/growth_lattice.hpp"
+#include "slicing/volumetric/growth_measures.hpp"
+#include "slicing/volumetric/head_lean.hpp"
+
+namespace lamina {
+
+/// Cells, and when growth reaches them.
+struct GrownCells final : HeadRoom::Growth {
+  GrownCells(CellGraph graph, ArrivalField arrival) : cells(std::move(graph)), field(std::move(arrival)) {}
+
+  double at(const Point3& place) const override {
+    const std::uint32_t node = cells.nodeAt(place);
+    return node == CellGraph::kNone ? std::numeric_limits<double>::infinity() : field.growth_mm[node];
+  }
+
+  CellGraph cells;
+  ArrivalField field;
+};
+
+/// A part's growth by one overhang used, and how that suits the surface and the head.
+struct GrownPart {
+  const Mesh& mesh;
+  const VolumetricRequest& request;
+  double bed_mm;
+  double overhang_rad;  ///< used
+  GrowthGauge gauge;
+  std::shared_ptr<const GrownCells> grown;
+  std::shared_ptr<const GrowthLattice> lattice;
+  HangingSurface hanging;
+  std::shared_ptr<const HeadRoom> room;
+  std::shared_ptr<const HeadLean> lean;  ///< nothing without a head
+
+  const CellGraph& cells() const { return grown->cells; }
+  const ArrivalField& field() const { return grown->field; }
+  double unsupportedPercent() const { return 100.0 * hanging.grown_mm2 / hanging.surface_mm2; }
+  /// Of the volume: where the head is not clear by any lean.
+  double shut() const { return lean ? lean->shut() : 0.0; }
+};
+
+/// Grows a part by the overhang that `overhang_used_deg` states. If it states none, by 20 deg less than the
+/// material takes, and then in steps of 5 deg: more where the head has no room between fronts that meet, so
+/// that they meet at a wider angle, as long as that makes room, thickness allows it and no more is left
+/// unsupported than is taken; less where much is left unsupported, as long as there is less of it and the
+/// head has room.
+/// @throws Unsliceable if it does not stand on the bed; Cancelled
+GrownPart grownPart(const Mesh& mesh, const VolumetricRequest& request, Progress& progress);
+
+}  // namespace lamina
