@@ -1,12 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <array>
 #include <cstdio>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
+#include <string_view>
 
 #include "arguments/profile_options.hpp"
 #include "arguments/setting_options.hpp"
@@ -153,6 +156,17 @@ Checked checkedOn(const KinematicModel& model, const std::string& input, const J
   return checked;
 }
 
+/// @throws InvalidConfig if a program in a robot's language is to be checked on no robot
+void requireRobot(const std::string& input, const MachineSettings& machine) {
+  const std::string suffix = std::filesystem::path(input).extension().string();
+  constexpr std::array<std::string_view, 4> kOfRobots = {".src", ".script", ".ls", ".jbi"};
+  if (!machine.urdf.empty() || std::find(kOfRobots.begin(), kOfRobots.end(), suffix) == kOfRobots.end())
+    return;
+  throw InvalidConfig(
+      "'" + input + "' is the program of a robot, and the machine is " + machine.name +
+      "; expected the robot: --machine with a profile, a cell file (.yaml) or a description (.urdf)");
+}
+
 void check(const CheckArguments& arguments, Chosen& chosen) {
   requireApart({arguments.report}, {arguments.input, arguments.settings.config});
   SettingOptions options = arguments.settings;
@@ -165,6 +179,7 @@ void check(const CheckArguments& arguments, Chosen& chosen) {
   const LayeredSettings layered = layeredSettingsFrom(profiles, options);
   validate(layered);
   const JobSettings& settings = layered.settings;
+  requireRobot(arguments.input, settings.machine);
   const auto model = kinematicModelOf(settings.machine);
   const Checked checked = checkedOn(*model, arguments.input, settings);
   if (!arguments.report.empty()) writeReport(checked.check, arguments.report);

@@ -33,7 +33,7 @@ struct DepositArguments {
   std::string input;
   std::string output;
   std::vector<double> crop_mm;       ///< low and high corner, or nothing
-  double voxel_mm = 0.0;             ///< 0 for that of the settings
+  std::optional<double> voxel_mm;    ///< none for that of the settings
   std::vector<std::string> layer;    ///< number and picture, or nothing
   std::vector<std::string> section;  ///< axis=coordinate and picture, or nothing
   SettingOptions settings;
@@ -212,7 +212,7 @@ void printText(const DepositFindings& findings, DepositClock::time_point start) 
 void deposit(const DepositArguments& arguments, OutputFormat format) {
   const DepositClock::time_point start = DepositClock::now();
   JobSettings settings = jobSettingsFrom(arguments.settings);
-  if (arguments.voxel_mm != 0.0) settings.deposition.voxel_mm = arguments.voxel_mm;
+  if (arguments.voxel_mm) settings.deposition.voxel_mm = *arguments.voxel_mm;
   validate(settings);
   requireOutputs(arguments);
   cropFrom(arguments.crop_mm);

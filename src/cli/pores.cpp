@@ -29,8 +29,8 @@ using PoresClock = std::chrono::steady_clock;
 struct PoreArguments {
   std::string input;
   std::string picture;
-  std::vector<double> crop_mm;  ///< low and high corner, or nothing
-  double voxel_mm = 0.0;        ///< 0 for that of the settings
+  std::vector<double> crop_mm;     ///< low and high corner, or nothing
+  std::optional<double> voxel_mm;  ///< none for that of the settings
   SettingOptions settings;
 };
 
@@ -151,7 +151,7 @@ void printText(const Findings& findings) {
 void pores(const PoreArguments& arguments, OutputFormat format) {
   const PoresClock::time_point start = PoresClock::now();
   JobSettings settings = jobSettingsFrom(arguments.settings);
-  if (arguments.voxel_mm != 0.0) settings.deposition.voxel_mm = arguments.voxel_mm;
+  if (arguments.voxel_mm) settings.deposition.voxel_mm = *arguments.voxel_mm;
   validate(settings);
   requireSuffix(arguments.picture, {".png"});
   requireApart({arguments.picture}, {arguments.input, arguments.settings.config});

@@ -332,9 +332,12 @@ void addSlice(CLI::App& app, Chosen& chosen) {
       "Mesh file (STL, OBJ, PLY, 3MF, STEP) or name of a parametric part; several share the bed");
   subcommand->add_option("--plate", arguments->plate,
                          "File of parts that share the bed, their places and settings (YAML)");
-  subcommand->add_option("-o,--output", arguments->output,
-                         "File to write: .gcode, .csv, or a robot's .mod, .src, .script, .ls, .jbi; without "
-                         "it nothing is written");
+  subcommand
+      ->add_option("-o,--output", arguments->output,
+                   "File to write: .gcode, .csv, or a robot's .mod, .src, .script, .ls, .jbi; without "
+                   "it nothing is written")
+      ->check(
+          [](const std::string& name) { return name.empty() ? "the name is empty; expected a file" : ""; });
   addProfileOptions(*subcommand, arguments->profiles);
   addSettingOptions(*subcommand, arguments->settings, "Settings (YAML); those not given keep their defaults");
   subcommand->add_option("--threads", arguments->threads, "At most this many threads")

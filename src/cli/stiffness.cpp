@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "arguments/setting_options.hpp"
 #include "lamina/base/available_memory.hpp"
@@ -27,8 +28,8 @@ struct StiffnessArguments {
   std::string deck;
   std::string load;
   std::string axis;
-  double voxel_mm = 0.0;    ///< 0 for that of the settings
-  bool is_printed = false;  ///< a part is sliced and deposited rather than taken as drawn
+  std::optional<double> voxel_mm;  ///< none for that of the settings
+  bool is_printed = false;         ///< a part is sliced and deposited rather than taken as drawn
   SettingOptions settings;
 };
 
@@ -37,7 +38,7 @@ JobSettings settingsFrom(const StiffnessArguments& arguments) {
   if (!arguments.load.empty()) options.assignments.push_back("stiffness.load=" + arguments.load);
   if (!arguments.axis.empty()) options.assignments.push_back("stiffness.axis=" + arguments.axis);
   JobSettings settings = jobSettingsFrom(options);
-  if (arguments.voxel_mm != 0.0) settings.deposition.voxel_mm = arguments.voxel_mm;
+  if (arguments.voxel_mm) settings.deposition.voxel_mm = *arguments.voxel_mm;
   validate(settings);
   return settings;
 }

@@ -12,6 +12,9 @@ TEST(EditDistance, SuggestsTheNearestName) {
   EXPECT_EQ(suggestionFor({"ab", "ac"}, "aa"), "; did you mean 'ab'?")
       << "the first of those that are as near";
   EXPECT_EQ(suggestionFor({}, "slice"), "");
+  EXPECT_EQ(suggestionFor({"bridges.use", "fan.use"}, "bogus.key"), "") << "nothing is like it";
+  EXPECT_EQ(suggestionFor({"box"}, "foo"), "");
+  EXPECT_EQ(suggestionFor({"bead.width_mm"}, "width_mm"), "; did you mean 'bead.width_mm'?");
 }
 
 }  // namespace

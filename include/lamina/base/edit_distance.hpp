@@ -14,7 +14,7 @@ namespace lamina {
 std::size_t editDistance(std::string_view a, std::string_view b);
 
 /// "; did you mean '...'?" with the first of the names that are nearest to what was given; empty if there are
-/// none.
+/// none, or more than half of the nearest would have to change.
 std::string suggestionFor(const std::vector<std::string>& names, std::string_view given);
 
 }  // namespace lamina

@@ -23,7 +23,13 @@ namespace lamina {
 namespace {
 
 [[noreturn]] void fail(const std::string& what, const std::string& path, int error_number) {
-  throw FileError("cannot " + what + " '" + path + "': " + std::strerror(error_number));
+  const auto folder = std::filesystem::path(path).parent_path();
+  std::error_code unknown;
+  const bool is_folder_missing =
+      error_number == ENOENT && !folder.empty() && !std::filesystem::exists(folder, unknown);
+  throw FileError(
+      "cannot " + what + " '" + path + "': " +
+      (is_folder_missing ? "there is no folder '" + folder.string() + "'" : std::strerror(error_number)));
 }
 
 /// A name beside the path that others cannot guess.

@@ -27,7 +27,9 @@ std::string suggestionFor(const std::vector<std::string>& names, std::string_vie
       std::min_element(names.begin(), names.end(), [given](const std::string& a, const std::string& b) {
         return editDistance(a, given) < editDistance(b, given);
       });
-  return nearest == names.end() ? "" : "; did you mean '" + *nearest + "'?";
+  if (nearest == names.end()) return "";
+  const bool is_like = 2 * editDistance(*nearest, given) <= std::max(nearest->size(), given.size());
+  return is_like ? "; did you mean '" + *nearest + "'?" : "";
 }
 
 }  // namespace lamina

@@ -43,7 +43,7 @@ void requireApart(const std::vector<std::string>& outputs, const std::vector<std
 void requireSuffix(const std::string& output, const std::vector<std::string>& suffixes) {
   const std::string suffix = fs::path(output).extension().string();
   if (output.empty() || std::find(suffixes.begin(), suffixes.end(), suffix) != suffixes.end()) return;
-  throw InvalidInput("'" + output + "' is no such file; its suffix must be " +
+  throw InvalidInput("'" + output + "' cannot be written in that format; its suffix must be " +
                      (suffixes.size() > 1 ? "one of " : "") + listed(suffixes));
 }
 

@@ -3,7 +3,9 @@
 #include "lamina/job/profiles/layered_settings.hpp"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
+#include <sstream>
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
@@ -71,6 +73,16 @@ class LayeredLoad {
   SettingsSchema schema_;
 };
 
+/// Whether a file describes a machine: a URDF, or a cell file, which is YAML without the head of a profile.
+bool isDescription(const std::string& file) {
+  const std::string suffix = std::filesystem::path(file).extension();
+  if (suffix != ".yaml") return suffix == ".urdf";
+  std::istringstream lines(readFile(file, kMostSettingsBytes));
+  for (std::string line; std::getline(lines, line);)
+    if (line.rfind("profile:", 0) == 0) return false;
+  return true;
+}
+
 /// The profiles of a machine; none if it has none.
 std::vector<Profile> loadMachine(LayeredLoad& load, const std::string& machine,
                                  const ProfileLibrary& library) {
@@ -80,14 +92,15 @@ std::vector<Profile> loadMachine(LayeredLoad& load, const std::string& machine,
     load.set({"machine.name", machine}, "--machine", "");
     return {};
   }
-  if (std::filesystem::path(machine).extension() == ".urdf") {
+  if (!is_profile && isDescription(machine)) {
     load.set({"machine.urdf", machine}, "--machine", "");
     return {};
   }
   if (!is_profile && std::filesystem::path(machine).extension() != ".yaml")
     throw InvalidConfig("there is no machine '" + machine + "'; expected a profile, one of " +
                         listed(library.names(ProfileKind::Machine)) + "; a machine, one of " +
-                        listed(kinematicModelNames()) + "; or a file (.yaml, .urdf)");
+                        listed(kinematicModelNames()) +
+                        "; or a file: a profile or a cell (.yaml), a description (.urdf)");
   std::vector<Profile> chain = library.find(ProfileKind::Machine, machine);
   load.setProfiles(chain, "--machine");
   return chain;
@@ -124,6 +137,26 @@ bool names(const std::string& text, const std::string& key) {
   return false;
 }
 
+/// Where a layer stands in the order in which they count.
+std::size_t rankOf(const SettingOrigin& said) {
+  constexpr std::array<const char*, 6> kLayers = {"--like",    "--machine", "--material",
+                                                  "--process", "--config",  "--set"};
+  return static_cast<std::size_t>(std::find(kLayers.begin(), kLayers.end(), said.layer) - kLayers.begin());
+}
+
+/// @throws InvalidConfig if a machine is named where a description that was stated before it would count
+void requireOneMachine(const LayeredSettings& layered) {
+  const auto name = layered.origins.find("machine.name");
+  const auto description = layered.origins.find("machine.urdf");
+  if (name == layered.origins.end() || description == layered.origins.end()) return;
+  const SettingOrigin& described = description->second.back();
+  const SettingOrigin& named = name->second.back();
+  if (described.text.empty() || rankOf(named) <= rankOf(described)) return;
+  throw InvalidConfig("machine.name is " + named.text + " by " + named.layer +
+                      ", but machine.urdf, which counts, is " + described.text + " by " + described.layer +
+                      "; expected one machine, as by --machine " + named.text);
+}
+
 }  // namespace
 
 std::vector<SettingOrigin> LayeredSettings::explain(const std::string& key) const {
@@ -149,6 +182,7 @@ LayeredSettings loadLayered(const SettingsSources& sources, const ProfileLibrary
   loadProfile(load, ProfileKind::Process, sources.process, library, machine);
   if (!sources.config.empty()) load.setConfig(sources.config);
   for (const SettingText& setting : sources.overrides) load.set(setting, "--set", "");
+  requireOneMachine(layered);
   load.setMachineDefaults();
   return layered;
 }
