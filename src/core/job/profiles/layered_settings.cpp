@@ -11,6 +11,7 @@
 #include "lamina/base/text.hpp"
 #include "lamina/job/profiles/machine_defaults.hpp"
 #include "lamina/job/profiles/stated_settings.hpp"
+#include "lamina/kinematics/description/cell_description.hpp"
 #include "lamina/kinematics/model/kinematic_model.hpp"
 
 namespace lamina {
@@ -80,7 +81,7 @@ std::vector<Profile> loadMachine(LayeredLoad& load, const std::string& machine,
     load.set({"machine.name", machine}, "--machine", "");
     return {};
   }
-  if (std::filesystem::path(machine).extension() == ".urdf") {
+  if (std::filesystem::path(machine).extension() == ".urdf" || (!is_profile && holdsCell(machine))) {
     load.set({"machine.urdf", machine}, "--machine", "");
     return {};
   }
