@@ -34,6 +34,8 @@ SettingProbe fiveAxisProbe() {
       {{"five_axis.use=tilted"},
        {"five_axis.coordinates=joints"},
        {"five_axis.dialect=fanuc"},
+       {"five_axis.program_number=7", "five_axis.dialect=fanuc"},
+       {"five_axis.program_name=BLADE", "five_axis.dialect=fanuc"},
        {"five_axis.extrusion=V"},
        {"five_axis.tip_control_on=G43.4 H1"},
        {"five_axis.tip_control_off=G49 H0"},
