@@ -11,15 +11,12 @@
 #include <set>
 #include <string_view>
 
-#include "arguments/profile_options.hpp"
+#include "arguments/machine_run.hpp"
 #include "arguments/setting_options.hpp"
-#include "arguments/toolpath_input.hpp"
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/job/machine_check.hpp"
 #include "lamina/job/output_files.hpp"
-#include "lamina/job/part/placement.hpp"
-#include "lamina/job/program_file.hpp"
 #include "lamina/kinematics/cartesian/machine_settings.hpp"
 #include "lamina/toolpath/waypoint_text.hpp"
 #include "output/terminal_progress.hpp"
@@ -132,22 +129,9 @@ void writeReport(const MachineCheck& check, const std::string& file) {
   writeFile(file, text);
 }
 
-/// The joints that the program holds; of what holds none, those by which the machine would run it.
-KinematicModelRun runOf(const KinematicModel& model, const std::string& input, const JobSettings& settings,
-                        Progress& progress) {
-  if (auto stated = readStatedMotion(input, settings.program, model))
-    return runAsStated(model, std::move(*stated), settings.joints);
-  ToolpathInput read = readInclinedToolpath(input, settings);
-  // Programs state where on the bed they stand.
-  const bool is_toolpath = !isPart(input) && !isProgramFile(input);
-  if (is_toolpath && settings.placement == Placement::Centre)
-    read.bed_from_part = placeDeposition(read.toolpath, buildSpaceOf(settings.machine));
-  return runOn(model, std::move(read.toolpath), read.bed_from_part, settings.joints, progress);
-}
-
 Checked checkedOn(const KinematicModel& model, const std::string& input, const JobSettings& settings) {
   TerminalProgress progress;
-  KinematicModelRun run = runOf(model, input, settings, progress);
+  KinematicModelRun run = runOfInput(model, input, settings, progress);
   Checked checked;
   checked.check = checkRun(run, model, settings.clearance, progress);
   checked.singular = singularBeads(run, model, settings.joints.singular_margin_deg);
@@ -169,16 +153,7 @@ void requireRobot(const std::string& input, const MachineSettings& machine) {
 
 void check(const CheckArguments& arguments, Chosen& chosen) {
   requireApart({arguments.report}, {arguments.input, arguments.settings.config});
-  SettingOptions options = arguments.settings;
-  ProfileOptions profiles;
-  const std::vector<std::string> names = kinematicModelNames();
-  if (std::find(names.begin(), names.end(), arguments.machine) != names.end())
-    options.assignments.push_back("machine.name=" + arguments.machine);
-  else
-    profiles.machine = arguments.machine;
-  const LayeredSettings layered = layeredSettingsFrom(profiles, options);
-  validate(layered);
-  const JobSettings& settings = layered.settings;
+  const JobSettings settings = settingsOnMachine(arguments.settings, arguments.machine);
   requireRobot(arguments.input, settings.machine);
   const auto model = kinematicModelOf(settings.machine);
   const Checked checked = checkedOn(*model, arguments.input, settings);

@@ -20,6 +20,7 @@ int main(int argc, char** argv) {
                            {"emulate", addEmulate},
                            {"expand", addExpand},
                            {"fill-voids", addFillVoids},
+                           {"film", addFilm},
                            {"heights", addHeights},
                            {"incline", addIncline},
                            {"info", addInfo},

@@ -63,6 +63,7 @@ void addDeposit(CLI::App& app, Chosen& chosen);
 void addEmulate(CLI::App& app, Chosen& chosen);
 void addExpand(CLI::App& app, Chosen& chosen);
 void addFillVoids(CLI::App& app, Chosen& chosen);
+void addFilm(CLI::App& app, Chosen& chosen);
 void addHeights(CLI::App& app, Chosen& chosen);
 void addIncline(CLI::App& app, Chosen& chosen);
 void addInfo(CLI::App& app, Chosen& chosen);

@@ -27,8 +27,11 @@ std::string headOf(const std::string& path) {
   bytes.resize(InputFile(path).read(bytes.data(), bytes.size()));
   std::istringstream lines(bytes);
   std::string head;
-  for (std::string line; std::getline(lines, line) && !line.empty() && line.front() == ';';)
-    head += line + "\n";
+  // Of a Fanuc control's program also the mark, number or name, and comments in brackets.
+  const auto isOfHead = [](const std::string& line) {
+    return !line.empty() && std::string_view(";%O<(").find(line.front()) != std::string_view::npos;
+  };
+  for (std::string line; std::getline(lines, line) && isOfHead(line);) head += line + "\n";
   return head;
 }
 

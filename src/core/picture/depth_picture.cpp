@@ -35,9 +35,11 @@ DepthPicture::DepthPicture(const View& view, const Box2& world, double pixels_pe
       rows_(std::max(1, static_cast<int>(std::ceil(world.size().y() * scale_)))),
       pixels_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {}
 
-void DepthPicture::addPart(const Mesh& mesh) {
+void DepthPicture::addPart(const Mesh& mesh) { addSolid(mesh, kPartColour); }
+
+void DepthPicture::addSolid(const Mesh& mesh, const Colour& colour) {
   Pixel pixel;
-  pixel.colour = kPartColour;
+  pixel.colour = colour;
   addFaces(mesh, 0.0, pixel);
 }
 

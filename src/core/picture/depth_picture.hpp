@@ -32,6 +32,8 @@ class DepthPicture {
   DepthPicture(const View& view, const Box2& world, double pixels_per_mm);
 
   void addPart(const Mesh& mesh);
+  /// In a colour of its own.
+  void addSolid(const Mesh& mesh, const Colour& colour);
   /// Shines through what hides it.
   /// @param nearer  how far it is held to lie before the part's own face in the same place [mm]
   void addRegion(const Mesh& mesh, double nearer);

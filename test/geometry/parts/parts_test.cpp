@@ -148,6 +148,21 @@ TEST(Parts, AnElbowHasTheVolumeOfItsWay) {
   EXPECT_NEAR(box.high.z(), 6.0 + 20.0 + 8.0, 1e-9);
 }
 
+// The integral of pi r² dz along the arc, r = R + a (1 - cos l), z = a sin l.
+TEST(Parts, AFlareHasTheVolumeUnderItsArcAndLeansAtItsTopAsAsked) {
+  const double lean = M_PI / 4.0;
+  const double a = 24.0 / std::sin(lean);
+  const double b = 50.0 + a;
+  const double truth = M_PI * a *
+                       (b * b * std::sin(lean) - 2.0 * b * a * (0.5 * lean + 0.25 * std::sin(2.0 * lean)) +
+                        a * a * (std::sin(lean) - std::pow(std::sin(lean), 3) / 3.0));
+  const Mesh mesh = makePart("flare", {{"segments", "400"}});
+  EXPECT_NEAR(volume(mesh), truth, 2e-4 * truth);
+  const Box3 box = boundingBox(mesh);
+  EXPECT_NEAR(box.high.z(), 24.0, 1e-9);
+  EXPECT_NEAR(box.high.x(), 50.0 + a * (1.0 - std::cos(lean)), 1e-9);
+}
+
 TEST(Parts, ABladeKeepsItsVolumeWhenItLeans) {
   const auto lean = [](const char* degrees) {
     return volume(makePart("blade", {{"lean_deg", degrees}, {"twist_deg", "0"}}));

@@ -93,6 +93,9 @@ TEST_F(LayeredSettingsTest, TakeWhatTheyInheritFirst) {
 TEST_F(LayeredSettingsTest, TakeMachinesByTheirNamesAndFiles) {
   EXPECT_EQ(load(sourcesOf("gantry_45")).settings.machine.name, "gantry_45");
   EXPECT_EQ(load(sourcesOf("mine.urdf")).settings.machine.urdf, "mine.urdf");
+  const std::string cell = folder_.file("cell.yaml");
+  writeFile(cell, "cell: {arm: {urdf: arm.urdf}}\n");
+  EXPECT_EQ(load(sourcesOf(cell)).settings.machine.urdf, cell);
   EXPECT_EQ(load(sourcesOf(path("machines/small"))).settings.planning.bead.width_mm, 0.5);
   EXPECT_NE(refusalOf(sourcesOf("tiny")).find("grown, small"), std::string::npos);
 }

@@ -6,6 +6,7 @@
 #include "job/settings/setting_probe.hpp"
 #include "lamina/job/kinematic_model_run.hpp"
 #include "lamina/job/run_settings.hpp"
+#include "support/tilting_arm.hpp"
 
 namespace lamina::test {
 namespace {
@@ -98,6 +99,19 @@ SettingProbe turntableProbe() {
            {"joints.external_azimuth_deg=40", "joints.external=follow"}}};
 }
 
+SettingProbe tiltingTableProbe() {
+  const Toolpath toolpath = beads(60.0, 15.0);
+  return {"joints of an arm with a table that tilts",
+          "joints.yaw_samples=24;joints.external=gravity",
+          [toolpath](const SettingTexts& set) {
+            NoProgress nobody;
+            return jointsText(runOn(*kinematicModelFromUrdf(tiltingArm()), toolpath,
+                                    Eigen::Isometry3d::Identity(), settingsWith<RunSettings>(set).joints,
+                                    nobody));
+          },
+          {{"joints.external_cone_deg=3"}}};
+}
+
 SettingProbe uprightHeadProbe() {
   return {"joints of a head near its singularity",
           "",
@@ -107,6 +121,8 @@ SettingProbe uprightHeadProbe() {
 
 }  // namespace
 
-std::vector<SettingProbe> jointProbes() { return {armProbe(), turntableProbe(), uprightHeadProbe()}; }
+std::vector<SettingProbe> jointProbes() {
+  return {armProbe(), turntableProbe(), tiltingTableProbe(), uprightHeadProbe()};
+}
 
 }  // namespace lamina::test

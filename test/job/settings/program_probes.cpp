@@ -34,6 +34,8 @@ SettingProbe fiveAxisProbe() {
       {{"five_axis.use=tilted"},
        {"five_axis.coordinates=joints"},
        {"five_axis.dialect=fanuc"},
+       {"five_axis.program_number=7", "five_axis.dialect=fanuc"},
+       {"five_axis.program_name=BLADE", "five_axis.dialect=fanuc"},
        {"five_axis.extrusion=V"},
        {"five_axis.tip_control_on=G43.4 H1"},
        {"five_axis.tip_control_off=G49 H0"},
@@ -100,6 +102,11 @@ SettingProbe rapidValuesProbe() {
            {"rapid.weave_data=weave1", "rapid.process=arc"}}};
 }
 
+/// Of all that the plate's program lays.
+constexpr char kAtOneSpeed[] =
+    "robot_program.process=schedules;feed.outer_wall_mm_s=20;feed.inner_wall_mm_s=20;feed.infill_mm_s=20;"
+    "feed.skin_mm_s=20;feed.top_skin_mm_s=20;feed.skirt_mm_s=20";
+
 SettingProbe robotProbe(const char* name, const std::string& suffix, std::vector<SettingRow> rows) {
   return {name, std::string(kSmall) + "machine.name=irb_4600", programOf(kPlate, suffix), std::move(rows)};
 }
@@ -142,6 +149,8 @@ std::vector<SettingProbe> robotProbes() {
                       {"fanuc.joint_3_from_2=0"},
                       {"fanuc.flip=negative"},
                       {"fanuc.turn_axes=1,4"},
+                      {"fanuc.arc_equipment=2", "robot_program.process=schedules"},
+                      {"fanuc.weld_speed=schedule", kAtOneSpeed},
                       {"fanuc.max_lines=100", "robot_program.allow_cut=true"}}),
           robotProbe("INFORM", ".jbi",
                      {{"inform.speed_unit=cm_min"},

@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 
 #include "lamina/base/error.hpp"
 #include "lamina/geometry/vector.hpp"
@@ -13,6 +15,7 @@
 #include "lamina/kinematics/description/xacro_expansion.hpp"
 #include "lamina/kinematics/model/build_space.hpp"
 #include "lamina/kinematics/model/kinematic_model.hpp"
+#include "lamina/kinematics/model/seen_bodies.hpp"
 #include "support/arms.hpp"
 
 namespace lamina {
@@ -90,6 +93,42 @@ TEST_F(CellFolder, RailAndPositionerAreExternalAxesInThisOrder) {
   EXPECT_FALSE(solutions.empty());
   for (const InverseSolution& each : solutions)
     EXPECT_LT(test::distance(model->bedFromNozzle(each.values), model->bedFromNozzle(values)), 1e-9);
+}
+
+TEST_F(CellFolder, BedIsSeenAndMaterialsOfOneNameDoNotMeet) {
+  for (const char* name : {"arm.urdf", "table.urdf"}) {
+    std::ifstream file(folder_ / name);
+    std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+    const bool is_arm = std::string(name) == "arm.urdf";
+    const std::string link = is_arm ? "<link name=\"base_link\"/>" : "<link name=\"plate\"/>";
+    const std::string seen = link.substr(0, link.size() - 2) +
+                             "><visual><geometry><box size=\"0.1 0.2 0.3\"/></geometry><material "
+                             "name=\"paint\"/></visual></link>";
+    text.replace(text.find(link), link.size(),
+                 std::string("<material name=\"paint\"><color rgba=\"") + (is_arm ? "1 0 0 1" : "0 0 1 1") +
+                     "\"/></material>" + seen);
+    write(name, text);
+  }
+  const std::vector<SeenBody> seen = seenBodies(
+      cell(std::string(kPlain) + "  positioner: {urdf: table.urdf, flange: plate, xyz_mm: [900, 0, 0]}\n"));
+  ASSERT_EQ(seen.size(), 3U);
+  EXPECT_EQ(seen[0].link, "base_link");
+  EXPECT_EQ(seen[0].colour, (std::array<double, 3>{1.0, 0.0, 0.0}));
+  EXPECT_EQ(seen[1].link, "bed");
+  const Box3 plate = boundingBox(seen[1].mesh);
+  EXPECT_TRUE(plate.low.isApprox(Point3(-200, -150, -20), 1e-9));
+  EXPECT_TRUE(plate.high.isApprox(Point3(200, 150, 0), 1e-9));
+  EXPECT_EQ(seen[2].link, "positioner_plate");
+  EXPECT_EQ(seen[2].colour, (std::array<double, 3>{0.0, 0.0, 1.0}));
+}
+
+TEST_F(CellFolder, AProfileIsNoCell) {
+  write("profile.yaml", "profile: {kind: machine, name: own}\nmachine: {name: irb_4600}\n");
+  write("cell.yaml", kPlain);
+  write("broken.yaml", "cell: [\n");
+  EXPECT_TRUE(holdsCell(folder_ / "cell.yaml"));
+  for (const char* name : {"profile.yaml", "broken.yaml", "missing.yaml", "arm.urdf"})
+    EXPECT_FALSE(holdsCell(folder_ / name)) << name;
 }
 
 TEST_F(CellFolder, WhatIsWrongIsRefusedAsAWhole) {

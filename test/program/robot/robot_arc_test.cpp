@@ -186,6 +186,53 @@ TEST(RobotArcs, AreStatementsOfTheirLanguages) {
   EXPECT_TRUE(hasText(inform, "PL=0\r\nWVOF\r\nARCOF AEF#(7)\r\n")) << inform;
 }
 
+// By hand from saved jobs: the section of the application, the speed of the schedule.
+TEST(RobotArcs, FanucNamesItsEquipmentAndTheSpeedOfTheSchedule) {
+  RobotProgramSettings settings = byArc(6);
+  settings.arc.end_schedule = 6;
+  settings.fanuc.weld_speed = FanucWeldSpeed::Schedule;
+  const Toolpath toolpath = test::twoLayers();
+  const std::string text = robotFiles(RobotLanguage::Fanuc, toolpath, settings)[0].text;
+  EXPECT_TRUE(hasText(text,
+                      "CONTROL_CODE\t= 00000000 00000000;\n/APPL\n  ARC : TRUE ; \n  ARC Welding Equipment : "
+                      "1,*,*,*,*;\n/MN\n"))
+      << text;
+  EXPECT_TRUE(hasText(text, "!# weld_speed 30 ;\n")) << text;
+  EXPECT_TRUE(hasText(text, "FINE\n    :  Arc Start[6]    ;\n")) << text;
+  EXPECT_TRUE(hasText(text, ":  Weave Sine[6] ;\n")) << text;
+  EXPECT_TRUE(hasText(text, "] WELD_SPEED CNT100    ;\n")) << text;
+  EXPECT_TRUE(hasText(text, "] WELD_SPEED FINE\n    :  Arc End[6]    ;\n")) << text;
+  const Toolpath read = readRobotProgram({{"a.ls", text}}, "part");
+  for (std::size_t p = 0; p < 2; ++p)
+    EXPECT_NEAR(read.layers[0].paths[p].feed_mm_s.at(1), toolpath.layers[0].paths[p].feed_mm_s.at(1), 1e-6);
+  settings.fanuc.arc_equipment = 3;
+  EXPECT_TRUE(hasText(robotFiles(RobotLanguage::Fanuc, toolpath, settings)[0].text, ": *,*,1,*,*;\n"));
+  settings.fanuc.arc_equipment = 0;
+  EXPECT_FALSE(hasText(robotFiles(RobotLanguage::Fanuc, toolpath, settings)[0].text, "/APPL"));
+  EXPECT_FALSE(hasText(robotFiles(RobotLanguage::Fanuc, toolpath)[0].text, "/APPL"));
+}
+
+TEST(RobotArcs, AWeldSpeedIsOneAndStated) {
+  RobotProgramSettings settings = byArc();
+  settings.fanuc.weld_speed = FanucWeldSpeed::Schedule;
+  Toolpath toolpath = test::twoLayers();
+  toolpath.layers[1].paths[0].feed_mm_s = 20.0;
+  EXPECT_TRUE(hasText(refusedWith([&] { robotFiles(RobotLanguage::Fanuc, toolpath, settings); }),
+                      "expected one speed, that of the schedule"));
+  settings.arc.process = RobotProcess::Outputs;
+  EXPECT_THROW(requireConsistent(settings), InvalidConfig);
+  settings.arc.process = RobotProcess::Schedules;
+  std::string text = robotFiles(RobotLanguage::Fanuc, test::twoLayers(), settings)[0].text;
+  const std::string note = "!# weld_speed 30 ;";
+  text.replace(text.find(note), note.size(), "! ;");
+  try {
+    readRobotProgram({{"a.ls", text}}, "part");
+    FAIL();
+  } catch (const InvalidProgram& error) {
+    EXPECT_TRUE(hasText(error.what(), "WELD_SPEED")) << error.what();
+  }
+}
+
 TEST(RobotArcs, ValuesStandBeforeTheArc) {
   RobotProgramSettings settings = byArc();
   settings.levels = "laser_power_w=1*0.0025, wire_speed_mm_s=2*0.01";

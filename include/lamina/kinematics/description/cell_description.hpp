@@ -9,7 +9,7 @@ namespace lamina {
 /// One URDF of a cell file: an arm as its maker describes it, and what stands around it: `nozzle` at the end
 /// of its flange, `bed` on the world or on a positioner, a rail under the arm, solid bodies. Axes of rail and
 /// positioner are joints external_1, ... in this order; links and joints of the positioner begin with
-/// positioner_.
+/// positioner_, and so do its materials. Bed, tool and bodies are seen as they are solid.
 ///
 /// The file is YAML (docs/machines.md); paths in it are over its own folder.
 /// @param text  of the file
@@ -19,6 +19,9 @@ std::string cellDescription(const std::string& text, const std::string& path);
 
 /// Whether the file is a cell file by its name: .yaml or .yml.
 bool isCellFile(const std::string& path);
+
+/// Whether the file can be read and has a cell at its top, as a profile of a machine has not.
+bool holdsCell(const std::string& path);
 
 /// Description of the machine in a file: a URDF (`readRobotDescription`) or a cell file.
 std::string readMachineDescription(const std::string& path);

@@ -18,10 +18,11 @@ enum class YawChoice : std::uint8_t {
 /// Where a kinematic model may go over to another of its branches.
 enum class BranchChange : std::uint8_t { OnTravel, Never };
 
-/// Where the joint external_1 of an arm, a table under the bed, stands.
+/// Where the external axes of an arm that turn its bed stand.
 enum class ExternalChoice : std::uint8_t {
   Held,    ///< at one value
-  Follow,  ///< so that the tool axis goes at one azimuth over the robot's base (external_axis.hpp)
+  Follow,  ///< external_1 so that the tool axis goes at one azimuth over the robot's base (external_axis.hpp)
+  Gravity,  ///< two of them so that the tool axis points down, within a cone
 };
 
 /// How the joints are led along a toolpath (docs/joint-paths.md).
@@ -51,8 +52,9 @@ struct JointPathSettings {
   MotionDivision division;  ///< before joints are found; `planJointPath` does not divide
 
   ExternalChoice external = ExternalChoice::Held;
-  double external_deg = 0.0;          ///< where external axes are held, or where external_1 starts
+  double external_deg = 0.0;          ///< where rotary external axes are held, or where a table starts
   double external_azimuth_deg = 0.0;  ///< at which tool axes go if it follows them
+  double external_cone_deg = 10.0;    ///< about straight down, in which gravity keeps tool axes
 };
 
 /// Adds the keys joints.*.

@@ -32,6 +32,8 @@ struct FiveAxisSettings {
   std::string tip_control_on;   ///< empty for that of the dialect
   std::string tip_control_off;  ///< empty for that of the dialect
   std::string letters;          ///< of rotary joints that have another one in programs: "b=U,c=V"
+  int program_number = 1;       ///< of a Fanuc program, behind its letter O
+  std::string program_name;     ///< of a Fanuc program, in place of its number; empty for none
   std::string extrusion;        ///< letter of the word that feeds material; empty for that of the dialect
   double chord_tolerance_mm = 0.05;  ///< by which the tip may leave its line between two lines of joints
 };

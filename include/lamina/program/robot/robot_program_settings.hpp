@@ -81,6 +81,12 @@ struct UrScriptSettings {
 /// Sign of an angle.
 enum class JointSign : std::uint8_t { Positive, Negative };
 
+/// By what a listing states the speed of its welds.
+enum class FanucWeldSpeed : std::uint8_t {
+  Stated,    ///< in each move
+  Schedule,  ///< WELD_SPEED: that of the schedule on the controller
+};
+
 /// How Fanuc's listings are written.
 struct FanucSettings {
   int cnt = 100;                              ///< of points that may be rounded
@@ -89,6 +95,8 @@ struct FanucSettings {
   std::vector<double> turn_axes = {1, 4, 6};  ///< joints whose turns a configuration counts
   int name_length = 36;                       ///< of a program, at most
   int max_lines = 9000;                       ///< in a file
+  int arc_equipment = 1;  ///< that /APPL names where arcs are started by schedules; 0 for no /APPL
+  FanucWeldSpeed weld_speed = FanucWeldSpeed::Stated;
 };
 
 enum class InformSpeedUnit : std::uint8_t { MillimetresPerSecond, CentimetresPerMinute };

@@ -68,6 +68,7 @@ std::vector<Part> parts() {
           part<CurvedWall>("curved_wall", "a thin upright wall along an arc"),
           part<Cylinder>("cylinder", "an upright cylinder"),
           part<Elbow>("elbow", "a round rod that stands upright and bends over"),
+          part<Flare>("flare", "a round part whose side leans out, the more the higher"),
           part<FlatWall>("flat_wall", "a thin upright wall"),
           part<Pyramid>("pyramid", "a pyramid on a rectangle"),
           part<SemiCone>("semi_cone", "half of a cone, cut through its axis"),

@@ -4,6 +4,7 @@
 
 #include "geometry/parts/loft.hpp"
 #include "geometry/parts/shapes.hpp"
+#include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/geometry/mesh/mesh.hpp"
 #include "lamina/geometry/polygon/polygon.hpp"
@@ -119,6 +120,25 @@ Mesh build(const Tube& shape) {
                   {shape.radius_mm, shape.height_mm},
                   {shape.inner_radius_mm, shape.height_mm}},
                  shape.segments);
+}
+
+void describe(SettingsSchema& schema, Flare& shape) {
+  schema.number("radius_mm", shape.radius_mm, kLength, "radius of the foot");
+  schema.number("height_mm", shape.height_mm, kLength, "height");
+  schema.number("lean_deg", shape.lean_deg, Bounds::above(0.0, 80.0), "lean of the side at the top");
+  schema.integer("segments", shape.segments, kSegments, kSegmentsMeaning);
+}
+
+Mesh build(const Flare& shape) {
+  constexpr int kSteps = 48;  // of the arc
+  const double arc_mm = shape.height_mm / std::sin(toRadians(shape.lean_deg));
+  Polygon outline = {{0.0, 0.0}};
+  for (int i = 0; i <= kSteps; ++i) {
+    const double lean = toRadians(shape.lean_deg) * i / kSteps;
+    outline.emplace_back(shape.radius_mm + arc_mm * (1.0 - std::cos(lean)), arc_mm * std::sin(lean));
+  }
+  outline.emplace_back(0.0, outline.back().y());
+  return revolve(outline, shape.segments);
 }
 
 void describe(SettingsSchema& schema, SemiCone& shape) {

@@ -65,6 +65,14 @@ struct Tube {
   int segments = 128;
 };
 
+/// A round part whose side stands upright at the foot and leans out along an arc, the more the higher.
+struct Flare {
+  double radius_mm = 50.0;
+  double height_mm = 24.0;
+  double lean_deg = 45.0;
+  int segments = 128;
+};
+
 /// A cone cut in half by the plane y = 0, the half at y > 0.
 struct SemiCone {
   double radius_mm = 10.0;
@@ -147,6 +155,7 @@ void describe(SettingsSchema& schema, Cylinder& shape);
 void describe(SettingsSchema& schema, Sphere& shape);
 void describe(SettingsSchema& schema, Cone& shape);
 void describe(SettingsSchema& schema, Tube& shape);
+void describe(SettingsSchema& schema, Flare& shape);
 void describe(SettingsSchema& schema, SemiCone& shape);
 void describe(SettingsSchema& schema, CurvedWall& shape);
 void describe(SettingsSchema& schema, Blade& shape);
@@ -165,6 +174,7 @@ Mesh build(const Cylinder& shape);
 Mesh build(const Sphere& shape);
 Mesh build(const Cone& shape);
 Mesh build(const Tube& shape);
+Mesh build(const Flare& shape);
 Mesh build(const SemiCone& shape);
 Mesh build(const CurvedWall& shape);
 Mesh build(const Blade& shape);

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <sstream>
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
@@ -13,6 +12,7 @@
 #include "lamina/base/text.hpp"
 #include "lamina/job/profiles/machine_defaults.hpp"
 #include "lamina/job/profiles/stated_settings.hpp"
+#include "lamina/kinematics/description/cell_description.hpp"
 #include "lamina/kinematics/model/kinematic_model.hpp"
 
 namespace lamina {
@@ -73,16 +73,6 @@ class LayeredLoad {
   SettingsSchema schema_;
 };
 
-/// Whether a file describes a machine: a URDF, or a cell file, which is YAML without the head of a profile.
-bool isDescription(const std::string& file) {
-  const std::string suffix = std::filesystem::path(file).extension();
-  if (suffix != ".yaml") return suffix == ".urdf";
-  std::istringstream lines(readFile(file, kMostSettingsBytes));
-  for (std::string line; std::getline(lines, line);)
-    if (line.rfind("profile:", 0) == 0) return false;
-  return true;
-}
-
 /// The profiles of a machine; none if it has none.
 std::vector<Profile> loadMachine(LayeredLoad& load, const std::string& machine,
                                  const ProfileLibrary& library) {
@@ -92,7 +82,7 @@ std::vector<Profile> loadMachine(LayeredLoad& load, const std::string& machine,
     load.set({"machine.name", machine}, "--machine", "");
     return {};
   }
-  if (!is_profile && isDescription(machine)) {
+  if (std::filesystem::path(machine).extension() == ".urdf" || (!is_profile && holdsCell(machine))) {
     load.set({"machine.urdf", machine}, "--machine", "");
     return {};
   }

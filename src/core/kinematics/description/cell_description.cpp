@@ -222,9 +222,20 @@ std::string jointText(const std::string& name, const std::string& type,
          "\"/><child link=\"" + parent_and_child.second + "\"/>" + more + "</joint>";
 }
 
-std::string meshText(const std::string& path, const Placing& at) {
-  return "<collision>" + originText(at) + "<geometry><mesh filename=\"file://" + path +
-         "\" scale=\"0.001 0.001 0.001\"/></geometry></collision>";
+constexpr char kCellMaterials[] =
+    "<material name=\"cell_tool\"><color rgba=\"0.30 0.33 0.38 1\"/></material>"
+    "<material name=\"cell_bed\"><color rgba=\"0.36 0.38 0.40 1\"/></material>"
+    "<material name=\"cell_body\"><color rgba=\"0.75 0.72 0.62 1\"/></material>";
+
+/// A body that is seen as it is.
+std::string bodyText(const std::string& geometry, const Placing& at, const std::string& material) {
+  const std::string shape = originText(at) + "<geometry>" + geometry + "</geometry>";
+  return "<visual>" + shape + "<material name=\"" + material + "\"/></visual><collision>" + shape +
+         "</collision>";
+}
+
+std::string meshText(const std::string& path, const Placing& at, const std::string& material) {
+  return bodyText("<mesh filename=\"file://" + path + "\" scale=\"0.001 0.001 0.001\"/>", at, material);
 }
 
 /// The elements of a description, without its root.
@@ -238,7 +249,8 @@ std::string innerText(const std::string& urdf) {
   return printer.Str();
 }
 
-/// A positioner's description, its links and fixed joints with a prefix, its driven joints as external axes.
+/// A positioner's description, its links, materials and fixed joints with a prefix, its driven joints as
+/// external axes.
 std::string positionerText(const std::string& urdf, const std::string& path, int first_external) {
   TiXmlDocument document;
   document.Parse(urdf.c_str());
@@ -248,8 +260,15 @@ std::string positionerText(const std::string& urdf, const std::string& path, int
   };
   TiXmlElement* robot = document.RootElement();
   int external = first_external;
-  for (TiXmlElement* link = robot->FirstChildElement("link"); link; link = link->NextSiblingElement("link"))
+  for (TiXmlElement* material = robot->FirstChildElement("material"); material;
+       material = material->NextSiblingElement("material"))
+    rename(material, "name");
+  for (TiXmlElement* link = robot->FirstChildElement("link"); link; link = link->NextSiblingElement("link")) {
     rename(link, "name");
+    for (TiXmlElement* visual = link->FirstChildElement("visual"); visual;
+         visual = visual->NextSiblingElement("visual"))
+      rename(visual->FirstChildElement("material"), "name");
+  }
   for (TiXmlElement* joint = robot->FirstChildElement("joint"); joint;
        joint = joint->NextSiblingElement("joint")) {
     rename(joint->FirstChildElement("parent"), "link");
@@ -273,7 +292,7 @@ std::string toolText(const CellFile& cell, const std::string& flange) {
   if (cell.tool.jet == "x") jet.rpy_deg = {0.0, 90.0, 0.0};
   if (cell.tool.jet == "y") jet.rpy_deg = {-90.0, 0.0, 0.0};
   std::string bodies;
-  for (const std::string& mesh : cell.tool.meshes) bodies += meshText(mesh, {});
+  for (const std::string& mesh : cell.tool.meshes) bodies += meshText(mesh, {}, "cell_tool");
   return "<link name=\"cell_flange\">" + bodies + "</link><link name=\"cell_tool\"/><link name=\"nozzle\"/>" +
          jointText("cell_flange_turn", "fixed", {flange, "cell_flange"}, originText(turn)) +
          jointText("cell_tool_place", "fixed", {"cell_flange", "cell_tool"}, originText(cell.tool.at)) +
@@ -282,10 +301,9 @@ std::string toolText(const CellFile& cell, const std::string& flange) {
 
 std::string bedText(const CellFile& cell, const std::string& parent) {
   constexpr double kThick = 20.0;  // mm
-  std::string body = "<collision>" + originText({{0.0, 0.0, -0.5 * kThick}, {}}) + "<geometry><box size=\"" +
-                     numbersText({cell.bed.size_mm[0], cell.bed.size_mm[1], kThick}, kMetre) +
-                     "\"/></geometry></collision>";
-  return "<link name=\"bed\">" + body + "</link>" +
+  const std::string plate =
+      "<box size=\"" + numbersText({cell.bed.size_mm[0], cell.bed.size_mm[1], kThick}, kMetre) + "\"/>";
+  return "<link name=\"bed\">" + bodyText(plate, {{0.0, 0.0, -0.5 * kThick}, {}}, "cell_bed") + "</link>" +
          jointText("cell_bed_place", "fixed", {parent, "bed"}, originText(cell.bed.at));
 }
 
@@ -325,8 +343,9 @@ std::string mergedText(const CellFile& cell) {
     throw InvalidConfig(
         "arm '" + arm->getName() + "': z of link '" + flange +
         "' lies across the last axis; expected cell.arm.flange_turn_deg, by which it is turned");
-  std::string text = "<robot name=\"" + arm->getName() + "\"><link name=\"cell_world\"/>" +
-                     innerText(arm_text) + railText(cell, arm->getRoot()->name) + toolText(cell, flange);
+  std::string text = "<robot name=\"" + arm->getName() + "\">" + kCellMaterials +
+                     "<link name=\"cell_world\"/>" + innerText(arm_text) +
+                     railText(cell, arm->getRoot()->name) + toolText(cell, flange);
   std::string under_bed = cell.arm.base.empty() ? "cell_world" : "cell_base";
   if (!cell.arm.base.empty()) text += baseText(*arm, cell.arm.base);
   if (cell.positioner) {
@@ -344,7 +363,7 @@ std::string mergedText(const CellFile& cell) {
   text += bedText(cell, under_bed);
   if (!cell.bodies.empty()) {
     text += "<link name=\"cell_bodies\">";
-    for (const CellBody& body : cell.bodies) text += meshText(body.mesh, body.at);
+    for (const CellBody& body : cell.bodies) text += meshText(body.mesh, body.at, "cell_body");
     text +=
         "</link>" + jointText("cell_bodies_place", "fixed", {"cell_world", "cell_bodies"}, originText({}));
   }
@@ -365,6 +384,18 @@ std::string cellDescription(const std::string& text, const std::string& path) {
 bool isCellFile(const std::string& path) {
   const std::string suffix = std::filesystem::path(path).extension();
   return suffix == ".yaml" || suffix == ".yml";
+}
+
+bool holdsCell(const std::string& path) {
+  if (!isCellFile(path)) return false;
+  try {
+    const YAML::Node document = YAML::Load(readFile(path, kMostSettingsBytes));
+    return document.IsMap() && document["cell"].IsDefined();
+  } catch (const YAML::Exception&) {
+    return false;
+  } catch (const Error&) {
+    return false;
+  }
 }
 
 std::string readMachineDescription(const std::string& path) {

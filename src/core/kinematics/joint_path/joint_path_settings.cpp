@@ -41,14 +41,22 @@ void describeSingularities(SettingsSchema& schema, JointPathSettings& settings) 
 }
 
 void describeExternal(SettingsSchema& schema, JointPathSettings& settings) {
-  schema.choice<ExternalChoice>("joints.external", settings.external,
-                                {{"held", ExternalChoice::Held}, {"follow", ExternalChoice::Follow}},
-                                "Whether the table of an arm is held or turned with the tool axis.");
+  schema.choice<ExternalChoice>(
+      "joints.external", settings.external,
+      {{"held", ExternalChoice::Held},
+       {"follow", ExternalChoice::Follow},
+       {"gravity", ExternalChoice::Gravity}},
+      "Whether the table of an arm is held, turned with the tool axis, or tilted and "
+      "turned so that the tool axis points down.");
   schema.number("joints.external_deg", settings.external_deg, {-3600.0, 3600.0},
-                "Where external axes are held, or where the one that follows starts.");
+                "Where rotary external axes are held, or where the table starts to turn.");
   schema.number(
       "joints.external_azimuth_deg", settings.external_azimuth_deg, {-180.0, 180.0},
       "Direction over the table, from away from the robot, in which tool axes go if the table follows.");
+  schema.number(
+      "joints.external_cone_deg", settings.external_cone_deg, {0.1, 90.0},
+      "How far from straight down the tool axis may point so that a table that it is kept down by turns "
+      "steadily.");
 }
 
 }  // namespace

@@ -37,10 +37,11 @@ RungSolver::RungSolver(const GuardedModel& guarded, const JointPathSettings& set
   for (const DrivenJoint& joint : model_->joints()) is_external_.push_back(isExternal(joint.name));
 }
 
-JointValues RungSolver::nearFor(double external) const {
+JointValues RungSolver::nearFor(const std::array<double, 3>& external) const {
   JointValues near(static_cast<Eigen::Index>(ranges_.size()));
+  std::size_t next_external = 0;
   for (std::size_t j = 0; j < ranges_.size(); ++j)
-    near[static_cast<Eigen::Index>(j)] = is_external_[j] ? external : ranges_[j].middle;
+    near[static_cast<Eigen::Index>(j)] = is_external_[j] ? external.at(next_external++) : ranges_[j].middle;
   return near;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -52,7 +53,7 @@ class RungSolver {
 
   Asked askedAt(const Station& station) const;
   Eigen::Isometry3d passing(const Eigen::Isometry3d& bed_from_nozzle, const JointValues& values) const;
-  JointValues nearFor(double external) const;
+  JointValues nearFor(const std::array<double, 3>& external) const;
   JointValues withFree(JointValues near, double free_value) const;
   InverseSolutions solutionsAt(const Asked& asked, double coordinate) const;
   bool isWithinLimits(const JointValues& values) const;

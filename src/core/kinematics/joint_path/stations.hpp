@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -36,7 +37,8 @@ struct StationMotion {
 struct Station {
   Point3 position = Point3::Zero();                                        ///< [mm]
   Eigen::Quaterniond orientation{Eigen::Quaterniond(0.0, 1.0, 0.0, 0.0)};  ///< bed_from_nozzle
-  double external = 0.0;                                                   ///< value of external axes [rad]
+  /// Values of external axes, in the order of the kinematic model's joints [mm, rad].
+  std::array<double, 3> external{};
   StationMotion motion;
 
   Eigen::Isometry3d pose() const;
@@ -56,9 +58,12 @@ struct StationList {
 
 StationList stationsOf(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part);
 
-/// Puts external axes to the values that the settings ask for; a tool axis along the table's axis leaves the
-/// table as it was. Does nothing on kinematic models without external axes.
-/// @throws InvalidConfig if the table is to follow, and the only external axes are no table that turns
+/// Puts external axes to the values that the settings ask for: rails to 0, a table that follows or obeys
+/// gravity to where the tool axes want it. A tool axis along the axis of a table leaves that axis as it was.
+/// Where gravity leads a table and the yaw is free, the nozzle then stands as it would in the room without
+/// turning about its tool axis. Does nothing on kinematic models without external axes.
+/// @throws InvalidConfig if the table is to follow, and external_1 is no table that turns; as `gravityTable`
+/// @throws Unreachable as `tableValues`
 void setExternalAxes(std::vector<Station>& stations, const KinematicModel& model,
                      const JointPathSettings& settings);
 

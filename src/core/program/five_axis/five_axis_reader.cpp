@@ -13,6 +13,7 @@
 #include "lamina/program/gcode/gcode_line.hpp"
 #include "lamina/program/gcode/toolpath_from_gcode.hpp"
 #include "lamina/program/program_frame.hpp"
+#include "program/five_axis/fanuc_text.hpp"
 #include "program/five_axis/five_axis_events.hpp"
 #include "program/five_axis/five_axis_letters.hpp"
 #include "program/gcode/command_words.hpp"
@@ -353,19 +354,30 @@ class FiveAxisInterpreter {
   double way_mm_ = 0.0;
 };
 
+/// Programs of that dialect alone begin so.
+bool isFanucText(std::string_view program) { return !program.empty() && program.front() == '%'; }
+
 void readLines(std::string_view program, FiveAxisInterpreter& interpreter) {
+  const bool is_fanuc = isFanucText(program);
   for (std::size_t line = 1; !program.empty(); ++line) {
     const std::size_t end = std::min(program.find('\n'), program.size());
     std::string_view text = program.substr(0, end);
     program.remove_prefix(std::min(end + 1, program.size()));
     if (!text.empty() && text.back() == '\r') text.remove_suffix(1);
-    interpreter.readLine(text, line);
+    if (is_fanuc)
+      interpreter.readLine(fromFanucText(text), line);
+    else
+      interpreter.readLine(text, line);
   }
 }
 
 }  // namespace
 
 bool isFiveAxisProgram(std::string_view program) {
+  if (isFanucText(program)) {
+    const std::string_view head = program.substr(0, program.find("(START OF THE PART)"));
+    return head.find("\n(FIVE_AXIS:") != std::string_view::npos;
+  }
   const std::string_view head = program.substr(0, program.find("; start of the part"));
   return head.find("\n" + std::string(kMark)) != std::string_view::npos;
 }

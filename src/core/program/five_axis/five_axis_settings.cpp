@@ -25,6 +25,13 @@ void describe(SettingsSchema& schema, FiveAxisSettings& settings) {
               "Line that turns tool-tip coordinates on; empty for that of the dialect.");
   schema.text("five_axis.tip_control_off", settings.tip_control_off,
               "Line that turns tool-tip coordinates off; empty for that of the dialect.");
+  schema.integer(
+      "five_axis.program_number", settings.program_number, {1, 99999999},
+      "Number of a program in the fanuc dialect, behind its letter O: four digits, eight beyond 9999.");
+  schema.text("five_axis.program_name", settings.program_name,
+              "Name of a program in the fanuc dialect in place of its number, for controls that take <NAME>; "
+              "empty for "
+              "none.");
   schema.text("five_axis.letters", settings.letters,
               "Letters of rotary joints that programs name otherwise: \"b=U,c=V\".");
   schema.text(

@@ -90,6 +90,13 @@ void describeFanuc(SettingsSchema& schema, FanucSettings& settings) {
   schema.integer("fanuc.name_length", settings.name_length, {1, 36},
                  "Characters of a program's name at most: 8 on older controllers.");
   schema.integer("fanuc.max_lines", settings.max_lines, {100, 9999}, "Lines in a listing at most.");
+  schema.integer(
+      "fanuc.arc_equipment", settings.arc_equipment, {0, 5},
+      "Welding equipment that /APPL names where robot_program.process is schedules; 0 for no /APPL.");
+  schema.choice<FanucWeldSpeed>(
+      "fanuc.weld_speed", settings.weld_speed,
+      {{"stated", FanucWeldSpeed::Stated}, {"schedule", FanucWeldSpeed::Schedule}},
+      "Whether beads state their speed, or go at WELD_SPEED, that of the schedule on the controller.");
 }
 
 void describeInform(SettingsSchema& schema, InformSettings& settings) {
@@ -236,6 +243,10 @@ void requireConsistent(const RobotProgramSettings& settings) {
   if (settings.arc.weave_schedule > 0 && settings.arc.process == RobotProcess::Outputs)
     throw InvalidConfig("robot_program.weave_schedule is " + std::to_string(settings.arc.weave_schedule) +
                         " with robot_program.process 'outputs'; expected 0, or 'schedules'");
+  if (settings.fanuc.weld_speed == FanucWeldSpeed::Schedule && settings.arc.process == RobotProcess::Outputs)
+    throw InvalidConfig(
+        "fanuc.weld_speed is 'schedule' with robot_program.process 'outputs'; expected 'stated', or "
+        "'schedules'");
   requireDate(settings.date);
   robotLevels(settings.levels);
 }

@@ -39,9 +39,12 @@ SpeedRounding speedRounding(const Toolpath& toolpath, RobotLanguage language,
   SpeedRounding rounding;
   const std::vector<SpeedUnit> units = speedUnits(language, settings);
   if (units.empty()) return rounding;
+  const bool has_weld_speed =
+      language == RobotLanguage::Fanuc && settings.fanuc.weld_speed == FanucWeldSpeed::Schedule;
   for (const ToolpathLayer& layer : toolpath.layers)
     for (const Path& path : layer.paths)
       for (std::size_t m = 0; m < path.motionCount(); ++m) {
+        if (has_weld_speed && path.role != PathRole::Travel) continue;
         const double feed_mm_s = path.feed_mm_s.at(path.motionEnd(m));
         const RoundedSpeed speed = roundedSpeed(feed_mm_s, units);
         const double written_mm_s = speed.value * speed.unit.mm_s;

@@ -135,7 +135,9 @@ struct CollisionTable::Filling {
   const JointedPair& pair;
   const PairPoses& poses;
   std::vector<Solid> near_solids;
-  bool has_meshes = false;
+  /// As they are; of groups without meshes none. Trees of triangles take long to make.
+  std::vector<Solid> near_exact;
+  std::vector<Solid> far_exact;
 
   void fill(Range columns, Range rows) {
     if (isClear(columns, rows)) return;
@@ -173,13 +175,15 @@ struct CollisionTable::Filling {
 
   /// Hulls of meshes that are hollow or bent meet where the meshes do not: of these the middle counts.
   bool meetAsTheyAre(Range column, Range row) const {
-    if (!has_meshes) return true;
+    if (near_exact.empty()) return true;
     const auto links = poses(table.columns_.middleOf(column.begin), table.rows_.middleOf(row.begin));
-    for (const LinkBody& body : pair.far->bodies) {
-      const Solid solid(body.shape);
+    for (std::size_t f = 0; f < far_exact.size(); ++f) {
+      const LinkBody& body = pair.far->bodies[f];
       const Eigen::Isometry3d pose = links.at(body.link) * body.link_from_body;
-      for (const LinkBody& near : pair.near->bodies)
-        if (Solid(near.shape).meets(solid, pose, links.at(near.link) * near.link_from_body)) return true;
+      for (std::size_t n = 0; n < near_exact.size(); ++n) {
+        const LinkBody& near = pair.near->bodies[n];
+        if (near_exact[n].meets(far_exact[f], pose, links.at(near.link) * near.link_from_body)) return true;
+      }
     }
     return false;
   }
@@ -217,10 +221,15 @@ CollisionTable::CollisionTable(const JointedPair& pair, const std::vector<Driven
       rows_(cellsOf(pair.joints[1], joints[static_cast<std::size_t>(pair.joints[1])])),
       cells_(columns_.count * rows_.count, false),
       text_("link " + namesOf(*pair.far) + " would be in link " + namesOf(*pair.near)) {
-  Filling filling{*this, pair, poses, {}, false};
+  Filling filling{*this, pair, poses, {}, {}, {}};
   const auto isMesh = [](const LinkBody& body) { return std::holds_alternative<MeshShape>(body.shape); };
-  for (const RigidGroup* group : {pair.near, pair.far})
-    filling.has_meshes |= std::any_of(group->bodies.begin(), group->bodies.end(), isMesh);
+  const auto hasMesh = [&](const RigidGroup& group) {
+    return std::any_of(group.bodies.begin(), group.bodies.end(), isMesh);
+  };
+  if (hasMesh(*pair.near) || hasMesh(*pair.far)) {
+    for (const LinkBody& body : pair.near->bodies) filling.near_exact.emplace_back(body.shape);
+    for (const LinkBody& body : pair.far->bodies) filling.far_exact.emplace_back(body.shape);
+  }
   for (const LinkBody& body : pair.near->bodies)
     filling.near_solids.emplace_back(isMesh(body) ? grown(body.shape, 0.0) : body.shape);
   filling.fill({0, columns_.count}, {0, rows_.count});

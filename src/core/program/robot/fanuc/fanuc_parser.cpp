@@ -14,6 +14,7 @@ namespace {
 
 constexpr int kMostFanucPoints = 1000000;
 constexpr double kGreatestFanucSpeed = 1e6;  // in any unit
+constexpr std::string_view kWeldSpeedNote = "# weld_speed ";
 constexpr const char* kFanucAngle = "an angle in degrees";
 constexpr const char* kFanucCoordinate = "a coordinate within 100 m, in mm";
 
@@ -199,6 +200,11 @@ class FanucParser {
     if (semicolon == std::string_view::npos) line.refuse("a semicolon at the end of the line");
     comment = comment.substr(0, semicolon);
     while (!comment.empty() && comment.back() == ' ') comment.remove_suffix(1);
+    if (comment.substr(0, kWeldSpeedNote.size()) == kWeldSpeedNote) {
+      LineCursor stated(comment.substr(kWeldSpeedNote.size()), line.line(), file_);
+      weld_mm_s_ = stated.number(1e-3, kGreatestFanucSpeed, "the speed of welds in mm/s");
+      return stated.expectEnd();
+    }
     list_.addComment(comment, line.line());
   }
 
@@ -299,13 +305,17 @@ class FanucParser {
     line.expect("%");
   }
 
-  static double speed(LineCursor& line) {
+  double speed(LineCursor& line) const {
+    if (line.take("WELD_SPEED")) {
+      if (weld_mm_s_ == 0.0) line.refuse("WELD_SPEED", "the note '# weld_speed' before it");
+      return weld_mm_s_;
+    }
     const double value = line.number(1.0, kGreatestFanucSpeed, "a speed, 1 at least");
     const std::array<std::pair<const char*, double>, 3> units = {
         {{"mm/sec", 1.0}, {"cm/min", 10.0 / 60.0}, {"inch/min", 25.4 / 60.0}}};
     for (const auto& [name, mm_s] : units)
       if (line.take(name)) return value * mm_s;
-    line.refuse("mm/sec, cm/min or inch/min");
+    line.refuse("mm/sec, cm/min, inch/min or WELD_SPEED");
   }
 
   /// Whether the tip comes to the point.
@@ -372,6 +382,7 @@ class FanucParser {
   FanucText text_;
   StatementList list_;
   std::map<int, FanucPoint> points_;
+  double weld_mm_s_ = 0.0;  ///< what WELD_SPEED is; 0 before it is stated
 };
 
 }  // namespace

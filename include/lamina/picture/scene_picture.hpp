@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lamina/geometry/mesh/mesh.hpp"
+#include "lamina/picture/colour.hpp"
+
+namespace lamina {
+
+/// A solid in a scene, in one colour.
+struct SceneSolid {
+  Mesh mesh;  ///< [mm, frame of the scene, z up]; faces are seen from outside only
+  Colour colour;
+};
+
+/// A piece of a scene as it is looked at, without perspective.
+struct ScenePanel {
+  std::string title;
+  double heading_rad = 0.0;    ///< of where the viewer stands, about z from x
+  double elevation_rad = 0.0;  ///< of the viewer over the horizon; less than a quarter turn
+  Point3 centre = Point3::Zero();
+  double span_mm = 1000.0;  ///< height of what is shown
+};
+
+struct ScenePicture {
+  std::string title;
+  std::string subtitle;
+  std::vector<SceneSolid> solids;
+  std::vector<ScenePanel> panels;
+};
+
+/// Draws a scene as a PNG, its panels side by side at scales of their own, each with a scale bar.
+/// @throws InvalidInput if there are no panels, or more than 4, or one shows nothing; FileError
+void drawScene(const ScenePicture& picture, const std::string& png_path);
+
+}  // namespace lamina

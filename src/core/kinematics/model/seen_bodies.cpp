@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/kinematics/model/seen_bodies.hpp"
+
+#include <variant>
+
+#include "kinematics/model/body_shape.hpp"
+#include "kinematics/model/link_motion.hpp"
+#include "lamina/geometry/parts/parts.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr char kSeenSegments[] = "32";  // around what is round
+
+std::string numberText(double number) { return std::to_string(number); }
+
+Mesh shifted(Mesh mesh, const Point3& by) {
+  for (Point3& vertex : mesh.vertices) vertex += by;
+  return mesh;
+}
+
+/// Parts stand on z = 0, shapes are centred.
+struct SeenShape {
+  Mesh operator()(const BoxShape& box) const {
+    const Point3& size = box.size_mm;
+    Mesh mesh = makePart(
+        "box",
+        {{"x_mm", numberText(size.x())}, {"y_mm", numberText(size.y())}, {"z_mm", numberText(size.z())}});
+    const Box3 around = boundingBox(mesh);
+    return shifted(std::move(mesh), -0.5 * (around.low + around.high));
+  }
+  Mesh operator()(const CylinderShape& cylinder) const {
+    return shifted(makePart("cylinder", {{"radius_mm", numberText(cylinder.radius_mm)},
+                                         {"height_mm", numberText(cylinder.length_mm)},
+                                         {"segments", kSeenSegments}}),
+                   {0.0, 0.0, -0.5 * cylinder.length_mm});
+  }
+  Mesh operator()(const ConeShape& cone) const {
+    return shifted(makePart("cone", {{"radius_mm", numberText(cone.radius_mm)},
+                                     {"height_mm", numberText(cone.length_mm)},
+                                     {"segments", kSeenSegments}}),
+                   {0.0, 0.0, -0.5 * cone.length_mm});
+  }
+  Mesh operator()(const SphereShape& sphere) const {
+    return shifted(
+        makePart("sphere", {{"radius_mm", numberText(sphere.radius_mm)}, {"segments", kSeenSegments}}),
+        {0.0, 0.0, -sphere.radius_mm});
+  }
+  Mesh operator()(const MeshShape& shape) const { return *shape.mesh; }
+};
+
+SeenBody seenBody(const urdf::Collision& element, const std::string& link) {
+  SeenBody body;
+  body.link = link;
+  body.mesh = std::visit(SeenShape(), shapeOf(element, link));
+  const Eigen::Isometry3d link_from_body = poseOf(element.origin);
+  for (Point3& vertex : body.mesh.vertices) vertex = link_from_body * vertex;
+  return body;
+}
+
+}  // namespace
+
+std::vector<SeenBody> seenBodies(const std::string& urdf) {
+  const auto model = parseMachine(urdf);
+  std::vector<SeenBody> bodies;
+  for (const auto& [name, link] : model->links_) {
+    for (const auto& visual : link->visual_array) {
+      urdf::Collision element;
+      element.origin = visual->origin;
+      element.geometry = visual->geometry;
+      bodies.push_back(seenBody(element, name));
+      if (visual->material)
+        bodies.back().colour = {visual->material->color.r, visual->material->color.g,
+                                visual->material->color.b};
+    }
+    if (!link->visual_array.empty()) continue;
+    for (const auto& collision : link->collision_array) bodies.push_back(seenBody(*collision, name));
+  }
+  return bodies;
+}
+
+}  // namespace lamina

@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "program/five_axis/fanuc_text.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "lamina/base/error.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr std::string_view kPointed = "XYZABCUVWF";  // words that lengths, angles and feeds stand in
+constexpr std::string_view kOfNames = "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789+-_.";
+constexpr std::string_view kOfComments = "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789 .,:=_-+*/#<>";
+constexpr std::size_t kLongestFanucName = 32;
+constexpr int kMostOfFourDigits = 9999;
+
+char capital(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
+char small(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+std::string smallText(std::string_view text) {
+  std::string lowered(text);
+  std::transform(lowered.begin(), lowered.end(), lowered.begin(), small);
+  return lowered;
+}
+
+std::string_view withoutBlanks(std::string_view text) {
+  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
+  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
+  return text;
+}
+
+std::string bracketed(std::string_view comment) {
+  std::string text = "(";
+  for (const char c : withoutBlanks(comment)) {
+    const char known = capital(c);
+    text += kOfComments.find(known) != std::string_view::npos ? known : '-';
+  }
+  return text + ")";
+}
+
+std::string pointed(std::string_view words) {
+  std::string text;
+  while (!words.empty()) {
+    const std::size_t blank = std::min(words.find(' '), words.size());
+    const std::string_view word = words.substr(0, blank);
+    text += word;
+    const bool is_length = word.size() > 1 && kPointed.find(word.front()) != std::string_view::npos;
+    if (is_length && word.find('.') == std::string_view::npos) text += '.';
+    if (blank < words.size()) text += ' ';
+    words.remove_prefix(std::min(blank + 1, words.size()));
+  }
+  return text;
+}
+
+std::string fanucLine(std::string_view line) {
+  const std::size_t mark = line.find(';');
+  if (mark == std::string_view::npos)
+    return line.find('(') == std::string_view::npos ? pointed(line) : std::string(line);
+  const std::string words = pointed(withoutBlanks(line.substr(0, mark)));
+  return words + (words.empty() ? "" : " ") + bracketed(line.substr(mark + 1));
+}
+
+/// A comment as it was written: a key keeps its capitals, what is chosen from a list has none, nor has a
+/// sentence.
+std::string fromCapitals(std::string_view comment, bool is_remark) {
+  const std::size_t colon = comment.find(':');
+  const std::string_view key = comment.substr(0, std::min(colon, comment.size()));
+  if (colon == std::string_view::npos) return (is_remark ? "" : " ") + smallText(comment);
+  const std::string_view value = comment.substr(colon + 1);
+  const std::string head = std::string(key) + ":";
+  if (key == "TYPE") return head + smallText(value);
+  if (key != "FIVE_AXIS") return head + std::string(value);
+  const std::size_t blank = std::min(value.find(' '), value.size());
+  return head + smallText(value.substr(0, blank)) + std::string(value.substr(blank));
+}
+
+}  // namespace
+
+std::string fanucText(std::string_view lines) {
+  std::string text;
+  text.reserve(lines.size() + lines.size() / 8);
+  while (!lines.empty()) {
+    const std::size_t end = std::min(lines.find('\n'), lines.size());
+    text += fanucLine(lines.substr(0, end)) + "\n";
+    lines.remove_prefix(std::min(end + 1, lines.size()));
+  }
+  return text;
+}
+
+std::string fromFanucText(std::string_view line) {
+  const std::size_t open = line.find('(');
+  const std::size_t close = line.rfind(')');
+  if (open == std::string_view::npos || close == std::string_view::npos || close < open)
+    return std::string(line);
+  const std::string_view words = withoutBlanks(line.substr(0, open));
+  return std::string(words) + (words.empty() ? "" : " ") + ";" +
+         fromCapitals(line.substr(open + 1, close - open - 1), !words.empty());
+}
+
+std::string fanucProgramName(const FiveAxisSettings& settings) {
+  const std::string& name = settings.program_name;
+  if (name.empty()) {
+    char number[16];
+    std::snprintf(number, sizeof(number), settings.program_number > kMostOfFourDigits ? "O%08d" : "O%04d",
+                  settings.program_number);
+    return number;
+  }
+  if (name.size() > kLongestFanucName || name.find_first_not_of(kOfNames) != std::string::npos)
+    throw InvalidConfig("five_axis.program_name is '" + name +
+                        "'; expected at most 32 characters of A-Z, 0-9, +, -, _ and .");
+  return "<" + name + ">";
+}
+
+}  // namespace lamina
