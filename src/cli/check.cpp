@@ -140,15 +140,16 @@ Checked checkedOn(const KinematicModel& model, const std::string& input, const J
   return checked;
 }
 
-/// @throws InvalidConfig if a program in a robot's language is to be checked on no robot
+/// @throws InvalidConfig if a program in a robot's language is to be checked on the gantry, which nobody
+/// chose
 void requireRobot(const std::string& input, const MachineSettings& machine) {
   const std::string suffix = std::filesystem::path(input).extension().string();
   constexpr std::array<std::string_view, 4> kOfRobots = {".src", ".script", ".ls", ".jbi"};
-  if (!machine.urdf.empty() || std::find(kOfRobots.begin(), kOfRobots.end(), suffix) == kOfRobots.end())
-    return;
+  const bool is_chosen = !machine.urdf.empty() || machine.name != MachineSettings().name;
+  if (is_chosen || std::find(kOfRobots.begin(), kOfRobots.end(), suffix) == kOfRobots.end()) return;
   throw InvalidConfig(
       "'" + input + "' is the program of a robot, and the machine is " + machine.name +
-      "; expected the robot: --machine with a profile, a cell file (.yaml) or a description (.urdf)");
+      "; expected the robot: --machine with a name, a profile, a cell file (.yaml) or a description (.urdf)");
 }
 
 void check(const CheckArguments& arguments, Chosen& chosen) {

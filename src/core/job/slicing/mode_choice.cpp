@@ -51,7 +51,7 @@ std::string numbersOf(const ModeCandidate& candidate) {
 }
 
 std::string wouldLeave(const ModeCandidate& candidate) {
-  const std::string numbers = "would leave " + numbersOf(candidate);
+  std::string numbers = "would leave " + numbersOf(candidate);
   if (!isRefusedByMachine(candidate)) return numbers;
   return numbers + ", but the machine cannot run it: " + candidate.refusal;
 }
