@@ -168,7 +168,7 @@ TEST(CellAtlas, ListsCellsThatBeginAtTheEdgesOfSquaresInTwoByTwo) {
   atlas.add(shared(test::straightBeads(beads_y, 300.0, 3.0)));
   const std::size_t cells = atlas.cellsOf(0)->size();
   ASSERT_EQ(cells, 10000U);
-  const std::size_t squares = 101 * 101;
+  const std::size_t squares = std::size_t{101} * 101;
   EXPECT_LE(atlas.bytes(), 32 * cells + 4 * (4 * cells + squares + 1) + 4);
 }
 
