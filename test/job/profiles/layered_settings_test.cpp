@@ -83,6 +83,22 @@ TEST_F(LayeredSettingsTest, CountInTheirOrder) {
   EXPECT_THROW(load(sources).explain("bead.weight"), InvalidConfig);
 }
 
+TEST_F(LayeredSettingsTest, AreOfOneMachine) {
+  SettingsSources sources = sourcesOf("mine.urdf");
+  sources.overrides = {{"machine.name", "belt_45"}};
+  try {
+    load(sources);
+    ADD_FAILURE() << "the description would count without a word";
+  } catch (const InvalidConfig& refusal) {
+    EXPECT_STREQ(
+        refusal.what(),
+        "machine.name is belt_45 by --set, but machine.urdf, which counts, is mine.urdf by --machine; "
+        "expected one machine, as by --machine belt_45");
+  }
+  sources.overrides.push_back({"machine.urdf", ""});
+  EXPECT_EQ(load(sources).settings.machine.name, "belt_45");
+}
+
 TEST_F(LayeredSettingsTest, TakeWhatTheyInheritFirst) {
   const LayeredSettings layered = load(sourcesOf("grown", "soft"));
   EXPECT_EQ(layered.settings.machine.name, "belt_45");
