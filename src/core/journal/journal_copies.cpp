@@ -17,16 +17,16 @@ namespace {
 constexpr char kCopies[] = "copies";
 constexpr char kPrefix[] = "cell-";
 
-/// Names in the order of their days.
+/// Names in the order of their days; none of a folder that cannot be read to its end.
 std::vector<std::filesystem::path> copiesIn(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> copies;
   std::error_code error;
-  // A folder that cannot be read any further holds no more copies for now: nothing of it is removed in error.
   for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end;
        entry.increment(error)) {
     const std::string name = entry->path().filename();
     if (name.rfind(kPrefix, 0) == 0 && entry->path().extension() == ".db") copies.push_back(entry->path());
   }
+  if (error) return {};
   std::sort(copies.begin(), copies.end());
   return copies;
 }
