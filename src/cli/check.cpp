@@ -1,15 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
-#include <array>
 #include <cstdio>
-#include <filesystem>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
-#include <string_view>
 
 #include "arguments/machine_run.hpp"
 #include "arguments/setting_options.hpp"
@@ -30,8 +26,7 @@ constexpr std::size_t kShown = 10;  // of each kind, to people; --report and --j
 
 /// The command line of `lamina check` as it was typed.
 struct CheckArguments {
-  std::string input;
-  std::string machine;
+  MachineRunArguments run;
   std::string report;
   SettingOptions settings;
 };
@@ -140,24 +135,11 @@ Checked checkedOn(const KinematicModel& model, const std::string& input, const J
   return checked;
 }
 
-/// @throws InvalidConfig if a program in a robot's language is to be checked on the gantry, which nobody
-/// chose
-void requireRobot(const std::string& input, const MachineSettings& machine) {
-  const std::string suffix = std::filesystem::path(input).extension().string();
-  constexpr std::array<std::string_view, 4> kOfRobots = {".src", ".script", ".ls", ".jbi"};
-  const bool is_chosen = !machine.urdf.empty() || machine.name != MachineSettings().name;
-  if (is_chosen || std::find(kOfRobots.begin(), kOfRobots.end(), suffix) == kOfRobots.end()) return;
-  throw InvalidConfig(
-      "'" + input + "' is the program of a robot, and the machine is " + machine.name +
-      "; expected the robot: --machine with a name, a profile, a cell file (.yaml) or a description (.urdf)");
-}
-
 void check(const CheckArguments& arguments, Chosen& chosen) {
-  requireApart({arguments.report}, {arguments.input, arguments.settings.config});
-  const JobSettings settings = settingsOnMachine(arguments.settings, arguments.machine);
-  requireRobot(arguments.input, settings.machine);
+  requireApart({arguments.report}, {arguments.run.input, arguments.settings.config});
+  const JobSettings settings = settingsOnMachine(arguments.settings, arguments.run);
   const auto model = kinematicModelOf(settings.machine);
-  const Checked checked = checkedOn(*model, arguments.input, settings);
+  const Checked checked = checkedOn(*model, arguments.run.input, settings);
   if (!arguments.report.empty()) writeReport(checked.check, arguments.report);
   if (!checked.check.isClear()) chosen.exit_code = kCannotRun;
   chosen.format == OutputFormat::Json ? printJson(checked, model->name()) : printText(checked, model->name());
@@ -171,14 +153,7 @@ void addCheck(CLI::App& app, Chosen& chosen) {
       "Check that a machine or robot reaches every waypoint and runs into nothing; exits with 2 if not");
   subcommand->alias("clearance");  // the command of the release before
   const auto arguments = std::make_shared<CheckArguments>();
-  subcommand
-      ->add_option(
-          "input", arguments->input,
-          "Toolpath (.csv), program (.gcode, .mod, .src, .script, .ls, .jbi), mesh file or name of a part")
-      ->required();
-  subcommand->add_option(
-      "--machine", arguments->machine,
-      "Machine that runs it: a profile (lamina profiles), one of machine.name, or a file (.yaml, .urdf)");
+  addMachineRun(*subcommand, arguments->run);
   subcommand->add_option("--report", arguments->report, "File (.csv) for all waypoints that it cannot run");
   addSettingOptions(*subcommand, arguments->settings, "Settings (YAML) for slicing, reading and the joints");
   addJsonFlag(*subcommand, chosen);

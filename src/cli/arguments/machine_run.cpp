@@ -3,6 +3,9 @@
 #include "machine_run.hpp"
 
 #include <algorithm>
+#include <array>
+#include <filesystem>
+#include <string_view>
 
 #include "lamina/job/part/placement.hpp"
 #include "lamina/job/program_file.hpp"
@@ -12,8 +15,36 @@
 
 namespace lamina::cli {
 
-JobSettings settingsOnMachine(const SettingOptions& given, const std::string& machine) {
+namespace {
+
+/// @throws InvalidConfig if a program in a robot's language is to be checked on the gantry, which nobody
+/// chose
+void requireRobot(const std::string& input, const MachineSettings& machine) {
+  const std::string suffix = std::filesystem::path(input).extension().string();
+  constexpr std::array<std::string_view, 4> kOfRobots = {".src", ".script", ".ls", ".jbi"};
+  const bool is_chosen = !machine.urdf.empty() || machine.name != MachineSettings().name;
+  if (is_chosen || std::find(kOfRobots.begin(), kOfRobots.end(), suffix) == kOfRobots.end()) return;
+  throw InvalidConfig(
+      "'" + input + "' is the program of a robot, and the machine is " + machine.name +
+      "; expected the robot: --machine with a name, a profile, a cell file (.yaml) or a description (.urdf)");
+}
+
+}  // namespace
+
+void addMachineRun(CLI::App& subcommand, MachineRunArguments& arguments) {
+  subcommand
+      .add_option(
+          "input", arguments.input,
+          "Toolpath (.csv), program (.gcode, .mod, .src, .script, .ls, .jbi), mesh file or name of a part")
+      ->required();
+  subcommand.add_option(
+      "--machine", arguments.machine,
+      "Machine that runs it: a profile (lamina profiles), one of machine.name, or a file (.yaml, .urdf)");
+}
+
+JobSettings settingsOnMachine(const SettingOptions& given, const MachineRunArguments& run) {
   SettingOptions options = given;
+  const std::string& machine = run.machine;
   ProfileOptions profiles;
   const std::vector<std::string> names = kinematicModelNames();
   if (std::find(names.begin(), names.end(), machine) != names.end())
@@ -22,6 +53,7 @@ JobSettings settingsOnMachine(const SettingOptions& given, const std::string& ma
     profiles.machine = machine;
   const LayeredSettings layered = layeredSettingsFrom(profiles, options);
   validate(layered);
+  requireRobot(run.input, layered.settings.machine);
   return layered.settings;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <string>
 
 #include "lamina/base/progress.hpp"
@@ -11,9 +12,19 @@
 
 namespace lamina::cli {
 
-/// The settings with a machine by its name, profile or file.
-/// @param machine  empty for that of the settings
-JobSettings settingsOnMachine(const SettingOptions& options, const std::string& machine);
+/// What is run, and on which machine, as they were typed.
+struct MachineRunArguments {
+  std::string input;
+  std::string machine;  ///< name, profile or file; empty for that of the settings
+};
+
+/// Adds the input and --machine.
+void addMachineRun(CLI::App& subcommand, MachineRunArguments& arguments);
+
+/// The settings with the machine.
+/// @throws InvalidConfig as `validate`; if a program in a robot's language is to run on the gantry, which
+/// nobody chose
+JobSettings settingsOnMachine(const SettingOptions& options, const MachineRunArguments& run);
 
 /// The joints that a program holds; of what holds none, those by which the machine would run it.
 /// @throws as the readers of its kind, and `runOn`

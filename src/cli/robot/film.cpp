@@ -29,8 +29,7 @@ constexpr Colour kColdBetween{0.62, 0.65, 0.70};  // every other layer
 constexpr Colour kFloor{0.93, 0.93, 0.92};
 
 struct FilmArguments {
-  std::string input;
-  std::string machine;
+  MachineRunArguments run;
   std::string folder;
   int frames = 8;
   SettingOptions settings;
@@ -190,12 +189,12 @@ std::string frameFile(const std::string& folder, int number) {
 }
 
 void film(const FilmArguments& arguments, OutputFormat format) {
-  const JobSettings settings = settingsOnMachine(arguments.settings, arguments.machine);
+  const JobSettings settings = settingsOnMachine(arguments.settings, arguments.run);
   const auto model = kinematicModelOf(settings.machine);
   TerminalProgress progress;
-  const TimedRun timed =
-      inTime(runOfInput(*model, arguments.input, settings, progress), *model, runSettings(settings).timing);
-  const Film film(timed, *model, std::filesystem::path(arguments.input).filename().string());
+  const TimedRun timed = inTime(runOfInput(*model, arguments.run.input, settings, progress), *model,
+                                runSettings(settings).timing);
+  const Film film(timed, *model, std::filesystem::path(arguments.run.input).filename().string());
   std::filesystem::create_directories(arguments.folder);
   nlohmann::ordered_json frames = nlohmann::json::array();
   for (int number = 1; number <= arguments.frames; ++number) {
@@ -217,14 +216,7 @@ void addFilm(CLI::App& app, Chosen& chosen) {
   CLI::App* subcommand = app.add_subcommand(
       "film", "Draw a machine or robot and the part that grows on it, at instants of its run");
   const auto arguments = std::make_shared<FilmArguments>();
-  subcommand
-      ->add_option(
-          "input", arguments->input,
-          "Toolpath (.csv), program (.gcode, .mod, .src, .script, .ls, .jbi), mesh file or name of a part")
-      ->required();
-  subcommand->add_option(
-      "--machine", arguments->machine,
-      "Machine that runs it: a profile (lamina profiles), one of machine.name, or a file (.yaml, .urdf)");
+  addMachineRun(*subcommand, arguments->run);
   subcommand
       ->add_option("--frames", arguments->frames, "Pictures, at even times; the last of the part when done")
       ->check(CLI::Range(1, 999));
