@@ -48,7 +48,9 @@ std::string frameValue(const DrivenJoint& joint, double value) {
   const bool is_linear = joint.kind == JointKind::Linear;
   std::snprintf(text, sizeof(text), is_linear ? "%.1f mm" : "%.1f deg",
                 is_linear ? value : toDegrees(value - 2.0 * M_PI * turns));
-  return text + (turns != 0.0 ? " after " + std::to_string(std::lround(turns)) + " turns" : std::string());
+  if (turns == 0.0) return text;
+  const long whole = std::lround(turns);
+  return std::string(text) + " after " + std::to_string(whole) + (std::abs(whole) == 1 ? " turn" : " turns");
 }
 
 /// The bead of one motion, from corner to corner of its section.

@@ -10,7 +10,7 @@ namespace lamina {
 /// Keeps tool axes away from what is nearly upright, where a table or a head has to follow their azimuth the
 /// faster the nearer they are: what leans less than an angle is put exactly upright, where that joint is free
 /// to turn on the way, and what leans up to twice that is drawn in so that nothing jumps.
-/// @param axis      against the jet, of unit length [bed's z up]
+/// @param axis      opposite to the tool axis, of unit length [bed frame, z up]
 /// @param half_rad  positive; no axis is turned by more
 Point3 settledAxis(const Point3& axis, double half_rad);
 

@@ -2,18 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/kinematics/model/seen_bodies.hpp"
 
+#include <utility>
 #include <variant>
 
+#include "geometry/parts/shapes.hpp"
 #include "kinematics/model/body_shape.hpp"
 #include "kinematics/model/link_motion.hpp"
-#include "lamina/geometry/parts/parts.hpp"
 
 namespace lamina {
 namespace {
 
-constexpr char kSeenSegments[] = "32";  // around what is round
-
-std::string numberText(double number) { return std::to_string(number); }
+constexpr int kSeenSegments = 32;  // around what is round
 
 Mesh shifted(Mesh mesh, const Point3& by) {
   for (Point3& vertex : mesh.vertices) vertex += by;
@@ -24,28 +23,20 @@ Mesh shifted(Mesh mesh, const Point3& by) {
 struct SeenShape {
   Mesh operator()(const BoxShape& box) const {
     const Point3& size = box.size_mm;
-    Mesh mesh = makePart(
-        "box",
-        {{"x_mm", numberText(size.x())}, {"y_mm", numberText(size.y())}, {"z_mm", numberText(size.z())}});
+    Mesh mesh = build(CuboidShape{size.x(), size.y(), size.z()});
     const Box3 around = boundingBox(mesh);
     return shifted(std::move(mesh), -0.5 * (around.low + around.high));
   }
   Mesh operator()(const CylinderShape& cylinder) const {
-    return shifted(makePart("cylinder", {{"radius_mm", numberText(cylinder.radius_mm)},
-                                         {"height_mm", numberText(cylinder.length_mm)},
-                                         {"segments", kSeenSegments}}),
+    return shifted(build(Cylinder{cylinder.radius_mm, cylinder.length_mm, kSeenSegments}),
                    {0.0, 0.0, -0.5 * cylinder.length_mm});
   }
   Mesh operator()(const ConeShape& cone) const {
-    return shifted(makePart("cone", {{"radius_mm", numberText(cone.radius_mm)},
-                                     {"height_mm", numberText(cone.length_mm)},
-                                     {"segments", kSeenSegments}}),
+    return shifted(build(Cone{cone.radius_mm, 0.0, cone.length_mm, kSeenSegments}),
                    {0.0, 0.0, -0.5 * cone.length_mm});
   }
   Mesh operator()(const SphereShape& sphere) const {
-    return shifted(
-        makePart("sphere", {{"radius_mm", numberText(sphere.radius_mm)}, {"segments", kSeenSegments}}),
-        {0.0, 0.0, -sphere.radius_mm});
+    return shifted(build(Sphere{sphere.radius_mm, kSeenSegments}), {0.0, 0.0, -sphere.radius_mm});
   }
   Mesh operator()(const MeshShape& shape) const { return *shape.mesh; }
 };

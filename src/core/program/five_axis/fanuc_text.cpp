@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/text.hpp"
 
 namespace lamina {
 namespace {
@@ -25,15 +26,9 @@ std::string smallText(std::string_view text) {
   return lowered;
 }
 
-std::string_view withoutBlanks(std::string_view text) {
-  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
-  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
-  return text;
-}
-
 std::string bracketed(std::string_view comment) {
   std::string text = "(";
-  for (const char c : withoutBlanks(comment)) {
+  for (const char c : trimmed(comment)) {
     const char known = capital(c);
     text += kOfComments.find(known) != std::string_view::npos ? known : '-';
   }
@@ -58,7 +53,7 @@ std::string fanucLine(std::string_view line) {
   const std::size_t mark = line.find(';');
   if (mark == std::string_view::npos)
     return line.find('(') == std::string_view::npos ? pointed(line) : std::string(line);
-  const std::string words = pointed(withoutBlanks(line.substr(0, mark)));
+  const std::string words = pointed(trimmed(line.substr(0, mark)));
   return words + (words.empty() ? "" : " ") + bracketed(line.substr(mark + 1));
 }
 
@@ -94,7 +89,7 @@ std::string fromFanucText(std::string_view line) {
   const std::size_t close = line.rfind(')');
   if (open == std::string_view::npos || close == std::string_view::npos || close < open)
     return std::string(line);
-  const std::string_view words = withoutBlanks(line.substr(0, open));
+  const std::string_view words = trimmed(line.substr(0, open));
   return std::string(words) + (words.empty() ? "" : " ") + ";" +
          fromCapitals(line.substr(open + 1, close - open - 1), !words.empty());
 }
