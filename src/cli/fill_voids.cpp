@@ -77,16 +77,17 @@ nlohmann::ordered_json toJson(const VoidTotals& sums) {
 
 void printJson(const VoidFillingReport& report, const FillVoidsArguments& arguments) {
   const nlohmann::ordered_json json = {
-      {"layers", report.before.layers},  {"layers_filled", report.layers},
-      {"runs_added", report.runs},       {"deposited_mm3", report.deposited_mm3},
-      {"before", toJson(report.before)}, {"after", toJson(report.after)},
-      {"output", arguments.output}};
+      {"layers", report.before.layers},   {"layers_filled", report.layers},
+      {"runs_added", report.runs},        {"deposited_mm3", report.deposited_mm3},
+      {"left_open_mm3", report.open_mm3}, {"before", toJson(report.before)},
+      {"after", toJson(report.after)},    {"output", arguments.output}};
   std::printf("%s\n", json.dump(2).c_str());
 }
 
 void printText(const VoidFillingReport& report, const FillVoidsArguments& arguments) {
   std::printf("added       %zu runs in %zu of %zu layers, %.2f mm3\n", report.runs, report.layers,
               report.before.layers, report.deposited_mm3);
+  if (report.open_mm3 > 0.0) std::printf("left open   %.2f mm3 of sparse infill\n", report.open_mm3);
   std::printf("voids       %zu before, %zu after\n", report.before.voids, report.after.voids);
   std::printf("uncovered   %.3f %% before, %.3f %% after\n", report.before.uncovered.mean_percent,
               report.after.uncovered.mean_percent);

@@ -15,6 +15,7 @@
 #include "arguments/toolpath_input.hpp"
 #include "lamina/base/csv_table.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/base/text.hpp"
 #include "lamina/control/replanned_toolpath.hpp"
 #include "lamina/job/output_files.hpp"
@@ -87,8 +88,8 @@ void requireAboveBed(const Toolpath& toolpath, const MeasuredLayer& measured) {
   if (measured.layer >= toolpath.layers.size()) return;  // refused as no layer that is left
   const double planned_mm = toolpath.layers[measured.layer].z_mm;
   if (planned_mm - measured.mean_error_mm > 0.0) return;
-  throw InvalidInput("layer " + std::to_string(measured.layer) + " ends at " + std::to_string(planned_mm) +
-                     " mm, and its mean error is " + std::to_string(measured.mean_error_mm) +
+  throw InvalidInput("layer " + std::to_string(measured.layer) + " ends at " + numberText(planned_mm) +
+                     " mm, and its mean error is " + numberText(measured.mean_error_mm) +
                      " mm: it would have ended below the bed; expected a smaller error");
 }
 
@@ -154,7 +155,7 @@ void replan(const ReplanArguments& arguments, OutputFormat format) {
   const auto heights = newHeights(partUnderWay(input.toolpath, left, measured.gain_mean), by);
   if (!heights)
     throw InvalidInput("no number of layers of 0.7 to 1.3 of their heights makes up for " +
-                       std::to_string(measured.mean_error_mm) + " mm above layer " +
+                       numberText(measured.mean_error_mm) + " mm above layer " +
                        std::to_string(measured.layer) + "; expected more layers left, or a smaller error");
   const PlacedToolpath planned{replannedToolpath(input.toolpath, left, *heights), {}};
   const std::string id = replannedId(planned.toolpath, left.first, toolpathId(input.toolpath));

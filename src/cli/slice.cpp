@@ -94,9 +94,8 @@ void printFill(const SliceSummary& s) {
   const FillStarts& fill = s.starts;
   std::printf("fill        %.2f runs per layer, %.2f at least\n", perLayer(fill.runs, s.layers),
               perLayer(fill.regions, s.layers));
-  const double gap = fill.best_travel_mm > 0.0 ? fill.travel_mm / fill.best_travel_mm - 1.0 : 0.0;
-  std::printf("fill travel %.2f m between runs, %.1f %% above the best order found\n", fill.travel_mm / 1e3,
-              100.0 * gap);
+  std::printf("fill travel %.2f m between runs, %.2f m in the best order found\n", fill.travel_mm / 1e3,
+              fill.best_travel_mm / 1e3);
 }
 
 /// Walls that lean so far that a bead still lies on the one below need no word.

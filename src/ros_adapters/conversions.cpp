@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/kinematics/model/toolpath_reach.hpp"
 #include "names.hpp"
 
@@ -186,8 +187,7 @@ Eigen::Isometry3d fromMessage(const geometry_msgs::Pose& pose) {
   const Point3 position = fromMessage(pose.position);
   if (!position.allFinite()) throw InvalidInput("the position of a pose is not finite");
   if (!(std::abs(rotation.norm() - 1.0) < kUnitTolerance))
-    throw InvalidInput("the orientation of a pose has norm " + std::to_string(rotation.norm()) +
-                       "; must be 1");
+    throw InvalidInput("the orientation of a pose has norm " + numberText(rotation.norm()) + "; must be 1");
   Eigen::Isometry3d isometry = Eigen::Isometry3d::Identity();
   isometry.linear() = rotation.normalized().toRotationMatrix();
   isometry.translation() = position;

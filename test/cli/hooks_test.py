@@ -80,7 +80,7 @@ class Hooks(unittest.TestCase):
 
     def test_refuse_what_cannot_be(self):
         for setting, word in (("hooks.layer_start=M117 {layr}", "{layr}"), ("hooks.layer_start=G28 X", "hooks.moves"),
-                              ("hooks.at_layer={20: M400}", "layer 20"), ("pause.at_heights_mm=4", "4.000000 mm"),
+                              ("hooks.at_layer={20: M400}", "layer 20"), ("pause.at_heights_mm=4", "4 mm"),
                               ("hooks.before_role={bridges: M400}", "bridges"), ("pause.code=M25", "pause.code")):
             done = lamina("slice", self.part, "--set", setting, "-o", self.path("no.gcode"))
             self.assertEqual(done.returncode, 1, setting)

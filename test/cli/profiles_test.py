@@ -38,6 +38,16 @@ class Profiles(unittest.TestCase):
         self.assertRegex(program, r"; filament used \[g\] = 0\.\d\d\n")
         self.assertIn("creality_cr_30", lamina("check", self.path("belt.gcode"), "--machine", "creality_cr_30").stdout)
 
+    def test_a_folder_of_profiles_that_is_not_there_is_named(self):
+        missing = self.path("missing")
+        os.environ["LAMINA_PROFILES"] = missing
+        self.addCleanup(os.environ.pop, "LAMINA_PROFILES")
+        done = lamina("profiles")
+        self.assertNotEqual(done.returncode, 0)
+        self.assertIn(f"LAMINA_PROFILES names '{missing}'", done.stderr)
+        os.mkdir(missing)
+        self.assertEqual(lamina("profiles").returncode, 0)
+
     def test_thumbnails_are_those_of_the_machine(self):
         program = self.sliced("mk4.gcode", "--machine", "prusa_mk4", "--material", "petg", "--process", "draft")
         found = re.findall(r"; (thumbnail\w*) begin (\d+x\d+) ", program)

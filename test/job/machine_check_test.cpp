@@ -66,6 +66,23 @@ TEST(MachineCheck, NamesEachWaypointOfAClosedPathOnce) {
             std::string::npos);
 }
 
+TEST(MachineCheck, NamesWhyABeltCannotRunIt) {
+  Toolpath toolpath = square();
+  const MachineCheck level = checkOn("belt_45", toolpath, {20, 50, 0});
+  ASSERT_FALSE(level.faults.empty());
+  EXPECT_EQ(level.faults[0].what, "out_of_reach");
+  EXPECT_NE(level.faults[0].reason.find("45 deg off the tool axis"), std::string::npos)
+      << level.faults[0].reason;
+
+  // Along the endless belt it is out of a limit all the same: the axis begins at 0.
+  const auto belt = kinematicModelByName("belt_45");
+  toolpath.layers[0].paths[0].orientation =
+      Eigen::Quaterniond(belt->bedFromNozzle(JointValues::Zero(3)).linear());
+  const MachineCheck behind = checkOn("belt_45", toolpath, {20, -500, 0});
+  ASSERT_FALSE(behind.faults.empty());
+  EXPECT_EQ(behind.faults[0].what, "out_of_limits") << behind.faults[0].reason;
+}
+
 TEST(MachineCheck, NamesANozzleInTheBedOnceWhateverTheStepsOfItsMotion) {
   EXPECT_TRUE(checkOn("irb_4600", travelDownTo(5.0), {0, 0, 0}).isClear());
   const MachineCheck check = checkOn("irb_4600", travelDownTo(-25.0), {0, 0, 0});

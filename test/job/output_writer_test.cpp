@@ -55,6 +55,19 @@ TEST(OutputWriter, WritesAFileForEachModule) {
   EXPECT_EQ(readFile(folder.file("a_2.mod")).rfind("MODULE a_2\n", 0), 0U);
 }
 
+TEST(OutputWriter, NamesWhatALongerProgramLeft) {
+  const test::ScratchFolder folder;
+  for (const char* name :
+       {"a_1.mod", "a_2.mod", "a_3.mod", "a_10.mod", "a_3.src", "b_4.mod", "a_x.mod", "a_3b.mod"})
+    writeFile(folder.file(name), "");
+  const std::string path = folder.file("a.mod");
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(filesOfLongerProgram(path, {"a.mod", "a_1.mod", "a_2.mod"}), (Names{"a_3.mod", "a_10.mod"}));
+  EXPECT_EQ(filesOfLongerProgram(path, {"a.mod"}), (Names{"a_1.mod", "a_2.mod", "a_3.mod", "a_10.mod"}));
+  EXPECT_EQ(filesOfLongerProgram(folder.file("a_2.mod"), {"a_2.mod"}), Names{});
+  EXPECT_EQ(filesOfLongerProgram(folder.file("c.src"), {"c.src", "c.dat"}), Names{});
+}
+
 TEST(OutputWriter, RefusesASuffixWithoutWriter) {
   for (const char* path : {"a.stl", "a", ".gcode", "a.gcode.old", "folder.gcode/a"})
     EXPECT_THROW(outputWriterFor(path), InvalidInput) << path;

@@ -76,6 +76,16 @@ TEST_F(SliceJobTest, SummarisesABoxExactly) {
   EXPECT_GE(summary.wall_s, summary.read_s + summary.slice_s + summary.plan_s);
 }
 
+TEST_F(SliceJobTest, NamesWhatIsFedBeyondTheBeads) {
+  job_.settings.program.flow = 1.5;
+  const SliceSummary summary = run().summary;
+  char fed[64];
+  std::snprintf(fed, sizeof fed, "feeds %.2f cm3 for the %.2f cm3", 1.5e-3 * summary.deposited_mm3,
+                1e-3 * summary.deposited_mm3);
+  ASSERT_EQ(summary.notes.size(), 1U);
+  EXPECT_NE(summary.notes.front().find(fed), std::string::npos) << summary.notes.front();
+}
+
 TEST_F(SliceJobTest, KeepsThePartsCoordinatesAndPlacesItOnTheBed) {
   const SlicedPart sliced = run();
   const Box3 box = depositionBox(sliced.toolpath);
@@ -159,6 +169,20 @@ TEST_F(SliceJobTest, RefusesAPartWithoutALayer) {
 TEST_F(SliceJobTest, RefusesAPartLargerThanTheMachine) {
   job_.settings.input.units.scale = 20.0;
   EXPECT_THROW(run(), Unreachable);
+  EXPECT_FALSE(hasOutput());
+}
+
+TEST_F(SliceJobTest, NamesTheUnitOfAPartThatIsVerySmall) {
+  writeStl(job_.part, test::boxBetween({0, 0, 0}, {2, 2, 1}));
+  const SliceSummary small = run().summary;
+  ASSERT_EQ(small.notes.size(), 1U);
+  EXPECT_NE(small.notes[0].find("2 x 2 x 1 mm"), std::string::npos) << small.notes[0];
+  EXPECT_NE(small.notes[0].find("input.unit"), std::string::npos) << small.notes[0];
+}
+
+TEST_F(SliceJobTest, RefusesAPartFarFromTheOrigin) {
+  writeStl(job_.part, test::boxBetween({20000, 0, 0}, {20010, 10, 1}));
+  EXPECT_THROW(run(), InvalidMesh);
   EXPECT_FALSE(hasOutput());
 }
 

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <set>
+#include <string>
 
 #include "lamina/base/error.hpp"
 #include "lamina/job/slice_job.hpp"
@@ -59,6 +61,30 @@ TEST(StiffnessJob, RefusesBeforeItWrites) {
   fine.output = folder.file("box.vtk");
   EXPECT_THROW(runStiffnessJob(fine, nobody), InvalidInput);
   EXPECT_FALSE(std::filesystem::exists(fine.output));
+}
+
+/// Reports what is begun.
+class Stages final : public Progress {
+ public:
+  void report(const std::string& stage, double /*share*/) override { seen_.insert(stage); }
+  bool isCancelled() const override { return false; }
+  const std::set<std::string>& seen() const { return seen_; }
+
+ private:
+  std::set<std::string> seen_;
+};
+
+TEST(StiffnessJob, RefusesTooFineVoxelsBeforeItDeposits) {
+  const test::ScratchFolder folder;
+  StiffnessJob job = stiffnessJobBoxJob();
+  NoProgress nobody;
+  runSliceJob({"box", folder.file("box.gcode"), job.settings}, nobody);
+  job.input = folder.file("box.gcode");
+  job.settings.deposition.voxel_mm = 0.1;
+  job.settings.stiffness.memory_mb = 1;
+  Stages stages;
+  EXPECT_THROW(runStiffnessJob(job, stages), InvalidInput);
+  EXPECT_EQ(stages.seen().count("deposit"), 0U);
 }
 
 }  // namespace

@@ -66,7 +66,8 @@ TEST_P(DropConsistency, RefusesDropsNearerThanTheirOverlapAllows) {
 TEST(VaseConsistency, RefusesWhatAVaseDoesNotFollow) {
   EXPECT_EQ(refusalOf("vase", {"vase.base_layers=3", "walls.count=2"}), "");
   EXPECT_EQ(refusalOf("vase", {"walls.count=0"}), "");
-  for (const char* assignment : {"walls.count=7", "infill.density=0.3", "voids.refill=beads"})
+  for (const char* assignment :
+       {"walls.count=7", "infill.density=0.3", "voids.refill=beads", "ironing.use=true"})
     EXPECT_NE(refusalOf("vase", {assignment}).find(settingFromAssignment(assignment).key), std::string::npos)
         << assignment;
 }
@@ -131,6 +132,13 @@ TEST(PlanConsistency, RefusesBeadsMoreThanTwiceAsHighAsWide) {
   EXPECT_NO_THROW(requireSensibleWidths(settings, 0.8));
   EXPECT_THROW(requireSensibleWidths(settings, 0.81), InvalidConfig);
   EXPECT_THROW(requireSensibleWidths(settings, 5.0), InvalidConfig);
+}
+
+TEST(PlanConsistency, RefusesBeadsMoreThanFiftyTimesAsWideAsHigh) {
+  PlanSettings settings;
+  settings.bead.width_mm = 10.0;
+  EXPECT_NO_THROW(requireSensibleWidths(settings, 0.2));
+  EXPECT_THROW(requireSensibleWidths(settings, 0.19), InvalidConfig);
 }
 
 }  // namespace

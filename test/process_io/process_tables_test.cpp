@@ -57,16 +57,15 @@ TEST(ProcessTables, RefusalsNameRowKeyValueAndBound) {
   EXPECT_EQ(laser(""), "accepted");
   EXPECT_EQ(laser(", power: 3"), "channels.laser: unknown setting 'power'");
   EXPECT_EQ(laser(", scale: 0"), "channels.laser: scale is 0; must be another number");
-  EXPECT_EQ(laser(", safe: 5000"), "channels.laser: safe is 5000.000000; must be at most high, 4000.000000");
-  EXPECT_EQ(laser(", nominal: 100"),
-            "channels.laser: nominal is 100.000000; must be 0 or in [200.000000, 4000.000000]");
+  EXPECT_EQ(laser(", safe: 5000"), "channels.laser: safe is 5000; must be at most high, 4000");
+  EXPECT_EQ(laser(", nominal: 100"), "channels.laser: nominal is 100; must be 0 or in [200, 4000]");
   EXPECT_EQ(laser(", dead_time_s: -1"), "channels.laser: dead_time_s is '-1'; must be a number in [0, 10]");
   EXPECT_EQ(laser(", screw: \"1,2,3\""),
             "channels.laser: screw has 3 numbers; must be pairs of rpm and mm3 per revolution");
   EXPECT_EQ(refusal(tables("{quantity: laser_power_w, device: plc, high: 1}")),
             "channels.laser: device is 'plc'; must be one of devices");
   EXPECT_EQ(refusal(tables("{quantity: laser_power_w, device: coupler}")),
-            "channels.laser: high is 0.000000; must be above low, 0.000000");
+            "channels.laser: high is 0; must be above low, 0");
   EXPECT_EQ(refusal(tables(kLaser, "{device: coupler, check: follows, channel: beam}")),
             "inputs.seen: channel is 'beam'; must be one of channels");
   EXPECT_EQ(refusal(tables(kLaser, "{device: coupler, scale: 0}")),
@@ -76,7 +75,7 @@ TEST(ProcessTables, RefusalsNameRowKeyValueAndBound) {
 
 TEST(ProcessTables, AScrewThatFallsIsRefused) {
   EXPECT_EQ(refusal(tables("{quantity: screw_rpm, device: coupler, high: 60, screw: \"30,100,60,40\"}")),
-            "channels.laser: screw has 40.000000 mm3/s at 60.000000 rpm behind 50.000000 mm3/s at 30.000000 "
+            "channels.laser: screw has 40 mm3/s at 60 rpm behind 50 mm3/s at 30 "
             "rpm; both must rise");
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "lamina/job/output_writer.hpp"
 #include "lamina/program/rapid/rapid_settings.hpp"
@@ -18,7 +19,9 @@ void writeRapid(const PlacedToolpath& placed, const RapidSettings& settings, con
 
 /// Writes main under the path and the other modules beside it, under their names; all files or none. The
 /// module is named after the file where the settings name none.
+/// @return names of the files, main first
 /// @throws InvalidInput, InvalidConfig as above; FileError
-void writeRapidFiles(const std::string& path, const PlacedToolpath& placed, RapidSettings settings);
+std::vector<std::string> writeRapidFiles(const std::string& path, const PlacedToolpath& placed,
+                                         RapidSettings settings);
 
 }  // namespace lamina

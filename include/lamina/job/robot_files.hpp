@@ -39,6 +39,12 @@ struct RobotWriting {
   SpeedRounding speeds;
 };
 
+/// Files beside a program whose numbers go on from its own, as a longer program of that name left them.
+/// @param path  of the file that is loaded first
+/// @param names  of all files of the program
+/// @return names in the order of their numbers
+std::vector<std::string> filesOfLongerProgram(const std::string& path, const std::vector<std::string>& names);
+
 /// Writes the file that is loaded first under the path, and those that it runs beside it; all files or none.
 /// @throws InvalidInput, InvalidConfig as above; FileError
 RobotWriting writeRobotFiles(const std::string& path, const PlacedToolpath& placed,

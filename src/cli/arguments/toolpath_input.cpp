@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/job/program_file.hpp"
 #include "lamina/job/slice_job.hpp"
 #include "lamina/slicing/planar/layer_plane.hpp"
@@ -47,7 +48,7 @@ ToolpathInput readInclinedToolpath(const std::string& input, const JobSettings& 
     const bool is_normal = plane.tool_axis == ToolAxis::Normal;
     read.toolpath = withNozzle(std::move(read.toolpath), is_normal ? asked * nozzleDown() : nozzleDown());
   } else if (read.toolpath.part_from_layers.angularDistance(asked) > kSamePlane) {
-    throw InvalidInput("slicing.plane.angle_deg is " + std::to_string(plane.angle_deg) + ", but '" + input +
+    throw InvalidInput("slicing.plane.angle_deg is " + numberText(plane.angle_deg) + ", but '" + input +
                        "' states layers inclined by " + std::to_string(inclinationDeg(read.toolpath)) +
                        " deg another way; expected the same or none");
   }

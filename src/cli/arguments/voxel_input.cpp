@@ -6,6 +6,7 @@
 
 #include "arguments/toolpath_input.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/deposition/toolpath_deposit.hpp"
 #include "lamina/geometry/voxel/voxelised_mesh.hpp"
 #include "lamina/job/part/part_mesh.hpp"
@@ -27,8 +28,7 @@ std::optional<Box3> cropFrom(const std::vector<double>& corners_mm) {
                  Point3(corners_mm[3], corners_mm[4], corners_mm[5])};
   if ((box.high - box.low).minCoeff() > 0.0) return box;
   const auto toText = [](const Point3& point) {
-    return "(" + std::to_string(point.x()) + ", " + std::to_string(point.y()) + ", " +
-           std::to_string(point.z()) + ")";
+    return "(" + numberText(point.x()) + ", " + numberText(point.y()) + ", " + numberText(point.z()) + ")";
   };
   throw InvalidInput("crop is from " + toText(box.low) + " to " + toText(box.high) +
                      " mm; the second corner must be above the first along all axes");

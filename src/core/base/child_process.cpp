@@ -16,6 +16,7 @@
 #include <filesystem>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 
 namespace lamina {
 namespace {
@@ -224,8 +225,8 @@ void gather(const ProcessGroup& group, const ProgramCall& call, const Progress& 
     if (has_ended) return;
     throwIfCancelled(progress, call.arguments.front());
     if (Clock::now() >= last)
-      throw TimedOut("'" + call.arguments.front() + "' runs longer than " +
-                     std::to_string(call.time_limit_s) + " s");
+      throw TimedOut("'" + call.arguments.front() + "' runs longer than " + numberText(call.time_limit_s) +
+                     " s");
     std::array<pollfd, 2> ready{{{pipes[0]->readingEnd(), POLLIN, 0}, {pipes[1]->readingEnd(), POLLIN, 0}}};
     // A pipe that is closed is always ready; the leader may go on without it.
     if (::poll(ready.data(), ready.size(), kPollMs) > 0 &&

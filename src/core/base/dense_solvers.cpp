@@ -4,6 +4,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <Eigen/QR>
 #include <Eigen/SVD>
 
@@ -34,5 +35,15 @@ SymmetricParts symmetricParts(const Eigen::MatrixXd& matrix) {
 Eigen::MatrixXd symmetricSolution(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right) {
   return matrix.ldlt().solve(right);
 }
+
+Vector6d solutionOf(const Matrix6d& matrix, const Vector6d& right) {
+  return matrix.partialPivLu().solve(right);
+}
+
+Matrix6d solutionOf(const Matrix6d& matrix, const Matrix6d& right) {
+  return matrix.partialPivLu().solve(right);
+}
+
+Matrix6d inverseOf(const Matrix6d& matrix) { return matrix.inverse(); }
 
 }  // namespace lamina

@@ -36,4 +36,12 @@ SymmetricParts symmetricParts(const Eigen::MatrixXd& matrix);
 /// Solution of a symmetric, semidefinite system, a column for each right side.
 Eigen::MatrixXd symmetricSolution(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right);
 
+/// Systems of the six directions of a body, or of six joints.
+using Matrix6d = Eigen::Matrix<double, 6, 6>;
+using Vector6d = Eigen::Matrix<double, 6, 1>;
+/// The matrix has an inverse: else the result is not finite.
+Vector6d solutionOf(const Matrix6d& matrix, const Vector6d& right);
+Matrix6d solutionOf(const Matrix6d& matrix, const Matrix6d& right);
+Matrix6d inverseOf(const Matrix6d& matrix);
+
 }  // namespace lamina

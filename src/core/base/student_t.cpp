@@ -8,6 +8,7 @@
 
 #include "base/plain_doubles.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 
 namespace lamina {
 namespace {
@@ -43,7 +44,7 @@ double probabilityAbove(double t, std::size_t degrees_of_freedom) {
 
 double criticalT(double confidence, std::size_t degrees_of_freedom) {
   if (!(confidence > 0.0 && confidence < 1.0))
-    throw InvalidInput("confidence is " + std::to_string(confidence) + "; must be between 0 and 1");
+    throw InvalidInput("confidence is " + numberText(confidence) + "; must be between 0 and 1");
   return boost::math::quantile(distribution(degrees_of_freedom), confidence);
 }
 

@@ -6,6 +6,7 @@
 
 #include "lag_search.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/calibration/time_offset.hpp"
 
 namespace lamina {
@@ -37,7 +38,7 @@ struct Span {
   long end = 0;
 };
 
-std::string inSeconds(double seconds) { return std::to_string(seconds) + " s"; }
+std::string inSeconds(double seconds) { return numberText(seconds) + " s"; }
 
 /// Straight between values.
 /// @param time_s  ascending
@@ -205,15 +206,14 @@ TimeOffset offsetByBobbing(const SensorRecording& recording, double search_s) {
   const Steps depths = depthsOf(recording, zero_s);
   const Motion motion = motionOf(heights, {heights.first, heights.end()});
   if (motion.height_mm < kLeastMotionMm)
-    throw InvalidInput("the nozzle's height changes by " + std::to_string(motion.height_mm) +
-                       " mm rms; expected bobbing of at least " + std::to_string(kLeastMotionMm) + " mm");
+    throw InvalidInput("the nozzle's height changes by " + numberText(motion.height_mm) +
+                       " mm rms; expected bobbing of at least " + numberText(kLeastMotionMm) + " mm");
   const auto search = static_cast<long>(std::ceil(search_s / kStepS));
   const std::vector<double> found = correlations(heights, depths, search);
   const auto best = static_cast<std::size_t>(std::max_element(found.begin(), found.end()) - found.begin());
   if (found[best] < kLeastCorrelation)
     throw InvalidInput("profiles follow the nozzle's height with a correlation of " +
-                       std::to_string(found[best]) + "; expected at least " +
-                       std::to_string(kLeastCorrelation) +
+                       std::to_string(found[best]) + "; expected at least " + numberText(kLeastCorrelation) +
                        ": is the place flat and in range, and do stamps agree within the search of " +
                        inSeconds(search_s) + "?");
   if (best == 0 || best + 1 == found.size())

@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/calibration/calibration_program.hpp"
 
 namespace lamina {
@@ -27,7 +28,7 @@ void requireValues(const char* what, const std::vector<double>& values, std::siz
                         " values; expected " + std::to_string(expected) + ", or none");
   for (const double value : values)
     if (!std::isfinite(value))
-      throw InvalidConfig(std::string(what) + " of the pyramid has the value " + std::to_string(value) +
+      throw InvalidConfig(std::string(what) + " of the pyramid has the value " + numberText(value) +
                           " mm; expected a finite one");
 }
 
@@ -42,9 +43,8 @@ PyramidTarget pyramidTarget(const KnownPyramid& known, const CalibrationSettings
     target.height_mm = known.size_mm[2];
   }
   if (!(target.base_mm > target.top_mm && target.top_mm > 0.0 && target.height_mm > 0.0))
-    throw InvalidConfig("the pyramid is " + std::to_string(target.base_mm) + " mm wide at its base, " +
-                        std::to_string(target.top_mm) + " mm at its top and " +
-                        std::to_string(target.height_mm) +
+    throw InvalidConfig("the pyramid is " + numberText(target.base_mm) + " mm wide at its base, " +
+                        numberText(target.top_mm) + " mm at its top and " + numberText(target.height_mm) +
                         " mm high; expected a base wider than the top, and all above 0");
   Point3 at(settings.x_mm, settings.y_mm, 0.0);
   target.is_place_known = !known.touched_mm.empty();

@@ -10,6 +10,7 @@
 
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 
 namespace lamina {
 namespace {
@@ -235,7 +236,7 @@ Eigen::Isometry3d laidOverCross(const CrossTarget& target, const ViewPoints& vie
   const std::vector<HighPoint> points = highPoints(target, view, nozzle_from_sensor);
   if (points.size() < kLeastSearched)
     throw InvalidInput(std::to_string(points.size()) + " points lie higher than " +
-                       std::to_string(kHighHeight * target.bead_height_mm) +
+                       numberText(kHighHeight * target.bead_height_mm) +
                        " mm over the bed; expected beads of a cross");
   const DistanceMap map(target.beads, 0.25 * target.bead_width_mm);
   const Placement best = bestPlacement(points, map, target.bead_width_mm);

@@ -9,6 +9,7 @@
 
 #include "base/dense_solvers.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "robust_fit.hpp"
 
 namespace lamina {
@@ -130,7 +131,7 @@ Eigen::VectorXd firstGuess(const FeederProblem& problem) {
     }
   if (best.values.size() == 0 || !best.values.allFinite() || !(best.values[kGain] > kLeastGain))
     throw InvalidInput("the beads' sections do not follow the steps of the feeder; expected a gain above " +
-                       std::to_string(kLeastGain) + ": are place, step and speed those of the program?");
+                       numberText(kLeastGain) + ": are place, step and speed those of the program?");
   return best.values;
 }
 
@@ -170,7 +171,7 @@ FeederFit fitFeeder(const FeederSteps& steps, const std::vector<BeadSections>& b
   if (!(values[kDeadTime] < problem.step_s && values[kGain] > kLeastGain))
     throw InvalidInput("the dead time is " + std::to_string(values[kDeadTime]) + " s at a gain of " +
                        std::to_string(values[kGain]) + "; expected less than the " +
-                       std::to_string(problem.step_s) + " s that a step takes: longer steps or less speed");
+                       numberText(problem.step_s) + " s that a step takes: longer steps or less speed");
   // A lag too short to be seen is known to be shorter than a step.
   found.information(kLag, kLag) += 1.0 / (problem.step_s * problem.step_s);
   const Eigen::MatrixXd covariance =

@@ -7,6 +7,7 @@
 #include "base/dense_solvers.hpp"
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "recording_table.hpp"
 
 namespace lamina {
@@ -99,7 +100,7 @@ Eigen::Isometry3d sightPose(const RecordingTable& table, std::size_t row, const 
   const Eigen::Quaterniond turn(cell("qw"), cell("qx"), cell("qy"), cell("qz"));
   if (!(std::abs(turn.norm() - 1.0) < kUnitLength))
     throw InvalidInput("'" + table.source + "' line " + std::to_string(table.lines[row]) +
-                       ": a quaternion's length is " + std::to_string(turn.norm()) + "; expected 1");
+                       ": a quaternion's length is " + numberText(turn.norm()) + "; expected 1");
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   pose.linear() = turn.normalized().toRotationMatrix();
   pose.translation() = Eigen::Vector3d(cell("x_mm"), cell("y_mm"), cell("z_mm"));

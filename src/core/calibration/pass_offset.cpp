@@ -11,6 +11,7 @@
 #include "lag_search.hpp"
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/calibration/time_offset.hpp"
 #include "passes.hpp"
 
@@ -84,7 +85,7 @@ StripProfile reduced(const RecordedProfile& profile, const Eigen::Isometry3d& ti
     const Point3 at = tip_from_sensor * point;
     const double column = std::floor(across(at, travel) / column_mm);
     if (!(std::abs(column) < kLargestColumn))
-      throw InvalidInput("a point lies " + std::to_string(at.norm()) +
+      throw InvalidInput("a point lies " + numberText(at.norm()) +
                          " mm from the nozzle; expected what a sensor on the head can see");
     Sum& sum = sums[static_cast<int>(column)];
     sum.sight.along_mm += at.head<2>().dot(travel);
@@ -390,7 +391,7 @@ double coarseOffset(const Tried& tried, const std::vector<std::size_t>& of, doub
   if (finite.empty() || !(finite[finite.size() / 2] > kLeastContrast * means[best]))
     throw InvalidInput("passes agree alike at all offsets; expected an edge or other relief under them");
   if (best == 0 || best + 1 == means.size())
-    throw InvalidInput("the best offset lies at the end of the search of " + std::to_string(search_s) +
+    throw InvalidInput("the best offset lies at the end of the search of " + numberText(search_s) +
                        " s; expected a wider search");
   return tried.offset_s[best];
 }

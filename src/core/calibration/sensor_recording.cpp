@@ -7,6 +7,7 @@
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 #include "recording_table.hpp"
 
@@ -34,7 +35,7 @@ Eigen::Quaterniond turnOf(const RecordingTable& table, std::size_t row,
                                 table.at(row, columns[2]), table.at(row, columns[3]));
   if (!(std::abs(turn.norm() - 1.0) < kUnitTolerance))
     throw InvalidInput("'" + table.source + "' line " + std::to_string(table.lines[row]) +
-                       ": the quaternion's length is " + std::to_string(turn.norm()) + "; expected 1");
+                       ": the quaternion's length is " + numberText(turn.norm()) + "; expected 1");
   return turn.normalized();
 }
 

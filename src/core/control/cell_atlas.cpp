@@ -9,12 +9,13 @@
 
 #include "control/cell_sheet.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 
 namespace lamina {
 
 CellAtlas::CellAtlas(double window_layers) : window_layers_(window_layers) {
   if (!(window_layers > 0.0) || !std::isfinite(window_layers))
-    throw InvalidInput("cells reach " + std::to_string(window_layers) +
+    throw InvalidInput("cells reach " + numberText(window_layers) +
                        " layer heights; expected a positive reach");
 }
 CellAtlas::CellAtlas(CellAtlas&&) noexcept = default;

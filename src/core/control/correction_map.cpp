@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 
 namespace lamina {
 namespace {
@@ -45,15 +46,14 @@ constexpr double kGreatestShift = 100.0;  // mm
 void requireWithin(const PathCorrection& path, std::size_t station, const char* what, double change) {
   if (change <= -1.0 || change > kGreatestChange)
     refuseStation(path, station,
-                  std::string("the ") + what + " changes by " + std::to_string(change) +
-                      "; expected more than -1 and at most " + std::to_string(kGreatestChange));
+                  std::string("the ") + what + " changes by " + numberText(change) +
+                      "; expected more than -1 and at most " + numberText(kGreatestChange));
 }
 
 void requireStations(const PathCorrection& path) {
   if (!(path.spacing_mm > 0.0) || !std::isfinite(path.spacing_mm))
-    refuseStation(
-        path, 0,
-        "stations are " + std::to_string(path.spacing_mm) + " mm apart; expected a positive distance");
+    refuseStation(path, 0,
+                  "stations are " + numberText(path.spacing_mm) + " mm apart; expected a positive distance");
   if (path.stations.empty()) refuseStation(path, 0, "there is none; expected one at least");
   for (std::size_t i = 0; i < path.stations.size(); ++i) {
     const PlaceCorrection& place = path.stations[i];
@@ -64,8 +64,8 @@ void requireStations(const PathCorrection& path) {
     requireWithin(path, i, "speed", place.speed);
     if (std::abs(place.dz_mm) > kGreatestShift)
       refuseStation(path, i,
-                    "the nozzle is shifted by " + std::to_string(place.dz_mm) + " mm; expected at most " +
-                        std::to_string(kGreatestShift) + " mm");
+                    "the nozzle is shifted by " + numberText(place.dz_mm) + " mm; expected at most " +
+                        numberText(kGreatestShift) + " mm");
   }
 }
 

@@ -9,6 +9,7 @@
 
 #include "control/cells_beside.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/geometry/spatial/point_grid.hpp"
 
 namespace lamina {
@@ -164,7 +165,7 @@ void addRun(LayerCells& cells, const Path& path, std::size_t index, double cell_
 LayerCells layerCells(const ToolpathLayer& layer, std::size_t index, double cell_mm,
                       const Eigen::Vector3d& normal) {
   if (!(cell_mm > 0.0) || !std::isfinite(cell_mm))
-    throw InvalidInput("cells are " + std::to_string(cell_mm) + " mm long; expected a positive length");
+    throw InvalidInput("cells are " + numberText(cell_mm) + " mm long; expected a positive length");
   LayerCells cells;
   cells.layer = index;
   const Growth growth{normal, isPlane(layer, normal)};

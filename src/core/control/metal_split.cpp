@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 
 namespace lamina {
 namespace {
@@ -23,10 +24,10 @@ SpeedRange speedsAt(double planned, PowerSource source, const LoopSettings& sett
     range.greatest = std::min(range.greatest, planned / std::max(1e-6, 1.0 - settings.heat));
   }
   if (!(range.least <= range.greatest))
-    throw InvalidInput("a cell is planned at " + std::to_string(planned) +
+    throw InvalidInput("a cell is planned at " + numberText(planned) +
                        " mm/s; expected a speed from which loop.heat leads into " +
-                       std::to_string(settings.least_speed_mm_s) + " to " +
-                       std::to_string(settings.greatest_speed_mm_s) +
+                       numberText(settings.least_speed_mm_s) + " to " +
+                       numberText(settings.greatest_speed_mm_s) +
                        " mm/s (loop.least_speed_mm_s, loop.greatest_speed_mm_s)");
   return range;
 }
@@ -38,9 +39,9 @@ MetalCorrection metalSplit(const LayerCells& cells, const std::vector<double>& a
   if (settings.speed_exponent == 0.0)
     throw InvalidConfig("loop.speed_exponent is 0; expected a negative power of the travel speed");
   if (settings.least_speed_mm_s > settings.greatest_speed_mm_s)
-    throw InvalidConfig("loop.least_speed_mm_s is " + std::to_string(settings.least_speed_mm_s) +
+    throw InvalidConfig("loop.least_speed_mm_s is " + numberText(settings.least_speed_mm_s) +
                         " mm/s; expected at most loop.greatest_speed_mm_s, " +
-                        std::to_string(settings.greatest_speed_mm_s) + " mm/s");
+                        numberText(settings.greatest_speed_mm_s) + " mm/s");
   MetalCorrection split;
   split.wire = meanOverCells(cells, amount);
   std::size_t limited = 0;

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 
 namespace lamina {
 namespace {
@@ -35,7 +36,7 @@ void requireAscending(const std::vector<double>& values, const Stations& station
         along[i] >= least && along[i] <= stations.length_mm && (i == 0 || along[i] > least);
     if (!is_placed)
       throw InvalidInput("station " + std::to_string(i) + " lies at " + std::to_string(along[i]) +
-                         " mm; expected stations to ascend from 0 to " + std::to_string(stations.length_mm) +
+                         " mm; expected stations to ascend from 0 to " + numberText(stations.length_mm) +
                          " mm");
   }
 }

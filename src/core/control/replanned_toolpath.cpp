@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/control/layer_cells.hpp"
 
 namespace lamina {
@@ -39,7 +40,7 @@ void requirePlane(const Toolpath& toolpath, std::size_t index) {
     for (const Point3& point : path.points)
       if (std::abs(point.dot(normal) - layer.z_mm) > kSameHeight)
         throw InvalidInput(nameOfLayer(index) + " is at " + std::to_string(point.dot(normal)) +
-                           " mm and at " + std::to_string(layer.z_mm) + " mm; expected a plane layer");
+                           " mm and at " + numberText(layer.z_mm) + " mm; expected a plane layer");
   }
 }
 
@@ -47,8 +48,8 @@ void requireStacked(const Toolpath& toolpath, std::size_t index) {
   const ToolpathLayer& layer = toolpath.layers[index];
   const double below_mm = index == 0 ? 0.0 : toolpath.layers[index - 1].z_mm;
   if (std::abs(layer.z_mm - below_mm - layer.height_mm) > kSameHeight)
-    throw InvalidInput(nameOfLayer(index) + " lies " + std::to_string(layer.z_mm - below_mm) +
-                       " mm above the one below and is " + std::to_string(layer.height_mm) +
+    throw InvalidInput(nameOfLayer(index) + " lies " + numberText(layer.z_mm - below_mm) +
+                       " mm above the one below and is " + numberText(layer.height_mm) +
                        " mm high; expected the same");
 }
 

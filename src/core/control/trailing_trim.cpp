@@ -7,6 +7,7 @@
 #include <string>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 
 namespace lamina {
 namespace {
@@ -28,8 +29,8 @@ std::optional<TrimSettings> trimOf(const LoopSettings& settings, double step_mm,
 TrailingTrim::TrailingTrim(const TrimSettings& settings) : settings_(settings) {
   const double steps = settings.behind_mm / settings.step_mm;
   if (!(settings.step_mm > 0.0) || !(steps > 0.0) || steps > kMostSteps)
-    throw InvalidInput("a sensor " + std::to_string(settings.behind_mm) +
-                       " mm behind the nozzle is read every " + std::to_string(settings.step_mm) +
+    throw InvalidInput("a sensor " + numberText(settings.behind_mm) + " mm behind the nozzle is read every " +
+                       numberText(settings.step_mm) +
                        " mm; expected positive lengths, and at most 1e5 steps");
   under_way_.assign(static_cast<std::size_t>(std::max(1.0, std::round(steps))), 0.0);
 }

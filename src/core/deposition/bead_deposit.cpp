@@ -10,6 +10,7 @@
 
 #include "deposition/bead_section.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 
 namespace lamina {
 namespace {
@@ -32,8 +33,7 @@ void checkMotion(const DepositedMotion& motion) {
   if (!(farthest <= kFarthestBead) || !motion.start.allFinite() || !motion.end.allFinite())
     throw InvalidInput("deposited motion is not finite or farther out than 1 km");
   if (!(motion.volume_mm3 >= 0.0 && std::isfinite(motion.volume_mm3)))
-    throw InvalidInput("deposited volume is " + std::to_string(motion.volume_mm3) +
-                       " mm3; must be 0 or more");
+    throw InvalidInput("deposited volume is " + numberText(motion.volume_mm3) + " mm3; must be 0 or more");
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 
 namespace lamina {
 namespace {
@@ -25,7 +26,7 @@ void requirePiece(const GrownPiece& piece) {
   if (!piece.start.allFinite() || !piece.end.allFinite())
     throw InvalidInput("a piece of a bead is not finite; expected finite coordinates");
   if (!(piece.volume_mm3 >= 0.0 && std::isfinite(piece.volume_mm3)))
-    throw InvalidInput("deposited volume is " + std::to_string(piece.volume_mm3) + " mm3; must be 0 or more");
+    throw InvalidInput("deposited volume is " + numberText(piece.volume_mm3) + " mm3; must be 0 or more");
 }
 
 bool isClosed(const std::vector<GrownPiece>& bead) {

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 
 namespace lamina {
 namespace {
@@ -32,7 +33,7 @@ double calibratedRadius(std::vector<RadiusTrial> trials, double volume_mm3) {
     for (const RadiusTrial& other : trials) {
       if (&other == &trial) continue;
       if (other.volume_mm3 == trial.volume_mm3)
-        throw InvalidInput("two trials of a radius gave " + std::to_string(trial.volume_mm3) +
+        throw InvalidInput("two trials of a radius gave " + numberText(trial.volume_mm3) +
                            " mm3; expected different volumes");
       weight *= (volume_mm3 - other.volume_mm3) / (trial.volume_mm3 - other.volume_mm3);
     }

@@ -11,6 +11,7 @@
 
 #include "lamina/base/available_memory.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/deposition/strand.hpp"
 #include "lamina/deposition/voxel_deposit.hpp"
 #include "toolpath/deposited_segment.hpp"
@@ -131,10 +132,10 @@ void requireMemory(const Toolpath& toolpath, const DepositionSettings& settings)
   const double bytes = depositBytes(toolpath, settings);
   if (bytes <= limit) return;
   const double fits = voxelThatFits(toolpath, settings, bytes, limit);
-  throw InvalidInput("deposition.voxel_mm is " + std::to_string(settings.voxel_mm) + " mm, which needs " +
+  throw InvalidInput("deposition.voxel_mm is " + numberText(settings.voxel_mm) + " mm, which needs " +
                      std::to_string(bytes / kMegabyte) + " MB; " +
                      (settings.memory_limit_mb > 0.0 ? "deposition.memory_limit_mb allows " : "free are ") +
-                     std::to_string(limit / kMegabyte) + " MB, into which voxels of " + std::to_string(fits) +
+                     std::to_string(limit / kMegabyte) + " MB, into which voxels of " + numberText(fits) +
                      " mm fit");
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/deposition/strand.hpp"
 #include "lamina/geometry/voxel/voxel_grid.hpp"
 
@@ -123,19 +124,17 @@ constexpr double kRoundedPortions = 1e-9;
 void requireUsable(const ToolAxisMotion& motion) {
   for (const Point3& tip : {motion.start, motion.end})
     if (!tip.allFinite() || tip.cwiseAbs().maxCoeff() > kFarthest)
-      throw InvalidInput("motion of the nozzle from (" + std::to_string(motion.start.x()) + ", " +
-                         std::to_string(motion.start.y()) + ", " + std::to_string(motion.start.z()) +
-                         ") to (" + std::to_string(motion.end.x()) + ", " + std::to_string(motion.end.y()) +
-                         ", " + std::to_string(motion.end.z()) + ") mm; expected to stay within 1 km");
+      throw InvalidInput("motion of the nozzle from (" + numberText(motion.start.x()) + ", " +
+                         numberText(motion.start.y()) + ", " + numberText(motion.start.z()) + ") to (" +
+                         numberText(motion.end.x()) + ", " + numberText(motion.end.y()) + ", " +
+                         numberText(motion.end.z()) + ") mm; expected to stay within 1 km");
   for (const Eigen::Vector3d& tool_axis : {motion.start_tool_axis, motion.end_tool_axis})
     if (!(std::abs(tool_axis.norm() - 1.0) <= kUnit))
-      throw InvalidInput("tool axis of the nozzle is " + std::to_string(tool_axis.norm()) +
-                         " long; expected 1");
+      throw InvalidInput("tool axis of the nozzle is " + numberText(tool_axis.norm()) + " long; expected 1");
   if (!(motion.volume_mm3 >= 0.0 && std::isfinite(motion.volume_mm3)))
-    throw InvalidInput("volume of a motion is " + std::to_string(motion.volume_mm3) +
-                       " mm3; expected 0 or more");
+    throw InvalidInput("volume of a motion is " + numberText(motion.volume_mm3) + " mm3; expected 0 or more");
   if (!(motion.radius_mm >= 0.0 && motion.radius_mm <= VoxelDeposit::kThickestStrand))
-    throw InvalidInput("radius of a strand is " + std::to_string(motion.radius_mm) + " mm; expected 0 to " +
+    throw InvalidInput("radius of a strand is " + numberText(motion.radius_mm) + " mm; expected 0 to " +
                        std::to_string(VoxelDeposit::kThickestStrand) + " mm");
 }
 
@@ -162,9 +161,9 @@ int lowestLayer(const VoxelFrame& frame, double bed_z_mm) {
 double reachInVoxels(const DepositionSettings& settings, double voxel_mm) {
   const double reach = settings.reach_mm / voxel_mm;
   if (!(reach > 0.0 && reach <= kMostReach))
-    throw InvalidInput("deposition.reach_mm is " + std::to_string(settings.reach_mm) +
-                       " mm; expected up to " + std::to_string(kMostReach * voxel_mm) + " mm for voxels of " +
-                       std::to_string(voxel_mm) + " mm");
+    throw InvalidInput("deposition.reach_mm is " + numberText(settings.reach_mm) + " mm; expected up to " +
+                       numberText(kMostReach * voxel_mm) + " mm for voxels of " + numberText(voxel_mm) +
+                       " mm");
   return reach;
 }
 

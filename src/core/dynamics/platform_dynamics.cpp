@@ -3,7 +3,8 @@
 #include "lamina/dynamics/platform_dynamics.hpp"
 
 #include <Eigen/Cholesky>
-#include <Eigen/LU>
+
+#include "base/dense_solvers.hpp"
 
 namespace lamina {
 namespace {
@@ -137,7 +138,7 @@ PlatformRates ratesOf(const MetricPlatform& metric, const PlatformState& state) 
     const Point3 towards = accelerationAt(Twist::Zero(), state.twist, leg.arm) + rate * rate * leg.crank;
     change[row] = -stretching.squaredNorm() - couplers[i].dot(towards);
   }
-  const Matrix6 inverse = pose_rates.inverse();
+  const Matrix6 inverse = inverseOf(pose_rates);
   rates.twist_from_rates = inverse * crank_rates.asDiagonal();
   rates.bias = inverse * change;
   return rates;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 
 namespace lamina {
 namespace {
@@ -71,7 +72,7 @@ void requireStable(const SlidingModeGains& gains) {
   if (worst < 0.0) return;
   throw InvalidConfig("the gains controller.k1, k2, k3 of " + std::to_string(gains.k1) + ", " +
                       std::to_string(gains.k2) + ", " + std::to_string(gains.k3) + " have a pole at " +
-                      std::to_string(worst) + " 1/s; all must be negative");
+                      numberText(worst) + " 1/s; all must be negative");
 }
 
 }  // namespace lamina

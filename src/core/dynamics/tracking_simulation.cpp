@@ -7,6 +7,7 @@
 #include <string>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 
 namespace lamina {
 namespace {
@@ -71,7 +72,7 @@ TrackingSimulation::TrackingSimulation(const TrackingReference& reference, const
       asked_(reference.at(0.0)) {
   requireStable(settings.gains);
   if (!(settings.step_s > 0.0))
-    throw InvalidConfig("simulation.step_s is " + std::to_string(settings.step_s) + " s; must be positive");
+    throw InvalidConfig("simulation.step_s is " + numberText(settings.step_s) + " s; must be positive");
   state_.segment<3>(kPosition) = asked_.pose.translation() / kMillimetres;
   state_.segment<4>(kAttitude) = Eigen::Quaterniond(asked_.pose.linear()).coeffs();
 }
@@ -94,7 +95,7 @@ PlatformState TrackingSimulation::platformAt(const State& state) const {
   platform.twist = state.segment<6>(kTwist);
   const auto cranks = crankAnglesIfReached(metric_.platform, platform.pose);
   if (!cranks || !(state.cwiseAbs().maxCoeff() < kFarAway))
-    throw Unreachable("the simulated platform comes out of reach " + std::to_string(time_s_) +
+    throw Unreachable("the simulated platform comes out of reach " + numberText(time_s_) +
                       " s after the start");
   platform.cranks = *cranks;
   return platform;

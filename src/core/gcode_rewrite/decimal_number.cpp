@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 
 namespace lamina {
 namespace {
@@ -41,7 +42,7 @@ DecimalNumber readLongDecimal(std::string_view text) {
 char* writeFixed(char* out, double value, int decimals) {
   const double scaled = std::abs(value) * kPowersOfTen[static_cast<std::size_t>(decimals)];
   if (!(scaled < kMostUnits))
-    throw InvalidInput("a coordinate, E or F comes to " + std::to_string(value) +
+    throw InvalidInput("a coordinate, E or F comes to " + numberText(value) +
                        ", which is too much to be written; expected less than 1e9");
   auto units = static_cast<std::uint64_t>(scaled);
   const double rest = scaled - static_cast<double>(units);

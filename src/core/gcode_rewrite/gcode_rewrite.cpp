@@ -12,6 +12,7 @@
 #include "gcode_block.hpp"
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/base/text.hpp"
 #include "lamina/gcode_rewrite/rewrite_settings.hpp"
 #include "line_reader.hpp"
@@ -357,7 +358,7 @@ void requireToolAxis(double off_normal_deg, const RewriteSettings& settings) {
       off_normal_deg <= kToolAxisToleranceDeg)
     return;
   throw Unreachable(
-      "the machine holds its nozzle at " + std::to_string(off_normal_deg) +
+      "the machine holds its nozzle at " + numberText(off_normal_deg) +
       " deg from the normal of the layers; expected 0 deg, another axis or angle of the map, or "
       "the tool axis to be as the machine has it");
 }

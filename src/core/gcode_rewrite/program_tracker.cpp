@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "program/gcode/arc.hpp"
 
 namespace lamina {
@@ -267,7 +268,7 @@ void ProgramTracker::addArc() {
   if (from.norm() < 1e-6) refuse("an arc without centre: its centre is where it starts");
   const double off_mm = std::abs(from.norm() - to.norm());
   if (off_mm > std::max(0.05, 0.001 * from.norm()))
-    refuse("the arc ends " + std::to_string(off_mm) + " mm off its circle");
+    refuse("the arc ends " + numberText(off_mm) + " mm off its circle");
   motion_.ends = flatten(arc, chord_tolerance_mm_);
 }
 

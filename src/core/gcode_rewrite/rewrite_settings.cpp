@@ -5,17 +5,18 @@
 #include <string>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 
 namespace lamina {
 namespace {
 
 [[noreturn]] void refuse(const std::string& field, double value, const std::string& bounds) {
-  throw InvalidConfig(field + " is " + std::to_string(value) + "; must be " + bounds);
+  throw InvalidConfig(field + " is " + numberText(value) + "; must be " + bounds);
 }
 
 void requireWithin(const std::string& field, double value, double low, double high) {
   if (!(value >= low && value <= high))
-    refuse(field, value, "in [" + std::to_string(low) + ", " + std::to_string(high) + "]");
+    refuse(field, value, "in [" + numberText(low) + ", " + numberText(high) + "]");
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 
 namespace lamina {
 namespace {
@@ -33,7 +34,7 @@ AffineMap::AffineMap(const Eigen::Affine3d& to_mapped) : to_mapped_(to_mapped) {
   const Eigen::Matrix3d linear = to_mapped.linear();
   const double condition = linear.norm() * linear.inverse().norm();
   if (!(condition < kWorstCondition))
-    throw InvalidInput("the map of space has the condition " + std::to_string(condition) +
+    throw InvalidInput("the map of space has the condition " + numberText(condition) +
                        "; it must be invertible, below 1e6");
   from_mapped_ = to_mapped.inverse(Eigen::Affine);
   volume_ratio_ = std::abs(linear.determinant());
@@ -64,7 +65,7 @@ AffineMap shear(int moved, int along, double factor) {
 
 AffineMap beltAxes(double gantry_deg) {
   if (!(gantry_deg >= 15.0 && gantry_deg <= 90.0))
-    throw InvalidInput("the gantry leans by " + std::to_string(gantry_deg) + " deg; must be in [15, 90]");
+    throw InvalidInput("the gantry leans by " + numberText(gantry_deg) + " deg; must be in [15, 90]");
   const double angle = toRadians(gantry_deg);
   Eigen::Affine3d matrix = Eigen::Affine3d::Identity();
   matrix.linear() << 1.0, 0.0, 0.0,     //

@@ -3,6 +3,7 @@
 #include "gcode_rewrite/survey.hpp"
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 
 namespace lamina {
 namespace {
@@ -129,8 +130,8 @@ Survey Surveyor::finish() {
   survey_.slicer = tracker_.marks().slicer();
   survey_.layer_height_mm = tracker_.marks().layerHeight();
   if (survey_.layer_height_mm.value_or(0.0) > kHighestLayer)
-    throw InvalidProgram("the comments report layers of " + std::to_string(*survey_.layer_height_mm) +
-                         " mm; expected at most " + std::to_string(kHighestLayer) + " mm");
+    throw InvalidProgram("the comments report layers of " + numberText(*survey_.layer_height_mm) +
+                         " mm; expected at most " + numberText(kHighestLayer) + " mm");
   return std::move(survey_);
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 
 namespace lamina {
 namespace {
@@ -15,7 +16,7 @@ namespace {
 double startingAt(const std::string& name, double first_c, double program_c, const std::string& start_code) {
   if (first_c == 0.0) return program_c;
   if (start_code.find("{" + name + "}") == std::string::npos)
-    throw InvalidConfig("first_layer." + name + " is " + std::to_string(first_c) +
+    throw InvalidConfig("first_layer." + name + " is " + numberText(first_c) +
                         " degrees C, but program.start_code does not hold {" + name + "}, which it replaces");
   return first_c;
 }

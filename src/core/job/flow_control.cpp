@@ -30,6 +30,15 @@ void makeUpForLag(SlicedPart& sliced, const JobSettings& settings) {
   renewTotals(sliced);
 }
 
+/// Volumes of the summary are of beads as planned.
+void noteFlowFactor(SlicedPart& sliced, double factor) {
+  if (factor == 1.0) return;
+  char note[128];
+  std::snprintf(note, sizeof note, "program.flow %.4g feeds %.2f cm3 for the %.2f cm3 of the beads", factor,
+                factor * sliced.summary.deposited_mm3 / 1e3, sliced.summary.deposited_mm3 / 1e3);
+  sliced.summary.notes.emplace_back(note);
+}
+
 }  // namespace
 
 void limitFlowOf(SlicedPart& sliced, const JobSettings& settings, Progress& progress) {
@@ -49,6 +58,7 @@ void finishFlowOf(SlicedPart& sliced, const JobSettings& settings, Progress& pro
     renewTotals(sliced);
   }
   makeUpForLag(sliced, settings);
+  noteFlowFactor(sliced, settings.program.flow);
   addAdvance(sliced.toolpath, settings.flow);
 }
 

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 
 namespace lamina {
 namespace {
@@ -156,12 +157,12 @@ std::shared_ptr<const SpaceMap> axesOf(const InclineSettings& settings,
   const Eigen::Affine3d askew = space ? space->program_from_bed : Eigen::Affine3d::Identity();
   const bool is_askew = askew.matrix() != Eigen::Matrix4d::Identity();
   if (is_askew && settings.belt_deg != 0.0)
-    throw InvalidConfig("incline.belt_deg is " + std::to_string(settings.belt_deg) + " and machine '" +
+    throw InvalidConfig("incline.belt_deg is " + numberText(settings.belt_deg) + " and machine '" +
                         space->name + "' has axes of its own; expected one of them");
   if (is_askew) return std::make_shared<AffineMap>(askew);
   if (settings.belt_deg == 0.0) return nullptr;
   if (settings.belt_deg < 15.0)
-    throw InvalidConfig("incline.belt_deg is " + std::to_string(settings.belt_deg) +
+    throw InvalidConfig("incline.belt_deg is " + numberText(settings.belt_deg) +
                         "; must be 0 or in [15, 90]");
   return std::make_shared<AffineMap>(beltAxes(settings.belt_deg));
 }

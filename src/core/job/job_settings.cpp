@@ -7,6 +7,7 @@
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/input_file.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/infill/strategy.hpp"
 #include "lamina/job/profiles/machine_defaults.hpp"
 #include "lamina/job/slicing/slicing_mode.hpp"
@@ -45,7 +46,7 @@ void requireNothingOnBed(const PlanSettings& settings, const std::string& layers
           "0 or the default " + std::to_string(usual.count));
   require(settings.skirt.layers == usual.layers, "skirt.layers is " + std::to_string(settings.skirt.layers),
           "the default " + std::to_string(usual.layers));
-  require(adhesion.brim.width_mm == 0.0, "brim.width_mm is " + std::to_string(adhesion.brim.width_mm), "0");
+  require(adhesion.brim.width_mm == 0.0, "brim.width_mm is " + numberText(adhesion.brim.width_mm), "0");
   require(adhesion.raft.layers == 0, "raft.layers is " + std::to_string(adhesion.raft.layers), "0");
   require(adhesion.prime.line == PrimeLine::None, "prime.line is set", "'none'");
 }
@@ -59,15 +60,15 @@ void requireConsistentPlane(const JobSettings& settings) {
   if (angle_deg == 0.0) return;
   if (!settings.modifiers.empty())
     throw InvalidConfig("part.modifiers is '" + settings.modifiers + "' with slicing.plane.angle_deg " +
-                        std::to_string(angle_deg) +
+                        numberText(angle_deg) +
                         "; expected none: only level layers have regions of "
                         "their own settings");
-  const std::string inclined = " with slicing.plane.angle_deg " + std::to_string(angle_deg);
+  const std::string inclined = " with slicing.plane.angle_deg " + numberText(angle_deg);
   if (settings.planning.first_layer.inset_mm != 0.0)
-    throw InvalidConfig("first_layer.inset_mm is " + std::to_string(settings.planning.first_layer.inset_mm) +
+    throw InvalidConfig("first_layer.inset_mm is " + numberText(settings.planning.first_layer.inset_mm) +
                         inclined + "; expected 0: only a level first layer lies on the bed as a whole");
   if (settings.program.arcs_tolerance_mm > 0.0)
-    throw InvalidConfig("program.arcs_tolerance_mm is " + std::to_string(settings.program.arcs_tolerance_mm) +
+    throw InvalidConfig("program.arcs_tolerance_mm is " + numberText(settings.program.arcs_tolerance_mm) +
                         inclined + "; expected 0: arcs lie in level layers only");
   requireNothingOnBed(settings.planning, inclined);
   const SupportSettings& supports = settings.planning.supports;
@@ -88,7 +89,7 @@ void requirePlainSections(const JobSettings& settings) {
                         ": known for plane layers only");
   };
   const auto requireNone = [&](const std::string& key, double value) {
-    require(value == 0.0, key + " is " + std::to_string(value), "0");
+    require(value == 0.0, key + " is " + numberText(value), "0");
   };
   const CompensationSettings& compensation = settings.compensation;
   requireNone("compensation.outline_mm", compensation.outline_mm);
@@ -111,13 +112,12 @@ void requirePlaneLayersFor(const JobSettings& settings) {
   };
   const SlicingSettings usual;
   const SlicingSettings& slicing = settings.slicing;
-  require(slicing.plane.angle_deg == 0.0,
-          "slicing.plane.angle_deg is " + std::to_string(slicing.plane.angle_deg),
+  require(slicing.plane.angle_deg == 0.0, "slicing.plane.angle_deg is " + numberText(slicing.plane.angle_deg),
           "0: only plane layers are inclined");
   require(slicing.heights == LayerHeights::Equal, "slicing.heights is not 'equal'",
           "'equal': only plane layers have heights of their own");
   require(settings.program.arcs_tolerance_mm == 0.0,
-          "program.arcs_tolerance_mm is " + std::to_string(settings.program.arcs_tolerance_mm) + " mm",
+          "program.arcs_tolerance_mm is " + numberText(settings.program.arcs_tolerance_mm) + " mm",
           "0: arcs lie in level layers only");
   require(settings.scan.every_layers == 0,
           "scan.every_layers is " + std::to_string(settings.scan.every_layers),
@@ -140,7 +140,7 @@ void requirePlaneLayersFor(const JobSettings& settings) {
   const double first = slicing.first_layer_height_mm;
   require(
       takesFirstLayerHeight(mode) || first == usual.first_layer_height_mm || first == slicing.layer_height_mm,
-      "slicing.first_layer_height_mm is " + std::to_string(first) + " mm",
+      "slicing.first_layer_height_mm is " + numberText(first) + " mm",
       "slicing.layer_height_mm: all shells are as high");
 }
 
@@ -169,7 +169,7 @@ void requireRunsFor(const JobSettings& settings) {
     for (const auto& [key_is, is_asked] : asked)
       if (is_asked)
         throw InvalidConfig(std::string(key_is) + " with travel.wipe_mm " +
-                            std::to_string(settings.planning.travel.wipe_mm) +
+                            numberText(settings.planning.travel.wipe_mm) +
                             " mm; expected 0 mm: wipes stay along the ends that were planned");
   asked.push_back({"levels.values is set", !runs.levels.values.empty()});
   asked.push_back({"weave.kind is not 'none'", runs.weave.kind != WeaveKind::None});

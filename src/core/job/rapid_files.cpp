@@ -35,13 +35,16 @@ void writeRapid(const PlacedToolpath& placed, const RapidSettings& settings, con
   writeRapid(placed.toolpath, placed.frame.bed_from_part, settings, sink, motion ? &*motion : nullptr);
 }
 
-void writeRapidFiles(const std::string& path, const PlacedToolpath& placed, RapidSettings settings) {
+std::vector<std::string> writeRapidFiles(const std::string& path, const PlacedToolpath& placed,
+                                         RapidSettings settings) {
   requireBedAxes(placed.frame);
   const std::filesystem::path main(path);
   if (settings.module.empty()) settings.module = main.stem().string();
   const auto motion = motionOf(placed);
   const RapidProgram program(placed.toolpath, placed.frame.bed_from_part, settings,
                              motion ? &*motion : nullptr);
+  std::vector<std::string> names;
+  names.reserve(program.moduleNames().size());
   std::deque<AtomicFile> files;
   for (std::size_t m = 0; m < program.moduleNames().size(); ++m) {
     const std::string name = program.moduleNames()[m] + ".mod";
@@ -49,11 +52,13 @@ void writeRapidFiles(const std::string& path, const PlacedToolpath& placed, Rapi
       throw InvalidConfig("the module '" + program.moduleNames()[m] + "' would be written over the file '" +
                           path + "', which is to hold '" + settings.module +
                           "'; expected another rapid.module");
+    names.push_back(m == 0 ? main.filename().string() : name);
     AtomicFile& file = files.emplace_back(m == 0 ? path : (main.parent_path() / name).string());
     program.write(m, [&file](std::string_view piece) { file.write(piece); });
   }
   // Main last: it names the others.
   for (auto file = files.rbegin(); file != files.rend(); ++file) file->commit();
+  return names;
 }
 
 }  // namespace lamina

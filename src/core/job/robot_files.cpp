@@ -2,8 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/job/robot_files.hpp"
 
+#include <algorithm>
+#include <charconv>
 #include <deque>
 #include <filesystem>
+#include <map>
+#include <system_error>
+#include <utility>
 #include <vector>
 
 #include "lamina/base/atomic_file.hpp"
@@ -26,6 +31,23 @@ std::vector<RobotFile> programOf(const RobotProgramRequest& request, const Place
         "six joints (machine.name, machine.urdf)");
   const RobotMotion robot{placed.joints->model, placed.joints->path};
   return robotProgram(placed.toolpath, placed.frame.bed_from_part, request, &robot);
+}
+
+struct NumberedName {
+  std::string name;
+  int number = 0;  ///< 0 without one
+};
+
+/// Of a file such as part_2.src.
+NumberedName numberedName(const std::filesystem::path& file) {
+  const std::string stem = file.stem().string();
+  const std::size_t line = stem.rfind('_');
+  if (line == std::string::npos) return {stem, 0};
+  int number = 0;
+  const char* const end = stem.data() + stem.size();
+  const auto read = std::from_chars(stem.data() + line + 1, end, number);
+  if (read.ec != std::errc() || read.ptr != end || number < 1) return {stem, 0};
+  return {stem.substr(0, line), number};
 }
 
 /// All files or none.
@@ -68,6 +90,29 @@ void writeRobotProgram(RobotLanguage language, const PlacedToolpath& placed,
     throw InvalidConfig(std::string("the program in ") + toString(language) + " takes " +
                         std::to_string(files.size()) + " files; expected a place for each, or fewer points");
   sink(files.front().text);
+}
+
+std::vector<std::string> filesOfLongerProgram(const std::string& path,
+                                              const std::vector<std::string>& names) {
+  const std::filesystem::path last(names.back());
+  const bool is_single = last.stem() == std::filesystem::path(names.front()).stem();
+  const NumberedName end = is_single ? NumberedName{last.stem().string(), 0} : numberedName(last);
+  std::map<std::pair<int, std::string>, std::string> left;
+  std::error_code unreadable;
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  for (const auto& entry : std::filesystem::directory_iterator(folder.empty() ? "." : folder, unreadable)) {
+    const NumberedName numbered = numberedName(entry.path());
+    if (numbered.name != end.name || numbered.number <= end.number) continue;
+    const std::string extension = entry.path().extension().string();
+    const bool is_of_program = std::any_of(names.begin(), names.end(), [&](const std::string& name) {
+      return std::filesystem::path(name).extension() == extension;
+    });
+    if (is_of_program) left[{numbered.number, extension}] = entry.path().filename().string();
+  }
+  std::vector<std::string> files;
+  files.reserve(left.size());
+  for (const auto& [place, name] : left) files.push_back(name);
+  return files;
 }
 
 RobotWriting writeRobotFiles(const std::string& path, const PlacedToolpath& placed,

@@ -27,6 +27,7 @@
 #include "lamina/job/annotations/progress_marks.hpp"
 #include "lamina/job/output_files.hpp"
 #include "lamina/job/output_writer.hpp"
+#include "lamina/job/rapid_files.hpp"
 #include "lamina/job/robot_files.hpp"
 #include "lamina/job/slicing/slicing_mode.hpp"
 #include "lamina/planning/hooks/hooks.hpp"
@@ -84,6 +85,16 @@ std::vector<std::string> notesOf(const RobotWriting& writing) {
   return notes;
 }
 
+/// What an earlier, longer program of that name left would be loaded with this one.
+std::vector<std::string> olderFileNotes(const std::string& path, const std::vector<std::string>& names) {
+  const std::vector<std::string> older = filesOfLongerProgram(path, names);
+  if (older.empty()) return {};
+  const std::string range = older.size() == 1
+                                ? "'" + older.front() + "' beside the program is"
+                                : "'" + older.front() + "' to '" + older.back() + "' beside the program are";
+  return {range + " not of it: numbered on from its files, and written before"};
+}
+
 /// @return notes for the summary
 std::vector<std::string> write(const SliceJob& job, const BuildSpace& space, const SlicedPart& sliced,
                                const std::optional<JointProgram>& joint_program) {
@@ -106,8 +117,14 @@ std::vector<std::string> write(const SliceJob& job, const BuildSpace& space, con
   }
   const PlacedToolpath placed{joint_program->toolpath, frame,
                               ProgramJoints{*joint_program->model, joint_program->joints}};
-  if (programRunner(job.output) == ProgramRunner::OtherRobot)
-    return notesOf(writeRobotFiles(job.output, placed, program.robot));
+  if (programRunner(job.output) == ProgramRunner::OtherRobot) {
+    const RobotWriting writing = writeRobotFiles(job.output, placed, program.robot);
+    std::vector<std::string> notes = olderFileNotes(job.output, writing.files);
+    for (std::string& note : notesOf(writing)) notes.push_back(std::move(note));
+    return notes;
+  }
+  if (programRunner(job.output) == ProgramRunner::RapidRobot)
+    return olderFileNotes(job.output, writeRapidFiles(job.output, placed, program.rapid));
   writeOutput(job.output, placed, program, annotations);
   return {};
 }

@@ -21,13 +21,22 @@ namespace {
 
 using SteadyTime = std::chrono::steady_clock;
 
-/// Refused before any voxel is filled if their solution needs more memory than there is.
+/// Refuses, before any voxel is filled, what needs more memory to be solved than there is.
+void requireMemoryFor(double volume_mm3, const JobSettings& settings) {
+  const double voxel_mm = settings.deposition.voxel_mm;
+  const double voxels = volume_mm3 / (voxel_mm * voxel_mm * voxel_mm);
+  requireMemory(stiffnessBytes(voxels, voxels), settings.stiffness.memory_mb, voxel_mm);
+}
+
 VoxelGrid voxelsAsDrawn(const StiffnessJob& job, Progress& progress) {
   const Mesh mesh = partMesh(job.input, job.settings.input);
-  const double voxel_mm = job.settings.deposition.voxel_mm;
-  const double voxels = std::abs(volume(mesh)) / (voxel_mm * voxel_mm * voxel_mm);
-  requireMemory(stiffnessBytes(voxels, voxels), job.settings.stiffness.memory_mb, voxel_mm);
-  return voxelisedMesh(mesh, voxel_mm, progress);
+  requireMemoryFor(std::abs(volume(mesh)), job.settings);
+  return voxelisedMesh(mesh, job.settings.deposition.voxel_mm, progress);
+}
+
+VoxelGrid voxelsAsDeposited(const Toolpath& toolpath, const JobSettings& settings, Progress& progress) {
+  requireMemoryFor(totals(toolpath).deposited_mm3, settings);
+  return depositedVoxels(toolpath, settings.deposition, progress).grid;
 }
 
 VoxelGrid voxelsOf(const StiffnessJob& job, Progress& progress) {
@@ -36,10 +45,10 @@ VoxelGrid voxelsOf(const StiffnessJob& job, Progress& progress) {
   if (is_part && job.solid == PartSolid::AsDrawn) return voxelsAsDrawn(job, progress);
   if (!is_part) {
     const Toolpath toolpath = readToolpathFile(job.input, settings.program, settings.machine);
-    return depositedVoxels(toolpath, settings.deposition, progress).grid;
+    return voxelsAsDeposited(toolpath, settings, progress);
   }
   const SlicedPart sliced = runSliceJob({job.input, "", settings}, progress);
-  return depositedVoxels(placed(sliced.toolpath, sliced.bed_from_part), settings.deposition, progress).grid;
+  return voxelsAsDeposited(placed(sliced.toolpath, sliced.bed_from_part), settings, progress);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 
 namespace lamina {
 
@@ -23,8 +24,8 @@ std::shared_ptr<octomap::OcTree> octreeOf(const HeightMap& surface, double units
     octomap::OcTreeKey key;
     if (!tree->coordToKeyChecked(place.x(), place.y(), place.z(), key))
       throw InvalidInput("height map reaches farther from the origin than an octree with leaves of " +
-                         std::to_string(grid.cell_mm) + " mm, which ends at " +
-                         std::to_string(32768.0 * grid.cell_mm) + " mm");
+                         numberText(grid.cell_mm) + " mm, which ends at " +
+                         numberText(32768.0 * grid.cell_mm) + " mm");
     tree->setNodeValue(key, occupied, true);
   }
   tree->updateInnerOccupancy();

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 
 namespace lamina {
 namespace {
@@ -77,9 +78,9 @@ ProfileSensor::ProfileSensor(const ProfileSensorSettings& settings)
       random_(static_cast<std::uint64_t>(settings.seed)),
       defects_(static_cast<std::uint64_t>(settings.seed) ^ kDefects) {
   if (!(settings.range_mm < 2.0 * settings.stand_off_mm))
-    throw InvalidConfig("sensor.range_mm is " + std::to_string(settings.range_mm) +
+    throw InvalidConfig("sensor.range_mm is " + numberText(settings.range_mm) +
                         "; must be below twice sensor.stand_off_mm, " +
-                        std::to_string(2.0 * settings.stand_off_mm));
+                        numberText(2.0 * settings.stand_off_mm));
 }
 
 /// Along a profile a process of first order, so that neighbours correlate as told.

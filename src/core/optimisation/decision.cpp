@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 
 namespace lamina {
 namespace {
@@ -16,7 +17,7 @@ void requireUsableWeights(const Rows& costs, const std::vector<double>& weights)
   if (costs.empty()) throw InvalidInput("no alternative to choose from; expected at least one");
   for (const double weight : weights)
     if (!std::isfinite(weight) || weight < 0.0)
-      throw InvalidConfig("weight " + std::to_string(weight) + "; expected at least 0");
+      throw InvalidConfig("weight " + numberText(weight) + "; expected at least 0");
   if (std::all_of(weights.begin(), weights.end(), [](double weight) { return weight == 0.0; }))
     throw InvalidConfig("all weights are 0; expected one that is greater");
   for (std::size_t row = 0; row < costs.size(); ++row) {
@@ -26,7 +27,7 @@ void requireUsableWeights(const Rows& costs, const std::vector<double>& weights)
                          std::to_string(weights.size()));
     for (const double cost : costs[row])
       if (!std::isfinite(cost))
-        throw InvalidInput(alternative + " has a cost " + std::to_string(cost) + "; must be finite");
+        throw InvalidInput(alternative + " has a cost " + numberText(cost) + "; must be finite");
   }
 }
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/base/random.hpp"
 #include "lamina/optimisation/pareto.hpp"
 #include "variation.hpp"
@@ -150,7 +151,7 @@ class FrontFinder {
       const double response = evaluation.responses.at(responseIndex(names_, objective.response));
       if (std::isfinite(response)) continue;
       evaluation.error =
-          "objective " + objective.response + " is " + std::to_string(response) + "; must be finite";
+          "objective " + objective.response + " is " + numberText(response) + "; must be finite";
       evaluation.responses.clear();
       return;
     }

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 
 namespace lamina {
 
@@ -47,7 +48,7 @@ void requireConsistent(const OrientationSettings& settings) {
                         "; must be odd and at least 1");
   const OrientationLimits& limits = settings.limits;
   if (limits.max_turn_deg_per_mm > 0.0 && limits.max_lean_deg > 90.0 && limits.max_lean_deg < 180.0)
-    throw InvalidConfig("orientation.max_lean_deg is " + std::to_string(limits.max_lean_deg) +
+    throw InvalidConfig("orientation.max_lean_deg is " + numberText(limits.max_lean_deg) +
                         " deg; with orientation.max_turn_deg_per_mm it must be at most 90, or 180 for none");
 }
 

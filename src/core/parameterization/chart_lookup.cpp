@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/geometry/spatial/cells_near_segment.hpp"
 
 namespace lamina {
@@ -196,7 +197,7 @@ std::optional<ChartPlace> ChartLookup::find(const Point2& plan) const {
 ChartPlace ChartLookup::at(const Point2& plan) const {
   std::optional<ChartPlace> place = find(plan);
   if (!place)
-    throw InvalidInput("plan point (" + std::to_string(plan.x()) + ", " + std::to_string(plan.y()) +
+    throw InvalidInput("plan point (" + numberText(plan.x()) + ", " + numberText(plan.y()) +
                        ") mm lies outside the charts of its layer; must be inside, within 0.01 mm");
   return *place;
 }

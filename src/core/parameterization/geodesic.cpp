@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 
 namespace lamina {
 namespace {
@@ -158,7 +159,7 @@ std::vector<double> GeodesicDistances::from(const std::vector<GeodesicSource>& s
       throw InvalidInput("distances are asked for from vertex " + std::to_string(source.vertex) +
                          "; the mesh has " + std::to_string(fans_.vertices()));
     if (!(source.start_mm >= 0.0) || !std::isfinite(source.start_mm))
-      throw InvalidInput("the distance at a source is " + std::to_string(source.start_mm) +
+      throw InvalidInput("the distance at a source is " + numberText(source.start_mm) +
                          " mm; expected a finite number of at least 0");
   }
   return GeodesicMarch(fans_, sources).run();

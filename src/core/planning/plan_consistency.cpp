@@ -18,6 +18,7 @@ constexpr double kRounding = 1e-6;   // of a distance
 constexpr double kLeastPitch = 0.5;  // plan widths
 constexpr double kMostPitch = 2.0;   // plan widths
 constexpr double kNarrowest = 0.5;   // bead, in heights of its layer
+constexpr double kWidest = 50.0;     // the same
 
 std::string text(double value) {
   char digits[32];
@@ -100,6 +101,9 @@ void requireConsistentVase(const PlanSettings& settings) {
   if (settings.voids.refill != VoidRefill::None)
     throw InvalidConfig(
         "voids.refill is 'beads' with infill.strategy 'vase', which is hollow; expected 'none'");
+  if (settings.ironing.is_used)
+    throw InvalidConfig(
+        "ironing.use is true with infill.strategy 'vase', which has no top skin; expected false");
 }
 
 void requireConsistentSkins(const SkinSettings& skins) {
@@ -261,6 +265,11 @@ void requireSensibleWidths(const PlanSettings& settings, double layer_height_mm)
     throw InvalidConfig("bead.width_mm is " + text(settings.bead.width_mm) + " mm in a layer of " +
                         text(layer_height_mm) + " mm; expected at least " + text(least_mm) +
                         " mm: a bead more than twice as high as wide does not stand");
+  const double most_mm = kWidest * layer_height_mm;
+  if (settings.bead.width_mm > most_mm * (1.0 + kRounding))
+    throw InvalidConfig("bead.width_mm is " + text(settings.bead.width_mm) + " mm in a layer of " +
+                        text(layer_height_mm) + " mm; expected at most " + text(most_mm) +
+                        " mm: no bead spreads to more than fifty times its height");
   const std::pair<const char*, double> stated[] = {
       {"infill.bead_width_mm", settings.infill.bead_width_mm},
       {"skins.bead_width_mm", settings.skins.bead_width_mm},

@@ -16,6 +16,7 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/base/layer_error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
 #include "lamina/geometry/polygon/simplify.hpp"
@@ -294,8 +295,7 @@ void requireBeadsInLayers(const PlanContext& context) {
 /// What is refilled is measured as all of a layer is laid at one flow.
 void requireFlowFor(VoidRefill refill, double flow_of_region, double flow) {
   if (refill == VoidRefill::None || flow_of_region == flow) return;
-  throw InvalidConfig("bead.flow is " + std::to_string(flow_of_region) + " in a region and " +
-                      std::to_string(flow) +
+  throw InvalidConfig("bead.flow is " + numberText(flow_of_region) + " in a region and " + numberText(flow) +
                       " elsewhere, with voids.refill 'beads'; expected the same, or voids.refill 'none'");
 }
 
@@ -406,7 +406,7 @@ void putOnRaft(Plan& plan, const PlannedAids& aids, const PlanContext& context, 
 void requireTower(const PlanContext& context) {
   const std::vector<double>& purge_mm3 = context.settings.tools.purge_mm3;
   if (purge_mm3.empty() || (!context.bed && !context.lift)) return;
-  throw InvalidConfig("tools.purge_mm3 is " + std::to_string(purge_mm3.front()) + " mm3 for " +
+  throw InvalidConfig("tools.purge_mm3 is " + numberText(purge_mm3.front()) + " mm3 for " +
                       std::string(context.bed ? "inclined" : "curved") +
                       " layers; expected none: a prime tower stands on level ones");
 }

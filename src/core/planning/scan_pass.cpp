@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
 #include "lamina/toolpath/scan_height.hpp"
 
@@ -86,7 +87,7 @@ Toolpath withScanPasses(Toolpath toolpath, const ScanSettings& settings, const P
   if (settings.every_layers == 0) return toolpath;
   requireLevelLayers(toolpath, "scan passes");
   if (!(settings.swath_mm > 0.0 && std::isfinite(settings.swath_mm)))
-    throw InvalidConfig("length of the sensor's line is " + std::to_string(settings.swath_mm) +
+    throw InvalidConfig("length of the sensor's line is " + numberText(settings.swath_mm) +
                         " mm; must be positive");
   auto& layers = toolpath.layers;
   std::size_t end = layers.size();

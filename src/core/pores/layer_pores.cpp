@@ -6,6 +6,7 @@
 #include <string>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/pores/pore_groups.hpp"
 #include "lamina/pores/pore_projection.hpp"
@@ -42,8 +43,8 @@ std::vector<LayerPores> poresByLayer(const VoxelGrid& solid, const std::vector<L
   for (std::size_t l = 0; l < bands.size(); ++l) {
     const LayerBand& band = bands[l];
     if (!std::isfinite(band.low_mm) || !std::isfinite(band.high_mm) || band.low_mm > band.high_mm)
-      throw InvalidInput("layer " + std::to_string(l) + " reaches from " + std::to_string(band.low_mm) +
-                         " to " + std::to_string(band.high_mm) + " mm; must be finite and upwards");
+      throw InvalidInput("layer " + std::to_string(l) + " reaches from " + numberText(band.low_mm) + " to " +
+                         numberText(band.high_mm) + " mm; must be finite and upwards");
     layers[l].band = band;
   }
   const auto count = [&](std::size_t l) {

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 
 namespace lamina {
 namespace {
@@ -15,8 +16,8 @@ bool isAmount(double value) { return value >= 0.0 && std::isfinite(value); }
 
 void requireSignals(const ProcessSignals& signals, std::size_t point) {
   if (!isAmount(signals.flow_mm3_s))
-    throw InvalidInput("point " + std::to_string(point) + " has a flow of " +
-                       std::to_string(signals.flow_mm3_s) + " mm3/s; must be a finite number of 0 or more");
+    throw InvalidInput("point " + std::to_string(point) + " has a flow of " + numberText(signals.flow_mm3_s) +
+                       " mm3/s; must be a finite number of 0 or more");
   for (const ProcessLevel level : kAllProcessLevels)
     if (signals.levels.has(level) && !isAmount(signals.levels[level]))
       throw InvalidInput("point " + std::to_string(point) + " has a " + nameOf(level) + " of " +
@@ -27,12 +28,12 @@ void requireSignals(const ProcessSignals& signals, std::size_t point) {
 void requireChunk(const ProcessChunk& chunk) {
   if (chunk.points.empty()) throw InvalidInput("a process without points; expected one at least");
   if (!std::isfinite(chunk.valid_until_s))
-    throw InvalidInput("a process is valid until " + std::to_string(chunk.valid_until_s) +
+    throw InvalidInput("a process is valid until " + numberText(chunk.valid_until_s) +
                        " s; must be a finite time");
   for (std::size_t i = 0; i < chunk.points.size(); ++i) {
     const double time_s = chunk.points[i].time_s;
     if (!std::isfinite(time_s) || (i > 0 && time_s < chunk.points[i - 1].time_s))
-      throw InvalidInput("point " + std::to_string(i) + " of a process is at " + std::to_string(time_s) +
+      throw InvalidInput("point " + std::to_string(i) + " of a process is at " + numberText(time_s) +
                          " s; must be a finite time, not before the point before");
     requireSignals(chunk.points[i].signals, i);
   }

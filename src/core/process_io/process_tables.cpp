@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 
 namespace lamina {
 namespace {
@@ -127,10 +128,9 @@ void requireRising(const std::string& row, const std::vector<double>& screw) {
                        " numbers; must be pairs of rpm and mm3 per revolution");
   for (std::size_t i = 1; i < screw.size() / 2; ++i)
     if (!(screw[2 * i] > screw[2 * i - 2] && flowOf(screw, i) > flowOf(screw, i - 1)))
-      refuseRow(row, "screw has " + std::to_string(flowOf(screw, i)) + " mm3/s at " +
-                         std::to_string(screw[2 * i]) + " rpm behind " +
-                         std::to_string(flowOf(screw, i - 1)) + " mm3/s at " +
-                         std::to_string(screw[2 * i - 2]) + " rpm; both must rise");
+      refuseRow(row, "screw has " + numberText(flowOf(screw, i)) + " mm3/s at " + numberText(screw[2 * i]) +
+                         " rpm behind " + numberText(flowOf(screw, i - 1)) + " mm3/s at " +
+                         numberText(screw[2 * i - 2]) + " rpm; both must rise");
 }
 
 void requireUsable(const OutputChannel& channel, const ProcessTables& tables) {
@@ -138,14 +138,13 @@ void requireUsable(const OutputChannel& channel, const ProcessTables& tables) {
   requireKnown(row, channel.device, tables);
   if (channel.scale == 0.0) refuseRow(row, "scale is 0; must be another number");
   if (!(channel.high > channel.low))
-    refuseRow(row, "high is " + std::to_string(channel.high) + "; must be above low, " +
-                       std::to_string(channel.low));
+    refuseRow(row, "high is " + numberText(channel.high) + "; must be above low, " + numberText(channel.low));
   if (channel.safe > channel.high)
-    refuseRow(row, "safe is " + std::to_string(channel.safe) + "; must be at most high, " +
-                       std::to_string(channel.high));
+    refuseRow(row,
+              "safe is " + numberText(channel.safe) + "; must be at most high, " + numberText(channel.high));
   if (channel.nominal > channel.high || (channel.nominal > 0.0 && channel.nominal < channel.low))
-    refuseRow(row, "nominal is " + std::to_string(channel.nominal) + "; must be 0 or in [" +
-                       std::to_string(channel.low) + ", " + std::to_string(channel.high) + "]");
+    refuseRow(row, "nominal is " + numberText(channel.nominal) + "; must be 0 or in [" +
+                       numberText(channel.low) + ", " + numberText(channel.high) + "]");
   requireRising(row, channel.screw);
 }
 

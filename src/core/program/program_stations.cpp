@@ -6,6 +6,7 @@
 
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/kinematics/model/joint_limits.hpp"
 
@@ -41,7 +42,7 @@ void requireSamePose(const Eigen::Isometry3d& given, const Eigen::Isometry3d& ex
   const Point3 wanted = expected.linear().col(2);
   const double turn = std::atan2(tool_axis.cross(wanted).norm(), tool_axis.dot(wanted));
   if (!(off_mm <= kSameTip && turn <= kSameToolAxis + tolerance))
-    throw InvalidInput(toText(at) + ": the joints bring the nozzle " + std::to_string(off_mm) + " mm and " +
+    throw InvalidInput(toText(at) + ": the joints bring the nozzle " + numberText(off_mm) + " mm and " +
                        std::to_string(turn * kDegreesPerRadian) +
                        " deg off the waypoint; expected those of this toolpath where it stands");
 }

@@ -16,6 +16,7 @@
 #include "infill/pattern/gyroid.hpp"
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/base/text.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
 #include "lamina/geometry/polygon/polygon.hpp"
@@ -141,9 +142,9 @@ constexpr double kMirroredFill = 0.98;
 
 void requireConsistent(const ScaffoldSettings& settings) {
   if (2.0 * settings.amplitude_mm > settings.length_mm)
-    throw InvalidConfig("scaffold.amplitude_mm is " + std::to_string(settings.amplitude_mm) +
+    throw InvalidConfig("scaffold.amplitude_mm is " + numberText(settings.amplitude_mm) +
                         " mm; must be at most half of scaffold.length_mm, " +
-                        std::to_string(0.5 * settings.length_mm) + " mm");
+                        numberText(0.5 * settings.length_mm) + " mm");
   if (settings.arrangement == FilamentArrangement::Mirrored && settings.wave != ScaffoldWave::Sine)
     throw InvalidConfig("scaffold.arrangement is mirrored; scaffold.wave must then be sine");
 }
@@ -304,9 +305,9 @@ Toolpath filledShape(const std::string& name, const Polygon& outline, const Scaf
     std::vector<ScaffoldRun> inner = fillRuns(offset({{outline, {}}}, -settings.perimeters * pitch), fill);
     std::move(inner.begin(), inner.end(), std::back_inserter(runs));
     if (runs.empty())
-      throw InvalidConfig("scaffold.bead_width_mm is " + std::to_string(settings.bead_width_mm) +
-                          " mm; a shape of " + std::to_string(box.size().x()) + " x " +
-                          std::to_string(box.size().y()) + " mm has no room for a bead of that width");
+      throw InvalidConfig("scaffold.bead_width_mm is " + numberText(settings.bead_width_mm) +
+                          " mm; a shape of " + numberText(box.size().x()) + " x " +
+                          numberText(box.size().y()) + " mm has no room for a bead of that width");
     assembly.add(tops[layer], runs);
   }
   return assembly.finish(name);
@@ -403,8 +404,8 @@ const Kind& kindOf(const std::string& name) {
 void requireWideBeads(const ScaffoldSettings& settings) {
   const double highest = std::max(settings.layer_height_mm, settings.first_layer_height_mm);
   if (settings.bead_width_mm >= highest) return;
-  throw InvalidConfig("scaffold.bead_width_mm is " + std::to_string(settings.bead_width_mm) +
-                      " mm; must be at least the height of a layer, " + std::to_string(highest) + " mm");
+  throw InvalidConfig("scaffold.bead_width_mm is " + numberText(settings.bead_width_mm) +
+                      " mm; must be at least the height of a layer, " + numberText(highest) + " mm");
 }
 
 }  // namespace

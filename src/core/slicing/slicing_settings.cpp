@@ -5,6 +5,7 @@
 #include <string>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 
 namespace lamina {
 namespace {
@@ -53,8 +54,8 @@ void describe(SettingsSchema& schema, SlicingSettings& settings) {
 void requireConsistent(const SlicingSettings& settings) {
   const AdaptiveSettings& adaptive = settings.adaptive;
   if (adaptive.least_mm > adaptive.greatest_mm)
-    throw InvalidConfig("adaptive.least_mm is " + std::to_string(adaptive.least_mm) +
-                        " mm; must be at most adaptive.greatest_mm, " + std::to_string(adaptive.greatest_mm) +
+    throw InvalidConfig("adaptive.least_mm is " + numberText(adaptive.least_mm) +
+                        " mm; must be at most adaptive.greatest_mm, " + numberText(adaptive.greatest_mm) +
                         " mm");
   if (settings.heights == LayerHeights::File && settings.heights_file.empty())
     throw InvalidConfig(

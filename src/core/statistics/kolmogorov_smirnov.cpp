@@ -10,6 +10,7 @@
 
 #include "base/plain_doubles.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 
 namespace lamina {
 namespace {
@@ -80,7 +81,7 @@ double probabilityOfDistance(std::size_t count, double distance) {
 KolmogorovSmirnov testNormality(const std::vector<double>& values, double mean, double deviation) {
   if (values.empty()) throw InvalidInput("a sample has 0 values; must have at least 1");
   if (!(deviation > 0.0) || !std::isfinite(deviation) || !std::isfinite(mean))
-    throw InvalidInput("standard deviation is " + std::to_string(deviation) + "; must be above 0");
+    throw InvalidInput("standard deviation is " + numberText(deviation) + "; must be above 0");
   std::vector<double> sorted = values;
   for (const double value : sorted)
     if (!std::isfinite(value)) throw InvalidInput("a value of the sample is not finite");

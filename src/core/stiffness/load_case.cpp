@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/stiffness/equivalent_modulus.hpp"
 
 namespace lamina {
@@ -45,10 +46,9 @@ LoadCase bending(const ElementLattice& lattice, double element_mm, const Stiffne
   const int middle = count[along] / 2;
   const int half = static_cast<int>(std::lround(0.5 * settings.span_mm / element_mm));
   if (half < 1 || half > middle || middle + half > count[along])
-    throw InvalidConfig("stiffness.span_mm is " + std::to_string(settings.span_mm) + " mm; must be from " +
-                        std::to_string(2.0 * element_mm) + " mm to the " +
-                        std::to_string(2.0 * middle * element_mm) + " mm of the part along " +
-                        std::string(1, "xyz"[along]));
+    throw InvalidConfig("stiffness.span_mm is " + numberText(settings.span_mm) + " mm; must be from " +
+                        numberText(2.0 * element_mm) + " mm to the " + numberText(2.0 * middle * element_mm) +
+                        " mm of the part along " + std::string(1, "xyz"[along]));
   LoadCase load;
   load.axis = settings.axis;
   load.displacement_mm = settings.deflection_mm;

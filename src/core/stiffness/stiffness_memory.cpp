@@ -7,6 +7,7 @@
 
 #include "lamina/base/available_memory.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 
 namespace lamina {
 namespace {
@@ -30,7 +31,7 @@ void requireMemory(double needed, int limit_mb, double voxel_mm) {
   if (needed <= limit) return;
   // Elements, and what they need, go with the third power of the voxel.
   const double fitting = voxel_mm * std::cbrt(needed / limit);
-  throw InvalidInput("stiffness at voxels of " + std::to_string(voxel_mm) + " mm needs " +
+  throw InvalidInput("stiffness at voxels of " + numberText(voxel_mm) + " mm needs " +
                      std::to_string(std::llround(needed / kMebibyte)) + " MiB; may use " +
                      std::to_string(std::llround(limit / kMebibyte)) + " MiB, which voxels of " +
                      std::to_string(std::ceil(100.0 * fitting * 1.01) / 100.0) + " mm would fit");

@@ -8,6 +8,7 @@
 #include <cstdio>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 
 namespace lamina {
 namespace {
@@ -59,7 +60,7 @@ void requireLevel(const std::vector<Sweep>& sweeps) {
     for (std::size_t p = 0; p < sweeps[i].points.size(); ++p) {
       const double off_mm = std::abs(sweeps[i].points[p].z() - sweeps[i].points[0].z());
       if (off_mm > kSamePlane || sweeps[i].up[p].z() < 1.0 - 1e-9)
-        throw InvalidInput("sweep " + std::to_string(i) + " rises by " + std::to_string(off_mm) +
+        throw InvalidInput("sweep " + std::to_string(i) + " rises by " + numberText(off_mm) +
                            " mm or is tilted; the Abaqus script needs level sweeps");
     }
 }

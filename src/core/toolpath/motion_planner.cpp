@@ -7,6 +7,7 @@
 #include <string>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 
 namespace lamina {
 namespace {
@@ -20,7 +21,7 @@ double squared(double value) { return value * value; }
 double gain2(const MotionSegment& segment) { return 2.0 * segment.acceleration_mm_s2 * segment.length_mm; }
 
 [[noreturn]] void refuse(double value, const char* what, const char* unit) {
-  throw InvalidInput(std::string(what) + " of a motion is " + std::to_string(value) + " " + unit +
+  throw InvalidInput(std::string(what) + " of a motion is " + numberText(value) + " " + unit +
                      "; must be positive");
 }
 

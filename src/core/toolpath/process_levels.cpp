@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 
 namespace lamina {
 namespace {
@@ -22,7 +23,7 @@ std::string defectOfLevel(const ProcessValue& value) {
     return "cannot be carried; known are laser_power_w, wire_speed_mm_s, screw_rpm, powder_g_min, gas_l_min";
   for (const double each : value.value.values())
     if (!(each >= 0.0 && std::isfinite(each)))
-      return "is " + std::to_string(each) + "; must be a finite number of 0 or more";
+      return "is " + numberText(each) + "; must be a finite number of 0 or more";
   return {};
 }
 

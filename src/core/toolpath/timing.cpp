@@ -10,6 +10,7 @@
 #include <variant>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "toolpath/layer_time.hpp"
 #include "toolpath/motion_cursor.hpp"
 
@@ -97,7 +98,7 @@ double nominalTime(const Toolpath& toolpath) {
         const std::size_t end = path.motionEnd(m);
         const double feed_mm_s = path.feed_mm_s.at(end);
         if (!(feed_mm_s > 0.0))
-          throw InvalidInput("a feed is " + std::to_string(feed_mm_s) + " mm/s; must be positive");
+          throw InvalidInput("a feed is " + numberText(feed_mm_s) + " mm/s; must be positive");
         sum_s += (path.points[end] - path.points[m]).norm() / feed_mm_s;
       }
   return sum_s;

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/toolpath/toolpath_event.hpp"
+#include "lamina/base/number_text.hpp"
 
 #include <algorithm>
 #include <array>
@@ -15,7 +16,7 @@ bool isOneLine(const std::string& text) {
 
 std::string defectIn(const Dwell& dwell) {
   if (dwell.duration_s >= 0.0 && std::isfinite(dwell.duration_s)) return {};
-  return "dwell is " + std::to_string(dwell.duration_s) + " s; must be 0 or more";
+  return "dwell is " + numberText(dwell.duration_s) + " s; must be 0 or more";
 }
 
 std::string defectIn(const FanShare& fan) {

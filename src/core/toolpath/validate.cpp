@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 
 namespace lamina {
@@ -46,10 +47,10 @@ std::string firstFault(const Path& path) {
     if (!path.points[i].allFinite()) return "waypoint " + std::to_string(i) + " is not finite";
   for (const double feed : path.feed_mm_s.values())
     if (!(feed > 0.0 && std::isfinite(feed)))
-      return "feed is " + std::to_string(feed) + " mm/s; must be positive";
+      return "feed is " + numberText(feed) + " mm/s; must be positive";
   for (const Bead& bead : path.bead.values())
     if (!(bead.width_mm >= 0.0 && bead.height_mm >= 0.0 && std::isfinite(bead.width_mm + bead.height_mm)))
-      return "bead is " + std::to_string(bead.width_mm) + " x " + std::to_string(bead.height_mm) + " mm";
+      return "bead is " + numberText(bead.width_mm) + " x " + numberText(bead.height_mm) + " mm";
   for (const Eigen::Quaterniond& q : path.orientation.values())
     if (!(std::abs(q.norm() - 1.0) < 1e-6)) return "orientation is no unit quaternion";
   const std::string fault = faultOfEvents(path);

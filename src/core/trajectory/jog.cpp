@@ -2,14 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/trajectory/jog.hpp"
 
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
 
+#include "base/dense_solvers.hpp"
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 
 namespace lamina {
 namespace {
@@ -46,7 +47,7 @@ std::string JogLease::renew(const std::string& holder, double now_s) {
   const std::string present = this->holder(now_s);
   if (!present.empty() && present != holder)
     return present + " holds the lease; it is free once nothing is heard of it for " +
-           std::to_string(lease_s_) + " s";
+           numberText(lease_s_) + " s";
   holder_ = holder;
   until_s_ = now_s + lease_s_;
   return "";
@@ -90,7 +91,7 @@ Jog::Jog(const KinematicModel& model, const JogSettings& settings, double ramp_s
   describe(schema, settings_);
   schema.validate();
   if (settings_.lease_s < settings_.reaction_s + kLeastSteps * step())
-    throw InvalidConfig("jog.lease_s is " + std::to_string(settings_.lease_s) + " s; expected at least " +
+    throw InvalidConfig("jog.lease_s is " + numberText(settings_.lease_s) + " s; expected at least " +
                         std::to_string(settings_.reaction_s + kLeastSteps * step()) +
                         " s, jog.reaction_s and two points at jog.rate_hz, or nothing moves");
   for (Eigen::Index j = 0; j < start.size(); ++j)
@@ -146,7 +147,7 @@ std::string Jog::refusalOf(const Planned& plan, const JogGuard& guard) const {
     // Who stands outside may come back, along each axis by itself.
     const Eigen::Array3d out = beyondBox(places[2]);
     if ((out > 0.0 && out > beyondBox(places[0])).any())
-      return "the tip would leave jog.workspace_mm by " + std::to_string(out.maxCoeff()) + " mm";
+      return "the tip would leave jog.workspace_mm by " + numberText(out.maxCoeff()) + " mm";
   }
   return guard ? guard(places) : std::string();
 }
@@ -231,12 +232,13 @@ JointValues Jog::nozzleRates(const JogOrder& order, const JointValues& position,
     if (model_.joints()[static_cast<std::size_t>(j)].kind == JointKind::Linear)
       jacobian.col(j) *= kMillimetres;
   const double damping = kDamping * std::max(0.0, 1.0 - model_.singularityMargin(position) / kDamped);
-  const Eigen::JacobiSVD<Eigen::MatrixXd> parts(jacobian, Eigen::ComputeThinU | Eigen::ComputeThinV);
-  const Eigen::VectorXd& values = parts.singularValues();
+  const SingularParts parts = singularParts(jacobian);
+  const Eigen::VectorXd& values = parts.values;
   Eigen::VectorXd inverse = Eigen::VectorXd::Zero(values.size());
   for (Eigen::Index i = 0; i < values.size(); ++i)
     if (values[i] > kNone * values[0]) inverse[i] = values[i] / (values[i] * values[i] + damping * damping);
-  const Eigen::VectorXd found = parts.matrixV() * inverse.asDiagonal() * parts.matrixU().transpose() * asked;
+  const Eigen::VectorXd shares = inverse.cwiseProduct(parts.left.transpose() * asked);
+  const Eigen::VectorXd found = parts.right * shares;
   if (damping == 0.0 && (jacobian * found - asked).norm() > kMissed * asked.norm())
     throw InvalidInput(model_.name() +
                        " cannot move its nozzle so; expected a motion that its joints can do");

@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/toolpath/waypoint_text.hpp"
 
 namespace lamina {
@@ -65,7 +66,7 @@ void setMotion(JointStation& station, const Path& path, std::size_t from, const 
     throw InvalidInput(toText(station.heading_for) + " lays drops; joint trajectories lay beads");
   const double feed = path.feed_mm_s.at(to);
   if (!(feed > 0.0 && std::isfinite(feed)))
-    throw InvalidInput("the feed to " + toText(station.heading_for) + " is " + std::to_string(feed) +
+    throw InvalidInput("the feed to " + toText(station.heading_for) + " is " + numberText(feed) +
                        " mm/s; must be positive");
   const double length_mm = (path.points[to] - path.points[from]).norm();
   if (length_mm < kShortest) return;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 
 namespace lamina {
 
@@ -67,8 +68,8 @@ ProcessSchedule::Intervals ProcessSchedule::shifted(const Intervals& beads, cons
     const Interval on{bead.from_s - leads.on_s, bead.to_s - leads.off_s};
     if (on.to_s <= on.from_s && kind == Beads::Cut) continue;
     if (on.to_s <= on.from_s)
-      throw InvalidInput("the bead at " + std::to_string(bead.from_s) + " s takes " +
-                         std::to_string(bead.to_s - bead.from_s) + " s; the " + what +
+      throw InvalidInput("the bead at " + numberText(bead.from_s) + " s takes " +
+                         numberText(bead.to_s - bead.from_s) + " s; the " + what +
                          " would be switched off before it is on");
     if (!result.empty() && on.from_s <= result.back().to_s)
       result.back().to_s = std::max(result.back().to_s, on.to_s);

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "toolpath/motion_cursor.hpp"
 
 namespace lamina {
@@ -14,8 +15,8 @@ namespace {
 
 void requirePositive(double value, const char* what, const char* unit) {
   if (!(value > 0.0 && std::isfinite(value)))
-    throw InvalidInput(std::string(what) + " of a motion from rest to rest is " + std::to_string(value) +
-                       " " + unit + "; must be positive");
+    throw InvalidInput(std::string(what) + " of a motion from rest to rest is " + numberText(value) + " " +
+                       unit + "; must be positive");
 }
 
 double timeOf(const MotionSegment& segment) {
@@ -28,7 +29,7 @@ double restToRestTime(double length_mm, double speed_mm_s, double acceleration_m
   requirePositive(speed_mm_s, "speed", "mm/s");
   requirePositive(acceleration_mm_s2, "acceleration", "mm/s2");
   if (!(length_mm >= 0.0 && std::isfinite(length_mm)))
-    throw InvalidInput("length of a motion from rest to rest is " + std::to_string(length_mm) +
+    throw InvalidInput("length of a motion from rest to rest is " + numberText(length_mm) +
                        " mm; must be 0 or more");
   const double ramp_s = speed_mm_s / acceleration_mm_s2;
   const double cruise_s = length_mm / speed_mm_s;

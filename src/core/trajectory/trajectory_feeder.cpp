@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "motion_sample.hpp"
 #include "ramped_share.hpp"
 #include "straight_lift.hpp"
@@ -24,13 +25,13 @@ namespace {
 std::shared_ptr<const TimedMotion> toolLift(const JointValues& from, const ToolLift& lift,
                                             const KinematicModel& model, const TimingSettings& settings) {
   if (!(lift.height_mm > 0.0 && lift.speed_mm_s > 0.0))
-    throw InvalidInput("the tool is to be lifted by " + std::to_string(lift.height_mm) + " mm at " +
-                       std::to_string(lift.speed_mm_s) + " mm/s; both must be positive");
+    throw InvalidInput("the tool is to be lifted by " + numberText(lift.height_mm) + " mm at " +
+                       numberText(lift.speed_mm_s) + " mm/s; both must be positive");
   const StraightLift way = straightLift(from, lift.height_mm, model, settings.trajectory);
   if (!way.stopped_by.empty())
     throw Unreachable("the tool can be lifted by " +
                       std::to_string(way.step_mm * static_cast<double>(way.values.size() - 1)) + " mm of " +
-                      std::to_string(lift.height_mm) + " mm only: " + way.stopped_by);
+                      numberText(lift.height_mm) + " mm only: " + way.stopped_by);
   JointStations stations;
   for (const JointValues& values : way.values) {
     JointStation station;

@@ -12,6 +12,7 @@
 #include "kept_corrections.hpp"
 #include "lamina/base/disk_space.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "latched.hpp"
 #include "names.hpp"
 #include "refusal_text.hpp"
@@ -186,7 +187,7 @@ bool CellController::onCommand(lamina_msgs::PackmlCommand::Request& request,
   const CommandAnswer answer =
       is_too_late
           ? CommandAnswer{CommandResult::StaleSequence,
-                          std::string(toString(*command)) + " came " + std::to_string(late_s) +
+                          std::string(toString(*command)) + " came " + numberText(late_s) +
                               " s after it had expired; expected it in time, or clocks that agree"}
           : cell_->command(std::move(asked), surroundings(), static_cast<CutOffJob>(request.cut_off), now());
   if (*command == UnitCommand::Start && answer.result == CommandResult::Accepted) demandLocalStart(false);
@@ -332,7 +333,7 @@ void CellController::watchExecutor(CellTime now) {
   if (!order.empty())
     cell_->raise(kExecutorSilent, settings_.patience_s,
                  "gcode_streamer has not answered the order to " + order + " in " +
-                     std::to_string(settings_.patience_s) + " s",
+                     numberText(settings_.patience_s) + " s",
                  now);
   // After a callback that took long, signs of life may still wait behind this one.
   silent_ticks_ = executor_.isThere() ? 0 : silent_ticks_ + 1;

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "lamina/base/disk_space.hpp"
+#include "lamina/base/number_text.hpp"
 
 namespace lamina {
 namespace {
@@ -52,7 +53,7 @@ std::vector<CareAlarm> JournalCare::lookAtDisk() {
   const bool was_low = std::exchange(is_disk_low_, free_gib < settings_.least_free_gib);
   if (was_low == is_disk_low_) return {};
   const std::string left =
-      free_bytes ? "has " + std::to_string(free_gib) + " GiB left" : "does not say what it has left";
+      free_bytes ? "has " + numberText(free_gib) + " GiB left" : "does not say what it has left";
   return {{kDiskLow, free_gib,
            "the journal's disk " + left + "; expected at least " + std::to_string(settings_.least_free_gib) +
                " GiB",

@@ -13,6 +13,7 @@
 #include "conversions.hpp"
 #include "incline_messages.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/program/gcode/toolpath_from_gcode.hpp"
 #include "latched.hpp"
 #include "markers/toolpath_markers.hpp"
@@ -34,8 +35,8 @@ std::optional<std::string> tooLarge(const std::string& program, const std::strin
   const auto bytes = std::max(std::filesystem::file_size(program), std::filesystem::file_size(output));
   const double size_mb = static_cast<double>(bytes) / kBytesPerMegabyte;
   if (size_mb <= most_mb) return std::nullopt;
-  return "not published: the program holds " + std::to_string(size_mb) +
-         " MB, and view.largest_program_mb is " + std::to_string(most_mb);
+  return "not published: the program holds " + numberText(size_mb) + " MB, and view.largest_program_mb is " +
+         numberText(most_mb);
 }
 
 }  // namespace
@@ -109,8 +110,7 @@ GcodeIncliner::Answer GcodeIncliner::incline(const Request& request, Progress& p
   answer.summary = toMessage(report);
   answer.summary.wall_time = passed.count();
   if (isToolAxisOffNormal(report))
-    answer.status.message = "the machine holds its nozzle at " +
-                            std::to_string(report.tool_axis_off_normal_deg) +
+    answer.status.message = "the machine holds its nozzle at " + numberText(report.tool_axis_off_normal_deg) +
                             " deg from the normal of the layers; expected 0";
   progress.report("view", 0.0);
   view(request.program, settings, answer);

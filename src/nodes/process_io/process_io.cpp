@@ -10,6 +10,7 @@
 
 #include "joint_messages.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "names.hpp"
 #include "process_effects.hpp"
 #include "ros_devices.hpp"
@@ -191,8 +192,8 @@ void ProcessIo::publishReady() {
     const double unserved_s = clock_.now() - served_s_;
     ready.reason = unserved_s <= kUnserved
                        ? fault_
-                       : "no output was found for " + std::to_string(unserved_s) + " s; expected one every " +
-                             std::to_string(kUnserved) + " s at least";
+                       : "no output was found for " + numberText(unserved_s) + " s; expected one every " +
+                             numberText(kUnserved) + " s at least";
     news = std::exchange(news_, {});
     notes = std::exchange(notes_, {});
   }

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "conversions.hpp"
+#include "lamina/base/number_text.hpp"
 
 namespace lamina {
 namespace {
@@ -37,8 +38,8 @@ void take(const Tolerances& stated, const KinematicModel& model, std::vector<Mos
 }
 
 std::string farText(const std::string& joint, double off, double most, const std::string& where) {
-  return "joint '" + joint + "' is " + std::to_string(off) + " off " + where + "; expected " +
-         std::to_string(most) + " at most";
+  return "joint '" + joint + "' is " + numberText(off) + " off " + where + "; expected " + numberText(most) +
+         " at most";
 }
 
 }  // namespace

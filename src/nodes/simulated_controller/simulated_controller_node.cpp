@@ -11,6 +11,7 @@
 
 #include "joint_messages.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "names.hpp"
 #include "point_cloud.hpp"
 #include "transforms.hpp"
@@ -35,8 +36,8 @@ JointValues parked(const KinematicModel& model) {
 }
 
 std::string textOf(const DrivenJoint& joint, double is, double low, double high) {
-  return "joint '" + joint.name + "' " + std::to_string(is) + ", expected " + std::to_string(low) + " to " +
-         std::to_string(high);
+  return "joint '" + joint.name + "' " + numberText(is) + ", expected " + numberText(low) + " to " +
+         numberText(high);
 }
 
 /// @throws GoalFault as OLD_HEADER_TIMESTAMP if all points are past
@@ -46,7 +47,7 @@ void requireFeasible(const TrajectoryChunk& chunk, const KinematicModel& model, 
                                     [&](const JointState& point) { return point.time_s > now.time_s; });
   if (joining == chunk.points.end())
     throw GoalFault(follow::Result::OLD_HEADER_TIMESTAMP,
-                    "the last point is " + std::to_string(now.time_s - chunk.points.back().time_s) +
+                    "the last point is " + numberText(now.time_s - chunk.points.back().time_s) +
                         " s in the past; expected one that is still to come");
   for (std::size_t j = 0; j < model.joints().size(); ++j) {
     const DrivenJoint& joint = model.joints()[j];

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "correction_messages.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/control/feeder_lead.hpp"
 #include "lamina/control/program/correction_files.hpp"
 
@@ -177,7 +178,7 @@ std::string ChunkCorrection::defectOf(const JointValues& position) const {
     const double value = position[static_cast<Eigen::Index>(j)];
     if (value >= joint.low && value <= joint.high) continue;
     const char* const unit = joint.kind == JointKind::Linear ? " mm" : " rad";
-    return joint.name + " would be at " + std::to_string(value) + unit + "; its limits are " +
+    return joint.name + " would be at " + numberText(value) + unit + "; its limits are " +
            std::to_string(joint.low) + " to " + std::to_string(joint.high) + unit;
   }
   return {};
@@ -191,9 +192,8 @@ double ChunkCorrection::follow(const JointState& state, double present_mm, doubl
   if (defect.empty()) return wanted_mm;
   if (wanted_mm != present_mm && refusal_.empty())
     refusal_ = "layer " + std::to_string(state.heading_for.layer) + ", path " +
-               std::to_string(state.heading_for.path) + ": the height stays at " +
-               std::to_string(present_mm) + " mm, which was to become " + std::to_string(wanted_mm) +
-               " mm: " + defect;
+               std::to_string(state.heading_for.path) + ": the height stays at " + numberText(present_mm) +
+               " mm, which was to become " + numberText(wanted_mm) + " mm: " + defect;
   return present_mm;
 }
 

@@ -7,6 +7,7 @@
 
 #include "joint_messages.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "names.hpp"
 
 namespace lamina {
@@ -34,7 +35,7 @@ void ControllerClient::requirePresent(double wait_s) {
   // A wait of 0 would be one without end.
   if (client_.isServerConnected() || client_.waitForServer(ros::Duration(std::max(wait_s, 1e-3)))) return;
   throw TimedOut("no controller answers on '" + std::string(names::kFollowJointTrajectory) + "' after " +
-                 std::to_string(wait_s) + " s; expected one for " + model_.name());
+                 numberText(wait_s) + " s; expected one for " + model_.name());
 }
 
 void ControllerClient::begin() {

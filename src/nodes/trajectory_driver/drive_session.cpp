@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drive_session.hpp"
+#include "lamina/base/number_text.hpp"
 
 #include <ros/console.h>
 
@@ -213,7 +214,7 @@ bool DriveSession::awaitEnd(const ros::Time& now) {
   const double overdue_s = controllerTime(now) - feeder_.restTime();
   if (overdue_s > std::max(settings_.tracking.silence_s, kSettling))
     giveUp(now, {ErrorCode::TimedOut, "the controller has not come to the end of its last goal " +
-                                          std::to_string(overdue_s) + " s after it was due"});
+                                          numberText(overdue_s) + " s after it was due"});
   return true;
 }
 

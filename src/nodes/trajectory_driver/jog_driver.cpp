@@ -9,6 +9,7 @@
 
 #include "conversions.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/verification/collision/joint_clearance.hpp"
 #include "latched.hpp"
 #include "names.hpp"
@@ -128,7 +129,7 @@ void JogDriver::beginIfAtRest(const ros::Time& now) {
   links_.controller.requirePresent(0.0);
   const JointValues here = links_.joints.fresh(kJogSettling, 0.0);
   if (!links_.joints.areStillFor(kJogSettling))
-    throw Rejected("the joints still move; expected them at rest for " + std::to_string(kJogSettling) +
+    throw Rejected("the joints still move; expected them at rest for " + numberText(kJogSettling) +
                    " s before a jog begins");
   // Not while time passes for a motion.
   if (settings_.is_clearance_checked && !bodies_) bodies_ = linkBodies(model_.urdf());

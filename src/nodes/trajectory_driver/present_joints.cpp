@@ -8,6 +8,7 @@
 
 #include "conversions.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "names.hpp"
 #include "shutdown.hpp"
 
@@ -70,7 +71,7 @@ JointValues PresentJoints::fresh(double age_s, double wait_s) const {
     if (isStopRequested() || !ros::ok()) throw Cancelled("the node was ended");
     if ((now - begin).toSec() >= wait_s)
       throw TimedOut("'" + std::string(names::kJointStates) + "' reports nothing of joint '" + missing +
-                     "' in " + std::to_string(wait_s) + " s; expected all driven joints of " + model_.name() +
+                     "' in " + numberText(wait_s) + " s; expected all driven joints of " + model_.name() +
                      ", to know where it stands");
     ros::Duration(kJointLookPeriod).sleep();
   }

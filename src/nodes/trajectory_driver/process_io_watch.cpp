@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "process_io_watch.hpp"
 
+#include "lamina/base/number_text.hpp"
 #include "names.hpp"
 
 namespace lamina {
@@ -23,8 +24,8 @@ std::string ProcessIoWatch::fault(const ros::Time& now) const {
   if (heard_.isZero()) return "process_io was not heard of";
   const double silent_s = (now - heard_).toSec();
   if (silent_s > demand_.silence_s)
-    return "process_io has been silent for " + std::to_string(silent_s) + " s; expected word every " +
-           std::to_string(demand_.silence_s) + " s at least";
+    return "process_io has been silent for " + numberText(silent_s) + " s; expected word every " +
+           numberText(demand_.silence_s) + " s at least";
   return last_.ready ? std::string() : "process_io is not ready: " + last_.reason;
 }
 

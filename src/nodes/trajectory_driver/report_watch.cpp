@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report_watch.hpp"
+#include "lamina/base/number_text.hpp"
 
 #include <algorithm>
 
@@ -33,12 +34,12 @@ std::optional<std::string> ReportWatch::look(const ros::Time& now) {
   unheard_s_ += std::min(since_s, kLongestLook);
   const bool is_by_stamps = limits_.silence_by == SilenceBy::Stamps;
   if (is_by_stamps && gap_s_ > limits_.silence_s)
-    return "two reports of the controller are " + std::to_string(gap_s_) +
-           " s apart by their stamps; expected at most " + std::to_string(limits_.silence_s) + " s";
+    return "two reports of the controller are " + numberText(gap_s_) +
+           " s apart by their stamps; expected at most " + numberText(limits_.silence_s) + " s";
   const double longest_s = is_by_stamps ? std::max(connection_s_, limits_.silence_s) : limits_.silence_s;
   if (unheard_s_ <= longest_s) return std::nullopt;
-  return "the controller has been silent for " + std::to_string(unheard_s_) + " s; expected a report every " +
-         std::to_string(longest_s) + " s at least";
+  return "the controller has been silent for " + numberText(unheard_s_) + " s; expected a report every " +
+         numberText(longest_s) + " s at least";
 }
 
 }  // namespace lamina

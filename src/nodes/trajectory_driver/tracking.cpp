@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tracking.hpp"
+#include "lamina/base/number_text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,8 +23,8 @@ double Tracking::rmsTip() const {
 
 std::optional<std::string> Tracking::deviation(double most_mm) const {
   if (most_mm <= 0.0 || tip_mm_ <= most_mm) return std::nullopt;
-  return "the nozzle tip is " + std::to_string(tip_mm_) + " mm from where it is to be; expected at most " +
-         std::to_string(most_mm) + " mm";
+  return "the nozzle tip is " + numberText(tip_mm_) + " mm from where it is to be; expected at most " +
+         numberText(most_mm) + " mm";
 }
 
 }  // namespace lamina

@@ -12,6 +12,7 @@
 #include <algorithm>
 
 #include "fields/path_field.hpp"
+#include "lamina/base/error.hpp"
 #include "lamina/job/profiles/profile_library.hpp"
 #include "lamina/kinematics/cartesian/cartesian_machine.hpp"
 
@@ -27,7 +28,14 @@ QString fileOf(const QMimeData& dragged) {
   return dragged.hasUrls() ? dragged.urls().front().toLocalFile() : QString();
 }
 
-std::vector<std::string> profiles(ProfileKind kind) { return ProfileLibrary(profileFolders()).names(kind); }
+/// None of folders that are not there: the form says so when it is filled in.
+std::vector<std::string> profiles(ProfileKind kind) {
+  try {
+    return ProfileLibrary(profileFolders()).names(kind);
+  } catch (const InvalidConfig&) {
+    return {};
+  }
+}
 
 /// Those that people own first, then those that are described without a profile.
 std::vector<std::string> machinesToPrintOn() {

@@ -74,6 +74,24 @@ TEST_F(VoidFillingTest, CoversMoreAndReportsWhatTheNewProgramDeposits) {
   EXPECT_NEAR(read.runs_per_layer_mean, filled.after.runs_per_layer_mean, 1e-9);
 }
 
+TEST_F(VoidFillingTest, LeavesASparseInfillSparse) {
+  job_.map.part = "box";
+  for (const double density : {0.0, 0.2}) {
+    SliceJob job;
+    job.part = "box";
+    job.output = job_.program;
+    job.settings = settings_;
+    job.settings.planning.infill.strategy = "zigzag";
+    job.settings.planning.infill.density = density;
+    job.settings.planning.walls.count = 2;
+    NoProgress progress;
+    const SliceSummary sliced = runSliceJob(job, progress).summary;
+    const VoidFillingReport filled = fill();
+    EXPECT_LT(filled.deposited_mm3, 0.002 * sliced.mesh_volume_mm3) << density;
+    EXPECT_GT(filled.open_mm3, 0.1 * sliced.mesh_volume_mm3) << density;
+  }
+}
+
 TEST_F(VoidFillingTest, RefusesAPartThatTheProgramDoesNotPrint) {
   slice(job_.program, VoidRefill::None);
   for (const char* part : {"box", "cone", "through_hole_plate", "flat_wall"}) {

@@ -181,32 +181,30 @@ TEST(Weaving, JudgesTheWavesThatFitIntoThePath) {
   Path stub = wide({{0, 0, 2}, {1.1, 0, 2}});
   stub.feed_mm_s = 16.0;
   const std::string what = weaveRefusal(stub, weaveOf(WeaveKind::Sine));
-  EXPECT_NE(what.find("every 2.200000 mm at 16.000000 mm/s takes 4176"), std::string::npos) << what;
+  EXPECT_NE(what.find("every 2.2 mm at 16 mm/s takes 4176"), std::string::npos) << what;
   // An amplitude of two wavelengths of the settings is four of the one that fits.
   WeaveSettings settings = weaveOf(WeaveKind::Sine);
   settings.wavelength_mm = 1.0;
   stub.points[1].x() = 0.26;
   stub.feed_mm_s = 0.1;
-  EXPECT_NE(weaveRefusal(stub, settings)
-                .find("weave.amplitude_mm is 2.000000 mm with waves that are 0.520000 mm long"),
+  EXPECT_NE(weaveRefusal(stub, settings).find("weave.amplitude_mm is 2 mm with waves that are 0.52 mm long"),
             std::string::npos);
 }
 
 TEST(Weaving, RefusesBendsInWhichTheTipStandsStill) {
   const std::string what = weaveRefusal(wideRing(2.0), weaveOf(WeaveKind::Sine));
   EXPECT_NE(what.find("layer 0, path 0: motion "), std::string::npos) << what;
-  EXPECT_NE(what.find("2.000000 mm (weave.amplitude_mm) aside in a bend"), std::string::npos) << what;
+  EXPECT_NE(what.find("2 mm (weave.amplitude_mm) aside in a bend"), std::string::npos) << what;
   EXPECT_EQ(weaveRefusal(wideRing(6.0), weaveOf(WeaveKind::Sine)), "");
 }
 
 TEST(Weaving, RefusesWhatDoesNotFitBeadOrMachine) {
   WeaveSettings settings = weaveOf(WeaveKind::Sine);
   settings.amplitude_mm = 3.1;
-  EXPECT_NE(
-      weaveRefusal(wide({{0, 0, 2}, {100, 0, 2}}), settings)
-          .find("layer 0, path 0: weave.amplitude_mm is 3.100000 mm, twice which is more than the bead's "
-                "width, 6.000000 mm"),
-      std::string::npos);
+  EXPECT_NE(weaveRefusal(wide({{0, 0, 2}, {100, 0, 2}}), settings)
+                .find("layer 0, path 0: weave.amplitude_mm is 3.1 mm, twice which is more than the bead's "
+                      "width, 6 mm"),
+            std::string::npos);
   settings.amplitude_mm = 2.0;
   Path fast = wide({{0, 0, 2}, {100, 0, 2}});
   fast.feed_mm_s = 20.0;  // 2 (2 pi 20 / 4)² = 1974 mm/s²

@@ -207,7 +207,7 @@ TEST(ProcessDevice, TheWatchdogAndFaultValuesOfACouplerAreReadBack) {
       return std::string(error.what());
     }
   };
-  EXPECT_EQ(refusal(), "the watchdog of device is 0.400000 s; expected above 0 and at most 0.300000 s");
+  EXPECT_EQ(refusal(), "the watchdog of device is 0.4 s; expected above 0 and at most 0.3 s");
   table.channels[0].safe = 5.0;
   EXPECT_EQ(refusal(), "device would set first to 0 when its link is lost; expected 5 in register 80");
 }
@@ -249,9 +249,8 @@ TEST(ProcessDevice, TablesThatDoNotFitAreRefused) {
             "devices.device: registers 0 and 2 are written; must be each once and without a gap");
   table = well;
   table.channels[0].scale = 40.0;
-  EXPECT_EQ(
-      refusalOf(table),
-      "channels.first: a value of 2000.000000 is 80000.000000 in a register; must be in [-32768, 65535]");
+  EXPECT_EQ(refusalOf(table),
+            "channels.first: a value of 2000 is 80000 in a register; must be in [-32768, 65535]");
   table = well;
   table.channels.clear();
   EXPECT_EQ(refusalOf(table), "devices.device has no channel; must have one at least");

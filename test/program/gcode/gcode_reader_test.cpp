@@ -158,11 +158,11 @@ TEST(GcodeReader, NamesTheLineOfWhatItRefuses) {
   EXPECT_NE(gcodeReaderRefusal("G1 Xinf\n"), "");
   EXPECT_NE(gcodeReaderRefusal("G1 X99999999999\n"), "");
   EXPECT_EQ(gcodeReaderRefusal("X1\n"), "line 1: coordinates before any motion command");
-  EXPECT_EQ(gcodeReaderRefusal("G1 X1 F0\n"), "line 1: feed is 0.000000; must be positive");
+  EXPECT_EQ(gcodeReaderRefusal("G1 X1 F0\n"), "line 1: feed is 0; must be positive");
   EXPECT_EQ(gcodeReaderRefusal("G2 X10\n"), "line 1: arc without centre: neither R nor IJ");
   EXPECT_EQ(gcodeReaderRefusal("G2 X10 I0 J0\n"),
             "line 1: arc without centre: the centre is where it starts");
-  EXPECT_EQ(gcodeReaderRefusal("G2 X10 I4\n"), "line 1: the arc ends 2.000000 mm off its circle");
+  EXPECT_EQ(gcodeReaderRefusal("G2 X10 I4\n"), "line 1: the arc ends 2 mm off its circle");
   EXPECT_NE(gcodeReaderRefusal("G2 X10 R4\n"), "");
   EXPECT_NE(gcodeReaderRefusal("G2 R4\n"), "");
   EXPECT_EQ(gcodeReaderRefusal("G1 G2 X1\n"), "line 1: two commands that use the same words");

@@ -12,6 +12,7 @@ namespace lamina {
 /// Folders with `machines`, `materials` and `processes` in them, the first counts first: those that the
 /// environment's LAMINA_PROFILES names with colons between them, the user's own (`lamina/profiles` in
 /// XDG_CONFIG_HOME or ~/.config), and those of Lamina, in the share beside the core library.
+/// @throws InvalidConfig if LAMINA_PROFILES names what is no folder
 std::vector<std::string> profileFolders();
 
 /// Profiles by their name: each is the file `<kind>s/<name>.yaml` in the first folder that has it.

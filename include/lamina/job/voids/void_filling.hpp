@@ -24,12 +24,14 @@ struct VoidFillingReport {
   std::size_t runs = 0;           ///< that were added
   std::size_t layers = 0;         ///< to which they were added
   double deposited_mm3 = 0.0;     ///< by them
+  double open_mm3 = 0.0;          ///< of sparse infill and hollow parts, which stay open
   std::vector<LayerVoids> found;  ///< before, layer by layer
   VoidTotals before;
   VoidTotals after;  ///< as read from the new program
 };
 
-/// Adds runs along the voids of each layer at its end; see `insertRuns`. They are deposited as
+/// Adds runs along the voids of each layer at its end; see `insertRuns`. A sparse infill stays sparse
+/// (`withoutOpenInfill`). They are deposited as
 /// `feed.infill_mm_s` (the first layer no faster than `feed.first_layer_mm_s`), `travel.*` and `program.*` of
 /// the settings say.
 /// @throws FileError, InvalidProgram, InvalidMesh; InvalidInput if output and input are the same file, if the

@@ -11,6 +11,7 @@
 #include "gcode_rewrite/motion_text.hpp"
 #include "gcode_rewrite/program_tracker.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
 
 namespace lamina {
@@ -48,8 +49,8 @@ void requireShiftsWithinLayer(const CorrectionMap& map, const Toolpath& toolpath
     for (const PlaceCorrection& place : path.stations)
       if (std::abs(place.dz_mm) > height)
         throw InvalidInput("the correction map of layer " + std::to_string(map.layer) +
-                           " shifts the nozzle by " + std::to_string(place.dz_mm) +
-                           " mm; expected no more than the layer's " + std::to_string(height) + " mm");
+                           " shifts the nozzle by " + numberText(place.dz_mm) +
+                           " mm; expected no more than the layer's " + numberText(height) + " mm");
 }
 
 }  // namespace
@@ -64,8 +65,8 @@ class ProgramCorrector::Writer {
         toolpath_(toolpath),
         toolpath_id_(toolpathId(toolpath)) {
     if (!(writing_.split_change > 0.0))
-      throw InvalidInput("lines are split where the amount changes by " +
-                         std::to_string(writing_.split_change) + "; expected a positive change");
+      throw InvalidInput("lines are split where the amount changes by " + numberText(writing_.split_change) +
+                         "; expected a positive change");
     for (const CorrectionMap& map : maps) add(map);
   }
 

@@ -8,6 +8,7 @@
 
 #include "control/program/laid_pieces.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/control/program/correction_files.hpp"
 
 namespace lamina {
@@ -149,9 +150,9 @@ void requireSamePath(const Path& read, const Path& planned, const std::string& n
     if (next > 0 && read.points.size() > planned.points.size())
       off_mm = offSegment(read.points[i], planned.points[next - 1], to);
     if (!(off_mm <= tolerance_mm))
-      throw InvalidInput(name + ", waypoint " + std::to_string(i) + " is " + std::to_string(off_mm) +
+      throw InvalidInput(name + ", waypoint " + std::to_string(i) + " is " + numberText(off_mm) +
                          " mm off that of the toolpath that the maps are of; expected at most " +
-                         std::to_string(tolerance_mm) + " mm");
+                         numberText(tolerance_mm) + " mm");
   }
   if (next < planned.points.size())
     throw InvalidInput(name + " does not come to waypoint " + std::to_string(next) +
@@ -164,7 +165,7 @@ void requireSamePath(const Path& read, const Path& planned, const std::string& n
 Toolpath correctedToolpath(const Toolpath& toolpath, const std::vector<CorrectionMap>& maps,
                            double split_change) {
   if (!(split_change > 0.0))
-    throw InvalidInput("motions are split where the amount changes by " + std::to_string(split_change) +
+    throw InvalidInput("motions are split where the amount changes by " + numberText(split_change) +
                        "; expected a positive change");
   requireMaps(maps, toolpath);
   CorrectionsByPath corrections;

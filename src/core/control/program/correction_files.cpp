@@ -11,6 +11,7 @@
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/csv_table.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/program/csv/csv_reader.hpp"
 #include "lamina/program/csv/csv_writer.hpp"
 
@@ -202,8 +203,8 @@ std::string defectOf(const CorrectionMap& map, const std::string& toolpath_id, c
              std::to_string(paths);
     for (const PlaceCorrection& place : path.stations)
       if (std::abs(place.dz_mm) > most_mm)
-        return "of " + layer + " moves the nozzle by " + std::to_string(place.dz_mm) +
-               " mm; expected no more than the layer, " + std::to_string(most_mm) + " mm";
+        return "of " + layer + " moves the nozzle by " + numberText(place.dz_mm) +
+               " mm; expected no more than the layer, " + numberText(most_mm) + " mm";
   }
   return {};
 }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/control/replanned_toolpath.hpp"
 #include "lamina/control/run/loop_run.hpp"
 
@@ -57,9 +58,9 @@ std::string LoopRun::reasonToPlan(const LayerFigures& figures) const {
     part.heights_left_mm.push_back(part_.toolpath.layers[i].height_mm);
   const double authority = std::min(settings_.loop.greatest_amount, settings_.loop.layer_volume);
   if (part.heights_left_mm.empty() || !needsReplanning(part, figures.height_mm, authority)) return {};
-  return "the layers are " + std::to_string(figures.mean_error_mm) + " mm too low in the mean, and the top " +
+  return "the layers are " + numberText(figures.mean_error_mm) + " mm too low in the mean, and the top " +
          "would end " + std::to_string(expectedTopError(part, authority)) +
-         " mm too low; expected a layer and half a layer at most, of " + std::to_string(figures.height_mm) +
+         " mm too low; expected a layer and half a layer at most, of " + numberText(figures.height_mm) +
          " mm";
 }
 

@@ -12,6 +12,7 @@
 #include "control/run/layer_ground.hpp"
 #include "control/run/layer_trim.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/control/metal_split.hpp"
 #include "lamina/control/run/run_calibration.hpp"
 #include "lamina/control/z_follow.hpp"
@@ -580,7 +581,7 @@ StabilityReport LoopRun::checkNow() const {
   as_told.calibration.gain_ratio *= gain_ratio_;
   StabilityReport told = checkStart(part_.toolpath, part_.machine, as_told);
   if (!told.may_start)
-    told.reason += "; the last layer grew " + std::to_string(gain_ratio_) + " times what is learnt by now";
+    told.reason += "; the last layer grew " + numberText(gain_ratio_) + " times what is learnt by now";
   return told;
 }
 

@@ -18,6 +18,7 @@
 #include "geometry/polygon/outline_crossings.hpp"
 #include "geometry/polygon/plane_vectors.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/geometry/polygon/polygon.hpp"
 
 namespace lamina {
@@ -96,7 +97,7 @@ BorderSegments borderSegments(const Region& region) {
   BorderSegments border;
   if (box.isEmpty()) return border;
   if (!(box.size().maxCoeff() <= kLargestMm))
-    throw InvalidInput("a region is " + std::to_string(box.size().maxCoeff()) +
+    throw InvalidInput("a region is " + numberText(box.size().maxCoeff()) +
                        " mm large; its medial axis needs at most 20 m");
   border.origin = box.centre();
   for (const Polygon& outline : borders) add(outline, border);
@@ -310,7 +311,7 @@ std::vector<AxisPoint> inMm(std::vector<AxisPoint> points, const BorderSegments&
 
 MedialAxis medialAxis(const Region& region, double tolerance_mm) {
   if (!(tolerance_mm > 0.0))
-    throw InvalidInput("tolerance of the medial axis is " + std::to_string(tolerance_mm) +
+    throw InvalidInput("tolerance of the medial axis is " + numberText(tolerance_mm) +
                        " mm; must be positive");
   const BorderSegments border = borderSegments(region);
   if (border.segments.size() < 3) return {};

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 
 namespace lamina {
 namespace {
@@ -91,7 +92,7 @@ void addParts(const Triangle& whole, Halving& halving, std::vector<Triangle>& pa
 
 Subdivision subdivide(const Mesh& mesh, double longest_edge_mm) {
   if (!(longest_edge_mm > 0.0))
-    throw InvalidInput("the longest edge is " + std::to_string(longest_edge_mm) + " mm; must be positive");
+    throw InvalidInput("the longest edge is " + numberText(longest_edge_mm) + " mm; must be positive");
   Subdivision result{mesh, {}};
   std::size_t before = 0;
   while (before != result.mesh.vertices.size()) {
@@ -101,7 +102,7 @@ Subdivision subdivide(const Mesh& mesh, double longest_edge_mm) {
     parts.reserve(result.mesh.triangles.size());
     for (const Triangle& triangle : result.mesh.triangles) addParts(triangle, halving, parts);
     if (parts.size() > kMostTriangles)
-      throw InvalidInput("edges of at most " + std::to_string(longest_edge_mm) +
+      throw InvalidInput("edges of at most " + numberText(longest_edge_mm) +
                          " mm would give more than 20 million triangles; expected a greater length");
     result.mesh.triangles = std::move(parts);
   }

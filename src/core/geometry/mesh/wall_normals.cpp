@@ -10,6 +10,7 @@
 
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/geometry/mesh/mesh_topology.hpp"
 #include "lamina/geometry/spatial/nearest_triangle.hpp"
 
@@ -33,7 +34,7 @@ Mesh wallsOf(const Mesh& part, const Point3& up, double max_lean_deg) {
   }
   if (walls.triangles.empty())
     throw InvalidInput("none of the part's " + std::to_string(part.triangles.size()) +
-                       " faces leans at most " + std::to_string(max_lean_deg) +
+                       " faces leans at most " + numberText(max_lean_deg) +
                        " deg from the layers' normal; expected walls to follow");
   walls.vertices = part.vertices;
   return walls;

@@ -8,6 +8,7 @@
 #include "base/module.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/input_file.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/geometry/mesh/mesh_topology.hpp"
 #include "lamina/geometry/mesh_io/mesh_objects.hpp"
 #include "mesh_formats.hpp"
@@ -63,8 +64,7 @@ Mesh inMillimetres(Mesh mesh, double factor, const std::string& name) {
     vertex *= factor;
     const double farthest = vertex.cwiseAbs().maxCoeff();
     if (!(farthest <= kFarthest))
-      throw InvalidMesh(name + ": a vertex lies at " + std::to_string(farthest) +
-                        " mm; must be within 1e9 mm");
+      throw InvalidMesh(name + ": a vertex lies at " + numberText(farthest) + " mm; must be within 1e9 mm");
   }
   return mesh;
 }

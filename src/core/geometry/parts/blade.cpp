@@ -5,6 +5,7 @@
 
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "loft.hpp"
 #include "shapes.hpp"
 
@@ -52,8 +53,8 @@ void describe(SettingsSchema& schema, Blade& shape) {
 
 Mesh build(const Blade& shape) {
   if (shape.thickness_mm > 0.5 * shape.chord_mm)
-    throw InvalidConfig("thickness_mm is " + std::to_string(shape.thickness_mm) +
-                        "; must be at most half of chord_mm, " + std::to_string(0.5 * shape.chord_mm));
+    throw InvalidConfig("thickness_mm is " + numberText(shape.thickness_mm) +
+                        "; must be at most half of chord_mm, " + numberText(0.5 * shape.chord_mm));
   const Polygon outline = aerofoil(shape);
   std::vector<std::vector<Point3>> rings;
   for (int i = 0; i <= shape.sections; ++i) {

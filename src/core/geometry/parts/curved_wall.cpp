@@ -4,6 +4,7 @@
 
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "loft.hpp"
 #include "shapes.hpp"
 
@@ -19,8 +20,8 @@ void describe(SettingsSchema& schema, CurvedWall& shape) {
 
 Mesh build(const CurvedWall& shape) {
   if (0.5 * shape.thickness_mm >= shape.radius_mm)
-    throw InvalidConfig("thickness_mm is " + std::to_string(shape.thickness_mm) +
-                        "; must be less than twice radius_mm, " + std::to_string(2.0 * shape.radius_mm));
+    throw InvalidConfig("thickness_mm is " + numberText(shape.thickness_mm) +
+                        "; must be less than twice radius_mm, " + numberText(2.0 * shape.radius_mm));
   const double start = toRadians(-0.5 * shape.angle_deg);
   const auto point_at = [&](double radius, int i) {
     const double angle = start * (1.0 - 2.0 * i / shape.segments);

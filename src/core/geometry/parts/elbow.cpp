@@ -4,6 +4,7 @@
 
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "loft.hpp"
 #include "shapes.hpp"
 
@@ -33,8 +34,8 @@ void describe(SettingsSchema& schema, Elbow& shape) {
 
 Mesh build(const Elbow& shape) {
   if (shape.bend_radius_mm <= shape.radius_mm)
-    throw InvalidConfig("bend_radius_mm is " + std::to_string(shape.bend_radius_mm) +
-                        "; must be more than radius_mm, " + std::to_string(shape.radius_mm));
+    throw InvalidConfig("bend_radius_mm is " + numberText(shape.bend_radius_mm) +
+                        "; must be more than radius_mm, " + numberText(shape.radius_mm));
   const double bend = shape.bend_radius_mm;
   const int rings = 1 + shape.segments / 2;
   std::vector<std::vector<Point3>> along = {ringAcross(0.0, Point3::Zero(), shape)};

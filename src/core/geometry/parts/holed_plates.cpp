@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "shapes.hpp"
 
 namespace lamina {
@@ -117,8 +118,8 @@ Mesh build(const BlindHolePlate& shape) {
                            static_cast<std::uint32_t>(shape.segments)};
   requireRoom(outline);
   if (shape.hole_depth_mm >= shape.z_mm)
-    throw InvalidConfig("hole_depth_mm is " + std::to_string(shape.hole_depth_mm) +
-                        "; must be less than z_mm, " + std::to_string(shape.z_mm));
+    throw InvalidConfig("hole_depth_mm is " + numberText(shape.hole_depth_mm) + "; must be less than z_mm, " +
+                        numberText(shape.z_mm));
   Mesh mesh;
   const std::uint32_t bottom = addCorners(mesh, outline, 0.0);
   const std::uint32_t floor = addCircle(mesh, outline, shape.z_mm - shape.hole_depth_mm);

@@ -6,6 +6,7 @@
 #include "geometry/parts/shapes.hpp"
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/geometry/mesh/mesh.hpp"
 #include "lamina/geometry/polygon/polygon.hpp"
 
@@ -113,8 +114,8 @@ void describe(SettingsSchema& schema, Tube& shape) {
 
 Mesh build(const Tube& shape) {
   if (shape.inner_radius_mm >= shape.radius_mm)
-    throw InvalidConfig("inner_radius_mm is " + std::to_string(shape.inner_radius_mm) +
-                        "; must be less than radius_mm, " + std::to_string(shape.radius_mm));
+    throw InvalidConfig("inner_radius_mm is " + numberText(shape.inner_radius_mm) +
+                        "; must be less than radius_mm, " + numberText(shape.radius_mm));
   return revolve({{shape.inner_radius_mm, 0.0},
                   {shape.radius_mm, 0.0},
                   {shape.radius_mm, shape.height_mm},

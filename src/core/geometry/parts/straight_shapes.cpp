@@ -6,6 +6,7 @@
 #include <string>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "loft.hpp"
 #include "shapes.hpp"
 
@@ -94,8 +95,8 @@ void describe(SettingsSchema& schema, BridgeShape& shape) {
 
 Mesh build(const BridgeShape& shape) {
   if (shape.gap_mm >= shape.length_mm)
-    throw InvalidConfig("gap_mm is " + std::to_string(shape.gap_mm) + "; must be less than length_mm, " +
-                        std::to_string(shape.length_mm));
+    throw InvalidConfig("gap_mm is " + numberText(shape.gap_mm) + "; must be less than length_mm, " +
+                        numberText(shape.length_mm));
   const double inner = 0.5 * shape.gap_mm;
   const double outer = 0.5 * shape.length_mm;
   const double top = shape.pillar_mm + shape.plate_mm;
@@ -120,8 +121,8 @@ void describe(SettingsSchema& schema, TeeShape& shape) {
 
 Mesh build(const TeeShape& shape) {
   if (shape.stem_mm >= shape.bar_mm)
-    throw InvalidConfig("stem_mm is " + std::to_string(shape.stem_mm) + "; must be less than bar_mm, " +
-                        std::to_string(shape.bar_mm));
+    throw InvalidConfig("stem_mm is " + numberText(shape.stem_mm) + "; must be less than bar_mm, " +
+                        numberText(shape.bar_mm));
   const double stem = 0.5 * shape.stem_mm;
   const double bar = 0.5 * shape.bar_mm;
   const double under = shape.stem_height_mm;

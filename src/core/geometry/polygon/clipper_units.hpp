@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/geometry/polygon/polygon.hpp"
 
 namespace lamina {
@@ -20,7 +21,7 @@ inline constexpr double kFarthestMm = 10000.0;
 inline void requireWithinReach(const Polygon& polygon) {
   for (const Point2& point : polygon)
     if (!(point.cwiseAbs().maxCoeff() <= kFarthestMm))
-      throw InvalidInput("outline point (" + std::to_string(point.x()) + ", " + std::to_string(point.y()) +
+      throw InvalidInput("outline point (" + numberText(point.x()) + ", " + numberText(point.y()) +
                          ") mm; must be within 10 m of the origin");
 }
 

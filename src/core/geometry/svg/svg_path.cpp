@@ -23,6 +23,13 @@ int piecesFor(double second_derivative_mm) {
   return static_cast<int>(std::clamp(pieces, 1.0, double{kMostPieces}));
 }
 
+/// Of a length, by a map of the plane: its greater singular value.
+double greatestStretch(const Eigen::Matrix2d& map) {
+  const double kept = std::hypot(map(0, 0) + map(1, 1), map(1, 0) - map(0, 1));
+  const double mirrored = std::hypot(map(0, 0) - map(1, 1), map(1, 0) + map(0, 1));
+  return 0.5 * (kept + mirrored);
+}
+
 /// Path data as commands and numbers.
 class PathData {
  public:
@@ -210,7 +217,7 @@ void SvgPen::cubicTo(const Point2& first, const Point2& second, const Point2& en
 }
 
 void SvgPen::ellipticTo(const SvgEllipse& ellipse, double begin_rad, double end_rad) {
-  const double scale = map_.linear().jacobiSvd().singularValues()[0];
+  const double scale = greatestStretch(map_.linear());
   const double sweep_rad = end_rad - begin_rad;
   const int pieces = std::max(3, piecesFor(scale * ellipse.radii.maxCoeff() * sweep_rad * sweep_rad));
   const Eigen::Rotation2Dd turn(ellipse.turn_rad);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 
 namespace lamina {
 namespace {
@@ -29,14 +30,14 @@ double smallestFittingCell(const Point2& size, double cell_mm) {
 
 HeightGrid heightGrid(const Box2& area, double cell_mm) {
   if (!(cell_mm > 0.0 && std::isfinite(cell_mm)))
-    throw InvalidInput("cell size of the height map is " + std::to_string(cell_mm) + " mm; must be positive");
+    throw InvalidInput("cell size of the height map is " + numberText(cell_mm) + " mm; must be positive");
   if (area.isEmpty() || !area.low.allFinite() || !area.high.allFinite())
     throw InvalidInput("area of the height map is empty or not finite; a rectangle of the bed is needed");
   const Point2 size = area.size();
   if (!size.allFinite()) throw InvalidInput("area of the height map is too large to be measured");
   if (cellCountOf(size, cell_mm) > static_cast<double>(HeightGrid::kMostCells))
-    throw InvalidInput("height map of " + std::to_string(size.x()) + " x " + std::to_string(size.y()) +
-                       " mm with cells of " + std::to_string(cell_mm) + " mm has more than " +
+    throw InvalidInput("height map of " + numberText(size.x()) + " x " + numberText(size.y()) +
+                       " mm with cells of " + numberText(cell_mm) + " mm has more than " +
                        std::to_string(HeightGrid::kMostCells) + " cells; a cell size of " +
                        std::to_string(smallestFittingCell(size, cell_mm)) + " mm fits");
   return {area.low, cell_mm, static_cast<int>(cellsAlong(size.x(), cell_mm)),

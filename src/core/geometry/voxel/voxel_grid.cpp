@@ -7,6 +7,7 @@
 #include <string>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 
 namespace lamina {
 namespace {
@@ -43,12 +44,12 @@ VoxelFrame voxelFrame(const Box3& box, double voxel_mm) {
   if (box.isEmpty() || !box.low.allFinite() || !box.high.allFinite())
     throw InvalidInput("box of the voxels is empty or not finite");
   if (!(voxel_mm > 0.0 && std::isfinite(voxel_mm)))
-    throw InvalidInput("voxel is " + std::to_string(voxel_mm) + " mm; must be above 0");
+    throw InvalidInput("voxel is " + numberText(voxel_mm) + " mm; must be above 0");
   const double longest = std::max(box.size().maxCoeff(), box.low.cwiseAbs().maxCoeff());
   if (longest / voxel_mm > kMostAlongAxis)
-    throw InvalidInput("voxel is " + std::to_string(voxel_mm) + " mm; must be at least " +
-                       std::to_string(longest / kMostAlongAxis) + " mm for a box of " +
-                       std::to_string(longest) + " mm");
+    throw InvalidInput("voxel is " + numberText(voxel_mm) + " mm; must be at least " +
+                       std::to_string(longest / kMostAlongAxis) + " mm for a box of " + numberText(longest) +
+                       " mm");
   VoxelFrame frame;
   frame.voxel_mm = voxel_mm;
   for (Eigen::Index axis = 0; axis < 3; ++axis) {

@@ -16,6 +16,7 @@
 #include "infill/variable_width/bead_axis.hpp"
 #include "infill/variable_width/sharp_tips.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
 #include "lamina/geometry/polygon/polygon.hpp"
 #include "lamina/geometry/polygon/simplify.hpp"
@@ -278,11 +279,11 @@ class TreeGrower {
 
 void requireContourSpacing(const Region& region, double spacing) {
   if (!(spacing > 0.0 && std::isfinite(spacing)))
-    throw InvalidInput("infill spacing is " + std::to_string(spacing) + " mm; must be positive");
+    throw InvalidInput("infill spacing is " + numberText(spacing) + " mm; must be positive");
   const Box2 box = boundingBox({region.outer});
   if (!box.isEmpty() && box.size().minCoeff() > kMostContours * spacing)
-    throw InvalidInput("infill spacing is " + std::to_string(spacing) + " mm; too small for a region " +
-                       std::to_string(box.size().minCoeff()) + " mm across");
+    throw InvalidInput("infill spacing is " + numberText(spacing) + " mm; too small for a region " +
+                       numberText(box.size().minCoeff()) + " mm across");
 }
 
 OpenContourTree openContourTree(const Region& region, const InfillRequest& request) {

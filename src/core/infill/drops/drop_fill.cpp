@@ -9,6 +9,7 @@
 #include "geometry/polygon/plane_vectors.hpp"
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
 
 namespace lamina {
@@ -21,7 +22,7 @@ constexpr double kWidest = 1.25;    // pitches, from drop to drop along the bord
 
 double positive(double value, const char* key) {
   if (!(value > 0.0 && std::isfinite(value)))
-    throw InvalidInput(std::string(key) + " is " + std::to_string(value) + " mm; must be positive");
+    throw InvalidInput(std::string(key) + " is " + numberText(value) + " mm; must be positive");
   return value;
 }
 
@@ -157,8 +158,8 @@ void requireFewDrops(const Regions& regions, const DropSettings& settings) {
   const double covered_mm2 = area(regions);
   const double drops = covered_mm2 / (settings.pitch_mm * lineSpacing(settings));
   if (!(drops > kMostDrops)) return;
-  throw InvalidInput("drops.pitch_mm is " + std::to_string(settings.pitch_mm) + " mm: a layer of " +
-                     std::to_string(covered_mm2) + " mm2 takes " + std::to_string(std::llround(drops)) +
+  throw InvalidInput("drops.pitch_mm is " + numberText(settings.pitch_mm) + " mm: a layer of " +
+                     numberText(covered_mm2) + " mm2 takes " + std::to_string(std::llround(drops)) +
                      " drops; must be at most " + std::to_string(std::llround(kMostDrops)));
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 
 namespace lamina {
 namespace {
@@ -24,10 +25,10 @@ Box2 turnedBox(const Region& region, const RasterFrame& turn) {
 
 void refuseTooFine(double spacing, const Point2& size) {
   if (!(spacing > 0.0 && std::isfinite(spacing)))
-    throw InvalidInput("infill spacing is " + std::to_string(spacing) + " mm; must be positive");
+    throw InvalidInput("infill spacing is " + numberText(spacing) + " mm; must be positive");
   if (size.x() / spacing + 2.0 > kMostCells / (size.y() / spacing + 2.0))
-    throw InvalidInput("infill spacing is " + std::to_string(spacing) + " mm; too small for a region " +
-                       std::to_string(size.x()) + " x " + std::to_string(size.y()) + " mm across");
+    throw InvalidInput("infill spacing is " + numberText(spacing) + " mm; too small for a region " +
+                       numberText(size.x()) + " x " + numberText(size.y()) + " mm across");
 }
 
 Region mapped(const Region& region, const LatticeFrame& frame) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
 
 namespace lamina {
@@ -35,13 +36,13 @@ FillPath pathAlongLine(const Polyline& line) {
 
 void requireSensibleSpacing(double spacing_mm, const Box2& box) {
   if (!(spacing_mm > 0.0 && std::isfinite(spacing_mm)))
-    throw InvalidInput("infill spacing is " + std::to_string(spacing_mm) + " mm; must be positive");
+    throw InvalidInput("infill spacing is " + numberText(spacing_mm) + " mm; must be positive");
   if (box.isEmpty()) return;
   const Point2 reach = box.high.cwiseAbs().cwiseMax(box.low.cwiseAbs()) / spacing_mm;
   const Point2 steps = box.size() / spacing_mm;
   if (!(reach.maxCoeff() <= kMostSteps && steps.prod() <= kMostSquares))
-    throw InvalidInput("infill spacing is " + std::to_string(spacing_mm) + " mm; too small for a region " +
-                       std::to_string(box.size().maxCoeff()) + " mm across");
+    throw InvalidInput("infill spacing is " + numberText(spacing_mm) + " mm; too small for a region " +
+                       numberText(box.size().maxCoeff()) + " mm across");
 }
 
 double patternAngle(const InfillRequest& request) { return request.angle_rad - request.turn_rad; }

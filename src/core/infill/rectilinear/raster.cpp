@@ -8,6 +8,7 @@
 #include <string>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 
 namespace lamina {
 namespace {
@@ -23,8 +24,8 @@ Polygon turned(const Polygon& polygon, const RasterFrame& frame) {
 
 void refuseTooManyLines(const Box2& box, double spacing) {
   if (!box.isEmpty() && box.high.cwiseAbs().cwiseMax(box.low.cwiseAbs()).y() > kMostLines * spacing)
-    throw InvalidInput("infill spacing is " + std::to_string(spacing) + " mm; too small for a region " +
-                       std::to_string(box.size().y()) + " mm across");
+    throw InvalidInput("infill spacing is " + numberText(spacing) + " mm; too small for a region " +
+                       numberText(box.size().y()) + " mm across");
 }
 
 /// The first line at or above y.
@@ -117,7 +118,7 @@ Box2 boxInRaster(const Box2& box, const RasterFrame& frame) {
 
 Raster rasterise(const Regions& regions, double spacing_mm, const RasterFrame& frame) {
   if (!(spacing_mm > 0.0 && std::isfinite(spacing_mm)))
-    throw InvalidInput("infill spacing is " + std::to_string(spacing_mm) + " mm; must be positive");
+    throw InvalidInput("infill spacing is " + numberText(spacing_mm) + " mm; must be positive");
   Raster raster;
   raster.spacing_mm = spacing_mm;
   for (const Region& region : regions) {

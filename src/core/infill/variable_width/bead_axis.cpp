@@ -11,6 +11,7 @@
 #include "geometry/polygon/chain_splitting.hpp"
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 
 namespace lamina {
 namespace {
@@ -104,8 +105,7 @@ MedialAxis beadAxis(const Region& region, const MedialBeadSettings& settings) {
 
 void requirePitch(const MedialBeadSettings& settings) {
   if (!(settings.pitch_mm > 0.0))
-    throw InvalidInput("pitch of medial beads is " + std::to_string(settings.pitch_mm) +
-                       " mm; must be positive");
+    throw InvalidInput("pitch of medial beads is " + numberText(settings.pitch_mm) + " mm; must be positive");
 }
 
 }  // namespace lamina

@@ -10,6 +10,7 @@
 #include "job/part/part_source.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/layer_error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/geometry/mesh/box_mesh.hpp"
 #include "lamina/geometry/mesh/mesh_repair.hpp"
@@ -35,7 +36,7 @@ Mesh meshOf(const Modifier& modifier, InputSettings input, Progress& progress) {
   input.repair = RepairPolicy::Strict;
   Mesh mesh = readPart(modifier.mesh, input, progress).mesh;
   if (!(volume(mesh) > 0.0))
-    throw InvalidMesh("'" + modifier.mesh + "' encloses " + std::to_string(volume(mesh)) +
+    throw InvalidMesh("'" + modifier.mesh + "' encloses " + numberText(volume(mesh)) +
                       " mm3; expected a volume above 0");
   return mesh;
 }

@@ -22,6 +22,7 @@
 #include "job/slicing/part_slicing.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/layer_error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/geometry/polygon/convex_hull.hpp"
 #include "lamina/infill/strategy.hpp"
 #include "lamina/job/output_files.hpp"
@@ -63,7 +64,7 @@ void requirePlateSettings(const JobSettings& settings) {
   if (planning.adhesion.prime.line != PrimeLine::None)
     throw InvalidConfig("prime.line is set; expected none: plates have no prime line");
   if (!planning.tools.purge_mm3.empty() && settings.plate.order == PlateOrder::ByPart)
-    throw InvalidConfig("tools.purge_mm3 is " + std::to_string(planning.tools.purge_mm3.front()) +
+    throw InvalidConfig("tools.purge_mm3 is " + numberText(planning.tools.purge_mm3.front()) +
                         " mm3 with plate.order by_part; expected by_layer: one tower stands beside all");
   if (planning.skirt.layers != 1)
     throw InvalidConfig("skirt.layers is " + std::to_string(planning.skirt.layers) +
@@ -85,7 +86,7 @@ void requireInclinable(const JobSettings& settings) {
   const std::vector<double>& purge_mm3 = settings.planning.tools.purge_mm3;
   if (!purge_mm3.empty())
     throw InvalidConfig(
-        "tools.purge_mm3 is " + std::to_string(purge_mm3.front()) +
+        "tools.purge_mm3 is " + numberText(purge_mm3.front()) +
         " mm3 for a plate in inclined layers; expected none: a prime tower stands on level ones");
 }
 
@@ -93,9 +94,8 @@ void requireInclinable(const JobSettings& settings) {
 void requireBeltSettings(const JobSettings& settings, const Plate& plate) {
   const std::vector<double>& purge_mm3 = settings.planning.tools.purge_mm3;
   if (!purge_mm3.empty())
-    throw InvalidConfig("tools.purge_mm3 is " + std::to_string(purge_mm3.front()) +
-                        " mm3 with slicing.plane.angle_deg " +
-                        std::to_string(settings.slicing.plane.angle_deg) +
+    throw InvalidConfig("tools.purge_mm3 is " + numberText(purge_mm3.front()) +
+                        " mm3 with slicing.plane.angle_deg " + numberText(settings.slicing.plane.angle_deg) +
                         "; expected none: a prime tower stands on level layers");
   for (const PlatePart& part : plate.parts)
     if (part.at_mm)

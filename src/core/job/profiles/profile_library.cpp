@@ -53,8 +53,12 @@ void requireNoCycle(const std::vector<Profile>& chain, const std::string& path) 
 std::vector<std::string> profileFolders() {
   std::vector<std::string> folders;
   std::istringstream named(environment("LAMINA_PROFILES"));
-  for (std::string folder; std::getline(named, folder, ':');)
-    if (!folder.empty()) folders.push_back(folder);
+  for (std::string folder; std::getline(named, folder, ':');) {
+    if (folder.empty()) continue;
+    if (!std::filesystem::is_directory(folder))
+      throw InvalidConfig("LAMINA_PROFILES names '" + folder + "'; expected a folder with profiles");
+    folders.push_back(folder);
+  }
   if (const std::string own = usersFolder(); !own.empty()) folders.push_back(own);
   const std::filesystem::path shipped = std::filesystem::path(folderOfTheCore()) / "../share/lamina/profiles";
   folders.push_back(shipped.lexically_normal().string());

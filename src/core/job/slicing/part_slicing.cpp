@@ -11,6 +11,7 @@
 #include "job/slicing/inclined_layers.hpp"
 #include "job/slicing/oriented_planning.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/infill/strategy.hpp"
 #include "lamina/job/part/copies.hpp"
 #include "lamina/job/part/placement.hpp"
@@ -19,6 +20,9 @@
 
 namespace lamina {
 namespace {
+
+constexpr double kFarthest = 1e4;  // mm, as polygons take them
+constexpr double kSmall = 2.5;     // mm
 
 /// Its own material, or what it stands on.
 bool carriesPart(const Path& path) {
@@ -47,7 +51,7 @@ void requireDeposition(const Toolpath& toolpath, const PlanSettings& settings) {
       "of part '" + toolpath.part_name + "' is deposited in any of " + std::to_string(toolpath.layers.size());
   if (infillStrategy(settings.infill.strategy).deposit == Deposit::Drops)
     throw InvalidInput("no drop " + part + " layers: it is narrower than drops.diameter_mm, " +
-                       std::to_string(settings.fill.drops.diameter_mm) + " mm, everywhere");
+                       numberText(settings.fill.drops.diameter_mm) + " mm, everywhere");
   throw InvalidInput("no bead " + part + " layers: it is narrower than walls.narrowest, " +
                      std::to_string(settings.walls.narrowest) +
                      " pitches, everywhere, or walls.count and infill.density are both 0");
@@ -57,6 +61,23 @@ std::string sizeText(const Point3& size) {
   char text[96];
   std::snprintf(text, sizeof text, "%.4g x %.4g x %.4g mm", size.x(), size.y(), size.z());
   return text;
+}
+
+/// Sections are cut in whole nanometres.
+void requireNearOrigin(const Box3& part) {
+  const double farthest = std::max(part.low.cwiseAbs().maxCoeff(), part.high.cwiseAbs().maxCoeff());
+  if (farthest <= kFarthest) return;
+  char text[128];
+  std::snprintf(text, sizeof text,
+                "the part reaches to %.6g mm from the origin of its file; must lie within %.6g mm of it",
+                farthest, kFarthest);
+  throw InvalidMesh(text);
+}
+
+/// A part so small is more often one in another unit.
+std::string smallNote(const Point3& size) {
+  return "the part is only " + sizeText(size) +
+         ": if that is too small, its file is in another unit, which input.unit states";
 }
 
 /// Refuses early what cannot fit anywhere; the exact check is made on the toolpath.
@@ -114,6 +135,7 @@ SourcePart readSource(const SliceJob& job, Progress& progress) {
 LaidPart laidPart(SourcePart read, const SliceJob& job, const BuildSpace& space) {
   LaidPart laid{grownForShrinkage(std::move(read), job.settings)};
   const Box3 box = boxOnBed(laid.source);
+  requireNearOrigin(box);
   requireFits(box, boundingBox(space), space.name);
   laid.bed_from_part = placePart(box, space, job.settings.placement);
   return laid;
@@ -133,6 +155,7 @@ SlicedPart sliceSource(SourcePart source, const SliceJob& job, const BuildSpace&
   sliced.bed_from_part.pretranslate(Point3(0.0, 0.0, sliced.summary.raft_mm));
   const bool are_level = sliced.summary.mode == "planar" && job.settings.slicing.plane.angle_deg == 0.0;
   if (volumes > 0 && !are_level) sliced.summary.notes.push_back(volumesNote(volumes));
+  if (drawn.maxCoeff() < kSmall) sliced.summary.notes.push_back(smallNote(drawn));
   if (changesSize(job.settings.compensation)) sliced.summary.notes.push_back(sizeNote(drawn, size));
   requireDeposition(sliced.toolpath, job.settings.planning);
   sliced.toolpath = withCopies(std::move(sliced.toolpath), job.settings.copies, space, sliced.bed_from_part,

@@ -9,6 +9,7 @@
 #include "job/slicing/inclined_layers.hpp"
 #include "job/slicing/part_planning.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/job/layer_heights_job.hpp"
 #include "lamina/job/voids/drop_void_job.hpp"
 #include "lamina/planning/compensation/compensation.hpp"
@@ -23,9 +24,10 @@ namespace {
 std::vector<Layer> sliceIntoLayers(const SourcePart& source, const std::vector<LayerBounds>& layer_bounds,
                                    const SlicingSettings& settings, Progress& progress) {
   if (layer_bounds.empty())
-    throw InvalidInput("the part is " + std::to_string(boundingBox(source.mesh).size().z()) +
-                       " mm high across its layers; the first layer of " +
-                       std::to_string(settings.first_layer_height_mm) + " mm needs more than half of that");
+    throw InvalidInput(
+        "the part is " + numberText(boundingBox(source.mesh).size().z()) +
+        " mm high across its layers; the first layer of " + numberText(settings.first_layer_height_mm) +
+        " mm needs more than half of that (input.unit states the unit of a file that states none)");
   std::vector<double> heights;
   heights.reserve(layer_bounds.size());
   for (const LayerBounds& bounds : layer_bounds) heights.push_back(bounds.cut());

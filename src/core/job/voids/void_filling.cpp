@@ -11,6 +11,7 @@
 #include "job/voids/part_placing.hpp"
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
 #include "lamina/job/output_files.hpp"
@@ -18,6 +19,7 @@
 #include "lamina/kinematics/model/toolpath_reach.hpp"
 #include "lamina/program/gcode/run_insertion.hpp"
 #include "lamina/program/gcode/toolpath_from_gcode.hpp"
+#include "lamina/voids/beads/open_infill.hpp"
 #include "planning/order/ordering.hpp"
 #include "planning/run_path.hpp"
 
@@ -152,8 +154,14 @@ void requireWhole(const VoidReport& found, const VoidFillingJob& job) {
   if (found.part.missing.empty()) return;
   throw InvalidInput("'" + job.program + "' lacks " + std::to_string(found.part.missing.size()) +
                      " layers of part '" + job.map.part + "', the lowest with its top at " +
-                     std::to_string(found.part.missing.front().z_mm) + " mm; it has " +
+                     numberText(found.part.missing.front().z_mm) + " mm; it has " +
                      std::to_string(found.layers.size()) + ", expected all");
+}
+
+double voidArea(const LayerVoids& layer) {
+  double sum_mm2 = 0.0;
+  for (const Void& each : layer.voids) sum_mm2 += each.area_mm2;
+  return sum_mm2;
 }
 
 /// What the program reaches, its machine does.
@@ -187,16 +195,21 @@ VoidFillingReport runVoidFillingJob(const VoidFillingJob& job, Progress& progres
   requirePlausible(program, found, job.map);
   requireWhole(found, job);
   std::vector<std::vector<Path>> runs(program.layers.size());
+  std::vector<double> open_mm2(program.layers.size());
   parallelFor(
       runs.size(),
       [&](std::size_t i) {
-        runs[i] = ordered(refill(found.layers[i], job.refill), program.layers[i],
-                          feedOf(i, settings.planning.feed));
+        const LayerVoids& all = found.layers[i];
+        const LayerVoids voids =
+            withoutOpenInfill(all, found.part.contours[i], program.layers[i], job.map.map);
+        open_mm2[i] = voidArea(all) - voidArea(voids);
+        runs[i] = ordered(refill(voids, job.refill), program.layers[i], feedOf(i, settings.planning.feed));
       },
       progress, "fill");
   requireReachable(runs, program, space);
   const std::string filled = insertRuns(text, program, runs, insertionSettings(settings));
   VoidFillingReport report;
+  for (std::size_t i = 0; i < runs.size(); ++i) report.open_mm3 += open_mm2[i] * program.layers[i].height_mm;
   for (const std::vector<Path>& layer : runs) {
     report.runs += layer.size();
     report.layers += layer.empty() ? 0 : 1;

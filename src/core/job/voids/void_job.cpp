@@ -13,6 +13,7 @@
 #include "job/slicing/wall_contours.hpp"
 #include "job/voids/part_placing.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
 #include "lamina/slicing/planar/planar_slicer.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
@@ -31,8 +32,8 @@ void addLayers(double from_mm, double to_mm, double height_mm, std::vector<Toolp
   if (!(height_mm > 0.0)) return;
   const double count = std::ceil((to_mm - from_mm) / height_mm - kRest);
   if (count > kMost)
-    throw InvalidInput("the program lacks " + std::to_string(count) + " layers of " +
-                       std::to_string(height_mm) + " mm of the part; expected a million at most");
+    throw InvalidInput("the program lacks " + numberText(count) + " layers of " + numberText(height_mm) +
+                       " mm of the part; expected a million at most");
   for (double k = 1.0; k <= count; ++k) {
     layers.emplace_back();
     layers.back().z_mm = from_mm + k * height_mm;
@@ -71,7 +72,7 @@ std::vector<double> cutHeights(const Toolpath& program, double rise_mm) {
     heights.push_back(rise_mm + layer.z_mm - 0.5 * layer.height_mm);
     if (heights.size() > 1 && heights.back() <= heights[heights.size() - 2])
       throw InvalidInput("layer " + std::to_string(heights.size() - 1) + " of '" + program.part_name +
-                         "' is at " + std::to_string(layer.z_mm) +
+                         "' is at " + numberText(layer.z_mm) +
                          " mm, not above the one before; layers must rise");
   }
   return heights;
@@ -79,8 +80,8 @@ std::vector<double> cutHeights(const Toolpath& program, double rise_mm) {
 
 void requireFinite(const Point2& offset) {
   if (offset.allFinite()) return;
-  throw InvalidInput("offset of the part is " + std::to_string(offset.x()) + ", " +
-                     std::to_string(offset.y()) + " mm; must be finite");
+  throw InvalidInput("offset of the part is " + numberText(offset.x()) + ", " + numberText(offset.y()) +
+                     " mm; must be finite");
 }
 
 // In widths of its widest bead: by how much what a layer lays may be wider or narrower than its section.

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "kinematics/arm/newton_refinement.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
@@ -52,7 +51,7 @@ Linear linearAt(const SerialChain& arm, const ArmValues& values) {
 
 /// The step that brings about a twist; at a singularity the shortest that comes nearest.
 ArmValues stepFor(const Columns& columns, const Twist& twist) {
-  ArmValues step = columns.partialPivLu().solve(twist);
+  ArmValues step = solutionOf(columns, twist);
   if (step.norm() < kLargestStep) return step;
   const ArmValues shortest = shortestSolution(columns, twist, kDependent);
   return shortest * std::min(1.0, kLargestStep / std::max(shortest.norm(), kLargestStep));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/dense_solvers.hpp"
 #include "kinematics/arm/spherical_wrist_arm.hpp"
 
 namespace lamina {
@@ -35,7 +36,7 @@ Point3 wristOf(const WristAxes& axes) {
     sum += across;
     right += across * axes[i].point;
   }
-  return sum.ldlt().solve(right);
+  return symmetricSolution(sum, right);
 }
 
 /// The direction nearest to `wanted` at a right angle to `axis`.

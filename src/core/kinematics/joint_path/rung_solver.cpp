@@ -168,6 +168,17 @@ double RungSolver::coordinateOf(SampleKind kind, NodeId node) const {
   return 2.0 * M_PI * sampleOf(node) / settings_.yaw_samples;
 }
 
+/// Of the joint that is furthest outside of its range, in ranges; 0 of an endless one.
+double RungSolver::greatestExcess(const JointValues& values) const {
+  double excess = 0.0;
+  for (std::size_t j = 0; j < ranges_.size(); ++j) {
+    const double value = values[static_cast<Eigen::Index>(j)];
+    const double by = std::max(ranges_[j].low - value, value - ranges_[j].high);
+    if (!isWithin(ranges_[j], value)) excess = std::max(excess, by / (ranges_[j].high - ranges_[j].low));
+  }
+  return excess;
+}
+
 /// Of the joint that is furthest outside, by its range.
 RungSolver::Hindrance RungSolver::limitHindrance(const JointValues& values) const {
   double furthest = -1.0;
@@ -195,18 +206,13 @@ RungSolver::Hindrance RungSolver::hindrance(const Station& station) const {
   JointValues least;
   for (int s = 0; s < samples; ++s)
     for (const InverseSolution& solution : solutionsAt(asked, coordinateOf(asked.kind, nodeId(s, 0)))) {
-      double outside = 0.0;
-      for (std::size_t j = 0; j < ranges_.size(); ++j) {
-        const double value = solution.values[static_cast<Eigen::Index>(j)];
-        const double by = std::max(ranges_[j].low - value, value - ranges_[j].high);
-        if (!isWithin(ranges_[j], value))
-          outside = std::max(outside, by / (ranges_[j].high - ranges_[j].low));
-      }
-      if (outside == 0.0 && !guard_->allows(solution.values)) {
+      const bool is_within = isWithinLimits(solution.values);
+      if (is_within && !guard_->allows(solution.values)) {
         if (collision.empty()) collision = guard_->hindrance(solution.values);
-      } else if (outside == 0.0) {
+      } else if (is_within) {
         best_margin = std::max(best_margin, model_->singularityMargin(solution.values));
       }
+      const double outside = greatestExcess(solution.values);
       if (outside >= least_outside) continue;
       least_outside = outside;
       least = solution.values;
@@ -216,7 +222,19 @@ RungSolver::Hindrance RungSolver::hindrance(const Station& station) const {
                                       angleText(settings_.least_margin_deg * kDegree) + " or more"};
   if (!collision.empty()) return {JointFault::SelfCollision, collision};
   if (std::isfinite(least_outside)) return limitHindrance(least);
-  return {JointFault::OutOfReach, "no values of the joints of " + model_->name() + " bring the nozzle there"};
+  return {JointFault::OutOfReach, headHindrance(station)};
+}
+
+/// Where no values bring the nozzle.
+std::string RungSolver::headHindrance(const Station& station) const {
+  const std::string where = "no values of the joints of " + model_->name() + " bring the nozzle there";
+  const auto is_rotary = [](const JointRange& range) { return range.is_rotary; };
+  if (std::any_of(ranges_.begin(), ranges_.end(), is_rotary)) return where;
+  const JointValues any = JointValues::Zero(static_cast<Eigen::Index>(ranges_.size()));
+  const Point3 held = model_->bedFromNozzle(any).linear().col(2);
+  const Point3 asked = askedAt(station).bed_from_nozzle.linear().col(2);
+  const double turn = std::atan2(held.cross(asked).norm(), held.dot(asked));
+  return where + ": its head is fixed, and " + angleText(turn) + " off the tool axis asked for";
 }
 
 }  // namespace lamina

@@ -58,6 +58,8 @@ class RungSolver {
   InverseSolutions solutionsAt(const Asked& asked, double coordinate) const;
   bool isWithinLimits(const JointValues& values) const;
   double penaltyOf(const JointValues& values) const;
+  std::string headHindrance(const Station& station) const;
+  double greatestExcess(const JointValues& values) const;
   Hindrance limitHindrance(const JointValues& values) const;
 
   const KinematicModel* model_;

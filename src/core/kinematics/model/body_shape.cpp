@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/geometry/mesh_io/mesh_reader.hpp"
 
 namespace lamina {
@@ -19,8 +20,7 @@ constexpr std::size_t kMostTriangles = 2000000;
 }
 
 double positive(double metres, const std::string& link) {
-  if (!(metres > 0.0))
-    refuse(link, "has a size of " + std::to_string(metres) + " m; expected a positive one");
+  if (!(metres > 0.0)) refuse(link, "has a size of " + numberText(metres) + " m; expected a positive one");
   return kBodyMillimetres * metres;
 }
 

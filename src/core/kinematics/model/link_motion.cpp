@@ -11,6 +11,7 @@
 #include <string>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 
 namespace lamina {
 namespace {
@@ -95,7 +96,7 @@ Point3 directionOf(const urdf::ModelInterface& model, const urdf::Joint& joint) 
   const Point3 axis(joint.axis.x, joint.axis.y, joint.axis.z);
   if (std::abs(axis.norm() - 1.0) < kUnit) return axis.normalized();
   throw InvalidConfig("machine '" + model.getName() + "': the axis of joint '" + joint.name + "' is " +
-                      std::to_string(axis.norm()) + " long; expected 1");
+                      numberText(axis.norm()) + " long; expected 1");
 }
 
 LinkMotion motionOf(const urdf::ModelInterface& model, const std::string& name) {

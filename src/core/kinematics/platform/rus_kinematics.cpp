@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/kinematics/platform/rus_kinematics.hpp"
 
-#include <Eigen/LU>
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -120,7 +119,7 @@ std::optional<Eigen::Isometry3d> poseNear(const RusPlatform& platform, const Cra
     if (is_settled) return orthonormal(pose);
     is_settled = greatest <= kSettled * platform.legs[0].coupler_mm;
     const Matrix6 slopes = velocityEquation(platform, pose, cranks).pose_rates;
-    const CrankAngles motion = slopes.partialPivLu().solve(-errors);
+    const CrankAngles motion = solutionOf(slopes, CrankAngles(-errors));
     if (!motion.allFinite() || motion.tail<3>().norm() > kGreatestStep) return std::nullopt;
     pose = moved(pose, motion);
   }

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <Eigen/LU>
-
+#include "base/dense_solvers.hpp"
 #include "kinematics/platform/rus_from_urdf.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/kinematics/platform/rus_kinematics.hpp"
@@ -31,8 +30,7 @@ class RusKinematicModel final : public KinematicModel {
   Jacobian jacobian(const JointValues& values) const override {
     const Eigen::Isometry3d at = pose(values);
     const VelocityEquation equation = velocityEquation(description_.platform, at, values);
-    const Matrix6 rates =
-        equation.pose_rates.partialPivLu().solve(Matrix6(equation.crank_rates.asDiagonal()));
+    const Matrix6 rates = solutionOf(equation.pose_rates, Matrix6(equation.crank_rates.asDiagonal()));
     const Eigen::Matrix3d bed_from_base = description_.base_from_bed.linear().transpose();
     const Point3 tip = at.linear() * description_.platform_from_nozzle.translation();
     Jacobian columns(6, 6);

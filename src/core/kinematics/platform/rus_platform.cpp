@@ -6,6 +6,7 @@
 #include <string>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/kinematics/platform/rus_kinematics.hpp"
 
 namespace lamina {
@@ -44,7 +45,7 @@ RusLeg platformLegOf(const HuntDimensions& dimensions, std::size_t index) {
 
 void requirePositive(double length_mm, const char* what) {
   if (!(length_mm > 0.0))
-    throw InvalidConfig(std::string(what) + " of the platform is " + std::to_string(length_mm) +
+    throw InvalidConfig(std::string(what) + " of the platform is " + numberText(length_mm) +
                         " mm; must be positive");
 }
 
@@ -67,7 +68,7 @@ RusPlatform huntPlatform(const HuntDimensions& dimensions) {
   const auto cranks = crankAnglesIfReached(platform, platform.home);
   if (!cranks)
     throw InvalidConfig("the legs of the platform do not reach its home " +
-                        std::to_string(dimensions.home_drop_mm) + " mm below the base");
+                        numberText(dimensions.home_drop_mm) + " mm below the base");
   for (std::size_t i = 0; i < kLegs; ++i) {
     RusLeg& leg = platform.legs[i];
     leg.socket = (leg.elbow((*cranks)[static_cast<Eigen::Index>(i)]) - platform.home * leg.ball).normalized();

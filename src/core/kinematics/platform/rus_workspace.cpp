@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "lamina/base/angle.hpp"
+#include "lamina/base/number_text.hpp"
 
 namespace lamina {
 namespace {
@@ -33,9 +34,9 @@ void addFaults(const RusLeg& leg, std::size_t index, const Eigen::Isometry3d& po
   const auto crank = crankAngle(leg, ball, leg.branch);
   if (!crank) {
     faults.push_back({index, LegFault::OutOfReach,
-                      name + "the ball would be " + std::to_string((ball - leg.motor).norm()) +
-                          " mm from the motor, where crank and coupler of " + std::to_string(leg.crank_mm) +
-                          " and " + std::to_string(leg.coupler_mm) + " mm cannot hold it"});
+                      name + "the ball would be " + numberText((ball - leg.motor).norm()) +
+                          " mm from the motor, where crank and coupler of " + numberText(leg.crank_mm) +
+                          " and " + numberText(leg.coupler_mm) + " mm cannot hold it"});
     return;
   }
   if (!isWithin(*crank, leg.low, leg.high))

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "planning/cooling/fan_schedule.hpp"
 
 namespace lamina {
@@ -57,8 +58,8 @@ void requireConsistent(const FanSettings& fan) {
     throw InvalidConfig("fan.least is " + std::to_string(fan.least) + "; must be at most fan.greatest, " +
                         std::to_string(fan.greatest));
   if (fan.full_below_s > fan.least_at_s)
-    throw InvalidConfig("fan.full_below_s is " + std::to_string(fan.full_below_s) +
-                        " s; must be at most fan.least_at_s, " + std::to_string(fan.least_at_s) + " s");
+    throw InvalidConfig("fan.full_below_s is " + numberText(fan.full_below_s) +
+                        " s; must be at most fan.least_at_s, " + numberText(fan.least_at_s) + " s");
   roleSharesOf(fan);
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "planning/flow/role_advances.hpp"
 
 namespace lamina {
@@ -38,8 +39,8 @@ void requireConsistent(const FlowSettings& flow) {
   const bool makes_up = flow.lag_s > 0.0 || flow.dead_time_s > 0.0;
   if (!hasAdvance(flow) || !makes_up) return;
   throw InvalidConfig(
-      "flow.advance_s is " + std::to_string(flow.advance_s) + " s with flow.lag_s " +
-      std::to_string(flow.lag_s) + " s and flow.dead_time_s " + std::to_string(flow.dead_time_s) +
+      "flow.advance_s is " + numberText(flow.advance_s) + " s with flow.lag_s " + numberText(flow.lag_s) +
+      " s and flow.dead_time_s " + numberText(flow.dead_time_s) +
       " s; expected 0 for one of them: either the firmware or the program makes up for a lag");
 }
 

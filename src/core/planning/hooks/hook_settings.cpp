@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 #include "planning/hooks/hook_code.hpp"
 
@@ -94,7 +95,7 @@ void requireConsistent(const HookSettings& settings) {
 void requireConsistent(const PauseSettings& settings) {
   for (const double layer : settings.at_layers)
     if (layer != std::floor(layer))
-      throw InvalidConfig("pause.at_layers holds " + std::to_string(layer) + "; must be whole numbers");
+      throw InvalidConfig("pause.at_layers holds " + numberText(layer) + "; must be whole numbers");
 }
 
 }  // namespace lamina

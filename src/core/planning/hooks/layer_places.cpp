@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
 
 namespace lamina {
@@ -37,7 +38,7 @@ std::size_t LayerPlaces::above(double height_mm, const std::string& what) const 
     const bool lays = firstBead(layer) < layer.paths.size();
     if (lays && topOf(i) - layer.height_mm >= height_mm - kSameHeight) return i;
   }
-  throw InvalidConfig(what + " asks for a height of " + std::to_string(height_mm) +
+  throw InvalidConfig(what + " asks for a height of " + numberText(height_mm) +
                       " mm; no layer begins at or above it");
 }
 

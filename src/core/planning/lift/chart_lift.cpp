@@ -12,6 +12,7 @@
 
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/parameterization/chart_lookup.hpp"
 #include "planning/lift/bead_bounds.hpp"
 #include "planning/lift/held_along.hpp"
@@ -191,9 +192,9 @@ class RunLifter {
     const Point2 to = planned_.points[end].head<2>();
     const std::optional<LiftedLine> line = liftedLine(charts_, from, to, settings_.height_tolerance);
     if (!line)
-      throw InvalidInput("a run of the plan from (" + std::to_string(from.x()) + ", " +
-                         std::to_string(from.y()) + ") to (" + std::to_string(to.x()) + ", " +
-                         std::to_string(to.y()) + ") mm leaves its chart; must stay in one");
+      throw InvalidInput("a run of the plan from (" + numberText(from.x()) + ", " + numberText(from.y()) +
+                         ") to (" + numberText(to.x()) + ", " + numberText(to.y()) +
+                         ") mm leaves its chart; must stay in one");
     const double width = planWidth(planned_.bead.at(end));
     const std::vector<std::size_t> needed = neededPoints(*line, settings_);
     for (std::size_t k = 1; k < needed.size(); ++k)

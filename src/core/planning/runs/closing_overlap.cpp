@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/planning/runs/runs.hpp"
 #include "planning/flow/path_cut.hpp"
 #include "planning/runs/run_ends.hpp"
@@ -85,7 +86,7 @@ std::size_t overlapEnds(Toolpath& toolpath, const LeadSettings& settings) {
     if (!(settings.overlap_mm < length(path)))
       throw InvalidInput("toolpath layer " + std::to_string(place.layer) + ", path " +
                          std::to_string(place.path) + ": lead.overlap_mm is " +
-                         std::to_string(settings.overlap_mm) + " mm; must be less than the closed run, " +
+                         numberText(settings.overlap_mm) + " mm; must be less than the closed run, " +
                          std::to_string(length(path)) + " mm");
     const NozzlePose before = endPose(path);
     path = overlapping(path, settings.overlap_mm);

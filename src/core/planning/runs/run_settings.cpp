@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/base/text.hpp"
 #include "lamina/toolpath/process_levels.hpp"
 
@@ -113,15 +114,14 @@ void requireConsistent(const LevelSettings& levels) {
     if (!is_met) throw InvalidConfig(key_is + "; expected " + expected);
   };
   require(is_stated || (levels.start_mm == 0.0 && levels.end_mm == 0.0),
-          "levels.start_mm is " + std::to_string(levels.start_mm) + " mm and levels.end_mm " +
-              std::to_string(levels.end_mm) + " mm with no process values",
+          "levels.start_mm is " + numberText(levels.start_mm) + " mm and levels.end_mm " +
+              numberText(levels.end_mm) + " mm with no process values",
           "0, or levels.values");
   require(levels.start_share == 1.0 || levels.start_mm > 0.0,
-          "levels.start_share is " + std::to_string(levels.start_share) + " with levels.start_mm 0 mm",
+          "levels.start_share is " + numberText(levels.start_share) + " with levels.start_mm 0 mm",
           "1, or a way");
   require(levels.end_share == 1.0 || levels.end_mm > 0.0,
-          "levels.end_share is " + std::to_string(levels.end_share) + " with levels.end_mm 0 mm",
-          "1, or a way");
+          "levels.end_share is " + numberText(levels.end_share) + " with levels.end_mm 0 mm", "1, or a way");
 }
 
 }  // namespace
@@ -164,19 +164,19 @@ std::vector<StatedLevel> statedLevels(const std::string& text) {
 void requireConsistent(const BeadRunSettings& settings) {
   const LeadSettings& lead = settings.lead;
   if (lead.rise_deg > 0.0 && lead.deposit != LeadDeposit::Dry)
-    throw InvalidConfig("lead.rise_deg is " + std::to_string(lead.rise_deg) +
+    throw InvalidConfig("lead.rise_deg is " + numberText(lead.rise_deg) +
                         " deg with leads that lay a bead; expected 0 deg, or lead.process 'dry'");
   const bool has_leads = lead.in != LeadShape::None || lead.out != LeadShape::None;
   if (has_leads && lead.overlap_mm > 0.0 && lead.deposit != LeadDeposit::Dry)
-    throw InvalidConfig("lead.overlap_mm is " + std::to_string(lead.overlap_mm) +
+    throw InvalidConfig("lead.overlap_mm is " + numberText(lead.overlap_mm) +
                         " mm with leads that lay a bead; expected 0 mm, or lead.process 'dry': the bead "
                         "that a lead leads to would begin with nothing");
   requireConsistent(settings.levels);
   const WeaveSettings& weave = settings.weave;
   if (weave.kind == WeaveKind::None) return;
   if (weave.amplitude_mm > kMostWavesOfSwing * weave.wavelength_mm)
-    throw InvalidConfig("weave.amplitude_mm is " + std::to_string(weave.amplitude_mm) +
-                        " mm with weave.wavelength_mm " + std::to_string(weave.wavelength_mm) +
+    throw InvalidConfig("weave.amplitude_mm is " + numberText(weave.amplitude_mm) +
+                        " mm with weave.wavelength_mm " + numberText(weave.wavelength_mm) +
                         " mm; expected an amplitude of two wavelengths at most");
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/planning/runs/runs.hpp"
 #include "planning/flow/path_cut.hpp"
 #include "planning/runs/run_ends.hpp"
@@ -25,7 +26,7 @@ constexpr std::size_t kMostInHalf = 64;  // points of half a wave
                      std::to_string(place.path) + ": " + what);
 }
 
-std::string shownMm(double value) { return std::to_string(value) + " mm"; }
+std::string shownMm(double value) { return numberText(value) + " mm"; }
 
 /// Side, as a share of the amplitude, at a phase of the wave [waves].
 double swing(const WeaveSettings& settings, double waves) {
@@ -199,10 +200,10 @@ class Weave {
       const double needed = settings_.amplitude_mm * turn_s * turn_s;
       if (needed > limits.acceleration_mm_s2)
         refuseWeave(place_, "weaving by " + shownMm(settings_.amplitude_mm) + " every " +
-                                shownMm(train_.wavelength_mm) + " at " + std::to_string(feed_mm_s) +
-                                " mm/s takes " + std::to_string(needed) +
+                                shownMm(train_.wavelength_mm) + " at " + numberText(feed_mm_s) +
+                                " mm/s takes " + numberText(needed) +
                                 " mm/s2; expected motion.acceleration_mm_s2, " +
-                                std::to_string(limits.acceleration_mm_s2) + " mm/s2, at most");
+                                numberText(limits.acceleration_mm_s2) + " mm/s2, at most");
     }
   }
 

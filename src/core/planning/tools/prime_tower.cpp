@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 
 namespace lamina {
 namespace {
@@ -94,9 +95,8 @@ void PrimeTower::fit() {
     needed_mm3 = volume_mm3;
   }
   if (settings_.tools.tower_mm > 0.0 && side_mm_ > asked_mm)
-    throw InvalidConfig("tools.tower_mm is " + std::to_string(asked_mm) + " mm; " +
-                        std::to_string(needed_mm3) + " mm3 of tools.purge_mm3 in one layer need " +
-                        std::to_string(side_mm_) + " mm");
+    throw InvalidConfig("tools.tower_mm is " + numberText(asked_mm) + " mm; " + numberText(needed_mm3) +
+                        " mm3 of tools.purge_mm3 in one layer need " + numberText(side_mm_) + " mm");
 }
 
 void PrimeTower::place(const Box2& part) {
@@ -108,7 +108,7 @@ void PrimeTower::place(const Box2& part) {
                          middle_.y() - half > part.high.y() || middle_.y() + half < part.low.y();
   if (!is_beside)
     throw InvalidConfig("tools.tower_at_mm is " + std::to_string(at[0]) + "," + std::to_string(at[1]) +
-                        "; a tower of " + std::to_string(side_mm_) +
+                        "; a tower of " + numberText(side_mm_) +
                         " mm would stand within the box of what is laid");
 }
 

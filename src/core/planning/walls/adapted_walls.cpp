@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/geometry/shortest_rotation.hpp"
 #include "planning/seams/seam.hpp"
 #include "planning/travel/travel.hpp"
@@ -131,7 +132,7 @@ std::vector<ToolpathLayer> adaptedWalls(const AdaptedLayers& layers, const PlanS
     nozzle = planned.back().paths.back().lastPoint();
   }
   if (planned.empty() && !layers.layers.empty())
-    throw InvalidInput("no wall is thick enough for a bead " + std::to_string(distance_mm) +
+    throw InvalidInput("no wall is thick enough for a bead " + numberText(distance_mm) +
                        " mm inside its surface on either side; expected a smaller bead.width_mm or "
                        "walls.contour_offset");
   return planned;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "streaming/transport/thread_priority.hpp"
 
 namespace lamina {
@@ -57,7 +58,7 @@ DeviceReport DeviceLink::report() {
   if (report.is_connected && busy_s > kHung * settings_.timeout_s) {
     report.is_hung = true;
     report.is_connected = false;
-    report.reason = "no answer for " + std::to_string(busy_s) + " s";
+    report.reason = "no answer for " + numberText(busy_s) + " s";
   }
   return report;
 }

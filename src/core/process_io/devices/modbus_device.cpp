@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 
 namespace lamina {
 namespace {
@@ -43,8 +44,8 @@ void requireFitting(const OutputChannel& channel) {
   for (const double value : {channel.low, channel.high, channel.safe}) {
     const double raw = rawOf(channel, value);
     if (!(raw >= kLeastRaw && raw <= kMostRaw))
-      throw InvalidConfig("channels." + channel.name + ": a value of " + std::to_string(value) + " is " +
-                          std::to_string(raw) + " in a register; must be in [-32768, 65535]");
+      throw InvalidConfig("channels." + channel.name + ": a value of " + numberText(value) + " is " +
+                          numberText(raw) + " in a register; must be in [-32768, 65535]");
   }
 }
 
@@ -181,8 +182,8 @@ class ModbusDevice final : public ProcessDevice {
       return device.name + " cannot tell its watchdog: whether it goes safe by itself is not known";
     const double time_s = device.watchdog_unit_s * readOne(device.watchdog_register);
     if (time_s > 0.0 && time_s <= device.watchdog_most_s) return {};
-    throw DeviceError("the watchdog of " + device.name + " is " + std::to_string(time_s) +
-                      " s; expected above 0 and at most " + std::to_string(device.watchdog_most_s) + " s");
+    throw DeviceError("the watchdog of " + device.name + " is " + numberText(time_s) +
+                      " s; expected above 0 and at most " + numberText(device.watchdog_most_s) + " s");
   }
 
   [[noreturn]] void fail(const std::string& what) {

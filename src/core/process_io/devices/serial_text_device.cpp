@@ -8,6 +8,7 @@
 
 #include "lamina/base/clock.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/streaming/transport/transport.hpp"
 
 namespace lamina {
@@ -96,7 +97,7 @@ class SerialTextDevice final : public ProcessDevice {
 
   [[noreturn]] void lose(const std::string& line) {
     const std::string why =
-        closed_.empty() ? "no answer within " + std::to_string(table_.device.timeout_s) + " s" : closed_;
+        closed_.empty() ? "no answer within " + numberText(table_.device.timeout_s) + " s" : closed_;
     close();
     throw Disconnected(table_.device.name + " at " + table_.device.address + " does not take '" + line +
                        "': " + why);

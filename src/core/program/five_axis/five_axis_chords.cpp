@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/geometry/vector.hpp"
 
 namespace lamina {
@@ -105,7 +106,7 @@ std::vector<JointsBetween> jointsBetween(const KinematicModel& machine, const Jo
     ahead.push_back({share, values});
     if (between.size() + ahead.size() > kMostPieces || ahead.size() > 40)
       throw Unreachable("'" + machine.name() + "' has no joints on the straight line to it that follow " +
-                        "steadily: the tip leaves it by more than " + std::to_string(tolerance_mm) +
+                        "steadily: the tip leaves it by more than " + numberText(tolerance_mm) +
                         " mm however it is divided");
   }
   return between;

@@ -10,6 +10,7 @@
 
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/program/gcode/gcode_line.hpp"
 #include "lamina/program/gcode/toolpath_from_gcode.hpp"
 #include "lamina/program/program_frame.hpp"
@@ -247,7 +248,7 @@ class FiveAxisInterpreter {
     if (!words.g || (*words.g != 0.0 && *words.g != 1.0)) refuse("found another motion; expected G0 or G1");
     if (*words.g == 0.0) return approach();
     if (words.f && !(*words.f > 0.0))
-      refuse("the feed is " + std::to_string(*words.f) + "; expected more than 0");
+      refuse("the feed is " + numberText(*words.f) + "; expected more than 0");
     if (words.f) feed_ = *words.f;
     if (!words.f && (has_inverse_time_ || !feed_)) refuse("a motion has no F; expected one");
     if (!words.has_axis) return readFilament(words);
@@ -288,7 +289,7 @@ class FiveAxisInterpreter {
   Point3 closing(const Point3& tip) const {
     const double off_mm = (tip - path_begin_).norm();
     if (!(off_mm <= kSamePlace))
-      refuse("a path closes " + std::to_string(off_mm) + " mm off its start; expected it to return");
+      refuse("a path closes " + numberText(off_mm) + " mm off its start; expected it to return");
     return path_begin_;
   }
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "program/gcode/arc.hpp"
 
 namespace lamina {
@@ -67,14 +68,14 @@ void GcodeInterpreter::readLine(std::string_view text, std::size_t number) {
     if (word.letter != 'G' && word.letter != 'M') continue;
     if (!word.value) refuse(std::string(1, word.letter) + " has no number");
     if (setMode(word)) continue;
-    if (word.letter == 'M') refuse("M" + std::to_string(*word.value) + " cannot share a line with motions");
+    if (word.letter == 'M') refuse("M" + numberText(*word.value) + " cannot share a line with motions");
     if (command != -1) refuse("two commands that use the same words");
     command = static_cast<int>(*word.value);
-    if (command != *word.value) refuse("G" + std::to_string(*word.value) + " is not supported");
+    if (command != *word.value) refuse("G" + numberText(*word.value) + " is not supported");
   }
   if (words.has('F')) {
     feed_mm_s_ = words.value('F') * unit_mm_ / 60.0;
-    if (!(feed_mm_s_ > 0.0)) refuse("feed is " + std::to_string(words.value('F')) + "; must be positive");
+    if (!(feed_mm_s_ > 0.0)) refuse("feed is " + numberText(words.value('F')) + "; must be positive");
   }
   if (command == -1 && words.hasAny("XYZEIJKR")) {
     if (motion_ == -1) refuse("coordinates before any motion command");
@@ -149,7 +150,7 @@ void GcodeInterpreter::moveAlongArc(int command, const Point3& target, double ex
   if (from.norm() < 1e-6) refuse("arc without centre: the centre is where it starts");
   const double off_mm = std::abs(from.norm() - to.norm());
   if (off_mm > kOffCircle && off_mm > kOffCirclePart * from.norm())
-    refuse("the arc ends " + std::to_string(off_mm) + " mm off its circle");
+    refuse("the arc ends " + numberText(off_mm) + " mm off its circle");
   const std::vector<Point3> ends = flatten(arc, settings_.chord_tolerance_mm);
   for (const Point3& end : ends) emit(end, extrusion_mm / static_cast<double>(ends.size()));
 }
@@ -216,7 +217,7 @@ void GcodeInterpreter::home(const WordTable& words) {
 
 void GcodeInterpreter::dwell(const WordTable& words) const {
   const double seconds = words.has('S') ? words.value('S') : words.valueOr('P', 0.0) / 1000.0;
-  if (seconds < 0.0) refuse("dwell of " + std::to_string(seconds) + " s");
+  if (seconds < 0.0) refuse("dwell of " + numberText(seconds) + " s");
   if (handlers_.dwell) handlers_.dwell(line_, seconds);
 }
 

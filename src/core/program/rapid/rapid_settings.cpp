@@ -7,6 +7,7 @@
 #include <map>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/base/text.hpp"
 #include "program/rapid/rapid_words.hpp"
 
@@ -144,7 +145,7 @@ void requireListed(const RapidSettings& settings) {
   requireNumbers("rapid.fixed_configuration", settings.fixed_configuration, 4);
   for (const double value : settings.fixed_configuration)
     if (value != std::round(value) || std::abs(value) > 100.0)
-      throw InvalidConfig("rapid.fixed_configuration holds " + std::to_string(value) +
+      throw InvalidConfig("rapid.fixed_configuration holds " + numberText(value) +
                           "; must be whole numbers of quarter turns");
 }
 

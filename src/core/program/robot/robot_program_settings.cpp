@@ -9,6 +9,7 @@
 #include <filesystem>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/base/text.hpp"
 
 namespace lamina {
@@ -233,10 +234,10 @@ std::vector<RobotLevel> robotLevels(const std::string& text) {
 void requireConsistent(const RobotProgramSettings& settings) {
   for (const double sign : settings.joint_signs)
     if (std::abs(sign) != 1.0)
-      throw InvalidConfig("robot_program.joint_signs holds " + std::to_string(sign) + "; must be 1 or -1");
+      throw InvalidConfig("robot_program.joint_signs holds " + numberText(sign) + "; must be 1 or -1");
   for (const double axis : settings.fanuc.turn_axes)
     if (axis != std::round(axis) || axis < 1.0 || axis > 6.0)
-      throw InvalidConfig("fanuc.turn_axes holds " + std::to_string(axis) + "; must be joints 1 to 6");
+      throw InvalidConfig("fanuc.turn_axes holds " + numberText(axis) + "; must be joints 1 to 6");
   if (std::find(settings.inform.pulses_per_deg.begin(), settings.inform.pulses_per_deg.end(), 0.0) !=
       settings.inform.pulses_per_deg.end())
     throw InvalidConfig("inform.pulses_per_deg holds 0; must be the pulses in a degree of each joint");

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/program/robot/speed_rounding.hpp"
 #include "program/number_text.hpp"
 
@@ -70,10 +71,9 @@ RoundedSpeed roundedSpeed(double feed_mm_s, const std::vector<SpeedUnit>& units)
     best = {unit, value};
   }
   if (!(least <= kGreatestError))
-    throw InvalidInput("a feed is " + std::to_string(feed_mm_s) +
-                       " mm/s; the nearest that can be written is " + trimmedDecimals(best.value, 3) + " " +
-                       best.unit.name + ", " + trimmedDecimals(100.0 * least, 1) +
-                       " % off, expected 2 % at most");
+    throw InvalidInput("a feed is " + numberText(feed_mm_s) + " mm/s; the nearest that can be written is " +
+                       trimmedDecimals(best.value, 3) + " " + best.unit.name + ", " +
+                       trimmedDecimals(100.0 * least, 1) + " % off, expected 2 % at most");
   return best;
 }
 

@@ -11,6 +11,7 @@
 
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/geometry/mesh/mesh.hpp"
 #include "lamina/geometry/moving_average.hpp"
 #include "lamina/slicing/unsliceable.hpp"
@@ -148,8 +149,8 @@ std::size_t partsOf(double computing_height_mm, double layer_height_mm) {
   if (computing_height_mm == 0.0) return 1;
   const double parts = std::round(computing_height_mm / layer_height_mm);
   if (parts < 1.0 || std::abs(parts * layer_height_mm - computing_height_mm) > 1e-6)
-    throw InvalidConfig("adapted.computing_height_mm is " + std::to_string(computing_height_mm) +
-                        " mm; must be a multiple of the layer height of " + std::to_string(layer_height_mm) +
+    throw InvalidConfig("adapted.computing_height_mm is " + numberText(computing_height_mm) +
+                        " mm; must be a multiple of the layer height of " + numberText(layer_height_mm) +
                         " mm");
   return static_cast<std::size_t>(parts);
 }
@@ -167,7 +168,7 @@ std::vector<double> contourHeights(const Box3& box, const GrowthSteps& steps) {
   const double count = std::floor((top - first) / steps.other.height_mm + 1e-6) + 1.0;
   if (!(count < kMostContours))
     throw InvalidConfig("the part is " + std::to_string(top - bottom) + " mm high and a layer " +
-                        std::to_string(steps.other.height_mm) + " mm; expected at most a million layers");
+                        numberText(steps.other.height_mm) + " mm; expected at most a million layers");
   std::vector<double> heights = {bottom};
   for (double k = 0.0; k < count; ++k) heights.push_back(std::min(first + k * steps.other.height_mm, top));
   if (heights.back() < top) heights.push_back(top);

@@ -7,6 +7,7 @@
 
 #include "lamina/base/csv_table.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 
 namespace lamina {
 namespace {
@@ -52,18 +53,18 @@ std::vector<LayerBounds> readHeightTable(const std::string& path, double bottom_
     const double z_mm = numberIn(table, row, z_column);
     const double height_mm = numberIn(table, row, height_column);
     if (!(height_mm > 0.0))
-      refuseRow(table, row, "height_mm is " + std::to_string(height_mm) + " mm; must be positive");
+      refuseRow(table, row, "height_mm is " + numberText(height_mm) + " mm; must be positive");
     if (std::abs(z_mm - height_mm - reached_mm) > kTableGap)
       refuseRow(table, row,
-                "the layer begins at " + std::to_string(z_mm - height_mm) + " mm; expected " +
-                    std::to_string(reached_mm) + " mm, where the one before ends");
+                "the layer begins at " + numberText(z_mm - height_mm) + " mm; expected " +
+                    numberText(reached_mm) + " mm, where the one before ends");
     bounds.push_back({bottom_mm + reached_mm, bottom_mm + z_mm});
     reached_mm = z_mm;
   }
   const double last_mm = bounds.empty() ? 0.0 : bounds.back().height();
   if (bottom_mm + reached_mm < top_mm - 0.5 * last_mm - kTableGap)
-    throw InvalidInput("'" + path + "' ends at " + std::to_string(reached_mm) + " mm; the part is " +
-                       std::to_string(top_mm - bottom_mm) + " mm high across its layers");
+    throw InvalidInput("'" + path + "' ends at " + numberText(reached_mm) + " mm; the part is " +
+                       numberText(top_mm - bottom_mm) + " mm high across its layers");
   while (!bounds.empty() && !(bounds.back().cut() < top_mm)) bounds.pop_back();
   return bounds;
 }

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 
 namespace lamina {
 namespace {
@@ -20,10 +21,10 @@ double leastHeight(const AdaptiveSettings& settings) {
   const double least_mm =
       std::ceil(settings.least_mm / settings.quantum_mm - kSameHeight) * settings.quantum_mm;
   if (least_mm > settings.greatest_mm + kSameHeight)
-    throw InvalidConfig("adaptive.quantum_mm is " + std::to_string(settings.quantum_mm) +
+    throw InvalidConfig("adaptive.quantum_mm is " + numberText(settings.quantum_mm) +
                         " mm; expected a multiple of it between adaptive.least_mm, " +
-                        std::to_string(settings.least_mm) + " mm, and adaptive.greatest_mm, " +
-                        std::to_string(settings.greatest_mm) + " mm");
+                        numberText(settings.least_mm) + " mm, and adaptive.greatest_mm, " +
+                        numberText(settings.greatest_mm) + " mm");
   return least_mm;
 }
 
@@ -55,7 +56,7 @@ std::vector<double> StretchCutter::ends(HeightLimits& limits, const HeightStretc
   while (ends.back() < stretch.high_mm - kSameHeight) {
     ends.push_back(ends.back() + heightAt(limits, ends.back(), stretch));
     if (ends.size() > kMostLayersOfPart)
-      throw InvalidConfig("adaptive.least_mm is " + std::to_string(least_mm_) +
+      throw InvalidConfig("adaptive.least_mm is " + numberText(least_mm_) +
                           " mm; the part would have more than 10 million layers");
   }
   return ends;

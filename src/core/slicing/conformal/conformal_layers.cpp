@@ -12,6 +12,7 @@
 
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/geometry/mesh/mesh_topology.hpp"
 #include "lamina/geometry/mesh/subdivision.hpp"
@@ -29,7 +30,7 @@ constexpr double kRounding = 1e-9;
 
 void requirePositive(const std::string& key, double value) {
   if (value > 0.0 && std::isfinite(value)) return;
-  throw InvalidConfig(key + " is " + std::to_string(value) + " mm; must be positive");
+  throw InvalidConfig(key + " is " + numberText(value) + " mm; must be positive");
 }
 
 Point3 directionOf(const ConformalSettings& settings) {
@@ -51,9 +52,9 @@ TriangleNumbers facesTowards(const Mesh& mesh, const ConformalSettings& settings
     if (doubled.norm() > 0.0 && doubled.dot(direction) >= least * doubled.norm()) chosen.push_back(number);
   }
   if (chosen.empty())
-    throw Unsliceable("no face looks within " + std::to_string(settings.max_tilt_deg) +
-                          " degrees (conformal.max_tilt_deg) of (" + std::to_string(direction.x()) + ", " +
-                          std::to_string(direction.y()) + ", " + std::to_string(direction.z()) +
+    throw Unsliceable("no face looks within " + numberText(settings.max_tilt_deg) +
+                          " degrees (conformal.max_tilt_deg) of (" + numberText(direction.x()) + ", " +
+                          numberText(direction.y()) + ", " + numberText(direction.z()) +
                           "); there is nothing to lay layers on",
                       mesh);
   return chosen;
@@ -90,7 +91,7 @@ CoatedFaces coatedFaces(const Mesh& mesh, const ConformalSettings& settings) {
     else
       coated.hidden_mm2 += areaOf(coated.mesh, coated.faces[i]);
   if (open.empty())
-    throw Unsliceable("all " + std::to_string(coated.hidden_mm2) +
+    throw Unsliceable("all " + numberText(coated.hidden_mm2) +
                           " mm2 of faces that look in conformal.direction lie beneath others; expected some "
                           "that the nozzle can come to from there",
                       mesh);
@@ -128,10 +129,10 @@ void requireFilled(const ConformalLayers& result, const Mesh& part, const Mesh& 
   for (std::uint32_t i = 0; i < all.size(); ++i) all[i] = i;
   Mesh region = patchOf(part, unreached(part, all, base, 2.0 * result.layer_height_mm));
   const double beyond_mm2 = surfaceArea(region);
-  throw Unsliceable("layers on the base fill " + std::to_string(result.deposited_mm3) +
-                        " mm³ of the part's " + std::to_string(result.part_mm3) + " mm³; expected within " +
-                        std::to_string(settings.largest_gap_percent) +
-                        " % (conformal.largest_gap_percent). " + std::to_string(beyond_mm2) +
+  throw Unsliceable("layers on the base fill " + numberText(result.deposited_mm3) + " mm³ of the part's " +
+                        numberText(result.part_mm3) + " mm³; expected within " +
+                        numberText(settings.largest_gap_percent) + " % (conformal.largest_gap_percent). " +
+                        numberText(beyond_mm2) +
                         " mm² of its surface lie beyond the base's edges, behind it or beside it",
                     std::move(region));
 }
@@ -171,8 +172,7 @@ ConformalLayers layersOnBase(const Mesh& part, const Mesh& base, const Conformal
   result.layer_height_mm = layer_height_mm;
   result.part_mm3 = volume(part);
   if (!(result.part_mm3 > 0.0))
-    throw InvalidMesh("the part holds " + std::to_string(result.part_mm3) +
-                      " mm³; expected a positive volume");
+    throw InvalidMesh("the part holds " + numberText(result.part_mm3) + " mm³; expected a positive volume");
   const ShellSource source{patchOf(base, facesTowards(base, settings)), {}};
   ShellLimits limits;
   limits.farthest_mm = farthestFrom(source.surface, part);

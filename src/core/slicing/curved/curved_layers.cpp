@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/geometry/mesh/mesh_topology.hpp"
 #include "lamina/geometry/spatial/signed_distance.hpp"
@@ -88,11 +89,11 @@ CurvedDivision lowerOnly(const CurvedPart& part) {
 CurvedPart curvedPart(const Mesh& mesh, const MeshTopology& topology, const CurvedSettings& settings,
                       double layer_height_mm) {
   if (!(layer_height_mm > 0.0))
-    throw InvalidConfig("slicing.layer_height_mm is " + std::to_string(layer_height_mm) +
+    throw InvalidConfig("slicing.layer_height_mm is " + numberText(layer_height_mm) +
                         " mm; must be positive");
   if (topology.has_border) throw InvalidMesh("the mesh is open; curved layers need a closed one");
   if (!(volume(mesh) > 0.0))
-    throw InvalidMesh("the mesh holds " + std::to_string(volume(mesh)) + " mm³; expected a positive volume");
+    throw InvalidMesh("the mesh holds " + numberText(volume(mesh)) + " mm³; expected a positive volume");
   CurvedPart part{mesh,
                   topology,
                   settings,
@@ -103,7 +104,7 @@ CurvedPart curvedPart(const Mesh& mesh, const MeshTopology& topology, const Curv
                   boundingBox(mesh).size().norm()};
   if (part.lower.empty() || part.upper.empty())
     throw Unsliceable("no surface faces " + std::string(part.lower.empty() ? "down" : "up") +
-                          " by more than curved.normal_limit " + std::to_string(settings.normal_limit) +
+                          " by more than curved.normal_limit " + numberText(settings.normal_limit) +
                           "; curved layers have nothing to grow from",
                       mesh);
   return part;

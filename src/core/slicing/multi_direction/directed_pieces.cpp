@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
 #include "lamina/geometry/shortest_rotation.hpp"
 #include "lamina/slicing/planar/layer_plane.hpp"
@@ -37,7 +38,7 @@ void requireSolid(const Mesh& mesh, const MeshTopology& topology) {
     throw InvalidMesh("the mesh is open; pieces along directions of their own need a closed one");
   const double inside = volume(mesh);
   if (!(inside > 0.0))
-    throw InvalidMesh("the mesh holds " + std::to_string(inside) + " mm³; expected a positive volume");
+    throw InvalidMesh("the mesh holds " + numberText(inside) + " mm³; expected a positive volume");
 }
 
 double volumeOf(const CellGraph& cells) {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 
 namespace lamina {
 namespace {
@@ -14,7 +15,7 @@ constexpr double kMostLayers = 1e7;
 
 void requirePositive(const std::string& key, double height_mm) {
   if (height_mm > 0.0 && std::isfinite(height_mm)) return;
-  throw InvalidConfig(key + " is " + std::to_string(height_mm) + " mm; must be positive");
+  throw InvalidConfig(key + " is " + numberText(height_mm) + " mm; must be positive");
 }
 
 }  // namespace
@@ -25,8 +26,8 @@ std::vector<LayerBounds> stackLayers(double bottom_mm, double top_mm, const Slic
   const double first_top = bottom_mm + settings.first_layer_height_mm;
   const double more = std::ceil((top_mm - first_top) / settings.layer_height_mm - 0.5);
   if (more > kMostLayers)
-    throw InvalidConfig("slicing.layer_height_mm is " + std::to_string(settings.layer_height_mm) +
-                        " mm; a part " + std::to_string(top_mm - bottom_mm) +
+    throw InvalidConfig("slicing.layer_height_mm is " + numberText(settings.layer_height_mm) +
+                        " mm; a part " + numberText(top_mm - bottom_mm) +
                         " mm high would have more than 10 million layers");
   std::vector<LayerBounds> layer_bounds;
   if (!(bottom_mm + 0.5 * settings.first_layer_height_mm < top_mm)) return layer_bounds;

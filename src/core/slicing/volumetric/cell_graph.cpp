@@ -7,6 +7,7 @@
 #include <string>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/geometry/voxel/voxelised_mesh.hpp"
 
@@ -91,7 +92,7 @@ CellGraph::CellGraph(const Mesh& mesh, double cell_mm, double floor_mm, Progress
   for (std::size_t axis = 0; axis < 3; ++axis)
     frame_.count[axis] = (fine.count[axis] + kBits - 1) / kBits + 2;
   if (frame_.voxelCount() > kMostCells)
-    throw InvalidInput("cells of " + std::to_string(cell_mm) + " mm fill the part's box by " +
+    throw InvalidInput("cells of " + numberText(cell_mm) + " mm fill the part's box by " +
                        std::to_string(frame_.voxelCount()) + "; expected at most " +
                        std::to_string(kMostCells) + ": larger ones");
   const double below = (floor_mm - fine.corner.z()) / fine.voxel_mm - 0.5;

@@ -12,6 +12,7 @@
 
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/geometry/spatial/signed_distance.hpp"
 #include "lamina/parameterization/layer_volume.hpp"
@@ -34,7 +35,7 @@ void requireClosed(const Mesh& mesh, const MeshTopology& topology) {
   if (topology.has_border) throw InvalidMesh("the mesh is open; volumetric layers need a closed one");
   const double inside = volume(mesh);
   if (!(inside > 0.0))
-    throw InvalidMesh("the mesh holds " + std::to_string(inside) + " mm³; expected a positive volume");
+    throw InvalidMesh("the mesh holds " + numberText(inside) + " mm³; expected a positive volume");
 }
 
 std::string placeText(const Point3& place) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 
 namespace lamina {
 
@@ -35,9 +36,9 @@ void describe(SettingsSchema& schema, VolumetricSettings& settings) {
 
 void requireConsistent(const VolumetricSettings& settings) {
   if (settings.overhang_used_deg <= settings.max_overhang_deg) return;
-  throw InvalidConfig("volumetric.overhang_used_deg is " + std::to_string(settings.overhang_used_deg) +
+  throw InvalidConfig("volumetric.overhang_used_deg is " + numberText(settings.overhang_used_deg) +
                       "; must be at most volumetric.max_overhang_deg, " +
-                      std::to_string(settings.max_overhang_deg));
+                      numberText(settings.max_overhang_deg));
 }
 
 }  // namespace lamina

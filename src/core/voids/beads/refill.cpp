@@ -6,6 +6,7 @@
 
 #include "infill/variable_width/solid_beads.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
 
 namespace lamina {
@@ -13,7 +14,7 @@ namespace {
 
 void requireNotNegative(const char* what, double value) {
   if (!(value >= 0.0))
-    throw InvalidInput(std::string(what) + " of refilled voids is " + std::to_string(value) +
+    throw InvalidInput(std::string(what) + " of refilled voids is " + numberText(value) +
                        "; must not be negative");
 }
 

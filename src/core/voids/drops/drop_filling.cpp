@@ -12,6 +12,7 @@
 #include "geometry/polygon/plane_vectors.hpp"
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/geometry/spatial/point_grid.hpp"
 #include "lamina/voids/beads/void_class.hpp"
 #include "lamina/voids/beads/void_points.hpp"
@@ -263,7 +264,7 @@ class LayerFilling {
 
 std::vector<DropVoid> fillDropVoids(const DropLayer& layer, const DropVoidSettings& settings) {
   if (!(layer.diameter_mm > 0.0))
-    throw InvalidInput("diameter of drops is " + std::to_string(layer.diameter_mm) + " mm; must be positive");
+    throw InvalidInput("diameter of drops is " + numberText(layer.diameter_mm) + " mm; must be positive");
   return LayerFilling(layer, settings).fill();
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 
 namespace lamina {
 namespace {
@@ -29,7 +30,7 @@ double overlapAt(double relative_distance, OverlapDefinition definition) {
 
 double distanceOfOverlap(double overlap, OverlapDefinition definition) {
   if (!(overlap >= 0.0 && overlap <= 1.0))
-    throw InvalidInput("overlap of drops is " + std::to_string(overlap) + "; must be in [0, 1]");
+    throw InvalidInput("overlap of drops is " + numberText(overlap) + "; must be in [0, 1]");
   if (definition == OverlapDefinition::Linear) return 1.0 - overlap;
   double near = 0.0;
   double far = 1.0;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "program/rapid/reader/rapid_source.hpp"
 
 namespace lamina {
@@ -35,7 +36,7 @@ Eigen::Quaterniond takeRotation(RapidCursor& cursor) {
   const auto values = takeList(cursor, 4);
   const Eigen::Quaterniond rotation(values[0], values[1], values[2], values[3]);
   if (!(std::abs(rotation.norm() - 1.0) < kUnitLength))
-    cursor.refuseAt(line, "an orientation has length " + std::to_string(rotation.norm()) + "; expected 1");
+    cursor.refuseAt(line, "an orientation has length " + numberText(rotation.norm()) + "; expected 1");
   return rotation.normalized();
 }
 
@@ -111,8 +112,7 @@ void skipZone(RapidCursor& cursor) {
 double takeDeclaredSpeed(RapidCursor& cursor) {
   const std::size_t line = cursor.line();
   const double feed = takeList(cursor, 4)[0];
-  if (!(feed > 0.0))
-    cursor.refuseAt(line, "a speed is " + std::to_string(feed) + " mm/s; expected more than 0");
+  if (!(feed > 0.0)) cursor.refuseAt(line, "a speed is " + numberText(feed) + " mm/s; expected more than 0");
   return feed;
 }
 
@@ -147,8 +147,8 @@ AbbConfiguration takeConfiguration(RapidCursor& cursor) {
   const auto values = takeList(cursor, 4);
   for (const double value : values)
     if (value != std::round(value) || std::abs(value) > kMostQuarters)
-      cursor.refuseAt(line, "a configuration holds " + std::to_string(value) +
-                                "; expected whole numbers of quarter turns");
+      cursor.refuseAt(
+          line, "a configuration holds " + numberText(value) + "; expected whole numbers of quarter turns");
   return {static_cast<int>(values[0]), static_cast<int>(values[1]), static_cast<int>(values[2]),
           static_cast<int>(values[3])};
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <optional>
 
+#include "lamina/base/number_text.hpp"
 #include "program/number_text.hpp"
 #include "program/rapid/rapid_words.hpp"
 #include "program/rapid/reader/rapid_source.hpp"
@@ -214,8 +215,8 @@ void takeWait(RapidCursor& cursor, RapidStatement& statement) {
   statement.action = RapidAction::Wait;
   statement.duration_s = cursor.takeNumber("a wait in s");
   if (!(statement.duration_s >= 0.0 && statement.duration_s <= kLongestRapidWait))
-    cursor.refuseAt(statement.line, "a wait is " + std::to_string(statement.duration_s) +
-                                        " s; expected 0 to " + std::to_string(kLongestRapidWait) + " s");
+    cursor.refuseAt(statement.line, "a wait is " + numberText(statement.duration_s) + " s; expected 0 to " +
+                                        numberText(kLongestRapidWait) + " s");
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/program/robot/robot_angles.hpp"
 #include "program/number_text.hpp"
 #include "program/robot/notes/robot_notes.hpp"
@@ -35,8 +36,7 @@ std::string fanucSpeed(const TipMove& move, const RobotProgramSettings& settings
 /// `%10.3f`, never -0.
 std::string fanucNumber(double value) {
   if (!(std::abs(value) < kFarthestFanuc))
-    throw InvalidInput("a coordinate is " + std::to_string(value) +
-                       "; must be within 99 999 in a Fanuc listing");
+    throw InvalidInput("a coordinate is " + numberText(value) + "; must be within 99 999 in a Fanuc listing");
   const std::string digits = decimalText(value, kFanucDecimals);
   return std::string(digits.size() < 10 ? 10 - digits.size() : 0, ' ') + digits;
 }
@@ -114,8 +114,8 @@ class FanucPrinter : public RobotPrinter {
       return fanucSpeed(move, site_.settings);
     if (weld_mm_s_ == 0.0) weld_mm_s_ = move.feed_mm_s;
     if (std::abs(move.feed_mm_s - weld_mm_s_) > kSameWeldSpeed * weld_mm_s_)
-      throw InvalidInput("beads are laid at " + std::to_string(weld_mm_s_) + " and " +
-                         std::to_string(move.feed_mm_s) +
+      throw InvalidInput("beads are laid at " + numberText(weld_mm_s_) + " and " +
+                         numberText(move.feed_mm_s) +
                          " mm/s with fanuc.weld_speed 'schedule'; expected one speed, that of the schedule");
     return "WELD_SPEED";
   }
@@ -212,7 +212,7 @@ class FanucPrinter : public RobotPrinter {
     requireOutputNumber(level.output, RobotLanguage::Fanuc);
     if (!(std::abs(level.value) < kFarthestFanuc))
       throw InvalidInput("analogue output " + std::to_string(level.output) + " is to be set to " +
-                         std::to_string(level.value) + "; must be within 99 999 (robot_program.levels)");
+                         numberText(level.value) + "; must be within 99 999 (robot_program.levels)");
     lines_.push_back("  AO[" + std::to_string(level.output) +
                      "]=" + trimmedDecimals(level.value, kFanucDecimals));
   }

@@ -7,6 +7,7 @@
 #include <map>
 #include <utility>
 
+#include "lamina/base/number_text.hpp"
 #include "lamina/program/robot/robot_angles.hpp"
 #include "program/robot/notes/path_notes.hpp"
 
@@ -67,7 +68,7 @@ class InformParser {
         for (double& pulses : units_.pulses_per_deg) {
           pulses = words.number<double>("pulses in a degree");
           if (!(pulses >= -kGreatestInformNumber && pulses <= kGreatestInformNumber) || pulses == 0.0)
-            words.refuse(std::to_string(pulses), "pulses in a degree");
+            words.refuse(numberText(pulses), "pulses in a degree");
         }
       } else if (words.take("speeds") && !words.take("mm/s")) {
         if (!words.take("cm/min")) words.refuse(words.next(), "mm/s or cm/min");

@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/program/robot/robot_angles.hpp"
 #include "program/number_text.hpp"
 #include "program/robot/notes/robot_notes.hpp"
@@ -108,7 +109,7 @@ class InformPrinter : public RobotPrinter {
     for (std::size_t j = 0; j < 6; ++j) {
       const double scaled = move.joints.arm_deg[j] * (pulses.empty() ? 1.0 : pulses[j]);
       if (!(std::abs(scaled) < kMostPulses))
-        throw InvalidInput("joint " + std::to_string(j + 1) + " stands at " + std::to_string(scaled) +
+        throw InvalidInput("joint " + std::to_string(j + 1) + " stands at " + numberText(scaled) +
                            " pulses; must be a whole number of 32 bits (inform.pulses_per_deg)");
       values += (j > 0 ? "," : "") + decimalText(scaled, pulses.empty() ? kInformAngleDecimals : 0);
     }
@@ -123,7 +124,7 @@ class InformPrinter : public RobotPrinter {
 
   void add(const TipMove& move) {
     if (!(move.point.cwiseAbs().maxCoeff() < kFarthestInform))
-      throw InvalidInput("a point is at " + std::to_string(move.point.cwiseAbs().maxCoeff()) +
+      throw InvalidInput("a point is at " + numberText(move.point.cwiseAbs().maxCoeff()) +
                          " mm; must be within 99 999 mm in INFORM");
     state("USER",
           {"///USER " + std::to_string(site_.settings.frame_number), tool(), "///POSTYPE USER", "///RECTAN"});
@@ -185,7 +186,7 @@ class InformPrinter : public RobotPrinter {
     requireOutputNumber(level.output, RobotLanguage::Inform);
     if (!(std::abs(level.value) <= kGreatestInformLevel))
       throw InvalidInput("analogue output " + std::to_string(level.output) + " is to be set to " +
-                         std::to_string(level.value) + " V; INFORM takes -14 to 14 (robot_program.levels)");
+                         numberText(level.value) + " V; INFORM takes -14 to 14 (robot_program.levels)");
     instructions_.push_back("AOUT AO#(" + std::to_string(level.output) + ") " + decimalText(level.value, 2));
   }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/program/robot/robot_angles.hpp"
 #include "program/number_text.hpp"
 #include "program/robot/notes/robot_notes.hpp"
@@ -30,8 +31,8 @@ void appendKrlExternal(const std::vector<double>& external, std::string& text) {
 
 std::string krlLevel(int output, double value) {
   if (!(std::abs(value) <= kGreatestKrlLevel))
-    throw InvalidInput("analogue output " + std::to_string(output) + " is to be set to " +
-                       std::to_string(value) + "; KRL takes -1 to 1 (robot_program.levels)");
+    throw InvalidInput("analogue output " + std::to_string(output) + " is to be set to " + numberText(value) +
+                       "; KRL takes -1 to 1 (robot_program.levels)");
   return "$ANOUT[" + std::to_string(output) + "]=" + trimmedDecimals(value, kKrlLevelDecimals);
 }
 
@@ -149,7 +150,7 @@ class KrlPrinter : public RobotPrinter {
 
   std::string pose(const TipMove& move) {
     if (!(move.point.cwiseAbs().maxCoeff() < kFarthestKrl))
-      throw InvalidInput("a point is at " + std::to_string(move.point.cwiseAbs().maxCoeff()) +
+      throw InvalidInput("a point is at " + numberText(move.point.cwiseAbs().maxCoeff()) +
                          " mm; must be within 99 999 mm in KRL");
     const RobotAngles angles = robotAngles(move.orientation, last_x_deg_);
     last_x_deg_ = angles.x_deg;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 
 namespace lamina {
 namespace {
@@ -36,8 +37,7 @@ PathNote pathNote(NoteWords& words) {
 ToolpathLayer layerNote(NoteWords& words) {
   ToolpathLayer layer;
   layer.z_mm = words.number<double>("the height of a layer");
-  if (!(std::abs(layer.z_mm) <= kLargestNote))
-    words.refuse(std::to_string(layer.z_mm), "the height of a layer");
+  if (!(std::abs(layer.z_mm) <= kLargestNote)) words.refuse(numberText(layer.z_mm), "the height of a layer");
   layer.height_mm = words.length("how high a layer is");
   return layer;
 }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "program/motion_values.hpp"
 
 namespace lamina {
@@ -89,7 +90,7 @@ void PathAssembly::addStart(const AssembledMove& move, ProcessState process, std
   if (!last_) return;
   const double off_mm = (move.point - last_->point).norm();
   if (!(off_mm <= kSamePlace))
-    refuse(line, "the tool moves by " + std::to_string(off_mm) + " mm where a path starts; expected a turn");
+    refuse(line, "the tool moves by " + numberText(off_mm) + " mm where a path starts; expected a turn");
   poses_.back().point = last_->point;
 }
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "program/number_text.hpp"
 #include "program/robot/notes/path_notes.hpp"
 #include "program/robot/notes/robot_notes.hpp"
@@ -21,7 +22,7 @@ constexpr int kLastOutput = 99999;
 
 double boundedNumber(NoteWords& words, double limit, const char* expected) {
   const auto value = words.number<double>(expected);
-  if (!(std::abs(value) <= limit)) words.refuse(std::to_string(value), expected);
+  if (!(std::abs(value) <= limit)) words.refuse(numberText(value), expected);
   return value;
 }
 
@@ -30,7 +31,7 @@ Eigen::Quaterniond notedTurn(NoteWords& words) {
   for (double& each : q) each = boundedNumber(words, 2.0, "w x y z of an orientation");
   const Eigen::Quaterniond turn(q[0], q[1], q[2], q[3]);
   if (!(std::abs(turn.norm() - 1.0) <= kUnitTurn))
-    words.refuse(std::to_string(turn.norm()), "an orientation of length 1");
+    words.refuse(numberText(turn.norm()), "an orientation of length 1");
   return turn.normalized();
 }
 

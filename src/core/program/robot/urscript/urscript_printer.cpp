@@ -7,6 +7,7 @@
 
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/program/robot/robot_angles.hpp"
 #include "program/number_text.hpp"
 #include "program/robot/notes/robot_notes.hpp"
@@ -134,7 +135,7 @@ class UrScriptPrinter : public RobotPrinter {
     requireUrOutput(level.output, kLastUrLevel, "analogue");
     if (!(level.value >= 0.0 && level.value <= 1.0))
       throw InvalidInput("analogue output " + std::to_string(level.output) + " is to be set to " +
-                         std::to_string(level.value) + "; URScript takes 0 to 1 (robot_program.levels)");
+                         numberText(level.value) + "; URScript takes 0 to 1 (robot_program.levels)");
     addLine("set_standard_analog_out(" + std::to_string(level.output) + ", " +
             trimmedDecimals(level.value, kUrDecimals) + ")");
   }

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/voids/beads/open_infill.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "lamina/geometry/polygon/offset.hpp"
+
+namespace lamina {
+namespace {
+
+/// Of a region within walls and skins: solid fills leave a few percent of theirs, sparse ones most of it.
+constexpr double kMostOpen = 0.25;
+/// In pitches.
+constexpr double kTwoWidestBeads = 3.2;
+
+/// Of what walls and skins leave, the regions that are wide enough for infill.
+std::vector<Void> infillRegions(const Regions& contour, const ToolpathLayer& layer, double pitch_mm,
+                                const VoidMapSettings& settings) {
+  ToolpathLayer around = layer;
+  const auto is_infill = [](const Path& path) { return path.role == PathRole::Infill; };
+  around.paths.erase(std::remove_if(around.paths.begin(), around.paths.end(), is_infill), around.paths.end());
+  std::vector<Void> regions = findVoids(contour, around, settings).voids;
+  const auto is_narrow = [&](const Void& region) {
+    return offset(unite(outlines({region.outline})), -0.5 * kTwoWidestBeads * pitch_mm).empty();
+  };
+  regions.erase(std::remove_if(regions.begin(), regions.end(), is_narrow), regions.end());
+  return regions;
+}
+
+bool liesIn(const Void& inner, const Void& outer) {
+  const Box2 inner_box = boundingBox({inner.outline.outer});
+  const Box2 outer_box = boundingBox({outer.outline.outer});
+  if ((inner_box.low.array() > outer_box.high.array()).any() ||
+      (outer_box.low.array() > inner_box.high.array()).any())
+    return false;
+  const Regions common = intersection(unite(outlines({inner.outline})), unite(outlines({outer.outline})));
+  return area(common) > 0.5 * inner.area_mm2;
+}
+
+/// Of all voids, where those of the region stand.
+std::vector<std::size_t> placesIn(const Void& region, const std::vector<Void>& voids) {
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < voids.size(); ++i)
+    if (liesIn(voids[i], region)) places.push_back(i);
+  return places;
+}
+
+}  // namespace
+
+LayerVoids withoutOpenInfill(LayerVoids found, const Regions& contour, const ToolpathLayer& layer,
+                             const VoidMapSettings& settings) {
+  if (found.voids.empty()) return found;
+  std::vector<bool> is_meant(found.voids.size(), false);
+  for (const Void& region : infillRegions(contour, layer, found.pitch_mm, settings)) {
+    const std::vector<std::size_t> places = placesIn(region, found.voids);
+    double open_mm2 = 0.0;
+    for (const std::size_t i : places) open_mm2 += found.voids[i].area_mm2;
+    if (open_mm2 <= kMostOpen * region.area_mm2) continue;
+    for (const std::size_t i : places) is_meant[i] = true;
+  }
+  std::vector<Void> kept;
+  kept.reserve(found.voids.size());
+  for (std::size_t i = 0; i < is_meant.size(); ++i)
+    if (!is_meant[i]) kept.push_back(std::move(found.voids[i]));
+  found.voids = std::move(kept);
+  return found;
+}
+
+}  // namespace lamina
