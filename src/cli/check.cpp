@@ -15,6 +15,7 @@
 #include "lamina/job/output_files.hpp"
 #include "lamina/kinematics/cartesian/machine_settings.hpp"
 #include "lamina/toolpath/waypoint_text.hpp"
+#include "lamina/trajectory/nozzle_csv.hpp"
 #include "output/terminal_progress.hpp"
 #include "subcommand.hpp"
 
@@ -28,14 +29,16 @@ constexpr std::size_t kShown = 10;  // of each kind, to people; --report and --j
 struct CheckArguments {
   MachineRunArguments run;
   std::string report;
+  std::string trajectory;
+  double rate_hz = NozzleTable().rate_hz;
   SettingOptions settings;
 };
 
-/// What was found, and how long it takes if it can be run.
+/// What was found, and the run in time if it can be run.
 struct Checked {
   MachineCheck check;
   SingularBeads singular;
-  std::optional<RunTime> time;
+  std::optional<TimedRun> timed;
 };
 
 std::vector<Finding> findingsOf(const MachineCheck& check) {
@@ -69,9 +72,11 @@ void printJson(const Checked& checked, const std::string& machine) {
                                  {"colliding_layers", layersOf(check.collisions)},
                                  {"rewinds", check.rewinds},
                                  {"findings", nlohmann::ordered_json::array()}};
-  json["time_s"] = checked.time ? nlohmann::ordered_json(checked.time->total_s) : nlohmann::ordered_json();
-  json["slow_bead_share"] =
-      checked.time ? nlohmann::ordered_json(checked.time->slow_bead_share) : nlohmann::ordered_json();
+  json["time_s"] = json["slow_bead_share"] = nlohmann::ordered_json();
+  if (checked.timed) {
+    json["time_s"] = checked.timed->figures.total_s;
+    json["slow_bead_share"] = checked.timed->figures.slow_bead_share;
+  }
   json["singular_bead_share"] = checked.singular.share();
   json["least_singular_deg"] = checked.singular.least_deg;
   for (const Finding& finding : findingsOf(check)) json["findings"].push_back(toJson(finding));
@@ -102,9 +107,9 @@ void printText(const Checked& checked, const std::string& machine) {
     std::printf("%-11s at %zu waypoints in %zu layers\n", what.c_str(), kind.size(), layersOf(kind));
   std::printf("rewinds     %zu\n", check.rewinds);
   printSingular(checked.singular);
-  if (checked.time)
+  if (checked.timed)
     std::printf("print time  %.1f s\nbelow feed  %.1f %% of the bead, at less than 95 %% of its feed\n",
-                checked.time->total_s, 100.0 * checked.time->slow_bead_share);
+                checked.timed->figures.total_s, 100.0 * checked.timed->figures.slow_bead_share);
   std::printf("%s\n", check.isClear() ? "the machine can run it" : "the machine cannot run it");
 }
 
@@ -130,18 +135,22 @@ Checked checkedOn(const KinematicModel& model, const std::string& input, const J
   Checked checked;
   checked.check = checkRun(run, model, settings.clearance, progress);
   checked.singular = singularBeads(run, model, settings.joints.singular_margin_deg);
-  if (run.path.isRunnable())
-    checked.time = inTime(std::move(run), model, runSettings(settings).timing).figures;
+  if (run.path.isRunnable()) checked.timed = inTime(std::move(run), model, runSettings(settings).timing);
   return checked;
 }
 
 void check(const CheckArguments& arguments, Chosen& chosen) {
-  requireApart({arguments.report}, {arguments.run.input, arguments.settings.config});
+  requireSuffix(arguments.trajectory, {".csv"});
+  requireNozzleRate(arguments.rate_hz);
+  requireApart({arguments.report, arguments.trajectory}, {arguments.run.input, arguments.settings.config});
   const JobSettings settings = settingsOnMachine(arguments.settings, arguments.run);
   const auto model = kinematicModelOf(settings.machine);
   const Checked checked = checkedOn(*model, arguments.run.input, settings);
   if (!arguments.report.empty()) writeReport(checked.check, arguments.report);
   if (!checked.check.isClear()) chosen.exit_code = kCannotRun;
+  if (checked.check.isClear() && !arguments.trajectory.empty())
+    writeNozzleCsv(arguments.trajectory, *checked.timed->trajectory, *model,
+                   {arguments.rate_hz, levelsIn(checked.timed->run.toolpath())});
   chosen.format == OutputFormat::Json ? printJson(checked, model->name()) : printText(checked, model->name());
 }
 
@@ -155,6 +164,10 @@ void addCheck(CLI::App& app, Chosen& chosen) {
   const auto arguments = std::make_shared<CheckArguments>();
   addMachineRun(*subcommand, arguments->run);
   subcommand->add_option("--report", arguments->report, "File (.csv) for all waypoints that it cannot run");
+  subcommand->add_option(
+      "--trajectory", arguments->trajectory,
+      "File (.csv) for the nozzle over time: pose, speed and process; only of what can be run");
+  subcommand->add_option("--rate-hz", arguments->rate_hz, "Rows a second of --trajectory, 50 to 500");
   addSettingOptions(*subcommand, arguments->settings, "Settings (YAML) for slicing, reading and the joints");
   addJsonFlag(*subcommand, chosen);
   subcommand->callback(

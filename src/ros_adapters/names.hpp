@@ -19,8 +19,12 @@ inline constexpr char kVoidMarkers[] = "void_markers";            ///< visualiza
 inline constexpr char kMachineState[] = "machine_state";          ///< lamina/MachineState, latched
 inline constexpr char kMachinePosition[] =
     "machine_position";  ///< sensor_msgs/JointState: axes as the machine reports them
-inline constexpr char kJointStates[] = "joint_states";              ///< sensor_msgs/JointState
-inline constexpr char kJointTrajectory[] = "joint_trajectory";      ///< trajectory_msgs/JointTrajectory
+inline constexpr char kJointStates[] = "joint_states";          ///< sensor_msgs/JointState
+inline constexpr char kJointTrajectory[] = "joint_trajectory";  ///< trajectory_msgs/JointTrajectory
+inline constexpr char kCartesianTrajectory[] =
+    "cartesian_trajectory";  ///< trajectory_msgs/MultiDOFJointTrajectory, latched: of the nozzle
+inline constexpr char kCartesianProcess[] =
+    "cartesian_process";  ///< lamina/ProcessTrajectory, latched: what goes with cartesian_trajectory
 inline constexpr char kNozzlePath[] = "nozzle_path";                ///< nav_msgs/Path
 inline constexpr char kProcessTrajectory[] = "process_trajectory";  ///< lamina/ProcessTrajectory
 inline constexpr char kProcessState[] = "process_state";            ///< lamina/ProcessState

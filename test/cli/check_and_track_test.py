@@ -58,6 +58,32 @@ class CheckAndTrack(unittest.TestCase):
             self.assertGreater(told["time_s"], 40.0 / 20.0)
         self.assertIn("the machine can run it", run("check", points, "--machine", "irb_4400").stdout)
 
+    def test_the_nozzle_is_written_over_time(self):
+        points = self.write([(0, 0, 0.2), (40, 0, 0.2)])
+        for machine in ("irb_4600", "cartesian_gantry"):
+            table = self.path(machine + ".csv")
+            told = self.told("check", points, "--machine", machine, "--set", "part.placement=as_is", "--trajectory", table,
+                             "--rate-hz", "500")
+            rows = [{name: float(value) for name, value in row.items()} for row in self.listed(table)]
+            self.assertEqual(list(rows[0]), "t,x,y,z,qw,qx,qy,qz,v,flow_mm3_s,laser,wire,powder,gas".split(","))
+            self.assertAlmostEqual(rows[-1]["t"], told["time_s"], places=5)
+            self.assertAlmostEqual(rows[0]["x"], 0.0, places=3)
+            self.assertAlmostEqual(rows[-1]["x"], 40.0, places=3)
+            for row, after in zip(rows, rows[1:-1]):
+                self.assertAlmostEqual(after["t"] - row["t"], 0.002, places=5)
+                self.assertAlmostEqual(row["z"], 0.2, delta=0.02)
+                self.assertAlmostEqual(after["x"] - row["x"], 0.001 * (row["v"] + after["v"]), delta=0.002)
+            amid = rows[len(rows) // 2]
+            self.assertAlmostEqual(amid["v"], 20.0, delta=0.1)
+            self.assertAlmostEqual(amid["flow_mm3_s"], amid["v"] * 0.0714, delta=0.05)
+
+    def test_no_trajectory_of_what_cannot_be_run(self):
+        table = self.path("nozzle.csv")
+        points = self.write([(0, 0, 50), (0, 0, -25), (10, 0, -25)], "travel", 0)
+        self.told("check", points, "--machine", "irb_4600", "--set", "part.placement=as_is", "--trajectory", table,
+                  code=2)
+        self.assertFalse(os.path.exists(table))
+
     def test_waiting_counts(self):
         def taking(waiting, machine):
             program = self.path("waits.gcode")
@@ -105,6 +131,10 @@ class CheckAndTrack(unittest.TestCase):
         for code, arguments in (("InvalidConfig", [points, "--machine", "nowhere"]),
                                 ("FileError", [self.path("none.csv"), "--machine", "irb_4600"]),
                                 ("InvalidInput", [points, "--machine", "irb_4600", "--report", points]),
+                                ("InvalidInput", [points, "--machine", "irb_4600", "--trajectory", points]),
+                                ("InvalidInput", [points, "--machine", "irb_4600", "--trajectory", self.path("t.txt")]),
+                                ("InvalidConfig", [points, "--machine", "irb_4600", "--trajectory", self.path("t.csv"),
+                                                   "--rate-hz", "20"]),
                                 ("InvalidConfig", [points, "--machine", "irb_4600", "--set", "joints.yaw_samples=0"])):
             done = run("check", *arguments, "--json")
             self.assertNotIn(done.returncode, (0, 2), arguments)

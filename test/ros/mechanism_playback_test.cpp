@@ -1,16 +1,21 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
 // A toolpath with leaning tool axes played on every machine and robot: tip and tool axis of each waypoint are
-// computed anew from tf alone, live and from a recording.
+// computed anew from tf alone, live and from a recording; and the nozzle's trajectory from that of the
+// joints.
 #include <gtest/gtest.h>
 #include <ros/ros.h>
 #include <rosbag/bag.h>
+#include <trajectory_msgs/JointTrajectory.h>
+#include <trajectory_msgs/MultiDOFJointTrajectory.h>
 
 #include <cmath>
 #include <memory>
+#include <optional>
 
 #include "bag_player.hpp"
 #include "conversions.hpp"
+#include "joint_messages.hpp"
 #include "lamina/kinematics/model/kinematic_model.hpp"
 #include "latched.hpp"
 #include "leaning_square.hpp"
@@ -47,6 +52,53 @@ void expectPlayed(const test::PlayedSquare& played, const test::TfRecording& rec
       << played.placed.machine << " never was at waypoint " << reached;
 }
 
+/// The joints and the nozzle of the layer that was announced last.
+class PlannedLayer {
+ public:
+  explicit PlannedLayer(ros::NodeHandle& node) {
+    const boost::function<void(const trajectory_msgs::JointTrajectoryConstPtr&)> on_joints =
+        [this](const auto& message) { joints_ = *message; };
+    const boost::function<void(const trajectory_msgs::MultiDOFJointTrajectoryConstPtr&)> on_nozzle =
+        [this](const auto& message) { nozzle_ = *message; };
+    joint_subscriber_ =
+        node.subscribe<trajectory_msgs::JointTrajectory>(names::kJointTrajectory, 10, on_joints);
+    nozzle_subscriber_ =
+        node.subscribe<trajectory_msgs::MultiDOFJointTrajectory>(names::kCartesianTrajectory, 10, on_nozzle);
+  }
+
+  bool isComplete() const { return joints_ && nozzle_ && joints_->header.stamp == nozzle_->header.stamp; }
+
+  /// Of the same rate, so that each point of the one is one of the other.
+  void expectSameMotion(const KinematicModel& model) const {
+    EXPECT_EQ(nozzle_->header.frame_id, "bed");
+    ASSERT_EQ(nozzle_->points.size(), joints_->points.size());
+    for (std::size_t i = 0; i < joints_->points.size(); ++i) {
+      const auto& point = nozzle_->points[i];
+      EXPECT_EQ(point.time_from_start, joints_->points[i].time_from_start);
+      const JointState state = fromMessage(joints_->points[i], joints_->joint_names, model.joints());
+      const Eigen::Isometry3d pose = model.bedFromNozzle(state.position);
+      const auto& at = point.transforms[0].translation;
+      EXPECT_LT((toMillimetres(1.0) * Point3(at.x, at.y, at.z) - pose.translation()).norm(), kSameTip) << i;
+      EXPECT_LT(fromMessage(point.transforms[0].rotation).angularDistance(Eigen::Quaterniond(pose.linear())),
+                kSameToolAxis)
+          << i;
+      if (state.velocity.norm() == 0.0) continue;
+      // Where the joints are an instant later.
+      const double h = 1e-6;
+      const Eigen::Isometry3d next = model.bedFromNozzle(state.position + h * state.velocity);
+      const auto& linear = point.velocities[0].linear;
+      const Point3 moved = (next.translation() - pose.translation()) / h;
+      EXPECT_LT((toMillimetres(1.0) * Point3(linear.x, linear.y, linear.z) - moved).norm(), 1e-2) << i;
+    }
+  }
+
+ private:
+  std::optional<trajectory_msgs::JointTrajectory> joints_;
+  std::optional<trajectory_msgs::MultiDOFJointTrajectory> nozzle_;
+  ros::Subscriber joint_subscriber_;
+  ros::Subscriber nozzle_subscriber_;
+};
+
 class KinematicModelPlayback : public testing::TestWithParam<std::string> {};
 
 TEST_P(KinematicModelPlayback, TfReportsEveryWaypointLiveAndFromARecording) {
@@ -55,14 +107,17 @@ TEST_P(KinematicModelPlayback, TfReportsEveryWaypointLiveAndFromARecording) {
   const test::PlayedSquare played = test::squareOn(*model);
   const test::TfRecording live(name);
   ros::NodeHandle node(name);
+  const PlannedLayer layer(node);
   ros::Publisher toolpath = node.advertise<lamina_msgs::Toolpath>(names::kToolpath, 1, true);
   const test::NodeProcess publisher(
       LAMINA_NODE, {"__ns:=/" + name, "/tf:=/" + name + "/tf", "/tf_static:=/" + name + "/tf_static",
-                    "_machine/name:=" + name, "_speed_up:=5"});
+                    "_machine/name:=" + name, "_speed_up:=5", "_cartesian/rate_hz:=50"});
   ASSERT_TRUE(test::waitUntil([&] { return live.isConnected(); }));
   publishLatched(toolpath, toMessage(played.placed));
   EXPECT_TRUE(test::waitUntil([&] { return hasEnded(played, live); }));
   expectPlayed(played, live);
+  ASSERT_TRUE(test::waitUntil([&] { return layer.isComplete(); }));
+  layer.expectSameMotion(*model);
 
   const test::ScratchFolder folder;
   rosbag::Bag bag(folder.file("played.bag"), rosbag::bagmode::Write);

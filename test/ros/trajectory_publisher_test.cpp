@@ -8,6 +8,7 @@
 #include <tf2/buffer_core.h>
 #include <tf2_msgs/TFMessage.h>
 #include <trajectory_msgs/JointTrajectory.h>
+#include <trajectory_msgs/MultiDOFJointTrajectory.h>
 
 #include <cmath>
 #include <cstdlib>
@@ -22,7 +23,8 @@ namespace lamina {
 namespace {
 
 const Point3 kPartOnBed(100.0, 50.0, 0.0);
-constexpr double kRate = 20.0;  // Hz, of the player
+constexpr double kRate = 20.0;            // Hz, of the player
+constexpr double kCartesianRate = 200.0;  // Hz
 
 /// A square wall of 10 mm on two layers, placed on the bed.
 MachineToolpath square() {
@@ -69,6 +71,15 @@ class Listener {
     trajectory_ =
         node_.subscribe<trajectory_msgs::JointTrajectory>(names::kJointTrajectory, 10, on_trajectory);
     states_ = node_.subscribe<sensor_msgs::JointState>(names::kJointStates, 10000, on_state);
+    const Callback<trajectory_msgs::MultiDOFJointTrajectory> on_nozzle = [this](const auto& message) {
+      nozzles.push_back(*message);
+    };
+    const Callback<lamina_msgs::ProcessTrajectory> on_process = [this](const auto& message) {
+      processes.push_back(*message);
+    };
+    nozzle_ =
+        node_.subscribe<trajectory_msgs::MultiDOFJointTrajectory>(names::kCartesianTrajectory, 10, on_nozzle);
+    process_ = node_.subscribe<lamina_msgs::ProcessTrajectory>(names::kCartesianProcess, 10, on_process);
     toolpath_ = node_.advertise<lamina_msgs::Toolpath>(names::kToolpath, 10, true);
     position_ = node_.advertise<sensor_msgs::JointState>(names::kMachinePosition, 10000);
   }
@@ -102,6 +113,8 @@ class Listener {
 
   nav_msgs::Path path;
   std::vector<trajectory_msgs::JointTrajectory> trajectories;
+  std::vector<trajectory_msgs::MultiDOFJointTrajectory> nozzles;
+  std::vector<lamina_msgs::ProcessTrajectory> processes;
   std::vector<ros::Time> states;  ///< stamps
 
  private:
@@ -111,7 +124,7 @@ class Listener {
 
   ros::NodeHandle node_;
   tf2::BufferCore buffer_;
-  ros::Subscriber tf_, tf_static_, path_, trajectory_, states_;
+  ros::Subscriber tf_, tf_static_, path_, trajectory_, states_, nozzle_, process_;
   ros::Publisher toolpath_, position_;
 };
 
@@ -181,6 +194,54 @@ TEST(TrajectoryPublisher, PlaysTheToolpathToItsEnd) {
   const auto& planned = listener.trajectories.back().points;
   for (std::size_t i = 1; i + 1 < planned.size(); ++i)
     EXPECT_NEAR((planned[i].time_from_start - planned[i - 1].time_from_start).toSec(), 1.0 / kRate, 1e-6);
+}
+
+Point3 inMillimetres(const geometry_msgs::Vector3& vector) {
+  return toMillimetres(1.0) * Point3(vector.x, vector.y, vector.z);
+}
+
+TEST(TrajectoryPublisher, PublishesTheNozzleOverTheBedAsTheAxesMove) {
+  Listener listener("player");
+  ASSERT_TRUE(await([&] { return listener.isConnected(); }));
+  MachineToolpath placed = square();
+  placed.id = "fedcba9876543210";
+  listener.send(toMessage(placed));
+  const auto hasBoth = [&] {
+    return !listener.processes.empty() && listener.processes.back().toolpath_id == placed.id &&
+           !listener.trajectories.empty() && !listener.nozzles.empty() &&
+           listener.nozzles.back().header.stamp == listener.processes.back().header.stamp &&
+           listener.trajectories.back().header.stamp == listener.processes.back().header.stamp;
+  };
+  ASSERT_TRUE(await(hasBoth));
+  const auto& nozzle = listener.nozzles.back();
+  const auto& axes = listener.trajectories.back();
+  EXPECT_EQ(nozzle.header.frame_id, "bed");
+  EXPECT_EQ(nozzle.joint_names, (std::vector<std::string>{"nozzle"}));
+  ASSERT_EQ(listener.processes.back().points.size(), nozzle.points.size());
+  std::size_t cruising = 0;
+  for (std::size_t i = 0; i < nozzle.points.size(); ++i) {
+    const auto& point = nozzle.points[i];
+    if (i + 1 < nozzle.points.size()) {
+      EXPECT_NEAR(point.time_from_start.toSec(), static_cast<double>(i) / kCartesianRate, 1e-6);
+    }
+    const Point3 velocity = inMillimetres(point.velocities[0].linear);
+    EXPECT_EQ(inMillimetres(point.velocities[0].angular).norm(), 0.0);
+    EXPECT_LE(velocity.norm(), 50.0 + 1e-6);
+    // The bead of 0.4 x 0.2 mm, at the speed of the tip.
+    const double flow = toCubicMillimetres(listener.processes.back().points[i].flow);
+    const bool is_laid = velocity.head<2>().norm() > 0.0;
+    EXPECT_NEAR(flow, is_laid ? velocity.norm() * crossSection({0.4, 0.2}) : 0.0, 1e-6) << i;
+    if (velocity.head<2>().norm() > 50.0 - 1e-6) ++cruising;
+  }
+  // At 1500 mm/s² each side of 10 mm is 8.3 mm or more at 50 mm/s: 33 of 200 states a second.
+  EXPECT_GE(cruising, 4U * 30U);
+  const std::size_t every = static_cast<std::size_t>(kCartesianRate / kRate);
+  for (std::size_t i = 0; i + 1 < axes.points.size(); ++i) {
+    ASSERT_LT(every * i, nozzle.points.size());
+    const auto& at = nozzle.points[every * i].transforms[0].translation;
+    const auto& positions = axes.points[i].positions;
+    EXPECT_LT((Point3(at.x, at.y, at.z) - Point3(positions[0], positions[1], positions[2])).norm(), 1e-9);
+  }
 }
 
 TEST(TrajectoryPublisher, PublishesPositionsAtItsRate) {

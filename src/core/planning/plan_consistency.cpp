@@ -14,11 +14,11 @@
 namespace lamina {
 namespace {
 
-constexpr double kRounding = 1e-6;   // of a distance
-constexpr double kLeastPitch = 0.5;  // plan widths
-constexpr double kMostPitch = 2.0;   // plan widths
-constexpr double kNarrowest = 0.5;   // bead, in heights of its layer
-constexpr double kWidest = 50.0;     // the same
+constexpr double kRounding = 1e-6;    // of a distance
+constexpr double kLeastPitch = 0.5;   // plan widths
+constexpr double kMostPitch = 2.0;    // plan widths
+constexpr double kNarrowest = 0.5;    // bead, in heights of its layer
+constexpr double kMostSpread = 50.0;  // the same
 
 std::string text(double value) {
   char digits[32];
@@ -265,7 +265,7 @@ void requireSensibleWidths(const PlanSettings& settings, double layer_height_mm)
     throw InvalidConfig("bead.width_mm is " + text(settings.bead.width_mm) + " mm in a layer of " +
                         text(layer_height_mm) + " mm; expected at least " + text(least_mm) +
                         " mm: a bead more than twice as high as wide does not stand");
-  const double most_mm = kWidest * layer_height_mm;
+  const double most_mm = kMostSpread * layer_height_mm;
   if (settings.bead.width_mm > most_mm * (1.0 + kRounding))
     throw InvalidConfig("bead.width_mm is " + text(settings.bead.width_mm) + " mm in a layer of " +
                         text(layer_height_mm) + " mm; expected at most " + text(most_mm) +

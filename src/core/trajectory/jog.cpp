@@ -46,8 +46,8 @@ void scaleTo(double share, const std::string& reason, JointValues& rates, JogAns
 std::string JogLease::renew(const std::string& holder, double now_s) {
   const std::string present = this->holder(now_s);
   if (!present.empty() && present != holder)
-    return present + " holds the lease; it is free once nothing is heard of it for " +
-           numberText(lease_s_) + " s";
+    return present + " holds the lease; it is free once nothing is heard of it for " + numberText(lease_s_) +
+           " s";
   holder_ = holder;
   until_s_ = now_s + lease_s_;
   return "";

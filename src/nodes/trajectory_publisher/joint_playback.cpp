@@ -30,12 +30,16 @@ class JointPlayback : public Playback {
   trajectory_msgs::JointTrajectory trajectory(const TimeSpan& span, double step_s) override {
     trajectory_msgs::JointTrajectory message;
     message.joint_names = jointNames(model_);
-    for (std::size_t i = 0;; ++i) {
-      const double time_s = std::min(span.end_s, span.begin_s + static_cast<double>(i) * step_s);
+    for (const double time_s : evenTimes(span.begin_s, span.end_s, step_s)) {
       message.points.push_back(toMessage(timed_.trajectory->at(time_s), model_.joints()));
       message.points.back().time_from_start = ros::Duration(time_s - span.begin_s);
-      if (time_s >= span.end_s) return message;
     }
+    return message;
+  }
+
+  std::vector<NozzleState> nozzle(const TimeSpan& span, double step_s) override {
+    return nozzleStates(evenTimes(span.begin_s, span.end_s, step_s),
+                        [this](double time_s) { return nozzleState(timed_.trajectory->at(time_s), model_); });
   }
 
  private:

@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
-
 #include "playback.hpp"
 
 namespace lamina {
@@ -14,7 +12,8 @@ class LinearPlayback : public Playback {
         machine_(machine),
         time_(estimateTime(placed.toolpath, limits)),
         player_(placed.toolpath, limits),
-        layer_player_(placed.toolpath, limits) {}
+        layer_player_(placed.toolpath, limits),
+        nozzle_player_(placed.toolpath, limits) {}
 
   const ToolpathTime& time() const override { return time_; }
   double nextWaypointTime() const override { return player_.nextWaypointTime(); }
@@ -24,15 +23,20 @@ class LinearPlayback : public Playback {
   trajectory_msgs::JointTrajectory trajectory(const TimeSpan& span, double step_s) override {
     trajectory_msgs::JointTrajectory message;
     for (const MachineAxis& axis : machine_.axes) message.joint_names.push_back(axis.name);
-    for (std::size_t i = 0;; ++i) {
-      const double time_s = std::min(span.end_s, span.begin_s + static_cast<double>(i) * step_s);
+    for (const double time_s : evenTimes(span.begin_s, span.end_s, step_s)) {
       const JointPositions positions = this->positions(layer_player_, time_s);
       trajectory_msgs::JointTrajectoryPoint point;
       for (const std::string& name : message.joint_names) point.positions.push_back(positions.at(name));
       point.time_from_start = ros::Duration(time_s - span.begin_s);
       message.points.push_back(point);
-      if (time_s >= span.end_s) return message;
     }
+    return message;
+  }
+
+  std::vector<NozzleState> nozzle(const TimeSpan& span, double step_s) override {
+    return nozzleStates(evenTimes(span.begin_s, span.end_s, step_s), [this](double time_s) {
+      return nozzleState(nozzle_player_.at(time_s), placed_.toolpath, placed_.bed_from_part);
+    });
   }
 
  private:
@@ -48,7 +52,8 @@ class LinearPlayback : public Playback {
   CartesianMachine machine_;
   ToolpathTime time_;
   ToolpathPlayer player_;
-  ToolpathPlayer layer_player_;  // goes back to where a layer begins
+  ToolpathPlayer layer_player_;   // goes back to where a layer begins
+  ToolpathPlayer nozzle_player_;  // likewise
 };
 
 }  // namespace

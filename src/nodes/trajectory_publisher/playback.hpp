@@ -5,12 +5,14 @@
 #include <trajectory_msgs/JointTrajectory.h>
 
 #include <memory>
+#include <vector>
 
 #include "conversions.hpp"
 #include "lamina/job/kinematic_model_run.hpp"
 #include "lamina/kinematics/cartesian/cartesian_machine.hpp"
 #include "lamina/kinematics/model/kinematic_model.hpp"
 #include "lamina/toolpath/timing.hpp"
+#include "lamina/trajectory/nozzle_motion.hpp"
 #include "machine_transforms.hpp"
 
 namespace lamina {
@@ -35,6 +37,8 @@ class Playback {
   /// The driven joints over a span of time, from its begin, at even steps and at its end. Header without
   /// stamp.
   virtual trajectory_msgs::JointTrajectory trajectory(const TimeSpan& span, double step_s) = 0;
+  /// The nozzle over a span of time in the same way, from the same motion.
+  virtual std::vector<NozzleState> nozzle(const TimeSpan& span, double step_s) = 0;
 };
 
 /// Of a machine of linear axes: planned only as far ahead as braking needs.

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "publisher_settings.hpp"
 
+#include "lamina/trajectory/nozzle_motion.hpp"
+
 namespace lamina {
 
 void describe(SettingsSchema& schema, PublisherSettings& settings) {
@@ -16,6 +18,8 @@ void describe(SettingsSchema& schema, PublisherSettings& settings) {
                 "Factor on all extrusion of programs that are loaded.");
   schema.number("speed_up", settings.speed_up, Bounds::above(0.0, 1e4), "Factor on the speed of playing.");
   schema.number("rate_hz", settings.rate_hz, Bounds::above(0.0, 1000.0), "Positions a second while playing.");
+  schema.number("cartesian.rate_hz", settings.cartesian_rate_hz, kNozzleRates,
+                "States of the nozzle a second of its trajectory.");
   schema.number("path_spacing_mm", settings.path_spacing_mm, {0.0, 1e3},
                 "Least distance between the poses of nozzle_path.");
   describe(schema, settings.run);

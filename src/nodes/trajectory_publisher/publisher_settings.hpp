@@ -22,14 +22,15 @@ struct PublisherSettings {
   std::string load_program;  ///< shown and played from the start; empty for none
   ProgramSettings reading;   ///< filament and flow by which programs are read
   TrajectoryMode mode = TrajectoryMode::Visualise;
-  double speed_up = 1.0;         ///< of playing
-  double rate_hz = 50.0;         ///< of playing
-  double path_spacing_mm = 1.0;  ///< least distance between the poses of nozzle_path
-  RunSettings run;               ///< of playing
+  double speed_up = 1.0;             ///< of playing
+  double rate_hz = 50.0;             ///< of playing
+  double cartesian_rate_hz = 100.0;  ///< of cartesian_trajectory
+  double path_spacing_mm = 1.0;      ///< least distance between the poses of nozzle_path
+  RunSettings run;                   ///< of playing
 };
 
 /// Adds the keys machine.*, mode, load_program, program.filament_diameter_mm, program.flow, speed_up,
-/// rate_hz, path_spacing_mm, joints.*, motion.*, trajectory.* and process.*.
+/// rate_hz, cartesian.rate_hz, path_spacing_mm, joints.*, motion.*, trajectory.* and process.*.
 void describe(SettingsSchema& schema, PublisherSettings& settings);
 
 }  // namespace lamina

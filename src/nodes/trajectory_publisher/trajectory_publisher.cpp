@@ -5,6 +5,7 @@
 #include <nav_msgs/Path.h>
 #include <ros/ros.h>
 #include <trajectory_msgs/JointTrajectory.h>
+#include <trajectory_msgs/MultiDOFJointTrajectory.h>
 
 #include <algorithm>
 
@@ -89,6 +90,9 @@ void TrajectoryPublisher::advertise(ros::NodeHandle& node) {
   load_program_ = own.advertiseService("load_program", &TrajectoryPublisher::onLoadProgram, this);
   if (settings_.mode == TrajectoryMode::Follow) return;
   joint_trajectory_ = node.advertise<trajectory_msgs::JointTrajectory>(names::kJointTrajectory, 1, true);
+  cartesian_trajectory_ =
+      node.advertise<trajectory_msgs::MultiDOFJointTrajectory>(names::kCartesianTrajectory, 1, true);
+  cartesian_process_ = node.advertise<lamina_msgs::ProcessTrajectory>(names::kCartesianProcess, 1, true);
   play_ = trigger(own, "play", [this] { is_playing_ = true; });
   pause_ = trigger(own, "pause", [this] { is_playing_ = false; });
   rewind_ = trigger(own, "rewind", [this] {
@@ -205,6 +209,19 @@ void TrajectoryPublisher::announceLayer(const ros::Time& stamp) {
   trajectory.header.stamp = stamp;
   trajectory.header.frame_id = tf_.machine().rootLink();
   publishLatched(joint_trajectory_, trajectory);
+  announceNozzle(span, stamp);
+}
+
+/// The process goes first: who has the motion has what goes with it.
+void TrajectoryPublisher::announceNozzle(const TimeSpan& span, const ros::Time& stamp) {
+  const std::vector<NozzleState> states = shown_->playback->nozzle(span, 1.0 / settings_.cartesian_rate_hz);
+  lamina_msgs::ProcessTrajectory process = nozzleProcess(states);
+  process.header.stamp = stamp;
+  process.toolpath_id = shown_->placed.id;
+  publishLatched(cartesian_process_, process);
+  trajectory_msgs::MultiDOFJointTrajectory nozzle = nozzleTrajectory(states);
+  nozzle.header.stamp = stamp;
+  publishLatched(cartesian_trajectory_, nozzle);
 }
 
 void TrajectoryPublisher::publishPosition(const JointPositions& positions,

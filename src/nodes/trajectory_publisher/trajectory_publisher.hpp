@@ -49,6 +49,7 @@ class TrajectoryPublisher {
   void onMachinePosition(const sensor_msgs::JointStateConstPtr& message);
   void onTick(const ros::TimerEvent& event);
   void announceLayer(const ros::Time& stamp);
+  void announceNozzle(const TimeSpan& span, const ros::Time& stamp);
   void publishWaypoints(const ros::Time& until);
   void publishPlayed(const JointPositions& positions, const ros::Time& stamp);
   void publishPosition(const JointPositions& positions, const sensor_msgs::JointState& state);
@@ -60,6 +61,8 @@ class TrajectoryPublisher {
   ros::Publisher joint_states_;
   ros::Publisher nozzle_path_;
   ros::Publisher joint_trajectory_;
+  ros::Publisher cartesian_trajectory_;
+  ros::Publisher cartesian_process_;
   ros::Subscriber toolpath_;
   ros::Subscriber machine_position_;
   ros::ServiceServer load_program_;

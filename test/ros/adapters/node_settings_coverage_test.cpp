@@ -183,6 +183,7 @@ const std::vector<TestedElsewhere>& jogTests() {
 const std::vector<TestedElsewhere>& nodeTests() {
   static const std::vector<TestedElsewhere> all = {
       {"baud", "ros/gcode_streamer_test.cpp", "_baud"},
+      {"cartesian.rate_hz", "ros/trajectory_publisher.test", "cartesian/rate_hz"},
       {"check_clearance", "ros/trajectory_driver.test", "check_clearance"},
       {"corrections.follow_plans", "ros/robot_loop.test", "follow_plans"},
       {"corrections.folder", "ros/adapters/layer_corrector_test.cpp", "corrections.folder"},
