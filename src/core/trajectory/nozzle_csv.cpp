@@ -8,6 +8,7 @@
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 
 namespace lamina {
 namespace {
@@ -70,7 +71,7 @@ std::vector<ProcessLevel> levelsIn(const Toolpath& toolpath) {
 
 void requireNozzleRate(double rate_hz) {
   if (rate_hz >= kNozzleRates.low && rate_hz <= kNozzleRates.high) return;
-  throw InvalidConfig("the rate of a Cartesian trajectory is " + std::to_string(rate_hz) +
+  throw InvalidConfig("the rate of a Cartesian trajectory is " + numberText(rate_hz) +
                       " Hz; expected 50 to 500 Hz");
 }
 

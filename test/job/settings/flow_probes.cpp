@@ -81,6 +81,7 @@ SettingProbe leadProbe() {
           std::string(kRuns) + ";lead.in=line;lead.length_mm=6",
           toolpathOf(kRunPart),
           {{"lead.in=arc"},
+           {"lead.in=loop"},
            {"lead.out=line"},
            {"lead.length_mm=4"},
            {"lead.angle_deg=45"},
@@ -106,6 +107,7 @@ SettingProbe runStartProbe() {
            {"starts.first_share=0.3"},
            {"entry.distance_mm=5"},
            {"entry.feed_mm_s=4"},
+           {"entry.direction=tangent"},
            {"entry.direction=level",
             "slicing.plane.angle_deg=45;starts.rule=keep;machine.name=large_gantry_45"}}};
 }
@@ -129,6 +131,9 @@ SettingProbe weaveProbe() {
           std::string(kRuns) + ";weave.kind=sine;weave.amplitude_mm=0.7;weave.wavelength_mm=3",
           toolpathOf(kRunPart),
           {{"weave.kind=zigzag"},
+           {"weave.kind=circle"},
+           {"weave.kind=eight"},
+           {"weave.swing_deg=10", "machine.name=irb_4600"},
            {"weave.amplitude_mm=0.5"},
            {"weave.wavelength_mm=4"},
            {"weave.flat_share=0.1", "weave.kind=trapezium"},

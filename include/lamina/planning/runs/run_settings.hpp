@@ -24,7 +24,12 @@ struct StartSettings {
 };
 
 /// The way of a lead.
-enum class LeadShape : std::uint8_t { None, Line, Arc };
+enum class LeadShape : std::uint8_t {
+  None,
+  Line,
+  Arc,
+  Loop,  ///< a whole circle, from where the run begins or ends and back
+};
 
 /// What the process does along a lead.
 enum class LeadDeposit : std::uint8_t {
@@ -40,7 +45,7 @@ struct LeadSettings {
   double length_mm = 10.0;  ///< of a line
   double angle_deg = 0.0;   ///< of a line, from the tangent, in the layer
   double rise_deg = 0.0;    ///< out of the layer
-  double radius_mm = 5.0;   ///< of an arc
+  double radius_mm = 5.0;   ///< of an arc or a loop
   double sweep_deg = 90.0;  ///< of an arc
   double least_mm = 1.0;    ///< leads that are shorter are left out
   LeadDeposit deposit = LeadDeposit::Dry;
@@ -49,8 +54,9 @@ struct LeadSettings {
 
 /// Which way a tool comes to a run.
 enum class EntryDirection : std::uint8_t {
-  Jet,   ///< along the tool axis
-  Level  ///< along z of the part's frame
+  Jet,      ///< along the tool axis
+  Level,    ///< along z of the part's frame
+  Tangent,  ///< on along the run or its lead; along the tool axis where there is no room
 };
 
 /// Points before and after each run, from and to which the tool goes straight.
@@ -71,7 +77,14 @@ struct LevelSettings {
 };
 
 /// How a tip swings across its way.
-enum class WeaveKind : std::uint8_t { None, Zigzag, Sine, Trapezium };
+enum class WeaveKind : std::uint8_t {
+  None,
+  Zigzag,
+  Sine,
+  Trapezium,
+  Circle,  ///< round and round, ahead of the line
+  Eight,   ///< round a loop on each side, half as far ahead and back as aside
+};
 
 /// What a feed is of, where a tip weaves.
 enum class WeaveFeed : std::uint8_t {
@@ -89,6 +102,7 @@ struct WeaveSettings {
   double right_s = 0.0;
   WeaveFeed feed = WeaveFeed::Advance;
   double tolerance_mm = 0.05;  ///< from chord to curve
+  double swing_deg = 0.0;  ///< of the jet about the way, to the side on which the tip is; at the amplitude
 };
 
 /// What becomes of runs of beads once they are planned.
@@ -115,9 +129,9 @@ struct StatedLevel {
 ///   value is negative or no number; `from_bead` is of wire_speed_mm_s alone
 std::vector<StatedLevel> statedLevels(const std::string& text);
 
-/// @throws InvalidConfig naming key, value and unit: a lead that rises while it lays, one that lays beside
-///   an overlap, a weave that is wider than four of its waves, shares or rests without the weave or ramp that
-///   they are of
+/// @throws InvalidConfig naming key, value and unit: a lead that rises while it lays, a loop that lays, one
+///   that lays beside an overlap, a weave that is wider than four of its waves, a swing of the torch without
+///   a weave, shares or rests without the weave or ramp that they are of
 void requireConsistent(const BeadRunSettings& settings);
 
 }  // namespace lamina

@@ -35,12 +35,15 @@ struct LeadCount {
 struct EndCount {
   LeadCount leads;
   std::size_t entries = 0;
+  std::size_t without_tangent =
+      0;  ///< of the entries: along the tool axis, as there is no room along the run
 };
 
 /// Adds a lead before and after each run of the part: a travel at the run's feed, or a path of role Prime
 /// where it lays a bead. It goes to the side with more room, and outside of a closed run where both have the
 /// same: no nearer to other beads of the layer than beads are to each other. None that would lie on its own
-/// bead along more than half of its way.
+/// bead along more than half of its way. A loop is smaller where there is less room, and keeps off its own
+/// path but for where it touches that.
 ///
 /// Lets the tool come to each run, or its lead, from `distance_mm` away, and leave it as far, straight and at
 /// a feed of its own: by travels of their own. These, and leads that lay nothing, are retracted where the

@@ -39,7 +39,7 @@ void leadTo(Path& travel, std::size_t waypoint, std::size_t next, const Point3& 
 
 Point3 entryPoint(const Point3& place, const Eigen::Quaterniond& nozzle, const EntrySettings& settings) {
   const Point3 away =
-      settings.direction == EntryDirection::Jet ? Point3(-(nozzle * Point3::UnitZ())) : Point3::UnitZ();
+      settings.direction == EntryDirection::Level ? Point3::UnitZ() : Point3(-(nozzle * Point3::UnitZ()));
   return place + settings.distance_mm * away;
 }
 

@@ -7,7 +7,7 @@
 
 namespace lamina {
 
-/// Where the tool comes to a place from.
+/// Where the tool comes to a place from: along z, or along the tool axis.
 Point3 entryPoint(const Point3& place, const Eigen::Quaterniond& nozzle, const EntrySettings& settings);
 
 /// The straight way between a place and its entry.

@@ -21,6 +21,8 @@ constexpr double kSampleShare = 0.25;  // of a bead's width, between places that
 constexpr double kLeadRoom = 1e-3;     // mm: by which a lead may be nearer than beads are
 constexpr double kSameRoom = 1e-6;     // mm
 constexpr double kLeavingShare = 0.5;  // of a lead's way, by which one that leaves its bead goes away from it
+constexpr std::size_t kLoopSizes = 16;  // radii that are tried
+constexpr double kLoopShare = 0.5;  // of a loop's distance from a straight bead, to which a bent one may come
 
 enum class LeadSide { Left = 1, Right = -1 };
 
@@ -42,23 +44,30 @@ std::optional<LeadStart> leadStart(const Point3& at, const Point3& tangent, cons
   return start;
 }
 
-/// Ways are measured in the layer.
-double wholeWay(LeadShape shape, const LeadSettings& settings) {
-  return shape == LeadShape::Line ? settings.length_mm * std::cos(toRadians(settings.rise_deg))
-                                  : settings.radius_mm * toRadians(settings.sweep_deg);
+/// Where a lead goes. Ways are measured in the layer.
+struct LeadWay {
+  LeadShape shape = LeadShape::Line;
+  double radius_mm = 0.0;  ///< of an arc or a loop
+  double whole_mm = 0.0;
+};
+
+LeadWay leadWay(LeadShape shape, const LeadSettings& settings) {
+  if (shape == LeadShape::Line)
+    return {shape, 0.0, settings.length_mm * std::cos(toRadians(settings.rise_deg))};
+  const double sweep = shape == LeadShape::Loop ? 2.0 * M_PI : toRadians(settings.sweep_deg);
+  return {shape, settings.radius_mm, settings.radius_mm * sweep};
 }
 
-Point3 leadPoint(const LeadStart& start, LeadShape shape, LeadSide side, const LeadSettings& settings,
+Point3 leadPoint(const LeadStart& start, const LeadWay& way, LeadSide side, const LeadSettings& settings,
                  double way_mm) {
   const double sign = static_cast<double>(static_cast<int>(side));
   const Point3 risen = start.at + way_mm * std::tan(toRadians(settings.rise_deg)) * start.up;
-  if (shape == LeadShape::Line) {
+  if (way.shape == LeadShape::Line) {
     const double angle = toRadians(settings.angle_deg);
     return risen + way_mm * (std::cos(angle) * start.along + sign * std::sin(angle) * start.left);
   }
-  const double turn = way_mm / settings.radius_mm;
-  return risen +
-         settings.radius_mm * (std::sin(turn) * start.along + sign * (1.0 - std::cos(turn)) * start.left);
+  const double turn = way_mm / way.radius_mm;
+  return risen + way.radius_mm * (std::sin(turn) * start.along + sign * (1.0 - std::cos(turn)) * start.left);
 }
 
 /// A motion that lays a bead of a layer.
@@ -130,6 +139,20 @@ class LeadRoom {
       if (own_mm < std::min(on_own_mm, kLeavingShare * at_mm)) ++count_on_own;
     }
     return 2.0 * step_mm * static_cast<double>(count_on_own) > free_mm ? 0.0 : free_mm;
+  }
+
+  /// Whether a loop keeps off what is laid; of its own path it comes near only where it touches that.
+  template <class PointAt>
+  bool holds(const LeadWay& loop, double width_mm, PointAt pointAt) const {
+    const auto count = static_cast<std::size_t>(std::ceil(loop.whole_mm / (kSampleShare * width_mm)));
+    for (std::size_t i = 1; i < count; ++i) {
+      const double at_mm = loop.whole_mm * static_cast<double>(i) / static_cast<double>(count);
+      const Point3 point = pointAt(at_mm);
+      const double straight_mm = loop.radius_mm * (1.0 - std::cos(at_mm / loop.radius_mm));
+      const double least_mm = std::min(width_mm, kLoopShare * straight_mm);
+      if (toOwn(motions_, point) < least_mm - kLeadRoom || !keepsOff(motions_, point, width_mm)) return false;
+    }
+    return true;
   }
 
   double toOthers(const Point3& point) const {
@@ -211,15 +234,16 @@ class LayerLeads {
                                  end == LeadEnd::In ? path.orientation.at(0) : nozzleAtEnd(path));
     const double width_mm = widestPlan(path);
     if (!start || width_mm <= 0.0) return std::nullopt;
-    const auto [side, way_mm] = freeSide(*start, shape, index, width_mm);
-    const double whole_mm = wholeWay(shape, settings_);
-    if (way_mm < std::min(settings_.least_mm, whole_mm)) {
+    const LeadWay way = leadWay(shape, settings_);
+    const FreeWay free = shape == LeadShape::Loop ? freeLoop(*start, way, index, width_mm)
+                                                  : freeSide(*start, way, index, width_mm);
+    if (free.length_mm < std::min(settings_.least_mm, way.whole_mm)) {
       ++count.left_out;
       return std::nullopt;
     }
     ++count.added;
-    count.shortened += way_mm < whole_mm - kSameRoom ? 1 : 0;
-    Path lead = along(*start, shape, side, way_mm);
+    count.shortened += free.length_mm < way.whole_mm - kSameRoom ? 1 : 0;
+    Path lead = along(*start, free);
     lead.feed_mm_s = path.feed_mm_s.at(waypoint);
     lead.orientation = end == LeadEnd::In ? path.orientation.at(0) : nozzleAtEnd(path);
     deposit(lead, path.bead.at(waypoint));
@@ -227,13 +251,59 @@ class LayerLeads {
     return lead;
   }
 
+  /// Whether nothing is laid along a straight way from the end of a path or its lead.
+  bool isFree(std::size_t index, const Point3& from, const Point3& way) const {
+    const double way_mm = way.norm();
+    const double width_mm = widestPlan(layer_.paths[index]);
+    if (way_mm == 0.0 || width_mm <= 0.0) return false;
+    const LeadRoom room(motions_, from, way_mm, index);
+    return room.longest(way_mm, width_mm, kLeadRoom, [&](double at_mm) {
+      return Point3(from + at_mm / way_mm * way);
+    }) >= way_mm - kSameRoom;
+  }
+
  private:
-  std::pair<LeadSide, double> freeSide(const LeadStart& start, LeadShape shape, std::size_t index,
-                                       double width_mm) const {
-    const double whole_mm = wholeWay(shape, settings_);
+  /// What of a way has room.
+  struct FreeWay {
+    LeadWay way;
+    LeadSide side = LeadSide::Left;
+    double length_mm = 0.0;
+  };
+
+  /// The greatest loop for which there is room: a part of one would be an arc.
+  FreeWay freeLoop(const LeadStart& start, const LeadWay& whole, std::size_t index, double width_mm) const {
+    const double reach_mm = whole.whole_mm / std::cos(toRadians(settings_.rise_deg));
+    const LeadRoom room(motions_, start.at, reach_mm, index);
+    const LeadSide outer = outside(layer_.paths[index], start.up);
+    for (std::size_t size = kLoopSizes; size > 0; --size) {
+      LeadWay way = whole;
+      way.radius_mm *= static_cast<double>(size) / kLoopSizes;
+      way.whole_mm = 2.0 * M_PI * way.radius_mm;
+      const auto farFromOthers = [&](LeadSide side) {
+        return room.toOthers(leadPoint(start, way, side, settings_, 0.5 * way.whole_mm));
+      };
+      const auto holds = [&](LeadSide side) {
+        return room.holds(way, width_mm,
+                          [&](double at_mm) { return leadPoint(start, way, side, settings_, at_mm); });
+      };
+      const bool left = holds(LeadSide::Left);
+      const bool right = holds(LeadSide::Right);
+      if (!left && !right) continue;
+      if (left != right) return {way, left ? LeadSide::Left : LeadSide::Right, way.whole_mm};
+      const double left_mm = farFromOthers(LeadSide::Left);
+      const double right_mm = farFromOthers(LeadSide::Right);
+      if (left_mm > right_mm + kSameRoom) return {way, LeadSide::Left, way.whole_mm};
+      if (right_mm > left_mm + kSameRoom) return {way, LeadSide::Right, way.whole_mm};
+      return {way, outer, way.whole_mm};
+    }
+    return {whole, outer, 0.0};
+  }
+
+  FreeWay freeSide(const LeadStart& start, const LeadWay& way, std::size_t index, double width_mm) const {
+    const double whole_mm = way.whole_mm;
     const LeadRoom room(motions_, start.at, whole_mm / std::cos(toRadians(settings_.rise_deg)), index);
     const auto pointOn = [&](LeadSide side, double way_mm) {
-      return leadPoint(start, shape, side, settings_, way_mm);
+      return leadPoint(start, way, side, settings_, way_mm);
     };
     // What lays nothing may pass over its bead, but not go along it.
     const double on_own_mm = settings_.deposit == LeadDeposit::Dry ? kLeadRoom : 0.5 * width_mm;
@@ -243,26 +313,26 @@ class LayerLeads {
     };
     const double left_mm = longest(LeadSide::Left);
     const double right_mm = longest(LeadSide::Right);
-    if (left_mm > right_mm + kSameRoom) return {LeadSide::Left, left_mm};
-    if (right_mm > left_mm + kSameRoom) return {LeadSide::Right, right_mm};
+    if (left_mm > right_mm + kSameRoom) return {way, LeadSide::Left, left_mm};
+    if (right_mm > left_mm + kSameRoom) return {way, LeadSide::Right, right_mm};
     const double left_room_mm = room.toOthers(pointOn(LeadSide::Left, left_mm));
     const double right_room_mm = room.toOthers(pointOn(LeadSide::Right, left_mm));
-    if (left_room_mm > right_room_mm + kSameRoom) return {LeadSide::Left, left_mm};
-    if (right_room_mm > left_room_mm + kSameRoom) return {LeadSide::Right, left_mm};
-    return {outside(layer_.paths[index], start.up), left_mm};
+    if (left_room_mm > right_room_mm + kSameRoom) return {way, LeadSide::Left, left_mm};
+    if (right_room_mm > left_room_mm + kSameRoom) return {way, LeadSide::Right, left_mm};
+    return {way, outside(layer_.paths[index], start.up), left_mm};
   }
 
   /// From the run on.
-  Path along(const LeadStart& start, LeadShape shape, LeadSide side, double way_mm) const {
+  Path along(const LeadStart& start, const FreeWay& free) const {
     std::size_t steps = settings_.deposit == LeadDeposit::Ramp ? kRampSteps : 1;
-    if (shape == LeadShape::Arc)
-      steps = std::max(
-          steps, static_cast<std::size_t>(std::ceil(way_mm / settings_.radius_mm / kArcStep - kSameRoom)));
+    if (free.way.shape != LeadShape::Line)
+      steps = std::max(steps, static_cast<std::size_t>(
+                                  std::ceil(free.length_mm / free.way.radius_mm / kArcStep - kSameRoom)));
     Path lead;
     lead.points.push_back(start.at);
     for (std::size_t i = 1; i <= steps; ++i)
-      lead.points.push_back(leadPoint(start, shape, side, settings_,
-                                      way_mm * static_cast<double>(i) / static_cast<double>(steps)));
+      lead.points.push_back(leadPoint(start, free.way, free.side, settings_,
+                                      free.length_mm * static_cast<double>(i) / static_cast<double>(steps)));
     return lead;
   }
 
@@ -350,8 +420,12 @@ class RunEndings {
     if (ends.in && travel != nullptr) shiftEnd(*travel, startPose(path), {start, nozzle});
     if (ends.in) runAs(*ends.in, path, travel);
     if (entry_.distance_mm == 0.0) return;
-    const Point3 from = entryPoint(start, nozzle, entry_);
-    if (travel != nullptr) endAtEntry(*travel, from);
+    const auto along = tangentEntry(places_[index], start, -startTangent(ends.in ? *ends.in : path));
+    const Point3 from = along ? *along : entryPoint(start, nozzle, entry_);
+    if (travel != nullptr && along)
+      shiftEnd(*travel, {start, nozzle}, {from, nozzle});
+    else if (travel != nullptr)
+      endAtEntry(*travel, from);
     ends.entry = entryTravel(from, start, nozzle, entry_.feed_mm_s);
     runAs(*ends.entry, path, travel);
     ++count_.entries;
@@ -366,11 +440,25 @@ class RunEndings {
     if (ends.out && travel != nullptr) shiftStart(*travel, endPose(path), {end, nozzle});
     if (ends.out) runAs(*ends.out, path, travel);
     if (entry_.distance_mm == 0.0) return;
-    const Point3 to = entryPoint(end, nozzle, entry_);
-    if (travel != nullptr) startAtEntry(*travel, to);
+    const auto along = tangentEntry(places_[index], end, endTangent(ends.out ? *ends.out : path));
+    const Point3 to = along ? *along : entryPoint(end, nozzle, entry_);
+    if (travel != nullptr && along)
+      shiftStart(*travel, {end, nozzle}, {to, nozzle});
+    else if (travel != nullptr)
+      startAtEntry(*travel, to);
     ends.exit = entryTravel(end, to, nozzle, entry_.feed_mm_s);
     runAs(*ends.exit, path, travel);
     ++count_.entries;
+  }
+
+  /// Straight on from a run or its lead, where there is room; counted where there is none.
+  /// @param away  unit vector
+  std::optional<Point3> tangentEntry(const RunPlace& place, const Point3& at, const Point3& away) {
+    if (entry_.direction != EntryDirection::Tangent) return std::nullopt;
+    if (layers_[place.layer].isFree(place.path, at, entry_.distance_mm * away))
+      return at + entry_.distance_mm * away;
+    ++count_.without_tangent;
+    return std::nullopt;
   }
 
   /// By the run's tool; and between run and travel the material stays pulled back as on the travel.

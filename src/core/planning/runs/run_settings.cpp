@@ -19,8 +19,10 @@ constexpr double kMostWavesOfSwing = 2.0;  // wavelengths in an amplitude: beyon
 constexpr std::string_view kFromBead = "from_bead";
 
 void describeLead(SettingsSchema& schema, LeadSettings& lead) {
-  const std::vector<std::pair<std::string, LeadShape>> shapes = {
-      {"none", LeadShape::None}, {"line", LeadShape::Line}, {"arc", LeadShape::Arc}};
+  const std::vector<std::pair<std::string, LeadShape>> shapes = {{"none", LeadShape::None},
+                                                                 {"line", LeadShape::Line},
+                                                                 {"arc", LeadShape::Arc},
+                                                                 {"loop", LeadShape::Loop}};
   schema.choice<LeadShape>("lead.in", lead.in, shapes, "Way that leads to the beads of each run.");
   schema.choice<LeadShape>("lead.out", lead.out, shapes, "Way that leads on from the beads of each run.");
   schema.number("lead.length_mm", lead.length_mm, Bounds::above(0.0, 1000.0), "Length of a straight lead.");
@@ -28,7 +30,7 @@ void describeLead(SettingsSchema& schema, LeadSettings& lead) {
                 "Angle of a straight lead to the bead's tangent, in the layer, on the free side.");
   schema.number("lead.rise_deg", lead.rise_deg, {0.0, 80.0}, "Rise of a lead out of the layer.");
   schema.number("lead.radius_mm", lead.radius_mm, Bounds::above(0.0, 1000.0),
-                "Radius of a lead that is an arc.");
+                "Radius of a lead that is an arc or a loop.");
   schema.number("lead.sweep_deg", lead.sweep_deg, Bounds::above(0.0, 180.0),
                 "Sweep of a lead that is an arc.");
   schema.number("lead.least_mm", lead.least_mm, Bounds::above(0.0, 1000.0),
@@ -63,7 +65,9 @@ void describeWeave(SettingsSchema& schema, WeaveSettings& weave) {
                            {{"none", WeaveKind::None},
                             {"zigzag", WeaveKind::Zigzag},
                             {"sine", WeaveKind::Sine},
-                            {"trapezium", WeaveKind::Trapezium}},
+                            {"trapezium", WeaveKind::Trapezium},
+                            {"circle", WeaveKind::Circle},
+                            {"eight", WeaveKind::Eight}},
                            "How the tip swings across its beads.");
   schema.number("weave.amplitude_mm", weave.amplitude_mm, Bounds::above(0.0, 100.0),
                 "Half the width that the tip swings; half the bead at most.");
@@ -79,7 +83,9 @@ void describeWeave(SettingsSchema& schema, WeaveSettings& weave) {
                            {{"advance", WeaveFeed::Advance}, {"tip", WeaveFeed::Tip}},
                            "Whether feeds are those along the bead, or of the tip.");
   schema.number("weave.tolerance_mm", weave.tolerance_mm, Bounds::above(0.0, 10.0),
-                "How far the chords of a sine may be from it.");
+                "How far the chords of a sine, circle or eight may be from it.");
+  schema.number("weave.swing_deg", weave.swing_deg, {-60.0, 60.0},
+                "Angle by which the jet turns about the way to the side on which the tip is.");
 }
 
 [[noreturn]] void refuseLevels(std::string_view entry, const std::string& expected) {
@@ -138,9 +144,11 @@ void describe(SettingsSchema& schema, BeadRunSettings& settings) {
   schema.number(
       "entry.distance_mm", settings.entry.distance_mm, {0.0, 1000.0},
       "Distance from which the tool comes straight to each run, and to which it leaves; 0 for none.");
-  schema.choice<EntryDirection>("entry.direction", settings.entry.direction,
-                                {{"jet", EntryDirection::Jet}, {"level", EntryDirection::Level}},
-                                "Whether it comes along the tool axis or straight from above the bed.");
+  schema.choice<EntryDirection>(
+      "entry.direction", settings.entry.direction,
+      {{"jet", EntryDirection::Jet}, {"level", EntryDirection::Level}, {"tangent", EntryDirection::Tangent}},
+      "Whether it comes along the tool axis, straight from above the bed, or on along "
+      "the run where there is room.");
   schema.number("entry.feed_mm_s", settings.entry.feed_mm_s, Bounds::above(0.0, 10000.0), "Feed there.");
   describeLevels(schema, settings.levels);
   describeWeave(schema, settings.weave);
@@ -166,6 +174,11 @@ void requireConsistent(const BeadRunSettings& settings) {
   if (lead.rise_deg > 0.0 && lead.deposit != LeadDeposit::Dry)
     throw InvalidConfig("lead.rise_deg is " + numberText(lead.rise_deg) +
                         " deg with leads that lay a bead; expected 0 deg, or lead.process 'dry'");
+  const bool has_loops = lead.in == LeadShape::Loop || lead.out == LeadShape::Loop;
+  if (has_loops && lead.deposit != LeadDeposit::Dry)
+    throw InvalidConfig(std::string(lead.in == LeadShape::Loop ? "lead.in" : "lead.out") +
+                        " is 'loop' with leads that lay a bead; expected 'line' or 'arc', or lead.process "
+                        "'dry': where a loop closes three beads would lie on each other");
   const bool has_leads = lead.in != LeadShape::None || lead.out != LeadShape::None;
   if (has_leads && lead.overlap_mm > 0.0 && lead.deposit != LeadDeposit::Dry)
     throw InvalidConfig("lead.overlap_mm is " + numberText(lead.overlap_mm) +
@@ -173,6 +186,10 @@ void requireConsistent(const BeadRunSettings& settings) {
                         "that a lead leads to would begin with nothing");
   requireConsistent(settings.levels);
   const WeaveSettings& weave = settings.weave;
+  if (weave.kind == WeaveKind::None && weave.swing_deg != 0.0)
+    throw InvalidConfig(
+        "weave.swing_deg is " + numberText(weave.swing_deg) +
+        " deg with weave.kind 'none'; expected 0 deg, or a weave: the torch swings with its tip");
   if (weave.kind == WeaveKind::None) return;
   if (weave.amplitude_mm > kMostWavesOfSwing * weave.wavelength_mm)
     throw InvalidConfig("weave.amplitude_mm is " + numberText(weave.amplitude_mm) +

@@ -6,20 +6,21 @@
 #include <utility>
 #include <vector>
 
+#include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
 #include "lamina/planning/runs/runs.hpp"
 #include "planning/flow/path_cut.hpp"
 #include "planning/runs/run_ends.hpp"
+#include "planning/runs/weave_shape.hpp"
 
 namespace lamina {
 namespace {
 
-constexpr double kWaveEnd = 1e-9;        // mm
-constexpr double kCornerApart = 0.02;    // of a wave
-constexpr double kMostAdvance = 6.0;     // of the line for each mm of the tip's way
-constexpr double kMostSwing = 2.0;       // waves, as of the settings
-constexpr std::size_t kMostInHalf = 64;  // points of half a wave
+constexpr double kWaveEnd = 1e-9;      // mm
+constexpr double kCornerApart = 0.02;  // of a wave
+constexpr double kMostAdvance = 6.0;   // of the line for each mm of the tip's way
+constexpr double kMostSwing = 2.0;     // waves, as of the settings
 
 [[noreturn]] void refuseWeave(const RunPlace& place, const std::string& what) {
   throw InvalidInput("toolpath layer " + std::to_string(place.layer) + ", path " +
@@ -27,32 +28,6 @@ constexpr std::size_t kMostInHalf = 64;  // points of half a wave
 }
 
 std::string shownMm(double value) { return numberText(value) + " mm"; }
-
-/// Side, as a share of the amplitude, at a phase of the wave [waves].
-double swing(const WeaveSettings& settings, double waves) {
-  const double phase = waves - std::floor(waves);
-  if (settings.kind == WeaveKind::Sine) return std::sin(2.0 * M_PI * phase);
-  // The slope of a zigzag, or a steeper one that is cut off at both sides.
-  const double flat = settings.kind == WeaveKind::Trapezium ? settings.flat_share : 0.0;
-  const double triangle = phase < 0.25 ? 4.0 * phase : phase < 0.75 ? 2.0 - 4.0 * phase : 4.0 * phase - 4.0;
-  return std::clamp(triangle / (1.0 - 2.0 * flat), -1.0, 1.0);
-}
-
-/// Phases of half a wave at which waypoints stand, the first left out [waves].
-std::vector<double> halfWavePhases(const WeaveSettings& settings, double wavelength_mm) {
-  if (settings.kind == WeaveKind::Zigzag) return {0.25, 0.5};
-  if (settings.kind == WeaveKind::Trapezium)
-    return {0.25 - 0.5 * settings.flat_share, 0.25 + 0.5 * settings.flat_share, 0.5};
-  // A chord of length d is off a curve of curvature k by k d² / 8.
-  const double turn = 2.0 * M_PI / wavelength_mm;
-  const double step_mm = std::sqrt(8.0 * settings.tolerance_mm / (settings.amplitude_mm * turn * turn));
-  const auto quarters = static_cast<std::size_t>(std::ceil(0.25 * wavelength_mm / step_mm));
-  const std::size_t count = 2 * std::clamp<std::size_t>(quarters, 1, kMostInHalf / 2);
-  std::vector<double> phases;
-  for (std::size_t i = 1; i <= count; ++i)
-    phases.push_back(0.5 * static_cast<double>(i) / static_cast<double>(count));
-  return phases;
-}
 
 /// Waves along a centre line.
 struct WaveTrain {
@@ -63,17 +38,25 @@ struct WaveTrain {
 WaveTrain waveTrain(const WeaveSettings& settings, double length_mm, bool is_closed) {
   const double halves = 2.0 * length_mm / settings.wavelength_mm;
   WaveTrain train;
-  train.halves = is_closed ? 2 * static_cast<std::size_t>(std::llround(0.5 * halves))
-                           : static_cast<std::size_t>(std::llround(halves));
+  // Of a circle the halves are no mirror images: one that ended amid a wave would end ahead of its line.
+  const bool is_whole = is_closed || settings.kind == WeaveKind::Circle;
+  train.halves = is_whole ? 2 * static_cast<std::size_t>(std::llround(0.5 * halves))
+                          : static_cast<std::size_t>(std::llround(halves));
   if (train.halves > 0) train.wavelength_mm = 2.0 * length_mm / static_cast<double>(train.halves);
   return train;
 }
 
-/// Amplitude, as a share of the whole: it grows over the first quarter of an open run's first wave and falls
-/// over its last, so that the run begins and ends on its centre line.
-double growth(double waves, double all_waves, bool is_closed) {
-  if (is_closed) return 1.0;
-  return std::min({1.0, 4.0 * waves, 4.0 * (all_waves - waves)});
+/// Ways over which the amplitude of an open run grows and falls [waves]: a quarter of a wave, and so far that
+/// the tip goes neither back behind the start nor on beyond the end.
+struct WaveRamps {
+  double growing = 0.25;
+  double falling = 0.25;
+};
+
+WaveRamps waveRamps(const WeaveSettings& settings, double wavelength_mm) {
+  const WaveReach reach = waveReach(settings.kind);
+  const double amplitude = settings.amplitude_mm / wavelength_mm;
+  return {std::max(0.25, reach.behind * amplitude), std::max(0.25, reach.ahead * amplitude)};
 }
 
 /// Where a way along a path lies.
@@ -82,22 +65,31 @@ struct WayPlace {
   double share = 0.0;
 };
 
-/// Finds places from the start on.
-class WayCursor {
+/// Finds places along a path.
+class WayPlaces {
  public:
-  explicit WayCursor(const Path& path) : path_(path) {}
+  explicit WayPlaces(const Path& path) : path_(path) {
+    ends_mm_.reserve(path.motionCount());
+    double end_mm = 0.0;
+    for (std::size_t m = 0; m < path.motionCount(); ++m) ends_mm_.push_back(end_mm += motionLength(path, m));
+  }
 
-  WayPlace at(double way_mm) {
-    while (motion_ + 1 < path_.motionCount() && way_mm >= begin_mm_ + motionLength(path_, motion_) - kWaveEnd)
-      begin_mm_ += motionLength(path_, motion_++);
-    const double length_mm = motionLength(path_, motion_);
-    return {motion_, length_mm > 0.0 ? std::clamp((way_mm - begin_mm_) / length_mm, 0.0, 1.0) : 0.0};
+  /// @param way_mm  of a closed path round and round
+  WayPlace at(double way_mm) const {
+    const double all_mm = ends_mm_.back();
+    if (path_.is_closed && way_mm > all_mm) way_mm = std::fmod(way_mm, all_mm);
+    if (path_.is_closed && way_mm < 0.0) way_mm += all_mm;
+    const auto found = std::partition_point(ends_mm_.begin(), ends_mm_.end() - 1,
+                                            [way_mm](double end_mm) { return way_mm >= end_mm - kWaveEnd; });
+    const auto motion = static_cast<std::size_t>(found - ends_mm_.begin());
+    const double begin_mm = motion > 0 ? ends_mm_[motion - 1] : 0.0;
+    const double length_mm = motionLength(path_, motion);
+    return {motion, length_mm > 0.0 ? std::clamp((way_mm - begin_mm) / length_mm, 0.0, 1.0) : 0.0};
   }
 
  private:
   const Path& path_;
-  std::size_t motion_ = 0;
-  double begin_mm_ = 0.0;
+  std::vector<double> ends_mm_;
 };
 
 Point3 motionWay(const Path& path, std::size_t motion) {
@@ -111,6 +103,8 @@ std::vector<double> weaveWays(const Path& path, const WeaveSettings& settings, c
   for (std::size_t half = 0; half < train.halves; ++half)
     for (const double phase : phases)
       ways.push_back((0.5 * static_cast<double>(half) + phase) * train.wavelength_mm);
+  // A tip that goes ahead and back passes a corner several times, all but at its waypoints.
+  if (waveReach(settings.kind).ahead > 0.0) return ways;
   // A corner right beside a waypoint of the wave needs none of its own.
   const std::size_t waves = ways.size();
   const double apart_mm = kCornerApart * train.wavelength_mm;
@@ -138,7 +132,8 @@ class Weave {
       : path_(path),
         place_(place),
         settings_(settings),
-        train_(waveTrain(settings, length(path), path.is_closed)) {}
+        train_(waveTrain(settings, length(path), path.is_closed)),
+        on_line_(path) {}
 
   bool hasWaves() const { return train_.halves > 0; }
 
@@ -157,18 +152,29 @@ class Weave {
     if (path_.is_closed) ways.pop_back();
     Path woven = path_;
     woven.points.clear();
-    WayCursor cursor(path_);
     std::vector<WayPlace> places;
+    std::vector<TipPlace> tips;
     places.reserve(ways.size());
-    for (const double way_mm : ways) places.push_back(cursor.at(way_mm));
-    for (std::size_t i = 0; i < ways.size(); ++i) woven.points.push_back(pointAt(places[i], ways[i]));
+    tips.reserve(ways.size());
+    for (const double way_mm : ways) {
+      places.push_back(on_line_.at(way_mm));
+      tips.push_back(tipAt(way_mm));
+      woven.points.push_back(pointAt(tips.back()));
+    }
     if (!path_.is_closed) woven.points.back() = path_.lastPoint();
     requireOnward(places, ways, woven);
     takeQuantities(places, woven);
+    turnNozzle(tips, woven);
     keepAdvance(ways, woven);
     addRests(ways, woven);
     return woven;
   }
+
+  /// Where the tip is: beside a place of the line, by a share of the amplitude.
+  struct TipPlace {
+    WayPlace over;
+    double left = 0.0;
+  };
 
   void requireRoom() const {
     // Beads that grow or fade swing with the widest.
@@ -183,21 +189,35 @@ class Weave {
       refuseWeave(place_, "weave.amplitude_mm is " + shownMm(settings_.amplitude_mm) +
                               " with waves that are " + shownMm(train_.wavelength_mm) + " long to fit into " +
                               shownMm(length(path_)) + "; expected an amplitude of two wavelengths at most");
+    requireProgress();
     if (std::any_of(path_.events.begin(), path_.events.end(), [this](const PathEvent& placed) {
           return placed.motion > 0 && placed.motion < path_.motionCount();
         }))
       refuseWeave(place_, "an event stands amid it; expected none where a tip weaves");
   }
 
+  /// A tip that goes back as fast as its line goes on stands still, and lays all there.
+  void requireProgress() const {
+    if (leastProgress(settings_, train_.wavelength_mm) * kMostAdvance >= 1.0) return;
+    const double still_mm = train_.wavelength_mm / (2.0 * M_PI);
+    refuseWeave(place_, "weave.amplitude_mm is " + shownMm(settings_.amplitude_mm) + " with waves that are " +
+                            shownMm(train_.wavelength_mm) +
+                            " long, and the tip all but stands still where it goes back; expected at most " +
+                            shownMm((1.0 - 1.0 / kMostAdvance) * still_mm) + ", or " +
+                            shownMm((1.0 + 1.0 / kMostAdvance) * still_mm) + " or more");
+  }
+
   /// A tip that keeps its own feed takes that of its advance on the crest of a sine; other waves count as a
   /// sine that takes as long.
   /// @param way_share  the tip's way for each mm of advance
   void requireSlow(double way_share, const MotionLimits& limits) const {
-    const bool is_slower = settings_.feed == WeaveFeed::Tip && settings_.kind != WeaveKind::Sine;
+    const bool is_slower = settings_.feed == WeaveFeed::Tip &&
+                           (settings_.kind == WeaveKind::Zigzag || settings_.kind == WeaveKind::Trapezium);
+    const double sharp = sharpness(settings_, train_.wavelength_mm);
     for (std::size_t m = 0; m < path_.motionCount(); ++m) {
       const double feed_mm_s = path_.feed_mm_s.at(path_.motionEnd(m)) / (is_slower ? way_share : 1.0);
       const double turn_s = 2.0 * M_PI * feed_mm_s / train_.wavelength_mm;
-      const double needed = settings_.amplitude_mm * turn_s * turn_s;
+      const double needed = sharp * settings_.amplitude_mm * turn_s * turn_s;
       if (needed > limits.acceleration_mm_s2)
         refuseWeave(place_, "weaving by " + shownMm(settings_.amplitude_mm) + " every " +
                                 shownMm(train_.wavelength_mm) + " at " + numberText(feed_mm_s) +
@@ -207,20 +227,39 @@ class Weave {
     }
   }
 
-  Point3 pointAt(const WayPlace& place, double way_mm) const {
+  /// Amplitude, as a share of the whole: that of an open run grows from nothing and falls to it, so that the
+  /// run begins and ends on its centre line.
+  double growth(double waves) const {
+    if (path_.is_closed) return 1.0;
+    const WaveRamps ramps = waveRamps(settings_, train_.wavelength_mm);
+    const double all_waves = 0.5 * static_cast<double>(train_.halves);
+    return std::min({1.0, waves / ramps.growing, (all_waves - waves) / ramps.falling});
+  }
+
+  TipPlace tipAt(double way_mm) const {
     const double waves = way_mm / train_.wavelength_mm;
-    const double side_mm = settings_.amplitude_mm *
-                           growth(waves, 0.5 * static_cast<double>(train_.halves), path_.is_closed) *
-                           swing(settings_, waves);
-    return centreAt(place) + side_mm * leftAt(place);
+    const WavePlace place = wavePlace(settings_, waves);
+    const double share = growth(waves);
+    return {on_line_.at(way_mm + settings_.amplitude_mm * share * place.ahead), share * place.left};
+  }
+
+  Point3 pointAt(const TipPlace& tip) const {
+    return centreAt(tip.over) + settings_.amplitude_mm * tip.left * leftAt(tip.over);
   }
 
   /// Across the way, against the jet. Near a corner it turns evenly to that between both ways: the tip would
   /// go back on the inside of one at which it turned at once.
   Point3 leftAt(const WayPlace& place) const {
-    const std::size_t end = path_.motionEnd(place.motion);
-    const Eigen::Quaterniond nozzle =
-        path_.orientation.at(place.motion).slerp(place.share, path_.orientation.at(end));
+    const Point3 left = (-(nozzleAt(place) * Point3::UnitZ())).cross(alongAt(place));
+    return left.norm() > 0.0 ? Point3(left.normalized()) : Point3(Point3::Zero());
+  }
+
+  Eigen::Quaterniond nozzleAt(const WayPlace& place) const {
+    return path_.orientation.at(place.motion)
+        .slerp(place.share, path_.orientation.at(path_.motionEnd(place.motion)));
+  }
+
+  Point3 alongAt(const WayPlace& place) const {
     const double length_mm = motionLength(path_, place.motion);
     const double reach_mm = std::min(0.5 * length_mm, train_.wavelength_mm);
     const double from_mm = place.share * length_mm;
@@ -230,8 +269,7 @@ class Weave {
       along = turnedTo(along, (place.motion + count - 1) % count, 1.0 - from_mm / reach_mm);
     else if (length_mm - from_mm < reach_mm && (place.motion + 1 < count || path_.is_closed))
       along = turnedTo(along, (place.motion + 1) % count, 1.0 - (length_mm - from_mm) / reach_mm);
-    const Point3 left = (-(nozzle * Point3::UnitZ())).cross(along);
-    return left.norm() > 0.0 ? Point3(left.normalized()) : Point3(Point3::Zero());
+    return along;
   }
 
   /// A share of the way to the direction between that of a motion and its neighbour's.
@@ -260,12 +298,20 @@ class Weave {
     woven.feed_mm_s = taken(path_.feed_mm_s, places);
     for (std::size_t k = 0; k < path_.values.size(); ++k)
       woven.values[k].value = taken(path_.values[k].value, places);
-    if (path_.orientation.isCommon()) return;
+  }
+
+  /// As it is held over the line where the tip is; a torch that swings turns its jet to the side on which it
+  /// is.
+  void turnNozzle(const std::vector<TipPlace>& tips, Path& woven) const {
+    if (path_.orientation.isCommon() && settings_.swing_deg == 0.0) return;
     std::vector<Eigen::Quaterniond> turns;
-    turns.reserve(places.size());
-    for (const WayPlace& place : places)
-      turns.push_back(path_.orientation.at(place.motion)
-                          .slerp(place.share, path_.orientation.at(path_.motionEnd(place.motion))));
+    turns.reserve(tips.size());
+    for (const TipPlace& tip : tips) {
+      const Eigen::Quaterniond held = nozzleAt(tip.over);
+      const double swing = toRadians(settings_.swing_deg) * tip.left;
+      turns.push_back(swing == 0.0 ? held
+                                   : Eigen::AngleAxisd(swing, Point3(alongAt(tip.over).normalized())) * held);
+    }
     woven.orientation = AlongPath<Eigen::Quaterniond>(std::move(turns));
   }
 
@@ -336,6 +382,7 @@ class Weave {
   const RunPlace& place_;
   const WeaveSettings& settings_;
   WaveTrain train_;
+  WayPlaces on_line_;
 };
 
 }  // namespace

@@ -11,10 +11,11 @@
 #include <fcl/narrowphase/collision.h>
 #include <fcl/narrowphase/distance.h>
 
-#include <cmath>
 #include <utility>
 #include <variant>
 #include <vector>
+
+#include "lamina/geometry/spatial/solid_angle.hpp"
 
 namespace lamina {
 namespace {
@@ -50,33 +51,17 @@ Owned geometryOf(const MeshShape& shape) {
 
 struct FclShape final : CollisionShape {
   Owned geometry;
-  double margin = 0.0;               ///< by which the geometry is larger [mm]
-  std::shared_ptr<const Mesh> mesh;  ///< whose surface alone the geometry is; none of solids
-  Point3 on_it = Point3::Zero();     ///< a point of the solid
+  double margin = 0.0;                       ///< by which the geometry is larger [mm]
+  std::shared_ptr<const Mesh> mesh;          ///< whose surface alone the geometry is; none of solids
+  std::unique_ptr<const SolidAngle> inside;  ///< of the mesh
+  Point3 on_it = Point3::Zero();             ///< a point of the solid
 };
-
-/// Whether a point is within closed triangles, by the solid angle under which it sees them: 4 pi within, 0
-/// outside, and near to that if some are missing.
-bool isWithin(const Mesh& mesh, const Point3& point) {
-  double angle = 0.0;
-  for (const Triangle& corners : mesh.triangles) {
-    const Point3 a = mesh.vertices[corners[0]] - point;
-    const Point3 b = mesh.vertices[corners[1]] - point;
-    const Point3 c = mesh.vertices[corners[2]] - point;
-    const double la = a.norm();
-    const double lb = b.norm();
-    const double lc = c.norm();
-    angle +=
-        2.0 * std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
-  }
-  return std::abs(angle) > 2.0 * M_PI;
-}
 
 /// Whether a solid of triangles swallows another whose surface it does not meet.
 bool swallows(const FclShape& shape, const Eigen::Isometry3d& pose, const Point3& point) {
   if (!shape.mesh) return false;
   const Point3 seen = pose.inverse() * point;
-  return shape.geometry->aabb_local.contain(seen) && isWithin(*shape.mesh, seen);
+  return shape.geometry->aabb_local.contain(seen) && shape.inside->isWithin(seen);
 }
 
 bool surfacesMeet(const FclShape& a, const Eigen::Isometry3d& pose_a, const FclShape& b,
@@ -105,10 +90,12 @@ std::shared_ptr<const CollisionShape> shapeOf(const BodyShape& shape) {
   const auto* mesh = std::get_if<MeshShape>(&shape);
   if (mesh == nullptr) return made;
   made->on_it = mesh->hull->front();
-  if (mesh->is_hull)
+  if (mesh->is_hull) {
     made->margin = mesh->margin_mm;
-  else
+  } else {
     made->mesh = mesh->mesh;
+    made->inside = std::make_unique<const SolidAngle>(*made->mesh);
+  }
   return made;
 }
 

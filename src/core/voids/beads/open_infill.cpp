@@ -17,32 +17,36 @@ constexpr double kMostOpen = 0.25;
 /// In pitches.
 constexpr double kTwoWidestBeads = 3.2;
 
-/// Of what walls and skins leave, the regions that are wide enough for infill.
-std::vector<Void> infillRegions(const Regions& contour, const ToolpathLayer& layer, double pitch_mm,
-                                const VoidMapSettings& settings) {
+/// What walls and skins leave, where it is wide enough for infill.
+struct InfillRegion {
+  Regions outline;
+  Box2 box;
+  double area_mm2 = 0.0;
+};
+
+std::vector<InfillRegion> infillRegions(const Regions& contour, const ToolpathLayer& layer, double pitch_mm,
+                                        const VoidMapSettings& settings) {
   ToolpathLayer around = layer;
   const auto is_infill = [](const Path& path) { return path.role == PathRole::Infill; };
   around.paths.erase(std::remove_if(around.paths.begin(), around.paths.end(), is_infill), around.paths.end());
-  std::vector<Void> regions = findVoids(contour, around, settings).voids;
-  const auto is_narrow = [&](const Void& region) {
-    return offset(unite(outlines({region.outline})), -0.5 * kTwoWidestBeads * pitch_mm).empty();
-  };
-  regions.erase(std::remove_if(regions.begin(), regions.end(), is_narrow), regions.end());
+  std::vector<InfillRegion> regions;
+  for (const Void& each : findVoids(contour, around, settings).voids) {
+    InfillRegion region{unite(outlines({each.outline})), boundingBox({each.outline.outer}), each.area_mm2};
+    if (!offset(region.outline, -0.5 * kTwoWidestBeads * pitch_mm).empty())
+      regions.push_back(std::move(region));
+  }
   return regions;
 }
 
-bool liesIn(const Void& inner, const Void& outer) {
-  const Box2 inner_box = boundingBox({inner.outline.outer});
-  const Box2 outer_box = boundingBox({outer.outline.outer});
-  if ((inner_box.low.array() > outer_box.high.array()).any() ||
-      (outer_box.low.array() > inner_box.high.array()).any())
+bool liesIn(const Void& inner, const InfillRegion& region) {
+  const Box2 box = boundingBox({inner.outline.outer});
+  if ((box.low.array() > region.box.high.array()).any() || (region.box.low.array() > box.high.array()).any())
     return false;
-  const Regions common = intersection(unite(outlines({inner.outline})), unite(outlines({outer.outline})));
-  return area(common) > 0.5 * inner.area_mm2;
+  return area(intersection(unite(outlines({inner.outline})), region.outline)) > 0.5 * inner.area_mm2;
 }
 
 /// Of all voids, where those of the region stand.
-std::vector<std::size_t> placesIn(const Void& region, const std::vector<Void>& voids) {
+std::vector<std::size_t> placesIn(const InfillRegion& region, const std::vector<Void>& voids) {
   std::vector<std::size_t> places;
   for (std::size_t i = 0; i < voids.size(); ++i)
     if (liesIn(voids[i], region)) places.push_back(i);
@@ -55,7 +59,7 @@ LayerVoids withoutOpenInfill(LayerVoids found, const Regions& contour, const Too
                              const VoidMapSettings& settings) {
   if (found.voids.empty()) return found;
   std::vector<bool> is_meant(found.voids.size(), false);
-  for (const Void& region : infillRegions(contour, layer, found.pitch_mm, settings)) {
+  for (const InfillRegion& region : infillRegions(contour, layer, found.pitch_mm, settings)) {
     const std::vector<std::size_t> places = placesIn(region, found.voids);
     double open_mm2 = 0.0;
     for (const std::size_t i : places) open_mm2 += found.voids[i].area_mm2;
