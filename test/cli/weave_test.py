@@ -16,6 +16,8 @@ WALL = [word for setting in ("infill.density=0", "skirt.count=0", "walls.count=1
         for word in ("--set", setting)]
 ROBOT = "irb_4600"
 SUFFIXES = ("csv", "mod", "src", "script", "ls", "jbi")
+# Its other variants hold the tool as it is.
+TURNED_RAPID = ["--set", "rapid.variant=powder_5_axes", "--set", "rapid.configuration=joints"]
 
 
 class Weaves(unittest.TestCase):
@@ -29,7 +31,8 @@ class Weaves(unittest.TestCase):
         return os.path.join(self.folder.name, name)
 
     def sliced(self, machine, name):
-        told("slice", self.part, *PLAIN, *WALL, "--set", "machine.name=" + machine, "--set", "weave.kind=sine", "-o", self.path(name))
+        told("slice", self.part, *PLAIN, *WALL, *TURNED_RAPID, "--set", "machine.name=" + machine, "--set", "weave.kind=sine",
+             "-o", self.path(name))
         return self.path(name)
 
     def leans(self, program, machine):

@@ -97,9 +97,9 @@ TEST(CorrectionMap, RefusesWhatIsNone) {
     FAIL();
   } catch (const InvalidInput& error) {
     EXPECT_STREQ(error.what(),
-                 "map.csv: correction of path 4, station 0: the amount changes by -3.000000; expected more "
+                 "map.csv: correction of path 4, station 0: the amount changes by -3; expected more "
                  "than -1 and "
-                 "at most 5.000000");
+                 "at most 5");
   }
 }
 

@@ -78,7 +78,7 @@ TEST(MachineCheck, NamesWhyABeltCannotRunIt) {
   const auto belt = kinematicModelByName("belt_45");
   toolpath.layers[0].paths[0].orientation =
       Eigen::Quaterniond(belt->bedFromNozzle(JointValues::Zero(3)).linear());
-  const MachineCheck behind = checkOn("belt_45", toolpath, {20, -500, 0});
+  const MachineCheck behind = checkOn("belt_45", toolpath, {20, 500, 0});
   ASSERT_FALSE(behind.faults.empty());
   EXPECT_EQ(behind.faults[0].what, "out_of_limits") << behind.faults[0].reason;
 }

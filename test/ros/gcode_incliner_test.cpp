@@ -104,7 +104,7 @@ TEST_F(GcodeIncliner, ReportsTheMachineAndWhereItsHeadIsAnother) {
   EXPECT_EQ(call(program(tiltedWall(2)), {reverse}).status.code, Status::UNREACHABLE + 0);
   const auto other = call(program(tiltedWall(2)), {reverse, settingMessage("incline.tool_axis", "machine")});
   EXPECT_EQ(other.status.code, Status::OK + 0);
-  EXPECT_NE(other.status.message.find("90.0"), std::string::npos) << other.status.message;
+  EXPECT_NE(other.status.message.find("90 deg"), std::string::npos) << other.status.message;
 }
 
 TEST_F(GcodeIncliner, TakesBeginAndEndCodeAsText) {

@@ -135,15 +135,15 @@ TEST(KinematicModel, RefusesDescriptionsByWhatIsWrongWithThem) {
             "machine 'cartesian_gantry' has no link 'nozzle'");
   EXPECT_EQ(
       test::descriptionFailure(kinematicModelGantryWith("<axis xyz=\"0 0 1\"/>", "<axis xyz=\"0 0 2\"/>")),
-      "machine 'cartesian_gantry': the axis of joint 'z' is 2.000000 long; expected 1");
+      "machine 'cartesian_gantry': the axis of joint 'z' is 2 long; expected 1");
   EXPECT_EQ(
       test::descriptionFailure(kinematicModelGantryWith("<axis xyz=\"0 0 1\"/>", "<axis xyz=\"1 0 0\"/>")),
       "machine 'cartesian_gantry': the axes x, y and z do not span space");
   EXPECT_EQ(test::descriptionFailure(kinematicModelGantryWith("upper=\"0.25\"", "upper=\"-1\"")),
-            "machine 'cartesian_gantry': joint 'z' has limits 0.000000 to -1.000000; the lower must be the "
+            "machine 'cartesian_gantry': joint 'z' has limits 0 to -1; the lower must be the "
             "lesser");
   EXPECT_EQ(test::descriptionFailure(kinematicModelGantryWith("velocity=\"0.2\"", "velocity=\"0\"")),
-            "machine 'cartesian_gantry': joint 'z' has a velocity of 0.000000; must be positive");
+            "machine 'cartesian_gantry': joint 'z' has a velocity of 0; must be positive");
   EXPECT_EQ(test::descriptionFailure(kinematicModelGantryWith("<joint name=\"z\" type=\"prismatic\">",
                                                               "<joint name=\"z\" type=\"fixed\">")),
             "machine 'cartesian_gantry' has 2 linear axes between bed and nozzle; expected x, y and z");

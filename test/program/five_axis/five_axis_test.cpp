@@ -193,7 +193,7 @@ TEST(FiveAxis, RefusesJointsThatCannotBeRunBeforeTheFirstPiece) {
             "'table' cannot run 1 waypoint(s); the first is layer 0, path 0, waypoint 1: joint_unwinding, "
             "joint c is "
             "wound up");
-  EXPECT_NE(refusal(outside).find("waypoint 1, 'table': joint x at 501 mm; must be within"),
+  EXPECT_NE(refusal(outside).find("waypoint 1, 'table': joint x at 501.000000 mm; must be within"),
             std::string::npos);
   EXPECT_NE(refusal(elsewhere).find("waypoint 1: the joints bring the nozzle 1 mm"), std::string::npos);
   EXPECT_NE(refusal(less).find("ends before layer 0, path 0, waypoint 1"), std::string::npos);

@@ -159,7 +159,7 @@ TEST(RobotProgram, WholeSpeedsAreInTheUnitOfLeastError) {
   EXPECT_EQ(roundedSpeed(2000.0, units).value * roundedSpeed(2000.0, units).unit.mm_s, 2000.0);
   // 0.1 mm/s: 1 cm/min is 67 % off.
   EXPECT_TRUE(holds(refusalOf([&] { roundedSpeed(0.1, units); }),
-                    "a feed is 0.100000 mm/s; the nearest that can be written is 1 cm/min"));
+                    "a feed is 0.1 mm/s; the nearest that can be written is 1 cm/min"));
   EXPECT_TRUE(holds(refusalOf([&] { roundedSpeed(3000.0, units); }), "expected 2 % at most"));
 }
 

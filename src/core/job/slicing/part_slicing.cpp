@@ -63,14 +63,14 @@ std::string sizeText(const Point3& size) {
   return text;
 }
 
-/// Sections are cut in whole nanometres.
+/// Sections are cut in whole nanometres. A belt's part may be as long as it likes.
 void requireNearOrigin(const Box3& part) {
-  const double farthest = std::max(part.low.cwiseAbs().maxCoeff(), part.high.cwiseAbs().maxCoeff());
-  if (farthest <= kFarthest) return;
+  const double nearest = part.low.cwiseMax(-part.high).maxCoeff();
+  if (nearest <= kFarthest) return;
   char text[128];
   std::snprintf(text, sizeof text,
-                "the part reaches to %.6g mm from the origin of its file; must lie within %.6g mm of it",
-                farthest, kFarthest);
+                "the part begins %.6g mm from the origin of its file; must lie within %.6g mm of it", nearest,
+                kFarthest);
   throw InvalidMesh(text);
 }
 

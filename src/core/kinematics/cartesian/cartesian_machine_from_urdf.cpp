@@ -10,6 +10,7 @@
 #include "kinematics/model/multi_axis_machine.hpp"
 #include "kinematics/model/robot_kind.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/base/text.hpp"
 #include "lamina/kinematics/cartesian/cartesian_machine.hpp"
 
@@ -28,7 +29,7 @@ MachineAxis axisOf(const Model& model, int index, const Point3& direction) {
                         "' with limits");
   if (!(joint->limits->velocity > 0.0))
     throw InvalidConfig("machine '" + model.getName() + "': the velocity of joint '" + joint->name + "' is " +
-                        std::to_string(joint->limits->velocity) + " m/s; must be positive");
+                        numberText(joint->limits->velocity) + " m/s; must be positive");
   MachineAxis axis;
   axis.name = kAxisNames[index];
   axis.direction = direction;

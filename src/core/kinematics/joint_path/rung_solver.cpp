@@ -227,7 +227,7 @@ RungSolver::Hindrance RungSolver::hindrance(const Station& station) const {
 
 /// Where no values bring the nozzle.
 std::string RungSolver::headHindrance(const Station& station) const {
-  const std::string where = "no values of the joints of " + model_->name() + " bring the nozzle there";
+  std::string where = "no values of the joints of " + model_->name() + " bring the nozzle there";
   const auto is_rotary = [](const JointRange& range) { return range.is_rotary; };
   if (std::any_of(ranges_.begin(), ranges_.end(), is_rotary)) return where;
   const JointValues any = JointValues::Zero(static_cast<Eigen::Index>(ranges_.size()));

@@ -8,6 +8,7 @@
 #include "kinematics/model/link_motion.hpp"
 #include "kinematics/model/serial_chain.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 
 namespace lamina {
 namespace {
@@ -45,13 +46,12 @@ DrivenJoint drivenJoint(const Model& model, const urdf::Joint& joint) {
   const double unit = unitOf(driven.kind);
   driven.max_speed = unit * joint.limits->velocity;
   if (!(driven.max_speed > 0.0))
-    refuse(model, joint,
-           "has a velocity of " + std::to_string(joint.limits->velocity) + "; must be positive");
+    refuse(model, joint, "has a velocity of " + numberText(joint.limits->velocity) + "; must be positive");
   if (joint.type == urdf::Joint::CONTINUOUS) return driven;
   if (!(joint.limits->lower < joint.limits->upper))
     refuse(model, joint,
-           "has limits " + std::to_string(joint.limits->lower) + " to " +
-               std::to_string(joint.limits->upper) + "; the lower must be the lesser");
+           "has limits " + numberText(joint.limits->lower) + " to " + numberText(joint.limits->upper) +
+               "; the lower must be the lesser");
   driven.low = unit * joint.limits->lower;
   driven.high = unit * joint.limits->upper;
   if (driven.kind == JointKind::Linear && driven.high - driven.low >= kEndless) driven.high = kInfinity;

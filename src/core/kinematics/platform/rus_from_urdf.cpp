@@ -7,6 +7,7 @@
 
 #include "kinematics/model/link_motion.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/kinematics/platform/rus_kinematics.hpp"
 
 namespace lamina {
@@ -103,7 +104,7 @@ DrivenJoint crankJoint(const Reader& reader, const std::string& name) {
   const urdf::JointLimits& limits = reader.limits(name);
   reader.require(reader.joint(name).type == urdf::Joint::REVOLUTE, name, "expected revolute");
   if (!(limits.velocity > 0.0))
-    reader.refuse("the velocity of joint '" + name + "' is " + std::to_string(limits.velocity) +
+    reader.refuse("the velocity of joint '" + name + "' is " + numberText(limits.velocity) +
                   " rad/s; must be positive");
   return {name, JointKind::Rotary, limits.lower, limits.upper, limits.velocity};
 }
