@@ -25,7 +25,7 @@ class Weaves(unittest.TestCase):
         self.folder = tempfile.TemporaryDirectory()
         self.addCleanup(self.folder.cleanup)
         self.part = self.path("box.stl")
-        told("part", "box", "--set", "x_mm=80", "--set", "y_mm=60", "--set", "z_mm=4", "-o", self.part)
+        told("part", "box", "--set", "x_mm=40", "--set", "y_mm=30", "--set", "z_mm=4", "-o", self.part)
 
     def path(self, name):
         return os.path.join(self.folder.name, name)
