@@ -3,7 +3,7 @@
 #include "lamina/program/stated_equipment.hpp"
 
 #include "lamina/base/error.hpp"
-#include "program/number_text.hpp"
+#include "program/decimals.hpp"
 
 namespace lamina {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "program/number_text.hpp"
+#include "program/decimals.hpp"
 
 namespace lamina {
 

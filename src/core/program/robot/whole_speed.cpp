@@ -9,7 +9,7 @@
 #include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
 #include "lamina/program/robot/speed_rounding.hpp"
-#include "program/number_text.hpp"
+#include "program/decimals.hpp"
 
 namespace lamina {
 namespace {

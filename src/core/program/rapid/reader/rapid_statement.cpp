@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "lamina/base/number_text.hpp"
-#include "program/number_text.hpp"
+#include "program/decimals.hpp"
 #include "program/rapid/rapid_words.hpp"
 #include "program/rapid/reader/rapid_source.hpp"
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "lamina/geometry/vector.hpp"
-#include "program/number_text.hpp"
+#include "program/decimals.hpp"
 
 namespace lamina {
 namespace {

@@ -9,7 +9,7 @@
 #include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
 #include "lamina/program/robot/robot_angles.hpp"
-#include "program/number_text.hpp"
+#include "program/decimals.hpp"
 #include "program/robot/notes/robot_notes.hpp"
 
 namespace lamina {

@@ -12,7 +12,7 @@
 #include "lamina/kinematics/model/joint_limits.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
 #include "lamina/toolpath/process_support.hpp"
-#include "program/number_text.hpp"
+#include "program/decimals.hpp"
 #include "program/robot/notes/robot_notes.hpp"
 
 namespace lamina {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "program/number_text.hpp"
+#include "program/decimals.hpp"
 
 #include <algorithm>
 #include <charconv>
