@@ -14,6 +14,8 @@ namespace lamina {
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
+constexpr double kStandingStill =
+    100.0;  // times as dear, where a free joint may turn before or after instead
 constexpr std::size_t kMostTravelEdges = 4096;  // some 50 µs: little beside solving both rungs
 
 bool exists(const Rung& rung, std::size_t slot) { return rung.penalty[slot] < kNever; }
@@ -53,6 +55,17 @@ double LadderSearch::edge(const double* from, const double* to, double most_turn
   return is_short ? sum : kNever;
 }
 
+/// Whether a bead would all but stand still while a rotary joint turns (`slowPassages`).
+bool LadderSearch::standsStill(const double* from, const double* to, const StationMotion& motion) const {
+  if (motion.way != StationWay::Deposition || motion.length_mm <= kInPlace) return false;
+  const double most_s = settings_.max_slowdown * motion.duration_s;
+  for (std::size_t j = 0; j < ranges_.size(); ++j)
+    if (ranges_[j].is_rotary &&
+        std::abs(stepBetween(ranges_[j], from[j], to[j])) > most_s * ranges_[j].max_speed)
+      return true;
+  return false;
+}
+
 /// [rad]
 double LadderSearch::sampleTurn(int from, int to, int samples) const {
   const int apart = std::abs(from - to);
@@ -70,8 +83,13 @@ void LadderSearch::tryEdge(const Rung& rung, std::size_t slot, std::size_t from_
     const double yaw = sampleTurn(sampleOf(from), sampleOf(to), rung.samples);
     turns += settings_.yaw_weight * yaw * yaw;
   }
-  const double cost = cost_[from_slot] + turns / motion.duration_s;
+  double cost = cost_[from_slot] + turns / motion.duration_s;
   if (!(cost < best.cost)) return;
+  const bool is_free = rung.kind == SampleKind::FreeJoint || before_.kind == SampleKind::FreeJoint;
+  if (is_free && standsStill(before_.at(from_slot), rung.at(slot), motion)) {
+    cost += kStandingStill * turns / motion.duration_s;
+    if (!(cost < best.cost)) return;
+  }
   if (branchOf(from) != branchOf(to) && !crossing_(before_.at(from_slot), rung.at(slot))) return;
   best = {cost, from};
 }

@@ -64,6 +64,7 @@ class LadderSearch {
   };
 
   double edge(const double* from, const double* to, double most_turn_factor) const;
+  bool standsStill(const double* from, const double* to, const StationMotion& motion) const;
   double sampleTurn(int from, int to, int samples) const;
   void reach(const Rung& rung, std::size_t slot, const StationMotion& motion, Reached& best) const;
   void tryEdge(const Rung& rung, std::size_t slot, std::size_t from_slot, const StationMotion& motion,

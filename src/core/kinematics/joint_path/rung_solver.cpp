@@ -58,9 +58,9 @@ RungSolver::Asked RungSolver::askedAt(const Station& station) const {
     asked.kind = SampleKind::Yaw;
     return asked;
   }
-  const auto solutions = model_->solutions(asked.bed_from_nozzle, asked.near);
-  if (solutions.empty()) return asked;
-  const JointValues& values = solutions.front().values;
+  asked.found = model_->solutions(asked.bed_from_nozzle, asked.near);
+  if (asked.found.empty()) return asked;
+  const JointValues& values = asked.found.front().values;
   const double margin = model_->singularityMargin(values);
   const double tolerance =
       std::max(kExactlySingular, is_free ? settings_.singular_tool_axis_tolerance_deg * kDegree : 0.0);
@@ -91,9 +91,13 @@ Eigen::Isometry3d RungSolver::passing(const Eigen::Isometry3d& bed_from_nozzle,
 }
 
 InverseSolutions RungSolver::solutionsAt(const Asked& asked, double coordinate) const {
-  InverseSolutions found = asked.kind == SampleKind::FreeJoint
-                               ? model_->solutions(asked.bed_from_nozzle, withFree(asked.near, coordinate))
-                               : model_->solutions(yawed(asked.bed_from_nozzle, coordinate), asked.near);
+  InverseSolutions found;
+  if (asked.kind == SampleKind::FreeJoint)
+    found = model_->solutions(asked.bed_from_nozzle, withFree(asked.near, coordinate));
+  else if (asked.kind == SampleKind::Single && !asked.found.empty())
+    found = asked.found;
+  else
+    found = model_->solutions(yawed(asked.bed_from_nozzle, coordinate), asked.near);
   for (InverseSolution& solution : found)
     for (std::size_t j = 0; j < ranges_.size(); ++j) {
       double& value = solution.values[static_cast<Eigen::Index>(j)];

@@ -12,8 +12,6 @@ namespace lamina {
 
 namespace {
 
-constexpr double kInPlace = 1e-6;  // mm: a motion that lays nothing may take its time
-
 /// The joint that needs longest for a step, and how long.
 struct Slowest {
   std::size_t joint = 0;

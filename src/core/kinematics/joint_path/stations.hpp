@@ -18,6 +18,9 @@ namespace lamina {
 /// A motion in place is counted as one of this time [s].
 constexpr double kLeastDuration = 1e-3;
 
+/// A motion that is shorter lays nothing, and may take its time [mm].
+constexpr double kInPlace = 1e-6;
+
 /// What a kinematic model may do with its joints on the way to a station.
 enum class StationWay : std::uint8_t {
   Deposition,   ///< or a join of two paths: only what the path asks for

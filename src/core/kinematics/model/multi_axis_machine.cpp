@@ -42,7 +42,17 @@ ToolAxisTurner turnerOf(const SerialChain& chain) {
 
 /// The linear joints are the first.
 Eigen::Matrix3d linearDirections(const SerialChain& chain, const JointValues& values) {
-  return jacobian(chain, values).topLeftCorner<3, 3>();
+  return nozzleAndJoints(chain, values).directions.leftCols<3>();
+}
+
+/// Whether a rotary joint stands between linear ones, whose directions then change against each other.
+bool turnsLinearAxes(const SerialChain& chain) {
+  const auto is_rotary = [&](int j) {
+    return chain.joints[static_cast<std::size_t>(j)].kind == JointKind::Rotary;
+  };
+  const auto first = std::find_if_not(chain.outward.begin(), chain.outward.end(), is_rotary);
+  const auto last = std::find_if_not(chain.outward.rbegin(), chain.outward.rend(), is_rotary).base();
+  return first < last && std::any_of(first, last, is_rotary);
 }
 
 JointValues zeroOf(const SerialChain& chain) {
@@ -55,6 +65,7 @@ class MultiAxisMachine : public KinematicModel {
       : chain_(std::move(chain)),
         rotaries_(rotariesOf(chain_)),
         turner_(turnerOf(chain_)),
+        turns_linear_axes_(turnsLinearAxes(chain_)),
         volume_at_zero_(std::abs(linearDirections(chain_, zeroOf(chain_)).determinant())) {}
 
   const std::string& name() const override { return chain_.name; }
@@ -74,9 +85,9 @@ class MultiAxisMachine : public KinematicModel {
   }
 
   double singularityMargin(const JointValues& values) const override {
-    // Changes only where a rotary joint stands between linear ones.
-    const double volume = std::abs(linearDirections(chain_, values).determinant()) / volume_at_zero_;
-    return std::min(volume, toolAxisMargin(turner_, anglesOf(values)));
+    const double margin = toolAxisMargin(turner_, anglesOf(values));
+    if (!turns_linear_axes_) return margin;
+    return std::min(margin, std::abs(linearDirections(chain_, values).determinant()) / volume_at_zero_);
   }
 
   InverseSolutions solutions(const Eigen::Isometry3d& bed_from_nozzle,
@@ -86,9 +97,10 @@ class MultiAxisMachine : public KinematicModel {
       InverseSolution solution{turn.branch, zeroOf(chain_)};
       for (std::size_t r = 0; r < rotaries_.size(); ++r)
         solution.values[rotaries_[r]] = turn.angles[static_cast<Eigen::Index>(r)];
-      const Eigen::Matrix3d directions = linearDirections(chain_, solution.values);
+      const NozzleAndJoints turned = nozzleAndJoints(chain_, solution.values);
+      const Eigen::Matrix3d directions = turned.directions.leftCols<3>();
       if (!(std::abs(directions.determinant()) > kLeastVolume)) continue;
-      const Point3 way = bed_from_nozzle.translation() - bedFromNozzle(solution.values).translation();
+      const Point3 way = bed_from_nozzle.translation() - turned.bed_from_nozzle.translation();
       solution.values.head<3>() = directions.inverse() * way;
       found.push_back(solution);
     }
@@ -106,6 +118,7 @@ class MultiAxisMachine : public KinematicModel {
   SerialChain chain_;
   std::vector<int> rotaries_;  ///< that next to the bed first
   ToolAxisTurner turner_;
+  bool turns_linear_axes_;
   double volume_at_zero_;
 };
 

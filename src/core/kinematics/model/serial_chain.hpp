@@ -61,6 +61,14 @@ Eigen::Isometry3d bedFromNozzle(const SerialChain& chain, const JointValues& val
 
 Jacobian jacobian(const SerialChain& chain, const JointValues& values);
 
+/// Where the nozzle is, and in which direction, or about which axis, each joint moves it.
+struct NozzleAndJoints {
+  Eigen::Isometry3d bed_from_nozzle;  ///< [mm]
+  /// A column per joint, of unit length [bed frame].
+  Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, kMostJoints> directions;
+};
+NozzleAndJoints nozzleAndJoints(const SerialChain& chain, const JointValues& values);
+
 /// Every link [mm].
 std::map<std::string, Eigen::Isometry3d> bedFromLinks(const SerialChain& chain, const JointValues& values);
 

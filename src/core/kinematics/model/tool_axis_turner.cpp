@@ -44,8 +44,15 @@ double wrapped(double angle) {
 
 double angleOf(const Eigen::Vector2d& direction) { return std::atan2(direction.y(), direction.x()); }
 
+/// Of unit length: the chord of so small an angle is the angle.
 bool isNear(const Point3& a, const Point3& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b)) <= kToolAxisTolerance;
+  return (a - b).squaredNorm() <= kToolAxisTolerance * kToolAxisTolerance;
+}
+
+Point3 turned(const Point3& direction, const Point3& axis, double angle) {
+  const double c = std::cos(angle);
+  const double s = std::sin(angle);
+  return c * direction + s * axis.cross(direction) + ((1.0 - c) * axis.dot(direction)) * axis;
 }
 
 /// Part along `side` of the tool axis between both turns: its height over the second axis is that at zero,
@@ -82,7 +89,7 @@ ToolAxisTurns turnsOfTwo(const ToolAxisTurner& turner, const Point3& wanted, dou
 Point3 toolAxisAt(const ToolAxisTurner& turner, const Eigen::Vector2d& angles) {
   Point3 tool_axis = turner.at_zero;
   for (std::size_t j = turner.axes.size(); j-- > 0;)
-    tool_axis = Eigen::AngleAxisd(angles[static_cast<Eigen::Index>(j)], turner.axes[j]) * tool_axis;
+    tool_axis = turned(tool_axis, turner.axes[j], angles[static_cast<Eigen::Index>(j)]);
   return tool_axis;
 }
 
@@ -108,7 +115,7 @@ ToolAxisTurns toolAxisTurns(const ToolAxisTurner& turner, const Point3& wanted, 
 
 double toolAxisMargin(const ToolAxisTurner& turner, const Eigen::Vector2d& angles) {
   if (turner.axes.size() < 2) return 1.0;
-  const Point3 between = Eigen::AngleAxisd(angles[1], turner.axes[1]) * turner.at_zero;
+  const Point3 between = turned(turner.at_zero, turner.axes[1], angles[1]);
   const Point3 normal = turner.axes[0].cross(turner.axes[1]).normalized();
   const double off_plane = std::abs(between.dot(normal)) / sineBetween(turner.at_zero, turner.axes[1]);
   return std::min(sineBetween(between, turner.axes[0]), std::min(off_plane, 1.0));
