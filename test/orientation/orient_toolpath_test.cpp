@@ -147,6 +147,32 @@ TEST(OrientToolpath, TravelsTurnInProportionToTheirLength) {
   EXPECT_EQ(result.report.step_deg.at.waypoint, 2U);
 }
 
+/// Up with the tool axis held, over while it turns, and down: led so for what is in the way. About the tool
+/// axis nothing turns off the shortest way.
+TEST(OrientToolpath, TravelsThatLeadTheToolAxisKeepIt) {
+  Toolpath toolpath = test::twoLayers();
+  const auto tilted = [](double deg) {
+    return Eigen::Quaterniond(Eigen::AngleAxisd(deg * M_PI / 180.0, Point3::UnitX()) * nozzleDown());
+  };
+  Path& travel = toolpath.layers[0].paths[1];
+  travel.points = {{0, 0, 0.2}, {0, 0, 5.2}, {0, 3, 5.2}, {0, 3, 0.2}};
+  travel.orientation =
+      AlongPath<Eigen::Quaterniond>({nozzleDown(), nozzleDown(), tilted(40.0), tilted(30.0)});
+  Path& line = toolpath.layers[1].paths[0];
+  line.points = {{0, 3, 0.2}, {10, 3, 0.2}};
+  line.orientation = tilted(30.0);
+  const OrientedToolpath result = oriented(toolpath, {});
+  const Path& turned = result.toolpath.layers[0].paths[1];
+  const std::vector<double> expected_deg = {0.0, 0.0, 40.0, 30.0};
+  for (std::size_t i = 0; i < 4; ++i)
+    EXPECT_NEAR(test::chordAngleDeg(toolAxisOf(turned.orientation.at(i)), Point3(0, 0, -1)), expected_deg[i],
+                1e-9);
+  const Path& next = result.toolpath.layers[1].paths[0];
+  EXPECT_EQ(turned.orientation.at(3).coeffs(), next.orientation.at(0).coeffs());
+  for (std::size_t i = 1; i < 4; ++i)
+    EXPECT_GT(turned.orientation.at(i).dot(turned.orientation.at(i - 1)), 0.0);
+}
+
 TEST(OrientToolpath, OnlyWallsFollowTheWall) {
   const Mesh cone =
       test::loftedSolid({0.0, 20.0}, 360, [](double, double z) { return 20.0 + z * std::tan(M_PI / 6); });

@@ -18,10 +18,10 @@ struct OrientedToolpath {
 
 /// Holds the nozzle along a toolpath as the settings say: the tool axis by mode, lead and tilt, smoothing,
 /// limits on lean and then on turn, and about each tool axis the frame that does not spin. Points, beads and
-/// feeds stay. Runs whose orientation is the same at all waypoints hold it once. Travels turn from the end of
-/// one run to the start of the next in proportion to their length, the shortest way; before the first run and
-/// after the last they hold what that has. From waypoint to waypoint, also from path to path, quaternions
-/// keep their sign.
+/// feeds stay. Runs whose orientation is the same at all waypoints hold it once. Travels whose own tool axes
+/// lead from the end of one run to the start of the next keep these; others turn in proportion to their
+/// length, the shortest way; before the first run and after the last they hold what that has. From waypoint
+/// to waypoint, also from path to path, quaternions keep their sign.
 ///
 /// @param toolpath  with the orientations the slicer gave, tool axes against the layers' normals
 /// @param part      what it was sliced from [mm, part frame]; read in mode wall only

@@ -2,14 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "orientation/travel_turn.hpp"
 
+#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
+
+#include "lamina/geometry/shortest_rotation.hpp"
 
 namespace lamina {
 namespace {
 
 constexpr double kSameAxis = 1e-12;
+constexpr double kKnownAxis = 1e-6;
 
 /// Travels between two runs.
 struct Transfer {
@@ -23,7 +27,53 @@ void negate(Path& run) {
   run.orientation = AlongPath<Eigen::Quaterniond>(std::move(values));
 }
 
-void turnAlong(const Transfer& transfer, const Eigen::Quaterniond& from, const Eigen::Quaterniond& to) {
+Point3 toolAxis(const Eigen::Quaterniond& orientation) { return orientation * Point3::UnitZ(); }
+
+bool isSameAxis(const Point3& a, const Point3& b) { return (a - b).norm() <= kKnownAxis; }
+
+/// Whether the travels lead the tool axis from one run to the other by themselves.
+bool leadsToolAxis(const Transfer& transfer, const Eigen::Quaterniond& from, const Eigen::Quaterniond& to) {
+  if (transfer.travels.empty() || transfer.travels.front()->orientation.isCommon()) return false;
+  const auto& first = transfer.travels.front()->orientation;
+  const auto& last = transfer.travels.back()->orientation;
+  return isSameAxis(toolAxis(first.values().front()), toolAxis(from)) &&
+         isSameAxis(toolAxis(last.values().back()), toolAxis(to));
+}
+
+/// Their tool axes stay; about these the nozzle turns as little as can be, and evenly to that of the next
+/// run.
+/// @return the orientation at their end: that of the next run but for its sign
+Eigen::Quaterniond keepToolAxes(const Transfer& transfer, const Eigen::Quaterniond& from,
+                                const Eigen::Quaterniond& to) {
+  std::vector<std::vector<Eigen::Quaterniond>> held;
+  std::vector<double> at_mm;
+  Eigen::Quaterniond last = from;
+  double run_mm = 0.0;
+  for (const Path* travel : transfer.travels) {
+    held.emplace_back();
+    for (std::size_t i = 0; i < travel->points.size(); ++i) {
+      if (i > 0) run_mm += (travel->points[i] - travel->points[i - 1]).norm();
+      at_mm.push_back(run_mm);
+      last = (shortestRotation(toolAxis(last), toolAxis(travel->orientation.at(i))) * last).normalized();
+      held.back().push_back(last);
+    }
+  }
+  const Eigen::Quaterniond missing = last.conjugate() * to;
+  const double turn = std::remainder(2.0 * std::atan2(missing.z(), missing.w()), 2.0 * M_PI);
+  std::size_t station = 0;
+  for (std::size_t t = 0; t < held.size(); ++t) {
+    for (Eigen::Quaterniond& each : held[t]) {
+      const double part = run_mm > 0.0 ? at_mm[station] / run_mm : 1.0;
+      ++station;
+      each = each * Eigen::AngleAxisd(part * turn, Point3::UnitZ());
+    }
+    last = held[t].back();
+    transfer.travels[t]->orientation = AlongPath<Eigen::Quaterniond>(std::move(held[t]));
+  }
+  return last;
+}
+
+void turnEvenly(const Transfer& transfer, const Eigen::Quaterniond& from, const Eigen::Quaterniond& to) {
   const bool is_common = (from.coeffs() - to.coeffs()).cwiseAbs().maxCoeff() <= kSameAxis;
   double run_mm = 0.0;
   for (Path* travel : transfer.travels) {
@@ -41,6 +91,23 @@ void turnAlong(const Transfer& transfer, const Eigen::Quaterniond& from, const E
     }
     travel->orientation = AlongPath<Eigen::Quaterniond>(std::move(values));
   }
+}
+
+void setEnd(Path& travel, const Eigen::Quaterniond& orientation) {
+  std::vector<Eigen::Quaterniond> values = travel.orientation.values();
+  values.back() = orientation;
+  travel.orientation = AlongPath<Eigen::Quaterniond>(std::move(values));
+}
+
+/// The next run takes the sign that the travels come with.
+void turnTo(Path& next, const Transfer& transfer, const Eigen::Quaterniond& from) {
+  const bool is_led = leadsToolAxis(transfer, from, startOrientation(next));
+  const Eigen::Quaterniond end = is_led ? keepToolAxes(transfer, from, startOrientation(next)) : from;
+  if (end.dot(startOrientation(next)) < 0.0) negate(next);
+  if (is_led)
+    setEnd(*transfer.travels.back(), startOrientation(next));
+  else
+    turnEvenly(transfer, from, startOrientation(next));
 }
 
 }  // namespace
@@ -61,14 +128,15 @@ Toolpath withTravelsOriented(Toolpath toolpath) {
         transfer.length_mm += length(path);
         continue;
       }
-      if (last_run != nullptr && endOrientation(*last_run).dot(startOrientation(path)) < 0.0) negate(path);
-      const Eigen::Quaterniond& to = startOrientation(path);
-      turnAlong(transfer, last_run != nullptr ? endOrientation(*last_run) : to, to);
+      if (last_run != nullptr)
+        turnTo(path, transfer, endOrientation(*last_run));
+      else
+        turnEvenly(transfer, startOrientation(path), startOrientation(path));
       transfer = {};
       last_run = &path;
     }
   }
-  if (last_run != nullptr) turnAlong(transfer, endOrientation(*last_run), endOrientation(*last_run));
+  if (last_run != nullptr) turnEvenly(transfer, endOrientation(*last_run), endOrientation(*last_run));
   return toolpath;
 }
 

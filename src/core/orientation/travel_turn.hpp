@@ -13,7 +13,8 @@ const Eigen::Quaterniond& startOrientation(const Path& path);
 const Eigen::Quaterniond& endOrientation(const Path& path);
 
 /// The toolpath with quaternions of one sign from run to run, and travels that turn from the end of one run
-/// to the start of the next in proportion to their length. The orientations travels had are not read.
+/// to the start of the next: by their own tool axes where these lead from one to the other, else in
+/// proportion to their length.
 Toolpath withTravelsOriented(Toolpath toolpath);
 
 }  // namespace lamina
