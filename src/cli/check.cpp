@@ -83,11 +83,13 @@ void printJson(const Checked& checked, const std::string& machine) {
   std::printf("%s\n", json.dump(2).c_str());
 }
 
-void printSingular(const SingularBeads& beads) {
+void printSingular(const Checked& checked) {
+  const SingularBeads& beads = checked.singular;
   if (beads.near == 0) return;
   const std::string line = beads.line > 0 ? "line " + std::to_string(beads.line) + ", " : "";
-  std::printf("singularity %.1f %% of the bead's waypoints are near one, %.2f deg the nearest: %s%s\n",
-              100.0 * beads.share(), beads.least_deg, line.c_str(), toText(beads.at).c_str());
+  std::printf("singularity %.1f %% of the bead's waypoints are near one%s, %.2f deg the nearest: %s%s\n",
+              100.0 * beads.share(), checked.check.isClear() ? " and within the joints' limits" : "",
+              beads.least_deg, line.c_str(), toText(beads.at).c_str());
 }
 
 void printText(const Checked& checked, const std::string& machine) {
@@ -106,7 +108,7 @@ void printText(const Checked& checked, const std::string& machine) {
   for (const auto& [what, kind] : by_kind)
     std::printf("%-11s at %zu waypoints in %zu layers\n", what.c_str(), kind.size(), layersOf(kind));
   std::printf("rewinds     %zu\n", check.rewinds);
-  printSingular(checked.singular);
+  printSingular(checked);
   if (checked.timed)
     std::printf("print time  %.1f s\nbelow feed  %.1f %% of the bead, at less than 95 %% of its feed\n",
                 checked.timed->figures.total_s, 100.0 * checked.timed->figures.slow_bead_share);
@@ -148,9 +150,14 @@ void check(const CheckArguments& arguments, Chosen& chosen) {
   const Checked checked = checkedOn(*model, arguments.run.input, settings);
   if (!arguments.report.empty()) writeReport(checked.check, arguments.report);
   if (!checked.check.isClear()) chosen.exit_code = kCannotRun;
-  if (checked.check.isClear() && !arguments.trajectory.empty())
-    writeNozzleCsv(arguments.trajectory, *checked.timed->trajectory, *model,
-                   {arguments.rate_hz, levelsIn(checked.timed->run.toolpath())});
+  if (!arguments.trajectory.empty()) {
+    if (checked.check.isClear())
+      writeNozzleCsv(arguments.trajectory, *checked.timed->trajectory, *model,
+                     {arguments.rate_hz, levelsIn(checked.timed->run.toolpath())});
+    else
+      std::fprintf(stderr, "%s is not written: the machine cannot run what it would hold\n",
+                   arguments.trajectory.c_str());
+  }
   chosen.format == OutputFormat::Json ? printJson(checked, model->name()) : printText(checked, model->name());
 }
 
@@ -164,10 +171,11 @@ void addCheck(CLI::App& app, Chosen& chosen) {
   const auto arguments = std::make_shared<CheckArguments>();
   addMachineRun(*subcommand, arguments->run);
   subcommand->add_option("--report", arguments->report, "File (.csv) for all waypoints that it cannot run");
-  subcommand->add_option(
+  CLI::Option* const trajectory = subcommand->add_option(
       "--trajectory", arguments->trajectory,
       "File (.csv) for the nozzle over time: pose, speed and process; only of what can be run");
-  subcommand->add_option("--rate-hz", arguments->rate_hz, "Rows a second of --trajectory, 50 to 500");
+  subcommand->add_option("--rate-hz", arguments->rate_hz, "Rows a second of --trajectory, 50 to 500")
+      ->needs(trajectory);
   addSettingOptions(*subcommand, arguments->settings, "Settings (YAML) for slicing, reading and the joints");
   addJsonFlag(*subcommand, chosen);
   subcommand->callback(

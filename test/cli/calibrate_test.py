@@ -108,6 +108,10 @@ class Calibrate(unittest.TestCase):
                                   "reaches"),
                                  (("calibrate", "plan", "edge", "-o", self.path("a.gcode"), "--set",
                                    "machine.name=large_gantry_45"), "straight down"),
+                                 (("calibrate", "plan", "edge", "-o", self.path("a.gcode"), "--machine", "large_gantry_45"),
+                                  "straight down"),
+                                 (("calibrate", "plan", "edge", "-o", self.path("a.gcode"), "--machine", "drop_printer", "--set",
+                                   "machine.name=cartesian_gantry"), "--machine is 'drop_printer'"),
                                  (("calibrate", "time", self.path("none.bag")), "none.bag")):
             done = lamina(*arguments)
             self.assertEqual(done.returncode, 1, arguments)
@@ -128,6 +132,12 @@ class Calibrate(unittest.TestCase):
     def test_settings_are_listed(self):
         listed = json.loads(lamina("calibrate", "plan", "bobbing", "--print-config", "--json").stdout)
         self.assertEqual(listed["calibrate.bob_s"], 10.0)
+
+    def test_programs_are_those_of_the_machine_named(self):
+        listed = json.loads(lamina("calibrate", "plan", "bobbing", "--print-config", "--json", "--machine", "creality_ender_3").stdout)
+        of_machine = json.loads(lamina("slice", "--print-config", "--json", "--machine", "creality_ender_3").stdout)
+        for key in ("machine.name", "program.dialect", "program.bed_temperature_c"):
+            self.assertEqual(listed[key], of_machine[key], key)
 
 
 if __name__ == "__main__":

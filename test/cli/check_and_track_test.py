@@ -83,6 +83,9 @@ class CheckAndTrack(unittest.TestCase):
         self.told("check", points, "--machine", "irb_4600", "--set", "part.placement=as_is", "--trajectory", table,
                   code=2)
         self.assertFalse(os.path.exists(table))
+        done = run("check", points, "--machine", "irb_4600", "--set", "part.placement=as_is", "--trajectory", table)
+        self.assertIn("nozzle.csv is not written", done.stderr)
+        self.assertIn("requires --trajectory", run("check", points, "--machine", "irb_4600", "--rate-hz", "100").stderr)
 
     def test_waiting_counts(self):
         def taking(waiting, machine):

@@ -30,7 +30,7 @@ void printFeeder(const CalibrateArguments& arguments, const FoundFeeder& found, 
 }
 
 void calibrateFeeder(const CalibrateArguments& arguments, OutputFormat format) {
-  const CalibrateSettings settings = calibrateSettingsFrom(arguments.settings);
+  const CalibrateSettings settings = calibrateSettingsFrom(arguments);
   Calibration cell = cellSoFar(arguments, settings.machine);
   const FoundFeeder found =
       findFeeder(recordingFrom(arguments.recording), knownSensorPose(cell, settings.machine),

@@ -47,7 +47,7 @@ void printPlan(const PlanArguments& arguments, const Toolpath& toolpath, OutputF
 }
 
 void plan(const PlanArguments& arguments, OutputFormat format) {
-  const CalibrateSettings settings = calibrateSettingsFrom(arguments.common.settings);
+  const CalibrateSettings settings = calibrateSettingsFrom(arguments.common);
   const std::string& output = arguments.common.cell;
   if (output.empty()) throw InvalidConfig("no output named; expected -o FILE.gcode or FILE.csv");
   requireSuffix(output, outputSuffixes());
@@ -63,8 +63,8 @@ void plan(const PlanArguments& arguments, OutputFormat format) {
   printPlan(arguments, toolpath, format);
 }
 
-void printPlanConfig(const SettingOptions& options, OutputFormat format) {
-  CalibrateSettings settings = calibrateSettingsFrom(options);
+void printPlanConfig(const CalibrateArguments& arguments, OutputFormat format) {
+  CalibrateSettings settings = calibrateSettingsFrom(arguments);
   SettingsSchema schema;
   describe(schema, settings.machine, "Machine that is calibrated.");
   describe(schema, settings.calibration);
@@ -84,12 +84,11 @@ void addCalibratePlan(CLI::App& calibrate, Chosen& chosen) {
       ->required();
   subcommand->add_option("-o,--output", arguments->common.cell, "Program to write (.gcode, .csv, .mod)");
   subcommand->add_flag("--print-config", arguments->prints_config, "Print the settings instead");
-  addSettingOptions(*subcommand, arguments->common.settings,
-                    "Settings (YAML) of calibration, machine and program");
+  addCalibratedMachine(*subcommand, arguments->common);
   addJsonFlag(*subcommand, chosen);
   subcommand->callback([arguments, &chosen] {
     chosen.run = [arguments, &chosen] {
-      arguments->prints_config ? printPlanConfig(arguments->common.settings, chosen.format)
+      arguments->prints_config ? printPlanConfig(arguments->common, chosen.format)
                                : plan(*arguments, chosen.format);
     };
   });

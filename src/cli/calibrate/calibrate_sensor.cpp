@@ -68,7 +68,7 @@ void calibrateByPairs(const SensorArguments& arguments, Calibration cell, Output
 }
 
 void calibrateSensor(const SensorArguments& arguments, OutputFormat format) {
-  const CalibrateSettings settings = calibrateSettingsFrom(arguments.common.settings);
+  const CalibrateSettings settings = calibrateSettingsFrom(arguments.common);
   Calibration cell = cellSoFar(arguments.common, settings.machine);
   if (arguments.method == "pairs") return calibrateByPairs(arguments, cell, format);
   std::vector<SensorView> views = {

@@ -37,7 +37,7 @@ void printTime(const TimeArguments& arguments, const FoundTime& found, OutputFor
 }
 
 void calibrateTime(const TimeArguments& arguments, OutputFormat format) {
-  const CalibrateSettings settings = calibrateSettingsFrom(arguments.common.settings);
+  const CalibrateSettings settings = calibrateSettingsFrom(arguments.common);
   Calibration cell = cellSoFar(arguments.common, settings.machine);
   // Bobbing asks nothing of where the sensor sits, and does without a machine that says it.
   const Eigen::Isometry3d about =

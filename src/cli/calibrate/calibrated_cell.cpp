@@ -5,6 +5,7 @@
 #include <chrono>
 #include <filesystem>
 
+#include "arguments/profile_options.hpp"
 #include "lamina/base/child_process.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/progress.hpp"
@@ -25,7 +26,20 @@ SensorRecording recordingOfBag(const std::string& bag) {
   return readRecording(folder.path());
 }
 
+void requireMachine(const MachineSettings& found, const MachineSettings& named, const std::string& typed) {
+  if (found.name == named.name && found.urdf == named.urdf) return;
+  throw InvalidConfig("the settings name the machine '" + (found.urdf.empty() ? found.name : found.urdf) +
+                      "', and --machine is '" + typed + "'; expected one of them, or the same");
+}
+
 }  // namespace
+
+void addCalibratedMachine(CLI::App& subcommand, CalibrateArguments& arguments) {
+  subcommand.add_option("--machine", arguments.machine,
+                        "Machine that is calibrated: a profile (lamina profiles), one of machine.name, or a "
+                        "file (.yaml, .urdf)");
+  addSettingOptions(subcommand, arguments.settings, "Settings (YAML) of calibration, machine and program");
+}
 
 void addCalibrateOptions(CLI::App& subcommand, CalibrateArguments& arguments) {
   subcommand
@@ -35,16 +49,25 @@ void addCalibrateOptions(CLI::App& subcommand, CalibrateArguments& arguments) {
   subcommand.add_option("-o,--output", arguments.cell,
                         "Calibration file (YAML) to write; what it holds already is used, and stays");
   subcommand.add_option("--sensor", arguments.sensor, "Name or serial number of the sensor");
-  addSettingOptions(subcommand, arguments.settings, "Settings (YAML) of calibration and machine");
+  addCalibratedMachine(subcommand, arguments);
 }
 
-CalibrateSettings calibrateSettingsFrom(const SettingOptions& options) {
+CalibrateSettings calibrateSettingsFrom(const CalibrateArguments& arguments) {
   CalibrateSettings settings;
+  MachineSettings named;
+  if (!arguments.machine.empty()) {
+    ProfileOptions profiles;
+    profiles.machine = arguments.machine;
+    const JobSettings of_machine = layeredSettingsFrom(profiles, {}).settings;
+    settings.machine = named = of_machine.machine;
+    settings.program = of_machine.program;
+  }
   SettingsSchema schema;
   describe(schema, settings.machine, "Machine that is calibrated.");
   describe(schema, settings.calibration);
   describe(schema, settings.program);
-  applySettings(schema, options.config, overridesFrom(options.assignments));
+  applySettings(schema, arguments.settings.config, overridesFrom(arguments.settings.assignments));
+  if (!arguments.machine.empty()) requireMachine(settings.machine, named, arguments.machine);
   return settings;
 }
 

@@ -19,8 +19,9 @@ namespace lamina::cli {
 /// What each part of `lamina calibrate` is told on the command line.
 struct CalibrateArguments {
   std::string recording;
-  std::string cell;    ///< calibration file; empty for none
-  std::string sensor;  ///< its name; empty to leave what the file says
+  std::string cell;     ///< calibration file; empty for none
+  std::string sensor;   ///< its name; empty to leave what the file says
+  std::string machine;  ///< name, profile or file; empty for that of the settings
   SettingOptions settings;
 };
 
@@ -31,11 +32,16 @@ struct CalibrateSettings {
   ProgramSettings program;
 };
 
-/// Adds the recording, the calibration file and settings.
+/// Adds the recording, the calibration file, --machine and settings.
 void addCalibrateOptions(CLI::App& subcommand, CalibrateArguments& arguments);
 
-/// @throws InvalidConfig, FileError as `applySettings`
-CalibrateSettings calibrateSettingsFrom(const SettingOptions& options);
+/// Adds --machine and settings.
+void addCalibratedMachine(CLI::App& subcommand, CalibrateArguments& arguments);
+
+/// The machine's own settings of programs, overridden by the file and then one by one.
+/// @throws InvalidConfig, FileError as `applySettings` and `settingsOnMachine`; InvalidConfig if they name
+/// another machine
+CalibrateSettings calibrateSettingsFrom(const CalibrateArguments& arguments);
 
 /// Reads a folder of tables, or a bag through `lamina-bag-tables` beside this program.
 /// @throws FileError, InvalidInput as `readRecording`; InvalidInput with what that program says
