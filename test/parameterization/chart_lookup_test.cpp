@@ -72,9 +72,9 @@ TEST(ChartLookup, DrawsPointsJustOutsideToTheBorderAndRefusesOthers) {
   const ChartLookup lookup(charts);
   EXPECT_NEAR((lookup.lifted(lookup.at({-0.009, 3.0})).middle - Point3(0, 3, 0)).norm(), 0.0, 1e-12);
   EXPECT_NEAR((lookup.lifted(lookup.at({10.0 + 0.009, 10.0})).middle - Point3(10, 10, 0)).norm(), 0.0, 1e-12);
-  EXPECT_FALSE(lookup.find({-0.011, 3.0}));
+  EXPECT_FALSE(lookup.find({-0.051, 3.0}));
   EXPECT_FALSE(lookup.find({1e6, 3.0}));
-  EXPECT_THROW(lookup.at({-0.011, 3.0}), InvalidInput);
+  EXPECT_THROW(lookup.at({-0.051, 3.0}), InvalidInput);
 }
 
 TEST(ChartLookup, CutsALineAtTheSidesOfTriangles) {
@@ -104,6 +104,17 @@ TEST(ChartLookup, FollowsLinesAlongSidesAndBorders) {
   const auto diagonal = lookup.stretches({0.0, 0.0}, {10.0, 10.0});
   ASSERT_TRUE(diagonal);
   EXPECT_EQ(diagonal->size(), 5U);
+}
+
+/// Charts of one height that touch are one plane: a run may go over from one to the other.
+TEST(ChartLookup, FollowsALineOverLevelChartsThatTouch) {
+  const std::vector<LayerChart> charts = {levelChart(10.0, 5), test::moved(levelChart(10.0, 5), {10.0, 0.0})};
+  const auto stretches = ChartLookup(charts).stretches({1.0, 3.0}, {19.0, 3.0});
+  ASSERT_TRUE(stretches);
+  EXPECT_EQ(stretches->front().in.chart, 0U);
+  EXPECT_EQ(stretches->back().in.chart, 1U);
+  EXPECT_EQ(stretches->back().to, 1.0);
+  for (std::size_t i = 1; i < stretches->size(); ++i) EXPECT_EQ((*stretches)[i].from, (*stretches)[i - 1].to);
 }
 
 TEST(ChartLookup, CoversAnyLineInsideByStretchesThatItsTrianglesHold) {

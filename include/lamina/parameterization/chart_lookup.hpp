@@ -44,9 +44,10 @@ struct ChartStretch {
 /// several threads.
 class ChartLookup {
  public:
-  /// Points of the plan no farther than this outside a chart are drawn to its border [mm]: twice what
-  /// outlines are simplified by when they are planned (`planning.simplification_mm`).
-  static constexpr double kSnap = 0.01;
+  /// Points of the plan no farther than this outside a chart are drawn to its border [mm]. Outlines are
+  /// simplified by a tenth of it when they are planned (`planning.simplification_mm`), and thin beads cut
+  /// corners of notches.
+  static constexpr double kSnap = 0.05;
 
   /// @param charts  must outlive this; their plans do not overlap
   /// @throws InvalidInput if there is no triangle, or a chart has not one plan point, tip, normal and height
@@ -70,12 +71,18 @@ class ChartLookup {
   /// Area in space of what has the area 1 in the plan.
   double areaRatio(const ChartTriangle& in) const;
 
-  /// A line of the plan, cut where it crosses the sides of triangles, in order and without gaps. Nothing if
-  /// it leaves its chart by more than `kSnap`.
+  /// A line of the plan, cut where it crosses the sides of triangles, in order and without gaps. It goes over
+  /// from chart to chart only where none takes it whole: level charts of one height may touch. Nothing if
+  /// it leaves the charts by more than `kSnap`.
   std::optional<std::vector<ChartStretch>> stretches(const Point2& from, const Point2& to) const;
 
  private:
   using Corners = std::array<Point2, 3>;
+  enum class Over { OneChart, AnyChart };
+  struct Crossing {
+    double margin_mm;  ///< by which triangles are widened
+    Over over;
+  };
 
   void sort(const Box2& box);
   Corners planOf(const ChartTriangle& in) const;
@@ -83,7 +90,7 @@ class ChartLookup {
   void forCellsOf(const Corners& corners, const Visit& visit) const;
   std::optional<std::vector<ChartStretch>> covering(const Point2& from, const Point2& to,
                                                     const std::vector<std::uint32_t>& candidates,
-                                                    double margin) const;
+                                                    Crossing crossing) const;
 
   const std::vector<LayerChart>& charts_;
   std::vector<ChartTriangle> triangles_;  // of all charts

@@ -198,7 +198,8 @@ ChartPlace ChartLookup::at(const Point2& plan) const {
   std::optional<ChartPlace> place = find(plan);
   if (!place)
     throw InvalidInput("plan point (" + numberText(plan.x()) + ", " + numberText(plan.y()) +
-                       ") mm lies outside the charts of its layer; must be inside, within 0.01 mm");
+                       ") mm lies outside the charts of its layer; must be inside, within " +
+                       numberText(kSnap) + " mm");
   return *place;
 }
 
@@ -252,25 +253,32 @@ std::optional<std::vector<ChartStretch>> ChartLookup::stretches(const Point2& fr
   });
   std::sort(candidates.begin(), candidates.end());
   candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
-  std::optional<std::vector<ChartStretch>> exact = covering(from, to, candidates, 1e-3 * kRounding);
-  return exact ? exact : covering(from, to, candidates, kSnap);
+  std::optional<std::vector<ChartStretch>> found =
+      covering(from, to, candidates, {1e-3 * kRounding, Over::OneChart});
+  if (!found) found = covering(from, to, candidates, {kSnap, Over::OneChart});
+  if (!found) found = covering(from, to, candidates, {kSnap, Over::AnyChart});
+  return found;
 }
 
 std::optional<std::vector<ChartStretch>> ChartLookup::covering(const Point2& from, const Point2& to,
                                                                const std::vector<std::uint32_t>& candidates,
-                                                               double margin) const {
+                                                               Crossing crossing) const {
   std::vector<ChartStretch> found;
   for (const std::uint32_t candidate : candidates) {
     const ChartTriangle& in = triangles_[candidate];
-    if (const std::optional<Interval> part = clipped(planOf(in), from, to, margin))
+    if (const std::optional<Interval> part = clipped(planOf(in), from, to, crossing.margin_mm))
       found.push_back({in, part->from, part->to});
   }
-  std::sort(found.begin(), found.end(), [](const ChartStretch& a, const ChartStretch& b) {
-    return std::tie(a.in.chart, a.from, a.in.triangle) < std::tie(b.in.chart, b.from, b.in.triangle);
+  const bool is_any = crossing.over == Over::AnyChart;
+  std::sort(found.begin(), found.end(), [is_any](const ChartStretch& a, const ChartStretch& b) {
+    const std::uint32_t one = is_any ? 0 : a.in.chart;
+    const std::uint32_t other = is_any ? 0 : b.in.chart;
+    return std::tie(one, a.from, a.in.chart, a.in.triangle) <
+           std::tie(other, b.from, b.in.chart, b.in.triangle);
   });
   const double gap = kRounding / (to - from).norm();
   for (std::size_t first = 0, last = 0; first < found.size(); first = last) {
-    while (last < found.size() && found[last].in.chart == found[first].in.chart) ++last;
+    while (last < found.size() && (is_any || found[last].in.chart == found[first].in.chart)) ++last;
     std::optional<std::vector<ChartStretch>> all = cover(found.data() + first, found.data() + last, gap);
     if (all) return all;
   }

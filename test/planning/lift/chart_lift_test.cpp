@@ -308,7 +308,21 @@ TEST(ChartLift, DrawsRunsToTheBorderThatLeaveTheirChartByItsSimplification) {
   for (const Point3& point : path.points) EXPECT_LE(point.y(), 10.0 + 1e-12);
   EXPECT_NEAR(path.points.back().y(), 9.0, 1e-12);
   EXPECT_NO_THROW(lift(chart, {line({1.0, 10.009}, {9.0, 10.009})}));
-  EXPECT_THROW(lift(chart, {line({1.0, 10.011}, {9.0, 10.011})}), InvalidInput);
+  EXPECT_THROW(lift(chart, {line({1.0, 10.051}, {9.0, 10.051})}), InvalidInput);
+}
+
+TEST(ChartLift, LeavesOutTheLittleOfARunThatLiesBesideItsChart) {
+  Path planned = line({1.0, 5.0}, {9.9, 5.0});
+  const double z = planned.points.front().z();
+  planned.points.insert(planned.points.end(), {{10.3, 5.2, z}, {9.9, 5.4, z}, {1.0, 5.4, z}});
+  const std::vector<LayerChart> charts = {levelChart(10.0, 5)};
+  const LiftedLayer lifted = liftOnto(charts, {0.2, 0.2, {planned}}, {}, {}, 1.0);
+  ASSERT_EQ(lifted.layer.paths.size(), 3U);
+  EXPECT_EQ(lifted.layer.paths[1].role, PathRole::Travel);
+  EXPECT_NEAR(lifted.layer.paths[0].lastPoint().x(), 9.9, 1e-12);
+  EXPECT_NEAR(lifted.layer.paths[2].firstPoint().y(), 5.4, 1e-12);
+  EXPECT_NO_THROW(validate({"beside", {lifted.layer}}));
+  EXPECT_NEAR(volumeOf(lifted.layer.paths) + lifted.left_out_mm3, volumeOf({planned}), 1e-9);
 }
 
 TEST(ChartLift, RefusesRunsThatLeaveTheirChart) {

@@ -42,11 +42,14 @@ void describe(SettingsSchema& schema, LiftSettings& settings);
 /// Travels that are not retracted and stay over one chart follow the layer, their inner waypoints raised by
 /// four times the tolerance; on others see `makeSpaceTravel`.
 ///
+/// Motions beside all charts, as where a bead fits between charts that a fold divides, are left out: up to
+/// five bead widths of a run.
+///
 /// @param planned     paths in the plan; may not leave the charts by more than `ChartLookup::kSnap`
 /// @param highest_mm  z of the highest nozzle tip of this layer and of those before it [part frame]
 /// @return layer height and z as planned; the paths join as the planned ones do. Its volume and what is left
 ///         out are together what is planned.
-/// @throws InvalidInput if a run leaves its chart, naming where
+/// @throws InvalidInput if more of a run leaves its chart, naming where
 LiftedLayer liftOnto(const std::vector<LayerChart>& charts, ToolpathLayer planned,
                      const LiftSettings& settings, const TravelSettings& travel, double highest_mm);
 

@@ -17,6 +17,7 @@
 #include "planning/lift/bead_bounds.hpp"
 #include "planning/lift/held_along.hpp"
 #include "planning/nozzle_frame.hpp"
+#include "planning/runs/cut_beads.hpp"
 #include "planning/travel/space_travel.hpp"
 
 namespace lamina {
@@ -103,6 +104,12 @@ class Thinning {
   double chord_;
 };
 
+/// An end of a line that a stretch of it leads to, which may be drawn to a corner from farther out.
+SurfacePoint endOn(const ChartLookup& charts, const ChartStretch& stretch, const Point2& end) {
+  const std::optional<ChartPlace> place = charts.find(end);
+  return charts.lifted(place ? *place : charts.within(stretch.in, end));
+}
+
 /// The line on the charts; in triangles where the height varies by more than the tolerance it has further
 /// points. Nothing if it leaves its chart.
 std::optional<LiftedLine> liftedLine(const ChartLookup& charts, const Point2& from, const Point2& to,
@@ -111,12 +118,12 @@ std::optional<LiftedLine> liftedLine(const ChartLookup& charts, const Point2& fr
   if (!stretches) return std::nullopt;
   const double length = (to - from).norm();
   LiftedLine line;
-  line.points.push_back(charts.lifted(charts.at(from)));
+  line.points.push_back(endOn(charts, stretches->front(), from));
   line.plan_mm.push_back(0.0);
   for (const ChartStretch& stretch : *stretches) {
     const bool is_last = &stretch == &stretches->back();
     const auto placeAt = [&](double t) { return charts.within(stretch.in, from + t * (to - from)); };
-    const SurfacePoint end = charts.lifted(is_last ? charts.at(to) : placeAt(stretch.to));
+    const SurfacePoint end = is_last ? endOn(charts, stretch, to) : charts.lifted(placeAt(stretch.to));
     const int parts = partsFor(line.points.back().height_mm, end.height_mm, height_tolerance);
     for (int k = 1; k <= parts; ++k) {
       const double t = stretch.from + (stretch.to - stretch.from) * k / parts;
@@ -137,6 +144,7 @@ std::vector<std::size_t> neededPoints(const LiftedLine& line, const LiftSettings
 struct LiftedRun {
   std::optional<Path> path;
   double left_out_mm3 = 0.0;
+  bool leaves_charts = false;  ///< nothing else is known then
 };
 
 /// Waypoints nearer to each other than this are one [mm].
@@ -166,8 +174,11 @@ class RunLifter {
       : charts_(charts), planned_(planned), settings_(settings) {}
 
   LiftedRun lift() && {
-    waypoint(charts_.lifted(charts_.at(planned_.points.front().head<2>())), 0, {});
-    for (std::size_t m = 0; m < planned_.motionCount(); ++m) addMotion(m);
+    const std::optional<ChartPlace> start = charts_.find(planned_.points.front().head<2>());
+    if (!start) return {std::nullopt, 0.0, true};
+    waypoint(charts_.lifted(*start), 0, {});
+    for (std::size_t m = 0; m < planned_.motionCount(); ++m)
+      if (!addMotion(m)) return {std::nullopt, 0.0, true};
     deposited_.back().add(carried_);
     if (planned_.is_closed) close();
     if (points_.size() < 2) return leftOut();
@@ -186,19 +197,18 @@ class RunLifter {
   }
 
  private:
-  void addMotion(std::size_t m) {
+  /// Whether it stays on the charts.
+  bool addMotion(std::size_t m) {
     const std::size_t end = planned_.motionEnd(m);
     const Point2 from = planned_.points[m].head<2>();
     const Point2 to = planned_.points[end].head<2>();
     const std::optional<LiftedLine> line = liftedLine(charts_, from, to, settings_.height_tolerance);
-    if (!line)
-      throw InvalidInput("a run of the plan from (" + numberText(from.x()) + ", " + numberText(from.y()) +
-                         ") to (" + numberText(to.x()) + ", " + numberText(to.y()) +
-                         ") mm leaves its chart; must stay in one");
+    if (!line) return false;
     const double width = planWidth(planned_.bead.at(end));
     const std::vector<std::size_t> needed = neededPoints(*line, settings_);
     for (std::size_t k = 1; k < needed.size(); ++k)
       waypoint(line->points[needed[k]], end, depositedBetween(*line, needed[k - 1], needed[k], width));
+    return true;
   }
 
   static Deposited depositedBetween(const LiftedLine& line, std::size_t first, std::size_t last,
@@ -310,11 +320,38 @@ Path liftedDrops(const ChartLookup& charts, const Path& planned, const LiftSetti
 }
 
 /// A run that deposits, from the plan onto its layer, as `liftOnto` says.
-/// @throws InvalidInput if it leaves its chart
+/// @throws InvalidInput if a drop leaves its chart
 LiftedRun liftedRun(const ChartLookup& charts, const Path& planned, const LiftSettings& settings) {
   if (planned.deposit == Deposit::Drops) return {liftedDrops(charts, planned, settings), 0.0};
   return RunLifter(charts, planned, settings).lift();
 }
+
+/// What of a run lies beside all charts.
+struct OffCharts {
+  HinderedWaypoints waypoints;  ///< of the first path of a first layer
+  double length_mm = 0.0;
+  std::string first;  ///< where it begins, for people
+};
+
+OffCharts offCharts(const ChartLookup& charts, const Path& planned) {
+  OffCharts off;
+  for (std::size_t m = 0; m < planned.motionCount(); ++m) {
+    const std::size_t end = planned.motionEnd(m);
+    const Point2 from = planned.points[m].head<2>();
+    const Point2 to = planned.points[end].head<2>();
+    if (charts.stretches(from, to)) continue;
+    off.waypoints.off.insert({0, 0, end});
+    off.length_mm += (to - from).norm();
+    if (off.first.empty())
+      off.first = "from (" + numberText(from.x()) + ", " + numberText(from.y()) + ") to (" +
+                  numberText(to.x()) + ", " + numberText(to.y()) + ") mm";
+  }
+  return off;
+}
+
+/// Of a run that may lie beside the charts, and is left out, in widths of its bead: planning is out of its
+/// depth where more does.
+constexpr double kMostOff = 5.0;
 
 /// By which travels that follow a layer are raised, in tolerances: nowhere lower than a convex layer, which
 /// their ends leave in a parabola.
@@ -340,6 +377,7 @@ class LayerLifter {
  private:
   void addRun(const Path& planned, const Path* travel) {
     LiftedRun run = liftedRun(charts_, planned, settings_);
+    if (run.leaves_charts) return addPieces(planned);
     left_out_mm3_ += run.left_out_mm3;
     if (!run.path) {
       is_beside_ = true;
@@ -348,6 +386,24 @@ class LayerLifter {
     if ((travel != nullptr || is_beside_) && !lifted_.empty()) addTravelTo(startPose(*run.path), travel);
     is_beside_ = false;
     lifted_.push_back(std::move(*run.path));
+  }
+
+  /// Where charts are cut at folds, a bead that fits between their borders may lie beside them.
+  void addPieces(const Path& planned) {
+    const OffCharts off = offCharts(charts_, planned);
+    const double width_mm = planned.bead.at(planned.points.size() - 1).width_mm;
+    if (off.length_mm > kMostOff * width_mm)
+      throw InvalidInput("a run of the plan " + off.first + " leaves its chart, over " +
+                         numberText(off.length_mm) + " mm in all; must stay in one, but for " +
+                         numberText(kMostOff) + " widths of its bead");
+    const TravelMaker none = [](const Path&, const Path&, std::size_t) { return std::nullopt; };
+    CutBeads cut = cutBeads({"", {{0.0, 0.0, {planned}}}}, off.waypoints, none, 0.0);
+    left_out_mm3_ += cut.left_out_mm3;
+    for (const Path& piece : cut.toolpath.layers[0].paths) {
+      is_beside_ = true;
+      addRun(piece, nullptr);
+    }
+    is_beside_ = true;
   }
 
   void addTravelTo(const NozzlePose& to, const Path* planned) {
