@@ -11,7 +11,10 @@
 #include "lamina/base/parallel.hpp"
 #include "lamina/geometry/mesh_io/mesh_writer.hpp"
 #include "lamina/geometry/parts/parts.hpp"
+#include "lamina/job/kinematic_model_run.hpp"
+#include "lamina/job/machine_check.hpp"
 #include "lamina/job/slicing/slicing_mode.hpp"
+#include "lamina/kinematics/cartesian/machine_settings.hpp"
 #include "lamina/slicing/unsliceable.hpp"
 #include "support/scoped_entry.hpp"
 #include "support/scratch_folder.hpp"
@@ -333,6 +336,32 @@ TEST_F(SlicingModes, AnUnknownOneIsRefusedNamingThoseThereAre) {
     for (const std::string& name : slicingModeNames())
       EXPECT_NE(std::string(error.what()).find(name), std::string::npos) << error.what();
   }
+}
+
+/// The plate of a bridge grows from both pillars, and the fronts meet in a fold that the nozzle's cone does
+/// not enter: what lies there is left out, if so much may be, and the machine then runs the rest.
+TEST_F(SlicingModes, VolumetricLayersLeaveOutWhatTheHeadHasNoRoomFor) {
+  usePart("bridge",
+          {{"length_mm", "16"}, {"width_mm", "6"}, {"gap_mm", "6"}, {"pillar_mm", "8"}, {"plate_mm", "3"}});
+  job_.settings.machine.name = "five_axis_head_table";
+  job_.settings.planning.bead.width_mm = 1.0;
+  job_.settings.volumetric.cell_mm = 0.5;
+  job_.settings.volumetric.overhang_used_deg = 10.0;
+  const auto model = kinematicModelOf(job_.settings.machine);
+  const auto checked = [&](const SlicedPart& sliced) {
+    NoProgress nobody;
+    return checkRun(runOn(*model, sliced.toolpath, sliced.bed_from_part, job_.settings.joints, nobody),
+                    *model, job_.settings.clearance, nobody);
+  };
+  job_.settings.volumetric.largest_left_out_percent = 0.0;
+  const SlicedPart whole = slice("volumetric");
+  EXPECT_FALSE(checked(whole).isClear());
+  job_.settings.volumetric.largest_left_out_percent = 10.0;
+  const SlicedPart fitted = slice("volumetric");
+  EXPECT_TRUE(checked(fitted).isClear());
+  const double left_out = whole.summary.deposited_mm3 - fitted.summary.deposited_mm3;
+  EXPECT_GT(left_out, 0.0);
+  EXPECT_LT(left_out, 0.1 * whole.summary.deposited_mm3);
 }
 
 }  // namespace

@@ -122,6 +122,15 @@ SettingProbe volumetricProbe() {
             "volumetric.largest_unsupported_percent=100"}}};
 }
 
+SettingProbe fitProbe() {
+  return {"volumetric layers with a fold that the head does not enter",
+          std::string(kThick) +
+              "slicing.mode=volumetric;volumetric.cell_mm=0.5;volumetric.overhang_used_deg=10;machine.name="
+              "five_axis_head_table",
+          toolpathOf("bridge length_mm=16 width_mm=6 gap_mm=6 pillar_mm=8 plate_mm=3"),
+          {{"volumetric.largest_left_out_percent=10"}}};
+}
+
 SettingProbe directionsProbe() {
   return {"pieces along directions of their own",
           std::string(kThick) + "slicing.mode=multi_direction",
@@ -174,9 +183,9 @@ SettingProbe orientationProbe() {
 }  // namespace
 
 std::vector<SettingProbe> layerProbes() {
-  return {inclinedProbe(),  beltProbe(),  adaptedProbe(),     curvedProbe(),     gapProbe(),
-          conformalProbe(), baseProbe(),  heightFieldProbe(), volumetricProbe(), directionsProbe(),
-          automaticProbe(), skinsProbe(), orientationProbe()};
+  return {inclinedProbe(),   beltProbe(),      adaptedProbe(),     curvedProbe(),     gapProbe(),
+          conformalProbe(),  baseProbe(),      heightFieldProbe(), volumetricProbe(), fitProbe(),
+          directionsProbe(), automaticProbe(), skinsProbe(),       orientationProbe()};
 }
 
 }  // namespace lamina::test

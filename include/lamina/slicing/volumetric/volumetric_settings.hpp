@@ -15,10 +15,11 @@ struct VolumetricSettings {
   double max_thickness = 2.0;  ///< of a layer, over `slicing.layer_height_mm`, which is the thinnest
   double max_tilt_deg = 80.0;  ///< of growth from up
   double deviation_deg =
-      35.0;  ///< of the tool axis from the layer's normal, towards upright, so that the head is clear
+      55.0;  ///< of the tool axis from the layer's normal, towards upright, so that the head is clear
   double sink_mm = 0.0;                  ///< by which the part is sunk into the bed and cut there
   double largest_pendant_percent = 0.5;  ///< of the volume, to which no growth leads, before it is refused
   double largest_unsupported_percent = 5.0;  ///< of the surface, before it is refused
+  double largest_left_out_percent = 0.5;     ///< of what is deposited, where the head has no room
 };
 
 /// Adds the keys volumetric.*.

@@ -10,6 +10,7 @@
 #include "job/laps.hpp"
 #include "job/slicing/head_stages.hpp"
 #include "job/slicing/layer_stack_planning.hpp"
+#include "job/slicing/machine_fit.hpp"
 #include "job/slicing/settled_axis.hpp"
 #include "job/slicing/travels_over_part.hpp"
 #include "lamina/base/angle.hpp"
@@ -79,6 +80,31 @@ std::string noteOnHead(const VolumetricMeasures& measures, const TravelsOverPart
   return text;
 }
 
+std::string noteOnFit(const MachineFit& fit, double deposited_mm3) {
+  char text[300];
+  std::snprintf(
+      text, sizeof text,
+      "at %zu waypoints the head had no room, or a joint turned too far, with %zu left: %.3g mm³ of beads, "
+      "%.2f %%, are left out there, and the nozzle turns off the bead at %zu places",
+      fit.hindered, fit.still_hindered, fit.left_out_mm3,
+      deposited_mm3 > 0.0 ? 100.0 * fit.left_out_mm3 / deposited_mm3 : 0.0, fit.turns);
+  return text;
+}
+
+/// Leads the travels, and leaves out what a head that tilts cannot lay.
+/// @return a note; empty if nothing was left out
+std::string fitHead(Toolpath& toolpath, const PlanningRequest& request, const LeadTravels& lead,
+                    Progress& progress) {
+  if (!canTurnToolAxis(request.space) || request.job.settings.clearance.need == ClearanceNeed::Never) {
+    lead(toolpath);
+    return {};
+  }
+  const double deposited_mm3 = totals(toolpath).deposited_mm3;
+  MachineFit fit = fitToMachine(std::move(toolpath), request, lead, progress);
+  toolpath = std::move(fit.toolpath);
+  return fit.hindered > 0 ? noteOnFit(fit, deposited_mm3) : std::string();
+}
+
 /// A head that cannot tilt has nothing to lean.
 VolumetricRequest growthRequest(const PlanningRequest& request) {
   const JobSettings& settings = request.job.settings;
@@ -118,8 +144,11 @@ PlannedPart planVolumetric(SourcePart source, const PlanningRequest& request, Pr
   const double slice_s = laps.lap();
   PlannedPart planned = planStack({stackedLayers(std::move(layers))}, request, progress);
   settleAxes(planned.plan.toolpath, kSettledRad);
-  const TravelsOverPart travels =
-      leadTravels(planned.plan.toolpath, laid_mm, *room, settings.planning.travel.hop_mm, progress);
+  TravelsOverPart travels;
+  const LeadTravels lead = [&](Toolpath& toolpath) {
+    travels = leadTravels(toolpath, laid_mm, *room, settings.planning.travel.hop_mm, progress);
+  };
+  const std::string fit = fitHead(planned.plan.toolpath, request, lead, progress);
   planned.counts.slice_s += slice_s;
   planned.support = LayerSupport{measures.unsupported_mm2,
                                  bent_layers + (measures.level_layers > 0 ? std::size_t{1} : std::size_t{0}),
@@ -127,6 +156,7 @@ PlannedPart planVolumetric(SourcePart source, const PlanningRequest& request, Pr
   planned.notes = {noteOnGrowth(measures, settings.slicing.layer_height_mm),
                    noteOnHanging(measures, settings.volumetric.max_overhang_deg), noteOnFilling(measures)};
   planned.notes.push_back(noteOnHead(measures, travels));
+  if (!fit.empty()) planned.notes.push_back(fit);
   addNotesOnLeftOut(measures, planned.notes);
   return planned;
 }

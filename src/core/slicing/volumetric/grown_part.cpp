@@ -19,8 +19,8 @@ namespace {
 constexpr double kMarginDeg = 20.0;      // between the overhang taken and that used up
 constexpr double kLeastMarginDeg = 5.0;  // the same where the head needs room
 constexpr double kLeastUsedDeg = 5.0;    // where much is left unsupported
-constexpr double kOverhangStepDeg = 5.0;
-constexpr double kLittleShut = 0.002;        // of the volume
+constexpr double kOverhangStepDeg = 2.5;
+constexpr double kLittleShut = 0.006;        // of the volume: a third of it is left out then
 constexpr double kMuchShut = 0.01;           // of the volume
 constexpr double kMuchUnsupported = 2.0;     // % of the surface
 constexpr double kNodesAimedAt = 500'000.0;  // in cells chosen by the part's volume

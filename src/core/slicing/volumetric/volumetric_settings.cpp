@@ -32,6 +32,8 @@ void describe(SettingsSchema& schema, VolumetricSettings& settings) {
                 "Of the part's volume: how much may hang where no layer leads before it is refused.");
   schema.number("volumetric.largest_unsupported_percent", settings.largest_unsupported_percent, {0.0, 100.0},
                 "Of the part's surface: how much may overhang by more than is taken before it is refused.");
+  schema.number("volumetric.largest_left_out_percent", settings.largest_left_out_percent, {0.0, 10.0},
+                "Of what is deposited: how much may be left out where the head has no room for it.");
 }
 
 void requireConsistent(const VolumetricSettings& settings) {
