@@ -10,6 +10,7 @@
 
 #include "arguments/setting_options.hpp"
 #include "lamina/base/atomic_file.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/streaming/emulator/emulated_machine.hpp"
 #include "output/terminal_progress.hpp"
 #include "subcommand.hpp"
@@ -32,7 +33,7 @@ EmulatedSettings settingsFrom(const EmulateArguments& arguments) {
   EmulatedSettings settings;
   SettingsSchema schema;
   describe(schema, settings);
-  schema.set("emulator.speed_up", std::to_string(arguments.speed_up));
+  schema.set("emulator.speed_up", numberText(arguments.speed_up));
   for (const SettingText& setting : overridesFrom(arguments.settings)) schema.set(setting.key, setting.text);
   return settings;
 }

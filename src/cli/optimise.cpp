@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "arguments/setting_options.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/base/text.hpp"
 #include "lamina/job/study/study_job.hpp"
 #include "lamina/kriging/kriging.hpp"
@@ -32,12 +33,12 @@ struct OptimiseArguments {
 void print(const Study& study, const StudyState& state) {
   std::string best;
   for (std::size_t i = 0; i < state.best.size(); ++i)
-    best += "  " + study.goals.objectives[i].response + " " + shownNumber(state.best[i]);
+    best += "  " + study.goals.objectives[i].response + " " + numberText(state.best[i]);
   const bool is_front = study.method == SearchMethod::Nsga2;
   if (::isatty(STDERR_FILENO) != 0) std::fputs("\r\x1b[K", stderr);
   std::fprintf(stderr, "%s %d: %d evaluations, %d failed%s%s%s\n", is_front ? "generation" : "iteration",
                state.index, state.evaluations, state.failed,
-               is_front ? (", hypervolume " + shownNumber(state.hypervolume)).c_str() : "",
+               is_front ? (", hypervolume " + numberText(state.hypervolume)).c_str() : "",
                best.empty() ? "" : "; best so far", best.c_str());
 }
 
@@ -97,14 +98,14 @@ void printProposal(const Study& study, const std::vector<std::string>& names,
     const Variable& variable = study.variables[i];
     const double value = iteration.proposed[i];
     const bool is_number = variable.kind != VariableKind::Categorical;
-    point += "  " + variable.name + " " + (is_number ? shownNumber(value) : textOf(variable, value));
+    point += "  " + variable.name + " " + (is_number ? numberText(value) : textOf(variable, value));
   }
   const bool is_measured = isEvaluated(iteration.measured);
   std::printf("proposal %zu:%s\n", iteration.index, point.c_str());
   for (std::size_t k = 0; k < names.size(); ++k)
     std::printf("  %-34s %s predicted, %s measured\n", names[k].c_str(),
-                shownNumber(iteration.predictions.at(k).value).c_str(),
-                is_measured ? shownNumber(iteration.measured.responses.at(k)).c_str() : "not");
+                numberText(iteration.predictions.at(k).value).c_str(),
+                is_measured ? numberText(iteration.measured.responses.at(k)).c_str() : "not");
   if (is_measured)
     std::printf("  error of predictions %.2f %%, %s\n", iteration.mape_percent,
                 iteration.is_sample     ? "a sample already"

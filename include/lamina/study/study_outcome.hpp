@@ -48,7 +48,4 @@ std::size_t failedCount(const std::vector<Evaluation>& evaluations);
 std::vector<SettingText> valuesOf(const DesignSpace& space, const std::vector<std::string>& response_names,
                                   const Evaluation& evaluation);
 
-/// A number as a person reads it: six digits.
-std::string shownNumber(double value);
-
 }  // namespace lamina

@@ -49,7 +49,7 @@ ToolpathInput readInclinedToolpath(const std::string& input, const JobSettings& 
     read.toolpath = withNozzle(std::move(read.toolpath), is_normal ? asked * nozzleDown() : nozzleDown());
   } else if (read.toolpath.part_from_layers.angularDistance(asked) > kSamePlane) {
     throw InvalidInput("slicing.plane.angle_deg is " + numberText(plane.angle_deg) + ", but '" + input +
-                       "' states layers inclined by " + std::to_string(inclinationDeg(read.toolpath)) +
+                       "' states layers inclined by " + numberText(inclinationDeg(read.toolpath)) +
                        " deg another way; expected the same or none");
   }
   return read;

@@ -213,7 +213,7 @@ TimeOffset offsetByBobbing(const SensorRecording& recording, double search_s) {
   const auto best = static_cast<std::size_t>(std::max_element(found.begin(), found.end()) - found.begin());
   if (found[best] < kLeastCorrelation)
     throw InvalidInput("profiles follow the nozzle's height with a correlation of " +
-                       std::to_string(found[best]) + "; expected at least " + numberText(kLeastCorrelation) +
+                       numberText(found[best]) + "; expected at least " + numberText(kLeastCorrelation) +
                        ": is the place flat and in range, and do stamps agree within the search of " +
                        inSeconds(search_s) + "?");
   if (best == 0 || best + 1 == found.size())

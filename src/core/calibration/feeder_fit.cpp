@@ -169,9 +169,9 @@ FeederFit fitFeeder(const FeederSteps& steps, const std::vector<BeadSections>& b
     values = found.values;
   }
   if (!(values[kDeadTime] < problem.step_s && values[kGain] > kLeastGain))
-    throw InvalidInput("the dead time is " + std::to_string(values[kDeadTime]) + " s at a gain of " +
-                       std::to_string(values[kGain]) + "; expected less than the " +
-                       numberText(problem.step_s) + " s that a step takes: longer steps or less speed");
+    throw InvalidInput("the dead time is " + numberText(values[kDeadTime]) + " s at a gain of " +
+                       numberText(values[kGain]) + "; expected less than the " + numberText(problem.step_s) +
+                       " s that a step takes: longer steps or less speed");
   // A lag too short to be seen is known to be shorter than a step.
   found.information(kLag, kLag) += 1.0 / (problem.step_s * problem.step_s);
   const Eigen::MatrixXd covariance =

@@ -10,6 +10,7 @@
 
 #include "lamina/base/csv_table.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/base/text.hpp"
 #include "lamina/control/part_learning.hpp"
 
@@ -79,7 +80,7 @@ void addAmount(PartMap& map, const CsvTable& table, std::size_t row) {
   if (!ascends || layer > map.amount.size() + kMostLayersLearnt)
     throw InvalidInput(place + ": the layer is " + std::to_string(layer) + "; expected layers to ascend");
   if (!(amount > -1.0 && amount <= kGreatestLearnt))
-    throw InvalidInput(place + ": the amount is " + std::to_string(amount) + "; expected -1 to 5");
+    throw InvalidInput(place + ": the amount is " + numberText(amount) + "; expected -1 to 5");
   if (layer >= map.amount.size()) map.amount.resize(layer + 1);
   map.amount[layer].push_back(amount);
 }

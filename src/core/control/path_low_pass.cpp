@@ -35,7 +35,7 @@ void requireAscending(const std::vector<double>& values, const Stations& station
     const bool is_placed =
         along[i] >= least && along[i] <= stations.length_mm && (i == 0 || along[i] > least);
     if (!is_placed)
-      throw InvalidInput("station " + std::to_string(i) + " lies at " + std::to_string(along[i]) +
+      throw InvalidInput("station " + std::to_string(i) + " lies at " + numberText(along[i]) +
                          " mm; expected stations to ascend from 0 to " + numberText(stations.length_mm) +
                          " mm");
   }

@@ -39,8 +39,8 @@ void requirePlane(const Toolpath& toolpath, std::size_t index) {
       throw InvalidInput(nameOfLayer(index) + " deposits drops; expected beads, whose height can be changed");
     for (const Point3& point : path.points)
       if (std::abs(point.dot(normal) - layer.z_mm) > kSameHeight)
-        throw InvalidInput(nameOfLayer(index) + " is at " + std::to_string(point.dot(normal)) +
-                           " mm and at " + numberText(layer.z_mm) + " mm; expected a plane layer");
+        throw InvalidInput(nameOfLayer(index) + " is at " + numberText(point.dot(normal)) + " mm and at " +
+                           numberText(layer.z_mm) + " mm; expected a plane layer");
   }
 }
 

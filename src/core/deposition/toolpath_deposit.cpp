@@ -133,9 +133,9 @@ void requireMemory(const Toolpath& toolpath, const DepositionSettings& settings)
   if (bytes <= limit) return;
   const double fits = voxelThatFits(toolpath, settings, bytes, limit);
   throw InvalidInput("deposition.voxel_mm is " + numberText(settings.voxel_mm) + " mm, which needs " +
-                     std::to_string(bytes / kMegabyte) + " MB; " +
+                     numberText(bytes / kMegabyte) + " MB; " +
                      (settings.memory_limit_mb > 0.0 ? "deposition.memory_limit_mb allows " : "free are ") +
-                     std::to_string(limit / kMegabyte) + " MB, into which voxels of " + numberText(fits) +
+                     numberText(limit / kMegabyte) + " MB, into which voxels of " + numberText(fits) +
                      " mm fit");
 }
 

@@ -135,7 +135,7 @@ void requireUsable(const ToolAxisMotion& motion) {
     throw InvalidInput("volume of a motion is " + numberText(motion.volume_mm3) + " mm3; expected 0 or more");
   if (!(motion.radius_mm >= 0.0 && motion.radius_mm <= VoxelDeposit::kThickestStrand))
     throw InvalidInput("radius of a strand is " + numberText(motion.radius_mm) + " mm; expected 0 to " +
-                       std::to_string(VoxelDeposit::kThickestStrand) + " mm");
+                       numberText(VoxelDeposit::kThickestStrand) + " mm");
 }
 
 double radiusOf(const ToolAxisMotion& motion, double length_mm) {

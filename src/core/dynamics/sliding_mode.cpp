@@ -70,8 +70,8 @@ std::array<std::complex<double>, 3> poles(const SlidingModeGains& gains) {
 void requireStable(const SlidingModeGains& gains) {
   const double worst = poles(gains)[2].real();
   if (worst < 0.0) return;
-  throw InvalidConfig("the gains controller.k1, k2, k3 of " + std::to_string(gains.k1) + ", " +
-                      std::to_string(gains.k2) + ", " + std::to_string(gains.k3) + " have a pole at " +
+  throw InvalidConfig("the gains controller.k1, k2, k3 of " + numberText(gains.k1) + ", " +
+                      numberText(gains.k2) + ", " + numberText(gains.k3) + " have a pole at " +
                       numberText(worst) + " 1/s; all must be negative");
 }
 

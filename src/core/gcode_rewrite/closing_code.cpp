@@ -78,7 +78,7 @@ void ClosingCode::requireClear(const ProgramTracker& tracker) const {
   const double z = word->value * (tracker.isInInches() ? 25.4 : 1.0);
   if (z >= *clear_z_) return;
   throw InvalidProgram("line " + std::to_string(tracker.command().number()) + ": the end code goes to z " +
-                       numberText(z) + " mm, and the part reaches " + std::to_string(*clear_z_) +
+                       numberText(z) + " mm, and the part reaches " + numberText(*clear_z_) +
                        " mm; expected no less, or no such line and a final position instead");
 }
 

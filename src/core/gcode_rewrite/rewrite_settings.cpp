@@ -32,7 +32,7 @@ void validate(const RewriteSettings& settings) {
       requireWithin("final_position_mm", (*settings.final_position_mm)[axis], -kFurthest, kFurthest);
     if (settings.limits_mm && !(settings.limits_mm->low[axis] < settings.limits_mm->high[axis]))
       refuse("limits_mm", settings.limits_mm->low[axis],
-             "below " + std::to_string(settings.limits_mm->high[axis]));
+             "below " + numberText(settings.limits_mm->high[axis]));
   }
   if (settings.table_position_mm) {
     for (int axis = 0; axis < 2; ++axis)

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/base/text.hpp"
 
 namespace lamina {
@@ -32,15 +33,14 @@ void validate(const Goals& goals, const std::vector<std::string>& response_names
   for (const Objective& objective : goals.objectives) {
     responseIndex(response_names, objective.response);
     if (!std::isfinite(objective.weight) || objective.weight < 0.0)
-      throw InvalidConfig("objective " + objective.response + ": weight " + std::to_string(objective.weight) +
+      throw InvalidConfig("objective " + objective.response + ": weight " + numberText(objective.weight) +
                           "; expected at least 0");
   }
   for (const Constraint& constraint : goals.constraints) {
     responseIndex(response_names, constraint.response);
     if (!(constraint.low <= constraint.high))
-      throw InvalidConfig("constraint on " + constraint.response + ": from " +
-                          std::to_string(constraint.low) + " to " + std::to_string(constraint.high) +
-                          " lies nothing");
+      throw InvalidConfig("constraint on " + constraint.response + ": from " + numberText(constraint.low) +
+                          " to " + numberText(constraint.high) + " lies nothing");
   }
 }
 

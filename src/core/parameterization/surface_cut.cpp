@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/geometry/mesh/mesh_topology.hpp"
 
 namespace lamina {
@@ -77,7 +78,7 @@ void requireField(const LayerSurface& surface, const std::vector<double>& field)
       std::find_if(field.begin(), field.end(), [](double value) { return !std::isfinite(value); });
   if (bad != field.end())
     throw InvalidInput("the field at vertex " + std::to_string(bad - field.begin()) + " is " +
-                       std::to_string(*bad) + "; expected a finite number");
+                       numberText(*bad) + "; expected a finite number");
 }
 
 /// Keeps what lies on the field's positive side of a triangle. A triangle that only touches zero is dropped.

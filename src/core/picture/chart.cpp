@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/picture/annotation.hpp"
 #include "lamina/picture/canvas.hpp"
 
@@ -54,10 +54,7 @@ struct Frame {
 };
 
 std::string tickLabel(double value, double step) {
-  char text[32];
-  const double shown = std::abs(value) < 1e-9 * step ? 0.0 : value;
-  std::snprintf(text, sizeof text, "%.6g", shown);
-  return text;
+  return numberText(std::abs(value) < 1e-9 * step ? 0.0 : value);
 }
 
 void drawAxes(Canvas& canvas, const Frame& frame, const Chart& chart) {

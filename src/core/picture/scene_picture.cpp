@@ -3,6 +3,7 @@
 #include "lamina/picture/scene_picture.hpp"
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/picture/annotation.hpp"
 #include "picture/depth_picture.hpp"
 
@@ -38,7 +39,7 @@ void drawScene(const ScenePicture& picture, const std::string& png_path) {
                        std::to_string(kMostScenePanels));
   for (const ScenePanel& panel : picture.panels)
     if (!(panel.span_mm > 0.0))
-      throw InvalidInput("panel '" + panel.title + "' shows " + std::to_string(panel.span_mm) +
+      throw InvalidInput("panel '" + panel.title + "' shows " + numberText(panel.span_mm) +
                          " mm; expected more than 0");
   const auto width = static_cast<int>(count) * (kSceneSide + static_cast<int>(kSceneGap));
   Canvas canvas(width + static_cast<int>(kSceneGap), kSceneTop + kSceneSide + static_cast<int>(kSceneGap));

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/picture/annotation.hpp"
 #include "lamina/picture/canvas.hpp"
 
@@ -77,9 +78,9 @@ VoxelSheet sheetAt(const VoxelFrame& frame, std::size_t axis, double at_mm) {
   const double corner = frame.corner[static_cast<Eigen::Index>(axis)];
   const double index = std::floor((at_mm - corner) / frame.voxel_mm);
   if (!(index >= 0.0 && index < frame.count[axis]))
-    throw InvalidInput(std::string("section at ") + "xyz"[axis] + " = " + std::to_string(at_mm) +
-                       " mm; expected " + std::to_string(corner) + " to " +
-                       std::to_string(corner + frame.voxel_mm * frame.count[axis]) + " mm");
+    throw InvalidInput(std::string("section at ") + "xyz"[axis] + " = " + numberText(at_mm) +
+                       " mm; expected " + numberText(corner) + " to " +
+                       numberText(corner + frame.voxel_mm * frame.count[axis]) + " mm");
   return {axis, static_cast<int>(index)};
 }
 

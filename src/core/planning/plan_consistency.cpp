@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/planning/plan_consistency.hpp"
 
-#include <cstdio>
 #include <string>
 #include <utility>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/infill/strategy.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 #include "planning/tools/tool_order.hpp"
@@ -20,12 +20,6 @@ constexpr double kMostPitch = 2.0;    // plan widths
 constexpr double kNarrowest = 0.5;    // bead, in heights of its layer
 constexpr double kMostSpread = 50.0;  // the same
 
-std::string text(double value) {
-  char digits[32];
-  std::snprintf(digits, sizeof digits, "%.6g", value);
-  return digits;
-}
-
 [[noreturn]] void refuse(const std::string& what, const PlanSettings& settings, const std::string& expected) {
   throw InvalidConfig(what + " with infill.strategy '" + settings.infill.strategy +
                       "', which lays drops; expected " + expected);
@@ -34,8 +28,8 @@ std::string text(double value) {
 void requireNoInfillPitch(const PlanSettings& settings, const std::string& why) {
   const auto require = [&](const std::string& key, double value) {
     if (value == 0.0) return;
-    throw InvalidConfig(key + " is " + text(value) + " with infill.strategy '" + settings.infill.strategy +
-                        "', " + why + "; expected the default 0");
+    throw InvalidConfig(key + " is " + numberText(value) + " with infill.strategy '" +
+                        settings.infill.strategy + "', " + why + "; expected the default 0");
   };
   require("infill.pitch_mm", settings.infill.pitch_mm);
   require("infill.outer_layers", settings.infill.outer_layers);
@@ -51,7 +45,8 @@ void requireNoCount(const std::string& key, int count, int usual, const PlanSett
 void requireDistance(const std::string& key, double distance_mm, const DropSettings& drops) {
   const double least_mm = (1.0 - drops.most_overlap) * drops.diameter_mm;
   if (distance_mm >= least_mm * (1.0 - kRounding)) return;
-  throw InvalidConfig(key + " is " + text(distance_mm) + " mm; must be at least " + text(least_mm) +
+  throw InvalidConfig(key + " is " + numberText(distance_mm) + " mm; must be at least " +
+                      numberText(least_mm) +
                       " mm, (1 - drops.most_overlap) times drops.diameter_mm: nearer drops are left out");
 }
 
@@ -59,8 +54,8 @@ void requireConsistentDrops(const PlanSettings& settings) {
   const PlanSettings usual;
   const double density = settings.infill.density;
   if (density != 1.0 && density != usual.infill.density)
-    refuse("infill.density is " + text(density), settings,
-           "1 or the default " + text(usual.infill.density) +
+    refuse("infill.density is " + numberText(density), settings,
+           "1 or the default " + numberText(usual.infill.density) +
                ": drops cover the whole section, as densely as drops.pitch_mm reports");
   requireNoInfillPitch(settings, "which lays drops");
   requireNoCount("walls.count", settings.walls.count, usual.walls.count, settings);
@@ -71,10 +66,10 @@ void requireConsistentDrops(const PlanSettings& settings) {
     refuse("supports.use is true", settings, "false: columns of beads hold up beads only");
   const FirstLayerSettings& first = settings.first_layer;
   if (first.width_factor != 1.0)
-    refuse("first_layer.width_factor is " + text(first.width_factor), settings, "the default 1");
-  if (first.flow != 1.0) refuse("first_layer.flow is " + text(first.flow), settings, "the default 1");
+    refuse("first_layer.width_factor is " + numberText(first.width_factor), settings, "the default 1");
+  if (first.flow != 1.0) refuse("first_layer.flow is " + numberText(first.flow), settings, "the default 1");
   if (settings.bead.flow != 1.0)
-    refuse("bead.flow is " + text(settings.bead.flow), settings,
+    refuse("bead.flow is " + numberText(settings.bead.flow), settings,
            "the default 1: drops are as large as drops.diameter_mm");
   if (settings.travel.comb != Combing::None)
     refuse("travel.comb is not 'none'", settings, "'none': nothing is retracted between drops");
@@ -91,9 +86,9 @@ void requireConsistentVase(const PlanSettings& settings) {
   const PlanSettings usual;
   const auto require = [](const std::string& key, double value, double default_value) {
     if (value == default_value) return;
-    throw InvalidConfig(key + " is " + text(value) +
+    throw InvalidConfig(key + " is " + numberText(value) +
                         " with infill.strategy 'vase', which is its own wall; expected the default " +
-                        text(default_value));
+                        numberText(default_value));
   };
   if (settings.walls.count != 0) require("walls.count", settings.walls.count, usual.walls.count);
   require("infill.density", settings.infill.density, usual.infill.density);
@@ -117,7 +112,7 @@ void requireIronable(const PlanSettings& settings) {
   if (!settings.ironing.is_used || hasTopSkins(settings.skins)) return;
   throw InvalidConfig(
       "ironing.use is true with skins.top_layers " + std::to_string(settings.skins.top_layers) +
-      " and skins.top_mm " + text(settings.skins.top_mm) +
+      " and skins.top_mm " + numberText(settings.skins.top_mm) +
       " mm, so that nothing is skin for being seen from above; expected top_layers of 1 or more, or "
       "top_mm above 0");
 }
@@ -126,8 +121,8 @@ void requireIronable(const PlanSettings& settings) {
 void requirePlainFirstLayer(const FirstLayerSettings& first_layer, int raft_layers) {
   const auto require = [raft_layers](const char* key, double value, double usual) {
     if (value == usual) return;
-    throw InvalidConfig(std::string(key) + " is " + text(value) + " with raft.layers " +
-                        std::to_string(raft_layers) + "; expected " + text(usual) +
+    throw InvalidConfig(std::string(key) + " is " + numberText(value) + " with raft.layers " +
+                        std::to_string(raft_layers) + "; expected " + numberText(usual) +
                         ": the first layer of the part does not lie on the bed");
   };
   if (raft_layers == 0) return;
@@ -138,7 +133,7 @@ void requirePlainFirstLayer(const FirstLayerSettings& first_layer, int raft_laye
 
 void requireConsistentAdhesion(const AdhesionSettings& adhesion) {
   if (adhesion.brim.width_mm == 0.0 || adhesion.raft.layers == 0) return;
-  throw InvalidConfig("brim.width_mm is " + text(adhesion.brim.width_mm) + " with raft.layers " +
+  throw InvalidConfig("brim.width_mm is " + numberText(adhesion.brim.width_mm) + " with raft.layers " +
                       std::to_string(adhesion.raft.layers) +
                       "; expected 0 of one of them: a raft has no brim");
 }
@@ -152,16 +147,16 @@ void requireConsistentHybrid(const PlanSettings& settings) {
         "expected "
         "'given', or hybrid.lines 'fitted'");
   if (hybrid.add_above < hybrid.delete_below)
-    throw InvalidConfig("hybrid.add_above is " + text(hybrid.add_above) +
+    throw InvalidConfig("hybrid.add_above is " + numberText(hybrid.add_above) +
                         " spacings; must be at least hybrid.delete_below, which is " +
-                        text(hybrid.delete_below));
+                        numberText(hybrid.delete_below));
 }
 
 /// Drops have the size of drops, and runs that go on from layer to layer one width.
 void requireOwnWidth(const PlanSettings& settings, const InfillStrategy& strategy) {
   if (settings.infill.bead_width_mm == 0.0) return;
   if (strategy.deposit == Deposit::Bead && strategy.link == LayerLink::Travel) return;
-  throw InvalidConfig("infill.bead_width_mm is " + text(settings.infill.bead_width_mm) +
+  throw InvalidConfig("infill.bead_width_mm is " + numberText(settings.infill.bead_width_mm) +
                       " with infill.strategy '" + settings.infill.strategy +
                       "', which lays drops or goes on from layer to layer; expected the default 0");
 }
@@ -191,10 +186,11 @@ void requireHiddenInfill(const PlanSettings& settings) {
   };
   const InfillSettings& infill = settings.infill;
   if (isSolid(infill))
-    refuse_seen("infill.density is " + text(infill.density), "less than 1: a solid infill has no skins");
+    refuse_seen("infill.density is " + numberText(infill.density),
+                "less than 1: a solid infill has no skins");
   if (infill.pitch_mm > 0.0 && infill.pitch_mm <= kSolid * settings.bead.width_mm)
-    refuse_seen("infill.pitch_mm is " + text(infill.pitch_mm) + " mm",
-                "0 or more than " + text(kSolid * settings.bead.width_mm) + " mm");
+    refuse_seen("infill.pitch_mm is " + numberText(infill.pitch_mm) + " mm",
+                "0 or more than " + numberText(kSolid * settings.bead.width_mm) + " mm");
   if (infill.outer_layers > 0)
     refuse_seen("infill.outer_layers is " + std::to_string(infill.outer_layers), "0");
   if (!hasTopSkins(settings.skins)) refuse_seen("skins.top_layers is 0", "1 or more");
@@ -226,7 +222,7 @@ void requireConsistentTools(const PlanSettings& settings, const InfillStrategy& 
   const std::size_t count = toolsOf(tools).size();
   if (count > 0 && settings.first_layer.nozzle_temperature_c != 0.0)
     throw InvalidConfig("first_layer.nozzle_temperature_c is " +
-                        text(settings.first_layer.nozzle_temperature_c) +
+                        numberText(settings.first_layer.nozzle_temperature_c) +
                         " degrees C with tools.list; expected 0: each tool has its own temperature");
   const std::pair<const char*, int> of_supports[] = {
       {"supports.tool", settings.supports.tool},
@@ -262,13 +258,13 @@ void requireConsistent(const PlanSettings& settings) {
 void requireSensibleWidths(const PlanSettings& settings, double layer_height_mm) {
   const double least_mm = kNarrowest * layer_height_mm;
   if (settings.bead.width_mm < least_mm * (1.0 - kRounding))
-    throw InvalidConfig("bead.width_mm is " + text(settings.bead.width_mm) + " mm in a layer of " +
-                        text(layer_height_mm) + " mm; expected at least " + text(least_mm) +
+    throw InvalidConfig("bead.width_mm is " + numberText(settings.bead.width_mm) + " mm in a layer of " +
+                        numberText(layer_height_mm) + " mm; expected at least " + numberText(least_mm) +
                         " mm: a bead more than twice as high as wide does not stand");
   const double most_mm = kMostSpread * layer_height_mm;
   if (settings.bead.width_mm > most_mm * (1.0 + kRounding))
-    throw InvalidConfig("bead.width_mm is " + text(settings.bead.width_mm) + " mm in a layer of " +
-                        text(layer_height_mm) + " mm; expected at most " + text(most_mm) +
+    throw InvalidConfig("bead.width_mm is " + numberText(settings.bead.width_mm) + " mm in a layer of " +
+                        numberText(layer_height_mm) + " mm; expected at most " + numberText(most_mm) +
                         " mm: no bead spreads to more than fifty times its height");
   const std::pair<const char*, double> stated[] = {
       {"infill.bead_width_mm", settings.infill.bead_width_mm},
@@ -276,8 +272,9 @@ void requireSensibleWidths(const PlanSettings& settings, double layer_height_mm)
       {"supports.bead_width_mm", settings.supports.bead_width_mm}};
   for (const auto& [key, width_mm] : stated)
     if (width_mm != 0.0 && width_mm < layer_height_mm * (1.0 - kRounding))
-      throw InvalidConfig(std::string(key) + " is " + text(width_mm) + " mm; must be 0 or at least " +
-                          text(layer_height_mm) + " mm, the height of the layer: beads are wider than high");
+      throw InvalidConfig(std::string(key) + " is " + numberText(width_mm) + " mm; must be 0 or at least " +
+                          numberText(layer_height_mm) +
+                          " mm, the height of the layer: beads are wider than high");
 }
 
 void requireSensiblePitch(const BeadSettings& bead, double layer_height_mm) {
@@ -286,9 +283,10 @@ void requireSensiblePitch(const BeadSettings& bead, double layer_height_mm) {
   const double least_mm = kLeastPitch * width_mm;
   const double most_mm = kMostPitch * width_mm;
   if (bead.pitch_mm >= least_mm && bead.pitch_mm <= most_mm) return;
-  throw InvalidConfig("bead.pitch_mm is " + text(bead.pitch_mm) + " mm; must be 0 or in [" + text(least_mm) +
-                      ", " + text(most_mm) + "] mm, half to twice the width that a bead of " +
-                      text(bead.width_mm) + " mm fills in a layer of " + text(layer_height_mm) + " mm");
+  throw InvalidConfig("bead.pitch_mm is " + numberText(bead.pitch_mm) + " mm; must be 0 or in [" +
+                      numberText(least_mm) + ", " + numberText(most_mm) +
+                      "] mm, half to twice the width that a bead of " + numberText(bead.width_mm) +
+                      " mm fills in a layer of " + numberText(layer_height_mm) + " mm");
 }
 
 }  // namespace lamina

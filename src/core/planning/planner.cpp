@@ -306,7 +306,7 @@ void requireSameNozzle(const ToolSettings& of_region, const ToolSettings& of_par
   if (share == 1.0) return;
   throw InvalidConfig("tool.walls is " + std::to_string(of_region.walls) + " in a region and " +
                       std::to_string(of_part.walls) + " elsewhere, whose nozzle_mm is " +
-                      std::to_string(1.0 / share) + " times as wide; expected tools of the same nozzle_mm");
+                      numberText(1.0 / share) + " times as wide; expected tools of the same nozzle_mm");
 }
 
 /// The groups of layers of one region end within those of another.

@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <limits>
 
+#include "lamina/base/number_text.hpp"
+
 namespace lamina {
 namespace {
 
@@ -109,9 +111,8 @@ void ProcessBridge::lookAtAsked() {
     const OutputChannel& channel = drive.channel();
     std::optional<std::string> wrong;
     if (drive.asked() > kOverBand * channel.high)
-      wrong = channel.name + " is asked for " + std::to_string(drive.asked()) + " (" +
-              nameOf(channel.quantity) + "); expected " + std::to_string(channel.low) + " to " +
-              std::to_string(channel.high);
+      wrong = channel.name + " is asked for " + numberText(drive.asked()) + " (" + nameOf(channel.quantity) +
+              "); expected " + numberText(channel.low) + " to " + numberText(channel.high);
     raised_.set(5101, channel.name, wrong, drive.asked());
   }
 }

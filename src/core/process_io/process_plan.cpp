@@ -21,7 +21,7 @@ void requireSignals(const ProcessSignals& signals, std::size_t point) {
   for (const ProcessLevel level : kAllProcessLevels)
     if (signals.levels.has(level) && !isAmount(signals.levels[level]))
       throw InvalidInput("point " + std::to_string(point) + " has a " + nameOf(level) + " of " +
-                         std::to_string(signals.levels[level]) +
+                         numberText(signals.levels[level]) +
                          "; must be a finite number of 0 or more, or NaN for none");
 }
 

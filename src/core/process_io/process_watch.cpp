@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/process_io/process_watch.hpp"
+#include "lamina/base/number_text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,13 +11,6 @@ namespace {
 
 constexpr double kMoved = 1e-5;        // m or rad: above what encoders at rest tell
 constexpr double kPresentShare = 0.1;  // of the band: an effect that should be noticed
-
-/// A value with few digits: "1200.5".
-std::string textOf(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return text;
-}
 
 /// What of an input is judged, and by what.
 struct Judged {
@@ -35,22 +29,23 @@ std::uint16_t alarmOf(const Judged& judged) {
 /// What is wrong, in words; nothing if all is well.
 std::optional<std::string> defectOf(const Judged& judged) {
   const InputChannel& input = judged.input;
-  const std::string is = input.name + " of " + input.device + " is " + textOf(judged.measured);
+  const std::string is = input.name + " of " + input.device + " is " + numberText(judged.measured);
   if (input.check == InputCheck::Ready) {
     if (judged.measured >= input.least) return std::nullopt;
-    return is + "; expected at least " + textOf(input.least);
+    return is + "; expected at least " + numberText(input.least);
   }
   const OutputChannel& channel = judged.drive->channel();
   const double expected = judged.drive->expected();
   const std::string unit = nameOf(channel.quantity);
   if (input.check == InputCheck::Follows) {
     if (std::abs(judged.measured - expected) <= input.tolerance) return std::nullopt;
-    return is + " (" + unit + "); expected " + textOf(expected) + ", within " + textOf(input.tolerance);
+    return is + " (" + unit + "); expected " + numberText(expected) + ", within " +
+           numberText(input.tolerance);
   }
   const bool is_on = std::abs(expected - channel.safe) > kPresentShare * (channel.high - channel.low);
   if (!is_on || judged.measured >= input.least) return std::nullopt;
-  return is + " while " + channel.name + " is at " + textOf(expected) + " (" + unit +
-         "); expected at least " + textOf(input.least);
+  return is + " while " + channel.name + " is at " + numberText(expected) + " (" + unit +
+         "); expected at least " + numberText(input.least);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "program/listed_paths.hpp"
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/toolpath/waypoint_text.hpp"
 
 namespace lamina {
@@ -32,7 +33,7 @@ void requireWritableFeeds(const ListedPath& at) {
   const AlongPath<double>& feed = at.path->feed_mm_s;
   for (std::size_t i = 0; i < feed.values().size(); ++i)
     if (!(feed.at(i) >= kSlowest && feed.at(i) < kFastest))
-      refuseWaypoint(at, i, "feed is " + std::to_string(feed.at(i)) + " mm/s; must be 0.001 mm/s at least");
+      refuseWaypoint(at, i, "feed is " + numberText(feed.at(i)) + " mm/s; must be 0.001 mm/s at least");
 }
 
 }  // namespace lamina

@@ -43,7 +43,7 @@ void requireSamePose(const Eigen::Isometry3d& given, const Eigen::Isometry3d& ex
   const double turn = std::atan2(tool_axis.cross(wanted).norm(), tool_axis.dot(wanted));
   if (!(off_mm <= kSameTip && turn <= kSameToolAxis + tolerance))
     throw InvalidInput(toText(at) + ": the joints bring the nozzle " + numberText(off_mm) + " mm and " +
-                       std::to_string(turn * kDegreesPerRadian) +
+                       numberText(turn * kDegreesPerRadian) +
                        " deg off the waypoint; expected those of this toolpath where it stands");
 }
 

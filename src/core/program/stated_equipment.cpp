@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/program/stated_equipment.hpp"
 
+#include "base/decimals.hpp"
 #include "lamina/base/error.hpp"
-#include "program/decimals.hpp"
 
 namespace lamina {
 namespace {

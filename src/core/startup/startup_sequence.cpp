@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/base/text.hpp"
 
 namespace lamina {
@@ -110,9 +111,9 @@ void requireBounds(const StartupSettings& settings) {
   describe(schema, copy);
   schema.validate();
   if (settings.bed_rate_c_min <= settings.bed_max_rate_c_min) return;
-  throw InvalidConfig("startup.bed_rate_c_min is " + std::to_string(settings.bed_rate_c_min) +
+  throw InvalidConfig("startup.bed_rate_c_min is " + numberText(settings.bed_rate_c_min) +
                       " K/min; must be at most startup.bed_max_rate_c_min, " +
-                      std::to_string(settings.bed_max_rate_c_min) + " K/min");
+                      numberText(settings.bed_max_rate_c_min) + " K/min");
 }
 
 void requireCheckable(const std::vector<Step>& order, const StartupSettings& settings) {

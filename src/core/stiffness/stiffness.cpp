@@ -14,6 +14,7 @@
 
 #include "conjugate_gradients.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/stiffness/elastic_material.hpp"
 #include "lamina/stiffness/element_lattice.hpp"
@@ -375,9 +376,9 @@ StiffnessResult solveStiffness(const VoxelGrid& grid, const StiffnessSettings& s
   const Iteration reached = balance({{model.lattice, settings.material, model.element_mm}, result.given},
                                     {settings.residual, settings.iterations}, result.displacement, progress);
   if (!(reached.residual <= settings.residual))
-    throw InvalidInput("forces are balanced to " + std::to_string(reached.residual) + " after " +
+    throw InvalidInput("forces are balanced to " + numberText(reached.residual) + " after " +
                        std::to_string(reached.count) + " iterations; stiffness.residual asks for " +
-                       std::to_string(settings.residual));
+                       numberText(settings.residual));
   result.iterations = reached.count;
   result.residual = reached.residual;
   addReactions(settings.material, result);

@@ -34,7 +34,7 @@ void requireMemory(double needed, int limit_mb, double voxel_mm) {
   throw InvalidInput("stiffness at voxels of " + numberText(voxel_mm) + " mm needs " +
                      std::to_string(std::llround(needed / kMebibyte)) + " MiB; may use " +
                      std::to_string(std::llround(limit / kMebibyte)) + " MiB, which voxels of " +
-                     std::to_string(std::ceil(100.0 * fitting * 1.01) / 100.0) + " mm would fit");
+                     numberText(std::ceil(100.0 * fitting * 1.01) / 100.0) + " mm would fit");
 }
 
 }  // namespace lamina

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "lamina/base/number_text.hpp"
 #include "lamina/base/text.hpp"
 #include "picture/html.hpp"
 
@@ -18,17 +19,17 @@ std::string rangeOf(const Variable& variable) {
   if (variable.kind == VariableKind::Categorical) return listed(variable.choices);
   if (variable.kind == VariableKind::Levels) {
     Row levels;
-    for (const double level : variable.levels) levels.push_back(shownNumber(level));
+    for (const double level : variable.levels) levels.push_back(numberText(level));
     return listed(levels);
   }
-  return shownNumber(variable.low) + " to " + shownNumber(variable.high) +
+  return numberText(variable.low) + " to " + numberText(variable.high) +
          (variable.kind == VariableKind::Integer ? ", whole" : "");
 }
 
 std::string intervalOf(const Constraint& constraint) {
-  if (std::isinf(constraint.low)) return "at most " + shownNumber(constraint.high);
-  if (std::isinf(constraint.high)) return "at least " + shownNumber(constraint.low);
-  return shownNumber(constraint.low) + " to " + shownNumber(constraint.high);
+  if (std::isinf(constraint.low)) return "at most " + numberText(constraint.high);
+  if (std::isinf(constraint.high)) return "at least " + numberText(constraint.low);
+  return numberText(constraint.low) + " to " + numberText(constraint.high);
 }
 
 /// What is wanted of a response, as a person says it; empty if nothing is.
@@ -40,7 +41,7 @@ std::string goalOf(const Goals& goals, const std::string& response) {
       wanted.emplace_back("predicted only");
     else
       wanted.push_back(std::string(objective.sense == Sense::Minimise ? "small" : "large") + ", weight " +
-                       shownNumber(objective.weight));
+                       numberText(objective.weight));
   }
   for (const Constraint& constraint : goals.constraints)
     if (constraint.response == response) wanted.push_back(intervalOf(constraint));
@@ -77,12 +78,12 @@ void addChosen(HtmlPage& page, const Study& study, const StudyOutcome& outcome) 
     const double value = outcome.chosen->point.at(i);
     const bool is_text = variable.kind == VariableKind::Categorical;
     variables.rows.push_back(
-        {variable.name, is_text ? textOf(variable, value) : shownNumber(value), rangeOf(variable)});
+        {variable.name, is_text ? textOf(variable, value) : numberText(value), rangeOf(variable)});
   }
   page.table(variables);
   HtmlTable responses{{"response", "measured", "goal"}, {}, 0};
   for (std::size_t i = 0; i < outcome.front_response_names.size(); ++i)
-    responses.rows.push_back({outcome.front_response_names[i], shownNumber(outcome.chosen->responses.at(i)),
+    responses.rows.push_back({outcome.front_response_names[i], numberText(outcome.chosen->responses.at(i)),
                               goalOf(study.goals, outcome.front_response_names[i])});
   page.table(responses);
 }
@@ -132,7 +133,7 @@ void addFront(HtmlPage& page, const Study& study, const StudyOutcome& outcome) {
   for (const std::size_t i : order) {
     table.rows.push_back(
         cellsUnder(columns, valuesOf(study.variables, outcome.front_response_names, outcome.front[i])));
-    table.rows.back().push_back(i < outcome.decision_indices.size() ? shownNumber(outcome.decision_indices[i])
+    table.rows.back().push_back(i < outcome.decision_indices.size() ? numberText(outcome.decision_indices[i])
                                                                     : "");
   }
   page.table(table);
@@ -154,14 +155,14 @@ void addIterations(HtmlPage& page, const Study& study, const StudyOutcome& outco
     for (std::size_t i = 0; i < study.variables.size(); ++i) {
       const bool is_text = study.variables[i].kind == VariableKind::Categorical;
       row.push_back(is_text ? textOf(study.variables[i], iteration.proposed[i])
-                            : shownNumber(iteration.proposed[i]));
+                            : numberText(iteration.proposed[i]));
     }
     const bool is_measured = isEvaluated(iteration.measured);
     for (std::size_t i = 0; i < outcome.response_names.size(); ++i) {
-      row.push_back(shownNumber(iteration.predictions.at(i).value));
-      row.push_back(is_measured ? shownNumber(iteration.measured.responses.at(i)) : "");
+      row.push_back(numberText(iteration.predictions.at(i).value));
+      row.push_back(is_measured ? numberText(iteration.measured.responses.at(i)) : "");
     }
-    row.push_back(is_measured ? shownNumber(iteration.mape_percent) : "");
+    row.push_back(is_measured ? numberText(iteration.mape_percent) : "");
     row.emplace_back(!is_measured             ? "not measured"
                      : iteration.is_sample    ? "a sample already"
                      : !iteration.is_feasible ? "outside constraints"
@@ -214,7 +215,7 @@ void addMaking(HtmlPage& page, const Study& study, const StudyOutcome& outcome) 
                 {"measured by", measureOf(study)},
                 {"evaluations", std::to_string(outcome.evaluations.size())},
                 {"seed", std::to_string(outcome.seed)},
-                {"time [s]", shownNumber(outcome.wall_s)},
+                {"time [s]", numberText(outcome.wall_s)},
                 {"version", "Lamina " + outcome.version}};
   if (study.method == SearchMethod::Nsga2) table.rows.push_back({"decision", study.decision.method});
   for (const SettingText& weight : outcome.weights)

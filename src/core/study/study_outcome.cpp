@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/study/study_outcome.hpp"
+#include "lamina/base/number_text.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace lamina {
 
@@ -20,18 +20,12 @@ std::vector<SettingText> valuesOf(const DesignSpace& space, const std::vector<st
   for (std::size_t i = 0; i < space.size(); ++i) {
     const bool is_number = space[i].kind != VariableKind::Categorical;
     const double value = evaluation.point.at(i);
-    values.push_back({space[i].name, is_number ? shownNumber(value) : textOf(space[i], value)});
+    values.push_back({space[i].name, is_number ? numberText(value) : textOf(space[i], value)});
   }
   for (std::size_t i = 0; i < evaluation.responses.size(); ++i)
     if (std::isfinite(evaluation.responses[i]))
-      values.push_back({response_names.at(i), shownNumber(evaluation.responses[i])});
+      values.push_back({response_names.at(i), numberText(evaluation.responses[i])});
   return values;
-}
-
-std::string shownNumber(double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return text;
 }
 
 }  // namespace lamina

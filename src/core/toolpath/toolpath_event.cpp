@@ -21,7 +21,7 @@ std::string defectIn(const Dwell& dwell) {
 
 std::string defectIn(const FanShare& fan) {
   if (fan.share >= 0.0 && fan.share <= 1.0) return {};
-  return "fan share is " + std::to_string(fan.share) + "; must lie in 0 to 1";
+  return "fan share is " + numberText(fan.share) + "; must lie in 0 to 1";
 }
 
 std::string defectIn(const OperatorPause& pause) {

@@ -92,7 +92,7 @@ Jog::Jog(const KinematicModel& model, const JogSettings& settings, double ramp_s
   schema.validate();
   if (settings_.lease_s < settings_.reaction_s + kLeastSteps * step())
     throw InvalidConfig("jog.lease_s is " + numberText(settings_.lease_s) + " s; expected at least " +
-                        std::to_string(settings_.reaction_s + kLeastSteps * step()) +
+                        numberText(settings_.reaction_s + kLeastSteps * step()) +
                         " s, jog.reaction_s and two points at jog.rate_hz, or nothing moves");
   for (Eigen::Index j = 0; j < start.size(); ++j)
     acceleration_[j] = model.joints()[static_cast<std::size_t>(j)].max_speed / ramp_s;

@@ -31,8 +31,8 @@ void requireFitting(const Toolpath& toolpath, const JointPath& path, const Kinem
     throw Unreachable(toText(path.faults.front().at) + " cannot be run: " + path.faults.front().reason);
   for (const DrivenJoint& joint : model.joints())
     if (!(joint.max_speed > 0.0 && std::isfinite(joint.max_speed)))
-      throw InvalidInput("the greatest speed of joint " + joint.name + " is " +
-                         std::to_string(joint.max_speed) + "; must be positive");
+      throw InvalidInput("the greatest speed of joint " + joint.name + " is " + numberText(joint.max_speed) +
+                         "; must be positive");
   std::size_t expected = 0;
   for (const ToolpathLayer& layer : toolpath.layers)
     for (const Path& run : layer.paths) expected += run.motionCount() + 1;

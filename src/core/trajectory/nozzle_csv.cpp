@@ -3,9 +3,9 @@
 #include "lamina/trajectory/nozzle_csv.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <iterator>
 
+#include "base/decimals.hpp"
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
@@ -13,15 +13,12 @@
 namespace lamina {
 namespace {
 
-constexpr std::size_t kDigitsRoom = 400;  // of any double without exponent
-constexpr int kDecimals = 6;              // us, nm, nm/s
+constexpr int kDecimals = 6;  // us, nm, nm/s
 constexpr int kTurnDecimals = 9;
 constexpr std::size_t kRowsAtOnce = 1000;
 
 void appendField(std::string& text, double value, int decimals) {
-  char digits[kDigitsRoom];
-  const auto end = std::to_chars(digits, digits + kDigitsRoom, value, std::chars_format::fixed, decimals).ptr;
-  text.append(digits, end);
+  appendDecimals(text, value, decimals);
   text += ',';
 }
 

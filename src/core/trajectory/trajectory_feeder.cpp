@@ -30,7 +30,7 @@ std::shared_ptr<const TimedMotion> toolLift(const JointValues& from, const ToolL
   const StraightLift way = straightLift(from, lift.height_mm, model, settings.trajectory);
   if (!way.stopped_by.empty())
     throw Unreachable("the tool can be lifted by " +
-                      std::to_string(way.step_mm * static_cast<double>(way.values.size() - 1)) + " mm of " +
+                      numberText(way.step_mm * static_cast<double>(way.values.size() - 1)) + " mm of " +
                       numberText(lift.height_mm) + " mm only: " + way.stopped_by);
   JointStations stations;
   for (const JointValues& values : way.values) {

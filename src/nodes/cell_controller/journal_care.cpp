@@ -54,10 +54,10 @@ std::vector<CareAlarm> JournalCare::lookAtDisk() {
   if (was_low == is_disk_low_) return {};
   const std::string left =
       free_bytes ? "has " + numberText(free_gib) + " GiB left" : "does not say what it has left";
-  return {{kDiskLow, free_gib,
-           "the journal's disk " + left + "; expected at least " + std::to_string(settings_.least_free_gib) +
-               " GiB",
-           was_low}};
+  return {
+      {kDiskLow, free_gib,
+       "the journal's disk " + left + "; expected at least " + numberText(settings_.least_free_gib) + " GiB",
+       was_low}};
 }
 
 void JournalCare::followCopy(CellTime now) {

@@ -8,6 +8,7 @@
 
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/deposition/bead_deposit.hpp"
 #include "lamina/geometry/voxel/voxel_view.hpp"
 
@@ -95,7 +96,7 @@ void requireUpright(const Eigen::Vector3d& tool_axis) {
   constexpr double kUpright = 1e-6;
   if ((tool_axis + Eigen::Vector3d::UnitZ()).norm() <= kUpright) return;
   throw InvalidConfig("plant.* is set on a machine whose tool axis leans by " +
-                      std::to_string(toDegrees(std::acos(std::clamp(-tool_axis.z(), -1.0, 1.0)))) +
+                      numberText(toDegrees(std::acos(std::clamp(-tool_axis.z(), -1.0, 1.0)))) +
                       " deg; expected an upright one, along which beads grow");
 }
 

@@ -3,6 +3,7 @@
 #include "dry_program.hpp"
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 
 namespace lamina {
 
@@ -14,7 +15,7 @@ DryProgram::DryProgram(const StreamableProgram& asked, const DryRunSettings& set
 bool isDry(const lamina_msgs::StreamProgramGoal& goal) {
   if (goal.dry.empty() && goal.speed == 0.0) return false;
   if (goal.dry.empty())
-    throw InvalidInput("speed is " + std::to_string(goal.speed) +
+    throw InvalidInput("speed is " + numberText(goal.speed) +
                        ", of a job with its process; expected 0, or a dry run (change_job changes the feed)");
   if (goal.dry != "air")
     throw InvalidInput("dry is '" + goal.dry + "'; expected air, or nothing for a job with its process");

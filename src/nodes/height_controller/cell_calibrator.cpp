@@ -11,6 +11,7 @@
 #include "conversions.hpp"
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "names.hpp"
 #include "request_settings.hpp"
 #include "status.hpp"
@@ -148,7 +149,7 @@ std::vector<CellCalibrator::Heard> CellCalibrator::takeHeard(const std::string& 
     recording_.reset();
   }
   gathered_.reset();
-  throw InvalidInput("the recording took more than queue_mb = " + std::to_string(most_bytes_ / 1e6) +
+  throw InvalidInput("the recording took more than queue_mb = " + numberText(most_bytes_ / 1e6) +
                      " MB, and was given up; expected a shorter one, or a greater queue_mb");
 }
 

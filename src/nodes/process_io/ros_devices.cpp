@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "messages.hpp"
 
 namespace lamina {
@@ -57,7 +58,7 @@ class SetIoDevice final : public ProcessDevice {
       call.request.state = static_cast<float>(raw[i]);
       if (!client_.call(call) || !call.response.success)
         throw Disconnected(table_.device.name + ": " + node_.resolveName(table_.device.address) +
-                           " does not set pin " + channel.write + " to " + std::to_string(raw[i]));
+                           " does not set pin " + channel.write + " to " + numberText(raw[i]));
       sent_[i] = raw[i];
     }
     if (!client_.isValid())

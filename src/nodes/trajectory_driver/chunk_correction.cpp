@@ -31,8 +31,8 @@ std::string defectOfSpeeds(const CorrectionMap& map) {
   for (const PathCorrection& path : map.paths)
     for (const PlaceCorrection& place : path.stations)
       if (place.speed != 0.0)
-        return "of layer " + std::to_string(map.layer) + " changes the speed by " +
-               std::to_string(place.speed) + "; expected 0, as the motion is timed before it is handed over";
+        return "of layer " + std::to_string(map.layer) + " changes the speed by " + numberText(place.speed) +
+               "; expected 0, as the motion is timed before it is handed over";
   return {};
 }
 
@@ -179,7 +179,7 @@ std::string ChunkCorrection::defectOf(const JointValues& position) const {
     if (value >= joint.low && value <= joint.high) continue;
     const char* const unit = joint.kind == JointKind::Linear ? " mm" : " rad";
     return joint.name + " would be at " + numberText(value) + unit + "; its limits are " +
-           std::to_string(joint.low) + " to " + std::to_string(joint.high) + unit;
+           numberText(joint.low) + " to " + numberText(joint.high) + unit;
   }
   return {};
 }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/toolpath/job_override.hpp"
 #include "lamina/toolpath/tool_point.hpp"
 
@@ -36,7 +37,7 @@ void describe(SettingsSchema& schema, DrySettings& settings) {
 DryOrder dryOrderOf(const lamina_msgs::DriveToolpathGoal& goal) {
   const DryPlace place = placeOf(goal.dry);
   if (place == DryPlace::None && goal.speed != 0.0)
-    throw InvalidInput("speed is " + std::to_string(goal.speed) +
+    throw InvalidInput("speed is " + numberText(goal.speed) +
                        ", of a job with its process; expected 0, or a dry run (change_job changes the feed)");
   const double speed = goal.speed == 0.0 ? 1.0 : goal.speed;
   const std::string refusal =

@@ -11,6 +11,7 @@
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/csv_table.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/geometry/mesh_io/mesh_writer.hpp"
 #include "lamina/geometry/parts/parts.hpp"
 #include "lamina/job/job_settings.hpp"
@@ -301,7 +302,7 @@ TEST(StudyJob, LabelsWhatWasChosenByWhatWasMeasuredOfIt) {
   const std::vector<SettingText>& values = outcome.compared[0].values;
   ASSERT_EQ(values.size(), 4U);
   EXPECT_EQ(values[2].key, outcome.response_names[0]);
-  EXPECT_EQ(values[2].text, shownNumber(outcome.chosen->responses[0]));
+  EXPECT_EQ(values[2].text, numberText(outcome.chosen->responses[0]));
 }
 
 TEST(StudyJob, ChoosesNothingIfNoWeightIsLeft) {

@@ -188,7 +188,7 @@ TEST(GcodeWriter, RefusesANozzleThatTurnsBeforeWritingAnything) {
     FAIL() << "a nozzle that turns was written";
   } catch (const InvalidInput& error) {
     EXPECT_NE(std::string(error.what())
-                  .find("layer 0, outer_wall path, waypoint 0: the nozzle would have to turn by 45.0"),
+                  .find("layer 0, outer_wall path, waypoint 0: the nozzle would have to turn by 45 deg"),
               std::string::npos)
         << error.what();
   }

@@ -147,7 +147,7 @@ TEST(MachineDeposit, OfADisturbedProcessNeedsAnUprightNozzle) {
     bareBed(lamina::buildSpaceByName("gantry_45"), leaning, settings);
     FAIL() << "expected to be refused";
   } catch (const lamina::InvalidConfig& error) {
-    EXPECT_NE(std::string(error.what()).find("leans by 45.0"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("leans by 45 deg"), std::string::npos) << error.what();
   }
 }
 

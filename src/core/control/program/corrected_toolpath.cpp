@@ -108,7 +108,7 @@ void joinPaths(Toolpath& toolpath) {
         if (p + 1 < paths.size() && !path.is_closed) path.points.back() = paths[p + 1].firstPoint();
       } else if (p > 0 && (before->lastPoint() - path.firstPoint()).norm() > kJoinMm) {
         throw InvalidInput(
-            pathName(k, p) + " begins " + std::to_string((before->lastPoint() - path.firstPoint()).norm()) +
+            pathName(k, p) + " begins " + numberText((before->lastPoint() - path.firstPoint()).norm()) +
             " mm from where the path before it ends once heights are corrected; expected a travel between");
       }
       before = &path;

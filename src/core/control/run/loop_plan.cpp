@@ -59,7 +59,7 @@ std::string LoopRun::reasonToPlan(const LayerFigures& figures) const {
   const double authority = std::min(settings_.loop.greatest_amount, settings_.loop.layer_volume);
   if (part.heights_left_mm.empty() || !needsReplanning(part, figures.height_mm, authority)) return {};
   return "the layers are " + numberText(figures.mean_error_mm) + " mm too low in the mean, and the top " +
-         "would end " + std::to_string(expectedTopError(part, authority)) +
+         "would end " + numberText(expectedTopError(part, authority)) +
          " mm too low; expected a layer and half a layer at most, of " + numberText(figures.height_mm) +
          " mm";
 }

@@ -559,10 +559,7 @@ void LoopRun::endLayer() {
 }
 
 LayerOutcome LoopRun::outcomeOf(const LayerFigures& figures) {
-  LayerOutcome outcome;
-  outcome.figures = figures;
-  outcome.state = laid_in_;
-  outcome.alarms = layer_alarms_;
+  LayerOutcome outcome{figures, laid_in_, layer_alarms_, {}};
   const LayerCells& cells = loop_->cells();
   outcome.cells.reserve(cells.size());
   for (std::size_t i = 0; i < cells.size(); ++i) {

@@ -52,7 +52,7 @@ Mesh readInFileUnits(std::string_view bytes, const std::string& name) {
 
 double factorOf(const MeshUnits& units) {
   if (!(units.scale > 0.0) || !std::isfinite(units.scale))
-    throw InvalidConfig("scale is " + std::to_string(units.scale) + "; must be positive and finite");
+    throw InvalidConfig("scale is " + numberText(units.scale) + "; must be positive and finite");
   return units.scale * millimetresPer(units.unit);
 }
 

@@ -9,6 +9,7 @@
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 
 namespace lamina {
 namespace {
@@ -17,7 +18,7 @@ constexpr std::size_t kRecord = 50;
 
 Eigen::Vector3f rounded(const Point3& vertex) {
   if (!(vertex.cwiseAbs().maxCoeff() <= std::numeric_limits<float>::max()))
-    throw InvalidMesh("a coordinate is " + std::to_string(vertex.cwiseAbs().maxCoeff()) +
+    throw InvalidMesh("a coordinate is " + numberText(vertex.cwiseAbs().maxCoeff()) +
                       " mm; must fit a float");
   return vertex.cast<float>();
 }

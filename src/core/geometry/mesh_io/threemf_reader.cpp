@@ -4,9 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <memory>
 #include <type_traits>
@@ -15,6 +13,7 @@
 
 #include "indexed_faces.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/geometry/mesh/box_mesh.hpp"
 #include "mesh_formats.hpp"
 #include "threemf_module.hpp"
@@ -50,12 +49,6 @@ double millimetresPerUnit(DWORD unit) {
 }
 
 constexpr double kBeyond = 1.0;  // mm, by which a box reaches over the object it is of
-
-std::string shortText(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.6g", value);
-  return text.data();
-}
 
 Eigen::Affine3d toAffine(const NMR::MODELTRANSFORM& transform) {
   Eigen::Affine3d affine = Eigen::Affine3d::Identity();
@@ -189,7 +182,7 @@ class ThreemfReader {
              {VolumeKind::Heights,
               {},
               range.settings,
-              "heights " + shortText(range.from_mm) + " to " + shortText(range.to_mm) + " mm of " + name});
+              "heights " + numberText(range.from_mm) + " to " + numberText(range.to_mm) + " mm of " + name});
   }
 
   /// A little wider than the object, so that its border is none of the box.

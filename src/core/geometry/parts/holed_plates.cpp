@@ -26,9 +26,9 @@ struct Outline {
 
 void requireRoom(const Outline& outline) {
   if (2.0 * outline.radius >= std::min(outline.x, outline.y))
-    throw InvalidConfig("hole_radius_mm is " + std::to_string(outline.radius) +
+    throw InvalidConfig("hole_radius_mm is " + numberText(outline.radius) +
                         "; must be less than half of x_mm and y_mm, " +
-                        std::to_string(0.5 * std::min(outline.x, outline.y)));
+                        numberText(0.5 * std::min(outline.x, outline.y)));
   if (outline.segments % kCorners != 0)
     throw InvalidConfig("segments is " + std::to_string(outline.segments) + "; must be a multiple of 4");
 }

@@ -39,7 +39,7 @@ HeightGrid heightGrid(const Box2& area, double cell_mm) {
     throw InvalidInput("height map of " + numberText(size.x()) + " x " + numberText(size.y()) +
                        " mm with cells of " + numberText(cell_mm) + " mm has more than " +
                        std::to_string(HeightGrid::kMostCells) + " cells; a cell size of " +
-                       std::to_string(smallestFittingCell(size, cell_mm)) + " mm fits");
+                       numberText(smallestFittingCell(size, cell_mm)) + " mm fits");
   return {area.low, cell_mm, static_cast<int>(cellsAlong(size.x(), cell_mm)),
           static_cast<int>(cellsAlong(size.y(), cell_mm))};
 }

@@ -48,7 +48,7 @@ VoxelFrame voxelFrame(const Box3& box, double voxel_mm) {
   const double longest = std::max(box.size().maxCoeff(), box.low.cwiseAbs().maxCoeff());
   if (longest / voxel_mm > kMostAlongAxis)
     throw InvalidInput("voxel is " + numberText(voxel_mm) + " mm; must be at least " +
-                       std::to_string(longest / kMostAlongAxis) + " mm for a box of " + numberText(longest) +
+                       numberText(longest / kMostAlongAxis) + " mm for a box of " + numberText(longest) +
                        " mm");
   VoxelFrame frame;
   frame.voxel_mm = voxel_mm;

@@ -91,7 +91,7 @@ class LayerRows {
       const bool is_last = i + 1 == crossings_.size() || crossings_[i + 1].row != crossing.row;
       if (is_last && depth != 0)
         throw InvalidMesh("mesh is open: the line along x at y " +
-                          std::to_string(frame_.centre(0, crossing.row, 0).y()) + " mm, z " + numberText(z_) +
+                          numberText(frame_.centre(0, crossing.row, 0).y()) + " mm, z " + numberText(z_) +
                           " mm does not leave it as often as it enters; it must be closed");
       if (depth == 0) continue;
       const auto voxels = middlesBetween(crossing.x, std::nextafter(crossings_[i + 1].x, crossing.x),

@@ -12,6 +12,7 @@
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/input_file.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/base/text.hpp"
 #include "lamina/geometry/mesh/mesh_repair.hpp"
 #include "lamina/infill/strategy.hpp"
@@ -123,8 +124,8 @@ void requireOneRegion(const StrictYaml& yaml, const Modifier& modifier) {
                       static_cast<int>(modifier.heights_mm.has_value());
   if (regions != 1) yaml.refuse("expected one of mesh, box_mm, and from_mm with to_mm");
   if (modifier.heights_mm && !(modifier.heights_mm->first < modifier.heights_mm->second))
-    yaml.refuse("from_mm is " + std::to_string(modifier.heights_mm->first) + " and to_mm " +
-                std::to_string(modifier.heights_mm->second) + "; expected the former below the latter");
+    yaml.refuse("from_mm is " + numberText(modifier.heights_mm->first) + " and to_mm " +
+                numberText(modifier.heights_mm->second) + "; expected the former below the latter");
   if (modifier.kind == ModifierKind::Settings && modifier.settings.empty())
     yaml.refuse("expected 'settings', or a kind of negative, support_blocker or support_enforcer");
   if (modifier.kind != ModifierKind::Settings && !modifier.settings.empty())

@@ -4,21 +4,15 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <cstdio>
 #include <vector>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/job/job_settings.hpp"
 #include "planning/tools/tool_order.hpp"
 
 namespace lamina {
 namespace {
-
-std::string textOf(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%g", value);
-  return text;
-}
 
 /// A setting and the capability that it is bounded by.
 struct Asked {
@@ -29,8 +23,8 @@ struct Asked {
 
 void requireAtMost(const Asked& asked, const char* capability, double greatest, const std::string& because) {
   if (greatest > 0.0 && asked.value > greatest)
-    throw InvalidConfig(std::string(asked.key) + " is " + textOf(asked.value) + " " + asked.unit +
-                        "; must be at most " + capability + ", " + textOf(greatest) + " " + asked.unit +
+    throw InvalidConfig(std::string(asked.key) + " is " + numberText(asked.value) + " " + asked.unit +
+                        "; must be at most " + capability + ", " + numberText(greatest) + " " + asked.unit +
                         because);
 }
 
@@ -42,7 +36,7 @@ void requireTemperatures(const JobSettings& settings) {
                 ": the nozzle of the machine cannot melt " + material);
   const double bed_c = settings.program.bed_temperature_c;
   if (!machine.has_bed_heater && bed_c > 0.0)
-    throw InvalidConfig("program.bed_temperature_c is " + textOf(bed_c) +
+    throw InvalidConfig("program.bed_temperature_c is " + numberText(bed_c) +
                         " degrees C with machine.has_bed_heater false; expected 0");
   requireAtMost({"program.bed_temperature_c", bed_c, "degrees C"}, "machine.greatest_bed_c",
                 machine.greatest_bed_c, "");
@@ -52,9 +46,9 @@ void requireLayerHeight(const char* key, double height_mm, const MachineCapabili
   const Asked height{key, height_mm, "mm"};
   requireAtMost(height, "machine.greatest_layer_mm", machine.greatest_layer_mm, "");
   if (height_mm < machine.least_layer_mm)
-    throw InvalidConfig(std::string(key) + " is " + textOf(height_mm) +
-                        " mm; must be at least machine.least_layer_mm, " + textOf(machine.least_layer_mm) +
-                        " mm");
+    throw InvalidConfig(std::string(key) + " is " + numberText(height_mm) +
+                        " mm; must be at least machine.least_layer_mm, " +
+                        numberText(machine.least_layer_mm) + " mm");
 }
 
 constexpr double kHighestBead = 0.8;  // of the nozzle's diameter
@@ -73,15 +67,15 @@ void requireLayersForTools(const JobSettings& settings) {
   const double of_raft_mm = raft.layers > 0 ? nozzleOf(PathRole::Raft, settings.planning.tools) : 0.0;
   if (of_raft_mm > 0.0 && raft.base_height_mm > of_raft_mm * (1.0 + 1e-9))
     throw InvalidConfig(
-        "raft.base_height_mm is " + textOf(raft.base_height_mm) + " mm and nozzle_mm of tool " +
+        "raft.base_height_mm is " + numberText(raft.base_height_mm) + " mm and nozzle_mm of tool " +
         std::to_string(toolFor(PathRole::Raft, settings.planning.tools)) + " in tools.list " +
-        textOf(of_raft_mm) + " mm; a layer is no higher than the nozzles that lay it are wide");
+        numberText(of_raft_mm) + " mm; a layer is no higher than the nozzles that lay it are wide");
   const double height_mm = std::max(settings.slicing.layer_height_mm, settings.slicing.first_layer_height_mm);
   for (const std::uint32_t tool : toolsAtWork(settings.planning)) {
     const double nozzle_mm = tool < tools.size() ? tools[tool].nozzle_mm : 0.0;
     if (nozzle_mm <= 0.0 || height_mm <= nozzle_mm * (1.0 + 1e-9)) continue;
-    throw InvalidConfig("a layer height is " + textOf(height_mm) + " mm and nozzle_mm of tool " +
-                        std::to_string(tool) + " in tools.list " + textOf(nozzle_mm) +
+    throw InvalidConfig("a layer height is " + numberText(height_mm) + " mm and nozzle_mm of tool " +
+                        std::to_string(tool) + " in tools.list " + numberText(nozzle_mm) +
                         " mm; a layer is no higher than the nozzles that lay it are wide");
   }
 }
@@ -104,9 +98,9 @@ void requireInfillHeight(const JobSettings& settings) {
                                                : "bead.width_mm";
   const double height_mm = layers * settings.slicing.layer_height_mm;
   if (height_mm <= greatest_mm * (1.0 + 1e-9)) return;
-  throw InvalidConfig(asked + " of " + textOf(settings.slicing.layer_height_mm) + " mm, which makes beads " +
-                      textOf(height_mm) + " mm high; must be at most " + textOf(greatest_mm) +
-                      " mm, 0.8 of " + of);
+  throw InvalidConfig(asked + " of " + numberText(settings.slicing.layer_height_mm) +
+                      " mm, which makes beads " + numberText(height_mm) + " mm high; must be at most " +
+                      numberText(greatest_mm) + " mm, 0.8 of " + of);
 }
 
 }  // namespace

@@ -3,8 +3,8 @@
 #include "lamina/job/profiles/machine_defaults.hpp"
 
 #include <algorithm>
-#include <cstdio>
 
+#include "lamina/base/number_text.hpp"
 #include "lamina/job/slicing/slicing_mode.hpp"
 
 namespace lamina {
@@ -16,13 +16,6 @@ constexpr double kBeadWidth = 1.0;
 constexpr double kLayerHeight = 0.5;
 constexpr double kLeastAdaptive = 0.25;
 constexpr double kGreatestAdaptive = 0.75;
-
-/// As it is typed: 0.75 of 0.4 mm is 0.3 mm.
-std::string typedText(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return text;
-}
 
 /// Level layers come first in `auto`, unless other settings choose a mode that may lay all layers alike.
 bool hasOwnFirstLayer(const JobSettings& settings) {
@@ -70,7 +63,7 @@ class DefaultsOfMachine {
     const double nozzle_mm = settings_.capabilities.nozzle_mm;
     SlicingSettings& slicing = settings_.slicing;
     if (nozzle_mm > 0.0 && !isStated("bead.width_mm"))
-      add("bead.width_mm", typedText(kBeadWidth * nozzle_mm), kNozzle);
+      add("bead.width_mm", numberText(kBeadWidth * nozzle_mm), kNozzle);
     addHeight("slicing.layer_height_mm", followed(kLayerHeight, slicing.layer_height_mm));
     followFirstLayer(followed(kLayerHeight, slicing.first_layer_height_mm));
     const bool has_greatest = isStated("adaptive.greatest_mm");
@@ -85,7 +78,7 @@ class DefaultsOfMachine {
   /// Modes that may lay all layers alike refuse a first one of another height, but for the built-in one.
   void followFirstLayer(FollowedHeight first) {
     const SlicingSettings& slicing = settings_.slicing;
-    const bool is_built_in = typedText(first.height_mm) == typedText(slicing.first_layer_height_mm);
+    const bool is_built_in = numberText(first.height_mm) == numberText(slicing.first_layer_height_mm);
     if (!hasOwnFirstLayer(settings_) && !is_built_in) first.height_mm = slicing.layer_height_mm;
     addHeight("slicing.first_layer_height_mm", first);
   }
@@ -103,7 +96,7 @@ class DefaultsOfMachine {
   }
 
   void addHeight(const char* key, const FollowedHeight& height) {
-    if (height.follows != nullptr && !isStated(key)) add(key, typedText(height.height_mm), height.follows);
+    if (height.follows != nullptr && !isStated(key)) add(key, numberText(height.height_mm), height.follows);
   }
 
   JobSettings settings_;

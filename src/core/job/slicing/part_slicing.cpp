@@ -53,7 +53,7 @@ void requireDeposition(const Toolpath& toolpath, const PlanSettings& settings) {
     throw InvalidInput("no drop " + part + " layers: it is narrower than drops.diameter_mm, " +
                        numberText(settings.fill.drops.diameter_mm) + " mm, everywhere");
   throw InvalidInput("no bead " + part + " layers: it is narrower than walls.narrowest, " +
-                     std::to_string(settings.walls.narrowest) +
+                     numberText(settings.walls.narrowest) +
                      " pitches, everywhere, or walls.count and infill.density are both 0");
 }
 

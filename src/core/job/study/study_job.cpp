@@ -13,6 +13,7 @@
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/base/settings_yaml.hpp"
 #include "lamina/base/version.hpp"
 #include "lamina/job/output_files.hpp"
@@ -348,7 +349,7 @@ class StudyRun {
 
   void noteWeights() {
     for (const Criterion& criterion : criteria_)
-      outcome_.weights.push_back({criterion.response, shownNumber(criterion.weight)});
+      outcome_.weights.push_back({criterion.response, numberText(criterion.weight)});
   }
 
   void searchForFront() {

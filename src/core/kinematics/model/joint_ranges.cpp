@@ -7,6 +7,7 @@
 
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 
 namespace lamina {
 
@@ -23,7 +24,7 @@ std::vector<JointRange> jointRanges(const std::vector<DrivenJoint>& joints) {
   ranges.reserve(joints.size());
   for (const DrivenJoint& joint : joints) {
     if (!(joint.max_speed > 0.0))
-      throw InvalidInput("greatest speed of joint " + joint.name + " is " + std::to_string(joint.max_speed) +
+      throw InvalidInput("greatest speed of joint " + joint.name + " is " + numberText(joint.max_speed) +
                          "; must be positive");
     JointRange range;
     range.is_rotary = joint.kind == JointKind::Rotary;

@@ -8,6 +8,7 @@
 
 #include "base/dense_solvers.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 
 namespace lamina {
 namespace {
@@ -142,7 +143,7 @@ Eigen::Isometry3d poseFromHome(const RusPlatform& platform, const CrankAngles& c
       done = next;
       step = std::min(longest, 2.0 * step);
     } else if ((step /= 2.0) < kLeastStep) {
-      throw Unreachable("the platform's legs cannot be closed beyond " + std::to_string(100.0 * done) +
+      throw Unreachable("the platform's legs cannot be closed beyond " + numberText(100.0 * done) +
                         " % of the way from home to the cranks asked for");
     }
   }

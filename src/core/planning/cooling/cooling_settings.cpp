@@ -55,8 +55,8 @@ void describe(SettingsSchema& schema, FanSettings& fan) {
 
 void requireConsistent(const FanSettings& fan) {
   if (fan.least > fan.greatest)
-    throw InvalidConfig("fan.least is " + std::to_string(fan.least) + "; must be at most fan.greatest, " +
-                        std::to_string(fan.greatest));
+    throw InvalidConfig("fan.least is " + numberText(fan.least) + "; must be at most fan.greatest, " +
+                        numberText(fan.greatest));
   if (fan.full_below_s > fan.least_at_s)
     throw InvalidConfig("fan.full_below_s is " + numberText(fan.full_below_s) +
                         " s; must be at most fan.least_at_s, " + numberText(fan.least_at_s) + " s");

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <array>
-#include <cstdio>
 #include <string>
 #include <utility>
 
+#include "lamina/base/number_text.hpp"
 #include "lamina/planning/flow/flow.hpp"
 #include "planning/flow/role_advances.hpp"
 
@@ -12,17 +12,16 @@ namespace lamina {
 namespace {
 
 std::string advanceLine(AdvanceWord word, double advance_s) {
-  char value[32];
-  std::snprintf(value, sizeof value, "%.6g", advance_s);
+  const std::string value = numberText(advance_s);
   switch (word) {
     case AdvanceWord::Klipper:
-      return std::string("SET_PRESSURE_ADVANCE ADVANCE=") + value;
+      return "SET_PRESSURE_ADVANCE ADVANCE=" + value;
     case AdvanceWord::RepRapFirmware:
-      return std::string("M572 D0 S") + value;
+      return "M572 D0 S" + value;
     case AdvanceWord::Marlin:
       break;
   }
-  return std::string("M900 K") + value;
+  return "M900 K" + value;
 }
 
 }  // namespace

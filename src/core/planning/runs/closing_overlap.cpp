@@ -87,7 +87,7 @@ std::size_t overlapEnds(Toolpath& toolpath, const LeadSettings& settings) {
       throw InvalidInput("toolpath layer " + std::to_string(place.layer) + ", path " +
                          std::to_string(place.path) + ": lead.overlap_mm is " +
                          numberText(settings.overlap_mm) + " mm; must be less than the closed run, " +
-                         std::to_string(length(path)) + " mm");
+                         numberText(length(path)) + " mm");
     const NozzlePose before = endPose(path);
     path = overlapping(path, settings.overlap_mm);
     if (travels.after != nullptr) shiftStart(*travels.after, before, endPose(path));

@@ -107,7 +107,7 @@ void PrimeTower::place(const Box2& part) {
   const bool is_beside = middle_.x() - half > part.high.x() || middle_.x() + half < part.low.x() ||
                          middle_.y() - half > part.high.y() || middle_.y() + half < part.low.y();
   if (!is_beside)
-    throw InvalidConfig("tools.tower_at_mm is " + std::to_string(at[0]) + "," + std::to_string(at[1]) +
+    throw InvalidConfig("tools.tower_at_mm is " + numberText(at[0]) + "," + numberText(at[1]) +
                         "; a tower of " + numberText(side_mm_) +
                         " mm would stand within the box of what is laid");
 }

@@ -8,6 +8,7 @@
 
 #include "geometry/polygon/plane_vectors.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 
 namespace lamina {
 namespace {
@@ -65,8 +66,8 @@ Point3 centreOfRadius(const Arc& arc, double radius_mm) {
   if (half < kSameArcPoint)
     throw InvalidInput("an arc of given radius ends where it starts; its centre is not defined");
   if (half > std::abs(radius_mm) + kRadiusRounding)
-    throw InvalidInput("an arc of radius " + std::to_string(std::abs(radius_mm)) + " mm cannot span " +
-                       std::to_string(2.0 * half) + " mm");
+    throw InvalidInput("an arc of radius " + numberText(std::abs(radius_mm)) + " mm cannot span " +
+                       numberText(2.0 * half) + " mm");
   const double height = std::sqrt(std::max(0.0, radius_mm * radius_mm - half * half));
   const double side = (arc.direction == ArcDirection::CounterClockwise) == (radius_mm > 0.0) ? 1.0 : -1.0;
   const Point2 centre = from + 0.5 * chord + side * height / (2.0 * half) * leftOf(chord);

@@ -8,6 +8,7 @@
 
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/geometry/shortest_rotation.hpp"
 #include "lamina/program/gcode/gcode_dialect.hpp"
@@ -51,7 +52,7 @@ void requireWritable(const Path& path) {
   const auto& feeds = path.feed_mm_s.values();
   for (std::size_t i = 0; i < feeds.size(); ++i)
     if (!(feeds[i] > 0.0 && feeds[i] < kLargestWritten))
-      refuse(path, i, "feed is " + std::to_string(feeds[i]) + " mm/s; must be positive");
+      refuse(path, i, "feed is " + numberText(feeds[i]) + " mm/s; must be positive");
   const auto& beads = path.bead.values();
   for (std::size_t i = 0; i < beads.size(); ++i)
     if (!(beads[i].width_mm >= 0.0 && beads[i].height_mm >= 0.0 && crossSection(beads[i]) < kLargestWritten))
@@ -66,7 +67,7 @@ void requireToolAxis(const Path& path, const Point3& tool_axis) {
     const double turn = std::atan2(tool_axis.cross(wanted).norm(), tool_axis.dot(wanted));
     if (!(turn <= kSameToolAxis))
       refuse(path, i,
-             "the nozzle would have to turn by " + std::to_string(toDegrees(turn)) +
+             "the nozzle would have to turn by " + numberText(toDegrees(turn)) +
                  " deg; a three-axis program holds it as at the first waypoint");
   }
 }
@@ -158,7 +159,7 @@ const Path* requireDropsAlike(const Toolpath& toolpath) {
           if (drop.width_mm != first->bead.at(0).width_mm)
             refuse(path, 0,
                    "the diameter of a drop is " + std::to_string(drop.width_mm) + " mm; must be " +
-                       std::to_string(first->bead.at(0).width_mm) + " mm as that of the first");
+                       numberText(first->bead.at(0).width_mm) + " mm as that of the first");
     }
   if (first != nullptr && has_beads)
     throw InvalidInput("the toolpath of '" + toolpath.part_name +
@@ -202,7 +203,7 @@ void requireCarried(const Toolpath& toolpath, Deposit deposit, const GcodeDialec
 
 void requireNoHeat(const std::string& key, double temperature_c, const GcodeDialect& dialect) {
   if (!dialect.has_heaters && temperature_c > 0.0)
-    throw InvalidConfig(key + " is " + std::to_string(temperature_c) + " degrees C with program.dialect '" +
+    throw InvalidConfig(key + " is " + numberText(temperature_c) + " degrees C with program.dialect '" +
                         dialect.name + "', which knows no heaters; expected 0");
 }
 

@@ -133,7 +133,7 @@ void requireRotation(const std::string& key, const std::vector<double>& frame) {
   const double square = frame[3] * frame[3] + frame[4] * frame[4] + frame[5] * frame[5] + frame[6] * frame[6];
   constexpr double kUnit = 1e-4;  // RAPID refuses what is farther off
   if (!(std::abs(square - 1.0) < kUnit))
-    throw InvalidConfig(key + " has an orientation of length " + std::to_string(std::sqrt(square)) +
+    throw InvalidConfig(key + " has an orientation of length " + numberText(std::sqrt(square)) +
                         "; must be 1");
 }
 

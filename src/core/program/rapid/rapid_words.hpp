@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "program/decimals.hpp"
+#include "base/decimals.hpp"
 
 namespace lamina {
 

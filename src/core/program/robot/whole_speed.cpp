@@ -6,10 +6,10 @@
 #include <cmath>
 #include <limits>
 
+#include "base/decimals.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
 #include "lamina/program/robot/speed_rounding.hpp"
-#include "program/decimals.hpp"
 
 namespace lamina {
 namespace {

@@ -167,7 +167,7 @@ std::vector<double> contourHeights(const Box3& box, const GrowthSteps& steps) {
   const double first = bottom + steps.first.height_mm;
   const double count = std::floor((top - first) / steps.other.height_mm + 1e-6) + 1.0;
   if (!(count < kMostContours))
-    throw InvalidConfig("the part is " + std::to_string(top - bottom) + " mm high and a layer " +
+    throw InvalidConfig("the part is " + numberText(top - bottom) + " mm high and a layer " +
                         numberText(steps.other.height_mm) + " mm; expected at most a million layers");
   std::vector<double> heights = {bottom};
   for (double k = 0.0; k < count; ++k) heights.push_back(std::min(first + k * steps.other.height_mm, top));

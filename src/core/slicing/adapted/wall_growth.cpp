@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "lamina/base/number_text.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/geometry/mesh/mesh.hpp"
 #include "lamina/slicing/unsliceable.hpp"
@@ -201,7 +202,7 @@ class TopCompletion {
   }
 
   [[noreturn]] void refuse(std::size_t taken) const {
-    throw Unsliceable("the top of the part at z = " + std::to_string(top_.front().z()) +
+    throw Unsliceable("the top of the part at z = " + numberText(top_.front().z()) +
                           " mm is not reached by " + std::to_string(taken) +
                           " completing layers; expected walls that lead there without folds",
                       facesBetween(mesh_, fronts_.front()->curve.points.front().z(), top_.front().z()));

@@ -14,6 +14,7 @@
 
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/geometry/mesh/subdivision.hpp"
 #include "lamina/geometry/voxel/height_grid.hpp"
 #include "lamina/slicing/height_field/height_field.hpp"
@@ -335,9 +336,9 @@ HeightGrid gridOver(const Box3& box, double cell_mm) {
   const Point2 size = box.size().head<2>();
   const double count = (size.x() / cell_mm + 5.0) * (size.y() / cell_mm + 5.0);
   if (count > kMostCells)
-    throw InvalidConfig("heightfield.cell_mm is " + std::to_string(cell_mm) + " mm, which makes " +
+    throw InvalidConfig("heightfield.cell_mm is " + numberText(cell_mm) + " mm, which makes " +
                         std::to_string(static_cast<long long>(count)) + " cells over a part of " +
-                        std::to_string(size.x()) + " x " + std::to_string(size.y()) +
+                        numberText(size.x()) + " x " + numberText(size.y()) +
                         " mm; must make at most four million");
   const Point2 margin = Point2::Constant(kMargin * cell_mm);
   return heightGrid({box.low.head<2>() - margin, box.high.head<2>() + margin}, cell_mm);

@@ -8,6 +8,7 @@
 #include <cstdlib>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "program/gcode/command_words.hpp"
 
 namespace lamina {
@@ -138,7 +139,7 @@ void ProgramState::runOther(const std::string& command) {
     if (isSetting(*m)) {
       // A fan that is switched off was the same fan.
       const bool is_fan = *m == 106 || *m == 107;
-      remember(is_fan ? "fan " + std::to_string(wordValue(command, 'P').value_or(0.0))
+      remember(is_fan ? "fan " + numberText(wordValue(command, 'P').value_or(0.0))
                       : "M" + std::to_string(*m) + lettersOf(command),
                command);
     } else {

@@ -4,23 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <set>
 
+#include "base/decimals.hpp"
 #include "lamina/base/error.hpp"
 #include "streaming/resume/program_state.hpp"
 
 namespace lamina {
 namespace {
 
-std::string shortNumber(double value) {
-  char text[48];
-  std::snprintf(text, sizeof text, "%.4f", value);
-  std::string digits = text;
-  digits.erase(digits.find_last_not_of('0') + 1);
-  if (digits.back() == '.') digits.pop_back();
-  return digits == "-0" ? "0" : digits;
-}
+std::string shortNumber(double value) { return trimmedDecimals(value, 4); }
 
 std::string word(char letter, double value) { return std::string(" ") + letter + shortNumber(value); }
 

@@ -14,6 +14,7 @@
 
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/verification/overhang/overhang_settings.hpp"
 #include "toolpath/deposited_segment.hpp"
@@ -245,7 +246,7 @@ double greatestSideways(const Toolpath& toolpath) {
         const Point3 tool_axis = toolAxisAt(path, i, layers_from_part);
         if (!(tool_axis.z() <= -kFlattestToolAxis))
           throw InvalidInput("layer " + std::to_string(l) + ": the tool axis is inclined by " +
-                             std::to_string(toDegrees(std::acos(std::clamp(-tool_axis.z(), -1.0, 1.0)))) +
+                             numberText(toDegrees(std::acos(std::clamp(-tool_axis.z(), -1.0, 1.0)))) +
                              " deg to the layers' normal; overhangs are found up to 84 deg");
         greatest = std::max(greatest, tool_axis.head<2>().norm() / -tool_axis.z());
       }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -26,9 +27,9 @@ struct InfillRegion {
 
 std::vector<InfillRegion> infillRegions(const Regions& contour, const ToolpathLayer& layer, double pitch_mm,
                                         const VoidMapSettings& settings) {
-  ToolpathLayer around = layer;
-  const auto is_infill = [](const Path& path) { return path.role == PathRole::Infill; };
-  around.paths.erase(std::remove_if(around.paths.begin(), around.paths.end(), is_infill), around.paths.end());
+  ToolpathLayer around{layer.z_mm, layer.height_mm, {}};
+  std::copy_if(layer.paths.begin(), layer.paths.end(), std::back_inserter(around.paths),
+               [](const Path& path) { return path.role != PathRole::Infill; });
   std::vector<InfillRegion> regions;
   for (const Void& each : findVoids(contour, around, settings).voids) {
     InfillRegion region{unite(outlines({each.outline})), boundingBox({each.outline.outer}), each.area_mm2};

@@ -13,6 +13,7 @@
 
 #include "geometry/polygon/plane_vectors.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/geometry/polygon/simplify.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
@@ -410,10 +411,10 @@ constexpr double kPassReach = 1.5;
 
 void requireInRange(const VoidMapSettings& settings) {
   if (!(settings.line_spacing > 0.0 && settings.line_spacing <= 1.0))
-    throw InvalidInput("line spacing of the void map is " + std::to_string(settings.line_spacing) +
+    throw InvalidInput("line spacing of the void map is " + numberText(settings.line_spacing) +
                        " pitches; must be in (0, 1]");
   if (!(settings.least_void >= 0.0))
-    throw InvalidInput("least void is " + std::to_string(settings.least_void) +
+    throw InvalidInput("least void is " + numberText(settings.least_void) +
                        " squared pitches; must not be negative");
 }
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <optional>
 
+#include "base/decimals.hpp"
 #include "lamina/base/number_text.hpp"
-#include "program/decimals.hpp"
 #include "program/rapid/rapid_words.hpp"
 #include "program/rapid/reader/rapid_source.hpp"
 

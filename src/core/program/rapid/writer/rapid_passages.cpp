@@ -8,6 +8,7 @@
 
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/kinematics/arm/arm_cell.hpp"
 #include "lamina/kinematics/arm/configured_joints.hpp"
 #include "lamina/kinematics/model/joint_limits.hpp"
@@ -46,7 +47,7 @@ JointValues startJoints(const KinematicModel& arm, const JointValues& first, dou
   const auto joints = followingJoints(arm, backed(arm.bedFromNozzle(first), way_mm), first);
   const std::optional<std::string> fault = joints ? limitFault(*joints, arm) : "out of reach";
   if (fault)
-    throw Unreachable("'" + arm.name() + "' cannot start " + std::to_string(way_mm) +
+    throw Unreachable("'" + arm.name() + "' cannot start " + numberText(way_mm) +
                       " mm (rapid.approach_mm) back from the first waypoint along the tool axis: " + *fault);
   return *joints;
 }
@@ -89,7 +90,7 @@ class PassageWriter {
       return rapidOffset(pose.translation() - Point3(start[0], start[1], start[2]), settings_);
     const auto joints = followingJoints(arm_, pose, last_);
     if (!joints || limitFault(*joints, arm_))
-      throw Unreachable("'" + arm_.name() + "' cannot retract " + std::to_string(settings_.approach_mm) +
+      throw Unreachable("'" + arm_.name() + "' cannot retract " + numberText(settings_.approach_mm) +
                         " mm (rapid.approach_mm) from the last waypoint along the tool axis: " +
                         (joints ? *limitFault(*joints, arm_) : "out of reach"));
     std::vector<double> external = rapidExternal(arm_, *joints);

@@ -8,6 +8,7 @@
 
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/toolpath/process_support.hpp"
 
 namespace lamina {
@@ -25,7 +26,7 @@ class ToolAxisCheck {
       const Point3 wanted = path_.orientation.at(i) * Point3::UnitZ();
       const double turn = std::atan2(tool_axis.cross(wanted).norm(), tool_axis.dot(wanted));
       if (!(turn <= kSamePose))
-        refuse(i, "the nozzle would have to turn by " + std::to_string(toDegrees(turn)) +
+        refuse(i, "the nozzle would have to turn by " + numberText(toDegrees(turn)) +
                       " deg; a program of rapid.variant " + toString(variant_) +
                       " holds it as at the first waypoint");
     }

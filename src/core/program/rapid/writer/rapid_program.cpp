@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "base/decimals.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/kinematics/arm/abb_configuration.hpp"
 #include "lamina/program/program_frame.hpp"
@@ -48,12 +49,6 @@ std::string number(double value) {
   return text;
 }
 
-std::string number(double value, int decimals) {
-  std::string text;
-  appendDecimals(text, value, decimals);
-  return text;
-}
-
 /// `[1,2,3]`.
 std::string list(const std::vector<double>& values, std::size_t begin, std::size_t end) {
   std::string text = "[";
@@ -87,8 +82,8 @@ std::string comments(const RapidHead& head, const RapidSettings& settings) {
 std::string startPoint(const RapidHead& head, const RapidSettings& settings) {
   const Eigen::Quaterniond& q = head.orientation;
   std::string text = "  PERS robtarget " + settings.start_point + ":=[" + list(settings.start_point_mm, 0, 3);
-  text += ",[" + number(q.w(), 7) + "," + number(q.x(), 7) + "," + number(q.y(), 7) + "," + number(q.z(), 7) +
-          "]," + rapidConfiguration(settings) + ",";
+  text += ",[" + decimalText(q.w(), 7) + "," + decimalText(q.x(), 7) + "," + decimalText(q.y(), 7) + "," +
+          decimalText(q.z(), 7) + "]," + rapidConfiguration(settings) + ",";
   return text + rapidExternalAxes(head.external, settings) + "];\n";
 }
 
@@ -111,7 +106,7 @@ std::string cell(const RapidHead& head, const RapidSettings& settings) {
 std::string motionData(const RapidSpeeds& speeds, const RapidSettings& settings) {
   std::string text;
   for (const RapidSpeeds::Declared& speed : speeds.declared())
-    text += "  CONST speeddata " + speed.name + ":=[" + number(speed.feed_mm_s, 3) + "," +
+    text += "  CONST speeddata " + speed.name + ":=[" + decimalText(speed.feed_mm_s, 3) + "," +
             number(settings.turn_speed_deg_s) + "," + number(kLinearAxisSpeed) + "," +
             number(kRotaryAxisSpeed) + "];\n";
   if (!isRapidZone(settings.zone)) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/decimals.hpp"
 #include "lamina/base/error.hpp"
 #include "program/rapid/rapid_words.hpp"
 
@@ -13,12 +14,6 @@ namespace {
 
 /// Feeds are distinguished as far as they are written.
 std::int64_t unitsOf(double feed_mm_s) { return std::llround(feed_mm_s * 1e3); }
-
-std::string shown(double feed_mm_s) {
-  std::string text;
-  appendDecimals(text, feed_mm_s, 3);
-  return text;
-}
 
 double approachFeed(const std::vector<RapidPath>& paths) {
   for (const RapidPath& path : paths)
@@ -55,8 +50,8 @@ void RapidSpeeds::add(double feed_mm_s, const std::string& key, const std::strin
   if (names.count(units) != 0) return;
   if (const std::optional<double> own = rapidSpeed(name)) {
     if (unitsOf(*own) != units)
-      throw InvalidConfig(key + " is " + name + ", which is " + shown(*own) +
-                          " mm/s, but the toolpath has a feed of " + shown(feed_mm_s) +
+      throw InvalidConfig(key + " is " + name + ", which is " + decimalText(*own, 3) +
+                          " mm/s, but the toolpath has a feed of " + decimalText(feed_mm_s, 3) +
                           " mm/s; expected that feed alone, or a name that RAPID does not know");
     names.emplace(units, name);
     return;

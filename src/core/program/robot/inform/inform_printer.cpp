@@ -6,10 +6,10 @@
 #include <cmath>
 #include <cstdio>
 
+#include "base/decimals.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
 #include "lamina/program/robot/robot_angles.hpp"
-#include "program/decimals.hpp"
 #include "program/robot/notes/robot_notes.hpp"
 #include "program/robot/whole_speed.hpp"
 

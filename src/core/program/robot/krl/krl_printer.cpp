@@ -4,10 +4,10 @@
 
 #include <cmath>
 
+#include "base/decimals.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
 #include "lamina/program/robot/robot_angles.hpp"
-#include "program/decimals.hpp"
 #include "program/robot/notes/robot_notes.hpp"
 
 namespace lamina {

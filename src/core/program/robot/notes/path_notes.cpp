@@ -69,7 +69,7 @@ bool NoteWords::take(std::string_view word) {
 
 double NoteWords::length(const char* expected) {
   const auto value = number<double>(expected);
-  if (!(value >= 0.0 && value <= kLargestNote)) refuse(std::to_string(value), expected);
+  if (!(value >= 0.0 && value <= kLargestNote)) refuse(numberText(value), expected);
   return value;
 }
 

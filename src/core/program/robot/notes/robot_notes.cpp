@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/decimals.hpp"
 #include "lamina/geometry/vector.hpp"
-#include "program/decimals.hpp"
 
 namespace lamina {
 namespace {

@@ -7,9 +7,9 @@
 #include <map>
 #include <utility>
 
+#include "base/decimals.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
-#include "program/decimals.hpp"
 #include "program/robot/notes/path_notes.hpp"
 #include "program/robot/notes/robot_notes.hpp"
 

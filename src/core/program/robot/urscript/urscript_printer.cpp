@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/decimals.hpp"
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
 #include "lamina/program/robot/robot_angles.hpp"
-#include "program/decimals.hpp"
 #include "program/robot/notes/robot_notes.hpp"
 
 namespace lamina {

@@ -6,13 +6,14 @@
 #include <limits>
 #include <utility>
 
+#include "base/decimals.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/kinematics/arm/abb_configuration.hpp"
 #include "lamina/kinematics/arm/configured_joints.hpp"
 #include "lamina/kinematics/model/joint_limits.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
 #include "lamina/toolpath/process_support.hpp"
-#include "program/decimals.hpp"
 #include "program/robot/notes/robot_notes.hpp"
 
 namespace lamina {
@@ -32,7 +33,7 @@ JointValues joinedJoints(const KinematicModel& arm, const JointValues& near, dou
   const auto joints = followingJoints(arm, backedOff(arm.bedFromNozzle(near), way_mm), near);
   const std::optional<std::string> fault = joints ? limitFault(*joints, arm) : "out of reach";
   if (fault)
-    throw Unreachable("'" + arm.name() + "' cannot stand " + std::to_string(way_mm) +
+    throw Unreachable("'" + arm.name() + "' cannot stand " + numberText(way_mm) +
                       " mm (robot_program.approach_mm) back from the " + where +
                       " waypoint along the tool axis: " + *fault);
   return *joints;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "program/decimals.hpp"
+#include "base/decimals.hpp"
 
 #include <algorithm>
 #include <charconv>
