@@ -17,12 +17,12 @@
 namespace lamina {
 namespace {
 
-constexpr int kMostCuts = 8;
+constexpr int kMostCuts = 8;  // each ends in a check, which takes as long as `lamina check`
 // Of what `lamina check` allows: a part that stands elsewhere, or a layer that is slowed down, is led
 // otherwise.
 constexpr double kOfSlowdown = 0.5;
 constexpr double kOfTolerance = 0.8;
-constexpr double kHighMm = 5.0;
+constexpr double kHighMm = 5.0;  // of a travel over its bead
 constexpr double kNothingStands = -std::numeric_limits<double>::infinity();
 
 /// Where the bead before a travel ends; nothing if there is none.
