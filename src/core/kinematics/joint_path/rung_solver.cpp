@@ -58,8 +58,9 @@ RungSolver::Asked RungSolver::askedAt(const Station& station) const {
     asked.kind = SampleKind::Yaw;
     return asked;
   }
-  asked.found = model_->solutions(asked.bed_from_nozzle, asked.near);
-  if (asked.found.empty()) return asked;
+  const InverseSolutions found = model_->solutions(asked.bed_from_nozzle, asked.near);
+  asked.found.assign(found.begin(), found.end());
+  if (found.empty()) return asked;
   const JointValues& values = asked.found.front().values;
   const double margin = model_->singularityMargin(values);
   const double tolerance =
@@ -95,7 +96,7 @@ InverseSolutions RungSolver::solutionsAt(const Asked& asked, double coordinate) 
   if (asked.kind == SampleKind::FreeJoint)
     found = model_->solutions(asked.bed_from_nozzle, withFree(asked.near, coordinate));
   else if (asked.kind == SampleKind::Single && !asked.found.empty())
-    found = asked.found;
+    found.assign(asked.found.begin(), asked.found.end());
   else
     found = model_->solutions(yawed(asked.bed_from_nozzle, coordinate), asked.near);
   for (InverseSolution& solution : found)

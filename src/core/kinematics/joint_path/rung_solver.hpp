@@ -49,7 +49,8 @@ class RungSolver {
     SampleKind kind = SampleKind::Single;
     Eigen::Isometry3d bed_from_nozzle;
     JointValues near;
-    InverseSolutions found = {};  ///< those of a single sample; empty if nobody has looked for them
+    std::vector<InverseSolution> found =
+        {};  ///< those of a single sample; empty if nobody has looked for them
   };
 
   Asked askedAt(const Station& station) const;
