@@ -174,9 +174,10 @@ class RunLifter {
       : charts_(charts), planned_(planned), settings_(settings) {}
 
   LiftedRun lift() && {
-    const std::optional<ChartPlace> start = charts_.find(planned_.points.front().head<2>());
-    if (!start) return {std::nullopt, 0.0, true};
-    waypoint(charts_.lifted(*start), 0, {});
+    const Point2 start = planned_.points.front().head<2>();
+    const auto first = charts_.stretches(start, planned_.points[planned_.motionEnd(0)].head<2>());
+    if (!first) return {std::nullopt, 0.0, true};
+    waypoint(endOn(charts_, first->front(), start), 0, {});
     for (std::size_t m = 0; m < planned_.motionCount(); ++m)
       if (!addMotion(m)) return {std::nullopt, 0.0, true};
     deposited_.back().add(carried_);
