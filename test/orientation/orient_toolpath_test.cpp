@@ -127,20 +127,31 @@ TEST(OrientToolpath, LimitsAreRespectedAndReported) {
   }));
 }
 
-TEST(OrientToolpath, TravelsTurnInProportionToTheirLength) {
+Eigen::Quaterniond tiltedNozzle(double deg) {
+  return Eigen::Quaterniond(Eigen::AngleAxisd(deg * M_PI / 180.0, Point3::UnitX()) * nozzleDown());
+}
+
+/// Two layers with a travel up, 3 mm over and down between them, to a line along which the nozzle is tilted
+/// by 30 deg.
+Toolpath travelToATiltedLine(double up_mm) {
   Toolpath toolpath = test::twoLayers();
-  const double turn = 30.0 * M_PI / 180.0;
-  Path& travel = toolpath.layers[0].paths[1];
-  travel.points = {{0, 0, 0.2}, {0, 0, 1.2}, {0, 3, 1.2}, {0, 3, 0.2}};
+  const double z = 0.2 + up_mm;
+  toolpath.layers[0].paths[1].points = {{0, 0, 0.2}, {0, 0, z}, {0, 3, z}, {0, 3, 0.2}};
   Path& line = toolpath.layers[1].paths[0];
   line.points = {{0, 3, 0.2}, {10, 3, 0.2}};
-  line.orientation = Eigen::Quaterniond(Eigen::AngleAxisd(turn, Point3::UnitX()) * nozzleDown());
-  const OrientedToolpath result = oriented(toolpath, {});
-  const Path& turned = result.toolpath.layers[0].paths[1];
-  const std::vector<double> expected_deg = {0.0, 6.0, 24.0, 30.0};
-  for (std::size_t i = 0; i < 4; ++i)
-    EXPECT_NEAR(test::chordAngleDeg(toolAxisOf(turned.orientation.at(i)), Point3(0, 0, -1)), expected_deg[i],
+  line.orientation = tiltedNozzle(30.0);
+  return toolpath;
+}
+
+void expectTilts(const Path& path, const std::vector<double>& expected_deg) {
+  for (std::size_t i = 0; i < expected_deg.size(); ++i)
+    EXPECT_NEAR(test::chordAngleDeg(toolAxisOf(path.orientation.at(i)), Point3(0, 0, -1)), expected_deg[i],
                 1e-9);
+}
+
+TEST(OrientToolpath, TravelsTurnInProportionToTheirLength) {
+  const OrientedToolpath result = oriented(travelToATiltedLine(1.0), {});
+  expectTilts(result.toolpath.layers[0].paths[1], {0.0, 6.0, 24.0, 30.0});
   EXPECT_NEAR(result.report.travel_deg_per_mm.value, 6.0, 1e-9);
   EXPECT_EQ(result.report.turn_deg_per_mm.value, 0.0);
   EXPECT_NEAR(result.report.step_deg.value, 18.0, 1e-9);
@@ -150,23 +161,12 @@ TEST(OrientToolpath, TravelsTurnInProportionToTheirLength) {
 /// Up with the tool axis held, over while it turns, and down: led so for what is in the way. About the tool
 /// axis nothing turns off the shortest way.
 TEST(OrientToolpath, TravelsThatLeadTheToolAxisKeepIt) {
-  Toolpath toolpath = test::twoLayers();
-  const auto tilted = [](double deg) {
-    return Eigen::Quaterniond(Eigen::AngleAxisd(deg * M_PI / 180.0, Point3::UnitX()) * nozzleDown());
-  };
-  Path& travel = toolpath.layers[0].paths[1];
-  travel.points = {{0, 0, 0.2}, {0, 0, 5.2}, {0, 3, 5.2}, {0, 3, 0.2}};
-  travel.orientation =
-      AlongPath<Eigen::Quaterniond>({nozzleDown(), nozzleDown(), tilted(40.0), tilted(30.0)});
-  Path& line = toolpath.layers[1].paths[0];
-  line.points = {{0, 3, 0.2}, {10, 3, 0.2}};
-  line.orientation = tilted(30.0);
+  Toolpath toolpath = travelToATiltedLine(5.0);
+  toolpath.layers[0].paths[1].orientation =
+      AlongPath<Eigen::Quaterniond>({nozzleDown(), nozzleDown(), tiltedNozzle(40.0), tiltedNozzle(30.0)});
   const OrientedToolpath result = oriented(toolpath, {});
   const Path& turned = result.toolpath.layers[0].paths[1];
-  const std::vector<double> expected_deg = {0.0, 0.0, 40.0, 30.0};
-  for (std::size_t i = 0; i < 4; ++i)
-    EXPECT_NEAR(test::chordAngleDeg(toolAxisOf(turned.orientation.at(i)), Point3(0, 0, -1)), expected_deg[i],
-                1e-9);
+  expectTilts(turned, {0.0, 0.0, 40.0, 30.0});
   const Path& next = result.toolpath.layers[1].paths[0];
   EXPECT_EQ(turned.orientation.at(3).coeffs(), next.orientation.at(0).coeffs());
   for (std::size_t i = 1; i < 4; ++i)
