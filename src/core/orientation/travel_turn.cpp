@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lamina/geometry/shortest_rotation.hpp"
+#include "lamina/orientation/no_spin.hpp"
 
 namespace lamina {
 namespace {
@@ -27,8 +28,6 @@ void negate(Path& run) {
   run.orientation = AlongPath<Eigen::Quaterniond>(std::move(values));
 }
 
-Point3 toolAxis(const Eigen::Quaterniond& orientation) { return orientation * Point3::UnitZ(); }
-
 bool isSameAxis(const Point3& a, const Point3& b) { return (a - b).norm() <= kKnownAxis; }
 
 /// Whether the travels lead the tool axis from one run to the other by themselves.
@@ -36,8 +35,8 @@ bool leadsToolAxis(const Transfer& transfer, const Eigen::Quaterniond& from, con
   if (transfer.travels.empty() || transfer.travels.front()->orientation.isCommon()) return false;
   const auto& first = transfer.travels.front()->orientation;
   const auto& last = transfer.travels.back()->orientation;
-  return isSameAxis(toolAxis(first.values().front()), toolAxis(from)) &&
-         isSameAxis(toolAxis(last.values().back()), toolAxis(to));
+  return isSameAxis(toolAxisOf(first.values().front()), toolAxisOf(from)) &&
+         isSameAxis(toolAxisOf(last.values().back()), toolAxisOf(to));
 }
 
 /// Their tool axes stay; about these the nozzle turns as little as can be, and evenly to that of the next
@@ -54,7 +53,7 @@ Eigen::Quaterniond keepToolAxes(const Transfer& transfer, const Eigen::Quaternio
     for (std::size_t i = 0; i < travel->points.size(); ++i) {
       if (i > 0) run_mm += (travel->points[i] - travel->points[i - 1]).norm();
       at_mm.push_back(run_mm);
-      last = (shortestRotation(toolAxis(last), toolAxis(travel->orientation.at(i))) * last).normalized();
+      last = (shortestRotation(toolAxisOf(last), toolAxisOf(travel->orientation.at(i))) * last).normalized();
       held.back().push_back(last);
     }
   }

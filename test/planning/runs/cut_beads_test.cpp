@@ -138,14 +138,15 @@ TEST(CutBeads, WithoutHindranceAToolpathStays) {
 
 using Segment = std::tuple<double, double, double, double>;
 
-std::multiset<Segment> segmentsOf(const Toolpath& toolpath, const std::set<WaypointIndex>& without) {
+std::multiset<Segment> segmentsOf(const Toolpath& toolpath, const HinderedWaypoints& without) {
   std::multiset<Segment> segments;
   for (std::size_t l = 0; l < toolpath.layers.size(); ++l)
     for (std::size_t p = 0; p < toolpath.layers[l].paths.size(); ++p) {
       const Path& path = toolpath.layers[l].paths[p];
       for (std::size_t m = 0; m < path.motionCount() && path.role != PathRole::Travel; ++m) {
         const std::size_t end = path.motionEnd(m);
-        if (without.count({l, p, m}) != 0 || without.count({l, p, end}) != 0) continue;
+        if (without.shut.count({l, p, m}) != 0 || without.shut.count({l, p, end}) != 0) continue;
+        if (without.off.count({l, p, end}) != 0) continue;
         const Point3& a = path.points[m];
         const Point3& b = path.points[end];
         segments.insert({a.x(), a.y(), b.x(), b.y()});
@@ -165,6 +166,7 @@ HinderedWaypoints hinderedAtRandom(const Toolpath& toolpath, Random& random) {
         if (path.role == PathRole::Travel && w == 0 && drawn == 0) hindered.low.insert({l, p, 0});
         if (path.role != PathRole::Travel && drawn == 1) hindered.shut.insert({l, p, w});
         if (path.role != PathRole::Travel && drawn == 2) hindered.turning.insert({l, p, w});
+        if (path.role != PathRole::Travel && drawn == 3) hindered.off.insert({l, p, w});
       }
     }
   return hindered;
@@ -176,7 +178,7 @@ TEST(CutBeads, WhatIsLaidIsWhatNothingHinders) {
     Random random(seed + 1);
     const HinderedWaypoints hindered = hinderedAtRandom(toolpath, random);
     const CutBeads cut = cutIn(toolpath, hindered);
-    const std::multiset<Segment> expected = segmentsOf(toolpath, hindered.shut);
+    const std::multiset<Segment> expected = segmentsOf(toolpath, hindered);
     const std::multiset<Segment> laid = segmentsOf(cut.toolpath, {});
     RC_ASSERT(std::includes(expected.begin(), expected.end(), laid.begin(), laid.end()));
     RC_ASSERT(std::abs(totals(toolpath).deposited_mm3 - totals(cut.toolpath).deposited_mm3 -

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -26,28 +27,28 @@ constexpr double kHighMm = 5.0;  // of a travel over its bead
 constexpr double kNothingStands = -std::numeric_limits<double>::infinity();
 
 /// Where the bead before a travel ends; nothing if there is none.
-std::vector<WaypointIndex> endBefore(const WaypointIndex& travel, const Toolpath& toolpath) {
+std::optional<WaypointIndex> endBefore(const WaypointIndex& travel, const Toolpath& toolpath) {
   for (std::size_t l = travel.layer + 1; l-- > 0;) {
     const std::vector<Path>& paths = toolpath.layers[l].paths;
     for (std::size_t p = l == travel.layer ? travel.path : paths.size(); p-- > 0;)
       if (paths[p].role != PathRole::Travel)
-        return {{l, p, paths[p].is_closed ? 0 : paths[p].points.size() - 1}};
+        return WaypointIndex{l, p, paths[p].is_closed ? 0 : paths[p].points.size() - 1};
   }
-  return {};
+  return std::nullopt;
 }
 
 /// Where the bead after a travel starts; nothing if there is none.
-std::vector<WaypointIndex> startAfter(const WaypointIndex& travel, const Toolpath& toolpath) {
+std::optional<WaypointIndex> startAfter(const WaypointIndex& travel, const Toolpath& toolpath) {
   for (std::size_t l = travel.layer; l < toolpath.layers.size(); ++l) {
     const std::vector<Path>& paths = toolpath.layers[l].paths;
     for (std::size_t p = l == travel.layer ? travel.path + 1 : 0; p < paths.size(); ++p)
-      if (paths[p].role != PathRole::Travel) return {{l, p, 0}};
+      if (paths[p].role != PathRole::Travel) return WaypointIndex{l, p, 0};
   }
-  return {};
+  return std::nullopt;
 }
 
 /// The end of a travel that is nearer to one of its waypoints.
-std::vector<WaypointIndex> endOf(const WaypointIndex& travel, const Toolpath& led) {
+std::optional<WaypointIndex> endOf(const WaypointIndex& travel, const Toolpath& led) {
   const bool is_leaving = 2 * travel.waypoint <= led.layers[travel.layer].paths[travel.path].points.size();
   return is_leaving ? endBefore(travel, led) : startAfter(travel, led);
 }
@@ -67,8 +68,8 @@ HinderedWaypoints hinderedBy(const MachineCheck& check, const Toolpath& planned,
       hindered.shut.insert(at);
     else if (mayRise(path, led.layers[at.layer].paths[at.path]))
       hindered.low.insert({at.layer, at.path, 0});
-    else
-      for (const WaypointIndex& end : endOf(at, led)) hindered.shut.insert(end);
+    else if (const std::optional<WaypointIndex> end = endOf(at, led))
+      hindered.shut.insert(*end);
   }
   for (const Finding& finding : check.faults) {
     const WaypointIndex& at = finding.at;
@@ -82,6 +83,7 @@ HinderedWaypoints hinderedBy(const MachineCheck& check, const Toolpath& planned,
 /// A toolpath whose travels are led, and what the machine cannot run of it.
 struct Checked {
   Toolpath toolpath;
+  TravelsOverPart travels;
   MachineCheck check;
 
   std::size_t hindered() const { return check.faults.size() + check.collisions.size(); }
@@ -93,9 +95,9 @@ Checked checkedOn(const KinematicModel& model, Toolpath toolpath, const Planning
   joints.max_slowdown = std::max(1.0, kOfSlowdown * joints.max_slowdown);
   ClearanceSettings clearance = request.job.settings.clearance;
   clearance.tolerance_mm *= kOfTolerance;
-  lead(toolpath);
+  const TravelsOverPart travels = lead(toolpath);
   const KinematicModelRun run = runOn(model, toolpath, request.bed_from_part, joints, progress);
-  return {std::move(toolpath), checkRun(run, model, clearance, progress)};
+  return {std::move(toolpath), travels, checkRun(run, model, clearance, progress)};
 }
 
 }  // namespace
@@ -111,9 +113,10 @@ MachineFit fitToMachine(Toolpath beads, const PlanningRequest& request, const Le
   fit.hindered = fit.still_hindered = first.hindered();
   HinderedWaypoints hindered = hinderedBy(first.check, beads, first.toolpath);
   fit.toolpath = std::move(first.toolpath);
+  fit.travels = first.travels;
   double left_out_mm3 = 0.0;
   std::size_t turns = 0;
-  for (int cuts = 0; cuts < kMostCuts && !hindered.areNone(); ++cuts) {
+  for (int cuts = 0; cuts < kMostCuts && !hindered.isEmpty(); ++cuts) {
     const TravelMaker travels = spaceTravels(beads.layers, settings.planning.travel, kNothingStands);
     CutBeads cut = cutBeads(std::move(beads), hindered, travels, off_mm);
     left_out_mm3 += cut.left_out_mm3;
@@ -123,7 +126,7 @@ MachineFit fitToMachine(Toolpath beads, const PlanningRequest& request, const Le
     Checked next = checkedOn(*model, beads, request, lead, progress);
     hindered = hinderedBy(next.check, beads, next.toolpath);
     if (next.hindered() < fit.still_hindered)
-      fit = {std::move(next.toolpath), left_out_mm3, turns, fit.hindered, next.hindered()};
+      fit = {std::move(next.toolpath), next.travels, left_out_mm3, turns, fit.hindered, next.hindered()};
   }
   return fit;
 }

@@ -5,18 +5,20 @@
 #include <cstddef>
 #include <functional>
 
+#include "job/slicing/travels_over_part.hpp"
 #include "lamina/base/progress.hpp"
 #include "lamina/job/slicing/slicing_mode.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 
 namespace lamina {
 
-/// Changes the travels of a toolpath whose beads are settled.
-using LeadTravels = std::function<void(Toolpath&)>;
+/// Changes the travels of a toolpath whose beads are settled, as `leadTravels`.
+using LeadTravels = std::function<TravelsOverPart(Toolpath&)>;
 
 /// A toolpath as far as a machine can run it.
 struct MachineFit {
   Toolpath toolpath;  ///< its travels led
+  TravelsOverPart travels;
   double left_out_mm3 = 0.0;
   std::size_t turns = 0;           ///< pieces before which the nozzle turns off the bead
   std::size_t hindered = 0;        ///< waypoints that the machine cannot run of what was planned

@@ -91,18 +91,15 @@ std::string noteOnFit(const MachineFit& fit, double deposited_mm3) {
   return text;
 }
 
-/// Leads the travels, and leaves out what a head that tilts cannot lay.
-/// @return a note; empty if nothing was left out
-std::string fitHead(Toolpath& toolpath, const PlanningRequest& request, const LeadTravels& lead,
-                    Progress& progress) {
-  if (!canTurnToolAxis(request.space) || request.job.settings.clearance.need == ClearanceNeed::Never) {
-    lead(toolpath);
-    return {};
-  }
-  const double deposited_mm3 = totals(toolpath).deposited_mm3;
-  MachineFit fit = fitToMachine(std::move(toolpath), request, lead, progress);
-  toolpath = std::move(fit.toolpath);
-  return fit.hindered > 0 ? noteOnFit(fit, deposited_mm3) : std::string();
+/// Fitted to the machine if its head tilts and is to be clear; else the travels are led, and that is all.
+MachineFit fitToHead(Toolpath toolpath, const PlanningRequest& request, const LeadTravels& lead,
+                     Progress& progress) {
+  if (canTurnToolAxis(request.space) && request.job.settings.clearance.need != ClearanceNeed::Never)
+    return fitToMachine(std::move(toolpath), request, lead, progress);
+  MachineFit fit;
+  fit.travels = lead(toolpath);
+  fit.toolpath = std::move(toolpath);
+  return fit;
 }
 
 /// A head that cannot tilt has nothing to lean.
@@ -144,19 +141,20 @@ PlannedPart planVolumetric(SourcePart source, const PlanningRequest& request, Pr
   const double slice_s = laps.lap();
   PlannedPart planned = planStack({stackedLayers(std::move(layers))}, request, progress);
   settleAxes(planned.plan.toolpath, kSettledRad);
-  TravelsOverPart travels;
   const LeadTravels lead = [&](Toolpath& toolpath) {
-    travels = leadTravels(toolpath, laid_mm, *room, settings.planning.travel.hop_mm, progress);
+    return leadTravels(toolpath, laid_mm, *room, settings.planning.travel.hop_mm, progress);
   };
-  const std::string fit = fitHead(planned.plan.toolpath, request, lead, progress);
+  const double deposited_mm3 = totals(planned.plan.toolpath).deposited_mm3;
+  MachineFit fit = fitToHead(std::move(planned.plan.toolpath), request, lead, progress);
+  planned.plan.toolpath = std::move(fit.toolpath);
   planned.counts.slice_s += slice_s;
   planned.support = LayerSupport{measures.unsupported_mm2,
                                  bent_layers + (measures.level_layers > 0 ? std::size_t{1} : std::size_t{0}),
                                  std::move(hanging)};
   planned.notes = {noteOnGrowth(measures, settings.slicing.layer_height_mm),
                    noteOnHanging(measures, settings.volumetric.max_overhang_deg), noteOnFilling(measures)};
-  planned.notes.push_back(noteOnHead(measures, travels));
-  if (!fit.empty()) planned.notes.push_back(fit);
+  planned.notes.push_back(noteOnHead(measures, fit.travels));
+  if (fit.hindered > 0) planned.notes.push_back(noteOnFit(fit, deposited_mm3));
   addNotesOnLeftOut(measures, planned.notes);
   return planned;
 }

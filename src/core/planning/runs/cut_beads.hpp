@@ -18,7 +18,7 @@ struct HinderedWaypoints {
   std::set<WaypointIndex> turning;  ///< of beads: on the way to them a joint turns farther than a bead allows
   std::set<WaypointIndex> low;      ///< first ones of travels that are too near to what is laid
 
-  bool areNone() const { return shut.empty() && off.empty() && turning.empty() && low.empty(); }
+  bool isEmpty() const { return shut.empty() && off.empty() && turning.empty() && low.empty(); }
 };
 
 /// By how much a travel leaves the bead along the tool axis [mm]; 0 if it goes straight.
