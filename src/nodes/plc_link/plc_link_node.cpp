@@ -150,7 +150,9 @@ void PlcLinkNode::onAnswered(const PlcOrder& order, CommandResult result, const 
   const std::lock_guard<std::mutex> lock(mutex_);
   link_.setResult(order, result);
   if (result == CommandResult::Accepted) return;
-  ROS_WARN_STREAM("what the PLC asks for is refused: " << message);
+  // A PLC asks a hundred times a second what is refused: once each is enough to read.
+  if (std::exchange(refusal_, message) != message)
+    ROS_WARN_STREAM("what the PLC asks for is refused: " << message);
   if (refusals_.add(clock_.now()))
     raise(kRefusedRepeatedly, kRefusalsAMinute,
           "more than " + std::to_string(kRefusalsAMinute) + " within a minute, the last: " + message);

@@ -66,6 +66,7 @@ class PlcLinkNode {
   bool is_reach_told_ = false;  ///< to the unit: that other hosts reach the link, if they do
   RepeatWatch broken_frames_;
   RepeatWatch refusals_;
+  std::string refusal_;  // the last
 
   // Last, so that their threads end before what they use.
   std::unique_ptr<OrderDesk> desk_;
