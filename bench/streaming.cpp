@@ -25,8 +25,8 @@
 #include <thread>
 #include <vector>
 
-#include "lamina/streaming/client/stream_session.hpp"
 #include "lamina/streaming/emulator/emulated_machine.hpp"
+#include "lamina/streaming/session/stream_session.hpp"
 
 namespace lamina {
 namespace {

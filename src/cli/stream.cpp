@@ -13,7 +13,7 @@
 #include "lamina/base/error.hpp"
 #include "lamina/base/scratch_folder.hpp"
 #include "lamina/gcode_rewrite/dry_run.hpp"
-#include "lamina/streaming/client/stream_session.hpp"
+#include "lamina/streaming/session/stream_session.hpp"
 #include "output/live_input.hpp"
 #include "output/terminal_progress.hpp"
 #include "subcommand.hpp"

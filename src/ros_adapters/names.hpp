@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "frames.hpp"
+
 /// Names of everything the nodes share, relative to the namespace they run in.
 namespace lamina::names {
 
@@ -108,13 +110,5 @@ inline constexpr char kStreamProgram[] = "stream_program";  ///< lamina/StreamPr
 
 // Parameters.
 inline constexpr char kPluginsParameter[] = "plugins";  ///< private: paths of plug-ins, colons between
-
-// Frames.
-inline constexpr char kWorldFrame[] = "world";
-inline constexpr char kBaseFrame[] = "base_link";
-inline constexpr char kBedFrame[] = "bed";
-inline constexpr char kPartFrame[] = "part";
-inline constexpr char kNozzleFrame[] = "nozzle";
-inline constexpr char kSensorFrame[] = "sensor";
 
 }  // namespace lamina::names

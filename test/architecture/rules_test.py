@@ -51,7 +51,7 @@ class IncludeRule(unittest.TestCase):
         self.assertEqual(faults({"src/core/slicing/planar/a.cpp": '#include "lamina/geometry/mesh/mesh.hpp"\n'}), [])
 
     def test_nested_folders_may_have_rules_of_their_own(self):
-        sibling = {"src/core/streaming/transport/a.cpp": '#include "lamina/streaming/client/streamer.hpp"\n'}
+        sibling = {"src/core/streaming/transport/a.cpp": '#include "lamina/streaming/session/streamer.hpp"\n'}
         self.assertEqual(len(faults(sibling)), 1)
 
     def test_ros_headers_and_generated_messages_are_refused(self):

@@ -26,7 +26,7 @@ class Profiles(unittest.TestCase):
         listed = told("profiles")
         machines = [entry["name"] for entry in listed["machine"]]
         for name in ("creality_cr_30", "ideaformer_ir3", "prusa_mk3s", "prusa_mk4", "creality_ender_3", "voron_2_4_250",
-                     "voron_2_4_300", "voron_2_4_350", "open5x_i3", "open5x_jubilee", "duet_large", "bigrep_class"):
+                     "voron_2_4_300", "voron_2_4_350", "open5x_i3", "open5x_jubilee", "duet_large", "bigrep_class", "drop_printer"):
             self.assertIn(name, machines)
         self.assertEqual([entry["name"] for entry in listed["material"]], ["abs", "asa", "pa_cf", "petg", "pla", "pp", "tpu"])
         self.assertIn("prusa_mk4", lamina("profiles").stdout)
@@ -37,6 +37,12 @@ class Profiles(unittest.TestCase):
         self.assertIn("M109 S210\n", program)
         self.assertRegex(program, r"; filament used \[g\] = 0\.\d\d\n")
         self.assertIn("creality_cr_30", lamina("check", self.path("belt.gcode"), "--machine", "creality_cr_30").stdout)
+
+    def test_a_printer_of_drops_lays_drops(self):
+        program = self.sliced("drops.gcode", "--machine", "drop_printer")
+        self.assertIn(";strategy=drops_dense\n", program)
+        self.assertEqual(program.count(";LAYER:"), 20)
+        self.assertNotIn(" E", program)
 
     def test_a_folder_of_profiles_that_is_not_there_is_named(self):
         missing = self.path("missing")

@@ -9,7 +9,7 @@
 #include <memory>
 #include <string_view>
 
-#include "lamina/streaming/client/streamer.hpp"
+#include "lamina/streaming/session/streamer.hpp"
 
 namespace {
 

@@ -58,7 +58,8 @@ TEST(DryRun, LeavesOutWhatSwitchesOnAndKeepsWhatSwitchesOff) {
       "");
   EXPECT_EQ(dryOf("M104 S0 T1\nM109 S0\nM190 S0\nM106 P1 S0\nM107\n"),
             "M104 S0 T1\nM104 S0\nM140 S0\nM106 P1 S0\nM107\n");
-  EXPECT_EQ(dryOf("M3 S1000\nG1 X5 S300\nS500\nG1 X6 M4 S200\nM5\nM7\nM8\nM9\n"), "G1 X5\nG1 X6\nM5\nM9\n");
+  EXPECT_EQ(dryOf("M3 S1000\nG1 X5 S300\nS500\nG1 X6 M4 S200\nM5\nM7\nM8\nM9\n"),
+            "M5\nG1 X5\nG1 X6 M5\nM5\nM9\n");
   EXPECT_EQ(dryOf("T1\nM6 T2\nT0 M6\nM116\nM303 E0 S210\nM600\nM302 S0\nM221 S120\nG26 B60 H200\n"), "");
   EXPECT_EQ(dryOf("G28 ; home\nG29\nM117 hot M104 S200\nM400\nG4 P500\nM84\n"),
             "G28 ; home\nG29\nM117 hot M104 S200\nM400\nG4 P500\nM84\n");

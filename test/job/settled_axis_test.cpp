@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "job/slicing/settled_axis.hpp"
+#include "job/modes/settled_axis.hpp"
 
 #include <gtest/gtest.h>
 

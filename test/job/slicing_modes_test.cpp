@@ -13,7 +13,7 @@
 #include "lamina/geometry/parts/parts.hpp"
 #include "lamina/job/kinematic_model_run.hpp"
 #include "lamina/job/machine_check.hpp"
-#include "lamina/job/slicing/slicing_mode.hpp"
+#include "lamina/job/modes/slicing_mode.hpp"
 #include "lamina/kinematics/cartesian/machine_settings.hpp"
 #include "lamina/slicing/unsliceable.hpp"
 #include "support/scoped_entry.hpp"

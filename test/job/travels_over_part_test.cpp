@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "job/slicing/travels_over_part.hpp"
+#include "job/modes/travels_over_part.hpp"
 
 #include <gtest/gtest.h>
 

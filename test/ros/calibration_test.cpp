@@ -20,7 +20,7 @@
 #include "lamina/base/progress.hpp"
 #include "lamina/calibration/calibration_file.hpp"
 #include "lamina/kinematics/cartesian/cartesian_machine.hpp"
-#include "lamina/streaming/client/stream_session.hpp"
+#include "lamina/streaming/session/stream_session.hpp"
 #include "latched.hpp"
 #include "messages.hpp"
 #include "names.hpp"

@@ -15,7 +15,7 @@
 #include "lamina/job/slice_job.hpp"
 #include "lamina/kinematics/model/kinematic_model.hpp"
 #include "lamina/program/gcode/toolpath_from_gcode.hpp"
-#include "lamina/streaming/client/stream_session.hpp"
+#include "lamina/streaming/session/stream_session.hpp"
 #include "latched.hpp"
 #include "leaning_square.hpp"
 #include "names.hpp"

@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-#include "lamina/streaming/client/stream_session.hpp"
+#include "lamina/streaming/session/stream_session.hpp"
 #include "names.hpp"
 #include "point_cloud.hpp"
 #include "ros_home.hpp"

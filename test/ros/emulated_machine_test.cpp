@@ -9,7 +9,7 @@
 #include <functional>
 #include <vector>
 
-#include "lamina/streaming/client/stream_session.hpp"
+#include "lamina/streaming/session/stream_session.hpp"
 #include "messages.hpp"
 #include "names.hpp"
 #include "point_cloud.hpp"

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <set>
 
-#include "lamina/streaming/client/stream_session.hpp"
+#include "lamina/streaming/session/stream_session.hpp"
 #include "messages.hpp"
 #include "names.hpp"
 #include "node_process.hpp"

@@ -8,7 +8,7 @@
 
 #include "lamina/base/angle.hpp"
 #include "lamina/base/progress.hpp"
-#include "lamina/kinematics/description/cell_description.hpp"
+#include "lamina/kinematics/description_files/cell_description.hpp"
 #include "lamina/kinematics/joint_path/divided_joint_path.hpp"
 #include "lamina/trajectory/timed_path.hpp"
 #include "support/tilting_arm.hpp"

@@ -38,9 +38,9 @@ struct GcodeWordText;
 
 /// Makes a program of G-code one that moves as the program does, with nothing of its process: no word of an
 /// extruder, no heater, no wait for one, no fan, laser, spindle, coolant, change of tool or retraction by the
-/// firmware. What switches off stays. Only commands that are known to switch nothing on are kept, so that a
-/// macro of which nobody knows what it does is left out or refused. Modal feeds stay, also those of motions
-/// of the extruder alone.
+/// firmware. What switches off stays, and what switches a laser or spindle on switches it off. Only commands
+/// that are known to switch nothing on are kept, so that a macro of which nobody knows what it does is left
+/// out or refused. Modal feeds stay, also those of motions of the extruder alone.
 class DryRun {
  public:
   /// @throws InvalidConfig naming key, value and bound
@@ -64,6 +64,7 @@ class DryRun {
   std::optional<std::string> offset(const Block& block);
   std::optional<std::string> machineCommand(int code, const Block& block);
   std::optional<std::string> unknown(std::string_view text);
+  std::string beamOff();
   std::optional<std::string> takenOut();
   std::string scaledFeed(const GcodeWordText& word) const;
   void requireReadable(const GcodeWordText& word, const Block& block) const;

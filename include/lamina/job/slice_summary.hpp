@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "lamina/job/slicing/mode_candidate.hpp"
+#include "lamina/job/modes/mode_candidate.hpp"
 #include "lamina/orientation/orientation_report.hpp"
 #include "lamina/planning/order/anchoring.hpp"
 #include "lamina/planning/order/fill_starts.hpp"

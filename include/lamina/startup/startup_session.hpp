@@ -9,7 +9,7 @@
 
 #include "lamina/startup/job_watch.hpp"
 #include "lamina/startup/startup.hpp"
-#include "lamina/streaming/client/stream_session.hpp"
+#include "lamina/streaming/session/stream_session.hpp"
 
 namespace lamina {
 

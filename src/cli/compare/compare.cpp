@@ -9,8 +9,8 @@
 
 #include "arguments/setting_options.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/job/modes/mode_comparison.hpp"
 #include "lamina/job/output_files.hpp"
-#include "lamina/job/slicing/mode_comparison.hpp"
 #include "lamina/picture/mode_picture.hpp"
 #include "output/terminal_progress.hpp"
 #include "subcommand.hpp"

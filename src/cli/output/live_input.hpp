@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "lamina/streaming/client/stream_session.hpp"
+#include "lamina/streaming/session/stream_session.hpp"
 
 namespace lamina::cli {
 

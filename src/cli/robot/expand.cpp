@@ -7,7 +7,7 @@
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
-#include "lamina/kinematics/description/xacro_expansion.hpp"
+#include "lamina/kinematics/description_files/xacro_expansion.hpp"
 #include "subcommand.hpp"
 
 namespace lamina::cli {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lamina/kinematics/description/robot_report.hpp"
+#include "lamina/kinematics/description_files/robot_report.hpp"
 
 #include <Eigen/Geometry>
 #include <cstdio>
@@ -9,7 +9,7 @@
 
 #include "lamina/base/angle.hpp"
 #include "lamina/base/atomic_file.hpp"
-#include "lamina/kinematics/description/cell_description.hpp"
+#include "lamina/kinematics/description_files/cell_description.hpp"
 #include "subcommand.hpp"
 
 namespace lamina::cli {

@@ -44,9 +44,9 @@ std::vector<AlarmKind> linkAlarms() {
        "Look for a second client, a wrong word order, or a port scan."},
       {2201, Category::Hold, kCondition, "executor lost", "Look whether it runs, and at its log."},
       {2202, Category::Abort, kEvent, "executor does not answer", "Look at its log; Clear connects anew."},
-      {2203, Category::Abort, kEvent, "machine stopped in its streamer's place",
-       "Find out why the streamer died; what was under way does not go on from here by itself."},
-      {2204, Category::Abort, kCondition, "machine without streamer not stopped",
+      {2203, Category::Abort, kEvent, "machine stopped in its executor's place",
+       "Find out why the executor died; what was under way does not go on from here by itself."},
+      {2204, Category::Abort, kCondition, "machine without executor not stopped",
        "Look after the machine: it may be hot, and moving."},
   };
 }

@@ -125,6 +125,10 @@ bool isFlag(int code) { return code <= 9 || code == 30; }
 /// What follows is for people, or the names of parts.
 bool carriesText(int code) { return code == 117 || code == 118 || code == 486; }
 
+/// Of lasers and spindles, which may be on from before: what would switch one on switches it off.
+constexpr const char* kBeamOff = "M5";
+bool switchesBeam(int code) { return code == 3 || code == 4; }
+
 bool isName(std::string_view text) {
   return text.size() > 1 && std::isalpha(static_cast<unsigned char>(text[1])) != 0;
 }
@@ -313,7 +317,7 @@ std::optional<std::string> DryRun::keptWord(const GcodeWordText& word, const Blo
   if (word.letter == 'T') return std::nullopt;
   if (word.letter == 'M') {
     const DryVerdict verdict = verdictOnM(codeOf(word));
-    has_beam_ = has_beam_ || codeOf(word) == 3 || codeOf(word) == 4;
+    if (switchesBeam(codeOf(word))) return beamOff();
     return verdict == DryVerdict::Keep ? std::optional(std::string(word.text)) : std::nullopt;
   }
   if (!block.moves()) return std::string(word.text);
@@ -367,7 +371,7 @@ std::optional<std::string> DryRun::offset(const Block& block) {
 }
 
 std::optional<std::string> DryRun::machineCommand(int code, const Block& block) {
-  has_beam_ = has_beam_ || code == 3 || code == 4;
+  if (switchesBeam(code)) return beamOff();
   const DryVerdict verdict = verdictOnM(code);
   if (verdict == DryVerdict::Keep) return std::string(block.text);
   if (verdict == DryVerdict::Unknown) return unknown(block.text);
@@ -398,6 +402,12 @@ std::optional<std::string> DryRun::unknown(std::string_view text) {
   if (report_.first_unknown.empty())
     report_.first_unknown = "line " + std::to_string(number_) + ": " + quotation_.of(text);
   return std::nullopt;
+}
+
+std::string DryRun::beamOff() {
+  has_beam_ = true;
+  ++report_.process;
+  return kBeamOff;
 }
 
 std::optional<std::string> DryRun::takenOut() {

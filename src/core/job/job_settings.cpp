@@ -9,8 +9,8 @@
 #include "lamina/base/input_file.hpp"
 #include "lamina/base/number_text.hpp"
 #include "lamina/infill/strategy.hpp"
+#include "lamina/job/modes/slicing_mode.hpp"
 #include "lamina/job/profiles/machine_defaults.hpp"
-#include "lamina/job/slicing/slicing_mode.hpp"
 #include "lamina/picture/thumbnail.hpp"
 #include "lamina/planning/plan_consistency.hpp"
 

@@ -6,12 +6,12 @@
 #include <cstdio>
 #include <utility>
 
+#include "job/modes/part_slicing.hpp"
 #include "job/part/part_source.hpp"
-#include "job/slicing/part_slicing.hpp"
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/job/modes/slicing_mode.hpp"
 #include "lamina/job/output_files.hpp"
-#include "lamina/job/slicing/slicing_mode.hpp"
 #include "lamina/slicing/adaptive_heights/height_table.hpp"
 #include "lamina/slicing/planar/layer_plane.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "job/slicing/part_slicing.hpp"
+#include "job/modes/part_slicing.hpp"
 #include "lamina/base/error.hpp"
 
 namespace lamina {

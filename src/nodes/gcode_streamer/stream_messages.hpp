@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "lamina/streaming/client/streamer.hpp"
+#include "lamina/streaming/session/streamer.hpp"
 #include "messages.hpp"
 
 namespace lamina {

@@ -10,7 +10,7 @@
 #include "lamina/kinematics/cartesian/machine_settings.hpp"
 #include "lamina/program/program_settings.hpp"
 #include "lamina/startup/startup_settings.hpp"
-#include "lamina/streaming/client/stream_session.hpp"
+#include "lamina/streaming/session/stream_session.hpp"
 
 namespace lamina {
 

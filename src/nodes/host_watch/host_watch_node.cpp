@@ -70,12 +70,22 @@ HostWatchNode::HostWatchNode(ros::NodeHandle node, const HostWatchNodeSettings& 
         "UDP port " << settings.port << " of " << settings.bind
                     << " is open to the network; datagrams of other hosts than hosts.peers are dropped");
   const boost::function<void(const ros::WallTimerEvent&)> tick = [this](const auto&) { onTick(); };
-  if (!settings.guard_socket.empty())
-    machine_.emplace(
-        settings.guard_socket, settings.guard,
-        WatchObserver{[this](const GuardNews& news) { onMachine(news); },
-                      [] { ROS_WARN("the stop of a machine whose streamer is lost has begun"); }});
+  if (!settings.guard_socket.empty()) watchMachine();
   timer_ = node.createWallTimer(ros::WallDuration(kTickInterval), tick);
+}
+
+void HostWatchNode::watchMachine() {
+  WatchObserver observer;
+  observer.news = [this](const GuardNews& news) { onMachine(news); };
+  observer.begun = [] { ROS_WARN("the stop of a machine whose executor is lost has begun"); };
+  observer.heard = [this](const MachinePulse& pulse) {
+    if (pulse.firmware == kFollowsTrajectories) controllers_.connect(pulse.port.name);
+  };
+  const MachineStopper stop = [this](const MachinePulse& machine, const std::function<void()>& begun) {
+    return machine.firmware == kFollowsTrajectories ? controllers_.stop(machine.port.name, begun)
+                                                    : stopMachine(machine, begun);
+  };
+  machine_.emplace(settings_.guard_socket, settings_.guard, std::move(observer), stop);
 }
 
 lamina_msgs::AlarmReport HostWatchNode::reportOf(const HostAlarm& alarm) const {
@@ -104,7 +114,7 @@ void HostWatchNode::onMachine(const GuardNews& news) {
     const std::lock_guard<std::mutex> lock(mutex_);
     alarms = machine_alarms_.of(news);
   }
-  if (news.kind == GuardNewsKind::Back) ROS_INFO_STREAM("the streamer is back: " << news.message);
+  if (news.kind == GuardNewsKind::Back) ROS_INFO_STREAM("the executor is back: " << news.message);
   for (const HostAlarm& alarm : alarms) {
     if (!alarm.is_gone) ROS_WARN_STREAM(alarm.id << ": " << alarm.message);
     alarms_.publish(reportOf(alarm));

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <optional>
 
+#include "controller_stop.hpp"
 #include "graph_look.hpp"
 #include "lamina/cell/host_watch.hpp"
 #include "lamina/streaming/guard/streamer_watch.hpp"
@@ -28,6 +29,7 @@ class HostWatchNode {
  private:
   void onTick();
   void publish();
+  void watchMachine();
   void onMachine(const GuardNews& news);
   void greet(const ros::SingleSubscriberPublisher& listener);
   lamina_msgs::AlarmReport reportOf(const HostAlarm& alarm) const;
@@ -43,6 +45,7 @@ class HostWatchNode {
   double published_s_ = 0.0;
   GraphLook look_;
   PeerLink link_;
+  ControllerStop controllers_;  ///< of the watch's thread
   std::optional<StreamerWatch> machine_;
 };
 

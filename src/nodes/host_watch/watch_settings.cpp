@@ -53,14 +53,16 @@ void describe(SettingsSchema& schema, HostWatchNodeSettings& settings) {
   schema.text("nodes", settings.nodes, "Full names of the nodes that are watched, commas between.");
   schema.text(
       "guard.socket", settings.guard_socket,
-      "Socket for the streamer of a machine on this host, which is stopped in its place if it dies or "
-      "hangs at work; empty for none.");
+      "Socket for the streamer or driver of a machine on this host, which is stopped in its place if it dies "
+      "or hangs at work; empty for none.");
   schema.number(
       "guard.silence_s", settings.guard.silence_s, {0.2, 60.0},
-      "Time without a pulse of a streamer that still lives, after which it is lost, and ended before "
+      "Time without a pulse of a process that still lives, after which it is lost, and ended before "
       "the machine is stopped.");
-  schema.number("guard.grace_s", settings.guard.grace_s, {0.0, 600.0},
-                "Time from the loss of a streamer at work until the machine is stopped; 0 for at once.");
+  schema.number(
+      "guard.grace_s", settings.guard.grace_s, {0.0, 600.0},
+      "Time from the loss of a streamer at work until the machine is stopped; 0 for at once, as always "
+      "after that of a driver.");
   schema.number(
       "guard.unattended_s", settings.guard.unattended_s, {0.0, 86400.0},
       "Time for which a streamer that came back may leave the machine as the lost one left it; 0 for "

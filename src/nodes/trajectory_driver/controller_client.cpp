@@ -29,7 +29,10 @@ trajectory_msgs::JointTrajectory toMessage(const TrajectoryChunk& chunk, const K
 }  // namespace
 
 ControllerClient::ControllerClient(ros::NodeHandle& node, const KinematicModel& model, Listener listener)
-    : model_(model), listener_(std::move(listener)), client_(node, names::kFollowJointTrajectory, false) {}
+    : model_(model),
+      listener_(std::move(listener)),
+      action_(node.resolveName(names::kFollowJointTrajectory)),
+      client_(node, names::kFollowJointTrajectory, false) {}
 
 void ControllerClient::requirePresent(double wait_s) {
   // A wait of 0 would be one without end.

@@ -33,6 +33,8 @@ class ControllerClient {
   ///   anything that is held while a chunk is sent
   ControllerClient(ros::NodeHandle& node, const KinematicModel& model, Listener listener);
 
+  /// Full name of the action.
+  const std::string& action() const { return action_; }
   /// @throws TimedOut if the controller is not there in time
   void requirePresent(double wait_s);
   /// Forgets what became of earlier goals.
@@ -55,6 +57,7 @@ class ControllerClient {
 
   const KinematicModel& model_;
   Listener listener_;
+  std::string action_;
   mutable std::mutex mutex_;  ///< of what follows
   std::size_t goals_ = 0;
   std::optional<std::string> failure_;

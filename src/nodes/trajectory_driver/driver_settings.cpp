@@ -8,6 +8,9 @@ void describe(SettingsSchema& schema, DriverSettings& settings) {
   describe(schema, settings.machine, "Machine or robot that is driven.");
   schema.text("executor.owner", settings.owner,
               "Node whose orders alone are followed, such as cell_controller; empty for anybody.");
+  schema.text(
+      "guard.socket", settings.guard_socket,
+      "Socket of the host_watch that stops the controller if this node dies or hangs; empty for none.");
   describe(schema, settings.run);
   describe(schema, settings.feeder);
   schema.flag("check_clearance", settings.is_clearance_checked,

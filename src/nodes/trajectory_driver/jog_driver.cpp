@@ -141,6 +141,7 @@ void JogDriver::beginIfAtRest(const ros::Time& now) {
 JogAnswer JogDriver::follow(const std::string& holder, const MakeOrder& make) {
   const auto send = [this] {
     if (jog_->chunk().points.empty()) return;  // it came too late to be followed
+    is_under_way_ = true;
     // First what is to happen on the way, which is nothing; then the way.
     links_.process.send(jog_->chunk(), begin_, "", ProcessUse::Off);
     links_.controller.send(jog_->chunk(), begin_);
@@ -240,7 +241,7 @@ bool JogDriver::isMoving(const ros::Time& now) const {
 void JogDriver::tell(const ros::Time& now) {
   state_.header.stamp = now;
   state_.holder = lease_.holder(now.toSec());
-  state_.moving = isMoving(now);
+  state_.moving = is_under_way_ = isMoving(now);
   is_told_ = !state_.moving && state_.holder.empty();
   publishLatched(publisher_, state_);
 }

@@ -6,6 +6,7 @@
 #include <ros/node_handle.h>
 #include <sensor_msgs/JointState.h>
 
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -44,6 +45,8 @@ class JogDriver {
   /// Refuses orders until `allow`. Returns once what was under way is at rest.
   void block();
   void allow();
+  /// Whether the controller may follow an order. Waits for nothing.
+  bool isUnderWay() const { return is_under_way_; }
 
  private:
   template <class Message>
@@ -78,6 +81,7 @@ class JogDriver {
   bool is_blocked_ = false;
   bool is_told_ = true;  ///< that the machine is at rest
   lamina_msgs::JogState state_;
+  std::atomic<bool> is_under_way_{false};
 
   ros::Subscriber twist_;
   ros::Subscriber joints_;

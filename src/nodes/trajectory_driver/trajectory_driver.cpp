@@ -82,7 +82,8 @@ TrajectoryDriver::TrajectoryDriver(ros::NodeHandle node, const DriverSettings& s
       action_(
           node, ActionGate<lamina_msgs::DriveToolpathAction>::inner(names::kDriveToolpath, owner_),
           [this](const lamina_msgs::DriveToolpathGoalConstPtr& goal) { onGoal(goal); }, false),
-      gate_(node, names::kDriveToolpath, owner_) {
+      gate_(node, names::kDriveToolpath, owner_),
+      pulses_(settings.guard_socket, [this] { return pulse(); }) {
   // Plans that this node publishes take no toolpath's place: that may be driven once more.
   const boost::function<void(const ros::MessageEvent<const lamina_msgs::Toolpath>&)> onToolpath =
       [this](const auto& event) {
@@ -118,6 +119,15 @@ TrajectoryDriver::TrajectoryDriver(ros::NodeHandle node, const DriverSettings& s
   action_.start();
 }
 
+MachinePulse TrajectoryDriver::pulse() {
+  MachinePulse pulse;
+  pulse.is_at_work = is_driving_ || jog_.isUnderWay();
+  pulse.has_job = is_driving_;
+  pulse.firmware = kFollowsTrajectories;
+  pulse.port.name = controller_.action();
+  return pulse;
+}
+
 void TrajectoryDriver::awaitRest() const {
   while (is_driving_ && ros::ok()) ros::WallDuration(kStep).sleep();
   kFlush.sleep();
@@ -126,6 +136,10 @@ void TrajectoryDriver::awaitRest() const {
 void TrajectoryDriver::onGoal(const lamina_msgs::DriveToolpathGoalConstPtr& goal) {
   is_abort_requested_ = false;
   is_driving_ = true;
+  pulses_.send();
+  if (!pulses_.isHeard())
+    ROS_WARN("nobody listens at %s: no watch stops the controller if this node dies",
+             settings_.guard_socket.c_str());
   jog_.block();
   job_ = goal->toolpath_id;
   publishState(DriveStatus());

@@ -20,6 +20,7 @@
 #include "driver_settings.hpp"
 #include "job_overrides.hpp"
 #include "jog_driver.hpp"
+#include "lamina/streaming/guard/pulse_link.hpp"
 #include "markers/growing_part.hpp"
 #include "messages.hpp"
 #include "owner/action_gate.hpp"
@@ -100,6 +101,7 @@ class TrajectoryDriver {
   bool onResume(Trigger::Request& request, Trigger::Response& response);
   bool onAbort(Trigger::Request& request, Trigger::Response& response);
   std::shared_ptr<DriveSession> session() const;
+  MachinePulse pulse();
   Eigen::Matrix3d bedFromPart() const;
 
   DriverSettings settings_;
@@ -140,6 +142,7 @@ class TrajectoryDriver {
   // Last, so that its thread ends before what it uses.
   mutable Server action_;
   ActionGate<lamina_msgs::DriveToolpathAction> gate_;
+  PulseSender pulses_;
 };
 
 }  // namespace lamina

@@ -53,7 +53,7 @@ const std::vector<TestedElsewhere>& testedElsewhere() {
       {"clearance.report", "ros/slicing_service_test.cpp", "clearance.report"},
       {"drop_voids.least_share", "job/voids/drop_void_job_test.cpp", "least_share"},
       {"stream.firmware", "streaming/firmware/firmware_protocol_test.cpp", "stream.firmware"},
-      {"stream.password_file", "streaming/client/upload_session_test.cpp", "password_file"},
+      {"stream.password_file", "streaming/session/upload_session_test.cpp", "password_file"},
       {"frames.every_mm", "ros/adapters/frame_markers_test.cpp", "every_mm"},
       {"frames.length_mm", "ros/adapters/frame_markers_test.cpp", "length_mm"},
       {"fanuc.name_length", "program/robot/robot_program_test.cpp", "fanuc.name_length"},

@@ -9,8 +9,8 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/startup/startup_session.hpp"
-#include "lamina/streaming/client/stream_session.hpp"
 #include "lamina/streaming/emulator/emulated_machine.hpp"
+#include "lamina/streaming/session/stream_session.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace lamina::test {

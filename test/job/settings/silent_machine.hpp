@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-#include "lamina/streaming/client/streamer.hpp"
+#include "lamina/streaming/session/streamer.hpp"
 
 namespace lamina::test {
 

@@ -5,8 +5,8 @@
 
 #include "job/settings/setting_probe.hpp"
 #include "job/settings/silent_machine.hpp"
-#include "lamina/streaming/client/streamer.hpp"
 #include "lamina/streaming/journal/job_journal.hpp"
+#include "lamina/streaming/session/streamer.hpp"
 
 namespace lamina::test {
 namespace {

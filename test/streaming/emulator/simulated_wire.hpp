@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "lamina/base/random.hpp"
-#include "lamina/streaming/client/streamer.hpp"
+#include "lamina/streaming/session/streamer.hpp"
 
 namespace lamina::test {
 

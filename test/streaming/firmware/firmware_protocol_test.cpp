@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "lamina/streaming/client/streamer.hpp"
 #include "lamina/streaming/firmware/marlin/marlin_firmware.hpp"
+#include "lamina/streaming/session/streamer.hpp"
 #include "support/scoped_entry.hpp"
 
 namespace lamina {

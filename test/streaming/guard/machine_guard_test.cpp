@@ -80,6 +80,17 @@ TEST(MachineGuard, EndsAStreamerThatHangsBeforeItStopsTheMachine) {
   EXPECT_TRUE(guard.takeNews().empty()) << "its end was meant";
 }
 
+TEST(MachineGuard, GivesAControllerThatFollowsTrajectoriesNoGrace) {
+  MachineGuard guard({1.0, 10.0, 600.0, 2.0});
+  MachinePulse driver = atWork();
+  driver.firmware = kFollowsTrajectories;
+  guard.hear(driver, kStreamer, 0.0);
+  guard.end(kStreamer, 0.5);
+  const auto order = guard.due(0.5);
+  ASSERT_TRUE(order);
+  EXPECT_EQ(order->machine.firmware, kFollowsTrajectories);
+}
+
 TEST(MachineGuard, ForgivesAStreamerThatHungForLessThanTheGrace) {
   MachineGuard guard({1.0, 10.0, 0.0, 2.0});
   guard.hear(atWork(), kStreamer, 0.0);

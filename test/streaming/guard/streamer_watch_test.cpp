@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
@@ -90,7 +91,8 @@ class Told {
             [this] {
               const std::lock_guard<std::mutex> lock(mutex_);
               begun_s_ = clock_.now();
-            }};
+            },
+            {}};
   }
   std::size_t count(GuardNewsKind kind) const {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -178,6 +180,30 @@ TEST(StreamerWatch, EndsAStreamerThatHangsAndStopsItsMachine) {
   EXPECT_TRUE(comesTrue([&] { return told.count(GuardNewsKind::Stopped) == 1; }));
   EXPECT_EQ(machine->nozzleTarget(), 0.0);
   EXPECT_TRUE(streamer.wasKilled());
+}
+
+/// Of one that stops by other means than a port, such as the controller of an arm.
+TEST(StreamerWatch, HasAMachineStoppedByTheMeansGivenToIt) {
+  const std::string socket = inTemporary("watch_means.pulse");
+  Told told;
+  WatchObserver observer = told.observer();
+  std::atomic<int> heard{0};
+  std::atomic<int> stops{0};
+  observer.heard = [&](const MachinePulse& pulse) { heard += pulse.port.name == "/arm/follow" ? 1 : 0; };
+  const MachineStopper stop = [&](const MachinePulse& machine, const std::function<void()>& begun) {
+    begun();
+    ++stops;
+    return MachineStopReport{true, machine.firmware + " rests", true};
+  };
+  const StreamerWatch watch(socket, {1.0, 600.0, 0.0, 0.5}, std::move(observer), stop);
+  PulsingProcess driver(socket, {true, {"/arm/follow", 0}, kFollowsTrajectories, "", false, true});
+  ASSERT_TRUE(comesTrue([&] { return heard > 0; }));
+  EXPECT_EQ(stops, 0);
+  driver.die();
+  ASSERT_TRUE(comesTrue([&] { return told.count(GuardNewsKind::Stopped) == 1; })) << told.messages();
+  EXPECT_EQ(stops, 1);
+  EXPECT_NE(told.messages().find("/arm/follow: follow_joint_trajectory rests"), std::string::npos)
+      << told.messages();
 }
 
 TEST(StreamerWatch, LeavesTheMachineOfAStreamerAloneThatDiesAtRest) {

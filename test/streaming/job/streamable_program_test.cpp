@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "lamina/base/error.hpp"
-#include "lamina/streaming/client/streamer.hpp"
 #include "lamina/streaming/firmware/marlin/marlin_firmware.hpp"
+#include "lamina/streaming/session/streamer.hpp"
 #include "support/scoped_entry.hpp"
 
 namespace lamina {

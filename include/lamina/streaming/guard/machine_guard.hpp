@@ -14,7 +14,7 @@
 namespace lamina {
 
 struct GuardSettings {
-  double silence_s = 1.0;  ///< of a streamer that still lives, after which it is lost
+  double silence_s = 1.0;  ///< of a process that still lives, after which it is lost
   double grace_s = 10.0;   ///< from the loss of one that is at work until the machine is stopped; 0: at once
   /// For which a streamer that came back leaves the machine as the lost one left it, until it is stopped; 0
   /// for any time.
@@ -43,6 +43,9 @@ struct GuardNews {
 /// Decides when a machine is stopped in the place of the process that streams to it: when that was lost at
 /// work, and nobody has taken its work up in time. Pulses, ends of connections and times come in; orders and
 /// news come out. Times are seconds since any start and never go back.
+///
+/// A controller that follows trajectories has no grace: it stands still a moment later whatever is done, and
+/// nobody goes on from there by himself.
 ///
 /// What was at rest is never stopped. Only a job takes up what another process has left, or that process
 /// itself does: a step of a start-up delays the stop and no more. Once a stop has begun, what was left is

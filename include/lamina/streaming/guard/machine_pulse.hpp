@@ -6,19 +6,24 @@
 #include <string>
 #include <string_view>
 
-#include "lamina/streaming/client/stream_session.hpp"
+#include "lamina/streaming/session/stream_session.hpp"
 
 namespace lamina {
 
-/// What a process that streams to a machine says of itself again and again, so that another can stop the
-/// machine in its place.
+/// In the place of a firmware: the process hands trajectories to a controller that follows them, as an
+/// action.
+inline constexpr char kFollowsTrajectories[] = "follow_joint_trajectory";
+
+/// What a process that moves a machine says of itself again and again, so that another can stop the machine
+/// in its place.
 struct MachinePulse {
   bool is_at_work = false;  ///< it has switched on or moved what it will switch off or stop itself
-  MachinePort port;
-  std::string firmware = kAnyFirmware;  ///< name of the protocol; `auto` until it is known
-  std::string program;                  ///< file of the job under way; empty for none
-  bool keeps_heaters_on = false;        ///< at a safe stop
-  bool has_job = false;                 ///< it is at work on a job, and not on a step of a start-up alone
+  MachinePort port;         ///< or the full name of the controller's action, without a baud rate
+  /// Name of the protocol, `auto` until it is known; or `kFollowsTrajectories`.
+  std::string firmware = kAnyFirmware;
+  std::string program;            ///< file of the job under way; empty for none
+  bool keeps_heaters_on = false;  ///< at a safe stop
+  bool has_job = false;           ///< it is at work on a job, and not on a step of a start-up alone
 };
 
 /// The longest text of a pulse [byte].

@@ -12,7 +12,7 @@
 #include "lamina/base/text.hpp"
 #include "lamina/job/profiles/machine_defaults.hpp"
 #include "lamina/job/profiles/stated_settings.hpp"
-#include "lamina/kinematics/description/cell_description.hpp"
+#include "lamina/kinematics/description_files/cell_description.hpp"
 #include "lamina/kinematics/model/kinematic_model.hpp"
 
 namespace lamina {

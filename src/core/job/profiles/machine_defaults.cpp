@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "lamina/base/number_text.hpp"
-#include "lamina/job/slicing/slicing_mode.hpp"
+#include "lamina/job/modes/slicing_mode.hpp"
 
 namespace lamina {
 namespace {

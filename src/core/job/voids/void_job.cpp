@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "job/modes/wall_contours.hpp"
 #include "job/part/part_source.hpp"
-#include "job/slicing/wall_contours.hpp"
 #include "job/voids/part_placing.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/kinematics/cartesian/machine_settings.hpp"
 
-#include "lamina/kinematics/description/cell_description.hpp"
+#include "lamina/kinematics/description_files/cell_description.hpp"
 
 namespace lamina {
 

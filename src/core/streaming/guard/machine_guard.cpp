@@ -64,7 +64,7 @@ void MachineGuard::end(int process, double now_s) {
 }
 
 void MachineGuard::lose(const Streamer& streamer, int hung_process, const std::string& how, double now_s) {
-  const double due_s = now_s + settings_.grace_s;
+  const double due_s = streamer.pulse.firmware == kFollowsTrajectories ? now_s : now_s + settings_.grace_s;
   const bool is_at_work = streamer.pulse.is_at_work;
   if (is_at_work && !left_) {
     left_ = Left{streamer.pulse, hung_process, hung_process, due_s, false, false, false};

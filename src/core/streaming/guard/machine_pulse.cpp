@@ -6,7 +6,7 @@
 #include <charconv>
 #include <vector>
 
-#include "streaming/client/identification.hpp"
+#include "streaming/session/identification.hpp"
 
 namespace lamina {
 namespace {

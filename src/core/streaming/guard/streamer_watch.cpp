@@ -5,7 +5,6 @@
 #include <csignal>
 #include <utility>
 
-#include "lamina/streaming/guard/machine_stop.hpp"
 #include "streaming/transport/thread_priority.hpp"
 
 namespace lamina {
@@ -16,8 +15,13 @@ constexpr double kLook = 0.01;  // s
 
 }  // namespace
 
-StreamerWatch::StreamerWatch(const std::string& socket, GuardSettings settings, WatchObserver observer)
-    : listener_(socket), guard_(settings), observer_(std::move(observer)), thread_([this] { run(); }) {}
+StreamerWatch::StreamerWatch(const std::string& socket, GuardSettings settings, WatchObserver observer,
+                             MachineStopper stop)
+    : listener_(socket),
+      guard_(settings),
+      observer_(std::move(observer)),
+      stop_(std::move(stop)),
+      thread_([this] { run(); }) {}
 
 StreamerWatch::~StreamerWatch() {
   is_ending_ = true;
@@ -39,7 +43,7 @@ void StreamerWatch::run() {
 
 void StreamerWatch::stop(const GuardOrder& order) {
   if (order.hung_process > 0) endHung(order.hung_process);
-  MachineStopReport report = stopMachine(order.machine, observer_.begun);
+  MachineStopReport report = stop_(order.machine, observer_.begun);
   report.message = order.machine.port.name + ": " + report.message;
   guard_.onStop(report, clock_.now());
   tell();
@@ -47,6 +51,7 @@ void StreamerWatch::stop(const GuardOrder& order) {
 
 void StreamerWatch::hear(double timeout_s) {
   for (const HeardPulse& heard : listener_.wait(timeout_s)) {
+    if (heard.pulse && observer_.heard) observer_.heard(*heard.pulse);
     if (heard.pulse)
       guard_.hear(*heard.pulse, heard.process, clock_.now());
     else

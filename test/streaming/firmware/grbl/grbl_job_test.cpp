@@ -3,7 +3,7 @@
 // The job against grbl played by hand, line by line, at times that are set.
 #include <gtest/gtest.h>
 
-#include "lamina/streaming/client/streamer.hpp"
+#include "lamina/streaming/session/streamer.hpp"
 #include "streaming/emulator/grbl_link.hpp"
 
 namespace lamina {

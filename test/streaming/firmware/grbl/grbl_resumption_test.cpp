@@ -7,8 +7,8 @@
 #include <algorithm>
 #include "streaming/emulator/grbl_link.hpp"
 
-#include "lamina/streaming/client/streamer.hpp"
 #include "lamina/streaming/emulator/grbl/emulated_grbl.hpp"
+#include "lamina/streaming/session/streamer.hpp"
 
 namespace lamina {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "lamina/base/random.hpp"
-#include "lamina/streaming/client/streamer.hpp"
+#include "lamina/streaming/session/streamer.hpp"
 #include "streaming/emulator/ok_paced/emulated_paced_firmware.hpp"
 
 namespace lamina::test {

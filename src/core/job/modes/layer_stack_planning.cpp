@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "job/modes/layer_stack_planning.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "job/laps.hpp"
+#include "lamina/base/layer_error.hpp"
+#include "lamina/base/parallel.hpp"
+#include "lamina/parameterization/chart_outline.hpp"
+#include "lamina/parameterization/layer_charts.hpp"
+#include "lamina/parameterization/layer_volume.hpp"
+#include "lamina/planning/lift/chart_lift.hpp"
+#include "lamina/slicing/unsliceable.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kRounding = 1e-9;
+
+/// What is planned of a layer, and how it comes back.
+struct ChartedLayer {
+  Layer plan;
+  std::vector<LayerChart> charts;  // none if the layer is plane
+  double volume_mm3 = 0.0;
+  double left_out_mm3 = 0.0;                                     // in pieces that lie flat nowhere
+  double highest_mm = -std::numeric_limits<double>::infinity();  // nozzle tip
+};
+
+double meanHeight(const LayerSurface& surface) {
+  double sum = 0.0;
+  for (const double height : surface.height_mm) sum += height;
+  return sum / static_cast<double>(surface.height_mm.size());
+}
+
+std::vector<LayerChart> chartsOf(const LayerSurface& surface, const FlatteningSettings& settings) {
+  try {
+    return layerCharts(surface, settings);
+  } catch (const InvalidMesh& fault) {
+    throw Unsliceable(fault.what(), surface.middle);
+  }
+}
+
+ChartedLayer charted(StackedSurface layer, const FlatteningSettings& settings) {
+  ChartedLayer result;
+  if (layer.surface.middle.triangles.empty()) {
+    result.plan = std::move(layer.plane);
+    result.volume_mm3 = signedArea(result.plan.section.contours) * result.plan.bounds.height();
+    result.highest_mm = result.plan.bounds.top_mm;
+    return result;
+  }
+  for (const Point3& tip : layer.surface.tip) result.highest_mm = std::max(result.highest_mm, tip.z());
+  result.volume_mm3 = volume(layer.surface);
+  result.plan.bounds = {result.highest_mm - meanHeight(layer.surface), result.highest_mm};
+  result.charts = chartsOf(layer.surface, settings);
+  result.left_out_mm3 = result.volume_mm3;
+  for (const LayerChart& chart : result.charts) result.left_out_mm3 -= volume(chart.surface);
+  for (const LayerChart& chart : result.charts)
+    for (Polygon& outline : outlineOf(chart)) result.plan.section.contours.push_back(std::move(outline));
+  return result;
+}
+
+/// Names the layer where it cannot be laid out flat.
+ChartedLayer chartedAt(std::size_t index, StackedSurface layer, const FlatteningSettings& settings) {
+  double highest_mm = layer.plane.bounds.top_mm;
+  for (const Point3& tip : layer.surface.tip) highest_mm = std::max(highest_mm, tip.z());
+  const std::string place = layerPlace(index, highest_mm);
+  try {
+    return charted(std::move(layer), settings);
+  } catch (const Unsliceable& refusal) {
+    throw Unsliceable(place + ": " + refusal.what(), refusal.region());
+  } catch (...) {
+    rethrowAt(place);
+  }
+}
+
+LayerCounts countsOf(const std::vector<ChartedLayer>& layers) {
+  LayerCounts counts;
+  counts.layers = layers.size();
+  for (const ChartedLayer& layer : layers) {
+    counts.contours += layer.plan.section.contours.size();
+    counts.open_contours += layer.plan.section.open_contours.size();
+    counts.sliced_volume_mm3 += layer.volume_mm3;
+  }
+  return counts;
+}
+
+/// Up to and with each layer.
+std::vector<double> highestUpTo(const std::vector<ChartedLayer>& layers, double standing_mm) {
+  std::vector<double> highest;
+  double so_far = standing_mm;
+  for (const ChartedLayer& layer : layers) {
+    so_far = std::max(so_far, layer.highest_mm);
+    highest.push_back(so_far);
+  }
+  return highest;
+}
+
+}  // namespace
+
+std::vector<bool> skinsOfStack(std::size_t layers, const SkinSettings& skins, double layer_height_mm) {
+  const auto count = [layer_height_mm, layers](int asked, double thickness_mm) {
+    const double by_thickness = std::ceil(thickness_mm / layer_height_mm - kRounding);
+    return std::min(layers, static_cast<std::size_t>(std::max(static_cast<double>(asked), by_thickness)));
+  };
+  const std::size_t bottom = count(skins.bottom_layers, skins.bottom_mm);
+  const std::size_t top = count(skins.top_layers, skins.top_mm);
+  std::vector<bool> is_skin(layers, false);
+  std::fill_n(is_skin.begin(), bottom, true);
+  std::fill_n(is_skin.rbegin(), top, true);
+  return is_skin;
+}
+
+PlannedPart planStack(SurfaceStack stack, const PlanningRequest& request, Progress& progress) {
+  const JobSettings& settings = request.job.settings;
+  Laps laps;
+  std::vector<ChartedLayer> layers(stack.layers.size());
+  parallelFor(
+      layers.size(),
+      [&](std::size_t i) { layers[i] = chartedAt(i, std::move(stack.layers[i]), settings.flattening); },
+      progress, "flatten");
+  PlannedPart planned;
+  planned.counts = countsOf(layers);
+  planned.counts.slice_s = laps.lap();
+  const std::vector<double> highest = highestUpTo(layers, stack.standing_mm);
+  std::vector<Layer> plans;
+  std::vector<std::vector<LayerChart>> charts;
+  for (ChartedLayer& layer : layers) {
+    plans.push_back(std::move(layer.plan));
+    charts.push_back(std::move(layer.charts));
+  }
+  const LayerLifting lifting{
+      chartLift(charts, highest, settings.lifting, settings.planning.travel),
+      skinsOfStack(plans.size(), settings.planning.skins, settings.slicing.layer_height_mm),
+      stack.standing_mm};
+  planned.plan = planPart(request.partName(), plans, settings.planning, lifting, progress);
+  for (const ChartedLayer& layer : layers)
+    if (layer.left_out_mm3 > kRounding * layer.volume_mm3) planned.plan.unprinted_mm3 += layer.left_out_mm3;
+  return planned;
+}
+
+}  // namespace lamina

@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "job/modes/oriented_planning.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <utility>
+
+#include "job/joint_program.hpp"
+#include "job/modes/automatic_planning.hpp"
+#include "job/modes/mode_trial.hpp"
+#include "job/modes/tool_orientation.hpp"
+#include "lamina/base/angle.hpp"
+#include "lamina/infill/strategy.hpp"
+#include "lamina/kinematics/model/toolpath_reach.hpp"
+#include "lamina/orientation/orient_toolpath.hpp"
+
+namespace lamina {
+namespace {
+
+void addPlanned(SliceSummary& summary, const PlannedPart& planned) {
+  summary.notes = planned.notes;
+  summary.lean = planned.lean;
+  summary.layers = planned.counts.layers;
+  summary.contours = planned.counts.contours;
+  summary.open_contours = planned.counts.open_contours;
+  summary.sliced_volume_mm3 = planned.counts.sliced_volume_mm3;
+  summary.slice_s = planned.counts.slice_s;
+  summary.unprinted_mm3 = planned.plan.unprinted_mm3;
+  summary.refilling = planned.plan.refilling;
+  summary.starts = planned.plan.starts;
+  summary.anchored = planned.plan.anchored;
+  summary.bridging = planned.plan.bridging;
+  summary.supports = planned.plan.supports;
+  summary.raft_mm = planned.plan.raft_mm;
+}
+
+/// Of the sparse infill, if its lines cross.
+void addNoteOnCrossings(SliceSummary& summary, const JobSettings& settings) {
+  const InfillSettings& infill = settings.planning.infill;
+  const double crossing = infillStrategy(infill.strategy).crossing;
+  const BeadSettings& bead = settings.planning.bead;
+  const double pitch =
+      bead.pitch_mm > 0.0 ? bead.pitch_mm : planWidth({bead.width_mm, settings.slicing.layer_height_mm});
+  const double density = infill.pitch_mm > 0.0 ? pitch / infill.pitch_mm : infill.density;
+  if (crossing * density == 0.0 || density > 1.0 - 1e-6) return;
+  char text[128];
+  std::snprintf(text, sizeof text, "lines of infill '%s' cross: %.1f %% of its volume is laid twice",
+                infill.strategy.c_str(), 100.0 * crossing * density);
+  summary.notes.emplace_back(text);
+}
+
+/// Bridges, overhanging walls and what is seen are told from the neighbouring layers, by beads that stay in
+/// their layer.
+void addNoteOnBridges(SliceSummary& summary, const JobSettings& settings) {
+  const PlanSettings& planning = settings.planning;
+  if (!planning.bridges.is_used && !planning.overhangs.is_used && !planning.ironing.is_used) return;
+  const std::string asked = planning.bridges.is_used     ? "bridges.use"
+                            : planning.overhangs.is_used ? "overhangs.use"
+                                                         : "ironing.use";
+  const InfillStrategy strategy = infillStrategy(planning.infill.strategy);
+  if (!hasPlaneLayers(summary.mode))
+    summary.notes.push_back(asked + " has no effect: layers of mode '" + summary.mode + "' are not plane");
+  else if (strategy.deposit != Deposit::Bead || strategy.link != LayerLink::Travel)
+    summary.notes.push_back(asked + " has no effect with infill.strategy '" + planning.infill.strategy + "'");
+}
+
+bool needsPart(const JobSettings& settings) {
+  return !hasPlaneLayers(settings.slicing.mode) || settings.orientation.mode == OrientationMode::Wall;
+}
+
+}  // namespace
+
+Toolpath planOriented(SourcePart source, const PlanningRequest& request, SliceSummary& summary,
+                      Progress& progress) {
+  const JobSettings& settings = request.job.settings;
+  const Mesh part = needsPart(settings) ? source.mesh : Mesh();
+  summary.mode = settings.slicing.mode;
+  PlannedPart planned = settings.slicing.mode == kAutoMode
+                            ? planAutomatically(source, request, summary, progress)
+                            : planShown(std::move(source), settings.slicing.mode, request, progress);
+  addPlanned(summary, planned);
+  addNoteOnCrossings(summary, settings);
+  addNoteOnBridges(summary, settings);
+  if (hasPlaneLayers(summary.mode) && !changesOrientation(settings.orientation))
+    return std::move(planned.plan.toolpath);
+  const Toolpath as_sliced = changesOrientation(settings.orientation) ? planned.plan.toolpath : Toolpath();
+  OrientedToolpath oriented =
+      orientToolpath(std::move(planned.plan.toolpath), settings.orientation, part, progress);
+  requireNearNormal(as_sliced, oriented.toolpath, settings.orientation);
+  summary.orientation = oriented.report;
+  for (std::string& note : notesOn(oriented.report)) summary.notes.push_back(std::move(note));
+  if (!part.triangles.empty())
+    summary.lean = overhangAngle(part, oriented.toolpath, settings.planning.bead.width_mm);
+  return std::move(oriented.toolpath);
+}
+
+void requireWithin(const BuildSpace& space, const SliceJob& job, SlicedPart& sliced) {
+  const bool is_five_axis = writesFiveAxis(job, space, sliced);
+  const bool is_program = std::filesystem::path(job.output).extension() == ".gcode" && !is_five_axis;
+  const bool is_as_planned =
+      hasPlaneLayers(sliced.summary.mode) && !changesOrientation(job.settings.orientation);
+  if (is_program || (is_as_planned && !is_five_axis))
+    return requireReachable(sliced.toolpath, sliced.bed_from_part, space);
+  if (!is_five_axis) requireTipsReachable(sliced.toolpath, sliced.bed_from_part, space);
+  const double turn_deg = toDegrees(greatestToolAxisTurn(sliced.toolpath, sliced.bed_from_part, space));
+  if (turn_deg < 0.01) return;
+  const char* format = canTurnToolAxis(space)
+                           ? "the nozzle turns by up to %.1f deg, which takes the rotary joints of %s"
+                           : "the nozzle turns by up to %.1f deg from how %s holds it: poses for a head that "
+                             "can; a program for this one is refused";
+  char text[256];
+  std::snprintf(text, sizeof text, format, turn_deg, space.name.c_str());
+  sliced.summary.notes.emplace_back(text);
+}
+
+}  // namespace lamina

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <tinyxml.h>
+
+#include <string>
+#include <vector>
+
+#include "kinematics/description_files/package_path.hpp"
+
+namespace lamina {
+
+/// What keeps a description from being read, all of it, in the order of the file: "joint 'x' (line 12) has
+/// ...". None if it can be.
+std::vector<std::string> descriptionFaults(const TiXmlElement& robot, const PackagePath& packages);
+
+/// Value of an attribute; empty if there is none.
+std::string attributeOf(const TiXmlElement& element, const char* name);
+
+}  // namespace lamina

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "kinematics/description_files/flange.hpp"
+
+#include <algorithm>
+
+#include "kinematics/model/link_motion.hpp"
+#include "lamina/base/error.hpp"
+
+namespace lamina {
+
+std::string flangeOf(const urdf::ModelInterface& model, const std::string& named) {
+  for (const std::string& name : {named, std::string("tool0"), std::string("flange")}) {
+    if (name.empty()) continue;
+    if (model.getLink(name)) return name;
+    if (name == named) throw InvalidConfig("arm '" + model.getName() + "' has no link '" + name + "'");
+  }
+  std::string tip;
+  int most = -1;
+  for (const auto& [name, link] : model.links_) {
+    int moving = 0;
+    for (urdf::LinkConstSharedPtr up = link; up && up->parent_joint;
+         up = model.getLink(up->parent_joint->parent_link_name))
+      moving += up->parent_joint->type != urdf::Joint::FIXED && !up->parent_joint->mimic ? 1 : 0;
+    if (moving > most || (moving == most && link->child_links.empty())) tip = name;
+    most = std::max(most, moving);
+  }
+  return tip;
+}
+
+double flangeCosine(const urdf::ModelInterface& model, const std::string& flange) {
+  Eigen::Isometry3d last_from_flange = Eigen::Isometry3d::Identity();
+  for (const urdf::Link* link = &requireLink(model, flange); link->parent_joint;
+       link = &requireLink(model, link->parent_joint->parent_link_name)) {
+    const urdf::Joint& joint = *link->parent_joint;
+    if (joint.type != urdf::Joint::FIXED)
+      return directionOf(model, joint).dot(last_from_flange.linear().col(2));
+    last_from_flange = poseOf(joint.parent_to_joint_origin_transform) * last_from_flange;
+  }
+  throw InvalidConfig("arm '" + model.getName() + "': nothing moves link '" + flange +
+                      "'; expected a flange");
+}
+
+}  // namespace lamina

@@ -1,0 +1,190 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/kinematics/description_files/cell_description.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "lamina/base/error.hpp"
+#include "lamina/geometry/vector.hpp"
+#include "lamina/kinematics/description_files/robot_report.hpp"
+#include "lamina/kinematics/description_files/xacro_expansion.hpp"
+#include "lamina/kinematics/model/build_space.hpp"
+#include "lamina/kinematics/model/kinematic_model.hpp"
+#include "lamina/kinematics/model/seen_bodies.hpp"
+#include "support/arms.hpp"
+
+namespace lamina {
+namespace {
+
+class CellFolder : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = std::filesystem::temp_directory_path() /
+              (std::string("lamina_cell_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+    std::filesystem::create_directories(folder_);
+    std::string arm = test::exactParallelAxesArm().urdf();
+    // A maker's description knows neither bed nor nozzle.
+    for (const char* end : {"nozzle", "bed"}) {
+      const std::string joint = std::string("<joint name=\"to_") + end + "\"";
+      const std::size_t link = arm.find(std::string("<link name=\"") + end);
+      arm.erase(link, arm.find("</joint>", arm.find(joint)) + 8 - link);
+    }
+    write("arm.urdf", arm);
+    write("table.urdf",
+          "<robot name=\"table\"><link name=\"foot\"/><link name=\"frame\"/><link name=\"plate\"/>"
+          "<joint name=\"tilt\" type=\"revolute\"><parent link=\"foot\"/><child link=\"frame\"/><axis "
+          "xyz=\"0 1 0\"/>"
+          "<limit lower=\"-2\" upper=\"2\" velocity=\"1\"/></joint>"
+          "<joint name=\"turn\" type=\"continuous\"><parent link=\"frame\"/><child link=\"plate\"/>"
+          "<axis xyz=\"0 0 1\"/><limit velocity=\"2\"/></joint></robot>");
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name) << text;
+  }
+  std::string cell(const std::string& text) const { return cellDescription(text, folder_ / "cell.yaml"); }
+  std::string failureOf(const std::string& text) const {
+    try {
+      cell(text);
+      return "";
+    } catch (const InvalidConfig& error) {
+      return error.what();
+    }
+  }
+
+  std::filesystem::path folder_;
+};
+
+constexpr char kPlain[] =
+    "cell:\n  arm: {urdf: arm.urdf, flange_turn_deg: [0, 0, 0]}\n"
+    "  tool: {xyz_mm: [0, 0, 250]}\n  bed: {xyz_mm: [600, 0, 20], size_mm: [400, 300]}\n";
+
+TEST_F(CellFolder, ToolAndBedStandWhereItSays) {
+  const std::string urdf = cell(kPlain);
+  const auto model = kinematicModelFromUrdf(urdf);
+  ASSERT_EQ(model->joints().size(), 6U);
+  const auto links = model->bedFromLinks(JointValues::Constant(6, 0.3));
+  EXPECT_TRUE((links.at("joint_6_link").inverse() * links.at("nozzle"))
+                  .translation()
+                  .isApprox(Point3(0, 0, 250), 1e-9));
+  EXPECT_TRUE(
+      (links.at("bed").inverse() * links.at("base_link")).translation().isApprox(Point3(-600, 0, -20), 1e-9));
+  EXPECT_TRUE(buildSpaceFromUrdf(urdf).range.high.head<2>().isApprox(Point2(200, 150), 1e-9));
+}
+
+TEST_F(CellFolder, RailAndPositionerAreExternalAxesInThisOrder) {
+  const auto model = kinematicModelFromUrdf(
+      cell(std::string(kPlain) + "  rail: {axis: [0, 1, 0], lower_mm: 0, upper_mm: 2000, mm_s: 500}\n"
+                                 "  positioner: {urdf: table.urdf, flange: plate, xyz_mm: [900, 0, 0]}\n"));
+  ASSERT_EQ(model->joints().size(), 9U);
+  EXPECT_EQ(model->joints()[6].kind, JointKind::Linear);
+  EXPECT_EQ(model->joints()[6].high, 2000.0);
+  EXPECT_EQ(model->joints()[7].high, 2.0);
+  EXPECT_EQ(model->joints()[8].max_speed, 2.0);
+  JointValues values = JointValues::Constant(9, 0.2);
+  values[6] = 700.0;
+  const auto solutions = model->solutions(model->bedFromNozzle(values), values);
+  EXPECT_FALSE(solutions.empty());
+  for (const InverseSolution& each : solutions)
+    EXPECT_LT(test::distance(model->bedFromNozzle(each.values), model->bedFromNozzle(values)), 1e-9);
+}
+
+TEST_F(CellFolder, BedIsSeenAndMaterialsOfOneNameDoNotMeet) {
+  for (const char* name : {"arm.urdf", "table.urdf"}) {
+    std::ifstream file(folder_ / name);
+    std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+    const bool is_arm = std::string(name) == "arm.urdf";
+    const std::string link = is_arm ? "<link name=\"base_link\"/>" : "<link name=\"plate\"/>";
+    const std::string seen = link.substr(0, link.size() - 2) +
+                             "><visual><geometry><box size=\"0.1 0.2 0.3\"/></geometry><material "
+                             "name=\"paint\"/></visual></link>";
+    text.replace(text.find(link), link.size(),
+                 std::string("<material name=\"paint\"><color rgba=\"") + (is_arm ? "1 0 0 1" : "0 0 1 1") +
+                     "\"/></material>" + seen);
+    write(name, text);
+  }
+  const std::vector<SeenBody> seen = seenBodies(
+      cell(std::string(kPlain) + "  positioner: {urdf: table.urdf, flange: plate, xyz_mm: [900, 0, 0]}\n"));
+  ASSERT_EQ(seen.size(), 3U);
+  EXPECT_EQ(seen[0].link, "base_link");
+  EXPECT_EQ(seen[0].colour, (std::array<double, 3>{1.0, 0.0, 0.0}));
+  EXPECT_EQ(seen[1].link, "bed");
+  const Box3 plate = boundingBox(seen[1].mesh);
+  EXPECT_TRUE(plate.low.isApprox(Point3(-200, -150, -20), 1e-9));
+  EXPECT_TRUE(plate.high.isApprox(Point3(200, 150, 0), 1e-9));
+  EXPECT_EQ(seen[2].link, "positioner_plate");
+  EXPECT_EQ(seen[2].colour, (std::array<double, 3>{0.0, 0.0, 1.0}));
+}
+
+TEST_F(CellFolder, AProfileIsNoCell) {
+  write("profile.yaml", "profile: {kind: machine, name: own}\nmachine: {name: irb_4600}\n");
+  write("cell.yaml", kPlain);
+  write("broken.yaml", "cell: [\n");
+  EXPECT_TRUE(holdsCell(folder_ / "cell.yaml"));
+  for (const char* name : {"profile.yaml", "broken.yaml", "missing.yaml", "arm.urdf"})
+    EXPECT_FALSE(holdsCell(folder_ / name)) << name;
+}
+
+TEST_F(CellFolder, WhatIsWrongIsRefusedAsAWhole) {
+  EXPECT_NE(failureOf("cell:\n  arm: {urdf: arm.urdf}\n").find("lacks arm or bed"), std::string::npos);
+  EXPECT_NE(failureOf(std::string(kPlain) + "  gantry: 1\n"), "");
+  EXPECT_NE(failureOf("cell:\n  arm: {urdf: arm.urdf}\n  bed: {size_mm: [1, 1]}\n")
+                .find("lies across the last axis"),
+            std::string::npos);
+  EXPECT_NE(failureOf(std::string(kPlain) + "  positioner: {urdf: arm.urdf}\n").find("has 6 driven joints"),
+            std::string::npos);
+}
+
+TEST_F(CellFolder, AReportNamesClassAndTraps) {
+  const RobotReport report = robotReport(cell(kPlain));
+  EXPECT_EQ(report.kinematic_class, "three parallel axes");
+  EXPECT_EQ(report.joints.size(), 6U);
+  // Upper arm, forearm and wrist stretched out: 612.7 + 571.55 mm, and the wrist's own.
+  EXPECT_GT(report.reach_mm, 1150.0);
+  EXPECT_LT(report.reach_mm, 1700.0);
+  EXPECT_FALSE(report.traps.empty());
+}
+
+TEST_F(CellFolder, XacroBecomesTheSameUrdf) {
+  write("limits.yaml", "lift: {upper: !degrees 180, name: up}\n");
+  write("part.xacro",
+        "<robot xmlns:xacro=\"http://ros.org/wiki/xacro\"><xacro:macro name=\"part\" params=\"prefix size:=2 "
+        "*origin\">"
+        "<link name=\"${prefix}link\"><visual><xacro:insert_block name=\"origin\"/><geometry>"
+        "<sphere radius=\"${size * 0.25 + radians(180) - "
+        "pi}\"/></geometry></visual></link></xacro:macro></robot>");
+  write("arm.xacro",
+        "<robot name=\"a\" xmlns:xacro=\"http://ros.org/wiki/xacro\"><xacro:arg name=\"side\" "
+        "default=\"left\"/>"
+        "<xacro:include filename=\"part.xacro\"/><xacro:property name=\"l\" "
+        "value=\"${load_yaml('limits.yaml')}\"/>"
+        "<xacro:part prefix=\"$(arg side)_\"><origin xyz=\"${-(1+2)/4} 0 ${l['lift']['upper']}\" "
+        "rpy=\"0 0 ${l['lift']['upper']}\"/></xacro:part>"
+        "<xacro:if value=\"${'$(arg side)' == 'right'}\"><link name=\"only_right\"/></xacro:if></robot>");
+  const std::string left = expandXacro(folder_ / "arm.xacro");
+  EXPECT_NE(left.find("<link name=\"left_link\">"), std::string::npos) << left;
+  EXPECT_NE(left.find("<origin xyz=\"-0.75 0 3.1415926535897931\" rpy=\"0 0 3.1415926535897931\""),
+            std::string::npos)
+      << left;
+  EXPECT_NE(left.find("<sphere radius=\"0.5\""), std::string::npos) << left;
+  EXPECT_EQ(left.find("only_right"), std::string::npos);
+  EXPECT_EQ(left.find("xacro"), std::string::npos);
+  write("bad.xacro", "<robot xmlns:xacro=\"x\">\n<xacro:call macro=\"part\"/></robot>");
+  try {
+    expandXacro(folder_ / "bad.xacro");
+    FAIL();
+  } catch (const InvalidConfig& error) {
+    EXPECT_NE(std::string(error.what()).find("bad.xacro, line 2: <xacro:call> is not understood"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace lamina

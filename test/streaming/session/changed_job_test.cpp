@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "streaming/session/scripted_peer.hpp"
+
+namespace lamina {
+namespace {
+
+using test::ScriptedPeer;
+
+TEST_F(ScriptedPeer, ChangesTheJobBetweenTwoLinesWithoutANumber) {
+  Streamer streamer(program_, settings());
+  EXPECT_EQ(streamer.change({LiveSetting::Feed, 50.0}, 0.0), kNoJobToChange);
+  begin(streamer);
+  streamer.takeOutput();
+  EXPECT_EQ(streamer.change({LiveSetting::Feed, 50.0}, 0.1), "");
+  EXPECT_EQ(streamer.change({LiveSetting::Babystep, -0.05}, 0.1), "");
+  streamer.receive("ok\nok\nok\n", 0.2);
+  EXPECT_EQ(streamer.takeOutput(), "") << "one line is still under way";
+  streamer.receive("ok\n", 0.3);
+  EXPECT_EQ(streamer.takeOutput(), "M220 S50\n");
+  streamer.receive("ok\n", 0.4);
+  EXPECT_EQ(streamer.takeOutput(), "M290 Z-0.05\n");
+  EXPECT_EQ(streamer.status().lines_acknowledged, 4U);
+  streamer.receive("ok\n", 0.5);
+  EXPECT_EQ(streamer.takeOutput(), line(5) + line(6) + line(7) + line(8));
+  EXPECT_EQ(streamer.status().lines_acknowledged, 4U) << "a change is no line of the program";
+}
+
+TEST_F(ScriptedPeer, RefusesByNameWhatTheFirmwareHasNot) {
+  Streamer streamer(program_, settings());
+  begin(streamer);
+  EXPECT_EQ(streamer.change({LiveSetting::Spindle, 50.0}, 0.1), "this firmware has no spindle");
+  EXPECT_EQ(streamer.change({LiveSetting::Rapid, 50.0}, 0.1), "this firmware has no rapid");
+}
+
+TEST_F(ScriptedPeer, AsksWhichLineTheMachineHasWhereAChangeIsNotAnswered) {
+  Streamer streamer(program_, settings());
+  begin(streamer);
+  streamer.takeOutput();
+  streamer.receive("ok\nok\nok\nok\n", 0.1);
+  streamer.takeOutput();
+  EXPECT_EQ(streamer.change({LiveSetting::CancelPart, 2.0}, 0.2), "");
+  streamer.receive("ok\nok\nok\nok\n", 0.3);
+  EXPECT_EQ(streamer.takeOutput(), "M486 P2\n");
+  streamer.elapse(2.9);
+  EXPECT_EQ(streamer.takeOutput(), frameLine(10, "M105"));
+  EXPECT_EQ(streamer.status().message, "no answer to M486 P2, which may not have been done");
+  streamer.receive("Resend: 9\nok\n", 3.0);
+  EXPECT_EQ(streamer.takeOutput(), line(9) + line(10));
+}
+
+TEST_F(ScriptedPeer, PausesOnceInFrontOfALayer) {
+  const auto program =
+      StreamableProgram::fromText("layers", ";LAYER:0\nG1 X1\nG1 X2\n;LAYER:1\nG1 X3\nG1 X4\n");
+  StreamSettings one = settings();
+  one.window_lines = 1;
+  Streamer streamer(program, one);
+  begin(streamer);
+  EXPECT_EQ(streamer.takeOutput(), line(1));
+  EXPECT_EQ(streamer.change({LiveSetting::PauseAtLayer, 1.0}, 0.1), "");
+  streamer.receive("ok\n", 0.2);
+  EXPECT_EQ(streamer.takeOutput(), line(2));
+  streamer.receive("ok\n", 0.3);
+  EXPECT_EQ(streamer.takeOutput(), "");
+  EXPECT_EQ(streamer.status().state, PackmlState::Held);
+  EXPECT_TRUE(streamer.resume(9.0));
+  EXPECT_EQ(streamer.takeOutput(), line(3));
+  streamer.receive("ok\n", 9.1);
+  EXPECT_EQ(streamer.takeOutput(), line(4));
+}
+
+}  // namespace
+}  // namespace lamina
