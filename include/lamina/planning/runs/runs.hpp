@@ -11,10 +11,10 @@
 namespace lamina {
 
 /// Lets closed runs start elsewhere from layer to layer, so that starts do not stand above each other. The
-/// start of a run that is one closed path moves along the run, in layer i by the share frac(first + 0.618034
-/// i) of its length (golden) or frac(first + i / 2) (opposite). Travels lead to the new starts, with the
-/// nozzle turned as it is there. Runs that follow others without a travel, and paths with events within them,
-/// keep their starts.
+/// start of a run that is one closed path moves along the run, in layer i by a share of its length:
+/// frac(first + 0.618034 i) (golden) or frac(first + i / 2) (opposite). Travels lead to the new starts, with
+/// the nozzle turned as it is there. Runs that follow others without a travel, and paths with events within
+/// them, keep their starts.
 /// @return how many start elsewhere
 std::size_t spreadStarts(Toolpath& toolpath, const StartSettings& settings);
 
