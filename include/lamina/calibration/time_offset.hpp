@@ -23,8 +23,9 @@ struct TimeOffset {
 };
 
 /// The time offset of a sensor that bobs over a flat place: the lag at which the mean depth of the profiles
-/// agrees best with the nozzle's height, both without their mean over 2 s, every millisecond, refined by a
-/// parabola. Knows nothing of where the sensor sits, but that it looks along the nozzle.
+/// agrees best with the nozzle's height, each less its mean over 2 s. Lags are tried every millisecond, and
+/// the best one is refined by a parabola. The place of the sensor need not be known; it must look along the
+/// nozzle.
 ///
 /// @param search_s  greatest offset looked for, either way; positive
 /// @throws InvalidInput if the recording is shorter than 4 s or longer than 600 s, the nozzle moves less than
@@ -39,11 +40,12 @@ struct PassComparison {
   Eigen::Isometry3d nozzle_from_sensor = Eigen::Isometry3d::Identity();  ///< about [mm]
 };
 
-/// The time offset of a sensor that is led over the same ground in opposite senses, over an edge there and
-/// back, or in swaths that overlap: what both see is apart by twice speed times offset. Passes are found in
-/// the motion itself, where something is seen within the search: straight, level, at the usual speed; so a
-/// print with scans will do. A turn of the sensor's line about the viewing direction shifts swaths that
-/// overlap by their edges as well; it cancels between neighbours to the left and to the right.
+/// The time offset of a sensor that is led over the same ground in opposite senses: over an edge there and
+/// back, or in swaths that overlap. What the two passes see is apart by twice speed times offset. Passes are
+/// found in the motion itself, as straight and level pieces at the usual speed, where something is seen
+/// within the search. A print with scans will therefore do. A turn of the sensor's line about the viewing
+/// direction shifts swaths that overlap by their edges as well; it cancels between neighbours to the left and
+/// to the right.
 ///
 /// @throws InvalidInput if there are no two passes in opposite senses that see the same ground, it is too
 ///   even to tell, or the best offset lies at the end of the search

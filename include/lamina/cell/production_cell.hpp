@@ -40,7 +40,7 @@ enum class ExecutionStart : std::uint8_t {
 struct StartOrder {
   std::string program;
   ExecutionStart start = ExecutionStart::Anew;
-  std::uint64_t order = 0;  ///< that its reports are to name, from 1; 0 in them: not ordered here
+  std::uint64_t order = 0;  ///< number that its reports name, from 1; 0 in a report: not ordered here
   std::string execution;    ///< names this execution of the job, in this journal and in every other
 };
 
@@ -51,16 +51,15 @@ struct ExecutorReport {
   std::string program;      ///< path of the job's program
   std::uint64_t lines = 0;
   ExecutionProgress progress;
-  int alarm = 0;        ///< why the job ended, an ID of the table; 0 if it was asked to, or has not
+  int alarm = 0;        ///< ID of the alarm that ended the job; 0 if none did, or it has not ended
   std::string failure;  ///< the same in a sentence
 };
 
-/// What moves the machine, as the cell orders it about. Orders return at once; what becomes of them is seen
-/// in reports.
+/// Moves the machine by orders of the cell. Orders return at once; reports show what became of them.
 class Executor {
  public:
   virtual ~Executor() = default;
-  /// What was complete already, as the executor itself has recorded of this execution, is reported as done.
+  /// An execution that is complete by the executor's own record is reported as done.
   virtual void start(const StartOrder& order) = 0;
   virtual void pause() = 0;
   virtual void resume() = 0;
@@ -91,10 +90,10 @@ struct CellParts {
 /// A cell at work: the unit, its journal and one executor. Commands, reports and times come in; orders to the
 /// executor, rows of the journal and the unit's status come out.
 ///
-/// A change is written into the journal before it is acted upon; what stops is acted upon first. A journal
-/// that cannot be written raises 7003; a job that is done stays in Completing until its end is written. After
-/// a restart, a job that the executor still runs is adopted; one that was cut off waits in Aborted for Clear,
-/// Reset, and a Start that says what to do with it.
+/// A change is written into the journal before it is acted upon, but commands that stop are acted upon first.
+/// A journal that cannot be written raises 7003; a job that is done stays in Completing until its end is
+/// written. After a restart, a job that the executor still runs is adopted; one that was cut off waits in
+/// Aborted for Clear, Reset, and a Start that says what to do with it.
 class ProductionCell {
  public:
   /// @param seen  what the executor says just now; nothing if it does not answer

@@ -83,8 +83,8 @@ struct UnitStatus {
 };
 
 /// The unit of a cell: takes commands, alarms and completed states with the time they came at, and says what
-/// has changed. It moves nothing by itself: whoever drives it reads the changes and orders the executors
-/// about.
+/// has changed. It moves nothing by itself: whoever drives it reads the changes and gives orders to the
+/// executors.
 class UnitMachine {
  public:
   /// @param first  Aborted if a job was cut off, else Stopped
@@ -110,9 +110,9 @@ class UnitMachine {
   /// to Stopping.
   void complete(UnitState state, double now_s);
 
-  /// Raises an alarm and does what its category asks, as far as state and mode have it: Suspend becomes Hold,
-  /// and Hold becomes Stop, where the unit is on its way and cannot do the milder.
-  /// @return false for a repetition within a second, which is counted and not to be told again
+  /// Raises an alarm and follows the command of its category. If the unit is on its way and its state or mode
+  /// lacks that command, Suspend becomes Hold, and Hold becomes Stop.
+  /// @return false for a repetition within a second, which is counted but not to be reported
   /// @throws InvalidInput if the table has no alarm of that ID
   bool raise(int alarm, double value, const std::string& message, double now_s);
 

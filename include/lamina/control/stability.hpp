@@ -77,10 +77,10 @@ struct StabilityReport {
 };
 
 /// Checks all conditions of stability before the loop may start, and again when the gain has changed
-/// (`needsNewCheck`): that calibrations exist; bounds of the gain times the gain ratio, with lag of the part
-/// that prediction gets wrong; of the trim; of the low-pass, against 1.5 place errors, half a bead's width
-/// and two cells; and that no wave grows by more than half a percent per layer. A low-pass that is too narrow
-/// is refused, or raised if the settings say so.
+/// (`needsNewCheck`): that calibrations exist; that the gain times the gain ratio is within its bounds, as is
+/// the part of it that prediction gets wrong, with its lag; that the trim is within its bound; that the
+/// low-pass is at least 1.5 place errors, half a bead's width and two cells; and that no wave grows by more
+/// than half a percent per layer. A low-pass that is too narrow is refused, or raised if the settings say so.
 StabilityReport checkStability(const LoopSettings& settings, const LoopCalibration& calibration);
 
 /// Whether the gain has changed since the check by more than a fifth, so that it has to be repeated.

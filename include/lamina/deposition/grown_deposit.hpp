@@ -12,7 +12,7 @@
 
 namespace lamina {
 
-/// What of a process that grows otherwise than commanded a machine cannot tell from its motions.
+/// Properties of a process that grows otherwise than commanded, which a machine cannot tell from its motions.
 struct GrownDepositSettings {
   double bead_width_mm = 0.0;  ///< over which a bead grows; 0 for that of the first bead
   int layers = 100;            ///< of the job, over which the gain wears
@@ -36,12 +36,12 @@ struct GrownPiece {
 /// All layers count as planned as high as the first one, which stands for what is commanded without
 /// correction.
 ///
-/// A bead is as high all across: where it reaches out over what it stands on, it bridges the gap below. What
-/// its own layer has laid before it grows further where they cross.
+/// A bead has the same height all across its width: where it reaches beyond what it stands on, it bridges the
+/// gap below. Where a bead crosses an earlier one of its own layer, the earlier one grows further.
 ///
-/// A bead stands once it has ended, because its ends and the levelling depend on all of it. The feeder's
-/// dead time and lag act on the cross-section commanded by machine time; it is kept between beads. The same
-/// motions give the same heights. Cost is proportional to the cells that beads cover.
+/// A bead is laid only once it has ended, because its ends and the levelling depend on all of it. The
+/// feeder's dead time and lag act on the cross-section commanded by machine time; it is kept between beads.
+/// The same motions give the same heights. Cost is proportional to the cells that beads cover.
 class GrownDeposit {
  public:
   /// @param ground  known in all its cells

@@ -24,23 +24,24 @@ struct PathPlace {
 
 /// How the nozzle's reported positions are taken for places on a toolpath.
 struct FollowingSettings {
-  double tolerance_mm = 0.15;     ///< farther off the toolpath the nozzle is not on it
+  double tolerance_mm = 0.15;     ///< greatest distance of the nozzle from the toolpath to be on it
   double look_ahead_mm = 1000.0;  ///< of the toolpath, from one report to the next
 };
 
 /// Adds the keys following.tolerance_mm and following.look_ahead_mm.
 void describe(SettingsSchema& schema, FollowingSettings& settings);
 
-/// Derives how far along a toolpath the nozzle is from its reported positions: it never goes back, and all
-/// that lies between two places has been run.
+/// Derives from reported positions how far along a toolpath the nozzle is. The place never goes back, and all
+/// motions between two places count as run.
 ///
-/// A position is taken for the nearest place of the first stretch ahead that passes within the tolerance. It
-/// counts at once if the way there along the toolpath is that of the nozzle, as it is where reports are dense
-/// or include every corner. Else it is a guess, which counts once `kSureOnTheWay` reports in a row went on
-/// from it like this, or `kSureAhead` found places ahead however far, each a tolerance apart at least: so
-/// neither a crossing, a neighbouring line, a stray report nor a motion that is not of the toolpath leads
-/// ahead. Positions off the toolpath change nothing. Until the nozzle was found for the first time only what
-/// deposits counts: the way to the start may lead along travels of layers to come.
+/// A position is taken for the nearest place of the first stretch ahead that passes within the tolerance. The
+/// place counts at once if the nozzle has come there along the toolpath, as it does where reports are dense
+/// or include every corner. Otherwise the place is a guess. A guess counts once `kSureOnTheWay` reports in a
+/// row have gone on from it along the toolpath. It also counts once `kSureAhead` reports in a row were found
+/// at places ahead, however far, each at least a tolerance apart. So no crossing, neighbouring line, stray
+/// report or foreign motion leads ahead. Positions off the toolpath change nothing. Until the nozzle was
+/// found for the first time, only paths that deposit count, because the way to the start may lead along
+/// travels of later layers.
 ///
 /// Cost of a report is that of the motions up to its place; off the toolpath, of those within the look-ahead.
 class PathFollower {
@@ -52,8 +53,8 @@ class PathFollower {
   /// @throws InvalidInput as `validate`
   PathFollower(const Toolpath& toolpath, const FollowingSettings& settings);
 
-  /// The nozzle is somewhere behind the beginning of a path, or on it: it is looked for that far ahead until
-  /// it is found.
+  /// States that the nozzle is at the beginning of a path or after it. The nozzle is looked for that far
+  /// ahead until it is found.
   /// @param path  counted through all layers; as many as there are for the end
   void begin(std::size_t path, double look_ahead_mm);
 

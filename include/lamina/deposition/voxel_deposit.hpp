@@ -42,10 +42,10 @@ enum class TopHeights { None, Kept };
 
 /// Lays motions of a nozzle into voxels, one after the other, so that what is deposited is what was extruded
 /// (the deposition of VOLCO [Gleadall2018]). The nozzle halts every 0.51 radii of the strand
-/// (`deposition.step`); at each halt the portion extruded since goes into the open voxels nearest to a point
-/// one radius along the tool axis from the tip, but none before the plane through the tip square to the tool
-/// axis, none below the bed and none into a voxel that is solid already. So strands are round in the air,
-/// flat under the nozzle and on the bed, and material spreads where strands cross.
+/// (`deposition.step`); at each halt the portion extruded since the last one goes into the open voxels
+/// nearest to a point one radius along the tool axis from the tip. Nothing goes before the plane through the
+/// tip square to the tool axis, below the bed, or into a voxel that is solid already. So strands are round in
+/// the air, flat under the nozzle and on the bed, and material spreads where strands cross.
 ///
 /// What is left of a portion after whole voxels is held for the next one: model and extruded volume differ by
 /// less than a voxel. Material that finds no room within `deposition.reach_mm` is not deposited later: it
@@ -53,9 +53,9 @@ enum class TopHeights { None, Kept };
 /// counts as outside. Voxels at the same distance take turns from portion to portion, by sides of the strand;
 /// so the result depends on the motions and their order alone.
 ///
-/// Cost is proportional to the voxels deposited, plus the shell around a full place where material has to go
-/// far. Memory is that of the grid (`VoxelGrid`: bricks where something lies), 4 bytes a column if tops are
-/// kept.
+/// Cost is proportional to the voxels deposited. Where material has to go far, the shell around the full
+/// place adds to it. Memory is that of the grid (`VoxelGrid`: bricks where something lies), 4 bytes a column
+/// if tops are kept.
 class VoxelDeposit {
  public:
   static constexpr double kThickestStrand = 20.0;  ///< radius of a strand [mm]

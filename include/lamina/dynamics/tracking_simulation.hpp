@@ -12,7 +12,7 @@ namespace lamina {
 /// How a platform under its controller is simulated.
 struct TrackingSettings {
   PlatformInertia inertia;       ///< what the controller computes with
-  double unknown_load_kg = 0.0;  ///< on the platform's centre of mass besides, which it does not know
+  double unknown_load_kg = 0.0;  ///< further load on its centre of mass, not known to it
   SlidingModeGains gains;
   double step_s = 1e-3;  ///< of the integration, a Runge-Kutta of order 4
 };
@@ -52,7 +52,8 @@ class TrackingSimulation {
   TrackingSimulation(const TrackingReference& reference, const RusPlatform& platform, const Point3& tip_mm,
                      const TrackingSettings& settings);
 
-  /// At rest with these cranks instead of the reference's first, the integrals at zero.
+  /// Starts at rest, with these angles of the cranks instead of the reference's first ones, and with the
+  /// integrals at zero.
   /// @throws Unreachable as `poseFromHome`
   void startAt(const CrankAngles& cranks);
 
@@ -84,7 +85,7 @@ class TrackingSimulation {
   TrackingFigures report_;
 };
 
-/// The whole of a reference.
+/// Simulates the whole of a reference.
 /// @throws Cancelled; Unreachable, InvalidConfig as above
 TrackingFigures simulateTracking(TrackingSimulation simulation, Progress& progress);
 

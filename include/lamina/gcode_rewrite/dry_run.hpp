@@ -36,17 +36,17 @@ struct DryRunReport {
 
 struct GcodeWordText;
 
-/// Makes a program of G-code one that moves as the program does, with nothing of its process: no word of an
-/// extruder, no heater, no wait for one, no fan, laser, spindle, coolant, change of tool or retraction by the
-/// firmware. What switches off stays, and what switches a laser or spindle on switches it off. Only commands
-/// that are known to switch nothing on are kept, so that a macro of which nobody knows what it does is left
-/// out or refused. Modal feeds stay, also those of motions of the extruder alone.
+/// Turns a program of G-code into one with the same motions and without the process: no word of an extruder,
+/// no heater, no wait for one, no fan, laser, spindle, coolant, change of tool or retraction by the firmware.
+/// What switches off stays, and what switches a laser or spindle on switches it off. Only commands that are
+/// known to switch nothing on are kept; a macro of unknown effect is left out or refused. Modal feeds stay,
+/// also those of motions of the extruder alone.
 class DryRun {
  public:
   /// @throws InvalidConfig naming key, value and bound
   explicit DryRun(const DryRunSettings& settings);
 
-  /// A line as it is run; nothing where nothing of it is left. Comments stay.
+  /// The line to be run instead; nothing if all of it was taken out. Comments stay.
   /// @throws InvalidProgram naming the line if a motion cannot be read, a G code is not known (which may
   ///   change how the next motions are read), S stands in a motion where it may be a homing one, or a command
   ///   is not known that is to be refused

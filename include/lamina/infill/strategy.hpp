@@ -19,7 +19,7 @@ namespace lamina {
 /// In which order the lines of a solid zigzag are laid.
 enum class LineAdvance {
   Shortest,  ///< for short travels
-  OneSense,  ///< each after those beside it on the one side, so that none is laid between two laid before it
+  OneSense,  ///< each after its neighbours on one side, so that none is laid between two earlier ones
 };
 
 /// What a fill strategy is asked for.
@@ -45,16 +45,16 @@ struct InfillRequest {
 bool isSolid(const InfillRequest& request);
 
 /// How far lines that end beside each other may be joined along the border, in steps between neighbouring
-/// lines; negative if they may not. Of a solid fill always 3: a longer link would lay a bead where none was
+/// lines; negative if they may not. Always 3 for a solid fill: a longer link would lay a bead where none was
 /// asked for.
 double longestLink(const InfillRequest& request, double step_mm);
 
-/// Of the layer [mm], along its normal from the part's origin.
+/// Height of the layer [mm], along its normal from the part's origin.
 double heightOf(const InfillRequest& request);
 
-/// Covers regions with beads, or drops: the centre lines of beads of the nominal width keep half a pitch from
-/// the border, those of others half their width. No region gives no path. The same regions give the same
-/// paths.
+/// Covers regions with beads, or drops: centre lines keep half a pitch from the border if their beads have
+/// the nominal width, else half the width of the bead. No region gives no path. The same regions give the
+/// same paths.
 using FillFunction =
     std::function<std::vector<FillPath>(const Regions& regions, const InfillRequest& request)>;
 
@@ -80,7 +80,7 @@ enum class FillGrowth {
 /// Whether the ends of a fill run into the walls around it.
 enum class WallContact {
   Overlapping,  ///< by `infill.wall_overlap`
-  Fitted,       ///< so if the fill is sparse; a solid one is as wide as its place
+  Fitted,       ///< overlapping if sparse; a solid fill is as wide as its place
   Beside,
 };
 
@@ -95,8 +95,8 @@ struct InfillStrategy {
   /// at others as much less.
   double crossing = 0.0;
   FillGrowth growth = FillGrowth::Alone;
-  /// Directions of its lines against `infill.angle_deg` [deg], where they are the same in all layers; none of
-  /// a fill that turns with the request.
+  /// Directions of its lines against `infill.angle_deg` [deg] if they are the same in all layers; empty for a
+  /// fill that turns with the request.
   std::vector<double> fixed_lines_deg = {};
 };
 

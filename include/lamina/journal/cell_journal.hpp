@@ -107,8 +107,8 @@ struct AuditRow {
 };
 
 /// The journal of a cell: jobs, executions, what happened, who asked for what. A database file (SQLite) of
-/// one process and thread; readers beside it may open it for reading. Every call that changes something
-/// returns when that is on the disk, so that nothing that was answered is lost by a kill or a power cut.
+/// one process and thread; readers beside it may open it for reading. Every call that makes a change returns
+/// once the change is on the disk. A kill or a power cut therefore loses no change whose call has returned.
 ///
 /// A job that is in the queue is never lost, and an execution is begun once: `begin` of a job that runs is
 /// refused.
@@ -144,11 +144,10 @@ class CellJournal {
   void revoke(std::int64_t id, const std::string& by, double time_s);
   /// Before all others of the queue.
   void moveToFront(std::int64_t id, const std::string& by, double time_s);
-  /// Takes a job out of the queue that does not run. What it did stays.
+  /// Takes a job that does not run out of the queue. Its executions stay in the journal.
   void remove(std::int64_t id, const std::string& by, double time_s);
 
-  /// Begins an execution of a job that is allowed to start. One that was interrupted is gone on with
-  /// (`goOn`).
+  /// Begins an execution of a job that is allowed to start. An interrupted execution is continued by `goOn`.
   /// @throws InvalidInput in any other state
   std::int64_t begin(std::int64_t job, const std::string& by, double time_s);
   void setProgress(std::int64_t execution, const ExecutionProgress& progress, double time_s);
@@ -162,7 +161,7 @@ class CellJournal {
 
   void add(const TransitionRow& row);
   void add(const AlarmRow& row);
-  /// Of all rows of that alarm that wait for it.
+  /// Acknowledges all rows of that alarm that wait for it.
   void acknowledgeAlarm(int alarm, const std::string& by, double time_s);
   void endAlarm(int alarm, double time_s);
   std::vector<TransitionRow> transitions(std::size_t most) const;  ///< the last, oldest first
@@ -177,7 +176,7 @@ class CellJournal {
   /// The first row of the audit whose digest is not its own, counted from 1; nothing if the chain is whole.
   std::optional<std::int64_t> firstBadAudit() const;
 
-  /// Keeps all that the calls within change, or none of it.
+  /// Makes all changes of the calls within, or none of them.
   void together(const std::function<void()>& changes);
 
   /// Copies the journal as it is now, whole, under another name.

@@ -30,11 +30,11 @@ struct PlcOrder {
   std::uint16_t sequence = 0;
 };
 
-/// Whether the cell says how the unit is.
+/// Whether the cell reports the state of the unit.
 enum class UnitPresence : std::uint8_t { Lost, Present };
 
-/// The PLC's end of the unit: answers requests from the registers, and finds in them what is asked for. Takes
-/// requests and times, gives answers and orders; no network.
+/// The unit as the PLC sees it: answers requests from the registers, and finds orders in them. Takes requests
+/// and times, gives answers and orders; no network.
 ///
 /// A command is taken once, when its sequence changes to a value other than 0. One connection writes: the
 /// first that does, until it is closed or the watchdog is lost; others are answered ServerBusy, but for Stop,
@@ -56,9 +56,9 @@ class PlcLink {
   /// Hold and Abort are answered Busy.
   void setPresence(UnitPresence presence, double now_s);
 
-  /// The orders since the last call, oldest first. What cannot be followed was answered and is not among
-  /// them: commands while remote access is locked, or while the watchdog is lost, but for Stop, Hold and
-  /// Abort.
+  /// The orders since the last call, oldest first. Commands that cannot be followed were answered and are not
+  /// among them. While remote access is locked or the watchdog is lost, these are all commands except Stop,
+  /// Hold and Abort.
   std::vector<PlcOrder> takeOrders();
 
   /// Tells the PLC what became of a command. What became of other orders is seen in the status.
@@ -70,10 +70,11 @@ class PlcLink {
 
   bool isAlive() const { return watchdog_ == PlcHeartbeat::Good; }
 
-  /// How often the PLC has said something new of its surroundings: interlocks, plate, speed, badge.
+  /// Number of times that the PLC has reported a change of its surroundings: interlocks, plate, speed, badge.
   std::uint32_t news() const { return news_; }
 
-  /// True once the PLC has written the register of its plate: what stands in it before is nobody's word.
+  /// True once the PLC has written the register of its plate; until then the content of the register means
+  /// nothing.
   bool isPlateTold() const { return is_plate_told_; }
 
   /// As written last.

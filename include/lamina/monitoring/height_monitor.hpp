@@ -45,7 +45,7 @@ struct LayerHeightReport {
   std::size_t profiles = 0;  ///< of its scan
 };
 
-/// What is known at once of layers that are done, in the order of the layers.
+/// Reports of layers that turn out to be done at the same time, in the order of the layers.
 using LayerHeightReports = std::vector<LayerHeightReport>;
 
 /// Follows one print: fuses profiles into a surface, attributes those of scan passes to layers, and compares
@@ -57,8 +57,8 @@ class HeightMonitor {
  public:
   /// Maps and heights are those of `heightsFromPart`.
   /// @param bed_from_part translation [mm]
-  /// @throws InvalidInput if the toolpath deposits nothing or is too large for the cell size; names one that
-  /// fits
+  /// @throws InvalidInput if the toolpath deposits nothing or is too large for the cell size, naming a size
+  ///   that fits
   HeightMonitor(Toolpath toolpath, const Eigen::Isometry3d& bed_from_part, const MonitorSettings& settings);
 
   /// Height of a place over the bed [mm], along the layers' normal.
@@ -75,13 +75,13 @@ class HeightMonitor {
   /// @return reports of layers that are now known to have been missed
   LayerHeightReports add(const std::vector<Point3>& points);
 
-  /// Both: a profile and where the nozzle tip was.
+  /// Both calls: `move` to the height where the nozzle tip was, then `add` the profile.
   LayerHeightReports insert(const std::vector<Point3>& points, double nozzle_height);
 
   /// Ends the scan under way, if there is one, though the nozzle may still be at its height.
   LayerHeightReports closeScan(LayerSight sight);
 
-  /// The print is over: the same, and all layers that were printed and not reported were missed.
+  /// Ends the print: ends the scan under way, and reports printed layers without a report as missed.
   LayerHeightReports finish();
 
   const MeasuredSurface& measured() const { return measured_; }
@@ -89,8 +89,8 @@ class HeightMonitor {
   const HeightMap& deviation() const { return deviation_; }
   const Toolpath& toolpath() const { return toolpath_; }
 
-  /// Cells seen in the scan under way; 0 if there is none. A scan that sees no further ones has come to its
-  /// end.
+  /// Cells seen in the scan under way; 0 if there is none. A scan in which this number no longer grows has
+  /// come to its end.
   std::size_t cellsInScan() const { return cells_in_scan_; }
   bool isScanning() const { return scanned_.has_value(); }
 

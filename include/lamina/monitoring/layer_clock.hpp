@@ -12,12 +12,12 @@
 namespace lamina {
 
 /// Frame in which the heights of a toolpath's layers are measured: that of the bed where they are level on
-/// it; else that of the layers, whose z is their normal and whose origin is the part's. A belt, with which
-/// the bed goes along, is no other case.
+/// it; else that of the layers, whose z is their normal and whose origin is the part's. A belt is no
+/// exception, since the bed moves along with it.
 /// @param bed_from_part  translation [mm]
 Eigen::Isometry3d heightsFromPart(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part);
 
-/// Reports from the heights the nozzle passes through which layer is being scanned. Only layers of the
+/// Finds the layer that is being scanned from the heights that the nozzle passes through. Only layers of the
 /// toolpath that have a scan pass count, each once and in ascending order.
 class LayerClock {
  public:
@@ -25,17 +25,18 @@ class LayerClock {
   /// @param clearance_mm   that the scan passes were planned with
   LayerClock(const Toolpath& toolpath, const Eigen::Isometry3d& heights_from_part, double clearance_mm);
 
-  /// The layer being scanned while the nozzle is at that height [mm, along the layers' normal], if one is:
-  /// its scan height must be within a quarter of its layer height and the same as at the observation before,
-  /// and it must be the next one to be scanned or the one that the nozzle was last seen to print. So a nozzle
-  /// on its way through other heights, or parked at one of them, scans nothing. A layer whose scan height the
-  /// nozzle has left is done with if it was seen.
+  /// The layer being scanned while the nozzle is at that height [mm, along the layers' normal]; nothing if
+  /// there is none. The nozzle must be at the layer's scan height within a quarter of its layer height, and
+  /// at the same height as at the observation before. The layer must be the next one to be scanned, or the
+  /// one that the nozzle was last seen to print. So a nozzle on its way through other heights, or parked at
+  /// one of them, scans nothing. Once the nozzle has left the scan height of a layer that was seen, that
+  /// layer is finished.
   std::optional<std::size_t> observe(double nozzle_height_mm);
 
   /// A profile shows the layer being scanned. Does nothing if none is.
   void see() { is_seen_ = scanned_.has_value(); }
 
-  /// Takes the layer being scanned, if one was seen, to be done with, though the nozzle may still be at its
+  /// Takes the layer being scanned to be finished if it was seen, though the nozzle may still be at its
   /// height.
   void finish();
 

@@ -37,7 +37,7 @@ struct SurrogateSearchSettings {
   Proposal proposal = Proposal::Predicted;
   FailedProposal failed_proposal = FailedProposal::Avoid;
   int iterations = 4;        ///< at least, unless a proposed point is a sample already
-  int most_iterations = 20;  ///< goes on so long until one is accepted, or little improvement is expected
+  int most_iterations = 20;  ///< ends before if a point is accepted, or little improvement is expected
   double accepted_mape_percent = 5.0;
   double least_improvement_percent = 0.1;  ///< ExpectedImprovement: of the best fitness; stops below
   /// Share of a continuous variable's range within which two points count as one.

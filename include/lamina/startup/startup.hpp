@@ -17,10 +17,11 @@ namespace lamina {
 /// replies of the machine, commands sent to it and times go in; G-code to send and the states of the steps
 /// come out. Times are machine times [s] since any start and never go back.
 ///
-/// Life of a step: Pending; `begin` or `confirm`, refused unless all that must come before it is satisfied;
-/// Running, while `nextCode` is sent and `onCodeFinished` reported; Done or Failed. What is lost afterwards
-/// (a cold bed, motors that were switched off, a zone that leaks, pellets that are dry no more) makes it
-/// Pending again, and with it whatever rests on it.
+/// A step is Pending at first. `begin` or `confirm` starts it, and is refused unless all that must come
+/// before the step is satisfied. The step is then Running, while `nextCode` is sent and `onCodeFinished`
+/// reported, and ends Done or Failed. If its result is lost afterwards (a cold bed, motors that were switched
+/// off, a zone that leaks, pellets that are no longer dry), it is Pending again, and so is every step that
+/// rests on it.
 ///
 /// Nothing is carried over from an earlier run: a Startup begins with every step Pending.
 class Startup {
@@ -49,8 +50,8 @@ class Startup {
 
   /// Begins a step that the machine does.
   /// @throws InvalidInput if the step is not in the sequence
-  /// @throws Rejected if it is done by the operator, is running, something must come before it, or it is done
-  /// and something that rests on it too
+  /// @throws Rejected if the operator does the step, it is running, something must come before it, or it is
+  ///   done and so is a step that rests on it
   void begin(StartupStep step, double now_s);
   /// The operator has done a step, or has begun one that takes time (the dryer, the bed).
   /// @throws InvalidInput, Rejected as `begin`; Rejected if the machine does the step
@@ -74,7 +75,8 @@ class Startup {
   void onReply(const FirmwareReply& reply, double now_s);
   /// A command was sent to the machine, by whomever.
   void onCommandSent(const std::string& command);
-  /// The machine was reset or halted, or cannot be reached: what it knew is not known any more.
+  /// States that the machine was reset or halted, or cannot be reached: nothing is known of its state any
+  /// more.
   void forgetMachine(const std::string& why);
   /// Time has passed: what is waited for may be over, what was done may be lost.
   void elapse(double now_s);

@@ -12,12 +12,13 @@
 
 namespace lamina {
 
-/// Who may move a machine by hand: one at a time, and only for as long as it says so again and again.
+/// The right to move a machine by hand. It has one holder at a time, who keeps it only by renewing it again
+/// and again.
 class JogLease {
  public:
   explicit JogLease(double lease_s) : lease_s_(lease_s) {}
 
-  /// Takes the lease, if nobody else holds it, or holds it for longer.
+  /// Takes the lease if nobody else holds it, or prolongs it for its holder.
   /// @return why not, in words; empty if it is held now
   std::string renew(const std::string& holder, double now_s);
   /// Empty if nobody holds it.
@@ -50,10 +51,10 @@ using JogGuard = std::function<std::string(const std::vector<JointValues>&)>;
 /// The time by the clock of a jog [s], also while an order is worked out.
 using JogClock = std::function<double()>;
 
-/// Moves joints by hand: each order goes on from the motion under way, with the joints' accelerations
-/// bounded, for the time of the lease, and then to rest. What is planned always ends at rest, so that the
-/// motion ends by itself, smoothly, when no further order comes, wherever the link between them breaks.
-/// Deterministic: all times are of the caller's clock.
+/// Moves joints by hand. Each order continues the motion under way for the time of the lease, and then brings
+/// it to rest, with bounded accelerations of the joints. Every planned motion ends at rest. If no further
+/// order comes, because some link is broken, the motion therefore ends smoothly by itself. Deterministic: all
+/// times are of the caller's clock.
 class Jog {
  public:
   /// At rest at time 0. The model must outlive it.
@@ -61,10 +62,11 @@ class Jog {
   /// @throws InvalidConfig naming key, value and bound; so if the lease ends before anything could move
   Jog(const KinematicModel& model, const JogSettings& settings, double ramp_s, const JointValues& start);
 
-  /// Plans on from the first point that can still change. Of an order that the limits do not allow that share
-  /// is done which they do, in its direction; braking in time for the limits of joints, singularities, the
-  /// workspace and what the guard says. An order that cannot be done at all brakes. One that is worked out
-  /// only when its first point is past changes nothing: what is under way goes on to rest by itself.
+  /// Plans on from the first point that can still change. If the limits do not allow an order, the share of
+  /// it that they allow is done, in the same direction. The motion brakes in time for the limits of joints,
+  /// for singularities, for the workspace and for the guard. An order that cannot be done at all brakes. An
+  /// order that is worked out only after its first point has passed changes nothing: the motion under way
+  /// goes on to rest by itself.
   /// @param clock  none for orders that take no time to work out
   /// @throws InvalidInput if values are not finite or not those of the model, or the machine cannot move its
   ///   nozzle so; the motion brakes

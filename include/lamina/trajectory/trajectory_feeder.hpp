@@ -14,8 +14,8 @@
 
 namespace lamina {
 
-/// Consecutive points of a trajectory, at times of the job. The first one is where it joins what was handed
-/// over before; whatever the controller still has of that time or later is replaced.
+/// Consecutive points of a trajectory, at times of the job. The first one lies on the motion that was handed
+/// over before. The points replace all that the controller still has from that time on.
 struct TrajectoryChunk {
   std::vector<JointState> points;
 };
@@ -29,11 +29,11 @@ enum class TrajectoryFeederState : std::uint8_t {
 
 class SpeedPlan;
 
-/// Why a motion cannot go on at a share of its planned speeds: it must be from 0.01 to `feeder.feed_most`.
-/// Empty if it can.
+/// The reason why a motion cannot go on at a share of its planned speeds; empty if it can. Shares lie between
+/// 0.01 and `feeder.feed_most`.
 std::string speedRefusal(double share, const TrajectoryFeederSettings& settings);
 
-/// A share of the planned speeds, and what was worked out to go on at it.
+/// A share of the planned speeds, and the plan worked out for it.
 struct SpeedChange {
   double share = 1.0;
   double reached = 1.0;  ///< share of the planned speeds that the limits allow, on average over the motion
@@ -62,35 +62,36 @@ class TrajectoryFeeder {
   /// or there is no more. To be called until it gives nothing, at least once per duration of a chunk.
   std::optional<TrajectoryChunk> next(double now_s);
 
-  /// Does nothing unless running, or if the motion ends before it could react. In front of a layer it stays.
+  /// Does nothing unless running, or if the motion ends before it could react. A motion that is held in front
+  /// of a layer stays held.
   void pause(double now_s);
-  /// Powder and gas settle first. Paused where it is held in front of a layer, it is held there again. Does
-  /// nothing unless paused.
+  /// Powder and gas settle first. A motion that was paused while held in front of a layer is held there
+  /// again. Does nothing unless paused.
   void resume(double now_s);
-  /// What a change of the speed needs: linear time for more than the planned speeds, none else. May be called
-  /// while others use the feeder.
+  /// Works out a change of the speed for `setSpeed`. Takes linear time for more than the planned speeds, else
+  /// none. May be called while other threads use the feeder.
   /// @throws InvalidInput as `speedRefusal`
   SpeedChange speedChange(double share) const;
-  /// Goes on at a share of the planned speeds, from the first point that can still change, on the same path:
-  /// braking or speeding up as hard as the limits allow, then slower by one factor everywhere, so that no
-  /// limit of a joint can be passed; at more than the planned speeds, as fast as the share of the feeds asks
-  /// where the limits of joints, path and roundings allow it. Rests keep their duration. While paused or at
-  /// rest it holds from the resumption on; in front of a layer that is waited for it stops as before. The
-  /// flow follows the speed.
+  /// Goes on at a share of the planned speeds, on the same path, from the first point that can still change.
+  /// The motion first brakes or speeds up as hard as the limits allow. Below the planned speeds it is then
+  /// slower by one factor everywhere, so that no limit of a joint can be passed. Above them it is as fast as
+  /// the share of the feeds asks, where the limits of joints, path and roundings allow that. Rests keep their
+  /// duration. A change while paused or at rest takes effect on resuming. In front of a layer that is waited
+  /// for, the motion stops as before. The flow follows the speed.
   void setSpeed(const SpeedChange& change, double now_s);
   /// The same, worked out at once.
   /// @param share  1 at the start
   /// @throws InvalidInput as `speedRefusal`; nothing changes
   void setSpeed(double share, double now_s);
   /// Lays a share of the planned material (flow, wire, screw, powder), or burns with a share of the planned
-  /// power, from the first point that can still change on, gone over to within `feeder.override_ramp_s` times
+  /// power, from the first point that can still change. The transition takes `feeder.override_ramp_s` times
   /// the change. The motion stays.
   /// @throws InvalidInput if the share is out of `boundsOf`, is one of the feed, or one of the power where
   ///   the toolpath states none; nothing changes
   void setShare(JobOverride kind, double share, double now_s);
   /// Stops where a layer begins, and rests there until it is released: at the end of what comes before, or on
-  /// the travel that the layer begins with. Nothing changes before. A pause that ends below the layer ends
-  /// it.
+  /// the travel that the layer begins with. The motion before that place stays as it is. A pause that comes
+  /// to rest before the layer cancels the stop.
   /// @return false if it is not running, has no such layer, cannot stop in front of it any more, or would
   /// have
   ///   to stop on the layer's first bead, which goes on from what comes before; then nothing happens

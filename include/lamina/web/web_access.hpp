@@ -63,16 +63,16 @@ class WebAccess {
  public:
   WebAccess(WebAccessSettings settings, WebStore& store);
 
-  /// Refuses what a browser on another page, or under another name, was made to send; and keys in addresses,
-  /// which end in logs.
+  /// Refuses requests that a browser was made to send from another page or under another host name. Also
+  /// refuses keys in addresses, because addresses end up in logs.
   std::optional<WebRefusal> againstOrigin(const HttpHead& head, const HttpTarget& target) const;
 
   /// Who asks, by `X-Api-Key`, `Authorization: Bearer`, the cookie of a session, or where from.
   /// @return a refusal if what was shown is not known: 401, or 429 after five of them in a minute
   std::variant<WebIdentity, WebRefusal> identify(const HttpHead& head, const CellTime& now);
 
-  /// Whether a request that changes something was really sent by the page or by a program: identities that a
-  /// browser shows unasked need the session's token of their own.
+  /// Whether a request that changes something was really sent by the page or by a program: an identity that a
+  /// browser shows unasked needs its CSRF token as well.
   std::optional<WebRefusal> againstForgery(const HttpHead& head, const WebIdentity& identity) const;
 
   /// Counts a request. @return false if there were too many
@@ -95,7 +95,7 @@ class WebAccess {
   };
   KeyDecision keyDecision(const std::string& secret, const CellTime& now);
 
-  /// How often tokens were guessed since the last call, in lock-outs: raises 9001.
+  /// Number of lock-outs for guessed tokens since the last call; they raise 9001.
   int takeLockOuts();
 
  private:

@@ -38,8 +38,8 @@ ProgrammedToolpath readProgrammedToolpath(std::string_view text, const std::stri
 struct FiledMap {
   std::string file;
   CorrectionMap map;
-  /// First line of the program, from 1, for which it holds by the record; 0 without one: it holds for its
-  /// whole layer.
+  /// First line of the program, from 1, for which the map holds according to the record. 0 without a record:
+  /// the map holds for its whole layer.
   std::size_t from_line = 0;
 };
 

@@ -106,9 +106,9 @@ struct LoopCounts {
 };
 
 /// The loop over one print, driven by time stamps alone. Poses of the nozzle and clouds may arrive in any
-/// order within `monitor.reorder_s`. They are processed in the order of their stamps, each once something
-/// later by that time has arrived. The same poses and clouds therefore give the same maps to the last bit,
-/// however delayed.
+/// order within `monitor.reorder_s`. They are processed in the order of their stamps, each as soon as one has
+/// arrived that is later by that time. The same poses and clouds therefore give the same maps to the last
+/// bit, however delayed.
 ///
 /// The cells laid follow from the progress of the nozzle along the toolpath. When the nozzle reaches the end
 /// of a layer, the layer is judged and the next one gets its map; the first layer has its map at once. With
@@ -139,8 +139,8 @@ class LoopRun {
   const LoopStatus& request(LoopRequest request);
 
   /// Takes over a new calibration of the sensor, for all that arrives from now on. A loop that is blocked, or
-  /// coasts for want of it, starts as requested if the check of stability allows it with the low-pass of this
-  /// print.
+  /// coasts because a calibration was missing, starts as requested if the check of stability allows it with
+  /// the low-pass of this print.
   void recalibrate(const CellCalibration& known, LoopRequest request);
 
   void observe(const StampedTip& pose);
@@ -152,9 +152,9 @@ class LoopRun {
   /// planned although it was to be corrected, or was waited for. A later statement on a layer replaces an
   /// earlier one.
   void missMap(const MissedMap& missed);
-  /// The machine does not use a further map of a layer. It is counted, and 6116 raised as a warning with the
-  /// reason, once a layer; the estimate takes the layer to be laid by it all the same. Of a layer that the
-  /// toolpath does not have nothing happens.
+  /// States that the machine does not use a further map of a layer. The refusal is counted, and 6116 is
+  /// raised as a warning with the reason, once a layer. The estimate still takes the layer to be laid by that
+  /// map. A layer that the toolpath does not have has no effect.
   void refuseTrim(std::size_t layer, const std::string& reason);
 
   /// States that the machine goes on with the plan of that identity, from its first layer on. So does the

@@ -12,13 +12,14 @@ namespace lamina {
 /// The settings, completed by a calibration. A value that the settings state takes precedence: a trusted time
 /// offset or place, a dead time, lag, spread, error or scatter above 0.
 ///
-/// The calibration of time gives the offset and its spread. That of the pose gives the place of the sensor,
-/// which replaces that of tf; its error along the path, from those of the shifts and of the turns times the
-/// distance of sensor and nozzle tip; and the scatter along the growth direction. Values that the calibration
-/// kept count as exact. That of the feeder gives dead time and lag, and the uncertainty of both together.
+/// The calibration of time gives the offset and its spread. The calibration of the pose gives the place of
+/// the sensor, which replaces that of tf, and the scatter along the growth direction. It also gives the error
+/// of that place along the path: from the errors of the shifts, and those of the turns times the distance of
+/// sensor and nozzle tip. Values that the calibration kept count as exact. The calibration of the feeder
+/// gives dead time and lag, and the uncertainty of both together.
 ///
-/// `calibration.sources` states for clock, place and feeder which value holds, its origin, and which was
-/// passed over.
+/// `calibration.sources` states for clock, place and feeder the value that holds, its origin, and the value
+/// that was passed over.
 /// @throws InvalidConfig if a value lies outside the bounds of its setting, naming it
 LoopRunSettings withCalibration(const LoopRunSettings& settings, const Calibration& found);
 

@@ -47,8 +47,9 @@ std::vector<MeshObject> readMeshObjects(const std::string& path, const MeshUnits
 std::vector<MeshObject> readMeshObjects(const std::string& path, const MeshUnits& units,
                                         const Tessellation& tessellation, Progress& progress);
 
-/// The volumes of all objects of a file that say how the part is laid, which only 3MF files have. Of each
-/// object those of the whole come first, then of its pieces, of heights, and of what is no part of it.
+/// The volumes of all objects of a file that say how the part is laid, which only 3MF files have. For each
+/// object, volumes of the whole object come first. Those of its pieces follow, those of heights, and those
+/// that are no part of the object.
 /// @throws as `readMesh`
 std::vector<MeshVolume> readMeshVolumes(const std::string& path, const MeshUnits& units = {});
 

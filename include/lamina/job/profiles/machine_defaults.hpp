@@ -26,10 +26,9 @@ struct MachineDefault {
 /// What follows from the machine, without what is so already:
 /// - no fan without `machine.has_fan` and a cold bed without `machine.has_bed_heater`, unless typed;
 /// - where `machine.nozzle_mm` is known, beads as wide as the nozzle, layers and the first layer half as
-/// high,
-///   adaptive layers from a quarter of it to three quarters, unless stated anywhere;
+///   high, adaptive layers from a quarter of it to three quarters, unless stated anywhere;
 /// - these heights, and the built-in ones, within `machine.least_layer_mm` and `machine.greatest_layer_mm`.
-/// Modes without a first layer of its own height have that of all layers.
+/// In modes whose first layer has no height of its own, it has that of all layers.
 std::vector<MachineDefault> machineDefaults(const JobSettings& settings, const StatedKeys& stated);
 
 /// The keys of settings that differ from the built-in ones: those that somebody has stated, where files state

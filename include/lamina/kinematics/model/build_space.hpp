@@ -14,9 +14,10 @@
 namespace lamina {
 
 /// The build space of a machine or robot: where over its bed the tip of its nozzle may be, and how its head
-/// holds the nozzle there. It is what placing, slicing and planning know of what will run a toolpath: neither
-/// axes that move nor speeds. Of linear axes it is what they reach with rotary joints at zero; of an arm or
-/// platform it is the box over its bed; which part of that can be reached only a joint path tells.
+/// holds the nozzle there. Placing, slicing and planning know nothing else of the machine that will run a
+/// toolpath, neither its axes nor their speeds. The space of linear axes is what they reach with rotary
+/// joints at zero. The space of an arm or platform is the box over its bed; only a joint path shows which
+/// part of that box can be reached.
 ///
 /// A parallelepiped: tips are `bed_from_axes * values`, with values within `range`.
 struct BuildSpace {
@@ -45,8 +46,9 @@ struct BuildSpace {
 /// @throws InvalidConfig if there is none of that name; names those there are
 BuildSpace buildSpaceByName(const std::string& name);
 
-/// Of a machine of linear axes as `machineFromUrdf` reads it, or of an arm or platform: over the box of its
-/// bed's collision bodies, 1500 mm high, the nozzle straight down.
+/// The build space of a machine of linear axes as `machineFromUrdf` reads it, or of an arm or platform. The
+/// space of the latter is as wide as the box of the bed's collision bodies and 1500 mm high, with the nozzle
+/// straight down.
 /// @throws InvalidConfig as `machineFromUrdf`; of an arm or platform as `kinematicModelFromUrdf`, or if its
 ///   link `bed` has no collision body
 BuildSpace buildSpaceFromUrdf(const std::string& text);

@@ -12,7 +12,7 @@
 
 namespace lamina {
 
-/// Joints that a kinematic model has at most.
+/// Greatest number of joints of a kinematic model.
 constexpr int kMostJoints = 9;
 
 /// Values of a kinematic model's joints in the order of `KinematicModel::joints` [mm, rad].
@@ -35,8 +35,8 @@ struct DrivenJoint {
 
 /// One way to bring the nozzle to a pose.
 struct InverseSolution {
-  /// Which of the kinematic model's ways it is: along a motion that passes no singularity, solutions of one
-  /// branch follow each other steadily (rotary joints but for whole turns).
+  /// Number of the way. Along a motion that passes no singularity, solutions of one branch are continuous,
+  /// except for whole turns of rotary joints.
   int branch = 0;
   JointValues values;
 };
@@ -44,7 +44,7 @@ struct InverseSolution {
 /// Solutions of one pose, by branch. Up to eight, all that an arm has, take no memory from the heap.
 using InverseSolutions = boost::container::small_vector<InverseSolution, 8>;
 
-/// Whether the turn of the nozzle about its tool axis is part of what a kinematic model brings about.
+/// Whether a kinematic model determines the turn of the nozzle about its tool axis.
 enum class ToolAxisSpin : std::uint8_t {
   Free,   ///< undefined: inverse solutions have the tip and the tool axis of the pose asked for
   Given,  ///< inverse solutions have the whole pose
@@ -65,15 +65,16 @@ class KinematicModel {
   virtual Eigen::Isometry3d bedFromNozzle(const JointValues& values) const = 0;
   virtual Jacobian jacobian(const JointValues& values) const = 0;
 
-  /// All solutions, one per branch at most, by branch; rotary values in (-pi, pi] where the joint's limits
-  /// are not looked at. Empty if the pose is out of reach.
-  /// @param near  where a joint is free, as at a singularity, or is no function of the pose, as an external
-  ///   axis, it keeps the value it has here
+  /// All solutions, one per branch at most, by branch. Rotary values lie in (-pi, pi]; limits of joints are
+  /// not looked at. Empty if the pose is out of reach.
+  /// @param near  values that joints keep where the pose does not determine them: a joint that is free at a
+  ///   singularity, or an external axis
   virtual InverseSolutions solutions(const Eigen::Isometry3d& bed_from_nozzle,
                                      const JointValues& near) const = 0;
 
-  /// How far from a singularity: 0 at one, 1 at best; the least of the sines of the angles that vanish there
-  /// (of the tool axis to a rotary axis of a head or table, of a wrist, of an elbow from straight).
+  /// Distance from a singularity: 0 at one, 1 at best. It is the least sine of the angles that vanish at
+  /// singularities: of the tool axis to a rotary axis of a head or table, of a wrist, of an elbow from
+  /// straight.
   virtual double singularityMargin(const JointValues& values) const = 0;
 
   /// Every link over the bed [mm].

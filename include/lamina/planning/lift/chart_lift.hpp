@@ -34,21 +34,21 @@ void describe(SettingsSchema& schema, LiftSettings& settings);
 ///
 /// volume = plan area of the bead * area ratio of the triangle * height of the layer
 ///
-/// So have drops. Where tips converge, in a layer whose radius of curvature is about its height, a motion may
-/// be too short for its volume. The volume is then spread over neighbouring motions, within a bead's width.
-/// Material that would still need a wider bead than allowed is left out, and so are runs that are too short
-/// as a whole.
+/// The same holds for drops. Where tips converge, in a layer whose radius of curvature is about its height, a
+/// motion may be too short for its volume. The volume is then spread over neighbouring motions, within a
+/// bead's width. Material that would still need a wider bead than allowed is left out, and so are runs that
+/// are too short as a whole.
 ///
 /// Travels that are not retracted and stay over one chart follow the layer, their inner waypoints raised by
-/// four times the tolerance; on others see `makeSpaceTravel`.
+/// four times the tolerance. For other travels see `makeSpaceTravel`.
 ///
-/// Motions beside all charts, as where a bead fits between charts that a fold divides, are left out: up to
-/// five bead widths of a run.
+/// Motions beside all charts are left out, up to five bead widths of a run. They occur where a bead fits
+/// between charts that a fold divides.
 ///
 /// @param planned     paths in the plan; may not leave the charts by more than `ChartLookup::kSnap`
 /// @param highest_mm  z of the highest nozzle tip of this layer and of those before it [part frame]
-/// @return layer height and z as planned; the paths join as the planned ones do. Its volume and what is left
-///         out are together what is planned.
+/// @return layer height and z as planned; the paths join as the planned ones do. Lifted and left-out volume
+///   add up to the planned one.
 /// @throws InvalidInput if more of a run leaves its chart, naming where
 LiftedLayer liftOnto(const std::vector<LayerChart>& charts, ToolpathLayer planned,
                      const LiftSettings& settings, const TravelSettings& travel, double highest_mm);

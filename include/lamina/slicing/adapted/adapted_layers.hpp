@@ -24,8 +24,8 @@ struct AdaptedCurve {
 /// Curves of one layer, wall by wall.
 struct AdaptedLayer {
   std::vector<AdaptedCurve> curves;
-  /// What bounds the layer where not every wall has a closed curve in it: for each wall a loop of its curves
-  /// and, between them, of what it stands on. Empty where the curves are loops themselves.
+  /// Border of the layer if not every wall has a closed curve in it. For each wall it is a loop of its
+  /// curves, joined by pieces of what the wall stands on. Empty if the curves are loops themselves.
   std::vector<AdaptedCurve> outlines;
 };
 
@@ -35,13 +35,13 @@ struct AdaptedLayers {
   std::size_t completing = 0;        ///< layers from the first on in which not every wall has a closed curve
 };
 
-/// Layers of single walls that grow along the tool by the layer height [Flores2018, section 6.2.3]:
-/// a bead along a wall that leans rises less than the layer is high, so flat layers of that height
-/// would be too far apart along the wall. Each curve is a flat contour drawn down the wall until it is at
-/// most a layer's height from the curve below; where walls lean alike all round, layers stay plane. What is
-/// left between the last of them and the top of the part is completed by open curves.
-/// Ends of those lower than a quarter of a layer, and curves shorter than a step, at the tip of a wall that
-/// ends in one, are left out. No curve crosses itself or another of its layer seen from above.
+/// Layers of single walls that grow along the tool by the layer height [Flores2018, section 6.2.3]: a bead
+/// along a wall that leans rises less than the layer is high, so flat layers of that height would be too far
+/// apart along the wall. Each curve is a flat contour drawn down the wall until it is at most a layer's
+/// height from the curve below; where walls lean alike all round, layers stay plane. What is left between the
+/// last of them and the top of the part is completed by open curves. Ends of open curves that are lower than
+/// a quarter of a layer are left out. So are curves shorter than a step at the tip of a wall. No curve
+/// crosses itself or another of its layer seen from above.
 ///
 /// Walls are closed loops that neither split nor merge between the part's flat bottom and its top; each is
 /// followed by itself. Time is n log n in the points of all layers.

@@ -35,13 +35,14 @@ struct LayerVolumes {
   double gap() const { return 1.0 - (lower_mm3 + middle_mm3 + upper_mm3) / part_mm3; }
 };
 
-/// How evenly layers fill a part, by samples inside it. Other than volumes, holes and overlaps cannot cancel.
+/// How evenly layers fill a part, by samples inside it. Holes and overlaps cannot cancel here, as they can in
+/// volumes.
 struct LayerCoverage {
   std::size_t samples = 0;
   double open = 0.0;   ///< share of samples in no layer
   double twice = 0.0;  ///< share of samples in more than one
-  /// Greatest volume in no layer that hangs together: samples no farther apart than 1.25 times their spacing.
-  /// Fewer than four of them, of about 1/4000 of the part each, are put down to chance.
+  /// Greatest connected volume in no layer: samples are connected if they are no farther apart than 1.25
+  /// times their spacing. Fewer than four of them, of about 1/4000 of the part each, are put down to chance.
   double void_mm3 = 0.0;
 };
 

@@ -29,7 +29,7 @@ struct ShellAt {
   NozzleSide side = NozzleSide::Ahead;
 };
 
-/// Where part of a surface has nowhere to go any more.
+/// A place at which part of a surface cannot be propagated further.
 struct ShellEnd {
   double offset_mm = 0.0;         ///< the greatest offset there
   Point3 where = Point3::Zero();  ///< the place of the surface that goes farthest [mm]
@@ -50,16 +50,16 @@ class ShellPropagation {
 
   /// The shell at an offset, without what has collapsed, has left the part or lies beyond the bound; without
   /// triangles if nothing is left. Vertices that have collapsed (past the medial axis) are merged into living
-  /// ones near them, so that the shell hangs together along the creases that come about; leaving the part and
-  /// crossing the bound are cut along the line where that happens.
+  /// ones near them, so that the shell stays connected along the creases that arise. Where the shell leaves
+  /// the part or crosses the bound, it is cut along that line.
   ///
   /// Triangles face as the surface does if the nozzle is ahead, the other way if it is behind; so do normals.
-  /// Heights are those asked for, less where the bound or the part's surface lies nearer ahead than half of
-  /// it.
+  /// Heights are those asked for, and less where the bound or the part's surface lies ahead by less than half
+  /// of that height.
   LayerSurface shell(const ShellAt& at) const;
 
-  /// The offsets `height_mm / 2`, then every `height_mm`, of the shells that have triangles: all before the
-  /// first without.
+  /// The shell at the offset `height_mm / 2` and those at every further `height_mm`, up to the last one
+  /// before a shell without triangles.
   std::vector<LayerSurface> shells(double height_mm, NozzleSide side, Progress& progress) const;
 
   /// No shell has triangles at greater offsets.

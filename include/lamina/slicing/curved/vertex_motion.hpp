@@ -38,12 +38,12 @@ struct VertexMotion {
 };
 
 /// Motions by which every triangle's plane moves forward by the distance propagated, where that can be solved
-/// [Guacheta2021, listing A.6]: the shortest solution of N s = 1 over the normals of the triangles
-/// at a vertex, weighted by their angles. Directions in which the normals differ by less than a tenth of what
-/// they have in common (about 12 degrees between two faces) do not bend the path; no path is longer than four
-/// times the distance. As far as that can be solved too, a vertex on the bound's plane moves within it (spec
-/// `Planar == 1`) and one of the rim within the walls beside it; walls that go on from the surface within 40
-/// degrees do not count.
+/// [Guacheta2021, listing A.6]: the shortest solution of N s = 1 over the normals of the triangles at a
+/// vertex, weighted by their angles. Directions in which the normals differ by less than a tenth of what they
+/// have in common (about 12 degrees between two faces) do not bend the path; no path is longer than four
+/// times the distance. As far as these conditions can be solved, too, a vertex on the bound's plane moves
+/// within that plane (spec `Planar == 1`), and a vertex of the rim moves within the walls beside it; walls
+/// that go on from the surface within 40 degrees do not count.
 ///
 /// @return for the vertices of the subdivision of `source.surface`: those in between move as the middles of
 ///         their edges do, so that facets stay plane and move as if they were whole

@@ -17,8 +17,8 @@
 
 namespace lamina {
 
-/// What is printed flat in planes across one direction: what of the part is above a plane, and above none of
-/// the planes of later pieces.
+/// A piece of the part that is printed in plane layers across one direction. It is the material above its
+/// plane that is above no plane of a later piece.
 struct DirectedPiece {
   Point3 up = Point3::UnitZ();   ///< in which its layers follow each other, of unit length [part frame]
   double from_mm = 0.0;          ///< place of its plane along `up`; the bed's for the first piece
@@ -46,7 +46,7 @@ struct DirectedPieces {
   double unsupported() const;
 };
 
-/// What a part is cut into pieces by.
+/// The request by which a part is cut into pieces.
 struct DirectionRequest {
   DirectionSettings settings;
   SlicingSettings slicing;
@@ -54,12 +54,12 @@ struct DirectionRequest {
   std::vector<HeadStage> head = {};  ///< that lays them; none clears everything
 };
 
-/// Pieces that leave little of the surface unsupported, by planes that are found from the last piece to the
-/// first: for each direction the lowest plane above which nothing, or little, overhangs. A beam search
-/// minimises what is left unsupported, with half a percent of the surface for each cut and a hundredth of
-/// its area. A cut is taken only if what stays hangs together with the bed, each part of the piece lies on it
-/// by four bead widths squared, and the head clears the bed over it. A part that level layers print is one
-/// piece. The same for any number of threads.
+/// Cuts a part into pieces that leave little of its surface unsupported. Planes are found from the last piece
+/// to the first: for each direction the lowest plane above which nothing, or little, overhangs. A beam search
+/// minimises the unsupported surface. Each cut adds half a percent of the surface and a hundredth of the
+/// cut's area. A cut is taken only if the rest of the part stays connected with the bed, each part of the
+/// piece lies on that rest by four bead widths squared, and the head clears the bed over it. A part that
+/// level layers print is one piece. The same for any number of threads.
 ///
 /// @param mesh  closed, facing outwards [mm, part frame]; stands on the bed by its lowest place
 /// @throws Unsliceable with the surface left unsupported, if it is more than

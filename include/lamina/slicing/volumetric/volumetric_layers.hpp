@@ -32,7 +32,7 @@ struct VolumetricMeasures {
   std::size_t nodes = 0;           ///< cells, by pieces
   double overhang_used_deg = 0.0;  ///< lowered, if layers would be too thick otherwise
   double contact_mm2 = 0.0;        ///< with the bed
-  double tilt_deg = 0.0;           ///< of growth from up, below which 99.5 % of the volume stay
+  double tilt_deg = 0.0;           ///< of growth from up, not exceeded in 99.5 % of the volume
   std::size_t level_layers = 0;
   std::size_t pieces = 0;  ///< connected ones, of layers that are not level
 
@@ -63,7 +63,7 @@ struct VolumetricLayers {
   std::shared_ptr<const HeadRoom> room;  ///< of the head that was asked for, over the part as it grows
 };
 
-/// What a part is cut by into layers of equal growth.
+/// The request by which a part is cut into layers of equal growth.
 struct VolumetricRequest {
   VolumetricSettings settings;
   SlicingSettings slicing;           ///< heights of first layer and others, the least there are
@@ -71,14 +71,13 @@ struct VolumetricRequest {
   std::vector<HeadStage> head = {};  ///< that lays them; none clears everything
 };
 
-/// Layers that grow from the bed through the part, which may tilt and be up to `max_thickness` times as high
-/// as asked for: so that no underside overhangs by more than `overhang_used_deg` from its own layer's normal.
-/// Where level layers do that, they are level. The tool axis stands against their normals, or leans from
-/// these towards upright where the head would be in bed or part.
+/// Layers that grow from the bed through the part. They may tilt and be up to `max_thickness` times as high
+/// as asked for, so that no underside overhangs by more than `overhang_used_deg` from its own layer's normal.
+/// They are level where level layers meet that condition. The tool axis is against the layer's normal. It
+/// leans from there towards upright where the head would be in bed or part.
 ///
-/// @param mesh  closed, facing outwards [mm, part frame]; stands on the bed by its lowest place, or as far
-/// above
-///              that as it is sunk
+/// @param mesh  closed, facing outwards [mm, part frame]; the bed is at its lowest place, or above that by
+///              the depth to which it is sunk
 /// @throws Unsliceable naming figure, bound and place: contact with the bed below a bead's square, pendants
 /// or
 ///         unsupported surface beyond their limits, a piece that less than half rests; its region is the

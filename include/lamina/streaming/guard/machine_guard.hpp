@@ -14,10 +14,10 @@
 namespace lamina {
 
 struct GuardSettings {
-  double silence_s = 1.0;  ///< of a process that still lives, after which it is lost
-  double grace_s = 10.0;   ///< from the loss of one that is at work until the machine is stopped; 0: at once
-  /// For which a streamer that came back leaves the machine as the lost one left it, until it is stopped; 0
-  /// for any time.
+  double silence_s = 1.0;  ///< silence after which a living process counts as lost
+  double grace_s = 10.0;   ///< from the loss of a streamer at work to the stop; 0: at once
+  /// Time for which a streamer that came back may leave the machine as the lost one left it, before it is
+  /// stopped; 0 for any time.
   double unattended_s = 600.0;
   double retry_s = 2.0;  ///< to the next try of a stop that was not confirmed
 };
@@ -40,23 +40,23 @@ struct GuardNews {
   std::string message;
 };
 
-/// Decides when a machine is stopped in the place of the process that streams to it: when that was lost at
-/// work, and nobody has taken its work up in time. Pulses, ends of connections and times come in; orders and
-/// news come out. Times are seconds since any start and never go back.
+/// Decides when a machine is stopped in the place of the process that streams to it: when that process was
+/// lost at work, and no other has taken up its work in time. Pulses, ends of connections and times come in;
+/// orders and news come out. Times are seconds since any start and never go back.
 ///
-/// A controller that follows trajectories has no grace: it stands still a moment later whatever is done, and
-/// nobody goes on from there by himself.
+/// A controller that follows trajectories has no grace: its motion ends within a second in any case, and no
+/// process resumes it.
 ///
-/// What was at rest is never stopped. Only a job takes up what another process has left, or that process
-/// itself does: a step of a start-up delays the stop and no more. Once a stop has begun, what was left is
-/// lost, and a job that takes it up is told so as if the stop had been confirmed.
+/// A machine at rest is never stopped. The work of a lost process is taken up by a job of another process, or
+/// by that process itself; a step of a start-up only delays the stop. Once a stop has begun, the work is
+/// lost. A job that takes it up is then informed as if the stop had been confirmed.
 class MachineGuard {
  public:
   explicit MachineGuard(GuardSettings settings) : settings_(settings) {}
 
   /// @param process  that sent it, by its number in the system
   void hear(const MachinePulse& pulse, int process, double now_s);
-  /// The connection of a process has ended: it has.
+  /// The connection of a process has ended, and so has the process.
   void end(int process, double now_s);
   /// The machine that is to be stopped now, once; to be called at `nextDeadline` at the latest.
   std::optional<GuardOrder> due(double now_s);

@@ -40,7 +40,7 @@ struct Collision {
   Point3 place = Point3::Zero();
 };
 
-/// How a toolpath clears what is there when it is run.
+/// The collisions of a toolpath when it is run.
 struct ClearanceReport {
   std::size_t waypoints = 0;               ///< of the toolpath
   std::size_t colliding = 0;               ///< waypoints at which or on the way to which a body collides
@@ -51,12 +51,12 @@ struct ClearanceReport {
 /// them every `spacing_mm` at most, travels too.
 ///
 /// The bed is all that is below z = 0, wider than the plate. A bead is a box as long as its motion and as
-/// wide and high as the bead, below the nozzle tip along the layers' normal; all of it is there once the
-/// next motion begins, and what the nozzle is just laying is not yet. Bed, top and flanks of beads are taken
-/// to be `tolerance_mm` farther in than they are: the tip stands on the top of what it lays beside.
+/// wide and high as the bead, below the nozzle tip along the layers' normal; it is an obstacle as a whole
+/// once the next motion begins, and not while the nozzle lays it. Bed, top and flanks of beads are taken to
+/// be `tolerance_mm` farther in than they are, because the tip stands on the top of beads beside its own.
 ///
-/// Shapes are tested by FCL; which of the beads deposited so far are near a body is found by a tree of their
-/// boxes in the order of deposition. The same whatever the number of threads.
+/// Shapes are tested by FCL. Beads near a body are found by a tree of the boxes of all beads, in the order of
+/// deposition. The same whatever the number of threads.
 ///
 /// @param bodies    none of which is the bed
 /// @param progress  stage "clearance"

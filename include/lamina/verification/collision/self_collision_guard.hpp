@@ -13,17 +13,18 @@ namespace lamina {
 
 class CollisionTable;
 
-/// Keeps links that are two driven rotary joints apart, as forearm and head of an arm, out of each other.
+/// Keeps two links with two driven rotary joints between them, such as forearm and head of an arm, out of
+/// each other.
 ///
-/// Which values of the two joints bring them together is tabulated once in cells of 2 deg: a cell is banned
-/// unless the links are clear of each other all over it, so that up to about 2 deg beside a collision are
-/// banned too. Meshes are looked at by their hulls; a cell whose hulls meet is banned if the meshes do in its
-/// middle, and `checkJointClearance` sees what is beside it. Asking takes no more than a look into the
-/// tables. Links that are further apart, the part, and links that linear joints move are left to
-/// `checkJointClearance`.
+/// Tables in cells of 2 deg hold the values of the two joints at which the links collide. They are made once.
+/// A cell is banned unless the links are clear of each other all over it, so that up to about 2 deg beside a
+/// collision are banned too. Meshes are tested by their hulls. A cell whose hulls meet is banned if the
+/// meshes meet in its middle; `checkJointClearance` finds collisions beside that. A query takes no more than
+/// a look into the tables. Links that are further apart, the part, and links that linear joints move are left
+/// to `checkJointClearance`.
 class SelfCollisionGuard final : public JointGuard {
  public:
-  /// Nothing given is needed afterwards.
+  /// The arguments are not needed after construction.
   /// @param bodies  of the kinematic model's own description
   SelfCollisionGuard(const KinematicModel& model, const LinkBodies& bodies);
   ~SelfCollisionGuard() override;

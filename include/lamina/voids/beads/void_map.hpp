@@ -32,8 +32,8 @@ struct Void {
 ///
 /// Uncovered is what no bead reaches; a bead reaches half its width from its centre line, and a drop half its
 /// own. Overfill counts by volume, each bead as wide as it fills (`planWidth`): where passes lie on each
-/// other all but one count, and outside of the contour all. What lies within one and a half widths of each
-/// other along a run is one pass, so that bends are no overlap.
+/// other, all but one of them count as overfill, and outside of the contour all. Places of a run within one
+/// and a half widths of each other along it are one pass, so that bends are no overlap.
 struct LayerVoids {
   double z_mm = 0.0;           ///< top of the layer
   double pitch_mm = 0.0;       ///< mean plan width of the beads by length; 0 if nothing is deposited

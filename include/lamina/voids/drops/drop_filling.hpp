@@ -21,9 +21,9 @@ struct DropVoid {
 };
 
 /// Finds the voids of a layer and fills each by itself [Sobreviela2014, section 4.1]: the points of a void
-/// are ordered into a line, starting at the one farthest from their middle and going on to the nearest, and
-/// along it a drop is deposited wherever it keeps its distance to all others. A layer without a contour has
-/// no inside and gets none.
+/// are ordered into a line that starts at the point farthest from their middle and always goes on to the
+/// nearest point. Along that line a drop is deposited wherever it keeps its distance to all others. A layer
+/// without a contour has no inside and gets no drops.
 /// @return in the order of their first points by x, then y; those found by later passes behind
 /// @throws InvalidInput if the diameter is not positive
 std::vector<DropVoid> fillDropVoids(const DropLayer& layer, const DropVoidSettings& settings);

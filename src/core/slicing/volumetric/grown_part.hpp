@@ -48,7 +48,7 @@ struct GrownPart {
 };
 
 /// Grows a part by the overhang that `overhang_used_deg` states. If it states none, by 20 deg less than the
-/// material takes, and then in steps of 5 deg: more where the head has no room between fronts that meet, so
+/// material takes, and then in steps of 2.5 deg: more where the head has no room between fronts that meet, so
 /// that they meet at a wider angle, as long as that makes room, thickness allows it and no more is left
 /// unsupported than is taken; less where much is left unsupported, as long as there is less of it and the
 /// head has room.

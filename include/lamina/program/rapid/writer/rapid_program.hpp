@@ -18,8 +18,8 @@ namespace lamina {
 /// and numbered ones with the points.
 ///
 /// Each point is a move line and a process line, which is empty where the process goes on, so that point k
-/// stands on line 2k-1 of its procedure. Paths that deposit are runs with the laser (and wire) on, paths that
-/// meet in one pose one run together; travels are air moves. Points where the process starts or ends are in
+/// stands on line 2k-1 of its procedure. Paths that deposit are runs with the laser (and wire) on; paths that
+/// meet in one pose form one run. Travels are air moves. Points where the process starts or ends are in
 /// `end_zone`, all others in `zone`. Positions are those of the work object, which is the bed [mm, 4
 /// decimals]: offsets from the start point with 3 axes, targets with 5, whose orientation (w x y z, 7
 /// decimals) is bed_from_nozzle. Roles, beads and layers are reported in comments before each procedure.
