@@ -32,8 +32,8 @@ int main(int argc, char** argv) {
         static_cast<unsigned long long>(read.stamps_without_pose));
     return 0;
   } catch (...) {
-    const lamina::Failure failure = lamina::currentFailure();
-    std::fprintf(stderr, "%s: %s\n", toString(failure.code), failure.message.c_str());
+    // Read by `lamina calibrate`, which says the same of a bag as of a folder.
+    std::fprintf(stderr, "%s\n", lamina::currentFailure().message.c_str());
     return 1;
   }
 }

@@ -2,6 +2,7 @@
 import json
 import math
 import os
+import re
 import tempfile
 import unittest
 
@@ -112,10 +113,13 @@ class Calibrate(unittest.TestCase):
                                   "straight down"),
                                  (("calibrate", "plan", "edge", "-o", self.path("a.gcode"), "--machine", "drop_printer", "--set",
                                    "machine.name=cartesian_gantry"), "--machine is 'drop_printer'"),
+                                 (("calibrate", "time", self.path("nowhere")), "nowhere' is no folder; expected one with poses.csv"),
                                  (("calibrate", "time", self.path("none.bag")), "none.bag")):
             done = lamina(*arguments)
             self.assertEqual(done.returncode, 1, arguments)
             self.assertIn(words, done.stderr)
+            self.assertEqual(len(re.findall(r"(FileError|InvalidInput|InvalidConfig): ", done.stderr)), 1, done.stderr)
+            self.assertEqual(done.stderr.count("\n"), 1)
 
     def test_plans_what_is_to_be_recorded(self):
         for kind in ("bobbing", "edge", "cross", "feeder"):

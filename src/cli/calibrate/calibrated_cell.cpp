@@ -10,6 +10,7 @@
 #include "lamina/base/error.hpp"
 #include "lamina/base/progress.hpp"
 #include "lamina/base/scratch_folder.hpp"
+#include "lamina/base/text.hpp"
 
 namespace lamina::cli {
 namespace {
@@ -21,8 +22,8 @@ SensorRecording recordingOfBag(const std::string& bag) {
   const ProgramEnd end =
       runProgram({{siblingProgram("lamina-bag-tables"), bag, "-o", folder.path()}, "", 3600.0}, NoProgress());
   if (end.exit_code != 0)
-    throw InvalidInput("the bag '" + bag + "' gives no recording: " +
-                       (end.errors.empty() ? "lamina-bag-tables failed" : end.errors));
+    throw InvalidInput(end.errors.empty() ? "lamina-bag-tables failed on '" + bag + "'"
+                                          : std::string(trimmed(end.errors)));
   return readRecording(folder.path());
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
@@ -130,6 +131,9 @@ std::string toCsv(const std::vector<RecordedProfile>& profiles) {
 }
 
 SensorRecording readRecording(const std::string& folder) {
+  if (!std::filesystem::is_directory(folder))
+    throw FileError("'" + folder +
+                    "' is no folder; expected one with poses.csv and profiles.csv, or a bag (.bag)");
   const std::string poses = folder + kPosesFile;
   const std::string profiles = folder + kProfilesFile;
   return {posesFromCsv(readFile(poses), poses), profilesFromCsv(readFile(profiles), profiles)};

@@ -212,16 +212,20 @@ Box3 requireDeposition(const Toolpath& toolpath) {
   return box;
 }
 
-/// Without skirt and bead width.
-Point3 partSize(const Toolpath& toolpath, const Box3& box) {
+/// Without skirt, with the width and height of beads as level ones have them.
+Point3 partSize(const Toolpath& toolpath) {
   Box3 part;
   for (const ToolpathLayer& layer : toolpath.layers)
-    for (const Path& path : layer.paths)
-      if (isPartOfPart(path))
-        for (const Point3& point : path.points) part.include(point);
-  Point3 size = part.size();
-  size.z() = box.size().z();
-  return size;
+    for (const Path& path : layer.paths) {
+      if (!isPartOfPart(path)) continue;
+      for (std::size_t i = 0; i < path.points.size(); ++i) {
+        const Bead bead = path.bead.at(i);
+        const double half_mm = 0.5 * bead.width_mm;
+        part.include(path.points[i] - Point3(half_mm, half_mm, bead.height_mm));
+        part.include(path.points[i] + Point3(half_mm, half_mm, 0.0));
+      }
+    }
+  return part.size();
 }
 
 std::string titleOf(const Toolpath& toolpath) {
@@ -333,7 +337,7 @@ void drawToolpath(const Toolpath& toolpath, const ToolpathPictureSettings& setti
   drawDeposition(canvas, projection, toolpath, box, settings.colour);
 
   const ToolpathTotals sums = totals(toolpath);
-  const Point3 size = partSize(toolpath, box);
+  const Point3 size = partSize(toolpath);
   drawTitle(canvas, titleOf(toolpath),
             formattedLength(
                 "%zu layers  ·  %.1f × %.1f × %.1f mm  ·  %.2f m deposited (%.2f cm³)  ·  %.2f m travel",
