@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "job/laps.hpp"
+#include "job/slicing/fit/machine_fit.hpp"
 #include "job/slicing/head_stages.hpp"
 #include "job/slicing/layer_stack_planning.hpp"
-#include "job/slicing/machine_fit.hpp"
 #include "job/slicing/settled_axis.hpp"
 #include "job/slicing/travels_over_part.hpp"
 #include "lamina/base/angle.hpp"
