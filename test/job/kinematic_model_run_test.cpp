@@ -43,6 +43,47 @@ TEST(KinematicModelRun, TakesTheTimeOfItsMotionFromRestToRest) {
   EXPECT_NEAR(timed.trajectory->duration(), timed.time.total_s, 1e-12);
 }
 
+/// Squares of 30 mm over each other, with travels up.
+Toolpath tower(std::size_t layers) {
+  Toolpath toolpath;
+  for (std::size_t l = 0; l < layers; ++l) {
+    const double z = 0.25 * static_cast<double>(l + 1);  // to the last bit, whatever the sum
+    Path wall = test::straightPath({0, 0, z}, {30, 0, z});
+    wall.is_closed = true;
+    wall.points.insert(wall.points.end(), {{30, 30, z}, {0, 30, z}});
+    Path up = test::straightPath({0, 0, z}, {0, 0, z + 0.25});
+    up.role = PathRole::Travel;
+    up.bead = Bead{};
+    toolpath.layers.push_back({z, 0.25, {wall, up}});
+  }
+  return toolpath;
+}
+
+TEST(KinematicModelRun, OfSomeLayersHasTheirJointsAndAllLayers) {
+  const auto machine = kinematicModelByName("cartesian_gantry");
+  const Toolpath toolpath = tower(9);
+  const Isometry3d bed_from_part(Eigen::Translation3d(60, 60, 0));
+  NoProgress nobody;
+  const KinematicModelRun whole = runOn(*machine, toolpath, bed_from_part, {}, nobody);
+  const ToolpathExcerpt excerpt{toolpath, {{1, 3}, {5, 6}}};
+  const KinematicModelRun some = runOn(*machine, excerpt, bed_from_part, {}, nobody);
+  JointPath expected;
+  for (std::size_t i = 0; i < whole.path.at.size(); ++i) {
+    const std::size_t layer = whole.path.at[i].layer;
+    if (layer != 1 && layer != 2 && layer != 5) continue;
+    expected.at.push_back(whole.path.at[i]);
+    expected.values.push_back(whole.path.values[i]);
+  }
+  EXPECT_EQ(some.path.at, expected.at);
+  EXPECT_EQ(some.path.values, expected.values);
+  ASSERT_EQ(some.toolpath().layers.size(), 9U);
+  for (std::size_t l = 0; l < 9; ++l) {
+    const bool is_led = l == 1 || l == 2 || l == 5;
+    EXPECT_EQ(some.toolpath().layers[l].paths[0].points.size(), is_led ? 24U : 4U) << l;
+    EXPECT_EQ(some.divided.original[l][0].size(), is_led ? 24U : 4U) << l;
+  }
+}
+
 TEST(KinematicModelRun, IsRefusedByTheFirstWaypointOutOfReach) {
   const auto machine = kinematicModelByName("five_axis_head_ac");
   const KinematicModelRun run = runOver(*machine, {1e5, 100, 0});

@@ -37,6 +37,27 @@ KinematicModelRun runOn(const KinematicModel& model, Toolpath toolpath,
                         const Eigen::Isometry3d& bed_from_part, const JointPathSettings& settings,
                         Progress& progress);
 
+/// Layers of a toolpath that follow each other.
+struct LayerStretch {
+  std::size_t first = 0;
+  std::size_t end = 0;  ///< behind the last
+};
+
+/// Some of the layers of a toolpath, which must outlive the value.
+struct ToolpathExcerpt {
+  const Toolpath& toolpath;
+  std::vector<LayerStretch> stretches;  ///< in turn, with a layer between each and the next
+};
+
+/// Leads the joints through some layers alone: `path` leaves the other ones out, which are in the toolpath
+/// all the same, undivided, so that what they deposit stands in the way. Each stretch is led as if nothing
+/// came before or after it: near its ends the joints may be others than those of the whole toolpath.
+/// @param progress  stage "joints"
+/// @throws as the one above
+KinematicModelRun runOn(const KinematicModel& model, const ToolpathExcerpt& excerpt,
+                        const Eigen::Isometry3d& bed_from_part, const JointPathSettings& settings,
+                        Progress& progress);
+
 /// The joints that a program states, judged (`judged`) and not led.
 KinematicModelRun runAsStated(const KinematicModel& model, StatedMotion motion,
                               const JointPathSettings& settings);

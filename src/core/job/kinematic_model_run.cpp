@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/job/kinematic_model_run.hpp"
 
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
 #include <string>
 #include <utility>
 
@@ -13,6 +16,38 @@
 #include "lamina/verification/collision/self_collision_guard.hpp"
 
 namespace lamina {
+namespace {
+
+/// The same layers, those outside of the stretch without paths.
+Toolpath alone(const Toolpath& toolpath, const LayerStretch& stretch) {
+  Toolpath result;
+  result.part_name = toolpath.part_name;
+  result.part_from_layers = toolpath.part_from_layers;
+  result.layers.resize(toolpath.layers.size());
+  std::copy(toolpath.layers.begin() + static_cast<std::ptrdiff_t>(stretch.first),
+            toolpath.layers.begin() + static_cast<std::ptrdiff_t>(stretch.end),
+            result.layers.begin() + static_cast<std::ptrdiff_t>(stretch.first));
+  return result;
+}
+
+/// The run with the layers and joints of a stretch put in behind what it has.
+KinematicModelRun joined(KinematicModelRun run, DividedJointPath led, const LayerStretch& stretch) {
+  for (std::size_t l = stretch.first; l < stretch.end; ++l) {
+    run.divided.toolpath.layers[l] = std::move(led.divided.toolpath.layers[l]);
+    run.divided.original[l] = std::move(led.divided.original[l]);
+  }
+  const auto append = [](auto& to, auto& from) {
+    std::move(from.begin(), from.end(), std::back_inserter(to));
+  };
+  append(run.path.at, led.joints.at);
+  append(run.path.values, led.joints.values);
+  append(run.path.faults, led.joints.faults);
+  run.path.tool_axis_tolerance = led.joints.tool_axis_tolerance;
+  run.path.rewinds += led.joints.rewinds;
+  return run;
+}
+
+}  // namespace
 
 KinematicModelRun runOn(const KinematicModel& model, Toolpath toolpath,
                         const Eigen::Isometry3d& bed_from_part, const JointPathSettings& settings,
@@ -21,6 +56,19 @@ KinematicModelRun runOn(const KinematicModel& model, Toolpath toolpath,
   DividedJointPath planned =
       planDividedJointPath(std::move(toolpath), bed_from_part, {model, guard}, settings, progress);
   return {std::move(planned.divided), bed_from_part, std::move(planned.joints), {}};
+}
+
+KinematicModelRun runOn(const KinematicModel& model, const ToolpathExcerpt& excerpt,
+                        const Eigen::Isometry3d& bed_from_part, const JointPathSettings& settings,
+                        Progress& progress) {
+  const SelfCollisionGuard guard(model, linkBodies(model.urdf()));
+  KinematicModelRun run{undivided(excerpt.toolpath), bed_from_part, {}, {}};
+  for (const LayerStretch& stretch : excerpt.stretches)
+    run = joined(std::move(run),
+                 planDividedJointPath(alone(excerpt.toolpath, stretch), bed_from_part, {model, guard},
+                                      settings, progress),
+                 stretch);
+  return run;
 }
 
 KinematicModelRun runAsStated(const KinematicModel& model, StatedMotion motion,

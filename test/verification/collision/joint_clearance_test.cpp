@@ -218,6 +218,58 @@ TEST(JointClearance, WaypointsWithoutJointValuesAreLeftOut) {
   EXPECT_EQ(report.waypoints, path.values.size() - 1);
 }
 
+/// Beads that reach down to the bed, one a layer, at any place and of any height, with travels between them.
+Toolpath jointClearanceLayers(Random& random, int count) {
+  Toolpath toolpath;
+  Point3 last(0, 0, 100);
+  for (int i = 0; i < count; ++i) {
+    const double height = random.uniform(2.0, 30.0);
+    const Point3 from(random.uniform(-20.0, 20.0), random.uniform(-20.0, 20.0), height);
+    Path bead = test::straightPath(from, {random.uniform(-20.0, 20.0), random.uniform(-20.0, 20.0), height});
+    bead.bead = Bead{1.0, height};
+    bead.is_closed = i % 3 == 0;
+    const Path travel =
+        jointClearanceTravel({last, {last.x(), last.y(), 100}, {from.x(), from.y(), 100}, from});
+    toolpath.layers.push_back({height, height, {travel, bead}});
+    last = bead.lastPoint();
+  }
+  return toolpath;
+}
+
+TEST(JointClearance, LayersThatTheJointPathLeavesOutStandInTheWayAllTheSame) {
+  EXPECT_TRUE(rc::check("any layers of any toolpath", [](std::uint64_t seed) {
+    Random random(seed);
+    const std::string urdf = tippingHead(jointClearanceConeOf(0.5));
+    const auto model = kinematicModelFromUrdf(urdf);
+    const Toolpath toolpath = jointClearanceLayers(random, 12);
+    std::vector<char> is_looked_at;
+    for (int i = 0; i < 12; ++i) is_looked_at.push_back(random.uniform(0.0, 1.0) < 0.5 ? 1 : 0);
+    const JointPath whole = jointsOf(*model, toolpath);
+    JointPath some;
+    for (std::size_t s = 0; s < whole.at.size(); ++s) {
+      if (is_looked_at[whole.at[s].layer] == 0) continue;
+      some.at.push_back(whole.at[s]);
+      some.values.push_back(whole.values[s]);
+    }
+    NoProgress nobody;
+    const auto collisionsOn = [&](const JointPath& path) {
+      return checkJointClearance({toolpath, Eigen::Isometry3d::Identity(), *model, path}, linkBodies(urdf),
+                                 {}, nobody)
+          .collisions;
+    };
+    std::vector<Collision> expected = collisionsOn(whole);
+    expected.erase(std::remove_if(expected.begin(), expected.end(),
+                                  [&](const Collision& each) { return is_looked_at[each.at.layer] == 0; }),
+                   expected.end());
+    const std::vector<Collision> found = collisionsOn(some);
+    RC_ASSERT(found.size() == expected.size());
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      RC_ASSERT(found[i].at == expected[i].at && found[i].deposited == expected[i].deposited);
+      RC_ASSERT(found[i].tip == expected[i].tip);
+    }
+  }));
+}
+
 TEST(JointClearance, AMachineWithoutBodiesIsRefused) {
   EXPECT_THROW(jointClearanceChecked(jointClearanceBesideWall(1.0, 10.0, 5.0, 0.0), tippingHead("")),
                InvalidConfig);

@@ -18,7 +18,7 @@ struct JointRun {
   const Toolpath& toolpath;
   Eigen::Isometry3d bed_from_part;  ///< [mm]
   const KinematicModel& model;
-  const JointPath& path;  ///< of that toolpath
+  const JointPath& path;  ///< of that toolpath; may leave whole layers out
 };
 
 /// How a toolpath clears machine and part when it is run with these joints.
@@ -36,7 +36,8 @@ struct JointClearanceReport {
 /// bead widths of its way. On layers that are not plane a bead lies below the tip along the tool axis, as
 /// wide as its flat top: such layers lean against each other. It moves with the bed. Links that never move
 /// against the bed are not looked for in it. Waypoints without joint values are left out, and so is the way
-/// from and to them.
+/// from and to them. Layers that the joint path leaves out are deposited all the same, and the way past them
+/// is left out.
 ///
 /// The same whatever the number of threads; n log n in waypoints.
 ///

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "job/laps.hpp"
+#include "job/modes/fit/machine_fit.hpp"
 #include "job/modes/head_stages.hpp"
 #include "job/modes/layer_stack_planning.hpp"
-#include "job/modes/machine_fit.hpp"
 #include "job/modes/settled_axis.hpp"
 #include "job/modes/travels_over_part.hpp"
 #include "lamina/base/angle.hpp"

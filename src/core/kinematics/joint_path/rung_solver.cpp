@@ -32,7 +32,11 @@ std::string marginText(double margin) { return angleText(std::asin(std::clamp(ma
 }  // namespace
 
 RungSolver::RungSolver(const GuardedModel& guarded, const JointPathSettings& settings)
-    : model_(&guarded.model), guard_(&guarded.guard), settings_(settings) {
+    : model_(&guarded.model),
+      guard_(&guarded.guard),
+      settings_(settings),
+      least_margin_(std::sin(settings.least_margin_deg * kDegree)),
+      avoided_margin_(std::sin(settings.singular_margin_deg * kDegree)) {
   ranges_ = jointRanges(model_->joints());
   for (const DrivenJoint& joint : model_->joints()) is_external_.push_back(isExternal(joint.name));
 }
@@ -119,9 +123,10 @@ bool RungSolver::isAllowed(const JointValues& values) const {
 
 double RungSolver::penaltyOf(const JointValues& values) const {
   const double margin = model_->singularityMargin(values);
-  if (margin < std::sin(settings_.least_margin_deg * kDegree)) return std::numeric_limits<double>::infinity();
-  const double avoided = std::sin(settings_.singular_margin_deg * kDegree);
-  double penalty = margin < avoided ? settings_.singular_weight * std::pow(1.0 - margin / avoided, 2) : 0.0;
+  if (margin < least_margin_) return std::numeric_limits<double>::infinity();
+  double penalty = margin < avoided_margin_
+                       ? settings_.singular_weight * std::pow(1.0 - margin / avoided_margin_, 2)
+                       : 0.0;
   const double near_limit = settings_.limit_margin_deg * kDegree;
   for (std::size_t j = 0; j < ranges_.size(); ++j) {
     if (!ranges_[j].is_rotary || ranges_[j].winds) continue;

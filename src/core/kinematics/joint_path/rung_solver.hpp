@@ -69,6 +69,8 @@ class RungSolver {
   JointPathSettings settings_;
   std::vector<JointRange> ranges_;
   std::vector<bool> is_external_;
+  double least_margin_;    ///< as `KinematicModel::singularityMargin`
+  double avoided_margin_;  ///< the same
 };
 
 }  // namespace lamina

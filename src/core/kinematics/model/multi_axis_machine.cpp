@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "kinematics/model/serial_chain.hpp"
@@ -94,20 +95,29 @@ class MultiAxisMachine : public KinematicModel {
                              const JointValues& near) const override {
     InverseSolutions found;
     for (const ToolAxisTurn& turn : toolAxisTurns(turner_, bed_from_nozzle.linear().col(2), anglesOf(near))) {
-      InverseSolution solution{turn.branch, zeroOf(chain_)};
-      for (std::size_t r = 0; r < rotaries_.size(); ++r)
-        solution.values[rotaries_[r]] = turn.angles[static_cast<Eigen::Index>(r)];
-      const NozzleAndJoints turned = nozzleAndJoints(chain_, solution.values);
-      const Eigen::Matrix3d directions = turned.directions.leftCols<3>();
-      if (!(std::abs(directions.determinant()) > kLeastVolume)) continue;
-      const Point3 way = bed_from_nozzle.translation() - turned.bed_from_nozzle.translation();
-      solution.values.head<3>() = directions.inverse() * way;
-      found.push_back(solution);
+      // Both branches are the same where a joint is free, and planning asks for many values of it.
+      if (!found.empty() && anglesOf(found.back().values) == turn.angles)
+        found.push_back({turn.branch, JointValues(found.back().values)});
+      else if (const auto values = turnedTo(turn.angles, bed_from_nozzle.translation()))
+        found.push_back({turn.branch, *values});
     }
     return found;
   }
 
  private:
+  /// The values that bring the tip to a point; nothing if the linear axes do not span space then.
+  std::optional<JointValues> turnedTo(const Eigen::Vector2d& angles, const Point3& tip) const {
+    JointValues values = zeroOf(chain_);
+    for (std::size_t r = 0; r < rotaries_.size(); ++r)
+      values[rotaries_[r]] = angles[static_cast<Eigen::Index>(r)];
+    const NozzleAndJoints turned = nozzleAndJoints(chain_, values);
+    const Eigen::Matrix3d directions = turned.directions.leftCols<3>();
+    if (!(std::abs(directions.determinant()) > kLeastVolume)) return std::nullopt;
+    const Point3 way = tip - turned.bed_from_nozzle.translation();
+    values.head<3>() = directions.inverse() * way;
+    return values;
+  }
+
   Eigen::Vector2d anglesOf(const JointValues& values) const {
     Eigen::Vector2d angles = Eigen::Vector2d::Zero();
     for (std::size_t r = 0; r < rotaries_.size(); ++r)

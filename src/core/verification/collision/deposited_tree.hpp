@@ -20,32 +20,33 @@ class DepositedTree {
   /// @param normal  of the layers [bed frame]
   DepositedTree(const std::vector<DepositedBox>& boxes, const Point3& normal);
 
-  /// Calls visit(index, extents of the box) for each box among the first `count` whose extents meet these, in
-  /// the order of deposition, until it returns true.
-  template <class Visit>
-  void visitMeeting(const Extents& extents, std::size_t count, const Visit& visit) const {
-    if (count > 0) visitNode(levels_.size() - 1, 0, extents, count, visit);
+  /// Calls visit(index, extents of the box) for each box among the first `count` whose extents meet a region,
+  /// in the order of deposition, until it returns true.
+  /// @param region  `Extents`, or what else has their `meets`
+  template <class Region, class Visit>
+  void visitMeeting(const Region& region, std::size_t count, const Visit& visit) const {
+    if (count > 0) visitNode(levels_.size() - 1, 0, region, count, visit);
   }
 
  private:
   static constexpr std::size_t kChildren = 4;
 
-  template <class Visit>
-  bool visitNode(std::size_t level, std::size_t node, const Extents& extents, std::size_t count,
+  template <class Region, class Visit>
+  bool visitNode(std::size_t level, std::size_t node, const Region& region, std::size_t count,
                  const Visit& visit) const;
 
   std::vector<std::vector<Extents>> levels_;  ///< boxes first, one root last
   std::vector<std::size_t> boxes_per_node_;   ///< of each level
 };
 
-template <class Visit>
-bool DepositedTree::visitNode(std::size_t level, std::size_t node, const Extents& extents, std::size_t count,
+template <class Region, class Visit>
+bool DepositedTree::visitNode(std::size_t level, std::size_t node, const Region& region, std::size_t count,
                               const Visit& visit) const {
-  if (node * boxes_per_node_[level] >= count || !levels_[level][node].meets(extents)) return false;
+  if (node * boxes_per_node_[level] >= count || !region.meets(levels_[level][node])) return false;
   if (level == 0) return visit(node, levels_[0][node]);
   const std::size_t end = std::min((node + 1) * kChildren, levels_[level - 1].size());
   for (std::size_t child = node * kChildren; child < end; ++child)
-    if (visitNode(level - 1, child, extents, count, visit)) return true;
+    if (visitNode(level - 1, child, region, count, visit)) return true;
   return false;
 }
 

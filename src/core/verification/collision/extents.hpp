@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Core>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "lamina/geometry/vector.hpp"
@@ -27,6 +29,22 @@ struct Extents {
     return low_normal <= other.high_normal && other.low_normal <= high_normal &&
            (box.low.array() <= other.box.high.array()).all() &&
            (other.box.low.array() <= box.high.array()).all();
+  }
+};
+
+/// A box along axes of its own [mm, bed frame]: closer around a body that leans than its extents.
+struct TurnedBox {
+  Point3 middle = Point3::Zero();
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  ///< in columns
+  Point3 half = Point3::Zero();                        ///< along them
+
+  /// Whether no plane across an axis of this one separates them. Never false where they meet.
+  bool meets(const Box3& box) const {
+    const Point3 reach = 0.5 * (box.high - box.low);
+    const Point3 way = 0.5 * (box.high + box.low) - middle;
+    for (int i = 0; i < 3; ++i)
+      if (std::abs(axes.col(i).dot(way)) > half[i] + axes.col(i).cwiseAbs().dot(reach)) return false;
+    return true;
   }
 };
 

@@ -9,6 +9,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "lamina/base/angle.hpp"
@@ -26,27 +27,11 @@ namespace {
 constexpr double kFreshWidths = 1.5;  // of the bead: what the nozzle has just left is soft, and has its shape
 constexpr double kJointTurn = toRadians(5.0);  // of a joint between places
 
-const Path& pathAt(const JointRun& run, std::size_t station) {
-  const WaypointIndex& at = run.path.at[station];
-  return run.toolpath.layers[at.layer].paths[at.path];
-}
-
-const Point3& pointAt(const JointRun& run, std::size_t station) {
-  return pathAt(run, station).points[run.path.at[station].waypoint];
-}
-
 /// Boxes that are set once the nozzle has gone so far.
 struct Fresh {
   double set_at_mm = 0.0;
   std::size_t boxes = 0;
 };
-
-bool startsPath(const JointRun& run, std::size_t station) {
-  if (station == 0) return true;
-  const WaypointIndex& at = run.path.at[station];
-  const WaypointIndex& before = run.path.at[station - 1];
-  return at.layer != before.layer || at.path != before.path;
-}
 
 double greatestTurn(const JointRun& run, const JointValues& from, const JointValues& to) {
   double greatest = 0.0;
@@ -60,36 +45,69 @@ double greatestTurn(const JointRun& run, const JointValues& from, const JointVal
 
 /// How many boxes (`depositedBoxes`) are there when the nozzle sets out for each station of a joint path.
 /// What it has deposited within the last one and a half bead widths of its way is soft still and no obstacle.
-std::vector<std::size_t> depositedBeforeStations(const JointRun& run, double tolerance_mm) {
-  std::vector<std::size_t> deposited(run.path.at.size());
-  std::deque<Fresh> fresh;
-  std::size_t set = 0;  // boxes
-  std::size_t all = 0;
-  double way_mm = 0.0;
-  for (std::size_t s = 0; s < deposited.size(); ++s) {
-    while (!fresh.empty() && fresh.front().set_at_mm <= way_mm) {
-      set = fresh.front().boxes;
-      fresh.pop_front();
-    }
-    deposited[s] = set;
-    const Path& path = pathAt(run, s);
-    const bool starts = startsPath(run, s);
-    if (!starts) way_mm += (pointAt(run, s) - pointAt(run, s - 1)).norm();
-    // The first station of a closed path is its start; its return to there comes last.
-    if (path.is_closed && starts) continue;
-    all += piecesDepositedAt(path, run.path.at[s].waypoint, tolerance_mm);
-    fresh.push_back({way_mm + kFreshWidths * path.bead.at(run.path.at[s].waypoint).width_mm, all});
+/// Goes the way of the whole toolpath, from station to station.
+class Deposition {
+ public:
+  Deposition(const JointRun& run, double tolerance_mm)
+      : stations_(run.path.at), tolerance_mm_(tolerance_mm), before_(run.path.at.size()) {
+    const std::vector<ToolpathLayer>& layers = run.toolpath.layers;
+    for (std::size_t l = 0; l < layers.size(); ++l)
+      for (std::size_t p = 0; p < layers[l].paths.size(); ++p) lay(layers[l].paths[p], {l, p, 0});
   }
-  return deposited;
+
+  std::vector<std::size_t> beforeStations() && { return std::move(before_); }
+
+ private:
+  void lay(const Path& path, WaypointIndex at) {
+    setOutFor(at);
+    if (!path.is_closed) deposit(path, 0);
+    for (std::size_t m = 0; m < path.motionCount(); ++m) {
+      at.waypoint = path.motionEnd(m);
+      setOutFor(at);
+      way_mm_ += (path.points[at.waypoint] - path.points[m]).norm();
+      deposit(path, at.waypoint);
+    }
+  }
+
+  void setOutFor(const WaypointIndex& at) {
+    while (!fresh_.empty() && fresh_.front().set_at_mm <= way_mm_) {
+      set_ = fresh_.front().boxes;
+      fresh_.pop_front();
+    }
+    if (next_ < stations_.size() && stations_[next_] == at) before_[next_++] = set_;
+  }
+
+  void deposit(const Path& path, std::size_t waypoint) {
+    all_ += piecesDepositedAt(path, waypoint, tolerance_mm_);
+    fresh_.push_back({way_mm_ + kFreshWidths * path.bead.at(waypoint).width_mm, all_});
+  }
+
+  const std::vector<WaypointIndex>& stations_;
+  double tolerance_mm_;
+  std::vector<std::size_t> before_;
+  std::deque<Fresh> fresh_;
+  std::size_t next_ = 0;  // station
+  std::size_t set_ = 0;   // boxes
+  std::size_t all_ = 0;
+  double way_mm_ = 0.0;
+};
+
+/// Whether no layer that has paths is left out between a station and the one before.
+bool goesOn(const JointRun& run, std::size_t station) {
+  if (station == 0) return false;
+  const std::vector<ToolpathLayer>& layers = run.toolpath.layers;
+  for (std::size_t l = run.path.at[station - 1].layer + 1; l < run.path.at[station].layer; ++l)
+    if (!layers[l].paths.empty()) return false;
+  return true;
 }
 
-/// Joint values at which to look on the way to a station, the station last: the station alone if it is the
-/// first, or the one before has no values; nothing if it has none itself.
+/// Joint values at which to look on the way to a station, the station last: the station alone if the joint
+/// path does not go on there, or the one before has no values; nothing if it has none itself.
 std::vector<JointValues> placesBefore(const JointRun& run, std::size_t station,
                                       const ClearanceSettings& settings) {
   const JointValues& to = run.path.values[station];
   if (to.size() == 0) return {};
-  if (station == 0 || run.path.values[station - 1].size() == 0) return {to};
+  if (!goesOn(run, station) || run.path.values[station - 1].size() == 0) return {to};
   const JointValues& from = run.path.values[station - 1];
   const double way =
       (run.model.bedFromNozzle(to).translation() - run.model.bedFromNozzle(from).translation()).norm();
@@ -109,6 +127,9 @@ using LinkPoses = std::map<std::string, Eigen::Isometry3d>;
 struct PlacedBody {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  ///< [bed frame]
   Extents extents;
+  TurnedBox box;
+
+  bool meets(const Extents& other) const { return extents.meets(other) && box.meets(other.box); }
 };
 
 /// What there is to know of a collision at one place.
@@ -129,7 +150,7 @@ class JointClearanceCheck {
         normal_(run.bed_from_part.linear() * layerNormal(run.toolpath)),
         deposited_(depositedBoxes(run.toolpath, run.bed_from_part, settings.tolerance_mm)),
         tree_(deposited_.boxes, normal_),
-        deposited_before_(depositedBeforeStations(run, settings.tolerance_mm)) {
+        deposited_before_(Deposition(run, settings.tolerance_mm).beforeStations()) {
     for (const RigidGroup& group : bodies.groups) {
       solids_.emplace_back();
       for (const LinkBody& body : group.bodies) solids_.back().emplace_back(body.shape);
@@ -152,7 +173,7 @@ class JointClearanceCheck {
       for (std::size_t b = 0; b < bodies_.groups[g].bodies.size(); ++b) {
         const LinkBody& body = bodies_.groups[g].bodies[b];
         const Eigen::Isometry3d pose = links.at(body.link) * body.link_from_body;
-        all[g].push_back({pose, solids_[g][b].extentsAt(pose, normal_)});
+        all[g].push_back({pose, solids_[g][b].extentsAt(pose, normal_), solids_[g][b].boxAt(pose)});
       }
     return all;
   }
@@ -187,10 +208,8 @@ class JointClearanceCheck {
                                         std::size_t deposited) const {
     std::optional<JointHit> hit;
     for (std::size_t b = 0; b < bodies.size() && !hit; ++b)
-      tree_.visitMeeting(bodies[b].extents, deposited, [&](std::size_t box, const Extents& of_box) {
-        if (box >= deposited || !bodies[b].extents.meets(of_box) ||
-            !solids_[group][b].meets(deposited_.boxes[box], bodies[b].pose))
-          return false;
+      tree_.visitMeeting(bodies[b], deposited, [&](std::size_t box, const Extents&) {
+        if (!solids_[group][b].meets(deposited_.boxes[box], bodies[b].pose)) return false;
         hit = JointHit{&bodies_.groups[group].bodies[b], bodies[b].pose.translation(), nullptr, box};
         return true;
       });

@@ -10,6 +10,8 @@
 namespace lamina {
 namespace {
 
+constexpr double kTouching = 1e-6;  // mm: what FCL may take for a collision
+
 BodyShape grownFrom(const BoxShape& box, double margin) {
   return BoxShape{box.size_mm + Point3::Constant(2.0 * margin)};
 }
@@ -29,6 +31,15 @@ BodyShape grownFrom(MeshShape mesh, double margin) {
   return mesh;
 }
 
+Box3 boundsOf(const BodyShape& shape) {
+  Box3 bounds;
+  for (int i = 0; i < 3; ++i) {
+    bounds.low[i] = -extent(shape, -Point3::Unit(i)) - kTouching;
+    bounds.high[i] = extent(shape, Point3::Unit(i)) + kTouching;
+  }
+  return bounds;
+}
+
 const FclModule& fclModule() {
   static const auto* const module = static_cast<const FclModule*>(moduleTable("fcl"));
   return *module;
@@ -40,7 +51,8 @@ BodyShape grown(const BodyShape& shape, double margin) {
   return std::visit([margin](const auto& solid) { return grownFrom(solid, margin); }, shape);
 }
 
-Solid::Solid(const BodyShape& shape) : shape_(shape), geometry_(fclModule().shape(shape)) {}
+Solid::Solid(const BodyShape& shape)
+    : shape_(shape), bounds_(boundsOf(shape)), geometry_(fclModule().shape(shape)) {}
 
 Extents Solid::extentsAt(const Eigen::Isometry3d& pose, const Point3& normal) const {
   const auto reach = [&](const Point3& direction) {
@@ -55,6 +67,11 @@ Extents Solid::extentsAt(const Eigen::Isometry3d& pose, const Point3& normal) co
   extents.low_normal = along - reach(-normal);
   extents.high_normal = along + reach(normal);
   return extents;
+}
+
+TurnedBox Solid::boxAt(const Eigen::Isometry3d& pose) const {
+  return {pose * Point3(0.5 * (bounds_.low + bounds_.high)), pose.linear(),
+          0.5 * (bounds_.high - bounds_.low)};
 }
 
 bool Solid::meets(const DepositedBox& box, const Eigen::Isometry3d& pose) const {

@@ -26,11 +26,15 @@ class Solid {
   /// @param normal  of the layers, of unit length [frame of the pose]
   Extents extentsAt(const Eigen::Isometry3d& pose, const Point3& normal) const;
 
+  /// Around the shape at a pose, along the axes of its own frame.
+  TurnedBox boxAt(const Eigen::Isometry3d& pose) const;
+
   bool meets(const DepositedBox& box, const Eigen::Isometry3d& pose) const;
   bool meets(const Solid& other, const Eigen::Isometry3d& other_pose, const Eigen::Isometry3d& pose) const;
 
  private:
   BodyShape shape_;
+  Box3 bounds_;  ///< of the shape in its own frame
   std::shared_ptr<const CollisionShape> geometry_;
 };
 

@@ -3,17 +3,14 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 
+#include "job/modes/fit/plan_check.hpp"
 #include "job/modes/travels_over_part.hpp"
 #include "lamina/base/progress.hpp"
 #include "lamina/job/modes/slicing_mode.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 
 namespace lamina {
-
-/// Changes the travels of a toolpath whose beads are settled, as `leadTravels`.
-using LeadTravels = std::function<TravelsOverPart(Toolpath&)>;
 
 /// A toolpath as far as a machine can run it.
 struct MachineFit {
@@ -27,8 +24,10 @@ struct MachineFit {
 
 /// Checks a toolpath as `checkRun` does and cuts the beads that the machine cannot lay (`cutBeads`), from
 /// check to check: where it would run into something they are left out, and where a joint turns too far
-/// beside a singularity they are laid in pieces. No more is left out than
-/// `volumetric.largest_left_out_percent`; what is hindered then stays for the check that refuses it.
+/// beside a singularity they are laid in pieces. After a cut only the layers that it changed are checked
+/// again; once they are clear, everything is, and what is given back is as that check found it. No more is
+/// left out than `volumetric.largest_left_out_percent`; what is hindered then stays for the check that
+/// refuses it.
 ///
 /// @param beads     its travels not led yet
 /// @param progress  stages "joints" and "clearance"

@@ -1,28 +1,21 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "job/modes/machine_fit.hpp"
+#include "job/modes/fit/machine_fit.hpp"
 
 #include <algorithm>
 #include <limits>
-#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
 
-#include "lamina/job/kinematic_model_run.hpp"
 #include "lamina/job/machine_check.hpp"
-#include "lamina/kinematics/cartesian/machine_settings.hpp"
 #include "planning/runs/cut_beads.hpp"
 #include "planning/travel/space_travel.hpp"
 
 namespace lamina {
 namespace {
 
-constexpr int kMostCuts = 8;  // each ends in a check, which takes as long as `lamina check`
-// Of what `lamina check` allows: a part that stands elsewhere, or a layer that is slowed down, is led
-// otherwise.
-constexpr double kOfSlowdown = 0.5;
-constexpr double kOfTolerance = 0.8;
+constexpr int kMostCuts = 8;
 constexpr double kHighMm = 5.0;  // of a travel over its bead
 constexpr double kNothingStands = -std::numeric_limits<double>::infinity();
 
@@ -80,55 +73,67 @@ HinderedWaypoints hinderedBy(const MachineCheck& check, const Toolpath& planned,
   return hindered;
 }
 
-/// A toolpath whose travels are led, and what the machine cannot run of it.
-struct Checked {
-  Toolpath toolpath;
-  TravelsOverPart travels;
-  MachineCheck check;
+/// A plan that is mended bit by bit.
+class Mending {
+ public:
+  Mending(Toolpath beads, const JobSettings& settings)
+      : beads_(std::move(beads)),
+        travel_(settings.planning.travel),
+        off_mm_(std::max(travel_.hop_mm, settings.planning.bead.width_mm)),
+        most_mm3_(0.01 * settings.volumetric.largest_left_out_percent * totals(beads_).deposited_mm3) {}
 
-  std::size_t hindered() const { return check.faults.size() + check.collisions.size(); }
+  /// Its travels not led yet.
+  const Toolpath& beads() const { return beads_; }
+
+  /// Mends what hinders the machine; not more often than `kMostCuts`, and not if too much would be left out.
+  /// @param checked  these beads
+  /// @return whether anything was mended
+  bool mend(const CheckedPlan& checked) {
+    const HinderedWaypoints hindered = hinderedBy(checked.check, beads_, checked.toolpath);
+    if (hindered.isEmpty() || cuts_ == kMostCuts) return false;
+    const TravelMaker travels = spaceTravels(beads_.layers, travel_, kNothingStands);
+    CutBeads cut = cutBeads(beads_, hindered, travels, off_mm_);
+    if (left_out_mm3_ + cut.left_out_mm3 > most_mm3_) return false;
+    beads_ = std::move(cut.toolpath);
+    left_out_mm3_ += cut.left_out_mm3;
+    turns_ += cut.turns;
+    ++cuts_;
+    return true;
+  }
+
+  /// @param checked   these beads
+  /// @param hindered  waypoints of what was planned
+  MachineFit fit(const CheckedPlan& checked, std::size_t hindered) const {
+    return {checked.toolpath, checked.travels, left_out_mm3_, turns_, hindered, checked.hindered()};
+  }
+
+ private:
+  Toolpath beads_;
+  TravelSettings travel_;
+  double off_mm_;    ///< by which the nozzle leaves a bead, at least
+  double most_mm3_;  ///< that may be left out
+  double left_out_mm3_ = 0.0;
+  std::size_t turns_ = 0;
+  int cuts_ = 0;
 };
-
-Checked checkedOn(const KinematicModel& model, Toolpath toolpath, const PlanningRequest& request,
-                  const LeadTravels& lead, Progress& progress) {
-  JointPathSettings joints = request.job.settings.joints;
-  joints.max_slowdown = std::max(1.0, kOfSlowdown * joints.max_slowdown);
-  ClearanceSettings clearance = request.job.settings.clearance;
-  clearance.tolerance_mm *= kOfTolerance;
-  const TravelsOverPart travels = lead(toolpath);
-  const KinematicModelRun run = runOn(model, toolpath, request.bed_from_part, joints, progress);
-  return {std::move(toolpath), travels, checkRun(run, model, clearance, progress)};
-}
 
 }  // namespace
 
 MachineFit fitToMachine(Toolpath beads, const PlanningRequest& request, const LeadTravels& lead,
                         Progress& progress) {
-  const JobSettings& settings = request.job.settings;
-  const std::unique_ptr<KinematicModel> model = kinematicModelOf(settings.machine);
-  const double most_mm3 = 0.01 * settings.volumetric.largest_left_out_percent * totals(beads).deposited_mm3;
-  const double off_mm = std::max(settings.planning.travel.hop_mm, settings.planning.bead.width_mm);
-  Checked first = checkedOn(*model, beads, request, lead, progress);
-  MachineFit fit;
-  fit.hindered = fit.still_hindered = first.hindered();
-  HinderedWaypoints hindered = hinderedBy(first.check, beads, first.toolpath);
-  fit.toolpath = std::move(first.toolpath);
-  fit.travels = first.travels;
-  double left_out_mm3 = 0.0;
-  std::size_t turns = 0;
-  for (int cuts = 0; cuts < kMostCuts && !hindered.isEmpty(); ++cuts) {
-    const TravelMaker travels = spaceTravels(beads.layers, settings.planning.travel, kNothingStands);
-    CutBeads cut = cutBeads(std::move(beads), hindered, travels, off_mm);
-    left_out_mm3 += cut.left_out_mm3;
-    turns += cut.turns;
-    if (left_out_mm3 > most_mm3) break;
-    beads = std::move(cut.toolpath);
-    Checked next = checkedOn(*model, beads, request, lead, progress);
-    hindered = hinderedBy(next.check, beads, next.toolpath);
-    if (next.hindered() < fit.still_hindered)
-      fit = {std::move(next.toolpath), next.travels, left_out_mm3, turns, fit.hindered, next.hindered()};
+  const PlanCheck check(request, lead, progress);
+  Mending mending(std::move(beads), request.job.settings);
+  CheckedPlan checked = check.whole(mending.beads());
+  const std::size_t hindered = checked.hindered();
+  MachineFit best = mending.fit(checked, hindered);
+  while (mending.mend(checked)) {
+    do {
+      checked = check.again(mending.beads(), checked);
+    } while (mending.mend(checked));
+    checked = check.whole(mending.beads());
+    if (checked.hindered() < best.still_hindered) best = mending.fit(checked, hindered);
   }
-  return fit;
+  return best;
 }
 
 }  // namespace lamina

@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "job/modes/fit/plan_check.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+#include "lamina/job/kinematic_model_run.hpp"
+#include "lamina/kinematics/cartesian/machine_settings.hpp"
+
+namespace lamina {
+namespace {
+
+// Of what `lamina check` allows.
+constexpr double kOfSlowdown = 0.5;
+constexpr double kOfTolerance = 0.8;
+
+bool isHeldAlike(const Path& a, const Path& b) {
+  const auto isSame = [](const Eigen::Quaterniond& one, const Eigen::Quaterniond& other) {
+    return one.coeffs() == other.coeffs();
+  };
+  const std::vector<Eigen::Quaterniond>& held = a.orientation.values();
+  const std::vector<Eigen::Quaterniond>& other = b.orientation.values();
+  return std::equal(held.begin(), held.end(), other.begin(), other.end(), isSame);
+}
+
+/// Of two states of one path: its feeds and beads are as they were where its waypoints are.
+bool isAlike(const Path& a, const Path& b) {
+  return a.role == b.role && a.is_closed == b.is_closed && a.points == b.points && isHeldAlike(a, b);
+}
+
+/// The layers that differ between two states of a toolpath, and one on either side.
+std::vector<LayerStretch> changedStretches(const Toolpath& before, const Toolpath& after) {
+  std::vector<LayerStretch> stretches;
+  const std::size_t count = after.layers.size();
+  for (std::size_t l = 0; l < count; ++l) {
+    const std::vector<Path>& was = before.layers[l].paths;
+    const std::vector<Path>& is = after.layers[l].paths;
+    if (std::equal(was.begin(), was.end(), is.begin(), is.end(), isAlike)) continue;
+    const std::size_t first = l > 0 ? l - 1 : 0;
+    const std::size_t end = std::min(count, l + 2);
+    if (!stretches.empty() && first <= stretches.back().end)
+      stretches.back().end = end;
+    else
+      stretches.push_back({first, end});
+  }
+  return stretches;
+}
+
+/// What was found before in other layers, and what is found now in these.
+std::vector<Finding> replaced(const std::vector<Finding>& before, std::vector<Finding> now,
+                              const std::vector<LayerStretch>& stretches) {
+  const auto isElsewhere = [&](const Finding& finding) {
+    return std::none_of(stretches.begin(), stretches.end(), [&](const LayerStretch& stretch) {
+      return finding.at.layer >= stretch.first && finding.at.layer < stretch.end;
+    });
+  };
+  std::copy_if(before.begin(), before.end(), std::back_inserter(now), isElsewhere);
+  std::stable_sort(now.begin(), now.end(),
+                   [](const Finding& a, const Finding& b) { return a.at.layer < b.at.layer; });
+  return now;
+}
+
+}  // namespace
+
+PlanCheck::PlanCheck(const PlanningRequest& request, const LeadTravels& lead, Progress& progress)
+    : request_(request),
+      lead_(lead),
+      progress_(progress),
+      model_(kinematicModelOf(request.job.settings.machine)),
+      joints_(request.job.settings.joints),
+      clearance_(request.job.settings.clearance) {
+  joints_.max_slowdown = std::max(1.0, kOfSlowdown * joints_.max_slowdown);
+  clearance_.tolerance_mm *= kOfTolerance;
+}
+
+CheckedPlan PlanCheck::whole(Toolpath beads) const {
+  const TravelsOverPart travels = lead_(beads);
+  MachineCheck check = checked(runOn(*model_, beads, request_.bed_from_part, joints_, progress_));
+  return {std::move(beads), travels, std::move(check)};
+}
+
+CheckedPlan PlanCheck::again(Toolpath beads, const CheckedPlan& before) const {
+  const TravelsOverPart travels = lead_(beads);
+  const std::vector<LayerStretch> stretches = changedStretches(before.toolpath, beads);
+  const ToolpathExcerpt excerpt{beads, stretches};
+  MachineCheck check = checked(runOn(*model_, excerpt, request_.bed_from_part, joints_, progress_));
+  check.faults = replaced(before.check.faults, std::move(check.faults), stretches);
+  check.collisions = replaced(before.check.collisions, std::move(check.collisions), stretches);
+  return {std::move(beads), travels, std::move(check)};
+}
+
+MachineCheck PlanCheck::checked(const KinematicModelRun& run) const {
+  return checkRun(run, *model_, clearance_, progress_);
+}
+
+}  // namespace lamina
