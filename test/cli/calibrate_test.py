@@ -118,7 +118,7 @@ class Calibrate(unittest.TestCase):
             done = lamina(*arguments)
             self.assertEqual(done.returncode, 1, arguments)
             self.assertIn(words, done.stderr)
-            self.assertEqual(len(re.findall(r"(FileError|InvalidInput|InvalidConfig): ", done.stderr)), 1, done.stderr)
+            self.assertEqual(len(re.findall(r"(?:^|: )[A-Z]\w+: ", done.stderr)), 1, done.stderr)
             self.assertEqual(done.stderr.count("\n"), 1)
 
     def test_plans_what_is_to_be_recorded(self):

@@ -39,7 +39,7 @@ class Profiles(unittest.TestCase):
         self.assertIn("creality_cr_30", lamina("check", self.path("belt.gcode"), "--machine", "creality_cr_30").stdout)
 
     def test_a_printer_of_drops_lays_drops(self):
-        program = self.sliced("drops.gcode", "--machine", "drop_printer")
+        program = self.sliced("drops.gcode", "--machine", "drop_printer", "--material", "pla")
         self.assertIn(";strategy=drops_dense\n", program)
         self.assertEqual(program.count(";LAYER:"), 20)
         self.assertNotIn(" E", program)

@@ -5,8 +5,10 @@
 #include <cstdio>
 #include <string>
 
+#include "lamina/infill/strategy.hpp"
 #include "lamina/planning/flow/flow.hpp"
 #include "lamina/toolpath/toolpath.hpp"
+#include "planning/flow/role_advances.hpp"
 
 namespace lamina {
 namespace {
@@ -39,6 +41,14 @@ void noteFlowFactor(SlicedPart& sliced, double factor) {
   sliced.summary.notes.emplace_back(note);
 }
 
+/// A drop is no bead whose flow could lag.
+void addAdvanceOf(SlicedPart& sliced, const JobSettings& settings) {
+  const std::string& strategy = settings.planning.infill.strategy;
+  if (infillStrategy(strategy).deposit != Deposit::Drops) return addAdvance(sliced.toolpath, settings.flow);
+  if (hasAdvance(settings.flow))
+    sliced.summary.notes.push_back("flow.advance_s has no effect with infill.strategy '" + strategy + "'");
+}
+
 }  // namespace
 
 void limitFlowOf(SlicedPart& sliced, const JobSettings& settings, Progress& progress) {
@@ -59,7 +69,7 @@ void finishFlowOf(SlicedPart& sliced, const JobSettings& settings, Progress& pro
   }
   makeUpForLag(sliced, settings);
   noteFlowFactor(sliced, settings.program.flow);
-  addAdvance(sliced.toolpath, settings.flow);
+  addAdvanceOf(sliced, settings);
 }
 
 }  // namespace lamina
