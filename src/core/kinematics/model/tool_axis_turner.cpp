@@ -109,6 +109,9 @@ ToolAxisTurns toolAxisTurns(const ToolAxisTurner& turner, const Point3& wanted, 
   const auto misses = [&](const ToolAxisTurn& turn) {
     return !isNear(toolAxisAt(turner, turn.angles), wanted);
   };
+  // Where a joint is free both branches are the same, and planning asks for many values of it.
+  if (turns.size() == 2 && turns[0].angles == turns[1].angles)
+    return misses(turns[0]) ? ToolAxisTurns() : turns;
   turns.erase(std::remove_if(turns.begin(), turns.end(), misses), turns.end());
   return turns;
 }

@@ -84,14 +84,27 @@ GrownPart grownBy(double overhang_rad, const Mesh& mesh, const VolumetricRequest
   return part;
 }
 
-/// Nodes to which no growth leads: ways lean the less the less overhang is used.
-std::ptrdiff_t unreached(const GrownPart& part) {
-  const std::vector<double>& growth_mm = part.field().growth_mm;
-  return std::count_if(growth_mm.begin(), growth_mm.end(),
-                       [](double growth) { return !std::isfinite(growth); });
+/// Ways lean the less the less overhang is used, and may no longer lead everywhere. Whether what is lost of
+/// the volume is no more than a layer over the surface that is supported instead.
+bool supportsMore(const GrownPart& next, const GrownPart& best) {
+  const double gained_mm2 = best.hanging.grown_mm2 - next.hanging.grown_mm2;
+  const double lost_mm3 = pendantOf(next).volume_mm3 - pendantOf(best).volume_mm3;
+  return gained_mm2 > 0.0 && lost_mm3 <= next.request.slicing.layer_height_mm * gained_mm2;
 }
 
 }  // namespace
+
+Pendant pendantOf(const GrownPart& part) {
+  Pendant pendant;
+  for (std::uint32_t node = 0; node < part.cells().nodeCount(); ++node) {
+    const double volume = part.cells().volume(node);
+    pendant.whole_mm3 += volume;
+    if (std::isfinite(part.field().growth_mm[node])) continue;
+    pendant.volume_mm3 += volume;
+    if (part.cells().middle(node).z() < pendant.lowest.z()) pendant.lowest = part.cells().middle(node);
+  }
+  return pendant;
+}
 
 GrownPart grownPart(const Mesh& mesh, const VolumetricRequest& request, Progress& progress) {
   const VolumetricSettings& settings = request.settings;
@@ -108,9 +121,10 @@ GrownPart grownPart(const Mesh& mesh, const VolumetricRequest& request, Progress
     return is_shut ? best->shut() <= kLittleShut : best->unsupportedPercent() <= kMuchUnsupported;
   };
   const auto isPossible = [&](const GrownPart& next) {
-    return is_shut ? next.unsupportedPercent() <= settings.largest_unsupported_percent
-                   : next.shut() <= kMuchShut && next.unsupportedPercent() < best->unsupportedPercent() &&
-                         unreached(next) <= unreached(*best);
+    return is_shut
+               ? next.unsupportedPercent() <= settings.largest_unsupported_percent
+               : next.shut() <= kMuchShut && pendantOf(next).percent() <= settings.largest_pendant_percent &&
+                     supportsMore(next, *best);
   };
   double used_rad = best->overhang_rad;
   for (double asked_deg = first_deg + step_deg; !isLeftOff(); asked_deg += step_deg) {

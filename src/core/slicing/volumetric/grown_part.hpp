@@ -47,11 +47,22 @@ struct GrownPart {
   double shut() const { return lean ? lean->shut() : 0.0; }
 };
 
+/// What of a part no growth leads to.
+struct Pendant {
+  double volume_mm3 = 0.0;
+  double whole_mm3 = 0.0;  ///< of the part
+  Point3 lowest = Point3::Constant(std::numeric_limits<double>::infinity());
+
+  double percent() const { return 100.0 * volume_mm3 / whole_mm3; }
+};
+
+Pendant pendantOf(const GrownPart& part);
+
 /// Grows a part by the overhang that `overhang_used_deg` states. If it states none, by 20 deg less than the
 /// material takes, and then in steps of 2.5 deg: more where the head has no room between fronts that meet, so
 /// that they meet at a wider angle, as long as that makes room, thickness allows it and no more is left
-/// unsupported than is taken; less where much is left unsupported, as long as there is less of it and the
-/// head has room.
+/// unsupported than is taken; less where much is left unsupported, as long as there is less of it, the head
+/// has room, and no more volume is lost to pendants than a layer over the surface that is supported instead.
 /// @throws Unsliceable if it does not stand on the bed; Cancelled
 GrownPart grownPart(const Mesh& mesh, const VolumetricRequest& request, Progress& progress);
 

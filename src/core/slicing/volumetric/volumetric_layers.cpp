@@ -51,27 +51,8 @@ Mesh trianglesWhere(const Mesh& mesh, const std::vector<double>& weight) {
   return patchOf(mesh, numbers);
 }
 
-/// What no growth reaches, and its lowest place.
-struct Pendant {
-  double volume_mm3 = 0.0;
-  double whole_mm3 = 0.0;
-  Point3 lowest = Point3::Constant(std::numeric_limits<double>::infinity());
-};
-
-Pendant pendantOf(const GrownPart& part) {
-  Pendant pendant;
-  for (std::uint32_t node = 0; node < part.cells().nodeCount(); ++node) {
-    const double volume = part.cells().volume(node);
-    pendant.whole_mm3 += volume;
-    if (std::isfinite(part.field().growth_mm[node])) continue;
-    pendant.volume_mm3 += volume;
-    if (part.cells().middle(node).z() < pendant.lowest.z()) pendant.lowest = part.cells().middle(node);
-  }
-  return pendant;
-}
-
 void requireReached(const GrownPart& part, const Pendant& pendant, const HangingSurface& hanging) {
-  const double percent = 100.0 * pendant.volume_mm3 / pendant.whole_mm3;
+  const double percent = pendant.percent();
   if (percent <= part.request.settings.largest_pendant_percent) return;
   char text[300];
   std::snprintf(

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "job/modes/fit/machine_fit.hpp"
+#include "lamina/base/parallel.hpp"
 #include "lamina/base/random.hpp"
 #include "lamina/kinematics/model/build_space.hpp"
 #include "support/toolpaths.hpp"
@@ -119,6 +120,9 @@ TEST(MachineFit, IsClearByAWholeCheckAndLeavesOutWhatTheHeadHasNoRoomFor) {
   EXPECT_GT(fit.left_out_mm3, 0.0);
   EXPECT_TRUE(plan.check.whole(fit.toolpath).check.isClear());
   for (std::size_t l = 0; l < 9; ++l) EXPECT_EQ(fit.toolpath.layers[l].paths.size(), 2U) << l;
+  const ThreadLimit limit(1);
+  const MachineFit by_one = fitToMachine(beadsBetween(ends), plan.request, plan.lead, plan.nobody);
+  EXPECT_EQ(toolpathId(by_one.toolpath), toolpathId(fit.toolpath)) << "of one thread";
 }
 
 TEST(MachineFit, LeavesAPlanAsItWasWhereTooMuchWouldBeLeftOut) {
