@@ -63,7 +63,7 @@ TEST(EmulatedBelt, WhatIsDepositedLiesOnTheBeltAndMovesWithIt) {
     return std::abs(position->position[0] - x) < 1e-9 && std::abs(position->position[2] - z) < 1e-9;
   };
   ASSERT_TRUE(test::waitUntil([&] { return reached(0.09, 0.02); }));
-  const auto bedAt = [&](const ros::Time& stamp) {
+  const auto bedAt = [&](const ros::Time& stamp) -> Point3 {
     std::optional<Eigen::Isometry3d> bed;
     EXPECT_TRUE(test::waitUntil([&] {
       bed = lookUp(buffer, names::kWorldFrame, names::kBedFrame, stamp);
