@@ -4,7 +4,6 @@
 
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/parallel_invoke.h>
 #include <oneapi/tbb/task_group.h>
 
 #include <algorithm>
@@ -65,16 +64,7 @@ void parallelFor(std::size_t count, const std::function<void(std::size_t)>& body
 }
 
 void inParallel(const std::function<void()>& first, const std::function<void()>& second) {
-  tbb::task_group_context context(tbb::task_group_context::isolated);
-  Handover handover;
-  const auto run = [&handover](const std::function<void()>& part) {
-    handover.take();
-    part();
-    handover.giveBack();
-  };
-  handover.begin();
-  tbb::parallel_invoke([&] { run(first); }, [&] { run(second); }, context);
-  handover.end();
+  parallelFor(2, [&](std::size_t i) { (i == 0 ? first : second)(); });
 }
 
 struct ThreadLimit::Control {
