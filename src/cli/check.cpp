@@ -13,7 +13,7 @@
 #include "lamina/base/error.hpp"
 #include "lamina/job/machine_check.hpp"
 #include "lamina/job/output_files.hpp"
-#include "lamina/kinematics/cartesian/machine_settings.hpp"
+#include "lamina/kinematics/cartesian/cartesian_machine_settings.hpp"
 #include "lamina/toolpath/waypoint_text.hpp"
 #include "lamina/trajectory/nozzle_csv.hpp"
 #include "output/terminal_progress.hpp"

@@ -15,9 +15,9 @@
 #include "lamina/job/rapid_files.hpp"
 #include "lamina/job/robot_files.hpp"
 #include "lamina/program/rapid/reader/rapid_reader.hpp"
-#include "lamina/program/rapid/writer/rapid_program.hpp"
-#include "lamina/program/robot/robot_program.hpp"
+#include "lamina/program/rapid/writer/rapid_writer.hpp"
 #include "lamina/program/robot/robot_reader.hpp"
+#include "lamina/program/robot/robot_writer.hpp"
 #include "lamina/streaming/journal/job_journal.hpp"
 #include "subcommand.hpp"
 

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "lamina/base/settings.hpp"
+#include "lamina/base/settings_schema.hpp"
 
 namespace lamina::cli {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "frames.hpp"
+#include "tf/frames.hpp"
 
 /// Names of everything the nodes share, relative to the namespace they run in.
 namespace lamina::names {

@@ -10,8 +10,8 @@
 #include <cstdlib>
 
 #include "lamina/base/error.hpp"
+#include "network/loopback.hpp"
 #include "node_plugins.hpp"
-#include "reach/loopback.hpp"
 
 namespace lamina {
 namespace {

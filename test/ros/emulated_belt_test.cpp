@@ -13,8 +13,8 @@
 #include "names.hpp"
 #include "point_cloud.hpp"
 #include "ros_home.hpp"
-#include "transform_intake.hpp"
-#include "transforms.hpp"
+#include "tf/transform_intake.hpp"
+#include "tf/transforms.hpp"
 #include "wait_until.hpp"
 
 namespace lamina {

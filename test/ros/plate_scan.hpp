@@ -13,7 +13,7 @@
 #include "names.hpp"
 #include "point_cloud.hpp"
 #include "support/scanned_plates.hpp"
-#include "transforms.hpp"
+#include "tf/transforms.hpp"
 
 namespace lamina::test {
 

@@ -14,7 +14,7 @@
 
 #include "lamina/geometry/vector.hpp"
 #include "names.hpp"
-#include "transforms.hpp"
+#include "tf/transforms.hpp"
 
 namespace lamina::test {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "lamina/program/rapid/writer/rapid_program.hpp"
+#include "lamina/program/rapid/writer/rapid_writer.hpp"
 #include "support/random_toolpath.hpp"
 
 namespace lamina::test {

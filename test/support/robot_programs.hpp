@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "lamina/base/random.hpp"
-#include "lamina/program/robot/robot_program.hpp"
+#include "lamina/program/robot/robot_writer.hpp"
 
 namespace lamina::test {
 

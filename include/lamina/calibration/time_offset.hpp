@@ -40,12 +40,12 @@ struct PassComparison {
   Eigen::Isometry3d nozzle_from_sensor = Eigen::Isometry3d::Identity();  ///< about [mm]
 };
 
-/// The time offset of a sensor that is led over the same ground in opposite senses: over an edge there and
-/// back, or in swaths that overlap. What the two passes see is apart by twice speed times offset. Passes are
-/// found in the motion itself, as straight and level pieces at the usual speed, where something is seen
-/// within the search. A print with scans will therefore do. A turn of the sensor's line about the viewing
-/// direction shifts swaths that overlap by their edges as well; it cancels between neighbours to the left and
-/// to the right.
+/// The time offset of a sensor that passes over the same ground in opposite senses: over an edge there and
+/// back, or in overlapping swaths. The two passes see an edge at places that are apart by twice the speed
+/// times the offset. Passes are found in the motion, as straight and level pieces at the usual speed along
+/// which the sensor sees something. So a print with scan passes is enough. A sensor whose line is turned
+/// about its viewing direction shifts overlapping swaths too. This cancels between neighbours to the left
+/// and to the right.
 ///
 /// @throws InvalidInput if there are no two passes in opposite senses that see the same ground, it is too
 ///   even to tell, or the best offset lies at the end of the search

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "lamina/base/settings.hpp"
+#include "lamina/base/settings_schema.hpp"
 
 namespace lamina {
 

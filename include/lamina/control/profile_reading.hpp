@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "lamina/base/settings.hpp"
+#include "lamina/base/settings_schema.hpp"
 #include "lamina/control/cell_atlas.hpp"
 #include "lamina/control/cell_estimate.hpp"
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "lamina/base/settings.hpp"
+#include "lamina/base/settings_schema.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 
 namespace lamina {

@@ -5,7 +5,7 @@
 #include <array>
 #include <complex>
 
-#include "lamina/base/settings.hpp"
+#include "lamina/base/settings_schema.hpp"
 #include "lamina/kinematics/platform/rus_platform.hpp"
 
 namespace lamina {

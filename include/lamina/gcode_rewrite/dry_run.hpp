@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "lamina/base/quotation.hpp"
-#include "lamina/base/settings.hpp"
+#include "lamina/base/settings_schema.hpp"
 
 namespace lamina {
 

@@ -91,8 +91,8 @@ struct InfillStrategy {
   LayerLink link = LayerLink::Travel;
   WallContact contact = WallContact::Beside;
   Deposit deposit = Deposit::Bead;  ///< drops cover the whole section: walls and skirt are of beads
-  /// Part of the volume of a sparse fill that lies on itself where its lines cross, at a density towards 1:
-  /// at others as much less.
+  /// Share of the volume of a sparse fill that is deposited twice where its lines cross: this times the
+  /// density.
   double crossing = 0.0;
   FillGrowth growth = FillGrowth::Alone;
   /// Directions of its lines against `infill.angle_deg` [deg] if they are the same in all layers; empty for a
@@ -106,6 +106,10 @@ Registry<InfillStrategy>& infillStrategies();
 /// The strategy of that name.
 /// @throws InvalidConfig if there is none, naming those there are
 InfillStrategy infillStrategy(const std::string& name);
+
+/// Whether the strategy of that name lays drops: its toolpaths have no beads within the part.
+/// @throws InvalidConfig if there is none
+bool laysDrops(const std::string& strategy);
 
 /// Names of all strategies, in alphabetical order.
 std::vector<std::string> infillStrategyNames();

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "lamina/base/settings.hpp"
+#include "lamina/base/settings_schema.hpp"
 #include "lamina/deposition/deposition_settings.hpp"
 #include "lamina/geometry/mesh_io/mesh_reader.hpp"
 #include "lamina/job/modes/automatic_settings.hpp"
@@ -13,7 +13,7 @@
 #include "lamina/job/part/placement.hpp"
 #include "lamina/job/plate/plate_settings.hpp"
 #include "lamina/job/profiles/capabilities.hpp"
-#include "lamina/kinematics/cartesian/machine_settings.hpp"
+#include "lamina/kinematics/cartesian/cartesian_machine_settings.hpp"
 #include "lamina/kinematics/joint_path/joint_path_settings.hpp"
 #include "lamina/metrics/metrics_settings.hpp"
 #include "lamina/orientation/orientation_settings.hpp"
@@ -25,7 +25,7 @@
 #include "lamina/planning/hooks/hook_settings.hpp"
 #include "lamina/planning/lift/chart_lift.hpp"
 #include "lamina/planning/plan_settings.hpp"
-#include "lamina/planning/runs/run_settings.hpp"
+#include "lamina/planning/runs/bead_run_settings.hpp"
 #include "lamina/planning/scan_pass.hpp"
 #include "lamina/program/program_settings.hpp"
 #include "lamina/slicing/adapted/adapted_settings.hpp"

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "lamina/kinematics/cartesian/machine_settings.hpp"
+#include "lamina/kinematics/cartesian/cartesian_machine_settings.hpp"
 #include "lamina/kinematics/model/kinematic_model.hpp"
 #include "lamina/program/program_settings.hpp"
 #include "lamina/program/stated_motion.hpp"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "lamina/base/settings.hpp"
+#include "lamina/base/settings_schema.hpp"
 #include "lamina/job/job_settings.hpp"
 #include "lamina/kinematics/joint_path/joint_path_settings.hpp"
 #include "lamina/trajectory/timed_path.hpp"

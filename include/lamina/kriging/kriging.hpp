@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "lamina/base/settings.hpp"
+#include "lamina/base/settings_schema.hpp"
 #include "lamina/optimisation/surrogate.hpp"
 
 namespace lamina {

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "lamina/base/settings.hpp"
+#include "lamina/base/settings_schema.hpp"
 #include "lamina/monitoring/height_comparison.hpp"
 #include "lamina/monitoring/layer_clock.hpp"
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "lamina/base/random.hpp"
-#include "lamina/base/settings.hpp"
+#include "lamina/base/settings_schema.hpp"
 #include "lamina/geometry/voxel/height_source.hpp"
 
 namespace lamina {

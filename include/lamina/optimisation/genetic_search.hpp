@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "lamina/base/progress.hpp"
-#include "lamina/base/settings.hpp"
+#include "lamina/base/settings_schema.hpp"
 #include "lamina/optimisation/design_space.hpp"
 
 namespace lamina {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "lamina/base/progress.hpp"
-#include "lamina/base/settings.hpp"
+#include "lamina/base/settings_schema.hpp"
 #include "lamina/optimisation/search_problem.hpp"
 
 namespace lamina {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "lamina/base/settings.hpp"
+#include "lamina/base/settings_schema.hpp"
 #include "lamina/optimisation/experiment_design.hpp"
 #include "lamina/optimisation/fitness.hpp"
 #include "lamina/optimisation/genetic_search.hpp"

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "lamina/base/settings.hpp"
+#include "lamina/base/settings_schema.hpp"
 #include "lamina/infill/fill_settings.hpp"
 #include "lamina/infill/line_link.hpp"
 #include "lamina/planning/adhesion/adhesion_settings.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "lamina/base/settings.hpp"
+#include "lamina/base/settings_schema.hpp"
 #include "lamina/geometry/vector.hpp"
 #include "lamina/program/drops/drop_dialect.hpp"
 #include "lamina/program/five_axis/five_axis_settings.hpp"

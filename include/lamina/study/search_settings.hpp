@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "lamina/base/settings.hpp"
+#include "lamina/base/settings_schema.hpp"
 #include "lamina/optimisation/nsga2.hpp"
 #include "lamina/optimisation/surrogate_search.hpp"
 #include "lamina/study/study.hpp"

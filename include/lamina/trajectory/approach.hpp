@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "lamina/base/settings.hpp"
+#include "lamina/base/settings_schema.hpp"
 #include "lamina/kinematics/model/kinematic_model.hpp"
 #include "lamina/trajectory/timed_path.hpp"
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "lamina/base/clock.hpp"
-#include "lamina/base/settings.hpp"
+#include "lamina/base/settings_schema.hpp"
 #include "lamina/kinematics/model/kinematic_model.hpp"
 #include "lamina/trajectory/trajectory_feeder.hpp"
 

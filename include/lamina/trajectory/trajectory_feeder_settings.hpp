@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "lamina/base/settings.hpp"
+#include "lamina/base/settings_schema.hpp"
 
 namespace lamina {
 

@@ -9,7 +9,7 @@
 
 #include "lamina/job/part/placement.hpp"
 #include "lamina/job/program_file.hpp"
-#include "lamina/kinematics/cartesian/machine_settings.hpp"
+#include "lamina/kinematics/cartesian/cartesian_machine_settings.hpp"
 #include "profile_options.hpp"
 #include "toolpath_input.hpp"
 

@@ -10,7 +10,7 @@
 #include "lamina/calibration/calibration_file.hpp"
 #include "lamina/calibration/calibration_settings.hpp"
 #include "lamina/calibration/sensor_recording.hpp"
-#include "lamina/kinematics/cartesian/machine_settings.hpp"
+#include "lamina/kinematics/cartesian/cartesian_machine_settings.hpp"
 #include "lamina/program/program_settings.hpp"
 #include "subcommand.hpp"
 

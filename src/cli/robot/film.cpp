@@ -10,7 +10,7 @@
 #include "arguments/machine_run.hpp"
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
-#include "lamina/kinematics/cartesian/machine_settings.hpp"
+#include "lamina/kinematics/cartesian/cartesian_machine_settings.hpp"
 #include "lamina/kinematics/model/link_bodies.hpp"
 #include "lamina/kinematics/model/seen_bodies.hpp"
 #include "lamina/picture/scene_picture.hpp"

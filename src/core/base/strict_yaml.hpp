@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "lamina/base/quotation.hpp"
-#include "lamina/base/settings.hpp"
+#include "lamina/base/settings_schema.hpp"
 
 namespace lamina {
 

@@ -96,6 +96,8 @@ Registry<InfillStrategy>& infillStrategies() {
 
 InfillStrategy infillStrategy(const std::string& name) { return infillStrategies().find(name); }
 
+bool laysDrops(const std::string& strategy) { return infillStrategy(strategy).deposit == Deposit::Drops; }
+
 std::vector<std::string> infillStrategyNames() { return infillStrategies().names(); }
 
 }  // namespace lamina

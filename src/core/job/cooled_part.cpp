@@ -42,10 +42,6 @@ struct JobSite {
   const MotionLimits& limits;
 };
 
-bool laysDrops(const JobSettings& settings) {
-  return infillStrategy(settings.planning.infill.strategy).deposit == Deposit::Drops;
-}
-
 /// Whether the nozzle reaches all places where it may be asked to wait beside the part.
 bool canPark(const SlicedPart& sliced, const CoolingSettings& cooling, const BuildSpace& space) {
   const Box3 part = depositionBox(sliced.toolpath);
@@ -93,7 +89,7 @@ void coolPart(SlicedPart& sliced, const SliceJob& job, const BuildSpace& space, 
   CoolingSettings cooling = job.settings.cooling;
   FanSettings fan = job.settings.fan;
   const CarriedCooling carried = carriedBy(job);
-  if (laysDrops(job.settings)) {
+  if (laysDrops(job.settings.planning.infill.strategy)) {
     if (cooling.least_layer_time_s > 0.0 || fan.is_used)
       sliced.summary.notes.push_back("cooling.* and fan.* have no effect with infill.strategy '" +
                                      job.settings.planning.infill.strategy + "'");

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "job/modes/part_slicing.hpp"
-#include "job/part/part_source.hpp"
+#include "job/part/part_reading.hpp"
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/job/modes/slicing_mode.hpp"

@@ -8,7 +8,7 @@
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
-#include "lamina/program/rapid/writer/rapid_program.hpp"
+#include "lamina/program/rapid/writer/rapid_writer.hpp"
 
 namespace lamina {
 namespace {

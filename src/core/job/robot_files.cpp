@@ -14,7 +14,7 @@
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/job/rapid_files.hpp"
-#include "lamina/program/robot/robot_program.hpp"
+#include "lamina/program/robot/robot_writer.hpp"
 
 namespace lamina {
 namespace {

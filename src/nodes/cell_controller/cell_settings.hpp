@@ -5,9 +5,9 @@
 #include <string>
 
 #include "journal_care.hpp"
-#include "lamina/base/settings.hpp"
+#include "lamina/base/settings_schema.hpp"
 #include "lamina/cell/plc_watch.hpp"
-#include "lamina/kinematics/cartesian/machine_settings.hpp"
+#include "lamina/kinematics/cartesian/cartesian_machine_settings.hpp"
 
 namespace lamina {
 

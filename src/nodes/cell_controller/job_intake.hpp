@@ -13,7 +13,7 @@
 
 #include "lamina/journal/artefact_store.hpp"
 #include "lamina/journal/cell_journal.hpp"
-#include "lamina/kinematics/cartesian/machine_settings.hpp"
+#include "lamina/kinematics/cartesian/cartesian_machine_settings.hpp"
 #include "messages.hpp"
 
 namespace lamina {

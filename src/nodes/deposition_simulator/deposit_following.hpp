@@ -9,8 +9,8 @@
 
 #include "lamina/deposition/followed_deposit.hpp"
 #include "messages.hpp"
-#include "nozzle_intake.hpp"
 #include "simulator_settings.hpp"
+#include "tf/nozzle_intake.hpp"
 
 namespace lamina {
 

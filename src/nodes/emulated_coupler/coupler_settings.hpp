@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "lamina/base/settings.hpp"
+#include "lamina/base/settings_schema.hpp"
 #include "lamina/process_io/devices/emulated_coupler.hpp"
 
 namespace lamina {

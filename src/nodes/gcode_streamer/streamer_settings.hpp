@@ -5,9 +5,9 @@
 #include <string>
 
 #include "correction_settings.hpp"
-#include "lamina/base/settings.hpp"
+#include "lamina/base/settings_schema.hpp"
 #include "lamina/gcode_rewrite/dry_run.hpp"
-#include "lamina/kinematics/cartesian/machine_settings.hpp"
+#include "lamina/kinematics/cartesian/cartesian_machine_settings.hpp"
 #include "lamina/program/program_settings.hpp"
 #include "lamina/startup/startup_settings.hpp"
 #include "lamina/streaming/session/stream_session.hpp"

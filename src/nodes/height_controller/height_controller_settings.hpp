@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "lamina/control/run/run_settings.hpp"
+#include "lamina/control/run/loop_run_settings.hpp"
 
 namespace lamina {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "lamina/base/settings.hpp"
+#include "lamina/base/settings_schema.hpp"
 #include "lamina/cell/host_watch.hpp"
 #include "lamina/streaming/guard/machine_guard.hpp"
 

@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "lamina/geometry/vector.hpp"
-#include "transform_intake.hpp"
-#include "transform_sequence.hpp"
+#include "tf/transform_intake.hpp"
+#include "tf/transform_sequence.hpp"
 
 namespace lamina {
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "lamina/base/settings.hpp"
+#include "lamina/base/settings_schema.hpp"
 #include "lamina/web/operator_site.hpp"
 
 namespace lamina {

@@ -7,7 +7,7 @@
 
 #include <vector>
 
-#include "lamina/base/settings.hpp"
+#include "lamina/base/settings_schema.hpp"
 #include "messages.hpp"
 #include "study_feedback.hpp"
 

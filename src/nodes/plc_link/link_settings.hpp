@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "lamina/base/settings.hpp"
+#include "lamina/base/settings_schema.hpp"
 #include "lamina/cell/plc_watch.hpp"
 #include "lamina/modbus/modbus_server.hpp"
 #include "lamina/modbus/plc_link.hpp"

@@ -9,7 +9,7 @@
 
 #include "latched.hpp"
 #include "names.hpp"
-#include "reach/exposure.hpp"
+#include "network/exposure.hpp"
 
 namespace lamina {
 namespace {

@@ -16,8 +16,8 @@
 #include "names.hpp"
 #include "shutdown.hpp"
 #include "status.hpp"
-#include "transform_intake.hpp"
-#include "transforms.hpp"
+#include "tf/transform_intake.hpp"
+#include "tf/transforms.hpp"
 
 namespace lamina {
 namespace {

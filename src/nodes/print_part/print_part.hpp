@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "console_progress.hpp"
-#include "lamina/base/settings.hpp"
+#include "lamina/base/settings_schema.hpp"
 #include "print_report.hpp"
 
 namespace lamina {

@@ -4,9 +4,9 @@
 
 #include <vector>
 
-#include "lamina/base/settings.hpp"
+#include "lamina/base/settings_schema.hpp"
 #include "lamina/deposition/grown_deposit.hpp"
-#include "lamina/kinematics/cartesian/machine_settings.hpp"
+#include "lamina/kinematics/cartesian/cartesian_machine_settings.hpp"
 #include "lamina/monitoring/profile_sensor.hpp"
 #include "lamina/trajectory/simulated_controller.hpp"
 

@@ -14,7 +14,7 @@
 #include "lamina/base/number_text.hpp"
 #include "names.hpp"
 #include "point_cloud.hpp"
-#include "transforms.hpp"
+#include "tf/transforms.hpp"
 
 namespace lamina {
 namespace {

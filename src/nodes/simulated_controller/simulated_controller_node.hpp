@@ -17,8 +17,8 @@
 #include "goal_tolerances.hpp"
 #include "laid_material.hpp"
 #include "lamina/base/manual_clock.hpp"
-#include "machine_transforms.hpp"
 #include "process_queue.hpp"
+#include "tf/machine_transforms.hpp"
 
 namespace lamina {
 

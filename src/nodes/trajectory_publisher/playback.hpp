@@ -13,7 +13,7 @@
 #include "lamina/kinematics/model/kinematic_model.hpp"
 #include "lamina/toolpath/timing.hpp"
 #include "lamina/trajectory/nozzle_motion.hpp"
-#include "machine_transforms.hpp"
+#include "tf/machine_transforms.hpp"
 
 namespace lamina {
 

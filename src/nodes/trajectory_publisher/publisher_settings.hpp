@@ -4,9 +4,9 @@
 
 #include <string>
 
-#include "lamina/base/settings.hpp"
+#include "lamina/base/settings_schema.hpp"
 #include "lamina/job/run_settings.hpp"
-#include "lamina/kinematics/cartesian/machine_settings.hpp"
+#include "lamina/kinematics/cartesian/cartesian_machine_settings.hpp"
 #include "lamina/program/program_settings.hpp"
 
 namespace lamina {

@@ -9,8 +9,8 @@
 
 #include <string>
 
-#include "machine_transforms.hpp"
 #include "publisher_settings.hpp"
+#include "tf/machine_transforms.hpp"
 
 namespace lamina {
 

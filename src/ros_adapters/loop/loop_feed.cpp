@@ -13,7 +13,7 @@
 #include "lamina/control/replanned_toolpath.hpp"
 #include "names.hpp"
 #include "point_cloud.hpp"
-#include "transforms.hpp"
+#include "tf/transforms.hpp"
 
 namespace lamina {
 namespace {

@@ -12,7 +12,7 @@
 
 #include "lamina/control/run/loop_run.hpp"
 #include "messages.hpp"
-#include "transform_sequence.hpp"
+#include "tf/transform_sequence.hpp"
 
 namespace lamina {
 

@@ -7,7 +7,7 @@
 
 #include "lamina/base/error.hpp"
 #include "point_cloud.hpp"
-#include "transforms.hpp"
+#include "tf/transforms.hpp"
 
 namespace lamina {
 namespace {

@@ -8,7 +8,7 @@
 
 #include <vector>
 
-#include "lamina/base/settings.hpp"
+#include "lamina/base/settings_schema.hpp"
 #include "lamina/geometry/vector.hpp"
 
 namespace lamina {

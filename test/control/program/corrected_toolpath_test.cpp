@@ -8,7 +8,7 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/program/rapid/reader/rapid_reader.hpp"
-#include "lamina/program/rapid/writer/rapid_program.hpp"
+#include "lamina/program/rapid/writer/rapid_writer.hpp"
 #include "support/control_layers.hpp"
 
 namespace lamina {

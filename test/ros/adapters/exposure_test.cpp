@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "reach/exposure.hpp"
+#include "network/exposure.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

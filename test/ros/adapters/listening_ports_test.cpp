@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "reach/listening_ports.hpp"
+#include "network/listening_ports.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "reach/loopback.hpp"
+#include "network/loopback.hpp"
 
 #include <arpa/inet.h>
 #include <gtest/gtest.h>

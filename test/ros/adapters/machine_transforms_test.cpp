@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "machine_transforms.hpp"
+#include "tf/machine_transforms.hpp"
 
 #include <gtest/gtest.h>
 

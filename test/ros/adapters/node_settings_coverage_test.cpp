@@ -69,25 +69,25 @@ const std::vector<TestedElsewhere>& plcTests() {
 const std::vector<TestedElsewhere>& loopTests() {
   static const std::vector<TestedElsewhere> all = {
       {"arrival_hold_s", "ros/height_controller_test.cpp", "arrival_hold_s"},
-      {"feeder.uncertainty_s", "control/run/run_settings_test.cpp", "feeder.uncertainty_s"},
-      {"head.clearance_mm", "control/run/run_settings_test.cpp", "head.clearance_mm"},
+      {"feeder.uncertainty_s", "control/run/loop_run_settings_test.cpp", "feeder.uncertainty_s"},
+      {"head.clearance_mm", "control/run/loop_run_settings_test.cpp", "head.clearance_mm"},
       {"loop.learned", "control/run/taught_part_test.cpp", "loop.learned"},
       {"memory_file", "ros/height_controller_test.cpp", "_memory_file"},
-      {"monitor.reorder_s", "control/run/run_settings_test.cpp", "monitor.reorder_s"},
-      {"monitor.settle_mm", "control/run/run_settings_test.cpp", "monitor.settle_mm"},
-      {"monitor.settle_s", "control/run/run_settings_test.cpp", "monitor.settle_s"},
+      {"monitor.reorder_s", "control/run/loop_run_settings_test.cpp", "monitor.reorder_s"},
+      {"monitor.settle_mm", "control/run/loop_run_settings_test.cpp", "monitor.settle_mm"},
+      {"monitor.settle_s", "control/run/loop_run_settings_test.cpp", "monitor.settle_s"},
       {"plans_followed", "ros/robot_loop.test", "plans_followed"},
       {"pauses_print", "ros/height_controller_test.cpp", "pauses_print"},
-      {"process.gain_ratio", "control/run/run_settings_test.cpp", "process.gain_ratio"},
-      {"process.levelling_mm", "control/run/run_settings_test.cpp", "process.levelling_mm"},
+      {"process.gain_ratio", "control/run/loop_run_settings_test.cpp", "process.gain_ratio"},
+      {"process.levelling_mm", "control/run/loop_run_settings_test.cpp", "process.levelling_mm"},
       {"process.material", "ros/height_controller_test.cpp", "_process/material"},
-      {"process.standoff", "control/run/run_settings_test.cpp", "process.standoff"},
-      {"request", "control/run/run_settings_test.cpp", "\"request\""},
+      {"process.standoff", "control/run/loop_run_settings_test.cpp", "process.standoff"},
+      {"request", "control/run/loop_run_settings_test.cpp", "\"request\""},
       {"sensor.calibration", "ros/height_controller_test.cpp", "_sensor/calibration"},
-      {"sensor.place_error_mm", "control/run/run_settings_test.cpp", "sensor.place_error_mm"},
-      {"sensor.place_trusted", "control/run/run_settings_test.cpp", "sensor.place_trusted"},
-      {"sensor.time_offset_sigma_s", "control/run/run_settings_test.cpp", "sensor.time_offset_sigma_s"},
-      {"sensor.time_offset_trusted", "control/run/run_settings_test.cpp", "sensor.time_offset_trusted"}};
+      {"sensor.place_error_mm", "control/run/loop_run_settings_test.cpp", "sensor.place_error_mm"},
+      {"sensor.place_trusted", "control/run/loop_run_settings_test.cpp", "sensor.place_trusted"},
+      {"sensor.time_offset_sigma_s", "control/run/loop_run_settings_test.cpp", "sensor.time_offset_sigma_s"},
+      {"sensor.time_offset_trusted", "control/run/loop_run_settings_test.cpp", "sensor.time_offset_trusted"}};
   return all;
 }
 

@@ -17,10 +17,10 @@
 #include "lamina/control/height_loop.hpp"
 #include "lamina/control/run/layer_progress.hpp"
 #include "lamina/control/run/loop_memory.hpp"
+#include "lamina/control/run/loop_run_settings.hpp"
 #include "lamina/control/run/lump_watch.hpp"
 #include "lamina/control/run/missed_map.hpp"
 #include "lamina/control/run/offset_watch.hpp"
-#include "lamina/control/run/run_settings.hpp"
 #include "lamina/control/run/stuck_watch.hpp"
 #include "lamina/control/run/taught_part.hpp"
 

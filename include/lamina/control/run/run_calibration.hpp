@@ -5,7 +5,7 @@
 #include <string>
 
 #include "lamina/calibration/calibration_file.hpp"
-#include "lamina/control/run/run_settings.hpp"
+#include "lamina/control/run/loop_run_settings.hpp"
 
 namespace lamina {
 

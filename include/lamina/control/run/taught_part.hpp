@@ -9,7 +9,7 @@
 
 #include "lamina/control/height_loop.hpp"
 #include "lamina/control/part_learning.hpp"
-#include "lamina/control/run/run_settings.hpp"
+#include "lamina/control/run/loop_run_settings.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 
 namespace lamina {

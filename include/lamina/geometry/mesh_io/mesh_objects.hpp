@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "lamina/base/settings.hpp"
+#include "lamina/base/settings_schema.hpp"
 #include "lamina/geometry/mesh_io/mesh_reader.hpp"
 
 namespace lamina {

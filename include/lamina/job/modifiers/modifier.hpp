@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "lamina/base/settings.hpp"
+#include "lamina/base/settings_schema.hpp"
 #include "lamina/geometry/mesh/mesh.hpp"
 #include "lamina/geometry/mesh_io/mesh_objects.hpp"
 #include "lamina/geometry/vector.hpp"

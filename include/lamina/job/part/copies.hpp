@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "lamina/base/settings.hpp"
+#include "lamina/base/settings_schema.hpp"
 #include "lamina/kinematics/model/build_space.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 

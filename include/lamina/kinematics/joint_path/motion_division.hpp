@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "lamina/base/settings.hpp"
+#include "lamina/base/settings_schema.hpp"
 #include "lamina/toolpath/timing.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "lamina/base/settings.hpp"
+#include "lamina/base/settings_schema.hpp"
 
 namespace lamina {
 

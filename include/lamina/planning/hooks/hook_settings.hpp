@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "lamina/base/settings.hpp"
+#include "lamina/base/settings_schema.hpp"
 
 namespace lamina {
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "lamina/base/settings.hpp"
+#include "lamina/base/settings_schema.hpp"
 #include "lamina/parameterization/layer_surface.hpp"
 #include "lamina/planning/lift/layer_lift.hpp"
 #include "lamina/planning/plan_settings.hpp"

@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-#include "lamina/planning/runs/run_settings.hpp"
+#include "lamina/planning/runs/bead_run_settings.hpp"
 #include "lamina/toolpath/motion_limits.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 

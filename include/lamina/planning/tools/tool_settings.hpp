@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "lamina/base/settings.hpp"
+#include "lamina/base/settings_schema.hpp"
 #include "lamina/geometry/vector.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 

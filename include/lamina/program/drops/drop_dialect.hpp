@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "lamina/base/settings.hpp"
+#include "lamina/base/settings_schema.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 
 namespace lamina {

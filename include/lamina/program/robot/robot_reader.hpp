@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "lamina/kinematics/model/kinematic_model.hpp"
-#include "lamina/program/robot/robot_program.hpp"
+#include "lamina/program/robot/robot_writer.hpp"
 #include "lamina/program/stated_equipment.hpp"
 #include "lamina/program/stated_motion.hpp"
 #include "lamina/toolpath/toolpath.hpp"

@@ -17,8 +17,8 @@
 
 namespace lamina {
 
-/// A piece of the part that is printed in plane layers across one direction. It is the material above its
-/// plane that is above no plane of a later piece.
+/// A piece of the part that is printed in plane layers across one direction. Its material lies above its own
+/// plane and below the planes of all later pieces.
 struct DirectedPiece {
   Point3 up = Point3::UnitZ();   ///< in which its layers follow each other, of unit length [part frame]
   double from_mm = 0.0;          ///< place of its plane along `up`; the bed's for the first piece

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "lamina/base/settings.hpp"
+#include "lamina/base/settings_schema.hpp"
 
 namespace lamina {
 

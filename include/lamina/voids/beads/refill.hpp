@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "lamina/base/settings.hpp"
+#include "lamina/base/settings_schema.hpp"
 #include "lamina/infill/fill_path.hpp"
 #include "lamina/voids/beads/void_map.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <Eigen/Geometry>
 
-#include "job/part/part_source.hpp"
+#include "job/part/part_reading.hpp"
 #include "lamina/base/progress.hpp"
 #include "lamina/job/slice_job.hpp"
 #include "lamina/kinematics/model/build_space.hpp"

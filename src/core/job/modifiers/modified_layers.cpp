@@ -7,7 +7,7 @@
 #include <map>
 #include <utility>
 
-#include "job/part/part_source.hpp"
+#include "job/part/part_reading.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/layer_error.hpp"
 #include "lamina/base/number_text.hpp"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/job/part/part_in_program.hpp"
 
-#include "job/part/part_source.hpp"
+#include "job/part/part_reading.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/job/voids/void_job.hpp"
 #include "lamina/toolpath/layer_frame.hpp"

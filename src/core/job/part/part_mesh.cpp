@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/job/part/part_mesh.hpp"
 
-#include "job/part/part_source.hpp"
+#include "job/part/part_reading.hpp"
 
 namespace lamina {
 

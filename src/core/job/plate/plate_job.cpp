@@ -13,7 +13,7 @@
 #include "job/modes/inclined_layers.hpp"
 #include "job/modes/oriented_planning.hpp"
 #include "job/modes/part_slicing.hpp"
-#include "job/part/part_source.hpp"
+#include "job/part/part_reading.hpp"
 #include "job/plate/arrangement.hpp"
 #include "job/plate/head_clearance.hpp"
 #include "job/plate/plate_overlap.hpp"

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "job/modes/wall_contours.hpp"
-#include "job/part/part_source.hpp"
+#include "job/part/part_reading.hpp"
 #include "job/voids/part_placing.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"

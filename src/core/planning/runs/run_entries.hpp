@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "lamina/planning/runs/run_settings.hpp"
+#include "lamina/planning/runs/bead_run_settings.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 
 namespace lamina {

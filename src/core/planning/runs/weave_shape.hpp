@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "lamina/planning/runs/run_settings.hpp"
+#include "lamina/planning/runs/bead_run_settings.hpp"
 
 namespace lamina {
 

@@ -84,15 +84,15 @@ GrownPart grownBy(double overhang_rad, const Mesh& mesh, const VolumetricRequest
   return part;
 }
 
-/// Ways lean the less the less overhang is used, and may no longer lead everywhere. Whether what is lost of
-/// the volume is no more than a layer over the surface that is supported instead.
-bool supportsMore(const GrownPart& next, const GrownPart& best) {
-  const double gained_mm2 = best.hanging.grown_mm2 - next.hanging.grown_mm2;
-  const double lost_mm3 = pendantOf(next).volume_mm3 - pendantOf(best).volume_mm3;
-  return gained_mm2 > 0.0 && lost_mm3 <= next.request.slicing.layer_height_mm * gained_mm2;
-}
+GrowthLoss lossOf(const GrownPart& part) { return {part.hanging.grown_mm2, pendantOf(part).volume_mm3}; }
 
 }  // namespace
+
+bool supportsMore(const GrowthLoss& next, const GrowthLoss& best, double layer_height_mm) {
+  const double gained_mm2 = best.unsupported_mm2 - next.unsupported_mm2;
+  const double lost_mm3 = next.pendant_mm3 - best.pendant_mm3;
+  return gained_mm2 > 0.0 && lost_mm3 <= layer_height_mm * gained_mm2;
+}
 
 Pendant pendantOf(const GrownPart& part) {
   Pendant pendant;
@@ -124,7 +124,7 @@ GrownPart grownPart(const Mesh& mesh, const VolumetricRequest& request, Progress
     return is_shut
                ? next.unsupportedPercent() <= settings.largest_unsupported_percent
                : next.shut() <= kMuchShut && pendantOf(next).percent() <= settings.largest_pendant_percent &&
-                     supportsMore(next, *best);
+                     supportsMore(lossOf(next), lossOf(*best), request.slicing.layer_height_mm);
   };
   double used_rad = best->overhang_rad;
   for (double asked_deg = first_deg + step_deg; !isLeftOff(); asked_deg += step_deg) {

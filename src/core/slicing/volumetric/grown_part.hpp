@@ -58,6 +58,16 @@ struct Pendant {
 
 Pendant pendantOf(const GrownPart& part);
 
+/// What the growth of a part by one overhang fails to print well.
+struct GrowthLoss {
+  double unsupported_mm2 = 0.0;
+  double pendant_mm3 = 0.0;
+};
+
+/// Whether less overhang, by which growth leads to less of the part, is better: some surface is supported
+/// instead, and no more volume is lost than a layer over it.
+bool supportsMore(const GrowthLoss& next, const GrowthLoss& best, double layer_height_mm);
+
 /// Grows a part by the overhang that `overhang_used_deg` states. If it states none, by 20 deg less than the
 /// material takes, and then in steps of 2.5 deg: more where the head has no room between fronts that meet, so
 /// that they meet at a wider angle, as long as that makes room, thickness allows it and no more is left

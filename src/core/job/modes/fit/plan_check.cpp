@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "lamina/job/kinematic_model_run.hpp"
-#include "lamina/kinematics/cartesian/machine_settings.hpp"
+#include "lamina/kinematics/cartesian/cartesian_machine_settings.hpp"
 
 namespace lamina {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "lamina/kinematics/arm/abb_configuration.hpp"
-#include "lamina/program/rapid/writer/rapid_program.hpp"
+#include "lamina/program/rapid/writer/rapid_writer.hpp"
 #include "program/program_stations.hpp"
 #include "program/rapid/writer/rapid_plan.hpp"
 #include "program/rapid/writer/rapid_speeds.hpp"

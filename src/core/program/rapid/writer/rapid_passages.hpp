@@ -5,7 +5,7 @@
 #include <string>
 
 #include "lamina/program/rapid/rapid_settings.hpp"
-#include "lamina/program/rapid/writer/rapid_program.hpp"
+#include "lamina/program/rapid/writer/rapid_writer.hpp"
 #include "program/program_stations.hpp"
 #include "program/rapid/writer/rapid_lines.hpp"
 #include "program/rapid/writer/rapid_plan.hpp"

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "lamina/kinematics/arm/arm_cell.hpp"
-#include "lamina/program/robot/robot_program.hpp"
 #include "lamina/program/robot/robot_program_settings.hpp"
+#include "lamina/program/robot/robot_writer.hpp"
 #include "program/robot/robot_cell.hpp"
 #include "program/robot/robot_statement.hpp"
 

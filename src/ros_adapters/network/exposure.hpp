@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "lamina/base/loopback.hpp"
-#include "reach/listening_ports.hpp"
+#include "network/listening_ports.hpp"
 
 namespace lamina {
 

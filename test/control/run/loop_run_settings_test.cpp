@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lamina/control/run/run_settings.hpp"
+#include "lamina/control/run/loop_run_settings.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "job/part/part_source.hpp"
+#include "job/part/part_reading.hpp"
 
 #include <algorithm>
 #include <filesystem>

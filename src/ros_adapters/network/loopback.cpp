@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "reach/loopback.hpp"
+#include "network/loopback.hpp"
 
 #include <linux/filter.h>
 #include <ros/console.h>
@@ -18,7 +18,7 @@
 #include <string_view>
 #include <system_error>
 
-#include "reach/exposure.hpp"
+#include "network/exposure.hpp"
 
 namespace lamina {
 namespace {

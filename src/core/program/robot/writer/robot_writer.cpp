@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lamina/program/robot/robot_program.hpp"
+#include "lamina/program/robot/robot_writer.hpp"
 
 #include <map>
 #include <memory>

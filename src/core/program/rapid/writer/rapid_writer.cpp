@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lamina/program/rapid/writer/rapid_program.hpp"
+#include "lamina/program/rapid/writer/rapid_writer.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "lamina/base/settings.hpp"
+#include "lamina/base/settings_schema.hpp"
 #include "lamina/kinematics/cartesian/cartesian_machine.hpp"
 #include "lamina/kinematics/model/build_space.hpp"
 #include "lamina/kinematics/model/kinematic_model.hpp"

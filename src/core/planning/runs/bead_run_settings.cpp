@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lamina/planning/runs/run_settings.hpp"
+#include "lamina/planning/runs/bead_run_settings.hpp"
 
 #include <algorithm>
 #include <charconv>

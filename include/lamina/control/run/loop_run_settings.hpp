@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "lamina/base/settings.hpp"
+#include "lamina/base/settings_schema.hpp"
 #include "lamina/control/loop_settings.hpp"
 #include "lamina/control/profile_reading.hpp"
 #include "lamina/control/stability.hpp"

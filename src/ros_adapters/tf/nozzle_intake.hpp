@@ -7,8 +7,8 @@
 #include <Eigen/Geometry>
 #include <functional>
 
-#include "transform_intake.hpp"
-#include "transform_sequence.hpp"
+#include "tf/transform_intake.hpp"
+#include "tf/transform_sequence.hpp"
 
 namespace lamina {
 

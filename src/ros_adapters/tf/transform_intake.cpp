@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "transform_intake.hpp"
+#include "tf/transform_intake.hpp"
 
 #include <tf2/exceptions.h>
 

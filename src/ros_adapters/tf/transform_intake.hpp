@@ -10,7 +10,7 @@
 #include <functional>
 #include <string>
 
-#include "transform_sequence.hpp"
+#include "tf/transform_sequence.hpp"
 
 namespace lamina {
 

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "transforms.hpp"
+#include "tf/transforms.hpp"
 
 namespace lamina {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "nozzle_intake.hpp"
+#include "tf/nozzle_intake.hpp"
 
 #include <utility>
 

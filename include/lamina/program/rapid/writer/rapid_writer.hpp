@@ -30,12 +30,14 @@ class RapidProgram {
  public:
   /// @param bed_from_part  where the part stands on the bed [mm]
   /// @param robot  needed for configurations from joints and for external axes; may be null
-  /// @throws InvalidInput if the toolpath holds no motion, or drops; a position is not within 100 m, a feed
-  ///   below 0.001 mm/s, an orientation not of unit length, or a nozzle of 3 axes would have to turn; the
-  ///   joints are not those of the toolpath. Names layer, path and waypoint.
+  /// @throws InvalidInput, naming layer, path and waypoint: if the toolpath holds no motion or holds drops;
+  /// if
+  ///   a position is farther than 100 m, a feed is below 0.001 mm/s or an orientation is not of unit length;
+  ///   if a nozzle of 3 axes would have to turn; if the joints are not those of the toolpath
   /// @throws Unreachable   if the joints have faults; names the first
-  /// @throws InvalidConfig as `checkedRapidSettings`; if a speed of RAPID's own is to stand for another feed,
-  ///   modules that are loaded in turn cannot hold a run, or configurations are asked for without joints
+  /// @throws InvalidConfig as `checkedRapidSettings`; if a predefined speed of RAPID would have to serve for
+  ///   another feed; if a run is longer than a module that is loaded in turn; if configurations are asked for
+  ///   without joints
   RapidProgram(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
                const RapidSettings& settings, const RobotMotion* robot = nullptr);
   ~RapidProgram();
