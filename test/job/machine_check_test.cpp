@@ -94,5 +94,22 @@ TEST(MachineCheck, NamesANozzleInTheBedOnceWhateverTheStepsOfItsMotion) {
   EXPECT_LT(check.collisions[0].tip.z(), 0.0);
 }
 
+TEST(MachineCheck, CountsCollidingWaypointsAndShowsTheFirstOfEachLayer) {
+  const auto arm = kinematicModelByName("irb_4600");
+  Toolpath dives = travelDownTo(-25.0);
+  dives.layers.push_back(dives.layers[0]);
+  dives.layers[1].paths.push_back(dives.layers[0].paths[0]);
+  NoProgress nobody;
+  const KinematicModelRun run = runOn(*arm, dives, Isometry3d::Identity(), {}, nobody);
+  const ClearanceReport report = clearanceOf(run, *arm, {}, nobody);
+  EXPECT_EQ(report.waypoints, 6U);
+  EXPECT_EQ(report.colliding, checkRun(run, *arm, {}, nobody).collisions.size());
+  ASSERT_EQ(report.first_of_layers.size(), 2U);
+  EXPECT_EQ(report.first_of_layers[0].at, (WaypointIndex{0, 0, 1}));
+  EXPECT_EQ(report.first_of_layers[1].at.layer, 1U);
+  EXPECT_EQ(report.first_of_layers[0].link, "nozzle");
+  EXPECT_EQ(report.first_of_layers[0].obstacle, Obstacle::Bed);
+}
+
 }  // namespace
 }  // namespace lamina

@@ -158,6 +158,24 @@ TEST_F(SlicingService, ShowsWhereTheHeadCollidesIfAskedTo) {
   EXPECT_EQ(markers().size(), 1U) << "a nozzle upright over level layers clears them";
 }
 
+// The shells of a cone lean so far that a five-axis head is in the bed.
+TEST_F(SlicingService, ShowsWhereMachinesAndRobotsOfAnyJointsCollide) {
+  const auto markers = [this] { return latchedMarkers(lamina::names::kCollisionMarkers); };
+  ASSERT_EQ(
+      call("box", {settingMessage("machine.name", "irb_4600"), settingMessage("clearance.report", "true")})
+          .status.code,
+      Status::OK + 0);
+  EXPECT_EQ(markers().size(), 1U) << "the robot clears level layers";
+  const auto response =
+      call("cone", {settingMessage("machine.name", "five_axis_head_table"),
+                    settingMessage("clearance.report", "true"), settingMessage("slicing.mode", "curved"),
+                    settingMessage("input.scale", "0.5"), settingMessage("slicing.layer_height_mm", "1"),
+                    settingMessage("bead.width_mm", "1.5")});
+  ASSERT_EQ(response.status.code, Status::OK + 0) << response.status.message;
+  ASSERT_GT(markers().size(), 2U);
+  EXPECT_EQ(markers().back().ns, "first_collision");
+}
+
 TEST_F(SlicingService, SlicesIntoCurvedLayersWithTheNozzleAlongThem) {
   const auto response = call(
       "sphere", {settingMessage("slicing.mode", "curved"), settingMessage("slicing.layer_height_mm", "1"),

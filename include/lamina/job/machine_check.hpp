@@ -10,6 +10,7 @@
 #include "lamina/job/kinematic_model_run.hpp"
 #include "lamina/kinematics/model/kinematic_model.hpp"
 #include "lamina/toolpath/waypoint_index.hpp"
+#include "lamina/verification/collision/clearance.hpp"
 #include "lamina/verification/collision/clearance_settings.hpp"
 
 namespace lamina {
@@ -40,6 +41,13 @@ struct MachineCheck {
 /// @throws as `checkJointClearance`
 MachineCheck checkRun(const KinematicModelRun& run, const KinematicModel& model,
                       const ClearanceSettings& settings, Progress& progress);
+
+/// The collisions of a run, each at a waypoint of the toolpath that was asked for.
+///
+/// @param progress  stage "clearance"
+/// @throws as `checkJointClearance`
+ClearanceReport clearanceOf(const KinematicModelRun& run, const KinematicModel& model,
+                            const ClearanceSettings& settings, Progress& progress);
 
 /// Where beads come near a singularity, which slows their joints down.
 struct SingularBeads {

@@ -99,6 +99,25 @@ MachineCheck checkRun(const KinematicModelRun& run, const KinematicModel& model,
   return check;
 }
 
+ClearanceReport clearanceOf(const KinematicModelRun& run, const KinematicModel& model,
+                            const ClearanceSettings& settings, Progress& progress) {
+  const JointClearanceReport found = checkJointClearance({run.toolpath(), run.bed_from_part, model, run.path},
+                                                         linkBodies(model.urdf()), settings, progress);
+  ClearanceReport report;
+  report.waypoints = waypointsAskedFor(run.divided);
+  std::set<std::tuple<std::size_t, std::size_t, std::size_t>> colliding;
+  std::set<std::size_t> layers;
+  for (Collision collision : found.collisions) {
+    collision.at = run.divided.originalOf(collision.at);
+    if (collision.obstacle == Obstacle::Material)
+      collision.deposited = run.divided.originalOf(collision.deposited);
+    colliding.emplace(collision.at.layer, collision.at.path, collision.at.waypoint);
+    if (layers.insert(collision.at.layer).second) report.first_of_layers.push_back(std::move(collision));
+  }
+  report.colliding = colliding.size();
+  return report;
+}
+
 SingularBeads singularBeads(const KinematicModelRun& run, const KinematicModel& model, double margin_deg) {
   SingularBeads beads;
   for (std::size_t i = 0; i < run.path.at.size(); ++i) {

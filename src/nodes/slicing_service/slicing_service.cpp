@@ -5,6 +5,8 @@
 #include <set>
 
 #include "lamina/base/error.hpp"
+#include "lamina/job/kinematic_model_run.hpp"
+#include "lamina/job/machine_check.hpp"
 #include "lamina/job/profiles/machine_defaults.hpp"
 #include "lamina/slicing/unsliceable.hpp"
 #include "latched.hpp"
@@ -122,13 +124,17 @@ SlicingService::Findings SlicingService::find(const SlicedPart& sliced, const Jo
   if (settings.overhang.is_shown)
     findings.overhangs = findOverhangs(sliced.toolpath, sliced.bed_from_part, settings.overhang, progress);
   if (!settings.clearance.is_shown) return findings;
-  const CartesianMachine machine = machineOf(settings.machine);
-  findings.clearance =
-      checkClearance({sliced.toolpath, sliced.bed_from_part, machine}, settings.clearance, progress);
+  const auto model = kinematicModelOf(settings.machine);
+  const KinematicModelRun run =
+      runOn(*model, sliced.toolpath, sliced.bed_from_part, settings.joints, progress);
+  if (!run.path.isRunnable())
+    ROS_WARN_STREAM(model->name() << " cannot be led to " << run.path.faults.size()
+                                  << " waypoints, the first: " << run.path.faults.front().reason);
+  findings.clearance = clearanceOf(run, *model, settings.clearance, progress);
   if (findings.clearance.colliding > 0)
-    ROS_WARN_STREAM("the head of " << machine.name << " collides at " << findings.clearance.colliding
-                                   << " waypoints, first in layer "
-                                   << findings.clearance.first_of_layers.front().at.layer);
+    ROS_WARN_STREAM(model->name() << " collides at " << findings.clearance.colliding
+                                  << " waypoints, first in layer "
+                                  << findings.clearance.first_of_layers.front().at.layer);
   return findings;
 }
 

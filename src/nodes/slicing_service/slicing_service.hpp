@@ -24,7 +24,7 @@ namespace lamina {
 /// Publishes   toolpath (lamina/Toolpath, latched), and as visualization_msgs/MarkerArray, latched:
 ///             toolpath_markers;
 ///             overhang_markers, what is deposited with nothing below it: empty unless overhang.report says
-///             so; collision_markers, where the head collides: empty unless clearance.report says so;
+///             so; collision_markers, where the machine collides: empty unless clearance.report says so;
 ///             frame_markers, how the nozzle is held: empty unless frames.every_mm is set;
 ///             refusal_markers, which region of a part stands in the way of slicing it: empty when it is
 ///             sliced
@@ -61,7 +61,6 @@ class SlicingService {
   Answer slice(const Request& request, Progress& progress);
   /// Shows the region of a part that cannot be sliced.
   SlicedPart runShown(const SliceJob& job, Progress& progress);
-  /// @throws InvalidConfig if clearance is to be reported of an arm or platform, as `machineOf`
   static Findings find(const SlicedPart& sliced, const JobSettings& settings, Progress& progress);
   void publish(const MachineToolpath& placed, const Findings& findings, const FrameSettings& frames);
 

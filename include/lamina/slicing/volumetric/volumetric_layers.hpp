@@ -49,6 +49,7 @@ struct VolumetricMeasures {
   double resting = 1.0;           ///< share of the bent layers' area that lies on what is laid before
   double least_resting = 1.0;     ///< the same of the piece with least
   double open = 0.0;              ///< share of the volume in no layer
+  double open_level = 0.0;        ///< the same of the layers that `planar` gives
   double twice = 0.0;             ///< in more than one
   double left_out_mm3 = 0.0;      ///< pieces smaller than a bead's square
   double greatest_lean_deg = 0.0;  ///< of the head from the layers' normals

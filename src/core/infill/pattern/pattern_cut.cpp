@@ -8,13 +8,14 @@
 #include <utility>
 
 #include "geometry/polygon/plane_vectors.hpp"
-#include "infill/pattern/edge_cells.hpp"
+#include "geometry/spatial/edge_grid.hpp"
 
 namespace lamina {
 namespace {
 
 constexpr double kAside = 1e-7;  // mm; far above rounding, far below what a machine resolves
 constexpr int kAttempts = 8;
+constexpr double kFewestCellsAcross = 32.0;  // long curves pass simple outlines too
 /// Pieces shorter than this are points [mm].
 constexpr double kShortestPiece = 1e-4;
 
@@ -26,9 +27,53 @@ struct BorderCut {
   OutlinePoint place;
 };
 
+struct OutlineEdge {
+  std::uint32_t outline = 0;
+  std::uint32_t edge = 0;
+};
+
+/// The edges of outlines, by their places.
+class OutlineGrid {
+ public:
+  explicit OutlineGrid(const std::vector<Polygon>& outlines) {
+    std::vector<std::pair<Point2, Point2>> ends;
+    for (std::uint32_t o = 0; o < outlines.size(); ++o)
+      for (std::uint32_t i = 0; i < outlines[o].size(); ++i) {
+        edges_.push_back({o, i});
+        ends.emplace_back(outlines[o][i], outlines[o][i + 1 < outlines[o].size() ? i + 1 : 0]);
+      }
+    grid_ = EdgeGrid(ends, kFewestCellsAcross);
+  }
+
+  /// Calls `visit(edge)` for all edges in the cells that the segment passes through; for an edge in several
+  /// of them as often.
+  template <class Visit>
+  void visitNear(const Point2& from, const Point2& to, const Visit& visit) const {
+    if (grid_.isEmpty()) return;
+    grid_.forCellsAlong(from, to, [&](std::size_t column, std::size_t row) {
+      return grid_.forEdgesIn(column, row, [&](std::size_t i) {
+        visit(edges_[i]);
+        return true;
+      });
+    });
+  }
+
+  std::optional<std::size_t> clearCell(const Point2& point) const { return grid_.clearCell(point); }
+
+  /// Whether no edge passes through a straight line between points of two clear cells; false also where that
+  /// is in doubt.
+  bool isClearBetween(std::size_t cell, std::size_t next) const {
+    return cell == next || (grid_.areNeighbours(cell, next) && grid_.isClearAround(cell));
+  }
+
+ private:
+  std::vector<OutlineEdge> edges_;
+  EdgeGrid grid_;
+};
+
 class PieceCutter {
  public:
-  PieceCutter(const EdgeCells& cells, const std::vector<Polygon>& outlines)
+  PieceCutter(const OutlineGrid& cells, const std::vector<Polygon>& outlines)
       : cells_(cells), outlines_(outlines) {}
 
   /// None if what is inside is in doubt.
@@ -40,7 +85,7 @@ class PieceCutter {
     std::optional<std::size_t> cell = cells_.clearCell(curve.front());
     for (std::size_t i = 1; i < curve.size(); ++i) {
       const std::optional<std::size_t> next = cells_.clearCell(curve[i]);
-      const bool is_clear = next && cell && (*next == *cell || cells_.isClearBetween(*cell, *next));
+      const bool is_clear = next && cell && cells_.isClearBetween(*cell, *next);
       if (!is_clear) {
         findCuts(curve[i - 1], curve[i]);
         for (const BorderCut& cut : cuts_) pass(cut);
@@ -95,7 +140,7 @@ class PieceCutter {
     cuts_.push_back(cut);
   }
 
-  const EdgeCells& cells_;
+  const OutlineGrid& cells_;
   const std::vector<Polygon>& outlines_;
   std::vector<BorderCut> cuts_;  ///< of one motion, in order
   std::vector<RunOnOutlines> pieces_;
@@ -155,7 +200,7 @@ class PatternCutter {
   }
 
   const std::vector<Polygon>& outlines_;
-  EdgeCells cells_;
+  OutlineGrid cells_;
 };
 
 }  // namespace

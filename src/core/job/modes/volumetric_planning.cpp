@@ -46,12 +46,13 @@ std::string noteOnHanging(const VolumetricMeasures& measures, double max_overhan
 
 std::string noteOnFilling(const VolumetricMeasures& measures) {
   char text[400];
-  std::snprintf(text, sizeof text,
-                "%.2f %% of the part is in no layer, %.2f %% in more than one; %.2f %% of the bent layers "
-                "lie on what is "
-                "laid before, of the least of %zu pieces %.0f %%; %zu cells grow before their neighbours",
-                100.0 * measures.open, 100.0 * measures.twice, 100.0 * measures.resting, measures.pieces,
-                100.0 * measures.least_resting, measures.minima);
+  std::snprintf(
+      text, sizeof text,
+      "%.2f %% of the part is in no layer (level layers: %.2f %%), %.2f %% in more than one; %.2f %% "
+      "of the bent layers lie on what is laid before, of the least of %zu pieces %.0f %%; %zu cells "
+      "grow before their neighbours",
+      100.0 * measures.open, 100.0 * measures.open_level, 100.0 * measures.twice, 100.0 * measures.resting,
+      measures.pieces, 100.0 * measures.least_resting, measures.minima);
   return text;
 }
 

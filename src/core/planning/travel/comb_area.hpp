@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "lamina/geometry/polygon/polygon.hpp"
-#include "planning/travel/edge_grid.hpp"
+#include "geometry/spatial/edge_grid.hpp"
 
 namespace lamina {
 

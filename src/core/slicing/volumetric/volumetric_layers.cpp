@@ -199,27 +199,58 @@ void measureResting(const GrownPart& part, const std::vector<LayerSurface>& surf
   requireResting(shares, surfaces, measures);
 }
 
-/// What is in no layer and in more than one, above the bed.
-void measureCoverage(const GrownPart& part, const std::vector<VolumetricLayer>& layers,
-                     const std::vector<LayerSurface>& surfaces, VolumetricMeasures& measures,
-                     Progress& progress) {
-  std::vector<Layer> level;
-  for (const VolumetricLayer& layer : layers)
-    if (!layer.plane.section.contours.empty()) level.push_back(layer.plane);
-  const PartSamples samples(part.mesh, kSamplesOfPart);
-  const std::vector<std::uint32_t> counts = layerCounts(samples, {surfaces, level, {}}, progress);
+/// How often layers cover the samples above the bed, in shares of these.
+struct CoverageShares {
+  double open = 0.0;
+  double twice = 0.0;
+};
+
+CoverageShares sharesAbove(double bed_mm, const PartSamples& samples,
+                           const std::vector<std::uint32_t>& counts) {
   std::size_t above = 0;
   std::size_t open = 0;
   std::size_t twice = 0;
   for (std::size_t i = 0; i < counts.size(); ++i) {
-    if (samples.points()[i].z() < part.bed_mm) continue;
+    if (samples.points()[i].z() < bed_mm) continue;
     ++above;
     if (counts[i] == 0) ++open;
     if (counts[i] > 1) ++twice;
   }
-  if (above == 0) return;
-  measures.open = static_cast<double>(open) / static_cast<double>(above);
-  measures.twice = static_cast<double>(twice) / static_cast<double>(above);
+  if (above == 0) return {};
+  const auto whole = static_cast<double>(above);
+  return {static_cast<double>(open) / whole, static_cast<double>(twice) / whole};
+}
+
+/// The layers of `planar` over the same bed.
+std::vector<Layer> levelLayersOf(const GrownPart& part, const MeshTopology& topology, Progress& progress) {
+  const std::vector<LayerBounds> bounds =
+      stackLayers(part.bed_mm, boundingBox(part.mesh).high.z(), part.request.slicing);
+  std::vector<double> heights;
+  heights.reserve(bounds.size());
+  for (const LayerBounds& layer : bounds) heights.push_back(layer.cut());
+  std::vector<Section> sections = sliceMesh(part.mesh, topology, heights, progress);
+  std::vector<Layer> layers;
+  layers.reserve(bounds.size());
+  for (std::size_t i = 0; i < bounds.size(); ++i) layers.push_back({bounds[i], std::move(sections[i])});
+  return layers;
+}
+
+/// What is in no layer and in more than one, above the bed; and in none of level layers, which end in steps
+/// at the skin as these do.
+void measureCoverage(const GrownPart& part, const MeshTopology& topology,
+                     const std::vector<VolumetricLayer>& layers, const std::vector<LayerSurface>& surfaces,
+                     VolumetricMeasures& measures, Progress& progress) {
+  std::vector<Layer> level;
+  for (const VolumetricLayer& layer : layers)
+    if (!layer.plane.section.contours.empty()) level.push_back(layer.plane);
+  const PartSamples samples(part.mesh, kSamplesOfPart);
+  const CoverageShares shares =
+      sharesAbove(part.bed_mm, samples, layerCounts(samples, {surfaces, level, {}}, progress));
+  measures.open = shares.open;
+  measures.twice = shares.twice;
+  const std::vector<Layer> planar = levelLayersOf(part, topology, progress);
+  measures.open_level =
+      sharesAbove(part.bed_mm, samples, layerCounts(samples, {{}, planar, {}}, progress)).open;
 }
 
 /// Turns the head from the layers' normals to where it is clear. Tips and heights stay those of the layers.
@@ -265,7 +296,7 @@ VolumetricLayers volumetricLayers(const Mesh& mesh, const MeshTopology& topology
       growthSurfaces(lattice, part.cells(), {bounds, is_level}, skin, progress);
   result.measures.left_out_mm3 = leaveOutCrumbs(surfaces, request.bead_mm, progress);
   measureResting(part, surfaces, result.measures, progress);
-  measureCoverage(part, result.layers, surfaces, result.measures, progress);
+  measureCoverage(part, topology, result.layers, surfaces, result.measures, progress);
   leanHead(part, surfaces, result.measures, progress);
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     if (!result.layers[i].plane.section.contours.empty()) ++result.measures.level_layers;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -16,8 +17,9 @@ namespace lamina {
 class EdgeGrid {
  public:
   EdgeGrid() = default;
-  /// @param edges  by their ends [mm]
-  explicit EdgeGrid(const std::vector<std::pair<Point2, Point2>>& edges);
+  /// @param edges          by their ends [mm]
+  /// @param fewest_across  cells along the longer side, where the edges alone would give fewer
+  explicit EdgeGrid(const std::vector<std::pair<Point2, Point2>>& edges, double fewest_across = 0.0);
 
   bool isEmpty() const { return first_.size() < 2; }
   /// Column of a position; positions outside belong to the border.
@@ -33,6 +35,13 @@ class EdgeGrid {
       if (!visit(edges_[i])) return false;
     return true;
   }
+
+  /// The cell of a point if no edge passes through it: between two points of one such cell there is none.
+  std::optional<std::size_t> clearCell(const Point2& point) const;
+  /// Whether no edge passes through a cell and those around it.
+  bool isClearAround(std::size_t cell) const;
+  /// Whether two cells are the same or touch.
+  bool areNeighbours(std::size_t cell, std::size_t next) const;
 
   /// Calls `visit(column, row)` for every cell that a line crosses, until it returns false.
   /// @return whether all were visited
