@@ -98,6 +98,8 @@ struct InfillStrategy {
   /// Directions of its lines against `infill.angle_deg` [deg] if they are the same in all layers; empty for a
   /// fill that turns with the request.
   std::vector<double> fixed_lines_deg = {};
+  /// The strictest `InfillRequest::advance` that its solid fill keeps to.
+  LineAdvance advance = LineAdvance::Shortest;
 };
 
 /// All strategies, those of plug-ins too. Whoever adds one calls `infillStrategies().add("name", {...})`.

@@ -38,6 +38,12 @@ InfillStrategy pattern(const FillFunction& fill, std::vector<double> lines_deg, 
           Deposit::Bead, crossing,           FillGrowth::Alone, std::move(lines_deg)};
 }
 
+InfillStrategy zigzags() {
+  InfillStrategy strategy{zigzag, RunOrder::Shortest, LayerLink::Travel, WallContact::Fitted};
+  strategy.advance = LineAdvance::OneSense;
+  return strategy;
+}
+
 std::map<std::string, InfillStrategy> builtInStrategies() {
   const std::vector<double> two_ways = {0.0, 90.0};
   const std::vector<double> three_ways = {0.0, 60.0, 120.0};
@@ -60,7 +66,7 @@ std::map<std::string, InfillStrategy> builtInStrategies() {
       {"spiral", {spiral, RunOrder::AsGiven, LayerLink::Travel, WallContact::Beside}},
       {"triangles", pattern(trianglesFill, three_ways, 0.25)},
       {"vase", {vase, RunOrder::AsGiven, LayerLink::Rising, WallContact::Beside}},
-      {"zigzag", {zigzag, RunOrder::Shortest, LayerLink::Travel, WallContact::Fitted}},
+      {"zigzag", zigzags()},
   };
 }
 

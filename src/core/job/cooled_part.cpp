@@ -30,10 +30,9 @@ CarriedCooling carriedBy(const SliceJob& job) {
   const std::string suffix = std::filesystem::path(job.output).extension().string();
   if (isRobotFile(job.output)) return {false, false, robotLanguageName(job.output)};
   if (suffix != ".gcode") return {};
-  const std::string& dialect = job.settings.program.dialect;
-  const std::string by = "G-code of dialect '" + dialect + "'";
-  if (dialect == "fullcontrol") return {false, false, by};
-  return {true, gcodeDialect(dialect).has_fan, by};
+  const std::string& name = job.settings.program.dialect;
+  const GcodeDialect dialect = gcodeDialects().find(name);
+  return {dialect.has_waits, dialect.has_fan, "G-code of dialect '" + name + "'"};
 }
 
 /// Where a job is run.

@@ -49,14 +49,13 @@ bool writesGcode(const SliceJob& job) { return std::filesystem::path(job.output)
 
 /// What the program says at its start beyond the start code.
 std::string accelerations(const JobSettings& settings) {
-  const GcodeDialect& dialect = gcodeDialect(settings.program.dialect);
   if (!settings.program.states_accelerations) return "";
-  if (dialect.accelerations.empty())
-    throw InvalidConfig("program.accelerations is true with program.dialect '" + dialect.name +
+  const std::string words = gcodeDialects().find(settings.program.dialect).accelerations;
+  if (words.empty())
+    throw InvalidConfig("program.accelerations is true with program.dialect '" + settings.program.dialect +
                         "', which has no word for it; expected false");
-  return "\n" + dialectLine(dialect.accelerations,
-                            {{"deposit", std::llround(settings.motion.acceleration_mm_s2)},
-                             {"travel", std::llround(settings.motion.travel_acceleration_mm_s2)}});
+  return "\n" + dialectLine(words, {{"deposit", std::llround(settings.motion.acceleration_mm_s2)},
+                                    {"travel", std::llround(settings.motion.travel_acceleration_mm_s2)}});
 }
 
 /// The code that heats a printer and lets it go is none that a machining control takes.
@@ -210,7 +209,7 @@ SlicedPart runIn(const BuildSpace& space, const SliceJob& job, const SliceFuncti
   addHeatAfterFirstLayer(sliced.toolpath, job.settings.planning.first_layer, job.settings.program);
   hookPart(sliced, job.settings, space);
   if (job.settings.program.states_progress && writesGcode(job))
-    addProgressMarks(sliced.toolpath, gcodeDialect(job.settings.program.dialect), job.settings.motion);
+    addProgressMarks(sliced.toolpath, job.settings.program.dialect, job.settings.motion);
   const std::optional<JointProgram> joint_program = jointProgramOf(job, space, sliced, progress);
   sliced.summary.plan_s = laps.lap() - sliced.summary.read_s - sliced.summary.slice_s;
   progress.report("write", 0.0);

@@ -109,7 +109,7 @@ class LeftMachine(unittest.TestCase):
 
     def test_marlin_is_stopped_and_cools(self):
         log = self.kill_at_work("marlin", HOT + ["M109 S200"] + HOT_MOVES, "lossy", 60)
-        self.assertRegex(log, r"(?s)> M410.*> M104 S0.*> M140 S0.*< .*T:\S+ /0\.00 B:\S+ /0\.00")
+        self.assertRegex(log, r"(?s)> (N\d+ )?M410.*> (N\d+ )?M104 S0.*> (N\d+ )?M140 S0.*< .*T:\S+ /0\.00 B:\S+ /0\.00")
         self.assertIn("its heaters are off", self.text("watch"))
         self.assert_runs_nothing_more()
 

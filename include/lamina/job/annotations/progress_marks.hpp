@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "lamina/program/gcode/gcode_dialect.hpp"
+#include <string>
+
 #include "lamina/toolpath/motion_limits.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 
@@ -11,7 +12,8 @@ namespace lamina {
 /// Adds code that tells the machine how many hundredths of the time are over and how many minutes are left:
 /// before the motion in which that is, at the beginning and at the end. A toolpath without motion stays as it
 /// is.
+/// @param dialect  by its name (`gcodeDialects`)
 /// @throws InvalidConfig if the dialect has no word for it
-void addProgressMarks(Toolpath& toolpath, const GcodeDialect& dialect, const MotionLimits& limits);
+void addProgressMarks(Toolpath& toolpath, const std::string& dialect, const MotionLimits& limits);
 
 }  // namespace lamina

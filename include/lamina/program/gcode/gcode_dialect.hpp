@@ -20,20 +20,11 @@ namespace lamina {
 using GcodeDialectWriter = std::function<void(const Toolpath& toolpath, const ProgramFrame& frame,
                                               const ProgramSettings& settings, const TextSink& sink)>;
 
-/// The writers of all dialects of G-code by the dialect's name, those of plug-ins too: "marlin", "klipper",
-/// "reprapfirmware", "grbl" (`writeGcode`), "fullcontrol" (`writeFullControl`). Whoever adds one calls
-/// `gcodeDialects().add("name", write)`.
-Registry<GcodeDialectWriter>& gcodeDialects();
-
-/// Writes in the dialect that `program.dialect` names.
-/// @throws InvalidConfig if there is none of that name; as the dialect's writer
-void writeInDialect(const Toolpath& toolpath, const ProgramFrame& frame, const ProgramSettings& settings,
-                    const TextSink& sink);
-
-/// What a firmware understands besides motions, by which `writeGcode` tells dialects apart. Numbers in braces
-/// are put in by `dialectLine`.
+/// Who writes a dialect of G-code, and what its firmware understands besides motions: what it does not is not
+/// planned for it. Numbers in braces are put in by `dialectLine`.
 struct GcodeDialect {
-  std::string name;          ///< as `program.dialect` gives it
+  GcodeDialectWriter write;
+  bool has_waits = true;     ///< while cooling
   bool has_extruder = true;  ///< E words; without them what deposits is switched by code of the machine
   bool has_heaters = true;
   bool has_fan = true;
@@ -44,8 +35,14 @@ struct GcodeDialect {
   std::string accelerations;       ///< {deposit}, {travel} [mm/s²]; empty if there is none
 };
 
-/// The dialect of that name; Marlin's for one that a writer of its own writes (fullcontrol, plug-ins).
-const GcodeDialect& gcodeDialect(const std::string& name);
+/// All dialects by name, those of plug-ins too: "marlin", "klipper", "reprapfirmware", "grbl" (`writeGcode`),
+/// "fullcontrol" (`writeFullControl`). Whoever adds one calls `gcodeDialects().add("name", {write})`.
+Registry<GcodeDialect>& gcodeDialects();
+
+/// Writes in the dialect that `program.dialect` names.
+/// @throws InvalidConfig if there is none of that name; as the dialect's writer
+void writeInDialect(const Toolpath& toolpath, const ProgramFrame& frame, const ProgramSettings& settings,
+                    const TextSink& sink);
 
 /// A placeholder in a command of a dialect, and the number that replaces it.
 struct DialectWord {

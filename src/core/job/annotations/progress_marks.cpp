@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "lamina/base/error.hpp"
+#include "lamina/program/gcode/gcode_dialect.hpp"
 #include "lamina/toolpath/timing.hpp"
 
 namespace lamina {
@@ -14,10 +15,10 @@ namespace {
 
 constexpr int kParts = 100;
 
-MachineCode mark(const GcodeDialect& dialect, int percent, double total_s) {
+MachineCode mark(const std::string& words, int percent, double total_s) {
   const double left_s = total_s * (kParts - percent) / kParts;
   MachineCode code;
-  code.text = dialectLine(dialect.progress, {{"percent", percent}, {"minutes", std::llround(left_s / 60.0)}});
+  code.text = dialectLine(words, {{"percent", percent}, {"minutes", std::llround(left_s / 60.0)}});
   return code;
 }
 
@@ -33,9 +34,10 @@ void addBefore(Path& path, std::size_t motion, MachineCode code) {
 
 }  // namespace
 
-void addProgressMarks(Toolpath& toolpath, const GcodeDialect& dialect, const MotionLimits& limits) {
-  if (dialect.progress.empty())
-    throw InvalidConfig("program.progress is true with program.dialect '" + dialect.name +
+void addProgressMarks(Toolpath& toolpath, const std::string& dialect, const MotionLimits& limits) {
+  const std::string words = gcodeDialects().find(dialect).progress;
+  if (words.empty())
+    throw InvalidConfig("program.progress is true with program.dialect '" + dialect +
                         "', which has no word for it; expected false");
   const double total_s = estimateTime(toolpath, limits).total_s;
   if (total_s <= 0.0) return;
@@ -48,9 +50,9 @@ void addProgressMarks(Toolpath& toolpath, const GcodeDialect& dialect, const Mot
     const WaypointIndex& heading = at[static_cast<std::size_t>(percent)];
     Path& path = toolpath.layers[heading.layer].paths[heading.path];
     const std::size_t motion = (heading.waypoint == 0 ? path.points.size() : heading.waypoint) - 1;
-    addBefore(path, motion, mark(dialect, percent, total_s));
+    addBefore(path, motion, mark(words, percent, total_s));
   }
-  toolpath.events_at_end.emplace_back(mark(dialect, kParts, total_s));
+  toolpath.events_at_end.emplace_back(mark(words, kParts, total_s));
 }
 
 }  // namespace lamina

@@ -4,11 +4,13 @@
 
 #include "infill/rectilinear/zigzag.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
+#include "lamina/infill/strategy.hpp"
 
 namespace lamina {
 
 bool laysInOneSense(const SkinSettings& settings, PathRole role) {
-  return settings.is_monotonic && role == PathRole::TopSkin && settings.strategy == "zigzag";
+  return settings.is_monotonic && role == PathRole::TopSkin &&
+         infillStrategy(settings.strategy).advance == LineAdvance::OneSense;
 }
 
 std::vector<FillPath> ironingLines(const Regions& seen, const IroningSettings& settings, double angle_rad) {

@@ -39,7 +39,7 @@ WaitWord waitWord(const ProgramSettings& settings) {
     case FiveAxisDialect::Generic:
       break;
   }
-  return {'P', gcodeDialect(settings.dialect).dwells_in_seconds ? 1.0 : 1e-3};
+  return {'P', gcodeDialects().find(settings.dialect).dwells_in_seconds ? 1.0 : 1e-3};
 }
 
 }  // namespace

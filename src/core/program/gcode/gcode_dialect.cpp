@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/program/gcode/gcode_dialect.hpp"
 
-#include <algorithm>
 #include <map>
 
 #include "lamina/program/gcode/full_control_writer.hpp"
@@ -13,7 +12,7 @@ namespace {
 
 GcodeDialect marlin() {
   GcodeDialect dialect;
-  dialect.name = "marlin";
+  dialect.write = writeGcode;
   dialect.progress = "M73 P{percent} R{minutes}";
   dialect.accelerations = "M204 P{deposit} T{travel}";
   return dialect;
@@ -22,55 +21,43 @@ GcodeDialect marlin() {
 /// Klipper has one acceleration for all motions.
 GcodeDialect klipper() {
   GcodeDialect dialect;
-  dialect.name = "klipper";
+  dialect.write = writeGcode;
   dialect.progress = "M73 P{percent}";
   dialect.accelerations = "SET_VELOCITY_LIMIT ACCEL={deposit}";
   return dialect;
 }
 
-GcodeDialect repRapFirmware() {
-  GcodeDialect dialect = marlin();
-  dialect.name = "reprapfirmware";
-  return dialect;
-}
-
 GcodeDialect grbl() {
   GcodeDialect dialect;
-  dialect.name = "grbl";
+  dialect.write = writeGcode;
   dialect.has_extruder = dialect.has_heaters = dialect.has_fan = dialect.has_pause = dialect.has_tools =
       false;
   dialect.dwells_in_seconds = true;
   return dialect;
 }
 
-const std::vector<GcodeDialect>& firmwareDialects() {
-  static const std::vector<GcodeDialect> dialects = {marlin(), klipper(), repRapFirmware(), grbl()};
-  return dialects;
-}
-
-std::map<std::string, GcodeDialectWriter> dialectWriters() {
-  std::map<std::string, GcodeDialectWriter> writers = {{"fullcontrol", writeFullControl}};
-  for (const GcodeDialect& dialect : firmwareDialects()) writers[dialect.name] = writeGcode;
-  return writers;
+/// Its published listings hold neither waits nor fans.
+GcodeDialect fullControl() {
+  GcodeDialect dialect = marlin();
+  dialect.write = writeFullControl;
+  dialect.has_waits = dialect.has_fan = false;
+  return dialect;
 }
 
 }  // namespace
 
-Registry<GcodeDialectWriter>& gcodeDialects() {
-  static Registry<GcodeDialectWriter> registry("program.dialect", dialectWriters());
+Registry<GcodeDialect>& gcodeDialects() {
+  static Registry<GcodeDialect> registry("program.dialect", {{"marlin", marlin()},
+                                                             {"klipper", klipper()},
+                                                             {"reprapfirmware", marlin()},
+                                                             {"grbl", grbl()},
+                                                             {"fullcontrol", fullControl()}});
   return registry;
 }
 
 void writeInDialect(const Toolpath& toolpath, const ProgramFrame& frame, const ProgramSettings& settings,
                     const TextSink& sink) {
-  gcodeDialects().find(settings.dialect)(toolpath, frame, settings, sink);
-}
-
-const GcodeDialect& gcodeDialect(const std::string& name) {
-  const std::vector<GcodeDialect>& dialects = firmwareDialects();
-  const auto found = std::find_if(dialects.begin(), dialects.end(),
-                                  [&](const GcodeDialect& dialect) { return dialect.name == name; });
-  return found == dialects.end() ? dialects.front() : *found;
+  gcodeDialects().find(settings.dialect).write(toolpath, frame, settings, sink);
 }
 
 std::string dialectLine(std::string command, const std::vector<DialectWord>& words) {

@@ -168,14 +168,14 @@ const Path* requireDropsAlike(const Toolpath& toolpath) {
 }
 
 /// Of the values of a process, wipes alone have words.
-void requireValues(const Toolpath& toolpath, const GcodeDialect& dialect) {
+void requireValues(const Toolpath& toolpath, const std::string& dialect) {
   for (std::size_t l = 0; l < toolpath.layers.size(); ++l)
     for (std::size_t p = 0; p < toolpath.layers[l].paths.size(); ++p)
       for (const ProcessValue& value : toolpath.layers[l].paths[p].values)
         if (value.name != kWipeShare)
           throw InvalidInput("toolpath layer " + std::to_string(l) + ", path " + std::to_string(p) +
                              ": process value '" + value.name + "' cannot be carried by G-code of dialect " +
-                             dialect.name);
+                             dialect);
 }
 
 /// Arcs lie across Z.
@@ -190,32 +190,33 @@ void requireArcs(const Toolpath& toolpath, const ProgramFrame& frame, const Prog
     refuseArcs(settings, "layers that do not lie in a plane of two axes");
 }
 
-void requireCarried(const Toolpath& toolpath, Deposit deposit, const GcodeDialect& dialect) {
+void requireCarried(const Toolpath& toolpath, Deposit deposit, const std::string& name) {
   using Element = ProcessElement;
   if (deposit == Deposit::Drops) return requireSupported(toolpath, {}, "programs of drops");
   std::vector<Element> elements = {Element::Dwell, Element::Code, Element::MovingCode, Element::Value};
+  const GcodeDialect dialect = gcodeDialects().find(name);
   if (dialect.has_fan) elements.push_back(Element::Fan);
   if (dialect.has_pause) elements.push_back(Element::Pause);
   if (dialect.has_tools) elements.push_back(Element::Tool);
-  requireSupported(toolpath, elements, "G-code of dialect " + dialect.name);
-  requireValues(toolpath, dialect);
+  requireSupported(toolpath, elements, "G-code of dialect " + name);
+  requireValues(toolpath, name);
 }
 
-void requireNoHeat(const std::string& key, double temperature_c, const GcodeDialect& dialect) {
-  if (!dialect.has_heaters && temperature_c > 0.0)
+void requireNoHeat(const std::string& key, double temperature_c, const std::string& dialect) {
+  if (temperature_c > 0.0)
     throw InvalidConfig(key + " is " + numberText(temperature_c) + " degrees C with program.dialect '" +
-                        dialect.name + "', which knows no heaters; expected 0");
+                        dialect + "', which knows no heaters; expected 0");
 }
 
 /// @throws InvalidConfig if temperatures are set, or stand in the code, that the dialect does not know
-void requireNoHeat(const ProgramSettings& settings, const GcodeDialect& dialect) {
-  if (dialect.has_heaters) return;
-  requireNoHeat("program.nozzle_temperature_c", settings.nozzle_temperature_c, dialect);
-  requireNoHeat("program.bed_temperature_c", settings.bed_temperature_c, dialect);
+void requireNoHeat(const ProgramSettings& settings) {
+  if (gcodeDialects().find(settings.dialect).has_heaters) return;
+  requireNoHeat("program.nozzle_temperature_c", settings.nozzle_temperature_c, settings.dialect);
+  requireNoHeat("program.bed_temperature_c", settings.bed_temperature_c, settings.dialect);
   for (const char* const command : {"M104 S0", "M109 S0", "M140 S0", "M190 S0"})
     if (settings.end_code.find(command) != std::string::npos)
       throw InvalidConfig(std::string("program.end_code holds '") + command + "' with program.dialect '" +
-                          dialect.name + "', which knows no heaters; expected code of its own");
+                          settings.dialect + "', which knows no heaters; expected code of its own");
 }
 
 /// Units, coordinates and extrusion of the part.
@@ -287,11 +288,11 @@ void writeGcode(const Toolpath& toolpath, const ProgramFrame& frame, const Progr
                 const TextSink& sink) {
   const Path& first = firstPath(toolpath);
   const Path* drops = requireDropsAlike(toolpath);
-  const GcodeDialect& dialect = gcodeDialect(settings.dialect);
+  const GcodeDialect dialect = gcodeDialects().find(settings.dialect);
   const Deposit deposit = drops != nullptr ? Deposit::Drops : Deposit::Bead;
-  requireCarried(toolpath, deposit, dialect);
+  requireCarried(toolpath, deposit, settings.dialect);
   requireArcs(toolpath, frame, settings, deposit);
-  requireNoHeat(settings, dialect);
+  requireNoHeat(settings);
   std::vector<LayerStart> starts = checkLayers(toolpath, toolAxisOf(first), settings);
   connectRetractions(toolpath, starts);
   const std::string start_code = expandCode("program.start_code", settings.start_code, settings, frame);

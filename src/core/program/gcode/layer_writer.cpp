@@ -47,9 +47,9 @@ LayerWriter::LayerWriter(const ProgramFrame& frame, const Point3& layer_normal,
       frame_(frame),
       is_mapped_(frame.program_from_bed.linear() != Eigen::Matrix3d::Identity()),
       rise_mm_((frame.bed_from_part.linear() * layer_normal).dot(frame.bed_from_part.translation())),
-      filament_per_volume_(gcodeDialect(settings.dialect).has_extruder ? filamentPerVolume(settings) : 0.0),
-      settings_(settings),
-      dialect_(gcodeDialect(settings.dialect)) {}
+      dialect_(gcodeDialects().find(settings.dialect)),
+      filament_per_volume_(dialect_.has_extruder ? filamentPerVolume(settings) : 0.0),
+      settings_(settings) {}
 
 void LayerWriter::write(const ToolpathLayer& layer, const LayerStart& start, std::string& text) const {
   const bool lays_drops = std::any_of(layer.paths.begin(), layer.paths.end(),

@@ -76,9 +76,9 @@ class LayerWriter {
   ProgramFrame frame_;
   bool is_mapped_;  ///< axes are not the bed's: lengths along them may differ
   double rise_mm_;  ///< of the part along the layers' normal
+  GcodeDialect dialect_;
   double filament_per_volume_;
   ProgramSettings settings_;
-  const GcodeDialect& dialect_;
 };
 
 }  // namespace lamina

@@ -27,7 +27,7 @@ struct EventWords {
     // Whole milliseconds; in seconds with 3 decimals.
     const long long thousandths = std::llround(1e3 * dwell.duration_s);
     char digits[32];
-    char* const end = gcodeDialect(settings.dialect).dwells_in_seconds
+    char* const end = gcodeDialects().find(settings.dialect).dwells_in_seconds
                           ? writeFixed<3>(digits, thousandths)
                           : std::to_chars(digits, digits + sizeof digits, thousandths).ptr;
     text.append("G4 P").append(digits, end).append("\n");
