@@ -11,6 +11,7 @@
 #include "decimal_number.hpp"
 #include "dry_commands.hpp"
 #include "lamina/base/atomic_file.hpp"
+#include "lamina/base/characters.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/text.hpp"
 #include "program/gcode/plain_command.hpp"
@@ -29,9 +30,6 @@ namespace {
 
 constexpr std::string_view kModal = "XYZABCUVWIJKREFS";  // which lines begin with that go on with a motion
 
-bool isNumeral(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
-char capital(char c) { return static_cast<char>(std::toupper(static_cast<unsigned char>(c))); }
-
 /// The words of a command; nothing if it holds anything else.
 std::optional<std::vector<GcodeWordText>> wordsOf(std::string_view text) {
   std::vector<GcodeWordText> words;
@@ -42,7 +40,7 @@ std::optional<std::vector<GcodeWordText>> wordsOf(std::string_view text) {
   for (std::size_t at = skipBlanks(0); at < text.size(); at = skipBlanks(at)) {
     if (std::isalpha(static_cast<unsigned char>(text[at])) == 0) return std::nullopt;
     GcodeWordText word;
-    word.letter = capital(text[at]);
+    word.letter = upper(text[at]);
     const std::size_t number = skipBlanks(at + 1);
     const DecimalNumber read = readDecimal(text.substr(number));
     word.has_value = read.length > 0;
@@ -68,13 +66,13 @@ std::size_t commentBegin(std::string_view line) {
 
 /// Without its number and checksum, which would be wrong.
 std::string_view unnumbered(std::string_view command) {
-  if (command.size() < 2 || capital(command[0]) != 'N' || !isNumeral(command[1])) return command;
+  if (command.size() < 2 || upper(command[0]) != 'N' || !isDigit(command[1])) return command;
   std::size_t at = 1;
-  while (at < command.size() && isNumeral(command[at])) ++at;
+  while (at < command.size() && isDigit(command[at])) ++at;
   command = command.substr(at);
   const std::size_t star = command.rfind('*');
   if (star != std::string_view::npos && star + 1 < command.size() &&
-      std::all_of(command.begin() + static_cast<std::ptrdiff_t>(star) + 1, command.end(), isNumeral))
+      std::all_of(command.begin() + static_cast<std::ptrdiff_t>(star) + 1, command.end(), isDigit))
     command = command.substr(0, star);
   return trimmed(command);
 }
@@ -109,7 +107,7 @@ bool isMotionWord(const GcodeWordText& word) {
 
 /// The number of a command such as "M117 hello"; nothing if it is no M command.
 std::optional<int> machineCodeOf(std::string_view text) {
-  if (text.size() < 2 || capital(text[0]) != 'M' || !isNumeral(text[1])) return std::nullopt;
+  if (text.size() < 2 || upper(text[0]) != 'M' || !isDigit(text[1])) return std::nullopt;
   return codeOf({'M', true, readDecimal(text.substr(1)).value, {}});
 }
 
@@ -140,11 +138,11 @@ bool holdsFurtherCode(std::string_view text) {
   bool is_quoted = false;
   for (std::size_t at = 1; at + 1 < text.size(); ++at) {
     if (text[at] == '"') is_quoted = !is_quoted;
-    const char letter = capital(text[at]);
+    const char letter = upper(text[at]);
     const char before = text[at - 1];
     const bool is_within_name = std::isalpha(static_cast<unsigned char>(before)) != 0 || before == '_';
     const bool is_letter = letter == 'G' || letter == 'M' || letter == 'T';
-    if (!(is_quoted && has_quotes) && is_letter && !is_within_name && isNumeral(text[at + 1])) return true;
+    if (!(is_quoted && has_quotes) && is_letter && !is_within_name && isDigit(text[at + 1])) return true;
   }
   return false;
 }
@@ -159,13 +157,13 @@ bool holdsTwice(const std::vector<GcodeWordText>& words, std::string_view letter
 }
 
 bool isAxisText(const std::string& word) {
-  return std::string_view("XYZABCUVW").find(capital(word.front())) != std::string_view::npos;
+  return std::string_view("XYZABCUVW").find(upper(word.front())) != std::string_view::npos;
 }
 
 /// Commands that without a word of an axis are of all axes: G28, G30, G61 and G92, but not G92.1.
 bool isOfAllAxes(const std::string& word) {
   const double value =
-      capital(word.front()) == 'G' ? readDecimal(trimmed(std::string_view(word).substr(1))).value : 0.0;
+      upper(word.front()) == 'G' ? readDecimal(trimmed(std::string_view(word).substr(1))).value : 0.0;
   return value == 28.0 || value == 30.0 || value == 61.0 || value == 92.0;
 }
 
@@ -260,8 +258,8 @@ std::optional<std::string> DryRun::command(std::string_view text) {
       refuse("holds a further command or an expression; expected one command that can be read", plain);
     return machineCommand(*machine_code, {plain, {}});
   }
-  if (capital(plain.front()) == 'T') return takenOut();
-  if (kModal.find(capital(plain.front())) != std::string_view::npos || capital(plain.front()) == 'G')
+  if (upper(plain.front()) == 'T') return takenOut();
+  if (kModal.find(upper(plain.front())) != std::string_view::npos || upper(plain.front()) == 'G')
     refuse("holds more than letters with numbers; expected a motion that can be run dry", plain);
   return unknown(plain);
 }

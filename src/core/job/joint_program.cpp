@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,6 +15,7 @@
 #include "lamina/job/kinematic_model_run.hpp"
 #include "lamina/job/machine_check.hpp"
 #include "lamina/job/modes/slicing_mode.hpp"
+#include "lamina/job/program_file.hpp"
 #include "lamina/job/robot_files.hpp"
 #include "lamina/kinematics/arm/abb_configuration.hpp"
 #include "lamina/kinematics/model/toolpath_reach.hpp"
@@ -94,8 +94,6 @@ ToolpathAsRun toolpathAsRun(KinematicModelRun run, const KinematicModel& model) 
 
 constexpr double kHeldToolAxis = toRadians(0.01);  // rad: as a program of linear axes holds it
 
-bool isGcode(const SliceJob& job) { return std::filesystem::path(job.output).extension() == ".gcode"; }
-
 bool hasExternalAxis(const KinematicModel& arm) { return arm.joints().size() > 6; }
 
 /// Other languages than RAPID always state them.
@@ -117,7 +115,7 @@ void requireStated(const JointPathSettings& joints, const SliceJob& job, const K
                         "expected held, or powder_5_axes");
 }
 
-bool isProgram(const SliceJob& job) { return isGcode(job) || isRobotFile(job.output); }
+bool isProgram(const SliceJob& job) { return isGcodeFile(job.output) || isRobotFile(job.output); }
 
 /// Of what no joints are led for.
 bool needsClearance(const SliceJob& job, const SlicedPart& sliced) {
@@ -267,7 +265,7 @@ void requireArm(const SliceJob& job, const BuildSpace& space) {
 
 void requireProgramFor(const SliceJob& job, const BuildSpace& space) {
   if (programRunner(job.output) == ProgramRunner::OtherRobot) return requireArm(job, space);
-  if (!isGcode(job) || !canTurnToolAxis(space)) return;
+  if (!isGcodeFile(job.output) || !canTurnToolAxis(space)) return;
   if (kinematicModelOf(job.settings.machine)->toolAxisSpin() == ToolAxisSpin::Given)
     throw InvalidInput("output '" + job.output + "' is G-code, but the machine '" + space.name +
                        "' is a robot without axes x, y and z; expected a robot's program (.mod, .src, "
@@ -275,7 +273,7 @@ void requireProgramFor(const SliceJob& job, const BuildSpace& space) {
 }
 
 bool writesFiveAxis(const SliceJob& job, const BuildSpace& space, const SlicedPart& sliced) {
-  if (!isGcode(job) || !canTurnToolAxis(space)) return false;
+  if (!isGcodeFile(job.output) || !canTurnToolAxis(space)) return false;
   return job.settings.program.five_axis.use == FiveAxisUse::Always ||
          greatestToolAxisTurn(sliced.toolpath, sliced.bed_from_part, space) > kHeldToolAxis;
 }

@@ -23,6 +23,7 @@
 #include "lamina/toolpath/layer_frame.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 #include "orientation/travel_turn.hpp"
+#include "toolpath/path_motions.hpp"
 
 namespace lamina {
 namespace {

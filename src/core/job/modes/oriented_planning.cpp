@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 #include <string>
 #include <utility>
 
@@ -14,6 +13,7 @@
 #include "job/modes/tool_orientation.hpp"
 #include "lamina/base/angle.hpp"
 #include "lamina/infill/strategy.hpp"
+#include "lamina/job/program_file.hpp"
 #include "lamina/kinematics/model/toolpath_reach.hpp"
 #include "lamina/orientation/orient_toolpath.hpp"
 
@@ -99,7 +99,7 @@ Toolpath planOriented(SourcePart source, const PlanningRequest& request, SliceSu
 
 void requireWithin(const BuildSpace& space, const SliceJob& job, SlicedPart& sliced) {
   const bool is_five_axis = writesFiveAxis(job, space, sliced);
-  const bool is_program = std::filesystem::path(job.output).extension() == ".gcode" && !is_five_axis;
+  const bool is_program = isGcodeFile(job.output) && !is_five_axis;
   const bool is_as_planned =
       hasPlaneLayers(sliced.summary.mode) && !changesOrientation(job.settings.orientation);
   if (is_program || (is_as_planned && !is_five_axis))

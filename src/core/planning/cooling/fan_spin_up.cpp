@@ -7,6 +7,7 @@
 
 #include "lamina/toolpath/timing.hpp"
 #include "planning/flow/path_cut.hpp"
+#include "toolpath/path_motions.hpp"
 
 namespace lamina {
 namespace {

@@ -9,7 +9,9 @@
 #include "lamina/planning/flow/flow.hpp"
 #include "planning/flow/desired_flow.hpp"
 #include "planning/flow/path_cut.hpp"
+#include "toolpath/deposited_segment.hpp"
 #include "toolpath/motion_cursor.hpp"
+#include "toolpath/path_motions.hpp"
 
 namespace lamina {
 namespace {
@@ -30,8 +32,6 @@ struct TimedMotion {
   SpeedProfile profile;
 };
 
-bool isRun(const Path& path) { return path.role != PathRole::Travel && path.deposit == Deposit::Bead; }
-
 /// Those that deposit beads.
 std::vector<TimedMotion> timedRuns(const Toolpath& toolpath, const MotionLimits& limits) {
   std::vector<TimedMotion> motions;
@@ -44,7 +44,7 @@ std::vector<TimedMotion> timedRuns(const Toolpath& toolpath, const MotionLimits&
     planner.add(cursor.segment(limits));
     const bool goes_on = !waits && !deposits.empty() && deposits.back();
     const WaypointIndex end = cursor.endWaypoint();
-    deposits.push_back(isRun(cursor.path()));
+    deposits.push_back(laysBeads(cursor.path()));
     motions.push_back({end.layer, end.path, cursor.startWaypoint(), goes_on, {}});
   }
   planner.finish();
@@ -251,7 +251,7 @@ FeedForward feedForward(Toolpath& toolpath, const FlowSettings& settings, const 
   }
   for (std::size_t l = 0; l < pushed.size(); ++l)
     for (std::size_t p = 0; p < pushed[l].size(); ++p)
-      if (Path& path = toolpath.layers[l].paths[p]; isRun(path)) path = pushedPath(path, pushed[l][p]);
+      if (Path& path = toolpath.layers[l].paths[p]; laysBeads(path)) path = pushedPath(path, pushed[l][p]);
   return pusher.unmet();
 }
 

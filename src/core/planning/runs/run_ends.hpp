@@ -51,9 +51,6 @@ struct RunTravels {
 };
 RunTravels travelsOf(Toolpath& toolpath, const std::vector<RunPlace>& places, const RunSpan& run);
 
-/// Orientation with which the nozzle ends a path.
-const Eigen::Quaterniond& nozzleAtEnd(const Path& path);
-
 /// Direction of the first motion that has a length; zero if none has.
 Point3 startTangent(const Path& path);
 /// The same of the last one.

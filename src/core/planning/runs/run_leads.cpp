@@ -11,6 +11,7 @@
 #include "lamina/planning/runs/runs.hpp"
 #include "planning/runs/run_ends.hpp"
 #include "planning/runs/run_entries.hpp"
+#include "toolpath/path_motions.hpp"
 
 namespace lamina {
 namespace {
@@ -231,7 +232,7 @@ class LayerLeads {
     const Point3 tangent = end == LeadEnd::In ? startTangent(path) : endTangent(path);
     const auto start = leadStart(end == LeadEnd::In ? path.firstPoint() : path.lastPoint(), tangent,
                                  end == LeadEnd::In ? Point3(-tangent) : tangent,
-                                 end == LeadEnd::In ? path.orientation.at(0) : nozzleAtEnd(path));
+                                 end == LeadEnd::In ? path.orientation.at(0) : endOrientation(path));
     const double width_mm = widestPlan(path);
     if (!start || width_mm <= 0.0) return std::nullopt;
     const LeadWay way = leadWay(shape, settings_);
@@ -245,7 +246,7 @@ class LayerLeads {
     count.shortened += free.length_mm < way.whole_mm - kSameRoom ? 1 : 0;
     Path lead = along(*start, free);
     lead.feed_mm_s = path.feed_mm_s.at(waypoint);
-    lead.orientation = end == LeadEnd::In ? path.orientation.at(0) : nozzleAtEnd(path);
+    lead.orientation = end == LeadEnd::In ? path.orientation.at(0) : endOrientation(path);
     deposit(lead, path.bead.at(waypoint));
     if (end == LeadEnd::In) reverse(lead);
     return lead;
@@ -434,7 +435,7 @@ class RunEndings {
   void joinAfter(std::size_t index) {
     PathEnds& ends = endsAt(index);
     const Path& path = pathAt(toolpath_, places_[index]);
-    const Eigen::Quaterniond nozzle = nozzleAtEnd(path);
+    const Eigen::Quaterniond nozzle = endOrientation(path);
     const Point3 end = ends.out ? ends.out->lastPoint() : path.lastPoint();
     Path* travel = index + 1 < places_.size() ? &pathAt(toolpath_, places_[index + 1]) : nullptr;
     if (ends.out && travel != nullptr) shiftStart(*travel, endPose(path), {end, nozzle});

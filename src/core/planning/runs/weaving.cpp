@@ -13,6 +13,7 @@
 #include "planning/flow/path_cut.hpp"
 #include "planning/runs/run_ends.hpp"
 #include "planning/runs/weave_shape.hpp"
+#include "toolpath/path_motions.hpp"
 
 namespace lamina {
 namespace {

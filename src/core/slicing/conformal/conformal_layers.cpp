@@ -21,17 +21,13 @@
 #include "lamina/slicing/conformal/facing_surface.hpp"
 #include "slicing/conformal/hidden_faces.hpp"
 #include "slicing/curved/unreached_surface.hpp"
+#include "slicing/positive_length.hpp"
 
 namespace lamina {
 namespace {
 
 // Of a layer: how much of another one a thickness may hold by rounding.
 constexpr double kRounding = 1e-9;
-
-void requirePositive(const std::string& key, double value) {
-  if (value > 0.0 && std::isfinite(value)) return;
-  throw InvalidConfig(key + " is " + numberText(value) + " mm; must be positive");
-}
 
 Point3 directionOf(const ConformalSettings& settings) {
   if (settings.direction.empty()) return Point3::UnitZ();
