@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "lamina/base/layer_error.hpp"
 #include "toolpath/deposited_segment.hpp"
 #include "toolpath/path_motions.hpp"
 
@@ -77,6 +78,10 @@ class EndShift {
 
 bool isOfPart(const Path& path) {
   return isPartOfPart(path) && path.role != PathRole::Ironing && path.deposit == Deposit::Bead;
+}
+
+std::string placeText(const Toolpath& toolpath, const RunPlace& place) {
+  return pathPlace(place.layer, toolpath.layers[place.layer].z_mm, place.path);
 }
 
 std::vector<RunPlace> placesOf(const Toolpath& toolpath) {

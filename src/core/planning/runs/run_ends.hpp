@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "lamina/toolpath/toolpath.hpp"
@@ -15,6 +16,9 @@ struct RunPlace {
   std::size_t layer = 0;
   std::size_t path = 0;
 };
+
+/// As errors name it: "layer 12 at 2.4 mm, path 3".
+std::string placeText(const Toolpath& toolpath, const RunPlace& place);
 
 /// All paths in the order in which they are run.
 std::vector<RunPlace> placesOf(const Toolpath& toolpath);
