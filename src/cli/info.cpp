@@ -8,6 +8,7 @@
 #include "lamina/geometry/mesh/mesh_repair.hpp"
 #include "lamina/geometry/mesh/mesh_report.hpp"
 #include "lamina/geometry/mesh_io/mesh_reader.hpp"
+#include "output/point_json.hpp"
 #include "output/terminal_progress.hpp"
 #include "subcommand.hpp"
 
@@ -52,21 +53,19 @@ MeshInfo inspect(const InfoArguments& arguments) {
   return info;
 }
 
-nlohmann::ordered_json toJson(const Point3& point) { return {point.x(), point.y(), point.z()}; }
-
 void printJson(const MeshInfo& info) {
   const MeshReport& r = info.report;
   nlohmann::ordered_json crossings = nlohmann::json::array();
-  for (const Point3& point : r.self_intersections.where) crossings.push_back(toJson(point));
+  for (const Point3& point : r.self_intersections.where) crossings.push_back(pointToJson(point));
   const nlohmann::ordered_json json = {
       {"triangles", r.triangles},
       {"vertices", r.vertices},
       {"closed", r.is_closed},
       {"volume_mm3", r.volume_mm3},
       {"area_mm2", r.area_mm2},
-      {"size_mm", toJson(r.box.size())},
-      {"box_min_mm", toJson(r.box.low)},
-      {"box_max_mm", toJson(r.box.high)},
+      {"size_mm", pointToJson(r.box.size())},
+      {"box_min_mm", pointToJson(r.box.low)},
+      {"box_max_mm", pointToJson(r.box.high)},
       {"bodies", r.bodies},
       {"border_edges", r.border_edges},
       {"border_loops", r.border_loops},

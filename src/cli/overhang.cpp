@@ -14,6 +14,7 @@
 #include "lamina/job/slice_job.hpp"
 #include "lamina/picture/overhang_picture.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
+#include "output/figure.hpp"
 #include "output/terminal_progress.hpp"
 #include "subcommand.hpp"
 
@@ -118,12 +119,6 @@ class Table {
   const Account& account_;
   const std::optional<Account>& before_;
 };
-
-std::string figure(const char* format, double value) {
-  char text[64];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
 
 void printStretch(const UnsupportedStretch& stretch) {
   const Point3& from = stretch.points.front();

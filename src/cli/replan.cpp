@@ -5,7 +5,6 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -20,6 +19,7 @@
 #include "lamina/control/replanned_toolpath.hpp"
 #include "lamina/job/output_files.hpp"
 #include "lamina/job/output_writer.hpp"
+#include "lamina/job/program_file.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
 #include "subcommand.hpp"
 
@@ -135,7 +135,7 @@ void print(const ReplanArguments& arguments, const PlacedToolpath& planned, cons
   std::printf("%s: %zu layers of %.4g to %.4g mm, up to %.4g mm, %.4g times the volume; toolpath %s\n",
               arguments.output.c_str(), heights.heights_mm.size(), heights.heights_mm.front(),
               heights.heights_mm.back(), top_mm, heights.flow, id.c_str());
-  if (std::filesystem::path(arguments.output).extension() == ".gcode")
+  if (isGcodeFile(arguments.output))
     std::printf(
         "start     no homing, the heating of program.start_code alone; the machine must know its position, "
         "and the "

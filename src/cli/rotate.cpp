@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
@@ -22,11 +21,6 @@ struct RotateArguments {
   std::string axis = "x";
 };
 
-bool isNamed(const std::string& part) {
-  const std::vector<std::string> names = partNames();
-  return std::find(names.begin(), names.end(), part) != names.end();
-}
-
 /// Rotated about the origin and put on z = 0.
 Mesh rotated(Mesh mesh, const RotateArguments& arguments) {
   const AffineMap turn = rotation(Point3::Unit(arguments.axis[0] - 'x'), arguments.angle_deg);
@@ -41,7 +35,7 @@ void rotate(const RotateArguments& arguments, OutputFormat format) {
   requireSuffix(arguments.output, {".stl"});
   requireApart({arguments.output}, {arguments.part});
   const Mesh mesh =
-      rotated(isNamed(arguments.part) ? makePart(arguments.part) : readMesh(arguments.part), arguments);
+      rotated(isPartName(arguments.part) ? makePart(arguments.part) : readMesh(arguments.part), arguments);
   writeStl(arguments.output, mesh);
   const Point3 size = boundingBox(mesh).size();
   if (format == OutputFormat::Json) {

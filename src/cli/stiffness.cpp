@@ -10,6 +10,7 @@
 #include "lamina/base/available_memory.hpp"
 #include "lamina/job/output_files.hpp"
 #include "lamina/job/stiffness_job.hpp"
+#include "output/point_json.hpp"
 #include "output/terminal_progress.hpp"
 #include "subcommand.hpp"
 
@@ -43,8 +44,6 @@ JobSettings settingsFrom(const StiffnessArguments& arguments) {
   return settings;
 }
 
-nlohmann::ordered_json toJson(const Point3& point) { return {point.x(), point.y(), point.z()}; }
-
 nlohmann::ordered_json toJson(const LoadCase& load, Load kind) {
   if (kind == Load::Compression)
     return {{"kind", "compression"},
@@ -72,15 +71,15 @@ void printJson(const LoadedPart& part, const StiffnessSettings& settings, double
   nlohmann::ordered_json dropped = nlohmann::ordered_json::array();
   for (const DroppedPart& piece : result.dropped)
     dropped.push_back({{"elements", piece.elements},
-                       {"low_mm", toJson(piece.box.low)},
-                       {"high_mm", toJson(piece.box.high)},
+                       {"low_mm", pointToJson(piece.box.low)},
+                       {"high_mm", pointToJson(piece.box.high)},
                        {"misses", piece.misses}});
   const nlohmann::ordered_json json = {{"load", toJson(result.model.load, settings.load)},
                                        {"force_n", result.force_n},
                                        {"modulus_mpa", result.modulus_mpa},
                                        {"imbalance_n", result.imbalance_n},
                                        {"greatest_stress_mpa", result.greatest_stress_mpa},
-                                       {"greatest_stress_at_mm", toJson(result.greatest_stress_at)},
+                                       {"greatest_stress_at_mm", pointToJson(result.greatest_stress_at)},
                                        {"voxel_mm", result.model.element_mm},
                                        {"strand_voxels", part.thickness.voxels},
                                        {"thin_percent", 100.0 * part.thickness.thin_share},

@@ -21,6 +21,7 @@
 #include "lamina/sweep/gmsh_geometry.hpp"
 #include "lamina/sweep/inventor_macro.hpp"
 #include "lamina/sweep/solid_union.hpp"
+#include "output/point_json.hpp"
 #include "output/terminal_progress.hpp"
 #include "subcommand.hpp"
 
@@ -101,8 +102,6 @@ SweepReport sweepAll(const SweepArguments& arguments, const JobSettings& setting
 double deviationPercent(const SweepReport& report) {
   return 100.0 * (report.volume_mm3 / report.extruded_mm3 - 1.0);
 }
-
-nlohmann::ordered_json pointToJson(const Point3& point) { return {point.x(), point.y(), point.z()}; }
 
 void printJson(const SweepReport& report, double mass_g) {
   nlohmann::ordered_json json = {{"corners", toString(report.corners)},

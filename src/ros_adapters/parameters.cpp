@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parameters.hpp"
 
-#include <charconv>
-
 #include "lamina/base/error.hpp"
+#include "lamina/base/exact_text.hpp"
 #include "names.hpp"
 
 namespace lamina {
@@ -17,11 +16,6 @@ struct Parameter {
   XmlRpcValue::Type type;
 };
 
-std::string shortest(double value) {
-  char buffer[32];
-  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr};
-}
-
 std::string textOf(const std::string& key, XmlRpcValue& value) {
   switch (value.getType()) {
     case XmlRpcValue::TypeBoolean:
@@ -29,7 +23,7 @@ std::string textOf(const std::string& key, XmlRpcValue& value) {
     case XmlRpcValue::TypeInt:
       return std::to_string(static_cast<int>(value));
     case XmlRpcValue::TypeDouble:
-      return shortest(static_cast<double>(value));
+      return exactText(static_cast<double>(value));
     case XmlRpcValue::TypeString:
       return static_cast<std::string>(value);
     default:

@@ -8,6 +8,7 @@ import unittest
 import anonymous_names
 import budgets
 import docs_links
+import equal_functions
 import include_rule
 import interfaces
 import live_properties
@@ -119,6 +120,31 @@ class OneDefinition(unittest.TestCase):
         found = one_definition.faults(tree({"include/a.hpp": "class Place {\n};\n",
                                             "src/b.hpp": "class Place;\nenum class Place : int;\nclass Place::State {\n};\n"}))
         self.assertEqual(list(found), [])
+
+
+class EqualFunctions(unittest.TestCase):
+    FIRST = "bool isNear(double a, double b) {\n  const double off = a - b;\n  return off * off < 1e-6;  // mm2\n}\n"
+
+    def found(self, second, name="src/cli/b.cpp"):
+        return list(equal_functions.faults(tree({"src/core/base/a.cpp": self.FIRST, name: second})))
+
+    def test_a_function_under_other_names_is_refused(self):
+        other = self.FIRST.replace("isNear", "areClose").replace("off", "gap").replace("double b", "const double& c").replace("- b", "- c")
+        found = self.found("namespace {\n" + other.replace("  // mm2", "") + "}\n")
+        self.assertEqual(len(found), 1)
+        self.assertIn("src/cli/b.cpp:2 as areClose and src/core/base/a.cpp:1 as isNear", found[0])
+
+    def test_other_types_numbers_texts_and_members_make_another_function(self):
+        for old, new in (("double", "float"), ("1e-6", "1e-7"), ("off * off", "off.off * off"), ("bool is", "int is")):
+            self.assertEqual(self.found(self.FIRST.replace(old, new)), [], new)
+        self.assertEqual(self.found(self.FIRST.replace("isNear", "Range::isNear")), [])
+
+    def test_a_few_words_may_stand_twice(self):
+        few = "bool isWall(PathRole role) { return kindOf(role) == RoleKind::Wall; }\n"
+        self.assertEqual(list(equal_functions.faults(tree({"src/core/base/a.cpp": few, "src/cli/b.cpp": few}))), [])
+
+    def test_tests_may_repeat_a_function(self):
+        self.assertEqual(self.found(self.FIRST, "test/base/a_test.cpp"), [])
 
 
 class DocsLinks(unittest.TestCase):

@@ -25,6 +25,7 @@ Failure rethrown(const std::function<void()>& act) {
 TEST(ErrorPlace, NamesLayerAndIsland) {
   EXPECT_EQ(layerPlace(12, 2.4), "layer 12 at 2.4 mm");
   EXPECT_EQ(islandPlace(0, 0.1 + 0.2, 3), "layer 0 at 0.3 mm, island 3");
+  EXPECT_EQ(pathPlace(4, 1.0, 7), "layer 4 at 1 mm, path 7");
 }
 
 TEST(RethrowAt, KeepsTheKindOfEveryErrorAndNamesThePlace) {
@@ -46,6 +47,29 @@ TEST(RethrowAt, ThrowsAnErrorThatIsCaughtByItsType) {
     }
   };
   EXPECT_THROW(rethrow(), InvalidMesh);
+}
+
+/// An error with a number besides its message.
+struct NumberedError : InvalidMesh, RichError {
+  NumberedError(const std::string& message, int its_number) : InvalidMesh(message), number(its_number) {}
+  [[noreturn]] void throwAt(const std::string& place) const override {
+    throw NumberedError(place + ": " + what(), number);
+  }
+
+  int number;
+};
+
+TEST(RethrowAt, KeepsWhatAnErrorCarriesBesides) {
+  try {
+    try {
+      throw NumberedError("open", 7);
+    } catch (...) {
+      rethrowAt("layer 3");
+    }
+  } catch (const NumberedError& error) {
+    EXPECT_EQ(error.number, 7);
+    EXPECT_STREQ(error.what(), "layer 3: open");
+  }
 }
 
 TEST(RethrowAt, LeavesACancellationAsItIs) {

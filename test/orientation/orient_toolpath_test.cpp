@@ -215,7 +215,8 @@ TEST(OrientToolpath, AToolAxisAcrossTheHeadingIsRefusedWithItsPlace) {
     oriented(toolpath, {});
     FAIL() << "no refusal";
   } catch (const InvalidInput& error) {
-    EXPECT_NE(std::string(error.what()).find("layer 1, path 0"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("layer 1 at 0.4 mm, path 0: "), std::string::npos)
+        << error.what();
   }
 }
 

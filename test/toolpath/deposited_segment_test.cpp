@@ -60,6 +60,18 @@ TEST(DepositedSegment, IsNothingOfATravel) {
   EXPECT_EQ(endsOf(path), Ends{});
 }
 
+TEST(LaysBeads, LeavesOutDropsAndTravel) {
+  Path path = triangle();
+  EXPECT_TRUE(laysBeads(path));
+  path.role = PathRole::Skirt;
+  EXPECT_TRUE(laysBeads(path));
+  path.deposit = Deposit::Drops;
+  EXPECT_FALSE(laysBeads(path));
+  path = triangle();
+  path.role = PathRole::Travel;
+  EXPECT_FALSE(laysBeads(path));
+}
+
 TEST(IsPartOfPart, LeavesOutSkirtAndTravel) {
   Path path = triangle();
   EXPECT_TRUE(isPartOfPart(path));

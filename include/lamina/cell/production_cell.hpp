@@ -29,6 +29,11 @@ enum class ExecutorPhase : std::uint8_t {
   Done,  ///< the job has run to its end
 };
 
+/// Whether no job is under way.
+inline bool isAtRest(ExecutorPhase phase) {
+  return phase == ExecutorPhase::Resting || phase == ExecutorPhase::Done;
+}
+
 /// How a job is begun by an executor.
 enum class ExecutionStart : std::uint8_t {
   Anew,

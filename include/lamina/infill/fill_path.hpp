@@ -26,4 +26,7 @@ const Point2& lastPoint(const FillPath& path);
 /// The same run in the opposite direction.
 FillPath reversed(FillPath path);
 
+/// Puts runs behind others.
+void appendTo(std::vector<FillPath>& runs, std::vector<FillPath> more);
+
 }  // namespace lamina

@@ -13,6 +13,9 @@
 
 namespace lamina {
 
+/// Whether the suffix is that of G-code: .gcode.
+bool isGcodeFile(const std::string& path);
+
 /// Whether the suffix is that of a program: .gcode, or that of a robot's language.
 bool isProgramFile(const std::string& path);
 

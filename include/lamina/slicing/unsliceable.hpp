@@ -6,12 +6,13 @@
 #include <utility>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/layer_error.hpp"
 #include "lamina/geometry/mesh/mesh.hpp"
 
 namespace lamina {
 
 /// A part that cannot be sliced as asked for. The message gives the reason and where; the region shows it.
-class Unsliceable : public InvalidMesh {
+class Unsliceable : public InvalidMesh, public RichError {
  public:
   Unsliceable(const std::string& message, Mesh region) : InvalidMesh(message), region_(std::move(region)) {}
 
@@ -19,6 +20,10 @@ class Unsliceable : public InvalidMesh {
   const Mesh& region() const { return region_; }
   /// All of the part, to show the region on; empty until somebody who has it gives it.
   const Mesh& part() const { return part_; }
+
+  [[noreturn]] void throwAt(const std::string& place) const override {
+    throw Unsliceable(place + ": " + what(), region_).on(part_);
+  }
 
   /// The same with the part.
   Unsliceable on(Mesh part) && {

@@ -12,6 +12,7 @@
 #include "lamina/job/modes/mode_comparison.hpp"
 #include "lamina/job/output_files.hpp"
 #include "lamina/picture/mode_picture.hpp"
+#include "output/figure.hpp"
 #include "output/terminal_progress.hpp"
 #include "subcommand.hpp"
 
@@ -26,24 +27,18 @@ struct CompareArguments {
   SettingOptions settings;
 };
 
-std::string formatted(const char* format, double value) {
-  char text[64];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
-
 std::vector<std::string> figuresOf(const ModeCandidate& candidate) {
   const std::string steps =
       candidate.steps == 1 ? " along one direction" : " in " + std::to_string(candidate.steps) + " steps";
-  return {formatted("%.2f %% of the surface unsupported", candidate.unsupported_percent),
+  return {figure("%.2f %% of the surface unsupported", candidate.unsupported_percent),
           std::to_string(candidate.layers) + " layers" + steps,
-          formatted("%.1f min of printing", candidate.time_s / 60.0)};
+          figure("%.1f min of printing", candidate.time_s / 60.0)};
 }
 
 void draw(const ModeComparison& comparison, const SliceJob& job) {
   ModePicture picture{std::filesystem::path(job.part).stem().string() + " on " + job.settings.machine.name,
                       "from above and from below; red: surface that overhangs its own layers by more than " +
-                          formatted("%.4g deg", job.settings.automatic.max_overhang_deg) +
+                          figure("%.4g deg", job.settings.automatic.max_overhang_deg) +
                           "\na step is a piece printed along one direction, or a bent layer",
                       comparison.part,
                       {}};

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <chrono>
 #include <cstdio>
 #include <ctime>
 #include <filesystem>
@@ -8,6 +7,7 @@
 #include <string>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/utc_time.hpp"
 #include "lamina/web/web_store.hpp"
 #include "subcommand.hpp"
 
@@ -22,10 +22,6 @@ struct TokenArguments {
   std::string role;
   double days = 0.0;
 };
-
-double utcNow() {
-  return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
-}
 
 /// @throws FileError if there is no such file: a misspelt folder is not to have one made
 std::string existingStore(const std::string& folder) {

@@ -27,6 +27,17 @@ void appendShortest(std::string& text, double value) {
   text.append(digits, std::to_chars(digits, digits + kNumberRoom, value, std::chars_format::fixed).ptr);
 }
 
+std::string shortestText(double value) {
+  std::string text;
+  appendShortest(text, value);
+  return text;
+}
+
+std::string significantText(double value, int digits) {
+  char text[kNumberRoom];
+  return {text, std::to_chars(text, text + kNumberRoom, value, std::chars_format::general, digits).ptr};
+}
+
 std::string decimalText(double value, int decimals) {
   std::string text;
   appendDecimals(text, value, decimals);

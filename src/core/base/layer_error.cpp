@@ -16,6 +16,10 @@ std::string islandPlace(std::size_t layer, double top_mm, std::size_t island) {
   return layerPlace(layer, top_mm) + ", island " + std::to_string(island);
 }
 
+std::string pathPlace(std::size_t layer, double top_mm, std::size_t path) {
+  return layerPlace(layer, top_mm) + ", path " + std::to_string(path);
+}
+
 void throwFailure(const Failure& failure) {
   switch (failure.code) {
     case ErrorCode::InvalidInput:
@@ -50,6 +54,13 @@ void throwFailure(const Failure& failure) {
 void rethrowAt(const std::string& place) {
   const Failure failure = currentFailure();
   if (failure.code == ErrorCode::Cancelled) throw;
+  try {
+    throw;
+  } catch (const RichError& error) {
+    error.throwAt(place);
+  } catch (...) {
+    // It has no more than its failure.
+  }
   throwFailure({failure.code, place + ": " + failure.message});
 }
 

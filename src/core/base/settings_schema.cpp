@@ -11,16 +11,11 @@
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/edit_distance.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/exact_text.hpp"
 #include "lamina/base/text.hpp"
 
 namespace lamina {
 namespace {
-
-std::string shortest(double value) {
-  char buffer[32];
-  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
-  return {buffer, end};
-}
 
 /// With a dot before an exponent: YAML 1.1, which rosparam reads, takes 1e-06 for text.
 std::string withDot(std::string number) {
@@ -30,9 +25,9 @@ std::string withDot(std::string number) {
 }
 
 std::string describeBounds(const Bounds& bounds) {
-  const std::string high = std::isinf(bounds.high) ? "inf)" : shortest(bounds.high) + "]";
+  const std::string high = std::isinf(bounds.high) ? "inf)" : exactText(bounds.high) + "]";
   const std::string low =
-      std::isinf(bounds.low) ? "(-inf" : (bounds.excludes_low ? "(" : "[") + shortest(bounds.low);
+      std::isinf(bounds.low) ? "(-inf" : (bounds.excludes_low ? "(" : "[") + exactText(bounds.low);
   return low + ", " + high;
 }
 
@@ -73,7 +68,7 @@ std::vector<double> parseList(const std::string& key, const std::string& text, c
 std::string listText(const std::vector<double>& numbers) {
   std::vector<std::string> texts;
   texts.reserve(numbers.size());
-  for (const double value : numbers) texts.push_back(shortest(value));
+  for (const double value : numbers) texts.push_back(exactText(value));
   return listed(texts, ",");
 }
 
@@ -123,7 +118,7 @@ void SettingsSchema::number(const std::string& key, double& field, Bounds bounds
     field = value;
   };
   settings_.push_back(
-      {key, "number", describeBounds(bounds), meaning, set, [&field] { return withDot(shortest(field)); }});
+      {key, "number", describeBounds(bounds), meaning, set, [&field] { return withDot(exactText(field)); }});
 }
 
 void SettingsSchema::integer(const std::string& key, int& field, Bounds bounds, const std::string& meaning) {

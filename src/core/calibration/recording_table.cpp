@@ -3,7 +3,6 @@
 #include "recording_table.hpp"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <set>
@@ -89,11 +88,6 @@ std::size_t requireColumn(const RecordingTable& table, std::string_view name) {
     throw InvalidInput("'" + table.source + "' has no column '" + std::string(name) + "' among its " +
                        std::to_string(table.columns.size()));
   return column;
-}
-
-void appendCellNumber(std::string& text, double number) {
-  std::array<char, 32> digits{};
-  text.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr);
 }
 
 }  // namespace lamina

@@ -31,7 +31,4 @@ std::size_t findColumn(const RecordingTable& table, std::string_view name);
 /// @throws InvalidInput naming the column if there is none
 std::size_t requireColumn(const RecordingTable& table, std::string_view name);
 
-/// Appends a number with as few digits as read back to the same bits.
-void appendCellNumber(std::string& text, double number);
-
 }  // namespace lamina

@@ -8,6 +8,7 @@
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/exact_text.hpp"
 #include "lamina/base/number_text.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 #include "recording_table.hpp"
@@ -44,7 +45,7 @@ void appendCells(std::string& text, std::initializer_list<double> cells) {
   const char* separator = "";
   for (const double cell : cells) {
     text += separator;
-    appendCellNumber(text, cell);
+    appendExact(text, cell);
     separator = ",";
   }
   text += '\n';

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <utility>
+
+#include "base/decimals.hpp"
+#include "base/duration_text.hpp"
 
 namespace lamina {
 namespace {
@@ -24,17 +26,7 @@ constexpr double kStepIsTold = 10.0;    // [s]: until the clocks were compared a
 constexpr std::size_t kQuestions = 64;  // an answer that comes later is none
 constexpr double kMebibyte = 1048576.0;
 
-std::string milliseconds(double duration_s) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.1f ms", duration_s * 1e3);
-  return text.data();
-}
-
-std::string seconds(double duration_s) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.1f s", duration_s);
-  return text.data();
-}
+std::string milliseconds(double duration_s) { return decimalText(duration_s * 1e3, 1) + " ms"; }
 
 }  // namespace
 
@@ -123,7 +115,7 @@ void HostWatch::judgePeers(Conditions& found, CellTime now) {
       Condition& lost = found[kHostLost];
       lost.value += 1.0;
       lost.message += (lost.message.empty() ? "" : "; ") + peer.host.name +
-                      " has said nothing for more than " + seconds(settings_.silence_s);
+                      " has said nothing for more than " + nearestTenths(settings_.silence_s);
     }
   }
 }
@@ -153,7 +145,7 @@ HostWatch::Conditions HostWatch::conditions(CellTime now) {
   if (is_master_lost_)
     found[kMasterLost] = {settings_.master_silence_s, master_defect_.empty()
                                                           ? "the ROS master has not answered for more than " +
-                                                                seconds(settings_.master_silence_s)
+                                                                nearestTenths(settings_.master_silence_s)
                                                           : master_defect_};
   if (free_bytes_ && *free_bytes_ < settings_.least_free_bytes)
     found[kDiskNearlyFull] = {

@@ -23,8 +23,6 @@ constexpr double kRetryInterval = 1.0;      // [s] of a journal that could not b
 constexpr double kPauseInterval = 0.5;      // [s] between two orders to an executor that has not heard
 constexpr double kRefusalInterval = 1.0;    // [s] between two rows of one refused command
 
-bool isAtRest(ExecutorPhase phase) { return phase == ExecutorPhase::Resting || phase == ExecutorPhase::Done; }
-
 /// After these the machine may still hold what it had: the job is offered to be gone on with. What would have
 /// been held or suspended is stopped only where the executor cannot pause yet.
 bool isResumable(int alarm) {

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <array>
 #include <charconv>
 #include <cmath>
 
 #include "lamina/base/csv_table.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/exact_text.hpp"
 #include "lamina/base/text.hpp"
 #include "lamina/control/correction_map.hpp"
 
@@ -14,11 +14,6 @@ namespace {
 
 constexpr char kColumns[] = "path,station_mm,amount,speed,dz_mm";
 constexpr std::size_t kMostIndex = 1U << 30U;
-
-void appendNumber(std::string& text, double number) {
-  std::array<char, 32> digits;
-  text.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr);
-}
 
 [[noreturn]] void refuseLine(const std::string& source, std::size_t line, const std::string& what) {
   throw InvalidInput(source + ", line " + std::to_string(line) + ": " + what);
@@ -92,7 +87,7 @@ std::string correctionMapCsv(const CorrectionMap& map) {
       text += std::to_string(path.path);
       for (const double number : {path.spacing_mm, place.amount, place.speed, place.dz_mm}) {
         text += ',';
-        appendNumber(text, number);
+        appendExact(text, number);
       }
       text += '\n';
     }

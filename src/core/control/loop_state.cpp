@@ -22,4 +22,6 @@ const char* toString(LoopState state) {
   return "unknown";
 }
 
+bool isCorrecting(LoopState state) { return state == LoopState::Active || state == LoopState::Coasting; }
+
 }  // namespace lamina

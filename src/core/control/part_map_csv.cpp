@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
@@ -10,6 +9,7 @@
 
 #include "lamina/base/csv_table.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/exact_text.hpp"
 #include "lamina/base/number_text.hpp"
 #include "lamina/base/text.hpp"
 #include "lamina/control/part_learning.hpp"
@@ -20,11 +20,6 @@ namespace {
 constexpr char kPartMapColumns[] = "layer,amount";
 constexpr std::size_t kMostLayersLearnt = 1U << 30U;
 constexpr double kGreatestLearnt = 5.0;
-
-void appendShortest(std::string& text, double number) {
-  std::array<char, 32> digits;
-  text.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr);
-}
 
 /// FNV-1a over the bytes, 16 hexadecimal digits.
 std::string digestOfText(std::string_view text) {
@@ -46,7 +41,7 @@ std::string rowsOf(const PartMap& map) {
   for (std::size_t layer = 0; layer < map.amount.size(); ++layer)
     for (const double amount : map.amount[layer]) {
       rows += std::to_string(layer) + ",";
-      appendShortest(rows, amount);
+      appendExact(rows, amount);
       rows += "\n";
     }
   return rows;

@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <cstdio>
 #include <limits>
+
+#include "base/decimals.hpp"
 
 namespace lamina {
 namespace {
@@ -16,12 +17,7 @@ constexpr double kGrowthTolerated = 1.005;  // a layer: what 1.5 place errors le
 constexpr double kNewCheck = 0.2;           // change of the gain
 constexpr double kLongestInSigmas = 200.0;
 constexpr int kWaves = 4000;
-
-std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", value);
-  return text;
-}
+constexpr int kShownDigits = 3;  // of numbers in messages
 
 double gaussian(double omega, double sigma_mm) {
   return std::exp(-0.5 * omega * omega * sigma_mm * sigma_mm);
@@ -49,8 +45,8 @@ std::string missingCalibration(const LoopCalibration& calibration) {
 }
 
 std::string refusal(const StabilityBound& bound) {
-  return bound.name + " is " + number(bound.value) + "; expected " +
-         (bound.is_lower ? "at least " : "at most ") + number(bound.bound);
+  return bound.name + " is " + significantText(bound.value, kShownDigits) + "; expected " +
+         (bound.is_lower ? "at least " : "at most ") + significantText(bound.bound, kShownDigits);
 }
 
 /// Bounds of gains, which no low-pass mends.
@@ -124,9 +120,10 @@ StabilityReport checkStability(const LoopSettings& settings, const LoopCalibrati
   }
   report.may_start = report.reason.empty();
   if (report.may_start && report.low_pass_mm != settings.low_pass_mm)
-    report.reason = "the low-pass of " + number(settings.low_pass_mm) + " mm was raised to " +
-                    number(report.low_pass_mm) + " mm: corrections act up to " +
-                    number(placeErrorOf(calibration)) + " mm off their place";
+    report.reason = "the low-pass of " + significantText(settings.low_pass_mm, kShownDigits) +
+                    " mm was raised to " + significantText(report.low_pass_mm, kShownDigits) +
+                    " mm: corrections act up to " + significantText(placeErrorOf(calibration), kShownDigits) +
+                    " mm off their place";
   return report;
 }
 

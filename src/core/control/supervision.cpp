@@ -32,8 +32,6 @@ std::string value(double number, const char* unit) {
 
 bool isRunning(LoopState state) { return state != LoopState::Off && state != LoopState::Blocked; }
 
-bool isCorrecting(LoopState state) { return state == LoopState::Active || state == LoopState::Coasting; }
-
 void coast(LoopStep& step, CoastingFor why, const std::string& reason) {
   if (!isCorrecting(step.status.state)) return;
   // What only the operator ends is not ended by sight.

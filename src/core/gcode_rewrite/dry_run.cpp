@@ -3,14 +3,18 @@
 #include "lamina/gcode_rewrite/dry_run.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
+#include <cstdint>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "decimal_number.hpp"
-#include "dry_commands.hpp"
 #include "lamina/base/atomic_file.hpp"
+#include "lamina/base/characters.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/text.hpp"
 #include "program/gcode/plain_command.hpp"
@@ -27,10 +31,86 @@ struct GcodeWordText {
 
 namespace {
 
-constexpr std::string_view kModal = "XYZABCUVWIJKREFS";  // which lines begin with that go on with a motion
+/// What a dry run makes of a command.
+enum class DryVerdict : std::uint8_t {
+  Keep,     ///< it moves, waits, tells or configures, and switches nothing of a process on
+  Process,  ///< it is of the process, or makes the firmware run it
+  Target,   ///< the same, unless its target is 0
+  Unknown,
+};
 
-bool isNumeral(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
-char capital(char c) { return static_cast<char>(std::toupper(static_cast<unsigned char>(c))); }
+template <class Value, std::size_t count>
+bool isIn(const std::array<Value, count>& all, const Value& value) {
+  return std::find(all.begin(), all.end(), value) != all.end();
+}
+
+std::string upperCase(std::string_view text) {
+  std::string upper(text);
+  std::transform(upper.begin(), upper.end(), upper.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return upper;
+}
+
+// 26 prints a pattern and 76 heats. 6 is a direct move of steppers, without a place to go to.
+/// @param code  number of a G command without its fraction
+DryVerdict verdictOnG(int code) {
+  constexpr std::array kKept = {0,  1,  2,  3,  4,  5,  10, 12, 17, 18, 19, 20, 21, 27, 28,
+                                29, 30, 31, 32, 33, 34, 38, 40, 43, 49, 50, 53, 54, 55, 56,
+                                57, 58, 59, 60, 61, 64, 68, 69, 80, 90, 91, 92, 93, 94, 98};
+  constexpr std::array kProcess = {11, 22, 23, 26, 76};
+  if (isIn(kKept, code)) return DryVerdict::Keep;
+  return isIn(kProcess, code) ? DryVerdict::Process : DryVerdict::Unknown;
+}
+
+/// @param code  number of an M command
+DryVerdict verdictOnM(int code) {
+  constexpr std::array kKept = {0,   1,   2,   5,   9,   17,  18,  30,  73,  75,  76,  77,  78,  82,  83,
+                                84,  85,  105, 107, 112, 114, 115, 117, 118, 119, 120, 121, 154, 155, 201,
+                                202, 203, 204, 205, 211, 220, 400, 401, 402, 413, 420, 428, 429, 486, 556,
+                                557, 558, 561, 564, 566, 569, 593, 665, 666, 851, 906, 907, 913, 914, 915};
+  constexpr std::array kTargets = {104, 106, 109, 140, 141, 190, 191};
+  constexpr std::array kProcess = {3,   4,   6,   7,   8,   10,  11,  101, 103, 108, 116,
+                                   126, 127, 143, 193, 207, 208, 209, 221, 302, 303, 306,
+                                   563, 567, 568, 572, 600, 603, 701, 702, 703, 900};
+  if (isIn(kKept, code)) return DryVerdict::Keep;
+  if (isIn(kTargets, code)) return DryVerdict::Target;
+  return isIn(kProcess, code) ? DryVerdict::Process : DryVerdict::Unknown;
+}
+
+/// @param name  first word of a command that is no letter with a number, in any case
+DryVerdict verdictOnName(std::string_view name) {
+  constexpr std::array<std::string_view, 16> kKept = {
+      "BED_MESH_CALIBRATE",   "BED_MESH_CLEAR",        "BED_MESH_PROFILE",   "CLEAR_PAUSE",
+      "EXCLUDE_OBJECT",       "EXCLUDE_OBJECT_DEFINE", "EXCLUDE_OBJECT_END", "EXCLUDE_OBJECT_START",
+      "QUAD_GANTRY_LEVEL",    "RESTORE_GCODE_STATE",   "SAVE_GCODE_STATE",   "SET_GCODE_OFFSET",
+      "SET_PRINT_STATS_INFO", "SET_VELOCITY_LIMIT",    "TURN_OFF_HEATERS",   "Z_TILT_ADJUST"};
+  constexpr std::array<std::string_view, 9> kProcess = {
+      "ACTIVATE_EXTRUDER", "SET_FAN_SPEED",    "SET_HEATER_TEMPERATURE", "SET_PIN",   "SET_PRESSURE_ADVANCE",
+      "SET_RETRACTION",    "TEMPERATURE_WAIT", "SYNC_EXTRUDER_MOTION",   "FORCE_MOVE"};
+  const std::string upper = upperCase(name);
+  if (isIn(kKept, std::string_view(upper))) return DryVerdict::Keep;
+  return isIn(kProcess, std::string_view(upper)) ? DryVerdict::Process : DryVerdict::Unknown;
+}
+
+/// The command that sets a target without a wait for it, of one that does or does not: M104 of M109.
+int withoutWait(int code) {
+  constexpr int kNozzle = 109;
+  constexpr int kBed = 190;
+  constexpr int kChamber = 191;
+  if (code == kNozzle) return 104;
+  if (code == kBed) return 140;
+  return code == kChamber ? 141 : code;
+}
+
+/// Whether it begins a statement of a language in G-code (`if`, `while`), without which the lines within it
+/// mean something else.
+bool isStatement(std::string_view name) {
+  constexpr std::array<std::string_view, 6> kStatements = {"IF",    "ELIF",  "ELSE",
+                                                           "WHILE", "BREAK", "CONTINUE"};
+  return isIn(kStatements, std::string_view(upperCase(name)));
+}
+
+constexpr std::string_view kModal = "XYZABCUVWIJKREFS";  // which lines begin with that go on with a motion
 
 /// The words of a command; nothing if it holds anything else.
 std::optional<std::vector<GcodeWordText>> wordsOf(std::string_view text) {
@@ -42,7 +122,7 @@ std::optional<std::vector<GcodeWordText>> wordsOf(std::string_view text) {
   for (std::size_t at = skipBlanks(0); at < text.size(); at = skipBlanks(at)) {
     if (std::isalpha(static_cast<unsigned char>(text[at])) == 0) return std::nullopt;
     GcodeWordText word;
-    word.letter = capital(text[at]);
+    word.letter = upper(text[at]);
     const std::size_t number = skipBlanks(at + 1);
     const DecimalNumber read = readDecimal(text.substr(number));
     word.has_value = read.length > 0;
@@ -68,13 +148,13 @@ std::size_t commentBegin(std::string_view line) {
 
 /// Without its number and checksum, which would be wrong.
 std::string_view unnumbered(std::string_view command) {
-  if (command.size() < 2 || capital(command[0]) != 'N' || !isNumeral(command[1])) return command;
+  if (command.size() < 2 || upper(command[0]) != 'N' || !isDigit(command[1])) return command;
   std::size_t at = 1;
-  while (at < command.size() && isNumeral(command[at])) ++at;
+  while (at < command.size() && isDigit(command[at])) ++at;
   command = command.substr(at);
   const std::size_t star = command.rfind('*');
   if (star != std::string_view::npos && star + 1 < command.size() &&
-      std::all_of(command.begin() + static_cast<std::ptrdiff_t>(star) + 1, command.end(), isNumeral))
+      std::all_of(command.begin() + static_cast<std::ptrdiff_t>(star) + 1, command.end(), isDigit))
     command = command.substr(0, star);
   return trimmed(command);
 }
@@ -109,7 +189,7 @@ bool isMotionWord(const GcodeWordText& word) {
 
 /// The number of a command such as "M117 hello"; nothing if it is no M command.
 std::optional<int> machineCodeOf(std::string_view text) {
-  if (text.size() < 2 || capital(text[0]) != 'M' || !isNumeral(text[1])) return std::nullopt;
+  if (text.size() < 2 || upper(text[0]) != 'M' || !isDigit(text[1])) return std::nullopt;
   return codeOf({'M', true, readDecimal(text.substr(1)).value, {}});
 }
 
@@ -140,11 +220,11 @@ bool holdsFurtherCode(std::string_view text) {
   bool is_quoted = false;
   for (std::size_t at = 1; at + 1 < text.size(); ++at) {
     if (text[at] == '"') is_quoted = !is_quoted;
-    const char letter = capital(text[at]);
+    const char letter = upper(text[at]);
     const char before = text[at - 1];
     const bool is_within_name = std::isalpha(static_cast<unsigned char>(before)) != 0 || before == '_';
     const bool is_letter = letter == 'G' || letter == 'M' || letter == 'T';
-    if (!(is_quoted && has_quotes) && is_letter && !is_within_name && isNumeral(text[at + 1])) return true;
+    if (!(is_quoted && has_quotes) && is_letter && !is_within_name && isDigit(text[at + 1])) return true;
   }
   return false;
 }
@@ -159,13 +239,13 @@ bool holdsTwice(const std::vector<GcodeWordText>& words, std::string_view letter
 }
 
 bool isAxisText(const std::string& word) {
-  return std::string_view("XYZABCUVW").find(capital(word.front())) != std::string_view::npos;
+  return std::string_view("XYZABCUVW").find(upper(word.front())) != std::string_view::npos;
 }
 
 /// Commands that without a word of an axis are of all axes: G28, G30, G61 and G92, but not G92.1.
 bool isOfAllAxes(const std::string& word) {
   const double value =
-      capital(word.front()) == 'G' ? readDecimal(trimmed(std::string_view(word).substr(1))).value : 0.0;
+      upper(word.front()) == 'G' ? readDecimal(trimmed(std::string_view(word).substr(1))).value : 0.0;
   return value == 28.0 || value == 30.0 || value == 61.0 || value == 92.0;
 }
 
@@ -260,8 +340,8 @@ std::optional<std::string> DryRun::command(std::string_view text) {
       refuse("holds a further command or an expression; expected one command that can be read", plain);
     return machineCommand(*machine_code, {plain, {}});
   }
-  if (capital(plain.front()) == 'T') return takenOut();
-  if (kModal.find(capital(plain.front())) != std::string_view::npos || capital(plain.front()) == 'G')
+  if (upper(plain.front()) == 'T') return takenOut();
+  if (kModal.find(upper(plain.front())) != std::string_view::npos || upper(plain.front()) == 'G')
     refuse("holds more than letters with numbers; expected a motion that can be run dry", plain);
   return unknown(plain);
 }

@@ -3,8 +3,8 @@
 #include "gcode_rewrite/frame_transform.hpp"
 
 #include <Eigen/LU>
-#include <cmath>
 
+#include "geometry/space_vectors.hpp"
 #include "lamina/base/angle.hpp"
 #include "lamina/geometry/shortest_rotation.hpp"
 
@@ -12,8 +12,6 @@ namespace lamina {
 namespace {
 
 constexpr double kStraight = 1e-9;  // rad: what rounding leaves of a rotation
-
-double angleBetween(const Point3& a, const Point3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
 
 /// The matrix of a map that keeps lines straight, or of its inverse.
 template <class Call>

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "gcode_rewrite/decimal_number.hpp"
+#include "lamina/base/characters.hpp"
 #include "lamina/base/error.hpp"
 #include "program/gcode/plain_command.hpp"
 
@@ -15,8 +16,6 @@ namespace {
 constexpr double kLargest = 1e7;  // mm: 10 km
 
 bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\r'; }
-bool isLetter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
-char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 
 std::size_t skipSpace(std::string_view text, std::size_t at) {
   while (at < text.size() && isSpace(text[at])) ++at;

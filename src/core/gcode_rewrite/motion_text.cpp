@@ -5,13 +5,12 @@
 #include <string_view>
 
 #include "gcode_rewrite/decimal_number.hpp"
+#include "lamina/base/characters.hpp"
 
 namespace lamina {
 namespace {
 
 bool isCoordinate(const PlacedWord& word) { return word.letter >= 'X' && word.letter <= 'Z'; }
-
-bool isGap(char c) { return c == ' ' || c == '\t'; }
 
 /// Writes at the end of a text into room made once.
 class TextTail {
@@ -41,7 +40,7 @@ class TextTail {
     put('Z', point.z(), decimals);
   }
   void separate() {
-    if (at_ != begin_ && !isGap(at_[-1])) put(' ');
+    if (at_ != begin_ && !isBlank(at_[-1])) put(' ');
   }
 
  private:
@@ -54,7 +53,7 @@ constexpr std::size_t kMostNewWords = 5 * (kMostFixed + 2);
 
 /// What stands between two words; where the word after it goes, so does the space before it.
 std::string_view gapBefore(std::string_view gap, bool is_followed) {
-  while (!is_followed && !gap.empty() && isGap(gap.back())) gap.remove_suffix(1);
+  while (!is_followed && !gap.empty() && isBlank(gap.back())) gap.remove_suffix(1);
   return gap;
 }
 

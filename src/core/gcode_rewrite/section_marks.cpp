@@ -3,16 +3,12 @@
 #include "gcode_rewrite/section_marks.hpp"
 
 #include "gcode_rewrite/decimal_number.hpp"
+#include "lamina/base/characters.hpp"
 #include "lamina/base/text.hpp"
+#include "lamina/base/text_search.hpp"
 
 namespace lamina {
 namespace {
-
-bool startsWith(std::string_view text, std::string_view prefix) {
-  return text.substr(0, prefix.size()) == prefix;
-}
-
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
 bool startsLayer(std::string_view comment) {
   if (const auto mark = readLayerMark(comment)) return mark->is_next || mark->number;

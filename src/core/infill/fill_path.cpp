@@ -3,6 +3,7 @@
 #include "lamina/infill/fill_path.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 namespace lamina {
 
@@ -15,6 +16,10 @@ FillPath reversed(FillPath path) {
   // A width belongs to the motion that ends at its point: the motion back ends one point earlier.
   if (!path.width_mm.empty()) std::reverse(path.width_mm.begin() + 1, path.width_mm.end());
   return path;
+}
+
+void appendTo(std::vector<FillPath>& runs, std::vector<FillPath> more) {
+  runs.insert(runs.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
 }
 
 }  // namespace lamina

@@ -2,27 +2,84 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "job/joint_program.hpp"
 
+#include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdio>
-#include <filesystem>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "job/head_over_bed.hpp"
 #include "joint_program.hpp"
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/job/kinematic_model_run.hpp"
 #include "lamina/job/machine_check.hpp"
 #include "lamina/job/modes/slicing_mode.hpp"
+#include "lamina/job/program_file.hpp"
 #include "lamina/job/robot_files.hpp"
 #include "lamina/kinematics/arm/abb_configuration.hpp"
+#include "lamina/kinematics/model/kinematic_model.hpp"
+#include "lamina/kinematics/model/link_bodies.hpp"
 #include "lamina/kinematics/model/toolpath_reach.hpp"
 #include "lamina/orientation/kept_lean.hpp"
 
 namespace lamina {
 namespace {
+
+/// How far what turns with the nozzle may lean before it is in the bed, a plane without end.
+class HeadOverBed {
+ public:
+  /// @throws InvalidConfig as `linkBodies`
+  explicit HeadOverBed(const KinematicModel& model);
+
+  /// Greatest lean from upright, in whole degrees up to 120, at which, and below which, nothing of the head
+  /// is deeper in the bed than the tolerance, wherever it leans to; 0 if it is at every lean.
+  double greatestLeanDeg(double tip_mm, double tolerance_mm) const;
+
+ private:
+  std::vector<double>
+      depth_mm_;  ///< by degree of lean: of the head below the tip, no less than at smaller leans
+};
+
+constexpr int kMostLeanDeg = 120;
+constexpr int kHeadings = 32;
+
+/// How far a body reaches from the nozzle tip in a direction [nozzle frame].
+double reach(const LinkBody& body, const Eigen::Isometry3d& nozzle_from_body, const Point3& direction) {
+  return direction.dot(nozzle_from_body.translation()) +
+         extent(body.shape, nozzle_from_body.linear().transpose() * direction);
+}
+
+HeadOverBed::HeadOverBed(const KinematicModel& model) : depth_mm_(kMostLeanDeg + 1, 0.0) {
+  const JointValues rest = JointValues::Zero(static_cast<Eigen::Index>(model.joints().size()));
+  const std::map<std::string, Eigen::Isometry3d> places = model.bedFromLinks(rest);
+  const Eigen::Isometry3d nozzle_from_bed = model.bedFromNozzle(rest).inverse();
+  for (const RigidGroup& group : linkBodies(model.urdf()).groups) {
+    if (std::find(group.links.begin(), group.links.end(), "nozzle") == group.links.end()) continue;
+    for (const LinkBody& body : group.bodies) {
+      const Eigen::Isometry3d place = nozzle_from_bed * places.at(body.link) * body.link_from_body;
+      for (int lean = 0; lean <= kMostLeanDeg; ++lean)
+        for (int heading = 0; heading < kHeadings; ++heading) {
+          const double from_jet = toRadians(lean);
+          const double about = 2.0 * M_PI * heading / kHeadings;
+          const Point3 down(std::sin(from_jet) * std::cos(about), std::sin(from_jet) * std::sin(about),
+                            std::cos(from_jet));
+          double& depth = depth_mm_[static_cast<std::size_t>(lean)];
+          depth = std::max(depth, reach(body, place, down));
+        }
+    }
+  }
+  for (std::size_t lean = 1; lean < depth_mm_.size(); ++lean)
+    depth_mm_[lean] = std::max(depth_mm_[lean], depth_mm_[lean - 1]);
+}
+
+double HeadOverBed::greatestLeanDeg(double tip_mm, double tolerance_mm) const {
+  const auto deeper = std::upper_bound(depth_mm_.begin(), depth_mm_.end(), tip_mm + tolerance_mm);
+  return std::max(0.0, static_cast<double>(deeper - depth_mm_.begin()) - 1.0);
+}
 
 /// A toolpath and joints whose nozzle is turned about the tool axis as they turn it.
 struct ToolpathAsRun {
@@ -94,8 +151,6 @@ ToolpathAsRun toolpathAsRun(KinematicModelRun run, const KinematicModel& model) 
 
 constexpr double kHeldToolAxis = toRadians(0.01);  // rad: as a program of linear axes holds it
 
-bool isGcode(const SliceJob& job) { return std::filesystem::path(job.output).extension() == ".gcode"; }
-
 bool hasExternalAxis(const KinematicModel& arm) { return arm.joints().size() > 6; }
 
 /// Other languages than RAPID always state them.
@@ -117,7 +172,7 @@ void requireStated(const JointPathSettings& joints, const SliceJob& job, const K
                         "expected held, or powder_5_axes");
 }
 
-bool isProgram(const SliceJob& job) { return isGcode(job) || isRobotFile(job.output); }
+bool isProgram(const SliceJob& job) { return isGcodeFile(job.output) || isRobotFile(job.output); }
 
 /// Of what no joints are led for.
 bool needsClearance(const SliceJob& job, const SlicedPart& sliced) {
@@ -267,7 +322,7 @@ void requireArm(const SliceJob& job, const BuildSpace& space) {
 
 void requireProgramFor(const SliceJob& job, const BuildSpace& space) {
   if (programRunner(job.output) == ProgramRunner::OtherRobot) return requireArm(job, space);
-  if (!isGcode(job) || !canTurnToolAxis(space)) return;
+  if (!isGcodeFile(job.output) || !canTurnToolAxis(space)) return;
   if (kinematicModelOf(job.settings.machine)->toolAxisSpin() == ToolAxisSpin::Given)
     throw InvalidInput("output '" + job.output + "' is G-code, but the machine '" + space.name +
                        "' is a robot without axes x, y and z; expected a robot's program (.mod, .src, "
@@ -275,7 +330,7 @@ void requireProgramFor(const SliceJob& job, const BuildSpace& space) {
 }
 
 bool writesFiveAxis(const SliceJob& job, const BuildSpace& space, const SlicedPart& sliced) {
-  if (!isGcode(job) || !canTurnToolAxis(space)) return false;
+  if (!isGcodeFile(job.output) || !canTurnToolAxis(space)) return false;
   return job.settings.program.five_axis.use == FiveAxisUse::Always ||
          greatestToolAxisTurn(sliced.toolpath, sliced.bed_from_part, space) > kHeldToolAxis;
 }

@@ -48,9 +48,9 @@ auto readFiveAxisFile(const std::string& path, const Read& read) {
 
 }  // namespace
 
-bool isProgramFile(const std::string& path) {
-  return isRobotFile(path) || std::filesystem::path(path).extension() == ".gcode";
-}
+bool isGcodeFile(const std::string& path) { return std::filesystem::path(path).extension() == ".gcode"; }
+
+bool isProgramFile(const std::string& path) { return isRobotFile(path) || isGcodeFile(path); }
 
 Toolpath readProgram(const std::string& path, const ProgramSettings& settings,
                      const MachineSettings& machine) {

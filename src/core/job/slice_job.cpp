@@ -6,7 +6,6 @@
 
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <utility>
@@ -28,6 +27,7 @@
 #include "lamina/job/modes/slicing_mode.hpp"
 #include "lamina/job/output_files.hpp"
 #include "lamina/job/output_writer.hpp"
+#include "lamina/job/program_file.hpp"
 #include "lamina/job/rapid_files.hpp"
 #include "lamina/job/robot_files.hpp"
 #include "lamina/planning/hooks/hooks.hpp"
@@ -44,8 +44,6 @@ double peakMemory() {
   getrusage(RUSAGE_SELF, &usage);
   return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
-
-bool writesGcode(const SliceJob& job) { return std::filesystem::path(job.output).extension() == ".gcode"; }
 
 /// What the program says at its start beyond the start code.
 std::string accelerations(const JobSettings& settings) {
@@ -106,7 +104,7 @@ std::vector<std::string> write(const SliceJob& job, const BuildSpace& space, con
   ProgramFrame frame(sliced.bed_from_part);
   frame.program_from_bed = space.program_from_bed;
   ProgramAnnotations annotations;
-  if (writesGcode(job)) {
+  if (isGcodeFile(job.output)) {
     annotations = annotationsOf(sliced.toolpath, job.settings);
     program.start_code += accelerations(job.settings);
   }
@@ -208,7 +206,7 @@ SlicedPart runIn(const BuildSpace& space, const SliceJob& job, const SliceFuncti
   stateLevels(sliced.toolpath, job.settings.runs.levels);
   addHeatAfterFirstLayer(sliced.toolpath, job.settings.planning.first_layer, job.settings.program);
   hookPart(sliced, job.settings, space);
-  if (job.settings.program.states_progress && writesGcode(job))
+  if (job.settings.program.states_progress && isGcodeFile(job.output))
     addProgressMarks(sliced.toolpath, job.settings.program.dialect, job.settings.motion);
   const std::optional<JointProgram> joint_program = jointProgramOf(job, space, sliced, progress);
   sliced.summary.plan_s = laps.lap() - sliced.summary.read_s - sliced.summary.slice_s;

@@ -83,6 +83,11 @@ std::string Statement::text(int column) const {
           static_cast<std::size_t>(sqlite3_column_bytes(statement_.get(), column))};
 }
 
+std::optional<double> Statement::optionalNumber(int column) const {
+  if (isNull(column)) return std::nullopt;
+  return number(column);
+}
+
 bool Statement::isNull(int column) const {
   return sqlite3_column_type(statement_.get(), column) == SQLITE_NULL;
 }

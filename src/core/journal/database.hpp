@@ -41,6 +41,8 @@ class Statement {
 
   std::int64_t integer(int column) const;
   double number(int column) const;
+  /// Nothing where the column is null.
+  std::optional<double> optionalNumber(int column) const;
   std::string text(int column) const;
   bool isNull(int column) const;
 

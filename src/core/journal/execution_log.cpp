@@ -13,18 +13,13 @@ constexpr const char* kExecutionColumns =
     "p.taken_through, p.layer, p.path_mm, p.laid_mm3 FROM execution e LEFT JOIN progress p ON p.execution = "
     "e.id ";
 
-std::optional<double> optionalNumber(const Statement& row, int column) {
-  if (row.isNull(column)) return std::nullopt;
-  return row.number(column);
-}
-
 ExecutionRow executionIn(const Statement& row) {
   ExecutionRow execution;
   execution.id = row.integer(0);
   execution.job = row.integer(1);
   execution.attempt = static_cast<int>(row.integer(2));
   execution.started_s = row.number(3);
-  execution.ended_s = optionalNumber(row, 4);
+  execution.ended_s = row.optionalNumber(4);
   if (!row.isNull(5)) execution.outcome = static_cast<JobState>(row.integer(5));
   execution.reason = row.text(6);
   execution.operator_name = row.text(7);
@@ -38,17 +33,17 @@ ExecutionRow executionIn(const Statement& row) {
 LayerRow layerIn(const Statement& row) {
   LayerRow layer;
   layer.layer = static_cast<std::int32_t>(row.integer(0));
-  layer.began_s = optionalNumber(row, 1);
-  layer.ended_s = optionalNumber(row, 2);
-  layer.expected_mm = optionalNumber(row, 3);
-  layer.mean_mm = optionalNumber(row, 4);
-  layer.rms_mm = optionalNumber(row, 5);
-  layer.flatness_mm = optionalNumber(row, 6);
-  layer.worst_mm = optionalNumber(row, 7);
-  layer.coverage = optionalNumber(row, 8);
-  layer.gain = optionalNumber(row, 9);
-  layer.nozzle_c = optionalNumber(row, 10);
-  layer.bed_c = optionalNumber(row, 11);
+  layer.began_s = row.optionalNumber(1);
+  layer.ended_s = row.optionalNumber(2);
+  layer.expected_mm = row.optionalNumber(3);
+  layer.mean_mm = row.optionalNumber(4);
+  layer.rms_mm = row.optionalNumber(5);
+  layer.flatness_mm = row.optionalNumber(6);
+  layer.worst_mm = row.optionalNumber(7);
+  layer.coverage = row.optionalNumber(8);
+  layer.gain = row.optionalNumber(9);
+  layer.nozzle_c = row.optionalNumber(10);
+  layer.bed_c = row.optionalNumber(11);
   if (!row.isNull(12)) layer.correction = row.text(12);
   return layer;
 }
@@ -194,7 +189,7 @@ std::optional<PartRow> ExecutionLog::part(std::int64_t execution) const {
   if (!row.bind(execution).step()) return std::nullopt;
   return PartRow{
       row.text(0), row.text(1),
-      row.text(2), optionalNumber(row, 3),
+      row.text(2), row.optionalNumber(3),
       row.text(4), {row.text(5), static_cast<std::uint64_t>(row.integer(6)), row.text(7), row.text(8)}};
 }
 

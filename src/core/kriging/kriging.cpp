@@ -6,7 +6,6 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <openturns/AbsoluteExponential.hxx>
 #include <openturns/KrigingAlgorithm.hxx>
 #include <openturns/Log.hxx>
@@ -21,6 +20,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/decimals.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/text.hpp"
 #include "lamina/optimisation/design_space.hpp"
@@ -129,12 +129,6 @@ constexpr double kOutputMean = 1.0;
 constexpr double kLeastRange = 0.02;
 /// Far beyond the samples; smooth correlations become singular at greater ones.
 constexpr double kGreatestRange = 10.0;
-
-std::string shortText(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g", value);
-  return text;
-}
 
 OT::Point pointOf(const Eigen::VectorXd& values) {
   OT::Point point(static_cast<OT::UnsignedInteger>(values.size()));
@@ -346,7 +340,7 @@ class KrigingSurrogate final : public Surrogate {
                        const KrigingSettings& settings, const OT::Point& ranges) const {
     std::vector<std::string> texts;
     for (std::size_t i = 0; i < regressors_.columns(); ++i)
-      texts.push_back(regressors_.nameOf(space, i) + " " + shortText(ranges[i]));
+      texts.push_back(regressors_.nameOf(space, i) + " " + significantText(ranges[i], 4));
     return "kriging, regression of order " + std::to_string(regression.order) + ", " +
            nameOf(settings.correlation) + " correlation, ranges in deviations: " + listed(texts);
   }

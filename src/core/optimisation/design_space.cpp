@@ -10,19 +10,14 @@
 #include <string_view>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/exact_text.hpp"
 #include "lamina/base/text.hpp"
 
 namespace lamina {
 namespace {
 
-std::string shortest(double value) {
-  char text[32];
-  const auto end = std::to_chars(text, text + sizeof text, value).ptr;
-  return {text, end};
-}
-
 void requireBounds(const Variable& variable) {
-  const std::string bounds = shortest(variable.low) + " to " + shortest(variable.high);
+  const std::string bounds = exactText(variable.low) + " to " + exactText(variable.high);
   if (!std::isfinite(variable.low) || !std::isfinite(variable.high) || variable.low >= variable.high)
     throw InvalidConfig("variable " + variable.name + ": bounds " + bounds +
                         "; expected two finite numbers, the lower one first");
@@ -38,7 +33,7 @@ void requireLevels(const Variable& variable) {
                         " levels; expected at least 2");
   for (std::size_t i = 0; i < levels.size(); ++i)
     if (!std::isfinite(levels[i]) || (i > 0 && levels[i] <= levels[i - 1]))
-      throw InvalidConfig("variable " + variable.name + ": level " + shortest(levels[i]) +
+      throw InvalidConfig("variable " + variable.name + ": level " + exactText(levels[i]) +
                           "; expected finite numbers in ascending order");
 }
 
@@ -85,11 +80,11 @@ std::string allowedBy(const Variable& variable) {
   if (variable.kind == VariableKind::Categorical) return "one of " + listed(variable.choices);
   if (variable.kind == VariableKind::Levels) {
     std::vector<std::string> levels;
-    for (const double level : variable.levels) levels.push_back(shortest(level));
+    for (const double level : variable.levels) levels.push_back(exactText(level));
     return "one of " + listed(levels);
   }
   return (variable.kind == VariableKind::Integer ? "a whole number from " : "a number from ") +
-         shortest(variable.low) + " to " + shortest(variable.high);
+         exactText(variable.low) + " to " + exactText(variable.high);
 }
 
 }  // namespace
@@ -120,7 +115,7 @@ void requireWithin(const DesignSpace& space, const DesignPoint& point) {
                        " variables");
   for (std::size_t i = 0; i < space.size(); ++i)
     if (!std::isfinite(point[i]) || nearestAllowed(space[i], point[i]) != point[i])
-      throw InvalidInput("variable " + space[i].name + ": " + shortest(point[i]) + "; expected " +
+      throw InvalidInput("variable " + space[i].name + ": " + exactText(point[i]) + "; expected " +
                          allowedBy(space[i]));
 }
 
@@ -145,7 +140,7 @@ DesignPoint randomPoint(const DesignSpace& space, Random& random) {
 }
 
 std::string textOf(const Variable& variable, double value) {
-  if (variable.kind != VariableKind::Categorical) return shortest(value);
+  if (variable.kind != VariableKind::Categorical) return exactText(value);
   return variable.choices.at(static_cast<std::size_t>(value));
 }
 

@@ -11,6 +11,7 @@
 
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/layer_error.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/orientation/lead_and_tilt.hpp"
 #include "lamina/orientation/no_spin.hpp"
@@ -23,6 +24,7 @@
 #include "lamina/toolpath/layer_frame.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 #include "orientation/travel_turn.hpp"
+#include "toolpath/path_motions.hpp"
 
 namespace lamina {
 namespace {
@@ -194,13 +196,12 @@ struct LayerFindings {
   std::size_t waypoints_without_wall = 0;
 };
 
-RunOrientation oriented(const Path& run, const OrientationSettings& settings, const WallNormals* walls,
-                        const WaypointIndex& at) {
+RunOrientation orientedAt(const std::string& place, const Path& run, const OrientationSettings& settings,
+                          const WallNormals* walls) {
   try {
     return runOrientation(run, settings, walls);
-  } catch (const InvalidInput& error) {
-    throw InvalidInput("layer " + std::to_string(at.layer) + ", path " + std::to_string(at.path) + ": " +
-                       error.what());
+  } catch (...) {
+    rethrowAt(place);
   }
 }
 
@@ -210,7 +211,7 @@ LayerFindings orientLayer(ToolpathLayer& layer, std::size_t number, const Orient
   for (std::size_t p = 0; p < layer.paths.size(); ++p) {
     Path& path = layer.paths[p];
     if (path.role == PathRole::Travel) continue;
-    RunOrientation run = oriented(path, settings, walls, {number, p, 0});
+    RunOrientation run = orientedAt(pathPlace(number, layer.z_mm, p), path, settings, walls);
     path.orientation = std::move(run.orientation);
     findings.waypoints_without_wall += run.waypoints_without_wall;
     for (LimitHit& hit : run.limits_hit) {

@@ -6,14 +6,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/space_vectors.hpp"
 #include "lamina/base/angle.hpp"
 
 namespace lamina {
 namespace {
 
 constexpr double kOpposite = 1e-9;
-
-double angleBetween(const Point3& a, const Point3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
 
 /// From one direction towards another by at most an angle [rad], the shortest way; between opposite ones the
 /// way through straight down, which no lean limit forbids.

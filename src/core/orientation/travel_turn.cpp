@@ -9,6 +9,7 @@
 
 #include "lamina/geometry/shortest_rotation.hpp"
 #include "lamina/orientation/no_spin.hpp"
+#include "toolpath/path_motions.hpp"
 
 namespace lamina {
 namespace {
@@ -110,12 +111,6 @@ void turnTo(Path& next, const Transfer& transfer, const Eigen::Quaterniond& from
 }
 
 }  // namespace
-
-const Eigen::Quaterniond& startOrientation(const Path& path) { return path.orientation.at(0); }
-
-const Eigen::Quaterniond& endOrientation(const Path& path) {
-  return path.orientation.at(path.is_closed ? 0 : path.points.size() - 1);
-}
 
 Toolpath withTravelsOriented(Toolpath toolpath) {
   Transfer transfer;

@@ -8,10 +8,6 @@
 
 namespace lamina {
 
-/// Orientation of a path at its start, and where it ends (a closed one at its start).
-const Eigen::Quaterniond& startOrientation(const Path& path);
-const Eigen::Quaterniond& endOrientation(const Path& path);
-
 /// The toolpath with quaternions of one sign from run to run, and travels that turn from the end of one run
 /// to the start of the next: by their own tool axes where these lead from one to the other, else in
 /// proportion to their length.

@@ -10,6 +10,7 @@
 #include <tuple>
 #include <utility>
 
+#include "geometry/polygon/plane_vectors.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
 #include "lamina/geometry/spatial/cells_near_segment.hpp"
@@ -21,8 +22,6 @@ namespace {
 constexpr double kMargin = 2.0 * ChartLookup::kSnap;
 /// What rounding leaves between neighbouring triangles [mm].
 constexpr double kRounding = 1e-9;
-
-double crossProduct(const Point2& a, const Point2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 void requireWhole(const LayerChart& chart, std::size_t number) {
   const LayerSurface& surface = chart.surface;
@@ -46,10 +45,10 @@ Point3 weightsAt(const std::array<Point2, 3>& corners, const Point2& point) {
   const Point2 a = corners[0] - corners[2];
   const Point2 b = corners[1] - corners[2];
   const Point2 p = point - corners[2];
-  const double area = crossProduct(a, b);
+  const double area = cross(a, b);
   if (area == 0.0) return Point3::Constant(-std::numeric_limits<double>::infinity());
-  const double first = crossProduct(p, b) / area;
-  const double second = crossProduct(a, p) / area;
+  const double first = cross(p, b) / area;
+  const double second = cross(a, p) / area;
   return {first, second, 1.0 - first - second};
 }
 
@@ -86,13 +85,13 @@ struct Interval {
 /// The part of a line that lies in a triangle widened by the margin [mm].
 std::optional<Interval> clipped(const std::array<Point2, 3>& corners, const Point2& from, const Point2& to,
                                 double margin) {
-  if (!(crossProduct(corners[1] - corners[0], corners[2] - corners[0]) > 0.0)) return std::nullopt;
+  if (!(cross(corners[1] - corners[0], corners[2] - corners[0]) > 0.0)) return std::nullopt;
   Interval inside;
   for (std::size_t i = 0; i < 3; ++i) {
     const Point2 side = corners[(i + 1) % 3] - corners[i];
     const double length = side.norm();
-    const double start = crossProduct(side, from - corners[i]) / length + margin;
-    const double end = crossProduct(side, to - corners[i]) / length + margin;
+    const double start = cross(side, from - corners[i]) / length + margin;
+    const double end = cross(side, to - corners[i]) / length + margin;
     if (start < 0.0 && end < 0.0) return std::nullopt;
     if (start < 0.0) inside.from = std::max(inside.from, start / (start - end));
     if (end < 0.0) inside.to = std::min(inside.to, start / (start - end));
@@ -234,7 +233,7 @@ double ChartLookup::areaRatio(const ChartTriangle& in) const {
   const Point3& corner = mesh.vertices[triangle[0]];
   const Corners plan = planOf(in);
   return (mesh.vertices[triangle[1]] - corner).cross(mesh.vertices[triangle[2]] - corner).norm() /
-         crossProduct(plan[1] - plan[0], plan[2] - plan[0]);
+         cross(plan[1] - plan[0], plan[2] - plan[0]);
 }
 
 std::optional<std::vector<ChartStretch>> ChartLookup::stretches(const Point2& from, const Point2& to) const {

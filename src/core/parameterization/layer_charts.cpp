@@ -6,14 +6,16 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <cstdio>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "base/decimals.hpp"
 #include "creases.hpp"
 #include "cutting_field.hpp"
+#include "geometry/boxes.hpp"
+#include "geometry/mesh/area_vector.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/geometry/mesh/mesh.hpp"
 #include "lamina/geometry/mesh/mesh_topology.hpp"
@@ -31,10 +33,7 @@ namespace {
 // Vertices may lie off the plane by this share of the surface's size, which changes lengths by its square.
 constexpr double kFlatness = 1e-6;
 
-Point3 areaVector(const Mesh& surface, const Triangle& corner) {
-  const Point3& a = surface.vertices[corner[0]];
-  return (surface.vertices[corner[1]] - a).cross(surface.vertices[corner[2]] - a);
-}
+constexpr int kShownDigits = 4;  // of numbers in messages
 
 bool isPlane(const Mesh& surface, const Point3& normal) {
   const Box3 box = boundingBox(surface);
@@ -126,10 +125,6 @@ Complex turnOf(const LayerChart& chart, const std::vector<double>& weight, const
 
 Box2 boxOf(const LayerChart& chart) { return boundingBox(std::vector<Polygon>{chart.plan}); }
 
-bool overlap(const Box2& a, const Box2& b) {
-  return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
-}
-
 /// The height of a chart that is level and lies where its surface does [mm].
 std::optional<double> levelOf(const LayerChart& chart) {
   const std::vector<Point3>& vertices = chart.surface.middle.vertices;
@@ -149,7 +144,7 @@ struct Ground {
 /// Charts of one level do not lie on each other, whatever their boxes do.
 bool collide(const Ground& a, const Ground& b) {
   if (a.level && b.level && std::abs(*a.level - *b.level) <= kLevel) return false;
-  return overlap(a.box, b.box);
+  return areOverlapping(a.box, b.box);
 }
 
 /// Turns and moves a plan to where the surface lies seen along z: least squares over the area, without
@@ -226,12 +221,6 @@ struct Piece {
   int cuts = 0;
 };
 
-std::string written(double value) {
-  char digits[32];
-  std::snprintf(digits, sizeof digits, "%.4g", value);
-  return digits;
-}
-
 /// Whether a plan may be used, and if not, why.
 struct Verdict {
   bool is_plan = false;  ///< nothing flipped or overlapping
@@ -249,9 +238,11 @@ Verdict judge(const Mesh& surface, const std::vector<Point2>& plan, double toler
   }
   verdict.is_true =
       distortion.least_stretch >= 1.0 - tolerance && distortion.greatest_stretch <= 1.0 + tolerance;
-  verdict.reason = "lengths stretch by factors from " + written(distortion.least_stretch) + " to " +
-                   written(distortion.greatest_stretch) + "; expected " + written(1.0 - tolerance) + " to " +
-                   written(1.0 + tolerance);
+  verdict.reason = "lengths stretch by factors from " +
+                   significantText(distortion.least_stretch, kShownDigits) + " to " +
+                   significantText(distortion.greatest_stretch, kShownDigits) + "; expected " +
+                   significantText(1.0 - tolerance, kShownDigits) + " to " +
+                   significantText(1.0 + tolerance, kShownDigits);
   verdict.is_plan = isInjective(surface, plan);
   if (!verdict.is_plan) verdict.reason = "it overlaps itself";
   return verdict;
@@ -266,9 +257,10 @@ double beadArea(const LayerSurface& piece) {
 
 [[noreturn]] void refuse(const Piece& piece, const std::string& reason) {
   const Point3 centre = boundingBox(piece.surface.middle).centre();
-  throw InvalidMesh("the layer does not lie flat near (" + written(centre.x()) + ", " + written(centre.y()) +
-                    ", " + written(centre.z()) + ") mm: a piece of " +
-                    written(surfaceArea(piece.surface.middle)) + " mm2 was cut out " +
+  throw InvalidMesh("the layer does not lie flat near (" + significantText(centre.x(), kShownDigits) + ", " +
+                    significantText(centre.y(), kShownDigits) + ", " +
+                    significantText(centre.z(), kShownDigits) + ") mm: a piece of " +
+                    significantText(surfaceArea(piece.surface.middle), kShownDigits) + " mm2 was cut out " +
                     std::to_string(piece.cuts) + " times, and " + reason);
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "geometry/polygon/inside.hpp"
+#include "geometry/polygon/region_lists.hpp"
 #include "infill/contour/corner_smoothing.hpp"
 #include "infill/drops/drop_fill.hpp"
 #include "lamina/base/angle.hpp"
@@ -54,8 +55,6 @@ Point2 anchorOf(const Layer& layer, const PlanContext& context) {
   if (!isAnchored(context)) return context.anchor;
   return bedSide(layer, *context.bed).value_or(context.anchor);
 }
-
-void appendTo(Regions& all, const Regions& more) { all.insert(all.end(), more.begin(), more.end()); }
 
 class LayerPlanner {
  public:

@@ -10,6 +10,7 @@
 #include <optional>
 #include <utility>
 
+#include "geometry/polygon/region_lists.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
@@ -21,6 +22,7 @@
 #include "planning/skirt.hpp"
 #include "planning/supports/branch_loops.hpp"
 #include "planning/supports/branch_tips.hpp"
+#include "planning/supports/layers_below.hpp"
 #include "planning/supports/regional_overhangs.hpp"
 #include "planning/supports/stacked_material.hpp"
 #include "planning/supports/support_areas.hpp"
@@ -52,10 +54,6 @@ void cutOut(LayerSupport& sections, const Regions& taken) {
   for (SupportSection& section : sections)
     for (SharedRegions* const regions : {&section.lattice, &section.interface})
       *regions = std::make_shared<const Regions>(difference(**regions, taken));
-}
-
-void append(const Regions& added, Regions& regions) {
-  regions.insert(regions.end(), added.begin(), added.end());
 }
 
 /// Of which layers the aids are asked for, among those that decide of them.
@@ -151,16 +149,16 @@ class AidPlanner {
       const LayerBounds& bounds = layers_[i].bounds;
       const double least_mm = bounds.bottom_mm - settings_.supports.top_gap_mm - bounds.height();
       for (std::size_t k = i; k-- > 0 && layers_[k].bounds.top_mm > least_mm;)
-        append(moved(support_areas_[k], up * (bounds.top_mm - layers_[k].bounds.top_mm)),
-               planned_.carrying[i]);
+        appendTo(planned_.carrying[i],
+                 moved(support_areas_[k], up * (bounds.top_mm - layers_[k].bounds.top_mm)));
     };
     parallelFor(layers_.size(), carry, progress, "supports");
   }
 
   Regions onFirstLayer() const {
     Regions all = first_;
-    if (!support_areas_.empty()) append(support_areas_.front(), all);
-    append(brim_.area, all);
+    if (!support_areas_.empty()) appendTo(all, support_areas_.front());
+    appendTo(all, brim_.area);
     return all;
   }
 
@@ -177,11 +175,11 @@ class AidPlanner {
   /// skirt.
   Regions withinSkirt() const {
     Regions all = onFirstLayer();
-    append(raft_area_, all);
+    appendTo(all, raft_area_);
     const auto count = static_cast<std::size_t>(settings_.skirt.layers);
     for (std::size_t i = 1; i + planned_.raft.size() < count && i < layers_.size(); ++i) {
       for (const Polygon& contour : layers_[i].section.contours) all.push_back({contour, {}});
-      if (!support_areas_.empty()) append(support_areas_[i], all);
+      if (!support_areas_.empty()) appendTo(all, support_areas_[i]);
     }
     return all;
   }
@@ -217,8 +215,8 @@ class AidPlanner {
     if (!context_.level_bed)
       throw InvalidConfig("prime.line is set for a plan without a bed; expected 'none'");
     Regions occupied = onFirstLayer();
-    append(raft_area_, occupied);
-    append(offset(skirt_, 0.5 * width()), occupied);
+    appendTo(occupied, raft_area_);
+    appendTo(occupied, offset(skirt_, 0.5 * width()));
     LayerAids& aids = aidsOf(0);
     // The skirt lies round the raft, which lies below the part.
     occupied = unite(outlines(occupied));
@@ -251,8 +249,6 @@ class AidPlanner {
   Regions skirt_;  ///< within its outermost loop
   PlannedAids planned_;
 };
-
-double heightAmid(const std::vector<Layer>& layers) { return layers[layers.size() / 2].bounds.height(); }
 
 /// How many layers a column crosses at most, from what it holds up down to the bed, with its interfaces.
 std::size_t greatestReach(const std::vector<Layer>& layers, const BedPlane& bed,

@@ -6,7 +6,6 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
 #include <iterator>
 #include <numeric>
 #include <optional>
@@ -14,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/decimals.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/layer_error.hpp"
 #include "lamina/base/number_text.hpp"
@@ -442,12 +442,10 @@ bool standsOnSupports(const PlanSettings& settings) {
 void requireStanding(double gap_mm, const PlanSettings& settings) {
   if (settings.anchoring.strategy == Anchoring::None || gap_mm <= kGreatestGap * settings.bead.width_mm)
     return;
-  char gap[32];
-  std::snprintf(gap, sizeof gap, "%.3g", gap_mm);
-  char greatest[32];
-  std::snprintf(greatest, sizeof greatest, "%.3g", kGreatestGap * settings.bead.width_mm);
-  throw InvalidInput(std::string("the first layer of the part lies ") + gap +
-                     " mm above the bed, and nothing is below it; expected at most " + greatest +
+  constexpr int kShownDigits = 3;
+  throw InvalidInput("the first layer of the part lies " + significantText(gap_mm, kShownDigits) +
+                     " mm above the bed, and nothing is below it; expected at most " +
+                     significantText(kGreatestGap * settings.bead.width_mm, kShownDigits) +
                      " mm, the width of a bead: supports.use true holds it up, a part turned so that it "
                      "stands on an edge or a face along slicing.plane begins on the bed, and "
                      "anchoring.strategy 'none' lays it in the air");

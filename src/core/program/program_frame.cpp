@@ -8,6 +8,7 @@
 #include <cstdio>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/text_search.hpp"
 
 namespace lamina {
 namespace {
@@ -69,10 +70,6 @@ Eigen::Affine3d mapBehind(std::string_view key, std::string_view comment) {
   if (!(std::abs(map.linear().determinant()) > kLeastVolume))
     refuse(comment, "the axes span " + number(map.linear().determinant()) + "; must be more than 0.001");
   return map;
-}
-
-bool startsWith(std::string_view text, std::string_view prefix) {
-  return text.substr(0, prefix.size()) == prefix;
 }
 
 bool isSame(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) { return a.angularDistance(b) < kSame; }

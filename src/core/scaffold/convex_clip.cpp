@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "geometry/polygon/plane_vectors.hpp"
+
 namespace lamina {
 namespace {
 
@@ -12,8 +14,6 @@ struct Inside {
   double low = 0.0;
   double high = 1.0;
 };
-
-double cross(const Point2& a, const Point2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 Inside insidePart(const Point2& from, const Point2& to, const Polygon& outline) {
   Inside part;

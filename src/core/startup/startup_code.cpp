@@ -3,10 +3,10 @@
 #include "startup/startup_code.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <sstream>
 
+#include "lamina/base/exact_text.hpp"
 #include "lamina/base/text.hpp"
 #include "program/gcode/command_words.hpp"
 
@@ -18,11 +18,7 @@ std::string filled(std::string text, std::string_view place, const std::string& 
   return text;
 }
 
-std::string shortNumber(double value) {
-  char buffer[32];
-  const double rounded = std::round(value * 1e3) / 1e3;
-  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, rounded).ptr};
-}
+std::string shortNumber(double value) { return exactText(std::round(value * 1e3) / 1e3); }
 
 std::string dwell(double seconds) {
   constexpr double kLongest = 5.0;  // s

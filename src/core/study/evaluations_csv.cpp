@@ -2,20 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/study/evaluations_csv.hpp"
 
-#include <charconv>
 #include <cmath>
 
 #include "lamina/base/csv_table.hpp"
+#include "lamina/base/exact_text.hpp"
 #include "lamina/base/text.hpp"
 
 namespace lamina {
 namespace {
 
-std::string number(double value) {
-  if (!std::isfinite(value)) return {};
-  char text[32];
-  return {text, std::to_chars(text, text + sizeof text, value).ptr};
-}
+std::string number(double value) { return std::isfinite(value) ? exactText(value) : std::string(); }
 
 }  // namespace
 

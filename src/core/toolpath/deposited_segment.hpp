@@ -14,6 +14,11 @@ inline bool isPartOfPart(const Path& path) {
   return kind == RoleKind::Wall || kind == RoleKind::Infill;
 }
 
+/// Whether a path lays beads, of the part or of a build aid.
+inline bool laysBeads(const Path& path) {
+  return path.role != PathRole::Travel && path.deposit == Deposit::Bead;
+}
+
 /// What is laid in one go: a bead along a motion, or a drop, which ends where it starts. The path must
 /// outlive it.
 struct DepositedSegment {

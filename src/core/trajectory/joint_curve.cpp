@@ -6,16 +6,13 @@
 #include <cmath>
 
 #include "lamina/base/angle.hpp"
+#include "trajectory/smooth_rise.hpp"
 
 namespace lamina {
 namespace {
 
 constexpr double kStraight = 1e-9;         // turns below this are none [mm per mm, rad]
 constexpr double kDeviation = 3.0 / 16.0;  // of half a blend, per turn
-
-double curveRise(double u) { return u * u * (3.0 - 2.0 * u); }
-double riseSum(double u) { return u * u * u * (1.0 - 0.5 * u); }
-double curveRiseRate(double u) { return 6.0 * u * (1.0 - u); }
 
 }  // namespace
 
@@ -102,8 +99,8 @@ CurvePoint JointCurve::at(std::size_t span, double along) const {
   const double u = std::clamp(is_in_start ? 0.5 + 0.5 * along / b : 0.5 - 0.5 * left / b, 0.0, 1.0);
   const JointValues before = tangent(corner - 1);
   const JointValues turned = turn(corner);
-  return {stations_.each[corner].values + b * ((2.0 * u - 1.0) * before + 2.0 * riseSum(u) * turned),
-          before + curveRise(u) * turned, curveRiseRate(u) / (2.0 * b) * turned};
+  return {stations_.each[corner].values + b * ((2.0 * u - 1.0) * before + 2.0 * smoothRiseSum(u) * turned),
+          before + smoothRise(u) * turned, smoothRiseRate(u) / (2.0 * b) * turned};
 }
 
 JointValues JointCurve::positionAt(std::size_t span, double along) const { return at(span, along).position; }

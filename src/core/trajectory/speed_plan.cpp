@@ -6,15 +6,14 @@
 #include <cmath>
 #include <limits>
 
+#include "trajectory/smooth_rise.hpp"
+
 namespace lamina {
 namespace {
 
 constexpr int kPartsOfHalf = 4;         // of a rounding, on either side of its station
 constexpr double kShortestPart = 1e-9;  // of a span, that is worth a cell
 constexpr double kFaster = 1e-12;       // of a squared speed, that is no rounding of numbers
-
-double rise(double u) { return u * u * (3.0 - 2.0 * u); }
-double riseRate(double u) { return 6.0 * u * (1.0 - u); }
 
 /// The speed at which to run a rounding so that averaging takes tip or tool axis no further off than the
 /// tolerance.
@@ -34,8 +33,9 @@ void limitInRounding(CellLimits& limits, const JointCurve& curve, const CurveCel
   const double u1 = is_at_start ? 0.5 + far : 0.5 - far;
   const JointValues before = curve.tangent(corner - 1);
   const JointValues turned = curve.turn(corner);
-  const double steepest = riseRate(u0) / (2.0 * b);  // the bend grows towards the station
-  limits.tangent = (before + rise(u0) * turned).cwiseAbs().cwiseMax((before + rise(u1) * turned).cwiseAbs());
+  const double steepest = smoothRiseRate(u0) / (2.0 * b);  // the bend grows towards the station
+  limits.tangent =
+      (before + smoothRise(u0) * turned).cwiseAbs().cwiseMax((before + smoothRise(u1) * turned).cwiseAbs());
   limits.bend = steepest * turned.cwiseAbs();
   const double tip_bend = steepest * curve.tipTurn(corner);
   if (curve.spanEnd(cell.span).length_mm > 0.0 && tip_bend > 0.0)

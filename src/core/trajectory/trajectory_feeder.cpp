@@ -7,16 +7,51 @@
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
 #include "motion_sample.hpp"
-#include "ramped_share.hpp"
 #include "straight_lift.hpp"
 #include "timed_motion.hpp"
 
 namespace lamina {
 namespace {
+
+/// A share of what is planned over time: 1 at first, steady between changes, straight from one value to the
+/// next while it changes.
+class RampedShare {
+ public:
+  /// Leads to a share from a time on; what comes before that time stays.
+  /// @param ramp_s  in which it would change by 1; 0 for at once
+  void lead(double share, double from_s, double ramp_s);
+
+  double at(double time_s) const;
+
+ private:
+  struct Corner {
+    double time_s = 0.0;
+    double share = 1.0;
+  };
+  std::vector<Corner> corners_;  ///< in order of time; of two at one time the later one holds from then on
+};
+
+void RampedShare::lead(double share, double from_s, double ramp_s) {
+  const double present = at(from_s);
+  while (!corners_.empty() && corners_.back().time_s >= from_s) corners_.pop_back();
+  corners_.push_back({from_s, present});
+  corners_.push_back({from_s + ramp_s * std::abs(share - present), share});
+}
+
+double RampedShare::at(double time_s) const {
+  const auto later = std::upper_bound(corners_.begin(), corners_.end(), time_s,
+                                      [](double time, const Corner& corner) { return time < corner.time_s; });
+  if (later == corners_.begin()) return 1.0;
+  const Corner& before = *std::prev(later);
+  if (later == corners_.end()) return before.share;
+  const double passed = (time_s - before.time_s) / (later->time_s - before.time_s);
+  return before.share + passed * (later->share - before.share);
+}
 
 /// The motion from rest to rest that takes the tip straight against its tool axis, the tool axis held.
 /// Nothing is deposited.

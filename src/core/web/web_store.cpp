@@ -67,14 +67,9 @@ void bringForward(Database& database, const std::string& path) {
   transaction.commit();
 }
 
-std::optional<double> numberOrNone(const Statement& row, int column) {
-  if (row.isNull(column)) return std::nullopt;
-  return row.number(column);
-}
-
 WebToken tokenIn(const Statement& row) {
-  return {row.integer(0), row.text(1),          webRole(row.text(2)),
-          row.number(3),  numberOrNone(row, 4), numberOrNone(row, 5)};
+  return {row.integer(0), row.text(1),           webRole(row.text(2)),
+          row.number(3),  row.optionalNumber(4), row.optionalNumber(5)};
 }
 
 void requireName(const std::string& name) {

@@ -61,8 +61,6 @@ ExecutorPhase phaseOf(PackmlState state) {
   return ExecutorPhase::Resting;
 }
 
-bool isEnd(ExecutorPhase phase) { return phase == ExecutorPhase::Resting || phase == ExecutorPhase::Done; }
-
 }  // namespace
 
 StreamExecutor::StreamExecutor(ros::NodeHandle node, std::function<void(const ExecutorReport&)> report)
@@ -169,10 +167,10 @@ void StreamExecutor::onState(const lamina_msgs::MachineStateConstPtr& state) {
   has_machine_ = true;
   last_sign_ = ros::WallTime::now();
   const ExecutorReport report = reportOf(*state);
-  const bool is_job_known = order_ ? has_begun_ : !isEnd(last_.phase);
+  const bool is_job_known = order_ ? has_begun_ : !isAtRest(last_.phase);
   if (is_job_known && state->state == lamina_msgs::MachineState::IDLE) return onRestart(report);
   // A job that was started here ends by its result alone: a latched state may be that of the job before.
-  if (order_ && isEnd(report.phase)) return;
+  if (order_ && isAtRest(report.phase)) return;
   has_begun_ = true;
   last_ = report;
   report_(report);

@@ -11,12 +11,13 @@
 #include <optional>
 
 #include "conversions.hpp"
-#include "incline_messages.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
+#include "lamina/gcode_rewrite/rewrite_report.hpp"
 #include "lamina/program/gcode/toolpath_from_gcode.hpp"
 #include "latched.hpp"
 #include "markers/toolpath_markers.hpp"
+#include "messages.hpp"
 #include "names.hpp"
 #include "progress/action_end.hpp"
 #include "progress/action_progress.hpp"
@@ -27,6 +28,27 @@
 
 namespace lamina {
 namespace {
+
+/// Wall time is left to the caller.
+lamina_msgs::InclineSummary toMessage(const RewriteReport& report) {
+  lamina_msgs::InclineSummary summary;
+  summary.slicer = report.slicer;
+  summary.lines = report.lines;
+  summary.layers = static_cast<std::uint32_t>(report.layers);
+  summary.motions = report.motions;
+  summary.depositions = report.depositions;
+  summary.arcs_made_chords = report.arcs;
+  summary.homings_annulled = static_cast<std::uint32_t>(report.homings_annulled);
+  summary.build_aids_dropped = report.aids_dropped;
+  summary.layer_height = toMetres(report.layer_height_mm);
+  summary.shift.x = toMetres(report.shift.x());
+  summary.shift.y = toMetres(report.shift.y());
+  summary.shift.z = toMetres(report.shift.z());
+  summary.part_low = toMessage(report.part.low);
+  summary.part_high = toMessage(report.part.high);
+  summary.stands_on_edge = static_cast<std::uint8_t>(standsOnEdge(report));
+  return summary;
+}
 
 constexpr double kBytesPerMegabyte = 1e6;
 

@@ -9,13 +9,13 @@
 
 #include <array>
 #include <cerrno>
-#include <chrono>
 #include <cstring>
 #include <ctime>
 #include <optional>
 
 #include "lamina/base/clock.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/utc_time.hpp"
 
 namespace lamina {
 namespace {
@@ -40,10 +40,6 @@ std::optional<double> stampOf(msghdr& message) {
     return static_cast<double>(stamp.tv_sec) + 1e-9 * static_cast<double>(stamp.tv_nsec);
   }
   return std::nullopt;
-}
-
-double utcNow() {
-  return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
 }
 
 }  // namespace

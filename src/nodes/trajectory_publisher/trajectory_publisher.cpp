@@ -8,17 +8,94 @@
 #include <trajectory_msgs/MultiDOFJointTrajectory.h>
 
 #include <algorithm>
+#include <vector>
 
+#include "conversions.hpp"
+#include "joint_messages.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/program/gcode/toolpath_from_gcode.hpp"
+#include "lamina/toolpath/toolpath.hpp"
+#include "lamina/trajectory/nozzle_motion.hpp"
 #include "latched.hpp"
+#include "messages.hpp"
 #include "names.hpp"
 #include "refusal_text.hpp"
 #include "status.hpp"
-#include "trajectory_messages.hpp"
 
 namespace lamina {
 namespace {
+
+geometry_msgs::Vector3 vectorMessage(const Point3& vector) {
+  geometry_msgs::Vector3 message;
+  message.x = vector.x();
+  message.y = vector.y();
+  message.z = vector.z();
+  return message;
+}
+
+trajectory_msgs::MultiDOFJointTrajectoryPoint pointOf(const NozzleState& state) {
+  trajectory_msgs::MultiDOFJointTrajectoryPoint point;
+  point.transforms.resize(1);
+  point.transforms[0].translation = vectorMessage(kMetresPerMillimetre * state.tip);
+  point.transforms[0].rotation = toMessage(state.orientation);
+  point.velocities.resize(1);
+  point.velocities[0].linear = vectorMessage(kMetresPerMillimetre * state.velocity);
+  point.velocities[0].angular = vectorMessage(state.turn);
+  return point;
+}
+
+/// The waypoints in the part frame, in order, without those nearer than `spacing_mm` to the one before; first
+/// and last of each layer always. Header without stamp.
+nav_msgs::Path nozzlePath(const Toolpath& toolpath, double spacing_mm) {
+  nav_msgs::Path message;
+  message.header.frame_id = names::kPartFrame;
+  geometry_msgs::PoseStamped pose;
+  pose.header = message.header;
+  Point3 last = Point3::Zero();
+  const auto add = [&](const Path& path, std::size_t waypoint) {
+    last = path.points[waypoint];
+    pose.pose.position = toMessage(last);
+    pose.pose.orientation = toMessage(path.orientation.at(waypoint));
+    message.poses.push_back(pose);
+  };
+  for (const ToolpathLayer& layer : toolpath.layers) {
+    for (const Path& path : layer.paths) {
+      if (&path == &layer.paths.front()) add(path, 0);
+      for (std::size_t m = 0; m < path.motionCount(); ++m) {
+        const std::size_t end = path.motionEnd(m);
+        const bool is_last = &path == &layer.paths.back() && m + 1 == path.motionCount();
+        if (is_last || (path.points[end] - last).norm() >= spacing_mm) add(path, end);
+      }
+    }
+  }
+  return message;
+}
+
+/// Pose and twist of the nozzle over the bed, in its frame; times from the first state. Header without stamp.
+/// @param states  at least one
+trajectory_msgs::MultiDOFJointTrajectory nozzleTrajectory(const std::vector<NozzleState>& states) {
+  trajectory_msgs::MultiDOFJointTrajectory message;
+  message.header.frame_id = names::kBedFrame;
+  message.joint_names = {names::kNozzleFrame};
+  message.points.reserve(states.size());
+  for (const NozzleState& state : states) {
+    message.points.push_back(pointOf(state));
+    message.points.back().time_from_start = ros::Duration(state.time_s - states.front().time_s);
+  }
+  return message;
+}
+
+/// The process at the same times; safe after the last. Header without stamp.
+lamina_msgs::ProcessTrajectory nozzleProcess(const std::vector<NozzleState>& states) {
+  lamina_msgs::ProcessTrajectory message;
+  message.valid_for = ros::Duration(states.back().time_s - states.front().time_s);
+  message.points.reserve(states.size());
+  for (const NozzleState& state : states) {
+    message.points.push_back(toMessage(state.process));
+    message.points.back().time_from_start = ros::Duration(state.time_s - states.front().time_s);
+  }
+  return message;
+}
 
 constexpr int kBurst =
     20000;  // positions: what a machine in accelerated time may report while a subscriber is busy

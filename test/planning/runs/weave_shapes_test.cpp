@@ -157,8 +157,9 @@ TEST(WeaveShapes, RefuseATipThatStandsStill) {
     WeaveSettings settings = shape(kind);
     settings.amplitude_mm = 0.64;
     const std::string what = weavingRefusal(straightLine(100.0), settings);
-    EXPECT_NE(what.find("layer 0, path 0: weave.amplitude_mm is 0.64 mm with waves that are 4 mm long"),
-              std::string::npos)
+    EXPECT_NE(
+        what.find("layer 0 at 2 mm, path 0: weave.amplitude_mm is 0.64 mm with waves that are 4 mm long"),
+        std::string::npos)
         << what;
     EXPECT_NE(what.find("expected at most 0.530516 mm, or 0.742723 mm or more"), std::string::npos) << what;
     for (const double amplitude_mm : {0.53, 0.75, 2.9}) {

@@ -193,7 +193,7 @@ TEST(Weaving, JudgesTheWavesThatFitIntoThePath) {
 
 TEST(Weaving, RefusesBendsInWhichTheTipStandsStill) {
   const std::string what = weaveRefusal(wideRing(2.0), weaveOf(WeaveKind::Sine));
-  EXPECT_NE(what.find("layer 0, path 0: motion "), std::string::npos) << what;
+  EXPECT_NE(what.find("layer 0 at 2 mm, path 0: motion "), std::string::npos) << what;
   EXPECT_NE(what.find("2 mm (weave.amplitude_mm) aside in a bend"), std::string::npos) << what;
   EXPECT_EQ(weaveRefusal(wideRing(6.0), weaveOf(WeaveKind::Sine)), "");
 }
@@ -201,10 +201,11 @@ TEST(Weaving, RefusesBendsInWhichTheTipStandsStill) {
 TEST(Weaving, RefusesWhatDoesNotFitBeadOrMachine) {
   WeaveSettings settings = weaveOf(WeaveKind::Sine);
   settings.amplitude_mm = 3.1;
-  EXPECT_NE(weaveRefusal(wide({{0, 0, 2}, {100, 0, 2}}), settings)
-                .find("layer 0, path 0: weave.amplitude_mm is 3.1 mm, twice which is more than the bead's "
-                      "width, 6 mm"),
-            std::string::npos);
+  EXPECT_NE(
+      weaveRefusal(wide({{0, 0, 2}, {100, 0, 2}}), settings)
+          .find("layer 0 at 2 mm, path 0: weave.amplitude_mm is 3.1 mm, twice which is more than the bead's "
+                "width, 6 mm"),
+      std::string::npos);
   settings.amplitude_mm = 2.0;
   Path fast = wide({{0, 0, 2}, {100, 0, 2}});
   fast.feed_mm_s = 20.0;  // 2 (2 pi 20 / 4)² = 1974 mm/s²

@@ -22,6 +22,9 @@ struct PartParameter {
 /// flat_wall, pyramid, semi_cone, sphere, tetradecahedron, through_hole_plate, tube.
 std::vector<std::string> partNames();
 
+/// Whether there is a part of that name.
+bool isPartName(const std::string& name);
+
 /// One sentence on the part.
 /// @throws InvalidConfig if there is no such part; names those there are
 std::string partMeaning(const std::string& name);

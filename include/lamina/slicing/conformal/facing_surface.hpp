@@ -17,8 +17,8 @@ enum class Facing { Down, Up };
 using TriangleNumbers = std::vector<std::uint32_t>;
 
 /// The triangles that face down (n_z < -limit) or up (n_z > limit) in patches that hang together across
-/// common vertices, the patch with the lowest (highest) place of them all first, the others in the order of
-/// their first triangles. Triangles without area belong to none. ([Guacheta2021, listing A.5], with
+/// common vertices, the patch with the lowest (greatestHeight) place of them all first, the others in the
+/// order of their first triangles. Triangles without area belong to none. ([Guacheta2021, listing A.5], with
 /// the signed rule.) Empty if nothing faces that way.
 std::vector<TriangleNumbers> facingPatches(const Mesh& mesh, Facing facing, double normal_limit);
 
@@ -33,5 +33,8 @@ Mesh turnedOver(Mesh mesh);
 
 /// A patch with the faces beside its rim as walls: all those of the mesh that share a vertex with it.
 ShellSource shellSourceOf(const Mesh& mesh, const TriangleNumbers& triangles);
+
+/// The greatest height that triangles of the mesh come to [mm]; that upside down, negated, if the sign is -1.
+double greatestHeight(const Mesh& mesh, const TriangleNumbers& triangles, double sign);
 
 }  // namespace lamina

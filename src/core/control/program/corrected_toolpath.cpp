@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "control/program/laid_pieces.hpp"
+#include "geometry/space_vectors.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
 #include "lamina/control/program/correction_files.hpp"
@@ -124,13 +125,6 @@ void requireMaps(const std::vector<CorrectionMap>& maps, const Toolpath& toolpat
   }
 }
 
-double offSegment(const Point3& point, const Point3& from, const Point3& to) {
-  const Point3 way = to - from;
-  const double square = way.squaredNorm();
-  const double share = square > 0.0 ? std::clamp((point - from).dot(way) / square, 0.0, 1.0) : 0.0;
-  return (point - from - share * way).norm();
-}
-
 /// Programs whose joints are led have waypoints of their own between those that were planned.
 void requireSamePath(const Path& read, const Path& planned, const std::string& name, double tolerance_mm) {
   if (read.role != planned.role || read.is_closed != planned.is_closed ||
@@ -148,7 +142,7 @@ void requireSamePath(const Path& read, const Path& planned, const std::string& n
       continue;
     }
     if (next > 0 && read.points.size() > planned.points.size())
-      off_mm = offSegment(read.points[i], planned.points[next - 1], to);
+      off_mm = distanceToSegment(read.points[i], planned.points[next - 1], to);
     if (!(off_mm <= tolerance_mm))
       throw InvalidInput(name + ", waypoint " + std::to_string(i) + " is " + numberText(off_mm) +
                          " mm off that of the toolpath that the maps are of; expected at most " +

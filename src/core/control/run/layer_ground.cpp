@@ -22,8 +22,4 @@ Box3 groundOf(const LayerCells& cells, const Eigen::Vector3d& normal) {
   return ground;
 }
 
-bool isWithin(const Box3& box, const Point3& point) {
-  return (point.array() >= box.low.array()).all() && (point.array() <= box.high.array()).all();
-}
-
 }  // namespace lamina

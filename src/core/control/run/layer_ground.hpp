@@ -14,6 +14,4 @@ double widestBead(const LayerCells& cells);
 /// projected along the layers' normal onto the plane through the origin.
 Box3 groundOf(const LayerCells& cells, const Eigen::Vector3d& normal);
 
-bool isWithin(const Box3& box, const Point3& point);
-
 }  // namespace lamina

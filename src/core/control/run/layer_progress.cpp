@@ -4,12 +4,10 @@
 
 #include <algorithm>
 
+#include "toolpath/path_motions.hpp"
+
 namespace lamina {
 namespace {
-
-double motionLength(const Path& path, std::size_t motion) {
-  return (path.points[path.motionEnd(motion)] - path.points[motion]).norm();
-}
 
 bool deposits(const Path& path) { return path.role != PathRole::Travel; }
 

@@ -5,12 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <utility>
 
+#include "base/decimals.hpp"
 #include "control/run/cloud_order.hpp"
 #include "control/run/layer_ground.hpp"
 #include "control/run/layer_trim.hpp"
+#include "geometry/boxes.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
 #include "lamina/control/metal_split.hpp"
@@ -29,8 +30,6 @@ double secondsFrom(std::int64_t begin_ns, std::int64_t end_ns) {
   return static_cast<double>(end_ns - begin_ns) / kSecond;
 }
 
-bool corrects(LoopState state) { return state == LoopState::Active || state == LoopState::Coasting; }
-
 bool isAllZero(const std::vector<double>& values) {
   return std::all_of(values.begin(), values.end(), [](double value) { return value == 0.0; });
 }
@@ -45,10 +44,9 @@ void requireSpeeds(const Toolpath& toolpath, const LoopRunSettings& settings) {
 }
 
 std::string reasonOf(const MissedMap& missed) {
-  char waited[48];
-  std::snprintf(waited, sizeof waited, "%.3g", missed.waited_s);
   return "layer " + std::to_string(missed.layer) + " is laid as planned, not by its map: " +
-         (missed.reason.empty() ? "none came within " + std::string(waited) + " s" : missed.reason);
+         (missed.reason.empty() ? "none came within " + significantText(missed.waited_s, 3) + " s"
+                                : missed.reason);
 }
 
 /// Height of the highest cell that is known, above where what the layer is laid onto should be [mm].
@@ -138,7 +136,7 @@ void LoopRun::recalibrate(const CellCalibration& known, LoopRequest request) {
   if (waits || is_refused) status_ = afterRequest(request, stability_);
 }
 
-bool LoopRun::isCorrecting() const { return corrects(status_.state); }
+bool LoopRun::isCorrecting() const { return lamina::isCorrecting(status_.state); }
 
 void LoopRun::observe(const StampedTip& pose) {
   ++counts_.poses;
@@ -305,7 +303,7 @@ void LoopRun::watchLump(const std::vector<Point3>& points, const Eigen::Isometry
   for (const Point3& point : points) {
     const Point3 at = toolpath_from_sensor * point;
     const bool is_point = point.allFinite() && !point.isZero(0.0);
-    const bool is_under_way = is_point && isWithin(ground_, at - at.dot(normal_) * normal_);
+    const bool is_under_way = is_point && isInBox(ground_, at - at.dot(normal_) * normal_);
     heights.push_back(is_under_way ? at.dot(normal_) - top : LumpWatch::kNone);
   }
   lump_.see(heights);

@@ -5,6 +5,8 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "geometry/boxes.hpp"
+
 namespace lamina {
 namespace {
 
@@ -30,17 +32,13 @@ std::vector<Box3> bodyBoxesOf(const Mesh& mesh, const MeshBodies& bodies) {
   return boxes;
 }
 
-bool holds(const Box3& box, const Point3& point) {
-  return (point.array() >= box.low.array()).all() && (point.array() <= box.high.array()).all();
-}
-
 /// In how many other bodies a point of this body lies.
 int depthOf(std::uint32_t body, const Point3& point, const Mesh& mesh, const MeshBodies& bodies,
             const std::vector<Box3>& boxes) {
   std::vector<double> angles(boxes.size(), 0.0);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const std::uint32_t other = bodies.body_of[t];
-    if (other == body || !holds(boxes[other], point)) continue;
+    if (other == body || !isInBox(boxes[other], point)) continue;
     const Triangle& triangle = mesh.triangles[t];
     angles[other] += solidAngle(mesh.vertices[triangle[0]] - point, mesh.vertices[triangle[1]] - point,
                                 mesh.vertices[triangle[2]] - point);

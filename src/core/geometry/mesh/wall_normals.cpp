@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "geometry/mesh/area_vector.hpp"
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
@@ -19,16 +20,11 @@ namespace {
 
 constexpr double kCrease = 0.70710678118654752;  // cosine of the bend from which an edge is a corner
 
-Point3 normalOf(const Mesh& mesh, const Triangle& corner) {
-  const Point3& a = mesh.vertices[corner[0]];
-  return (mesh.vertices[corner[1]] - a).cross(mesh.vertices[corner[2]] - a);
-}
-
 Mesh wallsOf(const Mesh& part, const Point3& up, double max_lean_deg) {
   const double steepest = std::sin(toRadians(max_lean_deg));
   Mesh walls;
   for (const Triangle& corner : part.triangles) {
-    const Point3 normal = normalOf(part, corner);
+    const Point3 normal = areaVector(part, corner);
     const double length = normal.norm();
     if (length > 0.0 && std::abs(normal.dot(up)) <= steepest * length) walls.triangles.push_back(corner);
   }
@@ -42,7 +38,7 @@ Mesh wallsOf(const Mesh& part, const Point3& up, double max_lean_deg) {
 
 /// How far from its edges, opposite each corner, a point of a triangle lies: 0 at the edge, 1 at the corner.
 Point3 barycentric(const Mesh& mesh, const Triangle& corner, const Point3& point) {
-  const Point3 normal = normalOf(mesh, corner);
+  const Point3 normal = areaVector(mesh, corner);
   const double squared = normal.squaredNorm();
   Point3 weights;
   for (int k = 0; k < 3; ++k) {
@@ -72,13 +68,13 @@ Point3 WallNormals::at(const Point3& point) const {
   const Mesh& mesh = walls_->mesh;
   const NearestPlace place = walls_->tree.nearest(point);
   const Triangle& corner = mesh.triangles[place.triangle];
-  const Point3 own = normalOf(mesh, corner).normalized();
+  const Point3 own = areaVector(mesh, corner).normalized();
   const Point3 weights = barycentric(mesh, corner, place.point);
   Point3 sum = own;
   for (std::uint32_t k = 0; k < 3; ++k) {
     const HalfEdge across = walls_->topology.opposite[3 * place.triangle + (k + 1) % 3];
     if (across == kNoHalfEdge) continue;
-    const Point3 other = normalOf(mesh, mesh.triangles[triangleOf(across)]).normalized();
+    const Point3 other = areaVector(mesh, mesh.triangles[triangleOf(across)]).normalized();
     // Whole at the edge, nothing where another edge is as near.
     const double other_edge = std::min(weights[(k + 1) % 3], weights[(k + 2) % 3]);
     const double nearness = weights[k] < other_edge ? 1.0 - weights[k] / other_edge : 0.0;

@@ -94,6 +94,11 @@ std::vector<std::string> partNames() {
   return names;
 }
 
+bool isPartName(const std::string& name) {
+  const std::vector<std::string> names = partNames();
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
 std::string partMeaning(const std::string& name) { return find(name).meaning; }
 
 std::vector<PartParameter> partParameters(const std::string& name) { return find(name).parameters(); }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "geometry/boxes.hpp"
 #include "lamina/geometry/vector.hpp"
 
 namespace lamina {
@@ -28,9 +29,6 @@ class BoxTree {
   };
 
   std::uint32_t build(std::uint32_t first, std::uint32_t last);
-  static bool overlap(const Box3& a, const Box3& b) {
-    return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
-  }
 
   std::vector<Box3> boxes_;
   std::vector<std::uint32_t> items_;
@@ -47,14 +45,14 @@ void BoxTree::visitOverlapping(const Box3& box, Visit visit) const {
   while (depth > 0) {
     const std::uint32_t number = waiting[--depth];
     const Node& node = nodes_[number];
-    if (!overlap(node.box, box)) continue;
+    if (!areOverlapping(node.box, box)) continue;
     if (node.count == 0) {
       waiting[depth++] = node.first;
       waiting[depth++] = number + 1;
       continue;
     }
     for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
-      if (overlap(boxes_[items_[i]], box)) visit(items_[i]);
+      if (areOverlapping(boxes_[items_[i]], box)) visit(items_[i]);
   }
 }
 

@@ -2,35 +2,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "infill/variable_width/medial_beads.hpp"
 
-#include <iterator>
-
 #include "infill/variable_width/axis_loops.hpp"
 #include "infill/variable_width/bead_axis.hpp"
 #include "infill/variable_width/skeleton_beads.hpp"
 #include "infill/variable_width/skeleton_paths.hpp"
 
 namespace lamina {
-namespace {
-
-void append(std::vector<FillPath>& runs, std::vector<FillPath>&& more) {
-  runs.insert(runs.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
-}
-
-}  // namespace
-
 std::vector<FillPath> medialBeads(const Regions& regions, const MedialBeadSettings& settings) {
   requirePitch(settings);
   std::vector<FillPath> runs;
   for (const Region& region : regions)
     for (const SkeletonPath& skeleton_path : skeletonPathsOf(beadAxis(region, settings)))
-      append(runs, skeletonBeads(skeleton_path, settings));
+      appendTo(runs, skeletonBeads(skeleton_path, settings));
   return runs;
 }
 
 std::vector<FillPath> medialLoops(const Regions& regions, const MedialBeadSettings& settings) {
   requirePitch(settings);
   std::vector<FillPath> runs;
-  for (const Region& region : regions) append(runs, axisLoops(beadAxis(region, settings), region));
+  for (const Region& region : regions) appendTo(runs, axisLoops(beadAxis(region, settings), region));
   return runs;
 }
 

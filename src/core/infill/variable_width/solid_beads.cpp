@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "infill/variable_width/solid_beads.hpp"
 
-#include <iterator>
 #include <utility>
 
 #include "infill/contour/contour_tree.hpp"
@@ -10,10 +9,6 @@
 
 namespace lamina {
 namespace {
-
-void appendBead(std::vector<FillPath>& runs, std::vector<FillPath>&& more) {
-  runs.insert(runs.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
-}
 
 FillPath runOf(ContourLoop loop) {
   FillPath run;
@@ -34,7 +29,7 @@ std::vector<FillPath> loopsAndBeads(const Region& region, const MedialBeadSettin
   for (ContourLoop& loop : contours.tree.loops) runs.push_back(runOf(std::move(loop)));
   const double least_mm2 = least_rest * settings.pitch_mm * settings.pitch_mm;
   for (const NarrowRest& rest : contours.rests)
-    if (area({rest.area}) >= least_mm2) appendBead(runs, medialBeads({rest.area}, settings));
+    if (area({rest.area}) >= least_mm2) appendTo(runs, medialBeads({rest.area}, settings));
   return runs;
 }
 
@@ -45,7 +40,7 @@ std::vector<FillPath> solidBeads(const Regions& regions, const MedialBeadSetting
   std::vector<FillPath> runs;
   for (const Region& region : regions) {
     const bool is_wide = !offset({region}, -settings.widest_bead * settings.pitch_mm).empty();
-    appendBead(runs, is_wide ? loopsAndBeads(region, settings, least_rest) : medialBeads({region}, settings));
+    appendTo(runs, is_wide ? loopsAndBeads(region, settings, least_rest) : medialBeads({region}, settings));
   }
   return runs;
 }

@@ -7,6 +7,8 @@
 #include <string>
 #include <utility>
 
+#include "base/decimals.hpp"
+#include "geometry/space_vectors.hpp"
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/slicing/planar/layer_plane.hpp"
@@ -16,14 +18,7 @@ namespace lamina {
 namespace {
 
 constexpr double kToolAxisTolerance = toRadians(0.01);  // as that of reach
-
-double angleBetween(const Point3& a, const Point3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
-
-std::string number(double value) {
-  char digits[32];
-  std::snprintf(digits, sizeof digits, "%.4g", value);
-  return digits;
-}
+constexpr int kShownDigits = 4;                         // of numbers in messages
 
 std::string text(const Point3& direction) {
   char coordinates[96];
@@ -36,9 +31,9 @@ std::string text(const Point3& direction) {
 std::string planeOf(const Point3& tool_axis) {
   // Adding 0 makes -0 a 0.
   const double angle = std::atan2(tool_axis.head<2>().norm(), -tool_axis.z());
-  return "slicing.plane.angle_deg " + number(angle * kDegreesPerRadian) +
+  return "slicing.plane.angle_deg " + significantText(angle * kDegreesPerRadian, kShownDigits) +
          " and slicing.plane.axis_heading_deg " +
-         number(std::atan2(-tool_axis.x(), tool_axis.y()) * kDegreesPerRadian + 0.0);
+         significantText(std::atan2(-tool_axis.x(), tool_axis.y()) * kDegreesPerRadian + 0.0, kShownDigits);
 }
 
 }  // namespace
@@ -61,9 +56,9 @@ void requireToolAxis(const PlaneSettings& plane, const BuildSpace& space) {
   if (angleBetween(own, wanted) <= kToolAxisTolerance) return;
   const bool is_upright = angleBetween(own, level) <= kToolAxisTolerance;
   throw Unreachable(
-      "slicing.plane of " + number(plane.angle_deg) + " deg about " + number(plane.axis_heading_deg) +
-      " deg needs the tool axis along " + text(wanted) + "; the head of " + space.name + " holds it along " +
-      text(own) + ", for " +
+      "slicing.plane of " + significantText(plane.angle_deg, kShownDigits) + " deg about " +
+      significantText(plane.axis_heading_deg, kShownDigits) + " deg needs the tool axis along " +
+      text(wanted) + "; the head of " + space.name + " holds it along " + text(own) + ", for " +
       (is_upright ? "slicing.plane.angle_deg 0 or slicing.plane.tool axis 'down'" : planeOf(own)));
 }
 

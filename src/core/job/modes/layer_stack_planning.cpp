@@ -68,13 +68,10 @@ ChartedLayer charted(StackedSurface layer, const FlatteningSettings& settings) {
 ChartedLayer chartedAt(std::size_t index, StackedSurface layer, const FlatteningSettings& settings) {
   double highest_mm = layer.plane.bounds.top_mm;
   for (const Point3& tip : layer.surface.tip) highest_mm = std::max(highest_mm, tip.z());
-  const std::string place = layerPlace(index, highest_mm);
   try {
     return charted(std::move(layer), settings);
-  } catch (const Unsliceable& refusal) {
-    throw Unsliceable(place + ": " + refusal.what(), refusal.region());
   } catch (...) {
-    rethrowAt(place);
+    rethrowAt(layerPlace(index, highest_mm));
   }
 }
 

@@ -16,6 +16,7 @@
 #include "lamina/slicing/multi_direction/directed_pieces.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
 #include "planning/lift/held_along.hpp"
+#include "toolpath/path_motions.hpp"
 
 namespace lamina {
 namespace {
@@ -67,12 +68,6 @@ Path wayTo(const Path& to, const Path& from, const TravelSettings& settings) {
   return way;
 }
 
-const Path* lastPathOf(const Toolpath& toolpath) {
-  for (auto layer = toolpath.layers.rbegin(); layer != toolpath.layers.rend(); ++layer)
-    if (!layer->paths.empty()) return &layer->paths.back();
-  return nullptr;
-}
-
 void addCounts(LayerCounts& counts, const LayerCounts& further) {
   counts.layers += further.layers;
   counts.contours += further.contours;
@@ -114,7 +109,7 @@ class PieceByPiece {
         if (path.role != PathRole::Travel)
           for (const Point3& tip : path.points) highest_mm_ = std::max(highest_mm_, tip.z());
       layer.z_mm = std::max(highest_mm_, toolpath.layers.empty() ? layer.z_mm : toolpath.layers.back().z_mm);
-      const Path* last = lastPathOf(toolpath);
+      const Path* last = lastPath(toolpath);
       const bool is_apart = last != nullptr && !layer.paths.empty() &&
                             (last->lastPoint() - layer.paths.front().firstPoint()).norm() > 1e-6;
       if (is_apart)

@@ -2,23 +2,104 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "job/modes/oriented_planning.hpp"
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 #include <string>
 #include <utility>
+#include <vector>
 
+#include "geometry/space_vectors.hpp"
 #include "job/joint_program.hpp"
 #include "job/modes/automatic_planning.hpp"
 #include "job/modes/mode_trial.hpp"
-#include "job/modes/tool_orientation.hpp"
 #include "lamina/base/angle.hpp"
+#include "lamina/base/error.hpp"
 #include "lamina/infill/strategy.hpp"
+#include "lamina/job/program_file.hpp"
 #include "lamina/kinematics/model/toolpath_reach.hpp"
 #include "lamina/orientation/orient_toolpath.hpp"
+#include "lamina/orientation/orientation_report.hpp"
+#include "lamina/orientation/orientation_settings.hpp"
+#include "lamina/toolpath/toolpath.hpp"
+#include "lamina/toolpath/waypoint_text.hpp"
 
 namespace lamina {
 namespace {
+
+/// One sentence for all runs that a limit changed, with the one that was changed most.
+void addLimit(const OrientationReport& report, OrientationLimit limit, std::vector<std::string>& notes) {
+  const LimitHit* worst = nullptr;
+  std::size_t runs = 0;
+  for (const LimitHit& hit : report.limits_hit) {
+    if (hit.limit != limit) continue;
+    ++runs;
+    const bool is_worse = worst == nullptr || std::abs(hit.wanted_deg - hit.given_deg) >
+                                                  std::abs(worst->wanted_deg - worst->given_deg);
+    if (is_worse) worst = &hit;
+  }
+  if (worst == nullptr) return;
+  char text[256];
+  std::snprintf(text, sizeof text,
+                "orientation.%s changed %zu runs, most at %s: %.2f deg wanted, %.2f deg given",
+                limit == OrientationLimit::Lean ? "max_lean_deg" : "max_turn_deg_per_mm", runs,
+                toText(worst->worst).c_str(), worst->wanted_deg, worst->given_deg);
+  notes.emplace_back(text);
+}
+
+/// Whether the settings hold the nozzle otherwise than the slicer does.
+bool changesOrientation(const OrientationSettings& settings) {
+  const OrientationSettings as_sliced;
+  return settings.mode != OrientationMode::LayerNormal || settings.lead_deg != 0.0 ||
+         settings.tilt_deg != 0.0 || settings.smoothing_window != 1 || settings.heading_deg != 0.0 ||
+         settings.limits.max_lean_deg != as_sliced.limits.max_lean_deg ||
+         settings.limits.max_turn_deg_per_mm != as_sliced.limits.max_turn_deg_per_mm;
+}
+
+/// @param as_sliced  empty if nothing was changed
+/// @throws InvalidInput if a tool axis was turned by more than `orientation.max_off_normal_deg` from the
+/// layer's normal: it names the place; the nozzle would run into what is deposited
+void requireNearNormal(const Toolpath& as_sliced, const Toolpath& oriented,
+                       const OrientationSettings& settings) {
+  const auto tool_axis = [](const Path& path, std::size_t w) {
+    return Point3(path.orientation.at(w) * Point3::UnitZ());
+  };
+  double greatest = 0.0;
+  WaypointIndex place;
+  for (std::size_t l = 0; l < as_sliced.layers.size(); ++l)
+    for (std::size_t p = 0; p < as_sliced.layers[l].paths.size(); ++p) {
+      const Path& before = as_sliced.layers[l].paths[p];
+      if (before.role == PathRole::Travel) continue;
+      for (std::size_t w = 0; w < before.points.size(); ++w) {
+        const Point3 normal = tool_axis(before, w);
+        const Point3 held = tool_axis(oriented.layers[l].paths[p], w);
+        const double angle = toDegrees(angleBetween(normal, held));
+        if (angle <= greatest) continue;
+        greatest = angle;
+        place = {l, p, w};
+      }
+    }
+  if (greatest <= settings.limits.max_off_normal_deg + 1e-6) return;
+  char text[256];
+  std::snprintf(text, sizeof text,
+                "the nozzle would be held %.1f deg off the layer's normal at %s; expected at most %.4g deg "
+                "(orientation.max_off_normal_deg): it would run into what is deposited",
+                greatest, toText(place).c_str(), settings.limits.max_off_normal_deg);
+  throw InvalidInput(text);
+}
+
+/// What a user should know of how the nozzle turns, a sentence each: limits that were hit, walls that were
+/// not found.
+std::vector<std::string> notesOn(const OrientationReport& report) {
+  std::vector<std::string> notes;
+  addLimit(report, OrientationLimit::Lean, notes);
+  addLimit(report, OrientationLimit::Turn, notes);
+  if (report.waypoints_without_wall > 0)
+    notes.push_back("orientation.mode wall found no wall across the path at " +
+                    std::to_string(report.waypoints_without_wall) +
+                    " waypoints of walls; their neighbours' tool axes stand there");
+  return notes;
+}
 
 void addPlanned(SliceSummary& summary, const PlannedPart& planned) {
   summary.notes = planned.notes;
@@ -99,7 +180,7 @@ Toolpath planOriented(SourcePart source, const PlanningRequest& request, SliceSu
 
 void requireWithin(const BuildSpace& space, const SliceJob& job, SlicedPart& sliced) {
   const bool is_five_axis = writesFiveAxis(job, space, sliced);
-  const bool is_program = std::filesystem::path(job.output).extension() == ".gcode" && !is_five_axis;
+  const bool is_program = isGcodeFile(job.output) && !is_five_axis;
   const bool is_as_planned =
       hasPlaneLayers(sliced.summary.mode) && !changesOrientation(job.settings.orientation);
   if (is_program || (is_as_planned && !is_five_axis))

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "base/strict_yaml.hpp"
+#include "job/file_beside.hpp"
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/input_file.hpp"
@@ -111,14 +112,6 @@ Box3 boxFrom(const StrictYaml& yaml) {
   return box;
 }
 
-/// A file beside that of the modifiers; a parametric part is none.
-std::string besideModifiers(const std::string& folder, const std::string& file) {
-  if (folder.empty()) return file;
-  const std::string beside = (std::filesystem::path(folder) / file).lexically_normal().string();
-  std::error_code unreachable;
-  return std::filesystem::exists(beside, unreachable) ? beside : file;
-}
-
 void requireOneRegion(const StrictYaml& yaml, const Modifier& modifier) {
   const int regions = static_cast<int>(!modifier.mesh.empty()) + static_cast<int>(modifier.box.has_value()) +
                       static_cast<int>(modifier.heights_mm.has_value());
@@ -141,7 +134,7 @@ Modifier modifierFrom(const StrictYaml& yaml, const std::string& folder) {
     return *modifier.heights_mm;
   };
   for (const auto& [key, value] : yaml.entries({"mesh", "box_mm", "from_mm", "to_mm", "kind", "settings"})) {
-    if (key == "mesh") modifier.mesh = besideModifiers(folder, value.text());
+    if (key == "mesh") modifier.mesh = fileBeside(folder, value.text());
     if (key == "box_mm") modifier.box = boxFrom(value);
     if (key == "from_mm") heights().first = value.number();
     if (key == "to_mm") heights().second = value.number();

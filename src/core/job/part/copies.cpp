@@ -91,7 +91,7 @@ Path travelBetween(const Point3& from, const Point3& to, const Belt& belt, doubl
   return travel;
 }
 
-Path& lastPath(std::vector<ToolpathLayer>& layers) {
+Path& lastPathOf(std::vector<ToolpathLayer>& layers) {
   return std::find_if(layers.rbegin(), layers.rend(), [](const auto& layer) { return !layer.paths.empty(); })
       ->paths.back();
 }
@@ -113,7 +113,7 @@ void markStart(const std::string& part, std::vector<ToolpathLayer>& layers) {
 
 /// Behind the last path, so that the way to the next part is of that part.
 void markEnd(const std::string& part, std::vector<ToolpathLayer>& layers) {
-  Path& last = lastPath(layers);
+  Path& last = lastPathOf(layers);
   last.events.push_back(markOf(part, last.motionCount()));
 }
 
@@ -122,7 +122,7 @@ void append(Toolpath& toolpath, std::vector<ToolpathLayer> next, const Belt& bel
   const auto first =
       std::find_if(next.begin(), next.end(), [](const auto& layer) { return !layer.paths.empty(); });
   if (first == next.end()) return;
-  const Path& before = lastPath(toolpath.layers);
+  const Path& before = lastPathOf(toolpath.layers);
   Path travel = travelBetween(before.lastPoint(), first->paths.front().firstPoint(), belt, travel_feed_mm_s);
   travel.orientation = before.orientation.at(0);
   travel.tool = first->paths.front().tool;

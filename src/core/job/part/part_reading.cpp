@@ -29,11 +29,6 @@ Mesh extrudedOutline(const std::string& part, const InputSettings& settings) {
   return mesh;
 }
 
-bool isParametric(const std::string& part) {
-  const std::vector<std::string> names = partNames();
-  return std::find(names.begin(), names.end(), part) != names.end();
-}
-
 /// What is neither a file nor looks like the name of one is taken for a part.
 void requireFileOrPart(const std::string& part) {
   const std::filesystem::path path(part);
@@ -44,8 +39,8 @@ void requireFileOrPart(const std::string& part) {
 
 Mesh readOrMake(const std::string& part, const InputSettings& settings, Progress& progress) {
   if (isSvgName(part)) return extrudedOutline(part, settings);
-  if (!isParametric(part)) requireFileOrPart(part);
-  if (!isParametric(part)) return readMesh(part, settings.units, settings.tessellation, progress);
+  if (!isPartName(part)) requireFileOrPart(part);
+  if (!isPartName(part)) return readMesh(part, settings.units, settings.tessellation, progress);
   Mesh mesh = makePart(part);
   for (Point3& vertex : mesh.vertices) vertex *= settings.units.scale;
   return mesh;
@@ -65,14 +60,14 @@ SourcePart fitToSlice(Mesh mesh, RepairPolicy policy) {
 
 SourcePart readPart(const std::string& part, const InputSettings& settings, Progress& progress) {
   SourcePart source = fitToSlice(readOrMake(part, settings, progress), settings.repair);
-  if (!isSvgName(part) && !isParametric(part)) source.volumes = readMeshVolumes(part, settings.units);
+  if (!isSvgName(part) && !isPartName(part)) source.volumes = readMeshVolumes(part, settings.units);
   return source;
 }
 
 std::vector<SourceObject> readParts(const std::string& part, const InputSettings& settings,
                                     Progress& progress) {
   std::vector<SourceObject> objects;
-  if (isSvgName(part) || isParametric(part)) {
+  if (isSvgName(part) || isPartName(part)) {
     objects.push_back({"", readPart(part, settings, progress)});
     return objects;
   }

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/strict_yaml.hpp"
+#include "job/file_beside.hpp"
 #include "lamina/base/angle.hpp"
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
@@ -40,14 +41,6 @@ bool allows(std::string_view entry, const std::string& key) {
   return entry.back() == '.' ? key.compare(0, entry.size(), entry) == 0 : key == entry;
 }
 
-/// A file beside the plate; a part that is none keeps its name.
-std::string besidePlate(const std::string& folder, const std::string& file) {
-  if (folder.empty()) return file;
-  const std::string beside = (std::filesystem::path(folder) / file).lexically_normal().string();
-  std::error_code unreachable;
-  return std::filesystem::exists(beside, unreachable) ? beside : file;
-}
-
 Point3 point3From(const StrictYaml& yaml) {
   const std::vector<double> numbers = yaml.numbers();
   if (numbers.size() != 3) yaml.refuse("expected three numbers, [x, y, z]");
@@ -70,7 +63,7 @@ PlatePart partFrom(const StrictYaml& yaml, const std::string& folder) {
   PlatePart part;
   for (const auto& [key, value] :
        yaml.entries({"file", "name", "at_mm", "turn_deg", "scale", "copies", "settings", "modifiers"})) {
-    if (key == "file") part.file = besidePlate(folder, value.text());
+    if (key == "file") part.file = fileBeside(folder, value.text());
     if (key == "name") {
       part.name = value.text();
       requireOneLine(value, part.name);
@@ -84,7 +77,7 @@ PlatePart partFrom(const StrictYaml& yaml, const std::string& folder) {
     if (key == "copies") part.copies = value.whole(1, kMostCopies);
     if (key == "settings")
       for (SettingText& setting : value.settings()) part.settings.push_back(std::move(setting));
-    if (key == "modifiers") part.settings.push_back({"part.modifiers", besidePlate(folder, value.text())});
+    if (key == "modifiers") part.settings.push_back({"part.modifiers", fileBeside(folder, value.text())});
   }
   if (part.file.empty()) yaml.refuse("expected the key 'file'");
   if (part.at_mm && part.copies > 1) yaml.refuse("copies have one place, at_mm; expected parts of their own");

@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "kinematics/arm/arm_chain.hpp"
 
+#include "kinematics/model/external_joint.hpp"
 #include "lamina/base/error.hpp"
 
 namespace lamina {
 namespace {
 
 constexpr std::size_t kArmJoints = 6;
-
-bool isExternal(const DrivenJoint& joint) { return joint.name.rfind("external_", 0) == 0; }
 
 [[noreturn]] void refuse(const SerialChain& chain, const std::string& what) {
   throw InvalidConfig("arm '" + chain.name + "' " + what +
@@ -30,7 +29,7 @@ ArmChain armChain(SerialChain whole) {
     const auto index = static_cast<std::size_t>(j);
     const DrivenJoint& joint = whole.joints[index];
     const std::size_t count = split.arm.joints.size();
-    if (isExternal(joint)) {
+    if (isExternal(joint.name)) {
       if (count > 0) refuse(whole, "has joint '" + joint.name + "' beyond joints of the arm");
       append(split.external, whole, index);
       split.external_index.push_back(j);

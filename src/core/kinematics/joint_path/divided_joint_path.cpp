@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "geometry/space_vectors.hpp"
 #include "kinematics/model/joint_ranges.hpp"
 #include "lamina/base/angle.hpp"
 #include "lamina/base/parallel.hpp"
@@ -15,8 +16,6 @@ namespace lamina {
 namespace {
 
 constexpr int kMostSteps = 64;  // that a motion is divided into at once
-
-double angleBetween(const Point3& a, const Point3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
 
 MotionDeviation deviation(const JointValues& from, const JointValues& to, const KinematicModel& model) {
   const Eigen::Isometry3d start = model.bedFromNozzle(from);

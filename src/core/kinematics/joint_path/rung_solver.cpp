@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "kinematics/model/external_joint.hpp"
 #include "lamina/base/angle.hpp"
 #include "lamina/geometry/shortest_rotation.hpp"
 

@@ -5,12 +5,11 @@
 
 #include "kinematics/joint_path/gravity_table.hpp"
 #include "kinematics/joint_path/stations.hpp"
+#include "kinematics/model/external_joint.hpp"
 #include "lamina/base/angle.hpp"
 #include "lamina/kinematics/arm/external_axis.hpp"
 
 namespace lamina {
-
-bool isExternal(const std::string& joint) { return joint.rfind("external_", 0) == 0; }
 
 namespace {
 

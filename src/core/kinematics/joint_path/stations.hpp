@@ -47,9 +47,6 @@ struct Station {
   Eigen::Isometry3d pose() const;
 };
 
-/// How a joint is named that is no function of the pose: external_1 and so on.
-bool isExternal(const std::string& joint);
-
 /// A toolpath as one motion through stations. Waypoints that follow each other at one pose, as where paths
 /// join, share a station.
 struct StationList {

@@ -5,6 +5,7 @@
 #include <limits>
 #include <tuple>
 
+#include "kinematics/model/external_joint.hpp"
 #include "kinematics/model/link_motion.hpp"
 #include "kinematics/model/serial_chain.hpp"
 #include "lamina/base/error.hpp"
@@ -90,7 +91,7 @@ std::vector<PlacedJoint> jointsFromBedToNozzle(const Model& model) {
 /// Where a joint stands in the order of the kinematic model: joints of an arm, which have any names, by the
 /// chain; those of machines by kind and name, external ones by name.
 auto rankOf(const Model& model, const urdf::Joint& joint) {
-  const bool is_external = joint.name.rfind("external_", 0) == 0;
+  const bool is_external = isExternal(joint.name);
   const bool is_named = is_external || model.getJoint(kAxisNames[0]);
   const JointKind kind = is_external || !is_named ? JointKind::Linear : kindOf(model, joint);
   return std::make_tuple(is_external, kind, is_named ? joint.name : std::string());

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "geometry/polygon/region_lists.hpp"
 #include "lamina/base/angle.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
 #include "lamina/planning/bridges/bridge_direction.hpp"
@@ -27,8 +28,6 @@ Regions touching(const Regions& regions, Box2 box, double margin_mm) {
   }
   return found;
 }
-
-void append(Regions& all, const Regions& more) { all.insert(all.end(), more.begin(), more.end()); }
 
 class AreaSharer {
  public:
@@ -66,7 +65,7 @@ class AreaSharer {
     }
     const ThreadLayout layout{direction.angle_rad, measures_.thread_pitch_mm, settings.anchor_mm};
     LaidBridge bridge{coveredByThreads(piece, inside_, layout), bridgeThreads(piece, near, inside_, layout)};
-    append(covered, bridge.area);
+    appendTo(covered, bridge.area);
     areas_.bridges.push_back(std::move(bridge));
     Bridging one;
     one.bridges = 1;

@@ -9,17 +9,11 @@
 #include <numeric>
 #include <utility>
 
+#include "geometry/boxes.hpp"
+#include "toolpath/deposited_segment.hpp"
+
 namespace lamina {
 namespace {
-
-bool overlap(const Box2& a, const Box2& b) {
-  return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
-}
-
-bool isOfPart(const Path& path) {
-  const RoleKind kind = kindOf(path.role);
-  return kind == RoleKind::Wall || kind == RoleKind::Infill;
-}
 
 Box2 boxOf(const Path& path, const Eigen::Quaterniond& layers_from_part) {
   Box2 box;
@@ -97,7 +91,7 @@ PlacedLayer placesOf(const ToolpathLayer& layer, const Eigen::Quaterniond& layer
   std::vector<Box2> boxes;
   std::vector<std::size_t> box_of(paths.size(), kNowhere);
   for (std::size_t p = 0; p < paths.size(); ++p) {
-    if (!isOfPart(paths[p])) continue;
+    if (!isPartOfPart(paths[p])) continue;
     box_of[p] = boxes.size();
     boxes.push_back(boxOf(paths[p], layers_from_part));
   }
@@ -127,7 +121,7 @@ PlacedLayer placesOf(const ToolpathLayer& layer, const Eigen::Quaterniond& layer
 double leftBeneath(const Box2& box, const PlaceTimes& below) {
   double left_s = -std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < below.boxes.size(); ++i)
-    if (overlap(box, below.boxes[i])) left_s = std::max(left_s, below.left_s[i]);
+    if (areOverlapping(box, below.boxes[i])) left_s = std::max(left_s, below.left_s[i]);
   return left_s;
 }
 

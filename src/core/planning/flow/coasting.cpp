@@ -7,13 +7,13 @@
 #include "lamina/base/parallel.hpp"
 #include "lamina/planning/flow/flow.hpp"
 #include "planning/flow/path_cut.hpp"
+#include "toolpath/deposited_segment.hpp"
+#include "toolpath/path_motions.hpp"
 
 namespace lamina {
 namespace {
 
 constexpr double kLeastCoast = 1e-3;  // mm: what is shorter is not worth a waypoint
-
-bool isBeadRun(const Path& path) { return path.role != PathRole::Travel && path.deposit == Deposit::Bead; }
 
 /// The place from which the rest of a path holds that volume, or is as long as it may be.
 CutPlace coastStart(const Path& path, const FlowSettings& settings) {
@@ -59,7 +59,7 @@ CoastedLayer coasted(const ToolpathLayer& layer, const Path* next_layer, const F
   for (std::size_t p = 0; p < layer.paths.size(); ++p) {
     const Path& path = layer.paths[p];
     const Path* next = p + 1 < layer.paths.size() ? &layer.paths[p + 1] : next_layer;
-    if (isBeadRun(path) && (next == nullptr || !isBeadRun(*next)))
+    if (laysBeads(path) && (next == nullptr || !laysBeads(*next)))
       addCoasted(path, settings, result);
     else
       result.paths.push_back(path);

@@ -7,12 +7,101 @@
 #include <vector>
 
 #include "lamina/planning/flow/flow.hpp"
-#include "planning/flow/desired_flow.hpp"
+#include "lamina/toolpath/motion_planner.hpp"
 #include "planning/flow/path_cut.hpp"
+#include "toolpath/deposited_segment.hpp"
 #include "toolpath/motion_cursor.hpp"
+#include "toolpath/path_motions.hpp"
 
 namespace lamina {
 namespace {
+
+/// The flow that is to leave the nozzle along one run, over the time from its start. It is piecewise linear,
+/// may jump between pieces, and is 0 before and after the run.
+class DesiredFlow {
+ public:
+  /// Appends a motion that lays a bead of that section [mm²].
+  void add(const SpeedProfile& profile, double section_mm2);
+
+  double duration() const { return stretches_.empty() ? 0.0 : stretches_.back().end_s; }
+  /// The flow at a time [mm³/s]; that before a jump at it.
+  double flowBefore(double time_s) const;
+  /// The volume up to a time [mm³].
+  double volumeUntil(double time_s) const;
+  /// Times strictly between two times at which the slope may change, ascending.
+  std::vector<double> changesBetween(double from_s, double to_s) const;
+
+ private:
+  struct Stretch {
+    double start_s;
+    double end_s;
+    double from_mm3_s;
+    double to_mm3_s;
+    double volume_before_mm3;
+
+    double flowAt(double time_s) const;
+    double volume(double until_s) const;
+  };
+
+  void addStretch(double duration_s, double from_mm3_s, double to_mm3_s);
+  /// The stretch that ends at or after that time, if there is one.
+  std::vector<Stretch>::const_iterator stretchAt(double time_s) const;
+
+  std::vector<Stretch> stretches_;
+};
+
+constexpr double kInstant = 1e-9;  // s
+
+double DesiredFlow::Stretch::flowAt(double time_s) const {
+  const double share = (time_s - start_s) / (end_s - start_s);
+  return from_mm3_s + share * (to_mm3_s - from_mm3_s);
+}
+
+double DesiredFlow::Stretch::volume(double until_s) const {
+  return 0.5 * (from_mm3_s + flowAt(until_s)) * (until_s - start_s);
+}
+
+void DesiredFlow::add(const SpeedProfile& profile, double section_mm2) {
+  const double faster_s = (profile.cruise_mm_s - profile.entry_mm_s) / profile.acceleration_mm_s2;
+  const double slower_s = (profile.cruise_mm_s - profile.exit_mm_s) / profile.acceleration_mm_s2;
+  const double cruise = section_mm2 * profile.cruise_mm_s;
+  addStretch(faster_s, section_mm2 * profile.entry_mm_s, cruise);
+  addStretch(profile.duration_s - faster_s - slower_s, cruise, cruise);
+  addStretch(slower_s, cruise, section_mm2 * profile.exit_mm_s);
+}
+
+void DesiredFlow::addStretch(double duration_s, double from_mm3_s, double to_mm3_s) {
+  if (duration_s < kInstant) return;
+  const double start_s = duration();
+  const double before = volumeUntil(start_s);
+  stretches_.push_back({start_s, start_s + duration_s, from_mm3_s, to_mm3_s, before});
+}
+
+std::vector<DesiredFlow::Stretch>::const_iterator DesiredFlow::stretchAt(double time_s) const {
+  return std::lower_bound(stretches_.begin(), stretches_.end(), time_s - kInstant,
+                          [](const Stretch& stretch, double time) { return stretch.end_s < time; });
+}
+
+double DesiredFlow::flowBefore(double time_s) const {
+  const auto stretch = stretchAt(time_s);
+  return time_s < kInstant || stretch == stretches_.end() ? 0.0
+                                                          : stretch->flowAt(std::min(time_s, stretch->end_s));
+}
+
+double DesiredFlow::volumeUntil(double time_s) const {
+  if (stretches_.empty() || time_s <= 0.0) return 0.0;
+  const auto stretch = stretchAt(time_s);
+  const Stretch& last = stretch == stretches_.end() ? stretches_.back() : *stretch;
+  return last.volume_before_mm3 + last.volume(std::min(time_s, last.end_s));
+}
+
+std::vector<double> DesiredFlow::changesBetween(double from_s, double to_s) const {
+  std::vector<double> changes;
+  for (auto stretch = stretchAt(from_s); stretch != stretches_.end() && stretch->end_s < to_s - kInstant;
+       ++stretch)
+    if (stretch->end_s > from_s + kInstant) changes.push_back(stretch->end_s);
+  return changes;
+}
 
 constexpr double kPartsOfLag = 50.0;      // so finely a change is followed
 constexpr double kShortestTime = 0.5e-3;  // s; the shortest piece
@@ -30,8 +119,6 @@ struct TimedMotion {
   SpeedProfile profile;
 };
 
-bool isRun(const Path& path) { return path.role != PathRole::Travel && path.deposit == Deposit::Bead; }
-
 /// Those that deposit beads.
 std::vector<TimedMotion> timedRuns(const Toolpath& toolpath, const MotionLimits& limits) {
   std::vector<TimedMotion> motions;
@@ -44,7 +131,7 @@ std::vector<TimedMotion> timedRuns(const Toolpath& toolpath, const MotionLimits&
     planner.add(cursor.segment(limits));
     const bool goes_on = !waits && !deposits.empty() && deposits.back();
     const WaypointIndex end = cursor.endWaypoint();
-    deposits.push_back(isRun(cursor.path()));
+    deposits.push_back(laysBeads(cursor.path()));
     motions.push_back({end.layer, end.path, cursor.startWaypoint(), goes_on, {}});
   }
   planner.finish();
@@ -251,7 +338,7 @@ FeedForward feedForward(Toolpath& toolpath, const FlowSettings& settings, const 
   }
   for (std::size_t l = 0; l < pushed.size(); ++l)
     for (std::size_t p = 0; p < pushed[l].size(); ++p)
-      if (Path& path = toolpath.layers[l].paths[p]; isRun(path)) path = pushedPath(path, pushed[l][p]);
+      if (Path& path = toolpath.layers[l].paths[p]; laysBeads(path)) path = pushedPath(path, pushed[l][p]);
   return pusher.unmet();
 }
 

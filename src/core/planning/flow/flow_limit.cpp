@@ -9,6 +9,8 @@
 #include "lamina/base/parallel.hpp"
 #include "lamina/planning/flow/flow.hpp"
 #include "planning/flow/path_cut.hpp"
+#include "toolpath/deposited_segment.hpp"
+#include "toolpath/path_motions.hpp"
 
 namespace lamina {
 namespace {
@@ -16,8 +18,6 @@ namespace {
 constexpr double kSameFlow = 1e-6;  // relative
 constexpr double kStep = 0.1;       // of the greatest flow of a ramp
 constexpr int kMostSteps = 10;
-
-bool isLimited(const Path& path) { return path.role != PathRole::Travel && path.deposit == Deposit::Bead; }
 
 bool limitFeeds(Path& path, double greatest_mm3_s, double flow_factor) {
   const std::size_t count = std::max(path.feed_mm_s.values().size(), path.bead.values().size());
@@ -115,8 +115,8 @@ std::vector<std::vector<FlowMotion>> runsOf(const std::vector<Path>& paths, doub
   bool goes_on = false;
   for (std::size_t p = 0; p < paths.size(); ++p) {
     const Path& path = paths[p];
-    goes_on = goes_on && isLimited(path);
-    if (!isLimited(path)) continue;
+    goes_on = goes_on && laysBeads(path);
+    if (!laysBeads(path)) continue;
     for (std::size_t m = 0; m < path.motionCount(); ++m) {
       const std::size_t end = path.motionEnd(m);
       const double section = flow_factor * crossSection(path.bead.at(end));
@@ -197,7 +197,7 @@ std::size_t limitFlow(Toolpath& toolpath, const FlowSettings& settings, double f
     std::vector<Path>& paths = toolpath.layers[l].paths;
     if (greatest > 0.0)
       for (Path& path : paths)
-        if (isLimited(path) && limitFeeds(path, greatest, flow_factor)) ++slowed[l];
+        if (laysBeads(path) && limitFeeds(path, greatest, flow_factor)) ++slowed[l];
     if (slope > 0.0) slowed[l] += smoothLayer(paths, slope, flow_factor);
   };
   parallelFor(slowed.size(), limit, progress, "flow");

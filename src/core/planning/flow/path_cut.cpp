@@ -6,20 +6,13 @@
 #include <functional>
 #include <utility>
 
+#include "toolpath/path_motions.hpp"
+
 namespace lamina {
 namespace {
 
 /// Which waypoint of the path before each waypoint of a new one takes its quantities from.
 using Sources = std::vector<std::size_t>;
-
-template <class Value>
-AlongPath<Value> picked(const AlongPath<Value>& along, const Sources& sources) {
-  if (along.isCommon()) return along;
-  std::vector<Value> values;
-  values.reserve(sources.size());
-  for (const std::size_t source : sources) values.push_back(along.at(source));
-  return AlongPath<Value>(std::move(values));
-}
 
 /// Role, process and quantities of a path, with other points.
 Path alike(const Path& path, std::vector<Point3> points, const Sources& sources) {
@@ -56,10 +49,6 @@ AlongPath<Eigen::Quaterniond> turnedEvenly(const Path& path, const Sources& sour
 }
 
 }  // namespace
-
-double motionLength(const Path& path, std::size_t motion) {
-  return (path.points[path.motionEnd(motion)] - path.points[motion]).norm();
-}
 
 Path withWaypoints(const Path& path, const std::vector<CutPlace>& places) {
   if (places.empty()) return path;

@@ -24,7 +24,4 @@ Path withWaypoints(const Path& path, const std::vector<CutPlace>& places);
 /// @param waypoint  not the first or last of an open path
 std::pair<Path, Path> cutAt(const Path& path, std::size_t waypoint);
 
-/// Length of a motion [mm].
-double motionLength(const Path& path, std::size_t motion);
-
 }  // namespace lamina

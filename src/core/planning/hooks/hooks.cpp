@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "lamina/base/one_line.hpp"
 #include "lamina/toolpath/timing.hpp"
 #include "planning/hooks/hook_code.hpp"
 #include "planning/hooks/layer_places.hpp"
@@ -150,7 +151,7 @@ class Hooks {
     if (name == "z_mm") return decimal(places_.topOf(moment.layer));
     if (name == "height_mm") return decimal(layer.height_mm);
     if (name == "role") return toString(path.role);
-    if (name == "part") return partName();
+    if (name == "part") return oneLine(toolpath_.part_name);
     if (name == "tool") return std::to_string(path.tool);
     if (name == "next_tool") return nextTool(moment);
     if (name == "nozzle_temperature_c") return temperature(site_.nozzle_temperature_c);
@@ -160,13 +161,6 @@ class Hooks {
     if (name == "time_s") return decimal(time_s);
     if (name == "left_s") return decimal(times_.total_s - time_s);
     return decimal(times_.total_s > 0.0 ? time_s / times_.total_s : 0.0);
-  }
-
-  std::string partName() const {
-    std::string name = toolpath_.part_name;
-    std::replace_if(
-        name.begin(), name.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; }, ' ');
-    return name;
   }
 
   static std::string temperature(double value_c) { return value_c > 0.0 ? decimal(value_c) : ""; }

@@ -483,14 +483,10 @@ LayerLift chartLift(const std::vector<std::vector<LayerChart>>& layers, std::vec
   return [&layers, settings, travel, highest = std::move(highest_mm)](std::size_t layer,
                                                                       ToolpathLayer planned) -> LiftedLayer {
     if (layer >= layers.size())
-      throw InvalidInput("layer " + std::to_string(layer) + " has no charts; there are those of " +
-                         std::to_string(layers.size()) + " layers");
+      throw InvalidInput("the layer has no charts; there are those of " + std::to_string(layers.size()) +
+                         " layers");
     if (layers[layer].empty()) return {std::move(planned), 0.0};
-    try {
-      return liftOnto(layers[layer], std::move(planned), settings, travel, highest[layer]);
-    } catch (const InvalidInput& error) {
-      throw InvalidInput("layer " + std::to_string(layer) + ": " + error.what());
-    }
+    return liftOnto(layers[layer], std::move(planned), settings, travel, highest[layer]);
   };
 }
 

@@ -8,21 +8,17 @@
 
 #include "lamina/base/parallel.hpp"
 #include "planning/order/support_test.hpp"
+#include "toolpath/deposited_segment.hpp"
 
 namespace lamina {
 namespace {
 
-/// Of the part: supports begin on what the part does not show.
-bool laysPart(const Path& path) {
-  const RoleKind kind = kindOf(path.role);
-  return kind == RoleKind::Wall || kind == RoleKind::Infill;
-}
-
-bool laysBeads(const Path& path) { return laysPart(path) && path.deposit == Deposit::Bead; }
+/// Supports begin on what the part does not show.
+bool laysBeadsOfPart(const Path& path) { return isPartOfPart(path) && path.deposit == Deposit::Bead; }
 
 /// Whether the first path of a layer goes on where the layer before ended.
 bool continues(const ToolpathLayer& layer, const ToolpathLayer* before) {
-  return before != nullptr && !before->paths.empty() && laysBeads(before->paths.back()) &&
+  return before != nullptr && !before->paths.empty() && laysBeadsOfPart(before->paths.back()) &&
          before->paths.back().lastPoint() == layer.paths.front().firstPoint();
 }
 
@@ -30,9 +26,9 @@ std::size_t startsInAir(const ToolpathLayer& layer, bool continues, const Suppor
   std::size_t count = 0;
   bool is_laying = continues;
   for (const Path& path : layer.paths) {
-    const bool is_start = laysBeads(path) && !is_laying;
+    const bool is_start = laysBeadsOfPart(path) && !is_laying;
     if (is_start && !support_test.carries(path.firstPoint().head<2>())) ++count;
-    is_laying = laysBeads(path);
+    is_laying = laysBeadsOfPart(path);
   }
   return count;
 }
@@ -62,7 +58,7 @@ std::size_t countStartsInAir(const CarriedLayers& carried, const std::vector<Too
 
 double gapBelowPart(const CarriedLayers& carried, const std::vector<ToolpathLayer>& toolpath) {
   const auto laysAny = [](const ToolpathLayer& layer) {
-    return std::any_of(layer.paths.begin(), layer.paths.end(), laysPart);
+    return std::any_of(layer.paths.begin(), layer.paths.end(), isPartOfPart);
   };
   const auto first = std::find_if(toolpath.begin(), toolpath.end(), laysAny);
   if (first == toolpath.end()) return 0.0;
@@ -70,7 +66,7 @@ double gapBelowPart(const CarriedLayers& carried, const std::vector<ToolpathLaye
   double gap_mm = std::numeric_limits<double>::infinity();
   for (const Path& path : first->paths)
     for (const Point3& point : path.points) {
-      if (!laysPart(path)) continue;
+      if (!isPartOfPart(path)) continue;
       if (support_test.isOnSupport(point.head<2>())) return 0.0;
       gap_mm = std::min(gap_mm, support_test.gapToBed(point.head<2>()));
     }

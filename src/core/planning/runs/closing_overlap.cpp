@@ -9,6 +9,7 @@
 #include "lamina/planning/runs/runs.hpp"
 #include "planning/flow/path_cut.hpp"
 #include "planning/runs/run_ends.hpp"
+#include "toolpath/path_motions.hpp"
 
 namespace lamina {
 namespace {
@@ -84,8 +85,7 @@ std::size_t overlapEnds(Toolpath& toolpath, const LeadSettings& settings) {
     const RunTravels travels = travelsOf(toolpath, places, run);
     if (run.count() > 1 || !path.is_closed || travels.is_joined) continue;
     if (!(settings.overlap_mm < length(path)))
-      throw InvalidInput("toolpath layer " + std::to_string(place.layer) + ", path " +
-                         std::to_string(place.path) + ": lead.overlap_mm is " +
+      throw InvalidInput(placeText(toolpath, place) + ": lead.overlap_mm is " +
                          numberText(settings.overlap_mm) + " mm; must be less than the closed run, " +
                          numberText(length(path)) + " mm");
     const NozzlePose before = endPose(path);

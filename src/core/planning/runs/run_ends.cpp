@@ -5,18 +5,20 @@
 #include <algorithm>
 #include <utility>
 
+#include "lamina/base/layer_error.hpp"
+#include "toolpath/deposited_segment.hpp"
+#include "toolpath/path_motions.hpp"
+
 namespace lamina {
 namespace {
 
 constexpr double kSameRunPose = 1e-6;  // mm and rad
 constexpr double kOnAxis = 1e-6;       // mm
 
-bool laysBeads(const Path& path) { return path.role != PathRole::Travel && path.deposit == Deposit::Bead; }
-
 bool goesOn(const Path& before, const Path& path) {
   return laysBeads(before) && laysBeads(path) &&
          (before.lastPoint() - path.firstPoint()).norm() <= kSameRunPose &&
-         nozzleAtEnd(before).angularDistance(path.orientation.at(0)) <= kSameRunPose;
+         endOrientation(before).angularDistance(path.orientation.at(0)) <= kSameRunPose;
 }
 
 bool standsAbove(const Point3& point, const Point3& end, const Point3& axis) {
@@ -75,9 +77,11 @@ class EndShift {
 }  // namespace
 
 bool isOfPart(const Path& path) {
-  const RoleKind kind = kindOf(path.role);
-  return (kind == RoleKind::Wall || kind == RoleKind::Infill) && path.role != PathRole::Ironing &&
-         path.deposit == Deposit::Bead;
+  return isPartOfPart(path) && path.role != PathRole::Ironing && path.deposit == Deposit::Bead;
+}
+
+std::string placeText(const Toolpath& toolpath, const RunPlace& place) {
+  return pathPlace(place.layer, toolpath.layers[place.layer].z_mm, place.path);
 }
 
 std::vector<RunPlace> placesOf(const Toolpath& toolpath) {
@@ -123,10 +127,6 @@ RunTravels travelsOf(Toolpath& toolpath, const std::vector<RunPlace>& places, co
   if (run.begin > 0) travels.before = travelAt(run.begin - 1);
   if (run.end < places.size()) travels.after = travelAt(run.end);
   return travels;
-}
-
-const Eigen::Quaterniond& nozzleAtEnd(const Path& path) {
-  return path.orientation.at(path.is_closed ? 0 : path.points.size() - 1);
 }
 
 Point3 startTangent(const Path& path) {

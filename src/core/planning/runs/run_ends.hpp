@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "lamina/toolpath/toolpath.hpp"
@@ -15,6 +16,9 @@ struct RunPlace {
   std::size_t layer = 0;
   std::size_t path = 0;
 };
+
+/// As errors name it: "layer 12 at 2.4 mm, path 3".
+std::string placeText(const Toolpath& toolpath, const RunPlace& place);
 
 /// All paths in the order in which they are run.
 std::vector<RunPlace> placesOf(const Toolpath& toolpath);
@@ -50,9 +54,6 @@ struct RunTravels {
   bool is_joined = false;  ///< to another path than a travel, before or after
 };
 RunTravels travelsOf(Toolpath& toolpath, const std::vector<RunPlace>& places, const RunSpan& run);
-
-/// Orientation with which the nozzle ends a path.
-const Eigen::Quaterniond& nozzleAtEnd(const Path& path);
 
 /// Direction of the first motion that has a length; zero if none has.
 Point3 startTangent(const Path& path);

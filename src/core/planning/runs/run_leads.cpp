@@ -8,12 +8,65 @@
 #include <vector>
 
 #include "lamina/base/angle.hpp"
+#include "lamina/planning/runs/bead_run_settings.hpp"
 #include "lamina/planning/runs/runs.hpp"
+#include "lamina/toolpath/toolpath.hpp"
 #include "planning/runs/run_ends.hpp"
-#include "planning/runs/run_entries.hpp"
+#include "toolpath/path_motions.hpp"
 
 namespace lamina {
 namespace {
+
+constexpr double kSameEntry = 1e-6;  // mm
+
+template <class Value>
+AlongPath<Value> without(const AlongPath<Value>& along, std::size_t waypoint) {
+  if (along.isCommon()) return along;
+  std::vector<Value> values = along.values();
+  values.erase(values.begin() + static_cast<std::ptrdiff_t>(waypoint));
+  return AlongPath<Value>(std::move(values));
+}
+
+void removeWaypoint(Path& travel, std::size_t waypoint) {
+  travel.points.erase(travel.points.begin() + static_cast<std::ptrdiff_t>(waypoint));
+  travel.orientation = without(travel.orientation, waypoint);
+  travel.bead = without(travel.bead, waypoint);
+  travel.feed_mm_s = without(travel.feed_mm_s, waypoint);
+  for (ProcessValue& value : travel.values) value.value = without(value.value, waypoint);
+  for (PathEvent& placed : travel.events) placed.motion = std::min(placed.motion, travel.motionCount());
+}
+
+/// A travel that ends, or starts, elsewhere: the waypoint next to that may be there already.
+void leadTo(Path& travel, std::size_t waypoint, std::size_t next, const Point3& to) {
+  travel.points[waypoint] = to;
+  if (travel.points.size() > 2 && (travel.points[next] - to).norm() <= kSameEntry)
+    removeWaypoint(travel, next);
+}
+
+/// Where the tool comes to a place from: along z, or along the tool axis.
+Point3 entryPoint(const Point3& place, const Eigen::Quaterniond& nozzle, const EntrySettings& settings) {
+  const Point3 away =
+      settings.direction == EntryDirection::Level ? Point3::UnitZ() : Point3(-(nozzle * Point3::UnitZ()));
+  return place + settings.distance_mm * away;
+}
+
+/// The straight way between a place and its entry.
+Path entryTravel(const Point3& from, const Point3& to, const Eigen::Quaterniond& nozzle, double feed_mm_s) {
+  Path path;
+  path.role = PathRole::Travel;
+  path.points = {from, to};
+  path.orientation = nozzle;
+  path.feed_mm_s = feed_mm_s;
+  return path;
+}
+
+/// The travel ends at an entry: the waypoint before that may be there already.
+void endAtEntry(Path& travel, const Point3& entry) {
+  leadTo(travel, travel.points.size() - 1, travel.points.size() - 2, entry);
+}
+
+/// The same of its start.
+void startAtEntry(Path& travel, const Point3& entry) { leadTo(travel, 0, 1, entry); }
 
 constexpr double kArcStep = toRadians(5.0);
 constexpr std::size_t kRampSteps = 10;
@@ -231,7 +284,7 @@ class LayerLeads {
     const Point3 tangent = end == LeadEnd::In ? startTangent(path) : endTangent(path);
     const auto start = leadStart(end == LeadEnd::In ? path.firstPoint() : path.lastPoint(), tangent,
                                  end == LeadEnd::In ? Point3(-tangent) : tangent,
-                                 end == LeadEnd::In ? path.orientation.at(0) : nozzleAtEnd(path));
+                                 end == LeadEnd::In ? path.orientation.at(0) : endOrientation(path));
     const double width_mm = widestPlan(path);
     if (!start || width_mm <= 0.0) return std::nullopt;
     const LeadWay way = leadWay(shape, settings_);
@@ -245,7 +298,7 @@ class LayerLeads {
     count.shortened += free.length_mm < way.whole_mm - kSameRoom ? 1 : 0;
     Path lead = along(*start, free);
     lead.feed_mm_s = path.feed_mm_s.at(waypoint);
-    lead.orientation = end == LeadEnd::In ? path.orientation.at(0) : nozzleAtEnd(path);
+    lead.orientation = end == LeadEnd::In ? path.orientation.at(0) : endOrientation(path);
     deposit(lead, path.bead.at(waypoint));
     if (end == LeadEnd::In) reverse(lead);
     return lead;
@@ -434,7 +487,7 @@ class RunEndings {
   void joinAfter(std::size_t index) {
     PathEnds& ends = endsAt(index);
     const Path& path = pathAt(toolpath_, places_[index]);
-    const Eigen::Quaterniond nozzle = nozzleAtEnd(path);
+    const Eigen::Quaterniond nozzle = endOrientation(path);
     const Point3 end = ends.out ? ends.out->lastPoint() : path.lastPoint();
     Path* travel = index + 1 < places_.size() ? &pathAt(toolpath_, places_[index + 1]) : nullptr;
     if (ends.out && travel != nullptr) shiftStart(*travel, endPose(path), {end, nozzle});

@@ -8,6 +8,7 @@
 #include "lamina/planning/runs/runs.hpp"
 #include "planning/flow/path_cut.hpp"
 #include "planning/runs/run_ends.hpp"
+#include "toolpath/path_motions.hpp"
 
 namespace lamina {
 namespace {

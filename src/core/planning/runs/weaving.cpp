@@ -8,11 +8,13 @@
 
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/layer_error.hpp"
 #include "lamina/base/number_text.hpp"
 #include "lamina/planning/runs/runs.hpp"
 #include "planning/flow/path_cut.hpp"
 #include "planning/runs/run_ends.hpp"
 #include "planning/runs/weave_shape.hpp"
+#include "toolpath/path_motions.hpp"
 
 namespace lamina {
 namespace {
@@ -21,11 +23,6 @@ constexpr double kWaveEnd = 1e-9;      // mm
 constexpr double kCornerApart = 0.02;  // of a wave
 constexpr double kMostAdvance = 6.0;   // of the line for each mm of the tip's way
 constexpr double kMostSwing = 2.0;     // waves, as of the settings
-
-[[noreturn]] void refuseWeave(const RunPlace& place, const std::string& what) {
-  throw InvalidInput("toolpath layer " + std::to_string(place.layer) + ", path " +
-                     std::to_string(place.path) + ": " + what);
-}
 
 std::string shownMm(double value) { return numberText(value) + " mm"; }
 
@@ -128,9 +125,8 @@ std::vector<double> weaveWays(const Path& path, const WeaveSettings& settings, c
 class Weave {
  public:
   /// All must outlive it.
-  Weave(const Path& path, const RunPlace& place, const WeaveSettings& settings)
+  Weave(const Path& path, const WeaveSettings& settings)
       : path_(path),
-        place_(place),
         settings_(settings),
         train_(waveTrain(settings, length(path), path.is_closed)),
         on_line_(path) {}
@@ -182,29 +178,29 @@ class Weave {
     for (std::size_t m = 0; m < path_.motionCount(); ++m)
       width_mm = std::max(width_mm, path_.bead.at(path_.motionEnd(m)).width_mm);
     if (2.0 * settings_.amplitude_mm > width_mm)
-      refuseWeave(place_, "weave.amplitude_mm is " + shownMm(settings_.amplitude_mm) +
-                              ", twice which is more than the bead's width, " + shownMm(width_mm) +
-                              "; expected half the bead at most");
+      throw InvalidInput("weave.amplitude_mm is " + shownMm(settings_.amplitude_mm) +
+                         ", twice which is more than the bead's width, " + shownMm(width_mm) +
+                         "; expected half the bead at most");
     if (settings_.amplitude_mm > kMostSwing * train_.wavelength_mm)
-      refuseWeave(place_, "weave.amplitude_mm is " + shownMm(settings_.amplitude_mm) +
-                              " with waves that are " + shownMm(train_.wavelength_mm) + " long to fit into " +
-                              shownMm(length(path_)) + "; expected an amplitude of two wavelengths at most");
+      throw InvalidInput("weave.amplitude_mm is " + shownMm(settings_.amplitude_mm) +
+                         " with waves that are " + shownMm(train_.wavelength_mm) + " long to fit into " +
+                         shownMm(length(path_)) + "; expected an amplitude of two wavelengths at most");
     requireProgress();
     if (std::any_of(path_.events.begin(), path_.events.end(), [this](const PathEvent& placed) {
           return placed.motion > 0 && placed.motion < path_.motionCount();
         }))
-      refuseWeave(place_, "an event stands amid it; expected none where a tip weaves");
+      throw InvalidInput("an event stands amid it; expected none where a tip weaves");
   }
 
   /// A tip that goes back as fast as its line goes on stands still, and lays all there.
   void requireProgress() const {
     if (leastProgress(settings_, train_.wavelength_mm) * kMostAdvance >= 1.0) return;
     const double still_mm = train_.wavelength_mm / (2.0 * M_PI);
-    refuseWeave(place_, "weave.amplitude_mm is " + shownMm(settings_.amplitude_mm) + " with waves that are " +
-                            shownMm(train_.wavelength_mm) +
-                            " long, and the tip all but stands still where it goes back; expected at most " +
-                            shownMm((1.0 - 1.0 / kMostAdvance) * still_mm) + ", or " +
-                            shownMm((1.0 + 1.0 / kMostAdvance) * still_mm) + " or more");
+    throw InvalidInput("weave.amplitude_mm is " + shownMm(settings_.amplitude_mm) + " with waves that are " +
+                       shownMm(train_.wavelength_mm) +
+                       " long, and the tip all but stands still where it goes back; expected at most " +
+                       shownMm((1.0 - 1.0 / kMostAdvance) * still_mm) + ", or " +
+                       shownMm((1.0 + 1.0 / kMostAdvance) * still_mm) + " or more");
   }
 
   /// A tip that keeps its own feed takes that of its advance on the crest of a sine; other waves count as a
@@ -219,11 +215,10 @@ class Weave {
       const double turn_s = 2.0 * M_PI * feed_mm_s / train_.wavelength_mm;
       const double needed = sharp * settings_.amplitude_mm * turn_s * turn_s;
       if (needed > limits.acceleration_mm_s2)
-        refuseWeave(place_, "weaving by " + shownMm(settings_.amplitude_mm) + " every " +
-                                shownMm(train_.wavelength_mm) + " at " + numberText(feed_mm_s) +
-                                " mm/s takes " + numberText(needed) +
-                                " mm/s2; expected motion.acceleration_mm_s2, " +
-                                numberText(limits.acceleration_mm_s2) + " mm/s2, at most");
+        throw InvalidInput("weaving by " + shownMm(settings_.amplitude_mm) + " every " +
+                           shownMm(train_.wavelength_mm) + " at " + numberText(feed_mm_s) + " mm/s takes " +
+                           numberText(needed) + " mm/s2; expected motion.acceleration_mm_s2, " +
+                           numberText(limits.acceleration_mm_s2) + " mm/s2, at most");
     }
   }
 
@@ -330,11 +325,11 @@ class Weave {
       const double advance_mm = advanceOf(ways, m);
       const double way_mm = motionLength(woven, m);
       if (advance_mm <= kMostAdvance * way_mm) continue;
-      refuseWeave(place_, "motion " + std::to_string(places[m].motion) + ": the tip, " +
-                              shownMm(settings_.amplitude_mm) +
-                              " (weave.amplitude_mm) aside in a bend, goes " + shownMm(way_mm) + " while " +
-                              shownMm(advance_mm) + " of the line are laid; expected " +
-                              shownMm(advance_mm / kMostAdvance) + " at least, on a line that bends less");
+      throw InvalidInput("motion " + std::to_string(places[m].motion) + ": the tip, " +
+                         shownMm(settings_.amplitude_mm) + " (weave.amplitude_mm) aside in a bend, goes " +
+                         shownMm(way_mm) + " while " + shownMm(advance_mm) +
+                         " of the line are laid; expected " + shownMm(advance_mm / kMostAdvance) +
+                         " at least, on a line that bends less");
     }
   }
 
@@ -379,7 +374,6 @@ class Weave {
   }
 
   const Path& path_;
-  const RunPlace& place_;
   const WeaveSettings& settings_;
   WaveTrain train_;
   WayPlaces on_line_;
@@ -395,10 +389,14 @@ std::size_t weave(Toolpath& toolpath, const WeaveSettings& settings, const Motio
     for (std::size_t i = run.begin; i < run.end; ++i) {
       Path& path = pathAt(toolpath, places[i]);
       if (!isOfPart(path)) continue;
-      const Weave weaving(path, places[i], settings);
-      if (!weaving.hasWaves()) continue;
-      path = weaving.woven(limits);
-      ++count;
+      try {
+        const Weave weaving(path, settings);
+        if (!weaving.hasWaves()) continue;
+        path = weaving.woven(limits);
+        ++count;
+      } catch (...) {
+        rethrowAt(placeText(toolpath, places[i]));
+      }
     }
   return count;
 }

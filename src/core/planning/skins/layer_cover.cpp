@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "geometry/polygon/region_lists.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
 #include "planning/order/near_origin.hpp"
@@ -15,12 +16,6 @@ namespace {
 /// Stretches of the stack that are worked off apart from each other, of fixed length so that the result does
 /// not depend on threads.
 constexpr std::size_t kStretch = 64;
-
-bool areSame(const Regions& a, const Regions& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Region& x, const Region& y) {
-    return x.outer == y.outer && x.holes == y.holes;
-  });
-}
 
 SharedRegions common(const SharedRegions& a, const SharedRegions& b) {
   if (a == b || a->empty()) return a;
@@ -107,7 +102,7 @@ std::vector<SharedRegions> shared(std::vector<Regions> material) {
   std::vector<SharedRegions> layers;
   layers.reserve(material.size());
   for (Regions& regions : material) {
-    const bool is_same = !layers.empty() && areSame(*layers.back(), regions);
+    const bool is_same = !layers.empty() && areEqual(*layers.back(), regions);
     layers.push_back(is_same ? layers.back() : std::make_shared<const Regions>(std::move(regions)));
   }
   return layers;

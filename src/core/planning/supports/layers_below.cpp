@@ -11,9 +11,9 @@ namespace {
 constexpr double kOnBed = 1e-3;          // layers: rounding of rotations
 constexpr std::size_t kSpareLayers = 2;  // nothing stands in the first layer of all
 
-double heightAmid(const std::vector<Layer>& layers) { return layers[layers.size() / 2].bounds.height(); }
-
 }  // namespace
+
+double heightAmid(const std::vector<Layer>& layers) { return layers[layers.size() / 2].bounds.height(); }
 
 std::size_t countLayersBelow(const std::vector<Layer>& layers, const BedPlane& bed,
                              const SupportSettings& settings) {

@@ -11,6 +11,9 @@
 
 namespace lamina {
 
+/// The height of the layer amid the part [mm], of which there is one at least.
+double heightAmid(const std::vector<Layer>& layers);
+
 /// How many layers lie between the first layer of an inclined part and the lowest place where what falls from
 /// the part, along gravity, meets the bed. Zero for a part whose first layer is that place, and for no part.
 /// @param layers  of the part, in their frame

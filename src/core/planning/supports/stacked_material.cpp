@@ -6,6 +6,7 @@
 #include <iterator>
 #include <utility>
 
+#include "geometry/polygon/region_lists.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
 #include "lamina/geometry/polygon/simplify.hpp"
@@ -16,12 +17,6 @@ namespace {
 
 constexpr double kBeyondPart = 100.0;  // mm: farther out no support of a part stands
 constexpr double kLeastRegion = 1e-6;  // mm2
-
-bool areEqual(const Regions& a, const Regions& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Region& x, const Region& y) {
-    return x.outer == y.outer && x.holes == y.holes;
-  });
-}
 
 /// Within the half plane where the coordinate is at least, or at most, a limit.
 Polygon cutAt(const Polygon& polygon, Eigen::Index axis, double limit, double sign) {

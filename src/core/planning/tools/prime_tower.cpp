@@ -9,6 +9,7 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
+#include "lamina/geometry/polygon/polygon.hpp"
 
 namespace lamina {
 namespace {
@@ -17,12 +18,6 @@ constexpr double kNarrowestTower = 5.0;  // mm
 constexpr double kTowerStep = 0.25;      // mm
 constexpr double kKeptSpacing = 5.0;     // pitches
 constexpr double kLeastRest = 1e-3;      // mm: shorter runs are not laid
-
-double lengthOf(const std::vector<Point2>& points) {
-  double sum = 0.0;
-  for (std::size_t i = 1; i < points.size(); ++i) sum += (points[i] - points[i - 1]).norm();
-  return sum;
-}
 
 /// The part of a polyline between two lengths along it.
 std::vector<Point2> between(const std::vector<Point2>& points, double from_mm, double to_mm) {
@@ -160,14 +155,14 @@ std::vector<Path> PrimeTower::purge(std::size_t layer, std::size_t index, double
   std::vector<Path> paths;
   if (index == 0) paths.push_back(path(walls(layer), layer, purges[index].tool, z_mm));
   const std::vector<Point2> part = between(lines(layer, 1.0), std::max(0.0, from_mm), to_mm);
-  if (lengthOf(part) > kLeastRest) paths.push_back(path(part, layer, purges[index].tool, z_mm));
+  if (length(part) > kLeastRest) paths.push_back(path(part, layer, purges[index].tool, z_mm));
   return paths;
 }
 
 std::vector<Path> PrimeTower::keep(std::size_t layer, std::uint32_t tool, double z_mm) const {
   std::vector<Path> paths = {path(walls(layer), layer, tool, z_mm)};
   const std::vector<Point2> few = lines(layer, kKeptSpacing);
-  if (lengthOf(few) > kLeastRest) paths.push_back(path(few, layer, tool, z_mm));
+  if (length(few) > kLeastRest) paths.push_back(path(few, layer, tool, z_mm));
   return paths;
 }
 

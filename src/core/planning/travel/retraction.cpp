@@ -7,13 +7,12 @@
 #include <utility>
 
 #include "lamina/toolpath/wipe.hpp"
+#include "toolpath/deposited_segment.hpp"
 
 namespace lamina {
 namespace {
 
 constexpr double kSameTip = 1e-6;  // mm
-
-bool laysBead(const Path& path) { return path.role != PathRole::Travel && path.deposit == Deposit::Bead; }
 
 /// From where a run ends.
 std::vector<Point3> wayAlong(const Path& run, double wipe_mm) {
@@ -77,7 +76,7 @@ void addWipes(std::vector<ToolpathLayer>& layers, const TravelSettings& settings
     std::vector<Path> joined;
     for (Path& path : layer.paths) {
       std::vector<Path>* from = joined.empty() ? before : &joined;
-      if (from != nullptr && path.process.is_retracted && laysBead(from->back()))
+      if (from != nullptr && path.process.is_retracted && laysBeads(from->back()))
         wipeBefore(path, *from, settings);
       joined.push_back(std::move(path));
     }
@@ -87,7 +86,7 @@ void addWipes(std::vector<ToolpathLayer>& layers, const TravelSettings& settings
 }
 
 bool isWipeAlong(const Path& run, const Path& travel) {
-  if (travel.role != PathRole::Travel || !travel.process.is_retracted || !laysBead(run)) return false;
+  if (travel.role != PathRole::Travel || !travel.process.is_retracted || !laysBeads(run)) return false;
   double length_mm = 0.0;
   for (std::size_t i = 1; i < travel.points.size(); ++i)
     length_mm += (travel.points[i] - travel.points[i - 1]).norm();

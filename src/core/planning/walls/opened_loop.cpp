@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "toolpath/path_motions.hpp"
+
 namespace lamina {
 namespace {
 
@@ -66,15 +68,6 @@ Pose startPoseOf(const Path& joined_loop, const JoinedLoopPlace& place) {
   return {startOf(joined_loop, place), from.slerp(place.part, to)};
 }
 
-template <class Value>
-AlongPath<Value> taken(const AlongPath<Value>& quantity, const std::vector<std::size_t>& from) {
-  if (quantity.isCommon()) return quantity;
-  std::vector<Value> values;
-  values.reserve(from.size());
-  for (const std::size_t waypoint : from) values.push_back(quantity.at(waypoint));
-  return AlongPath<Value>(std::move(values));
-}
-
 }  // namespace
 
 JoinedLoopPlace nearestPlace(const Path& joined_loop, const Point3& point) {
@@ -113,8 +106,8 @@ Path opened(const Path& joined_loop, const LoopOpening& opening) {
   Path path = joined_loop;
   path.is_closed = false;
   path.points = std::move(waypoints.points);
-  path.bead = taken(joined_loop.bead, waypoints.from);
-  path.feed_mm_s = taken(joined_loop.feed_mm_s, waypoints.from);
+  path.bead = picked(joined_loop.bead, waypoints.from);
+  path.feed_mm_s = picked(joined_loop.feed_mm_s, waypoints.from);
   if (!joined_loop.orientation.isCommon())
     path.orientation = AlongPath<Eigen::Quaterniond>(std::move(waypoints.orientations));
   return path;

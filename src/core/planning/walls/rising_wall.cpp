@@ -10,7 +10,7 @@
 
 #include "geometry/spatial/box_tree.hpp"
 #include "lamina/base/error.hpp"
-#include "lamina/base/number_text.hpp"
+#include "lamina/base/layer_error.hpp"
 #include "lamina/geometry/polygon/polygon.hpp"
 #include "planning/travel/travel.hpp"
 #include "planning/walls/opened_loop.hpp"
@@ -125,8 +125,7 @@ class WallRaiser {
 
  private:
   [[noreturn]] void refuse(std::size_t layer, const std::string& reason) const {
-    throw InvalidInput("layer " + std::to_string(layer) + " at " + numberText(layers_[layer].z_mm) +
-                       " mm has " + reason +
+    throw InvalidInput(layerPlace(layer, layers_[layer].z_mm) + " has " + reason +
                        "; infill.strategy 'vase' lays one wall, and needs one region without holes in each "
                        "layer above vase.base_layers");
   }

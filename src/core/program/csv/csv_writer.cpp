@@ -13,6 +13,7 @@
 #include "lamina/program/program_frame.hpp"
 #include "program/csv/event_field.hpp"
 #include "program/gcode/layer_batches.hpp"
+#include "toolpath/path_motions.hpp"
 
 namespace lamina {
 namespace {
@@ -159,13 +160,6 @@ class PathRows {
   std::string begin_;
   std::string end_;
 };
-
-/// Null if there is none.
-const Path* lastPath(const Toolpath& toolpath) {
-  for (auto layer = toolpath.layers.rbegin(); layer != toolpath.layers.rend(); ++layer)
-    if (!layer->paths.empty()) return &layer->paths.back();
-  return nullptr;
-}
 
 /// Empty for level layers.
 std::string frameComment(const Toolpath& toolpath) {

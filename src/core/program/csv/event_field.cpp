@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/exact_text.hpp"
 #include "lamina/base/percent_encoding.hpp"
 
 namespace lamina {
@@ -23,13 +24,8 @@ std::string unescaped(std::string_view field) {
   return std::move(*text);
 }
 
-std::string shortest(double value) {
-  char digits[32];
-  return {digits, std::to_chars(digits, digits + sizeof digits, value).ptr};
-}
-
-std::string fieldOf(const Dwell& dwell) { return "dwell=" + shortest(dwell.duration_s); }
-std::string fieldOf(const FanShare& fan) { return "fan=" + shortest(fan.share); }
+std::string fieldOf(const Dwell& dwell) { return "dwell=" + exactText(dwell.duration_s); }
+std::string fieldOf(const FanShare& fan) { return "fan=" + exactText(fan.share); }
 std::string fieldOf(const OperatorPause& pause) { return "pause=" + escaped(pause.message); }
 std::string fieldOf(const PartMark& mark) { return "part=" + escaped(mark.name); }
 std::string fieldOf(const MachineCode& code) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "lamina/base/characters.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/text.hpp"
 
@@ -17,19 +18,16 @@ constexpr std::string_view kOfComments = "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789 .
 constexpr std::size_t kLongestFanucName = 32;
 constexpr int kMostOfFourDigits = 9999;
 
-char capital(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
-char small(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
-
 std::string smallText(std::string_view text) {
   std::string lowered(text);
-  std::transform(lowered.begin(), lowered.end(), lowered.begin(), small);
+  std::transform(lowered.begin(), lowered.end(), lowered.begin(), lower);
   return lowered;
 }
 
 std::string bracketed(std::string_view comment) {
   std::string text = "(";
   for (const char c : trimmed(comment)) {
-    const char known = capital(c);
+    const char known = upper(c);
     text += kOfComments.find(known) != std::string_view::npos ? known : '-';
   }
   return text + ")";

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "lamina/base/characters.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/text.hpp"
 #include "program/gcode/plain_command.hpp"
@@ -14,10 +15,6 @@ namespace lamina {
 namespace {
 
 constexpr double kLargest = 1e9;
-
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
-bool isLetter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
-char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 
 bool isInterpreted(char letter, std::optional<double> value) {
   if (letter == 'G') {

@@ -9,6 +9,7 @@
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
+#include "lamina/base/one_line.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/geometry/shortest_rotation.hpp"
 #include "lamina/program/gcode/gcode_dialect.hpp"
@@ -222,12 +223,6 @@ void requireNoHeat(const ProgramSettings& settings) {
 /// Units, coordinates and extrusion of the part.
 std::string modes(const GcodeDialect& dialect, bool lays_drops) {
   return lays_drops || !dialect.has_extruder ? "G21\nG90\n" : "G21\nG90\nM83\nG92 E0\n";
-}
-
-std::string oneLine(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; }, ' ');
-  return text;
 }
 
 /// Over the first waypoint at the height the start code ends at, then down: a nozzle that is low before it

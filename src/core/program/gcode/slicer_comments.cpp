@@ -5,6 +5,8 @@
 #include <charconv>
 #include <utility>
 
+#include "lamina/base/text_search.hpp"
+
 namespace lamina {
 namespace {
 
@@ -116,8 +118,6 @@ void setHeight(std::string_view text, SlicerContext& context) {
   context.is_layer_height_open = false;
 }
 
-bool holds(std::string_view text, std::string_view part) { return text.find(part) != std::string_view::npos; }
-
 /// Simplify3D names what follows in plain words ("feature outer perimeter", before version 4 "outer
 /// perimeter"), which its settings, reported in the header, are not.
 std::optional<PathRole> featureRole(std::string_view comment) {
@@ -129,13 +129,14 @@ std::optional<PathRole> featureRole(std::string_view comment) {
       {"support", PathRole::Support}, {"skirt", PathRole::Skirt},  {"brim", PathRole::Brim},
       {"raft", PathRole::Raft},       {"pillar", PathRole::Prime}, {"shield", PathRole::Skirt}};
   for (const auto& [name, role] : kAids)
-    if (holds(comment, name)) return role;
-  if (holds(comment, "outer perimeter") || holds(comment, "external single")) return PathRole::OuterWall;
-  if (holds(comment, "perimeter") || holds(comment, "internal single")) return PathRole::InnerWall;
-  if (holds(comment, "gap fill")) return PathRole::GapFill;
-  if (holds(comment, "bridge")) return PathRole::Bridge;
-  if (holds(comment, "solid")) return PathRole::Skin;
-  if (holds(comment, "fill")) return PathRole::Infill;
+    if (contains(comment, name)) return role;
+  if (contains(comment, "outer perimeter") || contains(comment, "external single"))
+    return PathRole::OuterWall;
+  if (contains(comment, "perimeter") || contains(comment, "internal single")) return PathRole::InnerWall;
+  if (contains(comment, "gap fill")) return PathRole::GapFill;
+  if (contains(comment, "bridge")) return PathRole::Bridge;
+  if (contains(comment, "solid")) return PathRole::Skin;
+  if (contains(comment, "fill")) return PathRole::Infill;
   return says_feature ? std::optional(PathRole::Infill) : std::nullopt;
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "lamina/base/text.hpp"
+#include "lamina/base/text_search.hpp"
 #include "program/gcode/slicer_comments.hpp"
 
 namespace lamina {
@@ -18,10 +19,6 @@ constexpr std::pair<std::string_view, SlicerDialect> kNames[] = {
     {"Slic3r", SlicerDialect::Slic3r},
     {"Cura", SlicerDialect::Cura},
 };
-
-bool holdsMark(std::string_view text, std::string_view part) {
-  return text.find(part) != std::string_view::npos;
-}
 
 }  // namespace
 
@@ -49,9 +46,9 @@ SlicerDialect dialectAfter(SlicerDialect known, std::string_view comment) {
   // Cura's header has a FLAVOR line too, before it names itself.
   if (known != SlicerDialect::Unknown && known != SlicerDialect::FullControl) return known;
   for (const auto& [name, dialect] : kNames)
-    if (holdsMark(comment, name)) return dialect;
+    if (contains(comment, name)) return dialect;
   const bool is_full_control =
-      comment.substr(0, 7) == "FLAVOR:" || comment == kStartCodeEnds || holdsMark(comment, "FullControl");
+      comment.substr(0, 7) == "FLAVOR:" || comment == kStartCodeEnds || contains(comment, "FullControl");
   return is_full_control ? SlicerDialect::FullControl : known;
 }
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <charconv>
 
+#include "lamina/base/characters.hpp"
 #include "lamina/base/error.hpp"
 
 namespace lamina {
@@ -195,9 +196,6 @@ constexpr std::array<double, 24> kSpeeds = {5,    10,   20,   30,   40,   50,   
                                             100,  150,  200,  300,  400,  500,  600,  800,
                                             1000, 1500, 2000, 2500, 3000, 4000, 5000, 7000};
 constexpr std::array<int, 14> kZones = {0, 1, 5, 10, 15, 20, 30, 40, 50, 60, 80, 100, 150, 200};
-
-bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
 std::optional<int> numberAfter(char letter, const std::string& name) {
   if (name.empty() || name.front() != letter) return std::nullopt;

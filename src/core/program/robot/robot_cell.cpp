@@ -4,13 +4,12 @@
 
 #include "lamina/base/angle.hpp"
 #include "lamina/kinematics/arm/configured_joints.hpp"
+#include "program/external_axes.hpp"
 
 namespace lamina {
 namespace {
 
 constexpr double kSamePlaceOfBase = 1e-6;  // mm and parts of unit vectors
-
-bool isExternalAxis(const DrivenJoint& joint) { return joint.name.rfind("external_", 0) == 0; }
 
 }  // namespace
 
@@ -55,36 +54,6 @@ JointValues armJoints(const ControllerMap& map, const KinematicModel& arm, const
   std::vector<double> external = joints.external;
   external.resize(arm.joints().size(), 0.0);
   return withSixJoints(arm, *withExternalAxes(arm, values, external), six);
-}
-
-std::vector<double> externalAxes(const KinematicModel& arm, const JointValues& values) {
-  std::vector<double> external;
-  for (std::size_t j = 0; j < arm.joints().size(); ++j) {
-    const double value = values[static_cast<Eigen::Index>(j)];
-    if (isExternalAxis(arm.joints()[j]))
-      external.push_back(arm.joints()[j].kind == JointKind::Linear ? value : value * kDegreesPerRadian);
-  }
-  return external;
-}
-
-std::vector<JointKind> externalAxisKinds(const KinematicModel& arm) {
-  std::vector<JointKind> kinds;
-  for (const DrivenJoint& joint : arm.joints())
-    if (isExternalAxis(joint)) kinds.push_back(joint.kind);
-  return kinds;
-}
-
-std::optional<JointValues> withExternalAxes(const KinematicModel& arm, JointValues values,
-                                            const std::vector<double>& external) {
-  std::size_t next = 0;
-  for (std::size_t j = 0; j < arm.joints().size(); ++j) {
-    const DrivenJoint& joint = arm.joints()[j];
-    if (!isExternalAxis(joint)) continue;
-    if (next == external.size()) return std::nullopt;
-    const double value = external[next++];
-    values[static_cast<Eigen::Index>(j)] = joint.kind == JointKind::Linear ? value : toRadians(value);
-  }
-  return values;
 }
 
 }  // namespace lamina

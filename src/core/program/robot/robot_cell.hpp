@@ -4,7 +4,6 @@
 
 #include <Eigen/Geometry>
 #include <array>
-#include <optional>
 #include <vector>
 
 #include "lamina/kinematics/arm/arm_cell.hpp"
@@ -33,15 +32,5 @@ ControllerJoints controllerJoints(const ControllerMap& map, const KinematicModel
 
 /// The other way round; external axes that are not given stand at zero.
 JointValues armJoints(const ControllerMap& map, const KinematicModel& arm, const ControllerJoints& joints);
-
-/// Values of the external axes of an arm, in their order [mm, deg].
-std::vector<double> externalAxes(const KinematicModel& arm, const JointValues& values);
-
-std::vector<JointKind> externalAxisKinds(const KinematicModel& arm);
-
-/// The values with those of the external axes replaced, as far as there are any.
-/// @return nothing if one is missing
-std::optional<JointValues> withExternalAxes(const KinematicModel& arm, JointValues values,
-                                            const std::vector<double>& external);
 
 }  // namespace lamina

@@ -4,11 +4,13 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/layer_error.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/geometry/polygon/region_triangulation.hpp"
 #include "lamina/geometry/spatial/nearest_triangle.hpp"
@@ -104,6 +106,13 @@ LayerSurface whereThick(const LayerSurface& surface, const AdaptedLayer& layer) 
   return whereNotNegative(surface, room);
 }
 
+double highestTip(const AdaptedLayer& layer) {
+  double highest_mm = -std::numeric_limits<double>::infinity();
+  for (const AdaptedCurve& curve : layer.curves)
+    for (const Point3& point : curve.points) highest_mm = std::max(highest_mm, point.z());
+  return highest_mm;
+}
+
 }  // namespace
 
 std::vector<LayerSurface> adaptedSurfaces(const AdaptedLayers& layers, double bottom_mm, double step_mm,
@@ -114,8 +123,8 @@ std::vector<LayerSurface> adaptedSurfaces(const AdaptedLayers& layers, double bo
       [&](std::size_t k) {
         try {
           tips[k] = tipMesh(layers.layers[k], step_mm);
-        } catch (const InvalidInput& error) {
-          throw InvalidInput("adapted layer " + std::to_string(k) + ": " + error.what());
+        } catch (...) {
+          rethrowAt(layerPlace(k, highestTip(layers.layers[k])));
         }
       },
       progress, "span");

@@ -9,6 +9,7 @@
 #include <tuple>
 #include <utility>
 
+#include "geometry/polygon/plane_vectors.hpp"
 #include "lamina/geometry/polygon/polygon.hpp"
 
 namespace lamina {
@@ -58,12 +59,6 @@ std::vector<Covered> coveredSquares(const std::vector<Segment>& segments) {
     return std::tie(a.column, a.row, a.segment) < std::tie(b.column, b.row, b.segment);
   });
   return covered;
-}
-
-double side(const Point2& from, const Point2& to, const Point2& point) {
-  const Point2 along = to - from;
-  const Point2 way = point - from;
-  return along.x() * way.y() - along.y() * way.x();
 }
 
 std::optional<PlanCrossing> crossingOf(const Segment& a, const Segment& b) {

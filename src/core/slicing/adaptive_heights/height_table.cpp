@@ -7,6 +7,7 @@
 
 #include "lamina/base/csv_table.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/exact_text.hpp"
 #include "lamina/base/number_text.hpp"
 
 namespace lamina {
@@ -25,12 +26,6 @@ double numberIn(const CsvTable& table, std::size_t row, std::size_t column) {
   if (result.ec != std::errc{} || result.ptr != cell.data() + cell.size() || !std::isfinite(value))
     refuseRow(table, row, table.columns[column] + " is '" + cell + "'; must be a number");
   return value;
-}
-
-/// As many digits as read back to the same number.
-std::string exactText(double value) {
-  char digits[32];
-  return {digits, std::to_chars(digits, digits + sizeof digits, value).ptr};
 }
 
 }  // namespace

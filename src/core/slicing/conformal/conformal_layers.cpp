@@ -4,34 +4,130 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "geometry/spatial/box_tree.hpp"
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
 #include "lamina/base/parallel.hpp"
+#include "lamina/geometry/mesh/mesh.hpp"
 #include "lamina/geometry/mesh/mesh_topology.hpp"
 #include "lamina/geometry/mesh/subdivision.hpp"
 #include "lamina/parameterization/layer_volume.hpp"
 #include "lamina/parameterization/surface_cut.hpp"
 #include "lamina/slicing/conformal/facing_surface.hpp"
-#include "slicing/conformal/hidden_faces.hpp"
 #include "slicing/curved/unreached_surface.hpp"
+#include "slicing/positive_length.hpp"
 
 namespace lamina {
 namespace {
 
+/// How much of a face lies open to what comes straight from a direction.
+enum class Sight : std::uint8_t { Open, Partial, Hidden };
+
+constexpr double kDrawnIn = 1e-3;  // of the way from a corner to the middle
+constexpr double kSame = 1e-9;     // of the size of the mesh: no farther before a face is the face itself
+
+using Corners = std::array<Point3, 3>;
+
+/// A mesh turned so that it is seen from above.
+class Seen {
+ public:
+  Seen(const Mesh& mesh, const Point3& direction)
+      : mesh_(mesh),
+        turn_(Eigen::Quaterniond::FromTwoVectors(direction, Point3::UnitZ()).toRotationMatrix()),
+        tree_(boxes()) {
+    Box3 all{turn_ * mesh.vertices.front(), turn_ * mesh.vertices.front()};
+    for (const Point3& vertex : mesh.vertices) {
+      all.low = all.low.cwiseMin(turn_ * vertex);
+      all.high = all.high.cwiseMax(turn_ * vertex);
+    }
+    highest_ = all.high.z();
+    same_mm_ = kSame * all.size().norm();
+  }
+
+  Corners corners(std::uint32_t face) const {
+    const Triangle& corner = mesh_.triangles[face];
+    return {turn_ * mesh_.vertices[corner[0]], turn_ * mesh_.vertices[corner[1]],
+            turn_ * mesh_.vertices[corner[2]]};
+  }
+
+  bool isHidden(const Point3& point) const {
+    bool is_hidden = false;
+    tree_.visitOverlapping({point, {point.x(), point.y(), highest_}}, [&](std::uint32_t face) {
+      is_hidden = is_hidden || liesOver(corners(face), point);
+    });
+    return is_hidden;
+  }
+
+ private:
+  std::vector<Box3> boxes() const {
+    std::vector<Box3> boxes(mesh_.triangles.size());
+    for (std::uint32_t i = 0; i < boxes.size(); ++i) {
+      const Corners at = corners(i);
+      boxes[i] = {at[0].cwiseMin(at[1]).cwiseMin(at[2]), at[0].cwiseMax(at[1]).cwiseMax(at[2])};
+    }
+    return boxes;
+  }
+
+  bool liesOver(const Corners& at, const Point3& point) const {
+    std::array<double, 3> part{};  // twice the areas of the triangles beside the corners
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Point3 from = at[(k + 1) % 3] - point;
+      const Point3 to = at[(k + 2) % 3] - point;
+      part[k] = from.x() * to.y() - from.y() * to.x();
+    }
+    const auto [least, most] = std::minmax_element(part.begin(), part.end());
+    const double whole = part[0] + part[1] + part[2];
+    if (whole == 0.0 || (*least < 0.0 && *most > 0.0)) return false;
+    const double z = (part[0] * at[0].z() + part[1] * at[1].z() + part[2] * at[2].z()) / whole;
+    return z > point.z() + same_mm_;
+  }
+
+  const Mesh& mesh_;
+  Eigen::Matrix3d turn_;
+  BoxTree tree_;
+  double highest_ = 0.0;
+  double same_mm_ = 0.0;
+};
+
+Sight sightOf(const Seen& seen, const Corners& at) {
+  const Point3 middle = (at[0] + at[1] + at[2]) / 3.0;
+  std::size_t hidden = seen.isHidden(middle) ? 1 : 0;
+  for (std::size_t k = 0; k < 3; ++k)
+    for (const Point3& point : {at[k], Point3(0.5 * (at[k] + at[(k + 1) % 3]))})
+      hidden += seen.isHidden(point + kDrawnIn * (middle - point)) ? 1 : 0;
+  constexpr std::size_t kRays = 7;
+  if (hidden == 0) return Sight::Open;
+  return hidden == kRays ? Sight::Hidden : Sight::Partial;
+}
+
+/// Which faces have other faces of the mesh before them, seen from far off in a direction: of each face, rays
+/// from its middle, its corners and the middles of its sides, all drawn in by a thousandth. A face within
+/// overlapping bodies is hidden by that of the outer one.
+///
+/// @param faces      of the mesh, none without area
+/// @param direction  of unit length; from the mesh to where it is seen from
+/// @return for each of the faces; n log n in the faces of the mesh where few lie over each other
+std::vector<Sight> sightOf(const Mesh& mesh, const TriangleNumbers& faces, const Point3& direction) {
+  std::vector<Sight> sights;
+  if (faces.empty()) return sights;
+  const Seen seen(mesh, direction);
+  sights.reserve(faces.size());
+  for (const std::uint32_t face : faces) sights.push_back(sightOf(seen, seen.corners(face)));
+  return sights;
+}
+
 // Of a layer: how much of another one a thickness may hold by rounding.
 constexpr double kRounding = 1e-9;
-
-void requirePositive(const std::string& key, double value) {
-  if (value > 0.0 && std::isfinite(value)) return;
-  throw InvalidConfig(key + " is " + numberText(value) + " mm; must be positive");
-}
 
 Point3 directionOf(const ConformalSettings& settings) {
   if (settings.direction.empty()) return Point3::UnitZ();

@@ -38,14 +38,6 @@ class VertexSets {
   std::vector<std::uint32_t> parent_;
 };
 
-double reach(const Mesh& mesh, const TriangleNumbers& patch, double sign) {
-  double highest = -std::numeric_limits<double>::infinity();
-  for (const std::uint32_t number : patch)
-    for (const std::uint32_t corner : mesh.triangles[number])
-      highest = std::max(highest, sign * mesh.vertices[corner].z());
-  return highest;
-}
-
 struct NumberedPatch {
   Mesh patch;
   std::vector<std::uint32_t> place;  // of each vertex of the mesh in the patch, or kNone
@@ -94,7 +86,7 @@ std::vector<TriangleNumbers> facingPatches(const Mesh& mesh, Facing facing, doub
   }
   std::size_t seed = 0;
   for (std::size_t i = 1; i < patches.size(); ++i)
-    if (reach(mesh, patches[i], sign) > reach(mesh, patches[seed], sign)) seed = i;
+    if (greatestHeight(mesh, patches[i], sign) > greatestHeight(mesh, patches[seed], sign)) seed = i;
   if (seed > 0)
     std::rotate(patches.begin(), patches.begin() + static_cast<std::ptrdiff_t>(seed),
                 patches.begin() + static_cast<std::ptrdiff_t>(seed) + 1);
@@ -138,6 +130,14 @@ ShellSource shellSourceOf(const Mesh& mesh, const TriangleNumbers& triangles) {
 Mesh turnedOver(Mesh mesh) {
   for (Triangle& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
   return mesh;
+}
+
+double greatestHeight(const Mesh& mesh, const TriangleNumbers& triangles, double sign) {
+  double height = -std::numeric_limits<double>::infinity();
+  for (const std::uint32_t number : triangles)
+    for (const std::uint32_t corner : mesh.triangles[number])
+      height = std::max(height, sign * mesh.vertices[corner].z());
+  return height;
 }
 
 }  // namespace lamina

@@ -52,20 +52,12 @@ struct CurvedDivision {
 // Of the part's size: overlap of lower and upper surface in height that is rounding.
 constexpr double kLevel = 1e-6;
 
-double highest(const Mesh& mesh, const TriangleNumbers& patch, double sign) {
-  double highest = -std::numeric_limits<double>::infinity();
-  for (const std::uint32_t number : patch)
-    for (const std::uint32_t corner : mesh.triangles[number])
-      highest = std::max(highest, sign * mesh.vertices[corner].z());
-  return highest;
-}
-
 /// The first patch and all others that come below (sign 1) or above (sign -1) a height.
 TriangleNumbers sourceOf(const Mesh& mesh, const std::vector<TriangleNumbers>& patches, double sign,
                          double level) {
   TriangleNumbers source;
   for (std::size_t i = 0; i < patches.size(); ++i)
-    if (i == 0 || -highest(mesh, patches[i], -sign) < sign * level)
+    if (i == 0 || -greatestHeight(mesh, patches[i], -sign) < sign * level)
       source.insert(source.end(), patches[i].begin(), patches[i].end());
   std::sort(source.begin(), source.end());
   return source;
@@ -112,8 +104,8 @@ CurvedPart curvedPart(const Mesh& mesh, const MeshTopology& topology, const Curv
 
 /// The ways to divide a part, the one to be preferred first.
 std::vector<CurvedDivision> curvedDivisions(const CurvedPart& part) {
-  const double lower_top = highest(part.mesh, part.lower.front(), 1.0);
-  const double upper_bottom = -highest(part.mesh, part.upper.front(), -1.0);
+  const double lower_top = greatestHeight(part.mesh, part.lower.front(), 1.0);
+  const double upper_bottom = -greatestHeight(part.mesh, part.upper.front(), -1.0);
   const double middle = 0.5 * (lower_top + upper_bottom);
   if (lower_top <= upper_bottom) return {twoSides(part, CurvedScheme::BothSides, lower_top, upper_bottom)};
   if (lower_top <= upper_bottom + kLevel * part.size_mm)

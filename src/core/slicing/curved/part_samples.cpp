@@ -6,18 +6,13 @@
 #include <cmath>
 #include <utility>
 
+#include "geometry/polygon/plane_vectors.hpp"
 #include "lamina/base/random.hpp"
 
 namespace lamina {
 namespace {
 
 constexpr std::uint64_t kSeed = 5;
-
-double area2(const Point2& a, const Point2& b, const Point2& c) {
-  const Point2 ab = b - a;
-  const Point2 ac = c - a;
-  return ab.x() * ac.y() - ab.y() * ac.x();
-}
 
 }  // namespace
 
@@ -57,15 +52,15 @@ std::vector<std::vector<std::pair<double, int>>> PartSamples::crossings(const Me
     const Point3& c = mesh.vertices[corner[2]];
     const Point2 low = a.cwiseMin(b).cwiseMin(c).head<2>() - low_;
     const Point2 high = a.cwiseMax(b).cwiseMax(c).head<2>() - low_;
-    const double whole = area2(a.head<2>(), b.head<2>(), c.head<2>());
+    const double whole = side(a.head<2>(), b.head<2>(), c.head<2>());
     if (whole == 0.0) continue;
     const std::size_t last_x = cellOf(high.x(), columns_x_);
     const std::size_t last_y = cellOf(high.y(), columns_y_);
     for (std::size_t y = cellOf(low.y(), columns_y_); y <= last_y; ++y)
       for (std::size_t x = cellOf(low.x(), columns_x_); x <= last_x; ++x) {
         const Point2& place = columns_[y * columns_x_ + x].place;
-        const double u = area2(place, b.head<2>(), c.head<2>()) / whole;
-        const double v = area2(a.head<2>(), place, c.head<2>()) / whole;
+        const double u = side(place, b.head<2>(), c.head<2>()) / whole;
+        const double v = side(a.head<2>(), place, c.head<2>()) / whole;
         const double w = 1.0 - u - v;
         if (u < 0.0 || v < 0.0 || w < 0.0) continue;
         found[y * columns_x_ + x].emplace_back(u * a.z() + v * b.z() + w * c.z(), whole < 0.0 ? 1 : -1);

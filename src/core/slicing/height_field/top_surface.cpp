@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "geometry/polygon/plane_vectors.hpp"
+
 namespace lamina {
 namespace {
 
@@ -12,8 +14,6 @@ namespace {
 constexpr double kRounding = 1e-9;
 
 using Corners = std::array<Point3, 3>;
-
-double cross(const Point2& a, const Point2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 class Raster {
  public:

@@ -7,16 +7,12 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
+#include "slicing/positive_length.hpp"
 
 namespace lamina {
 namespace {
 
 constexpr double kMostLayers = 1e7;
-
-void requirePositive(const std::string& key, double height_mm) {
-  if (height_mm > 0.0 && std::isfinite(height_mm)) return;
-  throw InvalidConfig(key + " is " + numberText(height_mm) + " mm; must be positive");
-}
 
 }  // namespace
 

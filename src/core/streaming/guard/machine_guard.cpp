@@ -3,21 +3,15 @@
 #include "lamina/streaming/guard/machine_guard.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <limits>
 #include <utility>
+
+#include "base/duration_text.hpp"
 
 namespace lamina {
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
-
-std::string inSeconds(double duration_s) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.1f s", duration_s);
-  return text.data();
-}
 
 std::string nameOf(int process, const MachinePulse& pulse) {
   return "process " + std::to_string(process) + " at " + pulse.port.name;
@@ -87,7 +81,7 @@ std::optional<GuardOrder> MachineGuard::due(double now_s) {
       ++each;
       continue;
     }
-    lose(each->second, each->first, "has said nothing for more than " + inSeconds(settings_.silence_s),
+    lose(each->second, each->first, "has said nothing for more than " + nearestTenths(settings_.silence_s),
          now_s);
     each = streamers_.erase(each);
   }

@@ -4,6 +4,8 @@
 
 #include <utility>
 
+#include "lamina/streaming/job/firmware_protocol.hpp"
+
 namespace lamina {
 
 GrowingCommands::GrowingCommands()
@@ -85,6 +87,15 @@ void RevisedLines::readLine() {
   } catch (const Error&) {
     end(currentFailure());
   }
+}
+
+std::shared_ptr<RevisedLines> revisedLines(const StreamOrder& order,
+                                           const std::shared_ptr<const FirmwareProtocol>& firmware) {
+  if (!order.revision) return nullptr;
+  return std::make_shared<RevisedLines>(order.program, order.revision,
+                                        [firmware, settings = order.settings](const std::string& command) {
+                                          return firmware->defectOf(command, settings);
+                                        });
 }
 
 }  // namespace lamina

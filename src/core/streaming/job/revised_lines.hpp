@@ -80,4 +80,11 @@ class RevisedLines {
   Failure failure_;
 };
 
+class FirmwareProtocol;
+struct StreamOrder;
+
+/// The revised lines of an order's program, for a firmware; null if the lines are sent unchanged.
+std::shared_ptr<RevisedLines> revisedLines(const StreamOrder& order,
+                                           const std::shared_ptr<const FirmwareProtocol>& firmware);
+
 }  // namespace lamina

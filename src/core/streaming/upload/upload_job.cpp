@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "base/duration_text.hpp"
+
 namespace lamina {
 namespace {
 
@@ -31,8 +33,6 @@ void UploadJob::start(double now) {
   record_.enter(PackmlState::Starting);
   next_at_ = heard_at_ = now;
 }
-
-std::string UploadJob::seconds(double time_s) { return std::to_string(static_cast<int>(time_s)) + " s"; }
 
 // Asking
 
@@ -383,7 +383,7 @@ void UploadJob::onChangeFailed(const std::string& why) {
 
 /// The machine is out of reach: nothing can be done about it from here.
 void UploadJob::lose(double now) {
-  const std::string since = seconds(now - heard_at_);
+  const std::string since = wholeSeconds(now - heard_at_);
   record_.status.failure = {
       ErrorCode::Disconnected,
       (phase_ == Phase::Finish

@@ -93,7 +93,6 @@ class UploadJob {
     std::string answer = "no answer";  ///< to the last request, in words
   };
 
-  static std::string seconds(double time_s);
   UploadStep nextStep() const;
   bool isChangeNext() const;
   /// A repeated request does no harm.

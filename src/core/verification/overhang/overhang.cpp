@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/space_vectors.hpp"
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
@@ -168,13 +169,6 @@ class StretchChain {
 };
 
 constexpr double kJoined = 1e-6;  // mm: as paths join
-
-double distanceToSegment(const Point3& point, const Point3& start, const Point3& end) {
-  const Point3 along = end - start;
-  const double squared = along.squaredNorm();
-  const double t = squared > 0.0 ? std::clamp((point - start).dot(along) / squared, 0.0, 1.0) : 0.0;
-  return (point - start - t * along).norm();
-}
 
 void StretchChain::lay(const DepositedPiece& piece) {
   if (end_ && (piece.start - *end_).norm() > kJoined) stop();

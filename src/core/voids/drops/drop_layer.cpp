@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/boxes.hpp"
+
 namespace lamina {
 namespace {
 
@@ -41,10 +43,6 @@ double longestStep(const Polygon& outline) {
   return longest;
 }
 
-bool overlap(const Box2& a, const Box2& b) {
-  return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
-}
-
 /// What lies in an outline that lacks drops cannot be determined: such a contour around a hole, with a whole
 /// one of a hole in its place, is taken for one of those around that.
 void dropTornBorders(std::vector<DropContour>& contours, double diameter) {
@@ -56,7 +54,7 @@ void dropTornBorders(std::vector<DropContour>& contours, double diameter) {
   }
   for (std::size_t i = 0; i < contours.size(); ++i)
     for (std::size_t j = 0; is_torn[i] && contours[i].is_hole && j < contours.size(); ++j)
-      if (!is_torn[j] && contours[j].is_hole && contours[j].is_border && overlap(boxes[i], boxes[j]))
+      if (!is_torn[j] && contours[j].is_hole && contours[j].is_border && areOverlapping(boxes[i], boxes[j]))
         contours[i].is_border = false;
 }
 

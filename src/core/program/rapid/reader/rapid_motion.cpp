@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "kinematics/model/external_joint.hpp"
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/kinematics/arm/arm_cell.hpp"
@@ -75,7 +76,7 @@ class RapidFollower {
     std::size_t next = 0;
     for (std::size_t j = 0; j < arm_.joints().size(); ++j) {
       const DrivenJoint& joint = arm_.joints()[j];
-      if (joint.name.rfind("external_", 0) != 0) continue;
+      if (!isExternal(joint.name)) continue;
       if (next == external.size())
         throw InvalidProgram("line " + std::to_string(line) + ": a target has " +
                              std::to_string(external.size()) + " external axes; expected one for joint '" +

@@ -3,6 +3,7 @@
 #include "program/rapid/writer/rapid_lines.hpp"
 
 #include "lamina/base/angle.hpp"
+#include "program/external_axes.hpp"
 #include "program/rapid/rapid_words.hpp"
 
 namespace lamina {
@@ -12,8 +13,6 @@ constexpr int kPositionDecimals = 4;
 constexpr int kOrientationDecimals = 7;
 constexpr int kAxisDecimals = 3;
 constexpr int kWaitDecimals = 3;  // s
-
-bool isExternal(const DrivenJoint& joint) { return joint.name.rfind("external_", 0) == 0; }
 
 std::string startOfProcess(const RapidSettings& settings) {
   if (settings.variant != RapidVariant::Wire3Axes) return settings.laser_on + ";";
@@ -56,16 +55,6 @@ std::string rapidExternalAxes(const std::vector<double>& values, const RapidSett
 std::string rapidConfiguration(const AbbConfiguration& configuration) {
   return "[" + std::to_string(configuration.cf1) + "," + std::to_string(configuration.cf4) + "," +
          std::to_string(configuration.cf6) + "," + std::to_string(configuration.cfx) + "]";
-}
-
-std::vector<double> rapidExternal(const KinematicModel& arm, const JointValues& joints) {
-  std::vector<double> external;
-  for (std::size_t j = 0; j < arm.joints().size(); ++j) {
-    const double value = joints[static_cast<Eigen::Index>(j)];
-    if (isExternal(arm.joints()[j]))
-      external.push_back(arm.joints()[j].kind == JointKind::Linear ? value : value * kDegreesPerRadian);
-  }
-  return external;
 }
 
 std::string rapidPose(const Point3& point, const Eigen::Quaterniond& turn) {
@@ -210,7 +199,7 @@ void RapidLines::appendAxes(const RapidPlace& place, std::string& text) const {
   const JointValues& joints = path.is_turned && place.move == 0
                                   ? stations_->begin(place.path)
                                   : stations_->end(place.path, place.move - path.turnCount());
-  std::vector<double> external = rapidExternal(*arm_, joints);
+  std::vector<double> external = externalAxes(*arm_, joints);
   if (external.empty()) external.push_back(settings_.external_axis);
   text += (settings_.configuration == RapidConfiguration::Fixed
                ? rapidConfiguration(settings_)

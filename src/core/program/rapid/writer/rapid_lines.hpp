@@ -24,9 +24,6 @@ std::string rapidExternalAxes(const std::vector<double>& values, const RapidSett
 /// Of joints: `[0,-1,0,1]`.
 std::string rapidConfiguration(const AbbConfiguration& configuration);
 
-/// Values of the external axes of an arm [mm, deg].
-std::vector<double> rapidExternal(const KinematicModel& arm, const JointValues& joints);
-
 /// `[[x,y,z],[w,x,y,z]` of a pose in the work object [mm], still open.
 std::string rapidPose(const Point3& point, const Eigen::Quaterniond& turn);
 

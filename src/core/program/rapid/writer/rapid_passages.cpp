@@ -12,6 +12,8 @@
 #include "lamina/kinematics/arm/arm_cell.hpp"
 #include "lamina/kinematics/arm/configured_joints.hpp"
 #include "lamina/kinematics/model/joint_limits.hpp"
+#include "program/backed_off.hpp"
+#include "program/external_axes.hpp"
 #include "program/rapid/rapid_words.hpp"
 #include "program/rapid/writer/rapid_notes.hpp"
 
@@ -36,15 +38,9 @@ std::vector<double> frameOf(const Eigen::Isometry3d& pose) {
           rounded(q.x(), 1e9),  rounded(q.y(), 1e9),  rounded(q.z(), 1e9)};
 }
 
-/// Back along the tool axis.
-Eigen::Isometry3d backed(Eigen::Isometry3d pose, double way_mm) {
-  pose.translation() -= way_mm * pose.linear().col(2);
-  return pose;
-}
-
 JointValues startJoints(const KinematicModel& arm, const JointValues& first, double way_mm) {
   if (way_mm == 0.0) return first;
-  const auto joints = followingJoints(arm, backed(arm.bedFromNozzle(first), way_mm), first);
+  const auto joints = followingJoints(arm, backedOff(arm.bedFromNozzle(first), way_mm), first);
   const std::optional<std::string> fault = joints ? limitFault(*joints, arm) : "out of reach";
   if (fault)
     throw Unreachable("'" + arm.name() + "' cannot start " + numberText(way_mm) +
@@ -59,7 +55,7 @@ std::string jointTarget(const KinematicModel& arm, const JointValues& joints, co
     if (j > 0) text += ',';
     appendDecimals(text, toDegrees(six[j]), kJointDecimals);
   }
-  std::vector<double> external = rapidExternal(arm, joints);
+  std::vector<double> external = externalAxes(arm, joints);
   if (external.empty()) external.push_back(settings.external_axis);
   return text + "]," + rapidExternalAxes(external, settings) + "]";
 }
@@ -79,7 +75,7 @@ class PassageWriter {
   }
 
   std::string retract(const std::string& end) const {
-    const Eigen::Isometry3d pose = backed(arm_.bedFromNozzle(last_), settings_.approach_mm);
+    const Eigen::Isometry3d pose = backedOff(arm_.bedFromNozzle(last_), settings_.approach_mm);
     return "MoveL " + target(pose) + end;
   }
 
@@ -93,7 +89,7 @@ class PassageWriter {
       throw Unreachable("'" + arm_.name() + "' cannot retract " + numberText(settings_.approach_mm) +
                         " mm (rapid.approach_mm) from the last waypoint along the tool axis: " +
                         (joints ? *limitFault(*joints, arm_) : "out of reach"));
-    std::vector<double> external = rapidExternal(arm_, *joints);
+    std::vector<double> external = externalAxes(arm_, *joints);
     if (external.empty()) external.push_back(settings_.external_axis);
     return rapidPose(pose.translation(), Eigen::Quaterniond(pose.linear())) + "," +
            (settings_.configuration == RapidConfiguration::Fixed

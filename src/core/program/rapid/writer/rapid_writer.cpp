@@ -14,6 +14,7 @@
 #include "lamina/program/program_frame.hpp"
 #include "lamina/program/rapid/rapid_settings.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
+#include "program/external_axes.hpp"
 #include "program/rapid/rapid_words.hpp"
 #include "program/rapid/writer/rapid_lines.hpp"
 #include "program/rapid/writer/rapid_notes.hpp"
@@ -43,16 +44,10 @@ bool hasOutputs(const RapidSettings& settings) { return settings.process == Rapi
 
 bool isWire(const RapidSettings& settings) { return settings.variant == RapidVariant::Wire3Axes; }
 
-std::string number(double value) {
-  std::string text;
-  appendShortest(text, value);
-  return text;
-}
-
 /// `[1,2,3]`.
 std::string list(const std::vector<double>& values, std::size_t begin, std::size_t end) {
   std::string text = "[";
-  for (std::size_t i = begin; i < end; ++i) text += (i > begin ? "," : "") + number(values[i]);
+  for (std::size_t i = begin; i < end; ++i) text += (i > begin ? "," : "") + shortestText(values[i]);
   return text + "]";
 }
 
@@ -90,8 +85,8 @@ std::string startPoint(const RapidHead& head, const RapidSettings& settings) {
 std::string cell(const RapidHead& head, const RapidSettings& settings) {
   if (!settings.declares_cell) return "";
   std::string text = "  PERS tooldata " + settings.tool + ":=[TRUE," + frame(settings.tool_frame) + ",[" +
-                     number(settings.tool_mass_kg) + "," + list(settings.tool_centre_of_gravity_mm, 0, 3) +
-                     ",[1,0,0,0],0,0,0]];\n";
+                     shortestText(settings.tool_mass_kg) + "," +
+                     list(settings.tool_centre_of_gravity_mm, 0, 3) + ",[1,0,0,0],0,0,0]];\n";
   // The user frame of a work object that a mechanical unit carries is the unit's own.
   const std::string bed = frame(settings.work_object_frame);
   const std::string none = "[[0,0,0],[1,0,0,0]]";
@@ -107,14 +102,14 @@ std::string motionData(const RapidSpeeds& speeds, const RapidSettings& settings)
   std::string text;
   for (const RapidSpeeds::Declared& speed : speeds.declared())
     text += "  CONST speeddata " + speed.name + ":=[" + decimalText(speed.feed_mm_s, 3) + "," +
-            number(settings.turn_speed_deg_s) + "," + number(kLinearAxisSpeed) + "," +
-            number(kRotaryAxisSpeed) + "];\n";
+            shortestText(settings.turn_speed_deg_s) + "," + shortestText(kLinearAxisSpeed) + "," +
+            shortestText(kRotaryAxisSpeed) + "];\n";
   if (!isRapidZone(settings.zone)) {
     // As RAPID's own zones: half as much again for tool turn and external axes, a tenth of that in degrees.
     const double r = settings.zone_mm;
-    text += "  CONST zonedata " + settings.zone + ":=[FALSE," + number(r) + "," + number(1.5 * r) + "," +
-            number(1.5 * r) + "," + number(0.15 * r) + "," + number(1.5 * r) + "," + number(0.15 * r) +
-            "];\n";
+    text += "  CONST zonedata " + settings.zone + ":=[FALSE," + shortestText(r) + "," +
+            shortestText(1.5 * r) + "," + shortestText(1.5 * r) + "," + shortestText(0.15 * r) + "," +
+            shortestText(1.5 * r) + "," + shortestText(0.15 * r) + "];\n";
   }
   if (settings.variant != RapidVariant::Powder5Axes)
     for (const char axis : {'x', 'y', 'z'}) text += "  PERS num " + settings.offset + axis + ":=0;\n";
@@ -129,9 +124,9 @@ std::string processData(const RapidSettings& settings) {
   }
   if (!isWire(settings)) return text;
   return text + "  VAR triggdata " + settings.wire_trigger +
-         ";\n  CONST num waiting1:=" + number(settings.wire_lead_s) +
-         ";\n  CONST num waiting2:=" + number(settings.laser_lead_s) +
-         ";\n  CONST num t_capas:=" + number(settings.layer_wait_s) + ";\n";
+         ";\n  CONST num waiting1:=" + shortestText(settings.wire_lead_s) +
+         ";\n  CONST num waiting2:=" + shortestText(settings.laser_lead_s) +
+         ";\n  CONST num t_capas:=" + shortestText(settings.layer_wait_s) + ";\n";
 }
 
 std::string laserProcedures(const RapidSettings& settings) {
@@ -152,9 +147,9 @@ std::string preparation(const RapidHead& head, const RapidSettings& settings) {
   text += "    Reset " + settings.laser_signal + ";\n" + head.passages.to_part;
   if (isWire(settings))
     return text + "    Reset " + settings.wire_signal + ";\n    TriggIO " + settings.wire_trigger + "," +
-           number(settings.wire_stop_s) + "\\Time\\DOp:=" + settings.wire_signal + ",0;\n";
+           shortestText(settings.wire_stop_s) + "\\Time\\DOp:=" + settings.wire_signal + ",0;\n";
   text += "    Set " + settings.gas_signal + ";Set " + settings.powder_signal + ";\n";
-  if (settings.powder_wait_s > 0.0) text += "    WaitTime " + number(settings.powder_wait_s) + ";\n";
+  if (settings.powder_wait_s > 0.0) text += "    WaitTime " + shortestText(settings.powder_wait_s) + ";\n";
   return text;
 }
 
@@ -214,7 +209,7 @@ class RapidProgram::State {
       if (settings_.configuration == RapidConfiguration::Joints)
         abbConfiguration(robot->arm, stations_->begin(0));
       if (isSixAxisArm(robot->arm)) {
-        const auto external = rapidExternal(robot->arm, stations_->begin(0));
+        const auto external = externalAxes(robot->arm, stations_->begin(0));
         if (!external.empty()) head_.external = external;
         head_.passages = rapidPassages(*robot, *stations_, plan_, speeds_.approach(), settings_);
       }

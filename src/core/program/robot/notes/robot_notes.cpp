@@ -17,19 +17,13 @@ constexpr int kFrameDecimals = 6;  // mm: people type these numbers into control
 constexpr int kTurnDecimals = 9;
 constexpr std::size_t kMostNote = 100000;  // characters: no note of ours comes near
 
-std::string shortest(double value) {
-  std::string text;
-  appendShortest(text, value);
-  return text;
-}
-
 void appendBeads(const Path& path, std::vector<std::string>& notes) {
   const std::size_t motions = path.motionCount();
   for (std::size_t begin = 0; begin < motions;) {
     const Bead& bead = path.bead.at(path.motionEnd(begin));
     std::size_t end = path.bead.isCommon() ? motions : begin + 1;
     while (end < motions && path.bead.at(path.motionEnd(end)) == bead) ++end;
-    notes.push_back("bead " + shortest(bead.width_mm) + " " + shortest(bead.height_mm) + " " +
+    notes.push_back("bead " + shortestText(bead.width_mm) + " " + shortestText(bead.height_mm) + " " +
                     std::to_string(end - begin));
     begin = end;
   }
@@ -82,7 +76,7 @@ std::vector<std::string> pathNotes(const Toolpath& toolpath, const RobotPath& pa
   std::vector<std::string> notes;
   const ToolpathLayer& layer = toolpath.layers[path.layer];
   if (begins_layer)
-    notes.push_back("layer " + shortest(layer.z_mm + rise_mm) + " " + shortest(layer.height_mm));
+    notes.push_back("layer " + shortestText(layer.z_mm + rise_mm) + " " + shortestText(layer.height_mm));
   notes.push_back(std::string("path ") + toString(path.path->role) +
                   (path.path->is_closed ? " closed" : " open") +
                   (path.path->process.is_retracted ? " retracted" : "") + (path.is_turned ? " turned" : "") +

@@ -6,19 +6,18 @@
 #include <charconv>
 #include <cmath>
 
+#include "lamina/base/characters.hpp"
 #include "lamina/base/error.hpp"
 
 namespace lamina {
 namespace {
 
-char lowered(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
-bool isWordLetter(char c) { return (lowered(c) >= 'a' && lowered(c) <= 'z') || c == '_'; }
+bool isWordLetter(char c) { return (lower(c) >= 'a' && lower(c) <= 'z') || c == '_'; }
 bool isWordPart(char c) { return isWordLetter(c) || (c >= '0' && c <= '9'); }
-bool isBlank(char c) { return c == ' ' || c == '\t'; }
 
 bool isSameText(std::string_view a, std::string_view b) {
   return a.size() == b.size() &&
-         std::equal(a.begin(), a.end(), b.begin(), [](char x, char y) { return lowered(x) == lowered(y); });
+         std::equal(a.begin(), a.end(), b.begin(), [](char x, char y) { return lower(x) == lower(y); });
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "lamina/base/error.hpp"
 #include "lamina/kinematics/arm/configured_joints.hpp"
 #include "program/cell_frame.hpp"
+#include "program/external_axes.hpp"
 #include "program/robot/reader/robot_run.hpp"
 
 namespace lamina {

@@ -71,12 +71,6 @@ RobotLevel notedLevel(NoteWords& words) {
   return level;
 }
 
-std::string shortest(double value) {
-  std::string text;
-  appendShortest(text, value);
-  return text;
-}
-
 /// Runs one statement after the other.
 class RobotRun {
  public:
@@ -142,7 +136,7 @@ class RobotRun {
     if (words.take("level")) {
       const RobotLevel level = notedLevel(words);
       running_.equipment.process.insert("analogue output " + std::to_string(level.output) + " of " +
-                                        level.name + " by " + shortest(level.per));
+                                        level.name + " by " + shortestText(level.per));
       return head.levels.push_back(level), true;
     }
     if (!words.take("carried_bed")) return false;
@@ -223,7 +217,7 @@ class RobotRun {
     if (is_dwelling_)
       assembly_.addDwell(wait.duration_s, line_);
     else
-      running_.equipment.process.insert("wait of " + shortest(wait.duration_s) + " s");
+      running_.equipment.process.insert("wait of " + shortestText(wait.duration_s) + " s");
   }
   void add(const FileCall&) {}
 

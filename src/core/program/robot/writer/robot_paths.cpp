@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "toolpath/path_motions.hpp"
+
 namespace lamina {
 namespace {
 
@@ -35,10 +37,6 @@ void requireWritable(const RobotPath& at) {
   if (at.deposits()) requireBeads(at);
 }
 
-const Eigen::Quaterniond& lastOrientation(const Path& path) {
-  return path.orientation.at(path.is_closed ? 0 : path.points.size() - 1);
-}
-
 void addSwitches(std::vector<RobotPath>& paths, ToolTurns turns) {
   paths.front().is_turned = true;
   for (std::size_t p = 0; p < paths.size(); ++p) {
@@ -46,7 +44,7 @@ void addSwitches(std::vector<RobotPath>& paths, ToolTurns turns) {
     const RobotPath* before = p > 0 ? &paths[p - 1] : nullptr;
     if (before != nullptr && turns == ToolTurns::Any)
       path.is_turned =
-          lastOrientation(*before->path).angularDistance(path.path->orientation.at(0)) > kSamePose;
+          endOrientation(*before->path).angularDistance(path.path->orientation.at(0)) > kSamePose;
     const bool goes_on = before != nullptr && before->deposits() && path.deposits() && !path.is_turned;
     path.switches_on = path.deposits() && !goes_on;
     if (before != nullptr) paths[p - 1].switches_off = before->deposits() && !goes_on;

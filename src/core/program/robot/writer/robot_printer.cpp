@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "lamina/base/characters.hpp"
 #include "lamina/base/error.hpp"
 #include "program/robot/fanuc/fanuc_printer.hpp"
 #include "program/robot/inform/inform_printer.hpp"
@@ -11,13 +12,6 @@
 #include "program/robot/urscript/urscript_printer.hpp"
 
 namespace lamina {
-namespace {
-
-bool isLetterOfName(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-bool isDigitOfName(char c) { return c >= '0' && c <= '9'; }
-
-}  // namespace
-
 RobotDialect robotDialect(RobotLanguage language, const RobotProgramSettings& settings) {
   switch (language) {
     case RobotLanguage::Krl:
@@ -42,9 +36,9 @@ ControllerMap controllerMap(RobotLanguage language, const RobotProgramSettings& 
 }
 
 void requireProgramName(const std::string& name, std::size_t longest, RobotLanguage language) {
-  const bool is_name = !name.empty() && name.size() <= longest && isLetterOfName(name.front()) &&
-                       std::all_of(name.begin(), name.end(),
-                                   [](char c) { return isLetterOfName(c) || isDigitOfName(c) || c == '_'; });
+  const bool is_name =
+      !name.empty() && name.size() <= longest && isLetter(name.front()) &&
+      std::all_of(name.begin(), name.end(), [](char c) { return isLetter(c) || isDigit(c) || c == '_'; });
   if (!is_name)
     throw InvalidConfig("the program's name is '" + name +
                         "' (robot_program.name, or that of the file); must be a " +

@@ -14,18 +14,15 @@
 #include "lamina/kinematics/model/joint_limits.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
 #include "lamina/toolpath/process_support.hpp"
+#include "program/backed_off.hpp"
+#include "program/external_axes.hpp"
 #include "program/robot/notes/robot_notes.hpp"
+#include "toolpath/path_motions.hpp"
 
 namespace lamina {
 namespace {
 
 constexpr double kUnset = std::numeric_limits<double>::quiet_NaN();
-
-/// Back along the tool axis.
-Eigen::Isometry3d backedOff(Eigen::Isometry3d pose, double way_mm) {
-  pose.translation() -= way_mm * pose.linear().col(2);
-  return pose;
-}
 
 JointValues joinedJoints(const KinematicModel& arm, const JointValues& near, double way_mm,
                          const std::string& where) {
@@ -50,15 +47,7 @@ void requireLevels(const Toolpath& toolpath, const std::vector<RobotLevel>& leve
                              "'; expected an output for it in robot_program.levels");
 }
 
-std::string number(double value) {
-  std::string text;
-  appendShortest(text, value == 0.0 ? 0.0 : value);
-  return text;
-}
-
-double wayBetween(const Path& path, std::size_t motion) {
-  return (path.points[path.motionEnd(motion)] - path.points[motion]).norm();
-}
+std::string number(double value) { return shortestText(value == 0.0 ? 0.0 : value); }
 
 }  // namespace
 
@@ -188,7 +177,7 @@ TipMove RobotScript::moveTo(std::size_t index, std::size_t move) const {
   if (!result.rests) {
     const Path& after = motion + 1 < path.path->motionCount() ? *path.path : *paths_[index + 1].path;
     result.room_mm =
-        std::min(wayBetween(*path.path, motion), wayBetween(after, &after == path.path ? motion + 1 : 0));
+        std::min(motionLength(*path.path, motion), motionLength(after, &after == path.path ? motion + 1 : 0));
   }
   return result;
 }

@@ -2,18 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "streaming/emulator/ok_paced/emulated_reprap.hpp"
 
-#include <cctype>
 #include <cstdio>
 #include <cstdlib>
 #include <optional>
 #include <sstream>
 
+#include "lamina/base/characters.hpp"
 #include "streaming/firmware/reprapfirmware/reprap_protocol.hpp"
 
 namespace lamina {
 namespace {
-
-bool isNumeral(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
 /// A line as the firmware's parser leaves it.
 struct ParsedLine {
@@ -52,13 +50,13 @@ ParsedLine parsed(std::string_view line) {
   const std::size_t star = checkOf(line);
   const std::string_view body = line.substr(0, star);
   std::size_t at = 1;
-  while (at < body.size() && isNumeral(body[at])) ++at;
+  while (at < body.size() && isDigit(body[at])) ++at;
   while (at < body.size() && body[at] == ' ') ++at;
   read.command = std::string(body.substr(at));
   read.checked = std::string(body);
   if (star == std::string_view::npos) return read;
   read.has_check = true;
-  for (at = star + 1; at < line.size() && isNumeral(line[at]); ++at) {
+  for (at = star + 1; at < line.size() && isDigit(line[at]); ++at) {
     read.declared = 10 * read.declared + static_cast<unsigned long>(line[at] - '0');
     ++read.check_digits;
   }

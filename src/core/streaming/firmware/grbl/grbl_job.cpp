@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "base/duration_text.hpp"
 #include "streaming/firmware/grbl/grbl_syntax.hpp"
 
 namespace lamina {
@@ -20,12 +21,6 @@ constexpr int kUsualReceiveBytes = 128;
 constexpr const char* kQuestion = "$G";
 constexpr std::size_t kQuestionBytes = 3;
 constexpr double kMillimetresPerInch = 25.4;
-
-std::string tenths(double seconds) {
-  std::string text = std::to_string(seconds);
-  text.erase(text.find('.') + 2);
-  return text + " s";
-}
 
 /// Commands during which grbl reports Idle and takes nothing: dwells, and spindles that come up to speed.
 bool mayStandStill(std::string_view command) {
@@ -215,11 +210,11 @@ void GrblJob::elapse(double now) {
   } else if (isRunning()) {
     if (now >= next_poll_s_) poll(now);
     if (now >= silenceLimit()) {
-      abort({ErrorCode::TimedOut, "no answer from the machine for " + tenths(now - heard_s_) +
+      abort({ErrorCode::TimedOut, "no answer from the machine for " + fullTenths(now - heard_s_) +
                                       "; expected one to each '?'" + record_.whereItStands()},
             now);
     } else if (now >= answerLimit()) {
-      loseCount("the machine has neither moved nor answered a line for " + tenths(answers_.quietFor(now)),
+      loseCount("the machine has neither moved nor answered a line for " + fullTenths(answers_.quietFor(now)),
                 now);
     } else if (isAnswerDue() && now >= answers_.retryAt()) {
       onNoAnswer(now);

@@ -9,13 +9,10 @@
 #include <vector>
 
 #include "lamina/base/text.hpp"
+#include "lamina/base/text_search.hpp"
 
 namespace lamina {
 namespace {
-
-bool startsWith(std::string_view text, std::string_view start) {
-  return text.substr(0, start.size()) == start;
-}
 
 std::vector<std::string_view> partsOf(std::string_view text, char separator) {
   std::vector<std::string_view> parts;

@@ -6,6 +6,8 @@
 #include <array>
 #include <utility>
 
+#include "base/duration_text.hpp"
+
 namespace lamina {
 namespace {
 
@@ -22,8 +24,6 @@ constexpr std::array<GrblQuestion, 3> kQuestions = {{
     {"$G\n", GrblReplyKind::Modes},
     {"$$\n", GrblReplyKind::Setting},
 }};
-
-std::string secondsText(double value) { return std::to_string(static_cast<int>(value)) + " s"; }
 
 }  // namespace
 
@@ -51,7 +51,7 @@ void GrblStart::elapse(double now) {
 }
 
 void GrblStart::timeOut() {
-  const std::string limit = secondsText(settings_.connect_timeout_s);
+  const std::string limit = wholeSeconds(settings_.connect_timeout_s);
   if (!has_reported_) {
     failure_ = Failure{ErrorCode::TimedOut, "no machine answered '?' as grbl does within " + limit +
                                                 "; is it on, and is the baud rate right?"};

@@ -4,14 +4,14 @@
 
 #include <algorithm>
 
+#include "lamina/base/characters.hpp"
+
 namespace lamina {
 namespace {
 
 std::string_view withoutBlanks(std::string_view text) {
   return text.substr(std::min(text.find_first_not_of(" \t"), text.size()));
 }
-
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
 /// Reads a number without exponent, and takes it from the text. Faster than the library's, which minds the
 /// locale.

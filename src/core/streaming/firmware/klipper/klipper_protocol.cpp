@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cstdlib>
 
+#include "lamina/base/text_search.hpp"
 #include "lamina/streaming/firmware/marlin/marlin_protocol.hpp"
 #include "streaming/job/complaints.hpp"
 
@@ -14,10 +15,6 @@ namespace lamina {
 namespace {
 
 constexpr std::string_view kEcho = "// ECHO LAMINA=";
-
-bool startsAs(std::string_view text, std::string_view prefix) {
-  return text.substr(0, prefix.size()) == prefix;
-}
 
 std::optional<double> numberAt(std::string_view text) {
   const std::string number(text.substr(0, 16));
@@ -48,8 +45,8 @@ void readHeaters(std::string_view text, PacedReply& read) {
 }
 
 bool looksLikeHeaters(std::string_view text) {
-  if (startsAs(text, "ok ")) text.remove_prefix(3);
-  return (startsAs(text, "B:") || startsAs(text, "T")) && text.find(':') != std::string_view::npos;
+  if (startsWith(text, "ok ")) text.remove_prefix(3);
+  return (startsWith(text, "B:") || startsWith(text, "T")) && text.find(':') != std::string_view::npos;
 }
 
 }  // namespace
@@ -62,7 +59,7 @@ PacedReply readKlipperReply(std::string_view line) {
   if (klipperComplaint(text) == Complaint::Error) {
     reply.kind = ReplyKind::Warning;
     read.is_refusal = true;
-  } else if (startsAs(text, "// Klipper state: ")) {
+  } else if (startsWith(text, "// Klipper state: ")) {
     const bool has_stopped = text.find("Shutdown") != std::string_view::npos;
     // "Ready" answers anybody's STATUS too.
     const bool has_restarted = text.find("Disconnect") != std::string_view::npos;
@@ -72,13 +69,13 @@ PacedReply readKlipperReply(std::string_view line) {
     reply.kind = ReplyKind::NotDone;
     // Only where there is no heater is this unknown.
     if (text.find("TURN_OFF_HEATERS") != std::string_view::npos) read.are_heaters_off = true;
-  } else if (startsAs(text, kEcho)) {
+  } else if (startsWith(text, kEcho)) {
     SyncAnswer answer;
     const char* const begin = text.data() + kEcho.size();
     const char* const end = text.data() + text.size();
     const auto number = std::from_chars(begin, end, answer.question);
     if (number.ec == std::errc() && number.ptr == end) read.sync_answer = answer;
-  } else if ((reply.kind == ReplyKind::Ok && !startsAs(line, "ok")) || reply.kind == ReplyKind::Start ||
+  } else if ((reply.kind == ReplyKind::Ok && !startsWith(line, "ok")) || reply.kind == ReplyKind::Start ||
              reply.kind == ReplyKind::Fatal) {
     // A message of its user's, which has a prefix; and Klipper greets and halts in words of its own.
     reply.kind = ReplyKind::Information;

@@ -7,6 +7,7 @@
 #include <cctype>
 #include <utility>
 
+#include "lamina/base/characters.hpp"
 #include "lamina/base/text.hpp"
 #include "lamina/streaming/firmware/marlin/marlin_protocol.hpp"
 #include "program/gcode/command_words.hpp"
@@ -15,8 +16,6 @@
 
 namespace lamina {
 namespace {
-
-bool isLetter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 
 /// Whether a byte comes through: printable ASCII, and beyond it in a message.
 bool isTaken(char c, bool is_message) {

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "base/duration_text.hpp"
 #include "streaming/firmware/marlin/stop_commands.hpp"
 
 namespace lamina {
@@ -13,21 +14,6 @@ namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr int kReportAttempts = 3;
-
-std::string seconds(double value) {
-  std::string text = std::to_string(value);
-  text.erase(text.find('.') + 2);
-  return text + " s";
-}
-
-std::shared_ptr<RevisedLines> revisedLines(const StreamOrder& order,
-                                           const std::shared_ptr<const MarlinFirmware>& firmware) {
-  if (!order.revision) return nullptr;
-  return std::make_shared<RevisedLines>(order.program, order.revision,
-                                        [firmware, settings = order.settings](const std::string& command) {
-                                          return firmware->defectOf(command, settings);
-                                        });
-}
 
 LineFeed feedOf(const StreamableProgram& program, const std::shared_ptr<RevisedLines>& revised,
                 std::uint64_t first) {
@@ -224,12 +210,12 @@ void MarlinJob::retry(double now) {
 void MarlinJob::timeOut(double now) {
   if (record_.status.state != PackmlState::Starting) {
     abort({ErrorCode::TimedOut,
-           "no answer from the machine for " + seconds(timer_.quietFor(now)) + record_.whereItStands()},
+           "no answer from the machine for " + fullTenths(timer_.quietFor(now)) + record_.whereItStands()},
           now);
   } else if (has_answered_) {
     abort({ErrorCode::Rejected, "the machine answers, but does not check line numbers as Marlin does"}, now);
   } else {
-    abort({ErrorCode::TimedOut, "no machine answered within " + seconds(settings_.connect_timeout_s) +
+    abort({ErrorCode::TimedOut, "no machine answered within " + fullTenths(settings_.connect_timeout_s) +
                                     "; is it on, and is the baud rate right?"},
           now);
   }

@@ -8,12 +8,10 @@
 #include <charconv>
 #include <cstdlib>
 
+#include "lamina/base/text_search.hpp"
+
 namespace lamina {
 namespace {
-
-bool startsWith(std::string_view text, std::string_view prefix) {
-  return text.substr(0, prefix.size()) == prefix;
-}
 
 bool containsIgnoringCase(std::string_view text, std::string_view part) {
   const auto equal = [](char a, char b) {

@@ -3,17 +3,16 @@
 #include "streaming/firmware/ok_paced/motion_tracker.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <string>
+
+#include "lamina/base/characters.hpp"
 
 namespace lamina {
 namespace {
 
 constexpr std::string_view kCoordinateLetters = "XYZE";
-
-bool isDigit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
 /// The command's letter and number: "G1" of "G01 X5"; empty if it is none, or there is more than one in the
 /// line.

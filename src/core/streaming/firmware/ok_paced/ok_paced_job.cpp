@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "base/duration_text.hpp"
+
 namespace lamina {
 namespace {
 
@@ -13,17 +15,6 @@ constexpr double kForever = std::numeric_limits<double>::infinity();
 constexpr const char* kEndOfMotions = "M400";
 constexpr const char* kTemperatures = "M105";
 constexpr const char* kPosition = "M114";
-
-std::shared_ptr<RevisedLines> linesRevisedFor(const StreamOrder& order,
-                                              const std::shared_ptr<const OkPacedFirmware>& firmware) {
-  if (!order.revision) return nullptr;
-  return std::make_shared<RevisedLines>(order.program, order.revision,
-                                        [firmware, settings = order.settings](const std::string& command) {
-                                          return firmware->defectOf(command, settings);
-                                        });
-}
-
-std::string wholeSeconds(double value) { return std::to_string(static_cast<int>(value)) + " s"; }
 
 }  // namespace
 
@@ -37,7 +28,7 @@ OkPacedJob::OkPacedJob(StreamOrder order, std::shared_ptr<const OkPacedFirmware>
       firmware_(std::move(firmware)),
       heard_(std::move(order.heard)),
       checked_program_(order.program),
-      revised_(linesRevisedFor(order, firmware_)),
+      revised_(revisedLines(order, firmware_)),
       program_(revised_ ? [revised = revised_] { return revised->next(); } : sourceOf(order.program)),
       quotation_(order.program.quotation()),
       feed_([this] { return nextLine(); }, 1, -1, [this] { return isNextKnown(); }),

@@ -3,6 +3,7 @@
 // The safe stop, and what is left where it is not heard.
 #include <algorithm>
 
+#include "base/duration_text.hpp"
 #include "streaming/firmware/ok_paced/ok_paced_job.hpp"
 
 namespace lamina {
@@ -10,8 +11,6 @@ namespace {
 
 constexpr const char* kStandstill = "M400";
 constexpr const char* kTargets = "M105";
-
-std::string wholeSecondsOf(double value) { return std::to_string(static_cast<int>(value)) + " s"; }
 
 std::string offerOf(const std::string& emergency) {
   return "; an emergency stop, by which it loses its position, is heard at once: " + emergency +
@@ -73,7 +72,7 @@ void OkPacedJob::prolongStop(double now) {
   const bool is_late = now >= stop_.began_s + settings_.safe_stop_timeout_s;
   if (is_late && !emergency.empty())
     record_.status.message = "the machine has not heard the stop for " +
-                             wholeSecondsOf(settings_.safe_stop_timeout_s) + ", and reports that it lives" +
+                             wholeSeconds(settings_.safe_stop_timeout_s) + ", and reports that it lives" +
                              offerOf(emergency);
   stop_.give_up_s = std::max(stop_.give_up_s, by);
 }
@@ -97,7 +96,7 @@ void OkPacedJob::stopAtOnce(const std::string& emergency, double now) {
   stop_.is_emergency = true;
   stop_.give_up_s = now + settings_.safe_stop_timeout_s;
   record_.status.failure.message += "; the safe stop was not confirmed within " +
-                                    wholeSecondsOf(settings_.safe_stop_timeout_s) +
+                                    wholeSeconds(settings_.safe_stop_timeout_s) +
                                     ", so that an emergency stop was sent";
   output_ += emergency + "\n";
 }

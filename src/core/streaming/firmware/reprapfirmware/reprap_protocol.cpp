@@ -9,6 +9,7 @@
 #include <cstdlib>
 
 #include "lamina/base/text.hpp"
+#include "lamina/base/text_search.hpp"
 #include "lamina/streaming/firmware/marlin/marlin_protocol.hpp"
 #include "program/gcode/command_words.hpp"
 #include "streaming/job/complaints.hpp"
@@ -17,14 +18,6 @@ namespace lamina {
 namespace {
 
 constexpr const char* kMark = "lamina";
-
-bool hasText(std::string_view text, std::string_view part) {
-  return text.find(part) != std::string_view::npos;
-}
-
-bool beginsWith(std::string_view text, std::string_view prefix) {
-  return text.substr(0, prefix.size()) == prefix;
-}
 
 bool isLower(char c) { return c >= 'a' && c <= 'z'; }
 
@@ -44,7 +37,7 @@ std::optional<bool> areTargetsZero(std::string_view text) {
 /// "lamina 7", or "lamina 7 x y z e x y z e".
 std::optional<SyncAnswer> readAnswer(std::string_view line) {
   constexpr int kNumbers = 8;
-  if (!beginsWith(line, kMark)) return std::nullopt;
+  if (!startsWith(line, kMark)) return std::nullopt;
   const std::string rest(line.substr(std::string_view(kMark).size()));
   const char* at = rest.c_str();
   char* end = nullptr;
@@ -145,17 +138,17 @@ PacedReply readReprapReply(std::string_view line) {
   FirmwareReply& reply = read.reply;
   read.are_heaters_off = areTargetsZero(reply.text);
   // Without heaters the answer to M105 is an ok and a blank.
-  if (beginsWith(line, "ok ") && trimmed(line) == "ok") read.are_heaters_off = true;
+  if (startsWith(line, "ok ") && trimmed(line) == "ok") read.are_heaters_off = true;
   read.sync_answer = readAnswer(reply.text);
-  if (hasText(reply.text, "Emergency Stop!") || hasText(reply.text, ": Machine is halted")) {
+  if (contains(reply.text, "Emergency Stop!") || contains(reply.text, ": Machine is halted")) {
     reply.kind = ReplyKind::Fatal;
   } else if (reprapComplaint(reply.text) == Complaint::Error) {
     reply.kind = ReplyKind::Warning;
     read.is_refusal = true;
-  } else if (beginsWith(reply.text, "Warning:")) {
+  } else if (startsWith(reply.text, "Warning:")) {
     const bool is_undone = reprapComplaint(reply.text) == Complaint::NotDone;
     reply.kind = is_undone ? ReplyKind::NotDone : ReplyKind::Warning;
-  } else if (beginsWith(reply.text, "Send M292 to continue")) {
+  } else if (startsWith(reply.text, "Send M292 to continue")) {
     reply.kind = ReplyKind::Warning;
   }
   return read;
@@ -185,7 +178,7 @@ std::string reprapDefectOf(std::string_view command, int max_line_bytes) {
   const OuterText outer = outerTextOf(command);
   if (!outer.is_closed)
     return "has a quote or a brace that is not closed, in which the line's check would be lost";
-  if (hasText(outer.text, "*"))
+  if (contains(outer.text, "*"))
     return "has a '*' outside quotes and braces, which marks a check; checks are added here";
   const std::string start = defectOfStart(command);
   return start.empty() ? changeOfTalk(command) : start;

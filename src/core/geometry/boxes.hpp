@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "lamina/geometry/vector.hpp"
+
+namespace lamina {
+
+/// Whether two boxes overlap or touch.
+template <class Point>
+bool areOverlapping(const Box<Point>& a, const Box<Point>& b) {
+  return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
+}
+
+/// Whether a point lies in the box or on its border.
+template <class Point>
+bool isInBox(const Box<Point>& box, const Point& point) {
+  return (point.array() >= box.low.array()).all() && (point.array() <= box.high.array()).all();
+}
+
+}  // namespace lamina

@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "lamina/geometry/mesh/mesh.hpp"
+
+namespace lamina {
+
+/// Along the normal of a triangle of the mesh, twice as long as its area.
+inline Point3 areaVector(const Mesh& mesh, const Triangle& corner) {
+  const Point3& a = mesh.vertices[corner[0]];
+  return (mesh.vertices[corner[1]] - a).cross(mesh.vertices[corner[2]] - a);
+}
+
+}  // namespace lamina

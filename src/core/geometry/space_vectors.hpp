@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "lamina/geometry/vector.hpp"
+
+namespace lamina {
+
+/// Between two directions of any lengths [rad], 0 to pi; 0 where one has none.
+inline double angleBetween(const Point3& a, const Point3& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+/// From a point to the nearest one of the way from a to b.
+inline double distanceToSegment(const Point3& point, const Point3& a, const Point3& b) {
+  const Point3 along = b - a;
+  const double squared = along.squaredNorm();
+  const double share = squared > 0.0 ? std::clamp((point - a).dot(along) / squared, 0.0, 1.0) : 0.0;
+  return (point - a - share * along).norm();
+}
+
+}  // namespace lamina
