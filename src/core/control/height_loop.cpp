@@ -282,7 +282,7 @@ void HeightLoop::requireCell(std::size_t cell) const {
 
 void HeightLoop::requireOnePerCell(const std::string& what, std::size_t count) const {
   if (count != cells_.size())
-    throw InvalidInput("a layer is laid with " + std::to_string(count) + " " + what +
+    throw InvalidInput("a layer is deposited with " + std::to_string(count) + " " + what +
                        "; expected one for each of its " + std::to_string(cells_.size()) + " cells");
 }
 

@@ -433,12 +433,13 @@ void GcodeStreamer::tellDecisions(CorrectedStream& corrected) {
     message.header.stamp = ros::Time::now();
     applied_.publish(message);
     if (!each.digest.empty())
-      ROS_INFO("layer %lu is laid by map %s", static_cast<unsigned long>(each.layer), each.digest.c_str());
+      ROS_INFO("layer %lu is deposited by map %s", static_cast<unsigned long>(each.layer),
+               each.digest.c_str());
     else if (!each.refusal.empty())
-      ROS_WARN("layer %lu is laid as planned: %s", static_cast<unsigned long>(each.layer),
+      ROS_WARN("layer %lu is deposited as planned: %s", static_cast<unsigned long>(each.layer),
                each.refusal.c_str());
     else if (each.layer > 0 || each.waited_s > 0.0)
-      ROS_WARN("%d: no map of layer %lu within %.1f s: it is laid as planned",
+      ROS_WARN("%d: no map of layer %lu within %.1f s: it is deposited as planned",
                static_cast<int>(LoopAlarm::MapLate), static_cast<unsigned long>(each.layer), each.waited_s);
   }
   const std::string failure = corrected.takeRecordFailure();

@@ -324,8 +324,8 @@ void HeightController::saveLearnt() {
     if (!map) return;
     const std::string path = settings_.output_folder + "/learnt_part.csv";
     writeFile(path, partMapCsv(*map));
-    ROS_INFO("what %zu parts have taught is in %s: the next one is laid by it with loop/learned", map->parts,
-             path.c_str());
+    ROS_INFO("what %zu parts have taught is in %s: the next one is deposited by it with loop/learned",
+             map->parts, path.c_str());
   } catch (const Error& error) {
     ROS_ERROR("%s", error.what());
   }
@@ -367,7 +367,7 @@ void HeightController::diagnose(diagnostic_updater::DiagnosticStatusWrapper& sta
   status.add("further maps not used", counts.trims_refused);
   status.add("points received", counts.points.received);
   status.add("points used", counts.points.used);
-  status.add("points on no laid cell", counts.points.off_path);
+  status.add("points on no deposited cell", counts.points.off_path);
   status.add("layer", run->place().layer);
 }
 

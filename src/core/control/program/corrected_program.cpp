@@ -74,7 +74,7 @@ class ProgramCorrector::Writer {
     requireOfToolpath(map);
     if (cursor_.hasBegun(map.layer))
       throw InvalidInput("the correction map of layer " + std::to_string(map.layer) +
-                         " comes while that layer is laid; expected it before");
+                         " comes while that layer is deposited; expected it before");
     corrections_.add(map);
   }
 

@@ -47,7 +47,7 @@ void requireSpeeds(const Toolpath& toolpath, const LoopRunSettings& settings) {
 std::string reasonOf(const MissedMap& missed) {
   char waited[48];
   std::snprintf(waited, sizeof waited, "%.3g", missed.waited_s);
-  return "layer " + std::to_string(missed.layer) + " is laid as planned, not by its map: " +
+  return "layer " + std::to_string(missed.layer) + " is deposited as planned, not by its map: " +
          (missed.reason.empty() ? "none came within " + std::string(waited) + " s" : missed.reason);
 }
 
@@ -446,9 +446,10 @@ void LoopRun::beginLayer(std::size_t layer) {
   laid_ = wanted();
   shiftNozzle();
   if (is_catching_up_)
-    layAsPlanned("layer " + std::to_string(*layer_) +
-                 " was begun while nobody followed the print; expected its map before: it counts as laid as "
-                 "planned");
+    layAsPlanned(
+        "layer " + std::to_string(*layer_) +
+        " was begun while nobody followed the print; expected its map before: it counts as deposited as "
+        "planned");
   std::vector<double> nozzle_error = shift_mm_;
   for (double& error : nozzle_error) error = -error;
   loop_->lay(laid_, nozzle_error);

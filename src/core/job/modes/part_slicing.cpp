@@ -102,7 +102,8 @@ void addSource(SliceSummary& summary, const SourcePart& source) {
 
 std::string volumesNote(std::size_t left_out) {
   return std::to_string(left_out) +
-         " volumes of the file that change how the part is laid are left out: only level layers mind them";
+         " volumes of the file that change how the part is deposited are left out: only level layers mind "
+         "them";
 }
 
 }  // namespace

@@ -72,7 +72,7 @@ void describeWeave(SettingsSchema& schema, WeaveSettings& weave) {
   schema.number("weave.amplitude_mm", weave.amplitude_mm, Bounds::above(0.0, 100.0),
                 "Half the width that the tip swings; half the bead at most.");
   schema.number("weave.wavelength_mm", weave.wavelength_mm, Bounds::above(0.0, 1000.0),
-                "Length of a wave along the bead; a whole number of half waves is laid.");
+                "Length of a wave along the bead; a whole number of half waves is deposited.");
   schema.number("weave.flat_share", weave.flat_share, Bounds::above(0.0, 0.45),
                 "Share of a wave that a trapezium keeps to each side.");
   schema.number("weave.left_s", weave.left_s, {0.0, 60.0},

@@ -333,7 +333,7 @@ class Weave {
       refuseWeave(place_, "motion " + std::to_string(places[m].motion) + ": the tip, " +
                               shownMm(settings_.amplitude_mm) +
                               " (weave.amplitude_mm) aside in a bend, goes " + shownMm(way_mm) + " while " +
-                              shownMm(advance_mm) + " of the line are laid; expected " +
+                              shownMm(advance_mm) + " of the line are deposited; expected " +
                               shownMm(advance_mm / kMostAdvance) + " at least, on a line that bends less");
     }
   }
