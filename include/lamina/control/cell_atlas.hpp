@@ -25,8 +25,8 @@ struct CellSight {
 
 /// The cells of laid beads on which a point may lie.
 struct PointSights {
-  std::optional<CellSight> newest;   ///< of the newest layer that has a cell there
-  std::optional<CellSight> beneath;  ///< of the next layer below that has a cell there
+  std::optional<CellSight> newest;  ///< of the newest layer that has a cell there
+  std::optional<CellSight> below;   ///< of the next layer below that has a cell there
 };
 
 /// Finds the cell of the laid layers on which a point lies [mm, frame of the toolpath], for layers of any
@@ -56,7 +56,7 @@ class CellAtlas {
 
   /// States that only the first `cells` cells of a layer are laid (`cellsPassed`). Without effect if the
   /// layer is not in the atlas.
-  void setLaid(std::size_t layer, std::size_t cells);
+  void setDeposited(std::size_t layer, std::size_t cells);
 
   /// Removes all layers below `layer`: in a scan pass only the scanned layer counts.
   void forgetBelow(std::size_t layer);
@@ -68,7 +68,7 @@ class CellAtlas {
   /// The same for many points, in a fraction of the time that single calls take.
   std::vector<std::optional<CellSight>> newestAt(const std::vector<Point3>& points) const;
   /// The cell at that point of the next layer below `layer` that has one there.
-  std::optional<CellSight> beneathAt(const Point3& point, std::size_t layer) const;
+  std::optional<CellSight> belowAt(const Point3& point, std::size_t layer) const;
 
   /// The cells of a layer; null if it is not in the atlas.
   std::shared_ptr<const LayerCells> cellsOf(std::size_t layer) const;

@@ -10,7 +10,7 @@
 namespace lamina {
 
 /// The growth of a cell that one layer is to bring.
-struct LaidGrowth {
+struct DepositedGrowth {
   double planned_mm = 0.0;     ///< planned height of the layer there
   double correction = 0.0;     ///< relative change of the amount laid
   double nozzle_error_mm = 0;  ///< planned less actual height of the nozzle; pressed processes only
@@ -84,9 +84,9 @@ class CellEstimate {
 
   /// Predicts the error after a layer of a free process: it changes by the planned less the expected growth.
   /// @param spread  relative standard deviation of growth
-  void lay(const LaidGrowth& growth, double spread);
+  void lay(const DepositedGrowth& growth, double spread);
   /// Predicts the error after a layer of a pressed process: it is that of the nozzle's plane.
-  void press(const LaidGrowth& growth, double spread);
+  void press(const DepositedGrowth& growth, double spread);
   /// Amends the last `lay`: the layer of height `planned_mm` was laid with `correction`, not with `told`.
   void relay(double planned_mm, double told, double correction);
 

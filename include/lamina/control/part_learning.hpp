@@ -25,7 +25,7 @@ struct PartMap {
 };
 
 /// A layer of a part as laid and measured. Vectors have one value per cell.
-struct LaidLayer {
+struct DepositedLayer {
   LayerCells cells;
   std::vector<double> amount;  ///< relative, as laid
   /// Planned less actual growth of this layer alone [mm]; not finite where it was not seen.
@@ -46,7 +46,7 @@ enum class PartEnd { Complete, Aborted };
 /// @throws InvalidInput if the identities differ, naming in what, or if the part has another number of layers
 ///   than the map, or one of its layers another number of cells
 PartMap learntFromPart(const PartMap& before, const PartIdentity& identity,
-                       const std::vector<LaidLayer>& part, PartEnd end, const LoopSettings& settings);
+                       const std::vector<DepositedLayer>& part, PartEnd end, const LoopSettings& settings);
 
 /// The map as CSV, a row per cell under comments that state program, machine, material, parts and a digest of
 /// all of it. It reads back to the same bits, except that layers without cells at the top are left out.

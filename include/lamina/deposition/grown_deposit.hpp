@@ -77,14 +77,14 @@ class GrownDeposit {
   std::vector<double> arrivedSections(const Stations& stations);
   std::vector<CoveredCell> coveredCells(const Stations& stations, double width_mm) const;
   std::vector<double> groundUnder(const std::vector<CoveredCell>& covered, std::size_t stations) const;
-  bool isOfLayer(std::size_t cell) const { return laid_in_[cell] == layer_ + 1; }
+  bool isOfLayer(std::size_t cell) const { return deposited_in_[cell] == layer_ + 1; }
   void grow(const Stations& stations, const std::vector<double>& sections, double width_mm);
 
   HeightMap surface_;
   GrowthPlant plant_;
   GrownDepositSettings settings_;
   double highest_;
-  std::vector<std::uint32_t> laid_in_;  ///< layer of each cell, from 1; 0 where nothing was laid
+  std::vector<std::uint32_t> deposited_in_;  ///< layer of each cell, from 1; 0 where nothing was laid
   std::vector<GrownPiece> bead_;
   std::size_t layer_ = 0;
   std::size_t beads_ = 0;           ///< of the layer

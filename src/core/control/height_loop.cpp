@@ -223,7 +223,7 @@ void HeightLoop::lay(const LayerCorrection& correction, const std::vector<double
   laid_ = correction.amount;
   is_section_seen_.assign(cells_.size(), false);
   for (std::size_t i = 0; i < cells_.size(); ++i) {
-    const LaidGrowth growth{cells_.height_mm[i], correction.amount[i], nozzle_error_mm[i]};
+    const DepositedGrowth growth{cells_.height_mm[i], correction.amount[i], nozzle_error_mm[i]};
     if (settings_.process == LoopProcess::Free)
       estimates_[i].lay(growth, spread_);
     else

@@ -236,7 +236,7 @@ StreamStatus GcodeStreamer::streamProgram(const StreamableProgram& program, JobS
     watchStartup(*session, now);
     if (!execution.empty()) holdWithoutOwner(*session);
     if (corrected) tellDecisions(*corrected);
-    if (recorded) tellLaidAsPlanned(*recorded, now.layer);
+    if (recorded) reportDepositedAsPlanned(*recorded, now.layer);
   });
   const std::lock_guard<std::mutex> lock(mutex_);
   session_.reset();
@@ -447,7 +447,7 @@ void GcodeStreamer::tellDecisions(CorrectedStream& corrected) {
 }
 
 /// As they come: the loop takes layers to be laid by its maps until it is told otherwise.
-void GcodeStreamer::tellLaidAsPlanned(RecordedProgram& recorded, std::int32_t layer) {
+void GcodeStreamer::reportDepositedAsPlanned(RecordedProgram& recorded, std::int32_t layer) {
   for (; static_cast<std::int64_t>(recorded.next_planned) <= layer; ++recorded.next_planned) {
     lamina_msgs::AppliedCorrection message =
         toMessage({recorded.next_planned, 0.0, "the job is gone on with from its record, without maps", {}},

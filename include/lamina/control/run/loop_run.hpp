@@ -222,9 +222,9 @@ class LoopRun {
   void layMapFrom(std::size_t cell);
   void takeMissed();
   void shiftNozzle();
-  CellCorrections asLaid() const;
+  CellCorrections asDeposited() const;
   LayerOutcome outcomeOf(const LayerFigures& figures);
-  std::size_t cellsLaid(double settle_mm) const;
+  std::size_t cellsDeposited(double settle_mm) const;
   void leaveBehind(std::int64_t stamp_ns);
   std::size_t cellsSolid(std::int64_t stamp_ns);
   void publishMap();
@@ -250,7 +250,7 @@ class LoopRun {
   std::optional<PrintPlan> plan_;        ///< offered
   std::optional<HeightLoop> plan_loop_;  ///< as it goes on by that plan
   std::optional<std::size_t> layer_;  ///< under way; none before the first and after the last one with cells
-  LoopState laid_in_ = LoopState::Off;
+  LoopState deposited_in_ = LoopState::Off;
   /// How the layer under way is to be laid by its last map.
   struct Mapped {
     LayerCorrection correction;
