@@ -42,7 +42,7 @@ const CellSheet* CellAtlas::sheetOf(std::size_t layer) const {
 
 void CellAtlas::setDeposited(std::size_t layer, std::size_t cells) {
   for (CellSheet& sheet : sheets_)
-    if (sheet.cells()->layer == layer) sheet.laid = std::min(cells, sheet.cells()->size());
+    if (sheet.cells()->layer == layer) sheet.deposited = std::min(cells, sheet.cells()->size());
 }
 
 void CellAtlas::forgetBelow(std::size_t layer) {
