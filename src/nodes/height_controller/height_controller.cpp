@@ -13,6 +13,7 @@
 #include "lamina/control/run/run_calibration.hpp"
 #include "loop/loop_messages.hpp"
 #include "names.hpp"
+#include "refusal_text.hpp"
 #include "status.hpp"
 
 namespace lamina {
@@ -197,7 +198,12 @@ bool HeightController::onSetLoop(lamina_msgs::SetLoop::Request& request,
     if (feed_.run() == nullptr)
       response.status.message = "there is no toolpath yet: this holds from the next one on";
   } catch (...) {
-    response.status = toMessage(currentFailure());
+    const Failure failure = currentFailure();
+    const std::string toolpath_id = feed_.run() == nullptr ? "" : feed_.run()->part().toolpath_id;
+    ROS_ERROR_STREAM(refusalText(
+        {"take loop request " + std::to_string(request.request) + " for toolpath", toolpath_id, ""},
+        failure));
+    response.status = toMessage(failure);
   }
   publishNews();
   response.state = toMessage(feed_.run()).state;
