@@ -74,7 +74,7 @@ enum class FirstLayer {
   SameHeight,  ///< nothing: all layers are as high
 };
 
-/// What the first layer of a mode is laid on.
+/// What the first layer of a mode is deposited on.
 enum class DepositedOn {
   Bed,
   Base,  ///< `conformal.base`, if it is set

@@ -19,7 +19,7 @@ struct HeadStage {
 /// Where a head fits over a part that grows, and the bed.
 class HeadRoom {
  public:
-  /// Growth at which a place of the part is laid [mm]; infinite where nothing ever is.
+  /// Growth at which a place of the part is deposited [mm]; infinite where nothing ever is.
   class Growth {
    public:
     virtual ~Growth() = default;
@@ -29,8 +29,8 @@ class HeadRoom {
   /// @param stages  none: the head is clear everywhere
   HeadRoom(std::shared_ptr<const Growth> growth, const std::vector<HeadStage>& stages, double bed_mm);
 
-  /// Whether the head clears the bed and what is laid before a growth, by points on its hull at most 4 mm
-  /// apart. What lies within 3 mm of the tip is not looked at.
+  /// Whether the head clears the bed and what is deposited before a growth, by points on its hull at most 4
+  /// mm apart. What lies within 3 mm of the tip is not looked at.
   /// @param axis  against the tool axis, of unit length
   bool isClear(const Point3& tip, const Point3& axis, double growth_mm) const;
 
