@@ -219,7 +219,7 @@ void addEstimate(CLI::App& app, Chosen& chosen) {
   const auto arguments = std::make_shared<EstimateArguments>();
   subcommand->add_option(
       "bag", arguments->bag,
-      "Bag with toolpath, profile, /tf and /tf_static, and applied_correction where a machine told of it");
+      "Bag with toolpath, profile, /tf and /tf_static, and applied_correction where a machine reported it");
   subcommand->add_option("-o,--output", arguments->output,
                          "Folder for the report, the figures and the map of each layer");
   subcommand->add_option("--namespace", arguments->space, "Namespace in which the topics were recorded");

@@ -139,7 +139,7 @@ void print(const ReplanArguments& arguments, const PlacedToolpath& planned, cons
     std::printf(
         "start     no homing, the heating of program.start_code alone; the machine must know its position, "
         "and the "
-        "nozzle stand above all that is laid\n");
+        "nozzle stand above all that is deposited\n");
 }
 
 void replan(const ReplanArguments& arguments, OutputFormat format) {

@@ -34,7 +34,7 @@ std::uint64_t lineFrom(const ResumeArguments& arguments, const StreamableProgram
   if (arguments.height_mm) return firstLineAtHeight(program, *arguments.height_mm);
   throw InvalidInput(
       "where to go on is not given; expected --from-line, --from-layer or --from-height (lamina resume "
-      "--port tells what is known)");
+      "--port reports what is known)");
 }
 
 /// What is known of the port's last job, and from where it could be gone on with; nothing is written.

@@ -169,6 +169,18 @@ class DocsLinks(unittest.TestCase):
     def test_code_has_no_links(self):
         self.assertEqual(self.found({"docs/README.md": "```cpp\n[a](b) {}\n```\n`[a](b)`\n"}), [])
 
+    ARCHITECTURE = {"docs/README.md": "[a](architecture.md)\n", "src/core/mesh/repair/hole.cpp": "", "cmake/a.cmake": ""}
+
+    def test_paths_of_the_architecture_may_be_of_the_core_and_without_suffix(self):
+        page = "| Folder | In it |\n|---|---|\n| `mesh` | `repair/`, `Hole`, `lamina slice` |\n\n`mesh/repair/hole`, `cmake/a.cmake`\n"
+        self.assertEqual(self.found({**self.ARCHITECTURE, "docs/architecture.md": page}), [])
+
+    def test_a_path_of_the_architecture_that_is_not_there_is_named_with_its_line(self):
+        for page, path in (("\n| Folder | In it |\n| `mesh` | `report/` |\n", "mesh/report"), ("\n\n`mesh/repair/edge`\n", "mesh/repair/edge"),
+                           ("\n| Folder | In it |\n| `voids` | gaps |\n", "voids")):
+            found = self.found({**self.ARCHITECTURE, "docs/architecture.md": page})
+            self.assertEqual(found, [f"docs/architecture.md:3: names {path}, which is not there"])
+
 
 class References(unittest.TestCase):
     def found(self, files):

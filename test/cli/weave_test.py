@@ -36,7 +36,7 @@ class Weaves(unittest.TestCase):
         return self.path(name)
 
     def leans(self, program, machine):
-        """How far the jet leans from straight down where it lays a bead, over the time of the program [deg]."""
+        """How far the tool axis leans from straight down where it lays a bead, over the time of the program [deg]."""
         table = self.path("nozzle.csv")
         told("check", program, "--machine", machine, "--trajectory", table, "--rate-hz", "50")
         with open(table, newline="", encoding="utf-8") as file:

@@ -43,7 +43,7 @@ TEST(CellAtlas, MeasuresHeightsExactlyAtCrowns) {
       const double error = random.uniform(-0.3, 0.3);
       const PointSights sights = atlas.look(measured.place(bead, random.uniform(0.01, 0.99), 0.0, error));
       ASSERT_TRUE(sights.newest) << measured.name;
-      EXPECT_FALSE(sights.beneath);
+      EXPECT_FALSE(sights.below);
       ASSERT_NEAR(sights.newest->error_mm, error, 1e-6) << measured.name;
       ASSERT_NEAR(sights.newest->across_mm, 0.0, 1e-3) << measured.name;
     }
@@ -141,13 +141,13 @@ TEST(CellAtlas, TakesTheNewestLaidCellAndTheOneBeneath) {
   PointSights sights = atlas.look(point);
   EXPECT_EQ(sights.newest->layer, 2U);
   EXPECT_NEAR(sights.newest->error_mm, 1.0, 1e-12);
-  EXPECT_EQ(sights.beneath->layer, 1U);
-  atlas.setLaid(2, 10);
+  EXPECT_EQ(sights.below->layer, 1U);
+  atlas.setDeposited(2, 10);
   EXPECT_EQ(atlas.look(point).newest->layer, 1U) << "the nozzle has not come so far";
   EXPECT_EQ(atlas.look({4.9, 0.0, 3.5}).newest->layer, 2U);
   atlas.forgetBelow(2);
   EXPECT_FALSE(atlas.look(point).newest);
-  EXPECT_FALSE(atlas.look({4.9, 0.0, 3.5}).beneath);
+  EXPECT_FALSE(atlas.look({4.9, 0.0, 3.5}).below);
 }
 
 TEST(CellAtlas, PutsALayerInPlaceOfOneOfTheSameNumber) {

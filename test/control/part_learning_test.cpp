@@ -31,7 +31,7 @@ LayerCells wallCells(std::size_t layer) {
 }
 
 struct LaidPart {
-  std::vector<LaidLayer> layers;
+  std::vector<DepositedLayer> layers;
   double rmse_mm = 0.0;  ///< of the heights of all layers
 };
 
@@ -47,7 +47,7 @@ LaidPart laidPart(const PartMap& map, int seed) {
   double squares = 0.0;
   double count = 0.0;
   for (std::size_t k = 0; k < kLayerCount; ++k) {
-    LaidLayer layer{wallCells(k), {}, {}};
+    DepositedLayer layer{wallCells(k), {}, {}};
     const std::size_t cells = layer.cells.size();
     layer.amount = map.parts > 0 ? map.amount[k] : std::vector<double>(cells, 0.0);
     if (k == 0) heights.assign(cells, 0.0);
@@ -87,8 +87,8 @@ TEST(PartLearning, GetsBetterFromPartToPart) {
 }
 
 /// Cells that grow by a share of what they are told, over errors that the loop mends meanwhile.
-LaidLayer evenLayer(double gain, double amount) {
-  LaidLayer layer{wallCells(0), {}, {}};
+DepositedLayer evenLayer(double gain, double amount) {
+  DepositedLayer layer{wallCells(0), {}, {}};
   layer.amount.assign(layer.cells.size(), amount);
   layer.growth_error_mm.assign(layer.cells.size(), kLearntLayer * (1.0 - gain * (1.0 + amount)));
   return layer;
@@ -109,7 +109,7 @@ TEST(PartLearning, LearnsWhatMakesACellGrowAsPlanned) {
 
 TEST(PartLearning, LearnsNothingOfCellsThatWereNotSeen) {
   const PartMap first = learntFromPart({}, kPart, {evenLayer(0.9, 0.0)}, PartEnd::Complete, LoopSettings());
-  LaidLayer unseen = evenLayer(1.0, 0.1);
+  DepositedLayer unseen = evenLayer(1.0, 0.1);
   unseen.growth_error_mm.assign(unseen.cells.size(), std::numeric_limits<double>::quiet_NaN());
   const PartMap second = learntFromPart(first, kPart, {unseen}, PartEnd::Complete, LoopSettings());
   EXPECT_EQ(second.amount, first.amount);
@@ -152,7 +152,7 @@ TEST(PartLearning, RefusesAMapOfAnotherMachine) {
   other.machine = "irb_4600";
   EXPECT_EQ(differenceOf(kPart, other), "machine 'irb_4600' instead of 'gantry_45'");
   EXPECT_THROW(learntFromPart(map, other, part.layers, PartEnd::Complete, LoopSettings()), InvalidInput);
-  std::vector<LaidLayer> fewer(part.layers.begin(), part.layers.end() - 1);
+  std::vector<DepositedLayer> fewer(part.layers.begin(), part.layers.end() - 1);
   EXPECT_THROW(learntFromPart(map, kPart, fewer, PartEnd::Complete, LoopSettings()), InvalidInput);
   EXPECT_EQ(differenceOf(kPart, kPart), "");
 }

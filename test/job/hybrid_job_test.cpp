@@ -54,15 +54,15 @@ TEST_P(ConvexPart, NeedsOneRepositionALayerAndOneBetweenLayers) {
 
 INSTANTIATE_TEST_SUITE_P(Parts, ConvexPart,
                          testing::Combine(testing::Values("box", "cylinder", "sphere"),
-                                          testing::Values(HybridLines::Fitted, HybridLines::Documented)),
+                                          testing::Values(HybridLines::Fitted, HybridLines::Metal)),
                          [](const testing::TestParamInfo<ConvexPart::ParamType>& part) {
                            return std::get<0>(part.param) +
-                                  (std::get<1>(part.param) == HybridLines::Fitted ? "Fitted" : "Documented");
+                                  (std::get<1>(part.param) == HybridLines::Fitted ? "Fitted" : "Metal");
                          });
 
 /// [Flores2018, figure 48]
 TEST(HybridJob, TurnsItsRasterBetweenLayersByARightAngle) {
-  const SlicedPart result = sliced(metalJob("box", HybridLines::Documented));
+  const SlicedPart result = sliced(metalJob("box", HybridLines::Metal));
   std::vector<Point3> along;
   for (const std::size_t layer : {0U, 1U}) {
     const auto& paths = result.toolpath.layers[layer].paths;

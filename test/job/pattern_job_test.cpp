@@ -66,7 +66,7 @@ TEST(PatternJob, TellsHowMuchLiesOnItselfWhereLinesCross) {
   job.settings.planning.infill.density = 0.2;
   const std::vector<std::string> notes = slicedBlock(job).summary.notes;
   ASSERT_EQ(notes.size(), 1U);
-  EXPECT_EQ(notes.front(), "lines of infill 'grid' cross: 5.0 % of its volume is laid twice");
+  EXPECT_EQ(notes.front(), "lines of infill 'grid' cross: 5.0 % of its volume is deposited twice");
   for (const char* strategy : {"gyroid", "zigzag"}) {
     job.settings.planning.infill.strategy = strategy;
     EXPECT_TRUE(slicedBlock(job).summary.notes.empty()) << strategy;

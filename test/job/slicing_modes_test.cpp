@@ -266,8 +266,9 @@ TEST_F(SlicingModes, SettingsThatDoNotGoTogetherAreRefused) {
 TEST_F(SlicingModes, ShellsThatBeginInTheAirAreReported) {
   usePart("sphere", {{"radius_mm", "7"}, {"segments", "32"}});
   const auto isTold = [](const SliceSummary& summary) {
-    return std::any_of(summary.notes.begin(), summary.notes.end(),
-                       [](const std::string& note) { return note.find("laid on air") != std::string::npos; });
+    return std::any_of(summary.notes.begin(), summary.notes.end(), [](const std::string& note) {
+      return note.find("deposited on air") != std::string::npos;
+    });
   };
   EXPECT_TRUE(isTold(slice("curved").summary));
   useDome();

@@ -12,27 +12,28 @@ namespace {
 using namespace test;
 
 std::vector<Point2> projectionOf(const Mesh& mesh) {
-  std::vector<Point2> plan;
-  for (const Point3& vertex : mesh.vertices) plan.emplace_back(vertex.head<2>());
-  return plan;
+  std::vector<Point2> parameterization;
+  for (const Point3& vertex : mesh.vertices) parameterization.emplace_back(vertex.head<2>());
+  return parameterization;
 }
 
 TEST(Arap, AnExactPlanHasNoEnergyAndStays) {
   const Mesh plate = plateMesh(20, 10, 20.0, 10.0);
   const ArapEnergy energy(plate);
-  const std::vector<Point2> plan = projectionOf(plate);
-  EXPECT_NEAR(energy.pullOn(plan).energy, 0.0, 1e-20);
-  const std::vector<Point2> relaxed = relaxArap(energy, plan);
-  for (std::size_t i = 0; i < plan.size(); ++i) EXPECT_LT((relaxed[i] - plan[i]).norm(), 1e-9);
+  const std::vector<Point2> parameterization = projectionOf(plate);
+  EXPECT_NEAR(energy.pullOn(parameterization).energy, 0.0, 1e-20);
+  const std::vector<Point2> relaxed = relaxArap(energy, parameterization);
+  for (std::size_t i = 0; i < parameterization.size(); ++i)
+    EXPECT_LT((relaxed[i] - parameterization[i]).norm(), 1e-9);
 }
 
 // Twice as long in both directions, every side is off by its own length: with the cotangents of the angles
 // across them, the squares of a triangle's sides sum to four times its area.
 TEST(Arap, TheEnergyOfAMagnifiedPlanIsFourTimesTheArea) {
   const Mesh plate = plateMesh(20, 10, 20.0, 10.0);
-  std::vector<Point2> plan = projectionOf(plate);
-  for (Point2& place : plan) place *= 2.0;
-  EXPECT_NEAR(ArapEnergy(plate).pullOn(plan).energy, 800.0, 1e-9);
+  std::vector<Point2> parameterization = projectionOf(plate);
+  for (Point2& place : parameterization) place *= 2.0;
+  EXPECT_NEAR(ArapEnergy(plate).pullOn(parameterization).energy, 800.0, 1e-9);
 }
 
 TEST(Arap, CoarseStepsComeNearTheLeastEnergy) {

@@ -18,11 +18,12 @@ using test::halfCylinder;
 using test::levelChart;
 using test::polarCap;
 
-/// A point of a triangle in the plan by weights.
+/// A point of a triangle in the parameter plane by weights.
 Point2 planAt(const LayerChart& chart, const ChartPlace& place) {
   const Triangle& triangle = chart.surface.middle.triangles[place.in.triangle];
-  return place.weights[0] * chart.plan[triangle[0]] + place.weights[1] * chart.plan[triangle[1]] +
-         place.weights[2] * chart.plan[triangle[2]];
+  return place.weights[0] * chart.parameterization[triangle[0]] +
+         place.weights[1] * chart.parameterization[triangle[1]] +
+         place.weights[2] * chart.parameterization[triangle[2]];
 }
 
 ChartPlace randomPlace(const LayerChart& chart, Random& random) {
@@ -59,7 +60,7 @@ TEST(ChartLookup, BringsEachVertexBackWithItsQuantities) {
   const LayerSurface& surface = charts[0].surface;
   const ChartLookup lookup(charts);
   for (std::size_t i = 0; i < surface.tip.size(); ++i) {
-    const SurfacePoint found = lookup.lifted(lookup.at(charts[0].plan[i]));
+    const SurfacePoint found = lookup.lifted(lookup.at(charts[0].parameterization[i]));
     EXPECT_NEAR((found.middle - surface.middle.vertices[i]).norm(), 0.0, 1e-9);
     EXPECT_NEAR((found.tip - surface.tip[i]).norm(), 0.0, 1e-9);
     EXPECT_NEAR((found.normal - surface.normal[i]).norm(), 0.0, 1e-9);
@@ -145,7 +146,7 @@ TEST(ChartLookup, DoesNotFollowALineThatLeavesItsChart) {
   EXPECT_EQ(lookup.at({15.0, 5.0}).in.chart, 1U);
 }
 
-TEST(ChartLookup, ReportsAreasInSpaceByThoseOfThePlan) {
+TEST(ChartLookup, ReportsAreasInSpaceByThoseOfTheParameterPlane) {
   std::vector<LayerChart> charts = {levelChart(10.0, 1)};
   for (Point3& vertex : charts[0].surface.middle.vertices) vertex.z() = vertex.x();
   EXPECT_NEAR(ChartLookup(charts).areaRatio({0, 0}), std::sqrt(2.0), 1e-12);
@@ -154,7 +155,7 @@ TEST(ChartLookup, ReportsAreasInSpaceByThoseOfThePlan) {
 TEST(ChartLookup, RefusesChartsThatAreNotWhole) {
   EXPECT_THROW(ChartLookup(std::vector<LayerChart>()), InvalidInput);
   std::vector<LayerChart> charts = {levelChart(10.0, 1)};
-  charts[0].plan.pop_back();
+  charts[0].parameterization.pop_back();
   EXPECT_THROW(ChartLookup{charts}, InvalidInput);
 }
 

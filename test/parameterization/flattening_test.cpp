@@ -78,10 +78,11 @@ TEST(Flattening, StressIsLessened) {
   const Mesh bump = capMesh(24, 8, 10.0, 0.8);
   const GeodesicDistances geodesics(bump);
   const Landmarks landmarks = spreadLandmarks(geodesics, bump.vertices.size(), 12);
-  const std::vector<Point2> plan = landmarkMds(landmarks);
-  const double before = stressOf(plan, geodesics.fans(), landmarks);
-  EXPECT_LT(stressOf(lessenStress(plan, geodesics.fans(), landmarks), geodesics.fans(), landmarks),
-            0.9 * before);
+  const std::vector<Point2> parameterization = landmarkMds(landmarks);
+  const double before = stressOf(parameterization, geodesics.fans(), landmarks);
+  EXPECT_LT(
+      stressOf(lessenStress(parameterization, geodesics.fans(), landmarks), geodesics.fans(), landmarks),
+      0.9 * before);
 }
 
 TEST(Flattening, NothingGivesNothing) { EXPECT_TRUE(flatten({}, {}).empty()); }

@@ -37,8 +37,8 @@ double planAreaOf(const std::vector<LayerChart>& charts) {
 /// What every chart promises.
 bool keepPromises(const std::vector<LayerChart>& charts, double tolerance) {
   for (const LayerChart& chart : charts) {
-    const Distortion distortion = measureDistortion(chart.surface.middle, chart.plan);
-    if (distortion.flipped > 0 || !isInjective(chart.surface.middle, chart.plan)) return false;
+    const Distortion distortion = measureDistortion(chart.surface.middle, chart.parameterization);
+    if (distortion.flipped > 0 || !isInjective(chart.surface.middle, chart.parameterization)) return false;
     if (distortion.least_stretch < 1.0 - tolerance || distortion.greatest_stretch > 1.0 + tolerance)
       return false;
   }
@@ -48,35 +48,35 @@ bool keepPromises(const std::vector<LayerChart>& charts, double tolerance) {
 bool areApart(const std::vector<LayerChart>& charts) {
   for (std::size_t i = 0; i < charts.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
-      const Box2 a = boundingBox(std::vector<Polygon>{charts[i].plan});
-      const Box2 b = boundingBox(std::vector<Polygon>{charts[j].plan});
+      const Box2 a = boundingBox(std::vector<Polygon>{charts[i].parameterization});
+      const Box2 b = boundingBox(std::vector<Polygon>{charts[j].parameterization});
       if ((a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all()) return false;
     }
   return true;
 }
 
-/// Where the plan has the vertex nearest to a place.
+/// Where the parameterization has the vertex nearest to a place.
 Point2 layerChartsPlanAt(const LayerChart& chart, const Point3& place) {
   std::size_t nearest = 0;
   const std::vector<Point3>& vertices = chart.surface.middle.vertices;
   for (std::size_t i = 0; i < vertices.size(); ++i)
     if ((vertices[i] - place).norm() < (vertices[nearest] - place).norm()) nearest = i;
-  return chart.plan[nearest];
+  return chart.parameterization[nearest];
 }
 
-/// In the plan, from where one place lies to where another one does.
+/// In the parameterization, from where one place lies to where another one does.
 Point2 between(const LayerChart& chart, const Point3& from, const Point3& to) {
   return layerChartsPlanAt(chart, to) - layerChartsPlanAt(chart, from);
 }
 
-TEST(LayerCharts, ALevelLayerIsItsOwnPlan) {
+TEST(LayerCharts, ALevelLayerIsItsOwnParameterization) {
   const LayerSurface layer =
       layerOf(patch(7, 5, [](double u, double v) { return Point3(7.0 * u + 3.0, 5.0 * v, 2.0); }));
   const std::vector<LayerChart> charts = layerCharts(layer, {});
   ASSERT_EQ(charts.size(), 1U);
-  ASSERT_EQ(charts[0].plan.size(), 48U);
+  ASSERT_EQ(charts[0].parameterization.size(), 48U);
   for (std::size_t i = 0; i < 48; ++i)
-    EXPECT_LT((charts[0].plan[i] - charts[0].surface.middle.vertices[i].head<2>()).norm(), 1e-12);
+    EXPECT_LT((charts[0].parameterization[i] - charts[0].surface.middle.vertices[i].head<2>()).norm(), 1e-12);
 }
 
 TEST(LayerCharts, AnInclinedPlaneKeepsItsShapeAndDirection) {
@@ -94,7 +94,7 @@ TEST(LayerCharts, AHalfCylinderStaysWholeAndInPlace) {
   const std::vector<LayerChart> charts = layerCharts(layer, {});
   ASSERT_EQ(charts.size(), 1U);
   EXPECT_TRUE(keepPromises(charts, 0.01));
-  const Box2 box = boundingBox(std::vector<Polygon>{charts[0].plan});
+  const Box2 box = boundingBox(std::vector<Polygon>{charts[0].parameterization});
   EXPECT_NEAR(box.low.x(), -5.0 * M_PI, 0.05);
   EXPECT_NEAR(box.high.x(), 5.0 * M_PI, 0.05);
   EXPECT_NEAR(box.low.y(), 0.0, 0.05);
@@ -102,7 +102,7 @@ TEST(LayerCharts, AHalfCylinderStaysWholeAndInPlace) {
 }
 
 TEST(LayerCharts, AVerticalWallStandsUpright) {
-  // In the plane y = 0, seen from -y: its plan keeps x.
+  // In the plane y = 0, seen from -y: its parameterization keeps x.
   const LayerSurface layer =
       layerOf(patch(10, 4, [](double u, double v) { return Point3(10.0 * u, 0.0, 4.0 * v); }));
   const std::vector<LayerChart> charts = layerCharts(layer, {});
@@ -128,8 +128,8 @@ TEST(LayerCharts, LevelIslandsStayInTheirHoles) {
   const std::vector<LayerChart> charts = layerCharts(whereNotNegative(layer, field), {});
   ASSERT_EQ(charts.size(), 2U);
   for (const LayerChart& chart : charts)
-    for (std::size_t i = 0; i < chart.plan.size(); ++i)
-      EXPECT_LT((chart.plan[i] - chart.surface.middle.vertices[i].head<2>()).norm(), 1e-9);
+    for (std::size_t i = 0; i < chart.parameterization.size(); ++i)
+      EXPECT_LT((chart.parameterization[i] - chart.surface.middle.vertices[i].head<2>()).norm(), 1e-9);
 }
 
 TEST(LayerCharts, ATubeIsCutIntoHalvesThatUnroll) {
@@ -220,7 +220,8 @@ TEST(LayerCharts, HalvesShareTheirBorderExactly) {
   EXPECT_GT(charts.size(), 1U);
   for (const LayerChart& chart : charts) {
     LayerChart in_space = chart;
-    for (std::size_t i = 0; i < chart.plan.size(); ++i) in_space.plan[i] = {static_cast<double>(i), 0.0};
+    for (std::size_t i = 0; i < chart.parameterization.size(); ++i)
+      in_space.parameterization[i] = {static_cast<double>(i), 0.0};
     for (const Polygon& border : outlineOf(in_space))
       for (const Point2& number : border) {
         const Point3& vertex = chart.surface.middle.vertices[static_cast<std::size_t>(number.x())];

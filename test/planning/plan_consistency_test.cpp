@@ -72,14 +72,15 @@ TEST(VaseConsistency, RefusesWhatAVaseDoesNotFollow) {
         << assignment;
 }
 
-TEST(HybridConsistency, RefusesWhatTheDocumentedLinesDoNotFollow) {
-  const std::string documented = "hybrid.lines=documented";
-  EXPECT_EQ(refusalOf("hybrid", {documented}), "");
+TEST(HybridConsistency, RefusesWhatLinesForMetalDoNotFollow) {
+  const std::string metal = "hybrid.lines=metal";
+  EXPECT_EQ(refusalOf("hybrid", {metal}), "");
   EXPECT_EQ(refusalOf("hybrid", {"raster.direction=fewest_turns"}), "");
-  EXPECT_NE(refusalOf("hybrid", {documented, "raster.direction=fewest_turns"}).find("raster.direction"),
+  EXPECT_NE(refusalOf("hybrid", {metal, "raster.direction=fewest_turns"}).find("raster.direction"),
             std::string::npos);
-  const std::string refusal =
-      refusalOf("hybrid", {documented, "hybrid.add_above=1", "hybrid.delete_below=5"});
+  // Their name in the release before.
+  EXPECT_NE(refusalOf("hybrid", {"hybrid.lines=documented", "raster.direction=fewest_turns"}), "");
+  const std::string refusal = refusalOf("hybrid", {metal, "hybrid.add_above=1", "hybrid.delete_below=5"});
   EXPECT_NE(refusal.find("hybrid.add_above is 1 spacings"), std::string::npos) << refusal;
 }
 

@@ -93,7 +93,7 @@ class ByJoints(unittest.TestCase):
             process.take(report(seq, seq, 1e-9))
         self.assertAlmostEqual(process.laid, 10e-9)
         self.assertEqual(process.fault(10e-9), "")
-        self.assertRegex(process.fault(12e-9), "laid 10 mm3; expected 12 mm3")
+        self.assertRegex(process.fault(12e-9), "deposited 10 mm3; expected 12 mm3")
 
     def test_reports_that_are_lost_are_counted(self, *_):
         process = tool("print_by_joints").Process()

@@ -21,15 +21,16 @@ inline void addGrid(Mesh& mesh, std::uint32_t columns, std::uint32_t rows) {
     }
 }
 
-inline void addVertex(LayerChart& chart, const Point3& middle, const Point3& normal, const Point2& plan) {
+inline void addVertex(LayerChart& chart, const Point3& middle, const Point3& normal,
+                      const Point2& parameters) {
   chart.surface.middle.vertices.push_back(middle);
   chart.surface.normal.push_back(normal);
   chart.surface.tip.emplace_back(middle + 0.5 * kChartHeight * normal);
   chart.surface.height_mm.push_back(kChartHeight);
-  chart.plan.push_back(plan);
+  chart.parameterization.push_back(parameters);
 }
 
-/// A square of that side from the origin at z = 0, of cells x cells squares; its plan is itself.
+/// A square of that side from the origin at z = 0, of cells x cells squares; its parameterization is itself.
 inline LayerChart levelChart(double side, std::uint32_t cells) {
   LayerChart chart;
   for (std::uint32_t j = 0; j <= cells; ++j)
@@ -86,7 +87,7 @@ inline LayerChart moved(LayerChart chart, const Point2& by) {
   const Point3 in_space(by.x(), by.y(), 0.0);
   for (Point3& vertex : chart.surface.middle.vertices) vertex += in_space;
   for (Point3& tip : chart.surface.tip) tip += in_space;
-  for (Point2& point : chart.plan) point += by;
+  for (Point2& point : chart.parameterization) point += by;
   return chart;
 }
 

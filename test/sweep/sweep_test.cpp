@@ -35,7 +35,7 @@ TEST(Sweep, LoopIsTwoSections) {
 TEST(Sweep, LoopIsOneWholeOrFourLines) {
   const std::vector<Sweep> whole = sweepsOf(loop(), with(CornerStrategy::Whole));
   ASSERT_EQ(whole.size(), 1U);
-  EXPECT_TRUE(whole[0].is_ring);
+  EXPECT_TRUE(whole[0].is_loop);
   EXPECT_EQ(sweepsOf(loop(), with(CornerStrategy::Lines)).size(), 4U);
   EXPECT_NEAR(sweptVolume(whole), totals(loop()).deposited_mm3, 1e-9);
 }

@@ -12,7 +12,7 @@ namespace lamina {
 /// A file that appears under its name whole or not at all: it is written beside it under a temporary name
 /// that nobody can guess, and renamed by `commit`. Destroyed without `commit`, it leaves nothing behind and
 /// an existing file untouched. A link of one's own, or of root, stays one: what it names is replaced.
-/// Another's link is replaced itself, for somebody may have laid it to a file of ours.
+/// Another's link is replaced itself, for somebody may have led it to a file of ours.
 class AtomicFile {
  public:
   /// @throws FileError if the folder cannot be written to

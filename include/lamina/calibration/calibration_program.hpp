@@ -21,13 +21,13 @@ struct CalibrationBead {
 };
 
 /// The beads of a cross in a square: the four sides, the arm along x, and the arm along y in two halves that
-/// stay clear of it, so that nothing is laid twice.
+/// stay clear of it, so that nothing is deposited twice.
 std::vector<CalibrationBead> crossBeads(const CalibrationSettings& settings);
 
 /// Where the feeder's amount is stepped along its beads.
 struct FeederSteps {
   std::vector<CalibrationBead> beads;  ///< along y, there and back
-  std::vector<double> amount;  ///< relative, of each piece in the order in which it is laid, the same of both
+  std::vector<double> amount;  ///< relative, of each piece in the order of deposition, the same of both
 };
 FeederSteps feederSteps(const CalibrationSettings& settings);
 

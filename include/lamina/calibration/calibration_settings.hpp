@@ -6,8 +6,8 @@
 
 namespace lamina {
 
-/// What is laid, moved and scanned to calibrate a cell, and how it is evaluated: the same for the program
-/// that is run and for its recording.
+/// What is deposited, moved and scanned to calibrate a cell, and how it is evaluated: the same for the
+/// program that is run and for its recording.
 struct CalibrationSettings {
   double x_mm = 100.0;  ///< middle of it all on the bed
   double y_mm = 100.0;
@@ -21,7 +21,7 @@ struct CalibrationSettings {
   double scan_mm_s = 20.0;
   double lift_mm = 10.0;    ///< scans of a cross are repeated that much higher, so that tilts show; 0: not
   double swath_mm = 28.0;   ///< length of the sensor's line
-  double square_mm = 40.0;  ///< side of the square that is laid around the cross
+  double square_mm = 40.0;  ///< side of the square that is deposited around the cross
   double bead_width_mm = 0.8;
   double bead_height_mm = 0.3;
   double bead_mm_s = 20.0;

@@ -39,9 +39,9 @@ std::vector<BeadSections> beadSections(const SensorRecording& scan,
                                        const Eigen::Isometry3d& nozzle_from_sensor, double time_offset_s,
                                        const FeederSteps& steps);
 
-/// Fits dead time, lag, gain and shift to sections of beads that were laid at one speed. Beads in opposite
-/// directions tell the dead time from a shift of the scan.
-/// @param speed_mm_s  at which they were laid
+/// Fits dead time, lag, gain and shift to sections of beads that were deposited at one speed. Beads in
+/// opposite directions tell the dead time from a shift of the scan.
+/// @param speed_mm_s  at which they were deposited
 /// @throws InvalidInput if one of two beads has fewer than 20 sections, sections do not follow the steps, or
 ///   the dead time is longer than a step takes
 FeederFit fitFeeder(const FeederSteps& steps, const std::vector<BeadSections>& beads, double speed_mm_s);

@@ -30,7 +30,7 @@ struct PyramidTarget {
   bool is_top_known = false;    ///< its z, as touched by the nozzle
 };
 
-/// Beads laid as a cross in a square (`crossBeads`) on the bed at height 0.
+/// Beads deposited as a cross in a square (`crossBeads`) on the bed at height 0.
 struct CrossTarget {
   std::vector<CalibrationBead> beads;
   double bead_width_mm = 0.8;

@@ -23,21 +23,21 @@ struct CellSight {
   double error_mm = 0.0;  ///< planned less measured height along the growth direction: positive is too low
 };
 
-/// The cells of laid beads on which a point may lie.
+/// The cells of deposited beads on which a point may lie.
 struct PointSights {
-  std::optional<CellSight> newest;   ///< of the newest layer that has a cell there
-  std::optional<CellSight> beneath;  ///< of the next layer below that has a cell there
+  std::optional<CellSight> newest;  ///< of the newest layer that has a cell there
+  std::optional<CellSight> below;   ///< of the next layer below that has a cell there
 };
 
-/// Finds the cell of the laid layers on which a point lies [mm, frame of the toolpath], for layers of any
-/// shape.
+/// Finds the cell of the deposited layers on which a point lies [mm, frame of the toolpath], for layers of
+/// any shape.
 ///
 /// A point lies on a cell if it is away from the cell's middle by at most half the cell's length along the
 /// path, half the bead's width across it, and `window_layers` planned heights from the planned top along the
 /// growth direction. Length and width count a fiftieth more, since beads fan out above a crest; the length up
 /// to half as much again along the outside of bends, where cells gape. Among neighbouring cells of one bead
 /// the nearest along the path is taken, among several beads the one whose middle is nearest in bead widths,
-/// among equals the one laid first. The order in which points are looked up changes nothing.
+/// among equals the one deposited first. The order in which points are looked up changes nothing.
 ///
 /// The cost of a look-up does not depend on the number of cells. A layer that lies along a plane is indexed
 /// by squares of that plane, any other by cubes.
@@ -50,13 +50,13 @@ class CellAtlas {
   CellAtlas& operator=(CellAtlas&&) noexcept;
   ~CellAtlas();
 
-  /// Adds a layer with all its cells laid, in place of one of the same number.
+  /// Adds a layer with all its cells deposited, in place of one of the same number.
   /// @throws InvalidInput if the pointer is null
   void add(std::shared_ptr<const LayerCells> cells);
 
-  /// States that only the first `cells` cells of a layer are laid (`cellsPassed`). Without effect if the
+  /// States that only the first `cells` cells of a layer are deposited (`cellsPassed`). Without effect if the
   /// layer is not in the atlas.
-  void setLaid(std::size_t layer, std::size_t cells);
+  void setDeposited(std::size_t layer, std::size_t cells);
 
   /// Removes all layers below `layer`: in a scan pass only the scanned layer counts.
   void forgetBelow(std::size_t layer);
@@ -68,7 +68,7 @@ class CellAtlas {
   /// The same for many points, in a fraction of the time that single calls take.
   std::vector<std::optional<CellSight>> newestAt(const std::vector<Point3>& points) const;
   /// The cell at that point of the next layer below `layer` that has one there.
-  std::optional<CellSight> beneathAt(const Point3& point, std::size_t layer) const;
+  std::optional<CellSight> belowAt(const Point3& point, std::size_t layer) const;
 
   /// The cells of a layer; null if it is not in the atlas.
   std::shared_ptr<const LayerCells> cellsOf(std::size_t layer) const;

@@ -10,9 +10,9 @@
 namespace lamina {
 
 /// The growth of a cell that one layer is to bring.
-struct LaidGrowth {
+struct DepositedGrowth {
   double planned_mm = 0.0;     ///< planned height of the layer there
-  double correction = 0.0;     ///< relative change of the amount laid
+  double correction = 0.0;     ///< relative change of the amount deposited
   double nozzle_error_mm = 0;  ///< planned less actual height of the nozzle; pressed processes only
 };
 
@@ -84,10 +84,11 @@ class CellEstimate {
 
   /// Predicts the error after a layer of a free process: it changes by the planned less the expected growth.
   /// @param spread  relative standard deviation of growth
-  void lay(const LaidGrowth& growth, double spread);
+  void lay(const DepositedGrowth& growth, double spread);
   /// Predicts the error after a layer of a pressed process: it is that of the nozzle's plane.
-  void press(const LaidGrowth& growth, double spread);
-  /// Amends the last `lay`: the layer of height `planned_mm` was laid with `correction`, not with `told`.
+  void press(const DepositedGrowth& growth, double spread);
+  /// Amends the last `lay`: the layer of height `planned_mm` was deposited with `correction`, not with
+  /// `told`.
   void relay(double planned_mm, double told, double correction);
 
   /// Takes over a new plan, which is higher by `raised_mm` at this cell and lays `flow` times the volume.
@@ -101,7 +102,7 @@ class CellEstimate {
   void believe();
   /// The contested error [mm], if there is one.
   std::optional<double> contested() const;
-  /// Whether a reading was used since the last layer was laid.
+  /// Whether a reading was used since the last layer was deposited.
   bool isSeen() const { return (flags_ & kSeen) != 0; }
   /// Whether the height derives from a reading or a known surface, and is not a guess.
   bool isKnown() const { return (flags_ & kKnown) != 0; }

@@ -14,7 +14,7 @@ namespace lamina {
 
 /// The correction at a point of a path.
 struct PlaceCorrection {
-  double amount = 0.0;  ///< relative change of the volume laid per length
+  double amount = 0.0;  ///< relative change of the volume deposited per length
   double speed = 0.0;   ///< relative change of the travel speed
   /// Shift of the nozzle along the layer's normal in G-code, against the tool axis of a robot.
   double dz_mm = 0.0;
@@ -31,7 +31,7 @@ struct PathCorrection {
   std::vector<PlaceCorrection> stations;
 };
 
-/// The corrections of one layer of a toolpath. Paths without an entry are laid as planned.
+/// The corrections of one layer of a toolpath. Paths without an entry are deposited as planned.
 struct CorrectionMap {
   std::string toolpath_id;
   std::size_t layer = 0;

@@ -23,7 +23,7 @@ struct LayerFigures {
   double coverage = 0.0;         ///< share of cells seen
   bool is_measured = false;      ///< coverage is at least `min_coverage`
   double contested_share = 0.0;  ///< of the cells read, those contested and not believed
-  double limited_share = 0.0;    ///< of the length, where the correction laid was limited
+  double limited_share = 0.0;    ///< of the length, where the correction deposited was limited
   double deviating_share = 0.0;  ///< of cells off by more than `alarm_layers` heights
   double gain_mean = 1.0;
   double gain_least = 1.0;
@@ -75,13 +75,13 @@ class HeightLoop {
   /// process by the gain learnt, of any other none. The first layers get none.
   LayerCorrection correction(LoopState state) const;
 
-  /// States the correction that the layer is laid with.
+  /// States the correction that the layer is deposited with.
   /// @throws InvalidInput if there is not one value per cell
   void lay(const LayerCorrection& correction);
   /// The same with the distance of the nozzle below the plan at each cell [mm], which is the height error of
   /// a pressed process.
   void lay(const LayerCorrection& correction, const std::vector<double>& nozzle_error_mm);
-  /// States that the layer was laid with another correction than `lay` was told.
+  /// States that the layer was deposited with another correction than `lay` was told.
   /// @throws InvalidInput if there is not one value per cell
   void relay(const LayerCorrection& correction);
 
@@ -106,7 +106,7 @@ class HeightLoop {
   /// Restores the state after the layer of these cells. The next `beginLayer` is that of the layer above.
   /// @throws InvalidInput if the state is that of another number of cells
   void resume(LayerCells cells, const StoredHeights& stored) { resume(std::move(cells), stored, {}); }
-  /// The same for a layer that was laid with amounts learnt from previous parts.
+  /// The same for a layer that was deposited with amounts learnt from previous parts.
   /// @param learnt  relative amounts, one per cell or none
   void resume(LayerCells cells, const StoredHeights& stored, std::vector<double> learnt);
 

@@ -78,7 +78,7 @@ std::vector<std::uint32_t> cellsBelow(const LayerCells& layer, const LayerCells&
                                       const Eigen::Vector3d& normal);
 
 /// Number of cells of a layer, counted from its first one, that the nozzle has passed by at least
-/// `settle_mm`. How far it has passed a cell is the length that it has laid since, on later paths too.
+/// `settle_mm`. How far it has passed a cell is the length that it has deposited since, on later paths too.
 /// @param path       on which the nozzle is: number in the layer, travels included
 /// @param along_mm   distance of the nozzle from the start of that path
 /// @param settle_mm  not negative

@@ -10,7 +10,7 @@
 
 namespace lamina {
 
-/// What is known of the cells of a layer before it is laid, one value per cell.
+/// What is known of the cells of a layer before it is deposited, one value per cell.
 struct LayerKnowledge {
   std::vector<double> error_mm;  ///< planned less actual height of the surface below: positive is too low
   std::vector<double> gain;      ///< actual over commanded growth
@@ -41,9 +41,9 @@ LayerCorrection limitedCorrection(const LayerCells& cells, const std::vector<dou
 /// The greatest slope of the amount along a path that the feeder follows at that speed [1/mm].
 double greatestSlope(double feeder_rate_s, double speed_mm_s);
 
-/// The amounts of a layer whose map is replaced while it is laid, one per cell. Cells before `begin` keep the
-/// amounts `from`. From there on the amount goes from that of the cell before to those of `to`, no faster
-/// than the feeder follows, along this run and the ones after it.
+/// The amounts of a layer whose map is replaced while it is deposited, one per cell. Cells before `begin`
+/// keep the amounts `from`. From there on the amount goes from that of the cell before to those of `to`, no
+/// faster than the feeder follows, along this run and the ones after it.
 /// @param from   amounts of the map in force
 /// @param to     amounts of the map that replaces it
 /// @param begin  first cell that the new map may change

@@ -10,7 +10,7 @@ namespace lamina {
 
 /// What determines the height of a bead's top.
 enum class LoopProcess : std::uint8_t {
-  Free,    ///< volume per length: wire, powder, paste laid from above; errors of layers add up
+  Free,    ///< volume per length: wire, powder, paste deposited from above; errors of layers add up
   Pressed  ///< the plane of the nozzle: filament, pellets; errors do not carry over to the next layer
 };
 
@@ -35,12 +35,12 @@ enum class LossOfSight : std::uint8_t { Hold, Open };
 /// What is done about a low-pass that is too narrow for stability.
 enum class NarrowLowPass : std::uint8_t { Refused, Raised };
 
-/// Settings of the loop, which corrects what is laid next by what was measured.
+/// Settings of the loop, which corrects what is deposited next by what was measured.
 struct LoopSettings {
   LoopProcess process = LoopProcess::Free;
   double gain = 0.5;             ///< share of the height error corrected per layer
   double learning = 0.3;         ///< rate at which the gain of the process is learnt, per layer
-  double least_amount = -0.4;    ///< lower limit of the relative change of the amount laid
+  double least_amount = -0.4;    ///< lower limit of the relative change of the amount deposited
   double greatest_amount = 0.5;  ///< upper limit
   double low_pass_mm = 3.0;      ///< standard deviation of the Gaussian over corrections
   NarrowLowPass narrow_low_pass = NarrowLowPass::Refused;
@@ -75,7 +75,7 @@ void describe(SettingsSchema& schema, LoopSettings& settings);
 /// Adds those of the keys loop.* that state limits and delay of the feeder.
 void describeFeeding(SettingsSchema& schema, LoopSettings& settings);
 
-/// Range of the relative change of the amount laid.
+/// Range of the relative change of the amount deposited.
 inline double amountRange(const LoopSettings& settings) {
   return settings.greatest_amount - settings.least_amount;
 }

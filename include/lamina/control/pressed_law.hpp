@@ -29,7 +29,7 @@ LayerCorrection pressedCorrection(const LayerCells& cells, const SectionKnowledg
 enum class DropDecision { Lay, Leave, LayTwo };
 
 /// Corrects drops by their number, not by their size: a drop is left out where the surface is too high by
-/// half a drop or more, and a second one is laid where it is too low by as much.
+/// half a drop or more, and a second one is deposited where it is too low by as much.
 /// @param error_mm  planned less actual height of the surface below
 /// @param drop_mm   height of a drop
 DropDecision dropDecision(double error_mm, double drop_mm);

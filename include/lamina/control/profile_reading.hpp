@@ -45,7 +45,7 @@ struct PointCounts {
   std::uint64_t not_finite = 0;      ///< or exactly zero, which drivers send in place of a missing point
   std::uint64_t outside_window = 0;  ///< of the sensor
   std::uint64_t spray = 0;           ///< single points off their neighbours
-  std::uint64_t off_path = 0;        ///< on no cell that is laid
+  std::uint64_t off_path = 0;        ///< on no cell that is deposited
   std::uint64_t grazing = 0;         ///< seen at too great an angle
   std::uint64_t beside_crown = 0;    ///< on the flank of a bead
   std::uint64_t mirrored = 0;        ///< returns that agree less than another one of their column
@@ -78,8 +78,8 @@ struct LayerPrediction {
 /// Points are left out, and counted, for these reasons in this order: they lie at the ends of the profile;
 /// they are not finite; they lie outside the sensor's window; they are spray, off the running median of seven
 /// points by more than four standard deviations and 0.3 layer heights, unless three in a row agree; they lie
-/// on no laid cell; they are seen at too great an angle; they lie beside the crown; another return in their
-/// column agrees better with the prediction. Whether a reading agrees with its cell is for
+/// on no deposited cell; they are seen at too great an angle; they lie beside the crown; another return in
+/// their column agrees better with the prediction. Whether a reading agrees with its cell is for
 /// `CellEstimate::see` to decide.
 ///
 /// A point on the crown of the newest layer belongs to that layer if it is within one standard deviation of

@@ -11,9 +11,9 @@
 
 namespace lamina {
 
-/// The layers of a part that are left to lay, and the error of what is laid.
+/// The layers of a part that are left to lay, and the error of what is deposited.
 struct LayersLeft {
-  std::size_t first = 0;  ///< first layer that is not laid
+  std::size_t first = 0;  ///< first layer that is not deposited
   /// Mean of planned less actual height of what lies below that layer: positive is too low.
   double error_mm = 0.0;
 };

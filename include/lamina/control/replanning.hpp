@@ -14,8 +14,8 @@ namespace lamina {
 
 /// A part that is under way, as heights along its growth direction.
 struct PartUnderWay {
-  std::vector<double> heights_left_mm;  ///< planned heights of the layers not laid yet
-  double error_mm = 0.0;                ///< mean of planned less actual height of what is laid
+  std::vector<double> heights_left_mm;  ///< planned heights of the layers not deposited yet
+  double error_mm = 0.0;                ///< mean of planned less actual height of what is deposited
   double growth = 1.0;                  ///< gain learnt, actual over commanded growth
 };
 
@@ -32,8 +32,8 @@ struct NewHeights {
   double flow = 1.0;  ///< factor on the volume of each bead, which makes up for the gain learnt
 };
 
-/// Height error at the top of the part [mm], if the layers left are laid with that growth and the greatest
-/// amount.
+/// Height error at the top of the part [mm], if the layers left are deposited with that growth and the
+/// greatest amount.
 double expectedTopError(const PartUnderWay& part, double greatest_amount);
 
 /// Whether corrections alone are not enough: the mean error is above the height of a layer, or the top would

@@ -44,7 +44,7 @@ double greatestGrowth(const WaveLoop& loop);
 struct LoopCalibration {
   bool has_time_offset = false;      ///< of the sensor
   bool has_sensor_place = false;     ///< relative to the nozzle
-  double speed_mm_s = 0.0;           ///< greatest speed at which corrections are laid
+  double speed_mm_s = 0.0;           ///< greatest speed at which corrections are deposited
   double delay_uncertainty_s = 0.0;  ///< of feeder and sensor
   double place_error_mm = 0.0;       ///< of the calibration
   double bead_width_mm = 0.0;
@@ -52,7 +52,7 @@ struct LoopCalibration {
   double levelling_mm = 0.0;  ///< of the process; 0 if not known
   double standoff = 0.0;      ///< relative loss of growth per layer height that the nozzle is too far away
   double gain_ratio = 1.0;    ///< actual over learnt growth, worst case
-  int lag_layers = 0;         ///< number laid before a measurement can act
+  int lag_layers = 0;         ///< number deposited before a measurement can act
 };
 
 /// Distance of a correction from its place [mm]: speed times uncertainty of delay, plus the place error of

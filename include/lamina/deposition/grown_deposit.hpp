@@ -39,7 +39,7 @@ struct GrownPiece {
 /// A bead has the same height all across its width: where it reaches beyond what it stands on, it bridges the
 /// gap below. Where a bead crosses an earlier one of its own layer, the earlier one grows further.
 ///
-/// A bead is laid only once it has ended, because its ends and the levelling depend on all of it. The
+/// A bead is deposited only once it has ended, because its ends and the levelling depend on all of it. The
 /// feeder's dead time and lag act on the cross-section commanded by machine time; it is kept between beads.
 /// The same motions give the same heights. Cost is proportional to the cells that beads cover.
 class GrownDeposit {
@@ -50,7 +50,7 @@ class GrownDeposit {
   /// A piece without volume or length lays nothing.
   /// @throws InvalidInput if a piece is not finite, or its volume negative
   void lay(const GrownPiece& piece);
-  /// The bead under way is laid as far as it came.
+  /// The bead under way is deposited as far as it came.
   void endBead();
 
   const HeightMap& surface() const { return surface_; }
@@ -77,14 +77,14 @@ class GrownDeposit {
   std::vector<double> arrivedSections(const Stations& stations);
   std::vector<CoveredCell> coveredCells(const Stations& stations, double width_mm) const;
   std::vector<double> groundUnder(const std::vector<CoveredCell>& covered, std::size_t stations) const;
-  bool isOfLayer(std::size_t cell) const { return laid_in_[cell] == layer_ + 1; }
+  bool isOfLayer(std::size_t cell) const { return deposited_in_[cell] == layer_ + 1; }
   void grow(const Stations& stations, const std::vector<double>& sections, double width_mm);
 
   HeightMap surface_;
   GrowthPlant plant_;
   GrownDepositSettings settings_;
   double highest_;
-  std::vector<std::uint32_t> laid_in_;  ///< layer of each cell, from 1; 0 where nothing was laid
+  std::vector<std::uint32_t> deposited_in_;  ///< layer of each cell, from 1; 0 where nothing was deposited
   std::vector<GrownPiece> bead_;
   std::size_t layer_ = 0;
   std::size_t beads_ = 0;           ///< of the layer

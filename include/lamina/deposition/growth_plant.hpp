@@ -41,7 +41,7 @@ void describe(SettingsSchema& schema, PlantSettings& settings);
 /// Whether any of it makes growth other than commanded.
 bool isDisturbed(const PlantSettings& settings);
 
-/// One bead as it is laid; the vectors have one value per cell.
+/// One bead as it is deposited; the vectors have one value per cell.
 struct PlantBead {
   std::size_t layer = 0;   ///< from 0
   std::size_t layers = 1;  ///< of the whole job
@@ -66,8 +66,8 @@ class GrowthPlant {
  public:
   explicit GrowthPlant(PlantSettings settings);
 
-  /// Heights after the bead was laid onto them [mm]. Without disturbances these are exactly the heights, the
-  /// planned ones and the corrections added.
+  /// Heights after the bead was deposited onto them [mm]. Without disturbances these are exactly the heights,
+  /// the planned ones and the corrections added.
   std::vector<double> afterBead(const PlantBead& bead, std::vector<double> heights) const;
 
   /// Growth over commanded growth at a place of a bead: gain, ends, wave, not the random part.

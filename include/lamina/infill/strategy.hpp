@@ -16,10 +16,10 @@
 
 namespace lamina {
 
-/// In which order the lines of a solid zigzag are laid.
+/// In which order the lines of a solid zigzag are deposited.
 enum class LineAdvance {
   Shortest,  ///< for short travels
-  OneSense,  ///< each after its neighbours on one side, so that none is laid between two earlier ones
+  OneSense,  ///< each after its neighbours on one side, so that none is deposited between two earlier ones
 };
 
 /// What a fill strategy is asked for.

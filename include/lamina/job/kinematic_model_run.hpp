@@ -69,7 +69,7 @@ void requireRunnable(const KinematicModelRun& run, const KinematicModel& model);
 struct RunTime {
   double total_s = 0.0;
   double slow_bead_share =
-      0.0;  ///< of the length of beads, laid below 95 % of the feed asked for (`slowBeadShare`)
+      0.0;  ///< of the length of beads, deposited below 95 % of the feed asked for (`slowBeadShare`)
 };
 
 /// A run in time.

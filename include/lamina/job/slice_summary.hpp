@@ -44,8 +44,8 @@ struct SliceSummary {
   SupportTotals supports;
   double raft_mm = 0.0;  ///< by which the part stands above the bed
   double estimated_time_s = 0.0;
-  /// Of the length of beads, laid below 95 % of the feed asked for, within the limits of the joints; negative
-  /// where no joints are led, and the time is that of the tip alone.
+  /// Of the length of beads, deposited below 95 % of the feed asked for, within the limits of the joints;
+  /// negative where no joints are led, and the time is that of the tip alone.
   double slow_bead_share = -1.0;
   std::vector<std::string> repairs;  ///< what was changed on the mesh and where
   double read_s = 0.0;               ///< reading and repairing

@@ -38,7 +38,7 @@ struct LayerRow {
   std::optional<double> gain;      ///< growth over commanded growth
   std::optional<double> nozzle_c;  ///< at its end
   std::optional<double> bed_c;
-  std::optional<std::string> correction;  ///< digest of the map it was laid by; empty: as planned
+  std::optional<std::string> correction;  ///< digest of the map it was deposited by; empty: as planned
 };
 
 /// A value that was set, or stood, while a part was made.

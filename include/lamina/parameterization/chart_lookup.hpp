@@ -32,48 +32,49 @@ struct SurfacePoint {
   double height_mm = 0.0;
 };
 
-/// Part of a straight line of the plan that lies in one triangle; 0 is the line's start and 1 its end.
+/// Part of a straight line of the parameter plane that lies in one triangle; 0 is the line's start and 1 its
+/// end.
 struct ChartStretch {
   ChartTriangle in;
   double from = 0.0;
   double to = 0.0;
 };
 
-/// Finds the triangles of a layer's charts by their plan, in a time that does not grow with their number, and
-/// brings points of the plan back into space [Guacheta2021, section 2.3.1]. Queries may be made from
-/// several threads.
+/// Finds the triangles of a layer's charts by their parameterization, in a time that does not grow with their
+/// number, and brings points of the parameter plane back into space [Guacheta2021, section 2.3.1]. Queries
+/// may be made from several threads.
 class ChartLookup {
  public:
-  /// Points of the plan no farther than this outside a chart are drawn to its border [mm]. Outlines are
-  /// simplified by a tenth of it when they are planned (`planning.simplification_mm`), and thin beads cut
-  /// corners of notches.
+  /// Points of the parameter plane no farther than this outside a chart are drawn to its border [mm].
+  /// Outlines are simplified by a tenth of it when they are planned (`planning.simplification_mm`), and thin
+  /// beads cut corners of notches.
   static constexpr double kSnap = 0.05;
 
-  /// @param charts  must outlive this; their plans do not overlap
-  /// @throws InvalidInput if there is no triangle, or a chart has not one plan point, tip, normal and height
-  ///         per vertex, or one that is not finite
+  /// @param charts  must outlive this; their parameterizations do not overlap
+  /// @throws InvalidInput if there is no triangle, or a chart has not one place in the parameter plane, tip,
+  ///         normal and height per vertex, or one that is not finite
   explicit ChartLookup(const std::vector<LayerChart>& charts);
 
-  /// Where a point of the plan is; nothing if it lies farther outside than `kSnap`. On an edge, in the
-  /// triangle of the lowest number.
-  std::optional<ChartPlace> find(const Point2& plan) const;
+  /// Where a point of the parameter plane is; nothing if it lies farther outside than `kSnap`. On an edge, in
+  /// the triangle of the lowest number.
+  std::optional<ChartPlace> find(const Point2& parameters) const;
 
   /// The same.
   /// @throws InvalidInput giving the point, if it lies farther outside
-  ChartPlace at(const Point2& plan) const;
+  ChartPlace at(const Point2& parameters) const;
 
   /// The place in that triangle; points outside are drawn to its border.
-  ChartPlace within(const ChartTriangle& in, const Point2& plan) const;
+  ChartPlace within(const ChartTriangle& in, const Point2& parameters) const;
 
   /// Middle, tip, normal and height between those of the corners.
   SurfacePoint lifted(const ChartPlace& place) const;
 
-  /// Area in space of what has the area 1 in the plan.
+  /// Area in space of what has the area 1 in the parameter plane.
   double areaRatio(const ChartTriangle& in) const;
 
-  /// A line of the plan, cut where it crosses the sides of triangles, in order and without gaps. It goes over
-  /// from chart to chart only where none takes it whole: level charts of one height may touch. Nothing if
-  /// it leaves the charts by more than `kSnap`.
+  /// A line of the parameter plane, cut where it crosses the sides of triangles, in order and without gaps.
+  /// It goes over from chart to chart only where none takes it whole: level charts of one height may touch.
+  /// Nothing if it leaves the charts by more than `kSnap`.
   std::optional<std::vector<ChartStretch>> stretches(const Point2& from, const Point2& to) const;
 
  private:
@@ -85,7 +86,7 @@ class ChartLookup {
   };
 
   void sort(const Box2& box);
-  Corners planOf(const ChartTriangle& in) const;
+  Corners parametersOf(const ChartTriangle& in) const;
   template <class Visit>
   void forCellsOf(const Corners& corners, const Visit& visit) const;
   std::optional<std::vector<ChartStretch>> covering(const Point2& from, const Point2& to,

@@ -9,11 +9,12 @@
 
 namespace lamina {
 
-/// The borders of a chart in its plan [mm]: the outer one counter-clockwise, those of holes clockwise, each
-/// through every vertex of the border. They start where the chart's lowest half-edge of each does.
+/// The borders of a chart in its parameterization [mm]: the outer one counter-clockwise, those of holes
+/// clockwise, each through every vertex of the border. They start where the chart's lowest half-edge of each
+/// does.
 std::vector<Polygon> outlineOf(const LayerChart& chart);
 
-/// Borders of any plan of a mesh, on the left of which the triangles lie.
-std::vector<Polygon> outlineOf(const Mesh& surface, const std::vector<Point2>& plan);
+/// Borders of any parameterization of a mesh, on the left of which the triangles lie.
+std::vector<Polygon> outlineOf(const Mesh& surface, const std::vector<Point2>& parameterization);
 
 }  // namespace lamina

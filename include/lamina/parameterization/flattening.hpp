@@ -9,9 +9,10 @@
 
 namespace lamina {
 
-/// Lays a surface out flat with little change of lengths: a place in the plan [mm] for each vertex. More of
-/// the triangles' area winds counter-clockwise than clockwise; nothing is promised of single triangles
-/// (`measureDistortion` and `isInjective` check them). The plan's place and direction are arbitrary.
+/// Lays a surface out flat with little change of lengths: a place in the parameter plane [mm] for each
+/// vertex. More of the triangles' area winds counter-clockwise than clockwise; nothing is promised of single
+/// triangles (`measureDistortion` and `isInjective` check them). The parameterization's place and direction
+/// are arbitrary.
 ///
 /// @param surface  [mm] connected by edges; borders and holes as they come
 /// @throws InvalidMesh if a vertex hangs together with the others by no triangle

@@ -6,7 +6,7 @@
 
 namespace lamina {
 
-/// How a curved layer gets its plan.
+/// How a curved layer gets its parameterization.
 enum class FlatteningMethod {
   Arap,    ///< what unrolls is unrolled; otherwise triangles keep their shape as well as they can
   Mds,     ///< classical multidimensional scaling of geodesic distances

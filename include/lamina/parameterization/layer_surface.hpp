@@ -17,10 +17,11 @@ struct LayerSurface {
   std::vector<double> height_mm;  ///< thickness of the layer along the normal
 };
 
-/// A piece of a layer and its plan: the same triangles in space and in the plane.
+/// A piece of a layer and its parameterization: the same triangles in space and in the plane.
 struct LayerChart {
   LayerSurface surface;
-  std::vector<Point2> plan;  ///< of each vertex [mm]; triangles wind counter-clockwise and do not overlap
+  /// Of each vertex [mm]; triangles wind counter-clockwise and do not overlap.
+  std::vector<Point2> parameterization;
 };
 
 }  // namespace lamina

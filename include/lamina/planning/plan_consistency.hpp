@@ -13,7 +13,7 @@ namespace lamina {
 /// voids.refill. Drops of a line and lines of drops must be no nearer than drops.most_overlap allows: every
 /// other drop would be left out. With a vase: infill.density, infill.pitch_mm, infill.bead_width_mm,
 /// infill.outer_layers and voids.refill unless they are the defaults, and walls.count unless it is 0. With
-/// the documented lines of a hybrid: raster.direction; and hybrid.add_above must not be below
+/// lines of a hybrid for metal: raster.direction; and hybrid.add_above must not be below
 /// hybrid.delete_below.
 /// @throws InvalidConfig naming key, value and what was expected; if there is no such strategy
 void requireConsistent(const PlanSettings& settings);

@@ -47,8 +47,8 @@ struct InfillSettings {
   double angle_deg = 45.0;
   double alternation_deg = 90.0;  ///< added from one layer to the next
   double wall_overlap = 0.15;     ///< overlap of infill with the innermost wall, in bead widths
-  int every_layers = 1;           ///< sparse infill is laid in one of this number of layers, at their height
-  LineLinks links;                ///< of sparse infill
+  int every_layers = 1;  ///< sparse infill is deposited in one of this number of layers, at their height
+  LineLinks links;       ///< of sparse infill
 };
 
 /// Solid layers where the part is visible from above or below, beside a sparse infill of level or inclined
@@ -64,13 +64,13 @@ struct SkinSettings {
   double narrowest = 1.0;          ///< in bead widths; narrower places are no skin
   double anchor_mm = -1.0;         ///< by which skins extend into the infill; -1: the thickness of the walls
   double least_infill_mm2 = 15.0;  ///< smaller areas of infill become skin
-  bool is_monotonic = true;        ///< lines of top skins are laid in one order across them
+  bool is_monotonic = true;        ///< lines of top skins are deposited in one order across them
 };
 
 /// A second pass over top skins.
 struct IroningSettings {
   bool is_used = false;
-  double flow = 0.15;       ///< share of the layer's height that is laid in that pass
+  double flow = 0.15;       ///< share of the layer's height that is deposited in that pass
   double spacing_mm = 0.1;  ///< distance of neighbouring lines
   double inset_mm = 0.2;    ///< distance of the lines from the border of the skin
 };

@@ -15,7 +15,7 @@ struct Sweep {
   std::vector<Point3> points;  ///< nozzle tip: middle of the top of the bead [mm, part frame]; at least two
   std::vector<Point3> up;  ///< against the tool axis on the way to each point, unit; the first as the second
   Bead bead;               ///< one for the whole trajectory, of its volume
-  bool is_ring = false;    ///< ends where it begins, mitred there too
+  bool is_loop = false;    ///< ends where it begins, mitred there too
   std::size_t layer = 0;   ///< of the toolpath, 0 based
   std::size_t trajectory = 0;  ///< trajectory that it belongs to, 0 based, skirts not counted
 

@@ -30,7 +30,7 @@ struct MachineCode {
   bool moves_axes = false;  ///< position, modes and feed are unknown after it
 };
 
-/// What is laid from then on is of that part of a plate. Asks nothing of the machine.
+/// What is deposited from then on is of that part of a plate. Asks nothing of the machine.
 struct PartMark {
   std::string name;  ///< one line; empty for what is of no part
 };

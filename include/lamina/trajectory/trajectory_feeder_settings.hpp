@@ -16,7 +16,7 @@ struct TrajectoryFeederSettings {
   double override_ramp_s = 0.5;  ///< in which flow or power would change by what is planned
 };
 
-/// Adds the keys hand_over.*.
+/// Adds the keys feeder.*.
 void describe(SettingsSchema& schema, TrajectoryFeederSettings& settings);
 
 }  // namespace lamina

@@ -111,7 +111,7 @@ class Film {
                               0.5 * (machine_.low + machine_.high),
                               (1.0 + kMargin) * std::max(size.head<2>().norm(), size.z())});
     const double close = kCloseSpan * std::max((part_.high - part_.low).maxCoeff(), 20.0);
-    picture.panels.push_back({"the part as it grows; what was laid last glows", toRadians(-62.0),
+    picture.panels.push_back({"the part as it grows; what was deposited last glows", toRadians(-62.0),
                               toRadians(22.0), root_from_bed * Point3(0.5 * (part_.low + part_.high)),
                               close});
     drawScene(picture, frame.file);

@@ -9,8 +9,10 @@ void describe(SettingsSchema& schema, CalibrationSettings& settings) {
   const Bounds length = Bounds::above(0.0, 1000.0);
   const Bounds frequency = Bounds::above(0.0, 50.0);
   const Bounds speed = Bounds::above(0.0, 1000.0);
-  schema.number("calibrate.x_mm", settings.x_mm, place, "Middle of what is laid and scanned, on the bed.");
-  schema.number("calibrate.y_mm", settings.y_mm, place, "Middle of what is laid and scanned, on the bed.");
+  schema.number("calibrate.x_mm", settings.x_mm, place,
+                "Middle of what is deposited and scanned, on the bed.");
+  schema.number("calibrate.y_mm", settings.y_mm, place,
+                "Middle of what is deposited and scanned, on the bed.");
   schema.number("calibrate.search_s", settings.search_s, Bounds::above(0.0, 5.0),
                 "Greatest time offset looked for, either way.");
   schema.number("calibrate.bob_mm", settings.bob_mm, length, "Height of bobbing, either way.");
@@ -25,12 +27,12 @@ void describe(SettingsSchema& schema, CalibrationSettings& settings) {
                 "The cross is scanned again that much higher, so that tilts of the sensor show; 0: not.");
   schema.number("calibrate.swath_mm", settings.swath_mm, length, "Length of the sensor's line on the bed.");
   schema.number("calibrate.square_mm", settings.square_mm, {10.0, 1000.0},
-                "Side of the square that is laid around the cross.");
+                "Side of the square that is deposited around the cross.");
   schema.number("calibrate.bead_width_mm", settings.bead_width_mm, Bounds::above(0.0, 100.0),
                 "Width of beads.");
   schema.number("calibrate.bead_height_mm", settings.bead_height_mm, Bounds::above(0.0, 100.0),
                 "Height of beads.");
-  schema.number("calibrate.bead_mm_s", settings.bead_mm_s, speed, "Speed at which beads are laid.");
+  schema.number("calibrate.bead_mm_s", settings.bead_mm_s, speed, "Speed at which beads are deposited.");
   schema.number("calibrate.step", settings.step, Bounds::above(0.0, 0.9),
                 "Share by which the amount of the feeder's bead is stepped up and down.");
   schema.number("calibrate.step_mm", settings.step_mm, length, "Length of the feeder's bead between steps.");

@@ -231,8 +231,8 @@ std::vector<Crest> crestsOf(const CrossTarget& target, const ViewPoints& view,
   return crests;
 }
 
-Eigen::Isometry3d laidOverCross(const CrossTarget& target, const ViewPoints& view,
-                                const Eigen::Isometry3d& nozzle_from_sensor) {
+Eigen::Isometry3d placedOverCross(const CrossTarget& target, const ViewPoints& view,
+                                  const Eigen::Isometry3d& nozzle_from_sensor) {
   const std::vector<HighPoint> points = highPoints(target, view, nozzle_from_sensor);
   if (points.size() < kLeastSearched)
     throw InvalidInput(std::to_string(points.size()) + " points lie higher than " +

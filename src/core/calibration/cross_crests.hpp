@@ -28,7 +28,7 @@ std::vector<Crest> crestsOf(const CrossTarget& target, const ViewPoints& view,
 /// than the bed lies on the beads.
 /// @param nozzle_from_sensor  by which the bed is level and at height 0 about
 /// @throws InvalidInput if less than 60 % of that does
-Eigen::Isometry3d laidOverCross(const CrossTarget& target, const ViewPoints& view,
-                                const Eigen::Isometry3d& nozzle_from_sensor);
+Eigen::Isometry3d placedOverCross(const CrossTarget& target, const ViewPoints& view,
+                                  const Eigen::Isometry3d& nozzle_from_sensor);
 
 }  // namespace lamina

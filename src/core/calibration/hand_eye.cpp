@@ -49,12 +49,12 @@ Eigen::Matrix3d commonTurn(const std::vector<RelativeMotion>& motions, HandEyeFi
     throw InvalidInput(
         "the head turns by " + numberText(toDegrees(fit.turn_values[0])) +
         " deg over all poses; expected at least 5 deg: without turns, neither turn nor place of the "
-        "sensor can be told from poses of a body");
+        "sensor can be found from poses of a body");
   if (fit.turn_values[1] < kLeastTurn)
     throw InvalidInput(
         "the head turns about one axis, by " + numberText(toDegrees(fit.turn_values[1])) +
         " deg about any other; expected at least 5 deg about two axes: the sensor's turn about that "
-        "axis and its place along it cannot be told");
+        "axis and its place along it cannot be found");
   Eigen::Vector3d signs(1.0, 1.0, 1.0);
   const Eigen::Matrix3d left = parts.left;
   const Eigen::Matrix3d right = parts.right;

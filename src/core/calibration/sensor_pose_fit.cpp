@@ -325,8 +325,8 @@ PoseProblem problemOf(const std::vector<SensorView>& views, const Eigen::Isometr
 
 /// Where a cross is among the views, the sensor is first levelled over the bed, and then laid over the beads:
 /// its crests are told apart only within a bead's width.
-Eigen::Isometry3d laidOverCrosses(const std::vector<SensorView>& views, const Eigen::Isometry3d& about,
-                                  const SensorPoseSettings& settings) {
+Eigen::Isometry3d placedOverCrosses(const std::vector<SensorView>& views, const Eigen::Isometry3d& about,
+                                    const SensorPoseSettings& settings) {
   const auto isCross = [](const SensorView& view) {
     return std::holds_alternative<CrossTarget>(view.target);
   };
@@ -340,7 +340,7 @@ Eigen::Isometry3d laidOverCrosses(const std::vector<SensorView>& views, const Ei
   level.view = viewPoints(cross->recording, settings.time_offset_s);
   problem.views.push_back(std::move(level));
   const Pose pose = fittedWhereTold(problem, Pose::Zero(), settings);
-  return laidOverCross(std::get<CrossTarget>(cross->target), problem.views[0].view, moved(about, pose));
+  return placedOverCross(std::get<CrossTarget>(cross->target), problem.views[0].view, moved(about, pose));
 }
 
 }  // namespace
@@ -349,7 +349,7 @@ SensorPoseFit fitSensorPose(const std::vector<SensorView>& views, const Eigen::I
                             const SensorPoseSettings& settings) {
   if (views.empty()) throw InvalidInput("there is no view; expected a recording of a target");
   PoseProblem problem = problemOf(views, about, settings.time_offset_s);
-  const Pose start = between(about, laidOverCrosses(views, about, settings));
+  const Pose start = between(about, placedOverCrosses(views, about, settings));
   const Pose pose = fittedWhereTold(problem, start, settings);
   return describedFit(problem, pose, settings);
 }

@@ -40,9 +40,9 @@ const CellSheet* CellAtlas::sheetOf(std::size_t layer) const {
   return nullptr;
 }
 
-void CellAtlas::setLaid(std::size_t layer, std::size_t cells) {
+void CellAtlas::setDeposited(std::size_t layer, std::size_t cells) {
   for (CellSheet& sheet : sheets_)
-    if (sheet.cells()->layer == layer) sheet.laid = std::min(cells, sheet.cells()->size());
+    if (sheet.cells()->layer == layer) sheet.deposited = std::min(cells, sheet.cells()->size());
 }
 
 void CellAtlas::forgetBelow(std::size_t layer) {
@@ -54,7 +54,7 @@ void CellAtlas::forgetBelow(std::size_t layer) {
 PointSights CellAtlas::look(const Point3& point) const {
   PointSights sights;
   sights.newest = newestAt(point);
-  if (sights.newest) sights.beneath = beneathAt(point, sights.newest->layer);
+  if (sights.newest) sights.below = belowAt(point, sights.newest->layer);
   return sights;
 }
 
@@ -69,11 +69,11 @@ std::vector<std::optional<CellSight>> CellAtlas::newestAt(const std::vector<Poin
   const CellSheet& newest = sheets_.back();
   std::vector<std::optional<CellSight>> sights = newest.look(points);
   for (std::size_t i = 0; i < points.size() && sheets_.size() > 1; ++i)
-    if (!sights[i]) sights[i] = beneathAt(points[i], newest.cells()->layer);
+    if (!sights[i]) sights[i] = belowAt(points[i], newest.cells()->layer);
   return sights;
 }
 
-std::optional<CellSight> CellAtlas::beneathAt(const Point3& point, std::size_t layer) const {
+std::optional<CellSight> CellAtlas::belowAt(const Point3& point, std::size_t layer) const {
   std::optional<CellSight> sight;
   for (auto sheet = sheets_.rbegin(); sheet != sheets_.rend() && !sight; ++sheet)
     if (sheet->cells()->layer < layer) sight = sheet->look(point);

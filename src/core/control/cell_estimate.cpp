@@ -53,7 +53,7 @@ void CellEstimate::setGain(double gain) {
   gain_ = static_cast<std::uint16_t>(std::lround(std::clamp(gain, kLeastGain, kGreatestGain) * kGainUnits));
 }
 
-void CellEstimate::lay(const LaidGrowth& growth, double spread) {
+void CellEstimate::lay(const DepositedGrowth& growth, double spread) {
   const double commanded = growth.planned_mm * (1.0 + growth.correction);
   const double expected = gain() * commanded;
   error_mm_ = static_cast<float>(error() + growth.planned_mm - expected);
@@ -64,7 +64,7 @@ void CellEstimate::lay(const LaidGrowth& growth, double spread) {
   flags_ = static_cast<std::uint8_t>(flags_ & ~kSeen);
 }
 
-void CellEstimate::press(const LaidGrowth& growth, double spread) {
+void CellEstimate::press(const DepositedGrowth& growth, double spread) {
   error_mm_ = static_cast<float>(growth.nozzle_error_mm);
   const double sigma = spread * growth.planned_mm;
   variance_mm2_ = static_cast<float>(sigma * sigma);

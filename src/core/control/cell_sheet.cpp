@@ -40,7 +40,7 @@ Eigen::Vector3d bendAt(const LayerCells& cells, const CellRun& run, std::size_t 
 }  // namespace
 
 CellSheet::CellSheet(std::shared_ptr<const LayerCells> cells, double window_layers)
-    : laid(cells->size()),
+    : deposited(cells->size()),
       cells_(std::move(cells)),
       index_(*cells_, window_layers),
       is_plane_(index_.isPlane()),
@@ -105,16 +105,18 @@ inline double CellSheet::BentStation::heightAt(const Point3& off, double along_m
 }
 
 /// Along the outside of bends cells gape: in a bend no tighter than the bead by half their length at most.
-inline bool CellSheet::Footing::isOn() const { return across <= kReach && along <= 2.0F * kReach + across; }
+inline bool CellSheet::LocalCoordinates::isOn() const {
+  return across <= kReach && along <= 2.0F * kReach + across;
+}
 
 /// Most cells are ruled out before anything is divided.
-inline CellSheet::Footing CellSheet::onPlane(std::uint32_t cell, const PlanePlace& place) const {
+inline CellSheet::LocalCoordinates CellSheet::onPlane(std::uint32_t cell, const PlanePlace& place) const {
   const PlaneStation& station = plane_[cell];
   const float along_mm = station.along(place);
   if (std::abs(along_mm) > kBeyondAlong * station.half) return {};
   const float across_mm = station.across(place, along_mm);
   if (std::abs(across_mm) > kBeyondAcross * station.width) return {};
-  const Footing on = {std::abs(along_mm) / station.half, std::abs(across_mm) / station.width};
+  const LocalCoordinates on = {std::abs(along_mm) / station.half, std::abs(across_mm) / station.width};
   if (!on.isOn() || !(std::abs(heightOnPlane(station, place)) <= windowOf(cell))) return {};
   return on;
 }
@@ -123,7 +125,7 @@ inline double CellSheet::heightOnPlane(const PlaneStation& station, const PlaneP
   return place.z - first_top_ - static_cast<double>(station.lift);
 }
 
-inline CellSheet::Footing CellSheet::onBent(std::uint32_t cell, const Point3& point) const {
+inline CellSheet::LocalCoordinates CellSheet::onBent(std::uint32_t cell, const Point3& point) const {
   const BentStation& station = bent_[cell];
   const Point3 off = point - station.middle;
   const double along = station.along(off);
@@ -131,20 +133,20 @@ inline CellSheet::Footing CellSheet::onBent(std::uint32_t cell, const Point3& po
   if (along_mm > kBeyondAlong * station.half) return {};
   const float across_mm = std::abs(station.across(off, along));
   if (across_mm > kBeyondAcross * station.width) return {};
-  const Footing on = {along_mm / station.half, across_mm / station.width};
+  const LocalCoordinates on = {along_mm / station.half, across_mm / station.width};
   if (!on.isOn() || !(std::abs(station.heightAt(off, along)) <= windowOf(cell))) return {};
   return on;
 }
 
 /// Of cells in a row, pieces of one bead, the nearer along; of several beads the nearer in widths.
-template <class FootingOf>
-CellSheet::Found CellSheet::best(const StationIndex::Cells& near, FootingOf footing) const {
+template <class CoordinatesOf>
+CellSheet::Found CellSheet::best(const StationIndex::Cells& near, CoordinatesOf coordinates) const {
   Found best;
   Found of_bead;
   std::uint32_t last = 0;
   for (const std::uint32_t cell : near) {
-    if (cell >= laid) break;
-    const Footing here = footing(cell);
+    if (cell >= deposited) break;
+    const LocalCoordinates here = coordinates(cell);
     if (here.isOff()) continue;
     const bool goes_on = of_bead.isCell() && cell == last + 1;
     last = cell;

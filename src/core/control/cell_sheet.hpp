@@ -18,7 +18,7 @@ class CellSheet {
  public:
   CellSheet(std::shared_ptr<const LayerCells> cells, double window_layers);
 
-  /// The cell of the first `laid` ones on which a point lies.
+  /// The cell of the first `deposited` ones on which a point lies.
   std::optional<CellSight> look(const Point3& point) const;
   /// The same for many points, whose cells are fetched from memory in advance.
   std::vector<std::optional<CellSight>> look(const std::vector<Point3>& points) const;
@@ -27,7 +27,7 @@ class CellSheet {
   bool isPlane() const { return is_plane_; }
   std::size_t bytes() const;
 
-  std::size_t laid = 0;
+  std::size_t deposited = 0;
 
  private:
   /// A point of a plane layer, in the axes of the index.
@@ -61,7 +61,7 @@ class CellSheet {
   };
   /// A point in the frame of a cell: `along` in half lengths of it, `across` in widths. Off the cell, unless
   /// set.
-  struct Footing {
+  struct LocalCoordinates {
     float along = std::numeric_limits<float>::infinity();
     float across = std::numeric_limits<float>::infinity();
 
@@ -71,7 +71,7 @@ class CellSheet {
   struct Found {
     static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
     std::uint32_t cell = kNone;
-    Footing on;
+    LocalCoordinates on;
 
     bool isCell() const { return cell != kNone; }
   };
@@ -79,11 +79,11 @@ class CellSheet {
   void addPlaneStations();
   void addBentStations();
   double windowOf(std::uint32_t cell) const { return window_mm_[window_mm_.size() == 1 ? 0 : cell]; }
-  Footing onPlane(std::uint32_t cell, const PlanePlace& place) const;
-  Footing onBent(std::uint32_t cell, const Point3& point) const;
+  LocalCoordinates onPlane(std::uint32_t cell, const PlanePlace& place) const;
+  LocalCoordinates onBent(std::uint32_t cell, const Point3& point) const;
   double heightOnPlane(const PlaneStation& station, const PlanePlace& place) const;
-  template <class FootingOf>
-  Found best(const StationIndex::Cells& near, FootingOf footing) const;
+  template <class CoordinatesOf>
+  Found best(const StationIndex::Cells& near, CoordinatesOf coordinates) const;
   /// @param at  in the axes of the index
   std::optional<CellSight> lookOnPlane(const Point3& at, const StationIndex::Cells& near) const;
   std::optional<CellSight> lookOnBent(const Point3& point, const StationIndex::Cells& near) const;

@@ -223,7 +223,7 @@ void HeightLoop::lay(const LayerCorrection& correction, const std::vector<double
   laid_ = correction.amount;
   is_section_seen_.assign(cells_.size(), false);
   for (std::size_t i = 0; i < cells_.size(); ++i) {
-    const LaidGrowth growth{cells_.height_mm[i], correction.amount[i], nozzle_error_mm[i]};
+    const DepositedGrowth growth{cells_.height_mm[i], correction.amount[i], nozzle_error_mm[i]};
     if (settings_.process == LoopProcess::Free)
       estimates_[i].lay(growth, spread_);
     else
@@ -282,7 +282,7 @@ void HeightLoop::requireCell(std::size_t cell) const {
 
 void HeightLoop::requireOnePerCell(const std::string& what, std::size_t count) const {
   if (count != cells_.size())
-    throw InvalidInput("a layer is laid with " + std::to_string(count) + " " + what +
+    throw InvalidInput("a layer is deposited with " + std::to_string(count) + " " + what +
                        "; expected one for each of its " + std::to_string(cells_.size()) + " cells");
 }
 

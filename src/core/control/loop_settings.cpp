@@ -80,9 +80,9 @@ void describeFeeding(SettingsSchema& schema, LoopSettings& settings) {
   schema.number("loop.feeder_rate_s", settings.feeder_rate_s, {0.001, 1000.0},
                 "Greatest change of the relative amount per second.");
   schema.number("loop.least_amount", settings.least_amount, {-0.95, 0.0},
-                "Least relative change of the amount laid.");
+                "Least relative change of the amount deposited.");
   schema.number("loop.greatest_amount", settings.greatest_amount, {0.0, 5.0},
-                "Greatest relative change of the amount laid.");
+                "Greatest relative change of the amount deposited.");
 }
 
 void describe(SettingsSchema& schema, LoopSettings& settings) {

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kLeastCommanded = 0.1;  // of a layer, below which growth tells no gain
 
-void requireOnePerCell(const LaidLayer& layer, std::size_t index) {
+void requireOnePerCell(const DepositedLayer& layer, std::size_t index) {
   const std::size_t cells = layer.cells.size();
   for (const std::size_t count : {layer.amount.size(), layer.growth_error_mm.size()})
     if (count != cells)
@@ -25,7 +25,7 @@ void requireOnePerCell(const LaidLayer& layer, std::size_t index) {
 
 /// What each cell lacks of the amount by which it would have grown as planned. What the loop laid beyond the
 /// map to mend the layers below is no part of that: it would be laid again on layers that lack nothing.
-std::vector<double> missingFrom(const std::vector<double>& amount, const LaidLayer& layer) {
+std::vector<double> missingFrom(const std::vector<double>& amount, const DepositedLayer& layer) {
   std::vector<double> missing(amount.size(), 0.0);
   for (std::size_t i = 0; i < missing.size(); ++i) {
     const double planned_mm = layer.cells.height_mm[i];
@@ -67,7 +67,7 @@ std::string differenceOf(const PartIdentity& map, const PartIdentity& other) {
 }
 
 PartMap learntFromPart(const PartMap& before, const PartIdentity& identity,
-                       const std::vector<LaidLayer>& part, PartEnd end, const LoopSettings& settings) {
+                       const std::vector<DepositedLayer>& part, PartEnd end, const LoopSettings& settings) {
   const bool is_first = before.parts == 0;
   const std::string difference = is_first ? std::string() : differenceOf(before.identity, identity);
   if (!difference.empty()) throw InvalidInput("the learnt map is of another part: " + difference);
@@ -86,7 +86,7 @@ PartMap learntFromPart(const PartMap& before, const PartIdentity& identity,
   // A mean of all parts so far, until a new one would count less than it should.
   const double share = std::max(settings.part_learning, 1.0 / static_cast<double>(learnt.parts));
   for (std::size_t k = 0; k < part.size(); ++k) {
-    const LaidLayer& layer = part[k];
+    const DepositedLayer& layer = part[k];
     std::vector<double> amount = is_first ? std::vector<double>(layer.cells.size(), 0.0) : before.amount[k];
     const std::vector<double> missing =
         lowPassed(missingFrom(amount, layer), layer.cells, settings.low_pass_mm);

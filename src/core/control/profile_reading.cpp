@@ -163,11 +163,11 @@ class ProfileReader {
     if (!isSeen(*newest)) return std::nullopt;
     const TakenSight taken = weighed(*newest);
     if (taken.surprise <= kSureSquared || sheets_.size() == 1) return taken;
-    const auto beneath = atlas_.beneathAt(point, newest->layer);
-    if (!beneath) return taken;
-    const TakenSight other = weighed(*beneath);
+    const auto below = atlas_.belowAt(point, newest->layer);
+    if (!below) return taken;
+    const TakenSight other = weighed(*below);
     if (!(other.surprise < taken.surprise && other.surprise <= kGateSquared)) return taken;
-    return isSeen(*beneath) ? std::optional<TakenSight>(other) : std::nullopt;
+    return isSeen(*below) ? std::optional<TakenSight>(other) : std::nullopt;
   }
 
   /// Whether the point lies where its cell should be level and is seen well; counted where not.

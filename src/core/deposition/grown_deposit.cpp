@@ -79,7 +79,7 @@ GrownDeposit::GrownDeposit(HeightMap ground, PlantSettings plant, const GrownDep
       plant_(std::move(plant)),
       settings_(settings),
       highest_(heightRange(surface_).high),
-      laid_in_(surface_.grid().cellCount(), 0) {
+      deposited_in_(surface_.grid().cellCount(), 0) {
   if (settings_.bead_width_mm > 0.0) width_mm_ = settings_.bead_width_mm;
 }
 
@@ -235,7 +235,7 @@ void GrownDeposit::grow(const Stations& stations, const std::vector<double>& sec
     const double onto = isOfLayer(each.cell) ? surface_.at(each.cell) : ground[each.station];
     const double height = std::max(0.0, onto + after[each.station] - ground[each.station]);
     surface_.set(each.cell, height);
-    laid_in_[each.cell] = static_cast<std::uint32_t>(layer_ + 1);
+    deposited_in_[each.cell] = static_cast<std::uint32_t>(layer_ + 1);
     highest_ = std::max(highest_, height);
   }
 }

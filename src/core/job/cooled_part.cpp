@@ -78,7 +78,7 @@ void giveTimes(SlicedPart& sliced, CoolingSettings cooling, const JobSite& site,
                   has_room ? "" : ", over where they end: cooling.park is out of the machine's reach");
     sliced.summary.notes.emplace_back(waiting);
   }
-  note(summary.reordered_layers, "are laid in another order, so that places are left alone for longer");
+  note(summary.reordered_layers, "are deposited in another order, so that places are left alone for longer");
   note(summary.too_fast_layers, "take less than their least time, even at the least feed");
 }
 

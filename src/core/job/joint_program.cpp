@@ -63,10 +63,10 @@ HeadOverBed::HeadOverBed(const KinematicModel& model) : depth_mm_(kMostLeanDeg +
       const Eigen::Isometry3d place = nozzle_from_bed * places.at(body.link) * body.link_from_body;
       for (int lean = 0; lean <= kMostLeanDeg; ++lean)
         for (int heading = 0; heading < kHeadings; ++heading) {
-          const double from_jet = toRadians(lean);
+          const double off_axis = toRadians(lean);
           const double about = 2.0 * M_PI * heading / kHeadings;
-          const Point3 down(std::sin(from_jet) * std::cos(about), std::sin(from_jet) * std::sin(about),
-                            std::cos(from_jet));
+          const Point3 down(std::sin(off_axis) * std::cos(about), std::sin(off_axis) * std::sin(about),
+                            std::cos(off_axis));
           double& depth = depth_mm_[static_cast<std::size_t>(lean)];
           depth = std::max(depth, reach(body, place, down));
         }

@@ -129,7 +129,7 @@ RobotWriting writeRobotFiles(const std::string& path, const Toolpath& over_bed,
   if (language == RobotLanguage::UrScript)
     throw InvalidInput("'" + path +
                        "' would be a script without joints; expected another language: poses in URScript are "
-                       "over the robot's base, which only joints tell");
+                       "over the robot's base, which only joints state");
   const std::string name = std::filesystem::path(path).stem().string();
   return {
       commitFiles(path, robotProgram(over_bed, Eigen::Isometry3d::Identity(), {language, name, settings})),

@@ -17,15 +17,15 @@
 namespace lamina {
 namespace {
 
-/// A square grid over a plan, to find smooth changes of the plan: those that are bilinear in each cell. Cells
-/// hold some twenty vertices.
+/// A square grid over a parameterization, to find smooth changes of the parameterization: those that are
+/// bilinear in each cell. Cells hold some twenty vertices.
 class CoarseGrid {
  public:
-  CoarseGrid(const ArapEnergy& energy, const std::vector<Point2>& plan);
+  CoarseGrid(const ArapEnergy& energy, const std::vector<Point2>& parameterization);
 
-  /// Changes a plan such that the pull on it vanishes on average over the cells, as far as the surface
-  /// resists like an even membrane.
-  void step(const std::vector<Point2>& pull, std::vector<Point2>& plan) const;
+  /// Changes a parameterization such that the pull on it vanishes on average over the cells, as far as the
+  /// surface resists like an even membrane.
+  void step(const std::vector<Point2>& pull, std::vector<Point2>& parameterization) const;
 
  private:
   void factorise(const std::vector<Eigen::Matrix2d>& resistance);
@@ -48,40 +48,40 @@ constexpr double kMostCells = 1e5;
 // Holds nodes that no triangle is near to, as a share of what a full cell does.
 constexpr double kLoose = 1e-4;
 
-double areaInPlan(const Triangle& corner, const std::vector<Point2>& plan) {
-  const Point2 ab = plan[corner[1]] - plan[corner[0]];
-  const Point2 ac = plan[corner[2]] - plan[corner[0]];
+double areaInParameters(const Triangle& corner, const std::vector<Point2>& parameterization) {
+  const Point2 ab = parameterization[corner[1]] - parameterization[corner[0]];
+  const Point2 ac = parameterization[corner[2]] - parameterization[corner[0]];
   return 0.5 * std::abs(ab.x() * ac.y() - ab.y() * ac.x());
 }
 
-/// What a triangle resists an even growth of its place in the plan with, by directions.
+/// What a triangle resists an even growth of its place in the parameter plane with, by directions.
 Eigen::Matrix2d resistanceOf(const ArapEnergy::FlatTriangle& triangle, const Triangle& corner,
-                             const std::vector<Point2>& plan) {
+                             const std::vector<Point2>& parameterization) {
   Eigen::Matrix2d sum = Eigen::Matrix2d::Zero();
   for (std::size_t i = 0; i < 3; ++i) {
-    const Point2 side = plan[corner[(i + 1) % 3]] - plan[corner[i]];
+    const Point2 side = parameterization[corner[(i + 1) % 3]] - parameterization[corner[i]];
     sum += triangle.weight[i] * side * side.transpose();
   }
   return sum;
 }
 
-double cellSize(const Mesh& surface, const std::vector<Point2>& plan, const Point2& box) {
+double cellSize(const Mesh& surface, const std::vector<Point2>& parameterization, const Point2& box) {
   double area = 0.0;
-  for (const Triangle& corner : surface.triangles) area += areaInPlan(corner, plan);
-  const double wanted = area * kVerticesPerCell / static_cast<double>(plan.size());
+  for (const Triangle& corner : surface.triangles) area += areaInParameters(corner, parameterization);
+  const double wanted = area * kVerticesPerCell / static_cast<double>(parameterization.size());
   const double least =
       std::max(box.x() * box.y() / kMostCells, box.squaredNorm() / (kMostCells * kMostCells));
   return std::sqrt(std::max({wanted, least, std::numeric_limits<double>::min()}));
 }
 
-CoarseGrid::CoarseGrid(const ArapEnergy& energy, const std::vector<Point2>& plan) {
+CoarseGrid::CoarseGrid(const ArapEnergy& energy, const std::vector<Point2>& parameterization) {
   Box2 box;
-  for (const Point2& place : plan) box.include(place);
-  const double cell = cellSize(energy.surface(), plan, box.size());
+  for (const Point2& place : parameterization) box.include(place);
+  const double cell = cellSize(energy.surface(), parameterization, box.size());
   columns_ = static_cast<std::uint32_t>(std::floor(box.size().x() / cell)) + 2;
   rows_ = static_cast<std::uint32_t>(std::floor(box.size().y() / cell)) + 2;
-  places_.reserve(plan.size());
-  for (const Point2& place : plan) {
+  places_.reserve(parameterization.size());
+  for (const Point2& place : parameterization) {
     const Point2 at = (place - box.low) / cell;
     const auto column = static_cast<std::uint32_t>(at.x());
     const auto row = static_cast<std::uint32_t>(at.y());
@@ -90,7 +90,8 @@ CoarseGrid::CoarseGrid(const ArapEnergy& energy, const std::vector<Point2>& plan
   std::vector<Eigen::Matrix2d> resistance(std::size_t{columns_} * rows_, Eigen::Matrix2d::Zero());
   for (std::size_t t = 0; t < energy.triangles().size(); ++t) {
     const Triangle& corner = energy.surface().triangles[t];
-    const Eigen::Matrix2d share = resistanceOf(energy.triangles()[t], corner, plan) / (3.0 * cell * cell);
+    const Eigen::Matrix2d share =
+        resistanceOf(energy.triangles()[t], corner, parameterization) / (3.0 * cell * cell);
     for (const std::uint32_t vertex : corner) resistance[places_[vertex].node] += share;
   }
   factorise(resistance);
@@ -125,7 +126,7 @@ void CoarseGrid::factorise(const std::vector<Eigen::Matrix2d>& resistance) {
   solver_.compute(matrix);
 }
 
-void CoarseGrid::step(const std::vector<Point2>& pull, std::vector<Point2>& plan) const {
+void CoarseGrid::step(const std::vector<Point2>& pull, std::vector<Point2>& parameterization) const {
   Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor> at_node(Eigen::Index{columns_} * rows_, 2);
   at_node.setZero();
   const auto forNodes = [this](std::size_t vertex, const auto& visit) {
@@ -138,8 +139,8 @@ void CoarseGrid::step(const std::vector<Point2>& pull, std::vector<Point2>& plan
   for (std::size_t i = 0; i < pull.size(); ++i)
     forNodes(i, [&](std::uint32_t node, double share) { at_node.row(node) += share * pull[i]; });
   const Eigen::Matrix<double, Eigen::Dynamic, 2> step = solver_.solve(at_node);
-  for (std::size_t i = 0; i < plan.size(); ++i)
-    forNodes(i, [&](std::uint32_t node, double share) { plan[i] += share * step.row(node); });
+  for (std::size_t i = 0; i < parameterization.size(); ++i)
+    forNodes(i, [&](std::uint32_t node, double share) { parameterization[i] += share * step.row(node); });
 }
 
 constexpr int kIterations = 30;
@@ -154,8 +155,8 @@ constexpr double kDamping = 0.6;
 
 using Solver = Eigen::SimplicialLLT<Eigen::SparseMatrix<double>>;
 
-/// The sum's second derivatives with the turns held. Vertex 0 is left out: it stays, which makes the plan
-/// unique.
+/// The sum's second derivatives with the turns held. Vertex 0 is left out: it stays, which makes the
+/// parameterization unique.
 Eigen::SparseMatrix<double> stiffness(const ArapEnergy& energy) {
   const Mesh& surface = energy.surface();
   std::vector<Eigen::Triplet<double>> entries;
@@ -178,12 +179,13 @@ Eigen::SparseMatrix<double> stiffness(const ArapEnergy& energy) {
   return matrix;
 }
 
-void stepTogether(const Solver& solver, const ArapEnergy::Pull& pull, std::vector<Point2>& plan) {
-  Eigen::Matrix<double, Eigen::Dynamic, 2> pulls(static_cast<Eigen::Index>(plan.size()) - 1, 2);
+void stepTogether(const Solver& solver, const ArapEnergy::Pull& pull, std::vector<Point2>& parameterization) {
+  Eigen::Matrix<double, Eigen::Dynamic, 2> pulls(static_cast<Eigen::Index>(parameterization.size()) - 1, 2);
   for (Eigen::Index i = 0; i < pulls.rows(); ++i)
     pulls.row(i) = pull.at_vertex[static_cast<std::size_t>(i) + 1];
   const Eigen::Matrix<double, Eigen::Dynamic, 2> step = solver.solve(pulls);
-  for (Eigen::Index i = 0; i < step.rows(); ++i) plan[static_cast<std::size_t>(i) + 1] += step.row(i);
+  for (Eigen::Index i = 0; i < step.rows(); ++i)
+    parameterization[static_cast<std::size_t>(i) + 1] += step.row(i);
 }
 
 /// How strongly each vertex is held where its neighbours want it.
@@ -198,22 +200,22 @@ std::vector<double> holds(const ArapEnergy& energy) {
 }
 
 /// Steps while they lessen the sum noticeably.
-/// @param step  changes a plan by the pull on it
+/// @param step  changes a parameterization by the pull on it
 template <class Step>
-std::vector<Point2> descend(const ArapEnergy& energy, std::vector<Point2> plan, int iterations,
+std::vector<Point2> descend(const ArapEnergy& energy, std::vector<Point2> parameterization, int iterations,
                             double converged, const Step& step) {
-  ArapEnergy::Pull pull = energy.pullOn(plan);
+  ArapEnergy::Pull pull = energy.pullOn(parameterization);
   for (int i = 0; i < iterations; ++i) {
-    std::vector<Point2> next = plan;
+    std::vector<Point2> next = parameterization;
     step(pull, next);
     ArapEnergy::Pull next_pull = energy.pullOn(next);
     if (!(next_pull.energy < pull.energy)) break;
     const bool is_last = !(next_pull.energy < (1.0 - converged) * pull.energy);
-    plan = std::move(next);
+    parameterization = std::move(next);
     pull = std::move(next_pull);
     if (is_last) break;
   }
-  return plan;
+  return parameterization;
 }
 
 }  // namespace
@@ -221,20 +223,21 @@ std::vector<Point2> descend(const ArapEnergy& energy, std::vector<Point2> plan, 
 std::vector<Point2> relaxArap(const ArapEnergy& energy, std::vector<Point2> guess) {
   if (guess.size() < 3) return guess;
   const Solver solver(stiffness(energy));
-  return descend(
-      energy, std::move(guess), kIterations, kConverged,
-      [&](const ArapEnergy::Pull& pull, std::vector<Point2>& plan) { stepTogether(solver, pull, plan); });
+  return descend(energy, std::move(guess), kIterations, kConverged,
+                 [&](const ArapEnergy::Pull& pull, std::vector<Point2>& parameterization) {
+                   stepTogether(solver, pull, parameterization);
+                 });
 }
 
 std::vector<Point2> relaxCoarsely(const ArapEnergy& energy, std::vector<Point2> guess) {
   const CoarseGrid grid(energy, guess);
   const std::vector<double> hold = holds(energy);
-  const auto stepAlone = [&](const ArapEnergy::Pull& pull, std::vector<Point2>& plan) {
-    for (std::size_t i = 0; i < plan.size(); ++i)
-      if (hold[i] > 0.0) plan[i] += kDamping / hold[i] * pull.at_vertex[i];
+  const auto stepAlone = [&](const ArapEnergy::Pull& pull, std::vector<Point2>& parameterization) {
+    for (std::size_t i = 0; i < parameterization.size(); ++i)
+      if (hold[i] > 0.0) parameterization[i] += kDamping / hold[i] * pull.at_vertex[i];
   };
-  const auto stepOnGrid = [&](const ArapEnergy::Pull& pull, std::vector<Point2>& plan) {
-    grid.step(pull.at_vertex, plan);
+  const auto stepOnGrid = [&](const ArapEnergy::Pull& pull, std::vector<Point2>& parameterization) {
+    grid.step(pull.at_vertex, parameterization);
   };
   for (int i = 0; i < kRounds; ++i) {
     guess = descend(energy, std::move(guess), kCoarseIterations, kCoarselyConverged, stepOnGrid);

@@ -56,16 +56,16 @@ ArapEnergy::ArapEnergy(const Mesh& surface) : surface_(surface) {
         layFlat(surface.vertices[corner[0]], surface.vertices[corner[1]], surface.vertices[corner[2]]));
 }
 
-ArapEnergy::Pull ArapEnergy::pullOn(const std::vector<Point2>& plan) const {
+ArapEnergy::Pull ArapEnergy::pullOn(const std::vector<Point2>& parameterization) const {
   Pull pull;
-  pull.at_vertex.assign(plan.size(), Point2::Zero());
+  pull.at_vertex.assign(parameterization.size(), Point2::Zero());
   for (std::size_t t = 0; t < triangles_.size(); ++t) {
     const Triangle& corner = surface_.triangles[t];
     const FlatTriangle& flat = triangles_[t];
     std::array<Rotation2, 3> side;
     Rotation2 turn = 0.0;
     for (std::size_t i = 0; i < 3; ++i) {
-      side[i] = asComplex(plan[corner[(i + 1) % 3]] - plan[corner[i]]);
+      side[i] = asComplex(parameterization[corner[(i + 1) % 3]] - parameterization[corner[i]]);
       turn += flat.weight[i] * side[i] * std::conj(flat.side[i]);
     }
     const double size = std::sqrt(std::norm(turn));

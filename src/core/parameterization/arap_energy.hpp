@@ -10,9 +10,9 @@
 
 namespace lamina {
 
-/// How far the triangles of a plan are from keeping their shape: the sum over the sides of (difference from
-/// the side as it is when the triangle is turned at best)² times the cotangent of the angle across it ("as
-/// rigid as possible" [Liu2008]). Slivers count as if they were a hundredth as high as long.
+/// How far the triangles of a parameterization are from keeping their shape: the sum over the sides of
+/// (difference from the side as it is when the triangle is turned at best)² times the cotangent of the angle
+/// across it ("as rigid as possible" [Liu2008]). Slivers count as if they were a hundredth as high as long.
 class ArapEnergy {
  public:
   /// A triangle laid flat by itself: its sides as vectors from corner to corner, and how much each counts.
@@ -30,7 +30,7 @@ class ArapEnergy {
   /// @param surface  [mm] must outlive this
   explicit ArapEnergy(const Mesh& surface);
 
-  Pull pullOn(const std::vector<Point2>& plan) const;
+  Pull pullOn(const std::vector<Point2>& parameterization) const;
 
   const Mesh& surface() const { return surface_; }
   const std::vector<FlatTriangle>& triangles() const { return triangles_; }

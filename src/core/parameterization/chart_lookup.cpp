@@ -26,15 +26,15 @@ constexpr double kRounding = 1e-9;
 void requireWhole(const LayerChart& chart, std::size_t number) {
   const LayerSurface& surface = chart.surface;
   const std::size_t count = surface.middle.vertices.size();
-  if (chart.plan.size() != count || surface.tip.size() != count || surface.normal.size() != count ||
-      surface.height_mm.size() != count)
+  if (chart.parameterization.size() != count || surface.tip.size() != count ||
+      surface.normal.size() != count || surface.height_mm.size() != count)
     throw InvalidInput("chart " + std::to_string(number) + " has " + std::to_string(count) + " vertices, " +
-                       std::to_string(chart.plan.size()) + " plan points, " +
+                       std::to_string(chart.parameterization.size()) + " places in the parameter plane, " +
                        std::to_string(surface.tip.size()) + " tips, " +
                        std::to_string(surface.normal.size()) + " normals and " +
                        std::to_string(surface.height_mm.size()) + " heights; must be as many of each");
   for (std::size_t i = 0; i < count; ++i)
-    if (!chart.plan[i].allFinite() || !surface.middle.vertices[i].allFinite() ||
+    if (!chart.parameterization[i].allFinite() || !surface.middle.vertices[i].allFinite() ||
         !surface.tip[i].allFinite() || !surface.normal[i].allFinite() || !std::isfinite(surface.height_mm[i]))
       throw InvalidInput("chart " + std::to_string(number) + ", vertex " + std::to_string(i) +
                          " is not finite");
@@ -129,7 +129,7 @@ ChartLookup::ChartLookup(const std::vector<LayerChart>& charts) : charts_(charts
     const auto count = static_cast<std::uint32_t>(charts[c].surface.middle.triangles.size());
     for (std::uint32_t t = 0; t < count; ++t) {
       triangles_.push_back({c, t});
-      for (const Point2& corner : planOf(triangles_.back())) box.include(corner);
+      for (const Point2& corner : parametersOf(triangles_.back())) box.include(corner);
     }
   }
   if (triangles_.empty())
@@ -145,18 +145,20 @@ void ChartLookup::sort(const Box2& box) {
                      cell);
   first_.assign(grid_.cellCount() + 1, 0);
   for (const ChartTriangle& in : triangles_)
-    forCellsOf(planOf(in), [&](std::size_t cell_number) { ++first_[cell_number + 1]; });
+    forCellsOf(parametersOf(in), [&](std::size_t cell_number) { ++first_[cell_number + 1]; });
   for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
   items_.resize(first_.back());
   std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
   for (std::uint32_t i = 0; i < triangles_.size(); ++i)
-    forCellsOf(planOf(triangles_[i]), [&](std::size_t cell_number) { items_[next[cell_number]++] = i; });
+    forCellsOf(parametersOf(triangles_[i]),
+               [&](std::size_t cell_number) { items_[next[cell_number]++] = i; });
 }
 
-ChartLookup::Corners ChartLookup::planOf(const ChartTriangle& in) const {
+ChartLookup::Corners ChartLookup::parametersOf(const ChartTriangle& in) const {
   const LayerChart& chart = charts_[in.chart];
   const Triangle& triangle = chart.surface.middle.triangles[in.triangle];
-  return {chart.plan[triangle[0]], chart.plan[triangle[1]], chart.plan[triangle[2]]};
+  return {chart.parameterization[triangle[0]], chart.parameterization[triangle[1]],
+          chart.parameterization[triangle[2]]};
 }
 
 template <class Visit>
@@ -174,17 +176,17 @@ void ChartLookup::forCellsOf(const Corners& corners, const Visit& visit) const {
       visit(grid_.cell(column, row));
 }
 
-std::optional<ChartPlace> ChartLookup::find(const Point2& plan) const {
-  const std::size_t cell = grid_.cellAt(plan);
+std::optional<ChartPlace> ChartLookup::find(const Point2& parameters) const {
+  const std::size_t cell = grid_.cellAt(parameters);
   if (cell == HeightGrid::kNoCell) return std::nullopt;
   ChartPlace best;
   double least = std::numeric_limits<double>::infinity();
   for (std::uint32_t i = first_[cell]; i < first_[cell + 1]; ++i) {
     const ChartTriangle& in = triangles_[items_[i]];
-    const Corners corners = planOf(in);
-    const Point3 weights = weightsAt(corners, plan);
+    const Corners corners = parametersOf(in);
+    const Point3 weights = weightsAt(corners, parameters);
     if (weights.minCoeff() >= 0.0) return ChartPlace{in, weights};
-    const NearestWeights nearest = nearestOnBorder(corners, plan);
+    const NearestWeights nearest = nearestOnBorder(corners, parameters);
     if (nearest.distance_mm >= least) continue;
     least = nearest.distance_mm;
     best = {in, nearest.weights};
@@ -193,20 +195,21 @@ std::optional<ChartPlace> ChartLookup::find(const Point2& plan) const {
   return best;
 }
 
-ChartPlace ChartLookup::at(const Point2& plan) const {
-  std::optional<ChartPlace> place = find(plan);
+ChartPlace ChartLookup::at(const Point2& parameters) const {
+  std::optional<ChartPlace> place = find(parameters);
   if (!place)
-    throw InvalidInput("plan point (" + numberText(plan.x()) + ", " + numberText(plan.y()) +
-                       ") mm lies outside the charts of its layer; must be inside, within " +
-                       numberText(kSnap) + " mm");
+    throw InvalidInput(
+        "place (" + numberText(parameters.x()) + ", " + numberText(parameters.y()) +
+        ") mm in the parameter plane lies outside the charts of its layer; must be inside, within " +
+        numberText(kSnap) + " mm");
   return *place;
 }
 
-ChartPlace ChartLookup::within(const ChartTriangle& in, const Point2& plan) const {
-  const Corners corners = planOf(in);
-  const Point3 weights = weightsAt(corners, plan);
+ChartPlace ChartLookup::within(const ChartTriangle& in, const Point2& parameters) const {
+  const Corners corners = parametersOf(in);
+  const Point3 weights = weightsAt(corners, parameters);
   if (weights.minCoeff() >= 0.0) return {in, weights};
-  return {in, nearestOnBorder(corners, plan).weights};
+  return {in, nearestOnBorder(corners, parameters).weights};
 }
 
 SurfacePoint ChartLookup::lifted(const ChartPlace& place) const {
@@ -231,9 +234,9 @@ double ChartLookup::areaRatio(const ChartTriangle& in) const {
   const Mesh& mesh = charts_[in.chart].surface.middle;
   const Triangle& triangle = mesh.triangles[in.triangle];
   const Point3& corner = mesh.vertices[triangle[0]];
-  const Corners plan = planOf(in);
+  const Corners parameters = parametersOf(in);
   return (mesh.vertices[triangle[1]] - corner).cross(mesh.vertices[triangle[2]] - corner).norm() /
-         cross(plan[1] - plan[0], plan[2] - plan[0]);
+         cross(parameters[1] - parameters[0], parameters[2] - parameters[0]);
 }
 
 std::optional<std::vector<ChartStretch>> ChartLookup::stretches(const Point2& from, const Point2& to) const {
@@ -243,7 +246,7 @@ std::optional<std::vector<ChartStretch>> ChartLookup::stretches(const Point2& fr
     return std::vector<ChartStretch>{{place->in, 0.0, 1.0}};
   }
   if (const std::optional<ChartPlace> place = find(from))
-    if (weightsAt(planOf(place->in), to).minCoeff() >= 0.0)
+    if (weightsAt(parametersOf(place->in), to).minCoeff() >= 0.0)
       return std::vector<ChartStretch>{{place->in, 0.0, 1.0}};
   std::vector<std::uint32_t> candidates;
   // The middles of all cells that a line crosses are nearer to it than half their diagonal.
@@ -265,7 +268,7 @@ std::optional<std::vector<ChartStretch>> ChartLookup::covering(const Point2& fro
   std::vector<ChartStretch> found;
   for (const std::uint32_t candidate : candidates) {
     const ChartTriangle& in = triangles_[candidate];
-    if (const std::optional<Interval> part = clipped(planOf(in), from, to, crossing.margin_mm))
+    if (const std::optional<Interval> part = clipped(parametersOf(in), from, to, crossing.margin_mm))
       found.push_back({in, part->from, part->to});
   }
   const bool is_any = crossing.over == Over::AnyChart;

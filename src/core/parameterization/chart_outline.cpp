@@ -7,18 +7,18 @@
 
 namespace lamina {
 
-std::vector<Polygon> outlineOf(const Mesh& surface, const std::vector<Point2>& plan) {
+std::vector<Polygon> outlineOf(const Mesh& surface, const std::vector<Point2>& parameterization) {
   std::vector<Polygon> outlines;
   for (const std::vector<HalfEdge>& loop : findBorderLoops(pairHalfEdges(surface))) {
     Polygon& outline = outlines.emplace_back();
     outline.reserve(loop.size());
-    for (const HalfEdge side : loop) outline.push_back(plan[originOf(surface, side)]);
+    for (const HalfEdge side : loop) outline.push_back(parameterization[originOf(surface, side)]);
   }
   return outlines;
 }
 
 std::vector<Polygon> outlineOf(const LayerChart& chart) {
-  return outlineOf(chart.surface.middle, chart.plan);
+  return outlineOf(chart.surface.middle, chart.parameterization);
 }
 
 }  // namespace lamina

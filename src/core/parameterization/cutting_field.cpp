@@ -19,7 +19,7 @@ using Loop = std::vector<HalfEdge>;
 
 // The second longest border makes a piece one that is run around from this share of the longest on.
 constexpr double kLongBorder = 0.2;
-// Angles around a vertex that miss or exceed a full turn by this much lie flat in no plan [rad].
+// Angles around a vertex that miss or exceed a full turn by this much lie flat in no parameterization [rad].
 constexpr double kSharp = 0.3;
 // The line is not shifted farther than this share of the way to either end.
 constexpr double kFarthestShift = 0.5;

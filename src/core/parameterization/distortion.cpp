@@ -36,7 +36,7 @@ Limits limitsFor(const Mesh& surface) {
   return {std::min(kNoStretch, usual), std::min(kNoFlip, usual)};
 }
 
-/// A triangle on the surface and in the plan: two sides from one corner, and twice the area.
+/// A triangle on the surface and in the parameter plane: two sides from one corner, and twice the area.
 struct TrianglePair {
   Point3 ab, ac;
   Point2 flat_ab, flat_ac;
@@ -48,12 +48,13 @@ struct Stretch {
   double greatest;
 };
 
-TrianglePair pairOf(const Mesh& surface, const std::vector<Point2>& plan, const Triangle& corner) {
+TrianglePair pairOf(const Mesh& surface, const std::vector<Point2>& parameterization,
+                    const Triangle& corner) {
   TrianglePair pair;
   pair.ab = surface.vertices[corner[1]] - surface.vertices[corner[0]];
   pair.ac = surface.vertices[corner[2]] - surface.vertices[corner[0]];
-  pair.flat_ab = plan[corner[1]] - plan[corner[0]];
-  pair.flat_ac = plan[corner[2]] - plan[corner[0]];
+  pair.flat_ab = parameterization[corner[1]] - parameterization[corner[0]];
+  pair.flat_ac = parameterization[corner[2]] - parameterization[corner[0]];
   pair.cross = pair.ab.cross(pair.ac).norm();
   pair.flat_cross = pair.flat_ab.x() * pair.flat_ac.y() - pair.flat_ab.y() * pair.flat_ac.x();
   return pair;
@@ -96,7 +97,7 @@ Stretch stretchOfLine(const TrianglePair& pair, double limit_mm) {
   return stretch;
 }
 
-/// The singular values of the linear map from the plan to the surface.
+/// The singular values of the linear map from the parameterization to the surface.
 Stretch stretchOf(const TrianglePair& pair) {
   if (pair.flat_cross == 0.0) return {0.0, std::numeric_limits<double>::infinity()};
   const Point3 along_x = (pair.ab * pair.flat_ac.y() - pair.ac * pair.flat_ab.y()) / pair.flat_cross;
@@ -157,17 +158,17 @@ bool anyCross(const std::vector<Segment>& segments, double depth) {
 
 }  // namespace
 
-Distortion measureDistortion(const Mesh& surface, const std::vector<Point2>& plan) {
-  if (plan.size() != surface.vertices.size())
-    throw InvalidInput("the plan has " + std::to_string(plan.size()) + " places; the surface has " +
-                       std::to_string(surface.vertices.size()) + " vertices");
+Distortion measureDistortion(const Mesh& surface, const std::vector<Point2>& parameterization) {
+  if (parameterization.size() != surface.vertices.size())
+    throw InvalidInput("the parameterization has " + std::to_string(parameterization.size()) +
+                       " places; the surface has " + std::to_string(surface.vertices.size()) + " vertices");
   Distortion distortion;
   if (surface.triangles.empty()) return distortion;
   const Limits limits = limitsFor(surface);
   distortion.least_stretch = std::numeric_limits<double>::infinity();
   distortion.greatest_stretch = 0.0;
   for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
-    const TrianglePair pair = pairOf(surface, plan, surface.triangles[t]);
+    const TrianglePair pair = pairOf(surface, parameterization, surface.triangles[t]);
     distortion.index_sum += perimeterIndex(pair);
     if (!(pair.flat_cross > 0.0) && !isThin(pair, limits.no_flip)) ++distortion.flipped;
     const Stretch stretch =
@@ -181,8 +182,8 @@ Distortion measureDistortion(const Mesh& surface, const std::vector<Point2>& pla
   return distortion;
 }
 
-bool isInjective(const Mesh& surface, const std::vector<Point2>& plan) {
-  const std::vector<Polygon> outlines = outlineOf(surface, plan);
+bool isInjective(const Mesh& surface, const std::vector<Point2>& parameterization) {
+  const std::vector<Polygon> outlines = outlineOf(surface, parameterization);
   const auto outer = std::count_if(outlines.begin(), outlines.end(),
                                    [](const Polygon& one) { return signedArea(one) > 0.0; });
   return outer == 1 && !anyCross(segmentsOf(outlines), limitsFor(surface).no_flip);

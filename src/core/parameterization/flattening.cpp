@@ -55,18 +55,19 @@ class Unfolding {
   Unfolding(const Mesh& surface, const TriangleFans& fans, double tolerance)
       : fans_(fans),
         tolerance_(tolerance),
-        plan_(fans.vertices(), Point2::Zero()),
+        parameterization_(fans.vertices(), Point2::Zero()),
         is_deposited_(fans.vertices(), 0) {
     const Triangle& seed = surface.triangles[middleTriangle(surface)];
     const Point3 along = surface.vertices[seed[1]] - surface.vertices[seed[0]];
-    plan_[seed[1]] = {along.norm(), 0.0};
+    parameterization_[seed[1]] = {along.norm(), 0.0};
     is_deposited_[seed[0]] = is_deposited_[seed[1]] = 1;
     for (std::uint32_t i = fans.first[seed[2]]; i < fans.first[seed[2] + 1]; ++i)
       if (fans.corners[i].next == seed[0] && fans.corners[i].previous == seed[1])
-        plan_[seed[2]] = placeBeyond(fans.corners[i]);
+        parameterization_[seed[2]] = placeBeyond(fans.corners[i]);
     is_deposited_[seed[2]] = 1;
-    const Point2 middle = (plan_[seed[0]] + plan_[seed[1]] + plan_[seed[2]]) / 3.0;
-    for (const std::uint32_t vertex : seed) plan_[vertex] -= middle;
+    const Point2 middle =
+        (parameterization_[seed[0]] + parameterization_[seed[1]] + parameterization_[seed[2]]) / 3.0;
+    for (const std::uint32_t vertex : seed) parameterization_[vertex] -= middle;
     for (const std::uint32_t vertex : seed) reachFrom(vertex);
   }
 
@@ -76,7 +77,7 @@ class Unfolding {
       std::pop_heap(front_.begin(), front_.end());
       front_.pop_back();
       if (is_deposited_[vertex]) continue;
-      plan_[vertex] = middleOfPlaces(vertex);
+      parameterization_[vertex] = middleOfPlaces(vertex);
       is_deposited_[vertex] = 1;
       if (!isTrueAround(vertex)) return std::nullopt;
       reachFrom(vertex);
@@ -85,7 +86,7 @@ class Unfolding {
     if (left != is_deposited_.end())
       throw InvalidMesh("no way over the surface leads to vertex " +
                         std::to_string(left - is_deposited_.begin()) + "; expected one connected piece");
-    return std::move(plan_);
+    return std::move(parameterization_);
   }
 
  private:
@@ -100,8 +101,8 @@ class Unfolding {
   /// Whether the sides to vertices that are placed already have kept their length.
   bool isTrueAround(std::uint32_t vertex) const {
     const auto isTrue = [&](std::uint32_t other, double length) {
-      return !is_deposited_[other] ||
-             std::abs((plan_[other] - plan_[vertex]).norm() - length) <= tolerance_ * length;
+      return !is_deposited_[other] || std::abs((parameterization_[other] - parameterization_[vertex]).norm() -
+                                               length) <= tolerance_ * length;
     };
     for (std::uint32_t i = fans_.first[vertex]; i < fans_.first[vertex + 1]; ++i)
       if (!isTrue(fans_.corners[i].next, fans_.corners[i].to_next) ||
@@ -114,14 +115,14 @@ class Unfolding {
   /// them, which rounding errors of that side's length do not change, so that they do not grow from row to
   /// row.
   Point2 placeBeyond(const FanCorner& corner) const {
-    const Point2 side = plan_[corner.previous] - plan_[corner.next];
+    const Point2 side = parameterization_[corner.previous] - parameterization_[corner.next];
     const double flat_length = side.norm();
     const double squared =
         corner.to_next * corner.to_next + corner.to_previous * corner.to_previous - 2.0 * corner.dot;
-    if (!(squared > 0.0) || !(flat_length > 0.0)) return plan_[corner.next];
+    if (!(squared > 0.0) || !(flat_length > 0.0)) return parameterization_[corner.next];
     const double share = (corner.to_next * corner.to_next - corner.dot) / squared;
     const double height = corner.cross / std::sqrt(squared);
-    return plan_[corner.next] + share * side + height / flat_length * Point2(-side.y(), side.x());
+    return parameterization_[corner.next] + share * side + height / flat_length * Point2(-side.y(), side.x());
   }
 
   Point2 middleOfPlaces(std::uint32_t vertex) const {
@@ -150,16 +151,16 @@ class Unfolding {
 
   const TriangleFans& fans_;
   double tolerance_;
-  std::vector<Point2> plan_;
+  std::vector<Point2> parameterization_;
   std::vector<char> is_deposited_;
   std::vector<Reached> front_;
 };
 
-/// The plan of a surface that unrolls, by laying triangle on triangle from the middle outwards; where several
-/// reach a vertex, it comes to lie between the places they give it. Nothing if the surface turns out not to
-/// unroll, because two neighbours come to lie nearer or farther than they are by more than the tolerance. May
-/// overlap itself, and may tear apart triangles that the way around a hole joins (`measureDistortion`
-/// reports).
+/// The parameterization of a surface that unrolls, by laying triangle on triangle from the middle outwards;
+/// where several reach a vertex, it comes to lie between the places they give it. Nothing if the surface
+/// turns out not to unroll, because two neighbours come to lie nearer or farther than they are by more than
+/// the tolerance. May overlap itself, and may tear apart triangles that the way around a hole joins
+/// (`measureDistortion` reports).
 ///
 /// @param surface    connected by edges; its fans
 /// @param tolerance  as a share of each length
@@ -169,23 +170,23 @@ std::optional<std::vector<Point2>> unfold(const Mesh& surface, const TriangleFan
   return Unfolding(surface, fans, tolerance).run();
 }
 
-// Surfaces that keep their lengths to this share when they are unrolled need no better plan.
+// Surfaces that keep their lengths to this share when they are unrolled need no better parameterization.
 constexpr double kUnrollsFlat = 0.005;
 // A surface that faces its mean direction so much (cosine of the angle) is projected for a guess.
 constexpr double kFacing = 0.5;
-// Up to so many vertices the exact plan takes no time.
+// Up to so many vertices the exact parameterization takes no time.
 constexpr std::size_t kFewVertices = 1000;
 
 /// Geodesic distances do not distinguish a surface from its mirror image.
-void turnCounterClockwise(const Mesh& surface, std::vector<Point2>& plan) {
+void turnCounterClockwise(const Mesh& surface, std::vector<Point2>& parameterization) {
   double area = 0.0;
   for (const Triangle& corner : surface.triangles) {
-    const Point2 ab = plan[corner[1]] - plan[corner[0]];
-    const Point2 ac = plan[corner[2]] - plan[corner[0]];
+    const Point2 ab = parameterization[corner[1]] - parameterization[corner[0]];
+    const Point2 ac = parameterization[corner[2]] - parameterization[corner[0]];
     area += ab.x() * ac.y() - ab.y() * ac.x();
   }
   if (area >= 0.0) return;
-  for (Point2& place : plan) place.x() = -place.x();
+  for (Point2& place : parameterization) place.x() = -place.x();
 }
 
 bool isWithin(const Distortion& distortion, double tolerance) {
@@ -193,8 +194,8 @@ bool isWithin(const Distortion& distortion, double tolerance) {
          distortion.greatest_stretch <= 1.0 + tolerance;
 }
 
-/// Whether a better plan may be within the tolerance where the coarse one is not. It mends single triangles
-/// that are too small, mostly at borders.
+/// Whether a better parameterization may be within the tolerance where the coarse one is not. It mends single
+/// triangles that are too small, mostly at borders.
 bool isNearly(const Distortion& distortion, double tolerance) {
   return distortion.flipped == 0 && distortion.least_stretch >= 1.0 - 1.1 * tolerance &&
          distortion.greatest_stretch <= 1.0 + 2.0 * tolerance;
@@ -228,29 +229,31 @@ Facing facingOf(const Mesh& surface) {
 std::vector<Point2> project(const Mesh& surface, const Point3& direction) {
   const Point3 x = direction.unitOrthogonal();
   const Point3 y = direction.cross(x);
-  std::vector<Point2> plan;
-  plan.reserve(surface.vertices.size());
-  for (const Point3& vertex : surface.vertices) plan.emplace_back(vertex.dot(x), vertex.dot(y));
-  return plan;
+  std::vector<Point2> parameterization;
+  parameterization.reserve(surface.vertices.size());
+  for (const Point3& vertex : surface.vertices) parameterization.emplace_back(vertex.dot(x), vertex.dot(y));
+  return parameterization;
 }
 
 /// Keeps the direction of each vertex from the middle one, and puts it as far away as it is over the surface.
-std::vector<Point2> spread(std::vector<Point2> plan, const GeodesicDistances& geodesics) {
+std::vector<Point2> spread(std::vector<Point2> parameterization, const GeodesicDistances& geodesics) {
   Box2 box;
-  for (const Point2& place : plan) box.include(place);
-  const auto middle = std::min_element(plan.begin(), plan.end(), [&](const Point2& a, const Point2& b) {
-    return (a - box.centre()).squaredNorm() < (b - box.centre()).squaredNorm();
-  });
+  for (const Point2& place : parameterization) box.include(place);
+  const auto middle = std::min_element(
+      parameterization.begin(), parameterization.end(), [&](const Point2& a, const Point2& b) {
+        return (a - box.centre()).squaredNorm() < (b - box.centre()).squaredNorm();
+      });
   const Point2 centre = *middle;
-  const std::vector<double> distance = geodesics.from(static_cast<std::uint32_t>(middle - plan.begin()));
-  for (std::size_t i = 0; i < plan.size(); ++i) {
-    const Point2 away = plan[i] - centre;
+  const std::vector<double> distance =
+      geodesics.from(static_cast<std::uint32_t>(middle - parameterization.begin()));
+  for (std::size_t i = 0; i < parameterization.size(); ++i) {
+    const Point2 away = parameterization[i] - centre;
     if (const double norm = away.norm(); norm > 0.0)
-      plan[i] = distance[i] / norm * away;
+      parameterization[i] = distance[i] / norm * away;
     else
-      plan[i] = Point2::Zero();
+      parameterization[i] = Point2::Zero();
   }
-  return plan;
+  return parameterization;
 }
 
 std::vector<Point2> scaleDistances(const Mesh& surface, TriangleFans fans,
@@ -258,10 +261,10 @@ std::vector<Point2> scaleDistances(const Mesh& surface, TriangleFans fans,
   const GeodesicDistances geodesics(std::move(fans));
   const Landmarks landmarks =
       spreadLandmarks(geodesics, surface.vertices.size(), static_cast<std::size_t>(settings.landmarks));
-  std::vector<Point2> plan = landmarkMds(landmarks);
-  turnCounterClockwise(surface, plan);
-  if (settings.method != FlatteningMethod::Stress) return plan;
-  return lessenStress(std::move(plan), geodesics.fans(), landmarks);
+  std::vector<Point2> parameterization = landmarkMds(landmarks);
+  turnCounterClockwise(surface, parameterization);
+  if (settings.method != FlatteningMethod::Stress) return parameterization;
+  return lessenStress(std::move(parameterization), geodesics.fans(), landmarks);
 }
 
 std::vector<Point2> guessOf(const Mesh& surface, TriangleFans fans, const FlatteningSettings& settings) {
@@ -274,15 +277,17 @@ std::vector<Point2> guessOf(const Mesh& surface, TriangleFans fans, const Flatte
 
 std::vector<Point2> flattenArap(const Mesh& surface, const FlatteningSettings& settings) {
   TriangleFans fans = gatherFans(surface);
-  if (auto plan = unfold(surface, fans, kUnrollsFlat))
-    if (isWithin(measureDistortion(surface, *plan), kUnrollsFlat)) return std::move(*plan);
+  if (auto parameterization = unfold(surface, fans, kUnrollsFlat))
+    if (isWithin(measureDistortion(surface, *parameterization), kUnrollsFlat))
+      return std::move(*parameterization);
   std::vector<Point2> guess = guessOf(surface, std::move(fans), settings);
   const ArapEnergy energy(surface);
   if (surface.vertices.size() <= kFewVertices) return relaxArap(energy, std::move(guess));
-  std::vector<Point2> plan = relaxCoarsely(energy, std::move(guess));
-  const Distortion distortion = measureDistortion(surface, plan);
-  if (isWithin(distortion, settings.tolerance) || !isNearly(distortion, settings.tolerance)) return plan;
-  return relaxArap(energy, std::move(plan));
+  std::vector<Point2> parameterization = relaxCoarsely(energy, std::move(guess));
+  const Distortion distortion = measureDistortion(surface, parameterization);
+  if (isWithin(distortion, settings.tolerance) || !isNearly(distortion, settings.tolerance))
+    return parameterization;
+  return relaxArap(energy, std::move(parameterization));
 }
 
 }  // namespace

@@ -17,10 +17,9 @@ void describe(SettingsSchema& schema, FlatteningSettings& settings) {
   schema.renamedChoice("flattening.method", "stress", "smacof");
   schema.integer("flattening.landmarks", settings.landmarks, {4.0, 100000.0},
                  "Vertices from which geodesic distances are taken; pieces with fewer vertices use all.");
-  schema.number(
-      "flattening.tolerance", settings.tolerance, {0.001, 0.5},
-      "Share by which lengths on the layer may differ from those in its plan; beyond it the layer is "
-      "cut.");
+  schema.number("flattening.tolerance", settings.tolerance, {0.001, 0.5},
+                "Share by which lengths on the layer may differ from those in its parameterization; beyond "
+                "it the layer is cut.");
 }
 
 }  // namespace lamina

@@ -96,13 +96,14 @@ std::vector<Point2> landmarkMds(const Landmarks& landmarks) {
         axes.values[k] > 0.0
             ? Eigen::RowVectorXd(-0.5 / std::sqrt(axes.values[k]) * axes.vectors.col(k).transpose())
             : Eigen::RowVectorXd::Zero(count);
-  std::vector<Point2> plan(landmarks.distance.front().size(), Point2(-(place * mean)));
+  std::vector<Point2> parameterization(landmarks.distance.front().size(), Point2(-(place * mean)));
   for (Eigen::Index i = 0; i < count; ++i) {
     const Point2 share = place.col(i);
     const std::vector<double>& distance = landmarks.distance[static_cast<std::size_t>(i)];
-    for (std::size_t v = 0; v < plan.size(); ++v) plan[v] += distance[v] * distance[v] * share;
+    for (std::size_t v = 0; v < parameterization.size(); ++v)
+      parameterization[v] += distance[v] * distance[v] * share;
   }
-  return plan;
+  return parameterization;
 }
 
 }  // namespace lamina

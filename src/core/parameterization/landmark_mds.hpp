@@ -21,8 +21,8 @@ struct Landmarks {
 /// @throws InvalidMesh if a vertex cannot be reached
 Landmarks spreadLandmarks(const GeodesicDistances& geodesics, std::size_t vertices, std::size_t count);
 
-/// Classical multidimensional scaling: the plan whose distances between landmarks come nearest to the given
-/// ones, W = -1/2 J D² J, and each vertex where its distances to the landmarks put it
+/// Classical multidimensional scaling: the parameterization whose distances between landmarks come nearest to
+/// the given ones, W = -1/2 J D² J, and each vertex where its distances to the landmarks put it
 /// [DeSilva2004]. With all vertices as landmarks this is scaling without landmarks.
 std::vector<Point2> landmarkMds(const Landmarks& landmarks);
 

@@ -47,8 +47,8 @@ bool isPlane(const Mesh& surface, const Point3& normal) {
   return true;
 }
 
-/// The plan of a surface that is plane already, the same shape to rounding; nothing if it is not plane. A
-/// level one keeps its x and y.
+/// The parameterization of a surface that is plane already, the same shape to rounding; nothing if it is not
+/// plane. A level one keeps its x and y.
 std::optional<std::vector<Point2>> planeParameterization(const Mesh& surface) {
   Point3 sum = Point3::Zero();
   for (const Triangle& corner : surface.triangles) sum += areaVector(surface, corner);
@@ -58,10 +58,10 @@ std::optional<std::vector<Point2>> planeParameterization(const Mesh& surface) {
   const bool is_level = std::hypot(normal.x(), normal.y()) <= kFlatness && normal.z() > 0.0;
   const Eigen::Matrix3d turn = is_level ? Eigen::Matrix3d(Eigen::Matrix3d::Identity())
                                         : shortestRotation(normal, Point3::UnitZ()).toRotationMatrix();
-  std::vector<Point2> plan;
-  plan.reserve(surface.vertices.size());
-  for (const Point3& vertex : surface.vertices) plan.emplace_back((turn * vertex).head<2>());
-  return plan;
+  std::vector<Point2> parameterization;
+  parameterization.reserve(surface.vertices.size());
+  for (const Point3& vertex : surface.vertices) parameterization.emplace_back((turn * vertex).head<2>());
+  return parameterization;
 }
 
 using Complex = std::complex<double>;
@@ -84,7 +84,7 @@ std::vector<double> areaOfVertices(const Mesh& mesh) {
 }
 
 struct Centres {
-  Point2 plan = Point2::Zero();
+  Point2 parameters = Point2::Zero();
   Point3 surface = Point3::Zero();
 };
 
@@ -92,23 +92,23 @@ Centres centresOf(const LayerChart& chart, const std::vector<double>& weight) {
   Centres centres;
   double sum = 0.0;
   for (std::size_t i = 0; i < weight.size(); ++i) {
-    centres.plan += weight[i] * chart.plan[i];
+    centres.parameters += weight[i] * chart.parameterization[i];
     centres.surface += weight[i] * chart.surface.middle.vertices[i];
     sum += weight[i];
   }
   if (sum > 0.0) {
-    centres.plan /= sum;
+    centres.parameters /= sum;
     centres.surface /= sum;
   }
   return centres;
 }
 
-/// How the plan must be turned, a number of length 1.
+/// How the parameterization must be turned, a number of length 1.
 Complex turnOf(const LayerChart& chart, const std::vector<double>& weight, const Centres& centres) {
   Complex fit = 0.0, towards_x = 0.0, towards_y = 0.0;
   double size = 0.0;
   for (std::size_t i = 0; i < weight.size(); ++i) {
-    const Point2 place = chart.plan[i] - centres.plan;
+    const Point2 place = chart.parameterization[i] - centres.parameters;
     const Point3 above = chart.surface.middle.vertices[i] - centres.surface;
     const Complex back = weight[i] * Complex(place.x(), -place.y());
     fit += back * Complex(above.x(), above.y());
@@ -123,19 +123,19 @@ Complex turnOf(const LayerChart& chart, const std::vector<double>& weight, const
   return turn / std::abs(turn);
 }
 
-Box2 boxOf(const LayerChart& chart) { return boundingBox(std::vector<Polygon>{chart.plan}); }
+Box2 boxOf(const LayerChart& chart) { return boundingBox(std::vector<Polygon>{chart.parameterization}); }
 
 /// The height of a chart that is level and lies where its surface does [mm].
 std::optional<double> levelOf(const LayerChart& chart) {
   const std::vector<Point3>& vertices = chart.surface.middle.vertices;
   for (std::size_t i = 0; i < vertices.size(); ++i)
     if (std::abs(vertices[i].z() - vertices[0].z()) > kLevel ||
-        (vertices[i].head<2>() - chart.plan[i]).norm() > kLevel)
+        (vertices[i].head<2>() - chart.parameterization[i]).norm() > kLevel)
       return std::nullopt;
   return vertices[0].z();
 }
 
-/// What a chart takes up of the plan.
+/// What a chart takes up of the parameter plane.
 struct Ground {
   Box2 box;
   std::optional<double> level;
@@ -147,22 +147,24 @@ bool collide(const Ground& a, const Ground& b) {
   return areOverlapping(a.box, b.box);
 }
 
-/// Turns and moves a plan to where the surface lies seen along z: least squares over the area, without
-/// mirroring. Where that gives no direction, as below a surface that faces down, the direction in which the
-/// surface runs towards x comes to lie along x, or, if it does not run there, the one towards y along y.
+/// Turns and moves a parameterization to where the surface lies seen along z: least squares over the area,
+/// without mirroring. Where that gives no direction, as below a surface that faces down, the direction in
+/// which the surface runs towards x comes to lie along x, or, if it does not run there, the one towards y
+/// along y.
 void layOverProjection(LayerChart& chart) {
   const std::vector<double> weight = areaOfVertices(chart.surface.middle);
   const Centres centres = centresOf(chart, weight);
   const Complex turn = turnOf(chart, weight, centres);
-  for (Point2& place : chart.plan) {
-    const Complex turned = turn * Complex(place.x() - centres.plan.x(), place.y() - centres.plan.y());
+  for (Point2& place : chart.parameterization) {
+    const Complex turned =
+        turn * Complex(place.x() - centres.parameters.x(), place.y() - centres.parameters.y());
     place = {turned.real() + centres.surface.x(), turned.imag() + centres.surface.y()};
   }
 }
 
-/// Moves plans such that no two of their boxes overlap: those in the way of earlier ones go into rows beyond
-/// the others in y, 10 mm apart. Level charts at the same height stay where they are, in each other's holes
-/// too.
+/// Moves parameterizations such that no two of their boxes overlap: those in the way of earlier ones go into
+/// rows beyond the others in y, 10 mm apart. Level charts at the same height stay where they are, in each
+/// other's holes too.
 void moveApart(std::vector<LayerChart>& charts) {
   std::vector<Ground> taken;
   std::vector<LayerChart*> in_the_way;
@@ -191,7 +193,7 @@ void moveApart(std::vector<LayerChart>& charts) {
       row_height = 0.0;
     }
     const Point2 shift = free - box.low;
-    for (Point2& place : chart->plan) place += shift;
+    for (Point2& place : chart->parameterization) place += shift;
     free.x() += box.size().x() + kGap;
     row_height = std::max(row_height, box.size().y());
   }
@@ -221,15 +223,15 @@ struct Piece {
   int cuts = 0;
 };
 
-/// Whether a plan may be used, and if not, why.
+/// Whether a parameterization may be used, and if not, why.
 struct Verdict {
-  bool is_plan = false;  ///< nothing flipped or overlapping
-  bool is_true = false;  ///< lengths within the tolerance
+  bool is_injective = false;  ///< nothing flipped or overlapping
+  bool is_true = false;       ///< lengths within the tolerance
   std::string reason;
 };
 
-Verdict judge(const Mesh& surface, const std::vector<Point2>& plan, double tolerance) {
-  const Distortion distortion = measureDistortion(surface, plan);
+Verdict judge(const Mesh& surface, const std::vector<Point2>& parameterization, double tolerance) {
+  const Distortion distortion = measureDistortion(surface, parameterization);
   Verdict verdict;
   if (distortion.flipped > 0) {
     verdict.reason = std::to_string(distortion.flipped) + " of " + std::to_string(surface.triangles.size()) +
@@ -243,8 +245,8 @@ Verdict judge(const Mesh& surface, const std::vector<Point2>& plan, double toler
                    significantText(distortion.greatest_stretch, kShownDigits) + "; expected " +
                    significantText(1.0 - tolerance, kShownDigits) + " to " +
                    significantText(1.0 + tolerance, kShownDigits);
-  verdict.is_plan = isInjective(surface, plan);
-  if (!verdict.is_plan) verdict.reason = "it overlaps itself";
+  verdict.is_injective = isInjective(surface, parameterization);
+  if (!verdict.is_injective) verdict.reason = "it overlaps itself";
   return verdict;
 }
 
@@ -269,10 +271,11 @@ bool divide(const Creases& creases) {
          creases.inside <= std::max(creases.curvature, kLittleCurvature);
 }
 
-/// The plan of a piece that is not plane, if it has one that may be used.
+/// The parameterization of a piece that is not plane, if it has one that may be used.
 /// @throws InvalidMesh if it has none and was cut too often
-std::optional<std::vector<Point2>> planOf(const Piece& piece, const MeshTopology& topology,
-                                          const Creases& creases, const FlatteningSettings& settings) {
+std::optional<std::vector<Point2>> parameterizationOf(const Piece& piece, const MeshTopology& topology,
+                                                      const Creases& creases,
+                                                      const FlatteningSettings& settings) {
   const Mesh& mesh = piece.surface.middle;
   const bool is_last = piece.cuts >= kDeepestCut;
   if (!topology.has_border) {
@@ -283,11 +286,11 @@ std::optional<std::vector<Point2>> planOf(const Piece& piece, const MeshTopology
   if (!is_last && divide(creases) && creases.curvature > kSharplyCreased) return std::nullopt;
   const double too_round = kFarTooRound * greatestFlatCurvature(settings.tolerance);
   if (!is_last && netCurvature(mesh, topology) > too_round) return std::nullopt;
-  std::vector<Point2> plan = flatten(mesh, settings);
-  const Verdict verdict = judge(mesh, plan, settings.tolerance);
+  std::vector<Point2> parameterization = flatten(mesh, settings);
+  const Verdict verdict = judge(mesh, parameterization, settings.tolerance);
   const double area = surfaceArea(mesh);
-  if (verdict.is_plan && (verdict.is_true || area <= beadArea(piece.surface))) return plan;
-  if (is_last) refuse(piece, "in its plan " + verdict.reason);
+  if (verdict.is_injective && (verdict.is_true || area <= beadArea(piece.surface))) return parameterization;
+  if (is_last) refuse(piece, "in its parameterization " + verdict.reason);
   return std::nullopt;
 }
 
@@ -318,14 +321,14 @@ void addCharts(Piece piece, const FlatteningSettings& settings, std::vector<Laye
   if (surfaceArea(mesh) <= kNothing) return;
   const MeshTopology topology = pairHalfEdges(mesh);
   Creases creases;
-  std::optional<std::vector<Point2>> plan;
-  if (topology.has_border) plan = planeParameterization(mesh);
-  if (!plan) {
+  std::optional<std::vector<Point2>> parameterization;
+  if (topology.has_border) parameterization = planeParameterization(mesh);
+  if (!parameterization) {
     creases = findCreases(mesh, topology, kLeastPart * beadArea(piece.surface));
-    plan = planOf(piece, topology, creases, settings);
+    parameterization = parameterizationOf(piece, topology, creases, settings);
   }
-  if (plan) {
-    charts.push_back({std::move(piece.surface), std::move(*plan)});
+  if (parameterization) {
+    charts.push_back({std::move(piece.surface), std::move(*parameterization)});
     layOverProjection(charts.back());
     return;
   }

@@ -29,32 +29,35 @@ void forLandmarks(const Landmarks& landmarks, std::uint32_t vertex, const Visit&
 }
 
 /// Where the vertex would be best, seen from the others where they are.
-Point2 bestPlace(const std::vector<Point2>& plan, std::uint32_t vertex, const TriangleFans& fans,
+Point2 bestPlace(const std::vector<Point2>& parameterization, std::uint32_t vertex, const TriangleFans& fans,
                  const Landmarks& landmarks) {
   Point2 sum = Point2::Zero();
   double weights = 0.0;
   const auto add = [&](std::uint32_t other, double length, double share) {
     if (!(length > 0.0)) return;
-    const Point2 away = plan[vertex] - plan[other];
+    const Point2 away = parameterization[vertex] - parameterization[other];
     const double distance = away.norm();
     const double weight = share / (length * length);
-    sum += weight * (distance > 0.0 ? Point2(plan[other] + length / distance * away) : plan[other]);
+    sum += weight * (distance > 0.0 ? Point2(parameterization[other] + length / distance * away)
+                                    : parameterization[other]);
     weights += weight;
   };
   const double share = 1.0 / static_cast<double>(landmarks.vertices.size());
   forSides(fans, vertex, [&](std::uint32_t other, double length) { add(other, length, 1.0); });
   forLandmarks(landmarks, vertex, [&](std::uint32_t other, double length) { add(other, length, share); });
-  return weights > 0.0 ? Point2(sum / weights) : plan[vertex];
+  return weights > 0.0 ? Point2(sum / weights) : parameterization[vertex];
 }
 
 }  // namespace
 
-double stressOf(const std::vector<Point2>& plan, const TriangleFans& fans, const Landmarks& landmarks) {
+double stressOf(const std::vector<Point2>& parameterization, const TriangleFans& fans,
+                const Landmarks& landmarks) {
   double sides = 0.0;
   double ways = 0.0;
-  for (std::uint32_t vertex = 0; vertex < plan.size(); ++vertex) {
+  for (std::uint32_t vertex = 0; vertex < parameterization.size(); ++vertex) {
     const auto squared = [&](std::uint32_t other, double length) {
-      const double error = length > 0.0 ? (plan[vertex] - plan[other]).norm() / length - 1.0 : 0.0;
+      const double error =
+          length > 0.0 ? (parameterization[vertex] - parameterization[other]).norm() / length - 1.0 : 0.0;
       return error * error;
     };
     // Each side is seen from both ends.
@@ -66,18 +69,18 @@ double stressOf(const std::vector<Point2>& plan, const TriangleFans& fans, const
   return sides + ways / static_cast<double>(landmarks.vertices.size());
 }
 
-std::vector<Point2> lessenStress(std::vector<Point2> plan, const TriangleFans& fans,
+std::vector<Point2> lessenStress(std::vector<Point2> parameterization, const TriangleFans& fans,
                                  const Landmarks& landmarks) {
-  double before = stressOf(plan, fans, landmarks);
+  double before = stressOf(parameterization, fans, landmarks);
   for (int sweep = 1; sweep <= kSweeps; ++sweep) {
-    for (std::uint32_t vertex = 0; vertex < plan.size(); ++vertex)
-      plan[vertex] = bestPlace(plan, vertex, fans, landmarks);
+    for (std::uint32_t vertex = 0; vertex < parameterization.size(); ++vertex)
+      parameterization[vertex] = bestPlace(parameterization, vertex, fans, landmarks);
     if (sweep % kSweepsPerCheck != 0) continue;
-    const double after = stressOf(plan, fans, landmarks);
+    const double after = stressOf(parameterization, fans, landmarks);
     if (!(after < (1.0 - kStressConverged) * before)) break;
     before = after;
   }
-  return plan;
+  return parameterization;
 }
 
 }  // namespace lamina

@@ -9,13 +9,15 @@
 
 namespace lamina {
 
-/// Sum over the sides of triangles and over the ways from vertices to landmarks of (length in the plan /
-/// length on the surface - 1)². Sides count as often as they have triangles, landmarks together as one side.
-double stressOf(const std::vector<Point2>& plan, const TriangleFans& fans, const Landmarks& landmarks);
+/// Sum over the sides of triangles and over the ways from vertices to landmarks of (length in the parameter
+/// plane / length on the surface - 1)². Sides count as often as they have triangles, landmarks together as
+/// one side.
+double stressOf(const std::vector<Point2>& parameterization, const TriangleFans& fans,
+                const Landmarks& landmarks);
 
-/// Lessens the stress of a plan by majorisation (SMACOF): one vertex after the other moves to the mean of the
-/// places that its sides and landmarks would have it at [Gansner2004].
-std::vector<Point2> lessenStress(std::vector<Point2> plan, const TriangleFans& fans,
+/// Lessens the stress of a parameterization by majorisation (SMACOF): one vertex after the other moves to the
+/// mean of the places that its sides and landmarks would have it at [Gansner2004].
+std::vector<Point2> lessenStress(std::vector<Point2> parameterization, const TriangleFans& fans,
                                  const Landmarks& landmarks);
 
 }  // namespace lamina

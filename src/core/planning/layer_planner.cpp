@@ -24,7 +24,7 @@
 #include "planning/bridges/hollow_below.hpp"
 #include "planning/bridges/layer_below.hpp"
 #include "planning/bridges/lines_below.hpp"
-#include "planning/laid_runs.hpp"
+#include "planning/deposited_runs.hpp"
 #include "planning/modifiers/island_pieces.hpp"
 #include "planning/modifiers/run_clipping.hpp"
 #include "planning/order/anchored_run.hpp"
@@ -194,7 +194,7 @@ class LayerPlanner {
   /// @return what is left to fill
   Regions addBridges(BridgedAreas areas) {
     bridging_ += areas.counts;
-    for (LaidBridge& bridge : areas.bridges) addFills(std::move(bridge.threads), bridge.area);
+    for (DepositedBridge& bridge : areas.bridges) addFills(std::move(bridge.threads), bridge.area);
     const std::size_t before = result_.paths.size();
     addSkin(areas.hanging, PathRole::BottomSkin);
     markUnsupportedSince(result_.paths, before,
@@ -241,7 +241,7 @@ class LayerPlanner {
     const auto addCommonWalls = [&] {
       const std::size_t before = result_.paths.size();
       addWalls(walls);
-      result_.paths = laidByPieces(std::move(result_.paths), before, pieces, {&settings_, index_});
+      result_.paths = depositedByPieces(std::move(result_.paths), before, pieces, {&settings_, index_});
     };
     if (settings_.walls.order == WallOrder::OutsideIn) addCommonWalls();
     for (const IslandPiece& piece : pieces)

@@ -140,10 +140,10 @@ void requireConsistentAdhesion(const AdhesionSettings& adhesion) {
 
 void requireConsistentHybrid(const PlanSettings& settings) {
   const HybridSettings& hybrid = settings.fill.hybrid;
-  if (hybrid.lines != HybridLines::Documented) return;
+  if (hybrid.lines != HybridLines::Metal) return;
   if (settings.fill.raster.direction != RasterDirection::Given)
     throw InvalidConfig(
-        "raster.direction is not 'given' with hybrid.lines 'documented', whose lines follow the grid; "
+        "raster.direction is not 'given' with hybrid.lines 'metal', whose lines follow the grid; "
         "expected "
         "'given', or hybrid.lines 'fitted'");
   if (hybrid.add_above < hybrid.delete_below)

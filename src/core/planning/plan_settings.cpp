@@ -14,7 +14,7 @@ constexpr Bounds kRoleWidth{0.0, 100.0};
 void describe(SettingsSchema& schema, BeadSettings& bead) {
   schema.number("bead.width_mm", bead.width_mm, {0.01, 100.0}, "Width of a bead.");
   schema.number("bead.flow", bead.flow, {0.1, 5.0},
-                "Factor on what is laid of the part; beads stay where they are.");
+                "Factor on what is deposited of the part; beads stay where they are.");
   schema.number(
       "bead.pitch_mm", bead.pitch_mm, {0.0, 100.0},
       "Distance of neighbouring beads in a solid fill; 0 takes that at which they fill it exactly.");
@@ -48,7 +48,7 @@ void describe(SettingsSchema& schema, InfillSettings& infill) {
   schema.number("infill.wall_overlap", infill.wall_overlap, {0.0, 0.9},
                 "Part of the bead width by which infill runs into the innermost wall.");
   schema.integer("infill.every_layers", infill.every_layers, {1, 100},
-                 "Sparse infill is laid in one of so many layers, in beads as high as all of them.");
+                 "Sparse infill is deposited in one of so many layers, in beads as high as all of them.");
   schema.choice<LineLink>(
       "infill.link", infill.links.link,
       {{"border", LineLink::Border}, {"none", LineLink::None}, {"up_to_mm", LineLink::UpTo}},
@@ -77,13 +77,14 @@ void describe(SettingsSchema& schema, SkinSettings& skins) {
   schema.number("skins.least_infill_mm2", skins.least_infill_mm2, {0.0, 1e6},
                 "Smaller areas of sparse infill become skin.");
   schema.flag("skins.monotonic", skins.is_monotonic,
-              "Whether zigzags seen from above are laid in one sense across, none between two laid before.");
+              "Whether zigzags seen from above are deposited in one sense across, none between two deposited "
+              "before.");
 }
 
 void describe(SettingsSchema& schema, IroningSettings& ironing) {
   schema.flag("ironing.use", ironing.is_used, "Whether skins seen from above are passed over once more.");
   schema.number("ironing.flow", ironing.flow, Bounds::above(0.0, 1.0),
-                "What is laid then, as a share of the layer's height.");
+                "What is deposited then, as a share of the layer's height.");
   schema.number("ironing.spacing_mm", ironing.spacing_mm, {0.01, 100.0},
                 "Distance of neighbouring lines of ironing.");
   schema.number("ironing.inset_mm", ironing.inset_mm, {0.0, 100.0},
@@ -141,7 +142,7 @@ void describe(SettingsSchema& schema, TravelSettings& travel) {
   schema.number("travel.comb_detour", travel.comb_detour, {1.0, 1000.0},
                 "Longest way inside, in straight ways; beyond, a travel is straight and retracted.");
   schema.number("travel.wipe_mm", travel.wipe_mm, {0.0, 100.0},
-                "Way along the run just laid before a retracted travel; 0 for none.");
+                "Way along the run just deposited before a retracted travel; 0 for none.");
   schema.number("travel.wipe_share", travel.wipe_share, {0.0, 1.0},
                 "Share of the retraction that happens on that way.");
 }

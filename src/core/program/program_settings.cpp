@@ -37,7 +37,7 @@ void describe(SettingsSchema& schema, ProgramSettings& settings) {
   schema.flag("program.settings_in_file", settings.states_settings,
               "Whether G-code ends with all settings as comments, by which the slice can be repeated.");
   schema.flag("program.progress", settings.states_progress,
-              "Whether G-code tells the machine how much is done and how long the rest takes (M73).");
+              "Whether G-code reports to the machine how much is done and how long the rest takes (M73).");
   schema.flag("program.accelerations", settings.states_accelerations,
               "Whether G-code sets the accelerations of motion.* at its start.");
   describe(schema, settings.drops);

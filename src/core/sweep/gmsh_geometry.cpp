@@ -142,7 +142,7 @@ std::string gmshGeometry(const std::vector<Sweep>& sweeps) {
     const BeadOutline outline = outlineOf(sweep.bead);
     for (std::size_t line = 0; line < sweep.lineCount(); ++line) {
       const BeadFrame frame = frameOfLine(sweep, line);
-      if (line > 0 || sweep.is_ring) script.addJoint(frame, outline);
+      if (line > 0 || sweep.is_loop) script.addJoint(frame, outline);
       script.addLine(frame, outline);
     }
   }

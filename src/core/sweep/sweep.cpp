@@ -37,7 +37,7 @@ Sweep whole(const Path& path) {
   return sweep;
 }
 
-bool isRing(const Sweep& sweep) {
+bool isLoop(const Sweep& sweep) {
   return sweep.points.size() > 3 && (sweep.points.front() - sweep.points.back()).norm() < 1e-6;
 }
 
@@ -84,7 +84,7 @@ void append(Sweep sweep, const SweepSettings& settings, std::vector<Sweep>& swee
   if (first != 0) {
     sweeps.push_back(section(sweep, first, sweep.points.size() - 1));
   } else {
-    sweep.is_ring = settings.corners == CornerStrategy::Whole && isRing(sweep);
+    sweep.is_loop = settings.corners == CornerStrategy::Whole && isLoop(sweep);
     sweeps.push_back(std::move(sweep));
   }
 }

@@ -21,7 +21,7 @@ class SweepLines {
   /// The line that follows, or as many as there are.
   std::size_t after(std::size_t line) const {
     if (line + 1 < count()) return line + 1;
-    return sweep_.is_ring ? 0 : count();
+    return sweep_.is_loop ? 0 : count();
   }
   bool hasCorner(std::size_t line) const { return after(line) != count(); }
   bool isMitred(std::size_t line) const {

@@ -270,7 +270,9 @@ bool CellController::onRemoteAccess(lamina_msgs::SetRemoteAccess::Request& reque
     ROS_INFO_STREAM("remote access is " << (is_allowed ? "allowed" : "locked") << " by '" << request.source
                                         << "'");
   } catch (...) {
-    response.status = toMessage(currentFailure());
+    const Failure failure = currentFailure();
+    ROS_ERROR_STREAM(refusalText({"set remote access for", request.source, ""}, failure));
+    response.status = toMessage(failure);
   }
   publish();
   return true;

@@ -103,7 +103,7 @@ void LayerLog::write(const std::function<void()>& rows) {
   try {
     rows();
   } catch (const Error& error) {
-    ROS_ERROR_STREAM_THROTTLE(1.0, "what was told of a layer is not kept: " << error.what());
+    ROS_ERROR_STREAM_THROTTLE(1.0, "what was reported of a layer is not kept: " << error.what());
   }
 }
 

@@ -24,8 +24,8 @@ void requireFirstTool(const Toolpath& toolpath) {
   for (std::size_t k = 0; k < toolpath.layers.size(); ++k)
     for (const Path& path : toolpath.layers[k].paths)
       if (path.tool != 0)
-        throw InvalidInput("layer " + std::to_string(k) + " is laid by tool " + std::to_string(path.tool) +
-                           "; expected one tool, to go over to a plan");
+        throw InvalidInput("layer " + std::to_string(k) + " is deposited by tool " +
+                           std::to_string(path.tool) + "; expected one tool, to go over to a plan");
 }
 
 }  // namespace

@@ -236,7 +236,7 @@ StreamStatus GcodeStreamer::streamProgram(const StreamableProgram& program, JobS
     watchStartup(*session, now);
     if (!execution.empty()) holdWithoutOwner(*session);
     if (corrected) tellDecisions(*corrected);
-    if (recorded) tellLaidAsPlanned(*recorded, now.layer);
+    if (recorded) reportDepositedAsPlanned(*recorded, now.layer);
   });
   const std::lock_guard<std::mutex> lock(mutex_);
   session_.reset();
@@ -433,12 +433,13 @@ void GcodeStreamer::tellDecisions(CorrectedStream& corrected) {
     message.header.stamp = ros::Time::now();
     applied_.publish(message);
     if (!each.digest.empty())
-      ROS_INFO("layer %lu is laid by map %s", static_cast<unsigned long>(each.layer), each.digest.c_str());
+      ROS_INFO("layer %lu is deposited by map %s", static_cast<unsigned long>(each.layer),
+               each.digest.c_str());
     else if (!each.refusal.empty())
-      ROS_WARN("layer %lu is laid as planned: %s", static_cast<unsigned long>(each.layer),
+      ROS_WARN("layer %lu is deposited as planned: %s", static_cast<unsigned long>(each.layer),
                each.refusal.c_str());
     else if (each.layer > 0 || each.waited_s > 0.0)
-      ROS_WARN("%d: no map of layer %lu within %.1f s: it is laid as planned",
+      ROS_WARN("%d: no map of layer %lu within %.1f s: it is deposited as planned",
                static_cast<int>(LoopAlarm::MapLate), static_cast<unsigned long>(each.layer), each.waited_s);
   }
   const std::string failure = corrected.takeRecordFailure();
@@ -446,7 +447,7 @@ void GcodeStreamer::tellDecisions(CorrectedStream& corrected) {
 }
 
 /// As they come: the loop takes layers to be laid by its maps until it is told otherwise.
-void GcodeStreamer::tellLaidAsPlanned(RecordedProgram& recorded, std::int32_t layer) {
+void GcodeStreamer::reportDepositedAsPlanned(RecordedProgram& recorded, std::int32_t layer) {
   for (; static_cast<std::int64_t>(recorded.next_planned) <= layer; ++recorded.next_planned) {
     lamina_msgs::AppliedCorrection message =
         toMessage({recorded.next_planned, 0.0, "the job is gone on with from its record, without maps", {}},

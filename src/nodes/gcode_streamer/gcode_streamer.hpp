@@ -68,7 +68,7 @@ class GcodeStreamer {
   std::shared_ptr<CorrectedStream> correctionOf(const StreamableProgram& program) const;
   void onCorrection(const lamina_msgs::CorrectionMap& message);
   void tellDecisions(CorrectedStream& corrected);
-  void tellLaidAsPlanned(RecordedProgram& recorded, std::int32_t layer);
+  void reportDepositedAsPlanned(RecordedProgram& recorded, std::int32_t layer);
 
   void onPlan(const lamina_msgs::ToolpathConstPtr& message);
   std::string goOverTo(const lamina_msgs::Toolpath& message, CorrectedStream& corrected,

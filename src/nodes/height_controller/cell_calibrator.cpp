@@ -13,6 +13,7 @@
 #include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
 #include "names.hpp"
+#include "refusal_text.hpp"
 #include "request_settings.hpp"
 #include "status.hpp"
 
@@ -228,8 +229,9 @@ bool CellCalibrator::answer(const std::string& service, const Request& request, 
     }
   } catch (...) {
     response = Response();
-    response.status = toMessage(currentFailure());
-    ROS_WARN("%s: %s", service.c_str(), response.status.message.c_str());
+    const Failure failure = currentFailure();
+    response.status = toMessage(failure);
+    ROS_WARN_STREAM(refusalText({"answer " + service + " for machine", request.machine, ""}, failure));
   }
   for (const std::string& sentence : response.report) ROS_INFO("%s", sentence.c_str());
   return true;

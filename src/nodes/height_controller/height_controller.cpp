@@ -13,6 +13,7 @@
 #include "lamina/control/run/run_calibration.hpp"
 #include "loop/loop_messages.hpp"
 #include "names.hpp"
+#include "refusal_text.hpp"
 #include "status.hpp"
 
 namespace lamina {
@@ -197,7 +198,12 @@ bool HeightController::onSetLoop(lamina_msgs::SetLoop::Request& request,
     if (feed_.run() == nullptr)
       response.status.message = "there is no toolpath yet: this holds from the next one on";
   } catch (...) {
-    response.status = toMessage(currentFailure());
+    const Failure failure = currentFailure();
+    const std::string toolpath_id = feed_.run() == nullptr ? "" : feed_.run()->part().toolpath_id;
+    ROS_ERROR_STREAM(refusalText(
+        {"take loop request " + std::to_string(request.request) + " for toolpath", toolpath_id, ""},
+        failure));
+    response.status = toMessage(failure);
   }
   publishNews();
   response.state = toMessage(feed_.run()).state;
@@ -324,8 +330,8 @@ void HeightController::saveLearnt() {
     if (!map) return;
     const std::string path = settings_.output_folder + "/learnt_part.csv";
     writeFile(path, partMapCsv(*map));
-    ROS_INFO("what %zu parts have taught is in %s: the next one is laid by it with loop/learned", map->parts,
-             path.c_str());
+    ROS_INFO("what %zu parts have taught is in %s: the next one is deposited by it with loop/learned",
+             map->parts, path.c_str());
   } catch (const Error& error) {
     ROS_ERROR("%s", error.what());
   }
@@ -367,7 +373,7 @@ void HeightController::diagnose(diagnostic_updater::DiagnosticStatusWrapper& sta
   status.add("further maps not used", counts.trims_refused);
   status.add("points received", counts.points.received);
   status.add("points used", counts.points.used);
-  status.add("points on no laid cell", counts.points.off_path);
+  status.add("points on no deposited cell", counts.points.off_path);
   status.add("layer", run->place().layer);
 }
 

@@ -44,7 +44,7 @@ void describe(SettingsSchema& schema, HostWatchNodeSettings& settings) {
   schema.flag("clock.is_needed", watch.is_clock_needed,
               "Whether jobs use stamps of another host, as a sensor's there.");
   schema.number("clock.shift_s", settings.shift_s, {-10.0, 10.0},
-                "Time that is added to this host's clock in what the others are told, for trials.");
+                "Time that is added to this host's clock in what is sent to the others, for trials.");
   schema.number("master.silence_s", watch.master_silence_s, {1.0, 600.0},
                 "Time without a good answer of the ROS master, after which it is lost.");
   schema.text("disk.folder", settings.folder, "Folder whose disk is watched: that of the journal.");

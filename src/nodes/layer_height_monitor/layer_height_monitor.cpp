@@ -20,6 +20,7 @@
 #include "lamina/picture/height_map_picture.hpp"
 #include "names.hpp"
 #include "profile_counts.hpp"
+#include "refusal_text.hpp"
 #include "status.hpp"
 
 namespace lamina {
@@ -209,7 +210,9 @@ bool LayerHeightMonitor::onFinish(lamina_msgs::FinishMeasuring::Request& request
       for (const LayerHeightReport& layer : layers_)
         response.layers.push_back(toMessage(layer, toolpath_id_, response.counts));
   } catch (...) {
-    response.status = toMessage(currentFailure());
+    const Failure failure = currentFailure();
+    ROS_ERROR_STREAM(refusalText({"finish measuring toolpath", request.toolpath_id, ""}, failure));
+    response.status = toMessage(failure);
   }
   return true;
 }

@@ -106,7 +106,7 @@ void OperatorPage::onTick() {
   try {
     site_->observe({clock_.now(), ros::WallTime::now().toSec()});
   } catch (const Error& error) {
-    ROS_ERROR_STREAM_THROTTLE(60.0, "the page cannot be told of the cell: " << error.what());
+    ROS_ERROR_STREAM_THROTTLE(60.0, "the page cannot be informed of the cell: " << error.what());
   }
   if (!is_exposure_told_ && desk_.snapshot().heard_s) tellExposure();
 }

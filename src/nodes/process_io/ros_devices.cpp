@@ -45,7 +45,7 @@ class SetIoDevice final : public ProcessDevice {
     if (!client_.waitForExistence(ros::Duration(table_.device.timeout_s)) || !client_.isValid())
       throw Disconnected(table_.device.name + ": no service " + node_.resolveName(table_.device.address));
     sent_.assign(table_.channels.size(), std::nan(""));
-    return table_.device.name + " cannot tell what it does when its link is lost";
+    return table_.device.name + " cannot report what it does when its link is lost";
   }
 
   std::vector<double> exchange(const std::vector<double>& raw) override {
@@ -89,7 +89,7 @@ class TopicDevice final : public ProcessDevice {
 
   std::string open() override {
     requireListeners();
-    return table_.device.name + " cannot tell what it does when its link is lost";
+    return table_.device.name + " cannot report what it does when its link is lost";
   }
 
   std::vector<double> exchange(const std::vector<double>& raw) override {

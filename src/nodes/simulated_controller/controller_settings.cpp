@@ -15,11 +15,12 @@ void describe(SettingsSchema& schema, ControllerSettings& settings) {
   schema.number(
       "host_wait_s", settings.host_wait_s, {0.0, 3600.0},
       "How late points, their process and goals from rest may come: simulated time stands still for them.");
-  schema.numbers("deposit.area_mm", settings.deposit_area_mm, 4,
-                 "Part of the bed on which what is laid is kept and measured: least x and y, greatest x and "
-                 "y; empty for none.");
+  schema.numbers(
+      "deposit.area_mm", settings.deposit_area_mm, 4,
+      "Part of the bed on which what is deposited is kept and measured: least x and y, greatest x and "
+      "y; empty for none.");
   schema.number("deposit.cell_mm", settings.deposit_cell_mm, {0.02, 10.0},
-                "Cell of the map of what is laid.");
+                "Cell of the map of what is deposited.");
   describe(schema, settings.grown);
   describe(schema, settings.sensor);
   schema.numbers("sensor.mount_mm", settings.sensor_mount_mm, 3,

@@ -13,9 +13,9 @@
 #include "arriving_flow.hpp"
 #include "awaited_process.hpp"
 #include "controller_settings.hpp"
+#include "deposited_material.hpp"
 #include "follow_joint_trajectory.hpp"
 #include "goal_tolerances.hpp"
-#include "laid_material.hpp"
 #include "lamina/base/manual_clock.hpp"
 #include "process_queue.hpp"
 #include "tf/machine_transforms.hpp"
@@ -71,7 +71,7 @@ class SimulatedControllerNode {
   ProcessQueue process_;
   ArrivingFlow flow_;
   AwaitedProcess awaited_;
-  std::optional<LaidMaterial> laid_;  ///< if it keeps what it lays
+  std::optional<DepositedMaterial> laid_;  ///< if it keeps what it lays
   /// In the nozzle's frame [mm]; nothing if the URDF has a sensor.
   std::optional<Eigen::Isometry3d> nozzle_from_sensor_;
   std::optional<tf2_ros::StaticTransformBroadcaster> static_tf_;  ///< of that

@@ -23,8 +23,8 @@ void describe(SettingsSchema& schema, PrintForm& form) {
   schema.text("part", form.part, "Part to print");
   schema.text("program", form.program, "Program to write");
   schema.text("machine", form.machine, "That prints");
-  schema.text("material", form.material, "That is laid");
-  schema.text("process", form.process, "How it is laid");
+  schema.text("material", form.material, "That is deposited");
+  schema.text("process", form.process, "How it is deposited");
   schema.text("settings", form.settings, "Lines of key = value");
 }
 

@@ -90,7 +90,7 @@ TEST(CorrectionFiles, ARecordSaysWhichMapsCount) {
   record("1,1," + digestOf(mapOfLayer(2)) + "\n");
   EXPECT_NE(refusalOf(here).find("layer_1.csv: the map's digest is"), std::string::npos);
   record("7,1," + digestOf(mapOfLayer(7)) + "\n");
-  EXPECT_NE(refusalOf(here).find("record.csv: layer 7 was laid by map"), std::string::npos);
+  EXPECT_NE(refusalOf(here).find("record.csv: layer 7 was deposited by map"), std::string::npos);
 }
 
 TEST(CorrectionFiles, ARecordSaysFromWhereLaterMapsOfALayerHold) {

@@ -67,9 +67,9 @@ TEST_P(Hybrid, LaysOnePerimeterMoreEveryFewLayers) {
   EXPECT_EQ(perimeters(5), 2);
 }
 
-INSTANTIATE_TEST_SUITE_P(Lines, Hybrid, testing::Values(HybridLines::Fitted, HybridLines::Documented),
+INSTANTIATE_TEST_SUITE_P(Lines, Hybrid, testing::Values(HybridLines::Fitted, HybridLines::Metal),
                          [](const testing::TestParamInfo<HybridLines>& lines) {
-                           return lines.param == HybridLines::Fitted ? "Fitted" : "Documented";
+                           return lines.param == HybridLines::Fitted ? "Fitted" : "Metal";
                          });
 
 /// A section that lines along y cross twice for x from 20 to 27 and from 33 to 41 [Flores2018, figure 50].
@@ -99,7 +99,7 @@ std::size_t jumpsInside(const Regions& regions, HybridLines lines, double angle)
 
 /// [Flores2018, figure 50]
 TEST(HybridJumps, AreNeededWhereAPassLineCrossesTheSectionTwice) {
-  EXPECT_GE(jumpsInside(concave(), HybridLines::Documented, M_PI / 2), 1U);
+  EXPECT_GE(jumpsInside(concave(), HybridLines::Metal, M_PI / 2), 1U);
   EXPECT_GE(jumpsInside(concave(), HybridLines::Fitted, M_PI / 2), 1U);
 }
 
@@ -107,7 +107,7 @@ TEST(HybridJumps, AreNeededWhereAPassLineCrossesTheSectionTwice) {
 TEST(HybridJumps, AreNoneInAConcavePartThatNoPassLineCrossesTwice) {
   const Regions notched = {
       {{{0, 0}, {60, 0}, {60, 30}, {40, 30}, {40, 15}, {20, 15}, {20, 30}, {0, 30}}, {}}};
-  EXPECT_EQ(jumpsInside(notched, HybridLines::Documented, M_PI / 2), 0U);
+  EXPECT_EQ(jumpsInside(notched, HybridLines::Metal, M_PI / 2), 0U);
   EXPECT_EQ(jumpsInside(notched, HybridLines::Fitted, M_PI / 2), 0U);
 }
 

@@ -114,7 +114,8 @@ std::string trimmed(const SettingTexts& set) {
 }
 
 std::string learnt(const SettingTexts& set) {
-  LaidLayer layer{straightBeads({0.0}, 4.0, 1.0), std::vector<double>(4, 0.0), std::vector<double>(4, 0.2)};
+  DepositedLayer layer{straightBeads({0.0}, 4.0, 1.0), std::vector<double>(4, 0.0),
+                       std::vector<double>(4, 0.2)};
   const PartMap first{{}, 1, {std::vector<double>(layer.cells.size(), 0.0)}};
   return numbersText(
       learntFromPart(first, {}, {layer}, PartEnd::Complete, settingsWith<LoopSettings>(set)).amount[0]);

@@ -78,6 +78,16 @@ TEST_F(CellFolder, ToolAndBedStandWhereItSays) {
   EXPECT_TRUE(buildSpaceFromUrdf(urdf).range.high.head<2>().isApprox(Point2(200, 150), 1e-9));
 }
 
+TEST_F(CellFolder, TheNozzlePointsAlongTheAxisOfTheToolUnderItsFormerNameToo) {
+  for (const std::string key : {"axis", "jet"}) {
+    std::string text = kPlain;
+    text.replace(text.find("250]"), 4, "250], " + key + ": x");
+    const auto links = kinematicModelFromUrdf(cell(text))->bedFromLinks(JointValues::Zero(6));
+    const Point3 pointed = (links.at("joint_6_link").inverse() * links.at("nozzle")).linear().col(2);
+    EXPECT_TRUE(pointed.isApprox(Point3::UnitX(), 1e-9)) << key;
+  }
+}
+
 TEST_F(CellFolder, RailAndPositionerAreExternalAxesInThisOrder) {
   const auto model = kinematicModelFromUrdf(
       cell(std::string(kPlain) + "  rail: {axis: [0, 1, 0], lower_mm: 0, upper_mm: 2000, mm_s: 500}\n"

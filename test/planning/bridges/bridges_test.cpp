@@ -346,7 +346,7 @@ TEST(BridgedAreas, ShareOutTheAreaOnce) {
     measures.thread_pitch_mm = kThreadPitch;
     const BridgedAreas areas = bridgedAreas(inside, below, measures);
     std::vector<Polygon> covered;
-    for (const LaidBridge& bridge : areas.bridges) {
+    for (const DepositedBridge& bridge : areas.bridges) {
       for (const Polygon& outline : outlines(bridge.area)) covered.push_back(outline);
       for (const FillPath& thread : bridge.threads)
         for (const Point2& end : thread.points)

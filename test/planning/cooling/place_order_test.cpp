@@ -60,7 +60,7 @@ TEST(PlaceOrder, UnitesWhatOverlaps) {
     const PlacedLayer placed = placesOf(layer, Eigen::Quaterniond::Identity());
     RC_ASSERT(placed.places.size() == expected.size());
     std::size_t visits = 0;
-    for (const LaidPlace& place : placed.places) {
+    for (const DepositedPlace& place : placed.places) {
       RC_ASSERT(std::count_if(expected.begin(), expected.end(), [&](const Box2& box) {
                   return (box.low - place.box.low).norm() + (box.high - place.box.high).norm() < 1e-9;
                 }) == 1);

@@ -117,8 +117,8 @@ TEST(ChartLift, FillsTheAreaOfASphereWhateverItsPlanMakesOfIt) {
 
 TEST(ChartLift, MakesBeadsAsHighAsTheLayer) {
   LayerChart wedge = levelChart(10.0, 1);
-  for (std::size_t i = 0; i < wedge.plan.size(); ++i)
-    wedge.surface.height_mm[i] = 0.1 + 0.02 * wedge.plan[i].x();
+  for (std::size_t i = 0; i < wedge.parameterization.size(); ++i)
+    wedge.surface.height_mm[i] = 0.1 + 0.02 * wedge.parameterization[i].x();
   const Path path = lift(wedge, {line({0.0, 5.0}, {10.0, 5.0})}).front();
   for (std::size_t i = 1; i < path.points.size(); ++i) {
     const double middle = 0.5 * (path.points[i - 1].x() + path.points[i].x());

@@ -43,7 +43,7 @@ Stack halfCylinders(int count) {
   for (int i = 0; i < count; ++i)
     stack.add(test::halfCylinder(5.1 + test::kLayerHeight * i, kLength, kLiftedLayersSides));
   stack.layers = layersOf(count, [&](int i) {
-    const Point2 corner = stack.charts[static_cast<std::size_t>(i)][0].plan.back();
+    const Point2 corner = stack.charts[static_cast<std::size_t>(i)][0].parameterization.back();
     return std::vector<Polygon>{rectangle(0, 0, corner.x(), corner.y())};
   });
   return stack;

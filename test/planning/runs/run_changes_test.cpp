@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/settings_schema.hpp"
 #include "lamina/planning/runs/runs.hpp"
 
 namespace lamina {
@@ -410,7 +411,7 @@ TEST(Entries, ComeAlongTheToolAxis) {
   validate(toolpath);
   const auto& paths = toolpath.layers[0].paths;
   ASSERT_EQ(paths.size(), 4U);
-  // The jet points down and by 30 deg aside: back along it by 12 mm.
+  // The tool axis points down and by 30 deg aside: back along it by 12 mm.
   EXPECT_LT((paths[1].points[0] - Point3(6.0, 0.0, 0.5 + 12.0 * std::sqrt(0.75))).norm(), 1e-9);
   EXPECT_EQ(paths[1].feed_mm_s.at(1), 3.0);
   EXPECT_LT((paths[3].points[1] - Point3(36.0, 0.0, 0.5 + 12.0 * std::sqrt(0.75))).norm(), 1e-9);
@@ -513,6 +514,16 @@ TEST(Levels, RiseAndFallAtTheEndsOfRuns) {
   EXPECT_NEAR(second.values[0].value.at(1), 1000.0, 1e-9);
   EXPECT_NEAR(second.values[0].value.at(2), 1000.0 * (0.2 + 0.8 * 3.75 / 4.0), 1e-9);
   EXPECT_NEAR(second.values[0].value.at(9), 1000.0 * (0.2 + 0.8 * 0.25 / 4.0), 1e-9);
+}
+
+TEST(BeadRunSettings, TakeTheFormerNameOfTheToolAxis) {
+  BeadRunSettings settings;
+  SettingsSchema schema;
+  describe(schema, settings);
+  EXPECT_EQ(schema.find("entry.direction")->get(), "tool_axis");
+  schema.set("entry.direction", "level");
+  schema.set("entry.direction", "jet");
+  EXPECT_EQ(settings.entry.direction, EntryDirection::ToolAxis);
 }
 
 TEST(BeadRunSettings, RefuseWhatCannotBeByName) {

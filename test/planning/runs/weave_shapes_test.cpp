@@ -190,7 +190,7 @@ TEST(WeaveShapes, AreJudgedByTheirOwnAccelerations) {
   EXPECT_NE(weavingRefusal(line, settings).find("expected motion.acceleration_mm_s2"), std::string::npos);
 }
 
-TEST(SwungTorch, TurnsItsJetToTheSideOnWhichTheTipIs) {
+TEST(SwungTorch, TurnsItsToolAxisToTheSideOnWhichTheTipIs) {
   WeaveSettings settings = shape(WeaveKind::Sine);
   const Path still = wovenBy(straightLine(100.0), settings);
   settings.swing_deg = 15.0;
@@ -200,9 +200,9 @@ TEST(SwungTorch, TurnsItsJetToTheSideOnWhichTheTipIs) {
   for (std::size_t i = 0; i < path.points.size(); ++i) {
     EXPECT_EQ(path.points[i], still.points[i]);
     const double angle = toRadians(15.0) * path.points[i].y() / kAmplitude;
-    const Point3 jet = path.orientation.at(i) * Point3::UnitZ();
-    EXPECT_LT((jet - Point3(0.0, std::sin(angle), -std::cos(angle))).norm(), 1e-9) << i;
-    greatest = std::max(greatest, jet.y());
+    const Point3 tool_axis = path.orientation.at(i) * Point3::UnitZ();
+    EXPECT_LT((tool_axis - Point3(0.0, std::sin(angle), -std::cos(angle))).norm(), 1e-9) << i;
+    greatest = std::max(greatest, tool_axis.y());
   }
   EXPECT_NEAR(greatest, std::sin(toRadians(15.0)), 1e-9);
   EXPECT_LT(path.orientation.at(0).angularDistance(nozzleDown()), 1e-9);

@@ -195,7 +195,7 @@ TEST(ProcessDevice, TheWatchdogAndFaultValuesOfACouplerAreReadBack) {
   CouplerServer coupler(settings, server);
   DeviceTable table = tableOfTwo(DeviceKind::ModbusTcp, "127.0.0.1:" + std::to_string(coupler.port()));
   EXPECT_EQ(makeProcessDevice(table)->open(),
-            "device cannot tell its watchdog: whether it goes safe by itself is not known");
+            "device cannot report its watchdog: whether it goes safe by itself is not known");
   table.device.watchdog_register = kCouplerWatchdog;
   table.channels[0].fault_register = kCouplerFaultValues;
   EXPECT_EQ(makeProcessDevice(table)->open(), "");

@@ -345,7 +345,7 @@ TEST(RobotProgram, LevelsAreZeroWhereTheProcessIsOff) {
 TEST(RobotProgram, RefusesDropsEventsAndSettingsThatCannotBe) {
   Toolpath drops = test::twoLayers();
   drops.layers[1].paths[0].deposit = Deposit::Drops;
-  EXPECT_TRUE(holds(refusalOf([&] { robotFiles(RobotLanguage::Krl, drops); }), "drops are laid"));
+  EXPECT_TRUE(holds(refusalOf([&] { robotFiles(RobotLanguage::Krl, drops); }), "drops are deposited"));
   Toolpath waits = test::twoLayers();
   waits.layers[1].paths[0].events = {{0, OperatorPause{"look"}}};
   EXPECT_TRUE(holds(refusalOf([&] { robotFiles(RobotLanguage::Krl, waits); }), "pause cannot be carried"));

@@ -3,6 +3,7 @@
 #include <diagnostic_msgs/DiagnosticArray.h>
 #include <gtest/gtest.h>
 #include <ros/ros.h>
+#include <rosgraph_msgs/Log.h>
 #include <sensor_msgs/Image.h>
 #include <std_srvs/Trigger.h>
 #include <tf2_msgs/TFMessage.h>
@@ -12,9 +13,12 @@
 #include <octomap_msgs/conversions.h>
 #endif
 
+#include <algorithm>
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <string>
+#include <vector>
 
 #include "ros/plate_scan.hpp"
 #include "ros/ros_home.hpp"
@@ -274,6 +278,22 @@ TEST_F(LayerHeightMonitorNode, FinishesNoOtherToolpath) {
   ASSERT_TRUE(ros::service::call(names::kFinishMeasuring, call));
   EXPECT_EQ(call.response.status.code, lamina_msgs::Status::REJECTED + 0);
   EXPECT_FALSE(call.response.is_finished);
+}
+
+TEST_F(LayerHeightMonitorNode, LogsWhichRequestFailed) {
+  std::vector<std::string> lines;
+  const boost::function<void(const rosgraph_msgs::LogConstPtr&)> onLog =
+      [&](const rosgraph_msgs::LogConstPtr& message) { lines.push_back(message->msg); };
+  const ros::Subscriber rosout = node_->subscribe<rosgraph_msgs::Log>("/rosout", 1000, onLog);
+  // What was logged before this test heard the node is lost.
+  EXPECT_TRUE(test::waitUntil([&] {
+    lamina_msgs::FinishMeasuring call;
+    call.request.toolpath_id = "another";
+    ros::service::call(names::kFinishMeasuring, call);
+    return std::any_of(lines.begin(), lines.end(), [](const std::string& line) {
+      return line.rfind("cannot finish measuring toolpath 'another': Rejected: ", 0) == 0;
+    });
+  }));
 }
 
 TEST_F(LayerHeightMonitorNode, ALastLayerThatWasMissedIsNotSeenAndAWaitingCloudIsNotTheNextPrints) {

@@ -63,7 +63,7 @@ TEST(HeightField, MakesALayerWhoseTrianglesHoldItsVolume) {
     double factor = 0.0;
     for (const std::uint32_t corner : triangle) {
       height += chart.surface.height_mm[corner] / 3.0;
-      factor += field.factorAt(chart.plan[corner]) / 3.0;
+      factor += field.factorAt(chart.parameterization[corner]) / 3.0;
     }
     volume +=
         0.5 * (at[triangle[1]] - at[triangle[0]]).cross(at[triangle[2]] - at[triangle[0]]).norm() * height;
@@ -76,8 +76,8 @@ TEST(HeightField, CoversTheAreaAskedForByWholeCells) {
   const HeightField field = fieldOf([](double, double) { return 1.0; });
   const LayerChart chart = bentLayer(field, {10.4, 10.6}, {{0.0, 3.0}, {2.5, 3.5}});
   EXPECT_EQ(chart.surface.middle.triangles.size(), 4U);
-  EXPECT_EQ(chart.plan.front(), Point2(-1.0, 2.0));
-  EXPECT_EQ(chart.plan.back(), Point2(3.0, 4.0));
+  EXPECT_EQ(chart.parameterization.front(), Point2(-1.0, 2.0));
+  EXPECT_EQ(chart.parameterization.back(), Point2(3.0, 4.0));
   for (const Point3& tip : chart.surface.tip) EXPECT_EQ(tip.z(), 10.6);
 }
 

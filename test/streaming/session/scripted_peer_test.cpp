@@ -438,7 +438,7 @@ TEST_F(ScriptedPeer, SaysThatTheMachineWasNotStoppedWhenTheLinkStaysLost) {
   EXPECT_EQ(streamer.status().failure.code, ErrorCode::Disconnected);
   EXPECT_EQ(streamer.status().failure.message,
             "lost the link; line 1 of 10 was the last acknowledged; the link did not come back, so that the "
-            "machine was not told to stop: look after it");
+            "machine was not commanded to stop: look after it");
 }
 
 TEST_F(ScriptedPeer, StopsTheMachineOnceTheLinkIsBack) {

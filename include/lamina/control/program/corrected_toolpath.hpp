@@ -10,7 +10,7 @@
 namespace lamina {
 
 /// A toolpath corrected for a process that feeds at a constant rate, as wire and powder do. The amount is
-/// laid by the time spent on each millimetre: the feed becomes the planned one times (1 + speed) / (1 +
+/// deposited by the time spent on each millimetre: the feed becomes the planned one times (1 + speed) / (1 +
 /// amount). The shift moves the nozzle against its tool axis. Beads keep their planned sizes.
 ///
 /// Motions are split where the amount changes by more than `split_change`; the time of each piece is exact. A

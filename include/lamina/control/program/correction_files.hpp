@@ -47,7 +47,7 @@ struct FiledMap {
 struct AppliedRow {
   std::size_t layer = 0;
   std::uint64_t sequence = 0;
-  std::string digest;         ///< of the map; empty if the layer is laid as planned
+  std::string digest;         ///< of the map; empty if the layer is deposited as planned
   std::size_t from_line = 0;  ///< as of `FiledMap`
   bool is_later = false;      ///< it replaces the map with which the layer began
 };

@@ -17,7 +17,7 @@ struct LayerRecord {
 
   LayerFigures figures;
   LoopState state = LoopState::Off;
-  std::string map_digest;  ///< of the map with which the layer was laid
+  std::string map_digest;  ///< of the map with which the layer was deposited
   std::vector<RaisedAlarm> alarms;
   std::array<float, kPieces> error_mm{};  ///< mean height error of each piece
 };

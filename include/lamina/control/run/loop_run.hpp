@@ -55,14 +55,14 @@ struct CellOutcome {
   Point3 at = Point3::Zero();  ///< planned middle of its top [mm, part frame]
   double error_mm = 0.0;       ///< planned less measured height: positive is too low
   double sigma_mm = 0.0;       ///< standard deviation of that
-  double amount = 0.0;         ///< relative correction with which it was laid
+  double amount = 0.0;         ///< relative correction with which it was deposited
   bool is_seen = false;
 };
 
 /// A layer that is done.
 struct LayerOutcome {
   LayerFigures figures;
-  LoopState state = LoopState::Off;  ///< of the loop while the layer was laid
+  LoopState state = LoopState::Off;  ///< of the loop while the layer was deposited
   std::vector<RaisedAlarm> alarms;   ///< since the layer before was done
   std::vector<CellOutcome> cells;    ///< in the order of laying
 };
@@ -84,7 +84,7 @@ struct LoopNews {
   std::vector<CorrectionMap> maps;
   std::vector<LayerOutcome> layers;
   std::optional<LoopMemory> memory;  ///< after the last of these layers, if it is kept
-  std::vector<PrintPlan> plans;      ///< the latest holds, until the layer that it begins with is laid
+  std::vector<PrintPlan> plans;      ///< the latest holds, until the layer that it begins with is deposited
 };
 
 /// Numbers of poses, clouds and readings by their use. Clouds received are the sum of those read, late, stuck
@@ -110,14 +110,15 @@ struct LoopCounts {
 /// arrived that is later by that time. The same poses and clouds therefore give the same maps to the last
 /// bit, however delayed.
 ///
-/// The cells laid follow from the progress of the nozzle along the toolpath. When the nozzle reaches the end
-/// of a layer, the layer is judged and the next one gets its map; the first layer has its map at once. With
-/// `loop.trim` a layer under way gets further maps, of higher sequence, for the cells that are not laid.
+/// The cells deposited follow from the progress of the nozzle along the toolpath. When the nozzle reaches the
+/// end of a layer, the layer is judged and the next one gets its map; the first layer has its map at once.
+/// With `loop.trim` a layer under way gets further maps, of higher sequence, for the cells that are not
+/// deposited.
 class LoopRun {
  public:
   /// @throws InvalidInput as `validate` of a toolpath, as `metalSplit` for its speeds, and as `TaughtPart`
   /// for
-  ///   the map that it is to be laid by; FileError if that cannot be read
+  ///   the map that it is to be deposited by; FileError if that cannot be read
   LoopRun(PlacedPart part, const LoopRunSettings& settings);
   ~LoopRun();
   LoopRun(const LoopRun&) = delete;
@@ -125,7 +126,7 @@ class LoopRun {
 
   /// Restores the state after a layer, before any pose or cloud was given. From there on the same poses and
   /// clouds give the same maps as without the interruption. Layers that the nozzle has begun meanwhile count
-  /// as laid as planned, since the machine had no maps of them.
+  /// as deposited as planned, since the machine had no maps of them.
   /// @throws InvalidInput if the memory is of another print, machine or material, or of other cells, naming
   ///   the difference; the print is then at its beginning
   void resume(const LoopMemory& memory);
@@ -148,13 +149,13 @@ class LoopRun {
   /// States that a cloud of that stamp has arrived for which no pose of the nozzle is known yet.
   void hear(std::int64_t stamp_ns);
   /// States that the machine lays a layer, or the beginning of it, as planned. The estimate takes that into
-  /// account if the layer is under way or still to come. Alarm 6116 is raised if the whole layer is laid as
-  /// planned although it was to be corrected, or was waited for. A later statement on a layer replaces an
+  /// account if the layer is under way or still to come. Alarm 6116 is raised if the whole layer is deposited
+  /// as planned although it was to be corrected, or was waited for. A later statement on a layer replaces an
   /// earlier one.
   void missMap(const MissedMap& missed);
   /// States that the machine does not use a further map of a layer. The refusal is counted, and 6116 is
-  /// raised as a warning with the reason, once a layer. The estimate still takes the layer to be laid by that
-  /// map. A layer that the toolpath does not have has no effect.
+  /// raised as a warning with the reason, once a layer. The estimate still takes the layer to be deposited by
+  /// that map. A layer that the toolpath does not have has no effect.
   void refuseTrim(std::size_t layer, const std::string& reason);
 
   /// States that the machine goes on with the plan of that identity, from its first layer on. So does the
@@ -169,7 +170,7 @@ class LoopRun {
 
   /// Processes all that waits: nothing older will arrive.
   void passAll();
-  /// Ends the print: judges the layer under way if all of it is laid.
+  /// Ends the print: judges the layer under way if all of it is deposited.
   void finish();
 
   LoopNews takeNews();
@@ -222,9 +223,9 @@ class LoopRun {
   void layMapFrom(std::size_t cell);
   void takeMissed();
   void shiftNozzle();
-  CellCorrections asLaid() const;
+  CellCorrections asDeposited() const;
   LayerOutcome outcomeOf(const LayerFigures& figures);
-  std::size_t cellsLaid(double settle_mm) const;
+  std::size_t cellsDeposited(double settle_mm) const;
   void leaveBehind(std::int64_t stamp_ns);
   std::size_t cellsSolid(std::int64_t stamp_ns);
   void publishMap();
@@ -250,15 +251,15 @@ class LoopRun {
   std::optional<PrintPlan> plan_;        ///< offered
   std::optional<HeightLoop> plan_loop_;  ///< as it goes on by that plan
   std::optional<std::size_t> layer_;  ///< under way; none before the first and after the last one with cells
-  LoopState laid_in_ = LoopState::Off;
-  /// How the layer under way is to be laid by its last map.
+  LoopState deposited_in_ = LoopState::Off;
+  /// How the layer under way is to be deposited by its last map.
   struct Mapped {
     LayerCorrection correction;
     std::vector<double> shift_mm;
     LoopState in = LoopState::Off;
   };
   Mapped mapped_;
-  bool is_missed_ = false;  ///< it is not laid by all of that
+  bool is_missed_ = false;  ///< it is not deposited by all of that
   LayerCorrection laid_;
   std::vector<double> shift_mm_;             ///< of the nozzle, by cell
   double mean_shift_mm_ = 0.0;               ///< of the layer

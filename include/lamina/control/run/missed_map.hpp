@@ -19,7 +19,7 @@ struct MissedMap {
   std::size_t layer = 0;
   double waited_s = 0.0;  ///< for the map, before the layer
   std::string reason;     ///< in words; empty if the map did not come in time
-  /// The place from which the map was applied after all; without one the whole layer is laid as planned.
+  /// The place from which the map was applied after all; without one the whole layer is deposited as planned.
   std::optional<PlaceOnLayer> held_from;
 };
 

@@ -29,7 +29,7 @@ class TaughtPart {
   /// Begins a layer: takes the height errors of the surface below it.
   void begin(const HeightLoop& loop);
   /// Ends the layer.
-  /// @param amount  relative amounts with which it was laid, one per cell
+  /// @param amount  relative amounts with which it was deposited, one per cell
   void end(const HeightLoop& loop, const std::vector<double>& amount);
   /// States that the rest of the program is another one: nothing is learnt, and the map is used no more.
   void abandon();
@@ -46,7 +46,7 @@ class TaughtPart {
   PartIdentity identity_;
   PartMap before_;
   bool is_abandoned_ = false;
-  std::vector<double> error_mm_;  ///< of the layer's cells before it was laid
+  std::vector<double> error_mm_;  ///< of the layer's cells before it was deposited
   std::vector<Layer> layers_;
 };
 

@@ -22,7 +22,7 @@ enum class VolumeKind : std::uint8_t {
   Heights           ///< a box from height to height of an object, with settings of its own
 };
 
-/// A volume that says how the part within it is laid.
+/// A volume that says how the part within it is deposited.
 struct MeshVolume {
   VolumeKind kind = VolumeKind::Modifier;
   Mesh mesh;
@@ -47,9 +47,9 @@ std::vector<MeshObject> readMeshObjects(const std::string& path, const MeshUnits
 std::vector<MeshObject> readMeshObjects(const std::string& path, const MeshUnits& units,
                                         const Tessellation& tessellation, Progress& progress);
 
-/// The volumes of all objects of a file that say how the part is laid, which only 3MF files have. For each
-/// object, volumes of the whole object come first. Those of its pieces follow, those of heights, and those
-/// that are no part of the object.
+/// The volumes of all objects of a file that say how the part is deposited, which only 3MF files have. For
+/// each object, volumes of the whole object come first. Those of its pieces follow, those of heights, and
+/// those that are no part of the object.
 /// @throws as `readMesh`
 std::vector<MeshVolume> readMeshVolumes(const std::string& path, const MeshUnits& units = {});
 

@@ -23,7 +23,7 @@ struct ComparedMode {
 
 /// A part sliced by several modes.
 struct ModeComparison {
-  Mesh part;  ///< as it is laid: larger than in its file where it shrinks
+  Mesh part;  ///< as it is deposited: larger than in its file where it shrinks
   std::vector<ComparedMode> modes;
   /// The one that `auto` takes. Nothing if all that it tries refuse the part, or one of those is not
   /// compared; nor where `conformal.base` or `auto.follow_skins` decide.

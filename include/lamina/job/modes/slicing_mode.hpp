@@ -74,8 +74,8 @@ enum class FirstLayer {
   SameHeight,  ///< nothing: all layers are as high
 };
 
-/// What the first layer of a mode is laid on.
-enum class LaidOn {
+/// What the first layer of a mode is deposited on.
+enum class DepositedOn {
   Bed,
   Base,  ///< `conformal.base`, if it is set
 };
@@ -85,7 +85,7 @@ struct SlicingMode {
   PlanFunction plan;
   LayerShape shape = LayerShape::Bent;
   FirstLayer first_layer = FirstLayer::OwnHeight;
-  LaidOn laid_on = LaidOn::Bed;
+  DepositedOn deposited_on = DepositedOn::Bed;
 };
 
 /// The value of `slicing.mode` that leaves the choice to the part and the machine: no mode of its own.

@@ -19,7 +19,7 @@ struct SourcePart {
   std::vector<std::string> repairs;
   Eigen::Affine3d part_from_file = Eigen::Affine3d::Identity();  ///< where a plate has turned it
   std::vector<MeshVolume> volumes = {};                          ///< of its file, in the file's coordinates
-  Mesh base;  ///< what it is laid on, in its frame; empty for the bed
+  Mesh base;  ///< what it is deposited on, in its frame; empty for the bed
 };
 
 }  // namespace lamina

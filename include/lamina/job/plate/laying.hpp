@@ -9,7 +9,7 @@
 
 namespace lamina {
 
-/// What is looked for when a part is laid on the bed.
+/// What is looked for when a part is placed on the bed.
 struct LayingSettings {
   double overhang_deg = 45.0;    ///< faces that lean farther from the vertical hang
   double on_bed_mm = 0.2;        ///< faces below this height lie on the bed

@@ -20,7 +20,8 @@ struct MotionDivision {
   double tool_axis_tolerance_deg = 0.1;  ///< of the tool axis from the steady turn
 };
 
-/// Adds the keys joints.max_step_mm, joints.max_step_deg, joints.tip_tolerance_mm, joints.jet_tolerance_deg.
+/// Adds the keys joints.max_step_mm, joints.max_step_deg, joints.tip_tolerance_mm,
+/// joints.tool_axis_tolerance_deg.
 void describe(SettingsSchema& schema, MotionDivision& division);
 
 /// A toolpath whose motions are divided into steps, and where each waypoint is from.

@@ -15,7 +15,7 @@ enum class BridgeThread : std::uint8_t {
   Round,  ///< a cylinder, since nothing presses it flat
 };
 
-/// How an unsupported area that is held on both sides is laid.
+/// How an unsupported area that is held on both sides is deposited.
 struct BridgeSettings {
   bool is_used = false;
   double anchor_mm = 1.0;   ///< length of threads on the material that holds them
@@ -25,7 +25,7 @@ struct BridgeSettings {
   double flow = 1.0;        ///< factor on the cross-section of threads
   BridgeThread thread = BridgeThread::Bead;
   double thread_mm = 0.0;       ///< diameter of a round thread; 0 takes the bead width
-  bool is_over_infill = false;  ///< the lowest skin over sparse infill is laid as a bridge
+  bool is_over_infill = false;  ///< the lowest skin over sparse infill is deposited as a bridge
 };
 
 /// Bridges of a part, and unsupported areas that are none.

@@ -17,7 +17,7 @@ struct CoolingSummary {
   std::size_t dwells = 0;  ///< layers after which the nozzle waits; with `CoolingInterval::Place` islands
   double dwell_s = 0.0;    ///< sum
   std::size_t too_fast_layers = 0;   ///< layers that are too short even at the least feed
-  std::size_t reordered_layers = 0;  ///< layers whose islands are laid in another order than planned
+  std::size_t reordered_layers = 0;  ///< layers whose islands are deposited in another order than planned
 };
 
 /// Makes each layer take its least time, by the estimate with accelerations from rest to rest. Fills are

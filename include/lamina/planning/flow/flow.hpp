@@ -20,7 +20,7 @@ namespace lamina {
 std::size_t limitFlow(Toolpath& toolpath, const FlowSettings& settings, double flow_factor,
                       Progress& progress);
 
-/// Runs whose ends are laid by the pressure left in the nozzle.
+/// Runs whose ends are deposited by the pressure left in the nozzle.
 struct Coasting {
   std::size_t runs = 0;
   double left_mm3 = 0.0;  ///< total volume that is not pushed

@@ -8,7 +8,7 @@
 
 namespace lamina {
 
-/// How walls are laid whose bead lies partly beyond the layer below.
+/// How walls are deposited whose bead lies partly beyond the layer below.
 struct OverhangingWallSettings {
   bool is_used = false;
   /// Unsupported shares of the bead's width, ascending.

@@ -54,15 +54,15 @@ struct LeadSettings {
 
 /// Which way a tool comes to a run.
 enum class EntryDirection : std::uint8_t {
-  Jet,      ///< along the tool axis
-  Level,    ///< along z of the part's frame
-  Tangent,  ///< on along the run or its lead; along the tool axis where there is no room
+  ToolAxis,  ///< along the tool axis
+  Level,     ///< along z of the part's frame
+  Tangent,   ///< on along the run or its lead; along the tool axis where there is no room
 };
 
 /// Points before and after each run, from and to which the tool goes straight.
 struct EntrySettings {
   double distance_mm = 0.0;  ///< 0 for none
-  EntryDirection direction = EntryDirection::Jet;
+  EntryDirection direction = EntryDirection::ToolAxis;
   double feed_mm_s = 10.0;
 };
 
@@ -102,7 +102,8 @@ struct WeaveSettings {
   double right_s = 0.0;
   WeaveFeed feed = WeaveFeed::Advance;
   double tolerance_mm = 0.05;  ///< from chord to curve
-  double swing_deg = 0.0;  ///< of the jet about the way, to the side on which the tip is; at the amplitude
+  double swing_deg =
+      0.0;  ///< of the tool axis about the way, to the side on which the tip is; at the amplitude
 };
 
 /// What becomes of runs of beads once they are planned.

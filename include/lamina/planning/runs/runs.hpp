@@ -56,8 +56,8 @@ EndCount addEnds(Toolpath& toolpath, const LeadSettings& lead, const EntrySettin
 
 /// Lets the tip swing across the beads of the part, by additional waypoints. Each path is woven by itself,
 /// about its own line, in a whole number of half waves, or of whole waves if it is closed. Left is the left
-/// of the way, seen against the jet. The volume along the line stays, and so do the ends of open paths. A
-/// path shorter than a quarter of a wave stays.
+/// of the way, seen against the tool axis. The volume along the line stays, and so do the ends of open paths.
+/// A path shorter than a quarter of a wave stays.
 /// @param limits  by which the machine can swing
 /// @return how many paths are woven
 /// @throws InvalidInput naming layer, path and values: a swing wider than the bead, or one that takes more

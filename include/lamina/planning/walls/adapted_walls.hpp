@@ -19,7 +19,7 @@ namespace lamina {
 ///
 /// @return `z_mm` is the highest point of a layer, `height_mm` its greatest height; layers on which nothing
 ///   is deposited are left out
-/// @throws InvalidInput if nothing is laid on any layer that has curves
+/// @throws InvalidInput if nothing is deposited on any layer that has curves
 std::vector<ToolpathLayer> adaptedWalls(const AdaptedLayers& layers, const PlanSettings& settings);
 
 }  // namespace lamina

@@ -130,7 +130,7 @@ struct RobotProgramSettings {
   double approach_mm = 50.0;          ///< back along the tool axis, where a program starts and ends
   double corner_mm = 0.5;             ///< by which a point between may be rounded
   double joint_speed_percent = 10.0;  ///< of the move by joints that begins a file
-  int process_output = 1;             ///< digital, on while material is laid
+  int process_output = 1;             ///< digital, on while material is deposited
   double process_lead_s = 0.0;        ///< from the process on to the move
   double process_end_s = 0.0;         ///< from the process off to the next move
   ArcSettings arc;

@@ -46,7 +46,7 @@ struct VolumetricMeasures {
   double thickest = 1.0;          ///< where fronts meet
   double beyond_thickness = 0.0;  ///< share of the volume that is thinner or thicker than allowed by over 2 %
   std::size_t minima = 0;         ///< cells off the bed that grow before all their neighbours: none is right
-  double resting = 1.0;           ///< share of the bent layers' area that lies on what is laid before
+  double resting = 1.0;           ///< share of the bent layers' area that lies on what is deposited before
   double least_resting = 1.0;     ///< the same of the piece with least
   double open = 0.0;              ///< share of the volume in no layer
   double open_level = 0.0;        ///< the same of the layers that `planar` gives

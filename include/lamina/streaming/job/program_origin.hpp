@@ -9,7 +9,7 @@
 
 namespace lamina {
 
-/// The correction map with which a layer was laid.
+/// The correction map with which a layer was deposited.
 struct AppliedMap {
   std::uint64_t layer = 0;
   std::string digest;  ///< 16 hexadecimal digits

@@ -9,7 +9,7 @@ namespace lamina {
 
 /// How far walls lean outwards over what carries them. A wall that leans by an angle t from the direction of
 /// growth puts each layer of height h out by h tan t over the one before; what goes beyond a bead's width is
-/// laid on air. Faces that the first layer lies along rest on the bed, or on what takes its place.
+/// deposited on air. Faces that the first layer lies along rest on the bed, or on what takes its place.
 struct OverhangAngle {
   double greatest_rad = 0.0;            ///< greatest lean of a wall, 0 to pi / 2; 0 if none leans outwards
   Point3 greatest_at = Point3::Zero();  ///< where [mm, frame of the mesh]

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "control/program/corrected_pieces.hpp"
 #include "control/program/deposit_cursor.hpp"
-#include "control/program/laid_pieces.hpp"
 #include "gcode_rewrite/decimal_number.hpp"
 #include "gcode_rewrite/motion_text.hpp"
 #include "gcode_rewrite/program_tracker.hpp"
@@ -74,7 +74,7 @@ class ProgramCorrector::Writer {
     requireOfToolpath(map);
     if (cursor_.hasBegun(map.layer))
       throw InvalidInput("the correction map of layer " + std::to_string(map.layer) +
-                         " comes while that layer is laid; expected it before");
+                         " comes while that layer is deposited; expected it before");
     corrections_.add(map);
   }
 
@@ -230,7 +230,7 @@ class ProgramCorrector::Writer {
         pieces.push_back({end, pushed, {}, 0.0});
       } else {
         double done = 0.0;
-        for (const LaidPiece& piece : laidPieces(*correction, *stretch, writing_.split_change)) {
+        for (const CorrectedPiece& piece : correctedPieces(*correction, *stretch, writing_.split_change)) {
           done += piece.share;
           pieces.push_back(
               {from + std::min(1.0, done) * (end - from), pushed * piece.share, piece.mean, piece.end_dz_mm});

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "control/program/laid_pieces.hpp"
+#include "control/program/corrected_pieces.hpp"
 #include "geometry/space_vectors.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
@@ -46,11 +46,11 @@ Point3 movedBack(const Point3& point, const Eigen::Quaterniond& orientation, dou
 }
 
 void addMotion(WaypointValues& waypoints, const Path& path, std::size_t motion,
-               const std::vector<LaidPiece>& pieces) {
+               const std::vector<CorrectedPiece>& pieces) {
   const std::size_t end = path.motionEnd(motion);
   const Point3 way = path.points[end] - path.points[motion];
   double done = 0.0;
-  for (const LaidPiece& piece : pieces) {
+  for (const CorrectedPiece& piece : pieces) {
     done = &piece == &pieces.back() ? 1.0 : std::min(1.0, done + piece.share);
     const Eigen::Quaterniond orientation = path.orientation.at(motion).slerp(done, path.orientation.at(end));
     const double feed = path.feed_mm_s.at(end) * (1.0 + piece.mean.speed) / (1.0 + piece.mean.amount);
@@ -66,8 +66,8 @@ Path correctedPath(const Path& path, const PathCorrection& correction, double sp
   double along = 0.0;
   for (std::size_t m = 0; m < path.motionCount(); ++m) {
     const double length = (path.points[path.motionEnd(m)] - path.points[m]).norm();
-    const LaidStretch stretch{0, correction.path, along, along + length};
-    addMotion(waypoints, path, m, laidPieces(correction, stretch, split_change));
+    const DepositedStretch stretch{0, correction.path, along, along + length};
+    addMotion(waypoints, path, m, correctedPieces(correction, stretch, split_change));
     along += length;
   }
   Path corrected = path;

@@ -71,7 +71,7 @@ std::optional<DepositCursor::Place> DepositCursor::placeAhead(const Place& from,
   return nearest;
 }
 
-std::optional<LaidStretch> DepositCursor::follow(const Point3& start, const Point3& end) {
+std::optional<DepositedStretch> DepositCursor::follow(const Point3& start, const Point3& end) {
   const std::size_t last = std::min(runs_.size(), place_.run + kRunsAhead);
   for (std::size_t r = place_.run; r < last; ++r) {
     const Place from = r == place_.run ? place_ : Place{r, 0, 0.0, 0.0};
@@ -79,15 +79,15 @@ std::optional<LaidStretch> DepositCursor::follow(const Point3& start, const Poin
     const auto to = placeAhead(from, start, end);
     if (!to || (to->along_mm <= from.along_mm && (end - start).norm() > tolerance_mm_)) continue;
     place_ = *to;
-    return LaidStretch{runs_[r].layer, runs_[r].index, from.along_mm, to->along_mm};
+    return DepositedStretch{runs_[r].layer, runs_[r].index, from.along_mm, to->along_mm};
   }
   return std::nullopt;
 }
 
-std::optional<LaidStretch> DepositCursor::startingAt(const Point3& point) const {
+std::optional<DepositedStretch> DepositCursor::startingAt(const Point3& point) const {
   const std::size_t last = std::min(runs_.size(), place_.run + kRunsAhead);
   for (std::size_t r = place_.run + (place_.along_mm > 0.0 ? 1 : 0); r < last; ++r)
-    if (isAt({r, 0, 0.0, 0.0}, point)) return LaidStretch{runs_[r].layer, runs_[r].index, 0.0, 0.0};
+    if (isAt({r, 0, 0.0, 0.0}, point)) return DepositedStretch{runs_[r].layer, runs_[r].index, 0.0, 0.0};
   return std::nullopt;
 }
 

@@ -11,7 +11,7 @@
 namespace lamina {
 
 /// The piece of a depositing path that a motion of the program lays.
-struct LaidStretch {
+struct DepositedStretch {
   std::size_t layer = 0;
   std::size_t path = 0;  ///< number in the layer
   double from_mm = 0.0;  ///< from the start of the path
@@ -25,10 +25,10 @@ class DepositCursor {
   DepositCursor(const Toolpath& toolpath, double tolerance_mm);
 
   /// The piece that a straight depositing motion lays. None if it is off the toolpath; the cursor then stays.
-  std::optional<LaidStretch> follow(const Point3& start, const Point3& end);
+  std::optional<DepositedStretch> follow(const Point3& start, const Point3& end);
 
   /// The start of the next path that starts at that point, if there is one.
-  std::optional<LaidStretch> startingAt(const Point3& point) const;
+  std::optional<DepositedStretch> startingAt(const Point3& point) const;
   /// Whether any part of a layer, or of one above it, is laid.
   bool hasBegun(std::size_t layer) const;
   /// Whether all of the toolpath is laid.

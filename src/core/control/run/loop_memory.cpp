@@ -78,7 +78,7 @@ void describe(SettingsSchema& schema, StatedMemory& stated) {
   LoopMemory& memory = stated.memory;
   schema.text("print.toolpath", memory.identity.program, "Toolpath that is printed.");
   schema.text("print.machine", memory.identity.machine, "Machine that prints it.");
-  schema.text("print.material", memory.identity.material, "Material that is laid.");
+  schema.text("print.material", memory.identity.material, "Material that is deposited.");
   schema.integer("print.layer", stated.layer, {0.0, kMost}, "Layer that was done last.");
   describeStatus(schema, stated);
   schema.number("loop.gain_at_check", memory.gain_at_check, kAnyNumber, "At the last check of stability.");

@@ -39,8 +39,8 @@ bool LoopRun::refusePlan(const std::string& toolpath_id, const std::string& reas
   if (!plan_ || plan_->part.toolpath_id != toolpath_id) return false;
   take({status_,
         {{LoopAlarm::Saturated, LoopReaction::Warn,
-          "layer " + std::to_string(plan_->layer) + " is laid as before, not by plan " + toolpath_id + ": " +
-              reason}}});
+          "layer " + std::to_string(plan_->layer) + " is deposited as before, not by plan " + toolpath_id +
+              ": " + reason}}});
   const bool is_next = layer_ == plan_->layer;
   plan_.reset();
   plan_loop_.reset();

@@ -44,7 +44,7 @@ void requireSpeeds(const Toolpath& toolpath, const LoopRunSettings& settings) {
 }
 
 std::string reasonOf(const MissedMap& missed) {
-  return "layer " + std::to_string(missed.layer) + " is laid as planned, not by its map: " +
+  return "layer " + std::to_string(missed.layer) + " is deposited as planned, not by its map: " +
          (missed.reason.empty() ? "none came within " + significantText(missed.waited_s, 3) + " s"
                                 : missed.reason);
 }
@@ -182,7 +182,7 @@ void LoopRun::passAll() {
 
 void LoopRun::finish() {
   passAll();
-  if (layer_ && loop_->cells().size() > 0 && cellsLaid(0.0) == loop_->cells().size()) endLayer();
+  if (layer_ && loop_->cells().size() > 0 && cellsDeposited(0.0) == loop_->cells().size()) endLayer();
 }
 
 void LoopRun::hear(std::int64_t stamp_ns) {
@@ -225,12 +225,12 @@ void LoopRun::layMapFrom(std::size_t cell) {
   trim_.reset();
   LayerCorrection laid = mapped_.correction;
   shift_mm_ = mapped_.shift_mm;
-  laid_in_ = mapped_.in;
+  deposited_in_ = mapped_.in;
   std::fill_n(laid.amount.begin(), cell, 0.0);
   std::fill_n(shift_mm_.begin(), cell, 0.0);
   if (cell == laid.amount.size()) {
     laid.limited_share = 0.0;
-    laid_in_ = LoopState::Coasting;
+    deposited_in_ = LoopState::Coasting;
   }
   loop_->relay(laid);
   laid_ = std::move(laid);
@@ -318,7 +318,7 @@ void LoopRun::watchOffset() {
   watch(0.0);
 }
 
-std::size_t LoopRun::cellsLaid(double settle_mm) const {
+std::size_t LoopRun::cellsDeposited(double settle_mm) const {
   const PrintPlace& place = progress_.place();
   if (place.layer < *layer_) return 0;
   const bool is_whole = place.layer > *layer_ || place.is_scanning;
@@ -328,7 +328,7 @@ std::size_t LoopRun::cellsLaid(double settle_mm) const {
 
 void LoopRun::leaveBehind(std::int64_t stamp_ns) {
   if (!layer_) return;
-  const std::size_t cells = cellsLaid(settle_mm_);
+  const std::size_t cells = cellsDeposited(settle_mm_);
   if (left_behind_.empty() || left_behind_.back().second != cells) left_behind_.emplace_back(stamp_ns, cells);
 }
 
@@ -340,7 +340,7 @@ std::size_t LoopRun::cellsSolid(std::int64_t stamp_ns) {
 }
 
 void LoopRun::readCloud(const SensedCloud& cloud) {
-  atlas_.setLaid(*layer_, cellsSolid(cloud.stamp_ns));
+  atlas_.setDeposited(*layer_, cellsSolid(cloud.stamp_ns));
   // In a scan pass all that lies open is of the layer.
   if (progress_.place().is_scanning) atlas_.forgetBelow(*layer_);
   const std::vector<LayerPrediction> predictions = {{*layer_, &loop_->estimates()}, {below_layer_, &below_}};
@@ -360,7 +360,7 @@ void LoopRun::readCloud(const SensedCloud& cloud) {
 
 /// What is laid stays: the maps differ in what is to come.
 void LoopRun::trimLayer() {
-  if (!trim_->advance(cellsLaid(0.0), loop_->estimates())) return;
+  if (!trim_->advance(cellsDeposited(0.0), loop_->estimates())) return;
   laid_.amount = trim_->amount();
   loop_->relay(laid_);
   last_amount_ = laid_.amount.back();
@@ -440,13 +440,14 @@ void LoopRun::beginLayer(std::size_t layer) {
   offset_.begin(loop_->cells().size());
   lump_.reset();
   ground_ = groundOf(loop_->cells(), normal_);
-  laid_in_ = status_.state;
+  deposited_in_ = status_.state;
   laid_ = wanted();
   shiftNozzle();
   if (is_catching_up_)
-    layAsPlanned("layer " + std::to_string(*layer_) +
-                 " was begun while nobody followed the print; expected its map before: it counts as laid as "
-                 "planned");
+    layAsPlanned(
+        "layer " + std::to_string(*layer_) +
+        " was begun while nobody followed the print; expected its map before: it counts as deposited as "
+        "planned");
   std::vector<double> nozzle_error = shift_mm_;
   for (double& error : nozzle_error) error = -error;
   loop_->lay(laid_, nozzle_error);
@@ -458,7 +459,7 @@ void LoopRun::beginLayer(std::size_t layer) {
     if (auto trim = layerTrim(loop_->cells(), loop_->estimates(), laid_.amount, settings_.loop))
       trim_ = std::make_unique<LayerTrim>(*std::move(trim));
   atlas_.add(shared);
-  atlas_.setLaid(layer, 0);
+  atlas_.setDeposited(layer, 0);
   atlas_.forgetBelow(below_.empty() ? layer : below_layer_);
   publishMap();
   takeMissed();
@@ -477,7 +478,7 @@ void LoopRun::layAsPlanned(const std::string& reason) {
   laid_.limited_share = 0.0;
   shift_mm_.assign(loop_->cells().size(), 0.0);
   mean_shift_mm_ = 0.0;
-  laid_in_ = LoopState::Coasting;
+  deposited_in_ = LoopState::Coasting;
   take({status_, {{LoopAlarm::MapLate, LoopReaction::Coast, reason}}});
 }
 
@@ -511,7 +512,7 @@ void LoopRun::shiftNozzle() {
 }
 
 /// What the machine is told so that the layer grows as corrected.
-CellCorrections LoopRun::asLaid() const {
+CellCorrections LoopRun::asDeposited() const {
   CellCorrections told;
   if (!isAllZero(shift_mm_)) told.dz_mm = shift_mm_;
   if (isAllZero(laid_.amount)) return told;
@@ -528,8 +529,8 @@ CellCorrections LoopRun::asLaid() const {
 }
 
 void LoopRun::publishMap() {
-  mapped_ = {laid_, shift_mm_, laid_in_};
-  const CellCorrections told = asLaid();
+  mapped_ = {laid_, shift_mm_, deposited_in_};
+  const CellCorrections told = asDeposited();
   CorrectionMap map{part_.toolpath_id, *layer_, map_sequence_, {}};
   if (!told.amount.empty() || !told.dz_mm.empty())
     map = correctionMap(loop_->cells(), told, part_.toolpath_id, map_sequence_);
@@ -557,7 +558,7 @@ void LoopRun::endLayer() {
 }
 
 LayerOutcome LoopRun::outcomeOf(const LayerFigures& figures) {
-  LayerOutcome outcome{figures, laid_in_, layer_alarms_, {}};
+  LayerOutcome outcome{figures, deposited_in_, layer_alarms_, {}};
   const LayerCells& cells = loop_->cells();
   outcome.cells.reserve(cells.size());
   for (std::size_t i = 0; i < cells.size(); ++i) {

@@ -40,12 +40,12 @@ void describe(SettingsSchema& schema, LoopRunSettings& settings) {
       "What a print begins with: no loop, learning only, or corrections.");
   describe(schema, settings.loop);
   schema.text("loop.learned", settings.learned,
-              "Map learnt from parts before, which this part is laid by; empty for none.");
+              "Map learnt from parts before, which this part is deposited by; empty for none.");
   describe(schema, settings.sight);
   describe(schema, settings.following);
   describeCalibration(schema, settings.calibration);
   schema.text("process.material", settings.material,
-              "Material that is laid; what was learnt of another one is not gone on with.");
+              "Material that is deposited; what was learnt of another one is not gone on with.");
   schema.number("head.clearance_mm", settings.head_clearance_mm, {0.0, 1000.0},
                 "Height of the head above the nozzle tip, which a lump may not reach.");
   schema.number("monitor.cell_mm", settings.cell_mm, Bounds::above(0.0, 100.0),

@@ -66,9 +66,9 @@ void TaughtPart::abandon() { is_abandoned_ = true; }
 
 std::optional<PartMap> TaughtPart::learnt(const Toolpath& toolpath, PartEnd end) const {
   if (is_abandoned_ || identity_.machine.empty() || identity_.material.empty()) return std::nullopt;
-  std::vector<LaidLayer> part;
+  std::vector<DepositedLayer> part;
   for (std::size_t k = 0; k < layers_.size(); ++k) {
-    LaidLayer layer{cellsAgain(toolpath, k, settings_.cell_mm), {}, {}};
+    DepositedLayer layer{cellsAgain(toolpath, k, settings_.cell_mm), {}, {}};
     if (layers_[k].amount.size() != layer.cells.size()) return std::nullopt;
     layer.amount.assign(layers_[k].amount.begin(), layers_[k].amount.end());
     layer.growth_error_mm.assign(layers_[k].growth_error_mm.begin(), layers_[k].growth_error_mm.end());

@@ -150,7 +150,7 @@ int perimeterCount(const InfillRequest& request) {
 }
 
 /// Perimeters and zigzag as in [Flores2018, section 6.1.2].
-std::vector<FillPath> documentedHybrid(const Regions& regions, const InfillRequest& request) {
+std::vector<FillPath> metalHybrid(const Regions& regions, const InfillRequest& request) {
   std::vector<FillPath> runs;
   Regions centre_lines = offset(regions, -0.5 * request.pitch_mm);
   for (int k = perimeterCount(request); k > 0; --k) {
@@ -188,7 +188,7 @@ std::vector<FillPath> orderedInside(std::vector<FillPath> runs, const Point2& st
 }  // namespace
 
 std::vector<FillPath> hybrid(const Regions& regions, const InfillRequest& request) {
-  if (request.settings.hybrid.lines == HybridLines::Documented) return documentedHybrid(regions, request);
+  if (request.settings.hybrid.lines == HybridLines::Metal) return metalHybrid(regions, request);
   PerimeterFill fill = layPerimeters(regions, perimeterCount(request), request);
   InfillRequest inside = request;
   if (!fill.runs.empty()) inside.start = lastPoint(fill.runs.back());

@@ -21,15 +21,16 @@ void describeAdaptation(SettingsSchema& schema, HybridSettings& settings) {
 
 void describe(SettingsSchema& schema, HybridSettings& settings) {
   schema.choice("hybrid.lines", settings.lines,
-                {{"fitted", HybridLines::Fitted}, {"documented", HybridLines::Documented}},
-                "Lines inside the perimeter: fitted to the area, or on the documented grid and adapted.");
+                {{"fitted", HybridLines::Fitted}, {"metal", HybridLines::Metal}},
+                "Lines inside the perimeter: fitted to the area, or on a grid and adapted, for metal.");
+  schema.renamedChoice("hybrid.lines", "documented", "metal");
   schema.choice("hybrid.longitudinal", settings.longitudinal,
                 {{"two_pass", LongitudinalAdaptation::TwoPass}, {"clipped", LongitudinalAdaptation::Clipped}},
-                "How ends of documented lines are brought to their distance from the perimeter.");
+                "How ends of lines on the grid are brought to their distance from the perimeter.");
   schema.number("hybrid.grid_x_mm", settings.grid_x_mm, {-10000.0, 10000.0},
-                "Where a node of the documented grid lies.");
+                "Where a node of the grid lies.");
   schema.number("hybrid.grid_y_mm", settings.grid_y_mm, {-10000.0, 10000.0},
-                "Where a node of the documented grid lies.");
+                "Where a node of the grid lies.");
   schema.number("hybrid.perimeter_step", settings.perimeter_step, {0.01, 10.0},
                 "Distance of the perimeter points that line ends are moved towards, in spacings.");
   describeAdaptation(schema, settings);

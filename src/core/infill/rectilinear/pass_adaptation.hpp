@@ -41,13 +41,13 @@ class PerimeterApproach {
   std::vector<Polygon> inwards_;  ///< the perimeter offset by the approach
 };
 
-/// Brings both ends of each pass to their distance from the perimeter (2.9, longitudinal). In two passes,
-/// those of one point stay.
+/// Brings both ends of each pass to their distance from the perimeter [Flores2018, figures 55 to 59]. In two
+/// passes, those of one point stay.
 void adaptLongitudinally(std::vector<GridSection>& sections, const PerimeterApproach& perimeter);
 
-/// Brings the zigzag to its distance from the perimeters it lies along (2.9, transversal), at the first and
-/// last pass of each section: with D from the middle of the pass to the perimeter, a curve along the
-/// perimeter is added if D is above `hybrid.add_above`; it replaces the pass if D is below
+/// Brings the zigzag to its distance from the perimeters it lies along [Flores2018, figures 60 to 63], at the
+/// first and last pass of each section: with D from the middle of the pass to the perimeter, a curve along
+/// the perimeter is added if D is above `hybrid.add_above`; it replaces the pass if D is below
 /// `hybrid.delete_below` or the pass is a point; in between one point is added.
 void adaptTransversally(std::vector<GridSection>& sections, const PerimeterApproach& perimeter);
 

@@ -83,9 +83,9 @@ void edgesAt(const Polyline& chain, double x, const Visit& visit) {
 
 class VariableWidthSlicer {
  public:
-  VariableWidthSlicer(const VariableWidthLines& strips, std::uint32_t left)
-      : strips_(strips),
-        walk_(strips.walk),
+  VariableWidthSlicer(const VariableWidthLines& lines, std::uint32_t left)
+      : lines_(lines),
+        walk_(lines.walk),
         left_(left),
         right_(walk_.otherEnd(left)),
         half_(walk_.raster().spacing_mm),
@@ -149,7 +149,7 @@ class VariableWidthSlicer {
       border.from_x = border.chain.front().x();
       border.outward = crossing == right_ ? 1.0 : -1.0;
       const bool is_linked = end.kind == (side == Vertical::Up ? PassEnd::LinkAbove : PassEnd::LinkBelow);
-      border.growth = (is_linked ? -0.5 : 0.5) * strips_.narrowest_mm;
+      border.growth = (is_linked ? -0.5 : 0.5) * lines_.narrowest_mm;
       if (is_linked) prolong(border);
       borders_[sideOf(side)].push_back(std::move(border));
     }
@@ -169,14 +169,14 @@ class VariableWidthSlicer {
 
   void addNotches() {
     const std::size_t pass = walk_.insideLine(left_);
-    auto notch = std::lower_bound(strips_.notches.begin(), strips_.notches.end(), pass,
+    auto notch = std::lower_bound(lines_.notches.begin(), lines_.notches.end(), pass,
                                   [](const Notch& n, std::size_t value) { return n.pass < value; });
-    for (; notch != strips_.notches.end() && notch->pass == pass; ++notch) {
+    for (; notch != lines_.notches.end() && notch->pass == pass; ++notch) {
       const double edge = walk_.pointAt(notch->crossing).y();
       const Vertical side = edge > centre_ ? Vertical::Up : Vertical::Down;
       Border border;
       border.chain = localChain(notch->crossing, notch->direction, side);
-      border.growth = 0.5 * strips_.narrowest_mm;
+      border.growth = 0.5 * lines_.narrowest_mm;
       (notch->is_cap ? caps_ : dips_)[sideOf(side)].push_back(std::move(border));
     }
   }
@@ -304,7 +304,7 @@ class VariableWidthSlicer {
     return slices;
   }
 
-  const VariableWidthLines& strips_;
+  const VariableWidthLines& lines_;
   const RasterWalk& walk_;
   std::uint32_t left_;
   std::uint32_t right_;
@@ -364,8 +364,8 @@ std::vector<VariableWidthSlice> mirrored(const std::vector<VariableWidthSlice>& 
 /// A bead through the middle of the slices.
 class PassTracer {
  public:
-  PassTracer(double centre_y, double strip, double narrowest)
-      : centre_y_(centre_y), strip_(strip), narrowest_(narrowest) {}
+  PassTracer(double centre_y, double line_width, double narrowest)
+      : centre_y_(centre_y), line_width_(line_width), narrowest_(narrowest) {}
 
   FillPath trace(const std::vector<VariableWidthSlice>& slices) {
     add(middle(slices.front()), clamped(slices.front().width));
@@ -375,11 +375,11 @@ class PassTracer {
 
  private:
   Point2 middle(const VariableWidthSlice& slice) const { return {slice.x, centre_y_ + slice.middle}; }
-  double clamped(double width) const { return std::clamp(width, narrowest_, kWidest * strip_); }
+  double clamped(double width) const { return std::clamp(width, narrowest_, kWidest * line_width_); }
 
   void addMotion(const VariableWidthSlice& from, const VariableWidthSlice& to) {
     const double change = std::abs(clamped(to.width) - clamped(from.width));
-    const int parts = 1 + static_cast<int>(change / (kWidthStep * strip_) - 1e-9);
+    const int parts = 1 + static_cast<int>(change / (kWidthStep * line_width_) - 1e-9);
     for (int k = 1; k <= parts; ++k) {
       const Point2 a = middle(between(from, to, static_cast<double>(k - 1) / parts));
       const Point2 b = middle(between(from, to, static_cast<double>(k) / parts));
@@ -400,7 +400,7 @@ class PassTracer {
   }
 
   double centre_y_;
-  double strip_;
+  double line_width_;
   double narrowest_;
   FillPath path_;
 };
@@ -408,9 +408,9 @@ class PassTracer {
 /// What the variable-width line round the line that begins at `left` holds, from left to right. Beside a
 /// border that cuts into it the slices are those of the largest discs there: a bead through them touches the
 /// border and neither leaves a gap nor laps over.
-std::vector<VariableWidthSlice> slicesOf(const VariableWidthLines& strips, std::uint32_t left,
+std::vector<VariableWidthSlice> slicesOf(const VariableWidthLines& lines, std::uint32_t left,
                                          const PassEndShape& left_end, const PassEndShape& right_end) {
-  return VariableWidthSlicer(strips, left).slices(left_end, right_end);
+  return VariableWidthSlicer(lines, left).slices(left_end, right_end);
 }
 
 }  // namespace
@@ -439,25 +439,25 @@ std::vector<Notch> findNotches(const RasterWalk& walk) {
   return notches;
 }
 
-FillPath passThrough(const VariableWidthLines& strips, std::uint32_t left, const PassEndShape& left_end,
+FillPath passThrough(const VariableWidthLines& lines, std::uint32_t left, const PassEndShape& left_end,
                      const PassEndShape& right_end) {
-  const RasterWalk& walk = strips.walk;
+  const RasterWalk& walk = lines.walk;
   const double left_x = walk.pointAt(left).x();
   const double right_x = walk.pointAt(walk.otherEnd(left)).x();
-  std::vector<VariableWidthSlice> slices = slicesOf(strips, left, left_end, right_end);
+  std::vector<VariableWidthSlice> slices = slicesOf(lines, left, left_end, right_end);
   const VariableWidthSlice& thickest = *std::max_element(
       slices.begin(), slices.end(),
       [](const VariableWidthSlice& a, const VariableWidthSlice& b) { return a.width < b.width; });
   const VariableWidthSlice fallback = thickest;
-  cutRight(slices, right_end, right_x, strips.narrowest_mm);
+  cutRight(slices, right_end, right_x, lines.narrowest_mm);
   if (!slices.empty()) {
     slices = mirrored(slices);
-    cutRight(slices, left_end, -left_x, strips.narrowest_mm);
+    cutRight(slices, left_end, -left_x, lines.narrowest_mm);
     slices = mirrored(slices);
   }
   if (slices.empty()) slices = {fallback};
-  const double strip = 2.0 * walk.raster().spacing_mm;
-  return PassTracer(walk.pointAt(left).y(), strip, strips.narrowest_mm).trace(slices);
+  const double line_width = 2.0 * walk.raster().spacing_mm;
+  return PassTracer(walk.pointAt(left).y(), line_width, lines.narrowest_mm).trace(slices);
 }
 
 }  // namespace lamina

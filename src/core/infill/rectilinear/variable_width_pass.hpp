@@ -47,7 +47,7 @@ struct VariableWidthLines {
 /// The bead that fills the variable-width line round the raster line that begins at `left`: in the middle of
 /// the material there, and as wide. From left to right, in the raster frame; a single point if there is no
 /// more room.
-FillPath passThrough(const VariableWidthLines& strips, std::uint32_t left, const PassEndShape& left_end,
+FillPath passThrough(const VariableWidthLines& lines, std::uint32_t left, const PassEndShape& left_end,
                      const PassEndShape& right_end);
 
 }  // namespace lamina

@@ -23,7 +23,7 @@ namespace {
 /// Which lines of a raster passes run along.
 enum class PassLines {
   All,
-  Odd,  ///< a pass fills the strip between the even lines below and above it
+  Odd,  ///< a pass fills the variable-width line between the even lines below and above it
 };
 
 /// The passes of a raster and the sections they form: a section is a stack of passes of which the outline
@@ -126,10 +126,10 @@ PassEntries passesInOneSense(const BoustrophedonCells& sections, const RasterWal
   rows.reserve(lefts.size());
   for (const std::uint32_t left : lefts)
     rows.push_back({walk.lineOf(left) / 2, walk.pointAt(left).x(), walk.pointAt(walk.otherEnd(left)).x()});
-  const double strip_mm = 2.0 * walk.raster().spacing_mm;
+  const double line_width_mm = 2.0 * walk.raster().spacing_mm;
   PassEntries entries;
   entries.reserve(rows.size());
-  for (const RowVisit& visit : orderInOneSense(rows, {strip_mm, 0.5 * strip_mm}, from))
+  for (const RowVisit& visit : orderInOneSense(rows, {line_width_mm, 0.5 * line_width_mm}, from))
     entries.push_back(visit.enters_right ? walk.otherEnd(lefts[visit.row]) : lefts[visit.row]);
   return entries;
 }
@@ -174,13 +174,13 @@ struct VariableWidthLink {
 
 class VariableWidthTracer {
  public:
-  VariableWidthTracer(const VariableWidthLines& strips, const BoustrophedonCells& sections,
+  VariableWidthTracer(const VariableWidthLines& lines, const BoustrophedonCells& sections,
                       const RasterFrame& frame)
-      : strips_(strips),
-        walk_(strips.walk),
+      : lines_(lines),
+        walk_(lines.walk),
         sections_(sections),
         frame_(frame),
-        strip_(2.0 * walk_.raster().spacing_mm) {}
+        line_width_(2.0 * walk_.raster().spacing_mm) {}
 
   std::vector<FillPath> trace(const PassEntries& entries) {
     std::vector<FillPath> runs;
@@ -231,10 +231,11 @@ class VariableWidthTracer {
     if (sign != outward(link.upper)) return;
     const double recedes = sign * (lower.x() - upper.x());
     const Polyline border = borderBetween(link);
-    if (length(border) > std::abs(recedes) + kLongestDetour * strip_) return;
+    if (length(border) > std::abs(recedes) + kLongestDetour * line_width_) return;
     link.is_lower_longer = recedes > 0.0;
-    link.inset_mm = (kTurnReach * strip_ - 0.5 * strips_.narrowest_mm) * std::hypot(1.0, recedes / strip_);
-    link.kind = std::abs(recedes) <= kSteepBorder * strip_ && hasRoomToTurn(link, border)
+    link.inset_mm =
+        (kTurnReach * line_width_ - 0.5 * lines_.narrowest_mm) * std::hypot(1.0, recedes / line_width_);
+    link.kind = std::abs(recedes) <= kSteepBorder * line_width_ && hasRoomToTurn(link, border)
                     ? VariableWidthLink::Kind::Turn
                     : VariableWidthLink::Kind::Border;
   }
@@ -270,8 +271,8 @@ class VariableWidthTracer {
                   const VariableWidthLink& after) const {
     const PassEndShape entry = endShape(entered, before);
     const PassEndShape exit = endShape(walk_.otherEnd(entered), after);
-    if (walk_.isLeftEnd(entered)) return passThrough(strips_, entered, entry, exit);
-    return reversed(passThrough(strips_, walk_.otherEnd(entered), exit, entry));
+    if (walk_.isLeftEnd(entered)) return passThrough(lines_, entered, entry, exit);
+    return reversed(passThrough(lines_, walk_.otherEnd(entered), exit, entry));
   }
 
   static PassEndShape endShape(std::uint32_t end, const VariableWidthLink& link) {
@@ -290,8 +291,8 @@ class VariableWidthTracer {
       append(run, to.points.front(), 0.5 * (from.width_mm.back() + to.width_mm.front()));
     } else {
       for (const Point2& point : borderLink(link, from.points.back(), to.points.front()))
-        append(run, point, strips_.narrowest_mm);
-      append(run, to.points.front(), strips_.narrowest_mm);
+        append(run, point, lines_.narrowest_mm);
+      append(run, to.points.front(), lines_.narrowest_mm);
     }
     for (std::size_t i = 1; i < to.points.size(); ++i) append(run, to.points[i], to.width_mm[i]);
   }
@@ -310,7 +311,7 @@ class VariableWidthTracer {
     border.insert(border.end(), rest.begin() + 1, rest.end());
     Polyline along = upTo(border, end_x, outward(longer));
     const Point2& tip = begins_at_longer ? to : from;
-    if ((tip - along.front()).norm() > kNearTip * strip_) {
+    if ((tip - along.front()).norm() > kNearTip * line_width_) {
       Polyline rest_of_way = walk_.chain(link.is_lower_longer ? link.upper : link.lower, away);
       rest_of_way.pop_back();
       along.insert(along.begin(), rest_of_way.begin(), rest_of_way.end());
@@ -348,11 +349,11 @@ class VariableWidthTracer {
     run = {};
   }
 
-  const VariableWidthLines& strips_;
+  const VariableWidthLines& lines_;
   const RasterWalk& walk_;
   const BoustrophedonCells& sections_;
   const RasterFrame& frame_;
-  double strip_;
+  double line_width_;
 };
 
 /// Lowest and highest point across the raster [mm].
@@ -374,10 +375,10 @@ class VariableWidthRegion {
   VariableWidthRegion(const Region& links, const InfillRequest& request)
       : narrowest_(narrowestBead(request)),
         frame_(request.angle_rad, extent(links, request.angle_rad).first - 0.5 * narrowest_),
-        raster_(rasterise({links}, 0.5 * stripWidth(links, request), frame_)),
+        raster_(rasterise({links}, 0.5 * lineWidth(links, request), frame_)),
         walk_(raster_),
         sections_(walk_, PassLines::Odd),
-        strips_{walk_, findNotches(walk_), narrowest_} {}
+        lines_{walk_, findNotches(walk_), narrowest_} {}
   VariableWidthRegion(const VariableWidthRegion&) = delete;
   VariableWidthRegion& operator=(const VariableWidthRegion&) = delete;
 
@@ -391,17 +392,17 @@ class VariableWidthRegion {
   }
 
   std::vector<FillPath> runs(const SectionTour& tour) const {
-    return VariableWidthTracer(strips_, sections_, frame_).trace(passesOf(sections_, walk_, tour));
+    return VariableWidthTracer(lines_, sections_, frame_).trace(passesOf(sections_, walk_, tour));
   }
 
   /// @param from  where the nozzle comes from
   std::vector<FillPath> runsInOneSense(const Point2& from) const {
-    return VariableWidthTracer(strips_, sections_, frame_)
+    return VariableWidthTracer(lines_, sections_, frame_)
         .trace(passesInOneSense(sections_, walk_, frame_.intoRaster(from)));
   }
 
  private:
-  double stripWidth(const Region& links, const InfillRequest& request) const {
+  double lineWidth(const Region& links, const InfillRequest& request) const {
     const auto [low, high] = extent(links, request.angle_rad);
     const double span = high - low + narrowest_;
     return span / std::max(1.0, std::round(span / request.pitch_mm));
@@ -412,7 +413,7 @@ class VariableWidthRegion {
   Raster raster_;
   RasterWalk walk_;
   BoustrophedonCells sections_;
-  VariableWidthLines strips_;
+  VariableWidthLines lines_;
 };
 
 /// One region after the other, the nearest next. No bead along the border leads from run to run: it would lie

@@ -34,7 +34,7 @@ std::string noteOnConformal(const ConformalLayers& layers, const ConformalSettin
 std::string noteOnHidden(double hidden_mm2) {
   char text[160];
   std::snprintf(text, sizeof text,
-                "%.4g mm2 of faces that look in conformal.direction lie beneath others and get no coat",
+                "%.4g mm2 of faces that look in conformal.direction lie below others and get no coat",
                 hidden_mm2);
   return text;
 }

@@ -56,11 +56,10 @@ std::string noteOnFirstShell(const CurvedLayers& layers, double layer_height_mm)
   const double hanging_mm3 = volume(whereNotNegative(first, above));
   if (hanging_mm3 <= 0.0) return "";
   char text[240];
-  std::snprintf(
-      text, sizeof text,
-      "the first layer rises to %.4g mm above its lowest place: %.4g mm3 of it are laid on air, unless a "
-      "bed of its shape or support lies there",
-      box.size().z(), hanging_mm3);
+  std::snprintf(text, sizeof text,
+                "the first layer rises to %.4g mm above its lowest place: %.4g mm3 of it are deposited on "
+                "air, unless a bed of its shape or support lies there",
+                box.size().z(), hanging_mm3);
   return text;
 }
 

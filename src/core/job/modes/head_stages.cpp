@@ -14,7 +14,7 @@
 namespace lamina {
 namespace {
 
-/// Round the tool axis [frame of the nozzle, whose z is along the jet].
+/// Round the tool axis [frame of the nozzle, whose z is along it].
 HeadStage stageOf(const BodyShape& shape, const Eigen::Isometry3d& nozzle_from_body) {
   constexpr int kDirections = 64;
   const auto reach = [&](const Point3& direction) {

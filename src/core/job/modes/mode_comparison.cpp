@@ -77,7 +77,7 @@ ModeComparison compareModes(const SliceJob& job, const std::vector<std::string>&
   const SliceJob placed = onMachine(job, space);
   validate(placed.settings);
   requireToolAxisFor(placed, space);
-  const LaidPart laid = laidPart(readSource(placed, progress), placed, space);
+  const PartOnBed laid = partOnBed(readSource(placed, progress), placed, space);
   const PlanningRequest request{placed, space, laid.bed_from_part};
   ModeComparison comparison;
   for (const std::string& mode : modes) {

@@ -128,7 +128,7 @@ void addNoteOnCrossings(SliceSummary& summary, const JobSettings& settings) {
   const double density = infill.pitch_mm > 0.0 ? pitch / infill.pitch_mm : infill.density;
   if (crossing * density == 0.0 || density > 1.0 - 1e-6) return;
   char text[128];
-  std::snprintf(text, sizeof text, "lines of infill '%s' cross: %.1f %% of its volume is laid twice",
+  std::snprintf(text, sizeof text, "lines of infill '%s' cross: %.1f %% of its volume is deposited twice",
                 infill.strategy.c_str(), 100.0 * crossing * density);
   summary.notes.emplace_back(text);
 }

@@ -102,7 +102,8 @@ void addSource(SliceSummary& summary, const SourcePart& source) {
 
 std::string volumesNote(std::size_t left_out) {
   return std::to_string(left_out) +
-         " volumes of the file that change how the part is laid are left out: only level layers mind them";
+         " volumes of the file that change how the part is deposited are left out: only level layers mind "
+         "them";
 }
 
 }  // namespace
@@ -127,13 +128,13 @@ SourcePart readSource(const SliceJob& job, Progress& progress) {
   const std::string& mode = job.settings.slicing.mode;
   const std::string& base = job.settings.conformal.base;
   if (base.empty()) return source;
-  if (mode == kAutoMode || slicingModes().find(mode).laid_on == LaidOn::Base)
+  if (mode == kAutoMode || slicingModes().find(mode).deposited_on == DepositedOn::Base)
     source.base = readPart(base, job.settings.input, progress).mesh;
   return source;
 }
 
-LaidPart laidPart(SourcePart read, const SliceJob& job, const BuildSpace& space) {
-  LaidPart laid{grownForShrinkage(std::move(read), job.settings)};
+PartOnBed partOnBed(SourcePart read, const SliceJob& job, const BuildSpace& space) {
+  PartOnBed laid{grownForShrinkage(std::move(read), job.settings)};
   const Box3 box = boxOnBed(laid.source);
   requireNearOrigin(box);
   requireFits(box, boundingBox(space), space.name);
@@ -145,7 +146,7 @@ SlicedPart sliceSource(SourcePart source, const SliceJob& job, const BuildSpace&
                        const std::vector<ModeCandidate>& refused) {
   SlicedPart sliced;
   const Point3 drawn = boundingBox(source.mesh).size();
-  LaidPart laid = laidPart(std::move(source), job, space);
+  PartOnBed laid = partOnBed(std::move(source), job, space);
   const Point3 size = boundingBox(laid.source.mesh).size();
   const std::size_t volumes = laid.source.volumes.size();
   addSource(sliced.summary, laid.source);

@@ -23,13 +23,13 @@ void requireToolAxisFor(const SliceJob& job, const BuildSpace& space);
 SourcePart readSource(const SliceJob& job, Progress& progress);
 
 /// What is sliced: as large as it must be before it shrinks, and where it stands.
-struct LaidPart {
+struct PartOnBed {
   SourcePart source;
   Eigen::Isometry3d bed_from_part = Eigen::Isometry3d::Identity();
 };
 
 /// @throws Unreachable if the part, with what it is laid on, is larger than the build space
-LaidPart laidPart(SourcePart read, const SliceJob& job, const BuildSpace& space);
+PartOnBed partOnBed(SourcePart read, const SliceJob& job, const BuildSpace& space);
 
 /// Everything between mesh and program: places, slices and plans what was read, and checks it against the
 /// build space. Of the times in the summary only that of slicing is set.

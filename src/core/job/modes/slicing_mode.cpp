@@ -11,16 +11,16 @@ namespace lamina {
 namespace {
 
 std::map<std::string, SlicingMode> builtInModes() {
-  const SlicingMode plane{planPlanar, LayerShape::Plane, FirstLayer::OwnHeight, LaidOn::Bed};
+  const SlicingMode plane{planPlanar, LayerShape::Plane, FirstLayer::OwnHeight, DepositedOn::Bed};
   return {
-      {"adapted", {planAdapted, LayerShape::Bent, FirstLayer::OwnHeight, LaidOn::Bed}},
-      {"conformal", {planConformal, LayerShape::Bent, FirstLayer::SameHeight, LaidOn::Base}},
-      {"curved", {planCurved, LayerShape::Bent, FirstLayer::SameHeight, LaidOn::Bed}},
-      {"heightfield", {planHeightField, LayerShape::Bent, FirstLayer::OwnHeight, LaidOn::Bed}},
+      {"adapted", {planAdapted, LayerShape::Bent, FirstLayer::OwnHeight, DepositedOn::Bed}},
+      {"conformal", {planConformal, LayerShape::Bent, FirstLayer::SameHeight, DepositedOn::Base}},
+      {"curved", {planCurved, LayerShape::Bent, FirstLayer::SameHeight, DepositedOn::Bed}},
+      {"heightfield", {planHeightField, LayerShape::Bent, FirstLayer::OwnHeight, DepositedOn::Bed}},
       {"inclined", plane},  // as planar; validate requires an angle
-      {"multi_direction", {planMultiDirection, LayerShape::Bent, FirstLayer::OwnHeight, LaidOn::Bed}},
+      {"multi_direction", {planMultiDirection, LayerShape::Bent, FirstLayer::OwnHeight, DepositedOn::Bed}},
       {"planar", plane},
-      {"volumetric", {planVolumetric, LayerShape::Bent, FirstLayer::OwnHeight, LaidOn::Bed}},
+      {"volumetric", {planVolumetric, LayerShape::Bent, FirstLayer::OwnHeight, DepositedOn::Bed}},
   };
 }
 

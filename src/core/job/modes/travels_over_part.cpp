@@ -26,7 +26,7 @@ constexpr std::array<double, 9> kWaysOutMm = {1.0, 3.0, 6.0, 10.0, 15.0, 25.0, 4
 
 struct HeadPlace {
   Point3 tip;
-  Point3 axis;  // against the jet
+  Point3 axis;  // against the tool axis
 };
 
 HeadPlace placeOf(const Path& path, std::size_t waypoint) {

@@ -49,7 +49,7 @@ std::string noteOnFilling(const VolumetricMeasures& measures) {
   std::snprintf(
       text, sizeof text,
       "%.2f %% of the part is in no layer (level layers: %.2f %%), %.2f %% in more than one; %.2f %% "
-      "of the bent layers lie on what is laid before, of the least of %zu pieces %.0f %%; %zu cells "
+      "of the bent layers lie on what is deposited before, of the least of %zu pieces %.0f %%; %zu cells "
       "grow before their neighbours",
       100.0 * measures.open, 100.0 * measures.open_level, 100.0 * measures.twice, 100.0 * measures.resting,
       measures.pieces, 100.0 * measures.least_resting, measures.minima);
@@ -60,7 +60,7 @@ void addNotesOnLeftOut(const VolumetricMeasures& measures, std::vector<std::stri
   char text[200];
   if (measures.pendant_mm3 > 0.0) {
     std::snprintf(text, sizeof text,
-                  "%.3g mm³ of the part, %.3f %%, hang where no growth leads: they are not laid",
+                  "%.3g mm³ of the part, %.3f %%, hang where no growth leads: they are not deposited",
                   measures.pendant_mm3, 100.0 * measures.pendant_mm3 / measures.volume_mm3);
     notes.emplace_back(text);
   }

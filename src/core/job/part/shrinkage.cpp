@@ -33,7 +33,7 @@ std::string sizeNote(const Point3& drawn, const Point3& laid) {
   char text[192];
   std::snprintf(
       text, sizeof text,
-      "the part is %.6g x %.6g x %.6g mm as drawn, and laid as %.6g x %.6g x %.6g mm, for it shrinks",
+      "the part is %.6g x %.6g x %.6g mm as drawn, and printed as %.6g x %.6g x %.6g mm, for it shrinks",
       drawn.x(), drawn.y(), drawn.z(), laid.x(), laid.y(), laid.z());
   return text;
 }

@@ -110,8 +110,9 @@ void requireSamePart(const Toolpath& program, const std::vector<Regions>& sectio
       continue;
     if (other++ > 0) continue;
     char text[160];
-    std::snprintf(text, sizeof text, "in layer %zu %.4g x %.4g mm are laid, and the part has %.4g x %.4g mm",
-                  i, deposited.size().x(), deposited.size().y(), size.x(), size.y());
+    std::snprintf(text, sizeof text,
+                  "in layer %zu %.4g x %.4g mm are deposited, and the part has %.4g x %.4g mm", i,
+                  deposited.size().x(), deposited.size().y(), size.x(), size.y());
     first = text;
   }
   if (2 * other <= laid) return;

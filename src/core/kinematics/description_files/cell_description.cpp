@@ -42,7 +42,7 @@ struct Placing {
 
 struct CellTool {
   Placing at;
-  std::string jet = "z";
+  std::string axis = "z";  // of its frame, along which the nozzle points
   std::vector<std::string> meshes;
 };
 
@@ -163,14 +163,16 @@ class CellReader {
 
   CellTool tool(const StrictYaml& node) const {
     CellTool tool;
-    for (const auto& [key, value] : node.entries({"xyz_mm", "rpy_deg", "jet", "bodies"})) {
+    // jet: the name of axis in the release before.
+    for (const auto& [key, value] : node.entries({"xyz_mm", "rpy_deg", "axis", "bodies", "jet"})) {
+      const bool is_axis = key == "axis" || key == "jet";
       if (key == "xyz_mm") tool.at.xyz_mm = vectorFrom(value);
       if (key == "rpy_deg") tool.at.rpy_deg = vectorFrom(value);
-      if (key == "jet") tool.jet = value.text();
+      if (is_axis) tool.axis = value.text();
       if (key == "bodies")
         for (const std::string& mesh : value.texts()) tool.meshes.push_back(placed(mesh));
-      if (key == "jet" && tool.jet != "x" && tool.jet != "y" && tool.jet != "z")
-        value.refuse("is '" + tool.jet + "'; expected x, y or z");
+      if (is_axis && tool.axis != "x" && tool.axis != "y" && tool.axis != "z")
+        value.refuse("is '" + tool.axis + "'; expected x, y or z");
     }
     return tool;
   }
@@ -288,15 +290,15 @@ std::string positionerText(const std::string& urdf, const std::string& path, int
 
 std::string toolText(const CellFile& cell, const std::string& flange) {
   const Placing turn{{}, cell.arm.flange_turn_deg.value_or(Vector{})};
-  Placing jet;
-  if (cell.tool.jet == "x") jet.rpy_deg = {0.0, 90.0, 0.0};
-  if (cell.tool.jet == "y") jet.rpy_deg = {-90.0, 0.0, 0.0};
+  Placing axis;
+  if (cell.tool.axis == "x") axis.rpy_deg = {0.0, 90.0, 0.0};
+  if (cell.tool.axis == "y") axis.rpy_deg = {-90.0, 0.0, 0.0};
   std::string bodies;
   for (const std::string& mesh : cell.tool.meshes) bodies += meshText(mesh, {}, "cell_tool");
   return "<link name=\"cell_flange\">" + bodies + "</link><link name=\"cell_tool\"/><link name=\"nozzle\"/>" +
          jointText("cell_flange_turn", "fixed", {flange, "cell_flange"}, originText(turn)) +
          jointText("cell_tool_place", "fixed", {"cell_flange", "cell_tool"}, originText(cell.tool.at)) +
-         jointText("cell_jet", "fixed", {"cell_tool", "nozzle"}, originText(jet));
+         jointText("cell_tool_axis", "fixed", {"cell_tool", "nozzle"}, originText(axis));
 }
 
 std::string bedText(const CellFile& cell, const std::string& parent) {

@@ -43,9 +43,10 @@ AidRuns makePrimeLine(const PrimeSettings& settings, const LayerBounds& layer, c
   const Point2 to = from + settings.length_mm * (is_front ? Point2::UnitX() : Point2::UnitY());
   const Regions taken = {{rectangleRound(from, to, 0.5 * line.bead.width_mm), {}}};
   if (!intersection(taken, occupied).empty())
-    throw InvalidConfig(std::string("prime.line is '") + (is_front ? "front" : "left") +
-                        "', where it would cross the part or what is laid round it; expected a part farther "
-                        "from that edge of the bed, or 'none'");
+    throw InvalidConfig(
+        std::string("prime.line is '") + (is_front ? "front" : "left") +
+        "', where it would cross the part or what is deposited round it; expected a part farther "
+        "from that edge of the bed, or 'none'");
   line.runs = std::make_shared<const std::vector<FillPath>>(
       std::vector<FillPath>{{{from, to}, false, PathRole::Prime, Deposit::Bead, {}}});
   return line;

@@ -17,13 +17,13 @@ Bridging& Bridging::operator+=(const Bridging& other) {
 
 void describe(SettingsSchema& schema, BridgeSettings& bridges) {
   schema.flag("bridges.use", bridges.is_used,
-              "Whether what lies over nothing is laid as threads from one side to the other.");
+              "Whether what lies over nothing is deposited as threads from one side to the other.");
   schema.number("bridges.anchor_mm", bridges.anchor_mm, Bounds::above(0.0, 50.0),
                 "By how much threads go on over what holds them.");
   schema.number("bridges.least_held", bridges.least_held, {0.0, 1.0},
                 "Share of the threads that both sides hold; below it there is no bridge.");
   schema.number("bridges.longest_mm", bridges.longest_mm, {0.0, 1e4},
-                "Longer free spans are told; 0 for none.");
+                "Longer free spans are reported; 0 for none.");
   schema.number("bridges.angle_deg", bridges.angle_deg, {-1.0, 180.0},
                 "Direction of threads, from x; -1 seeks the best.");
   schema.number("bridges.flow", bridges.flow, {0.1, 3.0}, "Factor on the cross-section of threads.");
@@ -33,7 +33,7 @@ void describe(SettingsSchema& schema, BridgeSettings& bridges) {
   schema.number("bridges.thread_mm", bridges.thread_mm, {0.0, 100.0},
                 "Diameter of round threads, that of the nozzle; 0 takes bead.width_mm.");
   schema.flag("bridges.over_infill", bridges.is_over_infill,
-              "Whether the lowest skin over sparse infill is laid across its lines, as a bridge.");
+              "Whether the lowest skin over sparse infill is deposited across its lines, as a bridge.");
 }
 
 }  // namespace lamina

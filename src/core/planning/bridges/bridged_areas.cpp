@@ -64,7 +64,8 @@ class AreaSharer {
       return;
     }
     const ThreadLayout layout{direction.angle_rad, measures_.thread_pitch_mm, settings.anchor_mm};
-    LaidBridge bridge{coveredByThreads(piece, inside_, layout), bridgeThreads(piece, near, inside_, layout)};
+    DepositedBridge bridge{coveredByThreads(piece, inside_, layout),
+                           bridgeThreads(piece, near, inside_, layout)};
     appendTo(covered, bridge.area);
     areas_.bridges.push_back(std::move(bridge));
     Bridging one;

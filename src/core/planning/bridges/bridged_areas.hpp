@@ -19,14 +19,14 @@ struct BridgeMeasures {
 };
 
 /// One bridge.
-struct LaidBridge {
+struct DepositedBridge {
   Regions area;
   std::vector<FillPath> threads;
 };
 
 /// An area within walls, divided by what is below it.
 struct BridgedAreas {
-  std::vector<LaidBridge> bridges;
+  std::vector<DepositedBridge> bridges;
   Regions hanging;  ///< unsupported, and not held on both sides
   Regions rest;
   Bridging counts;

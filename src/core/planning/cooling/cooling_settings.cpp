@@ -18,7 +18,7 @@ void describe(SettingsSchema& schema, CoolingSettings& cooling) {
       {{"slow_then_dwell", CoolingBy::SlowThenDwell}, {"slow", CoolingBy::Slow}, {"dwell", CoolingBy::Dwell}},
       "What makes a layer take that long.");
   schema.number("cooling.least_feed_mm_s", cooling.least_feed_mm_s, Bounds::above(0.0, 10000.0),
-                "Slower than this nothing is laid.");
+                "Slower than this nothing is deposited.");
   schema.number("cooling.lift_mm", cooling.lift_mm, {0.0, 1000.0}, "Lift of the nozzle while it waits.");
   schema.choice<ParkPlace>(
       "cooling.park", cooling.park,
@@ -43,14 +43,15 @@ void describe(SettingsSchema& schema, FanSettings& fan) {
       "fan.beyond", fan.beyond,
       {{"least", FanSettings::WhenSlow::Least}, {"none", FanSettings::WhenSlow::None}},
       "What layers of more time have.");
-  schema.number("fan.bridge", fan.bridge, {0.0, 1.0}, "Share while a bridge is laid (bridges.use).");
+  schema.number("fan.bridge", fan.bridge, {0.0, 1.0}, "Share while a bridge is deposited (bridges.use).");
   schema.number("fan.overhang", fan.overhang, {0.0, 1.0},
-                "Share while walls are laid that nothing carries (overhangs.use).");
-  schema.text("fan.by_role", fan.by_role,
-              "Shares while roles are laid, as support_interface=1,top_skin=0.8; others have that of the "
-              "layer.");
+                "Share while walls are deposited that nothing carries (overhangs.use).");
+  schema.text(
+      "fan.by_role", fan.by_role,
+      "Shares while roles are deposited, as support_interface=1,top_skin=0.8; others have that of the "
+      "layer.");
   schema.number("fan.spin_up_s", fan.spin_up_s, {0.0, 60.0},
-                "By how much the fan is told earlier to blow more.");
+                "By how much the fan is commanded earlier to blow more.");
 }
 
 void requireConsistent(const FanSettings& fan) {

@@ -62,7 +62,7 @@ std::array<std::optional<double>, kPathRoles> roleSharesOf(const FanSettings& se
     if (shares[static_cast<std::size_t>(role)])
       throw InvalidConfig("fan.by_role names " + std::string(toString(role)) + "; expected " + expected);
   };
-  refuse(PathRole::Travel, "a role that is laid");
+  refuse(PathRole::Travel, "a role that is deposited");
   refuse(PathRole::Bridge, "the share of bridges as fan.bridge");
   return shares;
 }

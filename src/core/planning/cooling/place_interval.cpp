@@ -29,7 +29,7 @@ struct TimedVisit {
 
 /// A layer in pieces that can be put in another order.
 struct LayerPieces {
-  std::vector<LaidPlace> places;
+  std::vector<DepositedPlace> places;
   std::vector<TimedVisit> visits;
   std::vector<std::size_t> place_of;  ///< of visits; the number of places for those at none
   std::vector<Path> rest;             ///< travels behind the last visit
@@ -113,7 +113,7 @@ class PlaceCooler {
   void layLayer(std::size_t index, LayerPieces& pieces) {
     std::vector<double> ready_s;
     ready_s.reserve(pieces.places.size());
-    for (const LaidPlace& place : pieces.places)
+    for (const DepositedPlace& place : pieces.places)
       ready_s.push_back(leftBeneath(place.box, left_) + settings_.least_layer_time_s);
     const std::vector<std::size_t> order = visitOrder(pieces, ready_s);
     if (!std::is_sorted(order.begin(), order.end())) {
@@ -122,7 +122,7 @@ class PlaceCooler {
     }
     forgetCooled();
     const std::size_t first = left_.boxes.size();
-    for (const LaidPlace& place : pieces.places) left_.boxes.push_back(place.box);
+    for (const DepositedPlace& place : pieces.places) left_.boxes.push_back(place.box);
     left_.left_s.resize(left_.boxes.size(), 0.0);
     std::vector<bool> is_begun(pieces.places.size() + 1, false);
     is_begun.back() = true;  // what is at no place waits for none

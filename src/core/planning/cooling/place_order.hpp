@@ -10,7 +10,7 @@
 namespace lamina {
 
 /// An island of a layer, told from others by its box: all that is laid of the part at one place.
-struct LaidPlace {
+struct DepositedPlace {
   Box2 box;                         ///< [mm, in the plane of the layers]
   std::vector<std::size_t> visits;  ///< stretches of the layer's paths in it, in their order
 };
@@ -24,8 +24,8 @@ struct PlaceVisit {
 
 /// A layer divided into places. Places with overlapping boxes are one; build aids and drops have none.
 struct PlacedLayer {
-  std::vector<PlaceVisit> visits;  ///< all paths except travels after the last of them
-  std::vector<LaidPlace> places;   ///< in the order in which they are first visited
+  std::vector<PlaceVisit> visits;      ///< all paths except travels after the last of them
+  std::vector<DepositedPlace> places;  ///< in the order in which they are first visited
 };
 
 /// Divides a layer.

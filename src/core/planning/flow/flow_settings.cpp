@@ -18,16 +18,16 @@ void describe(SettingsSchema& schema, FlowSettings& flow) {
   schema.number("flow.coast_mm3", flow.coast_mm3, {0.0, 1e6},
                 "Volume at the end of each run that is not pushed; 0 for none.");
   schema.number("flow.coast_longest_mm", flow.coast_longest_mm, {0.0, 1000.0},
-                "Longest way that is laid so; at most half the run.");
+                "Longest way that is deposited so; at most half the run.");
   schema.number("flow.advance_s", flow.advance_s, {0.0, 10.0},
-                "Pressure advance that the firmware is told; 0 leaves it alone.");
+                "Pressure advance that is sent to the firmware; 0 leaves it alone.");
   schema.text("flow.advance_by_role", flow.advance_by_role,
               "Roles that have another, as 'outer_wall=0.04, infill=0.06'.");
   schema.choice<AdvanceWord>("flow.advance_word", flow.advance_word,
                              {{"marlin", AdvanceWord::Marlin},
                               {"klipper", AdvanceWord::Klipper},
                               {"reprapfirmware", AdvanceWord::RepRapFirmware}},
-                             "Firmware by whose word it is told.");
+                             "Firmware by whose word it is sent.");
   schema.number("flow.lag_s", flow.lag_s, {0.0, 100.0},
                 "Time constant by which the flow follows what is pushed, made up for in the program.");
   schema.number("flow.dead_time_s", flow.dead_time_s, {0.0, 100.0},

@@ -394,7 +394,7 @@ class LayerLifter {
     const OffCharts off = offCharts(charts_, planned);
     const double width_mm = planned.bead.at(planned.points.size() - 1).width_mm;
     if (off.length_mm > kMostOff * width_mm)
-      throw InvalidInput("a run of the plan " + off.first + " leaves its chart, over " +
+      throw InvalidInput("a run in the parameter plane " + off.first + " leaves its chart, over " +
                          numberText(off.length_mm) + " mm in all; must stay in one, but for " +
                          numberText(kMostOff) + " widths of its bead");
     const TravelMaker none = [](const Path&, const Path&, std::size_t) { return std::nullopt; };

@@ -123,7 +123,7 @@ Path withRulesOf(const PieceRules& rules, Path wall, const std::vector<FinerPoin
 }
 
 /// One path, or several that follow each other where the tool changes.
-std::vector<Path> laidBy(const PieceRules& rules, Path wall) {
+std::vector<Path> depositedBy(const PieceRules& rules, Path wall) {
   if (rules.areAsPlanned()) return {std::move(wall)};
   const std::vector<FinerPoint> ends = dividedBy(rules, wall);
   if (ends.empty()) return {std::move(wall)};
@@ -167,8 +167,8 @@ int leastWalls(const std::vector<IslandPiece>& pieces) {
   return least;
 }
 
-std::vector<Path> laidByPieces(std::vector<Path> paths, std::size_t from,
-                               const std::vector<IslandPiece>& pieces, const WallRules& laid_by) {
+std::vector<Path> depositedByPieces(std::vector<Path> paths, std::size_t from,
+                                    const std::vector<IslandPiece>& pieces, const WallRules& deposited_by) {
   std::vector<Path> laid(std::make_move_iterator(paths.begin()),
                          std::make_move_iterator(paths.begin() + static_cast<std::ptrdiff_t>(from)));
   for (std::size_t i = from; i < paths.size(); ++i) {
@@ -176,8 +176,8 @@ std::vector<Path> laidByPieces(std::vector<Path> paths, std::size_t from,
       laid.push_back(std::move(paths[i]));
       continue;
     }
-    const PieceRules rules(pieces, paths[i].role, laid_by);
-    std::vector<Path> parts = laidBy(rules, std::move(paths[i]));
+    const PieceRules rules(pieces, paths[i].role, deposited_by);
+    std::vector<Path> parts = depositedBy(rules, std::move(paths[i]));
     std::move(parts.begin(), parts.end(), std::back_inserter(laid));
   }
   return laid;

@@ -35,7 +35,7 @@ struct WallRules {
 /// of the plan. A wall gets waypoints where it crosses into another piece, and is cut where the tool changes.
 /// A factor on its feed, as over an overhang, is kept.
 /// @param from  first path that is changed; travels stay as they are
-std::vector<Path> laidByPieces(std::vector<Path> paths, std::size_t from,
-                               const std::vector<IslandPiece>& pieces, const WallRules& laid_by);
+std::vector<Path> depositedByPieces(std::vector<Path> paths, std::size_t from,
+                                    const std::vector<IslandPiece>& pieces, const WallRules& deposited_by);
 
 }  // namespace lamina

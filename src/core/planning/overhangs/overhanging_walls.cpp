@@ -44,7 +44,7 @@ double factorAt(double share, const std::vector<double>& shares, const std::vect
 
 void describe(SettingsSchema& schema, OverhangingWallSettings& overhangs) {
   schema.flag("overhangs.use", overhangs.is_used,
-              "Whether walls are laid otherwise where part of their bead lies beyond the layer below.");
+              "Whether walls are deposited otherwise where part of their bead lies beyond the layer below.");
   schema.numbers("overhangs.shares", overhangs.shares, kEntries,
                  "Shares of the bead that nothing carries, ascending.");
   schema.numbers("overhangs.feed_factors", overhangs.feed_factors, kEntries,

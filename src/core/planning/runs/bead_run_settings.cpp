@@ -72,7 +72,7 @@ void describeWeave(SettingsSchema& schema, WeaveSettings& weave) {
   schema.number("weave.amplitude_mm", weave.amplitude_mm, Bounds::above(0.0, 100.0),
                 "Half the width that the tip swings; half the bead at most.");
   schema.number("weave.wavelength_mm", weave.wavelength_mm, Bounds::above(0.0, 1000.0),
-                "Length of a wave along the bead; a whole number of half waves is laid.");
+                "Length of a wave along the bead; a whole number of half waves is deposited.");
   schema.number("weave.flat_share", weave.flat_share, Bounds::above(0.0, 0.45),
                 "Share of a wave that a trapezium keeps to each side.");
   schema.number("weave.left_s", weave.left_s, {0.0, 60.0},
@@ -85,7 +85,7 @@ void describeWeave(SettingsSchema& schema, WeaveSettings& weave) {
   schema.number("weave.tolerance_mm", weave.tolerance_mm, Bounds::above(0.0, 10.0),
                 "How far the chords of a sine, circle or eight may be from it.");
   schema.number("weave.swing_deg", weave.swing_deg, {-60.0, 60.0},
-                "Angle by which the jet turns about the way to the side on which the tip is.");
+                "Angle by which the tool axis turns about the way to the side on which the tip is.");
 }
 
 [[noreturn]] void refuseLevels(std::string_view entry, const std::string& expected) {
@@ -146,9 +146,12 @@ void describe(SettingsSchema& schema, BeadRunSettings& settings) {
       "Distance from which the tool comes straight to each run, and to which it leaves; 0 for none.");
   schema.choice<EntryDirection>(
       "entry.direction", settings.entry.direction,
-      {{"jet", EntryDirection::Jet}, {"level", EntryDirection::Level}, {"tangent", EntryDirection::Tangent}},
+      {{"tool_axis", EntryDirection::ToolAxis},
+       {"level", EntryDirection::Level},
+       {"tangent", EntryDirection::Tangent}},
       "Whether it comes along the tool axis, straight from above the bed, or on along "
       "the run where there is room.");
+  schema.renamedChoice("entry.direction", "jet", "tool_axis");
   schema.number("entry.feed_mm_s", settings.entry.feed_mm_s, Bounds::above(0.0, 10000.0), "Feed there.");
   describeLevels(schema, settings.levels);
   describeWeave(schema, settings.weave);

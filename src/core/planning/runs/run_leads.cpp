@@ -124,7 +124,7 @@ Point3 leadPoint(const LeadStart& start, const LeadWay& way, LeadSide side, cons
 }
 
 /// A motion that lays a bead of a layer.
-struct LaidMotion {
+struct BeadMotion {
   Point3 from;
   Point3 to;
   double width_mm = 0.0;
@@ -138,8 +138,8 @@ struct LaidMotion {
   }
 };
 
-std::vector<LaidMotion> laidMotions(const ToolpathLayer& layer) {
-  std::vector<LaidMotion> motions;
+std::vector<BeadMotion> beadMotions(const ToolpathLayer& layer) {
+  std::vector<BeadMotion> motions;
   for (std::size_t p = 0; p < layer.paths.size(); ++p) {
     const Path& path = layer.paths[p];
     if (path.role == PathRole::Travel || path.deposit != Deposit::Bead) continue;
@@ -154,8 +154,8 @@ std::vector<LaidMotion> laidMotions(const ToolpathLayer& layer) {
 /// What is laid near a lead: in its own path, and in others.
 class LeadRoom {
  public:
-  LeadRoom(const std::vector<LaidMotion>& motions, const Point3& at, double reach_mm, std::size_t own) {
-    for (const LaidMotion& motion : motions) {
+  LeadRoom(const std::vector<BeadMotion>& motions, const Point3& at, double reach_mm, std::size_t own) {
+    for (const BeadMotion& motion : motions) {
       const double first_mm = motion.distanceTo(at);
       if (first_mm <= reach_mm + motion.width_mm) motions_.push_back({motion, motion.path == own, first_mm});
     }
@@ -219,7 +219,7 @@ class LeadRoom {
   static constexpr std::size_t kBlock = 10;  // places for which what is near is sought once
 
   struct Nearby {
-    LaidMotion motion;
+    BeadMotion motion;
     bool is_own = false;    ///< of the lead's path
     double first_mm = 0.0;  ///< from where the lead begins
   };
@@ -272,7 +272,7 @@ enum class LeadEnd { In, Out };
 class LayerLeads {
  public:
   LayerLeads(const ToolpathLayer& layer, const LeadSettings& settings)
-      : layer_(layer), settings_(settings), motions_(laidMotions(layer)) {}
+      : layer_(layer), settings_(settings), motions_(beadMotions(layer)) {}
 
   /// Nothing if there is no room; counted.
   std::optional<Path> lead(std::size_t index, LeadEnd end, LeadCount& count) const {
@@ -413,7 +413,7 @@ class LayerLeads {
 
   const ToolpathLayer& layer_;
   const LeadSettings& settings_;
-  std::vector<LaidMotion> motions_;
+  std::vector<BeadMotion> motions_;
 };
 
 /// What is added before and after a path, in this order round it: entry, lead.

@@ -242,8 +242,8 @@ class Weave {
     return centreAt(tip.over) + settings_.amplitude_mm * tip.left * leftAt(tip.over);
   }
 
-  /// Across the way, against the jet. Near a corner it turns evenly to that between both ways: the tip would
-  /// go back on the inside of one at which it turned at once.
+  /// Across the way, against the tool axis. Near a corner it turns evenly to that between both ways: the tip
+  /// would go back on the inside of one at which it turned at once.
   Point3 leftAt(const WayPlace& place) const {
     const Point3 left = (-(nozzleAt(place) * Point3::UnitZ())).cross(alongAt(place));
     return left.norm() > 0.0 ? Point3(left.normalized()) : Point3(Point3::Zero());
@@ -295,8 +295,8 @@ class Weave {
       woven.values[k].value = taken(path_.values[k].value, places);
   }
 
-  /// As it is held over the line where the tip is; a torch that swings turns its jet to the side on which it
-  /// is.
+  /// As it is held over the line where the tip is; a torch that swings turns its tool axis to the side on
+  /// which it is.
   void turnNozzle(const std::vector<TipPlace>& tips, Path& woven) const {
     if (path_.orientation.isCommon() && settings_.swing_deg == 0.0) return;
     std::vector<Eigen::Quaterniond> turns;
@@ -328,7 +328,7 @@ class Weave {
       throw InvalidInput("motion " + std::to_string(places[m].motion) + ": the tip, " +
                          shownMm(settings_.amplitude_mm) + " (weave.amplitude_mm) aside in a bend, goes " +
                          shownMm(way_mm) + " while " + shownMm(advance_mm) +
-                         " of the line are laid; expected " + shownMm(advance_mm / kMostAdvance) +
+                         " of the line are deposited; expected " + shownMm(advance_mm / kMostAdvance) +
                          " at least, on a line that bends less");
     }
   }

@@ -61,7 +61,7 @@ class GatheredInfill {
   }
 
   /// In front of what a run has left.
-  ToolRun laidFirst(ToolRun run) && {
+  ToolRun depositedFirst(ToolRun run) && {
     for (Path& path : paths_) path.tool = run.tool;
     paths_.insert(paths_.end(), std::make_move_iterator(run.paths.begin()),
                   std::make_move_iterator(run.paths.end()));
@@ -82,7 +82,7 @@ ToolRuns withInfillFirst(ToolRuns runs, std::size_t purged, double volume_mm3) {
   runs[purged] = infill.gatheredFrom(std::move(runs[purged]));
   for (std::size_t r = purged; r-- > 0;)
     if (!isInfillAlone(runs[r])) runs[r] = infill.gatheredFrom(std::move(runs[r]));
-  runs[purged] = std::move(infill).laidFirst(std::move(runs[purged]));
+  runs[purged] = std::move(infill).depositedFirst(std::move(runs[purged]));
   return runs;
 }
 

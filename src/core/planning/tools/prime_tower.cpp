@@ -104,7 +104,7 @@ void PrimeTower::place(const Box2& part) {
   if (!is_beside)
     throw InvalidConfig("tools.tower_at_mm is " + numberText(at[0]) + "," + numberText(at[1]) +
                         "; a tower of " + numberText(side_mm_) +
-                        " mm would stand within the box of what is laid");
+                        " mm would stand within the box of what is deposited");
 }
 
 std::vector<Point2> PrimeTower::walls(std::size_t layer) const {

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "lamina/geometry/polygon/polygon.hpp"
 #include "geometry/spatial/edge_grid.hpp"
+#include "lamina/geometry/polygon/polygon.hpp"
 
 namespace lamina {
 

@@ -159,7 +159,7 @@ class ModbusDevice final : public ProcessDevice {
   std::uint16_t readOne(int address) {
     std::uint16_t value = 0;
     if (modbus_read_registers(context_.get(), address, 1, &value) != 1)
-      fail("does not tell register " + std::to_string(address));
+      fail("does not report register " + std::to_string(address));
     return value;
   }
 
@@ -179,7 +179,7 @@ class ModbusDevice final : public ProcessDevice {
   std::string watchdog() {
     const DeviceSettings& device = table_.device;
     if (device.watchdog_register < 0)
-      return device.name + " cannot tell its watchdog: whether it goes safe by itself is not known";
+      return device.name + " cannot report its watchdog: whether it goes safe by itself is not known";
     const double time_s = device.watchdog_unit_s * readOne(device.watchdog_register);
     if (time_s > 0.0 && time_s <= device.watchdog_most_s) return {};
     throw DeviceError("the watchdog of " + device.name + " is " + numberText(time_s) +

@@ -215,7 +215,7 @@ constexpr std::size_t kPiece = 1U << 16;  // bytes handed on at once
 
 void requireWritable(const ListedPath& listed) {
   if (listed.path->deposit == Deposit::Drops)
-    refuseWaypoint(listed, 0, "drops are laid; a five-axis program lays beads only");
+    refuseWaypoint(listed, 0, "drops are deposited; a five-axis program deposits beads only");
   requireWritableFeeds(listed);
 }
 

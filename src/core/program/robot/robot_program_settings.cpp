@@ -188,7 +188,7 @@ void describe(SettingsSchema& schema, RobotProgramSettings& settings) {
   schema.number("robot_program.joint_speed_percent", settings.joint_speed_percent, {1.0, 100.0},
                 "Speed of the move of the joints, of the fastest.");
   schema.integer("robot_program.process_output", settings.process_output, {0, 4096},
-                 "Digital output that is on while material is laid.");
+                 "Digital output that is on while material is deposited.");
   schema.number("robot_program.process_lead_s", settings.process_lead_s, {0.0, 600.0},
                 "Wait from the process on to the move.");
   schema.number("robot_program.process_end_s", settings.process_end_s, {0.0, 600.0},

@@ -188,7 +188,7 @@ CoatedFaces coatedFaces(const Mesh& mesh, const ConformalSettings& settings) {
       coated.hidden_mm2 += areaOf(coated.mesh, coated.faces[i]);
   if (open.empty())
     throw Unsliceable("all " + numberText(coated.hidden_mm2) +
-                          " mm2 of faces that look in conformal.direction lie beneath others; expected some "
+                          " mm2 of faces that look in conformal.direction lie below others; expected some "
                           "that the nozzle can come to from there",
                       mesh);
   coated.faces = std::move(open);

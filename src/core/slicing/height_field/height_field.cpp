@@ -22,15 +22,15 @@ Point2 gradientAt(const HeightField& field, int column, int row) {
 }
 
 void addCorner(const HeightField& field, const LayerBounds& bounds, int column, int row, LayerChart& chart) {
-  const Point2 plan = field.cornerPoint(column, row);
+  const Point2 corner = field.cornerPoint(column, row);
   const Point2 slope = (bounds.cut() - field.base_mm) * gradientAt(field, column, row);
   const Point3 normal = Point3(-slope.x(), -slope.y(), 1.0).normalized();
   LayerSurface& surface = chart.surface;
-  surface.middle.vertices.push_back(field.bent({plan.x(), plan.y(), bounds.cut()}));
-  surface.tip.push_back(field.bent({plan.x(), plan.y(), bounds.top_mm}));
+  surface.middle.vertices.push_back(field.bent({corner.x(), corner.y(), bounds.cut()}));
+  surface.tip.push_back(field.bent({corner.x(), corner.y(), bounds.top_mm}));
   surface.normal.push_back(normal);
   surface.height_mm.push_back(bounds.height() * field.factor[field.corner(column, row)] * normal.z());
-  chart.plan.push_back(plan);
+  chart.parameterization.push_back(corner);
 }
 
 }  // namespace

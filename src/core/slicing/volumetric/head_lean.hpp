@@ -25,7 +25,7 @@ class HeadLean {
   HeadLean(const CellGraph& cells, const GrowthLattice& lattice, const HeadRoom& room,
            const LeanQuestion& question, Progress& progress);
 
-  /// The direction against the jet at a place of a layer.
+  /// The direction against the tool axis at a place of a layer.
   Point3 direction(const Point3& place, const Point3& normal) const;
   /// Greatest lean [rad].
   double greatest() const { return greatest_; }

@@ -180,11 +180,11 @@ void requireResting(const std::vector<RestingShare>& shares, const std::vector<L
   measures.least_resting = shares[worst].least;
   if (measures.least_resting >= kLeastResting) return;
   char text[240];
-  std::snprintf(
-      text, sizeof text,
-      "a piece of layer %zu at %s rests on what is laid before it by %.0f %% of its area; expected at least "
-      "%.0f %%: use smaller cells (volumetric.cell_mm), or turn the part",
-      worst, placeText(shares[worst].least_at).c_str(), 100.0 * shares[worst].least, 100.0 * kLeastResting);
+  std::snprintf(text, sizeof text,
+                "a piece of layer %zu at %s rests on what is deposited before it by %.0f %% of its area; "
+                "expected at least %.0f %%: use smaller cells (volumetric.cell_mm), or turn the part",
+                worst, placeText(shares[worst].least_at).c_str(), 100.0 * shares[worst].least,
+                100.0 * kLeastResting);
   throw Unsliceable(text, surfaces[worst].middle);
 }
 

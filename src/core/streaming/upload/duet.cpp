@@ -166,7 +166,7 @@ ServerAnswer Duet::readTools(const HttpResponse& response) {
   const auto tree = jsonOf(response);
   if (!isSuccess(response)) return answerOfStatus("the question which tools there are", response);
   if (!tree || !tree->contains("result"))
-    return {AnswerKind::Later, {ErrorCode::DeviceError, "the Duet does not tell which tools it has"}};
+    return {AnswerKind::Later, {ErrorCode::DeviceError, "the Duet does not report which tools it has"}};
   tools_ = tree->at("result").is_array() ? tree->at("result") : nlohmann::json::array();
   part_ = Part::Model;
   key_ = 0;

@@ -403,7 +403,7 @@ TEST(OkPacedJob, EndsWhereItCannotBeToldWhetherALineRan) {
   streamer.takeOutput();  // the first line is lost
   link.run();
   EXPECT_EQ(streamer.status().state, PackmlState::Aborted);
-  EXPECT_NE(streamer.status().failure.message.find("cannot be told whether the machine ran line 1"),
+  EXPECT_NE(streamer.status().failure.message.find("is not known whether the machine ran line 1"),
             std::string::npos);
   EXPECT_EQ(std::count(ran.begin(), ran.end(), "M98 P\"x.g\""), 0);
 }

@@ -114,7 +114,7 @@ class FanucPrinter : public RobotPrinter {
       return fanucSpeed(move, site_.settings);
     if (weld_mm_s_ == 0.0) weld_mm_s_ = move.feed_mm_s;
     if (std::abs(move.feed_mm_s - weld_mm_s_) > kSameWeldSpeed * weld_mm_s_)
-      throw InvalidInput("beads are laid at " + numberText(weld_mm_s_) + " and " +
+      throw InvalidInput("beads are deposited at " + numberText(weld_mm_s_) + " and " +
                          numberText(move.feed_mm_s) +
                          " mm/s with fanuc.weld_speed 'schedule'; expected one speed, that of the schedule");
     return "WELD_SPEED";

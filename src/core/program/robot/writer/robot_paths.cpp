@@ -25,7 +25,7 @@ void requireBeads(const RobotPath& at) {
 void requireWritable(const RobotPath& at) {
   const Path& path = *at.path;
   if (path.deposit == Deposit::Drops)
-    refuseWaypoint(at, 0, "drops are laid; a robot's program lays beads only");
+    refuseWaypoint(at, 0, "drops are deposited; a robot's program deposits beads only");
   if (path.points.size() < 2) refuseWaypoint(at, path.points.size(), "a path needs at least 2 waypoints");
   for (std::size_t i = 0; i < path.points.size(); ++i)
     if (path.points[i].hasNaN() || path.points[i].cwiseAbs().maxCoeff() >= kFarthest)

@@ -551,7 +551,8 @@ void GrblJob::stop(GrblStop::Motion motion, double now) {
 void GrblJob::followStop(double now) {
   if (phase_ == Phase::Offline) {
     if (now >= safe_stop_by_s_)
-      finishAborted("; the link did not come back, so that the machine was not told to stop: look after it");
+      finishAborted(
+          "; the link did not come back, so that the machine was not commanded to stop: look after it");
     return;
   }
   stop_->elapse(now);

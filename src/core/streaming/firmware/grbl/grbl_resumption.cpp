@@ -115,9 +115,9 @@ GrblResumption resumptionOf(const StreamableProgram& program, const UnfinishedLi
   if (here.size() != 1)
     return refusedBecause("the machine stands where " + std::to_string(here.size()) + " of " +
                           linesText(unfinished) +
-                          " end; expected exactly one of them, by which to tell the last one");
+                          " end; expected exactly one of them, by which to identify the last one");
   if (!here.front()->unrepeatable.empty())
-    return refusedBecause("it cannot be told whether " + here.front()->unrepeatable +
+    return refusedBecause("it is not known whether " + here.front()->unrepeatable +
                           " was run, which leaves no trace and must not be run twice");
   return {here.front()->last_run, here.front()->expected, ""};
 }

@@ -35,7 +35,7 @@ OpeningVerdict judgeState(const std::vector<std::string>& lines) {
     if (line.compare(0, 2, "!!") == 0 && reason.empty())
       reason = line.substr(std::min<std::size_t>(3, line.size()));
   }
-  if (reason.empty()) return {OpeningVerdict::Kind::NotYet, "Klipper does not tell its state (STATUS)"};
+  if (reason.empty()) return {OpeningVerdict::Kind::NotYet, "Klipper does not report its state (STATUS)"};
   const bool may_pass = reason.find("is not ready") != std::string::npos;
   return {may_pass ? OpeningVerdict::Kind::NotYet : OpeningVerdict::Kind::Refused,
           "Klipper is not ready: \"" + reason + "\""};

@@ -147,7 +147,7 @@ void MarlinJob::elapse(double now) {
   if (isStopping() && now >= safe_stop_by_) {
     finishAborted(
         phase_ == Phase::Offline
-            ? "; the link did not come back, so that the machine was not told to stop: look after it"
+            ? "; the link did not come back, so that the machine was not commanded to stop: look after it"
             : "; the machine did not confirm the safe stop");
   } else if (!isStopping() && now >= timer_.quietSince() + silenceLimit()) {
     timeOut(now);

@@ -191,7 +191,7 @@ void OkPacedJob::decide(double now) {
   if (evidence == RunEvidence::None) {
     feed_.rewind(line->line);
     abort({ErrorCode::DeviceError,
-           "it cannot be told whether the machine ran line " + std::to_string(line->line) + ", " +
+           "it is not known whether the machine ran line " + std::to_string(line->line) + ", " +
                quotation_.of(feed_.peek()->command) + ", whose ok did not come; it was not sent again" +
                record_.whereItStands()},
           now);

@@ -80,7 +80,7 @@ void OkPacedJob::prolongStop(double now) {
 void OkPacedJob::onStopTimeout(double now) {
   if (phase_ == Phase::Offline)
     return finishAborted(
-        "; the link did not come back, so that the machine was not told to stop: look after it");
+        "; the link did not come back, so that the machine was not commanded to stop: look after it");
   if (stop_.stage == StopStage::Reason) return finishAborted("; " + firmware_->afterHalt());
   if (stop_.stage == StopStage::Rest)
     return finishAborted(settings_.keep_heaters_on

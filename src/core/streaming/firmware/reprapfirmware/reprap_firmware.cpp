@@ -48,7 +48,7 @@ OpeningVerdict judgeStatus(const std::vector<std::string>& lines) {
     return {may_pass ? OpeningVerdict::Kind::NotYet : OpeningVerdict::Kind::Refused, why};
   }
   return {OpeningVerdict::Kind::NotYet,
-          "the machine does not tell its state (M409); expected RepRapFirmware 3"};
+          "the machine does not report its state (M409); expected RepRapFirmware 3"};
 }
 
 OpeningVerdict judgeChecks(const std::vector<std::string>& lines) {
@@ -60,7 +60,7 @@ OpeningVerdict judgeChecks(const std::vector<std::string>& lines) {
                                                "port), for it runs damaged lines otherwise; "
                                                "or stream.link reliable"};
   }
-  return {OpeningVerdict::Kind::NotYet, "the machine does not tell whether it checks lines (M575)"};
+  return {OpeningVerdict::Kind::NotYet, "the machine does not report whether it checks lines (M575)"};
 }
 
 }  // namespace

@@ -21,10 +21,10 @@ struct NozzleInstant {
 
 /// What a simulated machine has laid on a part of its bed, and what its profile sensor sees of it. The
 /// process is that of the emulated machine: the same beads grow to the same heights.
-class LaidMaterial {
+class DepositedMaterial {
  public:
   /// @throws InvalidConfig if the area is none, or has more cells than a map can have
-  explicit LaidMaterial(const ControllerSettings& settings);
+  explicit DepositedMaterial(const ControllerSettings& settings);
 
   /// Lays what flows from the instant before to this one, straight from tip to tip. The first one lays
   /// nothing.

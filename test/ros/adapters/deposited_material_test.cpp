@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "nodes/simulated_controller/laid_material.hpp"
+#include "nodes/simulated_controller/deposited_material.hpp"
 
 #include <gtest/gtest.h>
 
@@ -24,8 +24,8 @@ ControllerSettings laidSettings() {
 }
 
 /// Reports of a nozzle that lays beads one above the other and goes back without a flow.
-LaidMaterial wallBy(const ControllerSettings& settings, int layers, double report_s = 0.02) {
-  LaidMaterial laid(settings);
+DepositedMaterial wallBy(const ControllerSettings& settings, int layers, double report_s = 0.02) {
+  DepositedMaterial laid(settings);
   double time_s = 0.0;
   for (int layer = 1; layer <= layers; ++layer) {
     const double z = kLayer * layer;
@@ -42,25 +42,25 @@ LaidMaterial wallBy(const ControllerSettings& settings, int layers, double repor
   return laid;
 }
 
-double heightAt(const LaidMaterial& laid, double x, double y = 0.0) {
+double heightAt(const DepositedMaterial& laid, double x, double y = 0.0) {
   const HeightMap& surface = laid.surface();
   return surface.at(surface.grid().cellAt({x, y}));
 }
 
-TEST(LaidMaterial, IsWhatFlowsWhereTheNozzleIs) {
-  const LaidMaterial laid = wallBy(laidSettings(), 3);
+TEST(DepositedMaterial, IsWhatFlowsWhereTheNozzleIs) {
+  const DepositedMaterial laid = wallBy(laidSettings(), 3);
   for (const double x : {1.0, 10.0, 29.0}) EXPECT_NEAR(heightAt(laid, x), 3 * kLayer, 1e-9) << x;
   EXPECT_EQ(heightAt(laid, 15.0, 2.0), 0.0) << "beside the wall";
   EXPECT_EQ(heightAt(laid, -2.0), 0.0) << "in front of it";
 }
 
-TEST(LaidMaterial, DoesNotDependOnHowOftenItIsReported) {
-  const LaidMaterial often = wallBy(laidSettings(), 2, 0.005);
-  const LaidMaterial seldom = wallBy(laidSettings(), 2, 0.05);
+TEST(DepositedMaterial, DoesNotDependOnHowOftenItIsReported) {
+  const DepositedMaterial often = wallBy(laidSettings(), 2, 0.005);
+  const DepositedMaterial seldom = wallBy(laidSettings(), 2, 0.05);
   for (double x = 0.5; x < kLength; x += 0.5) EXPECT_NEAR(heightAt(often, x), heightAt(seldom, x), 1e-9);
 }
 
-TEST(LaidMaterial, GrowsAsTheProcessDoes) {
+TEST(DepositedMaterial, GrowsAsTheProcessDoes) {
   ControllerSettings settings = laidSettings();
   settings.plant.gain = 0.8;
   EXPECT_NEAR(heightAt(wallBy(settings, 2), 15.0), 0.8 * 2 * kLayer, 1e-9);
@@ -75,10 +75,10 @@ TEST(LaidMaterial, GrowsAsTheProcessDoes) {
   EXPECT_NEAR(heightAt(wallBy(settings, 1), 15.0), kLayer, 1e-9) << "that of the first bead";
 }
 
-TEST(LaidMaterial, IsSeenByItsSensor) {
+TEST(DepositedMaterial, IsSeenByItsSensor) {
   ControllerSettings settings = laidSettings();
   settings.sensor.noise_mm = 0.0;
-  LaidMaterial laid = wallBy(settings, 2);
+  DepositedMaterial laid = wallBy(settings, 2);
   Eigen::Isometry3d bed_from_sensor = Eigen::Isometry3d::Identity();
   bed_from_sensor.linear() = Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitX()).toRotationMatrix();
   bed_from_sensor.translation() = Point3(15, 0, 65);
@@ -92,16 +92,16 @@ TEST(LaidMaterial, IsSeenByItsSensor) {
   EXPECT_EQ(laid.stampError(), 0.0);
 }
 
-TEST(LaidMaterial, RefusesAnAreaThatIsNone) {
+TEST(DepositedMaterial, RefusesAnAreaThatIsNone) {
   for (const auto& area : {std::vector<double>{0, 0, 0, 10}, std::vector<double>{0, 10, 10, 0}}) {
     ControllerSettings settings = laidSettings();
     settings.deposit_area_mm = area;
-    EXPECT_THROW(LaidMaterial{settings}, InvalidConfig);
+    EXPECT_THROW(DepositedMaterial{settings}, InvalidConfig);
   }
   ControllerSettings settings = laidSettings();
   settings.deposit_area_mm = {0, 0, 1e5, 1e5};
   try {
-    const LaidMaterial material(settings);
+    const DepositedMaterial material(settings);
     FAIL() << "expected to be refused";
   } catch (const InvalidConfig& error) {
     EXPECT_NE(std::string(error.what()).find("deposit.cell_mm"), std::string::npos) << error.what();

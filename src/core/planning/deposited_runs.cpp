@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "planning/laid_runs.hpp"
+#include "planning/deposited_runs.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "laid_material.hpp"
+#include "deposited_material.hpp"
 
 #include <string>
 #include <utility>
@@ -26,10 +26,10 @@ HeightMap bareBed(const ControllerSettings& settings) {
 
 }  // namespace
 
-LaidMaterial::LaidMaterial(const ControllerSettings& settings)
+DepositedMaterial::DepositedMaterial(const ControllerSettings& settings)
     : deposit_(bareBed(settings), settings.plant, settings.grown), sensor_(settings.sensor) {}
 
-void LaidMaterial::observe(const NozzleInstant& now) {
+void DepositedMaterial::observe(const NozzleInstant& now) {
   const std::optional<NozzleInstant> before = std::exchange(last_, now);
   if (!before) return;
   // The flow goes in proportion from report to report.
@@ -40,7 +40,7 @@ void LaidMaterial::observe(const NozzleInstant& now) {
     deposit_.endBead();
 }
 
-std::vector<Point3> LaidMaterial::seenFrom(const Eigen::Isometry3d& bed_from_sensor, double now_s) {
+std::vector<Point3> DepositedMaterial::seenFrom(const Eigen::Isometry3d& bed_from_sensor, double now_s) {
   return sensor_.measure(deposit_.surface(), bed_from_sensor, deposit_.highest(), now_s);
 }
 

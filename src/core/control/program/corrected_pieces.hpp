@@ -11,7 +11,7 @@
 namespace lamina {
 
 /// A piece of a motion that is laid with one correction.
-struct LaidPiece {
+struct CorrectedPiece {
   double share = 1.0;  ///< of the motion's length
   PlaceCorrection mean;
   double end_dz_mm = 0.0;
@@ -36,7 +36,7 @@ class CorrectionsByPath {
 
 /// Divides a stretch of a path into pieces in which the amount changes by at most `split_change`. Their means
 /// are exact, for corrections that are linear between stations.
-std::vector<LaidPiece> laidPieces(const PathCorrection& correction, const LaidStretch& stretch,
-                                  double split_change);
+std::vector<CorrectedPiece> correctedPieces(const PathCorrection& correction, const DepositedStretch& stretch,
+                                            double split_change);
 
 }  // namespace lamina

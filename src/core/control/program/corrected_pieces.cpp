@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "control/program/laid_pieces.hpp"
+#include "control/program/corrected_pieces.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@ namespace {
 
 /// Places from one end of a stretch to the other between which the correction is linear, and changes by no
 /// more than a split.
-std::vector<double> linearNodes(const PathCorrection& correction, const LaidStretch& stretch,
+std::vector<double> linearNodes(const PathCorrection& correction, const DepositedStretch& stretch,
                                 double split_change) {
   const double step = correction.spacing_mm;
   std::vector<double> coarse{stretch.from_mm};
@@ -61,15 +61,15 @@ const PathCorrection* CorrectionsByPath::find(std::size_t layer, std::size_t pat
   return found == paths.end() || found->path != path ? nullptr : &*found;
 }
 
-std::vector<LaidPiece> laidPieces(const PathCorrection& correction, const LaidStretch& stretch,
-                                  double split_change) {
+std::vector<CorrectedPiece> correctedPieces(const PathCorrection& correction, const DepositedStretch& stretch,
+                                            double split_change) {
   const double length = stretch.to_mm - stretch.from_mm;
   if (!(length > 0.0)) {
     const PlaceCorrection here = correctionAt(correction, stretch.to_mm);
     return {{1.0, here, here.dz_mm}};
   }
   const std::vector<double> nodes = linearNodes(correction, stretch, split_change);
-  std::vector<LaidPiece> pieces;
+  std::vector<CorrectedPiece> pieces;
   PlaceCorrection sum;
   double begin = nodes.front();
   PlaceCorrection last = correctionAt(correction, begin);
