@@ -13,6 +13,7 @@ import interfaces
 import live_properties
 import one_definition
 import references
+import scratch_files
 
 
 def tree(files):
@@ -184,6 +185,17 @@ class LiveProperties(unittest.TestCase):
         found = list(live_properties.faults(tree({"test/base/a_test.cpp": "void f() {\n  rc::check(g);\n}\n"})))
         self.assertEqual(len(found), 1)
         self.assertIn("test/base/a_test.cpp:2: ", found[0])
+
+
+class ScratchFiles(unittest.TestCase):
+    SOURCE = 'const auto path = testing::TempDir() + "a.stl";\nconst auto folder = fs::temp_directory_path() / "a";\n'
+
+    def test_the_systems_folder_is_refused_line_by_line(self):
+        found = list(scratch_files.faults(tree({"test/base/a_test.cpp": self.SOURCE})))
+        self.assertEqual([fault.split(": ")[0] for fault in found], ["test/base/a_test.cpp:1", "test/base/a_test.cpp:2"])
+
+    def test_the_scratch_folder_is_made_there(self):
+        self.assertEqual(list(scratch_files.faults(tree({"test/support/scratch_folder.hpp": self.SOURCE}))), [])
 
 
 class AnonymousNames(unittest.TestCase):
