@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "job/settings/setting_probe.hpp"
+#include "lamina/calibration/calibration_settings.hpp"
 #include "lamina/control/loop_settings.hpp"
 #include "lamina/control/profile_reading.hpp"
 #include "lamina/deposition/growth_plant.hpp"
@@ -20,6 +21,7 @@
 #include "lamina/startup/startup_settings.hpp"
 #include "lamina/streaming/emulator/emulated_settings.hpp"
 #include "lamina/streaming/job/stream_settings.hpp"
+#include "lamina/streaming/resume/remaining_program.hpp"
 #include "lamina/study/search_settings.hpp"
 #include "lamina/trajectory/approach.hpp"
 #include "lamina/trajectory/simulated_controller.hpp"
@@ -43,7 +45,8 @@ std::vector<std::string> coreKeys() {
   return keysOfAll<JobSettings, InclineSettings, RunSettings, SearchSettings, KrigingSettings,
                    ScaffoldSettings, StartupSettings, StreamSettings, EmulatedSettings, ApproachSettings,
                    TrajectoryFeederSettings, ServoSettings, FollowingSettings, MonitorSettings,
-                   ProfileSensorSettings, TrackingSettings, LoopSettings, PlantSettings, SightSettings>();
+                   ProfileSensorSettings, TrackingSettings, LoopSettings, PlantSettings, SightSettings,
+                   ResumeSettings, CalibrationSettings>();
 }
 
 const std::vector<TestedElsewhere>& testedElsewhere() {

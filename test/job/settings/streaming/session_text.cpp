@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "job/settings/session_text.hpp"
+#include "job/settings/streaming/session_text.hpp"
 
 #include <algorithm>
 #include <chrono>

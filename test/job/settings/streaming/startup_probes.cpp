@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The start-up of the large gantry, with a machine played by hand.
-#include "job/settings/session_text.hpp"
 #include "job/settings/setting_probe.hpp"
+#include "job/settings/streaming/session_text.hpp"
 #include "startup/started_machine.hpp"
 
 namespace lamina::test {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "job/settings/setting_probe.hpp"
-#include "job/settings/silent_machine.hpp"
+#include "job/settings/streaming/silent_machine.hpp"
 #include "lamina/streaming/journal/job_journal.hpp"
 #include "lamina/streaming/session/streamer.hpp"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The emulated machine, asked at times that are set.
-#include "job/settings/session_text.hpp"
 #include "job/settings/setting_probe.hpp"
+#include "job/settings/streaming/session_text.hpp"
 #include "lamina/streaming/emulator/emulated_firmware.hpp"
 
 namespace lamina::test {

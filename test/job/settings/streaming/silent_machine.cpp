@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "job/settings/silent_machine.hpp"
+#include "job/settings/streaming/silent_machine.hpp"
 
 #include <cmath>
 
