@@ -21,6 +21,8 @@
 #include "nodes/operator_page/page_settings.hpp"
 #include "nodes/optimiser/optimiser_settings.hpp"
 #include "nodes/plc_link/link_settings.hpp"
+#include "nodes/print_part/print_part_settings.hpp"
+#include "nodes/print_part/print_report.hpp"
 #include "nodes/process_io/process_io_settings.hpp"
 #include "nodes/simulated_controller/controller_settings.hpp"
 #include "nodes/trajectory_driver/driver_settings.hpp"
@@ -41,7 +43,7 @@ std::set<std::string> nodeKeys() {
         keysOf<GcodeStreamerSettings>(), keysOf<HeightControllerSettings>(), keysOf<HostWatchNodeSettings>(),
         keysOf<LayerHeightMonitorSettings>(), keysOf<LinkSettings>(), keysOf<OperatorPageSettings>(),
         keysOf<OptimiserSettings>(), keysOf<ProcessIoSettings>(), keysOf<ControllerSettings>(),
-        keysOf<DriverSettings>(), keysOf<PublisherSettings>()})
+        keysOf<DriverSettings>(), keysOf<PrintPartSettings>(), keysOf<PublisherSettings>()})
     keys.insert(of_node.begin(), of_node.end());
   for (const std::string& key : coreKeys()) keys.erase(key);
   return keys;
@@ -214,6 +216,8 @@ const std::vector<TestedElsewhere>& nodeTests() {
       {"output_folder", "ros/end_to_end.test", "output_folder"},
       {"owner.grace_s", "ros/cell/cell_of_nodes.hpp", "_owner/grace_s"},
       {"packml.hold_anywhere", "ros/cell/cell_controller_test.cpp", "packml/hold_anywhere"},
+      {"part", "ros/end_to_end_test.cpp", "settings.part"},
+      {"patience_s", "ros/end_to_end_test.cpp", "settings.patience_s"},
       {"path_tolerance", "ros/simulated_controller.test", "path_tolerance"},
       {"path_spacing_mm", "ros/trajectory_publisher.test", "path_spacing_mm"},
       {"port", "ros/gcode_streamer.test", "port"},
@@ -256,6 +260,18 @@ TEST(NodeSettingsCoverage, EverySettingStandsInATest) {
   for (const std::string& key : keys) EXPECT_EQ(covered.count(key), 1U) << key << " stands in no test";
   for (const std::string& key : covered)
     EXPECT_EQ(keys.count(key), 1U) << key << " is no setting of a node alone";
+}
+
+TEST(NodeSettingsCoverage, APrintLooksForScansAtTheirClearance) {
+  Path scan;
+  scan.role = PathRole::Travel;
+  scan.points = {{0, 0, 0.2}, {0, 0, 1.3}};  // 5.5 layers over the top
+  const Toolpath toolpath{"scanned", {{0.2, 0.2, {scan}}}};
+  const auto scanned = [&](const SettingTexts& set) {
+    return scannedLayers(toolpath, settingsWith<PrintPartSettings>(set).scan_clearance_mm);
+  };
+  EXPECT_EQ(scanned({}), std::vector<std::size_t>{0});
+  EXPECT_TRUE(scanned({{"scan.clearance_mm", "3"}}).empty());
 }
 
 /// When a driver that looks every 10 ms gives up a controller that reports for half a second by its stamps.
