@@ -14,6 +14,7 @@ import live_properties
 import one_definition
 import references
 import scratch_files
+import settings_coverage
 
 
 def tree(files):
@@ -196,6 +197,39 @@ class ScratchFiles(unittest.TestCase):
 
     def test_the_scratch_folder_is_made_there(self):
         self.assertEqual(list(scratch_files.faults(tree({"test/support/scratch_folder.hpp": self.SOURCE}))), [])
+
+
+class SettingsCoverage(unittest.TestCase):
+    CORE = "test/job/settings/covered_schemas.cpp"
+    JOB = ("struct JobSettings {\n  FillSettings fill;\n  std::optional<SeamSettings> seam;\n};\n"
+           "void describe(SettingsSchema& schema, JobSettings& job) {\n  describe(schema, job.fill);\n"
+           "  describe(schema, job.seam, \"of walls\");\n}\n")
+    FILL = "void describe(SettingsSchema& schema, FillSettings& fill) {\n  schema.flag(\"a\", fill.a, \"\");\n}\n"
+    SEAM = ("void describe(SettingsSchema& schema, SeamSettings& seam, const std::string& of) {\n"
+            "  schema.flag(\"b\", seam.b, of);\n}\n")
+
+    def found(self, files, exceptions=None):
+        return [fault.split()[0] for fault in settings_coverage.faults(tree(files), exceptions or {})]
+
+    def sources(self, *texts):
+        return {f"src/core/{number}.cpp": text for number, text in enumerate(texts)}
+
+    def test_a_type_of_no_list_is_named(self):
+        self.assertEqual(self.found(self.sources(self.FILL, self.SEAM)), ["FillSettings", "SeamSettings"])
+
+    def test_what_is_part_of_a_listed_type_is_covered_with_it(self):
+        listed = {self.CORE: "return keysOfAll<PlanSettings, JobSettings>();\n"}
+        self.assertEqual(self.found({**self.sources(self.JOB, self.FILL, self.SEAM), **listed}), [])
+
+    def test_a_type_of_nothing_but_listed_ones_is_covered(self):
+        listed = {self.CORE: "return keysOfAll<FillSettings, SeamSettings>();\n"}
+        self.assertEqual(self.found({**self.sources(self.JOB, self.FILL, self.SEAM), **listed}), [])
+        listed = {self.CORE: "return keysOfAll<FillSettings>();\n"}
+        self.assertEqual(self.found({**self.sources(self.JOB, self.FILL, self.SEAM), **listed}), ["JobSettings", "SeamSettings"])
+
+    def test_an_exception_is_needed(self):
+        self.assertEqual(self.found(self.sources(self.FILL), {"FillSettings": "why"}), [])
+        self.assertEqual(self.found({}, {"FillSettings": "why"}), ["FillSettings"])
 
 
 class AnonymousNames(unittest.TestCase):
