@@ -257,6 +257,18 @@ class Budgets(unittest.TestCase):
         lines = ["int f(int a) {", "  return a;", "}", "", "void g() {", "}"]
         self.assertEqual(list(budgets.function_lengths(lines)), [(1, 3), (5, 2)])
 
+    def full(self, count, exceptions):
+        root = repository({f"a/b/{number}.yaml": "" for number in range(count)})
+        return [fault.split(": ")[0] for fault in budgets.full_folders(root, exceptions)]
+
+    def test_every_file_of_a_folder_counts(self):
+        self.assertEqual(self.full(40, {}), [])
+        self.assertEqual(self.full(41, {}), ["a/b"])
+
+    def test_a_full_folder_is_an_exception_by_name(self):
+        self.assertEqual(self.full(41, {"a/b": "why"}), [])
+        self.assertEqual(self.full(40, {"a/b": "why"}), ["a/b"])
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -16,7 +16,7 @@
 #include <functional>
 #include <map>
 
-#include "ros/plate_scan.hpp"
+#include "ros/monitor/plate_scan.hpp"
 #include "ros/ros_home.hpp"
 #include "ros/wait_until.hpp"
 

@@ -24,13 +24,13 @@
 #include "latched.hpp"
 #include "messages.hpp"
 #include "names.hpp"
-#include "node_process.hpp"
-#include "plate_scan.hpp"
 #include "request_settings.hpp"
-#include "ros_home.hpp"
+#include "ros/monitor/plate_scan.hpp"
+#include "ros/node_process.hpp"
+#include "ros/playback/tf_recording.hpp"
+#include "ros/ros_home.hpp"
+#include "ros/wait_until.hpp"
 #include "support/scratch_folder.hpp"
-#include "tf_recording.hpp"
-#include "wait_until.hpp"
 
 namespace lamina {
 namespace {

@@ -18,9 +18,9 @@
 #include "names.hpp"
 #include "point_cloud.hpp"
 #include "request_settings.hpp"
+#include "ros/wait_until.hpp"
 #include "support/scratch_folder.hpp"
 #include "support/toolpaths.hpp"
-#include "wait_until.hpp"
 
 namespace lamina {
 namespace {

@@ -12,13 +12,13 @@
 #include <memory>
 #include <sstream>
 
-#include "bag_player.hpp"
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/job/incline_settings.hpp"
 #include "messages.hpp"
+#include "ros/bag_player.hpp"
+#include "ros/playback/tf_recording.hpp"
+#include "ros/wait_until.hpp"
 #include "support/scratch_folder.hpp"
-#include "tf_recording.hpp"
-#include "wait_until.hpp"
 
 namespace lamina {
 namespace {

@@ -16,7 +16,7 @@ import xmlrpc.client
 from two_hosts import HOST, MASTER_PORT, OTHER, TwoHosts, enter_namespace, ip
 
 NODE = sys.argv[1]
-LAUNCH = str(pathlib.Path(__file__).resolve().parents[2] / "launch/cell_desk.launch")
+LAUNCH = str(pathlib.Path(__file__).resolve().parents[3] / "launch/cell_desk.launch")
 NEEDED_SILENCE = 1.0  # s
 DROP_A_THIRD = ("add table inet lossy; add chain inet lossy out { type filter hook output priority 0; }; "
                 "add rule inet lossy out udp dport 11412 numgen random mod 10 < 3 drop")

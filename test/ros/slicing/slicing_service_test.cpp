@@ -15,8 +15,8 @@
 #include "messages.hpp"
 #include "names.hpp"
 #include "request_settings.hpp"
+#include "ros/wait_until.hpp"
 #include "support/scratch_folder.hpp"
-#include "wait_until.hpp"
 
 namespace {
 

@@ -15,9 +15,9 @@
 #include "lamina/streaming/session/stream_session.hpp"
 #include "messages.hpp"
 #include "names.hpp"
-#include "node_process.hpp"
 #include "point_cloud.hpp"
-#include "wait_until.hpp"
+#include "ros/node_process.hpp"
+#include "ros/wait_until.hpp"
 
 namespace lamina {
 namespace {

@@ -19,14 +19,14 @@
 #include "correction_messages.hpp"
 #include "lamina/program/gcode/gcode_reader.hpp"
 #include "latched.hpp"
-#include "loop/streamed_machine.hpp"
 #include "messages.hpp"
 #include "names.hpp"
-#include "node_process.hpp"
-#include "ros_home.hpp"
+#include "ros/loop/streamed_machine.hpp"
+#include "ros/node_process.hpp"
+#include "ros/ros_home.hpp"
+#include "ros/wait_until.hpp"
 #include "support/control_layers.hpp"
 #include "support/scratch_folder.hpp"
-#include "wait_until.hpp"
 
 namespace {
 

@@ -11,8 +11,8 @@
 #include "lamina/startup/program_identity.hpp"
 #include "messages.hpp"
 #include "names.hpp"
+#include "ros/wait_until.hpp"
 #include "support/scratch_folder.hpp"
-#include "wait_until.hpp"
 
 namespace {
 

@@ -12,10 +12,10 @@
 #include "lamina/streaming/session/stream_session.hpp"
 #include "names.hpp"
 #include "point_cloud.hpp"
-#include "ros_home.hpp"
+#include "ros/ros_home.hpp"
+#include "ros/wait_until.hpp"
 #include "tf/transform_intake.hpp"
 #include "tf/transforms.hpp"
-#include "wait_until.hpp"
 
 namespace lamina {
 namespace {

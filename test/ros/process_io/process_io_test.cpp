@@ -12,11 +12,11 @@
 #include <mutex>
 #include <thread>
 
-#include "drive_cell.hpp"
 #include "lamina/process_io/devices/emulated_coupler.hpp"
 #include "lamina/process_io/devices/process_device.hpp"
 #include "lamina/process_io/lateness.hpp"
-#include "node_process.hpp"
+#include "ros/drive/drive_cell.hpp"
+#include "ros/node_process.hpp"
 
 namespace lamina {
 namespace {

@@ -17,7 +17,7 @@
 #include "conversions.hpp"
 #include "latched.hpp"
 #include "names.hpp"
-#include "wait_until.hpp"
+#include "ros/wait_until.hpp"
 
 namespace lamina {
 namespace {

@@ -13,17 +13,17 @@
 #include <memory>
 #include <optional>
 
-#include "bag_player.hpp"
 #include "conversions.hpp"
 #include "joint_messages.hpp"
 #include "lamina/kinematics/model/kinematic_model.hpp"
 #include "latched.hpp"
-#include "leaning_square.hpp"
 #include "names.hpp"
-#include "node_process.hpp"
+#include "ros/bag_player.hpp"
+#include "ros/leaning_square.hpp"
+#include "ros/node_process.hpp"
+#include "ros/playback/tf_recording.hpp"
+#include "ros/wait_until.hpp"
 #include "support/scratch_folder.hpp"
-#include "tf_recording.hpp"
-#include "wait_until.hpp"
 
 namespace lamina {
 namespace {

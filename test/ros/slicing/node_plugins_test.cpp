@@ -9,9 +9,9 @@
 
 #include "messages.hpp"
 #include "names.hpp"
-#include "node_process.hpp"
 #include "request_settings.hpp"
-#include "wait_until.hpp"
+#include "ros/node_process.hpp"
+#include "ros/wait_until.hpp"
 
 namespace {
 

@@ -13,8 +13,8 @@
 #include "messages.hpp"
 #include "names.hpp"
 #include "point_cloud.hpp"
-#include "ros_home.hpp"
-#include "wait_until.hpp"
+#include "ros/ros_home.hpp"
+#include "ros/wait_until.hpp"
 
 namespace {
 

@@ -10,9 +10,9 @@
 #include <sstream>
 #include <string>
 
-#include "drive_cell.hpp"
 #include "lamina/control/replanned_toolpath.hpp"
 #include "point_cloud.hpp"
+#include "ros/drive/drive_cell.hpp"
 
 namespace lamina {
 namespace {

@@ -13,17 +13,17 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "bag_player.hpp"
-#include "controlled_wall.hpp"
 #include "correction_messages.hpp"
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/calibration/calibration_file.hpp"
 #include "lamina/control/program/correction_files.hpp"
 #include "latched.hpp"
-#include "loop/estimated_bag.hpp"
+#include "ros/bag_player.hpp"
+#include "ros/loop/controlled_wall.hpp"
+#include "ros/loop/estimated_bag.hpp"
+#include "ros/loop/wall_messages.hpp"
+#include "ros/wait_until.hpp"
 #include "support/scratch_folder.hpp"
-#include "wait_until.hpp"
-#include "wall_messages.hpp"
 
 namespace lamina {
 namespace {

@@ -13,10 +13,10 @@
 #include <vector>
 
 #include "latched.hpp"
-#include "node_process.hpp"
+#include "ros/loop/wall_messages.hpp"
+#include "ros/node_process.hpp"
+#include "ros/wait_until.hpp"
 #include "support/sensed_wall.hpp"
-#include "wait_until.hpp"
-#include "wall_messages.hpp"
 
 namespace lamina::test {
 

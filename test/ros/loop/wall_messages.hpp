@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "plate_scan.hpp"
+#include "ros/monitor/plate_scan.hpp"
 #include "support/sensed_wall.hpp"
 
 namespace lamina::test {

@@ -7,10 +7,10 @@
 
 #include <cmath>
 
-#include "bag_player.hpp"
-#include "plate_scan.hpp"
+#include "ros/bag_player.hpp"
+#include "ros/monitor/plate_scan.hpp"
+#include "ros/wait_until.hpp"
 #include "support/scratch_folder.hpp"
-#include "wait_until.hpp"
 
 namespace lamina {
 namespace {

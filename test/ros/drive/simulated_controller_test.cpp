@@ -14,7 +14,7 @@
 #include "lamina/kinematics/model/kinematic_model.hpp"
 #include "messages.hpp"
 #include "names.hpp"
-#include "wait_until.hpp"
+#include "ros/wait_until.hpp"
 
 namespace lamina {
 namespace {

@@ -17,12 +17,12 @@
 #include "lamina/program/gcode/toolpath_from_gcode.hpp"
 #include "lamina/streaming/session/stream_session.hpp"
 #include "latched.hpp"
-#include "leaning_square.hpp"
 #include "names.hpp"
-#include "node_process.hpp"
-#include "ros_home.hpp"
+#include "ros/leaning_square.hpp"
+#include "ros/node_process.hpp"
+#include "ros/ros_home.hpp"
+#include "ros/wait_until.hpp"
 #include "support/scratch_folder.hpp"
-#include "wait_until.hpp"
 
 namespace lamina {
 namespace {

@@ -20,7 +20,7 @@
 #include "latched.hpp"
 #include "messages.hpp"
 #include "names.hpp"
-#include "wait_until.hpp"
+#include "ros/wait_until.hpp"
 
 namespace lamina::test {
 

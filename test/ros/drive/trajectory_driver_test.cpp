@@ -4,11 +4,11 @@
 #include <gtest/gtest.h>
 
 #include "correction_messages.hpp"
-#include "drive/two_beads.hpp"
-#include "drive_cell.hpp"
 #include "follow_joint_trajectory.hpp"
 #include "lamina/control/correction_map.hpp"
-#include "node_process.hpp"
+#include "ros/drive/drive_cell.hpp"
+#include "ros/drive/two_beads.hpp"
+#include "ros/node_process.hpp"
 
 namespace lamina {
 namespace {
