@@ -14,6 +14,8 @@ import interfaces
 import live_properties
 import one_definition
 import references
+import scratch_files
+import settings_coverage
 
 
 def tree(files):
@@ -224,6 +226,50 @@ class LiveProperties(unittest.TestCase):
         self.assertIn("test/base/a_test.cpp:2: ", found[0])
 
 
+class ScratchFiles(unittest.TestCase):
+    SOURCE = 'const auto path = testing::TempDir() + "a.stl";\nconst auto folder = fs::temp_directory_path() / "a";\n'
+
+    def test_the_systems_folder_is_refused_line_by_line(self):
+        found = list(scratch_files.faults(tree({"test/base/a_test.cpp": self.SOURCE})))
+        self.assertEqual([fault.split(": ")[0] for fault in found], ["test/base/a_test.cpp:1", "test/base/a_test.cpp:2"])
+
+    def test_the_scratch_folder_is_made_there(self):
+        self.assertEqual(list(scratch_files.faults(tree({"test/support/scratch_folder.hpp": self.SOURCE}))), [])
+
+
+class SettingsCoverage(unittest.TestCase):
+    CORE = "test/job/settings/covered_schemas.cpp"
+    JOB = ("struct JobSettings {\n  FillSettings fill;\n  std::optional<SeamSettings> seam;\n};\n"
+           "void describe(SettingsSchema& schema, JobSettings& job) {\n  describe(schema, job.fill);\n"
+           "  describe(schema, job.seam, \"of walls\");\n}\n")
+    FILL = "void describe(SettingsSchema& schema, FillSettings& fill) {\n  schema.flag(\"a\", fill.a, \"\");\n}\n"
+    SEAM = ("void describe(SettingsSchema& schema, SeamSettings& seam, const std::string& of) {\n"
+            "  schema.flag(\"b\", seam.b, of);\n}\n")
+
+    def found(self, files, exceptions=None):
+        return [fault.split()[0] for fault in settings_coverage.faults(tree(files), exceptions or {})]
+
+    def sources(self, *texts):
+        return {f"src/core/{number}.cpp": text for number, text in enumerate(texts)}
+
+    def test_a_type_of_no_list_is_named(self):
+        self.assertEqual(self.found(self.sources(self.FILL, self.SEAM)), ["FillSettings", "SeamSettings"])
+
+    def test_what_is_part_of_a_listed_type_is_covered_with_it(self):
+        listed = {self.CORE: "return keysOfAll<PlanSettings, JobSettings>();\n"}
+        self.assertEqual(self.found({**self.sources(self.JOB, self.FILL, self.SEAM), **listed}), [])
+
+    def test_a_type_of_nothing_but_listed_ones_is_covered(self):
+        listed = {self.CORE: "return keysOfAll<FillSettings, SeamSettings>();\n"}
+        self.assertEqual(self.found({**self.sources(self.JOB, self.FILL, self.SEAM), **listed}), [])
+        listed = {self.CORE: "return keysOfAll<FillSettings>();\n"}
+        self.assertEqual(self.found({**self.sources(self.JOB, self.FILL, self.SEAM), **listed}), ["JobSettings", "SeamSettings"])
+
+    def test_an_exception_is_needed(self):
+        self.assertEqual(self.found(self.sources(self.FILL), {"FillSettings": "why"}), [])
+        self.assertEqual(self.found({}, {"FillSettings": "why"}), ["FillSettings"])
+
+
 class AnonymousNames(unittest.TestCase):
     SOURCE = "namespace lamina {\nnamespace {\n\nconstexpr double kSmall = 1.0;\nint half(int a) { return a / 2; }\n\n}  // namespace\n}\n"
 
@@ -248,6 +294,18 @@ class Budgets(unittest.TestCase):
     def test_function_length_counts_from_signature_to_brace(self):
         lines = ["int f(int a) {", "  return a;", "}", "", "void g() {", "}"]
         self.assertEqual(list(budgets.function_lengths(lines)), [(1, 3), (5, 2)])
+
+    def full(self, count, exceptions):
+        root = repository({f"a/b/{number}.yaml": "" for number in range(count)})
+        return [fault.split(": ")[0] for fault in budgets.full_folders(root, exceptions)]
+
+    def test_every_file_of_a_folder_counts(self):
+        self.assertEqual(self.full(40, {}), [])
+        self.assertEqual(self.full(41, {}), ["a/b"])
+
+    def test_a_full_folder_is_an_exception_by_name(self):
+        self.assertEqual(self.full(41, {"a/b": "why"}), [])
+        self.assertEqual(self.full(40, {"a/b": "why"}), ["a/b"])
 
 
 if __name__ == "__main__":

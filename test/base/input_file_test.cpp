@@ -10,18 +10,19 @@
 #include <atomic>
 #include <chrono>
 #include <csignal>
-#include <cstdio>
 #include <fstream>
 #include <string>
 #include <thread>
 
 #include "lamina/base/error.hpp"
+#include "support/scratch_folder.hpp"
 
 namespace lamina {
 namespace {
 
 TEST(InputFile, ReadsInPieces) {
-  const std::string path = testing::TempDir() + "input_file_pieces";
+  const test::ScratchFolder folder;
+  const std::string path = folder.file("pieces");
   std::ofstream(path) << "abcdef";
   InputFile file(path);
   EXPECT_EQ(file.size(), 6u);
@@ -30,17 +31,16 @@ TEST(InputFile, ReadsInPieces) {
   EXPECT_EQ(std::string(buffer, 4), "abcd");
   EXPECT_EQ(file.read(buffer, 4), 2u);
   EXPECT_EQ(file.read(buffer, 4), 0u);
-  std::remove(path.c_str());
 }
 
 TEST(InputFile, AddsTheRestToWhatWasReadBefore) {
-  const std::string path = testing::TempDir() + "input_file_rest";
+  const test::ScratchFolder folder;
+  const std::string path = folder.file("rest");
   std::ofstream(path) << "abcdef";
   InputFile file(path);
   char buffer[2];
   file.read(buffer, 2);
   EXPECT_EQ(file.readRest({buffer, 2}), "abcdef");
-  std::remove(path.c_str());
 }
 
 /// A pipe, as a file that is named by its descriptor.
@@ -103,11 +103,11 @@ TEST(InputFile, ASignalEndsTheWaitForAPipe) {
 }
 
 TEST(InputFile, ReadsNoMoreThanItMay) {
-  const std::string path = testing::TempDir() + "input_file_most";
+  const test::ScratchFolder folder;
+  const std::string path = folder.file("most");
   std::ofstream(path) << "abcdef";
   EXPECT_EQ(InputFile(path).readRest({}, 6), "abcdef");
   EXPECT_THROW(InputFile(path).readRest({}, 5), FileError);
-  std::remove(path.c_str());
   DescriptorPipe pipe;
   pipe.write("abcdef");
   pipe.closeForWriting();
@@ -116,14 +116,13 @@ TEST(InputFile, ReadsNoMoreThanItMay) {
 
 TEST(InputFile, RefusesWhatCannotBeRead) {
   EXPECT_THROW(InputFile("/nowhere/file"), FileError);
-  EXPECT_THROW(InputFile("/tmp"), FileError);
+  const test::ScratchFolder folder;
+  EXPECT_THROW(InputFile(folder.file("")), FileError);
   EXPECT_THROW(InputFile("/dev/zero"), FileError);
-  const std::string pipe = testing::TempDir() + "input_file_pipe";
-  std::remove(pipe.c_str());
+  const std::string pipe = folder.file("pipe");
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
   EXPECT_THROW(InputFile{pipe}, FileError) << "nobody writes to it";
   EXPECT_THROW(requireReadable(pipe), FileError);
-  std::remove(pipe.c_str());
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "lamina/base/error.hpp"
 #include "lamina/base/random.hpp"
 #include "lamina/optimisation/evaluation_journal.hpp"
+#include "support/scratch_folder.hpp"
 #include "test_problems.hpp"
 
 namespace lamina {
@@ -20,9 +21,6 @@ namespace {
 /// A file name for one test, without a file.
 class EvaluationJournalTest : public ::testing::Test {
  protected:
-  EvaluationJournalTest() { std::remove(path_.c_str()); }
-  ~EvaluationJournalTest() override { std::remove(path_.c_str()); }
-
   JournalSettings settings(EarlierJournal earlier = EarlierJournal::GoOn) const {
     return {path_, "part 1", earlier};
   }
@@ -37,8 +35,8 @@ class EvaluationJournalTest : public ::testing::Test {
     return "";
   }
 
-  const std::string path_ = ::testing::TempDir() + "lamina_journal_" +
-                            ::testing::UnitTest::GetInstance()->current_test_info()->name() + ".jsonl";
+  const test::ScratchFolder folder_;
+  const std::string path_ = folder_.file("journal.jsonl");
   NoProgress progress_;
 };
 

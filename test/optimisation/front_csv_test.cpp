@@ -4,12 +4,12 @@
 #include <rapidcheck.h>
 
 #include <cmath>
-#include <cstdio>
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/random.hpp"
 #include "lamina/optimisation/front_csv.hpp"
+#include "support/scratch_folder.hpp"
 #include "test_problems.hpp"
 
 namespace lamina {
@@ -17,8 +17,6 @@ namespace {
 
 class FrontCsvTest : public ::testing::Test {
  protected:
-  ~FrontCsvTest() override { std::remove(path_.c_str()); }
-
   FrontTable read(const std::string& text) const {
     writeFile(path_, text);
     return readFrontCsv(path_);
@@ -33,7 +31,8 @@ class FrontCsvTest : public ::testing::Test {
     return "";
   }
 
-  const std::string path_ = ::testing::TempDir() + "lamina_front.csv";
+  const test::ScratchFolder folder_;
+  const std::string path_ = folder_.file("front.csv");
 };
 
 TEST_F(FrontCsvTest, IsReadableByPeople) {

@@ -15,6 +15,7 @@
 #include "lamina/optimisation/nsga2.hpp"
 #include "lamina/optimisation/pareto.hpp"
 #include "optimisation/variation.hpp"
+#include "support/scratch_folder.hpp"
 #include "test_problems.hpp"
 
 namespace lamina {
@@ -111,7 +112,8 @@ TEST_P(Nsga2Test, ResumedFromItsJournalItEndsAsIfItHadNeverStopped) {
   const Nsga2Settings settings = nsga2SettingsOf(GetParam(), 20, 12);
   CountingEvaluator straight(2.0);
   const FrontSearch whole = search(straight, settings);
-  const std::string path = ::testing::TempDir() + "lamina_resumed.jsonl";
+  const test::ScratchFolder folder;
+  const std::string path = folder.file("resumed.jsonl");
   EXPECT_TRUE(rc::check([&](std::uint64_t seed) {
     std::remove(path.c_str());
     Random random(seed);
@@ -133,7 +135,6 @@ TEST_P(Nsga2Test, ResumedFromItsJournalItEndsAsIfItHadNeverStopped) {
     RC_ASSERT(textOf(found.evaluations) == textOf(whole.evaluations));
     RC_ASSERT(found.generations.back().hypervolume == whole.generations.back().hypervolume);
   }));
-  std::remove(path.c_str());
 }
 
 TEST_P(Nsga2Test, WhatFailedIsCountedWithItsErrorAndNeverInAFront) {

@@ -5,6 +5,9 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <set>
+#include <sstream>
+
 #include "lamina/base/error.hpp"
 
 namespace lamina {
@@ -48,6 +51,101 @@ TEST(ProcessTables, RowsAreReadTheBeamFirst) {
   EXPECT_EQ(read.inputs[0].check, InputCheck::Follows);
   EXPECT_EQ(read.devices[0].kind, DeviceKind::ModbusTcp);
   EXPECT_EQ(read.devices[0].address, "plc:502");
+}
+
+/// Keys of a row, as the meaning of its table lists them.
+std::set<std::string> keysListed(const std::string& table) {
+  ProcessTableSettings settings;
+  SettingsSchema schema;
+  describe(schema, settings);
+  const std::string meaning = schema.find(table)->meaning;
+  std::istringstream words(meaning.substr(meaning.find(':') + 1));
+  std::set<std::string> keys;
+  for (std::string word; words >> word;) keys.insert(word.substr(0, word.size() - 1));
+  return keys;
+}
+
+/// Keys that are set of the row "a".
+std::set<std::string> keysSet(const SettingTable& table) {
+  std::set<std::string> keys;
+  for (const auto& [entry, text] : table) keys.insert(entry.substr(2));
+  return keys;
+}
+
+TEST(ProcessTables, EveryKeyOfADeviceIsRead) {
+  ProcessTableSettings settings;
+  settings.devices = {{"a.kind", "modbus_rtu"},
+                      {"a.address", "/dev/ttyS1"},
+                      {"a.baud", "9600"},
+                      {"a.parity", "odd"},
+                      {"a.unit", "7"},
+                      {"a.timeout_s", "0.3"},
+                      {"a.retry_s", "2.5"},
+                      {"a.answer", "ok"},
+                      {"a.watchdog_register", "64"},
+                      {"a.watchdog_unit_s", "0.01"},
+                      {"a.watchdog_most_s", "0.4"}};
+  EXPECT_EQ(keysSet(settings.devices), keysListed("devices"));
+  const DeviceSettings read = processTables(settings).devices.at(0);
+  EXPECT_EQ(read.kind, DeviceKind::ModbusRtu);
+  EXPECT_EQ(read.address, "/dev/ttyS1");
+  EXPECT_EQ(read.baud, 9600);
+  EXPECT_EQ(read.parity, Parity::Odd);
+  EXPECT_EQ(read.unit, 7);
+  EXPECT_EQ(read.timeout_s, 0.3);
+  EXPECT_EQ(read.retry_s, 2.5);
+  EXPECT_EQ(read.answer, "ok");
+  EXPECT_EQ(read.watchdog_register, 64);
+  EXPECT_EQ(read.watchdog_unit_s, 0.01);
+  EXPECT_EQ(read.watchdog_most_s, 0.4);
+}
+
+TEST(ProcessTables, EveryKeyOfAChannelIsRead) {
+  ProcessTableSettings settings;
+  settings.devices = {{"plc.kind", "none"}};
+  settings.channels = {{"a.quantity", "screw_rpm"},
+                       {"a.device", "plc"},
+                       {"a.write", "3"},
+                       {"a.scale", "2"},
+                       {"a.offset", "1"},
+                       {"a.low", "5"},
+                       {"a.high", "90"},
+                       {"a.safe", "4"},
+                       {"a.nominal", "50"},
+                       {"a.slew_per_s", "30"},
+                       {"a.dead_time_s", "0.1"},
+                       {"a.lag_s", "0.2"},
+                       {"a.wire_diameter_mm", "1.2"},
+                       {"a.screw", "10,100,60,90"},
+                       {"a.fault_register", "80"}};
+  EXPECT_EQ(keysSet(settings.channels), keysListed("channels"));
+  const OutputChannel read = processTables(settings).channels.at(0);
+  EXPECT_EQ(read.quantity, ProcessQuantity::ScrewSpeed);
+  EXPECT_EQ(read.device, "plc");
+  EXPECT_EQ(read.write, "3");
+  EXPECT_EQ((std::vector<double>{read.scale, read.offset, read.low, read.high, read.safe, read.nominal}),
+            (std::vector<double>{2.0, 1.0, 5.0, 90.0, 4.0, 50.0}));
+  EXPECT_EQ((std::vector<double>{read.slew_per_s, read.dead_time_s, read.lag_s, read.wire_diameter_mm}),
+            (std::vector<double>{30.0, 0.1, 0.2, 1.2}));
+  EXPECT_EQ(read.screw, (std::vector<double>{10.0, 100.0, 60.0, 90.0}));
+  EXPECT_EQ(read.fault_register, 80);
+}
+
+TEST(ProcessTables, EveryKeyOfAnInputIsRead) {
+  ProcessTableSettings settings;
+  settings.devices = {{"plc.kind", "none"}};
+  settings.channels = {{"screw.quantity", "screw_rpm"}, {"screw.device", "plc"}, {"screw.high", "90"}};
+  settings.inputs = {{"a.device", "plc"},  {"a.read", "7"},        {"a.scale", "0.5"},
+                     {"a.offset", "-1"},   {"a.check", "present"}, {"a.channel", "screw"},
+                     {"a.tolerance", "3"}, {"a.least", "2"},       {"a.after_s", "0.7"}};
+  EXPECT_EQ(keysSet(settings.inputs), keysListed("inputs"));
+  const InputChannel read = processTables(settings).inputs.at(0);
+  EXPECT_EQ(read.device, "plc");
+  EXPECT_EQ(read.read, 7);
+  EXPECT_EQ(read.check, InputCheck::Present);
+  EXPECT_EQ(read.channel, "screw");
+  EXPECT_EQ((std::vector<double>{read.scale, read.offset, read.tolerance, read.least, read.after_s}),
+            (std::vector<double>{0.5, -1.0, 3.0, 2.0, 0.7}));
 }
 
 TEST(ProcessTables, RefusalsNameRowKeyValueAndBound) {

@@ -5,10 +5,12 @@
 #include <ros/ros.h>
 #include <sensor_msgs/JointState.h>
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 
 #include "conversions.hpp"
+#include "lamina/base/error.hpp"
 #include "lamina/geometry/mesh_io/mesh_writer.hpp"
 #include "lamina/geometry/parts/parts.hpp"
 #include "lamina/program/gcode/gcode_reader.hpp"
@@ -136,6 +138,19 @@ TEST(EndToEnd, APartIsSlicedStreamedExecutedAndMeasured) {
   for (const char* name : {"slicing_service", "trajectory_publisher", "gcode_streamer", "emulated_machine",
                            "layer_height_monitor"})
     EXPECT_TRUE(isAlive(name)) << name;
+  fs::remove_all(kFolder);
+}
+
+TEST(EndToEnd, ANodeThatIsNotThereIsGivenUpAfterItsTime) {
+  lamina::PrintPartSettings settings;
+  settings.part = "box";
+  settings.output_folder = kFolder;
+  settings.patience_s = 0.5;
+  const auto begin = std::chrono::steady_clock::now();
+  EXPECT_THROW(lamina::PrintPart(ros::NodeHandle("elsewhere"), settings), lamina::TimedOut);
+  const std::chrono::duration<double> waited = std::chrono::steady_clock::now() - begin;
+  EXPECT_GE(waited.count(), 0.5);
+  EXPECT_LT(waited.count(), 60.0) << "half the usual time";
   fs::remove_all(kFolder);
 }
 

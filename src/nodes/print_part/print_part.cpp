@@ -12,7 +12,6 @@
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/picture/toolpath_picture.hpp"
-#include "lamina/toolpath/scan_height.hpp"
 #include "names.hpp"
 #include "shutdown.hpp"
 #include "status.hpp"
@@ -35,15 +34,6 @@ auto resultOf(Client& client, const std::string& action) {
 }
 
 }  // namespace
-
-void describe(SettingsSchema& schema, PrintPartSettings& settings) {
-  schema.text("part", settings.part, "Mesh file to print, or the name of a parametric part.");
-  schema.text("output_folder", settings.output_folder, "Folder for the program, pictures and reports.");
-  schema.number("patience_s", settings.patience_s, Bounds::above(0.0, 3600.0),
-                "How long another node may stay silent.");
-  schema.number("scan.clearance_mm", settings.scan_clearance_mm, Bounds::above(0.0, 100.0),
-                "Clearance that the scan passes are planned with.");
-}
 
 PrintPart::PrintPart(ros::NodeHandle node, PrintPartSettings settings)
     : settings_(std::move(settings)),
@@ -96,9 +86,7 @@ PrintReport PrintPart::run() {
   await("toolpath", [&] {
     return toolpath_ != nullptr && toolpath_->id == sliced.toolpath_id && toolpath_->header.stamp >= asked_at;
   });
-  const Toolpath toolpath = fromMessage(*toolpath_).toolpath;
-  for (std::size_t i = 0; i < toolpath.layers.size(); ++i)
-    if (isScanned(toolpath.layers[i], settings_.scan_clearance_mm)) scanned_.push_back(i);
+  scanned_ = scannedLayers(fromMessage(*toolpath_).toolpath, settings_.scan_clearance_mm);
   awaitMeasuring();
   awaitFollowing();
   report.streaming = stream();

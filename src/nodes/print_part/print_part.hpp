@@ -11,20 +11,10 @@
 #include <vector>
 
 #include "console_progress.hpp"
-#include "lamina/base/settings_schema.hpp"
+#include "print_part_settings.hpp"
 #include "print_report.hpp"
 
 namespace lamina {
-
-/// What to print and where its files go.
-struct PrintPartSettings {
-  std::string part = "blade";            ///< a mesh file, or the name of a parametric part
-  std::string output_folder = "output";  ///< for part.gcode, toolpath.png and summary
-  double patience_s = 120.0;             ///< how long another node may stay silent
-  double scan_clearance_mm = 1.0;        ///< that the scan passes are planned with
-};
-
-void describe(SettingsSchema& schema, PrintPartSettings& settings);
 
 /// Drives the cell through one part: slices it, streams the program, and waits for the measured heights.
 ///

@@ -10,6 +10,7 @@
 
 #include "conversions.hpp"
 #include "lamina/base/text.hpp"
+#include "lamina/toolpath/scan_height.hpp"
 
 namespace lamina {
 namespace {
@@ -66,6 +67,13 @@ HeightError heightError(const std::vector<lamina_msgs::LayerHeight>& layers) {
   if (cells > 0.0) error.mean_mm /= cells;
   if (error.layers > 0) error.coverage /= static_cast<double>(error.layers);
   return error;
+}
+
+std::vector<std::size_t> scannedLayers(const Toolpath& toolpath, double clearance_mm) {
+  std::vector<std::size_t> layers;
+  for (std::size_t i = 0; i < toolpath.layers.size(); ++i)
+    if (isScanned(toolpath.layers[i], clearance_mm)) layers.push_back(i);
+  return layers;
 }
 
 std::vector<std::size_t> layersNotSeen(const PrintReport& report) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "lamina/toolpath/toolpath.hpp"
 #include "messages.hpp"
 
 namespace lamina {
@@ -32,6 +33,10 @@ struct HeightError {
 
 /// All zero if no layer was seen.
 HeightError heightError(const std::vector<lamina_msgs::LayerHeight>& layers);
+
+/// Layers with a scan pass, ascending.
+/// @param clearance_mm  that the scan passes are planned with
+std::vector<std::size_t> scannedLayers(const Toolpath& toolpath, double clearance_mm);
 
 /// Layers that should have been seen and were not, ascending.
 std::vector<std::size_t> layersNotSeen(const PrintReport& report);

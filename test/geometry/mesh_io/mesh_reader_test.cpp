@@ -5,11 +5,10 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include <filesystem>
-
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/random.hpp"
+#include "support/scratch_folder.hpp"
 
 namespace lamina {
 namespace {
@@ -83,7 +82,8 @@ TEST(MeshReader, RefusesWhatIsNoMesh) {
 
 TEST(MeshReader, RefusesAMissingFileAndAFolder) {
   EXPECT_THROW(readMesh("/nowhere/part.stl"), FileError);
-  EXPECT_THROW(readMesh(std::filesystem::temp_directory_path()), FileError);
+  const test::ScratchFolder folder;
+  EXPECT_THROW(readMesh(folder.file("")), FileError);
 }
 
 TEST(MeshReader, RefusesCoordinatesBeyondTheWorkshop) {

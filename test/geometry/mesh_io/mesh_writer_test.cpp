@@ -4,11 +4,11 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdio>
 #include <fstream>
 
 #include "lamina/base/error.hpp"
 #include "lamina/geometry/mesh_io/mesh_reader.hpp"
+#include "support/scratch_folder.hpp"
 
 namespace lamina {
 namespace {
@@ -17,16 +17,17 @@ const Mesh kTetrahedron = {{{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 1}},
                            {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {2, 1, 3}}};
 
 TEST(MeshWriter, WritesWhatTheReaderReads) {
-  const std::string path = testing::TempDir() + "written.stl";
+  const test::ScratchFolder folder;
+  const std::string path = folder.file("written.stl");
   writeStl(path, kTetrahedron);
   const Mesh mesh = readMesh(path);
   EXPECT_EQ(mesh.vertices, kTetrahedron.vertices);
   EXPECT_EQ(mesh.triangles, kTetrahedron.triangles);
-  std::remove(path.c_str());
 }
 
 TEST(MeshWriter, LeavesTheOldFileIfACoordinateDoesNotFit) {
-  const std::string path = testing::TempDir() + "kept.stl";
+  const test::ScratchFolder folder;
+  const std::string path = folder.file("kept.stl");
   std::ofstream(path) << "old";
   Mesh mesh = kTetrahedron;
   mesh.vertices[0].x() = 1e300;
@@ -34,7 +35,6 @@ TEST(MeshWriter, LeavesTheOldFileIfACoordinateDoesNotFit) {
   std::string content;
   std::ifstream(path) >> content;
   EXPECT_EQ(content, "old");
-  std::remove(path.c_str());
 }
 
 TEST(MeshWriter, RefusesAFolderThatIsNotThere) {

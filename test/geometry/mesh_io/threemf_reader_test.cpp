@@ -3,11 +3,10 @@
 #include <Model/COM/NMR_DLLInterfaces.h>
 #include <gtest/gtest.h>
 
-#include <cstdio>
-
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/geometry/mesh_io/mesh_objects.hpp"
+#include "support/scratch_folder.hpp"
 
 namespace lamina {
 namespace {
@@ -45,12 +44,11 @@ std::string assembly() {
   MODELTRANSFORM shifted = scaledAndShifted(1, 2);
   EXPECT_EQ(NMR::lib3mf_model_addbuilditem(model, object, &shifted, &item), LIB3MF_OK);
   EXPECT_EQ(NMR::lib3mf_model_querywriter(model, "3mf", &writer), LIB3MF_OK);
-  const std::string path = testing::TempDir() + "assembly.3mf";
+  const test::ScratchFolder folder;
+  const std::string path = folder.file("assembly.3mf");
   EXPECT_EQ(NMR::lib3mf_writer_writetofileutf8(writer, path.c_str()), LIB3MF_OK);
   for (Object* handle : {writer, item, component, object, mesh, model}) NMR::lib3mf_release(handle);
-  std::string bytes = readFile(path);
-  std::remove(path.c_str());
-  return bytes;
+  return readFile(path);
 }
 
 TEST(ThreemfReader, HonoursUnitComponentsAndTransforms) {
@@ -87,12 +85,11 @@ std::string tenfold(std::size_t triangles, int levels) {
   }
   EXPECT_EQ(NMR::lib3mf_model_addbuilditem(model, object, nullptr, &item), LIB3MF_OK);
   EXPECT_EQ(NMR::lib3mf_model_querywriter(model, "3mf", &writer), LIB3MF_OK);
-  const std::string path = testing::TempDir() + "tenfold.3mf";
+  const test::ScratchFolder folder;
+  const std::string path = folder.file("tenfold.3mf");
   EXPECT_EQ(NMR::lib3mf_writer_writetofileutf8(writer, path.c_str()), LIB3MF_OK);
   for (Object* handle : {writer, item, object, model}) NMR::lib3mf_release(handle);
-  std::string bytes = readFile(path);
-  std::remove(path.c_str());
-  return bytes;
+  return readFile(path);
 }
 
 std::string threemfRefusal(const std::string& bytes) {
@@ -113,8 +110,8 @@ TEST(ThreemfReader, RefusesScenesOfTooMuchBeforeItTakesMemory) {
   EXPECT_NE(threemfRefusal(tenfold(1, 5)).find("100000 instances"), std::string::npos);
 }
 
-/// A file of two items of the build list, the second named and shifted.
-std::string twoItems() {
+/// Two items of the build list, the second named and shifted.
+void writeTwoItems(const std::string& path) {
   Object *model = nullptr, *item = nullptr, *writer = nullptr;
   EXPECT_EQ(NMR::lib3mf_createmodel(&model), LIB3MF_OK);
   Object* first = addTetrahedron(model);
@@ -125,17 +122,16 @@ std::string twoItems() {
   MODELTRANSFORM shifted = scaledAndShifted(2, 5);
   EXPECT_EQ(NMR::lib3mf_model_addbuilditem(model, second, &shifted, &item), LIB3MF_OK);
   EXPECT_EQ(NMR::lib3mf_model_querywriter(model, "3mf", &writer), LIB3MF_OK);
-  std::string path = testing::TempDir() + "two_items.3mf";
   EXPECT_EQ(NMR::lib3mf_writer_writetofileutf8(writer, path.c_str()), LIB3MF_OK);
   for (Object* handle : {writer, item, second, first, model}) NMR::lib3mf_release(handle);
-  return path;
 }
 
 TEST(ThreemfReader, TellsItemsOfTheBuildListApart) {
-  const std::string path = twoItems();
+  const test::ScratchFolder folder;
+  const std::string path = folder.file("two_items.3mf");
+  writeTwoItems(path);
   const std::vector<MeshObject> objects = readMeshObjects(path, {LengthUnit::Millimetre, 10.0});
   EXPECT_NEAR(volume(readMesh(path)), 0.5, 1e-9);
-  std::remove(path.c_str());
   ASSERT_EQ(objects.size(), 2U);
   EXPECT_EQ(objects[0].name, "");
   EXPECT_EQ(objects[1].name, "lid");

@@ -39,6 +39,27 @@ TEST_P(EveryPart, TakesItsOwnDefaults) {
   EXPECT_EQ(makePart(GetParam(), values).vertices, makePart(GetParam()).vertices);
 }
 
+/// The corners of a part with one parameter changed; none if that is refused.
+std::vector<Point3> changedCorners(const std::string& name, const std::string& key, double value) {
+  try {
+    return makePart(name, {{key, std::to_string(std::lround(value))}}).vertices;
+  } catch (const InvalidConfig&) {
+    return {};
+  }
+}
+
+TEST_P(EveryPart, ChangesWithEachParameter) {
+  const std::vector<Point3> usual = makePart(GetParam()).vertices;
+  for (const PartParameter& parameter : partParameters(GetParam())) {
+    const double value = std::stod(parameter.default_value);
+    std::vector<Point3> changed = changedCorners(GetParam(), parameter.key, 2.0 * value + 1.0);
+    // Where bounds, or another parameter, leave no room above.
+    if (changed.empty()) changed = changedCorners(GetParam(), parameter.key, 0.5 * value);
+    EXPECT_FALSE(changed.empty()) << parameter.key;
+    EXPECT_NE(changed, usual) << parameter.key;
+  }
+}
+
 TEST_P(EveryPart, NamesItsParametersWhenAskedForAnother) {
   try {
     makePart(GetParam(), {{"colour", "3"}});

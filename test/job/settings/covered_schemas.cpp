@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "job/settings/setting_probe.hpp"
+#include "lamina/calibration/calibration_settings.hpp"
 #include "lamina/control/loop_settings.hpp"
 #include "lamina/control/profile_reading.hpp"
 #include "lamina/deposition/growth_plant.hpp"
@@ -20,6 +21,7 @@
 #include "lamina/startup/startup_settings.hpp"
 #include "lamina/streaming/emulator/emulated_settings.hpp"
 #include "lamina/streaming/job/stream_settings.hpp"
+#include "lamina/streaming/resume/remaining_program.hpp"
 #include "lamina/study/search_settings.hpp"
 #include "lamina/trajectory/approach.hpp"
 #include "lamina/trajectory/simulated_controller.hpp"
@@ -43,14 +45,15 @@ std::vector<std::string> coreKeys() {
   return keysOfAll<JobSettings, InclineSettings, RunSettings, SearchSettings, KrigingSettings,
                    ScaffoldSettings, StartupSettings, StreamSettings, EmulatedSettings, ApproachSettings,
                    TrajectoryFeederSettings, ServoSettings, FollowingSettings, MonitorSettings,
-                   ProfileSensorSettings, TrackingSettings, LoopSettings, PlantSettings, SightSettings>();
+                   ProfileSensorSettings, TrackingSettings, LoopSettings, PlantSettings, SightSettings,
+                   ResumeSettings, CalibrationSettings>();
 }
 
 const std::vector<TestedElsewhere>& testedElsewhere() {
   static const std::vector<TestedElsewhere> all = {
       {"clearance.need", "job/joint_program_test.cpp", "clearance.need"},
       {"clearance.raise_tool_axis", "job/joint_program_test.cpp", "raises_tool_axis"},
-      {"clearance.report", "ros/slicing_service_test.cpp", "clearance.report"},
+      {"clearance.report", "ros/slicing/slicing_service_test.cpp", "clearance.report"},
       {"drop_voids.least_share", "job/voids/drop_void_job_test.cpp", "least_share"},
       {"stream.firmware", "streaming/firmware/firmware_protocol_test.cpp", "stream.firmware"},
       {"stream.password_file", "streaming/session/upload_session_test.cpp", "password_file"},
@@ -73,7 +76,7 @@ const std::vector<TestedElsewhere>& testedElsewhere() {
       {"joints.branch_change", "kinematics/joint_path/joint_path_planner_test.cpp", "branch_change"},
       {"joints.branch_change_cost", "kinematics/joint_path/ladder_search_test.cpp", "branch_change_cost"},
       {"joints.max_slowdown", "kinematics/joint_path/joint_path_planner_test.cpp", "max_slowdown"},
-      {"overhang.report", "ros/slicing_service_test.cpp", "overhang.report"},
+      {"overhang.report", "ros/slicing/slicing_service_test.cpp", "overhang.report"},
       {"pose_gap_mm", "monitoring/stamped_heights_test.cpp", "pose_gap_mm"},
       {"quiet_s", "monitoring/stamped_heights_test.cpp", "quiet_s"},
       {"tool.interface", "planning/tools/tool_settings_test.cpp", "interface"},

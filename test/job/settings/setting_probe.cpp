@@ -104,12 +104,13 @@ void expectEffects(const std::vector<SettingProbe>& probes) {
 std::vector<SettingProbe> allProbes() {
   std::vector<SettingProbe> all;
   for (const auto& probes :
-       {sliceProbes(),    layerProbes(),   fillProbes(),     flowProbes(),     runProbes(),
-        dropProbes(),     programProbes(), jointProbes(),    motionProbes(),   measureProbes(),
-        platformProbes(), inclineProbes(), searchProbes(),   scaffoldProbes(), streamProbes(),
-        emulatorProbes(), startupProbes(), approachProbes(), monitorProbes(),  bridgeProbes(),
-        skinProbes(),     supportProbes(), heightProbes(),   arcProbes(),      hookProbes(),
-        plateProbes(),    toolProbes(),    profileProbes(),  loopProbes()})
+       {sliceProbes(),      layerProbes(),   fillProbes(),     flowProbes(),     runProbes(),
+        dropProbes(),       programProbes(), jointProbes(),    motionProbes(),   measureProbes(),
+        platformProbes(),   inclineProbes(), searchProbes(),   scaffoldProbes(), streamProbes(),
+        emulatorProbes(),   startupProbes(), approachProbes(), monitorProbes(),  bridgeProbes(),
+        skinProbes(),       supportProbes(), heightProbes(),   arcProbes(),      hookProbes(),
+        plateProbes(),      toolProbes(),    profileProbes(),  loopProbes(),     resumeProbes(),
+        calibrationProbes()})
     all.insert(all.end(), probes.begin(), probes.end());
   return all;
 }

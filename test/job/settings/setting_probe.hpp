@@ -98,6 +98,8 @@ std::vector<SettingProbe> hookProbes();
 std::vector<SettingProbe> plateProbes();
 std::vector<SettingProbe> toolProbes();
 std::vector<SettingProbe> loopProbes();
+std::vector<SettingProbe> resumeProbes();
+std::vector<SettingProbe> calibrationProbes();
 
 /// All of them.
 std::vector<SettingProbe> allProbes();

@@ -60,6 +60,8 @@ TEST(SettingsCoverage, OfArcs) { expectEffects(arcProbes()); }
 TEST(SettingsCoverage, OfHooks) { expectEffects(hookProbes()); }
 TEST(SettingsCoverage, OfClosedLoops) { expectEffects(loopProbes()); }
 TEST(SettingsCoverage, OfTools) { expectEffects(toolProbes()); }
+TEST(SettingsCoverage, OfResuming) { expectEffects(resumeProbes()); }
+TEST(SettingsCoverage, OfCalibration) { expectEffects(calibrationProbes()); }
 
 }  // namespace
 }  // namespace lamina::test

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <filesystem>
 #include <fstream>
 #include <iterator>
 
@@ -17,6 +16,7 @@
 #include "lamina/kinematics/model/kinematic_model.hpp"
 #include "lamina/kinematics/model/seen_bodies.hpp"
 #include "support/arms.hpp"
+#include "support/scratch_folder.hpp"
 
 namespace lamina {
 namespace {
@@ -24,9 +24,6 @@ namespace {
 class CellFolder : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() /
-              (std::string("lamina_cell_") + testing::UnitTest::GetInstance()->current_test_info()->name());
-    std::filesystem::create_directories(folder_);
     std::string arm = test::exactParallelAxesArm().urdf();
     // A maker's description knows neither bed nor nozzle.
     for (const char* end : {"nozzle", "bed"}) {
@@ -43,12 +40,11 @@ class CellFolder : public testing::Test {
           "<joint name=\"turn\" type=\"continuous\"><parent link=\"frame\"/><child link=\"plate\"/>"
           "<axis xyz=\"0 0 1\"/><limit velocity=\"2\"/></joint></robot>");
   }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
 
   void write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name) << text;
+    std::ofstream(folder_.file(name)) << text;
   }
-  std::string cell(const std::string& text) const { return cellDescription(text, folder_ / "cell.yaml"); }
+  std::string cell(const std::string& text) const { return cellDescription(text, folder_.file("cell.yaml")); }
   std::string failureOf(const std::string& text) const {
     try {
       cell(text);
@@ -58,7 +54,7 @@ class CellFolder : public testing::Test {
     }
   }
 
-  std::filesystem::path folder_;
+  const test::ScratchFolder folder_;
 };
 
 constexpr char kPlain[] =
@@ -107,7 +103,7 @@ TEST_F(CellFolder, RailAndPositionerAreExternalAxesInThisOrder) {
 
 TEST_F(CellFolder, BedIsSeenAndMaterialsOfOneNameDoNotMeet) {
   for (const char* name : {"arm.urdf", "table.urdf"}) {
-    std::ifstream file(folder_ / name);
+    std::ifstream file(folder_.file(name));
     std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
     const bool is_arm = std::string(name) == "arm.urdf";
     const std::string link = is_arm ? "<link name=\"base_link\"/>" : "<link name=\"plate\"/>";
@@ -136,9 +132,9 @@ TEST_F(CellFolder, AProfileIsNoCell) {
   write("profile.yaml", "profile: {kind: machine, name: own}\nmachine: {name: irb_4600}\n");
   write("cell.yaml", kPlain);
   write("broken.yaml", "cell: [\n");
-  EXPECT_TRUE(holdsCell(folder_ / "cell.yaml"));
+  EXPECT_TRUE(holdsCell(folder_.file("cell.yaml")));
   for (const char* name : {"profile.yaml", "broken.yaml", "missing.yaml", "arm.urdf"})
-    EXPECT_FALSE(holdsCell(folder_ / name)) << name;
+    EXPECT_FALSE(holdsCell(folder_.file(name))) << name;
 }
 
 TEST_F(CellFolder, WhatIsWrongIsRefusedAsAWhole) {
@@ -177,7 +173,7 @@ TEST_F(CellFolder, XacroBecomesTheSameUrdf) {
         "<xacro:part prefix=\"$(arg side)_\"><origin xyz=\"${-(1+2)/4} 0 ${l['lift']['upper']}\" "
         "rpy=\"0 0 ${l['lift']['upper']}\"/></xacro:part>"
         "<xacro:if value=\"${'$(arg side)' == 'right'}\"><link name=\"only_right\"/></xacro:if></robot>");
-  const std::string left = expandXacro(folder_ / "arm.xacro");
+  const std::string left = expandXacro(folder_.file("arm.xacro"));
   EXPECT_NE(left.find("<link name=\"left_link\">"), std::string::npos) << left;
   EXPECT_NE(left.find("<origin xyz=\"-0.75 0 3.1415926535897931\" rpy=\"0 0 3.1415926535897931\""),
             std::string::npos)
@@ -187,7 +183,7 @@ TEST_F(CellFolder, XacroBecomesTheSameUrdf) {
   EXPECT_EQ(left.find("xacro"), std::string::npos);
   write("bad.xacro", "<robot xmlns:xacro=\"x\">\n<xacro:call macro=\"part\"/></robot>");
   try {
-    expandXacro(folder_ / "bad.xacro");
+    expandXacro(folder_.file("bad.xacro"));
     FAIL();
   } catch (const InvalidConfig& error) {
     EXPECT_NE(std::string(error.what()).find("bad.xacro, line 2: <xacro:call> is not understood"),

@@ -10,6 +10,7 @@
 #include "lamina/base/error.hpp"
 #include "lamina/kinematics/model/kinematic_model.hpp"
 #include "support/arms.hpp"
+#include "support/scratch_folder.hpp"
 
 namespace lamina {
 namespace {
@@ -20,19 +21,16 @@ namespace fs = std::filesystem;
 class VendorFolder : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = fs::temp_directory_path() /
-              (std::string("lamina_vendor_") + testing::UnitTest::GetInstance()->current_test_info()->name());
-    fs::create_directories(folder_ / "vendor_support" / "urdf");
-    fs::create_directories(folder_ / "vendor_support" / "meshes");
+    fs::create_directories(folder_.file("vendor_support/urdf"));
+    fs::create_directories(folder_.file("vendor_support/meshes"));
   }
-  void TearDown() override { fs::remove_all(folder_); }
 
   void write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name) << text;
+    std::ofstream(folder_.file(name)) << text;
   }
 
   std::string read(const std::string& text) const {
-    return robotDescription(text, folder_ / "vendor_support" / "urdf" / "arm.urdf");
+    return robotDescription(text, folder_.file("vendor_support/urdf/arm.urdf"));
   }
 
   std::string failureOf(const std::string& text) const {
@@ -44,7 +42,7 @@ class VendorFolder : public testing::Test {
     }
   }
 
-  fs::path folder_;
+  const test::ScratchFolder folder_;
 };
 
 std::string withMesh(const std::string& name) {
@@ -54,7 +52,7 @@ std::string withMesh(const std::string& name) {
 
 TEST_F(VendorFolder, PackagesAreFoundByTheirNameOrThatOfTheirFolder) {
   write("vendor_support/meshes/base.stl", "");
-  const std::string place = "file://" + (folder_ / "vendor_support/meshes/base.stl").string();
+  const std::string place = "file://" + folder_.file("vendor_support/meshes/base.stl");
   EXPECT_NE(read(withMesh("package://vendor_support/meshes/base.stl")).find(place), std::string::npos);
   EXPECT_NE(read(withMesh("../meshes/base.stl")).find(place), std::string::npos);
   write("vendor_support/package.xml", "<package><name>other_support</name></package>");

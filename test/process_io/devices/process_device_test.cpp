@@ -199,7 +199,6 @@ TEST(ProcessDevice, TheWatchdogAndFaultValuesOfACouplerAreReadBack) {
   table.device.watchdog_register = kCouplerWatchdog;
   table.channels[0].fault_register = kCouplerFaultValues;
   EXPECT_EQ(makeProcessDevice(table)->open(), "");
-  table.device.watchdog_most_s = 0.3;
   const auto refusal = [&table] {
     try {
       return makeProcessDevice(table)->open();
@@ -207,6 +206,10 @@ TEST(ProcessDevice, TheWatchdogAndFaultValuesOfACouplerAreReadBack) {
       return std::string(error.what());
     }
   };
+  table.device.watchdog_unit_s = 2e-3;
+  EXPECT_EQ(refusal(), "the watchdog of device is 0.8 s; expected above 0 and at most 0.5 s");
+  table.device.watchdog_unit_s = 1e-3;
+  table.device.watchdog_most_s = 0.3;
   EXPECT_EQ(refusal(), "the watchdog of device is 0.4 s; expected above 0 and at most 0.3 s");
   table.channels[0].safe = 5.0;
   EXPECT_EQ(refusal(), "device would set first to 0 when its link is lost; expected 5 in register 80");

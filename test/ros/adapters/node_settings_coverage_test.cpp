@@ -21,6 +21,8 @@
 #include "nodes/operator_page/page_settings.hpp"
 #include "nodes/optimiser/optimiser_settings.hpp"
 #include "nodes/plc_link/link_settings.hpp"
+#include "nodes/print_part/print_part_settings.hpp"
+#include "nodes/print_part/print_report.hpp"
 #include "nodes/process_io/process_io_settings.hpp"
 #include "nodes/simulated_controller/controller_settings.hpp"
 #include "nodes/trajectory_driver/driver_settings.hpp"
@@ -41,7 +43,7 @@ std::set<std::string> nodeKeys() {
         keysOf<GcodeStreamerSettings>(), keysOf<HeightControllerSettings>(), keysOf<HostWatchNodeSettings>(),
         keysOf<LayerHeightMonitorSettings>(), keysOf<LinkSettings>(), keysOf<OperatorPageSettings>(),
         keysOf<OptimiserSettings>(), keysOf<ProcessIoSettings>(), keysOf<ControllerSettings>(),
-        keysOf<DriverSettings>(), keysOf<PublisherSettings>()})
+        keysOf<DriverSettings>(), keysOf<PrintPartSettings>(), keysOf<PublisherSettings>()})
     keys.insert(of_node.begin(), of_node.end());
   for (const std::string& key : coreKeys()) keys.erase(key);
   return keys;
@@ -68,22 +70,22 @@ const std::vector<TestedElsewhere>& plcTests() {
 /// Of the loop on heights.
 const std::vector<TestedElsewhere>& loopTests() {
   static const std::vector<TestedElsewhere> all = {
-      {"arrival_hold_s", "ros/height_controller_test.cpp", "arrival_hold_s"},
+      {"arrival_hold_s", "ros/loop/height_controller_test.cpp", "arrival_hold_s"},
       {"feeder.uncertainty_s", "control/run/loop_run_settings_test.cpp", "feeder.uncertainty_s"},
       {"head.clearance_mm", "control/run/loop_run_settings_test.cpp", "head.clearance_mm"},
       {"loop.learned", "control/run/taught_part_test.cpp", "loop.learned"},
-      {"memory_file", "ros/height_controller_test.cpp", "_memory_file"},
+      {"memory_file", "ros/loop/height_controller_test.cpp", "_memory_file"},
       {"monitor.reorder_s", "control/run/loop_run_settings_test.cpp", "monitor.reorder_s"},
       {"monitor.settle_mm", "control/run/loop_run_settings_test.cpp", "monitor.settle_mm"},
       {"monitor.settle_s", "control/run/loop_run_settings_test.cpp", "monitor.settle_s"},
-      {"plans_followed", "ros/robot_loop.test", "plans_followed"},
-      {"pauses_print", "ros/height_controller_test.cpp", "pauses_print"},
+      {"plans_followed", "ros/loop/robot_loop.test", "plans_followed"},
+      {"pauses_print", "ros/loop/height_controller_test.cpp", "pauses_print"},
       {"process.gain_ratio", "control/run/loop_run_settings_test.cpp", "process.gain_ratio"},
       {"process.levelling_mm", "control/run/loop_run_settings_test.cpp", "process.levelling_mm"},
-      {"process.material", "ros/height_controller_test.cpp", "_process/material"},
+      {"process.material", "ros/loop/height_controller_test.cpp", "_process/material"},
       {"process.standoff", "control/run/loop_run_settings_test.cpp", "process.standoff"},
       {"request", "control/run/loop_run_settings_test.cpp", "\"request\""},
-      {"sensor.calibration", "ros/height_controller_test.cpp", "_sensor/calibration"},
+      {"sensor.calibration", "ros/loop/height_controller_test.cpp", "_sensor/calibration"},
       {"sensor.place_error_mm", "control/run/loop_run_settings_test.cpp", "sensor.place_error_mm"},
       {"sensor.place_trusted", "control/run/loop_run_settings_test.cpp", "sensor.place_trusted"},
       {"sensor.time_offset_sigma_s", "control/run/loop_run_settings_test.cpp", "sensor.time_offset_sigma_s"},
@@ -95,43 +97,43 @@ const std::vector<TestedElsewhere>& loopTests() {
 const std::vector<TestedElsewhere>& hostTests() {
   static const std::vector<TestedElsewhere> all = {
       {"clock.hold_s", "cell/host_watch_test.cpp", "HoldsForAClockOnlyWhereJobsNeedIt"},
-      {"clock.is_needed", "ros/host_watch_test.py", "_clock/is_needed"},
-      {"clock.shift_s", "ros/host_watch_test.py", "_clock/shift_s"},
-      {"clock.warn_s", "ros/host_watch_test.py", "_clock/warn_s"},
-      {"disk.folder", "ros/host_watch_test.py", "_disk/folder"},
-      {"disk.least_gib", "ros/host_watch_test.py", "_disk/least_gib"},
+      {"clock.is_needed", "ros/hosts/host_watch_test.py", "_clock/is_needed"},
+      {"clock.shift_s", "ros/hosts/host_watch_test.py", "_clock/shift_s"},
+      {"clock.warn_s", "ros/hosts/host_watch_test.py", "_clock/warn_s"},
+      {"disk.folder", "ros/hosts/host_watch_test.py", "_disk/folder"},
+      {"disk.least_gib", "ros/hosts/host_watch_test.py", "_disk/least_gib"},
       {"guard.grace_s", "ros/cell/cell_controller_test.cpp", "_guard/grace_s"},
       {"guard.silence_s", "streaming/guard/machine_guard_test.cpp", "EndsAStreamerThatHangs"},
       {"guard.socket", "ros/cell/cell_controller_test.cpp", "_guard/socket"},
       {"guard.unattended_s", "streaming/guard/machine_guard_test.cpp", "TheTimeUnattended"},
-      {"hosts.bind", "ros/host_watch_test.py", "_hosts/bind"},
-      {"hosts.interval_s", "ros/host_watch_test.py", "_hosts/interval_s"},
-      {"hosts.name", "ros/host_watch_test.py", "_hosts/name"},
-      {"hosts.needed", "ros/host_watch_test.py", "_hosts/needed"},
-      {"hosts.peers", "ros/host_watch_test.py", "_hosts/peers"},
-      {"hosts.port", "ros/host_watch_test.py", "_hosts/port"},
-      {"hosts.silence_s", "ros/host_watch_test.py", "_hosts/silence_s"},
-      {"master.silence_s", "ros/host_watch_test.py", "_master/silence_s"},
-      {"nodes", "ros/host_watch_test.py", "_nodes"}};
+      {"hosts.bind", "ros/hosts/host_watch_test.py", "_hosts/bind"},
+      {"hosts.interval_s", "ros/hosts/host_watch_test.py", "_hosts/interval_s"},
+      {"hosts.name", "ros/hosts/host_watch_test.py", "_hosts/name"},
+      {"hosts.needed", "ros/hosts/host_watch_test.py", "_hosts/needed"},
+      {"hosts.peers", "ros/hosts/host_watch_test.py", "_hosts/peers"},
+      {"hosts.port", "ros/hosts/host_watch_test.py", "_hosts/port"},
+      {"hosts.silence_s", "ros/hosts/host_watch_test.py", "_hosts/silence_s"},
+      {"master.silence_s", "ros/hosts/host_watch_test.py", "_master/silence_s"},
+      {"nodes", "ros/hosts/host_watch_test.py", "_nodes"}};
   return all;
 }
 
 /// Of process_io and its coupler.
 const std::vector<TestedElsewhere>& processTests() {
   static const std::vector<TestedElsewhere> all = {
-      {"bind", "ros/process_io.test", "bind"},
-      {"channels", "ros/process_io_test.cpp", "channels/laser"},
+      {"bind", "ros/process_io/process_io.test", "bind"},
+      {"channels", "ros/process_io/process_io_test.cpp", "channels/laser"},
       {"connect_wait_s", "process_io/process_bridge_test.cpp", "connect_wait_s"},
       {"dead_time_s", "process_io/devices/emulated_coupler_test.cpp", "dead_time_s"},
-      {"devices", "ros/process_io_test.cpp", "devices/coupler"},
-      {"inputs", "ros/process_io_test.cpp", "inputs/power"},
+      {"devices", "ros/process_io/process_io_test.cpp", "devices/coupler"},
+      {"inputs", "ros/process_io/process_io_test.cpp", "inputs/power"},
       {"lag_s", "process_io/devices/emulated_coupler_test.cpp", "lag_s"},
       {"late_s", "process_io/process_bridge_test.cpp", "late_s"},
-      {"process_io.required", "ros/process_io.test", "required"},
-      {"process_io.silence_s", "ros/process_io.test", "silence_s"},
-      {"ready", "ros/process_io.test", "ready"},
+      {"process_io.required", "ros/process_io/process_io.test", "required"},
+      {"process_io.silence_s", "ros/process_io/process_io.test", "silence_s"},
+      {"ready", "ros/process_io/process_io.test", "ready"},
       {"standstill_s", "process_io/process_bridge_test.cpp", "standstill_s"},
-      {"state_hz", "ros/process_io_test.cpp", "state_hz"},
+      {"state_hz", "ros/process_io/process_io_test.cpp", "state_hz"},
       {"too_late_s", "process_io/process_bridge_test.cpp", "too_late_s"},
       {"watchdog_s", "process_io/devices/emulated_coupler_test.cpp", "watchdog_s"}};
   return all;
@@ -162,8 +164,8 @@ const std::vector<TestedElsewhere>& pageTests() {
 const std::vector<TestedElsewhere>& jogTests() {
   static const std::vector<TestedElsewhere> all = {
       {"dry.extrusion", "gcode_rewrite/dry_run_test.cpp", "settings.extrusion"},
-      {"dry.lift_mm", "ros/trajectory_driver.test", "lift_mm"},
-      {"dry.pointer_mm", "ros/trajectory_driver.test", "pointer_mm"},
+      {"dry.lift_mm", "ros/drive/trajectory_driver.test", "lift_mm"},
+      {"dry.pointer_mm", "ros/drive/trajectory_driver.test", "pointer_mm"},
       {"dry.speed", "gcode_rewrite/dry_run_test.cpp", "settings.speed"},
       {"dry.unknown", "gcode_rewrite/dry_run_test.cpp", "strict.unknown"},
       {"jog.lease_s", "trajectory/jog_test.cpp", "settings.lease_s"},
@@ -182,59 +184,61 @@ const std::vector<TestedElsewhere>& jogTests() {
 
 const std::vector<TestedElsewhere>& nodeTests() {
   static const std::vector<TestedElsewhere> all = {
-      {"baud", "ros/gcode_streamer_test.cpp", "_baud"},
-      {"cartesian.rate_hz", "ros/trajectory_publisher.test", "cartesian/rate_hz"},
-      {"check_clearance", "ros/trajectory_driver.test", "check_clearance"},
-      {"corrections.follow_plans", "ros/robot_loop.test", "follow_plans"},
+      {"baud", "ros/streaming/gcode_streamer_test.cpp", "_baud"},
+      {"cartesian.rate_hz", "ros/playback/trajectory_publisher.test", "cartesian/rate_hz"},
+      {"check_clearance", "ros/drive/trajectory_driver.test", "check_clearance"},
+      {"corrections.follow_plans", "ros/loop/robot_loop.test", "follow_plans"},
       {"corrections.folder", "ros/adapters/layer_corrector_test.cpp", "corrections.folder"},
       {"corrections.use", "ros/adapters/layer_corrector_test.cpp", "corrections.use"},
-      {"controller_wait_s", "ros/trajectory_driver.test", "controller_wait_s"},
-      {"deposit.area_mm", "ros/robot_loop.test", "area_mm"},
+      {"controller_wait_s", "ros/drive/trajectory_driver.test", "controller_wait_s"},
+      {"deposit.area_mm", "ros/loop/robot_loop.test", "area_mm"},
       {"deposit.bead_width_mm", "ros/adapters/machine_deposit_test.cpp", "deposit.bead_width_mm"},
       {"deposit.layers", "ros/adapters/machine_deposit_test.cpp", "deposit.layers"},
-      {"deposit.belt_mm", "ros/emulated_belt.test", "belt_mm"},
-      {"deposit.cell_mm", "ros/emulated_belt.test", "cell_mm"},
-      {"deposit.model", "ros/deposition_following_test.cpp", "model"},
-      {"deposit.period_s", "ros/deposition_following.test", "period_s"},
+      {"deposit.belt_mm", "ros/machine/emulated_belt.test", "belt_mm"},
+      {"deposit.cell_mm", "ros/machine/emulated_belt.test", "cell_mm"},
+      {"deposit.model", "ros/deposition/deposition_following_test.cpp", "model"},
+      {"deposit.period_s", "ros/deposition/deposition_following.test", "period_s"},
       {"executor.owner", "ros/cell/cell_of_nodes.hpp", "_executor/owner"},
       {"executor.patience_s", "ros/cell/cell_of_nodes.hpp", "executor/patience_s"},
-      {"faults", "ros/gcode_streamer_test.cpp", "faults"},
-      {"filament_diameter_mm", "ros/told_machine_test.cpp", "filament_diameter_mm"},
-      {"following.period_s", "ros/deposition_following.test", "following/period_s"},
-      {"host_wait_s", "ros/trajectory_driver.test", "host_wait_s"},
+      {"faults", "ros/streaming/gcode_streamer_test.cpp", "faults"},
+      {"filament_diameter_mm", "ros/machine/told_machine_test.cpp", "filament_diameter_mm"},
+      {"following.period_s", "ros/deposition/deposition_following.test", "following/period_s"},
+      {"host_wait_s", "ros/drive/trajectory_driver.test", "host_wait_s"},
       {"journal.copies_kept", "ros/cell/cell_controller_test.cpp", "_journal/copies_kept"},
       {"journal.copy_hour", "ros/cell/cell_controller_test.cpp", "_journal/copy_hour"},
       {"journal.folder", "ros/cell/cell_of_nodes.hpp", "journal/folder"},
       {"journal.least_free_gib", "ros/cell/cell_controller_test.cpp", "_journal/least_free_gib"},
-      {"lift_mm", "ros/trajectory_driver.test", "lift_mm"},
-      {"lift_mm_s", "ros/trajectory_driver.test", "lift_mm_s"},
-      {"load_program", "ros/inclined_playback_test.cpp", "load_program"},
-      {"map_period_s", "ros/layer_height_monitor.test", "map_period_s"},
-      {"mode", "ros/deposition_following.test", "mode"},
+      {"lift_mm", "ros/drive/trajectory_driver.test", "lift_mm"},
+      {"lift_mm_s", "ros/drive/trajectory_driver.test", "lift_mm_s"},
+      {"load_program", "ros/playback/inclined_playback_test.cpp", "load_program"},
+      {"map_period_s", "ros/monitor/layer_height_monitor.test", "map_period_s"},
+      {"mode", "ros/deposition/deposition_following.test", "mode"},
       {"output_folder", "ros/end_to_end.test", "output_folder"},
       {"owner.grace_s", "ros/cell/cell_of_nodes.hpp", "_owner/grace_s"},
       {"packml.hold_anywhere", "ros/cell/cell_controller_test.cpp", "packml/hold_anywhere"},
-      {"path_tolerance", "ros/simulated_controller.test", "path_tolerance"},
-      {"path_spacing_mm", "ros/trajectory_publisher.test", "path_spacing_mm"},
-      {"port", "ros/gcode_streamer.test", "port"},
-      {"position_spacing_mm", "ros/told_machine_test.cpp", "position_spacing_mm"},
-      {"profile_spacing_mm", "ros/emulated_machine.test", "profile_spacing_mm"},
-      {"profile_while_depositing", "ros/told_machine_test.cpp", "profile_while_depositing"},
-      {"pty", "ros/deposition_following.test", "pty"},
-      {"queue_mb", "ros/layer_height_monitor.test", "queue_mb"},
-      {"rate_hz", "ros/trajectory_publisher.test", "rate_hz"},
-      {"report_hz", "ros/simulated_controller.test", "report_hz"},
-      {"sensor.mount_mm", "ros/robot_loop.test", "mount_mm"},
-      {"shown.points", "ros/deposition_following.test", "shown/points"},
-      {"shown.triangles", "ros/deposition_simulator_test.cpp", "triangles"},
-      {"silence_s", "ros/trajectory_driver.test", "silence_s"},
-      {"speed_up", "ros/deposition_following.test", "speed_up"},
-      {"start_delay_s", "ros/trajectory_driver.test", "start_delay_s"},
-      {"tcp_port", "ros/told_machine_test.cpp", "tcp_port"},
+      {"part", "ros/end_to_end_test.cpp", "settings.part"},
+      {"patience_s", "ros/end_to_end_test.cpp", "settings.patience_s"},
+      {"path_tolerance", "ros/drive/simulated_controller.test", "path_tolerance"},
+      {"path_spacing_mm", "ros/playback/trajectory_publisher.test", "path_spacing_mm"},
+      {"port", "ros/streaming/gcode_streamer.test", "port"},
+      {"position_spacing_mm", "ros/machine/told_machine_test.cpp", "position_spacing_mm"},
+      {"profile_spacing_mm", "ros/machine/emulated_machine.test", "profile_spacing_mm"},
+      {"profile_while_depositing", "ros/machine/told_machine_test.cpp", "profile_while_depositing"},
+      {"pty", "ros/deposition/deposition_following.test", "pty"},
+      {"queue_mb", "ros/monitor/layer_height_monitor.test", "queue_mb"},
+      {"rate_hz", "ros/playback/trajectory_publisher.test", "rate_hz"},
+      {"report_hz", "ros/drive/simulated_controller.test", "report_hz"},
+      {"sensor.mount_mm", "ros/loop/robot_loop.test", "mount_mm"},
+      {"shown.points", "ros/deposition/deposition_following.test", "shown/points"},
+      {"shown.triangles", "ros/deposition/deposition_simulator_test.cpp", "triangles"},
+      {"silence_s", "ros/drive/trajectory_driver.test", "silence_s"},
+      {"speed_up", "ros/deposition/deposition_following.test", "speed_up"},
+      {"start_delay_s", "ros/drive/trajectory_driver.test", "start_delay_s"},
+      {"tcp_port", "ros/machine/told_machine_test.cpp", "tcp_port"},
       {"tracking.tip_mm", "ros/adapters/node_settings_coverage_test.cpp", "tracking.tip_mm"},
       {"tracking.silence_by", "ros/adapters/report_watch_test.cpp", "silence_by"},
-      {"tracking.silence_s", "ros/trajectory_driver.test", "silence_s"},
-      {"view.largest_program_mb", "ros/gcode_incliner_test.cpp", "view.largest_program_mb"}};
+      {"tracking.silence_s", "ros/drive/trajectory_driver.test", "silence_s"},
+      {"view.largest_program_mb", "ros/slicing/gcode_incliner_test.cpp", "view.largest_program_mb"}};
   return all;
 }
 
@@ -256,6 +260,18 @@ TEST(NodeSettingsCoverage, EverySettingStandsInATest) {
   for (const std::string& key : keys) EXPECT_EQ(covered.count(key), 1U) << key << " stands in no test";
   for (const std::string& key : covered)
     EXPECT_EQ(keys.count(key), 1U) << key << " is no setting of a node alone";
+}
+
+TEST(NodeSettingsCoverage, APrintLooksForScansAtTheirClearance) {
+  Path scan;
+  scan.role = PathRole::Travel;
+  scan.points = {{0, 0, 0.2}, {0, 0, 1.3}};  // 5.5 layers over the top
+  const Toolpath toolpath{"scanned", {{0.2, 0.2, {scan}}}};
+  const auto scanned = [&](const SettingTexts& set) {
+    return scannedLayers(toolpath, settingsWith<PrintPartSettings>(set).scan_clearance_mm);
+  };
+  EXPECT_EQ(scanned({}), std::vector<std::size_t>{0});
+  EXPECT_TRUE(scanned({{"scan.clearance_mm", "3"}}).empty());
 }
 
 /// When a driver that looks every 10 ms gives up a controller that reports for half a second by its stamps.

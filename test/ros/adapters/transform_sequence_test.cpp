@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "names.hpp"
-#include "ros/plate_scan.hpp"
+#include "ros/monitor/plate_scan.hpp"
 
 namespace lamina {
 namespace {

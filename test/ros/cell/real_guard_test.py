@@ -5,7 +5,7 @@
 
     real_guard_test.py STREAMER_NODE WATCH_NODE
 
-LAMINA_MARLIN_RUNNER, LAMINA_GRBL_RUNNER and LAMINA_KLIPPER_RUNNER name the programs that real_marlin_test.py and its neighbours in test/cli describe.
+LAMINA_MARLIN_RUNNER, LAMINA_GRBL_RUNNER and LAMINA_KLIPPER_RUNNER name the programs that real_marlin_test.py and its neighbours in test/cli/real describe.
 Without any of them nothing is tested, and the exit code is 77.
 """
 import os

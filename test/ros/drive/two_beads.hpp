@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "lamina/toolpath/toolpath.hpp"
-#include "ros/drive_cell.hpp"
+#include "ros/drive/drive_cell.hpp"
 
 namespace lamina::test {
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "ros/bag_player.hpp"
-#include "ros/controlled_wall.hpp"
+#include "ros/loop/controlled_wall.hpp"
 #include "ros/wait_until.hpp"
 
 namespace lamina::test {

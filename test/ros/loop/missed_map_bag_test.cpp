@@ -7,7 +7,7 @@
 
 #include "correction_messages.hpp"
 #include "estimated_bag.hpp"
-#include "ros/wall_messages.hpp"
+#include "ros/loop/wall_messages.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace lamina {

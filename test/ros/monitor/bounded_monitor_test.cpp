@@ -13,7 +13,7 @@
 
 #include "lamina/base/clock.hpp"
 #include "latched.hpp"
-#include "ros/plate_scan.hpp"
+#include "ros/monitor/plate_scan.hpp"
 #include "ros/wait_until.hpp"
 
 namespace lamina {

@@ -8,7 +8,7 @@
 
 #include "lamina/toolpath/layer_frame.hpp"
 #include "latched.hpp"
-#include "ros/plate_scan.hpp"
+#include "ros/monitor/plate_scan.hpp"
 #include "ros/wait_until.hpp"
 
 namespace lamina {

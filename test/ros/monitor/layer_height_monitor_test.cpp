@@ -20,7 +20,7 @@
 #include <string>
 #include <vector>
 
-#include "ros/plate_scan.hpp"
+#include "ros/monitor/plate_scan.hpp"
 #include "ros/ros_home.hpp"
 #include "ros/wait_until.hpp"
 

@@ -10,6 +10,7 @@
 #include "lamina/streaming/firmware/marlin/marlin_firmware.hpp"
 #include "lamina/streaming/session/streamer.hpp"
 #include "support/scoped_entry.hpp"
+#include "support/scratch_folder.hpp"
 
 namespace lamina {
 namespace {
@@ -155,7 +156,8 @@ TEST(StreamableProgram, IsCheckedForEachFirmwareItMayGoTo) {
 
 TEST(StreamableProgram, RefusesMissingFilesAndFolders) {
   EXPECT_THROW(StreamableProgram::fromFile("/nowhere/at/all.gcode"), FileError);
-  EXPECT_THROW(StreamableProgram::fromFile("/tmp"), FileError);
+  const test::ScratchFolder folder;
+  EXPECT_THROW(StreamableProgram::fromFile(folder.file("")), FileError);
 }
 
 }  // namespace
