@@ -32,7 +32,7 @@ catkin_package(
 # Messages in a namespace of their own, for what uses the core as well; where other packages of a workspace find it.
 configure_file(src/ros_adapters/messages.hpp ${CATKIN_DEVEL_PREFIX}/include/lamina_ros/messages.hpp COPYONLY)
 
-# A master and nodes on the loopback interface by default, for whoever sources the setup files (docs/security.md). Where those are
+# A master and nodes on the loopback interface by default, for whoever sources the setup files (docs/cell/security.md). Where those are
 # the package's own, install_setup.cmake copies them.
 set(hook_options)
 if(LAMINA_OWN_SETUP_FILES)

@@ -16,7 +16,6 @@ MAX_FUNCTION_LINES = 60
 MAX_FOLDER_FILES = 40
 # Folders that hold more, by why; what holds no more has to go.
 FULL_FOLDERS = {
-    "docs": "pages have yet to be put into folders by what they are about",
     "msg": "genmsg takes the messages of a package from one folder",
 }
 EMPTY_NAMES = re.compile(r"(^|_)(utils?|helpers?|manager|misc|common)(_|\.|$)")

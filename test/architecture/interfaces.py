@@ -61,7 +61,7 @@ def launch_faults(root):
             if f"$(arg {name})" not in text and not re.search(rf"\beval\b[^\"]*\b{name}\b", text):
                 yield name, f"{path}: argument {name} is passed to nothing"
         if re.search(r'<node[^>]* pkg="(?!lamina")', text) and 'name="ROS_IP"' not in text:
-            yield path.name, f"{path}: a node of another package is not kept on the loopback interface (docs/security.md)"
+            yield path.name, f"{path}: a node of another package is not kept on the loopback interface (docs/cell/security.md)"
 
 
 def topic_faults(root):

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What README.md and docs/commands.md tell to type works: every line but those with a device, a bag or a cell and those that take minutes."""
+"""What README.md and docs/printing/commands.md tell to type works: every line but those with a device, a bag or a cell and those that take minutes."""
 import os
 import pathlib
 import re
@@ -37,12 +37,12 @@ class Pages(unittest.TestCase):
         self.run_all_of("README.md")
 
     def test_commands_of_the_documentation_run(self):
-        self.run_all_of("docs/commands.md")
+        self.run_all_of("docs/printing/commands.md")
 
     def test_every_command_is_told(self):
         help_text = subprocess.run([LAMINA, "--help"], capture_output=True, text=True, check=True).stdout
         names = re.findall(r"^  ([a-z][a-z-]+)\b", help_text.split("Subcommands:")[1], re.MULTILINE)
-        page = (SOURCE / "docs/commands.md").read_text()
+        page = (SOURCE / "docs/printing/commands.md").read_text()
         self.assertGreater(len(names), 10)
         for name in names:
             self.assertRegex(page, rf"(?m)^    lamina {name}\b")

@@ -65,7 +65,7 @@ class Services(unittest.TestCase):
         self.assertTrue(os.access("/usr/bin/roslaunch", os.X_OK))
         (groups,) = lines_of("lamina@.service", "SupplementaryGroups")
         self.assertTrue(grp.getgrnam(groups))
-        with open(os.path.join(SOURCE, "docs", "security.md"), encoding="utf-8") as page:
+        with open(os.path.join(SOURCE, "docs", "cell", "security.md"), encoding="utf-8") as page:
             guide = page.read()
         self.assertTrue(os.path.exists(os.path.join(SOURCE, "launch", "gcode_streamer.launch")))
         self.assertIn("systemctl enable --now lamina@gcode_streamer", guide)

@@ -458,14 +458,14 @@ TEST(OperatorSite, MakesAndRemovesTokens) {
 }
 
 TEST(OperatorSite, SpeaksOfEachRouteInItsDocumentation) {
-  std::ifstream file(std::string(LAMINA_SOURCE_DIR) + "/docs/operator-page.md");
+  std::ifstream file(std::string(LAMINA_SOURCE_DIR) + "/docs/cell/operator-page.md");
   std::stringstream text;
   text << file.rdbuf();
   for (const RouteRow& row : OperatorSite::routes())
     EXPECT_NE(
         text.str().find("| `" + nameOf(row.method) + ' ' + row.pattern + "` | " + toString(row.right) + " |"),
         std::string::npos)
-        << "docs/operator-page.md lacks: | `" << nameOf(row.method) << ' ' << row.pattern << "` | "
+        << "docs/cell/operator-page.md lacks: | `" << nameOf(row.method) << ' ' << row.pattern << "` | "
         << toString(row.right) << " |";
 }
 

@@ -18,7 +18,7 @@ class Plugin {
   virtual void addEntries() = 0;
 };
 
-/// Loads a plug-in (`docs/plugins.md`): a shared library that exports
+/// Loads a plug-in (`docs/installation/plugins.md`): a shared library that exports
 ///
 ///     extern "C" int lamina_plugin_interface() { return lamina::kPluginInterface; }
 ///     extern "C" void lamina_register();

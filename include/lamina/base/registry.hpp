@@ -13,8 +13,9 @@
 
 namespace lamina {
 
-/// Implementations of one port by name: those of Lamina, and those that plug-ins add (`docs/plugins.md`). All
-/// calls may come from any thread. Entries are copied out: what was found stays good whatever is added.
+/// Implementations of one port by name: those of Lamina, and those that plug-ins add
+/// (`docs/installation/plugins.md`). All calls may come from any thread. Entries are copied out: what was
+/// found stays good whatever is added.
 template <class Entry>
 class Registry {
  public:

@@ -11,7 +11,7 @@
 namespace lamina {
 
 // The state model of a unit: what each command does in each state, and which states a mode has.
-// Source: OPC 30050 (PackML), after ISA-TR88.00.02; docs/cell.md.
+// Source: OPC 30050 (PackML), after ISA-TR88.00.02; docs/cell/cell.md.
 
 /// State of the unit, by the standard's number. `PackmlState` is the state of one job at one executor, which
 /// has older numbers.

@@ -43,7 +43,8 @@ struct CommandAnswer {
   std::string reason;  ///< empty if accepted; else what was asked, the state, and what would be accepted
 };
 
-/// What stands against a command: a number of the table in docs/cell.md, and a sentence with the value found.
+/// What stands against a command: a number of the table in docs/cell/cell.md, and a sentence with the value
+/// found.
 struct UnmetGuard {
   int code = 0;
   std::string sentence;

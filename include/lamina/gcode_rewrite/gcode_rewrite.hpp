@@ -23,7 +23,8 @@ struct Maps {
 };
 
 /// Maps the part a program prints, and leaves the rest of the program as it is. Two passes over the file in
-/// constant memory: the first measures and refuses, the second writes. docs/incline.md explains every rule.
+/// constant memory: the first measures and refuses, the second writes. docs/programs/incline.md explains
+/// every rule.
 ///
 /// @throws InvalidConfig as `validate`
 /// @throws InvalidProgram naming the line of what cannot be transformed

@@ -11,7 +11,7 @@ namespace lamina {
 
 /// How motions are written.
 enum class RewriteMode {
-  Corrected,  ///< as docs/incline.md says
+  Corrected,  ///< as docs/programs/incline.md says
   /// As the published listing does [Garcia2024, figures 4.11 to 4.16]: the height comes from every line that
   /// begins with G0 or G1, and the end code is transformed too.
   Listing,

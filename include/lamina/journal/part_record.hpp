@@ -12,7 +12,8 @@
 namespace lamina {
 
 /// What is kept of a part: of which files it was made, by whom, what happened meanwhile, and how its layers
-/// turned out. A JSON text (`docs/part_record.schema.json`) and a CSV table of its layers, both artefacts.
+/// turned out. A JSON text (`docs/cell/part_record.schema.json`) and a CSV table of its layers, both
+/// artefacts.
 struct PartRecord {
   std::string json;
   std::string layers_csv;

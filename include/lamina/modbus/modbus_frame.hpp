@@ -12,7 +12,7 @@
 namespace lamina {
 
 // Requests to a Modbus TCP server, as bytes, and its answers.
-// Source: MODBUS Application Protocol 1.1b3; MODBUS Messaging on TCP/IP 1.0b; docs/plc.md.
+// Source: MODBUS Application Protocol 1.1b3; MODBUS Messaging on TCP/IP 1.0b; docs/cell/plc.md.
 
 /// The functions that the server answers.
 enum class ModbusFunction : std::uint8_t {

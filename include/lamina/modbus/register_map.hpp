@@ -14,8 +14,8 @@
 
 namespace lamina {
 
-// The registers of the PLC link, version 1: docs/plc.md lists them for PLC programmers. Addresses are those
-// of the protocol, from 0.
+// The registers of the PLC link, version 1: docs/cell/plc.md lists them for PLC programmers. Addresses are
+// those of the protocol, from 0.
 
 /// Which word of a 32-bit value stands in the lower register.
 enum class WordOrder : std::uint8_t { HighFirst, LowFirst };

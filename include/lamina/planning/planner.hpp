@@ -97,8 +97,8 @@ Plan planPart(const std::string& part_name, const std::vector<Layer>& layers, co
               const LayerIncline& incline, Progress& progress);
 
 /// The plan of a part whose layers are planned flat and lifted to their places. It has no skirt; chained
-/// layers and travels between layers are joined in space (`lifting.md`). All figures but the toolpath are
-/// those of the flat plans.
+/// layers and travels between layers are joined in space (`docs/slicing/lifting.md`). All figures but the
+/// toolpath are those of the flat plans.
 /// @param layers  the flat plans, with the heights of their beads
 /// @throws as `planToolpath`, and what `lifting.lift` throws; InvalidConfig for strategies that rise from
 /// layer to

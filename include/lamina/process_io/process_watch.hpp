@@ -13,7 +13,7 @@
 
 namespace lamina {
 
-/// An alarm of the unit (docs/cell.md) that is raised, or whose cause is gone.
+/// An alarm of the unit (docs/cell/cell.md) that is raised, or whose cause is gone.
 struct ProcessAlarm {
   std::uint16_t id = 0;
   std::string source;

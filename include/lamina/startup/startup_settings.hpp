@@ -12,7 +12,7 @@
 namespace lamina {
 
 /// What a machine's start-up consists of. The numbers are those of the large-format machine
-/// [Garcia2024, section 3.5]; those that it does not give are listed in docs/startup.md.
+/// [Garcia2024, section 3.5]; those that it does not give are listed in docs/streaming/startup.md.
 ///
 /// Times are those of the machine, which may run faster than the wall's (`speed_up`). A step whose code is
 /// empty is done by hand and confirmed by the operator. Labels are texts after which the machine's reports

@@ -8,7 +8,7 @@
 
 namespace lamina {
 
-/// Reads a study from YAML; docs/studies.md explains its keys. Nothing is run or written.
+/// Reads a study from YAML; docs/studies/studies.md explains its keys. Nothing is run or written.
 /// @param source_name  for messages
 /// @param folder       that names of files are relative to; empty for the current one
 /// @throws InvalidConfig naming source, line and key: no YAML, unknown or double keys, wrong types, values

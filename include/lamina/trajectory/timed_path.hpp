@@ -28,8 +28,8 @@ struct TimingSettings {
 void validate(const TimingSettings& settings);
 
 /// The fastest motion along a joint path within the limits of joints and path, corners rounded within the
-/// tolerance (docs/timing.md). At rest at both ends, where beads begin and end, and for the dwells of the
-/// toolpath. Other events, tools and process values are left out. Linear time and memory.
+/// tolerance (docs/machines/timing.md). At rest at both ends, where beads begin and end, and for the dwells
+/// of the toolpath. Other events, tools and process values are left out. Linear time and memory.
 class TimedPath final : public JointTrajectory {
  public:
   /// Nothing given is needed afterwards.

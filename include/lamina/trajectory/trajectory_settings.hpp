@@ -6,7 +6,7 @@
 
 namespace lamina {
 
-/// How joints are timed along a toolpath (docs/timing.md).
+/// How joints are timed along a toolpath (docs/machines/timing.md).
 struct TrajectorySettings {
   /// How far rounding may take the tip off a corner; 0 stops at corners.
   double blend_tolerance_mm = 0.05;

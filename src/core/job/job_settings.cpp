@@ -224,7 +224,7 @@ void describe(SettingsSchema& schema, JobSettings& settings) {
   describe(schema, settings.capabilities);
   describe(schema, settings.material);
   schema.choice("slicing.mode", settings.slicing.mode, slicingModeNames(),
-                "Kind of layers; docs/modes.md distinguishes them.");
+                "Kind of layers; docs/slicing/modes.md distinguishes them.");
   describe(schema, settings.slicing);
   // Taken beside the other keys of the first layer, too.
   schema.renamed("first_layer.height_mm", "slicing.first_layer_height_mm");

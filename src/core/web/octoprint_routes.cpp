@@ -7,7 +7,7 @@
 #include "web/site_routes.hpp"
 
 // Enough of OctoPrint's interface that slicers find a printer and send to it. Source: OctoPrint's public API
-// documentation; which requests slicers make is in docs/operator-page.md.
+// documentation; which requests slicers make is in docs/cell/operator-page.md.
 namespace lamina {
 namespace {
 

@@ -7,7 +7,7 @@
 namespace lamina {
 namespace {
 
-constexpr const char* kPage = "see docs/security.md";
+constexpr const char* kPage = "see docs/cell/security.md";
 
 std::string portOfMaster(const std::string& uri) {
   const std::size_t colon = uri.rfind(':');

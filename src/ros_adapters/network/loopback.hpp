@@ -8,7 +8,7 @@
 namespace lamina {
 
 // ROS has no authentication: whoever reaches a node's ports commands it. So a node is reached from its own
-// host alone unless ROS_IP, ROS_HOSTNAME, `__ip` or `__hostname` says otherwise (docs/security.md).
+// host alone unless ROS_IP, ROS_HOSTNAME, `__ip` or `__hostname` says otherwise (docs/cell/security.md).
 
 /// Makes the node announce 127.0.0.1 if neither ROS_IP nor ROS_HOSTNAME is set and its master is on this
 /// host. To be called before ros::init.

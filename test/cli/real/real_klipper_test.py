@@ -7,7 +7,7 @@
 
 LAMINA_KLIPPER_RUNNER names a program `RUNNER LINK` that runs Klipper behind a pseudo-terminal at LINK until it is ended, and prints `ready`. It takes
 from its environment NOZZLE_C, the temperature that the nozzle shows all the time, LOG, a file of both directions (`>` to Klipper, `<` from it), and
-RECORD: the file for the commands that Klipper has run (docs/firmware/klipper.md). Without it nothing is tested, and the exit code is 77.
+RECORD: the file for the commands that Klipper has run (docs/streaming/firmware/klipper.md). Without it nothing is tested, and the exit code is 77.
 """
 import os
 import re

@@ -7,7 +7,7 @@
 
 LAMINA_MARLIN_RUNNER names a program `RUNNER LINK` that runs Marlin behind a pseudo-terminal at LINK until it is ended, and prints `ready`. It takes
 from its environment SPEED, BAUD, NOISE_DOWN, NOISE_UP, DROP_OK, RESET_AFTER, GLITCH, SAY_AFTER, SAY, SEED, and RECORD: the file for the commands that
-Marlin has run (docs/streaming.md, "Against real firmware"). Without it nothing is tested, and the exit code is 77.
+Marlin has run (docs/streaming/streaming.md, "Against real firmware"). Without it nothing is tested, and the exit code is 77.
 """
 import collections
 import os

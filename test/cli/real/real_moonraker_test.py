@@ -8,7 +8,7 @@
 LAMINA_MOONRAKER_RUNNER names a program `RUNNER FOLDER` that runs all three until it is ended, and prints `ready`. By then it has put into FOLDER:
 url (http://host:port), moonraker.pid, klippy.pid and record, to which Klipper adds each line of a file when it has run it. From its environment it
 takes NOZZLE_C, the temperature that the nozzle shows all the time, and LOGINS=1: a person has an account and must log in; the API key is then in
-FOLDER/key (docs/firmware/upload.md). Without a runner nothing is tested, and the exit code is 77.
+FOLDER/key (docs/streaming/firmware/upload.md). Without a runner nothing is tested, and the exit code is 77.
 """
 import contextlib
 import json

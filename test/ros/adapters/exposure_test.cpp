@@ -39,7 +39,7 @@ TEST(Exposure, NamesOpenPortsOfTheNode) {
   const auto warnings = exposureWarnings({"192.168.0.5", "http://192.168.0.6:11311", {40001, 40002}, {}});
   ASSERT_EQ(warnings.size(), 1U);
   EXPECT_THAT(warnings[0], HasSubstr("40001, 40002"));
-  EXPECT_THAT(warnings[0], HasSubstr("docs/security.md"));
+  EXPECT_THAT(warnings[0], HasSubstr("docs/cell/security.md"));
 }
 
 TEST(Exposure, NamesTheOpenPortOfAMasterOnThisHost) {

@@ -88,7 +88,7 @@ TEST(CellController, WritesTheRecordOfAPart) {
   EXPECT_NE(readFile(folder + "/record.json").find("\"count\": 2"), std::string::npos) << "layers";
   EXPECT_EQ(runs("/usr/bin/python3 -c 'import json, jsonschema, sys; jsonschema.validate("
                  "json.load(open(sys.argv[1]))[\"record\"], json.load(open(sys.argv[2])))' " +
-                 folder + "/record.json " + LAMINA_SOURCE_DIR + "/docs/part_record.schema.json"),
+                 folder + "/record.json " + LAMINA_SOURCE_DIR + "/docs/cell/part_record.schema.json"),
             0);
   EXPECT_EQ(runs(std::string(LAMINA_COMMAND) + " audit " + folder + "/cell"), 0);
   EXPECT_TRUE(waitUntil([&] { return runs("ls " + folder + "/cell/copies/*.db > /dev/null 2>&1") == 0; }));

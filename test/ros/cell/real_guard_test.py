@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The Lamina authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Real firmware whose gcode_streamer is killed is stopped by host_watch (docs/hosts.md).
+"""Real firmware whose gcode_streamer is killed is stopped by host_watch (docs/cell/hosts.md).
 
     real_guard_test.py STREAMER_NODE WATCH_NODE
 

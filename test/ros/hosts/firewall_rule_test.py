@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The rule file that is shipped closes ports of ROS nodes that are not Lamina's (docs/security.md), tried from another host."""
+"""The rule file that is shipped closes ports of ROS nodes that are not Lamina's (docs/cell/security.md), tried from another host."""
 import shutil
 import subprocess
 import sys

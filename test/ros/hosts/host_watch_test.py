@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The watch of a host of a cell (docs/hosts.md), on two hosts: network namespaces with a cable between.
+"""The watch of a host of a cell (docs/cell/hosts.md), on two hosts: network namespaces with a cable between.
 
     host_watch_test.py NODE   and the launch file of another host
 """

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Which ports of nodes and master another host reaches (docs/security.md), tried from another host."""
+"""Which ports of nodes and master another host reaches (docs/cell/security.md), tried from another host."""
 import sys
 import unittest
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What Klipper does behind Moonraker as no Duet does, seen with the real ones (docs/firmware/upload.md).
+// What Klipper does behind Moonraker as no Duet does, seen with the real ones
+// (docs/streaming/firmware/upload.md).
 
 #include <gtest/gtest.h>
 

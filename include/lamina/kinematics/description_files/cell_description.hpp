@@ -11,7 +11,7 @@ namespace lamina {
 /// positioner are joints external_1, ... in this order; links and joints of the positioner begin with
 /// positioner_, and so do its materials. Bed, tool and bodies are seen as they are solid.
 ///
-/// The file is YAML (docs/machines.md); paths in it are over its own folder.
+/// The file is YAML (docs/machines/machines.md); paths in it are over its own folder.
 /// @param text  of the file
 /// @param path  of it
 /// @throws InvalidConfig if anything in it is wrong: all of it is refused, nothing left out

@@ -13,7 +13,7 @@ namespace lamina {
 /// Leads a kinematic model along a toolpath: at each waypoint the branch, the turn about the tool axis where
 /// it is free, and the whole turns of its rotary joints, so that the joints move as little as can be, keep
 /// away from their limits and from singularities, and rotary joints are wound back on travels only
-/// (docs/joint-paths.md).
+/// (docs/machines/joint-paths.md).
 ///
 /// Every waypoint that cannot be run is named, and the path goes on after it. Time and memory are linear in
 /// the waypoints: 2 bytes for each sample of each branch of a waypoint. The same whatever the number of

@@ -25,7 +25,7 @@ enum class ExternalChoice : std::uint8_t {
   Gravity,  ///< two of them so that the tool axis points down, within a cone
 };
 
-/// How the joints are led along a toolpath (docs/joint-paths.md).
+/// How the joints are led along a toolpath (docs/machines/joint-paths.md).
 struct JointPathSettings {
   YawChoice yaw = YawChoice::Free;
   int yaw_samples = 72;         ///< of the whole turn about the tool axis

@@ -90,7 +90,7 @@ std::vector<std::string> kinematicModelNames();
 /// @throws InvalidConfig if there is none of that name; names those there are
 std::unique_ptr<KinematicModel> kinematicModelByName(const std::string& name);
 
-/// Reads a kinematic model from its URDF; its kind follows from its joints (docs/kinematics.md).
+/// Reads a kinematic model from its URDF; its kind follows from its joints (docs/machines/kinematics.md).
 /// @throws InvalidConfig if it is no URDF, a link `bed` or `nozzle` is missing, a joint has no limits, or its
 ///   joints are of no kind that is understood; names link or joint, and what was expected
 std::unique_ptr<KinematicModel> kinematicModelFromUrdf(const std::string& text);

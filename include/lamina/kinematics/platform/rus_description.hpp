@@ -22,7 +22,7 @@ struct RusDescription {
 };
 
 /// Reads joints crank_i, universal_i_a, universal_i_b and spherical_i, links coupler_end_i, the platform's
-/// joints platform_x, y, z, b, a, c, and links bed and nozzle (docs/platform.md).
+/// joints platform_x, y, z, b, a, c, and links bed and nozzle (docs/machines/platform.md).
 /// @throws InvalidConfig naming joint or link, and what was expected
 RusDescription rusDescriptionFromUrdf(const std::string& text);
 

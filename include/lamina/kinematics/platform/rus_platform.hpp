@@ -61,8 +61,8 @@ struct RusPlatform {
 };
 
 /// Dimensions of the Hunt platform [Guacheta2021, table 1-1], and what the thesis does not
-/// report (docs/platform.md has the reasons): the motors' directions, the branch, the home pose and the
-/// joints' ranges.
+/// report (docs/machines/platform.md has the reasons): the motors' directions, the branch, the home pose and
+/// the joints' ranges.
 struct HuntDimensions {
   double static_long_mm = 350.0;  ///< edges of the hexagon of the motors
   double static_short_mm = 150.0;

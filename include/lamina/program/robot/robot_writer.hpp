@@ -25,9 +25,9 @@ struct RobotProgramRequest {
   RobotProgramSettings settings;
 };
 
-/// A toolpath as a program of a robot whose language is not RAPID (docs/robot-programs.md): the file that is
-/// loaded first, then those that it runs, each within the limits of its controller. It is split where the
-/// process is off.
+/// A toolpath as a program of a robot whose language is not RAPID (docs/programs/robot-programs.md): the file
+/// that is loaded first, then those that it runs, each within the limits of its controller. It is split where
+/// the process is off.
 ///
 /// An arm comes to where each file begins by a move of its joints. Moves are straight, at poses over the bed
 /// [mm]; roles, beads and layers are reported in comments before the moves of each path. Without an arm the

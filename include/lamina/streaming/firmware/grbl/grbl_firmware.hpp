@@ -11,7 +11,7 @@
 namespace lamina {
 
 /// The protocol of grbl 1.1, grblHAL and FluidNC: lines without number or checksum, whose characters are
-/// counted, and single bytes that take effect on arrival (docs/firmware/grbl.md).
+/// counted, and single bytes that take effect on arrival (docs/streaming/firmware/grbl.md).
 class GrblFirmware final : public FirmwareProtocol {
  public:
   bool isSpokenBy(std::string_view firmware_name) const override;

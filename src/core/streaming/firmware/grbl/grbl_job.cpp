@@ -196,7 +196,7 @@ void GrblJob::elapse(double now) {
     abort({ErrorCode::Rejected,
            "the link counts as lossy, and this firmware checks no line: one that is damaged and still reads "
            "as G-code would be run; expected stream.link reliable, where the USB bridge sits on the board "
-           "(docs/firmware/grbl.md)"},
+           "(docs/streaming/firmware/grbl.md)"},
           now);
   } else if (phase_ == Phase::Starting) {
     start_.elapse(now);
