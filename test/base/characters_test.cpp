@@ -21,7 +21,9 @@ TEST(Characters, ChangeTheirCaseIfTheyAreLetters) {
   for (int code = -128; code < 128; ++code) {
     const char c = static_cast<char>(code);
     EXPECT_EQ(upper(c) != c || lower(c) != c, isLetter(c)) << code;
-    if (isLetter(c)) EXPECT_EQ(upper(lower(c)), upper(c)) << code;
+    if (isLetter(c)) {
+      EXPECT_EQ(upper(lower(c)), upper(c)) << code;
+    }
   }
   EXPECT_EQ(upper('m'), 'M');
   EXPECT_EQ(lower('Z'), 'z');

@@ -13,8 +13,7 @@ bool areOverlapping(const Box<Point>& a, const Box<Point>& b) {
 }
 
 /// Whether a point lies in the box or on its border.
-template <class Point>
-bool isInBox(const Box<Point>& box, const Point& point) {
+inline bool isInBox(const Box3& box, const Point3& point) {
   return (point.array() >= box.low.array()).all() && (point.array() <= box.high.array()).all();
 }
 

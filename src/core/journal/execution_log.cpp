@@ -127,7 +127,7 @@ std::vector<GapRow> ExecutionLog::gaps(std::int64_t execution) const {
   std::vector<GapRow> gaps;
   while (rows.step())
     gaps.push_back(
-        {rows.number(0), optionalNumber(rows, 1), static_cast<std::uint64_t>(rows.integer(2)), rows.text(3)});
+        {rows.number(0), rows.optionalNumber(1), static_cast<std::uint64_t>(rows.integer(2)), rows.text(3)});
   return gaps;
 }
 
@@ -155,9 +155,9 @@ std::vector<AlarmRecord> ExecutionLog::alarms(std::int64_t execution) const {
   while (rows.step())
     found.push_back({{rows.number(0), static_cast<int>(rows.integer(1)), rows.number(2), rows.text(3).at(0),
                       rows.text(4)},
-                     optionalNumber(rows, 5),
+                     rows.optionalNumber(5),
                      rows.text(6),
-                     optionalNumber(rows, 7)});
+                     rows.optionalNumber(7)});
   return found;
 }
 

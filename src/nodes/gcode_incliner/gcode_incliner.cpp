@@ -44,8 +44,8 @@ lamina_msgs::InclineSummary toMessage(const RewriteReport& report) {
   summary.shift.x = toMetres(report.shift.x());
   summary.shift.y = toMetres(report.shift.y());
   summary.shift.z = toMetres(report.shift.z());
-  summary.part_low = toMessage(report.part.low);
-  summary.part_high = toMessage(report.part.high);
+  summary.part_low = lamina::toMessage(report.part.low);
+  summary.part_high = lamina::toMessage(report.part.high);
   summary.stands_on_edge = static_cast<std::uint8_t>(standsOnEdge(report));
   return summary;
 }

@@ -40,7 +40,6 @@ std::string placeOverABed(const SettingTexts& set) {
   RecordedCell cell;
   cell.noise_mm = 0.01;
   cell.profile_s = 0.04;
-  cell.points = 15;
   const auto rocking = [](double time_s) {
     const Eigen::AngleAxisd nod(0.25 * std::sin(1.3 * time_s), Point3::UnitX());
     const Eigen::AngleAxisd sway(0.25 * std::sin(0.9 * time_s + 1.0), Point3::UnitY());

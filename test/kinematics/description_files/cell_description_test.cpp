@@ -75,9 +75,9 @@ TEST_F(CellFolder, ToolAndBedStandWhereItSays) {
 }
 
 TEST_F(CellFolder, TheNozzlePointsAlongTheAxisOfTheToolUnderItsFormerNameToo) {
-  for (const std::string key : {"axis", "jet"}) {
+  for (const char* key : {"axis", "jet"}) {
     std::string text = kPlain;
-    text.replace(text.find("250]"), 4, "250], " + key + ": x");
+    text.replace(text.find("250]"), 4, std::string("250], ") + key + ": x");
     const auto links = kinematicModelFromUrdf(cell(text))->bedFromLinks(JointValues::Zero(6));
     const Point3 pointed = (links.at("joint_6_link").inverse() * links.at("nozzle")).linear().col(2);
     EXPECT_TRUE(pointed.isApprox(Point3::UnitX(), 1e-9)) << key;

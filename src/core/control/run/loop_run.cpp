@@ -303,7 +303,7 @@ void LoopRun::watchLump(const std::vector<Point3>& points, const Eigen::Isometry
   for (const Point3& point : points) {
     const Point3 at = toolpath_from_sensor * point;
     const bool is_point = point.allFinite() && !point.isZero(0.0);
-    const bool is_under_way = is_point && isInBox(ground_, at - at.dot(normal_) * normal_);
+    const bool is_under_way = is_point && isInBox(ground_, Point3(at - at.dot(normal_) * normal_));
     heights.push_back(is_under_way ? at.dot(normal_) - top : LumpWatch::kNone);
   }
   lump_.see(heights);

@@ -71,14 +71,6 @@ constexpr double kLengthRounding = 1.5e-3;  // mm: diagonal of the last decimals
 
 bool deposits(const GcodeMotion& motion) { return motion.extrusion_mm > 0.0 && motion.start != motion.end; }
 
-double beadWidth(double area_mm2, double height_mm) {
-  const double disc = 0.25 * M_PI * height_mm * height_mm;
-  if (area_mm2 >= disc) return height_mm + (area_mm2 - disc) / height_mm;
-  // An upright stadium of width w: (h - w) w + pi w² / 4 = area.
-  constexpr double kMissing = 1.0 - 0.25 * M_PI;
-  return (height_mm - std::sqrt(height_mm * height_mm - 4.0 * kMissing * area_mm2)) / (2.0 * kMissing);
-}
-
 PathBuilder::PathBuilder(const GcodeMotion& motion, bool is_retracted)
     : deposits_(lamina::deposits(motion)),
       is_retracted_(is_retracted && !deposits_),
@@ -164,6 +156,14 @@ GcodeHandlers handlersFor(ToolpathBuilder& builder, const ProgramSettings& setti
 bool isFilamentAlone(const GcodeMotion& motion) { return motion.start == motion.end; }
 
 }  // namespace
+
+double beadWidth(double area_mm2, double height_mm) {
+  const double disc = 0.25 * M_PI * height_mm * height_mm;
+  if (area_mm2 >= disc) return height_mm + (area_mm2 - disc) / height_mm;
+  // An upright stadium of width w: (h - w) w + pi w² / 4 = area.
+  constexpr double kMissing = 1.0 - 0.25 * M_PI;
+  return (height_mm - std::sqrt(height_mm * height_mm - 4.0 * kMissing * area_mm2)) / (2.0 * kMissing);
+}
 
 class ToolpathBuilder::State {
  public:

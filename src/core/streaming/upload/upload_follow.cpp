@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "base/duration_text.hpp"
 #include "streaming/upload/upload_job.hpp"
 
 namespace lamina {
@@ -125,7 +126,7 @@ void UploadJob::adopt(double now) {
 void UploadJob::awaitIdleness(double now) {
   if (!busy_since_) busy_since_ = now;
   if (now < *busy_since_ + settings_.connect_timeout_s) return;
-  abort({ErrorCode::Rejected, "the printer has been busy for " + seconds(now - *busy_since_) +
+  abort({ErrorCode::Rejected, "the printer has been busy for " + wholeSeconds(now - *busy_since_) +
                                   " with motions or commands of somebody else; expected it to stand still"},
         now);
 }
@@ -143,7 +144,7 @@ void UploadJob::awaitStart(double now) {
     abort({ErrorCode::Rejected, "another print, " + named(report) + ", was started before this one"}, now);
   } else if (now >= started_at_ + settings_.connect_timeout_s) {
     abort({ErrorCode::TimedOut,
-           "the machine has not begun the print within " + seconds(settings_.connect_timeout_s)},
+           "the machine has not begun the print within " + wholeSeconds(settings_.connect_timeout_s)},
           now);
   }
 }
@@ -236,7 +237,7 @@ void UploadJob::finish(double now) {
   if (report.is_moving) {
     if (now < completed_at_ + settings_.blocking_timeout_s) return;
     return abort({ErrorCode::TimedOut, "the machine has reported the print complete, and was still moving " +
-                                           seconds(settings_.blocking_timeout_s) + " later"},
+                                           wholeSeconds(settings_.blocking_timeout_s) + " later"},
                  now);
   }
   record_.status.lines_acknowledged = record_.status.lines_total;
@@ -285,7 +286,7 @@ void UploadJob::stop(double now) {
 void UploadJob::awaitStandstill(const std::string& how, double now) {
   if (!server().report().is_moving) return confirmStop(how);
   if (now >= stop_until_ - kLastLook)
-    confirmStop(how + "; it was still moving " + seconds(settings_.safe_stop_timeout_s - kLastLook) +
+    confirmStop(how + "; it was still moving " + wholeSeconds(settings_.safe_stop_timeout_s - kLastLook) +
                 " later: look after it");
 }
 
@@ -326,10 +327,10 @@ void UploadJob::giveUpStop(double now) {
     stop_until_ = now + settings_.safe_stop_timeout_s;
     return;
   }
-  record_.status.failure.message += "; the machine has not confirmed within " +
-                                    seconds(settings_.safe_stop_timeout_s) + " that it has ended the print" +
-                                    (settings_.keep_heaters_on ? "" : " and turned its heaters off") +
-                                    ": look after it";
+  record_.status.failure.message +=
+      "; the machine has not confirmed within " + wholeSeconds(settings_.safe_stop_timeout_s) +
+      " that it has ended the print" + (settings_.keep_heaters_on ? "" : " and turned its heaters off") +
+      ": look after it";
   if (emergency_.is_asked) {
     record_.status.failure.message += "; an emergency stop was asked for: " + emergency_.answer;
   } else if (!emergency.empty()) {
