@@ -7,7 +7,6 @@
 #include <chrono>
 #include <thread>
 
-#include "lamina/base/error.hpp"
 #include "lamina/servo/servoj_program.hpp"
 #include "servo/servo_arm.hpp"
 #include "servo/soon.hpp"
@@ -48,19 +47,6 @@ TEST(EmulatedRobot, CallsNoOtherHost) {
   ASSERT_TRUE(sender.send(servojProgram({}, "192.0.2.1", 9)));
   std::array<char, 16> bytes;
   EXPECT_TRUE(isSoon([&] { return !sender.read(bytes.data(), bytes.size()); })) << "it lets the sender go";
-}
-
-TEST(TcpSocket, NamesWhatItCannotReach) {
-  try {
-    TcpSocket::connectedTo("127.0.0.1", 1, 1.0);
-    FAIL() << "nothing listens there";
-  } catch (const Disconnected& error) {
-    EXPECT_NE(std::string(error.what()).find("nothing answers at 127.0.0.1:1"), std::string::npos);
-  }
-  EXPECT_THROW(TcpSocket::connectedTo("robot", 1, 1.0), InvalidConfig);
-  const TcpSocket door = TcpSocket::listeningOn("127.0.0.1", 0);
-  EXPECT_THROW(TcpSocket::listeningOn("127.0.0.1", door.port()), DeviceError);
-  EXPECT_THROW(TcpSocket::listeningOn("192.0.2.1", 0), DeviceError);
 }
 
 }  // namespace

@@ -52,6 +52,7 @@ TEST(ServojFrames, AreReadAsTheyWereWritten) {
   EXPECT_TRUE(rc::check("targets and reports come back to a millionth of a radian", [] {
     const auto micro = *rc::gen::container<std::vector<int>>(24, rc::gen::inRange(-20000000, 20000001));
     std::vector<double> numbers;
+    numbers.reserve(micro.size());
     for (const int number : micro) numbers.push_back(1e-6 * number);
     const CyclicTarget target = targetWith(numbers, *rc::gen::inRange<std::int64_t>(1, 1LL << 31));
     const TargetFrame frame = targetOf(targetBytes(target));

@@ -89,11 +89,10 @@ void ServoBridge::accept(const follow::Goal& goal) {
   requireJoints(goal.trajectory.joint_names, *model_);
   const GoalTolerances tolerances(goal, *model_, settings_.path_tolerance);
   // The clocks may drift apart while the robot rests; in motion each goal has to join the one before.
-  const double now_s = clock_.now();
-  const ros::Time now = ros::Time::now();
-  if (drive_->state().is_at_rest) steady_less_ros_s_ = now_s - now.toSec();
+  if (drive_->state().is_at_rest) epoch_ = {ros::Time::now(), clock_.now()};
   const ros::Time& stamp = goal.trajectory.header.stamp;
-  const double begin_s = stamp.isZero() ? now_s + kJoin : stamp.toSec() + steady_less_ros_s_;
+  const double begin_s =
+      stamp.isZero() ? clock_.now() + kJoin : epoch_.steady_s + (stamp - epoch_.ros).toSec();
   TrajectoryChunk chunk;
   chunk.points.reserve(goal.trajectory.points.size());
   for (const auto& point : goal.trajectory.points) {

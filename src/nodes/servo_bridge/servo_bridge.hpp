@@ -31,6 +31,11 @@ class ServoBridge {
  private:
   using Server = actionlib::SimpleActionServer<follow::Action>;
 
+  /// One instant by both clocks.
+  struct Epoch {
+    ros::Time ros;
+    double steady_s = 0.0;
+  };
   void onGoal();
   void onPreempt();
   void accept(const follow::Goal& goal);
@@ -47,10 +52,10 @@ class ServoBridge {
   std::unique_ptr<EmulatedRobot> emulated_;  ///< if the robot is not there
   std::unique_ptr<ServojDrive> drive_;
   SteadyClock clock_;
-  double steady_less_ros_s_ = 0.0;  ///< of the motion under way
-  double goal_end_s_ = 0.0;         ///< by the steady clock
-  GoalTolerances tolerances_;       ///< of the goal under way
-  JointValues last_actual_;         ///< of the report before
+  Epoch epoch_;                ///< of the motion under way
+  double goal_end_s_ = 0.0;    ///< by the steady clock
+  GoalTolerances tolerances_;  ///< of the goal under way
+  JointValues last_actual_;    ///< of the report before
   ros::Time last_report_;
   JointValues speed_;  ///< of the joints, between the last two reports
   bool has_been_connected_ = false;
