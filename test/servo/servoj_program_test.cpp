@@ -74,6 +74,14 @@ TEST(ServojProgram, IsReadByTheEmulatedRobotWholeOnly) {
   EXPECT_EQ(program->settings.stop_rad_s2, 7.5);
   for (std::size_t length = 0; length < text.size(); length += 7)
     EXPECT_FALSE(sentProgram(text.substr(0, length))) << length;
+  const auto with = [&text](const std::string& part, const std::string& other) {
+    std::string changed = text;
+    return sentProgram(changed.replace(changed.find(part), part.size(), other)).has_value();
+  };
+  EXPECT_TRUE(with("50003", "50004"));
+  EXPECT_FALSE(with("50003", "70000"));
+  EXPECT_FALSE(with("STOP = 7.5", "STOP = ..."));
+  EXPECT_FALSE(with("CYCLE = 0.008", "CYCLE = fast"));
   EXPECT_FALSE(sentProgram("def other():\n  textmsg(1)\nend\n"));
 }
 

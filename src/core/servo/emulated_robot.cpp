@@ -5,6 +5,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <regex>
 #include <utility>
 
@@ -22,7 +23,8 @@ constexpr char kProgramEnd[] = "\nend\n";
 /// The number behind "NAME = "; nothing if there is none.
 std::optional<double> constantOf(const std::string& text, const std::string& name) {
   std::smatch found;
-  if (!std::regex_search(text, found, std::regex("\\b" + name + " = ([0-9.]{1,9})\n"))) return std::nullopt;
+  if (!std::regex_search(text, found, std::regex("\\b" + name + " = ([0-9]{1,6}(?:\\.[0-9]{1,9})?)\n")))
+    return std::nullopt;
   return std::stod(found[1].str());
 }
 
@@ -39,7 +41,9 @@ std::optional<SentProgram> sentProgram(const std::string& text) {
   if (!std::regex_search(text, call, calls) || !cycle_s || !silent_cycles || !stop) return std::nullopt;
   SentProgram program;
   program.host = call[1].str();
-  program.port = static_cast<std::uint16_t>(std::stoi(call[2].str()));
+  const int port = std::stoi(call[2].str());
+  if (port > std::numeric_limits<std::uint16_t>::max()) return std::nullopt;
+  program.port = static_cast<std::uint16_t>(port);
   program.settings.controller = *cycle_s > 0.005 ? ServojController::Cb3 : ServojController::ESeries;
   program.settings.silence_s = *silent_cycles * *cycle_s;
   program.settings.stop_rad_s2 = *stop;

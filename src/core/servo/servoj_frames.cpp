@@ -97,7 +97,7 @@ TargetFrame targetOf(const TargetBytes& bytes) {
 }
 
 std::optional<ServojReport> reportOf(const ReportBytes& bytes) {
-  const std::int32_t kind = wordOf(bytes, 0) - kReport;
+  const std::int64_t kind = std::int64_t{wordOf(bytes, 0)} - kReport;
   const std::int32_t cycle = wordOf(bytes, 1);
   const auto position = jointsOf(bytes, 2);
   if (kind < 0 || kind > kLastKind || cycle < 0 || !position) return std::nullopt;
