@@ -23,6 +23,7 @@ ARROWS = {
     "gcode_rewrite": ["program"],
     "trajectory": ["kinematics"],
     "dynamics": ["trajectory"],
+    "servo": ["trajectory"],
     "verification/overhang": ["toolpath"],
     "verification/collision": ["kinematics"],
     "streaming/transport": ["base", "streaming/upload"],

@@ -10,6 +10,7 @@
 #include "lamina/base/clock.hpp"
 #include "lamina/base/settings_schema.hpp"
 #include "lamina/kinematics/model/kinematic_model.hpp"
+#include "lamina/trajectory/joint_servo.hpp"
 #include "lamina/trajectory/trajectory_feeder.hpp"
 
 namespace lamina {
@@ -64,8 +65,8 @@ class SimulatedController {
 
   /// Where the joints are to be, in the last cycle.
   const JointValues& wanted() const { return wanted_; }
-  const JointValues& position() const { return position_; }
-  const JointValues& velocity() const { return velocity_; }
+  const JointValues& position() const { return servo_.position(); }
+  const JointValues& velocity() const { return servo_.velocity(); }
   /// Of the point that is followed; safe when starved or stopped.
   const ProcessSignals& process() const { return process_; }
   /// Motion that is waiting [s].
@@ -85,7 +86,6 @@ class SimulatedController {
   JointValues asked(double time_s);
   void pass(double time_s);
   void brakeFrom(JointState moving);
-  void follow(const JointValues& asked);
   void measure(const JointValues& asked);
 
   const Clock& clock_;
@@ -98,8 +98,7 @@ class SimulatedController {
   std::size_t cycles_ = 0;
   std::size_t accepted_ = 0;
   JointValues wanted_;
-  JointValues position_;
-  JointValues velocity_;
+  JointServo servo_;
   ProcessSignals process_;
   TrackingReport report_;
   JointValues squares_;

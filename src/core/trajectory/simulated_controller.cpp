@@ -5,33 +5,18 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+
+#include "lamina/trajectory/joint_braking.hpp"
+#include "lamina/trajectory/joint_cubic.hpp"
 
 namespace lamina {
 namespace {
 
 constexpr double kAtRest = 1e-9;  // of a joint's speed per second: numbers that stand for none
-constexpr int kSubsteps = 8;      // of a cycle, of a lag of second order
 constexpr double kOnTime = 1e-9;  // s
 
 bool isMovingJoints(const JointState& state) { return state.velocity.cwiseAbs().maxCoeff() > kAtRest; }
-
-/// The cubic through two points with their velocities.
-JointValues between(const JointState& a, const JointState& b, double time_s) {
-  const double h = b.time_s - a.time_s;
-  const double u = (time_s - a.time_s) / h;
-  const double v = 1.0 - u;
-  return v * v * (1.0 + 2.0 * u) * a.position + u * u * (1.0 + 2.0 * v) * b.position +
-         h * u * v * (v * a.velocity - u * b.velocity);
-}
-
-/// The rate of change of the same.
-JointValues rateBetween(const JointState& a, const JointState& b, double time_s) {
-  const double h = b.time_s - a.time_s;
-  const double u = (time_s - a.time_s) / h;
-  const double v = 1.0 - u;
-  return 6.0 * u * v / h * (b.position - a.position) + v * (v - 2.0 * u) * a.velocity +
-         u * (u - 2.0 * v) * b.velocity;
-}
 
 }  // namespace
 
@@ -56,8 +41,7 @@ SimulatedController::SimulatedController(const Clock& clock, const KinematicMode
       faults_(faults),
       start_s_(clock.now()),
       wanted_(start),
-      position_(start),
-      velocity_(JointValues::Zero(start.size())),
+      servo_(settings.lag_s, settings.damping, start),
       squares_(JointValues::Zero(start.size())) {
   ServoSettings checked = settings;
   SettingsSchema schema;
@@ -105,13 +89,13 @@ void SimulatedController::advance() {
 void SimulatedController::cycle(double time_s) {
   if (faults_.stop_s && time_s >= *faults_.stop_s) {
     report_.is_stopped = true;
-    velocity_.setZero();
+    servo_.stop();
     process_ = safeSignals();
     return;
   }
   if (points_.empty()) return;
   wanted_ = asked(time_s);
-  follow(wanted_);
+  servo_.follow(wanted_, 1.0 / settings_.rate_hz);
   measure(wanted_);
 }
 
@@ -131,7 +115,7 @@ JointValues SimulatedController::asked(double time_s) {
   const JointState& from = points_.front();
   process_ = from.process;
   if (points_.size() == 1 || time_s <= from.time_s) return from.position;
-  return between(from, points_[1], time_s);
+  return cubicPosition(from, points_[1], time_s);
 }
 
 void SimulatedController::brake() {
@@ -140,8 +124,8 @@ void SimulatedController::brake() {
   here.time_s = start_s_ + static_cast<double>(cycles_) / settings_.rate_hz;
   here.position = wanted_;
   const bool is_between = points_.size() > 1 && here.time_s >= points_.front().time_s;
-  here.velocity =
-      is_between ? rateBetween(points_.front(), points_[1], here.time_s) : JointValues::Zero(wanted_.size());
+  here.velocity = is_between ? cubicVelocity(points_.front(), points_[1], here.time_s)
+                             : JointValues::Zero(wanted_.size());
   late_.clear();
   brakeFrom(std::move(here));
 }
@@ -149,19 +133,8 @@ void SimulatedController::brake() {
 /// All joints come to rest together, each with the same deceleration all the way.
 void SimulatedController::brakeFrom(JointState moving) {
   moving.process = safeSignals();
-  double duration_s = 0.0;
-  double room_s =
-      std::numeric_limits<double>::infinity();  // for the first joint that has to stop at its limit
-  for (std::size_t j = 0; j < model_.joints().size(); ++j) {
-    const DrivenJoint& joint = model_.joints()[j];
-    const auto i = static_cast<Eigen::Index>(j);
-    const double speed = moving.velocity[i];
-    if (speed == 0.0) continue;
-    duration_s = std::max(duration_s, settings_.brake_s * std::abs(speed) / joint.max_speed);
-    const double room = speed > 0.0 ? joint.high - moving.position[i] : moving.position[i] - joint.low;
-    room_s = std::min(room_s, 2.0 * std::max(0.0, room) / std::abs(speed));
-  }
-  duration_s = std::min(duration_s, room_s);
+  const double duration_s = std::min(brakeTime(moving.velocity, model_.joints(), settings_.brake_s),
+                                     brakeRoom(moving.position, moving.velocity, model_.joints()));
   JointState rest = moving;
   rest.time_s += duration_s;
   rest.position += 0.5 * duration_s * moving.velocity;
@@ -171,30 +144,10 @@ void SimulatedController::brakeFrom(JointState moving) {
   points_.push_back(std::move(rest));
 }
 
-void SimulatedController::follow(const JointValues& asked) {
-  const double step_s = 1.0 / settings_.rate_hz;
-  if (settings_.lag_s <= 0.0 || settings_.damping <= 0.0) {
-    const double part = settings_.lag_s > 0.0 ? 1.0 - std::exp(-step_s / settings_.lag_s) : 1.0;
-    const JointValues next = position_ + part * (asked - position_);
-    velocity_ = (next - position_) / step_s;
-    position_ = next;
-    return;
-  }
-  const double natural = 1.0 / settings_.lag_s;
-  const auto substeps = kSubsteps * static_cast<int>(std::ceil(step_s * natural * settings_.damping + 1.0));
-  const double h = step_s / substeps;
-  for (int i = 0; i < substeps; ++i) {
-    // Implicit in the damping: stable whatever the step.
-    velocity_ = (velocity_ + h * natural * natural * (asked - position_)) /
-                (1.0 + 2.0 * settings_.damping * natural * h);
-    position_ += h * velocity_;
-  }
-}
-
 void SimulatedController::measure(const JointValues& asked) {
-  const JointValues error = asked - position_;
+  const JointValues error = asked - position();
   const double tip_mm =
-      (model_.bedFromNozzle(asked).translation() - model_.bedFromNozzle(position_).translation()).norm();
+      (model_.bedFromNozzle(asked).translation() - model_.bedFromNozzle(position()).translation()).norm();
   ++report_.cycles;
   report_.greatest = report_.greatest.cwiseMax(error.cwiseAbs());
   squares_ += error.cwiseAbs2();

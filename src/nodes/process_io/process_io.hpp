@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "lamina/base/clock.hpp"
-#include "lamina/process_io/devices/cycle_thread.hpp"
+#include "lamina/base/threads/cycle_thread.hpp"
 #include "lamina/process_io/devices/device_link.hpp"
 #include "lamina/process_io/process_bridge.hpp"
 #include "messages.hpp"

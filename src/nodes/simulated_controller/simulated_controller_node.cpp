@@ -12,6 +12,7 @@
 #include "joint_messages.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
+#include "lamina/kinematics/model/joint_limits.hpp"
 #include "names.hpp"
 #include "point_cloud.hpp"
 #include "tf/transforms.hpp"
@@ -35,11 +36,6 @@ JointValues parked(const KinematicModel& model) {
   return values;
 }
 
-std::string textOf(const DrivenJoint& joint, double is, double low, double high) {
-  return "joint '" + joint.name + "' " + numberText(is) + ", expected " + numberText(low) + " to " +
-         numberText(high);
-}
-
 /// @throws GoalFault as OLD_HEADER_TIMESTAMP if all points are past
 /// @throws InvalidInput if a joint leaves its limits, is too fast, or would have to jump to join the points
 void requireFeasible(const TrajectoryChunk& chunk, const KinematicModel& model, const JointState& now) {
@@ -55,15 +51,16 @@ void requireFeasible(const TrajectoryChunk& chunk, const KinematicModel& model, 
     const double fastest = joint.max_speed * (1.0 + kSlack);
     for (const JointState& point : chunk.points) {
       if (point.position[i] < joint.low - kSlack || point.position[i] > joint.high + kSlack)
-        throw InvalidInput("a point is at " + textOf(joint, point.position[i], joint.low, joint.high));
+        throw InvalidInput("a point is at " + boundsText(joint, point.position[i], joint.low, joint.high));
       if (std::abs(point.velocity[i]) > fastest)
-        throw InvalidInput("a point has the speed of " + textOf(joint, point.velocity[i], -fastest, fastest));
+        throw InvalidInput("a point has the speed of " +
+                           boundsText(joint, point.velocity[i], -fastest, fastest));
     }
     const double reach = fastest * (joining->time_s - now.time_s) + kSlack;
     if (std::abs(joining->position[i] - now.position[i]) > reach)
-      throw InvalidInput("the next point cannot be come to in time: " + textOf(joint, joining->position[i],
-                                                                               now.position[i] - reach,
-                                                                               now.position[i] + reach));
+      throw InvalidInput(
+          "the next point cannot be come to in time: " +
+          boundsText(joint, joining->position[i], now.position[i] - reach, now.position[i] + reach));
   }
 }
 

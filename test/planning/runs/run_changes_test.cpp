@@ -238,7 +238,7 @@ TEST(OverlapEnds, RefusesOneAsLongAsTheRun) {
     FAIL();
   } catch (const InvalidInput& error) {
     const std::string what = error.what();
-    EXPECT_NE(what.find("layer 0, path 1"), std::string::npos) << what;
+    EXPECT_NE(what.find("layer 0 at 0.5 mm, path 1"), std::string::npos) << what;
     EXPECT_NE(what.find("lead.overlap_mm is 6.5"), std::string::npos) << what;
     EXPECT_NE(what.find("6.28"), std::string::npos) << what;
   }

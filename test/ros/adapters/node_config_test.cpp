@@ -21,6 +21,7 @@
 #include "nodes/optimiser/optimiser_settings.hpp"
 #include "nodes/plc_link/link_settings.hpp"
 #include "nodes/process_io/process_io_settings.hpp"
+#include "nodes/servo_bridge/bridge_settings.hpp"
 #include "nodes/simulated_controller/controller_settings.hpp"
 #include "nodes/trajectory_driver/driver_settings.hpp"
 #include "nodes/trajectory_publisher/publisher_settings.hpp"
@@ -125,6 +126,13 @@ TEST(NodeConfig, OfProcessIoIsCompleteAndHasTheDefaults) {
   std::map<std::string, std::string> values = valuesOf(schema);
   for (const char* const table : {"devices", "channels", "inputs"}) values.erase(table);
   expectValues("process_io", values);
+}
+
+TEST(NodeConfig, OfServoBridgeIsCompleteAndHasTheDefaults) {
+  lamina::ServoBridgeSettings settings;
+  lamina::SettingsSchema schema;
+  describe(schema, settings);
+  expectDefaults("servo_bridge", schema);
 }
 
 TEST(NodeConfig, OfSimulatedControllerIsCompleteAndHasTheDefaults) {

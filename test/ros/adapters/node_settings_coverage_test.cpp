@@ -24,6 +24,7 @@
 #include "nodes/print_part/print_part_settings.hpp"
 #include "nodes/print_part/print_report.hpp"
 #include "nodes/process_io/process_io_settings.hpp"
+#include "nodes/servo_bridge/bridge_settings.hpp"
 #include "nodes/simulated_controller/controller_settings.hpp"
 #include "nodes/trajectory_driver/driver_settings.hpp"
 #include "nodes/trajectory_driver/report_watch.hpp"
@@ -43,7 +44,8 @@ std::set<std::string> nodeKeys() {
         keysOf<GcodeStreamerSettings>(), keysOf<HeightControllerSettings>(), keysOf<HostWatchNodeSettings>(),
         keysOf<LayerHeightMonitorSettings>(), keysOf<LinkSettings>(), keysOf<OperatorPageSettings>(),
         keysOf<OptimiserSettings>(), keysOf<ProcessIoSettings>(), keysOf<ControllerSettings>(),
-        keysOf<DriverSettings>(), keysOf<PrintPartSettings>(), keysOf<PublisherSettings>()})
+        keysOf<DriverSettings>(), keysOf<PrintPartSettings>(), keysOf<PublisherSettings>(),
+        keysOf<ServoBridgeSettings>()})
     keys.insert(of_node.begin(), of_node.end());
   for (const std::string& key : coreKeys()) keys.erase(key);
   return keys;
@@ -136,6 +138,26 @@ const std::vector<TestedElsewhere>& processTests() {
       {"state_hz", "ros/process_io/process_io_test.cpp", "state_hz"},
       {"too_late_s", "process_io/process_bridge_test.cpp", "too_late_s"},
       {"watchdog_s", "process_io/devices/emulated_coupler_test.cpp", "watchdog_s"}};
+  return all;
+}
+
+/// Of robots that take a target each cycle.
+const std::vector<TestedElsewhere>& servoTests() {
+  static const std::vector<TestedElsewhere> all = {
+      {"cyclic.brake_s", "servo/cyclic_player_test.cpp", "settings.brake_s"},
+      {"cyclic.late_cycles", "servo/cyclic_player_test.cpp", "settings.late_cycles"},
+      {"cyclic.start_tolerance_deg", "servo/cyclic_player_test.cpp", "settings.start_tolerance_deg"},
+      {"emulated", "ros/drive/servo_bridge.test", "emulated"},
+      {"robot.bind", "servo/servoj_drive_test.cpp", "robot.bind"},
+      {"robot.host", "ros/drive/servo_bridge_test.cpp", "_robot/host"},
+      {"robot.port", "servo/servoj_drive_test.cpp", "robot.port"},
+      {"robot.report_silence_s", "servo/servoj_drive_test.cpp", "robot.report_silence_s"},
+      {"robot.script_port", "servo/servoj_drive_test.cpp", "robot.script_port"},
+      {"servoj.controller", "servo/servoj_program_test.cpp", "other.controller"},
+      {"servoj.gain", "servo/servoj_program_test.cpp", "other.gain"},
+      {"servoj.lookahead_s", "servo/servoj_program_test.cpp", "other.lookahead_s"},
+      {"servoj.silence_s", "servo/servoj_program_test.cpp", "other.silence_s"},
+      {"servoj.stop_rad_s2", "servo/servoj_follower_test.cpp", "settings.stop_rad_s2"}};
   return all;
 }
 
@@ -251,6 +273,7 @@ TEST(NodeSettingsCoverage, EverySettingStandsInATest) {
   tests.insert(tests.end(), pageTests().begin(), pageTests().end());
   tests.insert(tests.end(), plcTests().begin(), plcTests().end());
   tests.insert(tests.end(), jogTests().begin(), jogTests().end());
+  tests.insert(tests.end(), servoTests().begin(), servoTests().end());
   for (const TestedElsewhere& setting : tests) {
     covered.insert(setting.key);
     const std::string text = readFile(std::string(LAMINA_SOURCE_DIR) + "/test/" + setting.file);

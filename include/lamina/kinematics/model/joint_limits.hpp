@@ -17,4 +17,7 @@ constexpr double kJointLimitSlack = 1e-6;
 /// @param values  one for each joint [mm, rad]
 std::optional<std::string> limitFault(const JointValues& values, const KinematicModel& model);
 
+/// A value of a joint beside its bounds, in words: "joint 'a' 1.2, expected -1 to 1" [mm, rad; per s].
+std::string boundsText(const DrivenJoint& joint, double is, double low, double high);
+
 }  // namespace lamina

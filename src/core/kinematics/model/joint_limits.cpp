@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "lamina/base/angle.hpp"
+#include "lamina/base/number_text.hpp"
 
 namespace lamina {
 namespace {
@@ -26,6 +27,11 @@ std::optional<std::string> limitFault(const JointValues& values, const Kinematic
            shown(joint.kind, joint.low) + " to " + shown(joint.kind, joint.high) + unit;
   }
   return std::nullopt;
+}
+
+std::string boundsText(const DrivenJoint& joint, double is, double low, double high) {
+  return "joint '" + joint.name + "' " + numberText(is) + ", expected " + numberText(low) + " to " +
+         numberText(high);
 }
 
 }  // namespace lamina

@@ -7,9 +7,9 @@
 #include <limits>
 #include <utility>
 
+#include "base/threads/thread_priority.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
-#include "streaming/transport/thread_priority.hpp"
 
 namespace lamina {
 namespace {

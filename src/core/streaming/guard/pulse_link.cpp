@@ -23,8 +23,8 @@
 #include <thread>
 #include <utility>
 
+#include "base/threads/thread_priority.hpp"
 #include "lamina/base/error.hpp"
-#include "streaming/transport/thread_priority.hpp"
 
 namespace lamina {
 namespace {

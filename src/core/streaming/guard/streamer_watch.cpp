@@ -5,7 +5,7 @@
 #include <csignal>
 #include <utility>
 
-#include "streaming/transport/thread_priority.hpp"
+#include "base/threads/thread_priority.hpp"
 
 namespace lamina {
 namespace {

@@ -15,6 +15,7 @@
 #include <thread>
 #include <utility>
 
+#include "base/threads/thread_priority.hpp"
 #include "lamina/base/clock.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/streaming/journal/job_journal.hpp"
@@ -24,7 +25,6 @@
 #include "streaming/session/session_kind.hpp"
 #include "streaming/transport/deadline_timer.hpp"
 #include "streaming/transport/http_client.hpp"
-#include "streaming/transport/thread_priority.hpp"
 
 namespace lamina {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lamina/process_io/devices/cycle_thread.hpp"
+#include "lamina/base/threads/cycle_thread.hpp"
 
 #include <linux/capability.h>
 #include <poll.h>
@@ -18,9 +18,9 @@
 #include <cstring>
 #include <utility>
 
+#include "base/threads/thread_priority.hpp"
 #include "lamina/base/clock.hpp"
 #include "lamina/base/error.hpp"
-#include "streaming/transport/thread_priority.hpp"
 
 namespace lamina {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "streaming/transport/thread_priority.hpp"
+#include "base/threads/thread_priority.hpp"
 
 #include <gtest/gtest.h>
 #include <linux/capability.h>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lamina/process_io/devices/cycle_thread.hpp"
+#include "lamina/base/threads/cycle_thread.hpp"
 
 #include <gtest/gtest.h>
 
