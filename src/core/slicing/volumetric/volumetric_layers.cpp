@@ -235,11 +235,10 @@ std::vector<Layer> levelLayersOf(const GrownPart& part, const MeshTopology& topo
   return layers;
 }
 
-/// What is in no layer and in more than one, above the bed; and in none of level layers, which end in steps
-/// at the skin as these do.
-void measureCoverage(const GrownPart& part, const MeshTopology& topology,
-                     const std::vector<VolumetricLayer>& layers, const std::vector<LayerSurface>& surfaces,
-                     VolumetricMeasures& measures, Progress& progress) {
+/// What is in no layer and in more than one, above the bed.
+void measureCoverage(const GrownPart& part, const std::vector<VolumetricLayer>& layers,
+                     const std::vector<LayerSurface>& surfaces, VolumetricMeasures& measures,
+                     Progress& progress) {
   std::vector<Layer> level;
   for (const VolumetricLayer& layer : layers)
     if (!layer.plane.section.contours.empty()) level.push_back(layer.plane);
@@ -248,9 +247,13 @@ void measureCoverage(const GrownPart& part, const MeshTopology& topology,
       sharesAbove(part.bed_mm, samples, layerCounts(samples, {surfaces, level, {}}, progress));
   measures.open = shares.open;
   measures.twice = shares.twice;
-  const std::vector<Layer> planar = levelLayersOf(part, topology, progress);
-  measures.open_level =
-      sharesAbove(part.bed_mm, samples, layerCounts(samples, {{}, planar, {}}, progress)).open;
+}
+
+/// What is in none of level layers, which end in steps at the skin as these do.
+double openOfLevelLayers(const GrownPart& part, const MeshTopology& topology, Progress& progress) {
+  const PartSamples samples(part.mesh, kSamplesOfPart);
+  const std::vector<Layer> layers = levelLayersOf(part, topology, progress);
+  return sharesAbove(part.bed_mm, samples, layerCounts(samples, {{}, layers, {}}, progress)).open;
 }
 
 /// Turns the head from the layers' normals to where it is clear. Tips and heights stay those of the layers.
@@ -296,7 +299,8 @@ VolumetricLayers volumetricLayers(const Mesh& mesh, const MeshTopology& topology
       growthSurfaces(lattice, part.cells(), {bounds, is_level}, skin, progress);
   result.measures.left_out_mm3 = leaveOutCrumbs(surfaces, request.bead_mm, progress);
   measureResting(part, surfaces, result.measures, progress);
-  measureCoverage(part, topology, result.layers, surfaces, result.measures, progress);
+  measureCoverage(part, result.layers, surfaces, result.measures, progress);
+  result.measures.open_level = openOfLevelLayers(part, topology, progress);
   leanHead(part, surfaces, result.measures, progress);
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     if (!result.layers[i].plane.section.contours.empty()) ++result.measures.level_layers;
