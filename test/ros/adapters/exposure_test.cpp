@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "network/exposure.hpp"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace {
@@ -11,7 +10,6 @@ using lamina::Exposure;
 using lamina::exposureWarnings;
 using lamina::hostOfMaster;
 using lamina::isLoopbackHost;
-using testing::HasSubstr;
 
 constexpr const char* kLocalMaster = "http://localhost:11311";
 
@@ -38,14 +36,14 @@ TEST(Exposure, IsNothingToWarnOfIfAllIsClosed) {
 TEST(Exposure, NamesOpenPortsOfTheNode) {
   const auto warnings = exposureWarnings({"192.168.0.5", "http://192.168.0.6:11311", {40001, 40002}, {}});
   ASSERT_EQ(warnings.size(), 1U);
-  EXPECT_THAT(warnings[0], HasSubstr("40001, 40002"));
-  EXPECT_THAT(warnings[0], HasSubstr("docs/cell/security.md"));
+  EXPECT_NE(warnings[0].find("40001, 40002"), std::string::npos) << warnings[0];
+  EXPECT_NE(warnings[0].find("docs/cell/security.md"), std::string::npos) << warnings[0];
 }
 
 TEST(Exposure, NamesTheOpenPortOfAMasterOnThisHost) {
   const auto by_loopback = exposureWarnings({"127.0.0.1", kLocalMaster, {}, {{11311, false, 1}}});
   ASSERT_EQ(by_loopback.size(), 1U);
-  EXPECT_THAT(by_loopback[0], HasSubstr("master's port 11311"));
+  EXPECT_NE(by_loopback[0].find("master's port 11311"), std::string::npos) << by_loopback[0];
   EXPECT_EQ(exposureWarnings({"192.168.0.5", "http://192.168.0.5:11312/", {}, {{11312, false, 1}}}).size(),
             1U);
 }
@@ -53,8 +51,8 @@ TEST(Exposure, NamesTheOpenPortOfAMasterOnThisHost) {
 TEST(Exposure, WarnsOfANodeThatNobodyReaches) {
   const auto warnings = exposureWarnings({"127.0.0.1", "http://robot:11311", {}, {}});
   ASSERT_EQ(warnings.size(), 1U);
-  EXPECT_THAT(warnings[0], HasSubstr("ROS master on robot"));
-  EXPECT_THAT(warnings[0], HasSubstr("ROS_IP"));
+  EXPECT_NE(warnings[0].find("ROS master on robot"), std::string::npos) << warnings[0];
+  EXPECT_NE(warnings[0].find("ROS_IP"), std::string::npos) << warnings[0];
 }
 
 }  // namespace
