@@ -25,7 +25,7 @@ struct BagRecording {
   std::uint64_t stamps_without_pose = 0;  ///< of tf, at which it does not place the nozzle
 };
 
-/// Reads poses of the nozzle from tf, at each stamp that it was told at, and profiles as clouds in their own
+/// Reads poses of the nozzle from tf, at each stamp that it reports, and profiles as clouds in their own
 /// frame. Memory for tf is bounded; that of the result is not.
 /// @throws FileError if it is no bag; InvalidInput if there is no pose of the nozzle or no profile
 BagRecording readBagRecording(const std::string& path, const BagNames& names);

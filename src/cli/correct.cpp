@@ -137,7 +137,7 @@ StatedEquipment writtenEquipment(const CorrectArguments& arguments, const Correc
 
 std::string suffixOfFile(const std::string& path) { return std::filesystem::path(path).extension().string(); }
 
-/// A robot's process runs at a steady rate: the amount is laid by the time on the way.
+/// A robot's process runs at a steady rate: the amount is deposited by the time on the way.
 void correctRobot(const CorrectArguments& arguments, const CorrectSettings& settings, OutputFormat format) {
   constexpr double kReadTolerance = 2e-3;  // mm: positions have three decimals at least
   const std::string language = robotLanguageName(arguments.program);

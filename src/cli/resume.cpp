@@ -20,7 +20,7 @@ namespace {
 struct ResumeArguments {
   std::string program;
   std::string output;
-  std::string port;  ///< whose last job is to be told of; empty to write the rest
+  std::string port;  ///< whose last job is to be reported; empty to write the rest
   std::optional<std::uint64_t> line;
   std::optional<std::int32_t> layer;
   std::optional<double> height_mm;

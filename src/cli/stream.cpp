@@ -72,7 +72,7 @@ StreamableProgram programFrom(const StreamArguments& arguments, const StreamComm
   return programByMaps(planned, arguments.corrections, correction, settings.stream);
 }
 
-/// A dry run leaves out what its process would do, which is told.
+/// A dry run leaves out what its process would do, which is reported.
 ProgramToSend programToSend(const StreamArguments& arguments, const StreamCommandSettings& settings) {
   StreamableProgram asked = programFrom(arguments, settings);
   if (!arguments.is_dry) return {nullptr, std::move(asked)};

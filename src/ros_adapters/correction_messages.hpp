@@ -22,7 +22,7 @@ lamina_msgs::CorrectionMap toMessage(const CorrectionMap& map);
 CorrectionMap toCore(const lamina_msgs::CorrectionMap& message);
 
 /// What became of the map of a layer, with an empty header.
-/// @param digest  of the map that the layer is laid by, from `missed.held_from` on; empty where by none
+/// @param digest  of the map that the layer is deposited by, from `missed.held_from` on; empty where by none
 lamina_msgs::AppliedCorrection toMessage(const MissedMap& missed, const std::string& toolpath_id,
                                          const std::string& digest);
 
@@ -30,7 +30,7 @@ lamina_msgs::AppliedCorrection toMessage(const MissedMap& missed, const std::str
 /// Nothing where a later map of the layer is not used.
 std::optional<MissedMap> missedOf(const lamina_msgs::AppliedCorrection& message);
 
-/// What is told of the first layer of a plan that is not gone on with, under the plan's identity.
+/// What is reported of the first layer of a plan that is not gone on with, under the plan's identity.
 MissedMap refusedPlan(const std::string& reason);
 
 /// Whether a message of a plan says that the plan is not gone on with: as planned, without a wait, from its

@@ -37,7 +37,7 @@ struct CalibratedPose {
   CalibrationOrigin origin;
 };
 
-/// How late a feeder follows what it is told.
+/// The delay of a feeder behind its commands.
 struct CalibratedFeeder {
   double dead_time_s = 0.0;
   double dead_time_spread_s = 0.0;

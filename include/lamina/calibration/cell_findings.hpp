@@ -15,7 +15,7 @@
 
 namespace lamina {
 
-/// What a recording tells of the sensor's clock.
+/// What a recording shows of the sensor's clock.
 struct FoundTime {
   CalibratedTime time;
   TimeOffset fit;
@@ -47,7 +47,7 @@ struct KnownPyramid {
 SensorTarget sensorTarget(const std::string& method, const KnownPyramid& pyramid,
                           const CalibrationSettings& settings);
 
-/// What recordings tell of where the sensor sits.
+/// What recordings show of the sensor's pose.
 struct FoundPose {
   CalibratedPose pose;
   SensorPoseFit fit;
@@ -60,7 +60,7 @@ struct FoundPose {
 FoundPose findPose(const std::vector<SensorView>& views, const Eigen::Isometry3d& about, double time_offset_s,
                    const CalibrationSettings& settings, const CalibrationOrigin& origin);
 
-/// What a scan of the feeder's beads tells of it.
+/// What a scan of beads shows of the feeder.
 struct FoundFeeder {
   CalibratedFeeder feeder;
   FeederFit fit;

@@ -40,7 +40,7 @@ std::vector<BeadSections> beadSections(const SensorRecording& scan,
                                        const FeederSteps& steps);
 
 /// Fits dead time, lag, gain and shift to sections of beads that were deposited at one speed. Beads in
-/// opposite directions tell the dead time from a shift of the scan.
+/// opposite directions distinguish the dead time from a shift of the scan.
 /// @param speed_mm_s  at which they were deposited
 /// @throws InvalidInput if one of two beads has fewer than 20 sections, sections do not follow the steps, or
 ///   the dead time is longer than a step takes

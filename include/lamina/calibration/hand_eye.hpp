@@ -21,7 +21,7 @@ struct HandEyeFit {
   double rms_mm = 0.0;   ///< by which the body's places on the bed disagree
   double rms_deg = 0.0;  ///< by which its turns do
   /// Singular values of the closed form, of turns and of the place, greatest first: turns of the head over
-  /// all pairs about three axes [rad], and what they tell about the place [1].
+  /// all pairs about three axes [rad], and how well they determine the place [1].
   std::vector<double> turn_values;
   std::vector<double> place_values;
 };
@@ -30,7 +30,7 @@ struct HandEyeFit {
 /// parallel.
 /// @param sights  three at least
 /// @throws InvalidInput if there are fewer, or the head turns about one axis only, or by less than 5 deg;
-///   names what cannot be told
+///   names what cannot be determined
 HandEyeFit fitHandEye(const std::vector<BodySight>& sights);
 
 /// Reads sights: a CSV with the columns x_mm, y_mm, z_mm, qw, qx, qy, qz (bed_from_nozzle) and body_x_mm,

@@ -53,8 +53,8 @@ struct SensorPoseSettings {
   std::size_t most_points = 12000;  ///< of a view that are used, evenly chosen
 };
 
-/// A direction of the sensor's pose, and how well the recordings tell it. In order: x, y, z of the nozzle
-/// and turns about them.
+/// A direction of the sensor's pose, and how well the recordings determine it. In order: x, y, z of the
+/// nozzle and turns about them.
 struct ObservedDirection {
   std::array<double, 6> share{};  ///< of unit length, in units of the greatest deviations allowed
   double singular_value = 0.0;    ///< of the Jacobian, in these units and of the noise: 1 is just found
@@ -66,14 +66,14 @@ struct SensorPoseFit {
   /// Standard deviations along x, y, z of the nozzle [mm] and of turns about them [deg]; 0 for what is kept.
   std::array<double, 6> sigma{};
   std::array<bool, 6> is_kept{};              ///< not found: the former value stays
-  std::vector<ObservedDirection> directions;  ///< six, the best told first
+  std::vector<ObservedDirection> directions;  ///< six, the best determined first
   double rms_mm = 0.0;                        ///< distance of points from their targets
   std::size_t points = 0;
 };
 
 /// Fits the sensor's pose so that points lie on their targets, those of all views at once, by Levenberg and
-/// Marquardt with Huber's loss. Directions that the recordings tell worse than the settings allow keep their
-/// former value: single shifts and turns, tilts before shifts where one looks like the other.
+/// Marquardt with Huber's loss. Directions that the recordings determine worse than the settings allow keep
+/// their former value: single shifts and turns, tilts before shifts where one looks like the other.
 ///
 /// @param about  the pose as known so far: within 10 mm and 5 deg [mm]
 /// @throws InvalidInput if a view has fewer than 100 points at times at which poses are known, or the cross

@@ -48,7 +48,7 @@ struct PassComparison {
 /// and to the right.
 ///
 /// @throws InvalidInput if there are no two passes in opposite senses that see the same ground, it is too
-///   even to tell, or the best offset lies at the end of the search
+///   even to show an offset, or the best offset lies at the end of the search
 TimeOffset offsetByPasses(const SensorRecording& recording, const PassComparison& comparison);
 
 }  // namespace lamina

@@ -57,8 +57,8 @@ struct NodeStatus {
 /// master, its disk, the nodes. Events come in with the time they came at, alarms come out; nothing is sent
 /// or asked by itself.
 ///
-/// Hosts and clocks are told only where there is another host. A clock counts as off only by what the round
-/// trip does not explain.
+/// Hosts and clocks are reported only where there is another host. A clock counts as off only by what the
+/// round trip does not explain.
 class HostWatch {
  public:
   HostWatch(HostWatchSettings settings, const std::vector<PeerHost>& peers, CellTime now);

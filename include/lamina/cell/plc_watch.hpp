@@ -71,7 +71,7 @@ class PlcWatch {
   /// For the guards: not alive where the link has been silent for two seconds.
   PlcInterlocks interlocks(double now_s) const;
 
-  /// What follows just now; each is told once. Call it as often as the unit's tick.
+  /// What follows just now; each is reported once. Call it as often as the unit's tick.
   PlcDemands demands(const UnitStatus& unit, double now_s);
 
  private:

@@ -81,7 +81,7 @@ class HeightLoop {
   /// The same with the distance of the nozzle below the plan at each cell [mm], which is the height error of
   /// a pressed process.
   void lay(const LayerCorrection& correction, const std::vector<double>& nozzle_error_mm);
-  /// States that the layer was deposited with another correction than `lay` was told.
+  /// States that the layer was deposited with another correction than `lay` was given.
   /// @throws InvalidInput if there is not one value per cell
   void relay(const LayerCorrection& correction);
 

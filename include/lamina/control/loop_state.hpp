@@ -19,7 +19,7 @@ enum class LoopState : std::uint8_t {
 /// `off`, `identifying`, `active`, `coasting`, `open`, `blocked`.
 const char* toString(LoopState state);
 
-/// Whether the loop changes what is laid.
+/// Whether the loop changes what is deposited.
 bool isCorrecting(LoopState state);
 
 }  // namespace lamina

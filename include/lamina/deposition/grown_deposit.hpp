@@ -12,7 +12,7 @@
 
 namespace lamina {
 
-/// Properties of a process that grows otherwise than commanded, which a machine cannot tell from its motions.
+/// Properties of a process that grows otherwise than commanded, which motions do not show to a machine.
 struct GrownDepositSettings {
   double bead_width_mm = 0.0;  ///< over which a bead grows; 0 for that of the first bead
   int layers = 100;            ///< of the job, over which the gain wears
@@ -31,9 +31,9 @@ struct GrownPiece {
 };
 
 /// Lays beads into a map of heights as a `GrowthPlant` lets them grow: upwards by volume over width, whatever
-/// stands below, and not up to the nozzle. Layers and beads are told from the motions alone: a bead ends
-/// where the next motion does not go on from it, a layer where the nozzle is half of the first layer higher.
-/// All layers count as planned as high as the first one, which stands for what is commanded without
+/// stands below, and not up to the nozzle. Layers and beads are recognised by the motions alone: a bead
+/// ends where the next motion does not go on from it, a layer where the nozzle is half of the first layer
+/// higher. All layers count as planned as high as the first one, which stands for what is commanded without
 /// correction.
 ///
 /// A bead has the same height all across its width: where it reaches beyond what it stands on, it bridges the

@@ -45,7 +45,7 @@ bool isDisturbed(const PlantSettings& settings);
 struct PlantBead {
   std::size_t layer = 0;   ///< from 0
   std::size_t layers = 1;  ///< of the whole job
-  std::uint64_t path = 0;  ///< tells beads of a layer apart
+  std::uint64_t path = 0;  ///< distinguishes the beads of a layer
   double length_mm = 0.0;
   bool is_closed = false;
   double layer_s = 0.0;               ///< from layer to layer; 0 if nothing depends on time

@@ -24,7 +24,7 @@ struct ExecutionRow {
   ExecutionProgress progress;
 };
 
-/// What is known of a layer of a part; nothing where it was not measured or told.
+/// What is known of a layer of a part; nothing where it was not measured or reported.
 struct LayerRow {
   std::int32_t layer = 0;
   std::optional<double> began_s;

@@ -22,7 +22,7 @@ struct ModbusServerSettings {
   double half_frame_s = 1.0;                       ///< that a frame may take to come whole
 };
 
-/// What the server asks and tells. All calls come from its own thread, one after the other.
+/// What the server asks and reports. All calls come from its own thread, one after the other.
 struct ModbusPeers {
   /// The answer to a request, as bytes.
   std::function<std::string(int connection, const ModbusRequest& request)> answer;

@@ -12,7 +12,7 @@
 
 namespace lamina {
 
-/// How the points of an experiment are laid out.
+/// How the points of an experiment are arranged.
 enum class DesignKind {
   FullFactorial,        ///< every combination of levels
   FractionalFactorial,  ///< two levels; some variables follow from the others

@@ -28,10 +28,10 @@ struct ModePicture {
   std::vector<ModePanel> panels;
 };
 
-/// Draws each panel's part as a PNG, from the front right and above, and beneath that from the front left and
-/// below. Its surface has bands of layers, as the nearest outer wall has them, dark where it is printed first
-/// and light where it is printed last; what is unsupported is red, and shines through where the part hides
-/// it. The part of a mode that refuses it is grey.
+/// Draws each panel's part as a PNG in two views: the upper one from the front right and above, the lower one
+/// from the front left and below. Its surface has bands of layers, as the nearest outer wall has them, dark
+/// where it is printed first and light where it is printed last; what is unsupported is red, and shines
+/// through where the part hides it. The part of a mode that refuses it is grey.
 /// @throws InvalidInput if the part has no triangle, or there are no panels, or more than 12; FileError
 void drawModes(const ModePicture& picture, const std::string& png_path);
 

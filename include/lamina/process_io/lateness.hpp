@@ -12,7 +12,7 @@ namespace lamina {
 /// up to a tenth of a second, and beyond it as more.
 class Lateness {
  public:
-  static constexpr double kLate = 0.01;     ///< s: told
+  static constexpr double kLate = 0.01;     ///< s: reported
   static constexpr double kTooLate = 0.05;  ///< s: nothing is in step any more
 
   /// @param late_s  negative counts as 0

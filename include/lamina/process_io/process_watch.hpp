@@ -22,13 +22,13 @@ struct ProcessAlarm {
   bool is_gone = false;
 };
 
-/// Which alarms are raised: tells each change once.
+/// Which alarms are raised: reports each change once.
 class RaisedAlarms {
  public:
   /// What is wrong now, in words, or nothing.
   void set(std::uint16_t id, const std::string& source, const std::optional<std::string>& wrong,
            double value);
-  /// One that is gone is told once no other source raises it.
+  /// One that is gone is reported once no other source raises it.
   std::vector<ProcessAlarm> takeChanges() { return std::exchange(changes_, {}); }
   std::vector<ProcessAlarm> all() const;
   /// The first that is raised, in words; empty if none is.

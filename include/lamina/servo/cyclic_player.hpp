@@ -53,8 +53,8 @@ class CyclicPlayer {
   /// Brakes from the next cycle on; does nothing at rest.
   void brake() { is_told_ = !points_.empty(); }
 
-  /// The target of the last cycle that is due; null if that was told already.
-  /// @param due_s  when the first cycle was due that has not been told
+  /// The target of the last cycle that is due; null if that was given already.
+  /// @param due_s  when the first cycle was due that has not been given
   /// @param now_s  not before that
   const CyclicTarget* advance(double due_s, double now_s);
 

@@ -14,7 +14,7 @@ struct JointTarget {
   JointValues velocity;  ///< [mm/s, rad/s]
 };
 
-/// What a controller is told in a cycle.
+/// What a controller is given in a cycle.
 struct CyclicTarget {
   std::int64_t cycle = 0;  ///< counted from 1; one that is left out was missed
   JointTarget now;
@@ -27,7 +27,7 @@ class CyclicSink {
   virtual ~CyclicSink() = default;
 
   virtual double cycle() const = 0;  ///< [s]
-  /// How far ahead it is told what is planned, to follow it where targets are late or lost [s].
+  /// How far ahead it is given the plan, to follow it where targets are late or lost [s].
   virtual double ahead() const = 0;
   /// Never waits, and takes no memory from the heap.
   virtual void send(const CyclicTarget& target) = 0;

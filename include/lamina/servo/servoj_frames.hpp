@@ -29,7 +29,7 @@ enum class ServojState : std::uint8_t {
   Waiting,  ///< no target has come yet
   Following,
   Silent,  ///< brakes or stands, as no target came in time
-  Ended,   ///< was told to end
+  Ended,   ///< was commanded to end
 };
 
 /// What the robot reports each cycle.

@@ -24,7 +24,7 @@ struct ServojSettings {
   double stop_rad_s2 = 10.0;  ///< deceleration of the fastest joint then
 
   double cycle() const { return controller == ServojController::ESeries ? 0.002 : 0.008; }
-  /// How far ahead the robot is told what is planned [s].
+  /// How far ahead the robot is given the plan [s].
   double ahead() const { return silence_s < 0.1 ? silence_s : 0.1; }
 };
 

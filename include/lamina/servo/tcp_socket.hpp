@@ -12,7 +12,7 @@
 
 namespace lamina {
 
-/// An IPv4 socket of TCP that never waits unless told to; closed at its end.
+/// An IPv4 socket of TCP that never waits unless asked to; closed at its end.
 class TcpSocket {
  public:
   TcpSocket() = default;

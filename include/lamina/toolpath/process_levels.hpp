@@ -13,7 +13,7 @@
 
 namespace lamina {
 
-/// Quantities that a process may be told besides flow and switches.
+/// Quantities that a process may be given besides flow and switches.
 enum class ProcessLevel : std::uint8_t { LaserPower, WireSpeed, ScrewSpeed, Powder, Gas, Fan };
 
 inline constexpr std::size_t kProcessLevels = 6;

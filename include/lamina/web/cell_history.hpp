@@ -30,7 +30,7 @@ struct CellEvent {
   std::string text;
 };
 
-/// What a cell did lately, told from what was seen of it: figures of ten minutes, the last 500 events, and
+/// What a cell did lately, derived from what was seen of it: figures of ten minutes, the last 500 events, and
 /// how long the job still takes.
 class CellHistory {
  public:

@@ -96,7 +96,7 @@ class OperatorSite {
   /// Looks at the cell; call it some ten times a second.
   void observe(const CellTime& now);
 
-  /// What WebSockets are told: the state as JSON, and the number of the change.
+  /// What WebSockets are sent: the state as JSON, and the number of the change.
   struct Live {
     std::uint64_t number = 0;
     std::shared_ptr<const std::string> text;

@@ -16,7 +16,7 @@
 
 namespace lamina {
 
-/// Reads all layers of a program; ends early, with whatever it likes, once it is told that nobody wants them.
+/// Reads all layers of a program; ends early, with whatever it likes, once nobody wants them any more.
 using PreviewReader = std::function<std::vector<LayerPreview>(const std::string& program,
                                                               const std::atomic<bool>& is_unwanted)>;
 

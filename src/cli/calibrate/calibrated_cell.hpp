@@ -16,7 +16,7 @@
 
 namespace lamina::cli {
 
-/// What each part of `lamina calibrate` is told on the command line.
+/// What each part of `lamina calibrate` is given on the command line.
 struct CalibrateArguments {
   std::string recording;
   std::string cell;     ///< calibration file; empty for none

@@ -73,7 +73,7 @@ void addBead(Mesh& mesh, const Point3& from, const Point3& to, const Path& path,
     mesh.triangles.push_back({first + corner[0], first + corner[1], first + corner[2]});
 }
 
-/// The machine with what it has laid, at any instant of a run.
+/// The machine with what it has deposited, at any instant of a run.
 class Film {
  public:
   Film(const TimedRun& timed, const KinematicModel& model, std::string source)
@@ -153,7 +153,7 @@ class Film {
          kFloor});
   }
 
-  /// What was laid by then, the last of it hot.
+  /// What was deposited by then, the last of it hot.
   void addBeads(ScenePicture& picture, const Eigen::Isometry3d& root_from_bed, double now) const {
     Mesh hot;
     std::array<Mesh, 2> cold;

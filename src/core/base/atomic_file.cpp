@@ -59,7 +59,7 @@ std::string behindOwnLinks(std::string path) {
 }  // namespace
 
 AtomicFile::AtomicFile(std::string path) : path_(behindOwnLinks(std::move(path))) {
-  // In a folder that others may write to, such as /tmp, somebody may have laid a link to a file of ours: a
+  // In a folder that others may write to, such as /tmp, somebody may have placed a link to a file of ours: a
   // new file is made, or none.
   temporary_path_ = nameBeside(path_);
   const int descriptor = ::open(temporary_path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kDeepest = 10;  // an alias may lead back to itself
 
-/// Knows no keys, so that it cannot tell settings from another file: none of its messages quotes one
+/// Knows no keys, so that it cannot distinguish settings from another file: none of its messages quotes one
 /// (`Quotation`).
 class Flattener {
  public:

@@ -30,7 +30,7 @@ struct FeederDelayTried {
   double lag_s = 0.0;
 };
 
-/// Where along the bead the first piece's middle lies: from there on what was laid before it plays no part.
+/// Place of the first piece's middle along the bead: from there on what was deposited before plays no part.
 double firstUsed(const FeederSteps& steps) {
   const double length = (steps.beads[0].end - steps.beads[0].start).norm();
   return 0.5 * length / static_cast<double>(steps.amount.size());

@@ -14,7 +14,7 @@ constexpr std::size_t kDirections = 6;
 constexpr std::size_t kShifts = 3;
 constexpr double kMixedShare = 0.3;
 
-/// The direction told worst of those in which one has the greatest share.
+/// The worst determined of the directions in which the given one has the greatest share.
 const ObservedDirection* worstWith(const SensorPoseFit& fit, std::size_t direction) {
   const ObservedDirection* worst = nullptr;
   for (const ObservedDirection& observed : fit.directions)

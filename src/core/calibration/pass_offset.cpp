@@ -98,7 +98,7 @@ StripProfile reduced(const RecordedProfile& profile, const Eigen::Isometry3d& ti
   return strips;
 }
 
-/// Poses at which something may have been seen: what the nozzle does between scans, as in a print, tells
+/// Poses at which something may have been seen: what the nozzle does between scans, as in a print, shows
 /// nothing.
 std::vector<RecordedPose> posesSeenFrom(const SensorRecording& recording, double search_s) {
   std::vector<RecordedPose> seen;

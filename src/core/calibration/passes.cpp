@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kSpeedTolerance = 0.5;               // of the usual one
 constexpr double kAcross = 0.1;                       // of a step along the travel that may lead aside or up
-constexpr double kAlongCosines[] = {0.0, 0.9, 0.99};  // to the travel, of what tells it ever better
+constexpr double kAlongCosines[] = {0.0, 0.9, 0.99};  // to the travel, of what shows it ever better
 constexpr double kLeastLength = 0.2;                  // of the longest pass
 
 /// From one pose to the next.

@@ -56,7 +56,7 @@ NormalEquations normalEquations(const FitProblem& problem, const Eigen::VectorXd
   return {jacobian.transpose() * jacobian, jacobian.transpose() * weighted};
 }
 
-/// Damped in the units of the derivatives' steps, so that what nothing tells stays.
+/// Damped in the units of the derivatives' steps, so that what nothing determines stays.
 Eigen::VectorXd dampedStep(const NormalEquations& equations, const FitProblem& problem, double damping) {
   const Eigen::VectorXd units = problem.steps;
   Eigen::MatrixXd scaled = units.asDiagonal() * equations.information * units.asDiagonal();

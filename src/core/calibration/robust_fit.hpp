@@ -20,13 +20,13 @@ struct FitProblem {
 /// What was found.
 struct RobustFit {
   Eigen::VectorXd values;
-  Eigen::MatrixXd information;  ///< inverse of the covariance of the values, singular where nothing tells
+  Eigen::MatrixXd information;  ///< inverse of the values' covariance, singular if one is undetermined
   double rms = 0.0;             ///< of the residuals, weighted
   bool is_settled = false;      ///< whether the steps became small
 };
 
 /// Fits by Levenberg and Marquardt [Marquardt1963] from the start, by central differences. Unknowns that
-/// nothing tells stay where they are. No unknowns give the residuals alone.
+/// nothing determines stay where they are. No unknowns give the residuals alone.
 RobustFit fitRobustly(const FitProblem& problem);
 
 /// The information at the start, without fitting.

@@ -191,7 +191,7 @@ Eigen::MatrixXd restricted(const PoseMatrix& information, const std::vector<Eige
   return part;
 }
 
-/// The free direction that is to be kept next; none if all are told well enough. Where one looks like
+/// The free direction that is to be kept next; none if all are determined well enough. Where one looks like
 /// another, tilts are kept before shifts: a sensor is mounted square more surely than in its place.
 std::optional<std::size_t> nextKept(const PoseMatrix& information, const std::array<bool, kPose>& is_kept) {
   constexpr std::array<double, kPose> kReadiness = {1.0, 1.0, 1.0, 1.5, 1.5, 1.2};
@@ -270,8 +270,8 @@ void assign(PoseProblem& problem, const Pose& pose, const SensorPoseSettings& se
   }
 }
 
-/// The information at the start of a fit, with the scatter that it came to: where too little is told, the fit
-/// itself may have strayed far away.
+/// The information at the start of a fit, with the scatter that it came to: where too little is determined,
+/// the fit itself may have strayed far away.
 PoseMatrix informationAtStart(PoseProblem& problem, const Pose& start, const SensorPoseSettings& settings) {
   std::vector<std::array<double, 2>> scatter;
   for (const FittedView& view : problem.views) scatter.push_back({view.point_mm, view.crest_mm});
@@ -298,8 +298,8 @@ Pose fittedByRounds(PoseProblem& problem, Pose pose, const SensorPoseSettings& s
   return pose;
 }
 
-/// Fits from the start; keeps one direction that is not told and fits the others again, until all are told:
-/// what looks badly told beside it may be told well without it.
+/// Fits from the start; keeps one direction that is not determined and fits the others again, until all are:
+/// what looks badly determined beside it may be determined well without it.
 Pose fittedWhereTold(PoseProblem& problem, const Pose& start, const SensorPoseSettings& settings) {
   for (;;) {
     Pose pose = fittedByRounds(problem, start, settings);
@@ -323,8 +323,8 @@ PoseProblem problemOf(const std::vector<SensorView>& views, const Eigen::Isometr
   return problem;
 }
 
-/// Where a cross is among the views, the sensor is first levelled over the bed, and then laid over the beads:
-/// its crests are told apart only within a bead's width.
+/// Where a cross is among the views, the sensor is first levelled over the bed, and then fitted to the beads:
+/// its crests are distinguished only within a bead's width.
 Eigen::Isometry3d placedOverCrosses(const std::vector<SensorView>& views, const Eigen::Isometry3d& about,
                                     const SensorPoseSettings& settings) {
   const auto isCross = [](const SensorView& view) {

@@ -83,7 +83,7 @@ std::vector<double> ledCorrection(const LayerCells& cells, const std::vector<dou
     const double part = (times[i] - commands.time_s[k]) / (commands.time_s[k + 1] - commands.time_s[k]);
     led[i] += part * (commands.amount[k + 1] - commands.amount[k]);
   }
-  // What is commanded for the next run while this one is laid must not step either.
+  // What is commanded for the next run while this one is deposited must not step either.
   return limitedCorrection(cells, led, withoutVolumeBound(settings)).amount;
 }
 

@@ -258,7 +258,7 @@ ReadingOutcome HeightLoop::see(std::size_t cell, const CellReading& reading) {
     ++repeats_;
     return outcome;
   }
-  // The first reading of a cell tells of its growth, those that follow of the sensor alone.
+  // The first reading of a cell shows its growth, those that follow show the sensor alone.
   const double noise = readingVariance(reading, settings_.reading_correlation);
   const double growth = spread_ * expected;
   surprise_ += outcome.surprise;
@@ -362,7 +362,7 @@ std::vector<MeasuredGain> HeightLoop::sectionGains() const {
   return gains;
 }
 
-/// What several layers tell together is learnt as if each had told it.
+/// What several layers show together is learnt as if each had shown it.
 void HeightLoop::learn(const std::vector<MeasuredGain>& measured) {
   std::vector<double> gains = gainsOf(estimates_);
   for (std::size_t i = 0; i < cells_.size(); ++i)

@@ -43,7 +43,7 @@ Eigen::Matrix<double, 2, 3> planeSquareTo(const Eigen::Vector3d& normal) {
   return turn.toRotationMatrix().topRows<2>();
 }
 
-/// The values of `LayerCells::beside`. Of equally near cells the one laid first is taken.
+/// The values of `LayerCells::beside`. Of equally near cells the one deposited first is taken.
 /// @param normal  of the layers: distances are those in the plane square to it
 std::vector<CellsBeside> cellsBeside(const LayerCells& cells, const Eigen::Vector3d& normal) {
   std::vector<CellsBeside> beside(cells.size());
@@ -77,7 +77,7 @@ std::vector<CellsBeside> cellsBeside(const LayerCells& cells, const Eigen::Vecto
 }
 
 constexpr double kCornerCosine = 0.866;  // turns of more than 30 degrees
-constexpr double kLeastSquare = 0.1;     // of a tool axis across its path, to tell the growth
+constexpr double kLeastSquare = 0.1;     // of a tool axis across its path, to show the growth
 constexpr double kSamePlane = 1e-6;      // mm
 
 /// How the cells of a layer grow.
@@ -157,7 +157,7 @@ class PathWalk {
     const double length = measured_.along[motion_ + 1] - measured_.along[motion_];
     part_ = length > 0.0 ? (along - measured_.along[motion_]) / length : 0.0;
   }
-  std::size_t end() const { return measured_.path.motionEnd(motion_); }  ///< waypoint of what is laid here
+  std::size_t end() const { return measured_.path.motionEnd(motion_); }  ///< waypoint of the bead here
   Point3 point() const {
     const std::vector<Point3>& points = measured_.path.points;
     return points[motion_] + part_ * (points[end()] - points[motion_]);
@@ -252,7 +252,7 @@ std::vector<std::uint32_t> cellsBelow(const LayerCells& layer, const LayerCells&
   for (std::size_t i = 0; i < layer.size(); ++i) {
     double least = layer.width_mm[i] * layer.width_mm[i];
     grid.visitNear(plane * layer.middle[i], layer.width_mm[i], [&](std::uint32_t cell, double squared) {
-      // Of cells that are equally near the one laid first: kNoCellBelow is greater than all.
+      // Of cells that are equally near the one deposited first: kNoCellBelow is greater than all.
       if (squared > least || (squared == least && cell > found[i])) return;
       least = squared;
       found[i] = cell;
@@ -266,7 +266,7 @@ Eigen::Vector3d normalOfLayers(const Toolpath& toolpath) {
 }
 
 std::size_t cellsPassed(const LayerCells& cells, std::size_t path, double along_mm, double settle_mm) {
-  double behind = 0.0;  // laid since the end of the run
+  double behind = 0.0;  // deposited since the end of the run
   std::size_t passed = 0;
   for (auto run = cells.runs.rbegin(); run != cells.runs.rend(); ++run) {
     if (run->path > path) continue;

@@ -13,7 +13,7 @@
 namespace lamina {
 namespace {
 
-constexpr double kLeastCommanded = 0.1;  // of a layer, below which growth tells no gain
+constexpr double kLeastCommanded = 0.1;  // of a layer, below which growth shows no gain
 
 void requireOnePerCell(const DepositedLayer& layer, std::size_t index) {
   const std::size_t cells = layer.cells.size();
@@ -23,8 +23,9 @@ void requireOnePerCell(const DepositedLayer& layer, std::size_t index) {
                          " values for its " + std::to_string(cells) + " cells; expected one each");
 }
 
-/// What each cell lacks of the amount by which it would have grown as planned. What the loop laid beyond the
-/// map to mend the layers below is no part of that: it would be laid again on layers that lack nothing.
+/// What each cell lacks of the amount by which it would have grown as planned. What the loop deposited
+/// beyond the map to mend the layers below is no part of that: it would be deposited again on layers that
+/// lack nothing.
 std::vector<double> missingFrom(const std::vector<double>& amount, const DepositedLayer& layer) {
   std::vector<double> missing(amount.size(), 0.0);
   for (std::size_t i = 0; i < missing.size(); ++i) {

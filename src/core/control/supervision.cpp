@@ -89,7 +89,7 @@ void judgeDeviation(LoopStep& step, const LayerFigures& figures, const LoopSetti
 
 void judgeTrend(LoopStep& step, const LayerFigures& figures) {
   LoopStatus& status = step.status;
-  // What limits leave uncorrected grows without the loop being wrong: 6113 tells that.
+  // What limits leave uncorrected grows without the loop being wrong: 6113 reports that.
   const bool is_limited = figures.limited_share > kSaturatedShare;
   const bool grows = status.has_figures && !is_limited && figures.rmse_mm > kGrowingBy * status.rmse_mm;
   status.growing_layers = grows ? status.growing_layers + 1 : 0;

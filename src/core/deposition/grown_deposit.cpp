@@ -138,7 +138,7 @@ GrownDeposit::Stations GrownDeposit::stationsOfBead() const {
   return stations;
 }
 
-/// Between beads the feeder is still told what it was told last.
+/// Between beads the feeder keeps its last command.
 std::vector<double> GrownDeposit::arrivedSections(const Stations& stations) {
   const PlantSettings& plant = plant_.settings();
   if (plant.dead_time_s == 0.0 && plant.lag_s == 0.0) return stations.section_mm2;
@@ -157,7 +157,7 @@ std::vector<double> GrownDeposit::arrivedSections(const Stations& stations) {
   return arrived;
 }
 
-/// Each cell once, with the station that it is nearest to. Beside the ends of an open bead nothing is laid.
+/// Each cell once, with its nearest station. Beside the ends of an open bead nothing is deposited.
 std::vector<GrownDeposit::CoveredCell> GrownDeposit::coveredCells(const Stations& stations,
                                                                   double width_mm) const {
   const std::vector<double>& offset = plant_.settings().nozzle_offset_mm;
@@ -188,7 +188,7 @@ std::vector<GrownDeposit::CoveredCell> GrownDeposit::coveredCells(const Stations
 }
 
 /// What a bead stands on at each station: the mean of the cells that are no deeper than half a layer under
-/// the highest one. What its own layer has laid before is no ground, unless there is nothing else.
+/// the highest one. What its own layer has deposited before is no ground, unless there is nothing else.
 std::vector<double> GrownDeposit::groundUnder(const std::vector<CoveredCell>& covered,
                                               std::size_t stations) const {
   std::vector<double> highest(stations, -std::numeric_limits<double>::infinity());

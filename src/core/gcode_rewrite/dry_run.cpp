@@ -33,7 +33,7 @@ namespace {
 
 /// What a dry run makes of a command.
 enum class DryVerdict : std::uint8_t {
-  Keep,     ///< it moves, waits, tells or configures, and switches nothing of a process on
+  Keep,     ///< it moves, waits, reports or configures, and switches nothing of a process on
   Process,  ///< it is of the process, or makes the firmware run it
   Target,   ///< the same, unless its target is 0
   Unknown,

@@ -12,7 +12,7 @@ namespace lamina {
 /// slows them further.
 void limitFlowOf(SlicedPart& sliced, const JobSettings& settings, Progress& progress);
 
-/// Leaves the ends of runs to the pressure, makes up for a lag, with notes, or tells the firmware its
+/// Leaves the ends of runs to the pressure, makes up for a lag, with notes, or gives the firmware its
 /// advance. Once feeds are final. Totals of the summary are those of what is left.
 void finishFlowOf(SlicedPart& sliced, const JobSettings& settings, Progress& progress);
 

@@ -127,7 +127,7 @@ Transaction::~Transaction() {
   try {
     database_.run("ROLLBACK");
   } catch (const Error&) {
-    // SQLite has rolled back by itself: what failed has told its reason.
+    // SQLite has rolled back by itself: what failed has reported its reason.
   }
 }
 

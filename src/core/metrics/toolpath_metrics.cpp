@@ -100,7 +100,7 @@ struct PathRange {
 };
 
 /// From the first run that deposits to the last: slicers come from home and park out of reach, which says
-/// nothing about the path, and programs do not tell where the machine stood before. Empty if nothing
+/// nothing about the path, and programs do not state where the machine stood before. Empty if nothing
 /// deposits.
 PathRange printedRange(const Toolpath& toolpath) {
   PathRange range;

@@ -83,7 +83,7 @@ ProfileSensor::ProfileSensor(const ProfileSensorSettings& settings)
                         numberText(2.0 * settings.stand_off_mm));
 }
 
-/// Along a profile a process of first order, so that neighbours correlate as told.
+/// Along a profile a process of first order, so that neighbours correlate as set.
 double ProfileSensor::noise() {
   if (!(settings_.noise_mm > 0.0)) return 0.0;
   const double fresh = random_.normal(0.0, settings_.noise_mm);

@@ -23,7 +23,7 @@ struct AidRuns {
   SharedRegions area;  ///< area over which travels need no retraction; null for none
 };
 
-/// The aids of a layer, in the order in which they are laid before its islands.
+/// The aids of a layer, in the order in which they are deposited before its islands.
 using LayerAids = std::vector<AidRuns>;
 
 /// The aids, moved in the plane of the layers [mm].

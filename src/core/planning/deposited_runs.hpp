@@ -19,7 +19,7 @@ double areaMissed(const Regions& regions, const std::vector<Path>& paths, std::s
 
 /// The ends of runs.
 std::vector<RunEnds> endsOf(const std::vector<FillPath>& runs);
-/// Runs in the order and directions in which they are laid: as given, or for short travels.
+/// Runs in the order and directions in which they are deposited: as given, or for short travels.
 /// @param from  place from which the nozzle comes [mm]
 std::vector<FillPath> inOrder(std::vector<FillPath> runs, RunOrder order, const Point2& from);
 /// The ends of closed runs: both are the first point.

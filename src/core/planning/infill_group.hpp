@@ -21,7 +21,7 @@ std::size_t groupOf(const InfillSettings& settings, std::size_t layer);
 /// sparse infill.
 InfillRequest requestOf(const PlanSettings& settings, const InfillSpacing& spacing, std::size_t layer);
 
-/// The group of a layer. Its common infill is laid in its last layer.
+/// The group of a layer. Its common infill is deposited in its last layer.
 struct InfillGroup {
   SharedRegions common;    ///< area of sparse infill in all layers of the group, overlap with walls included
   bool is_last = false;    ///< this layer is the last one of the group
@@ -30,8 +30,8 @@ struct InfillGroup {
 
 /// The sparse infill of one layer, divided.
 struct GroupedInfill {
-  Regions together;  ///< laid in beads as high as the group; empty except in its last layer
-  Regions alone;     ///< laid in this layer alone, without places narrower than a bead
+  Regions together;  ///< deposited in beads as high as the group; empty except in its last layer
+  Regions alone;     ///< deposited in this layer alone, without places narrower than a bead
 };
 
 /// @param area  of sparse infill in one layer

@@ -277,7 +277,7 @@ class LayerPlanner {
     takeOver(planner, plan);
   }
 
-  /// What another planner laid, and found.
+  /// What another planner deposited, and found.
   void takeOver(LayerPlanner& planner, const LayerVariant& plan) {
     starts_ += planner.starts_;
     bridging_ += planner.bridging_;
@@ -340,8 +340,8 @@ class LayerPlanner {
     if (!isSolid(infill_)) appendTo(sparse_, inside);
   }
 
-  /// Bottom skins first and top skins last, so that nothing is laid over what is seen. A solid infill gets
-  /// their roles and stays what it is.
+  /// Bottom skins first and top skins last, so that nothing is deposited over what is seen. A solid infill
+  /// gets their roles and stays what it is.
   /// @param inside  walls
   void addSkinsAndInfill(const Regions& inside) {
     const std::size_t before = result_.paths.size();
@@ -423,7 +423,7 @@ class LayerPlanner {
     appendTo(seen_, skinAreas(inside, *cover_, skinMeasures(settings_, pitch_)).top_skin);
   }
 
-  /// What is seen, across its lines, once the layer is laid.
+  /// What is seen, across its lines, once the layer is deposited.
   void iron() {
     ironSeen(std::exchange(seen_, {}));
     for (const IslandPiece& seen : std::exchange(seen_by_, {}))
@@ -450,7 +450,7 @@ class LayerPlanner {
     return offset(inside, 0.5 * beyond);
   }
 
-  /// That of a group of layers is laid in the last of them, as in one high layer.
+  /// That of a group of layers is deposited in the last of them, as in one high layer.
   void addInfill(const Regions& area) {
     if (fitsInfillAlone()) return addFitted(area, PathRole::Infill, infillRequest(), context_.strategy);
     if (group_ == nullptr || isSolid(infill_)) return layInfill(area);

@@ -117,7 +117,7 @@ void requireIronable(const PlanSettings& settings) {
       "top_mm above 0");
 }
 
-/// What is laid on the bed is then the raft.
+/// What is deposited on the bed is then the raft.
 void requirePlainFirstLayer(const FirstLayerSettings& first_layer, int raft_layers) {
   const auto require = [raft_layers](const char* key, double value, double usual) {
     if (value == usual) return;

@@ -292,7 +292,7 @@ void requireBeadsInLayers(const PlanContext& context) {
                       "within each layer");
 }
 
-/// What is refilled is measured as all of a layer is laid at one flow.
+/// What is refilled is measured as all of a layer is deposited at one flow.
 void requireFlowFor(VoidRefill refill, double flow_of_region, double flow) {
   if (refill == VoidRefill::None || flow_of_region == flow) return;
   throw InvalidConfig("bead.flow is " + numberText(flow_of_region) + " in a region and " + numberText(flow) +
@@ -438,7 +438,7 @@ bool standsOnSupports(const PlanSettings& settings) {
   return settings.supports.use && infillStrategy(settings.infill.strategy).link != LayerLink::Rising;
 }
 
-/// @throws InvalidInput if the first layer of the part is laid in mid-air, and runs are to be anchored
+/// @throws InvalidInput if the first layer of the part is deposited in mid-air, and runs are to be anchored
 void requireStanding(double gap_mm, const PlanSettings& settings) {
   if (settings.anchoring.strategy == Anchoring::None || gap_mm <= kGreatestGap * settings.bead.width_mm)
     return;

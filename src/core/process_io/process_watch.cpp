@@ -9,7 +9,7 @@
 namespace lamina {
 namespace {
 
-constexpr double kMoved = 1e-5;        // m or rad: above what encoders at rest tell
+constexpr double kMoved = 1e-5;        // m or rad: above what encoders at rest report
 constexpr double kPresentShare = 0.1;  // of the band: an effect that should be noticed
 
 /// What of an input is judged, and by what.

@@ -122,7 +122,7 @@ void CyclicPlayer::accept(const TrajectoryChunk& chunk, double now_s) {
     merged.push_back({point.time_s, point.position, point.velocity});
   merged.swap(points_);
   const std::size_t former_passed = std::exchange(passed_, 0);
-  // What would be told next has to be within a step of what was told last.
+  // What would be given next has to be within a step of what was given last.
   const double next_s = told_s_ ? std::max(*told_s_ + cycle_s_, now_s) : now_s;
   if (const auto too_far = tooFar(onPoints(next_s), told_s_ ? next_s - *told_s_ : cycle_s_)) {
     merged.swap(points_);
@@ -184,7 +184,7 @@ void CyclicPlayer::startBraking(double time_s, double path_s) {
   brake_ = Brake{time_s, path_s, brakeTimeFrom(path_s)};
 }
 
-/// Begins to brake where it is told to, a cycle came too late, or the points soon end in motion.
+/// Begins to brake where it is commanded to, a cycle came too late, or the points soon end in motion.
 void CyclicPlayer::watch(double newest_s, double late_s) {
   if (points_.empty() || brake_) return;
   if (is_told_) {

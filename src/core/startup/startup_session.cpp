@@ -349,7 +349,7 @@ void StartupSession::Impl::work() {
   if (is_safe) startup_.forgetMachine(kEnded);
   for (const StartupStep step : allStartupSteps())
     if (is_safe) startup_.giveUp(step, kEnded);
-  // Who is told last that a bed is hot would have the machine stopped once more.
+  // A receiver whose last report is of a hot bed would have the machine stopped once more.
   notify(lock);
 }
 

@@ -19,7 +19,7 @@ inline bool laysBeads(const Path& path) {
   return path.role != PathRole::Travel && path.deposit == Deposit::Bead;
 }
 
-/// What is laid in one go: a bead along a motion, or a drop, which ends where it starts. The path must
+/// What is deposited in one go: a bead along a motion, or a drop, which ends where it starts. The path must
 /// outlive it.
 struct DepositedSegment {
   std::size_t from = 0;      ///< waypoint at which it starts
@@ -29,12 +29,13 @@ struct DepositedSegment {
   const Bead& bead;
 
   double length() const { return (end - start).norm(); }
-  /// Whether its section has no area, so that nothing is laid.
+  /// Whether its section has no area, so that nothing is deposited.
   bool isEmpty() const { return !(bead.width_mm > 0.0 && bead.height_mm > 0.0); }
 };
 
 /// Calls visit(segment) for each motion of a path of beads and each drop of one of drops, in the order in
-/// which they are laid, empty ones too; for nothing of a travel. A closed path of beads ends with its return.
+/// which they are deposited, empty ones too; for nothing of a travel. A closed path of beads ends with its
+/// return.
 template <class Visit>
 void forEachDepositedSegment(const Path& path, const Visit& visit) {
   if (path.role == PathRole::Travel) return;

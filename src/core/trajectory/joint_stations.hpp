@@ -20,7 +20,7 @@ struct JointStation {
   double length_mm = 0.0;           ///< way of the tip; 0 where it turns in place
   double feed_mm_s = 0.0;           ///< infinite where it turns in place
   double acceleration_mm_s2 = 0.0;  ///< along the path; infinite where it turns in place
-  double area_mm2 = 0.0;            ///< cross-section of what is laid on the way
+  double area_mm2 = 0.0;            ///< cross-section of what is deposited on the way
   double dwell_s = 0.0;             ///< for which the nozzle waits there
   ProcessLevels levels;             ///< on the way, at its feed
   bool is_smooth = false;           ///< no corner of the toolpath: to be rounded whatever the tolerance

@@ -17,7 +17,7 @@ Point3 directionTo(const Path& path, std::size_t waypoint) {
   return way.norm() > 0.0 ? Point3(way.normalized()) : Point3(Point3::Zero());
 }
 
-/// Of the motion to a waypoint at a speed of the tip; what is not laid flows not.
+/// Of the motion to a waypoint at a speed of the tip; what is not deposited has no flow.
 ProcessSignals signalsAt(const Path& path, std::size_t waypoint, double speed_mm_s) {
   ProcessSignals signals;
   if (path.role != PathRole::Travel) signals.flow_mm3_s = crossSection(path.bead.at(waypoint)) * speed_mm_s;

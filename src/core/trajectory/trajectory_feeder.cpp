@@ -293,7 +293,7 @@ class TrajectoryFeeder::State {
     return place.curve->spanEnd(place.span).heading_for.layer;
   }
 
-  /// Whether it comes to rest where a layer, or one above it, is being laid.
+  /// Whether it comes to rest where a layer, or one above it, is being deposited.
   bool restsOnBeadFrom(std::size_t layer) const {
     return layerOf(rest_) >= layer && rest_.along > 0.0 && rest_.curve->spanEnd(rest_.span).area_mm2 > 0.0;
   }

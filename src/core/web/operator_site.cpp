@@ -166,7 +166,7 @@ void OperatorSite::Inside::audit(const AuditRow& row) {
   try {
     parts.store.add(row);
   } catch (const Error& error) {
-    // What was done is done; that it is not in the audit is told as loudly as a broken one.
+    // What was done is done; that it is not in the audit is reported as loudly as a broken one.
     parts.desk.report(9003, 0.0, std::string("the audit cannot be written: ") + error.what());
   }
 }
@@ -182,7 +182,7 @@ void OperatorSite::Inside::noteUse(const WebIdentity& who, const CellTime& now) 
   try {
     parts.store.noteUse(who.token, now.utc_s);
   } catch (const Error&) {
-    // A disk that cannot be written is told of by the audit.
+    // A disk that cannot be written is reported by the audit.
   }
 }
 

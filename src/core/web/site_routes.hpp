@@ -37,7 +37,7 @@ struct SiteCall {
   CellTime now;
 
   const WebIdentity& who() const { return admitted.who; }
-  /// How the cell is told who asks: "page: anna".
+  /// Who asks, as reported to the cell: "page: anna".
   std::string source() const { return "page: " + admitted.who.name; }
   const std::string& value(std::size_t place) const { return admitted.values.at(place); }
 };

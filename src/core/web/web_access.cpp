@@ -214,7 +214,7 @@ WebAccess::KeyDecision WebAccess::keyDecision(const std::string& secret, const C
   for (auto waiting = waiting_.begin(); waiting != waiting_.end(); ++waiting) {
     if (waiting->secret != secret) continue;
     KeyDecision decision{true, waiting->key};
-    if (decision.key) waiting_.erase(waiting);  // a key is told once
+    if (decision.key) waiting_.erase(waiting);  // a key is given once
     return decision;
   }
   return {};

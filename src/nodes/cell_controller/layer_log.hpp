@@ -14,13 +14,13 @@
 
 namespace lamina {
 
-/// Keeps in the journal what other nodes tell of the layers of the part under way. What it cannot write it
+/// Keeps in the journal what other nodes report of the layers of the part under way. What it cannot write it
 /// logs: the cell itself raises what a journal that cannot be written leads to.
 class LayerLog {
  public:
   LayerLog(ros::NodeHandle node, CellJournal& journal);
 
-  /// What is told from now on is of this execution; nothing: of none. Its layers begin with the next one.
+  /// What is reported from now on is of this execution; nothing: of none. Its layers begin with the next one.
   void follow(std::optional<std::int64_t> execution, const lamina_msgs::MachineState& machine);
 
   /// The machine is at that layer, or at the end of its last one.

@@ -27,7 +27,7 @@ class MachineDeposit {
   virtual ~MachineDeposit() = default;
 
   virtual void lay(const ToolAxisMotion& motion, const MachineTimes& times) = 0;
-  /// What comes next does not go on from what was laid last.
+  /// What comes next does not go on from what was deposited last.
   virtual void endBead() {}
   /// What a sensor above sees; valid while this lives.
   virtual HeightSource surface() const = 0;

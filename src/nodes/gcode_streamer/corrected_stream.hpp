@@ -53,7 +53,7 @@ class CorrectedStream final : public ProgramRevision {
   void dropPlan() { corrector()->dropPlan(); }
   /// Whether the machine lays that toolpath, or goes over to it.
   bool isFollowing(const std::string& toolpath_id) const;
-  /// As maps name what is laid.
+  /// As maps name what is deposited.
   std::string toolpathId() const { return corrector()->plannedId(); }
 
   bool isKnown(std::int32_t layer) override { return corrector()->isKnown(layer); }

@@ -17,7 +17,7 @@
 namespace lamina {
 namespace {
 
-/// Two jobs of one program are told apart by it.
+/// Two jobs of one program are distinguished by it.
 std::string anyName() {
   std::random_device source;
   char name[24];

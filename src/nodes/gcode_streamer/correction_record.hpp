@@ -26,7 +26,7 @@ class CorrectionRecord {
   /// @throws FileError if they cannot be written
   void begin(const ProgrammedToolpath& toolpath);
 
-  /// To be called before the row that tells of the map.
+  /// To be called before the row that reports the map.
   void keep(const AppliedRow& row, const CorrectionMap& map);
   /// To be called before any line that the row is about is sent.
   void add(AppliedRow row);

@@ -362,7 +362,7 @@ void GcodeStreamer::onPlan(const lamina_msgs::ToolpathConstPtr& message) {
   }
 }
 
-/// So that the loop gives the layer that the plan was to begin with its map, and plans on from what is laid.
+/// So that the loop gives the first layer of the plan its map, and plans on from what is deposited.
 void GcodeStreamer::refusePlan(const std::string& plan_id, const CorrectedStream& corrected,
                                const std::string& reason) {
   if (!isPlanOf(plan_id, corrected.toolpathId())) return;
@@ -446,7 +446,7 @@ void GcodeStreamer::tellDecisions(CorrectedStream& corrected) {
   if (!failure.empty()) ROS_WARN("the corrections are not recorded: %s", failure.c_str());
 }
 
-/// As they come: the loop takes layers to be laid by its maps until it is told otherwise.
+/// As they come: without a report the loop takes layers to be deposited by its maps.
 void GcodeStreamer::reportDepositedAsPlanned(RecordedProgram& recorded, std::int32_t layer) {
   for (; static_cast<std::int64_t>(recorded.next_planned) <= layer; ++recorded.next_planned) {
     lamina_msgs::AppliedCorrection message =

@@ -51,7 +51,7 @@ std::string LayerCorrector::hear(CorrectionMap map) {
   return hearTrim(std::move(map));
 }
 
-/// Of a layer that is laid as planned the loop was told so: nothing takes the place of no map.
+/// A layer deposited as planned was reported as such to the loop: no later map trims it.
 bool LayerCorrector::trims(const CorrectionMap& map) const {
   const LayerDecision& last = decisions_.back();
   return map.layer == last.layer && !last.digest.empty() && map.sequence > last.sequence;

@@ -35,9 +35,8 @@ struct LayerDecision {
 enum class FirstMap { AsPlanned, Awaited };
 
 /// Corrects the program of a toolpath on its way, by the maps that come while it is printed. Above the first
-/// layer each waits for its map. Maps may come from any thread; the
-/// latest that is there when a layer is decided holds, and later ones of a layer that is laid by a map from
-/// the next line of the program on.
+/// layer each waits for its map. Maps may come from any thread; the latest that is there when a layer is
+/// decided holds, and later ones of a layer that is deposited by a map from the next line of the program on.
 class LayerCorrector final : public ProgramRevision {
  public:
   /// Reads the program once, so that what cannot be corrected is refused before it begins.

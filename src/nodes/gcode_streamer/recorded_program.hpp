@@ -14,7 +14,7 @@ namespace lamina {
 struct RecordedProgram {
   StreamableProgram program;  ///< as it was sent, and as planned from where the record ends
   std::string toolpath_id;
-  std::size_t next_planned = 0;  ///< layer that is laid as planned, and was not told of
+  std::size_t next_planned = 0;  ///< layer that is deposited as planned, and was not reported
 };
 
 /// By the record in `corrections.folder`.

@@ -25,13 +25,13 @@ namespace lamina {
 
 /// Calibrates the cell by what its node hears while the machine moves: keeps poses and clouds between BEGIN
 /// and FINISH, evaluates them, and puts what was found into the file of the calibration. A recording that
-/// does not tell it goes on.
+/// does not determine it goes on.
 ///
 /// Services  calibrate_time (lamina/CalibrateTime), calibrate_sensor (lamina/CalibrateSensor),
 ///           calibrate_feeder (lamina/CalibrateFeeder), answered on a thread of their own: a print goes on
 class CellCalibrator {
  public:
-  /// @param file     of the calibration; empty: what is found is only told
+  /// @param file     of the calibration; empty: what is found is only reported
   /// @param most_mb  memory of what is kept [1e6 bytes]; with more, the recording is given up
   CellCalibrator(const ros::NodeHandle& node, std::string file, double most_mb);
   ~CellCalibrator();

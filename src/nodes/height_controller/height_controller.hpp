@@ -25,7 +25,7 @@
 
 namespace lamina {
 
-/// Changes what is laid next by what is measured.
+/// Changes what is deposited next by what is measured.
 ///
 /// Subscribes  profile (sensor_msgs/PointCloud2), toolpath (lamina/Toolpath; a new one begins a new print),
 ///             machine_state (lamina/MachineState), applied_correction (lamina/AppliedCorrection), tf

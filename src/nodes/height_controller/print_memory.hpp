@@ -10,7 +10,7 @@
 namespace lamina {
 
 /// What the loop knows of the print under way, in a file from which another node can go on. A file that
-/// cannot be written is told once, and the print goes on.
+/// cannot be written is reported once, and the print goes on.
 class PrintMemory {
  public:
   /// @param file  empty keeps nothing

@@ -15,7 +15,7 @@ namespace {
 constexpr double kInterval = 0.2;  // [s]
 constexpr double kThere = 5.0;     // [s]
 
-/// How the bytes of a pixel are laid out.
+/// The layout of a pixel's bytes.
 struct PixelLayout {
   std::size_t bytes = 0;  ///< 0: not one that is understood
   std::size_t red = 0;

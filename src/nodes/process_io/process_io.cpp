@@ -102,7 +102,7 @@ lamina_msgs::AlarmReport toReport(const ProcessAlarm& alarm) {
   lamina_msgs::AlarmReport report;
   report.header.stamp = ros::Time::now();
   report.id = alarm.id;
-  // Ends are told once for all devices of an alarm: to the unit they have one source.
+  // Ends are reported once for all devices of an alarm: to the unit they have one source.
   report.source = "process_io";
   report.value = alarm.value;
   report.message = alarm.message;

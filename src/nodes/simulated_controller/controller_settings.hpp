@@ -19,9 +19,9 @@ struct ControllerSettings {
   double report_hz = 50.0;              ///< of positions, feedback and the process
   double path_tolerance = 0.0;          ///< of every joint while it follows [mm, rad]; 0 for none
   double host_wait_s = 0.0;             ///< that a slow host may be late with goals and their process
-  std::vector<double> deposit_area_mm;  ///< of the bed that keeps what is laid: least x, y, greatest x, y;
+  std::vector<double> deposit_area_mm;  ///< of the bed that keeps deposits: least x, y, greatest x, y;
                                         ///< empty keeps and measures nothing
-  double deposit_cell_mm = 0.25;        ///< of the map of what is laid
+  double deposit_cell_mm = 0.25;        ///< of the map of what is deposited
   GrownDepositSettings grown;
   ProfileSensorSettings sensor;
   std::vector<double> sensor_mount_mm;    ///< sensor in the nozzle's frame, where the URDF has none; empty:

@@ -19,7 +19,7 @@ struct NozzleInstant {
   double asked_mm3_s = 0.0;     ///< flow that the feeder is asked for
 };
 
-/// What a simulated machine has laid on a part of its bed, and what its profile sensor sees of it. The
+/// What a simulated machine has deposited on a part of its bed, and what its profile sensor sees of it. The
 /// process is that of the emulated machine: the same beads grow to the same heights.
 class DepositedMaterial {
  public:

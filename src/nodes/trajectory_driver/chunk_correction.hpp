@@ -45,14 +45,14 @@ class ChunkCorrection {
   /// @param model     must outlive this
   ChunkCorrection(DrivenToolpath toolpath, const LoopSettings& settings, const KinematicModel& model);
 
-  /// @param digest  that the map is told under
+  /// @param digest  under which the map is reported
   /// @return why the map is not used, in words; empty if it is used from now on
   std::string hear(const CorrectionMap& map, const std::string& digest);
 
   /// The layer is handed over as planned, having been waited for. A map that comes later is used for what is
   /// left of it.
   void giveUp(std::size_t layer, double waited_s);
-  /// The plan is not gone on with: its first layer is told of as not laid, with the reason.
+  /// The plan is not gone on with: its first layer is reported as not deposited, with the reason.
   void refusePlan(const std::string& plan_id, const std::string& reason);
   /// All was handed over: what has no map by now was driven as planned.
   void end();
@@ -82,7 +82,7 @@ class ChunkCorrection {
     double dz_mm = 0.0;
   };
 
-  /// What a layer was told to be driven by.
+  /// What was reported to drive a layer.
   struct Told {
     std::string digest;
     std::optional<PlaceOnLayer> held_from;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kSettling = 0.2;   // s for which joints must be still
 constexpr double kCoarser = 10.0;   // tolerance on the tip on the way to the start, that is run fast
-constexpr double kShortOf = 0.995;  // of a share, that is told
+constexpr double kShortOf = 0.995;  // of a share, that is reported
 constexpr double kPatience = 5.0;   // s that a controller may need to stop by itself
 
 /// With nothing of the process on, more than the planned speed harms no bead.

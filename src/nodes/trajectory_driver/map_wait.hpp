@@ -33,7 +33,7 @@ class MapWait {
 
   /// The layers left planned anew. The latest plan holds; until it is refused or driven the layer in front of
   /// which the motion is held is not entered.
-  /// @return why it is not used, in words; empty if it is. The plan that is not is told of by the correction.
+  /// @return why it is not used, in words; empty if it is. The correction reports a plan that is not used.
   std::string offer(const lamina_msgs::ToolpathConstPtr& plan);
   /// The plan to be gone on with once the motion rests; null if there is none.
   const lamina_msgs::ToolpathConstPtr& plan() const { return plan_; }

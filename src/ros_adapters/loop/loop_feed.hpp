@@ -63,7 +63,7 @@ class LoopFeed {
   void pass();
   /// The same, and nothing older comes.
   void passAll();
-  /// The print is over: judges the layer under way if all of it is laid.
+  /// The print is over: judges the layer under way if all of it is deposited.
   void finish();
 
   /// The print under way; none before the first toolpath.
@@ -88,7 +88,7 @@ class LoopFeed {
   TransformSequence sequence_;
   std::multimap<ros::Time, Cloud> waiting_;  ///< by the time at which they were taken
   double waiting_bytes_ = 0.0;
-  std::optional<ros::Time> heard_;  ///< to be told once the transforms are passed on
+  std::optional<ros::Time> heard_;  ///< to be reported once the transforms are passed on
   std::unique_ptr<LoopRun> run_;
   FeedCounts counts_;
 };

@@ -18,7 +18,7 @@
 namespace lamina {
 
 /// A machine that moves and what its sensor sees, from messages of a node or of a bag: poses of the nozzle at
-/// each stamp that tf was told at, and profiles as clouds in their own frame. Memory for tf is bounded; that
+/// each stamp reported on tf, and profiles as clouds in their own frame. Memory for tf is bounded; that
 /// of the recording is not.
 class RecordingGatherer {
  public:

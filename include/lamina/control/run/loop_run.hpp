@@ -266,7 +266,7 @@ class LoopRun {
   double last_amount_ = 0.0;                 ///< where the layer before ended
   std::unique_ptr<LayerTrim> trim_;          ///< of the layer under way; null if it is not trimmed
   std::uint64_t map_sequence_ = 0;           ///< of the layer's last map
-  std::optional<std::size_t> trim_refused_;  ///< layer of which that was told last
+  std::optional<std::size_t> trim_refused_;  ///< layer of which that was reported last
   bool is_catching_up_ = false;              ///< resumed, and the nozzle was not found yet
   std::map<std::size_t, MissedMap> missed_;  ///< of layers to come
   std::vector<CellEstimate> below_;          ///< of the layer before
@@ -285,7 +285,7 @@ class LoopRun {
   std::optional<std::int64_t> cloud_ns_;
   StuckWatch stuck_;
   OffsetWatch offset_;
-  OffsetLeft offset_left_;          ///< of the layer that told it last
+  OffsetLeft offset_left_;          ///< of the layer that reported it last
   LumpWatch lump_;                  ///< above the layer under way, as scanned
   Box3 ground_;                     ///< of that layer, without its height
   Point3 sensor_ = Point3::Zero();  ///< at the last cloud [toolpath]

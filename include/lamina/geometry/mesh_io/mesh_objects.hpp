@@ -30,7 +30,7 @@ struct MeshVolume {
   std::string of = {};                     ///< for messages: the object or its heights, if that is what it is
 };
 
-/// One of the objects that a file tells apart.
+/// One of the objects that a file distinguishes.
 struct MeshObject {
   std::string name;  ///< empty if the file gives none
   Mesh mesh;

@@ -47,7 +47,7 @@ struct Tessellation {
 /// @throws InvalidConfig if the scale is not positive and finite
 Mesh readMesh(const std::string& path, const MeshUnits& units = {}, const Tessellation& tessellation = {});
 
-/// The same. Solids, which take long to read, report the stage "read", and stop when they are told to.
+/// The same. Solids, which take long to read, report the stage "read", and stop when they are cancelled.
 /// @throws Cancelled if they are
 Mesh readMesh(const std::string& path, const MeshUnits& units, const Tessellation& tessellation,
               Progress& progress);

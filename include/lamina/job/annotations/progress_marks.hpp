@@ -9,7 +9,7 @@
 
 namespace lamina {
 
-/// Adds code that tells the machine how many hundredths of the time are over and how many minutes are left:
+/// Adds code that gives the machine the hundredths of the time that are over and the minutes that are left:
 /// before the motion in which that is, at the beginning and at the end. A toolpath without motion stays as it
 /// is.
 /// @param dialect  by its name (`gcodeDialects`)

@@ -8,7 +8,7 @@
 
 namespace lamina {
 
-/// What a controller has to be told of an arm's cell: where the tool is on the flange, and where the bed is.
+/// What a controller needs to know of an arm's cell: where the tool is on the flange, and where the bed is.
 struct ArmCell {
   Eigen::Isometry3d flange_from_nozzle = Eigen::Isometry3d::Identity();  ///< link tool0 to link nozzle [mm]
   /// The bed over the root of the description; where an external axis carries it, over the link that the last

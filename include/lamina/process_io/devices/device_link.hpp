@@ -16,7 +16,7 @@
 
 namespace lamina {
 
-/// What a device link tells.
+/// What a device link reports.
 struct DeviceReport {
   bool is_connected = false;
   bool is_hung = false;        ///< a call of the device has not come back

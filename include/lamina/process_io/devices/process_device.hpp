@@ -34,10 +34,10 @@ class ProcessDevice {
  public:
   virtual ~ProcessDevice() = default;
 
-  /// Connects, and reads back what the device does when the link is lost, where it can tell.
+  /// Connects, and reads back what the device does when the link is lost, where it can report that.
   /// @return what is to be warned of, in words; empty if nothing is
   /// @throws Disconnected if it is not there
-  /// @throws DeviceError if it does not go safe by itself as it should, with what it tells
+  /// @throws DeviceError if it does not go safe by itself as it should, with what it reports
   virtual std::string open() = 0;
 
   /// Writes all channels and reads all inputs, raw, in the order of the device's table.

@@ -19,7 +19,7 @@ struct ConformalLayers {
   double layer_height_mm = 0.0;  ///< of each
   double deposited_mm3 = 0.0;
   double part_mm3 = 0.0;  ///< of the part that is filled; 0 for a coat
-  /// Of faces that look in the direction of a coat, but lie beneath other faces: not coated.
+  /// Of faces that look in the direction of a coat, but lie below other faces: not coated.
   double hidden_mm2 = 0.0;
 };
 

@@ -18,7 +18,7 @@ namespace lamina {
 using MachineStopper =
     std::function<MachineStopReport(const MachinePulse& machine, const std::function<void()>& begun)>;
 
-/// Who is told what a watch does, from its thread.
+/// Receiver of a watch's reports, called from its thread.
 struct WatchObserver {
   std::function<void(const GuardNews&)> news;
   std::function<void()> begun;                     ///< a stop has begun; may be empty

@@ -10,7 +10,7 @@
 
 namespace lamina {
 
-/// A piece of a motion that is laid with one correction.
+/// A piece of a motion that is deposited with one correction.
 struct CorrectedPiece {
   double share = 1.0;  ///< of the motion's length
   PlaceCorrection mean;

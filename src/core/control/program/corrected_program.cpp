@@ -132,7 +132,7 @@ class ProgramCorrector::Writer {
   }
 
   /// Before commands after which the place of the nozzle cannot be stated any more. A nozzle that runs above
-  /// the plan stays there: it would be driven into what it has just laid.
+  /// the plan stays there: it would be driven into what it has just deposited.
   void leaveShift(const GcodeBlock& command, std::string& out) {
     if (command.code() == 92 && !command.hasAny("XYZ")) return;
     if (shift_mm_ < 0.0) takeShiftBack(out);

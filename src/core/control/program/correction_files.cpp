@@ -93,7 +93,7 @@ std::vector<AppliedRow> appliedRows(const std::string& record) {
   return applied;
 }
 
-/// The map that a row tells of, among those of the folder.
+/// The map that a row names, among those of the folder.
 FiledMap appliedMap(const AppliedRow& row, const std::vector<FiledMap>& maps, const std::string& record) {
   const FiledMap* of_layer = nullptr;
   for (const FiledMap& each : maps) {

@@ -29,9 +29,9 @@ class DepositCursor {
 
   /// The start of the next path that starts at that point, if there is one.
   std::optional<DepositedStretch> startingAt(const Point3& point) const;
-  /// Whether any part of a layer, or of one above it, is laid.
+  /// Whether any part of a layer, or of one above it, is deposited.
   bool hasBegun(std::size_t layer) const;
-  /// Whether all of the toolpath is laid.
+  /// Whether all of the toolpath is deposited.
   bool isAtEnd() const;
 
  private:

@@ -14,18 +14,18 @@
 namespace lamina {
 
 /// Trims the amounts of a layer under way by the measurements of a sensor behind the nozzle (`TrailingTrim`),
-/// cell by cell in the order of laying. Cells that are laid, or already handed over to the machine, keep
+/// cell by cell in the order of laying. Cells that are deposited, or already handed over to the machine, keep
 /// their amounts.
 class LayerTrim {
  public:
   static constexpr double kLeastChange = 0.002;  ///< of an amount, below which none is reported
 
-  /// @param laid    predicted estimates of the cells, for a layer laid with these amounts
+  /// @param laid    predicted estimates of the cells, for a layer deposited with these amounts
   /// @param amount  relative, one per cell
   LayerTrim(const LayerCells& cells, const std::vector<CellEstimate>& laid, std::vector<double> amount,
             const LoopSettings& settings, const TrimSettings& trim);
 
-  /// States that the nozzle has laid that many cells.
+  /// States that the nozzle has deposited that many cells.
   /// @return whether the amounts of cells to come differ from those reported last
   bool advance(std::size_t laid, const std::vector<CellEstimate>& estimates);
 

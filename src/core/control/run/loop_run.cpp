@@ -49,7 +49,7 @@ std::string reasonOf(const MissedMap& missed) {
                                 : missed.reason);
 }
 
-/// Height of the highest cell that is known, above where what the layer is laid onto should be [mm].
+/// Height of the highest known cell above the planned ground of the layer [mm].
 double highestCell(const std::vector<CellEstimate>& estimates) {
   double highest = -1e9;
   for (const CellEstimate& cell : estimates)
@@ -217,8 +217,8 @@ void LoopRun::refuseTrim(std::size_t layer, const std::string& reason) {
           "a further map of layer " + std::to_string(layer) + " is not used: " + reason}}});
 }
 
-/// What went to the machine before its map was laid as planned. The trim of the layer expected otherwise, and
-/// would take the difference for an error.
+/// Cells that went to the machine before their map were deposited as planned. The trim of the layer expected
+/// otherwise, and would take the difference for an error.
 void LoopRun::layMapFrom(std::size_t cell) {
   if (cell == 0 && !is_missed_) return;
   is_missed_ = cell > 0;
@@ -358,7 +358,7 @@ void LoopRun::readCloud(const SensedCloud& cloud) {
   if (trim_ && !progress_.place().is_scanning) trimLayer();
 }
 
-/// What is laid stays: the maps differ in what is to come.
+/// What is deposited stays: the maps differ in what is to come.
 void LoopRun::trimLayer() {
   if (!trim_->advance(cellsDeposited(0.0), loop_->estimates())) return;
   laid_.amount = trim_->amount();
@@ -465,7 +465,7 @@ void LoopRun::beginLayer(std::size_t layer) {
   takeMissed();
 }
 
-/// What the machine told of this layer before the loop came to it.
+/// What the machine reported of this layer before the loop came to it.
 void LoopRun::takeMissed() {
   const auto told = missed_.find(*layer_);
   if (told != missed_.end()) missMap(told->second);
@@ -511,7 +511,7 @@ void LoopRun::shiftNozzle() {
   mean_shift_mm_ = meanOverCells(cells, shift_mm_);
 }
 
-/// What the machine is told so that the layer grows as corrected.
+/// What the machine is given so that the layer grows as corrected.
 CellCorrections LoopRun::asDeposited() const {
   CellCorrections told;
   if (!isAllZero(shift_mm_)) told.dz_mm = shift_mm_;
@@ -569,7 +569,7 @@ LayerOutcome LoopRun::outcomeOf(const LayerFigures& figures) {
   return outcome;
 }
 
-/// By what was stated, and by what the last layer told: how far its growth was off what is learnt of it.
+/// By what was stated, and by what the last layer showed: how far its growth was off what is learnt of it.
 StabilityReport LoopRun::checkNow() const {
   StabilityReport stated = checkStart(part_.toolpath, part_.machine, settings_);
   if (!stated.may_start || gain_ratio_ == 1.0) return stated;

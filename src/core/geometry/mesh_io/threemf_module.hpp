@@ -16,7 +16,7 @@ struct ThreemfModule {
   Mesh (*read)(std::string_view bytes, const std::string& name);  ///< as `readThreemf`
   /// The same by items of the build list.
   std::vector<MeshObject> (*read_objects)(std::string_view bytes, const std::string& name);
-  /// Volumes of all items that say how the part is laid. Costs little where there are none.
+  /// Volumes of all items that say how the part is printed. Costs little where there are none.
   std::vector<MeshVolume> (*read_volumes)(std::string_view bytes, const std::string& name);
 };
 

@@ -68,7 +68,7 @@ class ThreemfReader {
     return weld(faces_, name_);
   }
 
-  /// Those whose settings say how the part is laid, modifiers too.
+  /// Those whose settings say how the part is printed, modifiers too.
   std::vector<MeshVolume> volumesWithSettings(std::string_view bytes) {
     words_ = slicerWords(bytes, name_);
     if (!hasWords()) return {};

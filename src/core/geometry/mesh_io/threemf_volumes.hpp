@@ -33,7 +33,7 @@ struct RangeOfHeights {
   std::vector<SettingText> settings;
 };
 
-/// What slicers write beside the model of a 3MF file of how a part is laid.
+/// What slicers write beside the model of a 3MF file of how a part is printed.
 struct SlicerWords {
   /// By the place of the object among those of the model, from 0.
   std::map<std::size_t, ObjectWords> objects;
@@ -41,9 +41,9 @@ struct SlicerWords {
   std::map<std::size_t, std::vector<RangeOfHeights>> heights;
 };
 
-/// Of volumes and objects `Metadata/Slic3r_PE_model.config` gives ranges of triangles,
-/// `Metadata/model_settings.config` whole objects, and Cura's objects have settings in the model itself. Of
-/// heights tell `Metadata/Prusa_Slicer_layer_config_ranges.xml` and `Metadata/layer_config_ranges.xml`. Empty
+/// Settings of volumes and objects: `Metadata/Slic3r_PE_model.config` gives ranges of triangles,
+/// `Metadata/model_settings.config` whole objects, and for Cura's objects the model itself. Settings of
+/// heights: `Metadata/Prusa_Slicer_layer_config_ranges.xml` and `Metadata/layer_config_ranges.xml`. Empty
 /// where there is none of them.
 /// @throws InvalidMesh if one of them cannot be read, has heights that are none, lists a part twice, or an
 ///   object with volumes that are no material which the model does not have

@@ -9,7 +9,7 @@
 namespace lamina {
 
 /// Whether a key that slicers write beside a model says where a volume or object came from, and nothing of
-/// how it is laid.
+/// how it is printed.
 inline bool saysOrigin(std::string_view key) {
   // Those that end with _ begin others.
   constexpr std::array<std::string_view, 8> kOrigins = {

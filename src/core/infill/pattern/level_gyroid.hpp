@@ -7,8 +7,8 @@
 
 namespace lamina {
 
-/// The curves of a level section across a box: one period of each of two graphs, followed by chords, laid as
-/// often as it takes.
+/// The curves of a level section across a box: one period of each of two graphs, followed by chords, repeated
+/// as often as it takes.
 /// @param section  a level one
 PatternCurves levelGyroidCurves(const GyroidSection& section, const Box2& box, double chord_error_mm);
 

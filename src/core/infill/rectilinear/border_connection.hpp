@@ -10,7 +10,7 @@ namespace lamina {
 
 /// How runs are connected along a border.
 struct BorderConnection {
-  double width_mm = 0.1;    ///< plan width of the bead laid on the way
+  double width_mm = 0.1;    ///< plan width of the bead deposited on the way
   double reach_mm = 0.8;    ///< how far from the border the ends of runs may be
   double longest_mm = 0.0;  ///< way along the border
   double most_mm2 = 0.0;    ///< plan area of all connections together, from end to end of the runs

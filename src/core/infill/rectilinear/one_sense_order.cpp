@@ -11,7 +11,7 @@ namespace {
 struct RowChain {
   std::vector<std::size_t> rows;   ///< from below
   std::vector<std::size_t> above;  ///< chains whose first row lies beside the last one
-  std::size_t waits_for = 0;       ///< chains below that are not laid yet
+  std::size_t waits_for = 0;       ///< chains below that are not deposited yet
 };
 
 /// Which rows of the next line lie beside each row.

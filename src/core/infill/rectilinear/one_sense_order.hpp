@@ -10,7 +10,7 @@
 
 namespace lamina {
 
-/// A stretch of a raster line that is to be laid [mm, raster frame].
+/// A stretch of a raster line that is to be deposited [mm, raster frame].
 struct RasterRow {
   std::int64_t line = 0;  ///< by number, from below
   double left_mm = 0.0;
@@ -23,16 +23,16 @@ struct RowSpacing {
   double reach_mm = 0.0;  ///< between the ends of two rows of neighbouring lines, along them
 };
 
-/// A row in the order laid.
+/// A row in the order deposited.
 struct RowVisit {
   std::size_t row = 0;
   bool enters_right = false;
 };
 
 /// An order of the rows in one sense across them: each comes after all the rows of the line below that it
-/// lies beside, so that none is laid between two laid before it. Rows that lie one above the other and beside
-/// no others are chains, laid to and fro; after each goes the nearest of those whose rows below are all laid.
-/// Time: linear in the rows, quadratic in the chains.
+/// lies beside, so that none is deposited between two earlier ones. Rows that lie one above the other and
+/// beside no others are chains, deposited to and fro; after each goes the nearest of those whose rows below
+/// are all deposited. Time: linear in the rows, quadratic in the chains.
 ///
 /// @param rows  line by line from below, on each line from left to right, without overlap
 /// @param from  where the nozzle comes from [mm, raster frame]

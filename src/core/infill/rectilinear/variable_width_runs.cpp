@@ -417,7 +417,7 @@ class VariableWidthRegion {
 };
 
 /// One region after the other, the nearest next. No bead along the border leads from run to run: it would lie
-/// beside lines that are laid later.
+/// beside lines that are deposited later.
 std::vector<FillPath> runsInOneSense(const Regions& links, const InfillRequest& request) {
   std::vector<const Region*> left;
   for (const Region& region : links) left.push_back(&region);

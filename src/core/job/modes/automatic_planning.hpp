@@ -11,7 +11,7 @@
 
 namespace lamina {
 
-/// Slices by the mode that suits the part. What the settings already say decides first: a base to be laid on,
+/// Slices by the mode that suits the part. What the settings already say decides first: a base to deposit on,
 /// an inclined plane, skins to be followed. Otherwise the modes are tried from the simplest on, until one
 /// leaves little enough unsupported (`chosenMode`); those that the request knows to be refused are not. A
 /// head that cannot tilt gets level layers. The mode, the reason, what was tried and what was refused stand

@@ -24,7 +24,7 @@ void requireDistinct(const std::vector<std::string>& modes) {
   }
 }
 
-/// As `auto` takes it: laid on the base if there is one, and with the plane that an inclined head needs,
+/// As `auto` takes it: deposited on the base if there is one, and with the plane that an inclined head needs,
 /// unless one is asked for.
 SliceJob onMachine(SliceJob job, const BuildSpace& space) {
   job.settings.slicing.mode = kAutoMode;

@@ -133,7 +133,7 @@ void addNoteOnCrossings(SliceSummary& summary, const JobSettings& settings) {
   summary.notes.emplace_back(text);
 }
 
-/// Bridges, overhanging walls and what is seen are told from the neighbouring layers, by beads that stay in
+/// Bridges, overhanging walls and what is seen are found from the neighbouring layers, by beads that stay in
 /// their layer.
 void addNoteOnBridges(SliceSummary& summary, const JobSettings& settings) {
   const PlanSettings& planning = settings.planning;

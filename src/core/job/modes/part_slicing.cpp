@@ -87,7 +87,7 @@ void requireFits(const Box3& part, const Box3& bed, const std::string& machine) 
                     sizeText(bed.size()));
 }
 
-/// Of the part and what it is laid on.
+/// Of the part and what it is deposited on.
 Box3 boxOnBed(const SourcePart& source) {
   Box3 box = boundingBox(source.mesh);
   for (const Point3& vertex : source.base.vertices) box.include(vertex);

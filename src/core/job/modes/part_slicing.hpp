@@ -18,7 +18,7 @@ void addToolpath(SliceSummary& summary, const Toolpath& toolpath);
 /// @throws Unreachable
 void requireToolAxisFor(const SliceJob& job, const BuildSpace& space);
 
-/// Reads what a job prints, and what it is laid on where its mode asks for that.
+/// Reads what a job prints, and what it is deposited on where its mode asks for that.
 /// @throws InvalidMesh, FileError, Cancelled as `readPart`
 SourcePart readSource(const SliceJob& job, Progress& progress);
 
@@ -28,7 +28,7 @@ struct PartOnBed {
   Eigen::Isometry3d bed_from_part = Eigen::Isometry3d::Identity();
 };
 
-/// @throws Unreachable if the part, with what it is laid on, is larger than the build space
+/// @throws Unreachable if the part, with what it is deposited on, is larger than the build space
 PartOnBed partOnBed(SourcePart read, const SliceJob& job, const BuildSpace& space);
 
 /// Everything between mesh and program: places, slices and plans what was read, and checks it against the

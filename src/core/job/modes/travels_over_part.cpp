@@ -21,7 +21,7 @@ namespace {
 
 constexpr double kSpacingMm = 2.0;
 constexpr double kSmallTurn = 0.35;  // rad: by more the nozzle itself, of which no room is known, swings into
-constexpr double kRoomToTurnMm = 6.0;  // what is just laid, unless its tip is so far from that
+constexpr double kRoomToTurnMm = 6.0;  // what is just deposited, unless its tip is so far from that
 constexpr std::array<double, 9> kWaysOutMm = {1.0, 3.0, 6.0, 10.0, 15.0, 25.0, 40.0, 60.0, 90.0};
 
 struct HeadPlace {

@@ -11,7 +11,7 @@
 
 namespace lamina {
 
-/// Travels of a part over what was laid before.
+/// Travels of a part over what was deposited before.
 struct TravelsOverPart {
   std::size_t travels = 0;
   std::size_t led_round = 0;  ///< that would have gone through the part, or the bed
@@ -22,7 +22,7 @@ struct TravelsOverPart {
 /// takes to turn upright and go up clear of everything, over all of it, and down and in likewise.
 ///
 /// @param toolpath   its travels are changed
-/// @param growth_mm  laid once each of its layers is
+/// @param growth_mm  deposited once each of its layers is
 /// @param hop_mm     above what is highest
 /// @throws Cancelled
 TravelsOverPart leadTravels(Toolpath& toolpath, const std::vector<double>& growth_mm, const HeadRoom& room,

@@ -43,7 +43,7 @@ constexpr std::array<std::string_view, 18> kRegionSettings = {"bead.flow",
                                                               "walls.count"};
 /// Walls are one thing all round an island.
 constexpr std::array<std::string_view, 3> kLayerSettings = {"overhangs.", "seam.", "walls.order"};
-/// Of what is laid beside the part, whatever region it passes.
+/// Of what is deposited beside the part, whatever region it passes.
 constexpr std::array<std::string_view, 3> kAidSettings = {"feed.skirt_mm_s", "feed.support_mm_s",
                                                           "feed.support_interface_mm_s"};
 
@@ -208,7 +208,7 @@ std::string nameOf(const MeshVolume& volume, const std::vector<MeshVolume>& all)
   return (is_piece ? "piece " : "volume ") + std::to_string(before);
 }
 
-/// What of a volume's settings holds here, and what is to be told of the rest.
+/// What of a volume's settings holds here, and what is to be reported of the rest.
 struct VolumeSettings {
   std::vector<SettingText> settings;
   std::vector<std::string> notes;

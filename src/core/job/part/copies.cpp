@@ -24,7 +24,7 @@ struct Belt {
   double valueAt(const Point3& point) const { return row * point; }
 };
 
-/// Of the belt's value over what is laid; empty if nothing is.
+/// Of the belt's value over what is deposited; empty if nothing is.
 struct BeltSpan {
   double low = std::numeric_limits<double>::infinity();
   double high = -std::numeric_limits<double>::infinity();

@@ -23,8 +23,8 @@ struct SourceObject {
   SourcePart source;
 };
 
-/// The objects that a file tells apart (`readMeshObjects`), each as `readPart` makes it; of a parametric part
-/// itself.
+/// The objects that a file distinguishes (`readMeshObjects`), each as `readPart` makes it; of a parametric
+/// part itself.
 std::vector<SourceObject> readParts(const std::string& part, const InputSettings& settings,
                                     Progress& progress);
 

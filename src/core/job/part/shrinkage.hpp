@@ -12,11 +12,11 @@ namespace lamina {
 /// Whether a part is to be made larger than it is drawn, or smaller.
 bool changesSize(const CompensationSettings& settings);
 
-/// The part made as large as it must be laid to have its size once it has shrunk: scaled about the middle of
+/// The part as large as it must be deposited to have its size once it has shrunk: scaled about the middle of
 /// its underside, in the frame of the layers.
 SourcePart grownForShrinkage(SourcePart source, const JobSettings& settings);
 
-/// What to know of the sizes [mm] as drawn and as laid.
+/// What to know of the sizes [mm] as drawn and as deposited.
 std::string sizeNote(const Point3& drawn, const Point3& laid);
 
 }  // namespace lamina

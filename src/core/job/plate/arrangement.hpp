@@ -31,7 +31,7 @@ struct PlatePlace {
 /// Rows: boxes from left to right in the order given; a row begins where the deepest part of the row before
 /// ends. Pack: the largest first, each as far down, then as far to the left as it goes, in that of eight
 /// turns in which it ends lowest. A footprint is there the smallest polygon around it whose edges have 16
-/// fixed directions, so that two never need more than their distances along these to be told apart.
+/// fixed directions, so that the distances of two along these decide whether they overlap.
 ///
 /// @param bed  room for the footprints
 /// @return as many as footprints

@@ -34,7 +34,7 @@ Toolpath partAfterPart(const std::vector<PlateToolpath>& parts, const std::vecto
 /// Lays loops round all that lies in the first layer of any part, before it.
 void addSkirt(Toolpath& plate, const std::vector<PlateToolpath>& parts, const PlanSettings& settings);
 
-/// A part as hosts are told of it.
+/// A part as it is reported to hosts.
 struct LabelledPart {
   std::string name;
   Polygon outline;  ///< [bed frame]

@@ -31,7 +31,7 @@ bool hasSeveralTools(const Toolpath& plate) {
   return false;
 }
 
-/// That lay any of the parts, as far as settings tell: regions may have others.
+/// That lay any of the parts, as far as settings state: regions may have others.
 std::set<std::size_t> toolsOfParts(const std::vector<TowerNeighbour>& parts) {
   std::set<std::size_t> tools;
   for (const TowerNeighbour& part : parts) {

@@ -21,8 +21,8 @@ struct TowerNeighbour {
 /// layer may need. 0 without one, and where it has a place of its own.
 double roomForTower(const JobSettings& plate, const std::vector<TowerNeighbour>& parts);
 
-/// Adds the prime tower of a plate that is laid layer by layer, with the purges that `tools.*` asks for; it
-/// is of no part. Ways to another tool and from layer to layer are made anew, without wipes.
+/// Adds the prime tower of a plate that is deposited layer by layer, with the purges that `tools.*` asks for;
+/// it is of no part. Ways to another tool and from layer to layer are made anew, without wipes.
 /// @param plate  tool by tool in each layer, with the marks of its parts [bed frame]
 /// @throws as `arrangeTools`
 Toolpath withTower(Toolpath plate, const PlanSettings& settings);

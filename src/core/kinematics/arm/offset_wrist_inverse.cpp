@@ -116,7 +116,7 @@ class OffsetWristSolver {
   using Roots = boost::container::static_vector<double, 2>;
 
   /// Between the second and the third of three samples, or where the residual nearly touches zero at the
-  /// second. Some may be beyond reach: Newton's method tells them apart.
+  /// second. Some may be beyond reach: Newton's method distinguishes them.
   Roots rootsNear(std::size_t way, const std::array<Sample, 3>& at) const {
     const auto& [before, here, next] = at;
     if (here.excess > kNearReach && next.excess > kNearReach) return {};

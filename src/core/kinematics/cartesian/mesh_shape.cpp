@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kDirections = 256;       // in which the outermost vertex is a point of the hull
 constexpr int kApproaches = 40;        // of a vertex by points of the hull
-constexpr double kCloseEnough = 0.01;  // mm: far below what a table of poses tells apart
+constexpr double kCloseEnough = 0.01;  // mm: far below what a table of poses distinguishes
 
 /// Evenly spread over the sphere, along a spiral.
 Point3 directionAt(int i) {

@@ -29,7 +29,7 @@ struct XacroMacro {
 /// Names within a macro, over those around it.
 struct XacroFrame {
   std::map<std::string, XacroValue> properties;
-  std::map<std::string, std::string> faults;  ///< of properties that have no value: told where they are used
+  std::map<std::string, std::string> faults;  ///< of properties without value: reported where they are used
   std::map<std::string, std::vector<const TiXmlElement*>> blocks;
   const XacroFrame* around = nullptr;
 };

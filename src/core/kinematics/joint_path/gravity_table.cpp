@@ -99,7 +99,7 @@ class TableLeading {
     return at;
   }
 
-  /// Where no value of the gate is within the limits it stays as it is: the joint's fault is told later.
+  /// Where no value of the gate is within the limits it stays as it is: the joint's fault is reported later.
   std::vector<Gate> tiltGates(const std::vector<Eigen::Vector2d>& exact) const {
     const std::vector<double> at = passedAt();
     const JointRange& range = table_.tilt_range;

@@ -21,7 +21,7 @@ struct Brim {
 /// innermost one is half a pitch and `brim.gap_mm` off the part. Loops round neighbours that meet are one.
 /// With `brim.ears` only the pieces within the brim's width of a convex corner sharper than 100 deg are left.
 /// @param pitch_mm  distance of neighbouring beads
-/// @param bed       area beyond which nothing is laid; none if it is not known
+/// @param bed       area beyond which nothing is deposited; none if it is not known
 Brim makeBrim(const Regions& first_layer, const BrimSettings& settings, double pitch_mm,
               const std::optional<Box2>& bed);
 

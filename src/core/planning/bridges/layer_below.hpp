@@ -15,8 +15,8 @@
 
 namespace lamina {
 
-/// The support of a layer by the one below, and how unsupported beads are laid. A layer that equals the one
-/// below costs nothing.
+/// The support of a layer by the one below, and how unsupported beads are deposited. A layer that equals the
+/// one below costs nothing.
 class LayerBelow {
  public:
   /// A support of everything: on the bed, and without `bridges.use` and `overhangs.use`.
@@ -37,7 +37,7 @@ class LayerBelow {
   /// The same over other supporting material.
   BridgedAreas bridgedOver(const Regions& carrying, const Regions& inside, double pitch_mm) const;
 
-  /// The path as it is laid over the layer below: overhanging walls changed, others as they are.
+  /// The path as it is deposited over the layer below: overhanging walls changed, others as they are.
   Path carried(Path path) const;
 
  private:

@@ -24,7 +24,7 @@ namespace {
 
 constexpr double kShortestPiece = 0.05;  // mm: nearer to a waypoint no motion is divided
 
-/// When the fan is told what.
+/// A command to the fan, and when it is given.
 struct FanOrder {
   FanChange change;
   double time_s = 0.0;

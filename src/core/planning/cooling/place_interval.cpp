@@ -228,7 +228,7 @@ class PlaceCooler {
     return {std::move(way)};
   }
 
-  /// At the end of what was laid before; the ways there and back count.
+  /// At the end of what was deposited before; the ways there and back count.
   void waitUntil(double ready_s, std::size_t index, double feed_mm_s) {
     const double lacking_s = ready_s - now_s_;
     if (last_ == nullptr || !(lacking_s > 0.0)) return;
@@ -254,7 +254,7 @@ class PlaceCooler {
   std::vector<ParkingGround> grounds_;  ///< by layer
   bool may_reorder_;
   CoolingSummary summary_;
-  PlaceTimes left_;                ///< of what may still be laid over
+  PlaceTimes left_;                ///< of what may still be deposited over
   ToolpathLayer* last_ = nullptr;  ///< whose last path the nozzle stands at the end of
   double now_s_ = 0.0;
 };

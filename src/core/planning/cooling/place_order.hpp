@@ -9,7 +9,7 @@
 
 namespace lamina {
 
-/// An island of a layer, told from others by its box: all that is laid of the part at one place.
+/// An island of a layer, identified by its box: all that is deposited of the part at one place.
 struct DepositedPlace {
   Box2 box;                         ///< [mm, in the plane of the layers]
   std::vector<std::size_t> visits;  ///< stretches of the layer's paths in it, in their order

@@ -207,7 +207,7 @@ class RunPusher {
       const Stretch& stretch = stretches[i];
       if (!stretch.slopes) {
         // A jump, and a slope too short for a piece of its own, is made up for in one short piece beside it:
-        // along all that is steady, it would be laid as a bead too thick, or too thin.
+        // along all that is steady, it would be deposited as a bead too thick, or too thin.
         const double short_s = std::max(kShortestTime, kPastShortest * kShortestWay / stretch.speed_mm_s);
         const bool follows_change = stretch.jumps || (i > 0 && isLost(stretches[i - 1]));
         const bool precedes_change = i + 1 < stretches.size() && isLost(stretches[i + 1]);

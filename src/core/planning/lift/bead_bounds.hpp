@@ -6,7 +6,7 @@
 
 namespace lamina {
 
-/// The volume to be laid on one motion of a run.
+/// The volume to be deposited on one motion of a run.
 struct MotionLoad {
   double mm3 = 0.0;
   double usual_mm3 = 0.0;  ///< volume of a bead of the planned width there

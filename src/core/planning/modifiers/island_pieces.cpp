@@ -25,7 +25,7 @@ struct FinerPoint {
   std::size_t piece = 0;  ///< in which the motion lies
 };
 
-/// How walls of a role are laid in the pieces of an island, against how the plan lays them.
+/// How walls of a role are deposited in the pieces of an island, against how the plan lays them.
 class PieceRules {
  public:
   PieceRules(const std::vector<IslandPiece>& pieces, PathRole role, const WallRules& plan) {

@@ -25,7 +25,7 @@ std::vector<IslandPiece> piecesOf(const Region& island, const LayerVariant& plan
 /// Least number of walls of any piece.
 int leastWalls(const std::vector<IslandPiece>& pieces);
 
-/// The settings and layer by which walls were laid.
+/// The settings and layer by which walls were deposited.
 struct WallRules {
   const PlanSettings* plan = nullptr;
   std::size_t layer = 0;

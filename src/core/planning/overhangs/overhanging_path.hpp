@@ -21,10 +21,10 @@ struct OverhangRules {
   double anchor_mm = 0.0;         ///< shorter gaps do not count
 };
 
-/// A wall as it is laid over the layer below. It gets a waypoint where its unsupported share passes an entry
-/// of the settings. Feed and cross-section of a motion follow from the share at its middle; from the first
-/// entry on the process value `unsupported` states the share. A straight unsupported stretch between two
-/// supported ones spans a gap. A supported wall stays as it is.
+/// A wall as it is deposited over the layer below. It gets a waypoint where its unsupported share passes an
+/// entry of the settings. Feed and cross-section of a motion follow from the share at its middle; from the
+/// first entry on the process value `unsupported` states the share. A straight unsupported stretch between
+/// two supported ones spans a gap. A supported wall stays as it is.
 /// @param below  border of the supporting material, with a reach of at least half the bead width
 /// @param layer  index, from 0; in every second layer loops are reversed if the settings say so
 Path overhanging(Path wall, const BorderDistance& below, const OverhangRules& rules, std::size_t layer);

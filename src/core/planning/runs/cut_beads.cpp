@@ -15,7 +15,7 @@
 namespace lamina {
 namespace {
 
-/// What is laid of a path in one go.
+/// What is deposited of a path in one go.
 struct Piece {
   std::vector<std::size_t> waypoints;  ///< in turn; of a closed path the first one may come last again
   std::vector<std::size_t> motions;    ///< of the path, between them

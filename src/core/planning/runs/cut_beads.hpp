@@ -14,9 +14,9 @@ namespace lamina {
 /// What a machine cannot run of a toolpath as it is.
 struct HinderedWaypoints {
   std::set<WaypointIndex> shut;     ///< of beads: the head has no room there
-  std::set<WaypointIndex> off;      ///< of beads: the motion to them cannot be laid
+  std::set<WaypointIndex> off;      ///< of beads: the motion to them cannot be deposited
   std::set<WaypointIndex> turning;  ///< of beads: on the way to them a joint turns farther than a bead allows
-  std::set<WaypointIndex> low;      ///< first ones of travels that are too near to what is laid
+  std::set<WaypointIndex> low;      ///< first ones of travels that are too near to what is deposited
 
   bool isEmpty() const { return shut.empty() && off.empty() && turning.empty() && low.empty(); }
 };
@@ -31,13 +31,12 @@ struct CutBeads {
   std::size_t turns = 0;  ///< pieces before which the nozzle turns off the bead
 };
 
-/// Leaves out the motions to and from shut waypoints, those that cannot be laid, and what is shorter than its
-/// bead is wide between them. Before a motion to a turning waypoint the nozzle leaves the bead, takes the
-/// orientation it has at that waypoint, and comes back. Closed paths that are cut become open ones.
+/// Leaves out the motions to and from shut waypoints, those that cannot be deposited, and what is shorter
+/// than its bead is wide between them. Before a motion to a turning waypoint the nozzle leaves the bead,
+/// takes the orientation it has at that waypoint, and comes back. Closed paths that are cut become open ones.
 ///
 /// Travels between paths that stay are kept, those that are low at three times their rise; the others are
-/// made anew. Events before a motion that is left
-/// out are left out.
+/// made anew. Events before a motion that is left out are left out.
 /// @param hindered  of beads; drops stay as they are
 /// @param off_mm    by which the nozzle leaves a bead to turn, and a low travel rises at least
 CutBeads cutBeads(Toolpath toolpath, const HinderedWaypoints& hindered, const TravelMaker& travel,

@@ -30,7 +30,7 @@ inline const Path& pathAt(const Toolpath& toolpath, const RunPlace& place) {
   return toolpath.layers[place.layer].paths[place.path];
 }
 
-/// Beads that are laid in one go: they meet in one pose. Indices into the places of a toolpath.
+/// Beads that are deposited in one go: they meet in one pose. Indices into the places of a toolpath.
 struct RunSpan {
   std::size_t begin = 0;
   std::size_t end = 0;

@@ -151,7 +151,7 @@ std::vector<BeadMotion> beadMotions(const ToolpathLayer& layer) {
   return motions;
 }
 
-/// What is laid near a lead: in its own path, and in others.
+/// What is deposited near a lead: in its own path, and in others.
 class LeadRoom {
  public:
   LeadRoom(const std::vector<BeadMotion>& motions, const Point3& at, double reach_mm, std::size_t own) {
@@ -161,8 +161,8 @@ class LeadRoom {
     }
   }
 
-  /// The longest way along which the lead keeps off what is laid. None if it would lie on its own bead along
-  /// more than half of that.
+  /// The longest way along which the lead keeps off what is deposited. None if it would lie on its own bead
+  /// along more than half of that.
   /// @param on_own_mm  from its own path: nearer it lies on the bead, unless it goes straight away
   template <class PointAt>
   double longest(double way_mm, double width_mm, double on_own_mm, PointAt pointAt) const {
@@ -194,7 +194,7 @@ class LeadRoom {
     return 2.0 * step_mm * static_cast<double>(count_on_own) > free_mm ? 0.0 : free_mm;
   }
 
-  /// Whether a loop keeps off what is laid; of its own path it comes near only where it touches that.
+  /// Whether a loop keeps off what is deposited; of its own path it comes near only where it touches that.
   template <class PointAt>
   bool holds(const LeadWay& loop, double width_mm, PointAt pointAt) const {
     const auto count = static_cast<std::size_t>(std::ceil(loop.whole_mm / (kSampleShare * width_mm)));
@@ -304,7 +304,7 @@ class LayerLeads {
     return lead;
   }
 
-  /// Whether nothing is laid along a straight way from the end of a path or its lead.
+  /// Whether nothing is deposited along a straight way from the end of a path or its lead.
   bool isFree(std::size_t index, const Point3& from, const Point3& way) const {
     const double way_mm = way.norm();
     const double width_mm = widestPlan(layer_.paths[index]);

@@ -9,7 +9,7 @@
 
 namespace lamina {
 
-/// Whether lines of that role are laid in one order across them, none between two laid before.
+/// Whether lines of that role are deposited in one order across them, none between two deposited before.
 bool laysInOneSense(const SkinSettings& settings, PathRole role);
 
 /// Zigzag lines of ironing over visible areas [mm]. Places narrower than twice the inset get none.

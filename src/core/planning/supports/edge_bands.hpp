@@ -45,7 +45,7 @@ class EdgeBands {
   bool enclose(const Point2& point) const;
 
   /// Calls visit(edge, index) for the edges that come within `reach_mm` of the height of a point, and for
-  /// some others; for one that lies in several bands more than once. The index tells where an edge comes in
+  /// some others; for one that lies in several bands more than once. The index gives the place of an edge in
   /// the order of all.
   template <class Visit>
   void visitNear(const Point2& point, double reach_mm, const Visit& visit) const {

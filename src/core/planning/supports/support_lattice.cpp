@@ -73,7 +73,7 @@ bool isForLoops(const Regions& centred, const LatticeLines& lines) {
 }
 
 /// As many lines as the distance asks for at least, the first and the last along the borders that they face:
-/// what is laid on an interface finds a bead along all of its rim.
+/// what is deposited on an interface finds a bead along all of its rim.
 std::vector<FillPath> rasterFromRimToRim(const Regions& centred, InfillRequest request) {
   const Point2 across(-std::sin(request.angle_rad), std::cos(request.angle_rad));
   double low = std::numeric_limits<double>::infinity();
@@ -208,7 +208,7 @@ std::vector<LayerAids> supportLattice(const std::vector<LayerSupport>& areas, co
                                       const LatticePlace& place, Progress& progress) {
   const LatticePlanner planner(settings, place.layer_height_mm, place.away);
   std::vector<LayerAids> aids(areas.size());
-  // The lowest of interfaces on each other is laid in another way.
+  // The lowest of interfaces on each other is deposited in another way.
   const auto isShared = [&](std::size_t i) {
     return i > 0 && areAlike(areas[i], areas[i - 1]) &&
            (areas[i][0].interface->empty() || (i > 1 && areAlike(areas[i - 1], areas[i - 2])));

@@ -17,7 +17,7 @@ namespace {
 constexpr double kNarrowestTower = 5.0;  // mm
 constexpr double kTowerStep = 0.25;      // mm
 constexpr double kKeptSpacing = 5.0;     // pitches
-constexpr double kLeastRest = 1e-3;      // mm: shorter runs are not laid
+constexpr double kLeastRest = 1e-3;      // mm: shorter runs are not deposited
 
 /// The part of a polyline between two lengths along it.
 std::vector<Point2> between(const std::vector<Point2>& points, double from_mm, double to_mm) {

@@ -29,7 +29,7 @@ constexpr double kTowerBesidePart = 5.0;  ///< distance from the part without a 
 /// a layer without purges the walls and a few lines keep it as high as the part.
 class PrimeTower {
  public:
-  /// @param layers  all layers; those above the last purge are not laid
+  /// @param layers  all layers; those above the last purge are not deposited
   /// @param part    box of the deposition, in the frame of the layers
   /// @throws InvalidConfig if it is too small, or stands on the part
   PrimeTower(std::vector<TowerLayer> layers, const PlanSettings& settings, const Box2& part);

@@ -132,7 +132,7 @@ struct TowerLevels {
 
 /// Parts of a plate may have layers that end within each other's, by their tops. Each ends a level of the
 /// tower, as high as there is room above the one before; where that is less than half the lower of both
-/// layers it lays into the one before, from its own top, so that the nozzle stays above all that is laid.
+/// layers it lays into the one before, from its own top, so that the nozzle stays above all deposits.
 TowerLevels towerLevels(const std::vector<ToolpathLayer>& layers) {
   constexpr double kLeastRise = 0.5;
   TowerLevels levels;

@@ -21,9 +21,9 @@ class LayerTravels {
 
   /// @param material  of the layer; must outlive the travels
   void setMaterial(const Regions& material) { material_ = &material; }
-  /// Adds a top skin that was laid.
+  /// Adds a top skin that was deposited.
   void addSeen(const Regions& top_skin);
-  /// All top skins that were laid.
+  /// All top skins that were deposited.
   const Regions& seen() const { return seen_; }
   void setSeen(const Regions& top_skins);
 

@@ -55,7 +55,7 @@ std::vector<TurnPoint> turnOf(const Path& loop) {
   return turn;
 }
 
-/// A loop that another one is laid on.
+/// A loop that another one is deposited on.
 class LoopBelow {
  public:
   explicit LoopBelow(Polygon points) : points_(std::move(points)), edges_(boxesOf(points_)) {}
@@ -92,7 +92,7 @@ class LoopBelow {
   BoxTree edges_;
 };
 
-/// What a turn is laid on, and how it rises.
+/// What a turn is deposited on, and how it rises.
 struct TurnHeights {
   double from_mm = 0.0;  ///< of the nozzle
   double to_mm = 0.0;

@@ -22,7 +22,7 @@ std::string thousandths(double value) {
   return std::string(digits, writeFixed<3>(digits, std::llround(1e3 * value)));
 }
 
-/// How a controller is told to wait.
+/// How a controller is commanded to wait.
 struct WaitWord {
   char letter = 'P';
   double unit_s = 1.0;

@@ -40,7 +40,7 @@ namespace {
 struct FiveAxisTarget {
   JointValues joints;
   Point3 tip = Point3::Zero();  ///< [mm, bed]
-  double filament_mm = 0.0;     ///< laid on the way
+  double filament_mm = 0.0;     ///< deposited on the way
   double time_s = 0.0;
   double feed = 0.0;        ///< [mm/s], or [deg/s] in place
   const char* remark = "";  ///< " ;via" between two waypoints, " ;turn" in place

@@ -165,7 +165,7 @@ void LayerWriter::writeWipe(const Path& path, double retraction_mm, Modal& modal
                 modal, text);
   }
   writeEvents(path, path.motionCount(), modal, text);
-  // What is pulled back is pushed forth again: it does not count as laid.
+  // What is pulled back is pushed forth again: it does not count as deposited.
   modal.filament_mm = laid_mm;
   modal.filament += toUnits(retraction_mm, kFilamentScale);
 }

@@ -23,7 +23,7 @@ const SpeedUnit kInchesPerMinute = {"inch/min", 25.4 / 60.0, 1.0, 4724.0};
 const SpeedUnit kInformMillimetres = {"mm/s", 1.0, 0.1, 1500.0};
 const SpeedUnit kInformCentimetres = {"cm/min", 10.0 / 60.0, 0.1, 9000.0};
 
-constexpr double kRoundedShare = 1e-4;  // of a speed: less is not told
+constexpr double kRoundedShare = 1e-4;  // of a speed: less is not reported
 
 }  // namespace
 

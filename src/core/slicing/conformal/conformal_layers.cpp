@@ -160,7 +160,7 @@ TriangleNumbers facesTowards(const Mesh& mesh, const ConformalSettings& settings
 struct CoatedFaces {
   Mesh mesh;
   TriangleNumbers faces;
-  double hidden_mm2 = 0.0;  ///< of what looks in the direction, beneath other faces
+  double hidden_mm2 = 0.0;  ///< of what looks in the direction, below other faces
 };
 
 double areaOf(const Mesh& mesh, std::uint32_t face) {
@@ -169,7 +169,7 @@ double areaOf(const Mesh& mesh, std::uint32_t face) {
   return 0.5 * (mesh.vertices[corner[1]] - a).cross(mesh.vertices[corner[2]] - a).norm();
 }
 
-/// The nozzle comes from the direction, and cannot come to what lies beneath other faces. A mesh with faces
+/// The nozzle comes from the direction, and cannot come to what lies below other faces. A mesh with faces
 /// that are hidden in part is divided, so that they end where they are.
 CoatedFaces coatedFaces(const Mesh& mesh, const ConformalSettings& settings) {
   const Point3 direction = directionOf(settings);

@@ -24,8 +24,8 @@ struct GrowthAt {
   Point3 gradient = Point3::UnitZ();
 };
 
-/// When growth reaches the nodes of a part: how much nominal layer height has been laid by then. At each node
-/// the least of all ways through the part from the bed, each as long as `GrowthGauge` says.
+/// When growth reaches the nodes of a part: how much nominal layer height has been deposited by then. At each
+/// node the least of all ways through the part from the bed, each as long as `GrowthGauge` says.
 struct ArrivalField {
   std::vector<double> growth_mm;  ///< at the middles of the nodes; infinite where no way leads
   std::vector<Point3> turn;       ///< where the straight end of the way to the node begins

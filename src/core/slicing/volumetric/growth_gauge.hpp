@@ -13,7 +13,7 @@ struct GrowthLimits {
   double max_tilt_rad = 1.4;   ///< of the growth direction from up
 };
 
-/// What it takes to grow along a straight way: nominal layer height laid, per length. A way up to the
+/// What it takes to grow along a straight way: nominal layer height deposited, per length. A way up to the
 /// overhang from upright takes its rise, so that layers are level there. One that leans more takes |way|
 /// cos(overhang) exp(-(lean - overhang) tan(overhang)): the layer's normal lags behind the way by exactly the
 /// overhang, and the layer's thickness is exp((lean - overhang) tan(overhang)). Where that reaches the

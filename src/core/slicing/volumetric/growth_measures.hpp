@@ -48,7 +48,7 @@ GrownThickness grownThickness(const CellGraph& cells, const GrowthLattice& latti
 /// @param bed_mm  what stands below this z is not counted
 std::size_t growthMinima(const CellGraph& cells, const GrowthLattice& lattice, double bed_mm);
 
-/// How layers lie on what is laid before them.
+/// How layers lie on what is deposited before them.
 struct RestingShare {
   double area_mm2 = 0.0;
   double resting_mm2 = 0.0;

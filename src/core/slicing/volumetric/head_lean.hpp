@@ -13,7 +13,7 @@ namespace lamina {
 /// What leans are looked for.
 struct LeanQuestion {
   double greatest_rad = 0.6;
-  double ahead_mm = 0.2;  ///< growth that is laid before a place besides what has grown before it: its layer
+  double ahead_mm = 0.2;  ///< growth deposited before a place besides what has grown before it: its layer
 };
 
 /// How far the head leans from a part's layers towards upright, so that it clears bed and part.

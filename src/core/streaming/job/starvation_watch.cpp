@@ -59,7 +59,7 @@ double StarvationWatch::pauseBefore(const Line& line, std::optional<int> free_bl
   const bool was_empty = free_blocks && *free_blocks >= most_free_ - 1;
   const bool has_content = recent_.size() == kMostMotions;
   const double held_up_s = has_content ? now - taken_at_ - kSlowest * contentOf(kMostMotions) : 0.0;
-  // An answer that was read late tells of the time before: the next one shows whether the planner ran dry.
+  // An answer that was read late reports the time before: the next one shows whether the planner ran dry.
   const double held_up_before_s = std::exchange(held_up_s_, held_up_s);
   if (was_empty) return std::max({now - runs_dry_at_, held_up_s, held_up_before_s});
   if (free_blocks) return 0.0;

@@ -94,7 +94,7 @@ std::string differenceOf(const ProgramOrigin& known, const ProgramOrigin& given)
   return {};
 }
 
-/// What was laid must be what the rest is laid by.
+/// The corrections of what was deposited must be those of the rest.
 /// @throws InvalidInput if the job was corrected otherwise
 void requireSameCorrections(const JournalledJob& job, const StreamableProgram& program,
                             const std::string& what_is_known) {
@@ -236,7 +236,7 @@ StreamJournal followJournal(const std::string& path, const StreamableProgram& pr
                          known.job.program_sha256 == sha256Of(program);
     if (is_same) journal.unfinished = std::move(known);
   } catch (const FileError&) {
-    journal.unfinished.reset();  // a damaged file tells nothing, and the machine is asked all the same
+    journal.unfinished.reset();  // a damaged file states nothing, and the machine is asked all the same
   }
   return journal;
 }

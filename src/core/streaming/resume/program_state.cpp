@@ -30,7 +30,7 @@ bool isSetting(int code) {
   return std::find(kSettings.begin(), kSettings.end(), code) != kSettings.end();
 }
 
-/// Questions, messages, waiting, and what the motors are told.
+/// Questions, messages, waiting, and commands to the motors.
 bool leavesNothingBehind(int code) {
   constexpr std::array<int, 17> kCodes = {17,  18,  27,  31,  73,  75,  84,  105, 110,
                                           113, 114, 115, 117, 118, 155, 300, 400};

@@ -193,7 +193,7 @@ ServerAnswer Duet::readModel(const HttpResponse& response) {
 ServerAnswer Duet::readReply(const HttpResponse& response) {
   part_ = Part::Model;
   if (!isSuccess(response)) return answerOfStatus("the question what the printer has said", response);
-  // The board says it once; a print of less than a second has no duration to tell it by.
+  // The board says it once; a print of less than a second has no duration to recognise it by.
   if (response.body.find("Finished printing file " + onCard(printedFile())) != std::string::npos)
     has_finished_ = true;
   for (const std::string& line : complaintsIn(response.body)) complaints.push_back(line);

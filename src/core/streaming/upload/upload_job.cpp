@@ -279,7 +279,7 @@ void UploadJob::onRefused(UploadStep step, const Failure& why, double now) {
       next_at_ = now + kReportInterval;
       return;
     case UploadStep::Remove:
-      return onRemoved();  // or it is in use: the next report tells
+      return onRemoved();  // or it is in use: the next report shows that
     case UploadStep::Disconnect:
       return close();
     case UploadStep::EmergencyStop:

@@ -34,8 +34,8 @@ struct DepositedBoxes {
 DepositedBoxes depositedBoxes(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
                               double tolerance_mm);
 
-/// How many boxes are laid on the way to the waypoint, or are the drop at it; waypoint 0 of an open path of
-/// beads has none.
+/// How many boxes are deposited on the way to the waypoint, or are the drop at it; waypoint 0 of an open path
+/// of beads has none.
 std::size_t piecesDepositedAt(const Path& path, std::size_t waypoint, double tolerance_mm);
 
 }  // namespace lamina

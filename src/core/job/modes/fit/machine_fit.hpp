@@ -24,7 +24,7 @@ struct MachineFit {
 
 /// Checks a toolpath as `checkRun` does and cuts the beads that the machine cannot lay (`cutBeads`), from
 /// check to check: where it would run into something they are left out, and where a joint turns too far
-/// beside a singularity they are laid in pieces. After a cut only the layers that it changed are checked
+/// beside a singularity they are deposited in pieces. After a cut only the layers that it changed are checked
 /// again; once they are clear, everything is, and what is given back is as that check found it. No more is
 /// left out than `volumetric.largest_left_out_percent`; what is hindered then stays for the check that
 /// refuses it.

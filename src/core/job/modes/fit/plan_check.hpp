@@ -41,7 +41,7 @@ class PlanCheck {
 
   /// Looks only at layers that are not as they were, and at those beside them, through which the joints go
   /// on; of the others the findings are kept. To be trusted as far as nothing is deposited that was not
-  /// before; where joints choose otherwise in layers farther off, only the whole check tells.
+  /// before; where joints choose otherwise in layers farther off, only the whole check shows that.
   /// @param beads   its travels not led yet, with as many layers
   /// @param before  of the same part, any check
   /// @throws as `whole`

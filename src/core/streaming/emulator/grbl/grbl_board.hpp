@@ -110,10 +110,10 @@ class EmulatedGrbl::Board {
   double feed_mm_min_ = 0.0;
   double spindle_ = 0.0;
   double speed_ = 0.0;
-  int reports_to_offset_ = 1;  ///< until it is told again
+  int reports_to_offset_ = 1;  ///< until it is reported again
   GrblPercents percents_;
   std::set<char> override_bytes_;  ///< that came since the firmware looked last; equal ones are one
-  int reports_to_overrides_ = 1;   ///< until they are told again
+  int reports_to_overrides_ = 1;   ///< until they are reported again
 
   // Faults.
   std::uint64_t arriving_ = 1;     ///< number of the line whose bytes arrive

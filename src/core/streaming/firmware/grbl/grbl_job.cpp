@@ -131,7 +131,7 @@ void GrblJob::pump(double now) {
   record_.status.lines_sent = feed_.end() - 1;
 }
 
-/// A question whose answer tells itself from that to a line of the program: as answers come in order, all
+/// A question whose answer differs from that to a line of the program: as answers come in order, all
 /// lines before it were answered then.
 void GrblJob::ask() {
   ++record_.status.probes;

@@ -17,7 +17,7 @@ void GrblJob::refuseCutLine() { output_ += kRefusedWord; }
 
 void GrblJob::beginLocating(double now) {
   phase_ = Phase::Locating;
-  // grbl reports Idle in a dwell too: what was told before its questions were answered is where it stood
+  // grbl reports Idle in a dwell too: what was reported before its questions were answered is where it stood
   // between two lines.
   work_.reset();
   heard_s_ = now;
@@ -26,7 +26,7 @@ void GrblJob::beginLocating(double now) {
   goOn(now);
 }
 
-/// Once the machine is idle, and has told where it is in the coordinates of the work.
+/// Once the machine is idle, and has reported where it is in the coordinates of the work.
 void GrblJob::goOn(double now) {
   const bool is_idle = machine_state_ == GrblState::Idle;
   if (work_ && is_idle) return goOnAt(*work_, now);

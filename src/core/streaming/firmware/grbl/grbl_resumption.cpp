@@ -91,7 +91,7 @@ Candidates candidatesOf(const StreamableProgram& program, const UnfinishedLines&
   return found;
 }
 
-/// The stays that the place does not tell from the nearest.
+/// The stays that the place does not distinguish from the nearest.
 std::vector<const Stay*> staysAt(const std::vector<Stay>& stays, const GrblAxes& work) {
   double nearest = kSamePlace;
   for (const Stay& stay : stays)

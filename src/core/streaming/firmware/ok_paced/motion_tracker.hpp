@@ -18,13 +18,13 @@ enum class RunEvidence : std::uint8_t {
   None,  ///< the position does not show it, or is neither that before nor that after it
 };
 
-/// Follows the position to which G-code leads, as far as it is known, to tell by the machine's position
+/// Follows the position to which G-code leads, as far as it is known, to decide by the machine's position
 /// whether a command was run. Coordinates are in program units, as the firmware counts them.
 class MotionTracker {
  public:
   /// Sets the machine's position.
   void locate(const ReportedPosition& position);
-  /// Whether the position must be known before this command, to tell later if it was run.
+  /// Whether the position must be known before this command, to decide later whether it was run.
   bool needsPosition(std::string_view command) const;
   /// Computes the position to which a command leads that is about to be sent.
   void expect(std::string_view command);
