@@ -8,7 +8,7 @@
 namespace lamina {
 
 /// Number of the interface between Lamina and plug-ins. It rises when a type that a registry holds changes.
-inline constexpr int kPluginInterface = 2;
+inline constexpr int kPluginInterface = 3;
 
 /// A plug-in as a class, which `pluginlib` finds and makes for the nodes.
 class Plugin {

@@ -11,6 +11,7 @@
 #include "lamina/base/parallel.hpp"
 #include "lamina/geometry/mesh_io/mesh_writer.hpp"
 #include "lamina/geometry/parts/parts.hpp"
+#include "lamina/job/modes/slicing_mode.hpp"
 #include "lamina/job/slice_job.hpp"
 #include "lamina/slicing/unsliceable.hpp"
 #include "support/scratch_folder.hpp"
@@ -132,6 +133,43 @@ TEST_F(AutomaticChoice, AHeadThatCannotTiltGetsLevelLayers) {
   EXPECT_EQ(summary.mode, "planar");
   EXPECT_EQ(summary.candidates.size(), 1U);
   EXPECT_TRUE(isNoted(summary, "cartesian_gantry holds it as it is"));
+}
+
+/// A mode of a plug-in while it lives: level layers, said to leave nothing unsupported.
+class SupportingMode {
+ public:
+  SupportingMode(std::string name, AutoTrial trial, int turn) : name_(std::move(name)) {
+    SlicingMode mode = slicingModes().find("planar");
+    mode.plan = [planar = mode.plan](SourcePart source, const PlanningRequest& request, Progress& progress) {
+      PlannedPart planned = planar(std::move(source), request, progress);
+      planned.support = LayerSupport{};
+      return planned;
+    };
+    mode.auto_trial = trial;
+    mode.auto_turn = turn;
+    slicingModes().add(name_, mode);
+  }
+  SupportingMode(const SupportingMode&) = delete;
+  SupportingMode& operator=(const SupportingMode&) = delete;
+  ~SupportingMode() { slicingModes().remove(name_); }
+
+ private:
+  std::string name_;
+};
+
+TEST_F(AutomaticChoice, TriesTheModesOfPlugInsInTheirTurn) {
+  useTee();
+  job_.settings.machine.name = "cartesian_gantry";
+  const SupportingMode unasked("never_tried", AutoTrial::None, 0);
+  const SupportingMode tilting("of_tilting_heads", AutoTrial::TiltingHead, 0);
+  const SupportingMode later("a_later_one", AutoTrial::AnyHead, 9);
+  const SupportingMode own("their_own", AutoTrial::AnyHead, 4);
+  const SliceSummary summary = slice().summary;
+  EXPECT_EQ(summary.mode, "their_own") << summary.mode_reason;
+  ASSERT_EQ(summary.candidates.size(), 2U);
+  EXPECT_EQ(summary.candidates.front().mode, "planar") << "its turn is the first";
+  job_.settings.machine.name = "five_axis_head_table";
+  EXPECT_EQ(slice().summary.mode, "of_tilting_heads") << "of one turn, in the order of their names";
 }
 
 TEST_F(AutomaticChoice, AnInclinedHeadGetsLayersAcrossIt) {

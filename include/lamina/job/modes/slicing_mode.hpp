@@ -80,12 +80,23 @@ enum class DepositedOn {
   Base,  ///< `conformal.base`, if it is set
 };
 
+/// On which machines `auto` tries a mode.
+enum class AutoTrial {
+  None,         ///< it is had by its name only
+  AnyHead,      ///< on all
+  TiltingHead,  ///< where the nozzle may tilt
+};
+
 /// A kind of layers that a part can be cut into, and what a job has to know about it.
 struct SlicingMode {
   PlanFunction plan;
   LayerShape shape = LayerShape::Bent;
   FirstLayer first_layer = FirstLayer::OwnHeight;
   DepositedOn deposited_on = DepositedOn::Bed;
+  AutoTrial auto_trial = AutoTrial::None;
+  /// Place among the modes that `auto` tries, the lowest first: the simpler to print, the lower. Lamina's own
+  /// have 0 to 3; modes of one turn are tried in the order of their names.
+  int auto_turn = 0;
 };
 
 /// The value of `slicing.mode` that leaves the choice to the part and the machine: no mode of its own.

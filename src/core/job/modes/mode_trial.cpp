@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "job/modes/mode_trial.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "lamina/base/error.hpp"
@@ -40,8 +41,6 @@ PlannedPart plannedBy(const SliceJob& job, const SourcePart& source, const Plann
 
 }  // namespace
 
-std::vector<std::string> tiltingModes() { return {"multi_direction", "adapted", "volumetric"}; }
-
 Nozzle nozzleFor(const SliceJob& job, const BuildSpace& space) {
   const bool is_held = programRunner(job.output) == ProgramRunner::RapidRobot &&
                        job.settings.program.rapid.variant != RapidVariant::Powder5Axes;
@@ -49,9 +48,18 @@ Nozzle nozzleFor(const SliceJob& job, const BuildSpace& space) {
 }
 
 std::vector<std::string> modesInTurn(const SliceJob& job, const BuildSpace& space) {
-  std::vector<std::string> modes = {"planar"};
-  if (nozzleFor(job, space) == Nozzle::Held) return modes;
-  for (std::string& mode : tiltingModes()) modes.push_back(std::move(mode));
+  const bool is_held = nozzleFor(job, space) == Nozzle::Held;
+  std::vector<std::pair<int, std::string>> in_turn;
+  for (const std::string& name : slicingModes().names()) {
+    const SlicingMode mode = slicingModes().find(name);
+    if (mode.auto_trial == AutoTrial::None || (is_held && mode.auto_trial == AutoTrial::TiltingHead))
+      continue;
+    in_turn.emplace_back(mode.auto_turn, name);
+  }
+  std::sort(in_turn.begin(), in_turn.end());
+  std::vector<std::string> modes;
+  modes.reserve(in_turn.size());
+  for (auto& [turn, name] : in_turn) modes.push_back(std::move(name));
   return modes;
 }
 

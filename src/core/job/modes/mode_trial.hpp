@@ -22,14 +22,11 @@ struct ModeTrial {
   Mesh in_the_way;                     ///< of an `Unsliceable`: its region
 };
 
-/// Modes that tilt the nozzle so that less hangs, from the simplest to print.
-std::vector<std::string> tiltingModes();
-
 /// Whether the machine, and the program for it, may tilt the nozzle.
 Nozzle nozzleFor(const SliceJob& job, const BuildSpace& space);
 
-/// The modes that `auto` tries until one is good enough, from the simplest on, where it is the support that
-/// decides.
+/// The registered modes that `auto` tries until one is good enough, by their turn, where it is the support that
+/// decides (`AutoTrial`).
 std::vector<std::string> modesInTurn(const SliceJob& job, const BuildSpace& space);
 
 /// Of a part in plane layers as the settings incline them.

@@ -4,23 +4,32 @@
 
 #include <filesystem>
 #include <map>
+#include <utility>
 
 #include "job/modes/part_planning.hpp"
 
 namespace lamina {
 namespace {
 
+SlicingMode triedByAuto(SlicingMode mode, AutoTrial trial, int turn) {
+  mode.auto_trial = trial;
+  mode.auto_turn = turn;
+  return mode;
+}
+
+SlicingMode bent(PlanFunction plan) { return {std::move(plan), LayerShape::Bent}; }
+
 std::map<std::string, SlicingMode> builtInModes() {
-  const SlicingMode plane{planPlanar, LayerShape::Plane, FirstLayer::OwnHeight, DepositedOn::Bed};
+  const SlicingMode plane{planPlanar, LayerShape::Plane};
   return {
-      {"adapted", {planAdapted, LayerShape::Bent, FirstLayer::OwnHeight, DepositedOn::Bed}},
+      {"adapted", triedByAuto(bent(planAdapted), AutoTrial::TiltingHead, 2)},
       {"conformal", {planConformal, LayerShape::Bent, FirstLayer::SameHeight, DepositedOn::Base}},
-      {"curved", {planCurved, LayerShape::Bent, FirstLayer::SameHeight, DepositedOn::Bed}},
-      {"heightfield", {planHeightField, LayerShape::Bent, FirstLayer::OwnHeight, DepositedOn::Bed}},
+      {"curved", {planCurved, LayerShape::Bent, FirstLayer::SameHeight}},
+      {"heightfield", bent(planHeightField)},
       {"inclined", plane},  // as planar; validate requires an angle
-      {"multi_direction", {planMultiDirection, LayerShape::Bent, FirstLayer::OwnHeight, DepositedOn::Bed}},
-      {"planar", plane},
-      {"volumetric", {planVolumetric, LayerShape::Bent, FirstLayer::OwnHeight, DepositedOn::Bed}},
+      {"multi_direction", triedByAuto(bent(planMultiDirection), AutoTrial::TiltingHead, 1)},
+      {"planar", triedByAuto(plane, AutoTrial::AnyHead, 0)},
+      {"volumetric", triedByAuto(bent(planVolumetric), AutoTrial::TiltingHead, 3)},
   };
 }
 
