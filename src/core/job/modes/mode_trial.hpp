@@ -25,8 +25,8 @@ struct ModeTrial {
 /// Whether the machine, and the program for it, may tilt the nozzle.
 Nozzle nozzleFor(const SliceJob& job, const BuildSpace& space);
 
-/// The registered modes that `auto` tries until one is good enough, by their turn, where it is the support that
-/// decides (`AutoTrial`).
+/// The registered modes that `auto` tries until one is good enough, by their turn, where it is the support
+/// that decides (`AutoTrial`).
 std::vector<std::string> modesInTurn(const SliceJob& job, const BuildSpace& space);
 
 /// Of a part in plane layers as the settings incline them.
