@@ -4,11 +4,11 @@
 
 namespace lamina {
 
-// Of ASCII, whatever the locale.
+// Classes and case of ASCII characters, the same in every locale.
 
 constexpr bool isDigit(char c) { return c >= '0' && c <= '9'; }
 constexpr bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-/// Whether it separates words of a line.
+/// Whether the character is a space or a tab, which separate the words of a line.
 constexpr bool isBlank(char c) { return c == ' ' || c == '\t'; }
 
 /// The capital of a small letter; anything else as it is.

@@ -6,7 +6,7 @@
 
 namespace lamina {
 
-/// Port for the time that passes: real in production, set by hand in tests.
+/// Interface through which time is read: a real clock in production, one set by hand in tests.
 class Clock {
  public:
   virtual ~Clock() = default;
@@ -14,7 +14,7 @@ class Clock {
   virtual double now() const = 0;
 };
 
-/// The machine's steady clock.
+/// The monotonic clock of the computer.
 class SteadyClock final : public Clock {
  public:
   double now() const override {

@@ -13,8 +13,9 @@ namespace lamina {
 /// other. Its cost is the product of the two lengths.
 std::size_t editDistance(std::string_view a, std::string_view b);
 
-/// "; did you mean '...'?" with the first of the names that are nearest to what was given; empty if there are
-/// none, or more than half of the nearest would have to change.
+/// "; did you mean '...'?" with the name at the least edit distance from what was given, the first of
+/// several. Empty if there are no names, or if the distance is more than half the length of the longer of the
+/// two texts.
 std::string suggestionFor(const std::vector<std::string>& names, std::string_view given);
 
 }  // namespace lamina

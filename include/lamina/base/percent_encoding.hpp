@@ -8,11 +8,11 @@
 
 namespace lamina {
 
-/// Text in which every byte but those of `kept`, letters and digits of ASCII is written as % and two
-/// hexadecimal digits, capitals.
+/// The text with ASCII letters, ASCII digits and the bytes of `kept` as they are, and every other byte as %
+/// and two capital hexadecimal digits.
 std::string percentEncoded(std::string_view text, std::string_view kept);
 
-/// The text again; nothing if a % is not followed by two hexadecimal digits, capitals or not.
+/// The text that was encoded; nothing if a % is not followed by two hexadecimal digits, capitals or not.
 std::optional<std::string> percentDecoded(std::string_view text);
 
 }  // namespace lamina

@@ -11,39 +11,41 @@
 
 namespace lamina {
 
-/// Length of bead over which a section is a mean [mm].
+/// Length of bead over which a cross-section is averaged [mm].
 inline constexpr double kSectionMm = 0.5;
 
-/// Cross-section of a bead by place, over the bed beside it.
+/// Cross-sections measured along a bead: areas above the level of the bed on either side of it.
 struct BeadSections {
-  std::vector<double> along_mm;  ///< from where the bead begins, ascending
+  std::vector<double> along_mm;  ///< middle of each section, from where the bead begins; ascending
   std::vector<double> area_mm2;
 };
 
-/// How late a feeder follows: after a dead time, and then as a first-order lag.
+/// How the feeder follows the amount that is commanded: after a dead time, then as a first-order lag.
 struct FeederFit {
   double dead_time_s = 0.0;
   double dead_time_spread_s = 0.0;  ///< standard deviation
-  double lag_s = 0.0;
+  double lag_s = 0.0;               ///< time constant of the first-order lag
   double lag_spread_s = 0.0;
-  double gain = 0.0;      ///< of the bead's section over that of the commanded steps
-  double shift_mm = 0.0;  ///< of the scan against the program, along the beads
-  double rms = 0.0;       ///< of the sections, relative
-  std::size_t sections = 0;
+  double gain = 0.0;      ///< step of the cross-section over the one commanded, both relative; ideally 1
+  double shift_mm = 0.0;  ///< by which the scan lies off the program, along the first bead's direction
+  double rms = 0.0;       ///< of the sections' residuals, relative to the first bead's section at its start
+  std::size_t sections = 0;  ///< number of those measured, on all beads
 };
 
-/// Sections of the feeder's beads out of a scan.
+/// Measures the cross-sections of the beads of `feederToolpath` in a scan of them.
 /// @param nozzle_from_sensor  [mm]
-/// @return one for each bead of `steps`; without places where it was not seen
+/// @param time_offset_s  how late the sensor's time stamps are, as in `TimeOffset`
+/// @return an entry for each bead of `steps`, without the places where the scan does not show the bead's
+///   whole width
 std::vector<BeadSections> beadSections(const SensorRecording& scan,
                                        const Eigen::Isometry3d& nozzle_from_sensor, double time_offset_s,
                                        const FeederSteps& steps);
 
 /// Fits dead time, lag, gain and shift to sections of beads that were deposited at one speed. Beads in
 /// opposite directions distinguish the dead time from a shift of the scan.
-/// @param speed_mm_s  at which they were deposited
-/// @throws InvalidInput if one of two beads has fewer than 20 sections, sections do not follow the steps, or
-///   the dead time is longer than a step takes
+/// @param speed_mm_s  of the nozzle while the beads were deposited
+/// @throws InvalidInput if a bead has fewer than 20 sections, the gain is below 0.1, or the dead time is
+///   longer than a step takes
 FeederFit fitFeeder(const FeederSteps& steps, const std::vector<BeadSections>& beads, double speed_mm_s);
 
 }  // namespace lamina

@@ -7,8 +7,8 @@
 
 namespace lamina {
 
-/// By how much a cost is expected to be less than the best known one [Jones1998, eq. 15].
-/// Without variance, the improvement itself; never negative.
+/// Expected value of max(0, best_cost - cost) for a normally distributed cost [Jones1998, eq. 15]; without
+/// variance, max(0, best_cost - cost.value).
 double expectedImprovement(const Prediction& cost, double best_cost);
 
 /// Probability that a normally distributed response lies in an interval. Without variance, 0 or 1.

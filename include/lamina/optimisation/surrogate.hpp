@@ -22,19 +22,20 @@ class Surrogate {
  public:
   virtual ~Surrogate() = default;
 
-  /// @param point  of the space it was fitted in; values between levels or whole numbers are allowed
+  /// @param point  of the space it was fitted in; integer variables and levels may take values in between
   virtual Prediction at(const DesignPoint& point) const = 0;
 
   /// The value of the prediction alone, which may be cheaper.
   virtual double valueAt(const DesignPoint& point) const { return at(point).value; }
 
-  /// One line for a report: kind, regression, correlation, ranges.
+  /// One line for a report: the kind of surrogate and what was fitted, such as regression and correlation
+  /// lengths.
   virtual std::string description() const = 0;
 };
 
-/// Port through which searches learn from samples; called from one thread at a time.
-/// Throws InvalidInput if there are too few samples, or a value is not finite. Samples at one point are
-/// replicates of it.
+/// Fits a surrogate to samples: points of the space, and a value at each. Searches learn through such a
+/// function; they call it from one thread at a time. Throws InvalidInput if there are too few samples, or a
+/// value is not finite. Several samples at one point are replicates.
 using SurrogateFit = std::function<std::unique_ptr<Surrogate>(
     const DesignSpace&, const std::vector<DesignPoint>&, const std::vector<double>& values)>;
 

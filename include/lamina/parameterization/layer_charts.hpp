@@ -9,21 +9,24 @@
 
 namespace lamina {
 
-/// A layer as charts: laid out flat, and cut where it does not lie flat. A piece of the layer stays whole if
-/// in its parameterization no triangle is flipped, none overlap, and lengths differ by no more than the
-/// tolerance; otherwise it is cut along creases that keep it from lying flat, or else in two along the line
-/// midway between two far places, and each part is tried again. Parts share their border exactly. Plane
-/// pieces keep their shape to rounding. Lengths in pieces no larger than a bead (a square twice as wide as
-/// the layer is high) need not be true. Pieces of a tenth of that square which still overlap themselves, and
-/// those of less than 1e-9 mm², are left out: no bead finds room in them.
+/// Parameterizes a layer: cuts it into charts, each of which can be laid out flat. A piece of the layer stays
+/// whole if in its parameterization no triangle is flipped, none overlap, and lengths in the plane differ
+/// from those on the surface by no more than the tolerance; otherwise it is cut along creases that keep it
+/// from lying flat, or else in two, along the line midway between two vertices that are far from each other,
+/// and each part is tried again. Parts share their border exactly. Plane pieces keep their shape but for
+/// rounding. In pieces of at most the area of a bead, that of a square twice as wide as the layer is high,
+/// lengths may differ by more. Pieces of at most a tenth of that area that still need a cut, and pieces of at
+/// most 1e-9 mm², are left out, as they have no room for a bead.
 ///
-/// Each parameterization lies on the projection of its chart to the xy plane as well as it can by turning and
-/// moving, so that directions mean the same in all layers. Where the boxes of two parameterizations overlap,
-/// the later one is moved beyond the others in y, into rows 10 mm apart; level pieces at one height stay
-/// where they are.
+/// Each parameterization is turned and moved so that it lies nearest to the projection of its chart to the xy
+/// plane, by least squares, so that a direction means the same in all layers. Where the bounding boxes of two
+/// parameterizations overlap, the later one is moved beyond the others in y, into rows 10 mm apart; level
+/// pieces at one height stay where they are.
 ///
-/// @return in the order of the triangles of the layer, as far as they were not cut; none for an empty layer
-/// @throws InvalidMesh naming the place [mm] if a larger piece still has no parameterization after 30 cuts
+/// @return the charts of each connected piece of the layer after those of the one before, in the order of the
+///   layer's triangles; none for an empty layer
+/// @throws InvalidMesh naming the place [mm] if a piece that is not left out still has no parameterization
+///   after 30 cuts
 std::vector<LayerChart> layerCharts(const LayerSurface& layer, const FlatteningSettings& settings);
 
 }  // namespace lamina

@@ -16,9 +16,10 @@ struct RegionPicture {
   const Mesh& region;
 };
 
-/// Draws the part in grey as a PNG, from the front right and 30 deg above, and beside it from the front left
-/// and 30 deg below, the region in red. Where the part hides it, the region shines through.
-/// @throws InvalidInput if part and region have no triangle; FileError
+/// Draws the part in grey and the region in red as a PNG, in two views side by side: from the front right, 30
+/// deg above, and from the front left, 30 deg below. Where the part hides the region, it shines through.
+/// @throws InvalidInput if neither part nor region has a triangle
+/// @throws FileError if the picture cannot be written
 void drawRegion(const RegionPicture& picture, const std::string& png_path);
 
 }  // namespace lamina

@@ -7,7 +7,7 @@
 
 namespace lamina {
 
-/// One layer of a part: where it lies and what the mesh looks like there. What planners start from.
+/// One layer of a part, as planners start from it: its heights, and the cross-section of the mesh in it.
 struct Layer {
   LayerBounds bounds;
   Section section;

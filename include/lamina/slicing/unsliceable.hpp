@@ -16,16 +16,16 @@ class Unsliceable : public InvalidMesh, public RichError {
  public:
   Unsliceable(const std::string& message, Mesh region) : InvalidMesh(message), region_(std::move(region)) {}
 
-  /// The part of the surface that stands in the way [mm, part frame].
+  /// The region of the surface that prevents slicing [mm, part frame].
   const Mesh& region() const { return region_; }
-  /// All of the part, to show the region on; empty until somebody who has it gives it.
+  /// The mesh of the whole part, to show the region on; empty until `on` sets it.
   const Mesh& part() const { return part_; }
 
   [[noreturn]] void throwAt(const std::string& place) const override {
     throw Unsliceable(place + ": " + what(), region_).on(part_);
   }
 
-  /// The same with the part.
+  /// This error, with the mesh of the whole part.
   Unsliceable on(Mesh part) && {
     part_ = std::move(part);
     return std::move(*this);

@@ -10,9 +10,9 @@ namespace lamina {
 
 using ElementMatrix = Eigen::Matrix<double, 24, 24>;
 
-/// Stiffness [N/mm] of a cube with a node at each corner and displacements linear along each axis, integrated
-/// exactly. Node c lies at the high end along x, y, z where bit 0, 1, 2 of c is set; row and column 3 c + a
-/// is component a of node c.
+/// Stiffness matrix [N/mm] of a trilinear hexahedral element (8 nodes) that is a cube, integrated exactly.
+/// Node c lies at the upper end of the cube along x if bit 0 of c is set, along y if bit 1 is, along z if bit
+/// 2 is. Row and column 3 c + a belong to the displacement of node c along axis a.
 ElementMatrix elementStiffness(const ElasticMaterial& material, double element_mm);
 
 }  // namespace lamina

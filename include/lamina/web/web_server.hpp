@@ -16,37 +16,41 @@ namespace lamina {
 
 /// How long clients may take. [s]
 struct WebPatience {
-  double header_s = 10.0;    ///< for the handshake, and for a head from its first byte
-  double body_s = 10.0;      ///< for a small body
-  double idle_s = 30.0;      ///< between two requests of a connection
-  double progress_s = 30.0;  ///< in which an upload brings 64 KiB more, or its end
-  /// In which a client takes an answer, a message or a picture, besides a second for so many bytes of it.
+  double header_s = 10.0;    ///< for the TLS handshake, and for the head of a request from its first byte on
+  double body_s = 10.0;      ///< for the body of a request that is no upload, at most 64 KiB
+  double idle_s = 30.0;      ///< in which the next request of an open connection begins, the first one too
+  double progress_s = 30.0;  ///< in which each further 64 KiB of an upload arrive, or the last bytes of it
+  /// In which a client takes an answer, a message or a picture, besides the time for its bytes at
+  /// `least_bytes_per_s`.
   double write_s = 10.0;
   double least_bytes_per_s = 16384.0;  ///< [B/s]
-  double slow_s = 2.0;                 ///< after which a client that has not taken all gives way to another
-  double ping_s = 10.0;  ///< between pings of a WebSocket, which closes after three without a word
+  /// A client that takes longer over an answer is slow: its connection may be closed in favour of a new one.
+  double slow_s = 2.0;
+  /// Between pings to a WebSocket. It is closed if nothing comes from it for three times as long.
+  double ping_s = 10.0;
 };
 
 struct WebServerSettings {
   std::string bind = "127.0.0.1";
-  std::uint16_t port = 8080;    ///< 0 for any that is free
-  std::optional<TlsFiles> tls;  ///< nothing: plain HTTP
-  bool allows_plain = false;    ///< listens beyond the loopback interface without TLS, too
-  std::size_t connections = 32;
-  std::size_t connections_of_client = 8;
-  std::size_t most_behind = std::size_t{1} << 20;  ///< bytes that a WebSocket's client has yet to take
+  std::uint16_t port = 8080;              ///< 0 for any that is free
+  std::optional<TlsFiles> tls;            ///< nothing: plain HTTP
+  bool allows_plain = false;              ///< permits listening beyond the loopback interface without TLS
+  std::size_t connections = 32;           ///< most at a time
+  std::size_t connections_of_client = 8;  ///< most at a time from one address
+  /// A WebSocket whose client has yet to take more bytes than this is closed.
+  std::size_t most_behind = std::size_t{1} << 20;
   WebPatience patience;
 };
 
 /// Listens for browsers and slicers. Each connection has a thread of its own, so that none waits for another;
-/// when there are too many, the one that has waited longest for its request gives way, then a slow reader.
-/// WebSockets, pictures and uploads take three quarters of the places at most: one more request always finds
-/// one.
+/// if a new one exceeds a limit, the connection that has waited longest for a request is closed for it, or,
+/// if none waits, one whose client takes its answer slowly; if there is neither, the new one is closed. If
+/// the limit is that of one client, only connections of that client are closed. WebSockets, pictures and
+/// uploads take at most three quarters of all connections, so that some remain for short requests.
 class WebServer {
  public:
   /// `site` outlives it.
-  /// @throws InvalidConfig if it would listen beyond the loopback interface without TLS, and is not allowed
-  /// to
+  /// @throws InvalidConfig if it would listen beyond the loopback interface without TLS and may not
   /// @throws FileError for TLS files that cannot be used
   /// @throws DeviceError if it cannot listen there, with address and reason
   WebServer(WebServerSettings settings, OperatorSite& site, LogSink log);

@@ -9,21 +9,21 @@
 
 namespace lamina {
 
-/// Calls something at a rate, by the monotonic clock, in a thread of its own: in real time and in locked
-/// memory where the user may.
+/// Calls a function periodically, timed by the monotonic clock, in a thread of its own. If the user has the
+/// rights to it, the thread gets real-time priority and the memory of the process is locked.
 class CycleThread {
  public:
-  /// @param cycle  is given when the call was due, by `SteadyClock` [s]; where cycles were missed, when the
-  /// first
-  ///   of them was
+  /// @param cycle  is called with the time at which the call was due, by `SteadyClock` [s]; if cycles were
+  ///   missed, with that of the first missed one
   /// @throws DeviceError if the system has no timer left
   CycleThread(double rate_hz, std::function<void(double due_s)> cycle);
-  /// No call is made from then on.
+  /// Waits for a call under way and ends the thread: no call is made afterwards.
   ~CycleThread();
   CycleThread(const CycleThread&) = delete;
   CycleThread& operator=(const CycleThread&) = delete;
 
-  /// What the thread has been given, in words: "in real time, memory locked". Waits until it runs.
+  /// Whether the thread got real-time priority and locked memory, in words: "in real time, memory locked".
+  /// Waits until the thread runs.
   std::string rights();
 
  private:

@@ -11,13 +11,15 @@ namespace lamina {
 
 /// Settings that replace those of a plan in part of its layers.
 ///
-/// A variant has its own number of walls, feeds and fill. Walls follow the part's outline. If a variant has
-/// more walls than its neighbour, the inner ones end at its border, where feeds change and fills meet as at a
-/// wall. All other settings of walls are the plan's, or those of the first variant in an island that variants
-/// cover whole. Settings of whole layers (beads, travels, skirt, voids) are always the plan's.
+/// A variant has its own number of walls, feeds, flow, tools, fill, skins, bridges and supports. Walls follow
+/// the part's outline through all variants, and change feed, flow and tool where they cross from one to the
+/// next. Where a variant has more walls than its neighbour, the additional inner walls end at the border
+/// between the two. The fill of each ends at that border as it would at a wall. All other settings of walls
+/// are the plan's; in an island that is wholly covered by variants they are those of the first of these.
+/// Settings that hold for whole layers (size of beads, travels, skirt, voids) are always the plan's.
 struct PlanVariant {
   PlanSettings settings;
-  std::vector<Regions> areas;  ///< by layer, [frame of the layers]; those of several variants lie apart
+  std::vector<Regions> areas;  ///< by layer [frame of the layers]; variants do not overlap
 };
 
 }  // namespace lamina

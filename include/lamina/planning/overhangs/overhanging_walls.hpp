@@ -16,23 +16,24 @@ struct OverhangingWallSettings {
   std::vector<double> feed_factors{1.0, 0.7, 0.5, 0.35};  ///< at these shares, linear between them
   std::vector<double> flow_factors{1.0, 1.0, 1.0, 1.0};
   bool reverses = false;         ///< overhanging walls of every second layer run in the opposite direction
-  double least_feed_mm_s = 0.0;  ///< lower bound of the feed of walls; has no key of its own
+  double least_feed_mm_s = 0.0;  ///< below which factors do not lower a feed; from cooling.least_feed_mm_s
 };
 
 /// Adds the keys overhangs.*.
 void describe(SettingsSchema& schema, OverhangingWallSettings& settings);
 
-/// @throws InvalidConfig unless shares ascend within 0 to 1 and factors are positive, four of each
+/// @throws InvalidConfig unless there are four shares that ascend within [0, 1], and four factors of feed and
+///   of flow within (0, 3]
 void requireConsistent(const OverhangingWallSettings& settings);
 
 /// Unsupported share of a bead's width, 0 to 1.
-/// @param beyond_mm  distance of its outer edge beyond the layer below; negative within it
+/// @param beyond_mm  by which the bead's outer edge lies beyond the layer below; negative if it lies on it
 double overhangShare(double beyond_mm, double width_mm);
 
 /// Factor on the feed of a wall of that share; 1 below the first entry, the last one above the last.
 double overhangFeedFactor(double share, const OverhangingWallSettings& settings);
 
-/// Factor on the cross-section, likewise.
+/// Factor on the cross-section of a wall's bead of that share, by the same rule.
 double overhangFlowFactor(double share, const OverhangingWallSettings& settings);
 
 }  // namespace lamina

@@ -13,7 +13,7 @@
 
 namespace lamina {
 
-/// A straight motion of a program, in machine coordinates. Arcs are many of them.
+/// A straight motion of a program, in machine coordinates. An arc is read as a sequence of such motions.
 struct GcodeMotion {
   Point3 start = Point3::Zero();  ///< [mm]
   Point3 end = Point3::Zero();    ///< [mm]; equal to the start for a motion of the filament alone
@@ -23,11 +23,12 @@ struct GcodeMotion {
   std::optional<int> layer;               ///< as the slicer's comments report; none before the first layer
   std::optional<PathRole> role;           ///< as the slicer's comments report
   std::optional<double> height_mm;        ///< of the bead, as the slicer's comments report
-  std::optional<double> layer_height_mm;  ///< reported first in the layer
-  std::size_t section = 0;                ///< changes wherever a comment opens a layer or a path
+  std::optional<double> layer_height_mm;  ///< first `height_mm` of the layer, or that of the layer before
+  std::size_t section = 0;                ///< number of comments so far that open a layer or a path
 };
 
-/// Called for what a program does, in its order. Empty functions discard.
+/// Functions that are called for what a program does, in the order of the program. One that is empty is not
+/// called.
 struct GcodeHandlers {
   std::function<void(const GcodeMotion&)> motion;
   std::function<void(std::size_t line, double seconds)> dwell;  ///< G4
@@ -38,7 +39,7 @@ struct GcodeHandlers {
 
 struct GcodeReaderSettings {
   double chord_tolerance_mm = 0.01;  ///< how far the motions of an arc may be off it
-  double initial_feed_mm_s = 25.0;   ///< until the first F, as Marlin's
+  double initial_feed_mm_s = 25.0;   ///< until the first F word, as in Marlin
 };
 
 /// Reads a program as a modal interpreter (Marlin's dialect of RS-274), piece by piece, in constant memory.
