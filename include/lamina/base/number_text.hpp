@@ -6,8 +6,8 @@
 
 namespace lamina {
 
-/// A number in a message, to six significant digits and no longer than they need: "0.2", "1e-07", "nan".
-/// Alike in every locale.
+/// A number as messages show it, with at most six significant digits and no trailing zeros: "0.2", "1e-07",
+/// "nan". The same in every locale.
 std::string numberText(double value);
 
 }  // namespace lamina

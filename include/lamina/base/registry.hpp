@@ -13,9 +13,9 @@
 
 namespace lamina {
 
-/// Implementations of one port by name: those of Lamina, and those that plug-ins add
-/// (`docs/installation/plugins.md`). All calls may come from any thread. Entries are copied out: what was
-/// found stays good whatever is added.
+/// Implementations of one interface by name: those of Lamina, and those that plug-ins add
+/// (`docs/installation/plugins.md`). All calls may come from any thread. `find` returns a copy, which stays
+/// valid whatever is added or removed.
 template <class Entry>
 class Registry {
  public:

@@ -11,26 +11,26 @@ namespace lamina {
 
 /// By what and when something was calibrated.
 struct CalibrationOrigin {
-  /// As `--method` of `lamina calibrate` names it: "bobbing", "edge" or "overlap" for the time, "cross",
-  /// "bed", "plane", "pyramid" or "pairs" for the place, "bead" for the feeder.
+  /// As `--method` of `lamina calibrate` names it: "bobbing", "edge" or "overlap" for the time offset,
+  /// "cross", "bed", "plane", "pyramid" or "pairs" for the sensor's pose, "bead" for the feeder.
   std::string method;
   std::string date;  ///< UTC, as `utcText` gives it
 };
 
-/// How late the sensor's stamps are.
+/// How late the sensor's time stamps are; see `TimeOffset`.
 struct CalibratedTime {
-  double offset_s = 0.0;  ///< true time is the stamp less this
-  double spread_s = 0.0;  ///< standard deviation
-  double scatter_s = 0.0;
-  double drift_s_per_min = 0.0;
+  double offset_s = 0.0;         ///< true time is the stamp less this
+  double spread_s = 0.0;         ///< standard deviation
+  double scatter_s = 0.0;        ///< standard deviation from piece to piece of the recording
+  double drift_s_per_min = 0.0;  ///< slope of the offset over the recording
   CalibrationOrigin origin;
 };
 
 /// Where the sensor sits.
 struct CalibratedPose {
   Eigen::Isometry3d nozzle_from_sensor = Eigen::Isometry3d::Identity();  ///< [mm]
-  /// Standard deviations along x, y, z of the nozzle [mm] and of turns about them [deg]; 0 for what was not
-  /// found and kept its former value. Six.
+  /// Six standard deviations: along x, y, z of the nozzle [mm] and of rotations about these [deg]; 0 for what
+  /// was not determined and kept its former value.
   std::vector<double> spread = std::vector<double>(6, 0.0);
   /// What kept its former value, with commas between: "z, turn about x"; empty if all was found.
   std::string not_found;
@@ -41,7 +41,7 @@ struct CalibratedPose {
 struct CalibratedFeeder {
   double dead_time_s = 0.0;
   double dead_time_spread_s = 0.0;
-  double lag_s = 0.0;
+  double lag_s = 0.0;  ///< time constant of the first-order lag
   double lag_spread_s = 0.0;
   CalibrationOrigin origin;
 };
@@ -55,12 +55,13 @@ struct Calibration {
   std::optional<CalibratedFeeder> feeder;
 };
 
-/// The calibration as YAML, which `calibrationFromYaml` reads back to the same bits, the turn within
-/// rounding.
+/// The calibration as YAML. `calibrationFromYaml` reads back the same values to the bit, but for the sensor's
+/// orientation, which may differ by rounding.
 std::string toYaml(const Calibration& calibration);
 
-/// Reads a calibration strictly: of each part all keys or none, no others, no number out of bounds, and
-/// method and date with each part.
+/// Reads a calibration strictly: a part (time, pose, feeder) has all of its keys or none, method and date
+/// included; unknown keys and numbers out of bounds are refused.
+/// @param source  names the text in errors
 /// @throws InvalidConfig naming the key
 Calibration calibrationFromYaml(const std::string& yaml, const std::string& source);
 

@@ -11,8 +11,8 @@
 
 namespace lamina {
 
-// Requests to a Modbus TCP server, as bytes, and its answers.
-// Source: MODBUS Application Protocol 1.1b3; MODBUS Messaging on TCP/IP 1.0b; docs/cell/plc.md.
+// Frames of requests to a Modbus TCP server, and of its answers. Source: MODBUS Application Protocol 1.1b3;
+// MODBUS Messaging on TCP/IP 1.0b; docs/cell/plc.md.
 
 /// The functions that the server answers.
 enum class ModbusFunction : std::uint8_t {
@@ -23,7 +23,7 @@ enum class ModbusFunction : std::uint8_t {
   ReadWrite = 23,  ///< writes first, then reads
 };
 
-/// A request whose length is what its function and byte count ask for.
+/// A well-formed request: its length fits its function and byte count.
 struct ModbusRequest {
   std::uint16_t transaction = 0;
   std::uint8_t unit = 1;
@@ -31,7 +31,7 @@ struct ModbusRequest {
   std::uint16_t read_address = 0;  ///< of the first register read
   std::uint16_t read_count = 0;    ///< 1 to 125; 0 if nothing is read
   std::uint16_t write_address = 0;
-  std::vector<std::uint16_t> written;  ///< empty if nothing is written
+  std::vector<std::uint16_t> written;  ///< values of consecutive registers; empty if nothing is written
 };
 
 enum class ModbusException : std::uint8_t {
@@ -41,7 +41,7 @@ enum class ModbusException : std::uint8_t {
   ServerBusy = 6,
 };
 
-/// A frame that is answered with an exception, and nothing else.
+/// A frame that is only answered with an exception.
 struct RefusedRequest {
   std::uint16_t transaction = 0;
   std::uint8_t unit = 1;
@@ -49,17 +49,18 @@ struct RefusedRequest {
   ModbusException exception = ModbusException::IllegalFunction;
 };
 
-/// A frame after which nothing on the connection can be believed: it is closed.
+/// A frame after which the rest of the byte stream cannot be trusted, so that the connection has to be
+/// closed.
 struct BrokenFrame {
   std::string reason;
 };
 
 using ModbusFrame = std::variant<ModbusRequest, RefusedRequest, BrokenFrame>;
 
-/// Takes the bytes of a connection as they come and gives frames. The length of a frame is that of its
-/// header, and must be what its function asks for: a frame that holds more, behind which a second one could
-/// hide, is broken, as is one for another protocol, or a unit other than 1 and 255. After a broken frame
-/// nothing more is read.
+/// Takes the bytes of a connection as they come and gives frames. The header of a frame states its length,
+/// which must be what its function asks for: a frame that holds more, behind which a second one could hide,
+/// is broken, as is one for another protocol, or a unit other than 1 and 255. After a broken frame nothing
+/// more is read.
 class FrameReader {
  public:
   void add(std::string_view bytes, double now_s);
@@ -80,7 +81,8 @@ class FrameReader {
   bool is_broken_ = false;
 };
 
-/// The answer to a request that read those registers, or wrote. @p read has `read_count` values.
+/// The answer to a request that was carried out.
+/// @param read  values of the registers that it read, `read_count` of them
 std::string modbusAnswer(const ModbusRequest& request, const std::vector<std::uint16_t>& read);
 
 /// The answer that refuses a request.

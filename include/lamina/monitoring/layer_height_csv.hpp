@@ -10,8 +10,8 @@
 namespace lamina {
 
 /// One row a layer under the header
-/// `layer,expected_height_mm,mean_error_mm,rms_error_mm,worst_error_mm,coverage,cells,profiles,sight`; a
-/// layer that was not seen has no errors.
+/// `layer,expected_height_mm,mean_error_mm,rms_error_mm,worst_error_mm,coverage,cells,profiles,sight`; the
+/// errors of a layer that was not seen are empty cells.
 std::string layerHeightCsv(const std::vector<LayerHeightReport>& layers);
 
 }  // namespace lamina

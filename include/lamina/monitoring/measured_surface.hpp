@@ -11,8 +11,8 @@ namespace lamina {
 
 /// Measured points fused into one height per cell. The rule: within a pass (one sweep of the sensor, in which
 /// the surface stands still) a cell holds the mean of its points; the first point of a later pass replaces
-/// what was there, as the surface has grown since. Of fixed size; a point costs the same however many came
-/// before.
+/// what was there, as the surface has grown since. Memory, and the time that a point takes, do not grow with
+/// the number of points.
 class MeasuredSurface {
  public:
   explicit MeasuredSurface(const HeightGrid& grid);

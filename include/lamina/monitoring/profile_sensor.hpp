@@ -21,13 +21,13 @@ struct ProfileSensorSettings {
   double stand_off_mm = 60.0;  ///< distance along z at which the line has its width
   double range_mm = 40.0;      ///< depth of the measuring range, half before and half beyond the stand-off
   double noise_mm = 0.01;      ///< standard deviation along z
-  int seed = 1;                ///< of the noise and of what is wrong
-  // What is wrong with the sensor; with these values nothing is.
+  int seed = 1;                ///< of the random numbers of noise and defects
+  // Defects of the sensor; the defaults are those of a sensor without.
   double noise_correlation = 0.0;  ///< of the noise, from one point to the next
   double time_offset_s = 0.0;      ///< stamp less true time
-  double stamp_jitter_s = 0.0;     ///< standard deviation of stamps
-  double spray_rate = 0.0;         ///< share of points that show something between sensor and surface
-  double mirror_rate = 0.0;        ///< share of points with a second return in their column
+  double stamp_jitter_s = 0.0;     ///< standard deviation of time stamps
+  double spray_rate = 0.0;         ///< share of points that lie, as by spray, between sensor and surface
+  double mirror_rate = 0.0;        ///< share of rays that give a second point, behind the surface
   double dropout_rate = 0.0;       ///< share of points that are missing
   double bias_mm = 0.0;            ///< added to depths
   double drift_mm_h = 0.0;         ///< added to depths per hour
@@ -39,15 +39,15 @@ void describe(SettingsSchema& schema, ProfileSensorSettings& settings);
 /// Simulates the sensor over a surface of heights.
 class ProfileSensor {
  public:
-  /// @throws InvalidConfig if the settings leave no range
+  /// @throws InvalidConfig unless the measuring range begins in front of the sensor
   explicit ProfileSensor(const ProfileSensorSettings& settings);
 
   /// What the sensor sees: where each ray first meets the surface [mm, sensor frame], in the order of the
-  /// fan. Rays that meet nothing known within the range give no point. The columns of the surface cast
-  /// shadows.
+  /// fan. Rays that meet nothing known within the range give no point. The cells of the surface are columns
+  /// up to their height, which hide what is behind them.
   ///
-  /// A mirror image stands behind the point of its column. Defects have random numbers of their own: with
-  /// some set, the noise is that of a sensor without.
+  /// A ray with a second return (`mirror_rate`) gives two points, the nearer one first. Defects have random
+  /// numbers of their own: with some set, the noise is that of a sensor without.
   ///
   /// @param highest  height above which the surface has nothing [mm]: spares the search there
   /// @param now_s    since drift began
@@ -58,7 +58,7 @@ class ProfileSensor {
     return measure(sourceOf(surface), bed_from_sensor, highest, now_s);
   }
 
-  /// By how much the next stamp is later than the time of what it is of [s].
+  /// By how much the time stamp of the next profile is later than its true time [s].
   double stampError();
 
  private:

@@ -19,7 +19,7 @@ enum class VariableKind {
 
 /// What a search may change.
 struct Variable {
-  std::string name;  ///< a key of the configuration, or what a command's arguments call it
+  std::string name;  ///< a key of the configuration, or a name in the arguments of a command
   VariableKind kind = VariableKind::Continuous;
   double low = 0.0;                  ///< Continuous, Integer
   double high = 0.0;                 ///< Continuous, Integer
@@ -38,12 +38,13 @@ double lowOf(const Variable& variable);
 /// Greatest value of a variable; Categorical: the last index.
 double highOf(const Variable& variable);
 
-/// @throws InvalidConfig naming the variable if there is none, two have one name, bounds are not finite or
-///   not in order, integer bounds are not whole, or there are too few or unordered levels or choices
+/// @throws InvalidConfig if there is no variable; naming the variable, if it has no name or that of another,
+///   if bounds are not finite or not in order, if integer bounds are not whole, if there are fewer than two
+///   levels or choices, if levels are not finite or do not ascend, or if a choice stands twice
 void validate(const DesignSpace& space);
 
-/// @throws InvalidInput naming variable and value if the point has another number of values than there are
-///   variables, or one of them is none of its variable's
+/// @throws InvalidInput if the point does not have one value for each variable; naming variable and value, if
+///   the variable cannot take that value
 void requireWithin(const DesignSpace& space, const DesignPoint& point);
 
 /// The nearest point whose values are all allowed: clamped to the bounds, rounded to whole numbers, indices

@@ -6,8 +6,9 @@
 
 namespace lamina {
 
-/// The toolpath by which another point of the tool goes where the nozzle tip went, the tool held as it was:
-/// the tip of a pointer, or a place ahead of the nozzle, so that the nozzle stays away from the part.
+/// The toolpath moved so that another point of the tool, instead of the nozzle tip, runs through the
+/// waypoints; orientations stay. The point may be the tip of a pointer, or lie ahead of the nozzle to keep
+/// that away from the part.
 /// @param point_mm  in the nozzle's frame, whose z goes from the tip along the tool axis
 Toolpath ledByPoint(Toolpath toolpath, const Point3& point_mm);
 

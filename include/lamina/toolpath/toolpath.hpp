@@ -38,7 +38,7 @@ enum class RoleKind : std::uint8_t {
   Travel,   ///< none
   Wall,     ///< stays, along the part's surface
   Infill,   ///< stays, within walls: skins and bridges too
-  BuildAid  ///< is no part of the part: skirt, brim, raft, supports, priming
+  BuildAid  ///< does not belong to the part: skirt, brim, raft, supports, priming
 };
 RoleKind kindOf(PathRole role);
 
@@ -99,10 +99,10 @@ struct ProcessValue {
   AlongPath<double> value{0.0};
 };
 
-/// One run of the nozzle. Waypoint i is a pose of the nozzle in the part frame, and what is deposited at what
-/// feed on the way to it from waypoint i-1; what stands at waypoint 0 of an open path is not used. A closed
-/// path returns from its last waypoint to its first, which is not repeated: waypoint 0 then describes that
-/// return.
+/// One run of the nozzle. Waypoint i states a pose of the nozzle in the part frame, and bead, feed and
+/// process values of the motion to it from waypoint i-1. In an open path no motion leads to waypoint 0, and
+/// its bead, feed and values are not used. A closed path returns from its last waypoint to its first, which
+/// is not repeated: bead, feed and values of waypoint 0 are those of that return.
 struct Path {
   PathRole role = PathRole::Infill;
   bool is_closed = false;
@@ -112,9 +112,9 @@ struct Path {
   AlongPath<Eigen::Quaterniond> orientation{Eigen::Quaterniond(0, 1, 0, 0)};  ///< part_from_nozzle
   AlongPath<Bead> bead;                                                       ///< width 0 on travel
   AlongPath<double> feed_mm_s{0.0};  ///< speed of the nozzle tip [mm/s]
-  std::uint32_t tool = 0;            ///< that runs the path, from 0
+  std::uint32_t tool = 0;            ///< number of the tool that runs the path, from 0
   std::vector<PathEvent> events;     ///< in the order of their motions
-  std::vector<ProcessValue> values;  ///< no name twice
+  std::vector<ProcessValue> values;  ///< each name at most once
 
   /// Number of motions: points.size(), less one if open.
   std::size_t motionCount() const;
@@ -129,7 +129,7 @@ struct Path {
 /// deposited in between, a Travel path stands between them.
 struct ToolpathLayer {
   double z_mm = 0.0;       ///< height of the nozzle tip [frame of the layers]: the top of the layer
-  double height_mm = 0.0;  ///< from the layer below
+  double height_mm = 0.0;  ///< thickness of the layer
   std::vector<Path> paths;
 };
 
@@ -138,8 +138,8 @@ struct ToolpathLayer {
 struct Toolpath {
   std::string part_name;
   std::vector<ToolpathLayer> layers;
-  /// Turn of the layers about the part's origin: a layer is where the z of this frame is its `z_mm`.
-  /// Waypoints are in the part frame all the same.
+  /// Rotation of the frame of the layers about the part's origin; in that frame a layer lies at the height
+  /// `z_mm`. Waypoints are nevertheless in the part frame.
   Eigen::Quaterniond part_from_layers = Eigen::Quaterniond::Identity();
   std::vector<ToolpathEvent> events_at_end = {};  ///< once all paths are run
 };
@@ -174,17 +174,18 @@ struct ToolpathTotals {
 };
 ToolpathTotals totals(const Toolpath& toolpath);
 
-/// Smallest box around all waypoints that deposit.
+/// Bounding box of the waypoints of all paths that deposit; the width of beads is not added.
 Box3 depositionBox(const Toolpath& toolpath);
 
 /// 16 hexadecimal digits that depend on every value of the toolpath and nothing else (FNV-1a).
 std::string toolpathId(const Toolpath& toolpath);
 
-/// What is wrong with the events of a path: their order, or one that cannot be. Empty if all is well.
+/// What is wrong with the events of a path: their order, or an invalid event (`defectOf`). Empty if all is
+/// well.
 std::string faultOfEvents(const Path& path);
 
-/// Checks the promises above: finite numbers, two points at least, quantities of one value or one per
-/// waypoint, positive feeds, consecutive paths that join within 1e-6 mm, events at motions that there are.
+/// Checks a toolpath: finite numbers, two points at least, quantities of one value or one per waypoint,
+/// positive feeds, consecutive paths that join within 1e-6 mm, events at motions that there are.
 /// @throws InvalidInput naming layer, path and waypoint
 void validate(const Toolpath& toolpath);
 

@@ -14,8 +14,8 @@ struct Rate {
   double burst = 40.0;
 };
 
-/// Counts what each of several sources takes of a rate of its own. Sources that took nothing for long are
-/// forgotten: those that are kept are bounded.
+/// Holds each of several sources, such as addresses of clients, to the same rate, each by itself (token
+/// bucket). At most 1024 sources are kept: the ones that took nothing for long are forgotten first.
 class RateLimit {
  public:
   explicit RateLimit(Rate rate) : rate_(rate) {}

@@ -14,14 +14,14 @@ enum class Join {
   Round,  ///< an arc, true within 0.005 mm
 };
 
-// Regions given to these wind round each point once or not at all, as those do that they return; what may
-// overlap itself goes through `unite` before, but for `difference` and `intersection`, which take regions
-// that overlap each other as their union. Where outlines meet they work on a grid of 1e-5 mm: results lie
-// within that of the exact ones. They give the same regions for the same input, refuse points farther than
-// 10 m from the origin with InvalidInput, and islands inside holes become regions of their own.
+// Regions given to these functions must not overlap themselves or each other, and neither do those that are
+// returned: outlines wind round each point once or not at all. Call `unite` first on outlines that may
+// overlap; `difference` and `intersection` alone take overlapping regions, as their union. Where outlines
+// meet, the functions round to a grid of 1e-5 mm: results lie within that of the exact ones. They give the
+// same regions for the same input, refuse points farther than 10 m from the origin with InvalidInput, and
+// islands inside holes become regions of their own.
 
-/// The area that the outlines wind round at least once, clockwise and counter-clockwise counted against each
-/// other.
+/// The union of the outlines by the nonzero rule: all points of which the winding number is not 0.
 Regions unite(const std::vector<Polygon>& polygons);
 
 /// The regions grown by `delta_mm`, or shrunk if it is negative: parts narrower than twice that vanish. The
@@ -31,11 +31,11 @@ Regions offset(const Regions& regions, double delta_mm, Join join = Join::Mitre)
 /// Where `regions` is and `subtracted` is not.
 Regions difference(const Regions& regions, const Regions& subtracted);
 
-/// The pieces of lines that lie in regions, either way round; where a line leaves, its piece ends on the
-/// outline.
+/// The pieces of lines that lie in regions, each ending on the outline where its line leaves the regions. A
+/// piece may run against the direction of its line.
 std::vector<Polyline> clipped(const std::vector<Polyline>& lines, const Regions& regions);
 
-/// Where both are.
+/// Where both `a` and `b` are.
 Regions intersection(const Regions& a, const Regions& b);
 
 }  // namespace lamina

@@ -17,13 +17,13 @@
 
 namespace lamina {
 
-/// A piece of the part that is printed in plane layers across one direction. Its material lies above its own
-/// plane and below the planes of all later pieces.
+/// A piece of the part that is printed in plane layers normal to one direction. Its material lies above its
+/// own plane and below the planes of all later pieces.
 struct DirectedPiece {
-  Point3 up = Point3::UnitZ();   ///< in which its layers follow each other, of unit length [part frame]
+  Point3 up = Point3::UnitZ();   ///< direction in which its layers are stacked, of unit length [part frame]
   double from_mm = 0.0;          ///< place of its plane along `up`; the bed's for the first piece
   double to_mm = 0.0;            ///< its highest place
-  double unsupported_mm2 = 0.0;  ///< surface that overhangs by more than is taken from `up`
+  double unsupported_mm2 = 0.0;  ///< surface that overhangs, against `up`, by more than is allowed
 
   double height() const { return to_mm - from_mm; }
   /// The turn from +z to `up`.
@@ -31,17 +31,18 @@ struct DirectedPiece {
 };
 
 /// A part in pieces, in the order in which they are printed. All that is printed before a piece lies below
-/// its plane, so that a head that ends at the nozzle tip is clear of it.
+/// its plane, so that it is clear of a head of which no part reaches beyond the nozzle tip.
 struct DirectedPieces {
   std::vector<DirectedPiece> pieces;  ///< the first stands on the bed, its direction is +z
-  double cell_mm = 0.0;
+  double cell_mm = 0.0;               ///< side of the voxels in which cuts are searched
   double surface_mm2 = 0.0;
-  double unsupported_level_mm2 = 0.0;    ///< without any cut
+  double unsupported_level_mm2 = 0.0;    ///< of the whole part in level layers, without any cut
   Mesh hanging;                          ///< triangles of what is left unsupported
   double cut_mm2 = 0.0;                  ///< area of all cuts
-  std::shared_ptr<const HeadRoom> room;  ///< of the head, over the part as its pieces are printed
+  std::shared_ptr<const HeadRoom> room;  ///< whether the head is clear of what is printed before
 
-  /// Height printed before a piece [mm]: growth, as `room` counts it.
+  /// Sum of the heights of the pieces before a piece [mm]: its growth, as in `HeadRoom`, where the piece
+  /// begins.
   double growthBefore(std::size_t piece) const;
   double unsupported() const;
 };
@@ -51,15 +52,16 @@ struct DirectionRequest {
   DirectionSettings settings;
   SlicingSettings slicing;
   double bead_mm = 0.4;              ///< width
-  std::vector<HeadStage> head = {};  ///< that lays them; none clears everything
+  std::vector<HeadStage> head = {};  ///< stages of the head that prints; none: collisions are not checked
 };
 
 /// Cuts a part into pieces that leave little of its surface unsupported. Planes are found from the last piece
 /// to the first: for each direction the lowest plane above which nothing, or little, overhangs. A beam search
-/// minimises the unsupported surface. Each cut adds half a percent of the surface and a hundredth of the
-/// cut's area. A cut is taken only if the rest of the part stays connected with the bed, each part of the
-/// piece lies on that rest by four bead widths squared, and the head clears the bed over it. A part that
-/// level layers print is one piece. The same for any number of threads.
+/// minimises the unsupported surface. To the cost of a sequence each cut adds half a percent of the surface
+/// and a hundredth of the cut's area. A cut is taken only if the rest of the part stays connected with the
+/// bed, each connected part of the piece lies on that rest over at least the area of a square of four bead
+/// widths, and the head stays clear of the bed while it prints the piece. A part that can be printed in level
+/// layers is one piece. The result is the same for any number of threads.
 ///
 /// @param mesh  closed, facing outwards [mm, part frame]; stands on the bed by its lowest place
 /// @throws Unsliceable with the surface left unsupported, if it is more than
@@ -68,8 +70,8 @@ struct DirectionRequest {
 DirectedPieces directedPieces(const Mesh& mesh, const MeshTopology& topology, const DirectionRequest& request,
                               Progress& progress);
 
-/// The layers of a piece in its own frame, turned about the part's origin. Those above the first piece have
-/// the common height from their plane on.
+/// The layers of a piece in its own frame, turned about the part's origin. In pieces after the first, the
+/// lowest layer is as high as the others.
 /// @throws Cancelled
 std::vector<Layer> layersOf(const DirectedPieces& pieces, std::size_t piece, const Mesh& mesh,
                             const SlicingSettings& slicing, Progress& progress);

@@ -19,29 +19,32 @@ struct RapidText {
   std::string_view text;
 };
 
-/// Reads a program in the subset of RAPID that `RapidProgram` writes, in coordinates of the work object:
-/// moves are deposition where the process is on. Roles, beads, layers and where paths begin come from the
-/// comments.
+/// Reads a program in the subset of RAPID that `RapidProgram` writes; the toolpath is in coordinates of the
+/// work object. Moves deposit while the process is switched on. Roles, beads, layers and where paths begin
+/// come from the comments.
 ///
-/// @param modules  main's first
+/// @param modules  the one with the procedure `main` first
 /// @throws InvalidProgram naming file and line, what was found and what was expected: instructions, data,
-///   speeds, zones or targets that are not known; moves that no comment describes, or whose process
-///   is not that of their path
+///   speeds, zones or targets that are not known; moves of no path that a comment describes; moves with the
+///   process on in a travel, or off in a path that deposits
 Toolpath readRapid(const std::vector<RapidText>& modules, const std::string& part_name);
 
-/// Reads a file and, beside it, those of the modules that it names; the toolpath is named after it.
+/// Reads a file, and from the same folder the modules that its comments name; the toolpath is named after the
+/// file.
 /// @throws FileError if one cannot be read
 /// @throws InvalidProgram as above
 Toolpath readRapidFile(const std::string& path);
 
-/// The same with what the program states beside its toolpath.
+/// Reads a program likewise, and also returns what it states besides the toolpath: outputs, external axes.
 EquippedToolpath readEquippedRapid(const std::vector<RapidText>& modules, const std::string& part_name);
 EquippedToolpath readEquippedRapidFile(const std::string& path);
 
-/// The same with the joints by which an arm runs it. Under `ConfL\\On` those are the joints of the
-/// configuration in each target; under `ConfL\\Off` the nearest to those before, from the joints of the
-/// approach on, or else from the first target's configuration. External axes stand as in the targets. A
-/// target that has no such joints is a fault, `configuration` or `out_of_reach`; nothing else is judged.
+/// Reads a program likewise, and also returns the joints at which an arm reaches each target. Under
+/// `ConfL\\On` these are the joints in the configuration that the target states. Under `ConfL\\Off` they are
+/// the joints nearest to those at the target before; the first target takes those nearest to the approach's,
+/// or, without an approach by joints, those of its configuration. External axes stand as in the targets. A
+/// target without such joints is listed as a fault, `configuration` or `out_of_reach`; limits, collisions and
+/// singularities are not checked.
 /// @throws InvalidProgram as above; also if the tool or work object that the program declares is another than
 ///   that of the arm's description, or a target lacks one of its external axes
 /// @throws InvalidConfig if the kinematic model is no six-axis arm
