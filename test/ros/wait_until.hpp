@@ -18,11 +18,13 @@ constexpr double kAfterFailure = 5.0;  // s: what fails once must not end as a t
 inline bool waitUntil(const std::function<bool()>& is_true) {
   const double patience_s = testing::Test::HasFailure() ? kAfterFailure : kPatience;
   const ros::WallTime give_up = ros::WallTime::now() + ros::WallDuration(patience_s);
-  while (!is_true() && ros::WallTime::now() < give_up) {
+  // What was true once is not asked again: it may have gone on since.
+  while (!is_true()) {
+    if (ros::WallTime::now() >= give_up) return false;
     ros::spinOnce();
     ros::WallDuration(0.01).sleep();
   }
-  return is_true();
+  return true;
 }
 
 }  // namespace lamina::test

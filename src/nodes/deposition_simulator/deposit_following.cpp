@@ -33,7 +33,7 @@ DepositFollowing::DepositFollowing(ros::NodeHandle node, const DepositionSimulat
 void DepositFollowing::begin(const lamina_msgs::Toolpath& message) {
   followed_.reset();
   toolpath_id_ = message.id;
-  published_mm3_ = shown_mm3_ = 0.0;
+  published_mm3_ = cloud_mm3_ = markers_mm3_ = 0.0;
   try {
     const MachineToolpath read = fromMessage(message);
     followed_ = std::make_unique<FollowedDeposit>(placed(read.toolpath, read.bed_from_part),
@@ -60,12 +60,15 @@ void DepositFollowing::publish() {
   if (!followed_) return;
   const double extruded_mm3 = followed_->deposit().totals().extruded_mm3;
   if (extruded_mm3 != published_mm3_ || followed_->isComplete() != was_complete_) publishState();
-  const bool is_watched = deposited_.getNumSubscribers() + markers_.getNumSubscribers() > 0;
-  if (extruded_mm3 == shown_mm3_ || !is_watched) return;
-  shown_mm3_ = extruded_mm3;
-  publishLatched(deposited_, depositedCloud(followed_->deposit().grid(), settings_.shown));
-  if (markers_.getNumSubscribers() > 0)
-    publishLatched(markers_, depositedMarkers(followed_->deposit().grid(), settings_.shown));
+  const VoxelGrid& grid = followed_->deposit().grid();
+  if (extruded_mm3 != cloud_mm3_ && deposited_.getNumSubscribers() > 0) {
+    publishLatched(deposited_, depositedCloud(grid, settings_.shown));
+    cloud_mm3_ = extruded_mm3;
+  }
+  if (extruded_mm3 != markers_mm3_ && markers_.getNumSubscribers() > 0) {
+    publishLatched(markers_, depositedMarkers(grid, settings_.shown));
+    markers_mm3_ = extruded_mm3;
+  }
 }
 
 void DepositFollowing::publishState() {

@@ -34,7 +34,8 @@ class DepositFollowing {
   std::string toolpath_id_;
   double published_mm3_ = 0.0;  ///< as much was extruded at the last state
   bool was_complete_ = false;   ///< at the last state
-  double shown_mm3_ = 0.0;      ///< and at the last cloud
+  double cloud_mm3_ = 0.0;      ///< and at the last cloud
+  double markers_mm3_ = 0.0;    ///< and at the last markers
   ros::Publisher deposited_;
   ros::Publisher markers_;
   ros::Publisher state_;

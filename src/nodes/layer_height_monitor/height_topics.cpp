@@ -60,9 +60,9 @@ void publishOctomap(const ros::Publisher&, const HeightMap&, const Eigen::Isomet
 HeightTopics::HeightTopics(ros::NodeHandle node)
     : measuring_(node.advertise<lamina_msgs::Measuring>(names::kMeasuring, 1, true)),
       layer_height_(node.advertise<lamina_msgs::LayerHeight>(names::kLayerHeight, kNoBound, true)),
-      height_map_(node.advertise<sensor_msgs::PointCloud2>(names::kHeightMap, 1, true)),
-      deviation_(node.advertise<sensor_msgs::Image>(names::kHeightDeviation, 1, true)),
-      octomap_(advertiseOctomap(node)) {}
+      height_map_{node.advertise<sensor_msgs::PointCloud2>(names::kHeightMap, 1, true)},
+      deviation_{node.advertise<sensor_msgs::Image>(names::kHeightDeviation, 1, true)},
+      octomap_{advertiseOctomap(node)} {}
 
 lamina_msgs::LayerHeight toMessage(const LayerHeightReport& report, const std::string& toolpath_id,
                                    const lamina_msgs::ProfileCounts& counts) {
@@ -93,14 +93,29 @@ void HeightTopics::publishMeasuring(const std::string& toolpath_id, const ros::T
   publishOnBed(measuring_, message);
 }
 
+bool HeightTopics::MapTopic::take() {
+  const bool was_awaited = isAwaited();
+  if (was_awaited) is_outdated = false;
+  return was_awaited;
+}
+
+void HeightTopics::outdateMaps() {
+  for (MapTopic* map : {&height_map_, &deviation_, &octomap_}) map->is_outdated = true;
+}
+
+bool HeightTopics::areMapsAwaited() const {
+  return height_map_.isAwaited() || deviation_.isAwaited() || octomap_.isAwaited();
+}
+
 void HeightTopics::publishMaps(const HeightMonitor& monitor) {
-  const bool wants_octomap = octomap_ && octomap_.getNumSubscribers() > 0;
-  if (height_map_.getNumSubscribers() > 0 || wants_octomap) {
+  if (height_map_.isAwaited() || octomap_.isAwaited()) {
     const HeightMap heights = monitor.measured().heights();
-    publishOnBed(height_map_, toCloudMessage(heights, monitor.deviation(), monitor.bedFromHeights()));
-    if (wants_octomap) publishOctomap(octomap_, heights, monitor.bedFromHeights());
+    if (height_map_.take())
+      publishOnBed(height_map_.publisher,
+                   toCloudMessage(heights, monitor.deviation(), monitor.bedFromHeights()));
+    if (octomap_.take()) publishOctomap(octomap_.publisher, heights, monitor.bedFromHeights());
   }
-  if (deviation_.getNumSubscribers() > 0) publishOnBed(deviation_, toImageMessage(monitor.deviation()));
+  if (deviation_.take()) publishOnBed(deviation_.publisher, toImageMessage(monitor.deviation()));
 }
 
 }  // namespace lamina

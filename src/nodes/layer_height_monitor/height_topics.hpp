@@ -31,15 +31,31 @@ class HeightTopics {
   /// @param toolpath_stamp  of its header
   void publishMeasuring(const std::string& toolpath_id, const ros::Time& toolpath_stamp);
 
-  /// The maps go only to topics that somebody listens to: they are large.
+  /// What was published of the maps is no longer true.
+  void outdateMaps();
+
+  /// Whether a map that is out of date has a subscriber. Maps are large: without one they are not published,
+  /// and a subscriber that comes later, even after the print, is one for whom they are.
+  bool areMapsAwaited() const;
+
+  /// Publishes the maps that are awaited.
   void publishMaps(const HeightMonitor& monitor);
 
  private:
+  struct MapTopic {
+    ros::Publisher publisher;
+    bool is_outdated = false;
+
+    bool isAwaited() const { return is_outdated && publisher && publisher.getNumSubscribers() > 0; }
+    /// Whether it is awaited; it counts as published from then on.
+    bool take();
+  };
+
   ros::Publisher measuring_;
   ros::Publisher layer_height_;
-  ros::Publisher height_map_;
-  ros::Publisher deviation_;
-  ros::Publisher octomap_;
+  MapTopic height_map_;
+  MapTopic deviation_;
+  MapTopic octomap_;
 };
 
 }  // namespace lamina

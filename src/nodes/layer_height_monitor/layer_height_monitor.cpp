@@ -144,7 +144,7 @@ void LayerHeightMonitor::onProfile(const PlacedProfile& profile) {
     return;
   }
   report(heights_->insert({static_cast<std::int64_t>(profile.stamp.toNSec()), profile.points}));
-  maps_changed_ = true;
+  topics_.outdateMaps();
   is_saved_ = false;
 }
 
@@ -191,9 +191,8 @@ void LayerHeightMonitor::onTimer() {
              settings_.silence_s);
     report(heights_->cutShort());
   }
-  if (!maps_changed_ || now - last_maps_s_ < settings_.map_period_s) return;
+  if (!topics_.areMapsAwaited() || now - last_maps_s_ < settings_.map_period_s) return;
   topics_.publishMaps(heights_->monitor());
-  maps_changed_ = false;
   last_maps_s_ = now;
 }
 

@@ -61,7 +61,6 @@ class LayerHeightMonitor {
   IntakeCounts before_;  ///< when the toolpath came
   SilenceWatch silence_;
   double last_maps_s_ = -std::numeric_limits<double>::infinity();
-  bool maps_changed_ = false;
   bool is_saved_ = true;
   bool is_announced_ = false;  ///< that the toolpath is being measured
   bool is_finished_ = false;   ///< nothing more comes of the toolpath
