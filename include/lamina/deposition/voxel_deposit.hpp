@@ -22,8 +22,8 @@ struct ToolAxisMotion {
   Eigen::Vector3d start_tool_axis{0, 0, -1};
   Eigen::Vector3d end_tool_axis{0, 0, -1};
   double volume_mm3 = 0.0;
-  /// Radius of the round strand that is extruded. 0 if not known: it then follows from volume and length,
-  /// which must not be shorter than a few hundredths of a millimetre.
+  /// Radius of the round strand that is extruded. 0 if not known: it then follows from volume and length, for
+  /// which the motion must not be shorter than a few hundredths of a millimetre.
   double radius_mm = 0.0;
 };
 
