@@ -18,7 +18,7 @@ namespace lamina {
 void parallelFor(std::size_t count, const std::function<void(std::size_t)>& body, Progress& progress,
                  const std::string& stage);
 
-/// Runs `body(i)` for every i likewise, for loops that are too short to report or to cancel.
+/// Runs `body(i)` for every i in [0, count) as above, for loops that are too short to report or to cancel.
 /// @throws the first exception that a body threw
 void parallelFor(std::size_t count, const std::function<void(std::size_t)>& body);
 

@@ -190,7 +190,7 @@ class ProductionCell {
   std::int32_t layer_written_ = -1;
   double counters_written_s_ = 0.0;
   double end_tried_s_ = 0.0;  ///< time of the last attempt to write the end of a job
-  double paused_s_ = 0.0;     ///< time at which the executor was last told to pause
+  double paused_s_ = 0.0;     ///< time at which the executor was last asked to pause
   Refusal refusal_;
 };
 

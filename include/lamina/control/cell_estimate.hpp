@@ -26,7 +26,7 @@ struct CellReading {
 /// What was done with a reading.
 enum class ReadingUse : std::uint8_t {
   Used,
-  Contested,  ///< too far from the expected value: not used
+  Contested,  ///< too far from the expected value: not used, but compared with the readings that follow
   Believed    ///< contested, but the third in a row to agree: its value replaces the estimate
 };
 
@@ -119,7 +119,7 @@ class CellEstimate {
   std::optional<double> claimed() const;
 
   /// The gain since it was last measured, which may be several layers ago; the next measurement starts here.
-  /// None if no reading was used since the last layer was deposited, if no growth was commanded, or if a
+  /// None if the cell was not seen since the last layer was deposited, if no growth was commanded, or if a
   /// believed height would mean a gain out of range.
   std::optional<MeasuredGain> takeMeasuredGain();
 

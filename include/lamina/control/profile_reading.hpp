@@ -15,14 +15,14 @@ namespace lamina {
 
 /// Settings by which the points of a profile sensor are read.
 struct SightSettings {
-  /// Distance along the growth direction within which a point lies on a cell, in layer heights
+  /// Distance along the growth direction within which a point lies on a cell, in layer heights.
   double window_layers = 1.5;
-  /// Width of the crown (the level middle of a bead) over the width of the bead
+  /// Width of the crown (the level middle of a bead) over the width of the bead.
   double crown_share = 1.0 / 3.0;
   double sigma_mm = 0.02;      ///< standard deviation of a point along the beam
   double spacing_mm = 0.1;     ///< distance of neighbouring points of a profile
   double pose_sigma_mm = 0.0;  ///< standard deviation of the sensor's position along the growth direction
-  /// Greatest angle between beam and growth direction; 90: all but undersides are read
+  /// Greatest angle between beam and growth direction; 90: all but undersides are read.
   double greatest_angle_deg = 70;
   double least_depth_mm = 0.0;     ///< near end of the sensor's measuring range, along its z
   double greatest_depth_mm = 0.0;  ///< far end of that range; 0: not limited
@@ -54,7 +54,7 @@ struct PointCounts {
   std::uint64_t off_path = 0;        ///< on no deposited cell
   std::uint64_t grazing = 0;         ///< seen at an angle above the greatest
   std::uint64_t beside_crown = 0;    ///< on the flank of a bead
-  /// Not the one, of several points on one ray, that agrees best with the prediction
+  /// Not the one, of several points on one ray, that agrees best with the prediction.
   std::uint64_t mirrored = 0;
 
   std::uint64_t accounted() const;  ///< sum of all numbers but `received`; equal to `received`
@@ -77,7 +77,7 @@ struct ProfileReadings {
 /// The predicted heights of the cells of a layer.
 struct LayerPrediction {
   std::size_t layer = 0;
-  /// One per cell of the layer; must live as long as it is used
+  /// One per cell of the layer; must live as long as it is used.
   const std::vector<CellEstimate>* estimates = nullptr;
 };
 

@@ -66,7 +66,7 @@ struct RegionDecision {
   RegionStep step = RegionStep::None;
   std::size_t run = 0;    ///< number in `LayerCells::runs`
   std::size_t first = 0;  ///< number of its first cell in the layer
-  /// Number of cells; on a closed run they continue after its last cell with its first
+  /// Number of cells; on a closed run they continue after its last cell with its first.
   std::size_t count = 0;
 };
 

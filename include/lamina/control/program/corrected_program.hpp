@@ -28,7 +28,7 @@ struct CorrectionWriting {
 struct CorrectionReport {
   std::size_t corrected_lines = 0;  ///< number of lines of depositing motions that were changed
   std::size_t added_lines = 0;      ///< number of lines added by splitting
-  /// Number of lines that deposit beside the toolpath; they are left unchanged
+  /// Number of lines that deposit beside the toolpath; they are left unchanged.
   std::size_t off_path_lines = 0;
   double planned_mm = 0.0;    ///< filament of the corrected lines before correction
   double corrected_mm = 0.0;  ///< filament of the corrected lines after correction

@@ -13,7 +13,7 @@ namespace lamina {
 
 /// The record of a layer. Its size does not depend on the number of cells, but for the alarms.
 struct LayerRecord {
-  /// Number of equal shares of the cells, in the order of deposition
+  /// Number of equal shares of the cells, in the order of deposition.
   static constexpr std::size_t kPieces = 200;
 
   LayerFigures figures;
