@@ -9,10 +9,10 @@ namespace lamina {
 inline constexpr double kDegree = M_PI / 180.0;            ///< one degree [rad]
 inline constexpr double kDegreesPerRadian = 180.0 / M_PI;  ///< one radian [deg]
 
-/// An angle [rad]. May differ from `degrees * kDegree` in the last bit.
+/// An angle in radians. May differ from `degrees * kDegree` in the last bit.
 constexpr double toRadians(double degrees) { return degrees * M_PI / 180.0; }
 
-/// An angle [deg]. May differ from `radians * kDegreesPerRadian` in the last bit.
+/// An angle in degrees. May differ from `radians * kDegreesPerRadian` in the last bit.
 constexpr double toDegrees(double radians) { return radians * 180.0 / M_PI; }
 
 }  // namespace lamina

@@ -9,10 +9,11 @@
 
 namespace lamina {
 
-/// A file that appears under its name whole or not at all: it is written beside it under a temporary name
-/// that nobody can guess, and renamed by `commit`. Destroyed without `commit`, it leaves nothing behind and
-/// an existing file untouched. A link of one's own, or of root, stays one: what it names is replaced.
-/// Another's link is replaced itself, for somebody may have led it to a file of ours.
+/// A file that appears under its name completely or not at all. It is written under a temporary name in the
+/// same folder, which nobody can guess, and renamed by `commit`. Destroyed without `commit`, it leaves
+/// nothing behind, and an existing file unchanged. If the name is a symbolic link of this user or of root,
+/// the link stays and the file that it leads to is replaced. A link of another user is replaced itself, since
+/// that user may have made it lead to a file of ours.
 class AtomicFile {
  public:
   /// @throws FileError if the folder cannot be written to
@@ -24,11 +25,12 @@ class AtomicFile {
   /// @throws FileError if the disk is full or gone
   void write(std::string_view bytes);
 
-  /// Makes the file durable and visible under its name.
-  /// @throws FileError if that fails; then the name holds what it held before
+  /// Closes the file and makes it visible under its name. The file is not forced to the disk: a loss of power
+  /// may still lose it.
+  /// @throws FileError if that fails; an earlier file of that name then stays
   void commit();
 
-  /// The temporary name, for libraries that insist on opening the file themselves.
+  /// The temporary name, for libraries that have to open the file themselves.
   const std::string& temporaryPath() const { return temporary_path_; }
 
  private:
@@ -37,14 +39,15 @@ class AtomicFile {
   std::FILE* file_ = nullptr;
 };
 
-/// Writes the whole file, or leaves what was there.
+/// Writes a file completely, or leaves an earlier one of that name as it was.
 /// @throws FileError if it cannot be written
 void writeFile(const std::string& path, std::string_view bytes);
 
 /// The whole file as bytes.
 /// @throws FileError, Cancelled as `InputFile::readRest`
 std::string readFile(const std::string& path);
-/// The same, of so many bytes at most.
+/// The whole file as bytes, if these are at most `most_bytes`.
+/// @throws FileError if there are more; FileError, Cancelled as `InputFile::read`
 std::string readFile(const std::string& path, std::size_t most_bytes);
 
 }  // namespace lamina

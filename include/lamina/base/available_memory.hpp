@@ -4,11 +4,11 @@
 
 namespace lamina {
 
-/// Memory [bytes] that this process can still take without swapping, as the machine reports (MemAvailable) or
-/// its control group allows, whichever is less. Infinite if neither reports.
+/// Memory [bytes] that this process can still use without swapping: the lesser of what the system reports
+/// (MemAvailable) and what its control group leaves. Infinite if neither is known.
 double availableMemory();
 
-/// Most memory [bytes] that this process ever held resident; 0 if the machine does not report.
+/// Greatest resident memory [bytes] of this process so far; 0 if the system does not report it.
 double peakMemory();
 
 }  // namespace lamina

@@ -9,32 +9,36 @@
 
 namespace lamina {
 
-/// What a program is run with.
+/// How a program is run.
 struct ProgramCall {
-  std::vector<std::string> arguments;  ///< the first is the program, looked for in PATH if it has no slash
-  std::string folder;                  ///< it runs in; empty for the current one
+  std::vector<std::string> arguments;  ///< the first is the program, searched for in PATH if it has no slash
+  std::string folder;                  ///< working directory; empty for the present one
   double time_limit_s = 3600.0;
-  std::string scratch = {};  ///< a folder that is removed if this process is killed meanwhile; empty: none
+  std::string scratch = {};  ///< folder that is removed if this process is killed meanwhile; empty: none
 };
 
-/// What a program left behind.
+/// The result of a program that has ended.
 struct ProgramEnd {
-  int exit_code = 0;  ///< 128 + the signal if one ended it
-  std::string output;
+  int exit_code = 0;   ///< 128 + number of the signal if a signal ended it
+  std::string output;  ///< what it wrote on standard output
   std::string errors;  ///< what it wrote on standard error
 };
 
-/// Runs a program without a shell, with nothing on its standard input, and waits for its end. It leads a
-/// process group of its own: what it started and left running ends with it, and Ctrl-C on the terminal
-/// reaches it only through `progress`. If this process is killed, a shell that waits for that ends the group.
-/// @throws InvalidConfig if there are no arguments, or a text holds a zero byte; FileError if it cannot be
-///   started, or its exit code is not to be had because this process ignores SIGCHLD; TimedOut if it runs
-///   longer than it may; InvalidInput if it writes more than 64 MB; Cancelled. It has ended when this throws:
-///   asked to (SIGTERM), and 2 s later not asked (SIGKILL).
+/// Runs a program without a shell, with empty standard input, and waits for its end. It leads a process group
+/// of its own: processes that it started and left running end with it, and Ctrl-C on the terminal reaches it
+/// only through `progress`. If this process is killed, a shell that watches it ends the group.
+///
+/// If this function throws, the program has ended: it is sent SIGTERM, and SIGKILL 2 s later.
+/// @throws InvalidConfig if there are no arguments, or one contains a zero byte
+/// @throws FileError if it cannot be started, or its exit code is not available because this process ignores
+///   SIGCHLD
+/// @throws TimedOut if it runs longer than `time_limit_s`
+/// @throws InvalidInput if it writes more than 64 MB
+/// @throws Cancelled if `progress` is cancelled
 ProgramEnd runProgram(const ProgramCall& call, const Progress& progress);
 
-/// Path of a program in the folder of the running one: its own name leads to itself. If there is none, the
-/// name, which PATH may know.
+/// Path of a program in the folder of the running program; the name of the running program gives its own
+/// path. If the folder has no such program, the result is the name, to be searched for in PATH.
 std::string siblingProgram(const std::string& name);
 
 }  // namespace lamina

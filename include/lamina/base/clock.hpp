@@ -10,7 +10,7 @@ namespace lamina {
 class Clock {
  public:
   virtual ~Clock() = default;
-  /// [s] since an arbitrary start; never goes back.
+  /// Time [s] since an arbitrary start; never goes back.
   virtual double now() const = 0;
 };
 

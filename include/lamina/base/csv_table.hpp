@@ -9,30 +9,33 @@
 
 namespace lamina {
 
-/// Comma-separated cells under a header. Cells hold text without white space at their ends, or what stands
-/// between double quotes; two of them there are one.
+/// Comma-separated cells under a header. A cell is text without white space at its ends, or text between
+/// double quotes, in which two double quotes stand for one.
 struct CsvTable {
   std::string source;  ///< names the table in errors
   std::vector<std::string> columns;
-  std::vector<std::vector<std::string>> rows;  ///< each as long as there are columns
-  std::vector<std::size_t> lines;              ///< where each row begins in the text, from 1
+  std::vector<std::vector<std::string>> rows;  ///< each with one cell per column
+  std::vector<std::size_t> lines;  ///< number of the line of the text where each row begins, from 1
 };
 
-/// A cell that reads back to the text: in double quotes if it holds a comma, a double quote, #, a line end,
-/// or white space at its ends. A row of a single empty cell is an empty line, which reads back to no row.
+/// The text as a cell that reads back to it: in double quotes if it contains a comma, a double quote, #, a
+/// line end, or white space at its ends. A row of a single empty cell becomes an empty line, which is skipped
+/// when it is read back.
 std::string csvCell(const std::string& text);
 
-/// Reads a table whose first line is its header. Empty lines and lines that begin with # are none; line ends
-/// between double quotes belong to the cell.
-/// @throws InvalidInput naming source and line if there is no header, a column has no name or another's, a
-///   row has another number of cells, or a quote is not closed
+/// Reads a table whose first line is its header. Empty lines and lines that begin with # are skipped; line
+/// ends between double quotes belong to the cell.
+/// @param source  names the table in errors
+/// @throws InvalidInput naming source and line if there is no header, a column has no name or that of
+///   another, a row has another number of cells than the header, or a quote is not closed
 CsvTable parseCsvTable(std::string_view text, const std::string& source);
 
-/// @throws FileError; InvalidInput as `parseCsvTable`
+/// Reads a table from a file.
+/// @throws FileError, Cancelled as `readFile`; InvalidInput as `parseCsvTable`
 CsvTable readCsvTable(const std::string& path);
 
-/// The index of a column.
-/// @throws InvalidInput naming those there are if it is none of them
+/// The index of a column, from 0.
+/// @throws InvalidInput naming the columns that there are if it is not one of them
 std::size_t columnOf(const CsvTable& table, const std::string& name);
 
 }  // namespace lamina

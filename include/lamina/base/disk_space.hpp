@@ -8,8 +8,8 @@
 
 namespace lamina {
 
-/// Bytes that the disk of a folder has left for this user; nothing if the system does not say, as of a folder
-/// that is not there or may not be entered.
+/// Free space [bytes] for this user on the disk of a folder; nothing if the system does not report it, as for
+/// a folder that does not exist or may not be entered.
 std::optional<std::uint64_t> freeBytesOf(const std::string& folder);
 
 }  // namespace lamina

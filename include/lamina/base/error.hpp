@@ -8,9 +8,9 @@
 
 namespace lamina {
 
-// Error                    everything the core throws
+// Error                    everything that the core throws
 // ├─ InvalidInput          a value, file or request that cannot be used
-// │  ├─ InvalidMesh        names the defect and where it is
+// │  ├─ InvalidMesh        names the defect and its position
 // │  ├─ InvalidConfig      names key, value and bound
 // │  └─ InvalidProgram     names the line of the G-code
 // ├─ FileError             a file that cannot be read or written
@@ -19,7 +19,7 @@ namespace lamina {
 // │  ├─ Disconnected
 // │  ├─ Rejected
 // │  └─ TimedOut
-// └─ Cancelled             somebody asked for it
+// └─ Cancelled             the work was cancelled on request
 
 /// The number of each kind of error. `msg/Status.msg` holds the same numbers; a test compares them.
 enum class ErrorCode : std::uint8_t {
@@ -41,8 +41,8 @@ enum class ErrorCode : std::uint8_t {
 /// The code as written in messages and JSON: "InvalidMesh".
 const char* toString(ErrorCode code);
 
-/// Base of everything the core throws. The message says what, the actual value with its unit, and what was
-/// expected.
+/// Base of everything that the core throws. The message states what is wrong, the actual value with its unit,
+/// and what was expected.
 class Error : public std::runtime_error {
  public:
   Error(ErrorCode code, const std::string& message) : std::runtime_error(message), code_(code) {}
@@ -52,7 +52,7 @@ class Error : public std::runtime_error {
   ErrorCode code_;
 };
 
-/// A kind of error: a leaf or branch of the tree above. `Base` is its parent in the tree.
+/// A kind of error: a node of the tree above. `Base` is its parent in the tree.
 template <ErrorCode kCode, class Base>
 class ErrorOf : public Base {
  public:
@@ -76,14 +76,14 @@ using Rejected = ErrorOf<ErrorCode::Rejected, DeviceError>;
 using TimedOut = ErrorOf<ErrorCode::TimedOut, DeviceError>;
 using Cancelled = ErrorOf<ErrorCode::Cancelled, Error>;
 
-/// A failure as a value: the code and the sentence of any exception. Anything that is no `Error` is
+/// A failure as a value: code and message of an exception. Any exception that is not an `Error` has the code
 /// `Internal`.
 struct Failure {
   ErrorCode code = ErrorCode::Ok;
   std::string message;
 };
 
-/// The failure that the exception being handled stands for. Call inside a catch block only.
+/// The exception that is being handled, as a failure. Call it only inside a catch block.
 Failure currentFailure();
 
 }  // namespace lamina

@@ -8,13 +8,13 @@
 namespace lamina {
 
 /// The shortest text that reads back as the same number, with an exponent where that is shorter: "0.1",
-/// "1e-07", "inf". Alike in every locale.
+/// "1e-07", "inf". The same in every locale.
 inline std::string exactText(double value) {
   char digits[32];
   return {digits, std::to_chars(digits, digits + sizeof digits, value).ptr};
 }
 
-/// Appends that text.
+/// Appends `exactText(value)` to a text.
 inline void appendExact(std::string& text, double value) {
   char digits[32];
   text.append(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);

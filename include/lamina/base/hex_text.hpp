@@ -7,7 +7,7 @@
 
 namespace lamina {
 
-/// Bytes as hexadecimal digits, small letters.
+/// Bytes as hexadecimal digits in lower case.
 inline std::string hexText(const unsigned char* bytes, std::size_t size) {
   constexpr const char* kDigits = "0123456789abcdef";
   std::string text;

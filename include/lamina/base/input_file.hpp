@@ -8,33 +8,37 @@
 
 namespace lamina {
 
-/// As large as a file of settings, of a description or of a plate may be [bytes].
+/// Greatest size of a file of settings, of a description or of a plate [bytes].
 inline constexpr std::size_t kMostSettingsBytes = std::size_t{64} << 20;
 
-/// A file open for reading from its start, for files too large to be held whole.
+/// A file open for reading from its start, for files that are too large to be held as a whole.
 ///
-/// Regular files alone, so that no pipe is waited for and no device is read without end; `/dev/stdin` and
-/// `/dev/fd/N` may be whatever they are. A signal that comes while such a pipe is waited for ends the wait.
+/// Only regular files are opened, so that reading neither waits for a pipe nor reads a device without end;
+/// `/dev/stdin` and `/dev/fd/N` may also be a pipe, a socket or a device. A signal that arrives while a pipe
+/// is waited for ends the wait.
 class InputFile {
  public:
-  /// @throws FileError if it is missing, cannot be read, or is no regular file: says what it is
+  /// @throws FileError if it does not exist, cannot be read, or is not a regular file; the message states
+  ///   what it is
   explicit InputFile(std::string path);
   ~InputFile();
   InputFile(const InputFile&) = delete;
   InputFile& operator=(const InputFile&) = delete;
 
-  /// [bytes] when it was opened; 0 for what has no size, such as a pipe.
+  /// Size [bytes] when the file was opened; 0 for what has no size, such as a pipe.
   std::size_t size() const { return size_; }
 
-  /// Reads the next bytes into the buffer: as many as asked for, fewer only at the end of the file.
-  /// @return how many
-  /// @throws FileError; Cancelled if a signal came while a pipe was waited for
+  /// Reads the next bytes into the buffer: `count` of them, fewer only at the end of the file.
+  /// @return number of bytes read
+  /// @throws FileError if it cannot be read; Cancelled if a signal arrived while a pipe was waited for
   std::size_t read(char* buffer, std::size_t count);
 
-  /// The bytes given, which were read before, and all that follow, as far as memory holds them.
-  /// @throws FileError if there are more: says how many; as `read`
+  /// The bytes `read_before`, which were read earlier, followed by the rest of the file. All of it may take
+  /// up to 80 % of the available memory.
+  /// @throws FileError if there are more bytes than that, stating how many; as `read`
   std::string readRest(std::string_view read_before = {});
-  /// The same, of so many bytes at most.
+  /// The bytes `read_before`, followed by the rest of the file, if these are at most `most_bytes` together.
+  /// @throws FileError if there are more bytes, stating how many; as `read`
   std::string readRest(std::string_view read_before, std::size_t most_bytes);
 
  private:
@@ -45,7 +49,8 @@ class InputFile {
   std::size_t size_ = 0;
 };
 
-/// @throws FileError as `InputFile`, for what other libraries open themselves
+/// Checks a file that another library is going to open.
+/// @throws FileError as `InputFile`
 void requireReadable(const std::string& path);
 
 }  // namespace lamina

@@ -9,8 +9,8 @@ namespace lamina {
 
 enum class LogLevel { Debug, Info, Warning, Error };
 
-/// Where the core's log lines go: the port through which ROS, a terminal or a test receives them.
-/// Called from any thread; an empty function discards.
+/// Function that receives the core's log lines, for ROS, a terminal or a test. It is called from any thread;
+/// an empty function discards the lines.
 using LogSink = std::function<void(LogLevel level, const std::string& line)>;
 
 /// A sink that discards every line.

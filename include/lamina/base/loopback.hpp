@@ -6,8 +6,9 @@
 
 namespace lamina {
 
-/// Whether a host stands for the loopback interface: "localhost", an address from 127.0.0.0/8, also within
-/// IPv6, "::1", "[::1]". Other names do not, whatever they begin with or lead to.
+/// Whether a host is the loopback interface: "localhost", "::1", "[::1]", or an IPv4 address from
+/// 127.0.0.0/8, also as a mapped IPv6 address. Other names are not, even if they begin like one of these or
+/// resolve to one.
 bool isLoopbackHost(const std::string& host);
 
 }  // namespace lamina

@@ -6,11 +6,11 @@
 
 namespace lamina {
 
-/// A clock that stands until it is moved on: for simulations and tests.
+/// A clock that stands still until it is set, for simulations and tests.
 class ManualClock final : public Clock {
  public:
   double now() const override { return now_s_; }
-  /// To a later time; an earlier one leaves it where it is.
+  /// Sets the clock to a later time; an earlier one has no effect.
   void moveTo(double time_s) { now_s_ = time_s > now_s_ ? time_s : now_s_; }
 
  private:

@@ -11,24 +11,25 @@
 
 namespace lamina {
 
-/// Runs `body(i)` for every i in [0, count), on as many threads as the machine has, and reports progress.
-/// The results are the same whatever the number of threads, as long as body(i) writes only what belongs to i.
+/// Runs `body(i)` for every i in [0, count), on as many threads as the machine has, and reports progress. The
+/// results are the same for any number of threads, as long as body(i) writes only what belongs to i.
 ///
-/// @throws Cancelled if `progress` is cancelled; otherwise the first exception a body threw
+/// @throws Cancelled if `progress` is cancelled; otherwise the first exception that a body threw
 void parallelFor(std::size_t count, const std::function<void(std::size_t)>& body, Progress& progress,
                  const std::string& stage);
 
-/// As above, for loops too short to report or to cancel.
-/// @throws the first exception a body threw
+/// Runs `body(i)` for every i in [0, count) as above, for loops that are too short to report or to cancel.
+/// @throws the first exception that a body threw
 void parallelFor(std::size_t count, const std::function<void(std::size_t)>& body);
 
-/// Runs both, at the same time if there is more than one thread.
+/// Runs both functions, at the same time if there is more than one thread.
 /// @throws what one of them threw
 void inParallel(const std::function<void()>& first, const std::function<void()>& second);
 
-/// While it lives, parallel loops of this process use at most `threads` threads (at least 1).
+/// Limits the threads of parallel loops of this process while it exists.
 class ThreadLimit {
  public:
+  /// @param threads  greatest number; at least 1
   explicit ThreadLimit(int threads);
   ~ThreadLimit();
   ThreadLimit(const ThreadLimit&) = delete;

@@ -7,14 +7,14 @@
 
 namespace lamina {
 
-/// What a placeholder stands for; empty leaves out the line that holds it.
+/// The value of a placeholder. If it is empty, the line with the placeholder is left out.
 /// @throws InvalidConfig if there is no placeholder of that name
 using PlaceholderValue = std::function<std::string(const std::string& name)>;
 
-/// Lines with what stands in braces replaced, every line ended. Lines with a placeholder that has no value
-/// are left out.
-/// @param key  of the setting the lines come from, for the error
-/// @throws InvalidConfig if a brace is not closed, and what `value` throws
+/// The lines with each placeholder, a name in braces, replaced by its value, and a line end after every line.
+/// Lines with a placeholder of which the value is empty are left out.
+/// @param key  of the setting from which the lines are, for errors
+/// @throws InvalidConfig if a brace is not closed; what `value` throws
 std::string expandPlaceholders(const std::string& key, const std::string& lines,
                                const PlaceholderValue& value);
 

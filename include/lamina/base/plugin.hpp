@@ -7,14 +7,15 @@
 
 namespace lamina {
 
-/// Number of the interface between Lamina and plug-ins. It rises when a type that a registry holds changes.
+/// Version of the interface between Lamina and plug-ins. It rises when a type that a registry contains
+/// changes.
 inline constexpr int kPluginInterface = 3;
 
-/// A plug-in as a class, which `pluginlib` finds and makes for the nodes.
+/// A plug-in as a class, which `pluginlib` finds and creates for the nodes.
 class Plugin {
  public:
   virtual ~Plugin() = default;
-  /// Adds entries to the registries. Called once.
+  /// Adds entries to the registries. It is called once.
   virtual void addEntries() = 0;
 };
 
@@ -23,21 +24,21 @@ class Plugin {
 ///     extern "C" int lamina_plugin_interface() { return lamina::kPluginInterface; }
 ///     extern "C" void lamina_register();
 ///
-/// and adds its entries to the registries in the latter. It stays loaded until the process ends. One that is
-/// loaded already is left alone. To be called before jobs run.
+/// and calls the latter, which adds its entries to the registries. It stays loaded until the process ends; a
+/// plug-in that is already loaded is skipped. Call this before jobs run.
 /// @throws FileError if there is no such library, or it cannot be loaded
-/// @throws InvalidInput if it exports neither function, or was built for another interface
-/// @throws what its registering throws, with the path
+/// @throws InvalidInput if it does not export both functions, or was built for another interface
+/// @throws what `lamina_register` throws, with the path
 void loadPlugin(const std::string& path);
 
-/// Loads all of them, in order.
+/// Loads several plug-ins, in their order.
 /// @throws as `loadPlugin`, at the first that fails
 void loadPlugins(const std::vector<std::string>& paths);
 
-/// The paths of a text with colons between; empty ones are left out.
+/// The paths of a text in which colons separate them; empty ones are left out.
 std::vector<std::string> pathsIn(const std::string& text);
 
-/// The paths in the environment variable LAMINA_PLUGINS, with colons between; none if it is not set.
+/// The paths of the environment variable LAMINA_PLUGINS, separated by colons; none if it is not set.
 std::vector<std::string> pluginsOfEnvironment();
 
 }  // namespace lamina

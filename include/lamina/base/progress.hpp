@@ -6,20 +6,20 @@
 
 namespace lamina {
 
-/// Port through which long work reports how far it is, and learns that it should stop.
-/// Both calls may come from any thread; `report` should return at once.
+/// Interface through which long work reports its progress, and learns that it should stop. Both calls may
+/// come from any thread; `report` should return at once.
 class Progress {
  public:
   virtual ~Progress() = default;
 
-  /// @param stage     what is being done, one or two words ("slice", "plan")
-  /// @param fraction  of this stage, 0 to 1
+  /// @param stage     what is being done, in one or two words ("slice", "plan")
+  /// @param fraction  done of this stage, 0 to 1
   virtual void report(const std::string& stage, double fraction) = 0;
 
   virtual bool isCancelled() const = 0;
 };
 
-/// Progress nobody watches and nobody cancels.
+/// Progress that ignores all reports and is never cancelled.
 class NoProgress final : public Progress {
  public:
   void report(const std::string&, double) override {}

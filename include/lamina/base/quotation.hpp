@@ -7,17 +7,17 @@
 
 namespace lamina {
 
-/// What messages quote of a file that is being read. Whoever has a file read need not be allowed to read it,
-/// and hears what is wrong with it: so a file is quoted only once something was read that none but a file of
-/// the kind expected holds. Every reader of files has one.
+/// What messages quote of a file that is being read. A user who has a file read by a service need not be
+/// allowed to read it, but sees the messages about it. Therefore a file is quoted only after something was
+/// read in it that only a file of the expected kind contains. Every reader of files has such a quotation.
 class Quotation {
  public:
-  /// Something was read that makes the file one of the kind expected.
+  /// States that something was read that only a file of the expected kind contains.
   void recognise() { is_recognised_ = true; }
   bool isRecognised() const { return is_recognised_; }
 
-  /// The text between quotation marks: at most 40 characters, and ? for those that cannot be printed. Before
-  /// `recognise`, words that say why it is not shown.
+  /// The text between quotation marks: at most 40 characters, with ? for those that cannot be printed. Before
+  /// `recognise`, words that state why it is not shown.
   std::string of(std::string_view text) const;
 
  private:

@@ -6,8 +6,8 @@
 
 namespace lamina {
 
-/// Small seeded generator (SplitMix64 [Steele2014]): the same seed gives the same numbers on every
-/// machine, which the distributions of the standard library do not promise.
+/// Small seeded generator of random numbers (SplitMix64 [Steele2014]). The same seed gives the same numbers
+/// on every machine, which the distributions of the standard library do not guarantee.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : state_(seed) {}

@@ -19,13 +19,13 @@ namespace lamina {
 template <class Entry>
 class Registry {
  public:
-  /// @param chosen_by  what names an entry, for messages: "infill.strategy"
+  /// @param chosen_by  the setting that names an entry, for messages: "infill.strategy"
   Registry(std::string chosen_by, std::map<std::string, Entry> built_in)
       : chosen_by_(std::move(chosen_by)), entries_(std::move(built_in)) {}
   Registry(const Registry&) = delete;
   Registry& operator=(const Registry&) = delete;
 
-  /// @throws InvalidConfig if the name is empty, or taken
+  /// @throws InvalidConfig if the name is empty, or another entry has it
   void add(const std::string& name, Entry entry) {
     if (name.empty()) throw InvalidConfig("an entry for " + chosen_by_ + " has no name; expected one");
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -33,7 +33,7 @@ class Registry {
       throw InvalidConfig("'" + name + "' is already an entry for " + chosen_by_ + "; expected another name");
   }
 
-  /// Takes an entry back; without effect if there is none of that name.
+  /// Removes an entry; without effect if there is none of that name.
   void remove(const std::string& name) {
     const std::lock_guard<std::mutex> lock(mutex_);
     entries_.erase(name);
@@ -45,7 +45,7 @@ class Registry {
   }
 
   /// The entry of that name.
-  /// @throws InvalidConfig if there is none, naming those there are
+  /// @throws InvalidConfig if there is none, listing the names that there are
   Entry find(const std::string& name) const {
     {
       const std::lock_guard<std::mutex> lock(mutex_);

@@ -6,14 +6,14 @@
 
 namespace lamina {
 
-/// Gives back the memory of what the program and its libraries have mapped of their files and cannot write:
-/// code, constants, and the names by which they were loaded. What is used again is mapped again from the
-/// system's cache of files, so that what only the start used takes no memory during the work after it. Code
-/// stays in a process that is being debugged, as debuggers write into it.
+/// Releases the memory in which the files of the program and its libraries are mapped read-only: code,
+/// constants and symbol names. Pages that are used again are mapped again from the system's file cache, so
+/// that what only the start needed takes no memory during the work after it. Code stays in a process that is
+/// being debugged, since debuggers write into it.
 ///
-/// For once before long work, from any thread: the process does not change but in what it holds.
+/// Meant to be called once before long work, from any thread; it changes nothing but the memory in use.
 ///
-/// @return bytes that may have been in memory, and are not until they are used
+/// @return number of bytes that may have been in memory, and are not until they are used again
 std::size_t releaseStartPages();
 
 }  // namespace lamina

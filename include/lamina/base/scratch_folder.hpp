@@ -6,10 +6,10 @@
 
 namespace lamina {
 
-/// A new empty folder for what is needed for a while; it is gone with all that is in it when this ends.
+/// A new empty folder for temporary files; the destructor removes it with all that is in it.
 class ScratchFolder {
  public:
-  /// @throws FileError if the system's folder for such cannot be written to
+  /// @throws FileError if the system's folder for temporary files cannot be written to
   ScratchFolder();
   ~ScratchFolder();
   ScratchFolder(const ScratchFolder&) = delete;

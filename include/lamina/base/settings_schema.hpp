@@ -21,8 +21,8 @@ struct Bounds {
   static constexpr Bounds above(double low, double high) { return {low, high, true}; }
 };
 
-/// A configuration key and the field that it sets. Values are passed as text, written as in YAML, in `--set`
-/// and in a ROS request.
+/// A configuration key and the field that it sets. Values are passed as text, in the form that YAML, `--set`
+/// and ROS requests have in common.
 struct Setting {
   std::string key;  ///< dotted, unit last: "slicing.layer_height_mm"
   /// "number", "integer", "flag", "text", "3 numbers", "numbers", "table", or the choices "a | b | c"
@@ -63,16 +63,18 @@ class SettingsSchema {
   void choice(const std::string& key, Enum& field, const std::vector<std::pair<std::string, Enum>>& choices,
               const std::string& meaning);
 
-  /// Accepts the name that a key, or a value of a choice, had in the release before.
+  /// Accepts the name that a key had in the release before.
   void renamed(const std::string& former_key, const std::string& key);
+  /// Accepts the name that a value of a choice had in the release before.
   void renamedChoice(const std::string& key, const std::string& former_name, const std::string& name);
 
   const std::vector<Setting>& settings() const { return settings_; }
 
-  /// The setting of that key or former key; for the key of an entry, its table. Null if there is none.
+  /// The setting of a key or former key; for the key of a table's entry, the table. Null if there is none.
   const Setting* find(const std::string& key) const;
 
-  /// @throws InvalidConfig if the key is unknown (names the nearest one) or the value does not fit
+  /// Sets the field of a key.
+  /// @throws InvalidConfig if the key is unknown, naming the nearest one, or the value is not allowed
   void set(const std::string& key, const std::string& text);
 
   /// Checks the values that the fields hold now, also those that were not set through the schema.
@@ -94,17 +96,19 @@ struct SettingText {
 };
 
 /// Reads a YAML document into dotted keys, in document order. An empty document gives none. A list of scalars
-/// becomes one text, separated by commas. In any other list an entry's key is its index, from 0.
-/// @throws InvalidConfig if it is not YAML, not a map, or a key stands twice; names the line
+/// becomes one text, separated by commas. In any other list the key of an entry is its index, from 0.
+/// @param source_name  names the document in errors
+/// @throws InvalidConfig naming the line if it is not YAML, is not a map, or has a key twice
 std::vector<SettingText> settingsFromYaml(const std::string& yaml, const std::string& source_name);
 
 /// Sets the values of a YAML file, and after them `overrides`, in their order.
 /// @param yaml_path  empty for no file
-/// @throws InvalidConfig naming key, value and bound (and the file, if it is no YAML); FileError
+/// @throws InvalidConfig naming key, value and bound, and also the file if it is not YAML
+/// @throws FileError if the file cannot be read
 void applySettings(SettingsSchema& schema, const std::string& yaml_path,
                    const std::vector<SettingText>& overrides);
 
-/// Splits "key=value".
+/// Splits an assignment "key=value".
 /// @throws InvalidConfig if there is no '=' or no key
 SettingText settingFromAssignment(const std::string& assignment);
 

@@ -9,7 +9,7 @@
 
 namespace lamina {
 
-/// Copies the next bytes into a buffer of that size, and returns their number; 0 at the end.
+/// Function that copies the next bytes into a buffer of that size and returns their number; 0 at the end.
 using ByteSource = std::function<std::size_t(char* buffer, std::size_t size)>;
 
 /// SHA-256 of all bytes, as 64 hexadecimal digits. Source: FIPS 180-4, by OpenSSL.
@@ -17,8 +17,8 @@ using ByteSource = std::function<std::size_t(char* buffer, std::size_t size)>;
 std::string sha256Of(const ByteSource& source);
 std::string sha256Of(std::string_view bytes);
 
-/// The same of a file.
-/// @throws FileError also if the file cannot be read
+/// SHA-256 of the bytes of a file, as 64 hexadecimal digits.
+/// @throws FileError if the file cannot be read, or as `sha256Of`
 std::string sha256OfFile(const std::string& path);
 
 }  // namespace lamina

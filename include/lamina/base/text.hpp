@@ -9,16 +9,16 @@
 
 namespace lamina {
 
-/// The text without white space at its ends, in any locale.
+/// The text without white space at its ends; the same in every locale.
 std::string_view trimmed(std::string_view text);
 
 /// The names joined by the separator; empty if there are none.
 std::string listed(const std::vector<std::string>& names, std::string_view separator = ", ");
 
-/// The words of a text, which white space separates.
+/// The words of a text, separated by white space.
 std::vector<std::string> splitIntoWords(const std::string& text);
 
-/// A count of things as the subject of a sentence: "1 layer was", "3 layers were".
+/// A count of things as the subject of a sentence, with the verb: "1 layer was", "3 layers were".
 /// @param noun  in the singular, with a plural in -s
 std::string countedSubject(std::size_t count, const std::string& noun);
 

@@ -6,12 +6,12 @@
 
 namespace lamina {
 
-/// Whether the text begins with the prefix; any text begins with an empty one.
+/// Whether the text begins with the prefix; an empty prefix begins any text.
 inline bool startsWith(std::string_view text, std::string_view prefix) {
   return text.substr(0, prefix.size()) == prefix;
 }
 
-/// Whether the part stands anywhere in the text.
+/// Whether the text contains the part.
 inline bool contains(std::string_view text, std::string_view part) {
   return text.find(part) != std::string_view::npos;
 }

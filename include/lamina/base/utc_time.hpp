@@ -6,8 +6,8 @@
 
 namespace lamina {
 
-/// The time of day, by the host's clock [s since 1970, UTC]. May be set back; `Clock` is what times are
-/// measured by.
+/// The time of day by the clock of the host [s since 1970, UTC]. It may jump; use `Clock` to measure
+/// durations.
 inline double utcNow() {
   return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
 }

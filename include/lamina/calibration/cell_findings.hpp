@@ -15,66 +15,70 @@
 
 namespace lamina {
 
-/// What a recording shows of the sensor's clock.
+/// The time offset of the sensor by a recording.
 struct FoundTime {
   CalibratedTime time;
   TimeOffset fit;
 };
 
-/// By what the time offset is found: that method, or "bobbing" if it is empty.
+/// The method by which the time offset is found: the given one, or "bobbing" if it is empty.
 /// @throws InvalidInput if it is none of "bobbing", "edge" and "overlap"
 std::string timeMethod(const std::string& method);
 
+/// Finds the time offset of the sensor in a recording.
 /// @param method  as of `timeMethod`
-/// @param about   where the sensor sits as far as is known, for edge and overlap [mm]
+/// @param about   estimate of nozzle_from_sensor, for "edge" and "overlap" [mm]
 /// @param date    as `utcText` gives it
 /// @throws InvalidInput if the method is none of these; as `offsetByBobbing`, `offsetByPasses`
 FoundTime findTime(const SensorRecording& recording, const std::string& method,
                    const Eigen::Isometry3d& about, const CalibrationSettings& settings,
                    const std::string& date);
 
-/// What is known of a truncated pyramid beforehand [mm].
+/// What is known beforehand of a truncated pyramid [mm].
 struct KnownPyramid {
-  std::vector<double> size_mm;     ///< width of base and top, height; none: those of `PyramidTarget`
-  std::vector<double> touched_mm;  ///< x and y of its middle, as touched by the nozzle; none: not known
-  std::vector<double> top_mm;      ///< height of its top, as touched by the nozzle; none: not known
+  std::vector<double> size_mm;     ///< width of base, width of top, height; empty: those of `PyramidTarget`
+  std::vector<double> touched_mm;  ///< x and y of its middle, as touched by the nozzle; empty: not known
+  std::vector<double> top_mm;      ///< height of its top, as touched by the nozzle; empty: not known
 };
 
-/// What a recording is over.
+/// The target over which a recording was made.
 /// @param method  "cross", "bed", "plane" or "pyramid"; empty: "cross"
-/// @throws InvalidInput if the method is none of these; InvalidConfig if the pyramid has other than 3, 2 or
-///   0, and 1 or 0 values, one of them is not finite, or its base is not wider than its top, and all above 0
+/// @throws InvalidInput if the method is none of these
+/// @throws InvalidConfig if a list of the pyramid is neither empty nor as long as stated above, a value is
+///   not finite, the base is not wider than the top, or a size is not above 0
 SensorTarget sensorTarget(const std::string& method, const KnownPyramid& pyramid,
                           const CalibrationSettings& settings);
 
-/// What recordings show of the sensor's pose.
+/// The sensor's pose by recordings of targets.
 struct FoundPose {
   CalibratedPose pose;
   SensorPoseFit fit;
-  std::vector<std::string> not_observable;  ///< a sentence each (`observability`)
+  std::vector<std::string> not_observable;  ///< a sentence for each direction that is not (`observability`)
 };
 
-/// @param about          the pose as known so far: within 10 mm and 5 deg [mm]
-/// @param time_offset_s  of the sensor's stamps
+/// Finds the sensor's pose in recordings of targets.
+/// @param about          estimate of the pose, good to 10 mm and 5 deg [mm]
+/// @param time_offset_s  of the sensor's time stamps
 /// @throws InvalidInput as `fitSensorPose`
 FoundPose findPose(const std::vector<SensorView>& views, const Eigen::Isometry3d& about, double time_offset_s,
                    const CalibrationSettings& settings, const CalibrationOrigin& origin);
 
-/// What a scan of beads shows of the feeder.
+/// Dead time and lag of the feeder by a scan of its beads.
 struct FoundFeeder {
   CalibratedFeeder feeder;
   FeederFit fit;
 };
 
-/// @param about  where the sensor sits as far as is known [mm]
+/// Finds dead time and lag of the feeder in a scan of the beads of `feederToolpath`.
+/// @param about  estimate of nozzle_from_sensor [mm]
 /// @throws InvalidInput as `fitFeeder`
 FoundFeeder findFeeder(const SensorRecording& scan, const Eigen::Isometry3d& about, double time_offset_s,
                        const CalibrationSettings& settings, const std::string& date);
 
-/// Of the calibration so far; 0 where it has none.
+/// The time offset of a calibration [s]; 0 if it has none.
 double timeOffsetOf(const Calibration& cell);
 
-/// What was found, as sentences for a person.
+/// What was found, as sentences for the operator.
 std::vector<std::string> inWords(const FoundTime& found);
 std::vector<std::string> inWords(const FoundPose& found);
 std::vector<std::string> inWords(const FoundFeeder& found);

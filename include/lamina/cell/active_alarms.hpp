@@ -12,52 +12,55 @@
 
 namespace lamina {
 
-/// An alarm that somebody raised.
+/// An alarm that was raised and has not been removed yet.
 struct ActiveAlarm {
   std::uint16_t id = 0;
   AlarmCategory category = AlarmCategory::Information;
-  double value = 0.0;   ///< in the unit that the message names
-  std::string message;  ///< what, the value with its unit, what was expected
-  double raised_s = 0.0;
-  std::optional<double> gone_s;
-  std::optional<double> acknowledged_s;
-  std::string acknowledged_by;
-  std::size_t times = 1;  ///< raised, with those that came within a second
+  double value = 0.0;                    ///< in the unit that the message names
+  std::string message;                   ///< what is wrong, the value with its unit, and what was expected
+  double raised_s = 0.0;                 ///< time at which it was first raised
+  std::optional<double> gone_s;          ///< time at which its cause was gone; nothing while it lasts
+  std::optional<double> acknowledged_s;  ///< time at which it was acknowledged; nothing if it was not
+  std::string acknowledged_by;           ///< name of the user
+  std::size_t times = 1;  ///< number of times it was raised, repetitions within a second included
 };
 
-/// True if the alarm stays until it is gone and acknowledged: from Hold on.
+/// Whether the alarm stays until its cause is gone and it is acknowledged: categories from Hold on.
 bool isLatched(const ActiveAlarm& alarm);
 
-/// The alarms of a unit, oldest first. Those below Hold leave when their cause is gone, those from Hold on
-/// when they are acknowledged too. An event's cause is gone as soon as it was raised; events below Hold are
-/// kept until they are acknowledged or the unit is reset, so that somebody sees them.
+/// The active alarms of a unit, oldest first. An alarm below Hold is removed when its cause is gone; from
+/// Hold on it must also be acknowledged. The cause of an event is gone as soon as it was raised. So that
+/// somebody sees it, an event below Hold stays until it is acknowledged or the unit is reset.
 class ActiveAlarms {
  public:
-  /// What raising an alarm came to.
+  /// What has happened when an alarm was raised.
   enum class Raised : std::uint8_t {
-    Anew,
-    Again,    ///< it was active: value and message are the new ones
-    Flooding  ///< the same within a second of the last: counted, not to be written or shown again
+    Anew,     ///< it was not active
+    Again,    ///< it was active: value and message are replaced
+    Flooding  ///< it was raised less than a second before: counted, but not to be written or shown again
   };
 
+  /// Raises an alarm.
   /// @throws InvalidInput if the table has no alarm of that ID
   Raised raise(int id, double value, const std::string& message, double now_s);
 
-  /// The cause of an alarm is gone. Without effect if it is not active.
+  /// States that the cause of an alarm is gone; without effect if it is not active.
   void end(int id, double now_s);
 
+  /// Acknowledges an alarm.
   /// @return false if no alarm of that ID is active
   bool acknowledge(int id, const std::string& by, double now_s);
 
-  /// Forgets the events below Hold: what a reset does.
+  /// Removes the events below Hold, as a reset of the unit does.
   void forgetEvents();
 
   const std::vector<ActiveAlarm>& all() const { return alarms_; }
 
-  /// Those of that category and graver ones.
+  /// The alarms of that category and of graver ones.
   std::vector<ActiveAlarm> from(AlarmCategory category) const;
 
-  /// The gravest category whose cause is there, whether it was acknowledged or not.
+  /// The gravest category of the alarms whose cause is present, acknowledged or not; nothing if there is
+  /// none.
   std::optional<AlarmCategory> gravest() const;
 
  private:

@@ -8,23 +8,23 @@
 
 namespace lamina {
 
-/// What an alarm does to the unit, from the mildest on.
+/// The effect of an alarm on the unit, from the mildest on.
 enum class AlarmCategory : std::uint8_t {
   Information,
   Warning,
   Suspend,  ///< the cause is outside the unit
-  Hold,     ///< the cause is inside
+  Hold,     ///< the cause is inside the unit
   Stop,
   Abort,
 };
 
-/// One letter, as in tables: I, W, S, H, T (stop), A.
+/// The letter of a category in tables: I, W, S, H, T (stop), A.
 char letterOf(AlarmCategory category);
 
 /// How the cause of an alarm ends.
 enum class AlarmCause : std::uint8_t {
   Event,      ///< over as soon as it has happened
-  Condition,  ///< lasts until whoever raised the alarm says that it is gone
+  Condition,  ///< lasts until it is reported as gone by whatever raised the alarm
 };
 
 /// A row of the table of alarms.
@@ -32,18 +32,20 @@ struct AlarmKind {
   std::uint16_t id = 0;  ///< group x 100 + number
   AlarmCategory category = AlarmCategory::Information;
   AlarmCause cause = AlarmCause::Event;
-  const char* title = "";   ///< what has happened: a few words
-  const char* remedy = "";  ///< what the operator does: one sentence
+  const char* title = "";   ///< what has happened, in a few words
+  const char* remedy = "";  ///< what the operator has to do, in one sentence
 };
 
-/// All alarms of the cell, by ID. Documentation, page and the PLC's texts are made from this table.
+/// All alarms of the cell, ordered by ID. Documentation, web page and the texts of the PLC are made from this
+/// table.
 const std::vector<AlarmKind>& alarmTable();
 
 /// The row of an alarm.
 /// @throws InvalidInput if there is none of that ID
 const AlarmKind& alarmKind(int id);
 
-/// The table as a PLC takes texts: `id,category,title,remedy`, one row a line, after a header.
+/// The table as CSV, in the form in which PLCs import texts: `id,category,title,remedy`, one row a line,
+/// after a header.
 std::string alarmTableCsv();
 
 }  // namespace lamina

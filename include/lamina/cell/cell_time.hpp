@@ -4,10 +4,10 @@
 
 namespace lamina {
 
-/// An instant, by two clocks.
+/// A time by two clocks.
 struct CellTime {
-  double steady_s = 0.0;  ///< never goes back: for durations
-  double utc_s = 0.0;     ///< since 1970: for the journal, and between hosts
+  double steady_s = 0.0;  ///< never goes back; for durations
+  double utc_s = 0.0;     ///< since 1970; for the journal, and between hosts
 };
 
 }  // namespace lamina

@@ -7,34 +7,35 @@
 
 namespace lamina {
 
-/// The four stamps of a question and its answer between two hosts [s since 1970, each by the clock of the
-/// host that took it].
+/// The four time stamps of a question and its answer between two hosts [s since 1970, each by the clock of
+/// the host that took it].
 struct ClockExchange {
-  double asked_s = 0.0;     ///< here
-  double received_s = 0.0;  ///< there
-  double answered_s = 0.0;  ///< there
-  double heard_s = 0.0;     ///< here
+  double asked_s = 0.0;     ///< question sent by this host
+  double received_s = 0.0;  ///< question received by the other host
+  double answered_s = 0.0;  ///< answer sent by the other host
+  double heard_s = 0.0;     ///< answer received by this host
 };
 
-/// How far another clock is ahead of this one, and by how much that may be wrong [s].
+/// By how much another clock is ahead of this one, and how uncertain that is [s].
 struct ClockOffset {
   double offset_s = 0.0;
-  double uncertainty_s = 0.0;  ///< half the round trip: the way there may have taken all of it
+  double uncertainty_s = 0.0;  ///< half the round trip, since all of it may have been spent in one direction
 };
 
-/// Source: RFC 5905 (NTP), section 8.
+/// The offset by one exchange. Source: RFC 5905 (NTP), section 8.
 ClockOffset offsetOf(const ClockExchange& exchange);
 
-/// What many exchanges with one host say of its clock.
+/// The offset of another host's clock, by many exchanges with it.
 class ClockComparison {
  public:
-  /// Exchanges whose stamps contradict each other (an answer before its question) are left out.
+  /// Adds an exchange. One whose time stamps contradict each other (an answer before its question) is
+  /// ignored.
   void add(const ClockExchange& exchange);
 
-  /// The medians of the last 16 exchanges, of offset and uncertainty apart; nothing before there are 16.
+  /// The medians of offset and of uncertainty over the last 16 exchanges; nothing before there are 16.
   std::optional<ClockOffset> offset() const;
 
-  /// What was before a step of either clock says nothing of now.
+  /// Removes all exchanges: those before a step of either clock are of no use.
   void forget() { last_.clear(); }
 
  private:

@@ -11,61 +11,62 @@
 
 namespace lamina {
 
-/// What the PLC says of the surroundings, as it stands in its registers.
+/// What the PLC reports of the surroundings, as it stands in its registers.
 struct PlcInterlocks {
-  bool is_alive = false;  ///< its heartbeat came in time
+  bool is_alive = false;  ///< whether its heartbeat came in time
   bool has_material = false;
   bool has_gas = false;
   bool has_cooling = false;
   bool has_vacuum = false;
   bool is_plate_there = false;
   bool is_plate_clamped = false;
-  bool is_zone_taken = false;
-  bool is_blocked = false;  ///< parts cannot be taken away
+  bool is_zone_taken = false;  ///< whether another robot is in the zone
+  bool is_blocked = false;     ///< whether parts cannot be taken away
   bool is_emergency_stop_pressed = false;
 };
 
-/// Whether a unit runs only beside a PLC.
+/// Whether a unit runs only together with a PLC.
 enum class PlcNeed : std::uint8_t { None, Required };
 
-/// What a PLC says against running, in the order of its codes. Where it is required, what it does not give is
-/// missing, and all of it is if its heartbeat does not come. Where it is not, only what it forbids counts,
-/// while its heartbeat comes.
+/// The reasons against running by the PLC, in the order of their codes. Where a PLC is required, everything
+/// that it does not report as given counts as missing; without a heartbeat the only reason is that one. Where
+/// no PLC is required, only what it forbids counts, and only while its heartbeat comes.
 std::vector<UnmetGuard> againstPlc(const PlcInterlocks& plc, PlcNeed need);
 
-/// What has to be true before the unit starts, as found just now.
+/// The conditions for a start, as they are at present.
 struct StartConditions {
   int mode = kProduction;
-  std::string machine;               ///< of the cell; jobs are checked for one machine
-  std::string job;                   ///< next in the queue; empty if none may start
-  std::vector<std::string> torn;     ///< files of the job that no longer have their hashes
-  std::vector<std::string> unready;  ///< steps of the start-up that are not satisfied, each with its reason
-  bool runs_startup = false;         ///< Starting runs the start-up itself
-  bool is_checked = false;           ///< the program was checked for this machine
-  bool is_part_removed = true;       ///< the last one
+  std::string machine;               ///< machine of the cell, for which programs have to be checked
+  std::string job;                   ///< next job in the queue; empty if none is allowed to start
+  std::vector<std::string> torn;     ///< files of the job whose hash has changed
+  std::vector<std::string> unready;  ///< steps of the start-up that are not satisfied, each with the reason
+  bool runs_startup = false;         ///< whether the state Starting runs the start-up itself
+  bool is_checked = false;           ///< whether the program was checked for this machine
+  bool is_part_removed = true;       ///< whether the last part was removed
   PlcNeed plc_need = PlcNeed::None;
   PlcInterlocks plc;
-  std::optional<double> clock_offset_s;  ///< to the host of the sensor; nothing if there is one host
-  bool needs_clouds = false;             ///< the job measures layers
-  std::string loop_blocked;          ///< why the loop may not run though the job wants it; empty if it may
-  std::optional<double> free_bytes;  ///< of the journal's disk; nothing if the system does not say
-  std::string journal_error;         ///< why it cannot be written; empty if it can
+  std::optional<double> clock_offset_s;  ///< to the clock of the sensor's host; nothing if there is one host
+  bool needs_clouds = false;             ///< whether the job measures layers
+  /// Reason why the height loop may not run although the job wants it; empty if it may.
+  std::string loop_blocked;
+  std::optional<double> free_bytes;  ///< on the disk of the journal; nothing if the system does not report it
+  std::string journal_error;         ///< why the journal cannot be written; empty if it can
 };
 
-/// All that stands against Start, in the order of its codes; empty if nothing does. Alarms are looked at by
-/// the unit itself.
+/// The reasons against Start, in the order of their codes; empty if there are none. Alarms are not among
+/// them: the unit checks these itself.
 std::vector<UnmetGuard> againstStart(const StartConditions& found);
 
-/// What has to be true before a held or suspended unit goes on.
+/// The conditions for going on after Held or Suspended, as they are at present.
 struct ContinueConditions {
   bool is_position_known = false;
-  std::vector<std::string> out_of_band;  ///< temperatures, each with value and band
+  std::vector<std::string> out_of_band;  ///< temperatures outside their bands, each with value and band
   PlcNeed plc_need = PlcNeed::None;
   PlcInterlocks plc;
-  bool has_master = true;  ///< the ROS master answers
+  bool has_master = true;  ///< whether the ROS master answers
 };
 
-/// All that stands against Unhold and Unsuspend, in the order of its codes.
+/// The reasons against Unhold and Unsuspend, in the order of their codes, but for alarms.
 std::vector<UnmetGuard> againstContinuing(const ContinueConditions& found);
 
 }  // namespace lamina

@@ -17,20 +17,21 @@ namespace lamina {
 /// Another host of the cell.
 struct PeerHost {
   std::string name;
-  bool is_needed = false;  ///< no job runs without it: its loss is alarm 8001
+  bool is_needed = false;  ///< whether jobs need it: its loss is alarm 8001
 };
 
+/// Settings of the watch of one host.
 struct HostWatchSettings {
-  std::string host = "motion";  ///< this one
-  double silence_s = 2.0;       ///< of another host, after which it is lost
-  double warn_offset_s = 0.005;
-  double hold_offset_s = 0.020;
-  bool is_clock_needed = false;   ///< jobs measure with stamps of another host: 8004 instead of 8003
-  double master_silence_s = 5.0;  ///< without a good answer, after which the master is lost
-  double least_free_bytes = 2.0 * 1024 * 1024 * 1024;  ///< of the watched folder's disk
+  std::string host = "motion";    ///< name of this host
+  double silence_s = 2.0;         ///< time without a message after which another host is lost
+  double warn_offset_s = 0.005;   ///< greatest offset of a clock without an alarm
+  double hold_offset_s = 0.020;   ///< greatest offset of a clock without alarm 8004
+  bool is_clock_needed = false;   ///< jobs measure with time stamps of another host: 8004 instead of 8003
+  double master_silence_s = 5.0;  ///< time without a good answer after which the ROS master is lost
+  double least_free_bytes = 2.0 * 1024 * 1024 * 1024;  ///< least free space on the disk of the watched folder
 };
 
-/// What is to be raised, or has gone, by the table of alarms.
+/// An alarm of the table that is to be raised, or that has gone.
 struct HostAlarm {
   int id = 0;
   double value = 0.0;
@@ -38,48 +39,55 @@ struct HostAlarm {
   bool is_gone = false;
 };
 
+/// The state of another host as it is known here.
 struct PeerStatus {
   PeerHost host;
-  double heard_at_s = 0.0;  ///< by the steady clock
+  double heard_at_s = 0.0;  ///< time of its last message, by the steady clock
   bool is_lost = false;
   bool was_heard = false;
   ClockComparison clocks;
 };
 
+/// The state of a ROS node.
 struct NodeStatus {
   std::string name;
-  int pid = 0;  ///< 0 before it was first seen
+  int pid = 0;  ///< process; 0 before it was first seen
   bool answers = false;
   int restarts = 0;
 };
 
 /// Watches what one host of a cell can see: the other hosts and their clocks, steps of its own clock, the ROS
-/// master, its disk, the nodes. Events come in with the time they came at, alarms come out; nothing is sent
-/// or asked by itself.
+/// master, its disk, and the nodes. Events are given with the time of their arrival, alarms are returned; the
+/// class itself neither sends nor asks anything.
 ///
-/// Hosts and clocks are reported only where there is another host. A clock counts as off only by what the
-/// round trip does not explain.
+/// Hosts and clocks are reported only if there is another host. A clock counts as off only as far as the
+/// round trip does not explain its offset; but a round trip so long that the uncertainty exceeds
+/// `hold_offset_s` is reported too. A step of this host's clock is reported for 10 s.
 class HostWatch {
  public:
   HostWatch(HostWatchSettings settings, const std::vector<PeerHost>& peers, CellTime now);
 
-  /// The next question to a host; what it takes on its way is not counted before `answered`.
+  /// The next question to a host. To be called when it is sent, as the time of asking is `now`.
   HostDatagram ask(const std::string& peer, CellTime now);
-  /// A question came: a sign of life.
+  /// States that a question of a host has arrived, a sign of life. Unknown hosts are ignored.
   void onQuestion(const std::string& peer, CellTime now);
-  /// An answer came. One to a question that was not asked lately says nothing.
+  /// States that an answer of a host has arrived. One to a question that was not asked lately is ignored.
   void onAnswer(const std::string& peer, const HostDatagram& answer, CellTime now);
 
-  /// @param defect  why the master is not as it should be; empty if it knows this node
+  /// States how the ROS master has answered.
+  /// @param defect  what is wrong with it; empty if it knows this node
   void onMaster(const std::string& defect, CellTime now);
+  /// States the free space on the watched disk.
   void onFreeSpace(double bytes) { free_bytes_ = bytes; }
+  /// States whether a node has answered.
   /// @param pid  of the node's process; nothing if it did not answer
   void onNode(const std::string& name, std::optional<int> pid);
 
-  /// Lets time pass. The first call says of all conditions that are not there that they are gone.
+  /// The alarms that are new or gone since the last call; to be called regularly. The first call also states
+  /// of each condition that is absent that it is gone.
   std::vector<HostAlarm> tick(CellTime now);
 
-  /// All conditions as they are, those that are not there as gone: for whoever begins to listen.
+  /// All conditions at the last `tick`, the absent ones as gone, for a listener that has just connected.
   std::vector<HostAlarm> present() const;
 
   const std::vector<PeerStatus>& peers() const { return peers_; }
@@ -110,7 +118,7 @@ class HostWatch {
   std::vector<NodeStatus> nodes_;
   std::map<std::string, std::vector<Question>> questions_;
   std::uint32_t sequence_ = 0;
-  double clock_distance_s_;  ///< of the two clocks of this host
+  double clock_distance_s_;  ///< difference of the two clocks of this host
   double stepped_by_s_ = 0.0;
   double stepped_at_s_ = -1e9;
   double master_good_at_s_;

@@ -10,11 +10,11 @@
 
 namespace lamina {
 
-// The state model of a unit: what each command does in each state, and which states a mode has.
+// The state model of a unit: the effect of each command in each state, and the states of each mode.
 // Source: OPC 30050 (PackML), after ISA-TR88.00.02; docs/cell/cell.md.
 
-/// State of the unit, by the standard's number. `PackmlState` is the state of one job at one executor, which
-/// has older numbers.
+/// State of the unit, by the standard's number. (`PackmlState` is the state of one job in one executor, with
+/// the numbers of an older standard.)
 enum class UnitState : std::uint8_t {
   Clearing = 1,
   Stopped = 2,
@@ -49,32 +49,32 @@ enum class UnitCommand : std::uint8_t {
   Complete = 10,  ///< end the job after this layer
 };
 
-/// Mode of the unit: which of the states it has. Numbers 1 to 3 are the standard's.
+/// Mode of the unit, which determines the states that it has. Numbers 1 to 3 are the standard's.
 struct UnitMode {
   int number = 0;
   std::string name;
   std::vector<UnitState> states;  ///< in the order of their numbers
 };
 
-constexpr int kProduction = 1;  ///< jobs from the queue: all states
-constexpr int kMaintenance =
-    2;                      ///< start-up steps, calibrations, dry runs: nothing is suspended or completed
-constexpr int kManual = 3;  ///< jog and single outputs: nothing is held, suspended or completed
+constexpr int kProduction = 1;  ///< jobs from the queue; all states
+/// Start-up steps, calibrations and dry runs; without the states to suspend and to complete.
+constexpr int kMaintenance = 2;
+constexpr int kManual = 3;  ///< jogging and single outputs; without the states to hold, suspend and complete
 
-/// Where Hold is accepted.
+/// The states in which Hold is accepted.
 enum class HoldRule : std::uint8_t {
   InExecute,     ///< as in ISA-TR88.00.02
-  AlsoOnTheWay,  ///< also in Starting, Unholding, Suspending, Suspended and Unsuspending, as in OPC 30050
+  AlsoOnTheWay,  ///< as in OPC 30050: Starting, Unholding, Suspending, Suspended, Unsuspending too
 };
 
 /// All states and commands, in the order of their numbers.
 const std::array<UnitState, 17>& unitStates();
 const std::array<UnitCommand, 10>& unitCommands();
 
-/// Production, Maintenance and Manual.
+/// The modes Production, Maintenance and Manual.
 std::vector<UnitMode> standardModes();
 
-/// The names that the standard gives: "Execute", "Unhold".
+/// Name of a state or command in the standard: "Execute", "Unhold".
 const char* toString(UnitState state);
 const char* toString(UnitCommand command);
 
@@ -85,24 +85,24 @@ std::optional<UnitCommand> unitCommand(int number);
 /// The state that a command leads to; nothing where the state does not accept it.
 std::optional<UnitState> commanded(UnitState state, UnitCommand command, HoldRule rule);
 
-/// The state after an acting state has done what it is for (state complete); nothing for states that wait.
-/// Execute completes into Completing.
+/// The state that follows when an acting state is complete; nothing for a state that waits. Execute is
+/// followed by Completing.
 std::optional<UnitState> completed(UnitState state);
 
-/// True for states that end by themselves. Execute is one: it ends when its job has ended.
+/// Whether a state ends by itself. Execute does, when its job has ended.
 bool isActing(UnitState state);
 
 /// The commands that a state accepts, in the order of their numbers.
 std::vector<UnitCommand> acceptedIn(UnitState state, HoldRule rule);
 
-/// True if a mode has that state.
+/// Whether a mode has a state.
 bool hasState(const UnitMode& mode, UnitState state);
 
-/// True if the mode can be changed in that state: Idle, Stopped or Aborted.
+/// Whether the mode can be changed in a state: in Idle, Stopped and Aborted.
 bool canChangeMode(UnitState state);
 
-/// Rank of a command among those of one instant: Abort 0, Stop 1, Hold 2, Suspend 3, all others
-/// `kLastPrecedence`. The completion of a state ranks just before the last.
+/// Rank of a command among those that arrive at the same time, the first one first: Abort 0, Stop 1, Hold 2,
+/// Suspend 3, all others `kLastPrecedence`. The completion of a state comes just before these others.
 constexpr int kLastPrecedence = 4;
 int precedence(UnitCommand command);
 

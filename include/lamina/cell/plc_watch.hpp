@@ -13,65 +13,71 @@
 
 namespace lamina {
 
-/// What is heard of the PLC's heartbeat.
+/// State of the PLC's heartbeat.
 enum class PlcHeartbeat : std::uint8_t {
-  Unarmed,  ///< it has not called
+  Unarmed,  ///< the PLC has not called yet
   Good,
   Lost,
   Abandoned,  ///< lost for so long that a held unit is stopped
 };
 
-/// What the PLC's silence leads to.
+/// What is done when the heartbeat of the PLC is lost.
 enum class WatchdogAction : std::uint8_t { None, Hold, Stop };
 
-/// What the link says of the PLC. `interlocks.is_alive` is true where the heartbeat is good.
+/// What the link to the PLC reports. `interlocks.is_alive` is true while the heartbeat is good.
 struct PlcReport {
   PlcInterlocks interlocks;
   PlcHeartbeat heartbeat = PlcHeartbeat::Unarmed;
   WatchdogAction on_silence = WatchdogAction::Hold;
-  bool is_plate_told = false;  ///< the PLC has written its plate register since the link was started
+  bool is_plate_told = false;  ///< whether the PLC has written its plate register since the link was started
   bool is_part_removed = false;
   bool is_guard_closed = false;
 };
 
+/// Settings of the watch of the PLC.
 struct PlcWatchSettings {
-  bool is_required = false;  ///< the unit runs only beside a PLC, whose interlocks it needs
-  bool unsuspends = true;    ///< what the PLC has suspended goes on when the PLC's reason is gone
-  double patience_s = 10.0;  ///< for a link or PLC that is required and silent, while the unit runs
-  bool holds_on_the_way =
-      false;  ///< its reasons to suspend also count on the way to Execute, where they hold
+  bool is_required = false;  ///< the unit runs only with a PLC, whose interlocks it needs
+  bool unsuspends = true;    ///< what the PLC has suspended goes on when its reason is gone
+  /// Time for which a link or PLC that is expected may be silent while the unit runs.
+  double patience_s = 10.0;
+  /// Whether the PLC's reasons to suspend also count in the states on the way to Execute, where they hold the
+  /// unit.
+  bool holds_on_the_way = false;
 };
 
-/// An alarm that the PLC's words raise.
+/// An alarm that the report of the PLC raises.
 struct PlcAlarm {
   int id = 0;
   std::string message;
 };
 
-/// What the unit is to do, by what the PLC says.
+/// What the unit is to do because of the PLC.
 struct PlcDemands {
-  std::vector<PlcAlarm> raised;
-  std::vector<int> ended;
+  std::vector<PlcAlarm> raised;        ///< new alarms
+  std::vector<int> ended;              ///< IDs of alarms whose cause is gone
   std::optional<UnitCommand> command;  ///< Stop or Unsuspend
-  bool is_part_removed = false;        ///< the PLC has just said so, and the unit is at rest
+  bool is_part_removed = false;        ///< the PLC has just reported it, and the unit is at rest
 };
 
-/// Judges what the PLC says. Nothing follows from a bit that merely stays set: a part counts as removed when
-/// its bit comes while the heartbeat is not lost, and an alarm ends when its cause does. A link or PLC that
-/// was good and says nothing any more is silent, whether it is required or not, until `disarm`.
+/// Judges the reports of the PLC. It acts on changes, not on bits that stay set: a part counts as removed
+/// when its bit is set while the heartbeat is not lost and the plate register was written before; an alarm
+/// ends when its cause does. A link or PLC that was good and is now silent raises an alarm, even if it is not
+/// required, until `disarm` is called.
 class PlcWatch {
  public:
   explicit PlcWatch(const PlcWatchSettings& settings) : settings_(settings) {}
 
+  /// Takes a report of the link.
   void hear(const PlcReport& report, double now_s);
 
-  /// Remote access was locked: nobody is expected to speak.
+  /// States that remote access was locked, so that a silent PLC is not missed unless it is required.
   void disarm() { is_armed_ = false; }
 
-  /// For the guards: not alive where the link has been silent for two seconds.
+  /// The interlocks for the guards; not alive if the link has been silent for more than two seconds.
   PlcInterlocks interlocks(double now_s) const;
 
-  /// What follows just now; each is reported once. Call it as often as the unit's tick.
+  /// What has become necessary since the last call; each demand is returned once. To be called as often as
+  /// the unit's `tick`.
   PlcDemands demands(const UnitStatus& unit, double now_s);
 
  private:
@@ -82,13 +88,13 @@ class PlcWatch {
   PlcWatchSettings settings_;
   std::optional<PlcReport> report_;
   double heard_s_ = 0.0;
-  std::optional<double> missing_since_s_;  ///< a PLC that is expected
-  bool is_armed_ = false;                  ///< its heartbeat was good
+  std::optional<double> missing_since_s_;  ///< since when an expected PLC or link is silent
+  bool is_armed_ = false;                  ///< whether its heartbeat was good
   std::set<int> raised_;
   bool is_removal_new_ = false;
   bool is_guard_opened_ = false;
   bool is_stop_due_ = false;
-  std::uint32_t unsuspended_ = 0;  ///< the state change that Unsuspend was last ordered at
+  std::uint32_t unsuspended_ = 0;  ///< state change for which Unsuspend was last ordered
 };
 
 }  // namespace lamina

@@ -17,16 +17,16 @@
 
 namespace lamina {
 
-/// What an executor does.
+/// What an executor is doing.
 enum class ExecutorPhase : std::uint8_t {
-  Resting,  ///< no job, or one that was stopped or aborted; at rest
+  Resting,  ///< no job, or one that was stopped or aborted
   Starting,
   Running,
   Pausing,
   Paused,
   Resuming,
   Stopping,
-  Done,  ///< the job has run to its end
+  Done,  ///< the job was completed
 };
 
 /// Whether no job is under way.
@@ -34,74 +34,79 @@ inline bool isAtRest(ExecutorPhase phase) {
   return phase == ExecutorPhase::Resting || phase == ExecutorPhase::Done;
 }
 
-/// How a job is begun by an executor.
+/// How an executor begins a job.
 enum class ExecutionStart : std::uint8_t {
   Anew,
-  Resume,         ///< lines of it were taken by the machine: it is gone on with, or refused
-  ResumeIfBegun,  ///< nobody here knows whether a line of it has left: if none has, it is begun
+  Resume,         ///< the machine has accepted lines of it: the job is continued, or refused
+  ResumeIfBegun,  ///< unknown here whether a line was sent: continued if so, otherwise begun
 };
 
-/// A job as an executor is given it.
+/// The order to start a job.
 struct StartOrder {
   std::string program;
   ExecutionStart start = ExecutionStart::Anew;
-  std::uint64_t order = 0;  ///< number that its reports name, from 1; 0 in a report: not ordered here
-  std::string execution;    ///< names this execution of the job, in this journal and in every other
+  /// Number of the order, from 1, which the executor's reports repeat.
+  std::uint64_t order = 0;
+  /// Name of this execution of the job, unique across all journals.
+  std::string execution;
 };
 
-/// What an executor last said.
+/// The last report of an executor.
 struct ExecutorReport {
   ExecutorPhase phase = ExecutorPhase::Resting;
-  std::uint64_t order = 0;  ///< the start that it speaks of; 0 for a job that was there before
+  /// Number of the order that it is about; 0 for a job that was not ordered by this cell.
+  std::uint64_t order = 0;
   std::string program;      ///< path of the job's program
-  std::uint64_t lines = 0;
+  std::uint64_t lines = 0;  ///< number of lines of the program that carry a command
   ExecutionProgress progress;
   int alarm = 0;        ///< ID of the alarm that ended the job; 0 if none did, or it has not ended
-  std::string failure;  ///< the same in a sentence
+  std::string failure;  ///< that alarm in a sentence
 };
 
-/// Moves the machine by orders of the cell. Orders return at once; reports show what became of them.
+/// Runs jobs on the machine by orders of the cell. Orders return at once; their effect is reported later.
 class Executor {
  public:
   virtual ~Executor() = default;
-  /// An execution that is complete by the executor's own record is reported as done.
+  /// Starts a job. If its execution is complete by the executor's own record, it is reported as done.
   virtual void start(const StartOrder& order) = 0;
   virtual void pause() = 0;
   virtual void resume() = 0;
-  /// Ends the job: controlled, and the machine is left as its settings say.
+  /// Ends the job in a controlled way; the machine is left as its settings say.
   virtual void stop() = 0;
   /// Ends the job as fast as the executor can.
   virtual void abort() = 0;
 };
 
-/// What Start is to do with a job that was cut off.
+/// What Start does with a job that was cut off.
 enum class CutOffJob : std::uint8_t { Undecided, Resume, Discard };
 
-/// What only the surroundings know of the guards; the run itself fills in job, files, mode and journal.
+/// The conditions of the guards that the caller has to find out. `ProductionCell` fills in job, files, mode
+/// and journal.
 struct CellSurroundings {
   StartConditions start;
   ContinueConditions go_on;
 };
 
-/// What a cell works with; all of it outlives the cell.
+/// What a cell works with; all of it must outlive the cell.
 struct CellParts {
   CellJournal& journal;
   ArtefactStore& artefacts;
   Executor& executor;
-  /// Keeps, and names, the maps that an execution was corrected by; may be empty.
+  /// Stores the maps by which an execution was corrected and returns them as artefacts; may be empty.
   std::function<std::vector<Artefact>(const QueuedJob&, const ExecutionRow&)> corrections = {};
 };
 
-/// A cell at work: the unit, its journal and one executor. Commands, reports and times come in; orders to the
-/// executor, rows of the journal and the unit's status come out.
+/// A cell at work: the unit, its journal and one executor. Commands, reports and times are given to it; it
+/// gives orders to the executor, writes rows of the journal, and offers the status of the unit.
 ///
-/// A change is written into the journal before it is acted upon, but commands that stop are acted upon first.
-/// A journal that cannot be written raises 7003; a job that is done stays in Completing until its end is
-/// written. After a restart, a job that the executor still runs is adopted; one that was cut off waits in
-/// Aborted for Clear, Reset, and a Start that says what to do with it.
+/// A change is written into the journal before it is acted upon, except for commands that stop, which are
+/// acted upon first. A journal that cannot be written raises alarm 7003; a job that is done stays in
+/// Completing until its end is written. After a restart, a job that the executor still runs is continued
+/// under the cell. One that was cut off waits in Aborted for Clear, Reset, and a Start that states what to do
+/// with it.
 class ProductionCell {
  public:
-  /// @param seen  what the executor says just now; nothing if it does not answer
+  /// @param seen  present report of the executor; nothing if it does not answer
   ProductionCell(const UnitSettings& settings, const CellParts& parts,
                  const std::optional<ExecutorReport>& seen, CellTime now);
 
@@ -109,29 +114,36 @@ class ProductionCell {
   const ExecutorReport& report() const { return report_; }
   /// The job that runs or was cut off; nothing if there is none.
   std::optional<QueuedJob> currentJob() const;
-  /// The execution that the executor is at work on; nothing if there is none.
+  /// The execution that the executor is running; nothing if there is none.
   std::optional<std::int64_t> runningExecution() const;
-  /// True if a job was cut off, and nobody has said what becomes of it.
+  /// Whether a job was cut off for which it is not decided yet whether it is resumed.
   bool resumeWaits() const { return execution_ && !is_running_; }
 
+  /// Answers a command and follows it if it is accepted; answer and command are written into the journal.
+  /// @param found    conditions of the guards at present
+  /// @param cut_off  for Start: what to do with a job that was cut off
   CommandAnswer command(UnitRequest request, const CellSurroundings& found, CutOffJob cut_off, CellTime now);
   CommandAnswer changeMode(int mode, const std::string& source, CellTime now);
   CommandAnswer acknowledge(int alarm, const std::string& by, CellTime now);
 
+  /// Raises an alarm, as `UnitMachine::raise`.
   void raise(int alarm, double value, const std::string& message, CellTime now);
+  /// States that the cause of an alarm is gone.
   void end(int alarm, CellTime now);
 
+  /// Takes a report of the executor.
   void onReport(const ExecutorReport& report, CellTime now);
 
-  /// Lets time pass. Call it ten times a second or more often.
+  /// Lets time pass; to be called at least ten times a second.
   void tick(CellTime now);
 
-  /// The last part was taken away.
+  /// States that the last part was taken away.
+  /// @param by  name of the user
   void confirmRemoval(const std::string& by, CellTime now);
   bool isPartOnPlate() const { return is_part_on_plate_; }
 
  private:
-  /// A command that was refused, with those like it that are in no row.
+  /// The last command that was refused, and the number of repetitions that were not written.
   struct Refusal {
     std::string who;
     std::string action;
@@ -163,12 +175,13 @@ class ProductionCell {
   std::function<std::vector<Artefact>(const QueuedJob&, const ExecutionRow&)> corrections_;
   UnitMachine unit_;
   ExecutorReport report_;
-  std::optional<std::int64_t> execution_;             ///< that has no end yet
-  bool is_running_ = false;                           ///< by the executor, in this run of the cell
-  std::uint64_t order_ = 0;                           ///< the last start
-  ExecutorPhase bystander_ = ExecutorPhase::Resting;  ///< of what the executor runs that is not ours
-  bool has_run_ = false;                              ///< since the last start
-  bool is_given_up_ = false;                          ///< the job that ends is not offered to be resumed
+  std::optional<std::int64_t> execution_;  ///< execution that has no end yet
+  bool is_running_ = false;                ///< whether the executor runs it, in this run of the cell
+  std::uint64_t order_ = 0;                ///< number of the last order to start
+  /// Phase of a job in the executor that is not of this cell.
+  ExecutorPhase bystander_ = ExecutorPhase::Resting;
+  bool has_run_ = false;      ///< whether the job has run since the last start
+  bool is_given_up_ = false;  ///< whether the job that ends is not to be offered for resuming
   bool is_journal_failing_ = false;
   bool is_part_on_plate_ = false;
   CutOffJob cut_off_ = CutOffJob::Undecided;
@@ -176,8 +189,8 @@ class ProductionCell {
   double progress_written_s_ = 0.0;
   std::int32_t layer_written_ = -1;
   double counters_written_s_ = 0.0;
-  double end_tried_s_ = 0.0;  ///< of a job that is done
-  double paused_s_ = 0.0;     ///< when the executor was last asked to
+  double end_tried_s_ = 0.0;  ///< time of the last attempt to write the end of a job
+  double paused_s_ = 0.0;     ///< time at which the executor was last asked to pause
   Refusal refusal_;
 };
 

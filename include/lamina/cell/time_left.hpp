@@ -7,26 +7,27 @@
 
 namespace lamina {
 
-/// How long a job still takes.
+/// The time that a job still takes, and its bounds.
 struct LeftEstimate {
   double seconds = 0.0;
   double least_s = 0.0;
   double most_s = 0.0;
 };
 
-/// Estimates what is left of a job from how fast its lines went: over all of it, and over the last five
-/// minutes. The estimate lies between the two, its uncertainty spans both and a tenth more, and
-/// half of it in the first seconds. Programs whose layers take longer and longer are estimated too short at
-/// first.
+/// Estimates the rest of a job from the rate at which its lines were executed: over the whole job, and over
+/// the last five minutes. The estimate is the mean of both. Its bounds are the lesser and the greater of the
+/// two, less and more by 10 %, and by up to 50 % in the first seconds. If layers take longer and longer, the
+/// first estimates are too short.
 class TimeLeft {
  public:
-  /// @param job  0 for none: another job begins anew
-  /// @param fraction  of its lines, 0 to 1
+  /// States the progress of a job that runs.
+  /// @param job       its number; with another number than before the estimate begins again; 0 for none
+  /// @param fraction  share of its lines that are done, 0 to 1
   void observe(double now_s, long long job, double fraction);
-  /// The unit does not run: this time does not count.
+  /// States that the unit does not run: this time does not count.
   void pause(double now_s);
 
-  /// Nothing before 1 % or 5 s of running.
+  /// The estimate; nothing before 1 % of the job and 5 s of running, or if there was no progress lately.
   std::optional<LeftEstimate> estimate() const;
 
  private:

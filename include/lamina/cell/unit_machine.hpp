@@ -14,11 +14,11 @@
 
 namespace lamina {
 
-/// How a unit behaves where the standard leaves it open.
+/// The behaviour of a unit where the standard leaves it open.
 struct UnitSettings {
   HoldRule hold_rule = HoldRule::AlsoOnTheWay;
   std::vector<UnitMode> modes = standardModes();
-  /// [s] that an acting state may last, by state number - 1; 0 for any time.
+  /// Greatest time [s] in an acting state, by state number - 1; 0 for no limit.
   std::array<double, 17> longest_s = {60, 0, 7200, 0, 0, 0, 60, 20, 0, 30, 0, 1800, 30, 1800, 60, 3600, 0};
 };
 
@@ -38,98 +38,107 @@ enum class CommandResult : std::uint8_t {
   StaleSequence = 10,
 };
 
+/// The answer to a command.
 struct CommandAnswer {
   CommandResult result = CommandResult::Accepted;
-  std::string reason;  ///< empty if accepted; else what was asked, the state, and what would be accepted
+  /// Empty if the command was accepted; otherwise what was asked, the state, and what would be accepted.
+  std::string reason;
 };
 
-/// What stands against a command: a number of the table in docs/cell/cell.md, and a sentence with the value
-/// found.
+/// A reason against a command: its number in the table of docs/cell/cell.md, and a sentence with the present
+/// value.
 struct UnmetGuard {
   int code = 0;
   std::string sentence;
 };
 
+/// A command to the unit, with its origin.
 struct UnitRequest {
   UnitCommand command = UnitCommand::Stop;
-  std::string source;  ///< who asks: "plc", "page: anna"
-  std::optional<std::uint32_t>
-      expected_sequence;          ///< of the state changes; refused if there were others since
-  std::vector<UnmetGuard> unmet;  ///< all that stands against it, as found by the caller
+  std::string source;  ///< who gives the command: "plc", "page: anna"
+  /// Sequence number of the last state change that the sender knows; the command is refused if there was
+  /// another since.
+  std::optional<std::uint32_t> expected_sequence;
+  std::vector<UnmetGuard> unmet;  ///< reasons against it that the caller has found
 };
 
 /// A change of state or mode that has happened.
 struct UnitChange {
   double time_s = 0.0;
-  std::uint32_t sequence = 0;  ///< of state changes, from 1
-  int mode = kProduction;      ///< after the change
+  std::uint32_t sequence = 0;  ///< number of the state change, from 1
+  int mode = kProduction;      ///< mode after the change
   UnitState from = UnitState::Stopped;
   UnitState to = UnitState::Stopped;
-  std::optional<UnitCommand> command;  ///< nothing: the state was complete, or the mode has changed
+  std::optional<UnitCommand> command;  ///< nothing if a state was complete or the mode was changed
   std::string source;
-  std::string reason;  ///< of alarms and time-outs
-  int alarm = 0;       ///< that led to it; 0 for none
+  std::string reason;  ///< for alarms and time-outs
+  int alarm = 0;       ///< ID of the alarm that led to it; 0 for none
 };
 
-/// Where a unit is. Equal events at equal times lead to equal statuses.
+/// The state of a unit. Equal events at equal times lead to equal statuses.
 struct UnitStatus {
   int mode = kProduction;
   UnitState state = UnitState::Stopped;
-  std::uint32_t sequence = 0;  ///< of the last state change
+  std::uint32_t sequence = 0;  ///< number of the last state change
   double state_since_s = 0.0;
   double mode_since_s = 0.0;
-  std::optional<ActiveAlarm> stop_reason;  ///< the first alarm that moved the unit since it last ran
+  /// First alarm that changed the state since the unit was last in Execute or Idle.
+  std::optional<ActiveAlarm> stop_reason;
   ActiveAlarms alarms;
   UnitCounters counters;
 };
 
-/// The unit of a cell: takes commands, alarms and completed states with the time they came at, and says what
-/// has changed. It moves nothing by itself: whoever drives it reads the changes and gives orders to the
-/// executors.
+/// The state machine of a cell's unit: it is given commands, alarms and completed states with their times,
+/// and returns what has changed. It moves nothing itself: the caller reads the changes and gives orders to
+/// the executors.
 class UnitMachine {
  public:
-  /// @param first  Aborted if a job was cut off, else Stopped
+  /// @param first  initial state: Aborted if a job was cut off, otherwise Stopped
   UnitMachine(UnitSettings settings, UnitState first, UnitCounters counters, double now_s);
 
   const UnitStatus& status() const { return status_; }
 
-  /// Answers a command, and follows it if it is accepted. What is refused changes nothing.
-  /// Start, Unhold and Unsuspend are refused while an alarm from Suspend on is active, Reset and Clear while
-  /// one from Hold on is. Stop, Hold and Abort look at neither guards nor sequence.
+  /// Answers a command, and follows it if it is accepted. A refused command changes nothing. Start, Unhold
+  /// and Unsuspend are refused while an alarm of category Suspend or graver is active, Reset and Clear while
+  /// one of category Hold or graver is. For Stop, Hold and Abort neither guards nor sequence are checked.
   CommandAnswer command(const UnitRequest& request, double now_s);
 
-  /// Answers the commands of one instant, each in its place, by their `precedence`; `done` is the acting
-  /// state that was completed at that instant.
+  /// Answers the commands that have arrived at the same time, following them in the order of their
+  /// `precedence`.
+  /// @param done  acting state that was completed at that time
+  /// @return the answers, in the order of the requests
   std::vector<CommandAnswer> step(const std::vector<UnitRequest>& requests, std::optional<UnitState> done,
                                   double now_s);
 
-  /// Changes the mode: in Idle, Stopped or Aborted, to a mode that has this state.
+  /// Changes the mode: in Idle, Stopped or Aborted, to a mode that has the present state.
   CommandAnswer changeMode(int mode, const std::string& source, double now_s);
 
-  /// The acting state has done what it is for. Without effect if the unit is in another state by now.
-  /// Clearing goes on until no cause of category Abort is left. Execute without Completing in its mode goes
-  /// to Stopping.
+  /// States that an acting state is complete; without effect if the unit is in another state by now. Clearing
+  /// goes on as long as there is an alarm of category Abort whose cause is present. If the mode lacks the
+  /// state that follows (Completing after Execute), Stopping follows.
   void complete(UnitState state, double now_s);
 
-  /// Raises an alarm and follows the command of its category. If the unit is on its way and its state or mode
-  /// lacks that command, Suspend becomes Hold, and Hold becomes Stop.
+  /// Raises an alarm and follows the command of its category. If state or mode do not allow the command,
+  /// Suspend becomes Hold; while the unit runs or is about to, Hold becomes Stop.
   /// @return false for a repetition within a second, which is counted but not to be reported
   /// @throws InvalidInput if the table has no alarm of that ID
   bool raise(int alarm, double value, const std::string& message, double now_s);
 
+  /// States that the cause of an alarm is gone.
   void end(int alarm, double now_s) { status_.alarms.end(alarm, now_s); }
 
-  /// BadValue if no such alarm is active.
+  /// Acknowledges an alarm; the result is `BadValue` if no such alarm is active.
+  /// @param by  name of the user
   CommandAnswer acknowledge(int alarm, const std::string& by, double now_s);
 
-  /// Lets time pass: an acting state that lasts too long raises alarm 1010; Aborting that nobody confirms
-  /// ends in Aborted.
+  /// Lets time pass. An acting state that lasts longer than `longest_s` raises alarm 1010; Aborting then ends
+  /// in Aborted, even if nobody has confirmed that the unit is at rest.
   void tick(double now_s);
 
-  /// A part is done, of that much material.
+  /// Counts a finished part and its material.
   void countPart(PartVerdict verdict, double material_mm3);
 
-  /// What has changed since the last call, oldest first.
+  /// The changes since the last call, oldest first.
   std::vector<UnitChange> takeChanges();
 
  private:

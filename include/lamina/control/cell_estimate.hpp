@@ -9,35 +9,35 @@
 
 namespace lamina {
 
-/// The growth of a cell that one layer is to bring.
+/// A layer at one cell, as it is deposited: planned height and what differs from the plan.
 struct DepositedGrowth {
   double planned_mm = 0.0;     ///< planned height of the layer there
   double correction = 0.0;     ///< relative change of the amount deposited
-  double nozzle_error_mm = 0;  ///< planned less actual height of the nozzle; pressed processes only
+  double nozzle_error_mm = 0;  ///< planned less actual height of the nozzle; used by pressed processes only
 };
 
-/// The measurement of a cell by one profile: the mean of some of its points.
+/// A measurement of a cell by one profile: the mean of those of the profile's points that lie on the cell.
 struct CellReading {
   double error_mm = 0.0;  ///< planned less measured height along the growth direction
   int points = 1;
-  double sigma_mm = 0.02;  ///< standard deviation of one point
+  double sigma_mm = 0.02;  ///< standard deviation of one point, not of the mean
 };
 
-/// How a reading was used.
+/// What was done with a reading.
 enum class ReadingUse : std::uint8_t {
   Used,
-  Contested,  ///< too far from the expected value: set aside
-  Believed    ///< contested, and confirmed by the third profile in a row: taken over
+  Contested,  ///< too far from the expected value: not used, but compared with the readings that follow
+  Believed    ///< contested, but the third in a row to agree: its value replaces the estimate
 };
 
-/// The use of a reading, and its squared innovation over the expected variance of the innovation, which is 1
-/// in the mean where the model holds.
+/// What was done with a reading, and its squared innovation (reading less expected value) over the expected
+/// variance of the innovation, which is 1 in the mean where the model holds.
 struct ReadingOutcome {
   ReadingUse use = ReadingUse::Used;
   double surprise = 0.0;
 };
 
-/// The gain of a cell as measured.
+/// The gain of a cell as measured over one or more layers.
 struct MeasuredGain {
   double gain = 1.0;          ///< measured over commanded growth
   double commanded_mm = 0.0;  ///< growth commanded since the measurement before
@@ -46,12 +46,12 @@ struct MeasuredGain {
 /// Variance of a reading [mm²], given the correlation of neighbouring points of a profile.
 double readingVariance(const CellReading& reading, double correlation);
 
-/// The state of a `CellEstimate`, for storage. Its values are those of floats, so that they read back to the
-/// same bits.
+/// The state of a `CellEstimate`, for storage. `CellEstimate` holds floats, so storing and restoring it
+/// changes no bit.
 struct StoredEstimate {
   double error_mm = 0.0;
   double variance_mm2 = 0.0;
-  double commanded_mm = 0.0;
+  double commanded_mm = 0.0;  ///< growth commanded since the gain was last measured
   double base_mm = 0.0;
   double contested_mm = 0.0;
   double gain = 1.0;
@@ -60,8 +60,8 @@ struct StoredEstimate {
 };
 
 /// Kalman filter [Kalman1960] of the height of one cell's top, in 24 bytes. The state is the height error
-/// [mm], planned less actual: positive is too low. The gain, actual over commanded growth, is learnt beside
-/// it, from 0.4 to 2.5.
+/// [mm], planned less actual: positive if too low. The gain, actual over commanded growth, is learnt
+/// separately, within 0.4 to 2.5.
 class CellEstimate {
  public:
   static constexpr double kStartSigma = 0.5;  ///< standard deviation of an unknown cell [mm]
@@ -72,7 +72,7 @@ class CellEstimate {
   /// A cell of known error, such as one of the bed.
   CellEstimate(double error_mm, double sigma_mm, double gain);
 
-  /// The estimate that was stored.
+  /// Restores a stored estimate.
   explicit CellEstimate(const StoredEstimate& stored);
   StoredEstimate stored() const;
 
@@ -82,51 +82,60 @@ class CellEstimate {
   /// Clamps the gain to its range and rounds it to 1/16384.
   void setGain(double gain);
 
-  /// Predicts the error after a layer of a free process: it changes by the planned less the expected growth.
+  /// Predicts the error after a layer of a free process: it grows by the planned less the expected growth.
   /// @param spread  relative standard deviation of growth
   void lay(const DepositedGrowth& growth, double spread);
-  /// Predicts the error after a layer of a pressed process: it is that of the nozzle's plane.
+  /// Predicts the error after a layer of a pressed process: it becomes that of the nozzle's height.
+  /// @param spread  relative standard deviation of growth
   void press(const DepositedGrowth& growth, double spread);
   /// Amends the last `lay`: the layer of height `planned_mm` was deposited with `correction`, not with
-  /// `told`.
+  /// `told`, the correction that `lay` was given. The expected error is amended only if the cell was not seen
+  /// since.
   void relay(double planned_mm, double told, double correction);
 
-  /// Takes over a new plan, which is higher by `raised_mm` at this cell and lays `flow` times the volume.
+  /// Refers the estimate to a new plan, which is higher by `raised_mm` at this cell and deposits `flow` times
+  /// the volume.
   void replan(double raised_mm, double flow);
 
-  /// Updates the estimate by a reading. A reading within four standard deviations of the expected error is
-  /// used. Any other is contested until three profiles in a row agree. A reading that is not finite or has no
-  /// points is contested.
+  /// Updates the estimate by a reading. A reading that lies off the expected error by at most four standard
+  /// deviations (of the estimate and one point together) is used. Any other is contested, until three in a
+  /// row agree; the third is believed. A reading that is not finite, has no points or no positive sigma is
+  /// contested, and does not count towards the three.
+  /// @param correlation  of neighbouring points of a profile
   ReadingOutcome see(const CellReading& reading, double correlation);
-  /// Takes over the contested height, since neighbours agree with it.
+  /// Takes the contested error for the estimate, as neighbouring cells agree with it. Without a contested
+  /// error it has no effect.
   void believe();
-  /// The contested error [mm], if there is one.
+  /// The error of the last contested reading [mm]; none if a reading was used or believed since.
   std::optional<double> contested() const;
-  /// Whether a reading was used since the last layer was deposited.
+  /// Whether a reading was used or believed since the last layer was deposited.
   bool isSeen() const { return (flags_ & kSeen) != 0; }
-  /// Whether the height derives from a reading or a known surface, and is not a guess.
+  /// Whether the height derives from a reading or a known surface; otherwise it is a guess.
   bool isKnown() const { return (flags_ & kKnown) != 0; }
 
-  /// The error [mm] that was believed or is contested, for comparison with neighbours.
+  /// The error [mm] by readings that were not expected: the estimate if it was believed since the gain was
+  /// last measured, otherwise the contested error. For comparison with neighbouring cells; none if there is
+  /// neither.
   std::optional<double> claimed() const;
 
-  /// The gain measured since the last call. None if no growth was commanded or no reading used since, or if a
+  /// The gain since it was last measured, which may be several layers ago; the next measurement starts here.
+  /// None if the cell was not seen since the last layer was deposited, if no growth was commanded, or if a
   /// believed height would mean a gain out of range.
   std::optional<MeasuredGain> takeMeasuredGain();
 
  private:
   static constexpr double kGainUnits = 16384.0;
   static constexpr std::uint8_t kSeen = 1;
-  static constexpr std::uint8_t kBroken = 2;  ///< believed since the gain was measured
+  static constexpr std::uint8_t kBroken = 2;  ///< a reading was believed since the gain was measured
   static constexpr std::uint8_t kKnown = 4;
 
   float error_mm_ = 0.0F;
   float variance_mm2_ = static_cast<float>(kStartSigma * kStartSigma);
-  float commanded_mm_ = 0.0F;  ///< growth since the gain was last measured
-  float base_mm_ = 0.0F;       ///< error at that time plus the height planned since
+  float commanded_mm_ = 0.0F;  ///< growth commanded since the gain was last measured
+  float base_mm_ = 0.0F;       ///< error at that time, plus the height planned since
   float contested_mm_ = 0.0F;
   std::uint16_t gain_ = static_cast<std::uint16_t>(kGainUnits);
-  std::uint8_t contests_ = 0;  ///< profiles in a row that agree on it
+  std::uint8_t contests_ = 0;  ///< number of contested readings in a row that agree
   std::uint8_t flags_ = 0;
 };
 static_assert(sizeof(CellEstimate) == 24, "memory of a map is 24 bytes a cell");

@@ -16,15 +16,15 @@ namespace lamina {
 struct PlaceCorrection {
   double amount = 0.0;  ///< relative change of the volume deposited per length
   double speed = 0.0;   ///< relative change of the travel speed
-  /// Shift of the nozzle along the layer's normal in G-code, against the tool axis of a robot.
+  /// Shift of the nozzle: in G-code along the normal of the layers, for a robot against the tool axis.
   double dz_mm = 0.0;
 
   bool isNone() const { return amount == 0.0 && speed == 0.0 && dz_mm == 0.0; }
 };
 
-/// The corrections of one path, at stations in the middles of equal pieces: station i lies (i + 1/2) times
-/// the spacing from the start of the path. Corrections are linear between stations, and constant before the
-/// first and after the last one.
+/// The corrections of one path, at stations in the middles of equal pieces of it: station i lies (i + 1/2)
+/// times the spacing from the start of the path. Corrections are linear between stations, and constant before
+/// the first and after the last one.
 struct PathCorrection {
   std::size_t path = 0;     ///< number in the layer, travels included
   double spacing_mm = 0.0;  ///< distance from station to station
@@ -35,41 +35,41 @@ struct PathCorrection {
 struct CorrectionMap {
   std::string toolpath_id;
   std::size_t layer = 0;
-  std::uint64_t sequence = 0;  ///< number among the maps of this layer; the map of the greatest one holds
+  std::uint64_t sequence = 0;  ///< number among the maps of this layer; the one with the greatest is valid
   std::vector<PathCorrection> paths;  ///< ascending by `path`
 };
 
 /// The correction at a distance from the start of the path [mm]; none if the path has no stations.
 PlaceCorrection correctionAt(const PathCorrection& path, double along_mm);
 
-/// The corrections of the cells of a layer, one value per cell, with the meanings of `PlaceCorrection`. An
-/// empty vector stands for no correction of its kind.
+/// The corrections of the cells of a layer, one value per cell, as in `PlaceCorrection`. An empty vector
+/// means that there is no correction of its kind.
 struct CellCorrections {
   std::vector<double> amount;
   std::vector<double> speed;
   std::vector<double> dz_mm;
 };
-/// The map that gives each cell of a layer its correction.
+/// The map of a layer with a station at each cell.
 CorrectionMap correctionMap(const LayerCells& cells, const CellCorrections& corrections,
                             const std::string& toolpath_id, std::uint64_t sequence);
 
-/// Hash (FNV-1a) of all values of the map, as 16 hexadecimal digits.
+/// A hash of all values of the map, 64 bits as 16 hexadecimal digits: FNV-1a over words of 64 bits, with a
+/// further mixing step for each.
 std::string digestOf(const CorrectionMap& map);
 
-/// Checks a map.
-/// @throws InvalidInput naming path and station: of a value that is not finite, an amount or speed of -1 or
-///   less or above 5, a shift of more than 100 mm, a spacing that is not positive, paths that do not ascend,
-///   a path without stations
+/// @throws InvalidInput naming path and station: if a value is not finite, an amount or speed is -1 or less
+///   or above 5, a shift is above 100 mm, a spacing is not positive, paths do not ascend, or a path has no
+///   stations
 void validate(const CorrectionMap& map);
 
 /// The map as CSV, a row per station under comments that state toolpath, layer, sequence and digest; it reads
 /// back to the same bits.
 std::string correctionMapCsv(const CorrectionMap& map);
 
-/// Reads a map from such a text.
+/// Reads a map from text that `correctionMapCsv` wrote.
 /// @param source  names the text in errors
-/// @throws InvalidInput naming source and line: what `validate` refuses, a comment that is missing, a number
-///   that is none, a digest that is not that of the map
+/// @throws InvalidInput naming source and line: if `validate` refuses the map, a comment is missing, a number
+///   cannot be read, or the digest is not that of the map
 CorrectionMap readCorrectionMap(std::string_view text, const std::string& source);
 
 }  // namespace lamina

@@ -9,42 +9,47 @@
 
 namespace lamina {
 
-/// The delay between a command to a feeder and what it feeds.
+/// How the feeder follows a command: after a dead time, then as a first-order lag.
 struct FeederDelay {
   double dead_time_s = 0.0;
-  double lag_s = 0.0;  ///< time constant, first order
+  double lag_s = 0.0;  ///< time constant of the first-order lag
 };
 
 /// The delay that the settings state.
 FeederDelay feederOf(const LoopSettings& settings);
 
-/// Commands to a feeder by time.
+/// Commands to a feeder over time.
 struct FeederCommands {
-  std::vector<double> time_s;  ///< ascending; 0 when the nozzle starts the layer, negative before that
+  std::vector<double> time_s;  ///< ascending; 0 when the nozzle starts the layer, negative before
   std::vector<double> amount;  ///< relative change commanded at that time
 };
 
-/// Commands that make the feeder lay each correction at its place. The dead time is made up for by the amount
-/// m of the place where the nozzle will be that much later at the planned speeds, the lag T by commanding m +
-/// T v dm/ds. The commands are again limited in amount and slope. Runs are taken to follow each other without
-/// a pause. The first command comes a dead time before the layer: a feeder that cannot be commanded then lays
-/// the first corrections late.
+/// The commands by which the feeder deposits each correction at its place. The dead time is compensated for
+/// by commanding the amount m of the place that the nozzle reaches a dead time later, at the planned speeds.
+/// The lag T is compensated for by commanding m + T v dm/ds, v being the speed and s the distance along the
+/// path. The commands are again limited in value and slope. Runs are taken to follow each other without a
+/// pause. The first command is due a dead time before the layer starts: where the feeder cannot be commanded
+/// then, the first corrections are deposited late.
+/// @param amount  relative change of the volume, one value per cell
 FeederCommands feederCommands(const LayerCells& cells, const std::vector<double>& amount,
                               const FeederDelay& feeder, const LoopSettings& settings);
 
-/// The same commands by place, for programs: for each cell the amount commanded while the nozzle passes it.
-/// Commands of the last dead time of a layer belong to the start of the next layer, which is taken to have
-/// the corrections of the start of this one. Without delay the result is `amount`.
+/// The commands of `feederCommands` by place instead of time, for programs: for each cell the amount that is
+/// commanded while the nozzle passes it. What is commanded in the last dead time of a layer is meant for the
+/// start of the next layer, which is assumed to have the corrections of the start of this one. Without delay
+/// the result is `amount`.
 std::vector<double> ledCorrection(const LayerCells& cells, const std::vector<double>& amount,
                                   const FeederDelay& feeder, const LoopSettings& settings);
 
-/// A layer's map with its amounts led as by `ledCorrection`, at the least spacing of stations in the map.
-/// Paths without cells (`layerCells`) stay unchanged. Without delay the result is `map`.
+/// The map of a layer with its amounts led as by `ledCorrection`. All paths get the least spacing of stations
+/// that the map has. Paths that `layerCells` gives no cells stay unchanged. Without delay the result is
+/// `map`.
 /// @throws InvalidInput as `validate`
 CorrectionMap ledMap(const CorrectionMap& map, const ToolpathLayer& layer, const FeederDelay& feeder,
                      const LoopSettings& settings);
 
-/// Times at which the nozzle passes the cells at the planned speeds [s], without a pause between runs.
+/// Times [s] at which the nozzle passes the middles of the cells, at the planned speeds and without a pause
+/// between runs; 0 at the start of the layer.
 std::vector<double> timesOf(const LayerCells& cells);
 
 }  // namespace lamina

@@ -12,39 +12,41 @@ namespace lamina {
 
 /// What is known of the cells of a layer before it is deposited, one value per cell.
 struct LayerKnowledge {
-  std::vector<double> error_mm;  ///< planned less actual height of the surface below: positive is too low
+  std::vector<double> error_mm;  ///< planned less actual height of the surface below; positive if too low
   std::vector<double> gain;      ///< actual over commanded growth
 };
 
 /// The correction of a layer, one value per cell.
 struct LayerCorrection {
   std::vector<double> amount;  ///< relative change of the volume per length, within the limits of the loop
-  double limited_share = 0.0;  ///< share of the length on which a limit changed the amount
+  /// Share of the length on which a limit of value or volume (not of slope) changed the amount.
+  double limited_share = 0.0;
 };
 
-/// The layer-to-layer law of a free process. The amount is (1 + K F[e] / h) / g - 1, where K is the gain of
-/// the loop, F the low-pass along the path and across beads, e the height error, h the planned height of the
-/// layer and g the gain learnt of the process. It is limited in value, in slope along the path by what the
-/// feeder follows at the planned speed, and in the volume of the layer. Learning g takes the place of an
-/// integrator, so that nothing winds up at a limit.
+/// The layer-to-layer law of a free process. The amount is (1 + K F[e] / h) / g - 1. K is the gain of the
+/// loop, F the low-pass along the path and across beads, e the height error, h the planned height of the
+/// layer, and g the gain learnt of the process. The amount is limited in value, in slope along the path by
+/// what the feeder follows at the planned speed, and in the change of the layer's volume. The law has no
+/// integrator, since g is learnt; so nothing winds up at a limit.
 LayerCorrection freeCorrection(const LayerCells& cells, const LayerKnowledge& known,
                                const LoopSettings& settings);
 
-/// The same without the error term, 1 / g - 1.
+/// The correction by the gain learnt alone, without the error term: 1 / g - 1, within the same limits.
 LayerCorrection learntCorrection(const LayerCells& cells, const std::vector<double>& gain,
                                  const LoopSettings& settings);
 
-/// Limits wanted amounts in value, slope and volume.
+/// Limits wanted amounts in value, volume of the layer and slope. Amounts that are not finite become 0.
 LayerCorrection limitedCorrection(const LayerCells& cells, const std::vector<double>& wanted,
                                   const LoopSettings& settings);
 
-/// The greatest slope of the amount along a path that the feeder follows at that speed [1/mm].
+/// The greatest slope of the amount along a path that the feeder follows at a speed [1/mm]; infinite at speed
+/// 0.
 double greatestSlope(double feeder_rate_s, double speed_mm_s);
 
 /// The amounts of a layer whose map is replaced while it is deposited, one per cell. Cells before `begin`
-/// keep the amounts `from`. From there on the amount goes from that of the cell before to those of `to`, no
-/// faster than the feeder follows, along this run and the ones after it.
-/// @param from   amounts of the map in force
+/// keep the amounts `from`. From there on the amount changes from that of the cell before to those of `to`,
+/// no faster than the feeder follows, along this run and the ones after it.
+/// @param from   amounts of the map that is in force
 /// @param to     amounts of the map that replaces it
 /// @param begin  first cell that the new map may change
 std::vector<double> fadedCorrection(const LayerCells& cells, const std::vector<double>& from,

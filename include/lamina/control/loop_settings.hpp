@@ -14,11 +14,11 @@ enum class LoopProcess : std::uint8_t {
   Pressed  ///< the plane of the nozzle: filament, pellets; errors do not carry over to the next layer
 };
 
-/// Height at which the nozzle runs.
+/// Height at which the nozzle runs, as `nozzleShift` computes it.
 enum class NozzleHeight : std::uint8_t {
   Plan,    ///< as planned
-  Layer,   ///< planned, less the mean error of the layer
-  Surface  ///< the measured surface, low-passed, and the stand-off
+  Layer,   ///< the plan, shifted in each layer as a whole by the mean error
+  Surface  ///< free process: follows the measured surface, low-passed; pressed process: as `Layer`
 };
 
 /// What is done when corrections have reached their limits.
@@ -29,33 +29,36 @@ enum class Replanning : std::uint8_t {
   Add     ///< whole layers are added or left out, dips are filled
 };
 
-/// What is done when three layers in a row are unmeasured.
+/// What is done when three layers in a row are unmeasured: the operator is asked, or the loop goes open.
 enum class LossOfSight : std::uint8_t { Hold, Open };
 
-/// What is done about a low-pass that is too narrow for stability.
+/// What is done if the low-pass is too narrow for stability: the loop does not start, or the low-pass is
+/// widened.
 enum class NarrowLowPass : std::uint8_t { Refused, Raised };
 
-/// Settings of the loop, which corrects what is deposited next by what was measured.
+/// Settings of the loop, which corrects what is deposited next by what was measured. Amounts are relative
+/// changes of the volume per length.
 struct LoopSettings {
   LoopProcess process = LoopProcess::Free;
-  double gain = 0.5;             ///< share of the height error corrected per layer
-  double learning = 0.3;         ///< rate at which the gain of the process is learnt, per layer
+  double gain = 0.5;  ///< share of the height error corrected per layer
+  /// Share of the difference between measured and learnt gain that is learnt per layer.
+  double learning = 0.3;
   double least_amount = -0.4;    ///< lower limit of the relative change of the amount deposited
-  double greatest_amount = 0.5;  ///< upper limit
+  double greatest_amount = 0.5;  ///< upper limit of that change
   double low_pass_mm = 3.0;      ///< standard deviation of the Gaussian over corrections
   NarrowLowPass narrow_low_pass = NarrowLowPass::Refused;
-  double feeder_rate_s = 0.5;  ///< greatest change of the relative amount per second
+  double feeder_rate_s = 0.5;  ///< greatest change of the relative amount that the feeder follows [1/s]
   double layer_volume = 0.2;   ///< greatest relative change of a layer's volume
-  int first_layers = 2;        ///< not corrected, only learnt from
+  int first_layers = 2;        ///< number of layers, from the first, that are not corrected, only learnt from
   double min_coverage = 0.5;   ///< share of cells seen, below which a layer is unmeasured
   NozzleHeight z = NozzleHeight::Plan;
   double growth_spread = 0.1;        ///< relative standard deviation of growth, initially
   double reading_correlation = 0.2;  ///< correlation of neighbouring points of one profile
-  double dead_time_s = 0.0;          ///< of feeder and link
-  double lag_s = 0.0;                ///< of the feeder, first order
-  double trim = 0.0;                 ///< gain of the trailing sensor times its distance; 0 for none
-  double sensor_behind_mm = 0.0;     ///< distance of the trailing sensor behind the nozzle
-  double trim_lead_mm = 0.0;         ///< distance ahead of the nozzle from which a trim acts
+  double dead_time_s = 0.0;          ///< dead time of feeder and link
+  double lag_s = 0.0;                ///< time constant of the feeder's first-order lag
+  double trim = 0.0;  ///< gain of the trim by a trailing sensor [1/mm] times its distance; 0: no trim
+  double sensor_behind_mm = 0.0;  ///< distance of the trailing sensor behind the nozzle
+  double trim_lead_mm = 0.0;      ///< distance ahead of the nozzle from which on a trim acts
   Replanning replan = Replanning::Hold;
   LossOfSight on_loss = LossOfSight::Hold;
   double silence_s = 2.0;       ///< longest time without a cloud during a scan
@@ -64,18 +67,18 @@ struct LoopSettings {
   double speed_exponent = 0.0;  ///< growth goes with speed to this power; 0: speed stays as planned
   double least_speed_mm_s = 3.0;
   double greatest_speed_mm_s = 17.0;
-  double heat = 0.15;          ///< greatest relative change of power over speed
+  double heat = 0.15;          ///< greatest relative change of the heat per length, power over speed
   double interpass_c = 0.0;    ///< temperature to wait for before a layer; 0 for none
-  double part_learning = 0.5;  ///< gain from part to part
+  double part_learning = 0.5;  ///< share of the remaining error that is corrected from part to part
 };
 
 /// Adds the keys loop.*.
 void describe(SettingsSchema& schema, LoopSettings& settings);
 
-/// Adds those of the keys loop.* that state limits and delay of the feeder.
+/// Adds those keys loop.* that state limits and delay of the feeder.
 void describeFeeding(SettingsSchema& schema, LoopSettings& settings);
 
-/// Range of the relative change of the amount deposited.
+/// Greatest less least relative change of the amount deposited.
 inline double amountRange(const LoopSettings& settings) {
   return settings.greatest_amount - settings.least_amount;
 }

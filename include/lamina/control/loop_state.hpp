@@ -11,12 +11,12 @@ enum class LoopState : std::uint8_t {
   Off,
   Identifying,  ///< learns, corrects nothing
   Active,
-  Coasting,  ///< no usable measurement: corrects by what it has learnt, not by the error
+  Coasting,  ///< no usable measurement: corrects by the gain learnt, not by the error
   Open,      ///< given up: corrects nothing
-  Blocked    ///< not calibrated, or settings that are not stable
+  Blocked    ///< may not start: not calibrated, or settings that are not stable
 };
 
-/// `off`, `identifying`, `active`, `coasting`, `open`, `blocked`.
+/// Name of a state: `off`, `identifying`, `active`, `coasting`, `open`, `blocked`.
 const char* toString(LoopState state);
 
 /// Whether the loop changes what is deposited.

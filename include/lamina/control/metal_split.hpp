@@ -9,24 +9,26 @@
 
 namespace lamina {
 
-/// A correction of the amount, divided among wire feed, travel speed and power. Vectors have one value per
-/// cell.
+/// A correction of the amount, divided among wire feed, travel speed and power of the arc. Vectors have one
+/// value per cell.
 struct MetalCorrection {
-  double wire = 0.0;               ///< relative change of the wire feed, the same for the layer
+  double wire = 0.0;               ///< relative change of the wire feed, one for the whole layer
   std::vector<double> speed_mm_s;  ///< travel speed
   std::vector<double> power;       ///< relative change of the source's power
-  double limited_share = 0.0;      ///< share of cells whose speed or heat was limited
+  double limited_share = 0.0;      ///< share of cells at which the window or the heat limited the speed
 };
 
-/// Whether the source's power can follow the speed.
+/// Whether the power of the source can follow the travel speed.
 enum class PowerSource { Fixed, Follows };
 
-/// Divides a correction of the amount m of wire and arc, where growth goes with the travel speed to the power
-/// a = `loop.speed_exponent`. The mean goes to the wire feed, the rest of each cell to its speed: v = v0 ((1
-/// + m) / (1 + wire))^(1 / a). The speed stays within its window. Heat per length stays within `loop.heat` of
-/// the planned: by the power if it can follow, else by a smaller change of speed.
+/// Divides a correction of the amount m of a process with wire and arc, in which growth is proportional to
+/// the travel speed to the power a = `loop.speed_exponent`. The mean over the layer goes to the wire feed,
+/// the rest of each cell to its speed: v = v0 ((1 + m) / (1 + wire))^(1 / a), v0 being the planned speed. The
+/// speed stays within least and greatest speed. If the power can follow, it changes with the speed, so that
+/// the heat per length stays as planned. Otherwise the speed is limited further, so that the heat per length
+/// stays within `loop.heat` of the planned one.
 /// @throws InvalidConfig if the exponent is 0, or the least speed is above the greatest
-/// @throws InvalidInput if a cell's planned speed is so far outside the window that heat leaves none
+/// @throws InvalidInput if at a planned speed no speed meets both limits
 MetalCorrection metalSplit(const LayerCells& cells, const std::vector<double>& amount, PowerSource source,
                            const LoopSettings& settings);
 
@@ -38,7 +40,7 @@ struct CoolingWall {
 };
 
 /// Time until a wall has cooled to the interpass temperature of the settings [s]; 0 if it has already or none
-/// is set, nothing if it never will.
+/// is set; nothing if it never will, as the ambient temperature is not lower.
 std::optional<double> interpassDwell(const CoolingWall& wall, const LoopSettings& settings);
 
 }  // namespace lamina

@@ -8,7 +8,8 @@
 
 namespace lamina {
 
-/// How a low-pass continues values beyond the ends of a path: mirrored, or by those at the other end.
+/// How a low-pass continues values beyond the ends of a path: mirrored, or, on a closed path, by those at the
+/// other end.
 enum class PathEnds { Reflected, Joined };
 
 /// Positions along a path at which values are given.
@@ -18,18 +19,18 @@ struct Stations {
   PathEnds ends = PathEnds::Reflected;
 };
 
-/// Gaussian low-pass of values along a path, truncated at four standard deviations. The weight of a station
-/// includes the length for which it stands. A constant stays unchanged. The cost is the number of stations
-/// times that of stations within reach; equally spaced stations share one kernel.
+/// Gaussian low-pass of values along a path, truncated at four standard deviations. Each station is weighted
+/// by the length for which it stands. Constant values stay unchanged. The cost is the number of stations
+/// times the number within reach of one; for equally spaced stations the weights are computed only once.
 /// @param sigma_mm  standard deviation; 0 changes nothing
-/// @throws InvalidInput if the stations do not ascend within the length, or are not as many as values
+/// @throws InvalidInput if the stations do not ascend within the length, or there is not one for each value
 std::vector<double> lowPassed(const std::vector<double>& values, const Stations& stations, double sigma_mm);
 
-/// The same along each path of a layer, then across beads: the cells on neighbouring beads (`CellsBeside`)
-/// are weighted by the same Gaussian of their distance. Other layers do not contribute.
+/// Low-pass of one value per cell of a layer: first along each path as above, then across the beads, where
+/// the cells on neighbouring beads (`CellsBeside`) are weighted by the same Gaussian of their distance.
 std::vector<double> lowPassed(const std::vector<double>& values, const LayerCells& cells, double sigma_mm);
 
-/// The stations of a run of cells.
+/// The middles of a run's cells, as stations.
 Stations stationsOf(const LayerCells& cells, const CellRun& run);
 
 }  // namespace lamina

@@ -9,8 +9,8 @@
 
 namespace lamina {
 
-/// Limit of the relative amount of a pressed process, either way. More would make the bead wider, then be
-/// ploughed up by the nozzle.
+/// Greatest magnitude of the relative amount of a pressed process. Beyond it the bead would become wider and
+/// be ploughed up by the nozzle.
 constexpr double kPressedAmount = 0.15;
 
 /// What is known of the cross-section of the layer below a pressed layer, one value per cell.
@@ -19,17 +19,18 @@ struct SectionKnowledge {
   std::vector<double> gain;     ///< actual over commanded cross-section
 };
 
-/// The law of a pressed process. Since the nozzle sets the height, the amount follows from the lack of
-/// cross-section, which is measured between the valleys beside a bead: (1 + K F[deficit]) / gain - 1, within
-/// `kPressedAmount` either way and the limits of the loop. K and F are those of `freeCorrection`.
+/// The law of a pressed process. As the nozzle determines the height, the amount follows from the lack of
+/// cross-section, which is measured between the valleys on both sides of a bead: (1 + K F[deficit]) / gain -
+/// 1, within `kPressedAmount` either way and within the limits of the loop. K and F are the gain and low-pass
+/// of the loop, as in `freeCorrection`.
 LayerCorrection pressedCorrection(const LayerCells& cells, const SectionKnowledge& known,
                                   const LoopSettings& settings);
 
-/// What is done at the place of a drop.
+/// What is done where a drop is planned: it is deposited, left out, or doubled.
 enum class DropDecision { Lay, Leave, LayTwo };
 
-/// Corrects drops by their number, not by their size: a drop is left out where the surface is too high by
-/// half a drop or more, and a second one is deposited where it is too low by as much.
+/// The decision for a drop, by which drops are corrected in number, not in size: it is left out where the
+/// surface is too high by more than half a drop, and doubled where it is too low by more than half a drop.
 /// @param error_mm  planned less actual height of the surface below
 /// @param drop_mm   height of a drop
 DropDecision dropDecision(double error_mm, double drop_mm);

@@ -11,41 +11,43 @@
 
 namespace lamina {
 
-/// The layers of a part that are left to lay, and the error of what is deposited.
+/// Which layers of a part are still to be deposited, and the height error of what is below them.
 struct LayersLeft {
-  std::size_t first = 0;  ///< first layer that is not deposited
-  /// Mean of planned less actual height of what lies below that layer: positive is too low.
+  std::size_t first = 0;  ///< first layer that is not deposited yet
+  /// Mean of planned less actual height of the surface below that layer; positive if too low.
   double error_mm = 0.0;
 };
 
-/// The part as the functions of `replanning.hpp` take it.
+/// The part as the functions of `replanning.hpp` need it.
 /// @param growth  gain learnt, actual over commanded growth; positive
-/// @throws InvalidInput naming the layer: if none is left, or one is not as high as its distance from the one
-///   below, is not plane, or deposits drops
+/// @throws InvalidInput if no layer is left; naming the layer, if its height differs from its distance from
+///   the one below, it is not plane, or it deposits drops
 PartUnderWay partUnderWay(const Toolpath& toolpath, const LayersLeft& left, double growth);
 
-/// The layers left, at new heights. Paths are moved along the layers' normal; beads change in height as their
-/// layer does, and have `flow` times the volume. The first layer lies on the actual surface, the last one
-/// ends at the planned top. A new layer takes the paths of the planned layer at the same share of the height
-/// left: on leaning walls its contours are those of a height up to half a layer off. Travels lead from layer
-/// to layer as before, to the new heights.
+/// The layers left, at new heights. The first one lies on the actual surface, the others on one another.
+/// Paths are moved along the layers' normal; the height of their beads changes as that of the layer, and
+/// beads have `flow` times the volume. A new layer has the paths of the planned layer at the same share of
+/// the number of layers left, so that on inclined walls its contours may be those of up to half a layer
+/// higher or lower. Travels from layer to layer lead to the new heights.
 ///
-/// @throws InvalidInput as `partUnderWay`, or naming the layer where no travel leads to the next one
+/// @throws InvalidInput as `partUnderWay`; naming the new layer, if no travel leads to it
 Toolpath replannedToolpath(const Toolpath& toolpath, const LayersLeft& left, const NewHeights& heights);
 
-/// The identity of a plan, which names its parent: that of the toolpath, `-from-`, the layer of the parent
-/// that its first layer replaces, `-of-`, and the identity of the parent.
+/// The identity of a plan: that of its toolpath, `-from-`, the number of the parent's layer that its first
+/// layer replaces, `-of-`, and the identity of the parent. If the parent is a plan too, only its own part of
+/// the identity is named.
 std::string replannedId(const Toolpath& replanned, std::size_t first_layer, const std::string& parent_id);
 
-/// Whether a plan replaces the rest of that toolpath, which may be a plan itself.
+/// Whether a plan replaces the rest of a toolpath. That toolpath may be a plan itself.
 bool isPlanOf(const std::string& plan_id, const std::string& toolpath_id);
 
-/// The layer of the parent that the first layer of a plan replaces; nothing if the identity names none.
+/// The number of the parent's layer that the first layer of a plan replaces; nothing if the identity states
+/// none.
 std::optional<std::size_t> firstLayerOf(const std::string& plan_id);
 
-/// Why a machine that runs a toolpath cannot go over to a plan, in words; empty if it can.
+/// The reason why a machine that runs a toolpath cannot change to a plan, in words; empty if it can.
 ///
-/// @param awaited  layer before which the machine is held for its map; none if it is not held
+/// @param awaited  layer before which the machine is waiting for a map; none if it is not waiting
 std::string refusalOfPlan(const std::string& plan_id, const std::string& toolpath_id,
                           std::optional<std::size_t> awaited);
 

@@ -13,61 +13,62 @@
 
 namespace lamina {
 
-/// What can go wrong in the loop; the numbers are those of the alarms.
+/// What can go wrong in the loop. The values are the numbers of the alarms.
 enum class LoopAlarm : std::uint16_t {
   Silent = 6101,        ///< no cloud
-  NoTransform = 6102,   ///< clouds, but no pose of the nozzle at their stamps
-  Stuck = 6103,         ///< profiles without numbers, or all the same
+  NoTransform = 6102,   ///< clouds, but no pose of the nozzle at their time stamps
+  Stuck = 6103,         ///< profiles without finite points, or all the same
   Contested = 6104,     ///< too many readings contested and not believed
   TimeOffset = 6105,    ///< the sensor's time offset has moved
-  Inconsistent = 6106,  ///< innovations are larger, or smaller, than the filter expects
+  Inconsistent = 6106,  ///< innovations are larger or smaller than the filter expects
   Step = 6110,          ///< the mean error jumped from one layer to the next
   Deviation = 6111,     ///< too many cells are off by more than the alarm's height
   Lump = 6112,          ///< something is higher than the head's clearance
   Saturated = 6113,     ///< corrections have reached their limits
   Diverging = 6114,     ///< the error grows from layer to layer
-  Growth = 6115,        ///< the gain learnt is out of range for a feeder
-  MapLate = 6116        ///< a layer's map did not come in time
+  Growth = 6115,        ///< the gain learnt is out of a feeder's plausible range
+  MapLate = 6116        ///< a layer's map did not arrive in time, or was not applied
 };
 
 /// The reaction to an alarm.
 enum class LoopReaction : std::uint8_t {
   Warn,
-  LeaveOut,  ///< measurements of the layer are not used
+  LeaveOut,  ///< the measurements of the layer are not used
   Coast,
   Open,
   Replan,
   Hold  ///< the print waits for the operator; it is never aborted
 };
 
+/// An alarm, the reaction to it, and its text.
 struct RaisedAlarm {
   LoopAlarm alarm = LoopAlarm::Silent;
   LoopReaction reaction = LoopReaction::Warn;
-  std::string reason;  ///< what, the value with its unit, what was expected
+  std::string reason;  ///< what is wrong, the value with its unit, and what was expected
 };
 
-/// Why a loop that should be active coasts.
+/// The reason why a loop coasts that should be active.
 enum class CoastingFor : std::uint8_t {
   Nothing,
   Sight,       ///< until a layer is measured
   TimeOffset,  ///< until the sensor is calibrated
-  Suspect      ///< until the operator requests otherwise
+  Suspect      ///< until the operator makes a request
 };
 
-/// The state of the loop and what it keeps of the layers before. It is a value: the same events lead to the
-/// same status.
+/// The state of the loop, with what it remembers of the layers before. It is a value: the same events lead to
+/// the same status.
 struct LoopStatus {
   LoopState state = LoopState::Off;
   std::string reason = {};
   CoastingFor coasting_for = CoastingFor::Nothing;
-  int unmeasured_layers = 0;  ///< number in a row, as the counts below
+  int unmeasured_layers = 0;  ///< number in a row; so are the four that follow
   int saturated_layers = 0;
   int growing_layers = 0;
   int deviating_layers = 0;
   int inconsistent_layers = 0;
-  bool has_figures = false;
-  std::size_t layer = 0;       ///< the last one measured
-  double mean_error_mm = 0.0;  ///< of that layer
+  bool has_figures = false;  ///< whether a layer was measured: what follows is of the last one
+  std::size_t layer = 0;     ///< number of that layer
+  double mean_error_mm = 0.0;
   double rmse_mm = 0.0;
 };
 
@@ -81,34 +82,35 @@ struct LoopStep {
 enum class LoopRequest : std::uint8_t { Off, Identify, Active };
 
 /// The status after a request. `Off` is always granted. Any other is granted if the report allows the loop to
-/// start; else the loop is blocked, with the reason of the report. A request also ends `Open`, `Blocked` and
-/// any coasting that does not end by itself.
+/// start; otherwise the loop is blocked, with the reason of the report. A request also ends `Open`, `Blocked`
+/// and coasting of any kind.
 LoopStatus afterRequest(LoopRequest request, const StabilityReport& report);
 
-/// The behaviour of the sensor and its transforms at an instant.
+/// What the sensor and its transforms do at a time.
 struct SensorWatch {
-  bool is_scanning = false;         ///< a cloud is due
+  bool is_scanning = false;         ///< whether clouds are expected
   double silent_s = 0.0;            ///< time since the last cloud
   double blind_s = 0.0;             ///< time since the last cloud with a known pose of the nozzle
-  double variance_mm2 = 1.0;        ///< of points between profiles taken while moving
-  int profiles = 0;                 ///< number that the variance is of
+  double variance_mm2 = 1.0;        ///< variance of points between profiles taken while the sensor moves
+  int profiles = 0;                 ///< number of profiles in a row of which the variance is
   double time_offset_s = 0.0;       ///< observed less calibrated time offset
-  double time_offset_sigmas = 0.0;  ///< magnitude of that in standard deviations
+  double time_offset_sigmas = 0.0;  ///< magnitude of `time_offset_s` in standard deviations
   double map_late_s = 0.0;          ///< time for which the layer has waited for its map
 };
-/// Judges that behaviour.
+/// Judges what the sensor does; without effect while the loop is off or blocked.
 LoopStep afterWatch(const LoopStatus& status, const SensorWatch& watch, const LoopSettings& settings);
 
 /// Judges a layer that is done; without effect while the loop is off or blocked.
 LoopStep afterLayer(const LoopStatus& status, const LayerFigures& figures, const LoopSettings& settings);
 
-/// The status after the layers left were planned anew, `raised_mm` higher than before. The counts of layers
-/// are reset, and the loop is active.
+/// The status after the layers left were planned again, `raised_mm` higher than before: the loop is active,
+/// and the counts of layers are 0.
 LoopStatus afterReplan(const LoopStatus& status, double raised_mm);
 
-/// Judges a layer that is about to begin.
-/// @param lump_mm       height of the highest believed cell in the way of the head, above the nozzle
-/// @param clearance_mm  of the head above the nozzle tip
+/// Judges whether the head is clear of the layer that is about to begin; without effect while the loop is off
+/// or blocked.
+/// @param lump_mm       height above the nozzle of the highest cell or lump in the way of the head
+/// @param clearance_mm  height of the lowest part of the head above the nozzle tip
 LoopStep beforeLayer(const LoopStatus& status, double lump_mm, double clearance_mm);
 
 }  // namespace lamina

@@ -8,20 +8,24 @@
 
 namespace lamina {
 
-/// Room of the nozzle along the growth direction.
+/// What limits the nozzle along the growth direction.
 struct NozzleRoom {
   double layer_mm = 0.0;  ///< height of the layer
-  /// Height of the highest believed cell under the head, above where the layer below should be [mm].
+  /// Height of the highest known cell below the head, above the planned top of the layer below [mm].
   double highest_mm = 0.0;
-  double clearance_mm = 0.0;  ///< of the head above the nozzle tip
+  double clearance_mm = 0.0;  ///< height of the lowest part of the head above the nozzle tip
 };
 
-/// Shift of the nozzle along the growth direction relative to the plan [mm], one value per cell; negative is
-/// lower. `loop.z` chooses it. In a free process, whose nozzle follows the surface, it is zero, minus the
-/// mean error of the layer, or minus the low-passed error. In a pressed one, whose nozzle makes the surface,
-/// it is zero, or `before_mm` plus the gain of the loop times the mean error. A shift of the whole layer
-/// changes by at most 0.2 layer heights from layer to layer. No shift is more than a layer height either way,
-/// or brings the head nearer to the highest cell than its clearance.
+/// Shift of the nozzle along the growth direction relative to the plan [mm], one value per cell; negative if
+/// lower. It depends on `loop.z`:
+/// - `Plan`: zero.
+/// - `Layer`, free process: minus the mean error. Pressed process: `before_mm` plus the gain of the loop
+///   times the mean error, since the nozzle determines the surface.
+/// - `Surface`, free process: minus the low-passed error. Pressed process: as `Layer`.
+///
+/// A shift of the layer as a whole changes by at most 0.2 layer heights from layer to layer. Apart from
+/// `Plan`, a shift is raised as far as the head's clearance over the highest cell needs, but is never greater
+/// than a layer height either way.
 /// @param before_mm  mean shift of the layer below
 std::vector<double> nozzleShift(const LayerCells& cells, const LayerKnowledge& known, double before_mm,
                                 const NozzleRoom& room, const LoopSettings& settings);

@@ -8,52 +8,54 @@
 
 namespace lamina {
 
-/// One executed motion of the nozzle tip and what came out of it on the way.
+/// A motion of the nozzle tip that was executed, and the volume that was extruded on the way.
 struct DepositedMotion {
   Point3 start = Point3::Zero();  ///< nozzle tip [mm, bed frame]
   Point3 end = Point3::Zero();    ///< nozzle tip [mm, bed frame]
   double volume_mm3 = 0.0;
 };
 
-/// Lays executed motions into a height map, one after the other: a simple model, for seeing what a machine
-/// did, not for predicting pores.
+/// Deposits executed motions, one after the other, into a height map. The model is simple: it shows what a
+/// machine did, and does not predict pores.
 ///
-/// A bead is a stadium in cross-section: the nozzle's plane is its ceiling, the highest ground under its
-/// centre line its floor, its edges are half discs, and it is as wide as its volume asks for, so that over
-/// flat ground the map gains exactly what was extruded. Where neighbours already fill the room, the bead
-/// becomes wider instead of higher. Too little material for a stadium gives a disc lying on the ground, lower
-/// than the nozzle. What lies deeper than the floor stays open: valleys between the beads of the layer
-/// below become pores, and gaps are bridged up to `kBridgedSpan`. The map holds one height per cell, so it
-/// does not show these voids and gains their volume too. Sagging, ooze and the pressure in the nozzle are not
-/// modelled. Edges are blurred by one cell.
+/// The cross-section of a bead is a stadium. Its top is at the height of the nozzle, its underside at the
+/// highest ground below its centre line, its edges are half discs, and its width follows from its volume:
+/// over flat ground the map gains exactly what was extruded. Where neighbouring beads fill part of the space,
+/// the bead becomes wider instead of higher. Too little material for a stadium gives a disc that lies on the
+/// ground, lower than the nozzle. What is deeper than the underside stays open: valleys between the beads of
+/// the layer below become pores, and gaps are bridged up to `kBridgedSpan`. As the map has one height per
+/// cell, it does not show these voids, and gains their volume too. Sagging, oozing and the pressure in the
+/// nozzle are not modelled. Edges are blurred by one cell.
 ///
-/// Motions may be as short as they like; the cost is proportional to the cells the bead covers.
+/// Motions may be of any length; the cost is proportional to the number of cells that the bead covers.
 class BeadDeposit {
  public:
-  static constexpr double kBridgedSpan = 20.0;  ///< [mm] a bead spans before it sinks to the ground below
-  static constexpr double kWidestBead = 20.0;   ///< [mm]
+  /// Length that a bead bridges before it sinks to the ground below [mm].
+  static constexpr double kBridgedSpan = 20.0;
+  static constexpr double kWidestBead = 20.0;  ///< greatest width of a bead [mm]
 
-  /// @param ground  known in all its cells, for instance 0 everywhere
+  /// @param ground  initial heights, known in all cells, for instance 0 everywhere
   explicit BeadDeposit(HeightMap ground);
 
-  /// A motion without volume lays nothing. What lies beyond the map is not kept.
-  /// @throws InvalidInput if the motion is not finite, farther out than 1 km, or the volume negative
+  /// Deposits a motion. One without volume deposits nothing. Material beyond the map is lost.
+  /// @throws InvalidInput if the motion is not finite or farther out than 1 km, or the volume is negative or
+  ///   not finite
   void lay(const DepositedMotion& motion);
 
   const HeightMap& surface() const { return surface_; }
-  /// Largest height of the surface [mm].
+  /// Greatest height of the surface [mm].
   double highest() const { return highest_; }
 
-  /// Material that found no room under the nozzle within three times the bead's width [mm³].
+  /// Volume for which there was no space below the nozzle within three times the bead's width [mm³].
   double excessVolume() const { return excess_mm3_; }
 
  private:
   struct Cell {
     std::size_t index = HeightGrid::kNoCell;  ///< kNoCell beyond the map
-    double distance = 0.0;                    ///< from the centre line [mm]
-    double ceiling = 0.0;                     ///< nozzle plane here [mm]
-    double underside = 0.0;                   ///< of the bead here [mm]
-    double floor = 0.0;                       ///< what lies here already, at least the underside [mm]
+    double distance = 0.0;                    ///< distance from the centre line [mm]
+    double ceiling = 0.0;                     ///< height of the nozzle here [mm]
+    double underside = 0.0;                   ///< height of the bead's underside here [mm]
+    double floor = 0.0;                       ///< height of what is already here, at least the underside [mm]
   };
 
   void layPiece(const DepositedMotion& piece);
@@ -69,7 +71,8 @@ class BeadDeposit {
   std::vector<float> deposited_at_;  ///< nozzle height at which each cell was last deposited [mm]
   std::vector<Cell> cells_;          ///< around the piece being deposited
   double layer_z_ = 0.0;             ///< nozzle height of the last piece [mm]
-  double layer_gap_ = 0.0;  ///< from there down to the ground of the last supported bead; 0 before the first
+  /// Height from there down to the ground of the last supported bead; 0 before the first.
+  double layer_gap_ = 0.0;
   double unsupported_mm_ = 0.0;  ///< length of the bead since it left its support
   double excess_mm3_ = 0.0;
 };

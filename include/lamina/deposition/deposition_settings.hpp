@@ -6,14 +6,15 @@
 
 namespace lamina {
 
-/// How material is deposited into voxels.
+/// Settings by which material is deposited into voxels.
 struct DepositionSettings {
-  double voxel_mm = 0.1;            ///< side of a voxel
-  double step = 0.51;               ///< of the nozzle from portion to portion, in radii of the strand
-  double reach_mm = 10.0;           ///< farthest from the middle of the strand that material goes
-  double bed_z_mm = 0.0;            ///< nothing is deposited below
-  bool is_skirt_deposited = false;  ///< skirts count as deposited too
-  double memory_limit_mb = 0.0;     ///< for the voxels; 0 for what is free on the machine
+  double voxel_mm = 0.1;   ///< side of a voxel
+  double step = 0.51;      ///< distance of the nozzle from portion to portion, in radii of the strand
+  double reach_mm = 10.0;  ///< greatest distance from the middle of the strand at which material is deposited
+  double bed_z_mm = 0.0;   ///< height of the bed, below which nothing is deposited
+  /// Whether build aids are deposited too: skirt, brim, raft, supports, priming.
+  bool is_skirt_deposited = false;
+  double memory_limit_mb = 0.0;  ///< greatest memory of the voxels; 0: what is available on the machine
 };
 
 /// Adds the keys deposition.*.

@@ -7,14 +7,16 @@
 
 namespace lamina {
 
-/// What a toolpath leaves behind, deposited as the nozzle comes by (`PathFollower`, `VoxelDeposit`). Once the
-/// nozzle has been at the end, the volume is that of `depositedVoxels`, but its portions begin elsewhere.
+/// The deposit of a toolpath, built up as the nozzle is reported along it (`PathFollower`, `VoxelDeposit`).
+/// Once the nozzle has been at the end, the volume is that of `depositedVoxels`, but portions begin at other
+/// points.
 class FollowedDeposit {
  public:
-  static constexpr double kLeastPiece = 0.2;  ///< of a motion that is not at its end, deposited at once [mm]
+  /// Least length that is deposited of a motion that is not at its end [mm].
+  static constexpr double kLeastPiece = 0.2;
 
   /// @param toolpath  in coordinates of the bed
-  /// @throws InvalidInput as `depositedVoxels`, `PathFollower`
+  /// @throws InvalidInput as `depositedVoxels` and `PathFollower`
   FollowedDeposit(Toolpath toolpath, const DepositionSettings& settings, const FollowingSettings& following);
   FollowedDeposit(const FollowedDeposit&) = delete;
   FollowedDeposit& operator=(const FollowedDeposit&) = delete;
@@ -23,7 +25,7 @@ class FollowedDeposit {
   void observe(const Point3& tip);
 
   const VoxelDeposit& deposit() const { return deposit_; }
-  /// What the whole toolpath extrudes [mm³].
+  /// Volume that the whole toolpath extrudes [mm³].
   double plannedVolume() const { return planned_mm3_; }
   bool isComplete() const { return follower_.isAtEnd(); }
 
@@ -35,7 +37,7 @@ class FollowedDeposit {
   DepositionSettings settings_;
   PathFollower follower_;
   VoxelDeposit deposit_;
-  PathPlace deposited_;  ///< up to there
+  PathPlace deposited_;  ///< position up to which the toolpath is deposited
   double planned_mm3_ = 0.0;
 };
 

@@ -12,53 +12,55 @@
 
 namespace lamina {
 
-/// Properties of a process that grows otherwise than commanded, which motions do not show to a machine.
+/// Settings of a process whose growth differs from the commanded one, as far as the motions do not state
+/// them.
 struct GrownDepositSettings {
-  double bead_width_mm = 0.0;  ///< over which a bead grows; 0 for that of the first bead
-  int layers = 100;            ///< of the job, over which the gain wears
+  double bead_width_mm = 0.0;  ///< width over which a bead grows; 0: that of the first bead
+  int layers = 100;            ///< number of layers of the job, over which the gain wears
 };
 
 /// Adds the keys deposit.bead_width_mm and deposit.layers.
 void describe(SettingsSchema& schema, GrownDepositSettings& settings);
 
-/// A straight piece of a bead as a machine ran it.
+/// A straight piece of a bead as a machine executed it.
 struct GrownPiece {
   Point3 start = Point3::Zero();  ///< nozzle tip [mm, bed]
   Point3 end = Point3::Zero();
   double volume_mm3 = 0.0;  ///< commanded
-  double start_s = 0.0;     ///< machine time
-  double end_s = 0.0;
+  double start_s = 0.0;     ///< machine time at the start
+  double end_s = 0.0;       ///< machine time at the end
 };
 
-/// Lays beads into a map of heights as a `GrowthPlant` lets them grow: upwards by volume over width, whatever
-/// stands below, and not up to the nozzle. Layers and beads are recognised by the motions alone: a bead
-/// ends where the next motion does not go on from it, a layer where the nozzle is half of the first layer
-/// higher. All layers count as planned as high as the first one, which stands for what is commanded without
-/// correction.
+/// Deposits beads into a height map in the way in which a `GrowthPlant` lets them grow: upwards by volume
+/// over width from what is below, and not up to the nozzle. Layers and beads are recognised by the motions
+/// alone. A bead ends where the next motion does not continue it; a layer ends where the nozzle is higher by
+/// half of the first layer. The planned height of all layers is taken to be that of the first one, and the
+/// cross-section of planned height and width counts as commanded without correction.
 ///
-/// A bead has the same height all across its width: where it reaches beyond what it stands on, it bridges the
-/// gap below. Where a bead crosses an earlier one of its own layer, the earlier one grows further.
+/// A bead has one height across its width: where it reaches beyond what it stands on, it bridges the gap.
+/// Where a bead crosses an earlier one of its own layer, the earlier one grows further.
 ///
-/// A bead is deposited only once it has ended, because its ends and the levelling depend on all of it. The
-/// feeder's dead time and lag act on the cross-section commanded by machine time; it is kept between beads.
-/// The same motions give the same heights. Cost is proportional to the cells that beads cover.
+/// A bead is deposited only when it has ended, because its ends and the levelling depend on all of it. The
+/// feeder's dead time and lag act on the cross-section as commanded over machine time; between beads the last
+/// command holds. The same motions give the same heights. The cost is proportional to the number of cells
+/// that beads cover.
 class GrownDeposit {
  public:
-  /// @param ground  known in all its cells
+  /// @param ground  initial heights, known in all cells
   GrownDeposit(HeightMap ground, PlantSettings plant, const GrownDepositSettings& settings);
 
-  /// A piece without volume or length lays nothing.
-  /// @throws InvalidInput if a piece is not finite, or its volume negative
+  /// Adds a piece. One without volume or length deposits nothing.
+  /// @throws InvalidInput if a piece is not finite, or its volume is negative
   void lay(const GrownPiece& piece);
-  /// The bead under way is deposited as far as it came.
+  /// Ends the bead under way and deposits it.
   void endBead();
 
   const HeightMap& surface() const { return surface_; }
-  /// Largest height of the surface [mm].
+  /// Greatest height of the surface [mm].
   double highest() const { return highest_; }
 
  private:
-  /// Where the stations of a bead lie, and what they are given.
+  /// Positions along a bead, and what is commanded there.
   struct Stations {
     double length_mm = 0.0;
     std::vector<Point3> place;
@@ -87,12 +89,12 @@ class GrownDeposit {
   std::vector<std::uint32_t> deposited_in_;  ///< layer of each cell, from 1; 0 where nothing was deposited
   std::vector<GrownPiece> bead_;
   std::size_t layer_ = 0;
-  std::size_t beads_ = 0;           ///< of the layer
-  double planned_mm_ = 0.0;         ///< height of a layer; 0 before the first bead
-  double layer_z_mm_ = 0.0;         ///< nozzle at the layer's first bead
-  double layer_start_s_ = 0.0;      ///< of the layer
-  double layer_s_ = 0.0;            ///< from the layer below to this one; 0 for the first
-  std::optional<double> width_mm_;  ///< of beads, once known
+  std::size_t beads_ = 0;       ///< number of beads of the layer so far
+  double planned_mm_ = 0.0;     ///< height of a layer; 0 before the first bead
+  double layer_z_mm_ = 0.0;     ///< height of the nozzle at the layer's first bead
+  double layer_start_s_ = 0.0;  ///< time at which the layer began
+  double layer_s_ = 0.0;  ///< time from the start of the layer below to that of this one; 0 for the first
+  std::optional<double> width_mm_;  ///< width of beads, once known
   TimedValues commanded_;           ///< cross-section, as far back as the feeder remembers [mm2]
 };
 

@@ -10,67 +10,70 @@
 
 namespace lamina {
 
-/// What is wrong with an emulated process. With the values below nothing is.
+/// Deviations of an emulated process from the commanded growth. With the defaults there are none.
 struct PlantSettings {
-  double gain = 1.0;  ///< growth over commanded growth, at the start
-  double wear = 0.0;  ///< of that, lost over the job
-  double end_loss = 0.0;
-  double end_mm = 10.0;
-  double wave = 0.0;
-  double wave_mm = 80.0;
-  double random = 0.0;
-  double random_mm = 5.0;
-  double standoff = 0.0;  ///< loss of growth per nozzle too far away, in layer heights
-  double levelling_mm = 0.0;
-  double dead_time_s = 0.0;
-  double lag_s = 0.0;
-  double thermal = 0.0;  ///< part of the layer that settles per 100 K
-  double cooling_s = 60.0;
-  double slump_s = 20.0;
-  std::vector<double> nozzle_offset_mm;  ///< x along the bead, y across, z away from it; empty for none
-  double z_error_mm = 0.0;
-  double clog = 0.0;
-  int clog_at_layer = 0;    ///< from 1; 0 for never
-  int detach_at_layer = 0;  ///< from 1; 0 for never
-  int seed = 1;
+  double gain = 1.0;       ///< growth over commanded growth, at the start of the job
+  double wear = 0.0;       ///< share of the gain that is lost over the job
+  double end_loss = 0.0;   ///< share of the growth that is lost at the ends of beads
+  double end_mm = 10.0;    ///< length over which ends are lower
+  double wave = 0.0;       ///< amplitude of a wave of growth along a bead, relative
+  double wave_mm = 80.0;   ///< length of that wave
+  double random = 0.0;     ///< standard deviation of the random part of growth, in layer heights
+  double random_mm = 5.0;  ///< correlation length of the random part
+  /// Relative loss of growth per layer height by which the nozzle is too far away.
+  double standoff = 0.0;
+  double levelling_mm = 0.0;  ///< standard deviation of the Gaussian by which the surface levels itself
+  double dead_time_s = 0.0;   ///< dead time of the feeder
+  double lag_s = 0.0;         ///< time constant of the feeder's first-order lag
+  double thermal = 0.0;       ///< share of a layer that settles per 100 K
+  double cooling_s = 60.0;    ///< time constant by which the wall cools
+  double slump_s = 20.0;      ///< time constant by which a layer settles
+  /// Offset of the nozzle from where it should be: x along the bead, y across, z upwards; empty: none.
+  std::vector<double> nozzle_offset_mm;
+  double z_error_mm = 0.0;  ///< error of the vertical axis; positive if the nozzle is too high
+  double clog = 0.0;        ///< share of the gain that is lost to a clog
+  int clog_at_layer = 0;    ///< first layer of the clog, from 1; 0: none
+  int detach_at_layer = 0;  ///< layer, from 1, before which the middle 30 mm of each bead break off; 0: none
+  int seed = 1;             ///< of the random part
 };
 
 /// Adds the keys plant.*.
 void describe(SettingsSchema& schema, PlantSettings& settings);
 
-/// Whether any of it makes growth other than commanded.
+/// Whether growth differs from the commanded one by any of the settings.
 bool isDisturbed(const PlantSettings& settings);
 
-/// One bead as it is deposited; the vectors have one value per cell.
+/// A bead as it is deposited; the vectors have one value per cell.
 struct PlantBead {
-  std::size_t layer = 0;   ///< from 0
-  std::size_t layers = 1;  ///< of the whole job
-  std::uint64_t path = 0;  ///< distinguishes the beads of a layer
+  std::size_t layer = 0;   ///< number of the layer, from 0
+  std::size_t layers = 1;  ///< number of layers of the job
+  std::uint64_t path = 0;  ///< number that distinguishes the beads of a layer
   double length_mm = 0.0;
   bool is_closed = false;
-  double layer_s = 0.0;               ///< from layer to layer; 0 if nothing depends on time
-  std::vector<double> along_mm;       ///< from the start of the bead, equally spaced
-  std::vector<double> planned_mm;     ///< height of the layer
+  double layer_s = 0.0;               ///< time from layer to layer; 0: growth does not depend on time
+  std::vector<double> along_mm;       ///< distance of the cell from the start of the bead, equally spaced
+  std::vector<double> planned_mm;     ///< planned height of the layer
   std::vector<double> correction;     ///< relative change of the amount that arrives
-  std::vector<double> nozzle_far_mm;  ///< nozzle above the height at which it should be over the surface
+  std::vector<double> nozzle_far_mm;  ///< height of the nozzle above its proper height over the surface
 };
 
-/// A process that grows otherwise than commanded: a value without state, so that the same bead over the same
+/// A process whose growth differs from the commanded one. It has no state: the same bead over the same
 /// surface gives the same growth.
 ///
-/// growth = planned · gain · place · stand-off · (1 + correction) + random, and the surface with it levels
-/// itself by a Gaussian; then it settles by the heat that is left of the layers below. The gain wears
-/// linearly over the job and is lost in part from the layer of a clog on; beads are lower at their ends,
-/// linearly over `end_mm`.
+/// growth = planned · gain · stand-off · (1 + correction) + random part. The gain (`gainAt`) wears linearly
+/// over the job, is lost in part from the layer of a clog on, is lower at the ends of open beads, linearly
+/// over `end_mm`, and varies by a wave along the bead. The surface then settles by the heat left in the
+/// layers below, and levels itself by a Gaussian.
 class GrowthPlant {
  public:
   explicit GrowthPlant(PlantSettings settings);
 
-  /// Heights after the bead was deposited onto them [mm]. Without disturbances these are exactly the heights,
-  /// the planned ones and the corrections added.
+  /// Heights after the bead was deposited onto the given ones [mm]. Without deviations these grow by exactly
+  /// the planned height times (1 + correction).
   std::vector<double> afterBead(const PlantBead& bead, std::vector<double> heights) const;
 
-  /// Growth over commanded growth at a place of a bead: gain, ends, wave, not the random part.
+  /// Growth over commanded growth at a position on a bead: gain, wear, clog, ends and wave, without the
+  /// random part.
   double gainAt(const PlantBead& bead, double along_mm) const;
 
   const PlantSettings& settings() const { return settings_; }
@@ -82,18 +85,20 @@ class GrowthPlant {
   PlantSettings settings_;
 };
 
-/// A quantity by time; before the first value it is the first, after the last one the last.
+/// A quantity over time, linear between its values; constant before the first and after the last one.
 struct TimedValues {
   std::vector<double> time_s;  ///< ascending
   std::vector<double> value;
 };
 
-/// What arrives of a commanded quantity at these times, ascending: after a dead time, and as a first-order
-/// lag follows.
+/// The values of a commanded quantity that arrive at given times: after the dead time, and with a first-order
+/// lag that begins at the first of the times.
+/// @param time_s  ascending
 std::vector<double> delayed(const TimedValues& commanded, const std::vector<double>& time_s,
                             const PlantSettings& settings);
 
-/// Standard deviation 1, the same for the same seed and bead: white noise smoothed by a Gaussian.
+/// Random function of the position along a bead, with mean 0 and standard deviation 1: white noise smoothed
+/// by a Gaussian. The same seed gives the same function.
 /// @param length_mm  standard deviation of that Gaussian; positive
 double correlatedNoise(std::uint64_t seed, double along_mm, double length_mm);
 

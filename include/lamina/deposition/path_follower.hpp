@@ -11,54 +11,57 @@
 
 namespace lamina {
 
-/// A place on a toolpath. Places are in the order in which the nozzle comes by.
+/// A position on a toolpath. Positions are ordered as the nozzle passes them.
 struct PathPlace {
-  std::size_t path = 0;    ///< counted through all layers; as many as there are at the end
-  std::size_t motion = 0;  ///< of the path
-  double fraction = 0.0;   ///< of the motion, 0 to 1
+  std::size_t path = 0;    ///< number, counted through all layers; the number of paths at the end
+  std::size_t motion = 0;  ///< number in the path
+  double fraction = 0.0;   ///< share of the motion that is passed, 0 to 1
 
   friend bool operator==(const PathPlace& a, const PathPlace& b) {
     return a.path == b.path && a.motion == b.motion && a.fraction == b.fraction;
   }
 };
 
-/// How the nozzle's reported positions are taken for places on a toolpath.
+/// Settings by which reported positions of the nozzle are assigned to a toolpath.
 struct FollowingSettings {
-  double tolerance_mm = 0.15;     ///< greatest distance of the nozzle from the toolpath to be on it
-  double look_ahead_mm = 1000.0;  ///< of the toolpath, from one report to the next
+  double tolerance_mm = 0.15;     ///< greatest distance from the toolpath at which the nozzle is on it
+  double look_ahead_mm = 1000.0;  ///< greatest length of toolpath from one report to the next
 };
 
 /// Adds the keys following.tolerance_mm and following.look_ahead_mm.
 void describe(SettingsSchema& schema, FollowingSettings& settings);
 
-/// Derives from reported positions how far along a toolpath the nozzle is. The place never goes back, and all
-/// motions between two places count as run.
+/// Determines from reported positions how far along a toolpath the nozzle is. This never goes back, and all
+/// motions before it count as run.
 ///
-/// A position is taken for the nearest place of the first stretch ahead that passes within the tolerance. The
-/// place counts at once if the nozzle has come there along the toolpath, as it does where reports are dense
-/// or include every corner. Otherwise the place is a guess. A guess counts once `kSureOnTheWay` reports in a
-/// row have gone on from it along the toolpath. It also counts once `kSureAhead` reports in a row were found
-/// at places ahead, however far, each at least a tolerance apart. So no crossing, neighbouring line, stray
-/// report or foreign motion leads ahead. Positions off the toolpath change nothing. Until the nozzle was
-/// found for the first time, only paths that deposit count, because the way to the start may lead along
-/// travels of later layers.
+/// A reported position is assigned to the nearest point of the first stretch of toolpath ahead that passes
+/// within the tolerance. The assignment is accepted at once if the nozzle has come there along the toolpath,
+/// as it does if reports are dense or include every corner. Otherwise it is a guess. A guess is accepted when
+/// `kSureOnTheWay` reports in a row have continued from it along the toolpath; or when `kSureAhead` reports
+/// in a row, each at least a tolerance from the one before, were on the toolpath ahead of it, at any
+/// distance. Therefore crossings, neighbouring lines, stray reports and motions that are not of the toolpath
+/// do not lead ahead. Positions off the toolpath change nothing. Until the nozzle is found for the first
+/// time, only paths that deposit are searched, because the way to the start may run along travels of later
+/// layers.
 ///
-/// Cost of a report is that of the motions up to its place; off the toolpath, of those within the look-ahead.
+/// The cost of a report is proportional to the number of motions up to the point found; off the toolpath, to
+/// that within the look-ahead.
 class PathFollower {
  public:
   static constexpr int kSureOnTheWay = 3;
   static constexpr int kSureAhead = 20;
 
-  /// @param toolpath  in the frame of the positions; must outlive this
+  /// @param toolpath  in the frame of the positions; must outlive this object
   /// @throws InvalidInput as `validate`
   PathFollower(const Toolpath& toolpath, const FollowingSettings& settings);
 
-  /// States that the nozzle is at the beginning of a path or after it. The nozzle is looked for that far
-  /// ahead until it is found.
-  /// @param path  counted through all layers; as many as there are for the end
+  /// States that the nozzle is at the beginning of a path or after it. Until it is found, it is searched for
+  /// up to that distance ahead (at least the one of the settings).
+  /// @param path  number, counted through all layers; the number of paths for the end
   void begin(std::size_t path, double look_ahead_mm);
 
-  /// Returns the place after a report of the nozzle at `tip` [mm]. A tip that is not finite changes nothing.
+  /// The position on the toolpath after the nozzle was reported at `tip` [mm]. A tip that is not finite
+  /// changes nothing.
   PathPlace observe(const Point3& tip);
 
   const PathPlace& place() const { return place_; }
@@ -67,17 +70,17 @@ class PathFollower {
   const std::vector<const Path*>& paths() const { return paths_; }
 
  private:
-  /// A place ahead, and how far [mm].
+  /// A point of the toolpath ahead, and its distance along it [mm].
   struct Found {
     PathPlace place;
     double way_mm = 0.0;
   };
-  /// A place that a report may have been at.
+  /// A point of the toolpath to which a report was assigned, not accepted yet.
   struct Guess {
     PathPlace place;
     Point3 tip = Point3::Zero();
-    int on_the_way = 1;  ///< reports in a row
-    int ahead = 1;       ///< reports in a row
+    int on_the_way = 1;  ///< number of reports in a row that continue along the toolpath
+    int ahead = 1;       ///< number of reports in a row that are ahead
   };
 
   std::optional<Found> firstNear(const PathPlace& from, const Point3& tip) const;
@@ -90,10 +93,10 @@ class PathFollower {
   std::vector<const Path*> paths_;
   FollowingSettings settings_;
   PathPlace place_;
-  Point3 tip_ = Point3::Zero();  ///< where the nozzle was at `place_`
+  Point3 tip_ = Point3::Zero();  ///< position of the nozzle when `place_` was accepted
   std::optional<Guess> guess_;
   double look_ahead_mm_;
-  bool is_found_ = false;  ///< since its beginning
+  bool is_found_ = false;  ///< whether it was found since the beginning
 };
 
 }  // namespace lamina

@@ -6,22 +6,23 @@
 
 namespace lamina {
 
-/// Radius [mm] of the round strand of that cross-section: sqrt(A / pi).
+/// Radius [mm] of a round strand with that cross-section: sqrt(A / pi).
 double strandRadius(double area_mm2);
 
-/// Radius [mm] of the ball of that volume.
+/// Radius [mm] of a ball with that volume.
 double ballRadius(double volume_mm3);
 
-/// What a model held that was deposited with strands of one radius.
+/// The volume of a model that was deposited with strands of one radius.
 struct RadiusTrial {
   double radius_mm = 0.0;
   double volume_mm3 = 0.0;
 };
 
-/// Radius with which a model that was tried with others would hold `volume_mm3`: the interpolating polynomial
-/// R(V) through the four trials nearest to it in volume, or all if there are fewer. For models that lay a
-/// ball per step whatever was there before; `VoxelDeposit` lays the volume it is given and needs none of it.
-/// @throws InvalidInput if there are less than two trials or two of the same volume
+/// The radius with which a model would have the volume `volume_mm3`, by trials with other radii: the
+/// interpolating polynomial R(V) through the four trials nearest to it in volume, or through all if there are
+/// fewer. Meant for models that deposit a ball per step whatever is there already; `VoxelDeposit` deposits
+/// the volume that it is given and needs no such radius.
+/// @throws InvalidInput if there are fewer than two trials, or two of the same volume
 double calibratedRadius(std::vector<RadiusTrial> trials, double volume_mm3);
 
 }  // namespace lamina

@@ -10,15 +10,17 @@
 
 namespace lamina {
 
-/// Gains of the sliding-mode controller [Guacheta2021, eq. 1.4 to 1.9 and table 1-2]: with
-/// the error e = reference - crank, the surface is sigma = e' + k1 e + k2 int e + k3 int int e, and the
-/// torque is gravity + coriolis + mass (k1 e' + k2 e + k3 int e + reach sat(sigma / boundary)).
+/// Gains of the sliding-mode controller [Guacheta2021, eq. 1.4 to 1.9 and table 1-2]. With the error e =
+/// reference - crank, the sliding surface is sigma = e' + k1 e + k2 int e + k3 int int e = 0, and the torque
+/// is gravity + coriolis + mass (k1 e' + k2 e + k3 int e + reach sat(sigma / boundary)).
 struct SlidingModeGains {
-  double k1 = 64.4;       ///< [1/s]
-  double k2 = 1019.1;     ///< [1/s²]
-  double k3 = 7945.8;     ///< [1/s³]
-  double reach = 30.0;    ///< L, not published: greatest acceleration it can answer for [rad/s²]
-  double boundary = 0.3;  ///< not published: of sigma, within which the answer is linear [rad/s]
+  double k1 = 64.4;    ///< [1/s]
+  double k2 = 1019.1;  ///< [1/s²]
+  double k3 = 7945.8;  ///< [1/s³]
+  /// Greatest disturbance, as an acceleration, that it compensates for [rad/s²]; L, not published.
+  double reach = 30.0;
+  /// Magnitude of sigma within which the response to it is linear [rad/s]; not published.
+  double boundary = 0.3;
 };
 
 /// Adds the keys controller.*.
@@ -32,17 +34,19 @@ struct TrackingError {
   CrankAngles double_integral = CrankAngles::Zero();  ///< [rad s²]
 };
 
-/// Distance from the sliding surface [rad/s].
+/// Value of sigma for each crank [rad/s]; 0 on the sliding surface.
 CrankAngles slidingSurface(const SlidingModeGains& gains, const TrackingError& error);
 
-/// The accelerations that the controller asks of the cranks [rad/s²]; the torque is that of a platform which
-/// moves so.
+/// The accelerations that the controller demands of the cranks [rad/s²]. Its torque is the one with which a
+/// platform without friction accelerates so.
 CrankAngles askedAccelerations(const SlidingModeGains& gains, const TrackingError& error);
 
-/// Roots of s³ + k1 s² + k2 s + k3, how the error fades on the surface [1/s]; by real part.
+/// Poles of the error on the sliding surface [1/s]: the roots of s³ + k1 s² + k2 s + k3, ascending by real
+/// part.
 std::array<std::complex<double>, 3> poles(const SlidingModeGains& gains);
 
-/// @throws InvalidConfig if the error would not fade: a pole without negative real part
+/// Checks that the error decays on the sliding surface.
+/// @throws InvalidConfig if a pole has no negative real part
 void requireStable(const SlidingModeGains& gains);
 
 }  // namespace lamina

@@ -12,31 +12,31 @@
 
 namespace lamina {
 
-/// Where a platform should be at one instant.
+/// The desired state of a platform at a time.
 struct ReferenceState {
-  CrankAngles cranks = CrankAngles::Zero();                ///< [rad]
+  CrankAngles cranks = CrankAngles::Zero();                ///< angles [rad]
   CrankAngles rates = CrankAngles::Zero();                 ///< [rad/s]
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  ///< base_from_platform [mm]
 };
 
-/// What a controller is to follow.
+/// A motion that a controller is to follow.
 class TrackingReference {
  public:
   virtual ~TrackingReference() = default;
   virtual double duration() const = 0;  ///< [s]
-  /// Before 0 at the start, after the duration at the end.
-  /// @throws Unreachable if the platform cannot be there, with the time
+  /// The desired state at a time: before 0 that at the start, after the duration that at the end.
+  /// @throws Unreachable stating the time if the platform cannot be there
   virtual ReferenceState at(double time_s) const = 0;
 };
 
-/// A toolpath from rest to rest at every waypoint. Between two waypoints the nozzle turns along the shortest
-/// way, in step with its motion; where a path starts with the nozzle held otherwise than the one before
-/// ended, it turns on the first motion.
+/// A toolpath that is run from rest to rest between waypoints. From one waypoint to the next the nozzle turns
+/// by the shortest rotation, in proportion to its motion. If a path begins with another orientation than the
+/// one before ended with, the nozzle turns on the first motion.
 class ToolpathReference final : public TrackingReference {
  public:
   /// @param toolpath  must outlive the reference
   /// @throws InvalidInput as `RestToRestPlayer`
-  /// @throws Unreachable if a waypoint is outside the workspace, naming it and every leg at fault
+  /// @throws Unreachable if a waypoint is outside the workspace, naming it and each leg that cannot reach it
   ToolpathReference(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
                     const MotionLimits& limits, RusDescription description);
   double duration() const override { return player_.duration(); }
@@ -49,7 +49,7 @@ class ToolpathReference final : public TrackingReference {
     Point3 start = Point3::Zero();
     double length_mm = 0.0;
     Eigen::Quaterniond held = nozzleDown();  ///< part_from_nozzle at the start
-    Point3 turn = Point3::Zero();            ///< from there to the end, as a rotation vector [part frame]
+    Point3 turn = Point3::Zero();            ///< rotation vector from there to the end [part frame]
   };
   const Motion& motionTo(const WaypointIndex& end) const;
   Eigen::Isometry3d poseOf(const Point3& tip, const Eigen::Quaterniond& held) const;
@@ -58,13 +58,14 @@ class ToolpathReference final : public TrackingReference {
   RestToRestPlayer player_;
   RusDescription description_;
   Eigen::Isometry3d base_from_part_;
-  std::vector<Motion> motions_;  ///< in the order of the motion
+  std::vector<Motion> motions_;  ///< in the order of execution
 };
 
-/// Joints over time.
+/// A trajectory of the cranks.
 class TrajectoryReference final : public TrackingReference {
  public:
   /// @param trajectory  of the six cranks; must outlive the reference
+  /// @throws InvalidInput if it has another number of joints
   TrajectoryReference(const JointTrajectory& trajectory, RusPlatform platform);
   double duration() const override { return trajectory_.duration(); }
   ReferenceState at(double time_s) const override;

@@ -9,28 +9,30 @@
 
 namespace lamina {
 
-/// How a platform under its controller is simulated.
+/// Settings of the simulation of a platform under its controller.
 struct TrackingSettings {
-  PlatformInertia inertia;       ///< what the controller computes with
-  double unknown_load_kg = 0.0;  ///< further load on its centre of mass, not known to it
+  PlatformInertia inertia;  ///< as the controller knows it
+  /// Additional mass at the platform's centre of mass, unknown to the controller.
+  double unknown_load_kg = 0.0;
   SlidingModeGains gains;
-  double step_s = 1e-3;  ///< of the integration, a Runge-Kutta of order 4
+  double step_s = 1e-3;  ///< step of the integration, by a Runge-Kutta method of order 4
 };
 
 /// Adds the keys platform.*, controller.* and simulation.*.
 void describe(SettingsSchema& schema, TrackingSettings& settings);
 
-/// A platform under its controller at one instant.
+/// The state of a platform under its controller at a time.
 struct TrackingSample {
   double time_s = 0.0;
-  CrankAngles error = CrankAngles::Zero();                 ///< of the cranks: reference less actual [rad]
-  CrankAngles torque = CrankAngles::Zero();                ///< [N m]
+  CrankAngles error = CrankAngles::Zero();   ///< reference less actual angles of the cranks [rad]
+  CrankAngles torque = CrankAngles::Zero();  ///< [N m]
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  ///< base_from_platform [mm]
-  double tip_error_mm = 0.0;  ///< of the point that the reference's poses are followed at
-  double turn_error = 0.0;    ///< root of the squares of the errors of alpha, beta and gamma [rad]
+  double tip_error_mm = 0.0;  ///< distance of the reported point (`tip_mm`) from its reference
+  double turn_error = 0.0;    ///< root of the sum of the squared errors of alpha, beta and gamma [rad]
 };
 
-/// What following a reference took [Guacheta2021, eq. 4.8 to 4.11].
+/// Errors and effort with which a reference was followed [Guacheta2021, eq. 4.8 to 4.11]. Greatest values are
+/// those at the beginnings of steps.
 struct TrackingFigures {
   double duration_s = 0.0;
   double linear_ise_mm2_s = 0.0;       ///< integral of the squared error of the tip
@@ -42,17 +44,17 @@ struct TrackingFigures {
   double greatest_crank_error_rad = 0.0;
 };
 
-/// Simulates a platform that follows a reference, in continuous time.
+/// Simulates a platform that follows a reference, with a controller in continuous time.
 class TrackingSimulation {
  public:
-  /// Starts at rest.
-  /// @param tip_mm     the point whose error is reported, such as the nozzle's tip [platform frame]
+  /// Starts at rest, at the first pose of the reference.
   /// @param reference  must outlive the simulation
+  /// @param tip_mm     the point whose error is reported, such as the nozzle's tip [platform frame]
   /// @throws InvalidConfig as `requireStable`, or if the step is not positive
   TrackingSimulation(const TrackingReference& reference, const RusPlatform& platform, const Point3& tip_mm,
                      const TrackingSettings& settings);
 
-  /// Starts at rest, with these angles of the cranks instead of the reference's first ones, and with the
+  /// Starts again at rest, with other angles of the cranks than the first ones of the reference, and with the
   /// integrals at zero.
   /// @throws Unreachable as `poseFromHome`
   void startAt(const CrankAngles& cranks);
@@ -60,8 +62,8 @@ class TrackingSimulation {
   double time() const { return time_s_; }
   double duration() const { return reference_.duration(); }
   bool isFinished() const { return time_s_ >= duration(); }
-  /// One step on; the last one is as short as it has to be.
-  /// @throws Unreachable if the platform runs into a singularity or out of reach, giving the time
+  /// Advances by a step; the last one is shortened to end with the reference.
+  /// @throws Unreachable stating the time if the platform comes to a singularity or out of reach
   void step();
   TrackingSample sample() const;
   const TrackingFigures& report() const { return report_; }
@@ -80,13 +82,13 @@ class TrackingSimulation {
   TrackingSettings settings_;
   PlatformInertia loaded_;
   double time_s_ = 0.0;
-  ReferenceState asked_;  ///< the reference now
+  ReferenceState asked_;  ///< the reference at `time_s_`
   State state_ = State::Zero();
   TrackingFigures report_;
 };
 
-/// Simulates the whole of a reference.
-/// @throws Cancelled; Unreachable, InvalidConfig as above
+/// Simulates a whole reference.
+/// @throws Cancelled if `progress` is cancelled; Unreachable as `TrackingSimulation::step`
 TrackingFigures simulateTracking(TrackingSimulation simulation, Progress& progress);
 
 }  // namespace lamina

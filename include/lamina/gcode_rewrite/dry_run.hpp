@@ -14,11 +14,12 @@
 
 namespace lamina {
 
-/// What a dry run makes of a command that it does not know, such as a macro.
+/// What a dry run does with a command that it does not know, such as a macro.
 enum class UnknownCommand : std::uint8_t { LeaveOut, Refuse };
 
+/// Settings of a dry run.
 struct DryRunSettings {
-  double speed = 1.0;           ///< of the programmed feeds
+  double speed = 1.0;           ///< factor on the programmed feeds
   std::string extrusion = "E";  ///< letters of extruder axes
   UnknownCommand unknown = UnknownCommand::LeaveOut;
 };
@@ -26,30 +27,32 @@ struct DryRunSettings {
 /// Adds the keys dry.*.
 void describe(SettingsSchema& schema, DryRunSettings& settings);
 
-/// What was done to a program.
+/// What was changed in a program.
 struct DryRunReport {
-  std::size_t lines = 0;      ///< commands read
-  std::size_t process = 0;    ///< commands and words of the process that were taken out
-  std::size_t unknown = 0;    ///< commands left out because they are not known
+  std::size_t lines = 0;      ///< number of commands read
+  std::size_t process = 0;    ///< number of commands and words of the process that were removed
+  std::size_t unknown = 0;    ///< number of commands removed because they are not known
   std::string first_unknown;  ///< the first of these, with its line
 };
 
 struct GcodeWordText;
 
-/// Turns a program of G-code into one with the same motions and without the process: no word of an extruder,
-/// no heater, no wait for one, no fan, laser, spindle, coolant, change of tool or retraction by the firmware.
-/// What switches off stays, and what switches a laser or spindle on switches it off. Only commands that are
-/// known to switch nothing on are kept; a macro of unknown effect is left out or refused. Modal feeds stay,
-/// also those of motions of the extruder alone.
+/// Turns a G-code program into one with the same motions but without the process. Removed are words of
+/// extruders, heaters and waits for them, fans, lasers, spindles, coolant, tool changes and retractions by
+/// the firmware. Commands that switch something off stay; those that switch a laser or spindle on are
+/// replaced by one that switches it off. Only commands that are known to switch nothing on are kept; a macro
+/// of unknown effect is removed or refused. Feeds stay, as they are modal, also those of motions of the
+/// extruder alone.
 class DryRun {
  public:
-  /// @throws InvalidConfig naming key, value and bound
+  /// @throws InvalidConfig naming key, value and bound if a setting is out of bounds
   explicit DryRun(const DryRunSettings& settings);
 
-  /// The line to be run instead; nothing if all of it was taken out. Comments stay.
-  /// @throws InvalidProgram naming the line if a motion cannot be read, a G code is not known (which may
-  ///   change how the next motions are read), S stands in a motion where it may be a homing one, or a command
-  ///   is not known that is to be refused
+  /// The line to be run instead of a line of the program; nothing if all of it was removed. Comments stay.
+  /// @param text  lines have to be given in their order
+  /// @throws InvalidProgram naming the line if a motion cannot be read; if a G code is not known, as it may
+  ///   change how later motions are read; if a motion has an S that may make it a homing motion; or if an
+  ///   unknown command is to be refused
   std::optional<std::string> line(std::string_view text);
 
   const DryRunReport& report() const { return report_; }
@@ -74,17 +77,17 @@ class DryRun {
   DryRunSettings settings_;
   DryRunReport report_;
   Quotation quotation_;
-  std::size_t number_ = 0;  ///< of the line
-  std::string motion_;      ///< the last motion command that was kept: "G1"
-  bool has_beam_ = false;   ///< the program switches a laser or spindle
+  std::size_t number_ = 0;  ///< number of the line
+  std::string motion_;      ///< last motion command that was kept: "G1"
+  bool has_beam_ = false;   ///< whether the program switches a laser or spindle
 };
 
-/// In one sentence: "dry run: 12 commands and words of the process taken out".
+/// The report in one sentence: "dry run: 12 commands and words of the process taken out".
 std::string toText(const DryRunReport& report);
 
-/// Writes a program as it is run dry, line by line, in constant memory.
-/// @param dry  path of the file to write
-/// @throws InvalidProgram as `DryRun::line`; FileError
+/// Writes the dry run of a program to a file, line by line, in constant memory.
+/// @param dry  path of the file
+/// @throws InvalidProgram as `DryRun::line`; FileError if the file cannot be written
 DryRunReport writeDryRun(std::istream& program, const std::string& dry, const DryRunSettings& settings);
 
 }  // namespace lamina

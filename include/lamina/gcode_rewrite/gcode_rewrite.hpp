@@ -11,27 +11,29 @@
 
 namespace lamina {
 
+/// Paths of a program and of its transformed version.
 struct ProgramFiles {
   std::string input;
-  std::string output;  ///< written whole or not at all; must be another file than the input
+  std::string output;  ///< written completely or not at all; another file than the input
 };
 
-/// Where the points of a program go. What is referred to must outlive the transform.
+/// The maps by which the points of a program are transformed. They must outlive the transformation.
 struct Maps {
-  const SpaceMap& map;  ///< from coordinates as sliced to places over the bed; lift and shift follow
-  const SpaceMap* axes = nullptr;  ///< from places over the bed to the machine's coordinates, if they differ
+  const SpaceMap& map;  ///< from coordinates as sliced to positions over the bed; lift and shift follow
+  /// From positions over the bed to coordinates of the machine's axes; null if these are the same.
+  const SpaceMap* axes = nullptr;
 };
 
-/// Maps the part a program prints, and leaves the rest of the program as it is. Two passes over the file in
-/// constant memory: the first measures and refuses, the second writes. docs/programs/incline.md explains
-/// every rule.
+/// Transforms the part that a program prints, and leaves the rest of the program as it is. The file is read
+/// twice in constant memory: the first pass measures and refuses, the second writes. docs/programs/incline.md
+/// explains every rule.
 ///
 /// @throws InvalidConfig as `validate`
 /// @throws InvalidProgram naming the line of what cannot be transformed
-/// @throws Unreachable naming the line where the nozzle would leave the limits or deposit below the bed
+/// @throws Unreachable naming the line at which the nozzle would leave the limits or deposit below the bed
 /// @throws FileError if a file cannot be read or written, or the input changes meanwhile
 /// @throws InvalidInput if the output is the input
-/// @throws Cancelled
+/// @throws Cancelled if `progress` is cancelled
 RewriteReport rewriteProgram(const ProgramFiles& files, const Maps& maps, const RewriteSettings& settings,
                              Progress& progress);
 

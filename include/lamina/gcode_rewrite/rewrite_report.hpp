@@ -9,35 +9,38 @@
 
 namespace lamina {
 
-/// What a transform did.
+/// What a transformation has done.
 struct RewriteReport {
-  std::string slicer;           ///< as the comments report; empty if they do not
-  std::size_t lines = 0;        ///< of the source
-  std::size_t layers = 0;       ///< reported by the comments
-  std::size_t motions = 0;      ///< of the part, rewritten
-  std::size_t depositions = 0;  ///< of these, those that deposit the part
-  std::size_t arcs = 0;         ///< of these, those made chords of
-  std::size_t deferred = 0;     ///< motions left out because not all coordinates were known yet
-  std::size_t homings_annulled = 0;
-  std::size_t aids_dropped = 0;   ///< motions of skirt, brim, raft, support and priming tower left out
-  double layer_height_mm = 0.0;   ///< 0 if neither set nor reported
-  Point3 shift = Point3::Zero();  ///< after the map [mm]
-  /// Of the deposition ends no higher than a layer above the lowest: what the part stands on. An edge only,
-  /// if the mesh was not tilted before it was sliced.
+  std::string slicer;                ///< name, as the comments state it; empty if they do not
+  std::size_t lines = 0;             ///< number of lines of the source
+  std::size_t layers = 0;            ///< number of layers that the comments state
+  std::size_t motions = 0;           ///< number of motions of the part, which were rewritten
+  std::size_t depositions = 0;       ///< number of those motions that deposit the part
+  std::size_t arcs = 0;              ///< number of those motions that were arcs and became chords
+  std::size_t deferred = 0;          ///< number of motions left out because a coordinate was not known yet
+  std::size_t homings_annulled = 0;  ///< number of G28 that became comments
+  /// Number of motions of skirt, brim, raft, support and priming tower left out.
+  std::size_t aids_dropped = 0;
+  double layer_height_mm = 0.0;   ///< as set or as the comments state it; 0 if neither
+  Point3 shift = Point3::Zero();  ///< shift after the map [mm]
+  /// Box of what the part stands on: of the ends of deposition that are at most a layer higher than the
+  /// lowest one [mm]. It is only an edge if the mesh was not tilted before it was sliced.
   Box3 footprint;
-  Box3 part;                              ///< of the deposition ends over the bed [mm]
+  Box3 part;                              ///< box of the ends of deposition, over the bed [mm]
   double tool_axis_off_normal_deg = 0.0;  ///< angle between the nozzle and the normal of the layers
-  Box3 nozzle;                            ///< of all places the nozzle goes to in the part, over the bed [mm]
+  Box3 nozzle;  ///< box of all positions of the nozzle in the part, over the bed [mm]
 };
 
-/// Whether the part is more than ten times as wide as what touches the bed, in x or y: so it comes out if the
-/// mesh was not tilted by the opposite angle before it was sliced. Not reported in the listing's mode.
+/// Whether the part is more than ten times as wide as its footprint, in x or in y. It is so if the mesh was
+/// not tilted by the opposite angle before it was sliced. Always false in the mode `Listing`, which finds no
+/// footprint.
 bool standsOnEdge(const RewriteReport& report);
 
-/// How far the nozzle may be held from the layers' normal: far below what a head is built to.
+/// Greatest angle between tool axis and normal of the layers that counts as none [deg]; heads are built far
+/// less accurately.
 inline constexpr double kToolAxisToleranceDeg = 0.01;
 
-/// Whether the nozzle is held otherwise than along the layers' normal.
+/// Whether the tool axis is not along the normal of the layers.
 bool isToolAxisOffNormal(const RewriteReport& report);
 
 }  // namespace lamina

@@ -9,62 +9,70 @@
 
 namespace lamina {
 
-/// How motions are written.
+/// How motions are transformed.
 enum class RewriteMode {
-  Corrected,  ///< as docs/programs/incline.md says
-  /// As the published listing does [Garcia2024, figures 4.11 to 4.16]: the height comes from every line that
-  /// begins with G0 or G1, and the end code is transformed too.
+  Corrected,  ///< by the rules of docs/programs/incline.md
+  /// As the published listing does [Garcia2024, figures 4.11 to 4.16]: the height is determined from all
+  /// lines that begin with G0 or G1, and the end code is transformed too.
   Listing,
 };
+/// Whether the part is lifted so that its lowest deposition is one layer height above the bed.
 enum class Lift { ToFirstLayer, None };
-/// Which way the nozzle must point where the machine's tool axis is given.
+/// Which direction of the nozzle is accepted if the machine's tool axis is given.
 enum class ToolAxisRule {
-  AlongNormal,  ///< into the layers, square to them; refused otherwise
-  AsMachine,    ///< as the machine holds it
+  AlongNormal,  ///< only into the layers, perpendicular to them
+  AsMachine,    ///< any, as the machine holds it
 };
+/// Whether G28 becomes a comment.
 enum class Homing { Annulled, Kept };
-/// What becomes of skirt, brim, raft, support and priming tower.
+/// What is done with skirt, brim, raft, support and priming tower.
 enum class BuildAids { Kept, Dropped };
-/// What E becomes where the map is no isometry.
+/// How E changes if the map is not an isometry.
 enum class ExtrusionRule {
-  ByVolume,  ///< times the volume ratio: the part is changed, and filled as before
-  ByLength,  ///< times the length ratio: the beads keep their cross-section
+  ByVolume,  ///< by the volume ratio: the part is deformed, and filled as before
+  ByLength,  ///< by the length ratio: beads keep their cross-section
   Kept,      ///< the map changes coordinates only, not the part
 };
 enum class ExtrusionMode { Absolute, Relative };
 
-/// How a program is transformed. Lengths in mm, in the frame of the machine unless said otherwise.
+/// Settings of the transformation of a program. Lengths are in mm, in the frame of the machine unless stated
+/// otherwise.
 struct RewriteSettings {
   RewriteMode mode = RewriteMode::Corrected;
-  std::optional<int> decimals;  ///< of coordinates, 0 to 6; else 3, or 2 as the listing
-  /// Height [mm] at which the lowest deposition end is put; if empty, what the slicer's comments state.
+  /// Number of decimals of coordinates, 0 to 6; empty: 3, or 2 in the mode `Listing`.
+  std::optional<int> decimals;
+  /// Height [mm] to which the lowest end of deposition is lifted; empty: the layer height that the slicer's
+  /// comments state.
   std::optional<double> layer_height_mm;
   Lift lift = Lift::ToFirstLayer;
-  Point3 offset_mm = Point3::Zero();  ///< moves the part after the lift
-  std::optional<Point2>
-      table_position_mm;  ///< where the middle of the part comes, instead of an offset in x and y
-  std::optional<Point3> final_position_mm;  ///< where the nozzle goes at the end
-  double final_feed_mm_min = 3000.0;        ///< in which it goes there
-  std::string begin_code;                   ///< after the comments at the head
-  std::string end_code;                     ///< after all else
-  std::optional<Box3> limits_mm;            ///< of the nozzle
-  /// Direction of the machine's tool axis over the bed, which the output's comments then state; if empty, the
-  /// nozzle turns with the layers.
+  Point3 offset_mm = Point3::Zero();  ///< shift of the part after the lift
+  /// Position of the middle of the part in x and y, instead of an offset in these; empty: none is given.
+  std::optional<Point2> table_position_mm;
+  /// Position to which the nozzle moves at the end; empty: it does not.
+  std::optional<Point3> final_position_mm;
+  double final_feed_mm_min = 3000.0;  ///< feed of that motion
+  std::string begin_code;             ///< lines inserted after the comments at the beginning of the program
+  std::string end_code;               ///< lines appended at the end
+  std::optional<Box3> limits_mm;      ///< limits of the nozzle's position; empty: none
+  /// Direction of the machine's tool axis over the bed, which the comments of the output then state. Empty:
+  /// the nozzle is tilted together with the layers.
   std::optional<Point3> tool_axis;
   ToolAxisRule tool_axis_rule = ToolAxisRule::AlongNormal;
   Homing homing = Homing::Annulled;
   BuildAids build_aids = BuildAids::Kept;
   ExtrusionRule extrusion_rule = ExtrusionRule::ByVolume;
-  /// Mode of E until M82 or M83 sets it. If empty, E is taken as absolute; a program that contradicts this is
-  /// refused.
+  /// Whether E is absolute or relative until M82 or M83 says so. If empty, E is taken as absolute, and a
+  /// program that contradicts this is refused.
   std::optional<ExtrusionMode> initial_extrusion;
-  double chord_tolerance_mm = 0.01;  ///< how far chords may be off an arc, or off a line that a map bends
+  /// Greatest distance of chords from an arc, or from a line that a map bends.
+  double chord_tolerance_mm = 0.01;
 };
 
-/// @throws InvalidConfig naming field, value and bound
+/// Checks the settings.
+/// @throws InvalidConfig naming field, value and bound if one is out of bounds
 void validate(const RewriteSettings& settings);
 
-/// Decimals of the coordinates: as set, else of the mode.
+/// Number of decimals of coordinates: as set, otherwise that of the mode.
 int decimalsOf(const RewriteSettings& settings);
 
 }  // namespace lamina

@@ -8,29 +8,30 @@
 
 namespace lamina {
 
-/// What a map leaves alone.
+/// What a map preserves.
 enum class MapKind {
-  Isometry,  ///< lengths, and so E and F
-  Affine,    ///< straightness of lines
-  Curved,    ///< neither: straight motions are divided
+  Isometry,  ///< lengths; E and F stay
+  Affine,    ///< straight lines, not lengths
+  Curved,    ///< neither; straight motions are divided
 };
 
-/// An invertible map of space. Derive from it to plug in any other than those below; all calls may come from
-/// any thread and must be free of side effects.
+/// An invertible map of space. Other maps than those below can be added by deriving from this class; calls
+/// may come from any thread and must not have side effects.
 class SpaceMap {
  public:
   virtual ~SpaceMap() = default;
   virtual Point3 map(const Point3& point) const = 0;      ///< [mm] to [mm]
   virtual Point3 inverse(const Point3& point) const = 0;  ///< undoes `map`
   virtual MapKind kind() const { return MapKind::Curved; }
-  /// Volume after over volume before, near the point; by differences unless overridden.
+  /// Volume after the map over volume before, near the point; by finite differences unless overridden.
   virtual double volumeRatio(const Point3& point) const;
 };
 
-/// A matrix and a translation.
+/// An affine map: a matrix and a translation.
 class AffineMap final : public SpaceMap {
  public:
-  /// @throws InvalidInput if it holds what is not finite, or is not invertible (condition above 1e6)
+  /// @throws InvalidInput if a value is not finite, or the matrix cannot be inverted accurately (condition of
+  ///   1e6 or more)
   explicit AffineMap(const Eigen::Affine3d& to_mapped);
 
   Point3 map(const Point3& point) const override {
@@ -50,25 +51,27 @@ class AffineMap final : public SpaceMap {
   double volume_ratio_ = 1.0;
 };
 
-/// First `before`, then `after`.
+/// The map that applies `before` first, then `after`.
 AffineMap operator*(const AffineMap& after, const AffineMap& before);
 
-/// Right-handed about an axis through the origin (Rodrigues).
+/// Right-handed rotation about an axis through the origin.
 /// @param axis  of any length
-/// @throws InvalidInput if the axis is shorter than 1e-9
+/// @throws InvalidInput if the axis is not longer than 1e-9
 AffineMap rotation(const Point3& axis, double angle_deg);
 
-/// @throws InvalidInput if a factor is 0
+/// Scaling along x, y, z from the origin.
+/// @throws InvalidInput as `AffineMap`, for instance if a factor is 0
 AffineMap scaling(const Point3& factors);
 
-/// Moves points along one axis in proportion to where they are along another: p[moved] += factor * p[along].
+/// Shear that moves points along one axis in proportion to their coordinate along another: p[moved] += factor
+/// * p[along].
 /// @throws InvalidInput if the axes are equal or not of 0, 1, 2
 AffineMap shear(int moved, int along, double factor);
 
-/// From upright space to the axes of a belt printer: y runs up the gantry, which leans over the belt by the
-/// angle, z is the belt, which carries the part on towards +y: y' = z / sin a, z' = z cot a - y. The part
-/// keeps its shape; only its coordinates change.
-/// @param gantry_deg  between gantry and belt, in [15, 90]
+/// From upright coordinates to the axes of a belt printer: y' = z / sin a along the gantry, which is inclined
+/// to the belt by the angle a; z' = z cot a - y along the belt, which carries the part on towards +y. The
+/// part keeps its shape; only its coordinates change.
+/// @param gantry_deg  angle a between gantry and belt, in [15, 90]
 /// @throws InvalidInput if the angle is out of bounds
 AffineMap beltAxes(double gantry_deg);
 

@@ -6,8 +6,9 @@
 
 namespace lamina {
 
-/// A mutex whose holder runs with the priority of whoever waits for it, so that a thread in real time does
-/// not wait for ordinary ones beside the holder. To be locked by `std::lock_guard`.
+/// A mutex with priority inheritance: its holder runs with the priority of the thread that waits for it, so
+/// that a real-time thread does not have to wait for others of lower priority. To be locked by
+/// `std::lock_guard`.
 class InheritingMutex {
  public:
   InheritingMutex() {

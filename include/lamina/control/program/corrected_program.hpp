@@ -17,51 +17,54 @@ namespace lamina {
 
 /// How corrections are written into a program.
 struct CorrectionWriting {
-  double split_change = 0.02;        ///< change of the amount above which a line is split
+  double split_change = 0.02;        ///< change of amount or speed above which a line is split
   double place_tolerance_mm = 0.05;  ///< greatest distance of a program's motions from the toolpath
-  int decimals = 3;                  ///< of coordinates
-  /// Mode of E until M82 or M83 sets it; if empty, absolute.
+  int decimals = 3;                  ///< number of decimals of coordinates
+  /// Whether E is absolute or relative until M82 or M83 says so; absolute if empty.
   std::optional<ExtrusionMode> initial_extrusion;
 };
 
-/// The changes of a program.
+/// What was changed in a program.
 struct CorrectionReport {
-  std::size_t corrected_lines = 0;  ///< lines of depositing motions that were changed
-  std::size_t added_lines = 0;      ///< by splitting
-  std::size_t off_path_lines = 0;   ///< lines that deposit beside the toolpath; left unchanged
-  double planned_mm = 0.0;          ///< filament of the corrected lines before
-  double corrected_mm = 0.0;        ///< filament of the corrected lines after
+  std::size_t corrected_lines = 0;  ///< number of lines of depositing motions that were changed
+  std::size_t added_lines = 0;      ///< number of lines added by splitting
+  /// Number of lines that deposit beside the toolpath; they are left unchanged.
+  std::size_t off_path_lines = 0;
+  double planned_mm = 0.0;    ///< filament of the corrected lines before correction
+  double corrected_mm = 0.0;  ///< filament of the corrected lines after correction
 };
 
-/// Writes corrections into G-code, line by line, so that a streamer can correct lines that are not sent yet.
-/// It changes E, F and the axis along the layers' normal, and splits lines, and arcs into chords, where the
-/// amount changes. A line without a correction keeps its bytes, unless E is absolute and was changed before,
-/// or a changed feed or height has to be restored.
+/// Writes corrections into G-code, line by line, so that a streamer can still correct the lines that it has
+/// not sent. It changes E, F and the coordinate along the layers' normal. Where the correction changes along
+/// a line, it splits the line; arcs are split into chords. A line without a correction keeps its bytes,
+/// unless E is absolute and was changed before, or a changed feed or height has to be restored.
 class ProgramCorrector {
  public:
   /// @param toolpath  of which the program was written, in coordinates of the program; must outlive this
+  ///   object
   /// @param maps      at most one per layer
-  /// @throws InvalidInput as `validate`; if a map is of another toolpath, or two are of one layer, or one
-  ///   shifts the nozzle by more than its layer's height; if the change at which lines are split is not
-  ///   positive
+  /// @throws InvalidInput as `validate` of a map; if a map is of another toolpath, two are of one layer, or
+  ///   one shifts the nozzle by more than its layer's height; if `split_change` is not positive
   ProgramCorrector(const Toolpath& toolpath, const std::vector<CorrectionMap>& maps,
                    const CorrectionWriting& writing);
   ~ProgramCorrector();
   ProgramCorrector(const ProgramCorrector&) = delete;
   ProgramCorrector& operator=(const ProgramCorrector&) = delete;
 
-  /// Adds the map of a layer of which nothing was read yet.
-  /// @throws InvalidInput as the constructor; if the layer has begun
+  /// Adds the map of a layer of which nothing has been read yet.
+  /// @throws InvalidInput as the constructor; if lines of the layer have been read
   void add(const CorrectionMap& map);
 
-  /// Replaces the map of a layer from the next line on. Part of the layer may have been read.
-  /// @throws InvalidInput as the constructor
+  /// Replaces the map of a layer from the next line on. Lines of the layer may have been read.
+  /// @throws InvalidInput as the constructor, for the map
   void trim(const CorrectionMap& map);
 
-  /// Appends the lines that a line becomes, with a line feed after each but the last.
-  /// @param line  without its line feed
-  /// @throws InvalidProgram naming the line, if it cannot be corrected: G91 or G20 within the part, an E that
-  ///   firmwares read differently, a checksum, which would no longer hold
+  /// Appends to `out` the line or lines that replace a line of the program, with a line feed after each but
+  /// the last.
+  /// @param line    without its line feed
+  /// @param number  of the line, for errors
+  /// @throws InvalidProgram naming the line if it cannot be corrected: G91 or G20 within the part, an E that
+  ///   firmwares interpret differently, a checksum, which would no longer be right
   void read(std::string_view line, std::size_t number, std::string& out);
 
   const CorrectionReport& report() const;
@@ -71,9 +74,9 @@ class ProgramCorrector {
   std::unique_ptr<Writer> writer_;
 };
 
-/// A map that replaces the one of its layer, from a line on.
+/// A map that replaces that of its layer from a line of the program on.
 struct LaterMap {
-  std::size_t from_line = 0;  ///< of the program, from 1
+  std::size_t from_line = 0;  ///< number of the line, from 1
   CorrectionMap map;
 };
 
@@ -82,9 +85,9 @@ struct CorrectedProgram {
   std::string text;
   CorrectionReport report;
 };
-/// Corrects a whole program. Maps without corrections give the same bytes.
-/// @param trims  ascending by line; of those of one line the last one holds
-/// @throws as `ProgramCorrector`
+/// Corrects a whole program. Without corrections in the maps the text stays the same to the byte.
+/// @param trims  ascending by line; of several that begin with one line the last is valid
+/// @throws InvalidInput, InvalidProgram as `ProgramCorrector`
 CorrectedProgram correctedProgram(std::string_view program, const Toolpath& toolpath,
                                   const std::vector<CorrectionMap>& maps, const CorrectionWriting& writing,
                                   const std::vector<LaterMap>& trims = {});

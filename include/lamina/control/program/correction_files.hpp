@@ -16,20 +16,20 @@ namespace lamina {
 
 /// A toolpath in the coordinates of a machine's program.
 struct ProgrammedToolpath {
-  std::string id;     ///< of the planned toolpath, which correction maps name
+  std::string id;     ///< of the planned toolpath, as correction maps name it
   Toolpath toolpath;  ///< in coordinates of the program
 };
 
-/// Name of the file beside correction maps with the toolpath that they are of.
+/// Name of the file, beside correction maps, with the toolpath to which they belong.
 inline constexpr char kProgrammedToolpathFile[] = "toolpath.csv";
-/// Name of the file beside correction maps that records which of them were applied.
+/// Name of the file, beside correction maps, that records which of them were applied.
 inline constexpr char kAppliedMapsFile[] = "record.csv";
 
-/// The toolpath as CSV, after a line that states its id. Layers and paths keep their numbers; values read
-/// back to the same bits.
+/// The toolpath as CSV, after a first line that states its id. Layers and paths keep their numbers; values
+/// read back to the same bits.
 std::string programmedToolpathCsv(const ProgrammedToolpath& planned);
 
-/// Reads a toolpath from such a text.
+/// Reads a toolpath from text that `programmedToolpathCsv` wrote.
 /// @param source  names the text in errors
 /// @throws InvalidProgram as `readCsv`; if the first line states no id
 ProgrammedToolpath readProgrammedToolpath(std::string_view text, const std::string& source);
@@ -38,8 +38,8 @@ ProgrammedToolpath readProgrammedToolpath(std::string_view text, const std::stri
 struct FiledMap {
   std::string file;
   CorrectionMap map;
-  /// First line of the program, from 1, for which the map holds according to the record. 0 without a record:
-  /// the map holds for its whole layer.
+  /// First line of the program, from 1, for which the map is valid, as the record says. 0 if there is no
+  /// record, or it states no lines: the map is then valid for its whole layer.
   std::size_t from_line = 0;
 };
 
@@ -48,8 +48,8 @@ struct AppliedRow {
   std::size_t layer = 0;
   std::uint64_t sequence = 0;
   std::string digest;         ///< of the map; empty if the layer is deposited as planned
-  std::size_t from_line = 0;  ///< as of `FiledMap`
-  bool is_later = false;      ///< it replaces the map with which the layer began
+  std::size_t from_line = 0;  ///< as in `FiledMap`
+  bool is_later = false;      ///< whether the map replaces the one with which the layer began
 };
 
 /// The job to which a record belongs.
@@ -62,27 +62,28 @@ struct RecordedJob {
 /// The content of `kAppliedMapsFile` for a job.
 std::string appliedRecordCsv(const RecordedJob& of, const std::vector<AppliedRow>& rows);
 
-/// The job to which the record in a folder belongs; texts that the record lacks are empty. None without a
-/// record.
-/// @throws FileError if it cannot be read
+/// The job to which the record in a folder belongs; what the record does not state is empty. None if there is
+/// no record.
+/// @throws FileError if the record cannot be read
 std::optional<RecordedJob> recordedJob(const std::string& folder);
 
-/// Name of the file beside the record with the map of a row: `layer_<layer>.csv`, or
+/// Name of the file, beside the record, with the map of a row: `layer_<layer>.csv`, or
 /// `layer_<layer>_<sequence>.csv` if the map replaces another one within the layer.
 std::string appliedMapFile(const AppliedRow& row);
 
-/// Reads the map of a file, or the maps of a folder as `lamina estimate` and the streamer write them:
-/// `correction_<layer>.csv` and `layer_<layer>.csv`. If the folder has a record, only the maps that it names
-/// are read, each with its first line. The result ascends by layer and line.
-/// @throws FileError if there is nothing to read
-/// @throws InvalidInput naming the file: as `readCorrectionMap`; if two maps are of one layer and no record
-///   says where each begins, a folder has none, or a map that was applied is missing or has another digest
-///   than the record says
+/// Reads one map from a file, or all maps from a folder, named as `lamina estimate` and the streamer write
+/// them: `correction_<layer>.csv` and `layer_<layer>.csv`, with `_<sequence>` after the layer if there are
+/// several of it. If the folder has a record, only the maps that it names are read, each with its first line.
+/// The result ascends by layer and line.
+/// @throws FileError if there is nothing to read at the path
+/// @throws InvalidInput naming the file: as `readCorrectionMap`; if a folder has neither map nor record; if
+///   two maps are of one layer and no record says where each begins; if a map that was applied is missing, or
+///   its digest is not the recorded one
 std::vector<FiledMap> readCorrectionFiles(const std::string& path);
 
-/// The reason why a map cannot belong to a program, as the rest of a sentence that begins with the map's
-/// name: another toolpath, a missing layer or path, a shift of more than the layer's height. Empty if there
-/// is none.
+/// The reason why a map cannot belong to a toolpath, as the rest of a sentence that begins with "the map":
+/// another toolpath, a missing layer or path, a shift of more than the layer's height. Empty if there is
+/// none.
 std::string defectOf(const CorrectionMap& map, const std::string& toolpath_id, const Toolpath& toolpath);
 std::string defectOf(const CorrectionMap& map, const ProgrammedToolpath& planned);
 

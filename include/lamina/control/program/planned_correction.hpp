@@ -16,34 +16,35 @@ namespace lamina {
 /// The corrections of a program that are known before it is run.
 struct PlannedCorrection {
   ProgrammedToolpath planned;
-  std::vector<FiledMap> maps;  ///< by layer and line, ascending
+  std::vector<FiledMap> maps;  ///< ascending by layer and line
   LoopSettings feeding;        ///< dead time, lag and limits of the feeder, for leading amounts
-  /// Whether the lines in `maps` are those of this program. Otherwise each map holds for its whole layer.
+  /// Whether the program is the one whose lines the maps state. If not, each map is valid for its whole
+  /// layer.
   bool is_recorded_program = false;
 };
 
-/// Refuses maps that cannot belong to the program.
-/// @throws InvalidInput naming the file of the first one with a defect (`defectOf`)
+/// Checks that the maps can belong to the program.
+/// @throws InvalidInput naming the file of the first map with a defect (`defectOf`)
 void requireOfProgram(const PlannedCorrection& correction);
 
-/// The maps as they are written into a program, in the same order: led for the feeder, with the id of the
-/// toolpath in coordinates of the program.
+/// The maps as they are written into a program, in the same order: with the amounts led for the feeder, and
+/// naming the toolpath by its id in coordinates of the program.
 /// @throws InvalidInput as `ledMap`
 std::vector<CorrectionMap> ledMaps(const PlannedCorrection& correction);
 
-/// The settings by which amounts are led, as `key=value` separated by spaces.
+/// The settings by which amounts are led, as `key=value`, separated by spaces.
 std::string feedingText(const LoopSettings& feeding);
 
-/// Refuses a program that does not lay a toolpath. It reads the whole program, so that lines that cannot be
-/// corrected are refused before any of them runs.
+/// Checks that a program deposits on a toolpath. It reads the whole program, so that lines that cannot be
+/// corrected are refused before any of them is run.
 /// @param name  of the program in errors
-/// @throws InvalidProgram if none of what it deposits lies on the toolpath; as `ProgramCorrector`
+/// @throws InvalidProgram if nothing that it deposits lies on the toolpath; as `ProgramCorrector`
 void requireLaysToolpath(const std::string& name, std::istream& program, const Toolpath& toolpath);
 
-/// Corrects each layer of a G-code program by its map. The lines are those that the streamer sends if the
-/// same maps arrive in time. Maps without corrections give the same bytes.
+/// Corrects each layer of a G-code program by its map. The result is what the streamer sends if the same maps
+/// reach it in time. Without corrections in the maps the text stays the same to the byte.
 /// @param name  of the program in errors
-/// @throws InvalidInput as `requireOfProgram` and `ledMaps`; if two maps are of one layer, naming the file
+/// @throws InvalidInput as `requireOfProgram` and `ledMaps`; naming the file, if two maps are of one layer
 /// @throws InvalidProgram as `requireLaysToolpath`
 CorrectedProgram correctedByMaps(const std::string& name, const std::string& program,
                                  const PlannedCorrection& correction);

@@ -11,9 +11,10 @@
 
 namespace lamina {
 
-/// The record of a layer. Its size does not depend on the number of cells.
+/// The record of a layer. Its size does not depend on the number of cells, but for the alarms.
 struct LayerRecord {
-  static constexpr std::size_t kPieces = 200;  ///< equal shares of the cells in the order of laying
+  /// Number of equal shares of the cells, in the order of deposition.
+  static constexpr std::size_t kPieces = 200;
 
   LayerFigures figures;
   LoopState state = LoopState::Off;
@@ -22,7 +23,7 @@ struct LayerRecord {
   std::array<float, kPieces> error_mm{};  ///< mean height error of each piece
 };
 
-/// The record of a print under the loop: layer by layer, and cell by cell for the last layer.
+/// The record of a print with the loop: all layers, and the cells of the last layer.
 class LoopRecord {
  public:
   LoopRecord() = default;

@@ -11,26 +11,26 @@ namespace lamina {
 
 /// The position of the nozzle in its toolpath.
 struct PrintPlace {
-  std::size_t layer = 0;     ///< number; that of layers once all are done
+  std::size_t layer = 0;     ///< number of the layer; the number of layers once all are done
   std::size_t path = 0;      ///< number in the layer, travels included
   double along_mm = 0.0;     ///< from the start of the path
-  bool is_scanning = false;  ///< on a travel after the layer's last deposition, as scan passes are
+  bool is_scanning = false;  ///< on a travel after the layer's last deposition, as in scan passes
 };
 
-/// Follows the nozzle along its toolpath (`PathFollower`), never backwards. A layer ends when at most the
-/// tolerance is left of it, so that a machine that waits at its end has ended it.
+/// Follows the nozzle along its toolpath (`PathFollower`), never backwards. A layer ends when the nozzle is
+/// within the tolerance of its end, so that it has ended when the machine stops there and waits.
 class LayerProgress {
  public:
-  /// @param toolpath  in the frame of the positions; must outlive this
+  /// @param toolpath  in the frame of the positions; must outlive this object
   /// @throws InvalidInput as `validate`
   LayerProgress(const Toolpath& toolpath, const FollowingSettings& settings);
 
   /// Restarts at the beginning of a layer. Until the nozzle is found it is searched for from there to the end
   /// of the second layer above.
-  /// @param layer  number; that of layers for the end
+  /// @param layer  number; the number of layers for the end of the toolpath
   void resume(std::size_t layer);
 
-  /// The place after a report of the nozzle at `tip` [mm].
+  /// The position in the toolpath, after the nozzle was reported at `tip` [mm].
   const PrintPlace& observe(const Point3& tip);
   const PrintPlace& place() const { return place_; }
   /// Whether the nozzle was found on the toolpath since the start, or since `resume`.
@@ -38,15 +38,16 @@ class LayerProgress {
 
   /// Whether a layer ends with a travel that may be a scan pass.
   bool hasScan(std::size_t layer) const { return layers_[layer].scan < layers_[layer].paths; }
-  /// Whether any layer does.
+  /// Whether any layer ends with such a travel.
   bool hasScans() const;
 
  private:
   struct Span {
-    std::size_t first = 0;  ///< path, through all layers
+    std::size_t first = 0;  ///< number of its first path, counted through all layers
     std::size_t paths = 0;
-    std::size_t scan = 0;  ///< path of the layer from which on nothing is deposited; `paths` if there is none
-    double end_mm = 0.0;   ///< length of the toolpath up to its end
+    /// Number in the layer of the path from which on nothing is deposited; `paths` if there is none.
+    std::size_t scan = 0;
+    double end_mm = 0.0;  ///< length of the toolpath up to the end of the layer
   };
 
   double alongPath(const PathPlace& at);
@@ -58,9 +59,9 @@ class LayerProgress {
   std::vector<double> start_mm_;  ///< length of the toolpath up to each path
   PrintPlace place_;
   bool is_found_ = false;
-  PathPlace begun_;           ///< where it is looked for from
-  PathPlace measured_;        ///< motion up to which `measured_mm_` is
-  double measured_mm_ = 0.0;  ///< from the start of its path
+  PathPlace begun_;           ///< from where on the nozzle is searched for
+  PathPlace measured_;        ///< motion up to which `measured_mm_` is measured
+  double measured_mm_ = 0.0;  ///< distance from the start of the path of `measured_`
 };
 
 }  // namespace lamina

@@ -11,13 +11,14 @@
 
 namespace lamina {
 
-/// The state of the loop after a layer, from which it goes on with the same bits.
+/// The state of the loop after a layer. A loop that resumes with it goes on as if it had not been
+/// interrupted, to the bit.
 struct LoopMemory {
-  PartIdentity identity;  ///< the program is the toolpath's id
-  std::size_t layer = 0;  ///< the last one done
+  PartIdentity identity;  ///< of the print; its `program` is the id of the toolpath
+  std::size_t layer = 0;  ///< number of the last layer that is done
   LoopStatus status;
-  double gain_at_check = 1.0;
-  double last_amount = 0.0;    ///< amount at the end of the layer
+  double gain_at_check = 1.0;  ///< mean gain at the last check of stability
+  double last_amount = 0.0;    ///< amount deposited at the end of the layer
   double mean_shift_mm = 0.0;  ///< mean shift of the nozzle over the layer
   StoredHeights heights;       ///< of the layer's cells
 };
@@ -25,16 +26,18 @@ struct LoopMemory {
 /// The state as YAML, which `memoryFromYaml` reads back to the same bits.
 std::string toYaml(const LoopMemory& memory);
 
-/// Reads a state strictly: all keys and no others, all numbers within bounds, one value of each kind per
-/// cell.
+/// Reads a state strictly: all keys and no others, numbers within bounds, and each kind of value for the same
+/// number of cells.
+/// @param source  names the text in errors
 /// @throws InvalidConfig naming the source and the key
 LoopMemory memoryFromYaml(const std::string& yaml, const std::string& source);
 
-/// @throws FileError; InvalidConfig as above
+/// Reads a state from a file.
+/// @throws FileError if it cannot be read; InvalidConfig as `memoryFromYaml`
 LoopMemory readLoopMemory(const std::string& path);
 
-/// Writes the file whole, or leaves what was there.
-/// @throws FileError
+/// Writes a state to a file: completely, or leaving the file as it was.
+/// @throws FileError if it cannot be written
 void writeLoopMemory(const std::string& path, const LoopMemory& memory);
 
 }  // namespace lamina

@@ -28,15 +28,15 @@ namespace lamina {
 
 class LayerTrim;
 
-/// The position of the nozzle tip at an instant.
+/// The position of the nozzle tip at a time.
 struct StampedTip {
   std::int64_t stamp_ns = 0;
   Point3 tip = Point3::Zero();  ///< [mm, bed frame]
 };
 
-/// The points that the sensor saw at an instant.
+/// The points that the sensor measured at a time.
 struct SensedCloud {
-  std::int64_t stamp_ns = 0;  ///< true time of measurement, without the offset of the sensor's clock
+  std::int64_t stamp_ns = 0;  ///< time of the measurement: the time stamp less the sensor's time offset
   Eigen::Isometry3d bed_from_sensor = Eigen::Isometry3d::Identity();  ///< translation [mm]
   /// Points of each profile [mm, frame of the sensor]; not finite where one is missing.
   std::vector<std::vector<Point3>> profiles;
@@ -47,15 +47,15 @@ struct PlacedPart {
   std::string toolpath_id;
   Eigen::Isometry3d bed_from_part = Eigen::Isometry3d::Identity();  ///< translation [mm]
   Toolpath toolpath;
-  std::string machine = {};  ///< name of that for which it was planned
+  std::string machine = {};  ///< name of the machine for which the toolpath was planned
 };
 
 /// A cell of a layer that is done.
 struct CellOutcome {
   Point3 at = Point3::Zero();  ///< planned middle of its top [mm, part frame]
   double error_mm = 0.0;       ///< planned less measured height: positive is too low
-  double sigma_mm = 0.0;       ///< standard deviation of that
-  double amount = 0.0;         ///< relative correction with which it was deposited
+  double sigma_mm = 0.0;       ///< standard deviation of the error
+  double amount = 0.0;         ///< relative change with which the cell was deposited
   bool is_seen = false;
 };
 
@@ -64,118 +64,121 @@ struct LayerOutcome {
   LayerFigures figures;
   LoopState state = LoopState::Off;  ///< of the loop while the layer was deposited
   std::vector<RaisedAlarm> alarms;   ///< since the layer before was done
-  std::vector<CellOutcome> cells;    ///< in the order of laying
+  std::vector<CellOutcome> cells;    ///< in the order of deposition
 };
 
 /// A new plan of the layers left of a print.
 struct PrintPlan {
-  PlacedPart part;         ///< with an identity of its own that names its parent (`replannedId`)
-  std::size_t layer = 0;   ///< of the toolpath before, which its first layer replaces
-  double raised_mm = 0.0;  ///< height of the plan above the one before
+  PlacedPart part;         ///< its identity names its parent (`replannedId`)
+  std::size_t layer = 0;   ///< layer of the present toolpath that the first layer of the plan replaces
+  double raised_mm = 0.0;  ///< height of the plan above the present one
   double flow = 1.0;       ///< factor on the volume of beads
-  double short_mm = 0.0;   ///< distance of its top below that of the first toolpath
-  std::string reason;      ///< why it was made
+  double short_mm = 0.0;   ///< distance of its top below the top of the first toolpath of the print
+  std::string reason;      ///< reason for which it was made
 };
 
-/// The results since the last call of `takeNews`, each kind in its order. An alarm that holds the print comes
-/// no later than the map of the layer that it holds.
+/// What has resulted since the last call of `takeNews`, each kind in its order. An alarm that holds the print
+/// comes no later than the map of the layer before which it holds.
 struct LoopNews {
   std::vector<RaisedAlarm> alarms;
   std::vector<CorrectionMap> maps;
   std::vector<LayerOutcome> layers;
-  std::optional<LoopMemory> memory;  ///< after the last of these layers, if it is kept
-  std::vector<PrintPlan> plans;      ///< the latest holds, until the layer that it begins with is deposited
+  std::optional<LoopMemory> memory;  ///< after the last of these layers, if `keeps_memory` is set
+  std::vector<PrintPlan> plans;      ///< the latest is valid, until the layer that it begins with is done
 };
 
 /// Numbers of poses, clouds and readings by their use. Clouds received are the sum of those read, late, stuck
 /// and waiting.
 struct LoopCounts {
   std::uint64_t poses = 0;
-  std::uint64_t poses_late = 0;  ///< older than others already processed
+  std::uint64_t poses_late = 0;  ///< older than others that were already processed
   std::uint64_t clouds = 0;
   std::uint64_t clouds_read = 0;
   std::uint64_t clouds_late = 0;
-  std::uint64_t clouds_stuck = 0;  ///< of a sensor whose profiles are all the same
+  std::uint64_t clouds_stuck = 0;  ///< of a sensor that gives the same profile again and again
   std::uint64_t clouds_waiting = 0;
   std::uint64_t readings_used = 0;
   std::uint64_t readings_contested = 0;
   std::uint64_t readings_believed = 0;
-  std::uint64_t readings_below = 0;  ///< of a layer that was done already
-  std::uint64_t trims_refused = 0;   ///< further maps of a layer that the machine did not use
+  std::uint64_t readings_below = 0;  ///< of a layer that was already done
+  std::uint64_t trims_refused = 0;   ///< further maps of a layer that the machine refused
   PointCounts points;                ///< of the clouds read
 };
 
 /// The loop over one print, driven by time stamps alone. Poses of the nozzle and clouds may arrive in any
-/// order within `monitor.reorder_s`. They are processed in the order of their stamps, each as soon as one has
-/// arrived that is later by that time. The same poses and clouds therefore give the same maps to the last
-/// bit, however delayed.
+/// order within `monitor.reorder_s`. They are processed in the order of their time stamps, each once a pose
+/// or cloud has arrived whose stamp is later by that time. Therefore the same poses and clouds give the same
+/// maps to the last bit, whatever their delays.
 ///
-/// The cells deposited follow from the progress of the nozzle along the toolpath. When the nozzle reaches the
-/// end of a layer, the layer is judged and the next one gets its map; the first layer has its map at once.
-/// With `loop.trim` a layer under way gets further maps, of higher sequence, for the cells that are not
-/// deposited.
+/// Which cells are deposited follows from the progress of the nozzle along the toolpath. When the nozzle
+/// reaches the end of a layer, the layer is judged and the next one gets its map; the first layer gets its
+/// map at once. With `loop.trim` a layer under way gets further maps, of ascending sequence, for the cells
+/// that are not deposited yet.
 class LoopRun {
  public:
-  /// @throws InvalidInput as `validate` of a toolpath, as `metalSplit` for its speeds, and as `TaughtPart`
-  /// for
-  ///   the map that it is to be deposited by; FileError if that cannot be read
+  /// @throws InvalidInput as `validate` of a toolpath; as `metalSplit` for its speeds; as `TaughtPart` for
+  ///   the map learnt from previous parts
+  /// @throws FileError if that map cannot be read
   LoopRun(PlacedPart part, const LoopRunSettings& settings);
   ~LoopRun();
   LoopRun(const LoopRun&) = delete;
   LoopRun& operator=(const LoopRun&) = delete;
 
-  /// Restores the state after a layer, before any pose or cloud was given. From there on the same poses and
-  /// clouds give the same maps as without the interruption. Layers that the nozzle has begun meanwhile count
-  /// as deposited as planned, since the machine had no maps of them.
-  /// @throws InvalidInput if the memory is of another print, machine or material, or of other cells, naming
-  ///   the difference; the print is then at its beginning
+  /// Restores the state after a layer; to be called before any pose or cloud is given. From then on the same
+  /// poses and clouds give the same maps as without the interruption. Layers that the nozzle has begun
+  /// meanwhile count as deposited as planned, since the machine had no maps of them.
+  /// @throws InvalidInput naming the difference if the memory is of another print, machine or material, or
+  ///   has other cells; the print is then at its beginning
   void resume(const LoopMemory& memory);
-  /// The identity that the memory of this print states.
+  /// The identity of this print, as its memory states it.
   PartIdentity identity() const { return {part_.toolpath_id, part_.machine, settings_.material}; }
 
   /// Requests a state, from the next layer on, since the machine may already have part of the layer under
-  /// way. If the loop then no longer corrects, amounts fade at the start of that layer from the last one of
-  /// the layer before.
-  /// @return the status: `Blocked` with the reason if the loop may not start
+  /// way. If the loop then stops correcting, the amounts fade to 0 at the start of that layer, from the last
+  /// one of the layer before.
+  /// @return the status: `Blocked`, with the reason, if the loop may not start
   const LoopStatus& request(LoopRequest request);
 
-  /// Takes over a new calibration of the sensor, for all that arrives from now on. A loop that is blocked, or
-  /// coasts because a calibration was missing, starts as requested if the check of stability allows it with
-  /// the low-pass of this print.
+  /// Sets a new calibration of the sensor, for all that arrives from now on, and checks stability again, with
+  /// the low-pass of this print. A loop that is blocked, or coasts because the time offset has moved, then
+  /// starts as requested. A running loop that does not pass the check is blocked.
   void recalibrate(const CellCalibration& known, LoopRequest request);
 
+  /// Gives a pose of the nozzle.
   void observe(const StampedTip& pose);
+  /// Gives a cloud.
   void see(SensedCloud cloud);
-  /// States that a cloud of that stamp has arrived for which no pose of the nozzle is known yet.
+  /// States that a cloud with that time stamp has arrived for which no pose of the nozzle is known yet.
   void hear(std::int64_t stamp_ns);
-  /// States that the machine lays a layer, or the beginning of it, as planned. The estimate takes that into
-  /// account if the layer is under way or still to come. Alarm 6116 is raised if the whole layer is deposited
-  /// as planned although it was to be corrected, or was waited for. A later statement on a layer replaces an
-  /// earlier one.
+  /// States that the machine deposits a layer, or the beginning of it, as planned instead of by its map. The
+  /// estimate takes that into account if the layer is under way or still to come; for a layer that is done
+  /// there is no effect. Alarm 6116 is raised if the whole layer is deposited as planned although its map has
+  /// corrections, or the machine waited for the map. A later statement on a layer replaces an earlier one.
   void missMap(const MissedMap& missed);
-  /// States that the machine does not use a further map of a layer. The refusal is counted, and 6116 is
-  /// raised as a warning with the reason, once a layer. The estimate still takes the layer to be deposited by
-  /// that map. A layer that the toolpath does not have has no effect.
+  /// States that the machine does not use a further map of a layer. The refusal is counted, and alarm 6116 is
+  /// raised as a warning with the reason, at most once a layer. The estimate still assumes that the layer is
+  /// deposited by that map. For a layer that the toolpath does not have there is no effect.
   void refuseTrim(std::size_t layer, const std::string& reason);
 
-  /// States that the machine goes on with the plan of that identity, from its first layer on. So does the
-  /// loop, with all that it has learnt, after it has processed what waits.
-  /// @return whether that is the plan offered last; else nothing changes
+  /// States that the machine goes on with the plan of that identity, from its first layer on. All poses and
+  /// clouds that wait are processed; then the loop goes on with that plan, with all that it has learnt.
+  /// @return whether that is the plan offered last; if not, the loop stays with the present toolpath
   bool follow(const std::string& toolpath_id);
   /// States that the machine does not go on with the plan of that identity. Alarm 6113 is raised as a warning
   /// with the reason, and the map of the layer that the plan was to replace first is issued again, since it
   /// may have been withheld.
-  /// @return whether that is the plan offered last; else nothing changes
+  /// @return whether that is the plan offered last; if not, nothing changes
   bool refusePlan(const std::string& toolpath_id, const std::string& reason);
 
-  /// Processes all that waits: nothing older will arrive.
+  /// Processes all poses and clouds that wait, as nothing older will arrive.
   void passAll();
   /// Ends the print: judges the layer under way if all of it is deposited.
   void finish();
 
+  /// What has resulted since the last call.
   LoopNews takeNews();
 
-  /// The map for the next part of this program (`TaughtPart::learnt`).
+  /// The map for the next part of this program, as `TaughtPart::learnt`.
   std::optional<PartMap> learnt(PartEnd end) const { return taught_.learnt(part_.toolpath, end); }
 
   const LoopStatus& status() const { return status_; }
@@ -184,7 +187,7 @@ class LoopRun {
   const PrintPlace& place() const { return progress_.place(); }
   const LoopCounts& counts() const { return counts_; }
   const PlacedPart& part() const { return part_; }
-  /// The check that allowed or refused the loop last.
+  /// The last check of stability, which allowed or refused the loop.
   const StabilityReport& stability() const { return stability_; }
 
  private:
@@ -243,14 +246,15 @@ class LoopRun {
   TaughtPart taught_;
   StabilityReport stability_;
   double gain_at_check_ = 1.0;
-  double gain_ratio_ = 1.0;  ///< growth as measured over growth as learnt, of the last layer
+  double gain_ratio_ = 1.0;  ///< growth as measured over growth as learnt, in the last layer
   std::optional<HeightLoop> loop_;
   CellAtlas atlas_;
   LoopStatus status_;
   double short_mm_ = 0.0;                ///< by which the plan under way ends below the first one's top
-  std::optional<PrintPlan> plan_;        ///< offered
-  std::optional<HeightLoop> plan_loop_;  ///< as it goes on by that plan
-  std::optional<std::size_t> layer_;  ///< under way; none before the first and after the last one with cells
+  std::optional<PrintPlan> plan_;        ///< plan that was offered last
+  std::optional<HeightLoop> plan_loop_;  ///< the loop as it goes on if that plan is followed
+  /// Layer under way; none before the first and after the last one with cells.
+  std::optional<std::size_t> layer_;
   LoopState deposited_in_ = LoopState::Off;
   /// How the layer under way is to be deposited by its last map.
   struct Mapped {
@@ -259,17 +263,17 @@ class LoopRun {
     LoopState in = LoopState::Off;
   };
   Mapped mapped_;
-  bool is_missed_ = false;  ///< it is not deposited by all of that
+  bool is_missed_ = false;  ///< whether part of the layer is not deposited by `mapped_`
   LayerCorrection laid_;
-  std::vector<double> shift_mm_;             ///< of the nozzle, by cell
-  double mean_shift_mm_ = 0.0;               ///< of the layer
-  double last_amount_ = 0.0;                 ///< where the layer before ended
+  std::vector<double> shift_mm_;             ///< shift of the nozzle, by cell
+  double mean_shift_mm_ = 0.0;               ///< mean of that over the layer
+  double last_amount_ = 0.0;                 ///< amount at the end of the layer before
   std::unique_ptr<LayerTrim> trim_;          ///< of the layer under way; null if it is not trimmed
-  std::uint64_t map_sequence_ = 0;           ///< of the layer's last map
-  std::optional<std::size_t> trim_refused_;  ///< layer of which that was reported last
-  bool is_catching_up_ = false;              ///< resumed, and the nozzle was not found yet
+  std::uint64_t map_sequence_ = 0;           ///< sequence of the layer's last map
+  std::optional<std::size_t> trim_refused_;  ///< layer of which a refused map was reported last
+  bool is_catching_up_ = false;              ///< whether the print was resumed and the nozzle not found yet
   std::map<std::size_t, MissedMap> missed_;  ///< of layers to come
-  std::vector<CellEstimate> below_;          ///< of the layer before
+  std::vector<CellEstimate> below_;          ///< estimates of the layer before
   std::size_t below_layer_ = 0;
 
   std::multiset<Event, Earlier> waiting_;
@@ -281,12 +285,13 @@ class LoopRun {
   bool is_moving_ = false;
   double silent_s_ = 0.0;  ///< of motion in the scan, without a cloud
   double settle_mm_ = 0.0;
-  std::deque<std::pair<std::int64_t, std::size_t>> left_behind_;  ///< cells of the layer, and since when
+  /// Numbers of cells that the nozzle has left behind, and since when.
+  std::deque<std::pair<std::int64_t, std::size_t>> left_behind_;
   std::optional<std::int64_t> cloud_ns_;
   StuckWatch stuck_;
   OffsetWatch offset_;
-  OffsetLeft offset_left_;          ///< of the layer that reported it last
-  LumpWatch lump_;                  ///< above the layer under way, as scanned
+  OffsetLeft offset_left_;          ///< as the last layer that shows it has it
+  LumpWatch lump_;                  ///< highest lump above the layer under way, as scanned
   Box3 ground_;                     ///< of that layer, without its height
   Point3 sensor_ = Point3::Zero();  ///< at the last cloud [toolpath]
   std::optional<std::int64_t> sensor_ns_;

@@ -8,17 +8,18 @@
 
 namespace lamina {
 
-/// Detects a lump that stands higher than the range in which cells are searched for. It takes three
-/// neighbouring points in each of three profiles in a row; single returns, as of spray, and single profiles
-/// do not count.
+/// Detects a lump that is higher than the range in which points are assigned to cells. A height counts if
+/// three neighbouring points in each of three profiles in a row reach it; single points, as of spray, and
+/// single profiles do not count.
 class LumpWatch {
  public:
-  /// Takes a profile by the heights of its points in their order [mm]; not finite where a point is missing.
+  /// Adds a profile.
+  /// @param heights_mm  of its points in their order; not finite where a point is missing
   void see(const std::vector<double>& heights_mm);
   /// Forgets all profiles.
   void reset() { *this = LumpWatch(); }
 
-  /// Greatest height of a lump [mm]; `kNone` if none was detected.
+  /// Greatest height [mm] that was reached in that way; `kNone` if there is none.
   double height() const { return height_mm_; }
   static constexpr double kNone = -1e9;
 

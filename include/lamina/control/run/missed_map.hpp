@@ -8,18 +8,19 @@
 
 namespace lamina {
 
-/// A place on the paths of a layer.
+/// A position on the paths of a layer.
 struct PlaceOnLayer {
   std::size_t path = 0;   ///< number in the layer, travels included
-  double along_mm = 0.0;  ///< from its start
+  double along_mm = 0.0;  ///< distance from the start of the path
 };
 
 /// The part of a layer's map that a machine did not apply.
 struct MissedMap {
   std::size_t layer = 0;
-  double waited_s = 0.0;  ///< for the map, before the layer
-  std::string reason;     ///< in words; empty if the map did not come in time
-  /// The place from which the map was applied after all; without one the whole layer is deposited as planned.
+  double waited_s = 0.0;  ///< time for which the machine waited for the map before the layer
+  std::string reason;     ///< in words; empty if the map did not arrive in time
+  /// The position from which on the map was applied after all. Without it the whole layer is deposited as
+  /// planned.
   std::optional<PlaceOnLayer> held_from;
 };
 

@@ -12,30 +12,31 @@
 
 namespace lamina {
 
-/// The offset of a sensor's clock that is left after the calibrated offset is removed.
+/// The time offset of a sensor that is left after the calibrated one was removed.
 struct OffsetLeft {
-  double offset_s = 0.0;  ///< true time is the stamp less this
-  double sigma_s = 0.0;   ///< standard deviation of that
+  double offset_s = 0.0;  ///< true time is the time stamp less this
+  double sigma_s = 0.0;   ///< standard deviation of the offset
 };
 
-/// Estimates the offset of stamps from a layer that is scanned in both directions along its paths. An offset
-/// shifts the heights seen along the path, in opposite senses on the way there and back. The two readings of
-/// a cell then differ by twice speed times offset times the slope of the heights along the path.
+/// Estimates the time offset of a sensor from a layer that is scanned in both directions along its paths. An
+/// offset shifts the measured heights along the path, forwards on the way there and backwards on the way
+/// back. Therefore the two readings of a cell differ by twice the speed times the offset times the slope of
+/// the heights along the path.
 ///
-/// It takes 32 bytes per cell from the first reading on. A layer as even as its noise, or without cells seen
-/// in both directions, gives no estimate.
+/// It needs 32 bytes per cell from the first reading on. A layer of which the slopes do not exceed the noise,
+/// or that has fewer than eight cells that show the offset, gives no estimate.
 class OffsetWatch {
  public:
   /// Begins a layer with that number of cells.
   void begin(std::size_t cells);
 
-  /// Takes a reading by a sensor that moves along the cell's path at that speed [mm/s], negative against the
-  /// direction of the path. It is left out if the speed is below 1 mm/s or not finite.
+  /// Adds a reading by a sensor that moves along the cell's path at a speed [mm/s], negative against the
+  /// direction of the path. It is ignored if the speed is below 1 mm/s either way or not finite.
   void see(std::size_t cell, double speed_mm_s, const CellReading& reading);
 
-  /// The offset by least squares over the cells seen in both directions; none if its standard deviation is
-  /// above 10 ms.
-  /// @param cells  of the layer
+  /// The offset by least squares over the cells read in both directions; none if there is no estimate, or its
+  /// standard deviation is above 10 ms.
+  /// @param cells  of the layer that was begun
   std::optional<OffsetLeft> offset(const LayerCells& cells) const;
 
  private:
@@ -48,7 +49,7 @@ class OffsetWatch {
   };
   std::size_t cells_ = 0;
   std::vector<std::array<Seen, 2>> seen_;  ///< by cell: along the path, and against it; empty before any
-  std::array<bool, 2> is_seen_ = {false, false};  ///< in that sense
+  std::array<bool, 2> is_seen_ = {false, false};  ///< whether there are readings in that direction
 };
 
 }  // namespace lamina

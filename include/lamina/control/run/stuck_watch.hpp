@@ -8,17 +8,17 @@
 
 namespace lamina {
 
-/// Detects a sensor that is stuck: profiles in a row, taken while it moves, that are all the same at each
-/// point, not finite, or zero.
+/// Detects a sensor that is stuck: while it moves it gives several profiles in a row that are equal at each
+/// point, or that have no finite point other than zero.
 class StuckWatch {
  public:
-  /// Takes a profile of the moving sensor. A profile without points, out of range, changes nothing.
+  /// Adds a profile of the moving sensor. A profile without points, out of range, has no effect.
   /// @param points  [mm, frame of the sensor]; not finite where one is missing
   void see(const std::vector<Point3>& points);
 
-  /// Number of such profiles in a row.
+  /// Number of equal profiles in a row, the last one included: 1 as long as the sensor is not stuck.
   int profiles() const { return profiles_; }
-  /// Greatest variance of a point between successive ones of them [mm²]; 0 without finite points.
+  /// Greatest variance of a point between two successive profiles of these [mm²]; 0 without finite points.
   double variance() const { return variance_mm2_; }
 
  private:

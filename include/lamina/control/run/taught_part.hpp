@@ -14,27 +14,29 @@
 
 namespace lamina {
 
-/// Collects what a part teaches the next one of the same program, machine and material, layer by layer, in
-/// eight bytes per cell. Cells that were not seen teach nothing.
+/// Collects, layer by layer, what the next part of the same program, machine and material learns from this
+/// one, in eight bytes per cell. From cells that were not seen nothing is learnt.
 class TaughtPart {
  public:
   /// Reads the map of previous parts if the settings name one.
-  /// @throws FileError; InvalidInput as `readPartMap`, or naming what differs: program, machine, material,
-  ///   layers, or cells of a layer
+  /// @throws FileError if it cannot be read; InvalidInput as `readPartMap`, or naming what differs: program,
+  ///   machine, material, layers, or cells of a layer
   TaughtPart(const Toolpath& toolpath, PartIdentity identity, const LoopRunSettings& settings);
 
   /// Amounts learnt for a layer; empty without a map.
   std::vector<double> amountsOf(std::size_t layer) const;
 
-  /// Begins a layer: takes the height errors of the surface below it.
+  /// Begins a layer: stores the height errors of the surface below it.
   void begin(const HeightLoop& loop);
   /// Ends the layer.
   /// @param amount  relative amounts with which it was deposited, one per cell
   void end(const HeightLoop& loop, const std::vector<double>& amount);
-  /// States that the rest of the program is another one: nothing is learnt, and the map is used no more.
+  /// States that the rest of the program is replaced: nothing is learnt from this part, and its map is no
+  /// longer used.
   void abandon();
 
-  /// The map for the next part; none if machine or material has no name, or a layer is not done.
+  /// The map for the next part; none if machine or material has no name, the part was abandoned, or a layer
+  /// with cells is not done.
   std::optional<PartMap> learnt(const Toolpath& toolpath, PartEnd end) const;
 
  private:
@@ -46,7 +48,7 @@ class TaughtPart {
   PartIdentity identity_;
   PartMap before_;
   bool is_abandoned_ = false;
-  std::vector<double> error_mm_;  ///< of the layer's cells before it was deposited
+  std::vector<double> error_mm_;  ///< height errors of the layer's cells before it was deposited
   std::vector<Layer> layers_;
 };
 
