@@ -92,8 +92,9 @@ class OperatorSite {
   /// Checks the head of a request: its target, origin, identity, rights, rate and size.
   /// @return the admitted request, or the answer that refuses it
   std::variant<Admitted, WebResponse> admit(const HttpHead& head, const CellTime& now);
-  /// Carries out an admitted request. A request with an `Idempotency-Key` is carried out once; repetitions
-  /// get the same answer.
+  /// Carries out an admitted request. One that changes something is carried out once for its
+  /// `Idempotency-Key`, and repetitions get the same answer, unless it stops the unit or its answer is
+  /// secret.
   WebResponse answer(const Admitted& admitted, const WebRequest& request, const CellTime& now);
 
   /// Enters a request in the audit that broke off, or was refused before `admit`.

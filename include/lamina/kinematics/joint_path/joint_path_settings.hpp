@@ -21,7 +21,8 @@ enum class BranchChange : std::uint8_t { OnTravel, Never };
 /// How the external axes that carry the bed of an arm are positioned.
 enum class ExternalChoice : std::uint8_t {
   Held,  ///< at one value
-  /// External_1 such that the tool axis keeps one azimuth in the robot's base frame (external_axis.hpp).
+  /// Joint external_1 such that the tool axis keeps one azimuth in the robot's base frame
+  /// (external_axis.hpp).
   Follow,
   Gravity,  ///< two of them such that the tool axis points down, within a cone
 };
@@ -38,7 +39,7 @@ struct JointPathSettings {
   /// Rotation of a rotary joint above which a motion other than a travel is a jump.
   double max_turn_deg = 90.0;
   BranchChange branch_change = BranchChange::OnTravel;
-  /// Cost of a change of branch; 1 is the cost of moving one joint at its greatest speed for a second.
+  /// Cost of a change of branch [s]; 1 is the cost of moving one joint at its greatest speed for a second.
   double branch_change_cost = 1.0;
 
   double limit_margin_deg = 10.0;    ///< distance of a rotary joint from its limit below which it has a cost
