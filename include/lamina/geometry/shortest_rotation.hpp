@@ -8,8 +8,8 @@
 
 namespace lamina {
 
-/// The rotation by the least angle that takes direction `from` to direction `to`, of any lengths but zero.
-/// About some axis at a right angle to both where they are opposite.
+/// The rotation by the least angle that takes direction `from` to direction `to`. Both may have any length
+/// but zero. If they are opposite, the rotation is about some axis perpendicular to both.
 Eigen::Quaterniond shortestRotation(const Point3& from, const Point3& to);
 
 }  // namespace lamina

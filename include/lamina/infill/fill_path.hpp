@@ -16,7 +16,7 @@ struct FillPath {
   PathRole role = PathRole::Infill;
   Deposit deposit = Deposit::Bead;
   /// Width of the strip that the bead fills on the motion to each point [mm], indexed as `Path::bead`; empty
-  /// if it is the pitch everywhere. A width of 0 deposits nothing.
+  /// if it is the pitch everywhere. Where the width is 0, nothing is deposited.
   std::vector<double> width_mm;
 };
 
@@ -26,7 +26,7 @@ const Point2& lastPoint(const FillPath& path);
 /// The same run in the opposite direction.
 FillPath reversed(FillPath path);
 
-/// Puts runs behind others.
+/// Appends runs to others.
 void appendTo(std::vector<FillPath>& runs, std::vector<FillPath> more);
 
 }  // namespace lamina

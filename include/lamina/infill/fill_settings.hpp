@@ -14,7 +14,7 @@
 
 namespace lamina {
 
-/// What each family of fill strategies asks for besides spacing and angle.
+/// Settings of each family of infill strategies, besides spacing and angle.
 struct FillSettings {
   RasterSettings raster;
   HybridSettings hybrid;
@@ -24,7 +24,7 @@ struct FillSettings {
   HilbertSettings hilbert;
   LightningSettings lightning;
   DropSettings drops;
-  SmoothingSettings smoothing;  ///< of all families
+  SmoothingSettings smoothing;  ///< for all families
 };
 
 /// Adds the keys of all families.

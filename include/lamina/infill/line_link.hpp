@@ -4,16 +4,17 @@
 
 namespace lamina {
 
-/// Whether lines of a sparse fill that end beside each other are joined along the border.
+/// Whether neighbouring lines of a sparse fill are joined along the border where they end side by side.
 enum class LineLink {
-  Border,  ///< where the way is at most three times the distance of neighbouring lines
-  None,    ///< every line is a run
-  UpTo,    ///< where the way is at most a given length
+  Border,  ///< if the link is at most three times as long as the distance of the lines
+  None,    ///< never: every line is a run of its own
+  UpTo,    ///< if the link is at most as long as given
 };
 
+/// How lines of a sparse fill are joined.
 struct LineLinks {
   LineLink link = LineLink::Border;
-  double longest_mm = 10.0;  ///< of `UpTo`
+  double longest_mm = 10.0;  ///< for `UpTo`
 };
 
 }  // namespace lamina

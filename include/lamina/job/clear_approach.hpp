@@ -9,17 +9,18 @@
 
 namespace lamina {
 
-/// All that an approach is asked.
+/// What an approach has to meet: its path, its timing, and the clearance of the links.
 struct ApproachDemands {
-  ApproachSettings way;
+  ApproachSettings way;  ///< lifts and speeds
   TimingSettings timing;
   ClearanceSettings clearance;
 };
 
-/// The approach on which no link runs into the bed or another link: with the lift that is asked, or the first
-/// that is clear of twice, four times, ... up to 64 times that and 1 m. Of material that is on the bed
-/// already it knows nothing.
-/// @throws Unreachable if there is none, naming what the first way runs into; as `approach`; Cancelled
+/// The approach to the start of a job on which no link collides with the bed or with another link. The lift
+/// is the one asked for or, if that collides, the first without collision of 2, 4, 8, ... 64 times as much,
+/// at most 1 m. Material that already lies on the bed is not considered.
+/// @throws Unreachable if each of them collides, naming what the lowest one collides with; as `approach`
+/// @throws Cancelled
 Approach clearApproach(const JointValues& from, const JointValues& to, const KinematicModel& model,
                        const ApproachDemands& demands, Progress& progress);
 

@@ -9,23 +9,24 @@
 
 namespace lamina {
 
-/// Where the corrections of a program are.
+/// Files from which the corrections of a program are read.
 struct CorrectionFiles {
-  std::string maps;      ///< file, or folder of files
-  std::string toolpath;  ///< that the maps are of; empty for that beside them
+  std::string maps;      ///< correction maps: a file, or a folder of files
+  std::string toolpath;  ///< toolpath to which the maps belong; empty for the one in the folder of the maps
 };
 
-/// Reads toolpath and maps, and refuses them if they do not belong together.
-/// @param program_sha256  of the program that is to be corrected, without corrections
-/// @throws FileError, InvalidProgram, InvalidInput as `readProgrammedToolpath`, `readCorrectionFiles` and
-///   `requireOfProgram`
+/// Reads toolpath and maps.
+/// @param program_sha256  hash of the program that is to be corrected, without corrections
+/// @throws FileError, InvalidProgram, InvalidInput as `readProgrammedToolpath` and `readCorrectionFiles`; as
+///   `requireOfProgram` if toolpath and maps do not belong together
 PlannedCorrection correctionFrom(const CorrectionFiles& files, const LoopSettings& feeding,
                                  const std::string& program_sha256);
 
-/// A program corrected by files as it is streamed, which says what it was made from. Of the recorded program
-/// its lines are those that were sent, as far as the record goes, and as planned from there on.
-/// @param correction  from those files
-/// @throws as `correctedByMaps`; as `StreamableProgram::fromText` of what is made
+/// The program as the maps correct it while it is streamed; it states what it was made from
+/// (`ProgramOrigin`). If it is the program of a recorded job, its lines are those that were sent, as far as
+/// the record goes, and those planned from there on.
+/// @param correction  as `correctionFrom` reads it from those files
+/// @throws as `correctedByMaps`; as `StreamableProgram::fromText` of the corrected program
 StreamableProgram programByMaps(const StreamableProgram& planned, const CorrectionFiles& files,
                                 const PlannedCorrection& correction, const StreamSettings& settings);
 

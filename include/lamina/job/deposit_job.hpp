@@ -23,23 +23,24 @@ struct DepositJob {
 struct DepositSummary {
   DepositTotals totals;
   double voxel_mm = 0.0;
-  std::int64_t voxels = 0;   ///< solid ones
-  double porosity = 0.0;     ///< part of the box around all that is solid that is open, 0 to 1; 0 of nothing
-  double surface_mm2 = 0.0;  ///< of voxel faces
-  double highest_mm = 0.0;   ///< `VoxelDeposit::highest`
+  std::int64_t voxels = 0;  ///< number of solid ones
+  /// Share of open voxels in the bounding box of the solid ones, 0 to 1; 0 if none is solid.
+  double porosity = 0.0;
+  double surface_mm2 = 0.0;  ///< total area of the faces between solid and open voxels
+  double highest_mm = 0.0;   ///< highest place of the deposit, as `VoxelDeposit::highest`
 };
 
-/// A deposit and its figures.
+/// A deposit as voxels, and its figures.
 struct DepositedPart {
   VoxelGrid grid;
   DepositSummary summary;
 };
 
-/// Cost is proportional to the words of the grid.
+/// The figures of a deposit. The cost is proportional to the number of words in the grid.
 DepositSummary summaryOf(const VoxelGrid& grid, const DepositTotals& totals, double highest_mm);
 
-/// Lays the toolpath, reports its figures and writes its surface.
-/// @throws InvalidInput as `depositedVoxels`; if the output is no .stl, or the source
+/// Deposits the toolpath into voxels, computes the figures, and writes the surface.
+/// @throws InvalidInput as `depositedVoxels`; if the output is not an .stl file, or is the source
 /// @throws Cancelled, FileError; then nothing is written
 DepositedPart runDepositJob(const DepositJob& job, Progress& progress);
 

@@ -11,23 +11,26 @@
 
 namespace lamina {
 
-/// A program, where it goes and how.
+/// A G-code program to be transformed, where the result is written, and how.
 struct InclineJob {
   std::string program;
-  std::string output;  ///< empty for <program without .gcode>_rotate.gcode beside it
-  std::shared_ptr<const SpaceMap> map;
-  std::shared_ptr<const SpaceMap> axes;  ///< nullptr for a machine that takes places over the bed
+  std::string output;                   ///< empty for the file that `inclinedName` names
+  std::shared_ptr<const SpaceMap> map;  ///< from places in the program to places over the bed
+  /// From places over the bed to values of the machine's axes; nullptr if these are the same.
+  std::shared_ptr<const SpaceMap> axes;
   RewriteSettings settings;
 };
 
-/// Where the output goes if the job does not say: part.gcode to part_rotate.gcode.
+/// Default path of the output: part_rotate.gcode beside part.gcode.
+/// @throws InvalidInput if the program does not end in .gcode
 std::string inclinedName(const std::string& program);
 
-/// The room of the large gantry the method was made for: 1300 x 2500 x 1000 mm from the origin.
+/// Build volume of the large gantry for which the method was developed: 1300 x 2500 x 1000 mm from the
+/// origin.
 Box3 largeGantryRoom();
 
-/// Room of a machine's nozzle over its bed: the box of its build space, what is below the bed left out [mm,
-/// bed frame].
+/// Volume over the bed that a machine's nozzle reaches [mm, bed frame]: the bounding box of its build space,
+/// without what lies below the bed.
 Box3 machineRoom(const BuildSpace& space);
 
 /// Transforms the program.

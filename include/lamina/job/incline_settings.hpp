@@ -15,28 +15,29 @@ namespace lamina {
 /// Which map a program is inclined by.
 enum class InclineMap { Rotation, Shear, Scale, Matrix };
 
-/// Mode of E until M82 or M83 sets it.
+/// Mode of the E words before the first M82 or M83.
 enum class InclineExtrusion { AsStated, Absolute, Relative };
 
-/// How a program is inclined, as configuration, command line and ROS requests give it. Lists are empty
-/// where nothing is given.
+/// How a program is inclined, as configuration, command line and ROS requests give it. Empty lists are not
+/// given.
 struct InclineSettings {
-  MachineSettings machine{"none", ""};  ///< whose limits and axes hold
+  /// Machine of which limits and axes are used; "none" without URDF for no machine.
+  MachineSettings machine{"none", ""};
   InclineMap map = InclineMap::Rotation;
-  double angle_deg = 45.0;
-  std::string axis = "x";       ///< x, y, z or three numbers with commas between them
-  std::vector<double> factors;  ///< of the scale in x, y, z
-  std::string shear;            ///< "y,z,0.5" for y += 0.5 z
-  std::vector<double> matrix;   ///< rows of three factors and a translation
-  double belt_deg = 0.0;        ///< angle of a belt printer's gantry; 0 is none
-  std::vector<double> table_position_mm;
-  std::vector<double> offset_mm;
-  std::vector<double> final_position_mm;
-  std::vector<double> limits_mm;  ///< of the nozzle: lowest x, y, z, highest x, y, z
-  double layer_height_mm = 0.0;   ///< 0 takes what the program states
-  int decimals = -1;              ///< -1 is as the mode has it
+  double angle_deg = 45.0;      ///< of the rotation, right-handed
+  std::string axis = "x";       ///< of the rotation: x, y, z or three numbers with commas between them
+  std::vector<double> factors;  ///< of the scale, along x, y, z
+  std::string shear;            ///< as "y,z,0.5" for y += 0.5 z
+  std::vector<double> matrix;   ///< affine map by its three rows: three factors and a translation [mm] each
+  double belt_deg = 0.0;  ///< angle at which a belt printer's gantry leans, 15 to 90; 0 for no such printer
+  std::vector<double> table_position_mm;  ///< x and y to which the middle of the part is moved
+  std::vector<double> offset_mm;          ///< x, y and z by which the part is moved after the lift
+  std::vector<double> final_position_mm;  ///< x, y and z where the nozzle goes at the end
+  std::vector<double> limits_mm;          ///< of the nozzle: lowest x, y, z, then highest x, y, z
+  double layer_height_mm = 0.0;  ///< height of the lowest deposition; 0 for that which the program states
+  int decimals = -1;             ///< of coordinates; -1 for the number that the mode prescribes
   InclineExtrusion extrusion = InclineExtrusion::AsStated;
-  RewriteSettings transform;  ///< all else
+  RewriteSettings transform;  ///< all further settings
 };
 
 /// Adds the keys machine.name, machine.urdf and incline.*. The settings must outlive the schema.
@@ -47,15 +48,17 @@ void describe(SettingsSchema& schema, InclineSettings& settings);
 /// @throws as `applySettings`
 InclineSettings loadInclineSettings(const std::string& yaml_path, const std::vector<SettingText>& overrides);
 
-/// The build space of the machine whose limits and axes hold; nothing if none is set.
+/// The build space of `settings.machine`; nothing if no machine is set.
 /// @throws as `buildSpaceOf`
 std::optional<BuildSpace> buildSpaceOf(const InclineSettings& settings);
 
-/// The job that the settings give. Where neither machine nor limits are given, the corrected mode takes the
-/// room of the large gantry. Programs for machines whose axes stand askew speak the values of these axes.
+/// The job that the settings describe. In the corrected mode the volume of the large gantry is the limit if
+/// neither a machine nor limits are given. For a machine whose axes are not at right angles, the program
+/// states values of these axes.
 /// @param output  empty for that of `inclinedName`
-/// @throws InvalidConfig if settings do not go together, or there is no such machine; FileError
-/// @throws InvalidInput if the map cannot be undone
+/// @throws InvalidConfig if settings contradict each other, or there is no such machine
+/// @throws FileError if the machine's description cannot be read
+/// @throws InvalidInput if the map has no inverse
 InclineJob inclineJob(const InclineSettings& settings, const std::string& program, const std::string& output);
 
 }  // namespace lamina

@@ -46,7 +46,7 @@
 
 namespace lamina {
 
-/// What becomes of a mesh that is open or wrongly oriented.
+/// Whether a mesh that is open or wrongly oriented is repaired or refused.
 enum class RepairPolicy { Repair, Strict };
 
 /// How the part is read.
@@ -54,16 +54,17 @@ struct InputSettings {
   MeshUnits units;
   RepairPolicy repair = RepairPolicy::Repair;
   Tessellation tessellation;
-  double extrude_mm = 0.0;  ///< height of the part that an outline (SVG) becomes; 0 refuses outlines
+  /// Height to which the outlines of an SVG file are extruded; 0 refuses such files.
+  double extrude_mm = 0.0;
 };
 
-/// How a part is planned that nothing else is said of: closed by four solid layers above and below, with
-/// threads over gaps and slower walls where they overhang, as printers of filament need it. `PlanSettings` by
-/// itself has none of these.
+/// Default planning of a job, as filament printers need it: four solid layers at top and bottom, bridges over
+/// gaps, and slower walls where they overhang. A default-constructed `PlanSettings` has none of these.
 PlanSettings planOfPrinters();
-/// The same of cooling: layers of 5 s at least. `CoolingSettings` by itself asks for no time.
+/// Default cooling of a job: each layer takes at least 5 s. A default-constructed `CoolingSettings` demands
+/// no time.
 CoolingSettings coolingOfPrinters();
-/// The same of the fan, which `FanSettings` by itself leaves alone.
+/// Default fan of a job: it is used. A default-constructed `FanSettings` leaves the fan alone.
 FanSettings fanOfPrinters();
 
 /// The settings of all stages from mesh to program.
@@ -71,8 +72,8 @@ struct JobSettings {
   InputSettings input;
   Placement placement = Placement::Centre;
   CopySettings copies;
-  std::string
-      modifiers;  ///< file of regions with settings of their own (`readModifiersFile`); empty for none
+  /// File of regions with settings of their own (`readModifiersFile`); empty for none.
+  std::string modifiers;
   PlateSettings plate;
   MachineSettings machine;
   MachineCapabilities capabilities;
@@ -115,16 +116,17 @@ struct JobSettings {
 /// Adds the keys of all stages. The settings must outlive the schema.
 void describe(SettingsSchema& schema, JobSettings& settings);
 
-/// The defaults, overridden by a YAML file and then by `overrides`, in order, and what follows from the
-/// machine where neither states it (`withMachineDefaults`).
+/// The defaults, overridden by a YAML file and then by `overrides` in their order. What neither of them
+/// states follows from the machine (`withMachineDefaults`).
 /// @param yaml_path  empty for none
-/// @throws InvalidConfig naming key, value and bound (and the file, if it is no YAML); FileError
+/// @throws InvalidConfig naming key, value and bound (and the file, if it is not YAML); FileError
 JobSettings loadJobSettings(const std::string& yaml_path, const std::vector<SettingText>& overrides);
 
-/// Checks what a part is sliced by, whatever way the values came there.
+/// Checks the settings by which a part is sliced, wherever they come from.
 /// @throws InvalidConfig naming key, value and bound; also if settings contradict the strategy
-///   (`requireConsistent`), if drop_voids.fill is set for beads, if scans or skirts are asked for on
-///   inclined layers, or if the machine cannot do what is asked (`requireCapable`)
+///   (`requireConsistent`), if the slicing mode does not allow them (such as scans or skirts on inclined
+///   layers), if drop_voids.fill is set for beads, or if the machine cannot do what they ask
+///   (`requireCapable`)
 void validate(const JobSettings& settings);
 
 }  // namespace lamina

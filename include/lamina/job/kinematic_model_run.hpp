@@ -18,61 +18,65 @@
 
 namespace lamina {
 
-/// A toolpath as the joints of a machine or robot run it.
+/// A toolpath, and the joint values with which a machine or robot runs it.
 struct KinematicModelRun {
-  DividedToolpath divided;  ///< fine enough for joints at constant speed to keep the nozzle on its motions
+  /// Toolpath with motions divided so that joints at constant speed keep the nozzle on them.
+  DividedToolpath divided;
   Eigen::Isometry3d bed_from_part = Eigen::Isometry3d::Identity();  ///< [mm]
   JointPath path;                                                   ///< of the divided toolpath
-  std::vector<std::size_t>
-      lines;  ///< of the program that states the joints, by waypoint of the path; else empty
+  /// Line of the program that states the joints, for each waypoint of `path`; empty if none does.
+  std::vector<std::size_t> lines;
 
   const Toolpath& toolpath() const { return divided.toolpath; }
 };
 
-/// The joints that keep links out of each other, as far as `SelfCollisionGuard` finds. Where divisions do
-/// not keep the nozzle within the tolerances, `inTime` goes on dividing.
+/// Plans the joint values of a toolpath such that links do not collide with each other, as far as
+/// `SelfCollisionGuard` finds. Motions are divided to keep the nozzle within the tolerances; where that does
+/// not suffice, `inTime` divides further.
 /// @param progress  stage "joints"
 /// @throws as `planJointPath`; InvalidConfig as `linkBodies`
 KinematicModelRun runOn(const KinematicModel& model, Toolpath toolpath,
                         const Eigen::Isometry3d& bed_from_part, const JointPathSettings& settings,
                         Progress& progress);
 
-/// Layers of a toolpath that follow each other.
+/// A range of consecutive layers of a toolpath.
 struct LayerStretch {
   std::size_t first = 0;
-  std::size_t end = 0;  ///< behind the last
+  std::size_t end = 0;  ///< index after the last layer
 };
 
 /// Some of the layers of a toolpath, which must outlive the value.
 struct ToolpathExcerpt {
   const Toolpath& toolpath;
-  std::vector<LayerStretch> stretches;  ///< in turn, with a layer between each and the next
+  std::vector<LayerStretch> stretches;  ///< ascending, with at least one layer between each and the next
 };
 
-/// Leads the joints through some layers alone: `path` leaves the other ones out, which are in the toolpath
-/// all the same, undivided, so that what they deposit stands in the way. Each stretch is led as if nothing
-/// came before or after it: near its ends the joints may be others than those of the whole toolpath.
+/// Plans the joint values for some of the layers. `path` holds these only; the other layers stay in the
+/// toolpath undivided, so that what they deposit still counts as an obstacle. Each range is planned as if it
+/// were the whole toolpath: near its ends the joint values may differ from those of the whole.
 /// @param progress  stage "joints"
-/// @throws as the one above
+/// @throws as the function above
 KinematicModelRun runOn(const KinematicModel& model, const ToolpathExcerpt& excerpt,
                         const Eigen::Isometry3d& bed_from_part, const JointPathSettings& settings,
                         Progress& progress);
 
-/// The joints that a program states, judged (`judged`) and not led.
+/// The run of a program that states its joint values: these are checked (`judged`), not planned.
 KinematicModelRun runAsStated(const KinematicModel& model, StatedMotion motion,
                               const JointPathSettings& settings);
 
-/// @throws Unreachable if the path has faults: how many, and the first
+/// Checks that the path has no faults.
+/// @throws Unreachable otherwise, with their number and the first of them
 void requireRunnable(const KinematicModelRun& run, const KinematicModel& model);
 
-/// What the limits of the joints make of a run.
+/// Figures of a run within the limits of the joints.
 struct RunTime {
   double total_s = 0.0;
-  double slow_bead_share =
-      0.0;  ///< of the length of beads, deposited below 95 % of the feed asked for (`slowBeadShare`)
+  /// Share of the length of beads that is deposited at less than 95 % of the feed asked for
+  /// (`slowBeadShare`).
+  double slow_bead_share = 0.0;
 };
 
-/// A run in time.
+/// A run with its trajectory over time.
 struct TimedRun {
   KinematicModelRun run;
   std::unique_ptr<TimedPath> trajectory;
@@ -80,6 +84,7 @@ struct TimedRun {
   RunTime figures;
 };
 
+/// Times a run within the limits of the joints.
 /// @throws Unreachable as `requireRunnable`; as `TimedPath`
 TimedRun inTime(KinematicModelRun run, const KinematicModel& model, const TimingSettings& settings);
 

@@ -11,24 +11,27 @@
 
 namespace lamina {
 
-/// How a part is stacked from plane layers.
+/// The plane layers of a part, and how well they fit its surface.
 struct LayerHeightsReport {
   std::vector<LayerBounds> bounds;
-  std::vector<MissedFlat> missed;  ///< of adaptive heights
-  double greatest_cusp_mm = 0.0;   ///< `greatestCusp` above the first layer; 0 if they are equal
+  /// Level faces that lie between the ends of layers; for adaptive heights only.
+  std::vector<MissedFlat> missed;
+  /// `greatestCusp` of all layers but the first; `layerHeightsOf` leaves it 0 for equal heights.
+  double greatest_cusp_mm = 0.0;
 };
 
-/// The layers of a part, as `slicing.heights` says: equal, adaptive, or from a table.
+/// Cuts a part into layers as `slicing.heights` asks: of equal, adaptive or tabulated heights.
 /// @param mesh  turned so that the layers are level
 /// @throws as `stackLayers`, `adaptiveLayers`, `readHeightTable`
 LayerHeightsReport layerHeightsOf(const Mesh& mesh, const SlicingSettings& settings);
 
-/// What a user should know of heights that are not equal, a sentence each.
+/// Notes for the user on heights that are not equal, a sentence each: their range, the greatest cusp, and
+/// level faces that are missed. None for equal heights.
 std::vector<std::string> notesOn(const LayerHeightsReport& report, const SlicingSettings& settings);
 
-/// The layers of a job's part, with their cusp measured whatever their heights, and the table of them in the
-/// job's output, if it has one.
-/// @throws FileError, InvalidMesh, InvalidConfig (also for layers that are not plane), InvalidInput
+/// The layers of a job's part, with their greatest cusp also for equal heights. They are written as a table
+/// to the job's output, if it has one.
+/// @throws FileError, InvalidMesh, InvalidConfig (also for a mode whose layers are not plane), InvalidInput
 LayerHeightsReport runLayerHeightsJob(const SliceJob& job);
 
 }  // namespace lamina

@@ -15,57 +15,59 @@
 
 namespace lamina {
 
-/// A waypoint that a machine or robot cannot run, or on the way to which it cannot.
+/// A waypoint that a machine or robot cannot reach without fault or collision, or cannot move to.
 struct Finding {
   WaypointIndex at;             ///< of the toolpath that was asked for
-  Point3 tip = Point3::Zero();  ///< where the nozzle is then [mm, part frame]
-  std::string what;             ///< as `toString(JointFault)`, or "collision"
-  std::string reason;           ///< for people
-  std::size_t line = 0;         ///< of the program that states the joints, 1 based; 0 where none does
+  Point3 tip = Point3::Zero();  ///< position of the nozzle tip at the fault or collision [mm, part frame]
+  std::string what;             ///< kind: `toString(JointFault)`, or "collision"
+  std::string reason;           ///< explanation for people
+  std::size_t line = 0;         ///< line of the program that states the joints, from 1; 0 if none does
 };
 
-/// What stands in the way of a toolpath on a machine or robot. Each waypoint is found once for each thing
-/// that is wrong with it.
+/// Faults and collisions of a toolpath on a machine or robot. A waypoint is listed once for each kind.
 struct MachineCheck {
-  std::size_t waypoints = 0;        ///< of the toolpath that was asked for
+  std::size_t waypoints = 0;        ///< number in the toolpath that was asked for
   std::vector<Finding> faults;      ///< of reach, limits, singularities, in the order of the motion
   std::vector<Finding> collisions;  ///< in the order of the motion
-  std::size_t rewinds = 0;          ///< travels on which a rotary joint is wound back
+  std::size_t rewinds = 0;          ///< number of travels on which a rotary joint is wound back
 
   bool isClear() const { return faults.empty() && collisions.empty(); }
 };
 
-/// Where links run into bed, part and each other, and what else is wrong with a run.
+/// Checks a run: lists its faults, and where links collide with the bed, the part or each other.
 ///
 /// @param progress  stage "clearance"
 /// @throws as `checkJointClearance`
 MachineCheck checkRun(const KinematicModelRun& run, const KinematicModel& model,
                       const ClearanceSettings& settings, Progress& progress);
 
-/// The collisions of a run, each at a waypoint of the toolpath that was asked for.
+/// The collisions of a run, each assigned to a waypoint of the toolpath that was asked for.
 ///
 /// @param progress  stage "clearance"
 /// @throws as `checkJointClearance`
 ClearanceReport clearanceOf(const KinematicModelRun& run, const KinematicModel& model,
                             const ClearanceSettings& settings, Progress& progress);
 
-/// Where beads come near a singularity, which slows their joints down.
+/// How close the joints come to a singularity along beads; close to one, joints slow down.
 struct SingularBeads {
-  std::size_t waypoints = 0;  ///< of beads, as they are led
-  std::size_t near = 0;       ///< of these, nearer than the margin
-  double least_deg = 90.0;    ///< from a singularity, as `KinematicModel::singularityMargin`
-  WaypointIndex at;           ///< the first one that is so near; of the toolpath that was asked for
-  std::size_t line = 0;       ///< as in `Finding`
+  /// Number of waypoints of beads in the divided toolpath, without those that have no joint values.
+  std::size_t waypoints = 0;
+  std::size_t near = 0;     ///< number of these that are nearer than the margin
+  double least_deg = 90.0;  ///< least distance from a singularity, from `KinematicModel::singularityMargin`
+  WaypointIndex at;         ///< the first waypoint at that distance, in the toolpath that was asked for
+  std::size_t line = 0;     ///< line of the program, as in `Finding`
 
   double share() const {
     return waypoints > 0 ? static_cast<double>(near) / static_cast<double>(waypoints) : 0.0;
   }
 };
 
+/// Measures how close beads come to a singularity.
 /// @param margin_deg  `joints.singular_margin_deg`
 SingularBeads singularBeads(const KinematicModelRun& run, const KinematicModel& model, double margin_deg);
 
-/// @throws Unreachable if it is not clear: how many waypoints, and the first of them
+/// Checks that there are neither faults nor collisions.
+/// @throws Unreachable otherwise, with their numbers and the first of them
 void requireClear(const MachineCheck& check, const KinematicModel& model);
 
 }  // namespace lamina

@@ -12,7 +12,8 @@
 
 namespace lamina {
 
-/// Measures what slicing a part gives for many settings. The part is read once; nothing is written.
+/// Slices one part by many different settings and measures the toolpaths. The part is read once; nothing is
+/// written.
 class SliceMeasurement {
  public:
   /// @param job  part and settings; its output is not used
@@ -24,9 +25,10 @@ class SliceMeasurement {
 
   /// Slices the part by the job's settings with some of them changed, and measures the toolpath. May be
   /// called from several threads at once.
-  /// @param overrides  in order; none of input.* and conformal.base, which the part was read by
-  /// @param metrics    of `metricNames`; what none of them needs is not done
-  /// @return as many values as metrics
+  /// @param overrides  settings to change, in order; none of input.* or conformal.base, as the part was read
+  ///   by these
+  /// @param metrics    names from `metricNames`; others are not computed
+  /// @return one value for each of `metrics`
   /// @throws InvalidConfig, InvalidInput, InvalidMesh, Unreachable, Cancelled as `runSliceJob`
   std::vector<double> measure(const std::vector<SettingText>& overrides,
                               const std::vector<std::string>& metrics, Progress& progress) const;

@@ -7,14 +7,15 @@
 
 namespace lamina {
 
-/// Whether both names lead to one file, through links too; files that are not there yet are compared by their
-/// paths. An empty name is that of no file.
+/// Whether two paths lead to one file, also through links; files that do not exist are compared by their
+/// paths. An empty path names no file.
 bool isSameFile(const std::string& one, const std::string& other);
 
-/// @throws InvalidInput naming both if an output is one of the inputs, or the same file as another output
+/// Checks that no output would overwrite an input or another output.
+/// @throws InvalidInput naming both if one does
 void requireApart(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs);
 
-/// An empty name is that of no file, and has any suffix.
+/// Checks the suffix of an output. An empty path names no file and is accepted.
 /// @param suffixes  with their dot: .csv
 /// @throws InvalidInput if the output has none of them
 void requireSuffix(const std::string& output, const std::vector<std::string>& suffixes);

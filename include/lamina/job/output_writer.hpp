@@ -18,18 +18,18 @@
 
 namespace lamina {
 
-/// A machine or robot and its joints at each waypoint of a toolpath.
+/// A machine or robot, and its joint values at each waypoint of a toolpath.
 struct ProgramJoints {
   const KinematicModel& model;
   const JointPath& path;
 };
 
-/// What becomes a file: a toolpath, where its part stands, the axes that a program speaks of, and the joints
-/// that it states.
+/// A toolpath to be written to a file: with its part's pose on the bed, the axes in which the program is
+/// written, and the joint values, if the format may state them.
 struct PlacedToolpath {
   const Toolpath& toolpath;
   ProgramFrame frame;
-  std::optional<ProgramJoints> joints = std::nullopt;  ///< G-code then is five-axis G-code
+  std::optional<ProgramJoints> joints = std::nullopt;  ///< if they are given, G-code is five-axis G-code
 };
 
 /// Writes a toolpath in one format.
@@ -37,7 +37,7 @@ struct PlacedToolpath {
 using OutputWriter =
     std::function<void(const PlacedToolpath& placed, const ProgramSettings& settings, const TextSink& sink)>;
 
-/// Writes the file of that path, and others beside it, each whole or not at all.
+/// Writes the file at that path, and further files beside it, each whole or not at all.
 /// @throws as `OutputWriter`; FileError
 using FilesWriter = std::function<void(const std::string& path, const PlacedToolpath& placed,
                                        const ProgramSettings& settings)>;
@@ -45,26 +45,28 @@ using FilesWriter = std::function<void(const std::string& path, const PlacedTool
 /// A format of programs or toolpaths.
 struct ProgramWriter {
   OutputWriter write;
-  FilesWriter write_files;  ///< of a format that may take several files; empty if it takes one
+  FilesWriter write_files;  ///< for a format that may need several files; empty otherwise
 };
 
-/// All formats by their suffix with its dot, those of plug-ins too. Whoever adds one calls
+/// All formats by their suffix with its dot, those of plug-ins included. A plug-in adds one by
 /// `programWriters().add(".xyz", {...})`.
 Registry<ProgramWriter>& programWriters();
 
-/// The suffixes that choose a writer, with their dot: .csv, .gcode, those of robots (.mod, .src, ...), and
-/// those of plug-ins.
+/// All suffixes for which there is a writer, with their dot: .csv, .gcode, those of robots (.mod, .src, ...),
+/// and those of plug-ins.
 std::vector<std::string> outputSuffixes();
 
-/// The writer that the path's suffix chooses.
-/// @throws InvalidInput if there is none, naming those there are
+/// The writer for the suffix of the path.
+/// @throws InvalidInput if there is none, naming the suffixes that have one
 OutputWriter outputWriterFor(const std::string& path);
 
-/// Writes the file whole or not at all; a program in modules has a file for each (`writeRapidFiles`).
+/// Writes a toolpath to a file, whole or not at all; a program in modules has a file for each
+/// (`writeRapidFiles`).
 /// @throws InvalidInput as above, or from the writer; FileError
 void writeOutput(const std::string& path, const PlacedToolpath& placed, const ProgramSettings& settings);
 
-/// The same with comments round it, of a format that takes one file.
+/// Writes a toolpath as above, with annotations as comments. Formats that may need several files ignore
+/// these.
 void writeOutput(const std::string& path, const PlacedToolpath& placed, const ProgramSettings& settings,
                  const ProgramAnnotations& annotations);
 

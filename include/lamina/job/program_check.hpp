@@ -8,11 +8,13 @@
 
 namespace lamina {
 
-/// Reads a G-code program as a machine of linear axes would, and requires that it extrudes within that
-/// machine's reach. What it does while nothing is extruded, as start and end code do, is not judged.
-/// @throws FileError if it cannot be read
-/// @throws InvalidProgram naming the line that cannot be read, or if it extrudes nothing
-/// @throws Unreachable naming the line, the place [mm, bed] and the machine's limits
+/// Checks that a G-code program for linear axes extrudes within the reach of a machine: the end of each
+/// motion that extrudes must lie in the bounding box of its build space. Motions without extrusion, as those
+/// of start and end code, are not checked. On a machine with an endless axis (a belt), positions are not
+/// checked.
+/// @throws FileError if the program cannot be read
+/// @throws InvalidProgram naming the line that cannot be read, or if the program extrudes nothing
+/// @throws Unreachable naming the line, the position [mm, bed frame] and the machine's limits
 void requirePrintable(const std::string& path, const MachineSettings& machine);
 
 }  // namespace lamina

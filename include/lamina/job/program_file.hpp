@@ -19,20 +19,18 @@ bool isGcodeFile(const std::string& path);
 /// Whether the suffix is that of a program: .gcode, or that of a robot's language.
 bool isProgramFile(const std::string& path);
 
-/// Reads a program of any kind, in coordinates of the bed: those of robots, G-code of linear axes, and
-/// five-axis G-code through the joints of the machine. The toolpath is named after the file.
+/// Reads a program of any kind: one of a robot, G-code of linear axes, or five-axis G-code, which is read
+/// through the machine's joints. The toolpath is in coordinates of the bed and named after the file.
 /// @throws FileError if it cannot be read
 /// @throws InvalidProgram naming the line, as `readRapidFile`, `readRobotProgramFile`,
-/// `toolpathFromGcodeFile`, `readFiveAxis`; of
-///   five axes also if the machine has others
+///   `toolpathFromGcodeFile`, `readFiveAxis`; also if five-axis G-code is for other axes than the machine's
 Toolpath readProgram(const std::string& path, const ProgramSettings& settings,
                      const MachineSettings& machine);
 
-/// The joints that a program holds, line by line: five-axis G-code has the rotary ones in its words, RAPID
-/// configurations and external axes in its targets (`readRapidMotion`), other languages of robots the joints
-/// they start from
-/// (`readRobotMotion`). Nothing for programs that hold none:
-/// G-code of linear axes, programs of robots on a machine that is no arm, toolpaths.
+/// The joint values that a program states, line by line: five-axis G-code has the rotary ones in its words;
+/// RAPID has configurations and external axes in its targets (`readRapidMotion`); programs in other robot
+/// languages state the joints with which they begin (`readRobotMotion`). Nothing for G-code of linear axes,
+/// for toolpaths, and for programs of robots if the model is no six-axis arm.
 /// @throws as `readProgram`
 std::optional<StatedMotion> readStatedMotion(const std::string& path, const ProgramSettings& settings,
                                              const KinematicModel& model);
@@ -40,9 +38,9 @@ std::optional<StatedMotion> readStatedMotion(const std::string& path, const Prog
 /// Whether the suffix is that of a toolpath: .csv.
 bool isToolpathFile(const std::string& path);
 
-/// Reads a program as `readProgram`, or the CSV of a toolpath (`readCsv`).
+/// Reads a program as `readProgram`, or the CSV of a toolpath as `readCsv`.
 /// @throws InvalidInput if the suffix is that of neither
-/// @throws as those
+/// @throws as these two functions
 Toolpath readToolpathFile(const std::string& path, const ProgramSettings& settings,
                           const MachineSettings& machine);
 

@@ -10,17 +10,20 @@
 
 namespace lamina {
 
-/// Whether the suffix is that of a module: .mod.
+/// Whether the suffix is that of a RAPID module: .mod.
 bool isRapidFile(const std::string& path);
 
-/// Writes a program of one module.
-/// @throws InvalidInput as `RapidProgram`; also if the program would speak other axes than those of the bed
+/// Writes a RAPID program that is a single module.
+/// @throws InvalidInput as `RapidProgram`; also if the machine's axes are not at right angles, as programs
+///   for robots are in coordinates of the bed
 void writeRapid(const PlacedToolpath& placed, const RapidSettings& settings, const TextSink& sink);
 
-/// Writes main under the path and the other modules beside it, under their names; all files or none. The
-/// module is named after the file where the settings name none.
-/// @return names of the files, main first
-/// @throws InvalidInput, InvalidConfig as above; FileError
+/// Writes a RAPID program in one or more modules: the module with `main` at the path and the other ones
+/// beside it, each named after its module; all files or none. If the settings name no module, the first one
+/// is named after the file.
+/// @return names of the files, that of `main` first
+/// @throws InvalidInput as above; InvalidConfig if a module would be written over the file of `main`;
+///   FileError
 std::vector<std::string> writeRapidFiles(const std::string& path, const PlacedToolpath& placed,
                                          RapidSettings settings);
 

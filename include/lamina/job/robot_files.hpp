@@ -12,46 +12,51 @@
 
 namespace lamina {
 
-/// What runs a program, by the suffix of its file.
+/// The kind of device that runs a program, by the suffix of its file.
 enum class ProgramRunner : std::uint8_t {
-  Machine,     ///< .gcode, and what is no program at all
+  Machine,     ///< .gcode, and every suffix that is not a robot's
   RapidRobot,  ///< .mod
-  OtherRobot,  ///< .src and further languages (`RobotLanguage`)
+  OtherRobot,  ///< .src and those of further languages (`RobotLanguage`)
 };
 ProgramRunner programRunner(const std::string& path);
 
-/// Whether a robot runs the program: RAPID and the languages besides.
+/// Whether the program is for a robot: in RAPID or in a `RobotLanguage`.
 bool isRobotFile(const std::string& path);
 
-/// The language's name, for people: "RAPID", "KRL".
+/// Name of a robot program's language, as "RAPID" or "KRL".
 /// @param path  of a robot's program
 std::string robotLanguageName(const std::string& path);
 
-/// Writes a program of one file in a language besides RAPID.
-/// @throws InvalidInput as `robotProgram`; also if no joints are known, or the program would speak other axes
-///   than those of the bed; InvalidConfig if it takes several files
+/// Writes a program that is a single file, in a language other than RAPID.
+/// @throws InvalidInput as `robotProgram`; also if no joint values are given, or the machine's axes are not
+///   at right angles
+/// @throws InvalidConfig if the program needs several files
 void writeRobotProgram(RobotLanguage language, const PlacedToolpath& placed,
                        const RobotProgramSettings& settings, const TextSink& sink);
 
-/// Files of a program that was written.
+/// What was written: the files of a program, and how its speeds were rounded.
 struct RobotWriting {
-  std::vector<std::string> files;  ///< names, the one that is loaded first before those that it runs
+  std::vector<std::string> files;  ///< names; first the file to be loaded first, then those that it calls
   SpeedRounding speeds;
 };
 
-/// Files beside a program whose numbers go on from its own, as a longer program of that name left them.
-/// @param path  of the file that is loaded first
+/// Names of files beside a program whose numbers continue those of its own files, as left behind by a longer
+/// program of the same name.
+/// @param path   of the file that is loaded first
 /// @param names  of all files of the program
 /// @return names in the order of their numbers
 std::vector<std::string> filesOfLongerProgram(const std::string& path, const std::vector<std::string>& names);
 
-/// Writes the file that is loaded first under the path, and those that it runs beside it; all files or none.
+/// Writes the file that is loaded first at the path, and the files that it calls beside it; all files or
+/// none.
 /// @throws InvalidInput, InvalidConfig as above; FileError
 RobotWriting writeRobotFiles(const std::string& path, const PlacedToolpath& placed,
                              const RobotProgramSettings& settings);
 
-/// The same of a toolpath over the bed whose joints are not known, without approach and retract.
-/// @throws InvalidInput also if the language is URScript, whose poses are over the robot's base
+/// Writes a toolpath in coordinates of the bed whose joint values are not known, likewise, but without
+/// approach and retract.
+/// @throws as above; InvalidInput also if the language is URScript, whose poses are relative to the robot's
+///   base
 RobotWriting writeRobotFiles(const std::string& path, const Toolpath& over_bed,
                              const RobotProgramSettings& settings);
 

@@ -18,10 +18,11 @@ struct RunSettings {
 /// Adds the keys joints.*, motion.*, trajectory.* and process.*.
 void describe(SettingsSchema& schema, RunSettings& settings);
 
+/// Checks the settings.
 /// @throws InvalidConfig naming key, value and bound
 void validate(const RunSettings& settings);
 
-/// Those of a job.
+/// The run settings within the settings of a job.
 RunSettings runSettings(const JobSettings& settings);
 
 }  // namespace lamina

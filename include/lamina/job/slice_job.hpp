@@ -12,32 +12,32 @@
 
 namespace lamina {
 
-/// One request: which part becomes which program, and how.
+/// A request to slice a part into a program.
 struct SliceJob {
   std::string part;    ///< path of a mesh file, or the name of a parametric part (`partNames`)
-  std::string output;  ///< file to write, its suffix chooses the writer; empty for none
+  std::string output;  ///< file to write, in the format of its suffix; empty for none
   JobSettings settings;
 };
 
-/// A part ready to print. The toolpath keeps the coordinates of the part's file, inclined layers too.
+/// A sliced part. The toolpath is in the coordinates of the part's file, also if its layers are inclined.
 struct SlicedPart {
   Toolpath toolpath;
   Eigen::Isometry3d bed_from_part = Eigen::Isometry3d::Identity();
   SliceSummary summary;
 };
 
-/// From mesh file to written program: reads and repairs, slices, plans, checks against the machine, writes.
-/// Everything is checked before the output is touched.
+/// Makes a program from a mesh file: reads and repairs the mesh, slices and plans it, checks the toolpath
+/// against the machine, and writes the program. Everything is checked before the output is touched.
 ///
-/// A machine with rotary joints gets five-axis G-code where the toolpath tilts the nozzle; an arm's program
-/// in RAPID is checked against its joints, and states them where the settings ask for that.
+/// A machine with rotary joints gets five-axis G-code where the toolpath tilts the nozzle. An arm's program
+/// in RAPID is checked against its joints, and states them if the settings ask for that.
 ///
-/// @param progress  stages "read", "slice", "plan", "joints" where joints are led, "write"
+/// @param progress  stages "read", "slice", "plan", "joints" if joint values are planned, "write"
 /// @throws FileError, InvalidMesh, InvalidConfig, InvalidInput (no layer, unknown suffix, G-code for a
 ///   robot), Unreachable (larger than the machine, or a program that it cannot run), Cancelled
 SlicedPart runSliceJob(const SliceJob& job, Progress& progress);
 
-/// The part in level layers, for comparison: on the machine of the job with its head upright.
+/// Slices the part in level layers for comparison, as if the head of the job's machine were upright.
 /// @throws as `runSliceJob`
 SlicedPart runLevelSliceJob(SliceJob job, Progress& progress);
 

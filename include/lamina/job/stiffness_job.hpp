@@ -11,29 +11,31 @@
 
 namespace lamina {
 
-/// What of a part bears the load.
+/// Which solid of a part bears the load.
 enum class PartSolid {
   AsDrawn,      ///< all that its surface encloses
-  AsDeposited,  ///< what its toolpath leaves behind: it is sliced first
+  AsDeposited,  ///< what its toolpath deposits, for which it is sliced first
 };
 
-/// A part to be put under load.
+/// A part whose deformation under load is computed.
 struct StiffnessJob {
-  std::string input;  ///< mesh file or name of a part; or .gcode, .mod, .csv, which are taken as deposited
-  PartSolid solid = PartSolid::AsDrawn;  ///< of a mesh or named part
+  /// Mesh file or name of a parametric part; or a program or .csv, which always count as deposited.
+  std::string input;
+  PartSolid solid = PartSolid::AsDrawn;  ///< for a mesh or parametric part
   std::string output;                    ///< elements with displacement and stress (.vtk); empty for none
-  std::string deck;                      ///< the same problem for CalculiX (.inp); empty for none
+  std::string deck;                      ///< the same problem as input for CalculiX (.inp); empty for none
   JobSettings settings;
 };
 
-/// What a load did to a part.
+/// The deformation of a part under load.
 struct LoadedPart {
   StiffnessResult result;
-  double solve_s = 0.0;  ///< time that the solution took
-  StrandThickness thickness;
+  double solve_s = 0.0;       ///< time that the solution took
+  StrandThickness thickness;  ///< number of voxels across the solid
 };
 
-/// Fills voxels of deposition.voxel_mm, solves, writes. Everything is checked before a file is touched.
+/// Fills voxels of size deposition.voxel_mm, computes the deformation, and writes the outputs. Everything is
+/// checked before a file is touched.
 /// @throws InvalidInput, InvalidMesh, InvalidProgram, InvalidConfig, Unreachable, FileError, Cancelled
 LoadedPart runStiffnessJob(const StiffnessJob& job, Progress& progress);
 

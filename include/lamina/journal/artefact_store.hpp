@@ -10,32 +10,33 @@
 
 namespace lamina {
 
-/// Files by the digest of their bytes and the suffix of their names, in a folder beside the journal;
-/// read-only once they are there.
+/// Store of files, named by the digest of their bytes and the suffix of their original name, in a folder
+/// beside the journal. They are read-only once they are stored.
 class ArtefactStore {
  public:
-  /// Makes the folder if it is missing, for its owner alone.
-  /// @throws FileError if it cannot be made
+  /// Opens a store; makes its folder if it is missing, accessible by its owner alone.
+  /// @throws FileError if the folder cannot be made
   explicit ArtefactStore(std::string folder);
 
   ArtefactStore(ArtefactStore&&) noexcept;
   ~ArtefactStore();
 
-  /// A store that is looked at only: nothing is made.
+  /// Opens a store for reading only: no folder is made.
   static ArtefactStore toRead(std::string folder);
 
-  /// Copies a file into the store, durably, and gives what it is known by. The same bytes are kept once.
-  /// @throws FileError if the file cannot be read or the store not written
+  /// Copies a file into the store, durably. Files with the same bytes are stored once.
+  /// @return the artefact by which it is found again
+  /// @throws FileError if the file cannot be read or the store cannot be written
   Artefact keep(const std::string& path, const std::string& kind, const std::string& name);
 
-  /// Keeps bytes as `keep` does those of a file.
+  /// Stores bytes from memory, as `keep` does those of a file.
   Artefact keepText(const std::string& bytes, const std::string& kind, const std::string& name);
 
-  /// Where the bytes of an artefact are.
+  /// Path of an artefact's file.
   std::string pathOf(const Artefact& artefact) const;
 
-  /// The names of those whose file is gone, or no longer has its digest. A file is read once, and again when
-  /// its size or one of its times has changed.
+  /// Names of the artefacts whose file is missing or does not have its digest. A file is read once, and again
+  /// if its size or one of its times has changed.
   std::vector<std::string> torn(const std::vector<Artefact>& artefacts) const;
 
  private:

@@ -11,7 +11,7 @@
 
 namespace lamina {
 
-/// An execution of a job, from its begin on.
+/// An execution of a job, running or ended.
 struct ExecutionRow {
   std::int64_t id = 0;
   std::int64_t job = 0;
@@ -24,40 +24,41 @@ struct ExecutionRow {
   ExecutionProgress progress;
 };
 
-/// What is known of a layer of a part; nothing where it was not measured or reported.
+/// Data of a layer of a part; nothing where a value was not measured or reported.
 struct LayerRow {
   std::int32_t layer = 0;
   std::optional<double> began_s;
   std::optional<double> ended_s;
-  std::optional<double> expected_mm;  ///< planned top
-  std::optional<double> mean_mm;      ///< errors: measured less expected
+  std::optional<double> expected_mm;  ///< planned height of the layer's top
+  std::optional<double> mean_mm;      ///< mean error: measured less expected, as the errors below
   std::optional<double> rms_mm;
   std::optional<double> flatness_mm;
   std::optional<double> worst_mm;
   std::optional<double> coverage;  ///< 0 to 1
-  std::optional<double> gain;      ///< growth over commanded growth
-  std::optional<double> nozzle_c;  ///< at its end
-  std::optional<double> bed_c;
-  std::optional<std::string> correction;  ///< digest of the map it was deposited by; empty: as planned
+  std::optional<double> gain;      ///< growth measured, over growth commanded
+  std::optional<double> nozzle_c;  ///< temperature at the end of the layer
+  std::optional<double> bed_c;     ///< temperature at the end of the layer
+  /// Digest of the map by which it was corrected; empty if deposited as planned.
+  std::optional<std::string> correction;
 };
 
-/// A value that was set, or stood, while a part was made.
+/// A value that was set, or held, while a part was made.
 struct SetpointRow {
   double time_s = 0.0;
   std::string key;  ///< "feed", "startup.bed"
   double value = 0.0;
-  std::string source;  ///< who has set it, or how it was found
+  std::string source;  ///< who has set it, or how it was determined
 };
 
-/// Time in which a job waited: held, suspended or cut off.
+/// A period in which a job waited: held, suspended or cut off.
 struct GapRow {
   double began_s = 0.0;
   std::optional<double> ended_s;
-  std::uint64_t line = 0;  ///< taken last before it
+  std::uint64_t line = 0;  ///< last line that the machine had taken before it
   std::string reason;
 };
 
-/// An alarm with its end.
+/// An alarm, with its acknowledgement and its end.
 struct AlarmRecord {
   AlarmRow alarm;
   std::optional<double> acknowledged_s;
@@ -65,9 +66,9 @@ struct AlarmRecord {
   std::optional<double> gone_s;
 };
 
-/// The part that an execution has made, or what is there of it.
+/// The part that an execution has made, or as much of it as there is.
 struct PartRow {
-  std::string serial;   ///< unlike any other of the journal
+  std::string serial;   ///< unique in the journal
   std::string verdict;  ///< "good", "defective", "aborted"
   std::string verdict_by;
   std::optional<double> removed_s;
@@ -75,21 +76,22 @@ struct PartRow {
   Artefact record;
 };
 
-/// What a journal keeps of each execution: its layers, values, gaps, transitions and alarms, and the part.
-/// @see CellJournal, which it outlives not
+/// The data that a journal keeps of each execution: its layers, setpoints, gaps, transitions and alarms, and
+/// the part. It must not outlive the `CellJournal`.
 class ExecutionLog {
  public:
   explicit ExecutionLog(CellJournal& journal) : store_(*journal.store_) {}
 
-  /// The last execution of a job; nothing if it was never begun.
+  /// The last execution of a job; nothing if none was begun.
   std::optional<ExecutionRow> ofJob(std::int64_t job) const;
   /// @throws InvalidInput if there is none of that number
   ExecutionRow execution(std::int64_t id) const;
 
-  /// The last execution that has ended, if no part was named since; nothing if there is none.
+  /// The last execution that has ended, if it has no part yet; nothing if no execution has ended since the
+  /// last one with a part.
   std::optional<ExecutionRow> lastWithoutPart() const;
 
-  /// Adds to what is known of a layer: what the row does not say stays as it was.
+  /// Adds data of a layer; values that the row does not have stay as they were.
   void setLayer(std::int64_t execution, const LayerRow& row);
   std::vector<LayerRow> layers(std::int64_t execution) const;
 
@@ -97,14 +99,14 @@ class ExecutionLog {
   std::vector<SetpointRow> setpoints(std::int64_t execution) const;
 
   std::vector<GapRow> gaps(std::int64_t execution) const;
-  /// From the one that began it on.
+  /// The changes of state during an execution, beginning with the one that started it.
   std::vector<TransitionRow> transitions(std::int64_t execution) const;
   std::vector<AlarmRecord> alarms(std::int64_t execution) const;
 
-  /// Names the part of an execution, or what has become of it.
+  /// Adds the part of an execution or, if it has one, replaces verdict and record of that.
   void setPart(std::int64_t execution, const PartRow& part, double time_s);
   std::optional<PartRow> part(std::int64_t execution) const;
-  /// The last part that was not removed yet is now.
+  /// Marks the latest part as removed from the machine; no other part, and nothing if it is marked already.
   void removePart(const std::string& by, double time_s);
 
  private:

@@ -11,38 +11,39 @@
 
 namespace lamina {
 
-/// What is kept of a part: of which files it was made, by whom, what happened meanwhile, and how its layers
-/// turned out. A JSON text (`docs/cell/part_record.schema.json`) and a CSV table of its layers, both
-/// artefacts.
+/// Record of a part: the files of which it was made, by whom, what happened meanwhile, and how its layers
+/// turned out. It consists of a JSON text (`docs/cell/part_record.schema.json`) and a CSV table of the
+/// layers, both artefacts.
 struct PartRecord {
   std::string json;
   std::string layers_csv;
 };
 
-/// How a part has turned out.
+/// How a part has turned out, for its record.
 struct PartOutcome {
-  std::string verdict;                ///< "good", "defective" or "aborted"
-  double time_s = 0.0;                ///< UTC, of the record
-  std::vector<Artefact> corrections;  ///< with which, and the program, what was sent can be made again
+  std::string verdict;  ///< "good", "defective" or "aborted"
+  double time_s = 0.0;  ///< time of the record, UTC
+  /// Files with which, and with the program, the lines that were sent can be made again.
+  std::vector<Artefact> corrections;
 };
 
-/// The record of an execution, as the journal stands.
+/// The record of an execution, from what the journal holds now.
 /// @throws InvalidInput if there is no such execution
 PartRecord partRecord(CellJournal& journal, std::int64_t execution, const PartOutcome& end);
 
-/// Keeps the record of an execution and names its part in the journal, both durably.
+/// Stores the record of an execution and enters its part in the journal, both durably.
 void keepRecord(CellJournal& journal, ArtefactStore& store, std::int64_t execution, const PartOutcome& end);
 
-/// A record that was read, and what is wrong with it or with the files that it names.
+/// A record, and the faults that were found in it or in the files that it names.
 struct CheckedRecord {
   PartRecord record;
-  std::vector<Artefact> files;      ///< of the job and its corrections, whose digests are right
-  std::vector<std::string> faults;  ///< none if every digest is the one that the journal keeps
+  std::vector<Artefact> files;      ///< files of the job and its corrections whose digests are right
+  std::vector<std::string> faults;  ///< empty if every digest is the one that the journal holds
 };
 
 /// Reads the record of a job and checks all of its digests.
-/// @throws InvalidInput if the job has none
-/// @throws FileError if the record itself is gone
+/// @throws InvalidInput if the job has no record
+/// @throws FileError if the record itself is missing
 CheckedRecord readRecord(CellJournal& journal, const ArtefactStore& store, std::int64_t job);
 
 }  // namespace lamina

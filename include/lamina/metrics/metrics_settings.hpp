@@ -10,45 +10,46 @@
 
 namespace lamina {
 
-/// What becomes of faces of the part that no bead comes near.
+/// How faces of the part count that no bead comes near.
 enum class UncoveredFaces {
-  Count,  ///< they are underfilled in full
-  Skip,   ///< they are left out, as in [Guacheta2021, listing A.16]
+  Count,  ///< as underfilled in full
+  Skip,   ///< not at all, as in [Guacheta2021, listing A.16]
 };
 
-/// The line of a bead that is followed.
+/// The line along which a bead is assumed to lie.
 enum class BeadLine {
-  Middle,  ///< half its height behind the tip along the tool axis, where the paths of [Guacheta2021] are
-  Tip,     ///< of the nozzle, as [Guacheta2021] takes G-code
+  Middle,  ///< half the bead's height behind the tip along the tool axis, as for the paths of [Guacheta2021]
+  Tip,     ///< that of the nozzle tip, as [Guacheta2021] does for G-code
 };
 
-/// How wide a bead looks on a face; |n_z| is 0 on vertical faces and 1 on horizontal ones.
+/// Width that a bead is assumed to cover on a face; |n_z| is 0 on vertical faces and 1 on horizontal ones.
 enum class SurfaceWidth {
   Code,  ///< 0.2 mm (1 + |n_z|): 0.2 to 0.4 mm, as in [Guacheta2021, listing A.16]
   Text,  ///< 0.2 mm + 0.15 mm |n_z|: 0.2 to 0.35 mm, as in [Guacheta2021, section 4.2.1]
-  Bead,  ///< of the bead itself: its height seen across the tool axis, the plan width it fills seen along it
+  /// That of the bead: its height seen across the tool axis, the plan width that it fills seen along it.
+  Bead,
 };
 
-/// Which pieces of the path a face is covered by.
+/// Which pieces of the path cover a face.
 enum class FacePieces {
-  Near,    ///< those that reach over it, also from beside it; faces of one plane count as one would
-  Within,  ///< what lies above or below it, with round ends where it is cut off, as in [Guacheta2021]
+  Near,    ///< all that reach over it, also from beside it; faces in one plane count as if they were one
+  Within,  ///< what lies above or below it, cut off with round ends, as in [Guacheta2021]
 };
 
-/// Which overlaps are overfill.
+/// Which overlaps count as overfill.
 enum class Overlaps {
-  Apart,  ///< those of pieces that do not follow each other; joined ones meet at their bisector
-  All,    ///< also the round ends of joined pieces on each other, as in [Guacheta2021]
+  Apart,  ///< those of pieces that do not follow each other; consecutive ones are divided by their bisector
+  All,    ///< also those of the round ends of consecutive pieces, as in [Guacheta2021]
 };
 
 /// Cross-section from which the volume is estimated.
 enum class VolumeSection {
-  Strand,  ///< one section all along, as in [Guacheta2021, eq. 4.6]
-  Bead,    ///< of each bead itself
+  Strand,  ///< the same section everywhere, as in [Guacheta2021, eq. 4.6]
+  Bead,    ///< that of each bead
 };
 
-/// What is taken off the length of each segment before its volume is estimated; D is the diameter of a disc
-/// of the section.
+/// By how much the length of each segment is reduced before its volume is estimated; D is the diameter of a
+/// disc with the area of the section.
 enum class StrandEnds {
   Whole,       ///< nothing, as in [Guacheta2021, eq. 4.6]
   Generated,   ///< D, as [Guacheta2021, listing A.19] does for its own paths
@@ -57,39 +58,39 @@ enum class StrandEnds {
 
 /// Settings of the surface metrics.
 struct SurfaceFillSettings {
-  /// Depth [mm] below a face within which a bead counts for it; 0.25 in [Guacheta2021]. 0: half of what
-  /// the bead measures across the face and a quarter of its height, which is as much for a bead of 0.4 x 0.2
-  /// mm at an upright face.
+  /// Depth below a face within which a bead counts for it [mm]; 0.25 in [Guacheta2021]. 0 stands for half of
+  /// the bead's extent across the face plus a quarter of its height, which is 0.25 mm as well for a bead of
+  /// 0.4 x 0.2 mm at a vertical face.
   double depth_mm = 0.0;
   BeadLine line = BeadLine::Middle;
   SurfaceWidth width = SurfaceWidth::Bead;
   FacePieces pieces = FacePieces::Near;
   Overlaps overlaps = Overlaps::Apart;
   UncoveredFaces uncovered = UncoveredFaces::Count;
-  double step_mm = 0.02;  ///< between the lines along which areas are measured, at most
+  double step_mm = 0.02;  ///< greatest distance of the lines along which areas are measured
 };
 
 /// Settings of the volume error.
 struct VolumeErrorSettings {
   VolumeSection section = VolumeSection::Bead;
-  double strand_area_mm2 = 0.08;
+  double strand_area_mm2 = 0.08;  ///< cross-section for `VolumeSection::Strand`
   StrandEnds ends = StrandEnds::Whole;
-  double fill_share = 1.0;  ///< of the part's volume that is asked for
+  double fill_share = 1.0;  ///< share of the part's volume that should be filled
 };
 
 /// Settings of the simulated platform.
 struct PlatformRunSettings {
-  /// Where the middle of what is deposited stands on the bed [mm]; empty leaves it where it is.
+  /// Position on the bed of the middle of what is deposited, in x and y [mm]; empty to leave it where it is.
   std::vector<double> middle_mm = {0.0, 0.0};
   TrackingSettings tracking;
 };
 
-/// How the nine metrics are taken.
+/// How the nine metrics are measured.
 struct MetricsSettings {
   bool measures_surface = true;
-  bool simulates_platform = false;    ///< which takes longest by far
-  std::vector<std::string> left_out;  ///< metrics of plug-ins that are not measured; no setting of its own
-  double speed_mm_s = 50.0;           ///< of every motion, instead of its feed; 0 for its feed
+  bool simulates_platform = false;    ///< takes by far the longest
+  std::vector<std::string> left_out;  ///< metrics of plug-ins that are not measured; not a setting
+  double speed_mm_s = 50.0;           ///< speed of every motion instead of its feed; 0 for its feed
   double acceleration_mm_s2 = 1000.0;
   SurfaceFillSettings surface;
   VolumeErrorSettings volume;

@@ -12,7 +12,7 @@
 
 namespace lamina {
 
-/// How beads fill one face.
+/// How beads cover one face.
 struct FaceFill {
   double area_mm2 = 0.0;
   double under_fill_mm2 = 0.0;
@@ -20,20 +20,21 @@ struct FaceFill {
   bool has_path = false;  ///< whether any bead comes near
 };
 
-/// How beads fill the surface of a part.
+/// How beads cover the surface of a part.
 struct SurfaceFill {
-  std::vector<FaceFill> faces;  ///< one a triangle of the mesh
-  double under_fill_mm2 = 0.0;  ///< sum over the faces, those without a path as the settings say
+  std::vector<FaceFill> faces;  ///< one for each triangle of the mesh
+  double under_fill_mm2 = 0.0;  ///< sum over the faces; those without a path count as the settings say
   double over_fill_mm2 = 0.0;
 };
 
 /// Measures how the beads just below each face cover it [Guacheta2021, algorithm 4-1].
 ///
-/// What of a bead's line lies within the prism below a face is projected onto the face and widened to a
-/// band with round ends; a drop to a disc. Underfill is what of the face no band covers, overfill what two or
-/// more cover. Areas are measured along parallel lines that lie askew to the face's edges.
+/// The part of a bead's line within the prism below a face is projected onto the face and widened to a band
+/// with round ends; a drop becomes a disc. Underfill is the area of the face that no band covers, overfill
+/// that which two or more cover. Areas are measured along parallel lines that are oblique to the edges of the
+/// face.
 ///
-/// n log n in the number of segments and faces, besides linear in the bands' length on the surface.
+/// Time is n log n in the number of segments and faces, and linear in the length of the bands on the surface.
 ///
 /// @param toolpath  in the frame of the mesh
 /// @param progress  stage "surface"

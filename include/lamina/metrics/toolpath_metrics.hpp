@@ -17,22 +17,25 @@
 
 namespace lamina {
 
-/// Nine numbers that say how good a toolpath is for a part, all to be small [Guacheta2021, table 4-2].
-/// What was not measured is not a number.
+/// Nine figures of merit of a toolpath for a part, the smaller the better [Guacheta2021, table 4-2]. Those
+/// that were not measured are NaN.
 ///
-/// Time and lengths are counted from the first run that deposits to the last, skirts included: neither the
-/// way from home nor that to where the machine parks. Zero where nothing deposits.
+/// Time and lengths are counted from the first run that deposits to the last, skirts included, without the
+/// motions from home and to where the machine parks. They are zero if nothing is deposited.
 struct ToolpathMetrics {
-  double print_time_s = 0.0;  ///< from rest to rest on every motion
+  double print_time_s = 0.0;  ///< if every motion starts and ends at rest
   double material_mm = 0.0;   ///< length along which material is deposited
-  double travel_mm = 0.0;     ///< length along which none is
+  double travel_mm = 0.0;     ///< length of the other motions
   double under_fill_mm2 = std::numeric_limits<double>::quiet_NaN();  ///< surface that no bead covers
   double over_fill_mm2 = std::numeric_limits<double>::quiet_NaN();   ///< surface that is covered twice
-  double volume_error_mm3 = 0.0;  ///< between what is deposited and what is asked for, whichever is more
-  double control_energy_nm2_s = std::numeric_limits<double>::quiet_NaN();   ///< of the six-legged platform
-  double linear_ise_mm2_s = std::numeric_limits<double>::quiet_NaN();       ///< of its nozzle's tip
-  double rotational_ise_rad2_s = std::numeric_limits<double>::quiet_NaN();  ///< of its turns
-  std::map<std::string, double> added = {};  ///< what metrics of plug-ins gave, by name
+  double volume_error_mm3 = 0.0;  ///< absolute difference between the volume deposited and that asked for
+  /// Of the simulated six-legged platform.
+  double control_energy_nm2_s = std::numeric_limits<double>::quiet_NaN();
+  /// Integral of the squared error of its nozzle tip's position.
+  double linear_ise_mm2_s = std::numeric_limits<double>::quiet_NaN();
+  /// Integral of the squared error of its orientation.
+  double rotational_ise_rad2_s = std::numeric_limits<double>::quiet_NaN();
+  std::map<std::string, double> added = {};  ///< values of the metrics of plug-ins, by name
 };
 
 /// What a metric is measured on.
@@ -41,49 +44,50 @@ struct MetricRequest {
   const Mesh& part;          ///< closed, facing outwards
   Eigen::Isometry3d bed_from_part = Eigen::Isometry3d::Identity();
   const MetricsSettings& settings;
-  const ToolpathMetrics& nine;  ///< as far as they are asked for
+  const ToolpathMetrics& nine;  ///< the nine metrics, as far as they are measured
 };
 
-/// What has to be done for a metric; what none needs is not done.
+/// The most expensive step that a metric needs. Steps that no metric needs are left out.
 enum class MetricNeed {
-  Path,      ///< a walk along the toolpath
+  Path,      ///< a pass over the toolpath
   Surface,   ///< `measureSurfaceFill`
-  Platform,  ///< the simulated platform
+  Platform,  ///< the simulation of the platform
 };
 
-/// One number that says how good a toolpath is for a part, to be small.
+/// A figure of merit of a toolpath for a part, the smaller the better.
 struct Metric {
-  std::string meaning;  ///< a sentence with its unit
-  /// The same whatever the number of threads; not a number if it was not measured.
+  std::string meaning;  ///< description in a sentence, with the unit
+  /// Returns the value, or NaN if it was not measured; must not depend on the number of threads.
   std::function<double(const MetricRequest& request)> measure;
   MetricNeed need = MetricNeed::Path;
 };
 
-/// All metrics, those of plug-ins too. Whoever adds one calls `toolpathMetrics().add("name_unit", {...})`.
+/// All metrics by name, those of plug-ins included. A plug-in adds one by `toolpathMetrics().add("name_unit",
+/// {...})`.
 Registry<Metric>& toolpathMetrics();
 
-/// The names of all metrics: the nine in their order, then those added, in alphabetical order.
+/// Names of all metrics: the nine in their order, then those of plug-ins in alphabetical order.
 std::vector<std::string> metricNames();
 
-/// The values in the order of `metricNames`; of one that was not measured, not a number.
+/// The values in the order of `metricNames`, NaN for those that were not measured.
 std::vector<double> metricValues(const ToolpathMetrics& metrics);
 
-/// What each is, a sentence with its unit, in the order of `metricNames`.
+/// Descriptions in the order of `metricNames`, each a sentence with the unit.
 std::vector<std::string> metricMeanings();
 
-/// Measures a toolpath against the part that it is to make. The same whatever the number of threads.
+/// Measures a toolpath against the part that it is to make. The result is the same for any number of threads.
 /// @param toolpath       in the frame of the part
 /// @param part           closed, facing outwards
-/// @param bed_from_part  [mm]; how the part is turned says which faces are level
-/// @param progress       stages "surface", and "simulate" if the platform is asked for
-/// @throws InvalidInput if a feed is not positive where it counts; what an added metric throws, with its name
-/// @throws Unreachable if the platform is asked for and cannot follow
+/// @param bed_from_part  [mm]; its rotation decides which faces are level
+/// @param progress       stages "surface", and "simulate" if the platform is simulated
+/// @throws InvalidInput if a feed that is used is not positive; as a metric of a plug-in, with its name
+/// @throws Unreachable if the platform is simulated and cannot follow
 /// @throws Cancelled
 ToolpathMetrics measureToolpath(const Toolpath& toolpath, const Mesh& part,
                                 const Eigen::Isometry3d& bed_from_part, const MetricsSettings& settings,
                                 Progress& progress);
 
-/// The settings by which no more is done than these metrics need.
+/// The settings, changed so that nothing is computed that these metrics do not need.
 /// @throws InvalidConfig if there is no metric of a name
 MetricsSettings onlyFor(const std::vector<std::string>& metrics, MetricsSettings settings);
 

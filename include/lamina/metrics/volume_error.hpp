@@ -7,12 +7,13 @@
 
 namespace lamina {
 
-/// Volume of what is deposited for the part, skirts left out [mm³] (eq. 4.6 of [Guacheta2021]). Drops
-/// count by their own volume.
+/// Volume deposited for the part, without skirts [mm³] (eq. 4.6 of [Guacheta2021]). Drops count with their
+/// own volume.
 double estimatedVolume(const Toolpath& toolpath, const VolumeErrorSettings& settings);
 
-/// Between that and the share of the part's volume that is asked for, without sign [mm³] (eq. 4.7 of
-/// [Guacheta2021]).
+/// Absolute difference between that volume and the share of the part's volume that should be filled [mm³]
+/// (eq. 4.7 of [Guacheta2021]).
+/// @param part_mm3  volume of the part
 double volumeError(const Toolpath& toolpath, double part_mm3, const VolumeErrorSettings& settings);
 
 }  // namespace lamina

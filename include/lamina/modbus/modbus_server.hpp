@@ -13,27 +13,29 @@
 
 namespace lamina {
 
+/// Where the server listens, and which clients it serves.
 struct ModbusServerSettings {
   std::string bind = "127.0.0.1";  ///< address to listen on
   std::uint16_t port = 1502;       ///< 0 for any that is free
-  std::size_t connections = 4;     ///< at once; more are closed as they come
-  double give_way_s = 10.0;        ///< of silence after which one makes place for its own address
-  std::vector<std::string> allow = {"127.0.0.1"};  ///< addresses that may connect
-  double half_frame_s = 1.0;                       ///< that a frame may take to come whole
+  std::size_t connections = 4;     ///< most at a time; further ones are closed at once
+  /// Silence after which a connection may be closed for a new one from the same address, if all are in use.
+  double give_way_s = 10.0;
+  std::vector<std::string> allow = {"127.0.0.1"};  ///< addresses from which clients may connect
+  double half_frame_s = 1.0;                       ///< time within which a frame must be complete
 };
 
-/// What the server asks and reports. All calls come from its own thread, one after the other.
+/// Functions that the server calls, all from its own thread, one after the other.
 struct ModbusPeers {
-  /// The answer to a request, as bytes.
+  /// Returns the answer to a request, as bytes.
   std::function<std::string(int connection, const ModbusRequest& request)> answer;
-  /// A connection is gone.
+  /// Called when a connection was closed.
   std::function<void(int connection)> closed;
-  /// A frame was broken, or did not come whole in time; its connection is closed.
+  /// Called when a connection was closed because a frame was broken, or not complete in time.
   std::function<void(const std::string& address, const std::string& reason)> broken;
 };
 
-/// Listens for Modbus TCP clients in a thread of its own. A connection is read again only when its last
-/// answers have been written, so that slow readers cost no memory.
+/// Listens for Modbus TCP clients in a thread of its own. A connection is read again only once its last
+/// answers have been written, so that slow readers take no memory.
 class ModbusServer {
  public:
   /// @throws DeviceError if it cannot listen there, with address and reason
@@ -43,7 +45,7 @@ class ModbusServer {
   ModbusServer(const ModbusServer&) = delete;
   ModbusServer& operator=(const ModbusServer&) = delete;
 
-  /// The port it listens on.
+  /// The TCP port on which it listens.
   std::uint16_t port() const;
 
  private:

@@ -13,74 +13,79 @@
 
 namespace lamina {
 
+/// Settings of the link to a PLC.
 struct PlcLinkSettings {
   WordOrder word_order = WordOrder::HighFirst;
-  double watchdog_s = 2.0;   ///< without a change of the heartbeat
-  double abandon_s = 300.0;  ///< of silence after which a held unit is stopped
+  double watchdog_s = 2.0;  ///< time without a change of the PLC's heartbeat after which the watchdog is lost
+  double abandon_s = 300.0;  ///< time without a change of the heartbeat after which a held unit is stopped
 };
 
-/// Who may command: only maintenance changes it.
+/// Whether the PLC may give commands; only maintenance changes it.
 enum class RemoteAccess : std::uint8_t { Locked, Allowed };
 
-/// What the PLC asks for, once.
+/// An order of the PLC, which is carried out once.
 struct PlcOrder {
   enum class Kind : std::uint8_t { Command, Mode, Job, Acknowledge };
   Kind kind = Kind::Command;
-  std::uint32_t value = 0;  ///< command, mode, job or alarm, by number
-  std::uint16_t sequence = 0;
+  std::uint32_t value = 0;     ///< number of the command, mode, job or alarm
+  std::uint16_t sequence = 0;  ///< sequence number that came with it; 0 for acknowledgements
 };
 
 /// Whether the cell reports the state of the unit.
 enum class UnitPresence : std::uint8_t { Lost, Present };
 
-/// The unit as the PLC sees it: answers requests from the registers, and finds orders in them. Takes requests
-/// and times, gives answers and orders; no network.
+/// The unit as the PLC sees it: answers requests from the registers, and finds orders in them. It takes
+/// requests and times and returns answers and orders, without any network.
 ///
-/// A command is taken once, when its sequence changes to a value other than 0. One connection writes: the
-/// first that does, until it is closed or the watchdog is lost; others are answered ServerBusy, but for Stop,
-/// Hold and Abort.
+/// A command is taken once, when its sequence changes to a value other than 0. Only one connection may write:
+/// the first that does, until it is closed or the watchdog is lost. Others are answered ServerBusy, unless
+/// they write a Stop, Hold or Abort alone.
 class PlcLink {
  public:
   explicit PlcLink(const PlcLinkSettings& settings) : settings_(settings) {}
 
-  /// The answer to a request: bytes for the connection it came on.
+  /// The answer to a request, as bytes to be sent on the same connection.
   std::string answer(int connection, const ModbusRequest& request, double now_s);
 
-  /// A connection was closed.
+  /// Reports that a connection was closed.
   void close(int connection);
 
+  /// Sets whether the PLC may give commands.
   void setRemoteAccess(RemoteAccess access) { access_ = access; }
+  /// Sets what the input registers report of the unit.
   void setStatus(const PlcStatus& status) { status_ = status; }
 
-  /// While the unit is lost, as it is at first, Lamina's heartbeat stands still and commands other than Stop,
-  /// Hold and Abort are answered Busy.
+  /// Sets whether the unit is present; at first it is lost. While it is lost, Lamina's heartbeat stands
+  /// still, commands other than Stop, Hold and Abort are answered Busy, and other orders are dropped.
   void setPresence(UnitPresence presence, double now_s);
 
-  /// The orders since the last call, oldest first. Commands that cannot be followed were answered and are not
-  /// among them. While remote access is locked or the watchdog is lost, these are all commands except Stop,
-  /// Hold and Abort.
+  /// The orders since the last call, oldest first. While remote access is locked, the watchdog is lost or the
+  /// unit is lost, Stop, Hold and Abort alone are among them: other commands are answered with the reason,
+  /// and other orders are dropped.
   std::vector<PlcOrder> takeOrders();
 
-  /// Tells the PLC what became of a command. What became of other orders is seen in the status.
+  /// Reports the result of a command to the PLC. For other orders nothing is reported, as the status shows
+  /// their result.
   void setResult(const PlcOrder& order, CommandResult result);
 
-  /// Looks at the heartbeat. The watchdog is armed by the first change of the heartbeat while remote access
-  /// is allowed.
+  /// Checks the heartbeat of the PLC; to be called periodically. The watchdog is armed by the first change of
+  /// the heartbeat while remote access is allowed.
   PlcHeartbeat watch(double now_s);
 
+  /// Whether the watchdog is armed and good.
   bool isAlive() const { return watchdog_ == PlcHeartbeat::Good; }
 
-  /// Number of times that the PLC has reported a change of its surroundings: interlocks, plate, speed, badge.
+  /// Number of times that the PLC has changed what it reports of its surroundings: interlocks, plate, speed,
+  /// badge.
   std::uint32_t news() const { return news_; }
 
-  /// True once the PLC has written the register of its plate; until then the content of the register means
-  /// nothing.
+  /// Whether the PLC has written the register of its plate; before that the register has no meaning.
   bool isPlateTold() const { return is_plate_told_; }
 
-  /// As written last.
+  /// The values that the PLC has written.
   PlcInputs inputs() const { return plcInputs(holding_, settings_.word_order); }
 
-  /// As read by the PLC at that time.
+  /// The input registers as the PLC would read them at that time.
   InputRegisters registers(double now_s) const;
 
  private:

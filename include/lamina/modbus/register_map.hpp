@@ -17,7 +17,7 @@ namespace lamina {
 // The registers of the PLC link, version 1: docs/cell/plc.md lists them for PLC programmers. Addresses are
 // those of the protocol, from 0.
 
-/// Which word of a 32-bit value stands in the lower register.
+/// Which word of a 32-bit value is in the lower register.
 enum class WordOrder : std::uint8_t { HighFirst, LowFirst };
 
 constexpr std::uint16_t kRegisterMapVersion = 1;
@@ -27,7 +27,7 @@ constexpr std::size_t kHoldingRegisters = 36;
 using InputRegisters = std::array<std::uint16_t, kInputRegisters>;
 using HoldingRegisters = std::array<std::uint16_t, kHoldingRegisters>;
 
-/// The flags of input register 3, by bit.
+/// Flags of input register 3; the value is the number of the bit.
 enum class StatusFlag : std::uint8_t {
   WatchdogGood,
   RemoteAllowed,
@@ -47,7 +47,7 @@ enum class StatusFlag : std::uint8_t {
   ResumeWaits,
 };
 
-/// What a job does, as the PLC reads it.
+/// The job as the PLC reads it.
 struct JobStatus {
   std::uint32_t id = 0;  ///< 0 for none
   std::uint16_t state =
@@ -56,14 +56,15 @@ struct JobStatus {
   std::int32_t layer = -1;  ///< -1 before the first
   std::int32_t layers = 0;
   float fraction = 0.0F;
-  std::uint32_t gone_s = 0;
-  std::uint32_t left_s = std::numeric_limits<std::uint32_t>::max();  ///< the greatest: not known
+  std::uint32_t gone_s = 0;  ///< time since the job began
+  /// Estimated; the greatest value stands for not known.
+  std::uint32_t left_s = std::numeric_limits<std::uint32_t>::max();
   std::uint32_t line = 0;
   float path_mm = 0.0F;
-  std::string name;  ///< the first 64 bytes are shown, in whole characters
+  std::string name;  ///< only the first 64 bytes are shown, in whole characters
 };
 
-/// What the process does, as the PLC reads it; 0 where it is not measured.
+/// Figures of the process as the PLC reads them; 0 where they are not measured.
 struct ProcessFigures {
   float nozzle_c = 0.0F;
   float bed_c = 0.0F;
@@ -71,20 +72,20 @@ struct ProcessFigures {
   float tip_speed_mm_s = 0.0F;
   float laser_w = 0.0F;
   float wire_mm_s = 0.0F;
-  float mean_error_mm = 0.0F;  ///< of the layer measured last, as those below
+  float mean_error_mm = 0.0F;  ///< of the layer measured last, as are those below
   float rmse_mm = 0.0F;
   float coverage = 0.0F;
   float mean_correction = 0.0F;
 };
 
-/// All that the input registers say, beside what the link itself knows.
+/// Contents of the input registers, except for what the link itself adds (`LinkFigures`).
 struct PlcStatus {
-  std::vector<StatusFlag> flags;  ///< those that are set; the link sets its own
+  std::vector<StatusFlag> flags;  ///< those that are set, without those that the link sets itself
   int mode = kProduction;
   int mode_requested = kProduction;
   UnitState state = UnitState::Stopped;
   UnitState state_requested = UnitState::Stopped;
-  std::uint16_t stop_reason = 0;  ///< alarm; 0 for none
+  std::uint16_t stop_reason = 0;  ///< number of the alarm; 0 for none
   std::int32_t stop_value = 0;
   std::vector<ActiveAlarm> alarms;
   JobStatus job;
@@ -96,7 +97,7 @@ struct PlcStatus {
   bool is_clock_synchronised = false;
 };
 
-/// What the link itself puts into the input registers.
+/// What the link itself adds to the input registers.
 struct LinkFigures {
   std::uint16_t heartbeat = 0;
   std::uint16_t plc_heartbeat = 0;
@@ -105,10 +106,10 @@ struct LinkFigures {
   std::uint16_t result = 0;  ///< a `CommandResult`; 0 before the first command
 };
 
-/// All input registers. Those that the map leaves out are 0.
+/// All input registers; those that the map does not use are 0.
 InputRegisters inputRegisters(const PlcStatus& status, const LinkFigures& link, WordOrder order);
 
-/// What the PLC has written, in words.
+/// Contents of the holding registers: what the PLC has written.
 struct PlcInputs {
   std::uint16_t heartbeat = 0;
   std::uint16_t command = 0;
@@ -123,24 +124,25 @@ struct PlcInputs {
   bool has_vacuum = false;
   bool is_blocked = false;
   bool is_starved = false;
-  bool is_guard_closed = false;  ///< information, as those below: never protection
+  bool is_guard_closed = false;  ///< for information only, as are those below; never used for protection
   bool is_guard_reset = false;
   bool is_emergency_stop_pressed = false;
   bool is_plate_there = false;
   bool is_plate_clamped = false;
   bool is_part_removed = false;
   bool is_zone_taken = false;
-  double speed = 1.0;  ///< override: 1 where the PLC has written nothing
+  double speed = 1.0;  ///< override; 1 if the PLC has written nothing
   std::uint16_t acknowledged_alarm = 0;
   std::string badge;
 };
 
+/// Reads the contents of the holding registers.
 PlcInputs plcInputs(const HoldingRegisters& registers, WordOrder order);
 
-/// True if the values of all holding registers can be used: the speed override is 0 (none) or 0.5 to 1.2.
+/// Whether all holding registers have valid values: the speed override is 0 (none) or 0.5 to 1.2.
 bool areInRange(const HoldingRegisters& registers, WordOrder order);
 
-/// True if a PLC may write there: 0 to 14 and 20 to 35.
+/// Whether a PLC may write the holding register: 0 to 14 and 20 to 35.
 bool isWritable(std::size_t address);
 
 }  // namespace lamina

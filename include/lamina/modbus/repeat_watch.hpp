@@ -7,13 +7,13 @@
 
 namespace lamina {
 
-/// Tells when something has happened too often: more than `most` times within a time.
+/// Reports when an event has occurred too often: more than `most` times within `within_s`.
 class RepeatWatch {
  public:
   RepeatWatch(std::size_t most, double within_s) : most_(most), within_s_(within_s) {}
 
-  /// It has happened once more.
-  /// @return true if that was once too often; it is counted anew from then on
+  /// Counts an event.
+  /// @return true if it has now occurred too often; counting then starts anew
   bool add(double now_s);
 
  private:

@@ -14,6 +14,7 @@
 
 namespace lamina {
 
+/// Value of figures that were not measured.
 constexpr double kNotMeasured = std::numeric_limits<double>::quiet_NaN();
 
 /// A job as the page shows it.
@@ -28,18 +29,18 @@ struct ShownJob {
   std::string released_by;
 };
 
-/// The unit as it was heard of last.
+/// The unit according to its last report.
 struct ShownUnit {
   UnitState state = UnitState::Stopped;
-  std::uint32_t sequence = 0;
-  double in_state_s = 0.0;
+  std::uint32_t sequence = 0;  ///< number of the last change of state
+  double in_state_s = 0.0;     ///< time in the present state
   int mode = kProduction;
   std::string mode_name;
-  std::vector<UnitCommand> accepted_now;
-  int stop_reason = 0;  ///< alarm; 0 for none
+  std::vector<UnitCommand> accepted_now;  ///< commands that the unit would accept now
+  int stop_reason = 0;                    ///< alarm that stopped the unit; 0 for none
   std::string stop_message;
   std::optional<ShownJob> job;
-  bool resume_waits = false;
+  bool resume_waits = false;  ///< whether a job that was cut off can be resumed
   bool is_part_on_plate = false;
   std::uint32_t lines = 0;
   std::uint32_t lines_acknowledged = 0;
@@ -47,7 +48,7 @@ struct ShownUnit {
   double fraction = 0.0;
   std::uint32_t parts = 0;
   std::uint32_t defective = 0;
-  double running_s = 0.0;  ///< in Execute, in Production
+  double running_s = 0.0;  ///< time in the state Execute, in the mode Production
 };
 
 struct ShownAlarm {
@@ -73,14 +74,14 @@ struct ShownStep {
 };
 
 struct ShownMachine {
-  std::string job;  ///< file that runs
+  std::string job;  ///< name of the file that is running
   double nozzle_degc = kNotMeasured;
   double bed_degc = kNotMeasured;
   std::array<double, 3> position_m = {kNotMeasured, kNotMeasured, kNotMeasured};
   std::string failure;
 };
 
-/// The loop on layer heights.
+/// The closed loop on layer heights.
 struct ShownLoop {
   std::string state;
   std::string reason;
@@ -88,7 +89,7 @@ struct ShownLoop {
   int alarm = 0;
 };
 
-/// What a layer measured.
+/// Errors of a layer's height: measured less expected.
 struct ShownLayer {
   std::uint32_t layer = 0;
   double mean_error_m = 0.0;
@@ -97,67 +98,68 @@ struct ShownLayer {
   double coverage = 0.0;
 };
 
-/// The errors of the last layer seen, in rows from the back of the bed to its front.
+/// Errors of height over the layer measured last, in rows from the back of the bed to its front.
 struct ShownDeviation {
-  std::uint64_t number = 0;  ///< of the pictures, from 1; 0 for none yet
+  std::uint64_t number = 0;  ///< number of this picture, from 1; 0 if there is none yet
   std::uint32_t columns = 0;
   std::uint32_t rows = 0;
-  std::vector<float> errors_m;  ///< NaN where nothing was seen
+  std::vector<float> errors_m;  ///< measured less expected, row by row; NaN where nothing was measured
 };
 
-/// All that is known of the cell at an instant.
+/// All that is known of the cell at one instant.
 struct CellSnapshot {
-  std::optional<double> heard_s;  ///< steady time of the unit's last word; nothing before the first
+  /// Time of the unit's last report, by the monotonic clock; nothing before the first.
+  std::optional<double> heard_s;
   ShownUnit unit;
   std::vector<ShownAlarm> alarms;
   std::vector<ShownJob> queue;
-  std::optional<double> machine_heard_s;
+  std::optional<double> machine_heard_s;  ///< the same for the machine
   ShownMachine machine;
   std::vector<ShownStep> startup;
   std::optional<ShownLoop> loop;
   std::vector<ShownLayer> layers;
-  std::uint64_t deviation_number = 0;  ///< of the last `deviation`
+  std::uint64_t deviation_number = 0;  ///< `number` of the latest `deviation`
   bool has_camera = false;
 };
 
-/// A layer of a program, as lines to be drawn.
+/// A layer of a program as lines to be drawn.
 struct LayerPreview {
   std::int32_t layer = 0;
-  std::int32_t layers = 0;
+  std::int32_t layers = 0;  ///< number of layers of the program
   double z_m = 0.0;
-  /// Deposited lines, each x, y, x, y, … [m].
+  /// Lines along which material is deposited, each as x, y, x, y, … [m].
   std::vector<std::vector<float>> lines;
-  bool is_cut_short = false;  ///< there are more lines than are drawn
+  bool is_cut_short = false;  ///< whether there are more lines than are given here
 };
 
-/// What there is to draw.
+/// The preview of a layer, as far as it is there.
 struct ShownPreview {
-  bool is_being_read = false;         ///< the program: ask again
-  std::optional<LayerPreview> layer;  ///< nothing if there is none
+  bool is_being_read = false;         ///< whether the program is still being read; ask again later
+  std::optional<LayerPreview> layer;  ///< nothing if there is no such layer, or the program is being read
 };
 
-/// What became of an order to the cell.
+/// Answer to an order to the cell.
 struct DeskAnswer {
   enum class Outcome : std::uint8_t {
     Done,
     Refused,   ///< by the cell, with its reason
     BadInput,  ///< a program that cannot be printed, a value out of range
     Unknown,   ///< no such job or alarm
-    Silent,    ///< nobody answers, and nothing was done
-    Unsure,    ///< nobody answers: it may still be done
-    Overtaken  ///< dropped for what stops the unit, or another of its kind waits already
+    Silent,    ///< no answer, and the order was not carried out
+    Unsure,    ///< no answer; the order may still be carried out
+    Overtaken  ///< dropped, since the unit is being stopped or such an order waits already
   };
   Outcome outcome = Outcome::Done;
-  int code = 0;  ///< of `CommandResult` for commands, modes, alarms
+  int code = 0;  ///< a `CommandResult`, for commands, modes and alarms
   std::string message;
-  std::int64_t job = 0;
+  std::int64_t job = 0;  ///< number of the job that was added; 0 otherwise
 };
 
 struct DeskCommand {
   UnitCommand command = UnitCommand::Hold;
   std::string source;
-  std::optional<std::uint32_t> expected_sequence;
-  int cut_off = 0;  ///< with Start: 1 resumes what was cut off, 2 discards it
+  std::optional<std::uint32_t> expected_sequence;  ///< refused if the unit's `sequence` is another
+  int cut_off = 0;  ///< for Start: 1 resumes the job that was cut off, 2 discards it
 };
 
 struct DeskProgram {
@@ -171,14 +173,14 @@ enum class QueueChange : std::uint8_t { Release = 0, Revoke = 1, MoveToFront = 2
 enum class StartupCommand : std::uint8_t { Run = 0, Confirm = 1, Abort = 2 };
 enum class ShownLoopRequest : std::uint8_t { Off = 0, Identify = 1, Active = 2 };
 
-/// The cell as the page reaches it: what is known of it, and orders to it. Several threads call at a time;
-/// orders wait for their answer, each kind on its own: what stops the unit waits behind nothing else.
+/// Interface through which the page sees the cell and gives it orders. It is called from several threads.
+/// Orders wait for their answer, each kind by itself: those that stop the unit do not wait behind others.
 class CellDesk {
  public:
   virtual ~CellDesk() = default;
   virtual CellSnapshot snapshot() const = 0;
   virtual ShownDeviation deviation() const = 0;
-  /// A layer of the job that runs or ran last. Waits for nothing.
+  /// A layer of the job that is running, or ran last. Returns at once.
   /// @throws Error if its program cannot be read
   virtual ShownPreview preview(std::int32_t layer) = 0;
 
@@ -190,7 +192,7 @@ class CellDesk {
   virtual DeskAnswer confirmRemoval(const std::string& source) = 0;
   virtual DeskAnswer startup(StartupCommand command, const std::string& step) = 0;
   virtual DeskAnswer setLoop(ShownLoopRequest request) = 0;
-  /// Raises an alarm of the table.
+  /// Raises an alarm by its number in the table of alarms.
   virtual void report(int alarm, double value, const std::string& message) = 0;
 };
 

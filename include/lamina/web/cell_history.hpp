@@ -14,7 +14,7 @@
 
 namespace lamina {
 
-/// Figures of one second.
+/// Figures of the cell at one second.
 struct HistorySample {
   double utc_s = 0.0;
   double nozzle_degc = kNotMeasured;
@@ -22,7 +22,7 @@ struct HistorySample {
   double fraction = 0.0;
 };
 
-/// Something that has happened, in a sentence.
+/// An event in the cell, described in a sentence.
 struct CellEvent {
   std::uint64_t number = 0;  ///< from 1
   double utc_s = 0.0;
@@ -30,14 +30,16 @@ struct CellEvent {
   std::string text;
 };
 
-/// What a cell did lately, derived from what was seen of it: figures of ten minutes, the last 500 events, and
-/// how long the job still takes.
+/// The recent history of a cell, derived from snapshots of it: figures of the last ten minutes, the last 500
+/// events, and an estimate of the time that the job still takes.
 class CellHistory {
  public:
+  /// Takes a snapshot; ignored before the unit's first report.
   void observe(const CellSnapshot& seen, const CellTime& now);
 
   const std::deque<HistorySample>& samples() const { return samples_; }
   const std::deque<CellEvent>& events() const { return events_; }
+  /// Estimate of the time that the job still takes; nothing without a job.
   std::optional<LeftEstimate> left() const;
 
  private:

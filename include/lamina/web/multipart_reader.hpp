@@ -11,34 +11,36 @@
 
 namespace lamina {
 
-/// What a part of a form says of itself.
+/// The head of a part of a form.
 struct MultipartHead {
-  std::string name;                     ///< of the field
-  std::optional<std::string> filename;  ///< of `filename*` where there is one
+  std::string name;  ///< of the field
+  /// From `filename*`, if it is given, otherwise from `filename`; nothing if the part is no file.
+  std::optional<std::string> filename;
 };
 
-/// Called for the parts of a form, in their order.
+/// Functions that are called for each part of a form, in the order of the parts.
 struct MultipartHandlers {
   std::function<void(const MultipartHead&)> begin;
   std::function<void(std::string_view piece)> piece;
   std::function<void()> end;
 };
 
-/// The boundary of a `Content-Type: multipart/form-data`; nothing if it is none, or the boundary is not one
-/// of 1 to 70 characters.
+/// The boundary in the header `Content-Type: multipart/form-data`; nothing if the type is another, or the
+/// boundary is invalid or not 1 to 70 characters long.
 std::optional<std::string> multipartBoundary(std::string_view content_type);
 
-/// Reads a form (RFC 7578) piece by piece. Keeps 16 KiB at most.
+/// Reads a form (RFC 7578) piece by piece, keeping at most 16 KiB of it.
 class MultipartReader {
  public:
   MultipartReader(const std::string& boundary, MultipartHandlers handlers);
 
   /// Takes the next piece of the body.
-  /// @throws InvalidInput if it is no form: a part without name, a head of more than 8 KiB, more than 16
-  /// parts
+  /// @throws InvalidInput if it is no valid form: a part without name, a head of more than 8 KiB, more than
+  ///   16 parts
   void read(std::string_view piece);
 
-  /// @throws InvalidInput if the form was cut off
+  /// Ends the form.
+  /// @throws InvalidInput if it was cut off
   void finish() const;
 
  private:
@@ -57,8 +59,8 @@ class MultipartReader {
   int parts_ = 0;
 };
 
-/// A name that may be shown and stored: the last part of a path, without control characters or leading dots,
-/// at most 120 bytes of whole UTF-8 characters; "program.gcode" if nothing is left.
+/// A file name that may be shown and stored: the last part of a path, without control characters and leading
+/// dots, at most 120 bytes of whole UTF-8 characters; "program.gcode" if nothing is left.
 std::string safeFileName(std::string_view name);
 
 }  // namespace lamina

@@ -19,36 +19,36 @@
 
 namespace lamina {
 
-/// A file of the page, as it stands in the binary.
+/// A file of the page, as it is contained in the executable.
 struct PageFile {
   std::string_view name;  ///< "page.css"
   std::string_view type;  ///< "text/css; charset=utf-8"
   std::string_view bytes;
 };
 
-/// What uploads with `print=true` come to.
+/// What happens to jobs uploaded with `print=true`.
 enum class UploadPrint : std::uint8_t {
-  Wait,    ///< the job waits for somebody to release it
-  Release  ///< it is released if an operator sends it
+  Wait,    ///< they wait for somebody to release them
+  Release  ///< they are released if an operator has sent them
 };
 
 struct SiteSettings {
   WebAccessSettings access;
   std::string upload_folder;
   std::uint64_t most_upload_bytes = std::uint64_t{1} << 30;
-  FreeBytes free_bytes = freeForUploads;  ///< of the folder of uploads
-  std::string journal_folder;             ///< of the cell, that records of parts are read from
+  FreeBytes free_bytes = freeForUploads;  ///< returns the free space on the disk of `upload_folder`
+  std::string journal_folder;  ///< folder of the cell's journal, from which records of parts are read
   UploadPrint upload_print = UploadPrint::Wait;
-  std::vector<std::string> notices = {};  ///< shown on the page for as long as it runs
+  std::vector<std::string> notices = {};  ///< shown on the page as long as the site runs
 };
 
-/// How the body of a request is taken.
+/// How the body of a request is received, or how the connection goes on.
 enum class RouteBody : std::uint8_t {
   None,
   Small,   ///< at most 64 KiB
   Upload,  ///< a form with a file
   Socket,  ///< becomes a WebSocket
-  Camera   ///< is answered by pictures, one after the other
+  Camera   ///< answered by an endless sequence of pictures
 };
 
 /// A row of the table of routes.
@@ -61,23 +61,26 @@ struct RouteRow {
 
 constexpr std::uint64_t kMostSmallBody = 65536;
 
-/// The operator's page and its interface: requests in, answers out, orders to the cell. Knows no sockets.
+/// The operator's page and its HTTP interface: takes requests, returns answers, and gives orders to the cell.
+/// It does not deal with sockets.
 ///
-/// A request is first admitted by its head, then answered with its body. Whatever changes something, and
-/// whatever is refused, stands in the audit. Several threads call at a time.
+/// A request is first admitted by its head, then answered with its body. The audit has an entry for every
+/// request that is to change something, and for refused requests, of which it takes a limited number per
+/// second. May be called from several threads.
 class OperatorSite {
  public:
-  /// A request whose head was taken.
+  /// A request that was admitted by its head.
   struct Admitted {
-    std::size_t route = 0;
+    std::size_t route = 0;  ///< index in `routes`
     RouteBody body = RouteBody::None;
     WebIdentity who;
-    std::vector<std::string> values;  ///< of the pattern's places
+    std::vector<std::string> values;  ///< values of the placeholders in the route's pattern
     HttpTarget target;
-    std::shared_ptr<UploadPlace> place = nullptr;  ///< on the disk, of uploads, for as long as this is there
+    /// For uploads: room on the disk, reserved as long as this object lives.
+    std::shared_ptr<UploadPlace> place = nullptr;
   };
 
-  /// `desk` and `store` outlive it.
+  /// `desk` and `store` must outlive the site.
   OperatorSite(SiteSettings settings, CellDesk& desk, WebStore& store, std::vector<PageFile> files);
   ~OperatorSite();
 
@@ -86,23 +89,30 @@ class OperatorSite {
 
   const SiteSettings& settings() const;
 
+  /// Checks the head of a request: its target, origin, identity, rights, rate and size.
+  /// @return the admitted request, or the answer that refuses it
   std::variant<Admitted, WebResponse> admit(const HttpHead& head, const CellTime& now);
+  /// Carries out an admitted request. One that changes something is carried out once for its
+  /// `Idempotency-Key`, and repetitions get the same answer, unless it stops the unit or its answer is
+  /// secret.
   WebResponse answer(const Admitted& admitted, const WebRequest& request, const CellTime& now);
 
-  /// Notes a request that broke off, or was refused before it could be admitted.
+  /// Enters a request in the audit that broke off, or was refused before `admit`.
   void noteRefusal(const HttpPeer& peer, const std::string& what, const std::string& reason,
                    const CellTime& now);
 
-  /// Looks at the cell; call it some ten times a second.
+  /// Updates history and state from the cell; to be called about ten times a second.
   void observe(const CellTime& now);
 
-  /// What WebSockets are sent: the state as JSON, and the number of the change.
+  /// The state that is sent to WebSockets, as JSON, and the number of its latest change.
   struct Live {
     std::uint64_t number = 0;
     std::shared_ptr<const std::string> text;
   };
+  /// The state as a role may see it.
   Live live(WebRole role) const;
-  /// False when a WebSocket's session has ended, or its token is gone.
+  /// Whether the owner of a WebSocket is still identified as before; false once its session has ended or its
+  /// token was removed.
   bool isStillIn(const WebIdentity& who, const HttpHead& head, const CellTime& now);
 
   /// The last picture of the camera, as JPEG.

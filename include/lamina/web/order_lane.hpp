@@ -16,25 +16,26 @@
 
 namespace lamina {
 
-/// What an order does to the unit.
+/// Effect of an order on the unit.
 enum class OrderEffect : std::uint8_t {
-  Stops,  ///< given whatever waits; several of a kind are one
-  Moves,  ///< dropped when the unit is stopped before it was begun
+  Stops,  ///< stops it; a repeated order shares the answer of the one that waits
+  Moves,  ///< lets it move; `dropMoves` drops the order if it was not begun
   Other
 };
 
-/// An order to another node.
+/// An order to another node of the cell.
 struct LaneOrder {
-  std::string kind;  ///< "Start": of equal ones, one waits at a time
+  std::string kind;  ///< "Start": at most one order of a kind waits at a time
   OrderEffect effect = OrderEffect::Other;
-  std::string node;         ///< that is asked, for the answer if it gives none
-  double patience_s = 5.0;  ///< for its answer
-  std::function<DeskAnswer()> call;
+  std::string node;                  ///< name of the node, for the answer if the node gives none
+  double patience_s = 5.0;           ///< how long its answer is waited for
+  std::function<DeskAnswer()> call;  ///< gives the order and returns the answer
 };
 
-/// Gives orders one after the other in a thread of its own, and waits for each answer for a bounded time. An
-/// order that was not begun in that time is never given. Of each kind, one waits at a time; sixteen kinds at
-/// most. Several threads ask at a time.
+/// Gives orders one after the other, in the order in which they were asked for, in a thread of its own.
+/// Callers wait for their answer for a limited time. An order that was not begun in that time is never given.
+/// At most one order of each kind waits, and at most sixteen orders in all. May be called from several
+/// threads.
 class OrderLane {
  public:
   OrderLane();
@@ -43,16 +44,18 @@ class OrderLane {
   OrderLane(const OrderLane&) = delete;
   OrderLane& operator=(const OrderLane&) = delete;
 
-  /// @return the answer; `Overtaken` if the order was dropped, or another of its kind waits already; `Silent`
-  /// if it was not begun in time, `Unsure` if it was
+  /// Gives an order.
+  /// @return the answer; `Overtaken` if the order was dropped, if another of its kind waits already (unless
+  ///   it stops the unit), or if sixteen orders wait; `Silent` if it was not begun in time; `Unsure` if it
+  ///   was begun, or is waited for by another caller, but has no answer in time
   DeskAnswer ask(LaneOrder order);
 
-  /// Drops orders that would move the unit and were not begun yet. One that is on its way cannot be taken
-  /// back: if it turns out not to have been refused, what stops the unit is given after it once more.
-  /// @param stop  what stops it, with its kind: "Hold"
+  /// Drops orders that would move the unit and were not begun yet. One that has been begun cannot be taken
+  /// back: unless the answer shows that it was refused, `stop` is given once more after it.
+  /// @param stop  the order that stops the unit
   void dropMoves(const LaneOrder& stop);
 
-  /// Orders that were not begun yet.
+  /// Number of orders that were not begun yet.
   std::size_t waiting() const;
 
  private:
@@ -63,7 +66,7 @@ class OrderLane {
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   std::deque<std::shared_ptr<Waiting>> waiting_;
-  std::shared_ptr<Waiting> under_way_;  ///< that is being given; null if none is
+  std::shared_ptr<Waiting> under_way_;  ///< order that is being given; null if none is
   bool is_ending_ = false;
   std::thread thread_;
 };

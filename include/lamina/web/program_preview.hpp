@@ -16,12 +16,13 @@
 
 namespace lamina {
 
-/// Reads all layers of a program; ends early, with whatever it likes, once nobody wants them any more.
+/// Reads all layers of a program. Should return early, with any result, once `is_unwanted` is true.
 using PreviewReader = std::function<std::vector<LayerPreview>(const std::string& program,
                                                               const std::atomic<bool>& is_unwanted)>;
 
-/// The layers of a program as lines. A program is read once, in a thread of its own, whether that succeeds or
-/// not; nobody waits for it. Several threads ask at a time.
+/// The layers of a program as lines. The program that was asked for last is read once, in a thread of its
+/// own, and its layers, or the failure to read them, are kept until another program is asked for. Nobody
+/// waits for the reading. May be called from several threads.
 class ProgramPreview {
  public:
   explicit ProgramPreview(PreviewReader reader);
@@ -29,8 +30,8 @@ class ProgramPreview {
   ProgramPreview(const ProgramPreview&) = delete;
   ProgramPreview& operator=(const ProgramPreview&) = delete;
 
-  /// A layer of a program, or that it is being read: then ask again.
-  /// @throws InvalidInput if it could not be read, with the reason
+  /// A layer of a program, or the information that the program is still being read.
+  /// @throws InvalidInput if the program could not be read, with the reason
   ShownPreview layer(const std::string& program, std::int32_t layer);
 
  private:

@@ -6,20 +6,20 @@
 
 namespace lamina {
 
-/// Certificate and private key of a server, as PEM files.
+/// Paths of a server's certificate and private key, both PEM files.
 struct TlsFiles {
   std::string certificate;
   std::string key;
 };
 
-/// Makes a key (P-256) and a certificate signed by itself for ten years if neither file is there. The key is
-/// readable by its owner alone.
-/// @param host  name or address that browsers will ask for
-/// @throws FileError if a file cannot be written, or only one of the two is there
+/// Makes a private key (P-256) and a self-signed certificate that is valid for ten years, if neither file
+/// exists. Only their owner can read the key.
+/// @param host  name or address by which browsers reach the server
+/// @throws FileError if a file cannot be written, or only one of the two exists
 void makeTlsIdentity(const TlsFiles& files, const std::string& host);
 
-/// SHA-256 of a certificate, as browsers show it: "AB:CD:…".
-/// @throws FileError if it is no certificate
+/// The SHA-256 fingerprint of a certificate, as browsers show it: "AB:CD:…".
+/// @throws FileError if the file is no certificate
 std::string tlsFingerprint(const std::string& certificate);
 
 }  // namespace lamina

@@ -14,7 +14,7 @@
 
 namespace lamina {
 
-/// An upload that does not fit: beyond the limit (413) or the disk (507).
+/// Error of an upload that is larger than the limit (status 413) or than the disk allows (507).
 class UploadTooLarge : public std::exception {
  public:
   UploadTooLarge(int status, std::string message) : status_(status), message_(std::move(message)) {}
@@ -26,22 +26,25 @@ class UploadTooLarge : public std::exception {
   std::string message_;
 };
 
-/// A form as it comes in: the part `file` goes to the disk under a name nobody can guess, the other fields
-/// into memory. The file is gone with this.
+/// Receives the form of an upload: the part with a file name is written to the disk under an unpredictable
+/// name, the other fields are kept in memory. The file is deleted with this object.
 class UploadFile {
  public:
-  /// @param folder  that it is written to
-  /// @param most  bytes of the file
-  /// @param place  that is noted to be filled
+  /// @param folder  in which the file is written
+  /// @param most   greatest size of the file [bytes]
+  /// @param place  reserved room on the disk, from which written bytes are taken
   UploadFile(std::string folder, const std::string& boundary, std::uint64_t most,
              std::shared_ptr<UploadPlace> place);
   ~UploadFile();
   UploadFile(const UploadFile&) = delete;
   UploadFile& operator=(const UploadFile&) = delete;
 
-  /// @throws InvalidInput if it is no form, has two files, or a field of more than 4 KiB; UploadTooLarge
+  /// Takes the next piece of the body.
+  /// @throws InvalidInput if it is no valid form, has two files, or has a field of more than 4 KiB
+  /// @throws UploadTooLarge; FileError if the file cannot be made
   void read(std::string_view piece);
 
+  /// Ends the upload.
   /// @throws InvalidInput if the form was cut off or had no file
   const ReceivedUpload& finish();
 

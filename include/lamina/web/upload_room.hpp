@@ -9,15 +9,15 @@
 
 namespace lamina {
 
-/// How many bytes the disk of a folder has left.
+/// Returns the free space on the disk of a folder [bytes].
 using FreeBytes = std::function<std::uint64_t(const std::string& folder)>;
 
-/// What the system says; 0 if it does not, so that nothing is promised.
+/// The free space according to the system; 0 if it does not report any, so that nothing is reserved.
 std::uint64_t freeForUploads(const std::string& folder);
 
 struct UploadPromises;
 
-/// Room on a disk that was promised to an upload, and is given back with this.
+/// Room on a disk that is reserved for an upload, until this object is destroyed.
 class UploadPlace {
  public:
   UploadPlace(std::shared_ptr<UploadPromises> promises, std::uint64_t bytes);
@@ -25,8 +25,9 @@ class UploadPlace {
   UploadPlace(const UploadPlace&) = delete;
   UploadPlace& operator=(const UploadPlace&) = delete;
 
-  /// Notes bytes that were written. Each 16 MiB, looks whether the disk still has what was promised.
-  /// @throws UploadTooLarge (507) if it would have less than 1 GiB left
+  /// Takes written bytes off the reserved room. After every 16 MiB, checks that the disk still has what is
+  /// reserved.
+  /// @throws UploadTooLarge (507) if less than 1 GiB would be left
   void note(std::uint64_t written);
 
  private:
@@ -35,14 +36,14 @@ class UploadPlace {
   std::uint64_t unchecked_ = 0;
 };
 
-/// Room on a disk for uploads that run at a time: all together leave 1 GiB, which the journal needs. Several
-/// threads call at a time.
+/// Reserves room on a disk for concurrent uploads, such that 1 GiB is left, which the journal needs. May be
+/// called from several threads.
 class UploadRoom {
  public:
   explicit UploadRoom(std::string folder, FreeBytes free_bytes = freeForUploads);
 
-  /// Promises room for an upload of so many bytes and for its copy in the store of the cell.
-  /// @return nothing if the disk has not enough beside what others were promised
+  /// Reserves room for an upload of that size, and for its copy in the store of the cell.
+  /// @return nothing if the disk has too little beside what is reserved already
   std::shared_ptr<UploadPlace> reserve(std::uint64_t bytes);
 
  private:

@@ -17,33 +17,33 @@
 
 namespace lamina {
 
-/// Who is let in, and how often.
+/// Settings of access: who is let in, and at which rate.
 struct WebAccessSettings {
-  bool is_loopback_open = true;    ///< whoever comes from this host has the role maintenance without a token
-  std::vector<std::string> hosts;  ///< names in `Host` besides those of the loopback interface
-  double session_s = 12.0 * 3600.0;
-  Rate requests = {20.0, 40.0};         ///< of one token
-  Rate bad_tokens = {1.0 / 60.0, 5.0};  ///< of one address
+  bool is_loopback_open = true;         ///< clients on this host need no token and have the role maintenance
+  std::vector<std::string> hosts;       ///< names allowed in `Host`, besides those of the loopback interface
+  double session_s = 12.0 * 3600.0;     ///< life of a session
+  Rate requests = {20.0, 40.0};         ///< greatest rate for one token
+  Rate bad_tokens = {1.0 / 60.0, 5.0};  ///< greatest rate of unknown tokens from one address
 };
 
-/// How somebody is known.
+/// How a client was identified.
 enum class IdentifiedBy : std::uint8_t { Nothing, Loopback, Session, Token };
 
-/// Who asks.
+/// Identity of a client.
 struct WebIdentity {
   IdentifiedBy by = IdentifiedBy::Nothing;
-  std::string name;  ///< "anna"; "this host" on the open loopback interface
-  std::optional<WebRole> role;
-  std::int64_t token = 0;  ///< 0 for none
-  bool is_local = false;   ///< from the loopback interface, and not through a proxy that says so
-  std::string csrf;        ///< that requests by cookie have to show in `X-CSRF-Token`
+  std::string name;             ///< "anna"; "this host" on the open loopback interface
+  std::optional<WebRole> role;  ///< nothing if the client is not identified
+  std::int64_t token = 0;       ///< number of the token; 0 for none
+  bool is_local = false;        ///< from the loopback interface, and not passed on by a proxy that says so
+  std::string csrf;             ///< value that requests without a token must state in `X-CSRF-Token`
 };
 
-/// Why somebody is not let in.
+/// Why a client is not let in.
 struct WebRefusal {
   int status = 403;
   std::string code;     ///< "wrong_host"
-  std::string message;  ///< what, and what was expected
+  std::string message;  ///< what is wrong, and what was expected
 };
 
 struct WebSession {
@@ -51,51 +51,63 @@ struct WebSession {
   std::string csrf;
 };
 
-/// An application that asks for a token, as OctoPrint's application keys do.
+/// Request of an application for a token, like OctoPrint's application keys.
 struct KeyRequest {
   std::int64_t id = 0;
   std::string application;
-  std::string from;  ///< address
+  std::string from;  ///< address of the application
 };
 
-/// Decides who asks. Times are given; several threads may ask at a time.
+/// Identifies clients and decides whether they are let in. Times are passed in; may be called from several
+/// threads.
 class WebAccess {
  public:
   WebAccess(WebAccessSettings settings, WebStore& store);
 
-  /// Refuses requests that a browser was made to send from another page or under another host name. Also
-  /// refuses keys in addresses, because addresses end up in logs.
+  /// Refuses requests that another site made a browser send, or that use an unknown host name; also refuses
+  /// keys in addresses, because addresses end up in logs.
   std::optional<WebRefusal> againstOrigin(const HttpHead& head, const HttpTarget& target) const;
 
-  /// Who asks, by `X-Api-Key`, `Authorization: Bearer`, the cookie of a session, or where from.
-  /// @return a refusal if what was shown is not known: 401, or 429 after five of them in a minute
+  /// Identifies a client by `X-Api-Key`, `Authorization: Bearer`, the cookie of a session, or the loopback
+  /// interface. A client with none of these, or with a cookie that is not valid, is not refused, but has no
+  /// role.
+  /// @return a refusal if a token was shown that is not known: 401, or 429 if there were too many of these
   std::variant<WebIdentity, WebRefusal> identify(const HttpHead& head, const CellTime& now);
 
-  /// Whether a request that changes something was really sent by the page or by a program: an identity that a
-  /// browser shows unasked needs its CSRF token as well.
+  /// Refuses a request that changes something if it was perhaps not sent by the page or a program itself: a
+  /// client that is identified without showing a token needs the CSRF token as well.
   std::optional<WebRefusal> againstForgery(const HttpHead& head, const WebIdentity& identity) const;
 
-  /// Counts a request. @return false if there were too many
+  /// Counts a request.
+  /// @return false if there were too many
   bool takeRequest(const WebIdentity& identity, const CellTime& now);
 
   /// Opens a session for the holder of a token.
+  /// @return a refusal as `identify` if the token is not known
   std::variant<WebSession, WebRefusal> openSession(const std::string& token, const HttpPeer& peer,
                                                    const CellTime& now);
   void closeSession(const std::string& cookie);
 
-  /// An application asks for a token. @return the secret to ask by; empty if too many wait
+  /// Records that an application asks for a token. It can be decided on for five minutes.
+  /// @return the secret by which the application asks for the decision; empty if eight requests wait already
   std::string requestKey(const std::string& application, const std::string& from, const CellTime& now);
+  /// The requests that wait for a decision.
   std::vector<KeyRequest> keyRequests(const CellTime& now) const;
+  /// Decides on a request.
+  /// @param key  the token for the application; nothing to deny it
   /// @return false if no such request waits
   bool decide(std::int64_t id, const std::optional<std::string>& key, const CellTime& now);
-  /// What became of a request: nothing while it waits or was never made; an empty key if it was denied.
+  /// Decision on a request of an application. `is_known` is false if there is no such request (any more);
+  /// `key` is nothing while the request waits, and empty if it was denied.
   struct KeyDecision {
     bool is_known = false;
     std::optional<std::string> key;
   };
+  /// The decision on the request with that secret; once it was made, it is returned only once.
   KeyDecision keyDecision(const std::string& secret, const CellTime& now);
 
-  /// Number of lock-outs for guessed tokens since the last call; they raise 9001.
+  /// Number of times since the last call that an address was locked out for unknown tokens; they raise alarm
+  /// 9001.
   int takeLockOuts();
 
  private:

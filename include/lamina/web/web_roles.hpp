@@ -7,32 +7,34 @@
 
 namespace lamina {
 
-/// Who somebody is towards the cell.
+/// Role of a client.
 enum class WebRole : std::uint8_t {
   Viewer,      ///< sees everything
-  Sender,      ///< a slicer: sees the state, uploads
-  Operator,    ///< also releases, starts, holds, stops
-  Maintenance  ///< also modes, tokens, the loop
+  Sender,      ///< a slicer: sees the state of the unit, uploads
+  Operator,    ///< sees everything, uploads, releases, starts, holds, stops
+  Maintenance  ///< as an operator; also modes, tokens, the closed loop
 };
 
-/// What a request needs.
+/// Right that a request requires.
 enum class WebRight : std::uint8_t {
-  None,      ///< nobody has to be known
+  None,      ///< no identification needed
   SeeState,  ///< state of the unit, without queue and records
   SeeAll,
   Upload,
-  Hold,  ///< as Operate; but viewers on the loopback interface may hold
+  Hold,  ///< as Operate, but viewers on the loopback interface have it too
   Operate,
   Maintain
 };
 
+/// Names as "operator" and "operate".
 const char* toString(WebRole role);    ///< "operator"
 const char* toString(WebRight right);  ///< "operate"
 
-/// @throws InvalidInput naming those that there are
+/// The role of that name.
+/// @throws InvalidInput if there is none; names those there are
 WebRole webRole(const std::string& name);
 
-/// Whether a role has a right. Hold counts as Operate here.
+/// Whether a role has a right. Hold is treated as Operate here.
 bool mayDo(WebRole role, WebRight right);
 
 }  // namespace lamina

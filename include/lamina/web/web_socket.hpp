@@ -26,27 +26,26 @@ struct WebSocketFrame {
   std::string payload;  ///< unmasked
 };
 
-constexpr std::size_t kMostSocketPayload = 4096;  ///< that a client may send in one frame
+constexpr std::size_t kMostSocketPayload = 4096;  ///< most bytes that a client may send in one frame
 
-/// Reads a client's frames from pieces of its stream.
+/// Reads the frames of a client from the pieces of its byte stream.
 class WebSocketReader {
  public:
   void add(std::string_view piece) { held_ += piece; }
 
-  /// The next whole frame; nothing if more has to come.
-  /// @throws InvalidInput for what a client may not send: without a mask, with reserved bits or an unknown
-  /// opcode,
-  ///   with a payload of more than 4096 bytes, a control frame in pieces or of more than 125 bytes
+  /// The next complete frame; nothing if more bytes are needed.
+  /// @throws InvalidInput if the client breaks the rules: no mask, reserved bits or an unknown opcode, a
+  ///   payload of more than 4096 bytes, a control frame that is fragmented or longer than 125 bytes
   std::optional<WebSocketFrame> next();
 
  private:
   std::string held_;
 };
 
-/// A frame of a server: whole, and without a mask.
+/// A frame as a server sends it: unfragmented and without a mask.
 std::string webSocketFrame(WebSocketOpcode opcode, std::string_view payload);
 
-/// The value of `Sec-WebSocket-Accept` to a client's key.
+/// The value of `Sec-WebSocket-Accept` that answers a client's key.
 std::string webSocketAccept(const std::string& key);
 
 }  // namespace lamina

@@ -14,41 +14,41 @@
 
 namespace lamina {
 
-/// Somebody who may use the page or the interface. The token itself is known to its holder alone.
+/// The holder of a token, who may use the page or the interface. The token itself is not stored.
 struct WebToken {
   std::int64_t id = 0;
   std::string name;
   WebRole role = WebRole::Viewer;
   double created_s = 0.0;           ///< since 1970, UTC, as all times here
-  std::optional<double> expires_s;  ///< nothing: never
+  std::optional<double> expires_s;  ///< nothing if it never expires
   std::optional<double> last_used_s;
 };
 
-/// A token that is being made.
+/// A token to be made.
 struct NewToken {
   std::string name;
   WebRole role = WebRole::Viewer;
   std::optional<double> expires_s;
 };
 
-/// An answer that is given again to a repeated request.
+/// An answer that is repeated if its request is repeated.
 struct KeptAnswer {
   int status = 0;
   std::string body;
 };
 
-/// A request that was begun under a key.
+/// A request that was begun under an idempotency key.
 struct KeptRequest {
-  std::string request;               ///< its digest
-  std::optional<KeptAnswer> answer;  ///< nothing if none was kept yet
+  std::string request;               ///< digest of the request
+  std::optional<KeptAnswer> answer;  ///< nothing if none has been kept
 };
 
-/// 32 random bytes as 64 hexadecimal digits.
-/// @throws FileError if the system has none
+/// A random key: 32 bytes as 64 hexadecimal digits.
+/// @throws FileError if the system provides no random bytes
 std::string randomKey();
 
-/// Tokens, audit and kept answers of the page: a database file (SQLite) beside the journal. Several threads
-/// and processes may use it at a time. Reading never waits for writing.
+/// Store of the page's tokens, audit and kept answers: a database file (SQLite) beside the journal. It may be
+/// used by several threads and processes at a time. Reading never waits for writing.
 class WebStore {
  public:
   /// Opens the file, and makes it if it is missing, readable by its owner alone.
@@ -59,30 +59,35 @@ class WebStore {
   WebStore& operator=(const WebStore&) = delete;
 
   /// Makes a token.
-  /// @return the token, which is shown once and kept nowhere: only its SHA-256 is
+  /// @return the token, which has to be shown to its holder now: only its SHA-256 is stored
   /// @throws InvalidInput if the name is empty, longer than 64 bytes, holds control characters, or is taken
   std::string add(const NewToken& token, double now_s);
   std::vector<WebToken> tokens() const;
-  /// The holder of a token; nothing if there is none, or it has expired.
+  /// The holder of a token; nothing if the token is unknown or has expired.
   std::optional<WebToken> holderOf(const std::string& token, double now_s) const;
-  /// The same by number: for sessions that outlive their token.
+  /// The holder of the token with that number, for sessions; nothing if it was removed or has expired.
   std::optional<WebToken> holder(std::int64_t id, double now_s) const;
+  /// Removes a token.
   /// @return false if there is no such token
   bool remove(std::int64_t id);
+  /// Sets the time at which a token was last used.
   void noteUse(std::int64_t id, double now_s);
 
-  /// Adds a row to the audit, whose rows are chained by their digests.
+  /// Adds a row to the audit. Each row holds a digest that covers the row before.
   void add(const AuditRow& row);
-  std::vector<AuditRow> audit(std::size_t most) const;  ///< the last, oldest first
+  /// The last rows of the audit, at most `most`.
+  std::vector<AuditRow> audit(std::size_t most) const;  ///< oldest first
+  /// The first row of the audit whose digest is wrong, counted from 1; nothing if the chain is intact.
   std::optional<std::int64_t> firstBadAudit() const;
 
-  /// Begins a request under a key, which is remembered for a day. Of several at a time, one begins.
-  /// @param request  its digest
-  /// @return the request that was begun under that key before; nothing if this one is
+  /// Begins a request under an idempotency key, which is remembered for a day. If the same key is used
+  /// concurrently, only one request is begun.
+  /// @param request  digest of the request
+  /// @return the request that was begun under that key before; nothing if this one was begun now
   std::optional<KeptRequest> begin(const std::string& key, const std::string& request, double now_s);
   /// Keeps the answer to the request that was begun under a key.
   void keep(const std::string& key, const KeptAnswer& answer);
-  /// Nothing came of that request: it may be begun again.
+  /// Forgets the request that was begun under a key, as it had no effect: it may be begun again.
   void forget(const std::string& key);
 
  private:

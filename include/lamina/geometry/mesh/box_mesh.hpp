@@ -6,7 +6,8 @@
 
 namespace lamina {
 
-/// A box as a closed mesh of twelve triangles that face outwards. The box must not be empty.
+/// A box as a closed mesh of twelve triangles that face outwards.
+/// @param box  not empty
 Mesh boxMesh(const Box3& box);
 
 }  // namespace lamina

@@ -7,8 +7,9 @@
 
 namespace lamina {
 
-/// The prism over regions, from z = 0 to `height_mm`: closed, its triangles facing outwards. Walls are
-/// divided where the triangles of top and bottom need it. Empty for no regions.
+/// The prism over regions, from z = 0 to `height_mm`: a closed mesh whose triangles face outwards. The walls
+/// are divided where the triangles of top and bottom have points on the border. Empty if there are no
+/// regions.
 /// @param height_mm  positive
 /// @throws InvalidInput if outlines cross, as `triangulated`
 Mesh extruded(const Regions& regions, double height_mm);

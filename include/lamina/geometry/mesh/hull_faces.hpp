@@ -14,8 +14,9 @@ struct HullFace {
   double area_mm2 = 0.0;
 };
 
-/// Faces of the convex hull of points [Barber1996], the largest first: triangles in one plane, within 0.01
-/// deg, are one. Points within 1e-9 of the size of all from a face lie on it. About n log n in points.
+/// Faces of the convex hull of points [Barber1996], the largest first. Triangles whose planes differ by no
+/// more than 0.01 deg are one face; points within 1e-9 times the extent of all points from a face lie on it.
+/// Time is about n log n in the number of points.
 /// @return none if all points lie in one plane
 std::vector<HullFace> hullFaces(const std::vector<Point3>& points);
 

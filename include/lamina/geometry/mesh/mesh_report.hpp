@@ -22,25 +22,28 @@ enum class MeshOrientation {
 /// "outward", "inward", "mixed", "inconsistent"
 const char* toString(MeshOrientation orientation);
 
-/// What there is to know about a mesh before it is printed. Edges count only between two different vertices.
+/// Report on a mesh before it is printed. Only edges between two different vertices count.
 struct MeshReport {
   std::size_t triangles = 0;
   std::size_t vertices = 0;
-  Box3 box;                 ///< [mm]
-  double volume_mm3 = 0.0;  ///< signed; of an open mesh, what the surface and the first vertex enclose
+  Box3 box;  ///< [mm]
+  /// Signed; of an open mesh, that of the cone from its first vertex over the surface.
+  double volume_mm3 = 0.0;
   double area_mm2 = 0.0;
-  bool is_closed = false;                ///< every edge has as many half-edges one way as the other
-  std::size_t border_edges = 0;          ///< edges where an odd number of triangles meet
-  std::size_t border_loops = 0;          ///< closed lines that they form
-  std::size_t nonmanifold_edges = 0;     ///< edges where more than two triangles meet
-  std::size_t inconsistent_edges = 0;    ///< edges of an even number that do not run half each way
-  std::size_t degenerate_triangles = 0;  ///< that name a vertex twice
-  std::size_t flat_triangles = 0;        ///< without area between three different vertices
-  std::size_t bodies = 0;                ///< parts that hang together across edges
+  bool is_closed = false;             ///< every edge has equally many half-edges in both directions
+  std::size_t border_edges = 0;       ///< edges where an odd number of triangles meet
+  std::size_t border_loops = 0;       ///< number of closed lines that the border edges form
+  std::size_t nonmanifold_edges = 0;  ///< edges where more than two triangles meet
+  /// Edges where an even number of triangles meet, but not half of them in each direction.
+  std::size_t inconsistent_edges = 0;
+  std::size_t degenerate_triangles = 0;  ///< triangles that have the same vertex twice
+  std::size_t flat_triangles = 0;        ///< triangles without area between three different vertices
+  std::size_t bodies = 0;                ///< parts that are connected across edges
   MeshOrientation orientation = MeshOrientation::Outward;
   SelfIntersections self_intersections;
 };
 
+/// Examines a mesh.
 /// @throws Cancelled if `progress` is cancelled
 MeshReport reportMesh(const Mesh& mesh, Progress& progress);
 

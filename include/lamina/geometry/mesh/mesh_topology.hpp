@@ -26,19 +26,20 @@ inline std::uint32_t originOf(const Mesh& mesh, HalfEdge half_edge) {
   return mesh.triangles[half_edge / 3][half_edge % 3];
 }
 
-/// Which half-edges lie across each other.
+/// For each half-edge of a mesh, the one across its edge.
 struct MeshTopology {
-  /// One per half-edge: the one of the same edge that runs the other way, or `kNoHalfEdge`. Mutual.
+  /// One for each half-edge: the half-edge of the same edge in the opposite direction, or `kNoHalfEdge`.
+  /// Opposites are mutual.
   std::vector<HalfEdge> opposite;
   /// Whether any half-edge between two different vertices has no opposite.
   bool has_border = false;
 };
 
-/// Pairs the half-edges of each edge that run opposite ways. Where more than two triangles meet, they are
-/// paired by their angle around the edge such that each pair bounds one wedge of material: surfaces touch
-/// along the edge without crossing. Half-edges that find no partner (borders, and neighbours that are
-/// oriented against each other) stay single, as do those of length zero of triangles that name a vertex
-/// twice. Time is linear in the triangles.
+/// Pairs the half-edges of each edge that run in opposite directions. Where more than two triangles meet,
+/// half-edges are paired by the angle of their triangles around the edge, such that each pair bounds one
+/// wedge of material: surfaces touch along the edge without crossing. Half-edges without a partner stay
+/// single: those on borders, those between neighbours of inconsistent orientation, and those of length zero
+/// in triangles that have the same vertex twice. Time is linear in the number of triangles.
 MeshTopology pairHalfEdges(const Mesh& mesh);
 
 }  // namespace lamina

@@ -12,15 +12,16 @@ namespace lamina {
 
 /// Where a surface passes through itself.
 struct SelfIntersections {
-  std::size_t pairs = 0;      ///< of triangles that pass through each other
+  std::size_t pairs = 0;      ///< number of pairs of triangles that pass through each other
   std::vector<Point3> where;  ///< a point [mm] of each of the first ten pairs
 };
 
-/// Finds the pairs of triangles of which an edge of one passes from one side of the surface to the other
-/// within the other triangle or through one of its sides. Signs are decided with a bound on the rounding
-/// error: what cannot be distinguished from touching counts as touching, and touching (a vertex or an edge on
-/// a face, faces on each other, an edge through a vertex) is no intersection. Triangles with a common edge
-/// are not compared. Time is linearithmic, the result the same for any number of threads.
+/// Finds the pairs of triangles that pass through each other: an edge of one passes from one side of the
+/// surface to the other, through the inside or a side of the other triangle. Signs are decided with a bound
+/// on the rounding error: what cannot be distinguished from touching counts as touching, and touching (a
+/// vertex or an edge on a face, faces on each other, an edge through a vertex) is no intersection. Triangles
+/// with a common edge are not compared. Time is n log n in the number of triangles; the result is the same
+/// for any number of threads.
 ///
 /// @throws Cancelled if `progress` is cancelled
 SelfIntersections findSelfIntersections(const Mesh& mesh, Progress& progress);

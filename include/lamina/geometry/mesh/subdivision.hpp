@@ -10,15 +10,15 @@
 
 namespace lamina {
 
-/// A surface with some of its edges halved, once or several times.
+/// A mesh in which some edges were halved, once or several times.
 struct Subdivision {
-  Mesh mesh;  ///< the vertices of the surface under their numbers, new ones after them
-  /// Of each new vertex, in their order: the vertices it is halfway between, of lower numbers than its own.
+  Mesh mesh;  ///< the original vertices under their numbers, followed by the new ones
+  /// For each new vertex in order: the two vertices half way between which it lies, both of lower numbers.
   std::vector<std::array<std::uint32_t, 2>> ends;
 };
 
-/// The same surface with no edge longer than `longest_edge_mm`: longer edges are halved, those of neighbours
-/// at the same places, until none is left. Closed meshes stay closed.
+/// Divides a mesh until no edge is longer than `longest_edge_mm`: longer edges are halved, in all triangles
+/// that share them, so that closed meshes stay closed.
 ///
 /// @throws InvalidInput if the length is not positive, or more than 20 million triangles would result
 Subdivision subdivide(const Mesh& mesh, double longest_edge_mm);

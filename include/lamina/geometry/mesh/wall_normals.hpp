@@ -8,12 +8,12 @@
 
 namespace lamina {
 
-/// Outward normals of the walls of a part, found near a path. Faces that lean too far are no walls, so that
-/// the top of a part is not taken for one where a wall runs along it. Queries may be made from several
-/// threads.
+/// Outward normals of the walls of a part, found near a path. Faces that lean too far do not count as walls,
+/// so that the top of a part is not taken for a wall that runs along its edge. Queries may be made from
+/// several threads.
 class WallNormals {
  public:
-  /// @param part          triangles that face outwards [mm, part frame]; need not outlive this
+  /// @param part          triangles that face outwards [mm, part frame]; need not outlive this object
   /// @param up            normal of the layers, of unit length
   /// @param max_lean_deg  greatest angle between a wall and `up`
   /// @throws InvalidInput if no face of the part is a wall
@@ -22,8 +22,8 @@ class WallNormals {
   WallNormals(WallNormals&&) noexcept;
   WallNormals& operator=(WallNormals&&) noexcept;
 
-  /// Normal at the place of the walls nearest to a point, of unit length: that of its triangle in the middle
-  /// of it, at an edge the mean of both triangles if they bend by less than 45 degrees.
+  /// Normal of the walls at their point nearest to `point`, of unit length: the triangle's in the middle of a
+  /// triangle; at an edge the mean of both triangles if they differ by less than 45 degrees.
   Point3 at(const Point3& point) const;
 
  private:

@@ -8,11 +8,11 @@
 
 namespace lamina {
 
-/// Writes a binary STL [mm], whole or not at all. Coordinates are rounded to 32-bit floats, as the format
-/// demands; a triangle without area gets the normal 0.
+/// Writes a binary STL [mm], completely or not at all. Coordinates are rounded to 32-bit floats, as the
+/// format requires; a triangle without area gets the normal 0.
 ///
 /// @throws InvalidMesh if a coordinate does not fit a float, or there are more triangles than the format can
-/// count
+///   count
 /// @throws FileError   if the file cannot be written
 void writeStl(const std::string& path, const Mesh& mesh);
 

@@ -10,7 +10,7 @@
 
 namespace lamina {
 
-/// One parameter of a part; the key ends in its unit where it has one: "height_mm", "twist_deg", "segments".
+/// A parameter of a part. Its key ends in its unit where it has one: "height_mm", "twist_deg", "segments".
 struct PartParameter {
   std::string key;
   std::string default_value;
@@ -18,26 +18,26 @@ struct PartParameter {
   std::string meaning;
 };
 
-/// The parts by name: bevelled_cube, blade, blind_hole_plate, box, bridge, cone, curved_wall, cylinder,
-/// flat_wall, pyramid, semi_cone, sphere, tetradecahedron, through_hole_plate, tube.
+/// Names of all parametric parts: bevelled_cube, blade, blind_hole_plate, box, bridge, cone, curved_wall,
+/// cylinder, flat_wall, pyramid, semi_cone, sphere, tetradecahedron, through_hole_plate, tube.
 std::vector<std::string> partNames();
 
 /// Whether there is a part of that name.
 bool isPartName(const std::string& name);
 
-/// One sentence on the part.
+/// Description of a part in one sentence.
 /// @throws InvalidConfig if there is no such part; names those there are
 std::string partMeaning(const std::string& name);
 
 /// @throws InvalidConfig if there is no such part; names those there are
 std::vector<PartParameter> partParameters(const std::string& name);
 
-/// A part [mm] standing on z = 0 with the z axis through its middle: closed, facing outwards, every vertex
-/// stored once. Round surfaces are inscribed polygons of the given number of segments. Parameters that are
-/// not given keep their defaults.
+/// Makes a part [mm], standing on z = 0 with the z axis through its middle: a closed mesh that faces
+/// outwards, with every vertex stored once. Round surfaces are inscribed polygons with the given number of
+/// segments. Parameters that are not given keep their defaults.
 ///
 /// @throws InvalidConfig if there is no such part or parameter (names those there are), or a value is out of
-///                       bounds or contradicts another
+///   bounds or contradicts another
 Mesh makePart(const std::string& name, const std::vector<SettingText>& parameters = {});
 
 }  // namespace lamina

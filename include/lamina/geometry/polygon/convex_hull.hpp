@@ -8,7 +8,8 @@
 
 namespace lamina {
 
-/// The convex hull [Andrew1979], counter-clockwise, corners only; empty if all points lie on one line.
+/// The convex hull of points [Andrew1979]: its corners only, counter-clockwise. Empty if all points lie on
+/// one line.
 Polygon convexHull(std::vector<Point2> points);
 
 }  // namespace lamina

@@ -9,14 +9,13 @@
 
 namespace lamina {
 
-/// Which places outlines enclose, whatever way they run and however they cross.
+/// Which area outlines enclose that may run in either direction and may cross.
 enum class FillRule : std::uint8_t {
-  NonZero,  ///< those they wind round more often one way than the other
-  EvenOdd,  ///< those from which one crosses an odd number of them on the way out
+  NonZero,  ///< points with a winding number other than 0
+  EvenOdd,  ///< points from which a ray to the outside crosses outlines an odd number of times
 };
 
-/// The area that outlines enclose, on the grid of `unite`.
-/// @throws InvalidInput for points farther than 10 m from the origin
+/// The area that outlines enclose by a rule, rounded to the grid of `unite`.
 Regions enclosed(const std::vector<Polygon>& outlines, FillRule rule);
 
 }  // namespace lamina

@@ -38,12 +38,14 @@ double perimeter(const Polygon& polygon);
 /// Length of the open line [mm].
 double length(const Polyline& line);
 
+/// Bounding box of all points; empty if there are none.
 Box2 boundingBox(const std::vector<Polygon>& polygons);
 
-/// Whether the point lies inside the outline by the even-odd rule; points on it may go either way.
+/// Whether the point lies inside the outline by the even-odd rule; for points on the outline the result is
+/// undefined.
 bool encloses(const Polygon& outline, const Point2& point);
 
-/// Whether the point lies in material by the even-odd rule; points on an outline may go either way.
+/// Whether the point lies in material by the even-odd rule; for points on an outline the result is undefined.
 bool contains(const std::vector<Polygon>& polygons, const Point2& point);
 
 /// All outlines of the regions, outer ones and holes.

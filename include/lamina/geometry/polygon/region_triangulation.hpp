@@ -10,26 +10,27 @@
 
 namespace lamina {
 
-/// A place on an outline: on the way from point `segment` of it to the one after that.
+/// A position on an outline: between point `segment` of it and the next one.
 struct OutlinePlace {
-  std::size_t outline = 0;
-  std::size_t segment = 0;
-  double fraction = 0.0;
+  std::size_t outline = 0;  ///< index of the outline
+  std::size_t segment = 0;  ///< index of the point before
+  double fraction = 0.0;    ///< of the way to the next point, 0 to 1
 };
 
-/// Triangles that fill an area of the plane without overlap, counter-clockwise.
+/// Counter-clockwise triangles that fill an area of the plane without overlap.
 struct RegionTriangulation {
-  std::vector<Point2> points;        ///< those of the border first [mm]
-  std::vector<OutlinePlace> border;  ///< where on the outlines each point of the border is
+  std::vector<Point2> points;        ///< [mm]; those on the border first
+  std::vector<OutlinePlace> border;  ///< position on the outlines of each point on the border
   std::vector<Triangle> triangles;
 };
 
-/// Delaunay triangles of an area with points inside about `step_mm` apart. The outlines are edges of it;
-/// where they come close to each other or turn sharply, they are divided further. Time is n log n.
+/// Triangulates an area (Delaunay), with points inside at distances of about `step_mm`. The outlines become
+/// edges of triangles; they are divided further where they come close to each other or turn sharply. Time is
+/// n log n.
 ///
-/// @param outlines  simple, apart from each other; material on their left
-/// @throws InvalidInput if an outline has fewer than three points or still is no edge after having been
-///         divided ten times, as where it crosses itself
+/// @param outlines  simple, not touching each other; material on their left
+/// @throws InvalidInput if an outline has fewer than three points, or still is no edge after it was divided
+///   ten times, as where it crosses itself
 RegionTriangulation triangulated(const std::vector<Polygon>& outlines, double step_mm);
 
 }  // namespace lamina

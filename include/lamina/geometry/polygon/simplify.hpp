@@ -8,15 +8,15 @@
 
 namespace lamina {
 
-/// The outline with fewer points, all of them its own [Douglas1973]: every point left out lies
-/// within `tolerance_mm` [mm] of the edge that replaces it. Stays closed and keeps its winding.
+/// The outline with fewer points, all taken from it [Douglas1973]: every point left out lies within
+/// `tolerance_mm` of the edge that replaces it. It stays closed and keeps its direction.
 ///
-/// @return fewer than three points, hence no outline, only if all of it lies within the tolerance of one
-///         line; its area is then at most tolerance times perimeter
+/// @return fewer than three points, which are no outline, only if the whole outline lies within the tolerance
+///   of one line; its area is then at most tolerance times perimeter
 Polygon simplify(const Polygon& polygon, double tolerance_mm);
 
-/// The outlines simplified one by one, without those that vanish. Outlines nearer to each other than twice
-/// the tolerance may then cross.
+/// The outlines, each simplified by itself, without those that vanish. Outlines that are closer to each other
+/// than twice the tolerance may cross afterwards.
 std::vector<Polygon> simplify(const std::vector<Polygon>& polygons, double tolerance_mm);
 
 }  // namespace lamina

@@ -9,9 +9,10 @@
 
 namespace lamina {
 
-/// Calls `visit(cell, distance, along)` for every cell whose centre is at most `reach` from the segment [mm],
-/// row by row: the distance of the centre [mm], and where along the segment the nearest point lies, 0 at the
-/// start and 1 at the end. Linear in the length of the segment, whatever its direction.
+/// Calls `visit(cell, distance, along)` for every cell whose centre is at most `reach` from a segment [mm],
+/// row by row. `distance` is that of the centre [mm]; `along` is the position of the nearest point on the
+/// segment, 0 at the start and 1 at the end. Time is linear in the length of the segment, whatever its
+/// direction.
 template <class Visit>
 void forCellsNearSegment(const HeightGrid& grid, const Point2& start, const Point2& end, double reach,
                          const Visit& visit) {

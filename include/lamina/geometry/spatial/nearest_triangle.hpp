@@ -10,24 +10,24 @@
 
 namespace lamina {
 
-/// The place of a mesh nearest to a point.
+/// The point of a mesh that is nearest to a given point.
 struct NearestPlace {
-  std::uint32_t triangle = 0;
+  std::uint32_t triangle = 0;     ///< index of the triangle that it lies on
   Point3 point = Point3::Zero();  ///< [mm]
   double distance_mm = 0.0;
 };
 
-/// Finds the nearest place of a mesh in logarithmic time. Queries may be made from several threads.
+/// Finds the nearest point of a mesh in logarithmic time. Queries may be made from several threads.
 class NearestTriangle {
  public:
   /// @param mesh  must outlive this; at least one triangle
   /// @throws InvalidInput if it has none
   explicit NearestTriangle(const Mesh& mesh);
 
-  /// Of equally near triangles the one of the lowest number.
+  /// The nearest point of the mesh; of equally near triangles that on the one of the lowest index.
   NearestPlace nearest(const Point3& point) const;
 
-  /// The same, or nothing if nothing is nearer than `within_mm`.
+  /// The same, but nothing if no point of the mesh is nearer than `within_mm`.
   std::optional<NearestPlace> nearest(const Point3& point, double within_mm) const;
 
  private:

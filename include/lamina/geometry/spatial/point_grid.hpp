@@ -12,32 +12,34 @@
 
 namespace lamina {
 
-/// Points in square cells, to find those near a place in a time that does not grow with their number.
+/// Points sorted into square cells, so that those near a position are found in a time that does not grow with
+/// the number of points.
 class PointGrid {
  public:
-  /// @param box      where most points will lie; those outside it are found too, only slower
-  /// @param cell_mm  positive: about the distance that is asked for; larger cells are taken where there would
-  ///   be more than four million
+  /// @param box      where most points will lie; points outside it are found too, only more slowly
+  /// @param cell_mm  positive; best about the distances that are searched. Larger cells are used if there
+  ///   would be more than four million
   PointGrid(const Box2& box, double cell_mm);
 
+  /// Adds a point.
   /// @return index of the point, from 0 in the order of insertion
   std::uint32_t insert(const Point2& point);
-  /// The point is found no more; its index stays taken.
+  /// Removes a point from searches; its index is not used again.
   void remove(std::uint32_t index);
 
-  /// All points ever inserted.
+  /// All points ever inserted, by index.
   const std::vector<Point2>& points() const { return points_; }
 
-  /// Calls visit(index, squared distance) for each point no farther than `radius`, in an order that depends
-  /// on the points and the order of insertion alone.
+  /// Calls visit(index, squared distance) for each point at most `radius` away, in an order that depends on
+  /// the points and the order of insertion alone.
   template <class Visit>
   void visitNear(const Point2& place, double radius, Visit visit) const;
 
-  /// Whether a point lies nearer than the distance.
+  /// Whether a point is nearer than `distance`.
   bool hasNearer(const Point2& place, double distance) const;
 
-  /// The nearest point; of those that are equally near within `tie_mm` the one of smaller x, then y. None if
-  /// the grid is empty.
+  /// Index of the nearest point; of points equally near within `tie_mm`, the one with the smaller x, then y.
+  /// Nothing if the grid is empty.
   std::optional<std::uint32_t> nearest(const Point2& place, double tie_mm) const;
 
  private:

@@ -9,15 +9,16 @@
 
 namespace lamina {
 
-/// How far a point lies inside a closed mesh.
+/// Signed distance of a point to a closed mesh.
 struct SignedPlace {
-  double inside_mm = 0.0;  ///< distance to the surface [mm], negative outside
+  double inside_mm = 0.0;  ///< distance to the surface [mm]; positive inside, negative outside
   NearestPlace nearest;
 };
 
-/// Signed distances to a closed mesh that faces outwards, by the pseudonormal of the nearest place
-/// [Baerentzen2005]: of the face, the sum of both faces on an edge, weighted by angles at a vertex. Exact up
-/// to rounding; where the mesh is open or passes through itself the sign is that of the nearest face.
+/// Signed distances to a closed mesh that faces outwards. The sign follows from the pseudonormal at the
+/// nearest point of the mesh [Baerentzen2005]: the normal of a face, the sum of both faces' normals on an
+/// edge, the sum weighted by angles at a vertex. Exact up to rounding; where the mesh is open or passes
+/// through itself, the sign is that of the nearest face.
 class SignedDistance {
  public:
   /// @param mesh  must outlive this; at least one triangle

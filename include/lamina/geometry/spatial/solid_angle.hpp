@@ -9,21 +9,21 @@
 
 namespace lamina {
 
-/// The solid angle under which a point sees a mesh: 4 pi within a closed one that faces outwards, 0 outside,
-/// and near to that if some triangles are missing. Triangles that are far from a point for their spread count
-/// as one small area, after [Barill2018]; close to 2 pi, where that might decide otherwise, each counts by
-/// itself. So which side a point is on is found in a time that hardly grows with the triangles. Queries may
-/// be made from several threads.
+/// The solid angle that a mesh covers as seen from a point: 4 pi inside a closed mesh that faces outwards, 0
+/// outside, and nearly so if some triangles are missing. Groups of triangles that are far from the point
+/// compared with their extent count as one small area, after [Barill2018]. If the result is near 2 pi, so
+/// that this could decide the side, every triangle counts by itself. The side of a point is thus found in a
+/// time that hardly grows with the number of triangles. Queries may be made from several threads.
 class SolidAngle {
  public:
   /// @param mesh  must outlive this
   explicit SolidAngle(const Mesh& mesh);
 
-  /// Whether the point sees more than half of all directions covered, whichever way the triangles face. Of an
-  /// empty mesh nothing is within.
+  /// Whether the point is inside: the mesh covers more than half of all directions, whichever way its
+  /// triangles face. No point is inside an empty mesh.
   bool isWithin(const Point3& point) const;
 
-  /// Triangle by triangle [sr].
+  /// The solid angle summed triangle by triangle, without approximation [sr].
   double exactAt(const Point3& point) const;
 
  private:

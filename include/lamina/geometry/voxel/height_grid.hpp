@@ -10,8 +10,8 @@
 
 namespace lamina {
 
-/// Square cells over a rectangle of the bed: where the cells of a height map lie. Column i and row j count
-/// along x and y from the corner at `origin`; cells are numbered row by row.
+/// A grid of square cells over a rectangle of the bed, in which height maps have their values. Column i and
+/// row j count along x and y from the corner at `origin`; cells are numbered row by row.
 struct HeightGrid {
   static constexpr std::size_t kNoCell = std::numeric_limits<std::size_t>::max();
   static constexpr std::size_t kMostCells = 16'000'000;
@@ -33,8 +33,8 @@ struct HeightGrid {
     return column >= 0 && row >= 0 && column < columns && row < rows;
   }
 
-  /// The cell a point lies in, or `kNoCell` beyond the grid and for a point that is not finite. The low edges
-  /// belong to the cell, the high ones to the next.
+  /// The cell in which a point lies; `kNoCell` for points outside the grid and points that are not finite.
+  /// The low edges belong to a cell, its high edges to the next.
   std::size_t cellAt(const Point2& point) const {
     const double x = (point.x() - origin.x()) / cell_mm;
     const double y = (point.y() - origin.y()) / cell_mm;
@@ -46,7 +46,7 @@ struct HeightGrid {
   Point2 centre(int column, int row) const { return origin + cell_mm * Point2(column + 0.5, row + 0.5); }
   Point2 centre(std::size_t cell) const { return centre(column(cell), row(cell)); }
 
-  /// The rectangle the cells cover [mm, bed frame].
+  /// The rectangle that the cells cover [mm, bed frame].
   Box2 area() const { return {origin, origin + cell_mm * Point2(columns, rows)}; }
 
   friend bool operator==(const HeightGrid& a, const HeightGrid& b) {

@@ -10,8 +10,8 @@
 
 namespace lamina {
 
-/// One height [mm, bed frame] per cell of a grid; NaN where nothing is known. Value type of fixed extent:
-/// also holds differences of heights.
+/// One height [mm, bed frame], or difference of heights, for each cell of a grid; NaN where nothing is known.
+/// A value type of fixed extent.
 class HeightMap {
  public:
   static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
@@ -28,11 +28,11 @@ class HeightMap {
   bool isKnown(std::size_t cell) const { return !std::isnan(heights_[cell]); }
   void set(std::size_t cell, double height) { heights_[cell] = height; }
 
-  /// Height of the cell the point lies in; unknown beyond the grid.
+  /// Height of the cell in which the point lies; NaN outside the grid.
   double nearest(const Point2& point) const;
 
-  /// Height between the four cells around the point, linear in x and y. Where some of the four are unknown or
-  /// beyond the grid, the nearest cell decides.
+  /// Height at a point, interpolated linearly in x and y between the centres of the four cells around it. If
+  /// some of the four are unknown or outside the grid, `nearest`.
   double bilinear(const Point2& point) const;
 
  private:
@@ -42,13 +42,13 @@ class HeightMap {
 
 /// Smallest and largest known height.
 struct HeightRange {
-  double low = HeightMap::kUnknown;  ///< unknown if no cell is known
+  double low = HeightMap::kUnknown;  ///< NaN if no cell is known
   double high = HeightMap::kUnknown;
-  std::size_t known = 0;  ///< cells
+  std::size_t known = 0;  ///< number of cells with a known height
 };
 HeightRange heightRange(const HeightMap& map);
 
-/// Sum of the known cells' heights times the cell area [mm³].
+/// Volume below the map: the sum of the known cells' heights times the area of a cell [mm³].
 double volumeUnder(const HeightMap& map);
 
 }  // namespace lamina

@@ -8,13 +8,14 @@
 
 namespace lamina {
 
-/// Heights of the cells of a grid that are asked for one at a time, wherever they are kept.
+/// Heights of the cells of a grid, wherever they are stored, which are asked for one at a time.
 struct HeightSource {
   HeightGrid grid;
   /// Height of a cell of the grid [mm, bed frame]; NaN where nothing is known.
   std::function<double(int column, int row)> height;
 };
 
+/// The heights of a map as a source.
 /// @param map  must outlive the source
 inline HeightSource sourceOf(const HeightMap& map) {
   return {map.grid(), [&map](int column, int row) { return map.at(map.grid().cell(column, row)); }};

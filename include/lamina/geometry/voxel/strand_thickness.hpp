@@ -6,19 +6,21 @@
 
 namespace lamina {
 
-/// The solid voxels that lie in a cube of solid voxels with that side: the others are of something thinner.
-/// @param side  in voxels, from 1 (all that is solid) to 32
+/// The solid voxels that are part of a cube of solid voxels with this side; the other solid voxels belong to
+/// something thinner.
+/// @param side  in voxels, from 1 (all solid voxels) to 32
 VoxelGrid inCubes(const VoxelGrid& grid, int side);
 
-/// How many voxels thick what is solid is.
+/// Thickness of the solid in voxels.
 struct StrandThickness {
-  /// The greatest side of cubes, up to `kStrandVoxels`, that hold nine tenths of what is solid; 0 for a grid
-  /// in which nothing is.
+  /// The greatest side, up to `kStrandVoxels`, of cubes of which at least nine tenths of the solid voxels are
+  /// part (`inCubes`); 0 for a grid without solid voxels.
   int voxels = 0;
-  double thin_share = 0.0;  ///< of what is solid, in no cube of `kStrandVoxels`
+  double thin_share = 0.0;  ///< share of the solid voxels that are part of no cube of side `kStrandVoxels`
 };
 
-/// Voxels that a strand should be thick at least, for elements of this size to bend as they should.
+/// Number of voxels that a strand should be thick at least, for elements of their size to bend as they
+/// should.
 constexpr int kStrandVoxels = 4;
 
 StrandThickness strandThicknessOf(const VoxelGrid& grid);

@@ -10,20 +10,22 @@
 
 namespace lamina {
 
-/// Middles of the solid voxels of which at least one face is open, or lies on the border of the frame [mm]:
-/// by z, y, x. Cost is proportional to the words of the grid and to the points.
+/// Centres of the solid voxels that have at least one face that is open or on the border of the frame [mm],
+/// in order of z, y, x. Time is proportional to the words of the grid and to the number of points.
 std::vector<Point3> surfaceVoxels(const VoxelGrid& grid);
 
-/// The grid in cubes of `factor` voxels a side, from the same corner: solid where at least half of the
-/// voxels are. What is thinner than half a cube may vanish, all the more so alone.
+/// The grid with voxels `factor` times as large, from the same corner: solid where at least half of the small
+/// voxels are. What is thinner than half a large voxel may vanish, isolated voxels most of all.
 /// @param factor  1 or more
 VoxelGrid coarsened(const VoxelGrid& grid, int factor);
 
-/// `surfaceVoxels` of the grid, or of the finest coarser one that has no more than `most` of them.
+/// The `surfaceVoxels` of the grid or, if these are more than `most`, of the finest coarsened one that has no
+/// more.
 /// @param most  1 or more
 std::vector<Point3> shownVoxels(const VoxelGrid& grid, std::size_t most);
 
-/// `isosurface` of the grid, or of the finest coarser one that has no more than `most` triangles.
+/// The `isosurface` of the grid or, if this has more than `most` triangles, of the finest coarsened one that
+/// has no more.
 /// @param most  1 or more
 Mesh shownSurface(const VoxelGrid& grid, std::size_t most);
 

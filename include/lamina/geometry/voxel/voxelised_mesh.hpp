@@ -8,9 +8,9 @@
 
 namespace lamina {
 
-/// The voxels whose centres a closed mesh encloses. What faces inwards as a whole counts as if it faced
-/// outwards; bodies that overlap become one; cavities stay open. The grid begins at the low corner of the
-/// mesh's box, so that a box of whole voxels is met exactly.
+/// The voxels whose centres a closed mesh encloses. A mesh that is inside out as a whole counts as if it
+/// faced outwards; overlapping bodies become one; cavities stay open. The grid begins at the low corner of
+/// the bounding box of the mesh, so that a box of whole voxels is reproduced exactly.
 ///
 /// @throws InvalidMesh   if the mesh has no triangle, or is open where a row of voxels meets it
 /// @throws InvalidInput  as `voxelFrame`

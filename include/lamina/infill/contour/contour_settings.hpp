@@ -6,16 +6,16 @@
 
 namespace lamina {
 
-/// How a contour is joined to the next one.
+/// How a contour is joined to the next one by two links.
 enum class ContourLink {
   Tangential,  ///< each link goes to the nearest point of the next contour
-  Average,     ///< both links go the same way, across the gap they start from
+  Average,     ///< both links run in the same direction, across the gap from which they start
 };
 
-/// What the strategies of parallel contours ask for.
+/// Settings of the strategies of parallel contours.
 struct ContourSettings {
   ContourLink link = ContourLink::Average;
-  int seed = 1;  ///< of the places where contours are cut
+  int seed = 1;  ///< of the random places where contours are cut
 };
 
 /// Adds the keys contour.*.

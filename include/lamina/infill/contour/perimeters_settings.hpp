@@ -6,10 +6,10 @@
 
 namespace lamina {
 
-/// How each perimeter follows from the one outside of it.
+/// How each perimeter is made from the one outside of it.
 enum class PerimeterOffset {
-  Robust,   ///< the outline offset as an area: loops part, join and vanish as it does
-  Normals,  ///< each point moved along its normal [Flores2018, section 6.2.1]; may cross itself
+  Robust,   ///< the enclosed area is shrunk: loops split, join and vanish with it
+  Normals,  ///< each point is moved along its normal [Flores2018, section 6.2.1]; the loop may cross itself
 };
 
 /// In which order perimeters are deposited.
@@ -22,18 +22,18 @@ enum class PerimeterOrder {
 /// Where perimeters start.
 enum class PerimeterSeam {
   Progressive,  ///< farther along from layer to layer, and from perimeter to perimeter
-  Random,
+  Random,       ///< at random places
 };
 
-/// What the strategy of N perimeters asks for. Lengths are in pitches.
+/// Settings of the strategy of N perimeters. Lengths are in pitches.
 struct PerimetersSettings {
-  int count = 0;  ///< 0 for as many as fit, and beads in the narrow rest
+  int count = 0;  ///< 0 for as many as fit, with beads in the narrow rest
   PerimeterOffset offset = PerimeterOffset::Robust;
   PerimeterOrder order = PerimeterOrder::OutsideIn;
-  double first_inset = 0.5;  ///< of the outermost centre line from the border
-  double end_gap = 0.65;     ///< by which a perimeter ends short of its start
+  double first_inset = 0.5;  ///< distance of the outermost centre line from the border
+  double end_gap = 0.65;     ///< by which a perimeter ends short of its start; 0 closes it
   PerimeterSeam seam = PerimeterSeam::Progressive;
-  double seam_step = 3.0;  ///< of the progressive start
+  double seam_step = 3.0;  ///< by which the progressive start advances
   int seed = 1;            ///< of the random starts
 };
 

@@ -6,11 +6,12 @@
 
 namespace lamina {
 
-/// How the runs of a fill are made smooth, and with how many points.
+/// How the corners of infill runs are smoothed, and how their points are thinned out.
 struct SmoothingSettings {
-  double window_mm = 0.0;     ///< along the run round a corner, which a curve replaces; 0 for none
-  double step_mm = 0.05;      ///< between points on these curves
-  double tolerance_mm = 0.0;  ///< how far points left out lie from the run; 0 leaves none out
+  double window_mm = 0.0;  ///< length of the run around each corner that a curve replaces; 0 keeps corners
+  double step_mm = 0.05;   ///< distance of points on these curves
+  /// Greatest distance from the run of points that are left out; 0 leaves out none.
+  double tolerance_mm = 0.0;
 };
 
 /// Adds the keys smoothing.*.

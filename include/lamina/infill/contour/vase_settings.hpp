@@ -8,10 +8,10 @@
 
 namespace lamina {
 
-/// What a vase stands on.
+/// Settings of the base of a vase.
 struct VaseSettings {
-  int base_layers = 3;                   ///< solid ones below the rising wall
-  std::string base_strategy = "zigzag";  ///< that fills them inside one wall
+  int base_layers = 3;                   ///< number of solid layers below the rising wall
+  std::string base_strategy = "zigzag";  ///< infill strategy of these layers, inside one wall
 };
 
 /// Adds the keys vase.*.

@@ -6,16 +6,17 @@
 
 namespace lamina {
 
-/// What the strategies of drops ask for.
+/// Settings of the strategies that deposit drops.
 struct DropSettings {
   double diameter_mm = 0.4;
-  double pitch_mm = 0.4;         ///< between neighbouring drops of a line
-  double line_spacing_mm = 0.0;  ///< between neighbouring lines and contours; 0 takes the pitch
-  int contours = 1;              ///< round a raster or dense fill
-  double most_overlap = 0.2;  ///< of two drops of a layer, 1 - distance / diameter; none is deposited nearer
+  double pitch_mm = 0.4;         ///< distance of neighbouring drops of a line
+  double line_spacing_mm = 0.0;  ///< distance of neighbouring lines and contours; 0 for the pitch
+  int contours = 1;              ///< number of contours around a raster or dense fill
+  /// Greatest overlap of two drops of a layer, 1 - distance / diameter; drops that are closer are left out.
+  double most_overlap = 0.2;
 };
 
-/// Between neighbouring lines and contours [mm].
+/// Distance of neighbouring lines and contours [mm].
 double lineSpacing(const DropSettings& settings);
 
 /// Adds the keys drops.*.

@@ -6,9 +6,10 @@
 
 namespace lamina {
 
-/// What the strategies of Hilbert curves ask for.
+/// Settings of the strategies of Hilbert curves.
 struct HilbertSettings {
-  int angles = 1;  ///< turns of the curve that are tried for the fewest jumps
+  /// Number of orientations of the curve that are tried; the one with the fewest jumps is used.
+  int angles = 1;
 };
 
 /// Adds the keys hilbert.*.

@@ -6,9 +6,9 @@
 
 namespace lamina {
 
-/// Of the branches that hold up skins.
+/// Settings of the lightning infill, whose branches support skins.
 struct LightningSettings {
-  double angle_deg = 45.0;  ///< from the vertical, by which a branch may lean from layer to layer
+  double angle_deg = 45.0;  ///< greatest angle of a branch from the vertical; larger ones take less material
 };
 
 /// Adds the keys lightning.*.

@@ -6,31 +6,33 @@
 
 namespace lamina {
 
-/// Where the lines inside the perimeter run.
+/// How the lines inside the perimeter are laid out.
 enum class HybridLines {
-  Fitted,  ///< variable-width lines that divide what the perimeter leaves evenly, filled to their ends
-  Metal,   ///< rows of grid nodes, adapted to the perimeter as in [Flores2018, section 6.1.2]
+  Fitted,  ///< lines of variable width that divide the area inside the perimeter evenly
+  Metal,   ///< lines on a fixed grid, adapted to the perimeter as in [Flores2018, section 6.1.2]
 };
 
-/// How lines on the grid are brought to the right distance from the perimeter at their ends.
+/// How the ends of lines on the grid are brought to the right distance from the perimeter.
 enum class LongitudinalAdaptation {
   TwoPass,  ///< each end is moved along its line towards the nearest perimeter point, twice
-  Clipped,  ///< each line is cut by the perimeter offset inwards
+  Clipped,  ///< each line is clipped by the perimeter offset inwards
 };
 
-/// What the hybrid strategy asks for. Distances are in line spacings.
+/// Settings of the hybrid strategy. Distances are in line spacings.
 struct HybridSettings {
   HybridLines lines = HybridLines::Fitted;
   LongitudinalAdaptation longitudinal = LongitudinalAdaptation::Clipped;
-  double grid_x_mm = 0.0;  ///< a node of the grid
-  double grid_y_mm = 0.0;
-  double perimeter_step = 0.25;  ///< of the perimeter points that ends of lines on the grid are moved towards
-  double add_above = 1.5;        ///< a curve is added where the outermost line is farther from the perimeter
-  double delete_below = 1.2;     ///< that line is replaced by the curve where it is nearer
-  double approach = 1.0;         ///< from the curve to the perimeter
-  int curve_points = 20;
-  double end_margin = 0.5;        ///< by which the curve ends short of the line beside it
-  int extra_perimeter_every = 0;  ///< layers with one perimeter more; 0 for none
+  double grid_x_mm = 0.0;  ///< x of a node of the grid
+  double grid_y_mm = 0.0;  ///< y of that node
+  /// Distance of the perimeter points towards which `TwoPass` moves ends of lines.
+  double perimeter_step = 0.25;
+  /// A curve is added where the outermost line is farther than this from the perimeter.
+  double add_above = 1.5;
+  double delete_below = 1.2;  ///< the outermost line is replaced by the curve where it is nearer than this
+  double approach = 1.0;      ///< distance of the curve, and of ends of lines, from the perimeter
+  int curve_points = 20;      ///< number of points of the curve
+  double end_margin = 0.5;    ///< by which the curve ends short of the line beside it
+  int extra_perimeter_every = 0;  ///< every so many layers there is one more perimeter; 0 for never
 };
 
 /// Adds the keys hybrid.*.

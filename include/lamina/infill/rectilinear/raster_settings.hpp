@@ -10,23 +10,24 @@ namespace lamina {
 enum class SectionOrder {
   Midpoints,  ///< greedy, by the midpoints of first and last lines [Flores2018, figures 52 and 53]
   Ends,       ///< greedy, by the end points of first and last lines
-  Optimised,  ///< improved from there
+  Optimised,  ///< as `Ends`, then improved
 };
 
-/// Along which direction the lines of a raster run.
+/// How the direction of a raster's lines is chosen.
 enum class RasterDirection {
-  Given,        ///< that of `infill.angle_deg` and its alternation
-  FewestTurns,  ///< that of each layer's own which takes the fewest lines
-  LeastTravel,  ///< that of each layer's own which leaves the shortest way between runs
+  Given,        ///< by `infill.angle_deg` and its alternation
+  FewestTurns,  ///< in each layer the one with the fewest lines
+  LeastTravel,  ///< in each layer the one with the shortest travels between runs
 };
 
-/// What the strategies of parallel lines ask for.
+/// Settings of the strategies of parallel lines.
 struct RasterSettings {
   RasterDirection direction = RasterDirection::Given;
   SectionOrder order = SectionOrder::Optimised;
-  double narrowest = 0.3;               ///< bead of a solid raster, in pitches
-  double longest_connection_mm = 50.0;  ///< along the border, from one section of a solid raster to the next
-  double most_connection = 0.015;       ///< part of the area that all these connections may overfill
+  double narrowest = 0.3;  ///< least width of a bead in a solid raster, in pitches
+  /// Greatest length of a connection along the border between two sections of a solid raster; 0 for none.
+  double longest_connection_mm = 50.0;
+  double most_connection = 0.015;  ///< share of the area that all these connections together may overfill
 };
 
 /// Adds the keys raster.*.

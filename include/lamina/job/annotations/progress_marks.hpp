@@ -9,11 +9,12 @@
 
 namespace lamina {
 
-/// Adds code that gives the machine the hundredths of the time that are over and the minutes that are left:
-/// before the motion in which that is, at the beginning and at the end. A toolpath without motion stays as it
-/// is.
-/// @param dialect  by its name (`gcodeDialects`)
-/// @throws InvalidConfig if the dialect has no word for it
+/// Adds G-code that reports progress to the machine: the percentage of the printing time that has passed and
+/// the minutes that are left. There is one line for each percent from 0 to 99, before the motion during which
+/// it is reached, and one for 100 at the end. A toolpath that takes no time stays as it is.
+/// @param dialect  name of a G-code dialect (`gcodeDialects`)
+/// @param limits   by which the time is estimated
+/// @throws InvalidConfig if the dialect has no command for it
 void addProgressMarks(Toolpath& toolpath, const std::string& dialect, const MotionLimits& limits);
 
 }  // namespace lamina

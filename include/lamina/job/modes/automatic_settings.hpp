@@ -6,13 +6,14 @@
 
 namespace lamina {
 
-/// How `slicing.mode: auto` chooses. Shares are of the part's surface.
+/// How `slicing.mode: auto` chooses among modes. Percentages are shares of the part's surface.
 struct AutomaticSettings {
-  double good_unsupported_percent = 1.0;  ///< that a mode may leave and still be good enough
-  double alike_percent = 0.5;             ///< by which shares differ at most to count as alike
-  double longest_time = 3.0;              ///< of printing, over that of the quickest mode that takes the part
-  double max_overhang_deg = 45.0;         ///< that the material takes, whatever the mode
-  bool follows_skins = false;             ///< whether layers that follow gentle slopes come first
+  double good_unsupported_percent = 1.0;  ///< unsupported share up to which a mode is good enough
+  double alike_percent = 0.5;  ///< unsupported shares that differ by no more than this count as equal
+  /// Longest printing time of a mode, as a multiple of that of the quickest one that can slice the part.
+  double longest_time = 3.0;
+  double max_overhang_deg = 45.0;  ///< greatest overhang that the material allows, in every mode
+  bool follows_skins = false;      ///< whether modes whose layers follow gentle slopes are tried first
 };
 
 /// Adds the keys auto.*.

@@ -7,15 +7,17 @@
 
 namespace lamina {
 
-/// A mode that a part may be sliced by, and what it would give: of one that refuses the part nothing, of one
-/// whose layers the machine cannot run the same as of others.
+/// A slicing mode tried for a part, and its result. The figures are 0 if the mode cannot slice the part, but
+/// are there if only the machine cannot run its layers.
 struct ModeCandidate {
   std::string mode;
-  std::string refusal;               ///< why it is not to be had; empty if it is
-  double unsupported_percent = 0.0;  ///< of the whole surface: overhangs its own layers by more than is taken
-  std::size_t steps = 1;  ///< pieces printed along one direction; each bent layer is one of its own
+  std::string refusal;  ///< why the mode cannot be used; empty if it can
+  /// Share of the whole surface that overhangs the mode's own layers by more than is allowed.
+  double unsupported_percent = 0.0;
+  /// Number of pieces printed along one direction; each curved layer is a piece of its own.
+  std::size_t steps = 1;
   std::size_t layers = 0;
-  double time_s = 0.0;  ///< of printing, at the tip
+  double time_s = 0.0;  ///< printing time, within the limits of the nozzle tip
 };
 
 }  // namespace lamina

@@ -17,28 +17,31 @@ namespace lamina {
 /// A part sliced by one mode.
 struct ComparedMode {
   ModeCandidate candidate;
-  Toolpath toolpath;  ///< in the part frame; empty if the mode refuses the part
-  Mesh unsupported;   ///< triangles of the surface that overhangs its own layers by more than is taken
+  Toolpath toolpath;  ///< [part frame]; empty if the mode cannot slice the part
+  Mesh unsupported;  ///< triangles of the surface that overhang the mode's own layers by more than is allowed
 };
 
 /// A part sliced by several modes.
 struct ModeComparison {
-  Mesh part;  ///< as it is deposited: larger than in its file where it shrinks
+  Mesh part;  ///< as it is deposited: larger than in its file if shrinkage is compensated
   std::vector<ComparedMode> modes;
-  /// The one that `auto` takes. Nothing if all that it tries refuse the part, or one of those is not
-  /// compared; nor where `conformal.base` or `auto.follow_skins` decide.
+  /// Index of the mode that `auto` would choose. Nothing if it would find none, if it would try a mode that
+  /// is not among these, or if `conformal.base` or `auto.follow_skins` decide.
   std::optional<std::size_t> chosen;
 };
 
-/// The modes that are worth a comparison on a machine: level or inclined layers and those that bend for a
-/// head that cannot tilt, and all that tilt it for others.
+/// The modes worth comparing on a machine: `inclined` alone if the head is inclined or the job's plane is;
+/// otherwise those that `auto` tries on it, and `heightfield` if the head cannot tilt, or `curved` if it can.
 std::vector<std::string> comparableModes(const SliceJob& job);
 
 /// Slices a part by several modes, one after the other, by the settings of the job and
-/// `auto.max_overhang_deg`, prepared as for `auto`: on `conformal.base`, as large as it must be before it
-/// shrinks. Nothing is written. What modes refuse stands in their candidates.
-/// @throws InvalidConfig (no mode, one twice, one that there is not; settings), FileError, InvalidMesh
-///   (of the file), Unreachable (larger than the machine, or a plane that its head cannot lay), Cancelled
+/// `auto.max_overhang_deg`. The part is prepared as for `auto`: deposited on `conformal.base` if that is set,
+/// and enlarged by what it shrinks. Nothing is written. If a mode cannot slice the part, its candidate states
+/// why.
+/// @throws InvalidConfig if no mode is given, one is given twice, one does not exist, or settings are invalid
+/// @throws FileError, InvalidMesh for the part's file
+/// @throws Unreachable if the part is larger than the machine, or its head cannot print the plane
+/// @throws Cancelled
 ModeComparison compareModes(const SliceJob& job, const std::vector<std::string>& modes, Progress& progress);
 
 }  // namespace lamina

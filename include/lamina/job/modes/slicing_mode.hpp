@@ -19,59 +19,61 @@
 
 namespace lamina {
 
-/// What a part is planned by, and where it stands.
+/// What a mode is asked to plan: job, machine, and where the part stands.
 struct PlanningRequest {
   const SliceJob& job;
   const BuildSpace& space;
   Eigen::Isometry3d bed_from_part = Eigen::Isometry3d::Identity();
-  std::vector<ModeCandidate> refused = {};  ///< of what `auto` may choose: known not to be had
+  /// Modes of which an earlier choice of `auto` found that the machine cannot run them.
+  std::vector<ModeCandidate> refused = {};
 
-  /// Name of the part: its file's without folder and suffix.
+  /// Name of the part: that of its file without folder and suffix.
   std::string partName() const;
 };
 
-/// What cutting a part into layers gave.
+/// Figures of cutting a part into layers.
 struct LayerCounts {
   std::size_t layers = 0;
-  std::size_t contours = 0;       ///< closed ones
-  std::size_t open_contours = 0;  ///< none on a closed mesh
+  std::size_t contours = 0;       ///< number of closed ones
+  std::size_t open_contours = 0;  ///< number of open ones; 0 for a closed mesh
   double sliced_volume_mm3 = 0.0;
-  double slice_s = 0.0;
+  double slice_s = 0.0;  ///< time that the cutting took
 };
 
-/// What a mode knows of its own layers.
+/// What a mode itself measures of the support that its layers give each other.
 struct LayerSupport {
-  double unsupported_mm2 =
-      0.0;                ///< of the surface: overhangs its own layers by more than the mode's settings take
-  std::size_t steps = 1;  ///< pieces printed along one direction; each bent layer is one of its own
-  Mesh unsupported = {};  ///< triangles of what overhangs so [part frame]
+  /// Surface that overhangs the mode's own layers by more than its settings allow.
+  double unsupported_mm2 = 0.0;
+  /// Number of pieces printed along one direction; each curved layer is a piece of its own.
+  std::size_t steps = 1;
+  Mesh unsupported = {};  ///< triangles of that surface [part frame]
 };
 
-/// A part's toolpath in the part frame, and how it came about.
+/// A part's toolpath [part frame], and figures of its planning.
 struct PlannedPart {
   Plan plan;
   LayerCounts counts;
-  std::optional<LayerSupport> support;  ///< of modes that measure it
-  OverhangAngle lean;
-  std::vector<std::string> notes;  ///< what a user should know of the layers, a sentence each
+  std::optional<LayerSupport> support;  ///< only from modes that measure it themselves
+  OverhangAngle lean;                   ///< greatest overhang of the walls
+  std::vector<std::string> notes;       ///< notes for the user on the layers, a sentence each
 };
 
-/// Slices a part and plans its layers. The mesh is gone when they are planned.
+/// Slices a part and plans its layers. The source is consumed.
 /// @throws InvalidMesh (`Unsliceable` with a region), InvalidInput (no layer), InvalidConfig, Unreachable,
-/// Cancelled
+///   Cancelled
 using PlanFunction =
     std::function<PlannedPart(SourcePart source, const PlanningRequest& request, Progress& progress)>;
 
 /// How the layers of a mode lie.
 enum class LayerShape {
-  Plane,  ///< in parallel planes: level, or as `slicing.plane` says
-  Bent,   ///< anyhow: without skirt, scan passes, copies and drop voids
+  Plane,  ///< parallel planes: level, or as `slicing.plane` inclines them
+  Bent,   ///< any other surfaces, on which skirt, scan passes, copies and drop voids are not supported
 };
 
-/// What `slicing.first_layer_height_mm` means to a mode.
+/// Whether a mode uses `slicing.first_layer_height_mm`.
 enum class FirstLayer {
-  OwnHeight,   ///< the first layer has it
-  SameHeight,  ///< nothing: all layers are as high
+  OwnHeight,   ///< it is the height of the first layer
+  SameHeight,  ///< it is not used: all layers have the same height
 };
 
 /// What the first layer of a mode is deposited on.
@@ -82,30 +84,30 @@ enum class DepositedOn {
 
 /// On which machines `auto` tries a mode.
 enum class AutoTrial {
-  None,         ///< it is had by its name only
-  AnyHead,      ///< on all
-  TiltingHead,  ///< where the nozzle may tilt
+  None,         ///< never: the mode has to be named
+  AnyHead,      ///< on all machines
+  TiltingHead,  ///< on machines that can tilt the nozzle
 };
 
-/// A kind of layers that a part can be cut into, and what a job has to know about it.
+/// A slicing mode: how a part is cut into layers, and what a job has to know about it.
 struct SlicingMode {
   PlanFunction plan;
   LayerShape shape = LayerShape::Bent;
   FirstLayer first_layer = FirstLayer::OwnHeight;
   DepositedOn deposited_on = DepositedOn::Bed;
   AutoTrial auto_trial = AutoTrial::None;
-  /// Place among the modes that `auto` tries, the lowest first: the simpler to print, the lower. Lamina's own
-  /// have 0 to 3; modes of one turn are tried in the order of their names.
+  /// Rank in the order in which `auto` tries modes, the lowest first: modes that are simpler to print have
+  /// lower ranks. Those of Lamina are 0 to 3. Modes of equal rank are tried in alphabetical order.
   int auto_turn = 0;
 };
 
-/// The value of `slicing.mode` that leaves the choice to the part and the machine: no mode of its own.
+/// Value of `slicing.mode` with which the mode is chosen by part and machine. It is not itself a mode.
 inline constexpr const char* kAutoMode = "auto";
 
-/// All modes, those of plug-ins too. Whoever adds one calls `slicingModes().add("name", {...})`.
+/// All modes by name, those of plug-ins included. A plug-in adds one by `slicingModes().add("name", {...})`.
 Registry<SlicingMode>& slicingModes();
 
-/// What `slicing.mode` may be: the names of all modes, and `auto`.
+/// Allowed values of `slicing.mode`: the names of all modes, and `auto`.
 std::vector<std::string> slicingModeNames();
 
 /// Whether the layers of a mode lie in parallel planes; false for `auto`.

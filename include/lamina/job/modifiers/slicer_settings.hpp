@@ -10,21 +10,21 @@
 
 namespace lamina {
 
-/// Settings of another slicer by the names that they have here.
+/// Settings of another slicer, translated into those of Lamina.
 struct TranslatedSettings {
   std::vector<SettingText> settings;
-  std::vector<std::string> left_out;  ///< those that a region cannot have here, with their values, quoted
+  std::vector<std::string> left_out;  ///< settings that a region cannot have here, with their values, quoted
 };
 
-/// Translates what PrusaSlicer, OrcaSlicer, Bambu Studio and, with the prefix `cura:`, Cura write of an
-/// object, a volume or a range of heights: walls, density, pattern and direction of the infill, skins, feeds,
-/// flows and tools. Shares of feeds refer to those of the region, or else of the part; tools count from 1 but
-/// for Cura, and 0 is that of the part. The part's own layer height is passed over. A solid fill becomes a
-/// zigzag unless its pattern is stated. What the part's settings give no meaning to is left out: values that
-/// do not fit, patterns and tools that there are not.
-/// @param of_slicer  keys and values as they stand in the file; what says where a volume came from is passed
-///   over
-/// @param of_part    what holds round the region
+/// Translates the settings that PrusaSlicer, OrcaSlicer, Bambu Studio and, with the prefix `cura:`, Cura
+/// write for an object, a volume or a range of heights: walls, density, pattern and direction of the infill,
+/// skins, feeds, flows and tools. A feed in percent refers to a feed of the region or, if that is not set, of
+/// the part. Tools count from 1, in Cura from 0; 0, in Cura a negative number, stands for the tool of the
+/// part. A layer height equal to the part's is ignored. A solid infill becomes a zigzag unless its pattern is
+/// stated. Settings without a counterpart are left out, and so are invalid values, unknown patterns and tools
+/// that do not exist.
+/// @param of_slicer  keys and values as in the file; keys that state where a volume came from are ignored
+/// @param of_part    settings that hold around the region
 TranslatedSettings translated(const std::vector<SettingText>& of_slicer, const JobSettings& of_part);
 
 }  // namespace lamina

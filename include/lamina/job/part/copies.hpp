@@ -12,21 +12,22 @@
 
 namespace lamina {
 
-/// How often a part is printed, one after the other along a belt.
+/// How many times a part is printed, one copy after the other along a belt.
 struct CopySettings {
   int count = 1;
-  double spacing_mm = 10.0;  ///< the belt goes on by so much between one copy's end and the next one's start
+  double spacing_mm = 10.0;  ///< travel of the belt between the end of one copy and the start of the next
 };
 
 /// Adds the keys part.copies and part.spacing_mm.
 void describe(SettingsSchema& schema, CopySettings& settings);
 
-/// The toolpath as often as asked for, each copy farther along the endless edge of the build space, the belt,
-/// by the same way, so that the belt has passed all of a copy when the next one begins. Between copies the
-/// belt goes on first, which takes the copy out of the nozzle's reach, then the nozzle goes across. Layers of
-/// one copy follow those of another. One copy is the toolpath as it is.
-/// @param travel_feed_mm_s  between copies
-/// @throws InvalidConfig if there are to be several and the build space has no endless edge
+/// Repeats a toolpath for several copies of its part. Each copy is moved by the same distance along the
+/// endless edge of the build space (the belt), so that the belt has passed all of a copy when the next one
+/// begins. Between copies the belt moves first, which takes the copy out of the nozzle's reach, then the
+/// nozzle moves across. The layers of one copy are all before those of the next. One copy is the toolpath
+/// unchanged.
+/// @param travel_feed_mm_s  of the travels between copies
+/// @throws InvalidConfig if several copies are asked for and the build space has no endless edge
 Toolpath withCopies(Toolpath toolpath, const CopySettings& settings, const BuildSpace& space,
                     const Eigen::Isometry3d& bed_from_part, double travel_feed_mm_s);
 
@@ -34,20 +35,22 @@ Toolpath withCopies(Toolpath toolpath, const CopySettings& settings, const Build
 struct BeltPart {
   std::string name;
   const Toolpath* toolpath = nullptr;                               ///< in the frame of the part
-  Eigen::Isometry3d bed_from_part = Eigen::Isometry3d::Identity();  ///< at the beginning of the belt
+  Eigen::Isometry3d bed_from_part = Eigen::Isometry3d::Identity();  ///< pose at the beginning of the belt
 };
 
-/// Where such parts stand, farther along the belt than at its beginning: the belt has passed all of a part,
-/// and `spacing_mm` more, when the next one begins.
-/// @return for each part, the first at zero [bed frame]
+/// Places the parts one after the other along the belt: the belt has passed all of a part, and `spacing_mm`
+/// more, when the next one begins.
+/// @return translation of each part from its pose at the beginning of the belt; zero for the first [bed
+///   frame]
 /// @throws InvalidConfig if the build space has no endless edge
 std::vector<Point3> placesAlongBelt(const std::vector<BeltPart>& parts, double spacing_mm,
                                     const BuildSpace& space);
 
-/// Their toolpath in the frame of the first, each part marked by its name (`PartMark`); in between the nozzle
-/// moves as between copies. Their layers must be parallel.
-/// @param places             of the parts
-/// @param travel_feed_mm_s  between parts
+/// Joins the toolpaths of the parts into one, in the frame of the first part. Each part is marked by its name
+/// (`PartMark`); between parts belt and nozzle move as between copies. The layers of all parts must be
+/// parallel.
+/// @param places            as `placesAlongBelt` returns them
+/// @param travel_feed_mm_s  of the travels between parts
 Toolpath oneAfterAnother(const std::vector<BeltPart>& parts, const std::vector<Point3>& places,
                          const BuildSpace& space, double travel_feed_mm_s);
 

@@ -12,19 +12,19 @@
 
 namespace lamina {
 
-/// How it was found where a program has put its part.
+/// How the position of a part in a program was determined.
 enum class PartFinding {
-  Given,     ///< somebody said so
-  Contours,  ///< by the part's contours in the program's layers (`placeContours`)
-  Box,       ///< by the boxes of part and deposit: layers that are not level
+  Given,     ///< it was passed in
+  Contours,  ///< from the part's contours in the program's layers (`placeContours`)
+  Box,       ///< from the bounding boxes of part and deposit, where layers are not level
 };
 
 /// "given", "contours", "box".
 const char* toString(PartFinding finding);
 
-/// Where a program has put its part.
+/// Position of a part in a program.
 struct PartInProgram {
-  Point3 program_from_part = Point3::Zero();  ///< translation [mm]; programs are not turned
+  Point3 program_from_part = Point3::Zero();  ///< translation [mm]; programs do not rotate the part
   PartFinding finding = PartFinding::Given;
 };
 
@@ -34,14 +34,16 @@ struct ComparedPart {
   Mesh mesh;         ///< repaired
 };
 
+/// Reads and repairs a part.
 /// @throws InvalidMesh, FileError
 ComparedPart readComparedPart(const std::string& part, const InputSettings& settings);
 
-/// Finds where a program has put a part, whatever its skirt, brim or start lines: in x and y by the contours
-/// of level layers, and with its bottom on that of the first layer. Where layers are not level, by the middle
-/// of the box of what is deposited for the part, and its bottom.
-/// @param given  program_from_part [mm]; found if there is none
-/// @throws InvalidInput if nothing is deposited for the part, or the given place is not finite; Cancelled
+/// Finds the position of a part in a program, ignoring skirt, brim and start lines. If layers are level, x
+/// and y follow from the contours; otherwise from the middle of the bounding box of what is deposited for the
+/// part. In z the bottom of the part is put at the bottom of the deposit.
+/// @param given  program_from_part [mm], which is returned; empty to find it
+/// @throws InvalidInput if nothing is deposited for the part, or `given` is not finite; as `placeContours`
+/// @throws Cancelled
 PartInProgram findPart(const Toolpath& program, const ComparedPart& part, const std::optional<Point3>& given,
                        const JobSettings& settings, Progress& progress);
 

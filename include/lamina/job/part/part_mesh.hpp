@@ -9,11 +9,11 @@
 
 namespace lamina {
 
-/// The mesh that a part is taken as by everything but slicing, which keeps more of it: repaired, or refused,
-/// as the settings say.
+/// The mesh of a part, repaired, or refused if it needs repair, as the settings ask. Slicing itself does not
+/// use this function, as it needs more than the mesh.
 /// @param part  name of a parametric part, otherwise path of a mesh file
-/// @throws InvalidMesh if the mesh cannot be read or repaired, or is not sound and the policy is strict;
-///   FileError
+/// @throws InvalidMesh if the mesh cannot be read or repaired, or is not sound and the policy is strict
+/// @throws FileError
 Mesh partMesh(const std::string& part, const InputSettings& settings);
 
 }  // namespace lamina

@@ -12,19 +12,20 @@ namespace lamina {
 
 /// Where a part stands on the bed.
 enum class Placement {
-  Centre,  ///< middle of its box over the middle of the bed, bottom on the bed
-  AsIs,    ///< coordinates of the file are coordinates of the bed
+  Centre,  ///< middle of its bounding box over the middle of the bed, bottom on the bed
+  AsIs,    ///< coordinates of the file are those of the bed
 };
 
-/// bed_from_part [mm] of a part with this box. Turns nothing.
+/// Pose bed_from_part [mm] of a part with this bounding box, without rotation.
 Eigen::Isometry3d placePart(const Box3& part, const Point2& bed_centre, Placement placement);
 
-/// The same in a build space: over its middle. Along an endless edge, a belt, the part begins where the belt
-/// does: every point of its box is at the low end or beyond it.
+/// Pose bed_from_part [mm] of a part in a build space: over its middle, without rotation. Along an endless
+/// edge, as that of a belt, the part begins where the belt begins: no corner of its box lies before the low
+/// end.
 Eigen::Isometry3d placePart(const Box3& part, const BuildSpace& space, Placement placement);
 
-/// The same of a toolpath whose part is not known: its deposition stands over the middle of the space, and
-/// the undersides of its lowest beads on the bed. A toolpath that deposits nothing stays where it is.
+/// Pose bed_from_part [mm] of a toolpath whose part is not known: what it deposits lies over the middle of
+/// the space, with the undersides of the lowest beads on the bed. The identity if it deposits nothing.
 Eigen::Isometry3d placeDeposition(const Toolpath& toolpath, const BuildSpace& space);
 
 }  // namespace lamina

@@ -12,14 +12,16 @@
 
 namespace lamina {
 
-/// A part fit to be sliced, and what was changed to make it so.
+/// A part that can be sliced, and what was repaired to make it so.
 struct SourcePart {
   Mesh mesh;
-  MeshTopology topology;  ///< of the mesh; without border
+  MeshTopology topology;  ///< of `mesh`; without border
   std::vector<std::string> repairs;
-  Eigen::Affine3d part_from_file = Eigen::Affine3d::Identity();  ///< where a plate has turned it
-  std::vector<MeshVolume> volumes = {};                          ///< of its file, in the file's coordinates
-  Mesh base;  ///< what it is deposited on, in its frame; empty for the bed
+  /// How a plate has rotated, scaled and moved it.
+  Eigen::Affine3d part_from_file = Eigen::Affine3d::Identity();
+  /// Volumes of its file with settings of their own, in the file's coordinates.
+  std::vector<MeshVolume> volumes = {};
+  Mesh base;  ///< surface on which the part is deposited [frame of the part]; empty for the bed
 };
 
 }  // namespace lamina

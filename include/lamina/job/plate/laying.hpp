@@ -9,24 +9,27 @@
 
 namespace lamina {
 
-/// What is looked for when a part is placed on the bed.
+/// How orientations of a part on the bed are judged.
 struct LayingSettings {
-  double overhang_deg = 45.0;    ///< faces that lean farther from the vertical hang
-  double on_bed_mm = 0.2;        ///< faces below this height lie on the bed
-  std::size_t most_faces = 500;  ///< of the hull that are tried, the largest
+  double overhang_deg = 45.0;    ///< a face overhangs if it leans farther than this from the vertical
+  double on_bed_mm = 0.2;        ///< faces no higher than this above the bed count as lying on it
+  std::size_t most_faces = 500;  ///< greatest number of the hull's faces that are tried, the largest first
 };
 
-/// A part on one of the faces of its convex hull.
+/// An orientation in which a part lies on a face of its convex hull.
 struct Laying {
-  Point3 turn_deg = Point3::Zero();  ///< about the fixed axes x, y, z, in this order; z is 0
-  double overhang_mm2 = 0.0;         ///< of hanging faces, as seen from below
+  /// Rotations about the fixed axes x, y, z, in this order; that about z is 0.
+  Point3 turn_deg = Point3::Zero();
+  double overhang_mm2 = 0.0;  ///< area of overhanging faces, projected to the bed
   double height_mm = 0.0;
-  double face_mm2 = 0.0;  ///< of the hull, on the bed
+  double face_mm2 = 0.0;  ///< area of the hull's face on the bed
+  /// The lower the better: overhang in mm² and a tenth of the height in mm.
   double cost() const { return overhang_mm2 + 0.1 * height_mm; }
 };
 
-/// Ways to lay a part on its hull, that of the least cost first: what hangs, in mm², and a tenth of the
-/// height, in mm. Of equal ones that with the larger face, then the smaller turn. Parallel over faces.
+/// Orientations of a part on the faces of its convex hull, that of the least cost first. Among equal costs
+/// the one with the larger face comes first, then the one with the smaller rotation. Computed by several
+/// threads.
 /// @throws InvalidMesh if the part is flat
 std::vector<Laying> layings(const Mesh& part, const LayingSettings& settings);
 

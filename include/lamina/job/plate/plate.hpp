@@ -12,47 +12,50 @@
 
 namespace lamina {
 
-/// A part of a plate, as asked for.
+/// A part of a plate as it is requested, and the number of its copies.
 struct PlatePart {
-  std::string file;                  ///< path of a mesh file, or the name of a parametric part
-  std::string name;                  ///< in programs and messages; empty takes that of the file
-  std::optional<Point2> at_mm;       ///< of the middle of its box [bed frame]; without, it is arranged
-  Point3 turn_deg = Point3::Zero();  ///< about the fixed axes x, y, z, in this order
-  double scale = 1.0;
+  std::string file;  ///< path of a mesh file, or the name of a parametric part
+  std::string name;  ///< in programs and messages; empty for that of the file
+  /// Where the middle of its bounding box is put [bed frame]; nothing to have it arranged.
+  std::optional<Point2> at_mm;
+  Point3 turn_deg = Point3::Zero();  ///< rotations about the fixed axes x, y, z, in this order
+  double scale = 1.0;                ///< factor on its size, above 0
   int copies = 1;
   std::vector<SettingText> settings;  ///< of its own (`requirePartSetting`)
 };
 
-/// Parts that share a bed, and settings that the file of the plate gives besides.
+/// Parts that share a bed, and settings of the plate that its file states.
 struct Plate {
   std::vector<PlatePart> parts;
   std::vector<SettingText> settings;  ///< plate.*
 };
 
-/// Reads a plate from YAML. Files of parts are relative to its folder unless they are absolute or name a
-/// parametric part.
+/// Reads a plate from a YAML file. Paths of parts are relative to its folder unless they are absolute or name
+/// a parametric part.
 /// @throws InvalidConfig naming file, line and key; FileError
 Plate readPlateFile(const std::string& path);
 
-/// The same from text.
-/// @param folder  of relative files
+/// Reads a plate from YAML text, as `readPlateFile`.
+/// @param source_name  names the text in errors
+/// @param folder       to which paths of parts are relative
 Plate readPlate(const std::string& yaml, const std::string& source_name, const std::string& folder);
 
-/// A plate of files, one part of each.
+/// A plate with one part from each file.
 Plate plateOf(const std::vector<std::string>& files);
 
-/// Settings that a part of a plate may have for itself: what is deposited in its own layers. Motion, machine,
-/// cooling and program are those of the plate.
-/// @throws InvalidConfig naming those it may have
+/// Checks that a part of a plate may have a setting of its own: only those of what is deposited in its
+/// layers. Motion, machine, cooling and program are settings of the plate.
+/// @throws InvalidConfig otherwise, naming the settings that a part may have
 void requirePartSetting(const SettingText& setting, const std::string& part);
 
-/// How a part is turned: about the fixed axes x, y, z, in this order.
+/// The rotation about the fixed axes x, y, z, in this order.
 Eigen::Quaterniond turnOf(const Point3& turn_deg);
 
-/// part_from_file of a mesh that is scaled and turned, its bottom at z = 0 and the middle of its box over the
-/// origin.
+/// The transform part_from_file that scales and rotates a mesh and puts its bottom at z = 0 and the middle of
+/// its bounding box over the origin.
 Eigen::Affine3d standing(const Mesh& mesh, const Eigen::Quaterniond& turn, double scale);
 
+/// The mesh with all vertices transformed.
 Mesh transformed(Mesh mesh, const Eigen::Affine3d& by);
 
 }  // namespace lamina

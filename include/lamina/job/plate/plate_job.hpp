@@ -11,41 +11,48 @@
 
 namespace lamina {
 
-/// One request: which parts become one program, and how.
+/// A request to make one program from the parts of a plate.
 struct PlateJob {
   Plate plate;
-  std::string output;    ///< as that of `SliceJob`
-  JobSettings settings;  ///< of the plate, and of parts that have none of their own
+  std::string output;    ///< as in `SliceJob`
+  JobSettings settings;  ///< of the plate, and of parts as far as they have none of their own
 };
 
-/// What became of one part of a plate, or one copy of it.
+/// Report on one part of a plate, or on one copy of it.
 struct PlatedPart {
   std::string name;
   std::string file;
-  Point2 at_mm = Point2::Zero();   ///< middle of its box [bed frame]
-  double arranged_turn_deg = 0.0;  ///< about z, by the arrangement
+  Point2 at_mm = Point2::Zero();   ///< middle of its bounding box [bed frame]
+  double arranged_turn_deg = 0.0;  ///< rotation about z by the arrangement, besides that asked for
   Point3 size_mm = Point3::Zero();
-  SliceSummary summary;  ///< of the part alone; without times and travels between parts
+  SliceSummary summary;  ///< of the part alone, without times and travels between parts
 };
 
 /// A plate ready to print.
 struct SlicedPlate {
-  SlicedPart sliced;              ///< the toolpath in the frame of the bed
-  std::vector<PlatedPart> parts;  ///< in the order given, copies after their original
+  /// Toolpath of all parts: in the bed frame, or in that of the first part on a belt in inclined layers.
+  SlicedPart sliced;
+  std::vector<PlatedPart> parts;  ///< in the order requested, copies after their original
 };
 
-/// From mesh files to one written program: places the parts, plans each alone by its own settings (copies
-/// once), and merges their layers by height or lays part after part, as `plate.order` says. One skirt stands
-/// around all parts. Where the layers of another part begin, the toolpath has a `PartMark`.
+/// Slices the parts of a plate into one program and writes it. Each part is placed and planned alone by its
+/// own settings (copies once). Then the layers are merged by height, or parts follow each other whole, as
+/// `plate.order` asks. On level layers one skirt runs around all parts. The toolpath has a `PartMark`
+/// wherever the layers of another part begin. In inclined layers on a belt, parts follow each other along the
+/// belt.
 ///
-/// Part by part, each may stand where no body of the machine's head could touch a finished one: the boxes of
-/// the bodies, swept by all positions of the nozzle over the box of the part that is printed, against the
-/// boxes of the parts before.
+/// If parts follow each other whole on a bed, none may stand where a body of the machine's head could touch a
+/// finished one. This compares the bounding boxes of the bodies, swept over all positions of the nozzle
+/// within the box of the part being printed, with the boxes of the parts before.
 ///
-/// @throws as `runSliceJob`, with the name of the part in front; InvalidInput if parts overlap, naming both;
-///   Unreachable if one does not stand on the bed, or the head would touch a finished one; InvalidConfig for
-///   what plates do not take: layers that are not level, part.copies, scan passes, drop voids, vases layer by
-///   layer
+/// @throws as `runSliceJob`, with the name of the part in front
+/// @throws InvalidInput if there is no part, or parts overlap, naming both
+/// @throws Unreachable if a part does not stand on the bed, or the head would touch a finished one
+/// @throws InvalidConfig for what plates do not support: layers that are not plane, part.copies, scan passes,
+///   drop voids, prime lines and skirts of several layers; infill that goes on from layer to layer (vases) if
+///   several parts are merged by height; prime towers except on level layers that are merged by height;
+///   inclined layers with plate.order by_part off a belt, or with at_mm on one; by_part if no body of the
+///   head is described
 SlicedPlate runPlateJob(const PlateJob& job, Progress& progress);
 
 }  // namespace lamina

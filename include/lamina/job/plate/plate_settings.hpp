@@ -8,20 +8,20 @@
 
 namespace lamina {
 
-/// Where the parts of a plate stand that have no place of their own.
+/// How parts of a plate without a position of their own are arranged.
 enum class PlateArrangement : std::uint8_t {
-  None,  ///< where their files say
+  None,  ///< where their files place them
   Rows,  ///< side by side in the order given, row behind row
-  Pack   ///< close together, turned as fits
+  Pack   ///< close together, rotated by multiples of 45 deg as fits best
 };
 
 /// In which order the parts of a plate are printed.
 enum class PlateOrder : std::uint8_t {
-  ByLayer,  ///< all of them layer by layer, by height
+  ByLayer,  ///< all together, layer by layer
   ByPart    ///< one after the other, the lowest first
 };
 
-/// By which commands a host or firmware can leave out one part of a plate.
+/// Commands with which a program labels its parts, so that host or firmware can leave out one of them.
 enum class ObjectLabels : std::uint8_t {
   None,          ///< by comments only
   M486,          ///< Marlin, RepRapFirmware

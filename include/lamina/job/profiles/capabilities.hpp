@@ -10,7 +10,7 @@ namespace lamina {
 
 struct JobSettings;
 
-/// What a machine can do besides move. A 0 is not known, and refuses nothing.
+/// Capabilities of a machine besides its motion. A number that is 0 is not known and is not checked.
 struct MachineCapabilities {
   double nozzle_mm = 0.0;  ///< diameter of the orifice
   double greatest_nozzle_c = 0.0;
@@ -21,18 +21,19 @@ struct MachineCapabilities {
   bool has_fan = true;
 };
 
-/// What is deposited.
+/// The material that is deposited.
 struct MaterialSettings {
-  std::string name;            ///< in messages and programs; empty if nobody has said
+  std::string name;            ///< for messages and programs; empty if not stated
   double density_g_cm3 = 0.0;  ///< 0 if not known
 };
 
-/// Adds machine.nozzle_mm and the others.
+/// Adds the keys machine.nozzle_mm, machine.greatest_nozzle_c, machine.greatest_bed_c,
+/// machine.least_layer_mm, machine.greatest_layer_mm, machine.has_bed_heater and machine.has_fan.
 void describe(SettingsSchema& schema, MachineCapabilities& capabilities);
 /// Adds the keys material.*.
 void describe(SettingsSchema& schema, MaterialSettings& material);
 
-/// Checks temperatures, fan and layer heights against the machine.
+/// Checks temperatures, fan and layer heights against the machine and the nozzles of its tools.
 /// @throws InvalidConfig naming the key, its value, and what the machine can do
 void requireCapable(const JobSettings& settings);
 

@@ -11,41 +11,47 @@
 
 namespace lamina {
 
-/// Where the settings of a job come from, in the order in which they count: what comes later wins. Empty
-/// names give nothing.
+/// Sources of a job's settings, in ascending order of precedence: a later one overrides those before. Empty
+/// names stand for no source.
 struct SettingsSources {
-  std::string like;      ///< program that states its settings (`program.settings_in_file`)
-  std::string machine;   ///< profile, or its file (.yaml); a machine of `machine.name`; a file (.urdf)
-  std::string material;  ///< profile, or its file (.yaml)
-  std::string process;   ///< profile, or its file (.yaml)
-  std::string config;    ///< file (YAML)
-  std::vector<SettingText> overrides;
+  std::string like;  ///< program whose comments state its settings (`program.settings_in_file`)
+  /// Name or file (.yaml) of a profile; a value of `machine.name`; a cell file (.yaml); a URDF (.urdf).
+  std::string machine;
+  std::string material;                ///< name or file (.yaml) of a profile
+  std::string process;                 ///< name or file (.yaml) of a profile
+  std::string config;                  ///< YAML file
+  std::vector<SettingText> overrides;  ///< in order
 };
 
-/// What one source says of a setting.
+/// The value that one source states for a setting.
 struct SettingOrigin {
-  std::string layer;  ///< "built-in", "--machine", ..., "--set"; the machine's key that it follows from
-  std::string place;  ///< "file:line"; empty where there is no file
-  std::string text;   ///< the value
+  /// Source: "built-in", "--machine", ..., "--set"; or the key of the machine's setting that it follows from.
+  std::string layer;
+  std::string place;  ///< "file:line"; empty if the source is no file
+  std::string text;   ///< the value as text
 };
 
 /// Settings of a job, and where each was set.
 struct LayeredSettings {
   JobSettings settings;
-  std::map<std::string, std::vector<SettingOrigin>> origins;  ///< by key, without those that nobody has set
+  /// By key, in ascending precedence; without keys that no source states.
+  std::map<std::string, std::vector<SettingOrigin>> origins;
 
-  /// Everything that was said of a key, the built-in value first: the last one counts.
+  /// All values stated for a key, in ascending precedence: the built-in one first, the one that holds last.
   /// @throws InvalidConfig if there is no such setting
   std::vector<SettingOrigin> explain(const std::string& key) const;
 };
 
-/// The defaults with one source after the other on top, and what follows from the machine
-/// (`machineDefaults`); typed is what `config` and `overrides` state.
-/// @throws FileError; InvalidConfig as `ProfileLibrary::find`; if a key or value of a profile is none, naming
-///   file and line; if a material or process is not meant for the machine; as `loadJobSettings`
+/// Loads the settings of a job: the defaults, overridden by one source after the other, and then what follows
+/// from the machine (`machineDefaults`), where the keys of `config` and `overrides` count as typed.
+/// @throws FileError
+/// @throws InvalidConfig as `ProfileLibrary::find` and `loadJobSettings`; if a profile has an unknown key or
+///   an invalid value, naming file and line; if a material or process is not meant for the machine; if a
+///   later source sets machine.name while machine.urdf of an earlier one would still hold
 LayeredSettings loadLayered(const SettingsSources& sources, const ProfileLibrary& library);
 
-/// As `validate(JobSettings)`; messages end with the places of the settings that they name.
+/// Checks the settings as `validate(const JobSettings&)`. Messages end with the places where the settings
+/// that they name were stated.
 /// @throws InvalidConfig
 void validate(const LayeredSettings& layered);
 

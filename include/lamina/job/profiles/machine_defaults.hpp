@@ -11,32 +11,33 @@
 
 namespace lamina {
 
-/// The keys of settings that have been stated.
+/// Keys of the settings that have been stated.
 struct StatedKeys {
-  std::set<std::string> anywhere;  ///< by any source, profiles among them
-  std::set<std::string> typed;     ///< by whoever asks for the job, not by a profile
+  std::set<std::string> anywhere;  ///< by any source, profiles included
+  std::set<std::string> typed;     ///< by the user who asks for the job, not by a profile
 };
 
-/// What a setting is on a machine where its built-in value does not fit.
+/// A setting whose built-in value does not fit the machine, with the value that does.
 struct MachineDefault {
   SettingText setting;
-  std::string follows;  ///< key of the machine that it follows from: "machine.has_fan"
+  std::string follows;  ///< key of the machine's setting from which it follows: "machine.has_fan"
 };
 
-/// What follows from the machine, without what is so already:
-/// - no fan without `machine.has_fan` and a cold bed without `machine.has_bed_heater`, unless typed;
-/// - where `machine.nozzle_mm` is known, beads as wide as the nozzle, layers and the first layer half as
-///   high, adaptive layers from a quarter of it to three quarters, unless stated anywhere;
-/// - these heights, and the built-in ones, within `machine.least_layer_mm` and `machine.greatest_layer_mm`.
-/// In modes whose first layer has no height of its own, it has that of all layers.
+/// The settings that follow from the machine, without those that have that value already:
+/// - no fan if `machine.has_fan` is false, and a cold bed if `machine.has_bed_heater` is false, unless typed;
+/// - if `machine.nozzle_mm` is known, beads as wide as the nozzle; layers and first layer half as high;
+///   adaptive layers from a quarter to three quarters of its width; each unless stated anywhere;
+/// - these heights, or the built-in ones, brought within `machine.least_layer_mm` and
+///   `machine.greatest_layer_mm`, unless stated anywhere.
+/// In modes whose first layer has no height of its own, it gets the common layer height.
 std::vector<MachineDefault> machineDefaults(const JobSettings& settings, const StatedKeys& stated);
 
-/// The keys of settings that differ from the built-in ones: those that somebody has stated, where files state
-/// all of them.
+/// Keys of the settings that differ from the built-in ones. They count as stated if settings come from a file
+/// that lists all of them.
 std::set<std::string> changedKeys(const JobSettings& settings);
 
-/// The settings with what follows from the machine.
-/// @param typed  keys that stay as they are; names of former releases count
+/// The settings, changed by what follows from the machine.
+/// @param typed  keys that are not changed; former names of keys count too
 JobSettings withMachineDefaults(JobSettings settings, const std::set<std::string>& typed);
 
 }  // namespace lamina

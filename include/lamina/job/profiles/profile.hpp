@@ -15,22 +15,24 @@ enum class ProfileKind : std::uint8_t { Machine, Material, Process };
 /// "machine", "material", "process".
 const char* toString(ProfileKind kind);
 
-/// Settings under a name, as one file holds them.
+/// A named set of settings, as read from one file.
 struct Profile {
   ProfileKind kind = ProfileKind::Machine;
   std::string name;
-  std::string about;                      ///< one line
-  std::string inherits;                   ///< name of a profile of the same kind that counts before this one
-  int inherits_line = 0;                  ///< where that stands
-  std::vector<std::string> for_machines;  ///< that it is meant for; none for all
-  std::string path;
+  std::string about;  ///< description in one line
+  /// Name of a profile of the same kind, whose settings this one overrides; empty for none.
+  std::string inherits;
+  int inherits_line = 0;                  ///< line of the file that names it
+  std::vector<std::string> for_machines;  ///< names of machines that it is meant for; empty for all
+  std::string path;                       ///< of its file
   std::vector<PlacedSetting> settings;
 };
 
-/// Reads a profile: settings, and `profile: {kind, name, about, inherits, for_machines}`. Relative names of
-/// files in it (machine.urdf) are taken from its own folder.
-/// @throws FileError; InvalidConfig naming file and line if it is no YAML, has no kind or name, or its head
-///   has a key that is none
+/// Reads a profile: settings, and `profile: {kind, name, about, inherits, for_machines}`. A relative path in
+/// machine.urdf is taken from the folder of the profile.
+/// @throws FileError
+/// @throws InvalidConfig naming file and line if it is not YAML, lacks kind or name, or has an unknown key
+///   below `profile`
 Profile readProfile(const std::string& path);
 
 }  // namespace lamina

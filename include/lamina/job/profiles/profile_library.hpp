@@ -9,25 +9,27 @@
 
 namespace lamina {
 
-/// Folders with `machines`, `materials` and `processes` in them, the first counts first: those that the
-/// environment's LAMINA_PROFILES names with colons between them, the user's own (`lamina/profiles` in
-/// XDG_CONFIG_HOME or ~/.config), and those of Lamina, in the share beside the core library.
-/// @throws InvalidConfig if LAMINA_PROFILES names what is no folder
+/// Folders in which profiles are searched, in this order, each with subfolders `machines`, `materials` and
+/// `processes`: those listed in the environment variable LAMINA_PROFILES, separated by colons; the user's own
+/// (`lamina/profiles` in XDG_CONFIG_HOME or ~/.config); and the one installed with Lamina.
+/// @throws InvalidConfig if LAMINA_PROFILES lists something that is not a folder
 std::vector<std::string> profileFolders();
 
-/// Profiles by their name: each is the file `<kind>s/<name>.yaml` in the first folder that has it.
+/// Profiles by name: each is the file `machines/<name>.yaml`, `materials/<name>.yaml` or
+/// `processes/<name>.yaml` in the first folder that has it.
 class ProfileLibrary {
  public:
   explicit ProfileLibrary(std::vector<std::string> folders) : folders_(std::move(folders)) {}
 
-  /// In alphabetical order, each name once.
+  /// Names of all profiles of a kind, in alphabetical order, each once.
   std::vector<std::string> names(ProfileKind kind) const;
   bool has(ProfileKind kind, const std::string& name) const { return !pathOf(kind, name).empty(); }
 
-  /// The profile and all that it inherits from, the farthest first.
+  /// A profile and all those it inherits from, the most distant ancestor first.
   /// @param name  of a profile, or path of its file (.yaml)
-  /// @throws InvalidConfig if there is none, naming those there are; if it is of another kind or has another
-  ///   name than its file, or inherits from itself, naming file and line
+  /// @throws InvalidConfig if there is none, naming those there are; naming the file, if one is of another
+  ///   kind, has another name than its file, or inherits from itself
+  /// @throws as `readProfile`
   std::vector<Profile> find(ProfileKind kind, const std::string& name) const;
 
  private:

@@ -10,11 +10,11 @@
 
 namespace lamina {
 
-/// All settings of a job as comments of a program, `; key = value` between two marks. Line feeds and
-/// backslashes in values are written `\n` and `\\`.
+/// All settings of a job as comments of a program, `; key = value`, between two marker lines. Line feeds and
+/// backslashes in values are written as `\n` and `\\`.
 std::string settingComments(const JobSettings& settings);
 
-/// The settings that a program states in this way, with their lines.
+/// The settings that the comments of a program state, with their line numbers.
 /// @throws FileError; InvalidConfig if it states none
 std::vector<PlacedSetting> statedSettings(const std::string& program_path);
 

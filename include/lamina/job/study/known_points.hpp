@@ -10,21 +10,22 @@
 
 namespace lamina {
 
-/// A point of a study's space that is known before anything is searched.
+/// A point of a study's design space that is known before the search.
 struct KnownPoint {
-  std::string name;  ///< "defaults", or that of the baseline or published row
+  std::string name;  ///< "defaults", or the name of the baseline or published row
   DesignPoint point;
 };
 
-/// What a search begins with.
+/// The points with which a search begins.
 struct KnownPoints {
-  std::vector<KnownPoint> points;     ///< each once
-  std::vector<std::string> left_out;  ///< names, and why they are no points of the space
+  std::vector<KnownPoint> points;  ///< without repetitions
+  /// Names of those left out, each with the reason why it is no point of the space.
+  std::vector<std::string> left_out;
 };
 
-/// The points of a study that are known: the defaults of its settings, the baselines whose other settings are
-/// those of the study, and the published rows that name all variables. Of commands and tables, published rows
-/// alone.
+/// The known points of a study: the defaults of its settings, the baselines that differ from the study's
+/// settings in variables only, and the published rows that state all variables. A study of commands or of a
+/// table has published rows only.
 /// @throws InvalidConfig, FileError if the settings of the study cannot be read
 KnownPoints knownPointsOf(const Study& study);
 

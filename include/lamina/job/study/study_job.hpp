@@ -15,49 +15,50 @@
 
 namespace lamina {
 
-/// A study to be run.
+/// A request to run a study.
 struct StudyJob {
   Study study;
-  std::string output;  ///< folder; made if it is not there
-  EarlierJournal earlier = EarlierJournal::GoOn;
+  std::string output;                             ///< folder; made if it does not exist
+  EarlierJournal earlier = EarlierJournal::GoOn;  ///< what becomes of the journal of an earlier run
 };
 
-/// How far a study is.
+/// Progress of a study after a generation or an iteration.
 struct StudyState {
-  int index = 0;  ///< generation, from 0; or iteration, from 1
-  int evaluations = 0;
-  int failed = 0;
-  /// The best value of each objective for itself: in the front, or among feasible samples; they may belong to
-  /// different points. Empty if none is feasible.
+  int index = 0;        ///< generation, from 0; or iteration, from 1
+  int evaluations = 0;  ///< number of points tried so far
+  int failed = 0;       ///< number of these that failed
+  /// The best value of each objective by itself, in the front or among feasible samples; the values may
+  /// belong to different points. Empty if no point is feasible.
   std::vector<double> best;
-  double hypervolume = 0.0;  ///< of a front
+  double hypervolume = 0.0;  ///< of the front; 0 for a search by surrogate
 };
 
-/// Reported of each generation or iteration when it is done.
+/// Called after each generation or iteration.
 using StudyListener = std::function<void(const StudyState&)>;
 
-/// Files that a study leaves in its folder.
+/// Paths of the files that a study writes into its folder.
 struct StudyFiles {
-  std::string journal;        ///< every evaluation as it was done: by it a run that was stopped goes on
-  std::string front_journal;  ///< the same of what is measured once more for the front
-  std::string front;          ///< front.csv
-  std::string evaluations;    ///< evaluations.csv, with errors
-  std::string chosen;         ///< chosen.yaml
+  std::string journal;        ///< every evaluation as it was done; a stopped run is continued from it
+  std::string front_journal;  ///< the same for what is measured again for the points of the front
+  std::string front;          ///< front.csv: the points of the front
+  std::string evaluations;    ///< evaluations.csv: all points, with errors
+  std::string chosen;         ///< chosen.yaml: configuration of the chosen point
   std::string picture;        ///< front.png: the first two objectives
   std::string report;         ///< report.html
 };
 
 StudyFiles studyFilesIn(const std::string& folder);
 
-/// Runs a study: tries points, decides, and writes what it found. A run that is stopped leaves the journal,
-/// and the same call goes on with it and ends as if it had not been stopped.
+/// Runs a study: searches, chooses a point, and writes the results. A run that is stopped leaves the journal;
+/// the same call continues from it and ends as if the run had not been stopped.
 ///
-/// @param fit    of surrogates; may be empty for NSGA-II
-/// @param outer  tries the points instead of this machine's threads, with the responses of the study's
-///   measurement; may be null
+/// @param fit    fits surrogates; may be empty for NSGA-II
+/// @param outer  tries the points instead of the threads of this computer, and returns the responses of the
+///   study's measurement; may be null
 /// @param listener  may be empty
-/// @throws InvalidConfig, InvalidMesh, FileError before anything is tried; InvalidInput if the journal is
-///   that of another study, or an output is a file that the study reads; what the searches throw; Cancelled
+/// @throws InvalidConfig, InvalidMesh, FileError before any point is tried
+/// @throws InvalidInput if the journal is that of another study, or an output is a file that the study reads
+/// @throws as the searches; Cancelled
 StudyOutcome runStudy(const StudyJob& job, const SurrogateFit& fit, Evaluator* outer,
                       const StudyListener& listener, Progress& progress);
 

@@ -12,32 +12,38 @@
 
 namespace lamina {
 
-/// Measures what a study asks for, by slicing or by commands; from several threads at once.
+/// Measures the responses of a study at points of its space, by slicing or by commands. Points may be
+/// measured from several threads at once.
 class StudyMeasurement {
  public:
-  /// Reads the part, and checks what can be known before anything is tried: keys and both bounds of variables
-  /// that are settings, metrics by name.
+  /// Reads the part, and checks what can be checked before any point is tried: names of settings, both bounds
+  /// of variables that are settings, and names of metrics.
   /// @throws InvalidConfig naming variable, key, value and bound; InvalidMesh, FileError
   explicit StudyMeasurement(const Study& study);
 
   const std::vector<std::string>& responseNames() const { return response_names_; }
-  /// @throws InvalidInput if the study has a table alone; what slicing, metrics and commands throw
+  /// The responses at a point.
+  /// @throws InvalidInput if the study has only a table; as slicing, metrics and commands
   std::vector<double> at(const DesignPoint& point, Progress& progress) const;
 
-  /// What is measured once more for a front: all metrics that are asked for; the same as before for commands.
+  /// Names of the responses that are measured again for points of the front: of slicing, the front's metrics
+  /// of the study or, if it names none, all metrics; of commands, `responseNames`.
   const std::vector<std::string>& frontResponseNames() const { return front_response_names_; }
+  /// The responses `frontResponseNames` at a point.
+  /// @throws as `at`
   std::vector<double> inFull(const DesignPoint& point, Progress& progress) const;
 
-  /// The same for settings by name.
+  /// The responses `frontResponseNames` for the settings of a baseline.
+  /// @throws InvalidInput if the study does not slice; as slicing and metrics
   std::vector<double> ofBaseline(const Baseline& baseline, Progress& progress) const;
 
-  /// The configuration that a point stands for, as YAML: complete where the variables are settings of
-  /// slicing, so that `lamina slice --config` takes it; else the variables alone.
+  /// The configuration at a point, as YAML: if the study slices, the complete settings, which `lamina slice
+  /// --config` reads; otherwise the variables alone.
   std::string configurationAt(const DesignPoint& point) const;
 
-  /// All that responses depend on besides the point, as 16 hexadecimal digits: settings, the files of the
-  /// part and of the base it lies on, commands, and the version of Lamina. Files that commands read are not
-  /// looked into.
+  /// A hash, as 16 hexadecimal digits, of what responses depend on besides the point: settings, the files of
+  /// the part and of its base, commands, and the version of Lamina. Other files that settings or commands
+  /// name are not read for it.
   std::string fingerprint() const;
 
  private:

@@ -10,25 +10,26 @@
 
 namespace lamina {
 
-/// What one allowed overlap would do to a program of drops. The area left uncovered is that of the whole
-/// inside, pores of the pattern too, so that degrees can be compared: each sees other voids.
+/// The effect that filling voids at one allowed overlap would have on a program of drops. The uncovered areas
+/// are those of the whole inside, with the pores of the pattern, so that they can be compared: the voids that
+/// are found differ with the overlap.
 struct DropSweepStep {
-  double overlap = 0.0;  ///< allowed
-  std::size_t voids = 0;
+  double overlap = 0.0;   ///< the allowed overlap
+  std::size_t voids = 0;  ///< number of voids found
   OverlapReading reading;
-  double inside_mm2 = 0.0;  ///< area within the contours, as the next two look at it
-  DiscCoverage before;      ///< of all layers; the largest of any of them
+  double inside_mm2 = 0.0;  ///< area within the contours of all layers, measured as `before` and `after` are
+  DiscCoverage before;      ///< sums over all layers; the largest void is that of any layer
   DiscCoverage after;
   bool is_worth_it = false;
 };
 
-/// Tries allowed overlaps from 0 to 0.4 by 0.05, so that a degree can be chosen before anything is printed
-/// [Sobreviela2014, section 6.1]; all other settings stay.
+/// Tries allowed overlaps from 0 to 0.4 in steps of 0.05, so that one can be chosen before anything is
+/// printed [Sobreviela2014, section 6.1]; all other settings stay.
 /// @throws InvalidProgram as `reportDropVoids`; Cancelled
 std::vector<DropSweepStep> sweepDropVoids(const DropProgram& program, const DropVoidSettings& settings,
                                           Progress& progress);
 
-/// Of the area within the contours [%]; 0 if there is none.
+/// Uncovered share of the area within the contours [%]; 0 if there is none.
 /// @param coverage  the step's, before or after
 double uncoveredPercent(const DropSweepStep& step, const DiscCoverage& coverage);
 

@@ -10,21 +10,22 @@
 
 namespace lamina {
 
-/// One request: fill the voids of a program, whether it lays beads or drops.
+/// A request to fill the voids of a program, be it of beads or of drops.
 struct ProgramVoidJob {
   std::string program;  ///< path of a .gcode file
   std::string output;   ///< file to write; empty for none
-  std::string part;     ///< as `VoidJob::part`; programs of drops show their inside by their contours
+  /// As `VoidJob::part`; required for beads, not used for drops, whose contours show their inside.
+  std::string part;
   JobSettings settings;
 };
 
-/// What filling did, by the kind of the program.
+/// Report on the filling, by the kind of the program.
 using ProgramVoidReport = std::variant<VoidFillingReport, DropVoidReport>;
 
-/// Fills the voids of a program of drops (`isDropProgram`) as `fillDropProgram`, those of another as
-/// `runVoidFillingJob`, and writes it.
+/// Fills the voids of a program and writes it: a program of drops (`isDropProgram`) as by `fillDropProgram`,
+/// one of beads as by `runVoidFillingJob`.
 /// @throws as these; InvalidInput if a program of beads comes without a part, or output and input are the
-/// same file
+///   same file
 ProgramVoidReport runProgramVoidJob(const ProgramVoidJob& job, Progress& progress);
 
 }  // namespace lamina

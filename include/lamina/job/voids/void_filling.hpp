@@ -11,7 +11,7 @@
 
 namespace lamina {
 
-/// One request: fill the voids of a program of beads.
+/// A request to fill the voids of a program of beads.
 struct VoidFillingJob {
   std::string program;  ///< path of a .gcode file
   std::string output;   ///< file to write; empty for none
@@ -19,26 +19,29 @@ struct VoidFillingJob {
   RefillSettings refill;
 };
 
-/// What filling voids gave.
+/// Report on the voids of a program of beads and on how they were filled.
 struct VoidFillingReport {
-  std::size_t runs = 0;           ///< that were added
-  std::size_t layers = 0;         ///< to which they were added
-  double deposited_mm3 = 0.0;     ///< by them
-  double open_mm3 = 0.0;          ///< of sparse infill and hollow parts, which stay open
-  std::vector<LayerVoids> found;  ///< before, layer by layer
-  VoidTotals before;
-  VoidTotals after;  ///< as read from the new program
+  std::size_t runs = 0;        ///< number of runs added
+  std::size_t layers = 0;      ///< number of layers with added runs
+  double deposited_mm3 = 0.0;  ///< volume of the added runs
+  /// Volume of the openings of sparse infill and of hollow parts, which are not filled.
+  double open_mm3 = 0.0;
+  std::vector<LayerVoids> found;  ///< voids before filling, layer by layer
+  VoidTotals before;              ///< sums before filling
+  VoidTotals after;               ///< sums after filling, measured on the new program
 };
 
-/// Adds runs along the voids of each layer at its end; see `insertRuns`. A sparse infill stays sparse
-/// (`withoutOpenInfill`). They are deposited as
-/// `feed.infill_mm_s` (the first layer no faster than `feed.first_layer_mm_s`), `travel.*` and `program.*` of
-/// the settings say.
-/// @throws FileError, InvalidProgram, InvalidMesh; InvalidInput if output and input are the same file, if the
-/// program lacks layers of the part, or if the part does not belong to the program or not there: more than a
-/// fifth of the deposit lies outside of it, or its layers are much larger than their deposit, or hardly
-/// covered along their border; Unreachable if a new run leaves both the machine's reach and what the program
-/// reaches; Cancelled
+/// Fills the voids of a program by runs along them, added at the end of each layer (`insertRuns`). The
+/// openings of a sparse infill stay open (`withoutOpenInfill`). Runs are deposited according to
+/// `feed.infill_mm_s` (in the first layer no faster than `feed.first_layer_mm_s`), `travel.*` and `program.*`
+/// of the settings.
+/// @throws FileError, InvalidProgram, InvalidMesh
+/// @throws InvalidInput if output and input are the same file, or the program lacks layers of the part; also
+///   if the part seems to be another one or to lie elsewhere: more than a fifth of the deposit lies outside
+///   of it, its layers are much larger than their deposit, or they are hardly covered along their border
+/// @throws Unreachable if a new run leaves both the machine's reach and the bounding box of what the program
+///   deposits
+/// @throws Cancelled
 VoidFillingReport runVoidFillingJob(const VoidFillingJob& job, Progress& progress);
 
 }  // namespace lamina

@@ -14,47 +14,52 @@
 
 namespace lamina {
 
-/// One request: how well does a program fill a part?
+/// A request to measure how well a program fills a part.
 struct VoidJob {
-  std::string part;  ///< path of a mesh file, or the name of a parametric part (`partNames`); empty takes
-                     ///< what the program's outer walls enclose
+  /// Path of a mesh file, or the name of a parametric part (`partNames`); empty for what the program's outer
+  /// walls enclose.
+  std::string part;
   JobSettings settings;
   VoidMapSettings map;
-  std::optional<Point2> offset;  ///< program_from_part in x and y [mm]; found if it is not given
+  std::optional<Point2> offset;  ///< program_from_part in x and y [mm]; nothing to find it
 };
 
-/// Where the part's layers are in a program.
+/// Contours of the part in the layers of a program.
 struct PlacedContours {
   std::vector<Regions> contours;   ///< layer by layer [mm, frame of the program]
   Point2 offset = Point2::Zero();  ///< program_from_part [mm]
-  /// Layers of the part that the program lacks, above its last one or between others: all uncovered.
+  /// Layers of the part that the program lacks, above its last layer or between others; they count as wholly
+  /// uncovered.
   std::vector<LayerVoids> missing;
 };
 
-/// The part cut at half the height of each layer of the program, its bottom at that of the first layer, and
-/// moved to where the program deposits. Tried are the place that slicing with the job's settings would
-/// choose, the part's own origin, and those where the boxes of layers and deposit agree, by their middle or
-/// by either side, or where their centroids do; places near which the middle of the part is on multiples of
-/// half a millimetre, where slicers put parts, are tried there as well. Of all these the one is taken that
-/// leaves least uncovered and overfilled on some layers. Without a part, each contour is what the closed
-/// outer walls of its layer enclose.
-/// @throws InvalidMesh, FileError; InvalidInput if most layers lay boxes of another size than those of the
-/// part's sections: another part, or scale; if the offset is not finite, the layers are inclined, the
-/// program's layers do not rise, or if there is neither part nor outer wall; Cancelled
+/// Cuts the part at half the height of each layer of the program, its bottom at that of the first layer, and
+/// moves the contours to where the program deposits. Tried are the position that slicing with the job's
+/// settings would choose, the part's own coordinates, and those in which the bounding boxes of contours and
+/// deposit agree in their middle or on either side, or their centroids agree. Near each of these, positions
+/// that put the middle of the part on multiples of half a millimetre, as slicers do, are tried too. The one
+/// with the least uncovered and overfilled area on a few layers is used. Without a part, the contour of each
+/// layer is what its closed outer walls enclose.
+/// @throws InvalidMesh, FileError
+/// @throws InvalidInput if the bounding boxes of deposit and contour differ in size in most layers, as those
+///   of another part or scale; if the offset is not finite, the layers are inclined, or the program's layers
+///   do not rise; if there is neither part nor outer wall
+/// @throws Cancelled
 PlacedContours placeContours(const Toolpath& program, const VoidJob& job, Progress& progress);
 
 /// How well a program fills a part.
 struct VoidReport {
   PlacedContours part;
-  std::vector<LayerVoids> layers;  ///< of the program
+  std::vector<LayerVoids> layers;  ///< those of the program
 };
 
-/// Sums over the layers of the program and, behind these, those that it lacks, which count as layers that
-/// nothing covers. `layers` and `runs_per_layer_mean` are the program's.
+/// Sums over the layers of the program and those that it lacks, which count as wholly uncovered. Only
+/// `layers` and `runs_per_layer_mean` are of the program's layers alone.
 VoidTotals totals(const VoidReport& report);
 
+/// Measures how well a program fills a part.
 /// @param program  as read from a file
-/// @throws as above
+/// @throws as `placeContours`, `findVoids`
 VoidReport runVoidJob(const Toolpath& program, const VoidJob& job, Progress& progress);
 
 }  // namespace lamina

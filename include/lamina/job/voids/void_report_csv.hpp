@@ -9,8 +9,8 @@
 
 namespace lamina {
 
-/// The table as text: a line of names, then one line per layer: layer, z_mm, area_mm2, deposited_mm2,
-/// uncovered_mm2, overfill_mm2, runs, voids, and the number of voids of each class.
+/// The voids of each layer as CSV: a line of names, then one line per layer with layer, z_mm, area_mm2,
+/// deposited_mm2, uncovered_mm2, overfill_mm2, runs, voids, and the number of voids of each class.
 std::string voidCsv(const std::vector<LayerVoids>& layers);
 
 /// Writes the table whole or not at all.

@@ -6,22 +6,23 @@
 
 namespace lamina {
 
-/// What a RAPID `confdata` holds: which of the ways to a target an arm takes.
+/// Contents of a RAPID `confdata`: which of its inverse solutions an arm uses to reach a target.
 struct AbbConfiguration {
-  int cf1 =
-      0;  ///< quarter turn of joint 1: 0 from 0 to 90 deg, 1 from 90 to 180 deg, -1 from -90 to 0 deg, ...
-  int cf4 = 0;  ///< of joint 4
-  int cf6 = 0;  ///< of joint 6
-  /// 4 if the wrist is behind axis 1, plus 2 if it is behind the lower arm, plus 1 if joint 5 is negative.
+  /// Quarter of a turn in which joint 1 is: 0 from 0 to 90 deg, 1 from 90 to 180 deg, -1 from -90 to 0 deg,
+  /// ...
+  int cf1 = 0;
+  int cf4 = 0;  ///< the same of joint 4
+  int cf6 = 0;  ///< the same of joint 6
+  /// Sum of 4 if the wrist is behind axis 1, 2 if it is behind the lower arm, and 1 if joint 5 is negative.
   int cfx = 0;
 };
 
-/// Whether the kinematic model is a six-axis arm, alone or with external axes: only these have
+/// Whether the kinematic model is a six-axis arm, alone or with external axes. Only such arms have
 /// configurations.
 bool isSixAxisArm(const KinematicModel& model);
 
-/// The configuration of an arm whose joints count as those of ABB: at zero the forearm is level and the wrist
-/// straight. A value less than 1e-9 rad below a quarter turn counts as that.
+/// The configuration of an arm at joint values by ABB's convention: at zero the forearm is level and the
+/// wrist straight. A value that is less than 1e-9 rad below the next quarter counts as lying in it.
 /// @throws InvalidConfig if the kinematic model is no six-axis arm
 AbbConfiguration abbConfiguration(const KinematicModel& arm, const JointValues& values);
 

@@ -8,17 +8,17 @@
 
 namespace lamina {
 
-/// What a controller needs to know of an arm's cell: where the tool is on the flange, and where the bed is.
+/// Frames that a controller needs of an arm's cell: that of the tool on the flange, and that of the bed.
 struct ArmCell {
-  Eigen::Isometry3d flange_from_nozzle = Eigen::Isometry3d::Identity();  ///< link tool0 to link nozzle [mm]
-  /// The bed over the root of the description; where an external axis carries it, over the link that the last
-  /// of these axes moves [mm].
+  /// From link tool0 to link nozzle [mm].
+  Eigen::Isometry3d flange_from_nozzle = Eigen::Isometry3d::Identity();
+  /// Pose of the bed relative to the root of the description or, if external axes carry the bed, relative to
+  /// the link that the last of these axes moves [mm].
   Eigen::Isometry3d carrier_from_bed = Eigen::Isometry3d::Identity();
-  bool is_bed_carried = false;  ///< by an external axis, as a turntable
+  bool is_bed_carried = false;  ///< by an external axis, such as a turntable
 };
 
-/// The cell of a description.
-/// @throws InvalidConfig if the kinematic model is no six-axis arm, or has no link tool0
+/// The frames of an arm's cell, from its description.
 ArmCell armCell(const KinematicModel& arm);
 
 }  // namespace lamina

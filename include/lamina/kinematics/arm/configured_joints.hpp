@@ -13,24 +13,26 @@ namespace lamina {
 /// Values of an arm's six joints from the base to the nozzle [rad].
 using SixJoints = Eigen::Matrix<double, 6, 1>;
 
-/// @throws InvalidConfig if the kinematic model is no six-axis arm; so do all below
+/// The values of the six joints among all values of the model.
+/// @throws InvalidConfig if the kinematic model is no six-axis arm, as do the functions below
 SixJoints sixJointsOf(const KinematicModel& arm, const JointValues& values);
 
-/// The values with those of the six joints replaced.
+/// All values of the model, with those of the six joints replaced.
 JointValues withSixJoints(const KinematicModel& arm, JointValues values, const SixJoints& joints);
 
-/// The joints by which an arm stands at a pose in a configuration: the way that `cfx` says, joints 1, 4 and 6
-/// in the quarter turns that `cf1`, `cf4` and `cf6` say, but for 1e-4 rad of rounding.
-/// @param near  external axes stand as here
-/// @return nothing if the pose cannot be reached so; limits are not looked at
+/// The joint values with which an arm reaches a pose in a given configuration: the inverse solution with that
+/// `cfx`, with joints 1, 4 and 6 in the quarters of `cf1`, `cf4` and `cf6`, within 1e-4 rad of rounding.
+/// @param near  values of the external axes, which are kept
+/// @return nothing if the pose cannot be reached in that configuration; limits of joints are not checked
 std::optional<JointValues> configuredJoints(const KinematicModel& arm,
                                             const Eigen::Isometry3d& bed_from_nozzle,
                                             const AbbConfiguration& configuration, const JointValues& near);
 
-/// The joints nearest to others by which an arm comes to a pose, as a controller that looks at no
-/// configurations goes there: of all ways and whole turns that whose greatest turn is the least.
-/// @param near  external axes stand as here
-/// @return nothing if the pose is out of reach; limits are not looked at
+/// The joint values with which an arm reaches a pose from given values if its controller ignores
+/// configurations: of all inverse solutions and whole turns, those with the least change of the joint that
+/// changes most.
+/// @param near  values from which the arm comes; those of the external axes are kept
+/// @return nothing if the pose is out of reach; limits of joints are not checked
 std::optional<JointValues> followingJoints(const KinematicModel& arm,
                                            const Eigen::Isometry3d& bed_from_nozzle, const JointValues& near);
 

@@ -7,26 +7,30 @@
 
 namespace lamina {
 
-/// Where an arm wants tool axes to lean that a table turns for it ([Flores2018, section 6.1.2]: the work
-/// object keeps a fixed relation to the head's best heading).
+/// Direction in which a turntable that follows the toolpath keeps all tool axes leaning, so that the arm
+/// keeps its best posture ([Flores2018, section 6.1.2]: the work object keeps a fixed relation to the head's
+/// best heading).
 struct TableHeading {
-  /// In which direction tool axes go, about the table's axis, from the direction in which the table stands
-  /// seen from axis 1; 0 is away from the robot [rad].
+  /// Direction of tool axes about the table's axis [rad]. 0 is the direction from axis 1 of the robot to the
+  /// table, away from the robot.
   double azimuth = 0.0;
 };
 
-/// Value of the joint external_1 of an arm whose bed it turns, with which a tool axis goes at the azimuth
-/// wanted over the robot's base: all tool axes of a part whose walls lean outwards then lean alike, and the
-/// arm keeps its best posture.
+/// Value of the joint external_1, a turntable that carries the bed, at which a tool axis has the wanted
+/// azimuth in the robot's base frame. With this value, all tool axes of a part whose walls lean outwards lean
+/// in the same direction, and the arm keeps its best posture.
 /// @param tool_axis  of unit length [bed frame]
-/// @param near  the value is the one nearest to this [rad]; a tool axis along the table's axis keeps it
-/// @throws InvalidConfig if the kinematic model is no six-axis arm, or has no rotary joint external_1 under
-/// its bed
+/// @param near  of the equivalent values the one nearest to this is returned [rad]; this one itself if the
+///   tool axis is parallel to the table's axis
+/// @throws InvalidConfig if the kinematic model is no six-axis arm, or has no rotary joint external_1 that
+///   carries its bed
 double tableValue(const KinematicModel& arm, const Point3& tool_axis, const TableHeading& heading,
                   double near);
 
-/// The azimuth of a tool axis over the robot's base, as in `TableHeading` [rad], in (-pi, pi]; 0 along the
-/// axis.
+/// The azimuth of a tool axis in the robot's base frame, as in `TableHeading` [rad], in (-pi, pi]; 0 if the
+/// tool axis is parallel to the table's axis.
+/// @param tool_axis    of unit length [bed frame]
+/// @param table_value  value of external_1 [rad]
 /// @throws InvalidConfig as above
 double toolAxisAzimuth(const KinematicModel& arm, const Point3& tool_axis, double table_value);
 

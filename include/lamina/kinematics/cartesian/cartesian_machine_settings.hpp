@@ -12,25 +12,25 @@
 
 namespace lamina {
 
-/// Which machine it is.
+/// Choice of a machine or robot.
 struct MachineSettings {
   std::string name = "cartesian_gantry";  ///< one of `kinematicModelNames`
-  std::string urdf;                       ///< path of a description that stands for the named one
+  std::string urdf;  ///< path of a description that replaces the named machine; empty for none
 };
 
 /// Adds the keys machine.name and machine.urdf.
-/// @param meaning  of the machine: "Machine that prints the part."
+/// @param meaning  description of machine.name: "Machine that prints the part."
 void describe(SettingsSchema& schema, MachineSettings& settings, const std::string& meaning);
 
-/// The machine of the file, or of the name if no file is given, for what moves its linear axes.
+/// The chosen machine, as far as its linear axes go.
 /// @throws FileError, InvalidConfig as `machineFromUrdf`, `machineByName`
 CartesianMachine machineOf(const MachineSettings& settings);
 
-/// The build space of a machine or robot.
+/// The build space of the chosen machine or robot.
 /// @throws FileError, InvalidConfig as `buildSpaceFromUrdf`, `buildSpaceByName`
 BuildSpace buildSpaceOf(const MachineSettings& settings);
 
-/// The same with all its joints.
+/// The chosen machine or robot with all its joints.
 /// @throws FileError, InvalidConfig as `kinematicModelFromUrdf`, `kinematicModelByName`
 std::unique_ptr<KinematicModel> kinematicModelOf(const MachineSettings& settings);
 

@@ -13,7 +13,7 @@
 
 namespace lamina {
 
-// Shapes of a machine's bodies, centred on the origin of their frame but for meshes.
+// Shapes of a machine's bodies. All but meshes are centred on the origin of their frame.
 struct BoxShape {
   Point3 size_mm = Point3::Zero();
 };
@@ -28,36 +28,37 @@ struct ConeShape {  ///< along z, its apex at + length / 2
 struct SphereShape {
   double radius_mm = 0.0;
 };
-/// Triangles that bound a solid, and points whose convex hull holds all of it but for a margin.
+/// A solid bounded by triangles, and points whose convex hull, grown by a margin, contains it.
 struct MeshShape {
   std::shared_ptr<const Mesh> mesh;                 ///< [mm, frame of the body]
   std::shared_ptr<const std::vector<Point3>> hull;  ///< some of its vertices, at most 256
-  double margin_mm = 0.0;  ///< how far triangles, or what stands for them, reach beyond the hull at most
-  bool is_hull = false;    ///< the hull, larger by the margin, stands for the triangles
+  double margin_mm = 0.0;  ///< greatest distance by which the solid reaches beyond the hull
+  bool is_hull = false;    ///< whether the hull, grown by the margin, replaces the triangles as the shape
 };
 using BodyShape = std::variant<BoxShape, CylinderShape, ConeShape, SphereShape, MeshShape>;
 
-/// A mesh with the hull that stands for it where an estimate on the safe side is enough. The margin is an
-/// upper bound: by how much the vertex that is left out furthest stands beyond the hull.
+/// A mesh, and the hull that replaces it where a conservative estimate is enough. The margin is an upper
+/// bound: the distance from the hull to the farthest vertex that it leaves out.
 MeshShape meshShape(Mesh mesh);
 
-/// A solid piece of a link that moves against the bed.
+/// A solid piece of a link that moves relative to the bed.
 struct MachineBody {
   std::string link;
   BodyShape shape;
-  Eigen::Isometry3d bed_from_body_at_zero = Eigen::Isometry3d::Identity();  ///< all axes at 0 [mm]
-  Eigen::Matrix3d motion = Eigen::Matrix3d::Zero();  ///< columns: bed frame, per mm of x, y, z
+  Eigen::Isometry3d bed_from_body_at_zero = Eigen::Isometry3d::Identity();  ///< with all axes at 0 [mm]
+  /// Displacement per mm of x, y and z, a column each [bed frame].
+  Eigen::Matrix3d motion = Eigen::Matrix3d::Zero();
 };
 
-/// The `<collision>` elements of all links that the linear axes move against the bed, rotary joints at zero,
-/// in alphabetical order of the links. A cylinder whose collision is named `cone` is the cone in it with its
-/// apex at + z: what reads no names sees a body that is larger.
-/// @throws InvalidConfig if one has a size that is not positive, or is a mesh that is not named by file,
-/// empty
-///   or of more than two million triangles, naming the link; FileError, InvalidMesh as `readMesh`
+/// The `<collision>` elements of all links that the linear axes move relative to the bed, with rotary joints
+/// at zero, in alphabetical order of the links. A cylinder whose collision is named `cone` is read as the
+/// cone within it that has its apex at + z; readers that ignore names see the larger cylinder.
+/// @throws InvalidConfig naming the link, if a size is not positive, or a mesh is not given by file, is empty
+///   or has more than two million triangles
+/// @throws FileError, InvalidMesh as `readMesh`
 std::vector<MachineBody> movingBodies(const CartesianMachine& machine);
 
-/// How far the body reaches along a direction from the origin of its frame.
+/// Support function of a shape: how far it reaches along a direction from the origin of its frame.
 /// @param direction  of unit length [frame of the body]
 /// @return [mm]
 double extent(const BodyShape& shape, const Point3& direction);

@@ -6,24 +6,26 @@
 
 namespace lamina {
 
-/// One URDF of a cell file: an arm as its maker describes it, and what stands around it: `nozzle` at the end
-/// of its flange, `bed` on the world or on a positioner, a rail under the arm, solid bodies. Axes of rail and
-/// positioner are joints external_1, ... in this order; links and joints of the positioner begin with
-/// positioner_, and so do its materials. Bed, tool and bodies are seen as they are solid.
+/// The URDF of a cell that a cell file describes: an arm as its manufacturer describes it, and what surrounds
+/// it: `nozzle` at the end of its flange, `bed` on the world or on a positioner, a rail below the arm, and
+/// solid bodies. The axes of rail and positioner become joints external_1, external_2, ... in this order.
+/// Names of the positioner's links, joints and materials begin with positioner_. Bed, tool and bodies have
+/// the same shape for display as for collision.
 ///
-/// The file is YAML (docs/machines/machines.md); paths in it are over its own folder.
+/// The file is YAML (docs/machines/machines.md); paths in it are relative to its own folder.
 /// @param text  of the file
-/// @param path  of it
-/// @throws InvalidConfig if anything in it is wrong: all of it is refused, nothing left out
+/// @param path  of the file
+/// @throws InvalidConfig if anything in the file is wrong; nothing is skipped
 std::string cellDescription(const std::string& text, const std::string& path);
 
 /// Whether the file is a cell file by its name: .yaml or .yml.
 bool isCellFile(const std::string& path);
 
-/// Whether the file can be read and has a cell at its top, as a profile of a machine has not.
+/// Whether the file can be read and describes a cell at its top level, which a profile of a machine does not.
 bool holdsCell(const std::string& path);
 
-/// Description of the machine in a file: a URDF (`readRobotDescription`) or a cell file.
+/// Description (URDF) of the machine in a file, which is a URDF (`readRobotDescription`) or a cell file.
+/// @throws as `readRobotDescription`, `cellDescription`
 std::string readMachineDescription(const std::string& path);
 
 }  // namespace lamina

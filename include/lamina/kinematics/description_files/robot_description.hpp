@@ -7,21 +7,22 @@
 
 namespace lamina {
 
-/// The text of a URDF as its maker ships it, made independent of where it lies: meshes of collision bodies by
-/// absolute `file://` names. Joints that mimic others and state no limits get some, which nothing reads.
+/// Reads a URDF as its manufacturer ships it, and makes it independent of its location: meshes of collision
+/// bodies get absolute `file://` names. Joints that mimic others and have no limits get some, which nothing
+/// uses.
 ///
-/// `package://NAME/rest` is looked for in the folders given, in the folders above the file, and in those of
-/// ROS_PACKAGE_PATH. A folder is NAME if its package.xml says so or, where it has none, if that is its name;
-/// so are the folders directly within one that is searched.
+/// `package://NAME/rest` is searched in the given folders, then in the folders above the file, then in those
+/// of ROS_PACKAGE_PATH: each of these folders, and those directly within it. A folder is the package NAME if
+/// its package.xml says so or, if it has none, if its own name is NAME.
 ///
 /// @param packages  folders that are searched first
 /// @throws FileError if the file cannot be read
-/// @throws InvalidConfig with all faults of the description, each by its link or joint: no URDF, xacro, links
-///   and joints that form no tree, joints without limits or speed, meshes that are not found or of a format
-///   that is not read
+/// @throws InvalidConfig listing all faults of the description by link or joint: no URDF, unexpanded xacro,
+///   links and joints that form no tree, joints without limits or speed, meshes that are not found or of an
+///   unknown format
 std::string readRobotDescription(const std::string& path, const std::vector<std::string>& packages = {});
 
-/// The same of a text that lies at a path.
+/// The same for a text that was read from that path.
 std::string robotDescription(const std::string& text, const std::string& path,
                              const std::vector<std::string>& packages = {});
 

@@ -18,25 +18,29 @@ struct ReportedBody {
   std::size_t triangles = 0;
 };
 
-/// What a description says of a robot.
+/// Summary of a robot's description.
 struct RobotReport {
   std::string name;
-  std::vector<DrivenJoint> joints;  ///< in the order of the chain
-  std::string kinematic_class;      ///< by which its inverse kinematics are solved
-  std::string flange;               ///< link at its end
-  Eigen::Isometry3d base_from_flange_at_zero = Eigen::Isometry3d::Identity();  ///< over the root [mm]
-  double reach_mm = 0.0;  ///< farthest of the flange from axis 1, among 2000 poses that are always the same
-  std::vector<ReportedBody> bodies;
-  std::vector<std::string> traps;  ///< what a person must know before relying on it
+  std::vector<DrivenJoint> joints;  ///< in order from base to flange
+  std::string kinematic_class;      ///< class of kinematics, by which the inverse kinematics are solved
+  std::string flange;               ///< link at the end of the chain
+  /// Pose of the flange relative to the root, with all joints at zero [mm].
+  Eigen::Isometry3d base_from_flange_at_zero = Eigen::Isometry3d::Identity();
+  /// Greatest distance of the flange from axis 1 among 2000 poses, which are the same in every run.
+  double reach_mm = 0.0;
+  std::vector<ReportedBody> bodies;  ///< for collision
+  std::vector<std::string> traps;    ///< warnings for people who want to use the description
 };
 
-/// A description with the links that a kinematic model asks for: if it has none, a bed at its root and a
-/// nozzle at its flange, which is tool0, flange, or else the end of its longest chain.
+/// The description with the links `bed` and `nozzle` that a kinematic model requires. If it lacks them, the
+/// bed is put at its root and the nozzle at its flange: the link tool0, else flange, else the end of the
+/// longest chain.
 /// @throws InvalidConfig if it is no URDF
 std::string withBedAndNozzle(const std::string& urdf);
 
-/// @param urdf  as `readMachineDescription` gives it
-/// @throws InvalidConfig if it is no robot with six rotary joints that Lamina can lead
+/// The summary of a robot's description.
+/// @param urdf  as `readMachineDescription` returns it
+/// @throws InvalidConfig if it is no robot with six rotary joints whose inverse kinematics Lamina can solve
 RobotReport robotReport(const std::string& urdf);
 
 }  // namespace lamina

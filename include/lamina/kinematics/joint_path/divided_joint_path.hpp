@@ -7,36 +7,41 @@
 
 namespace lamina {
 
-/// How far the nozzle leaves its motions half way from a waypoint to the next, the joints going steadily.
+/// Deviation of the nozzle from a motion's interpolation, half way between two waypoints, if all joints move
+/// at constant speed.
 struct MotionDeviation {
   double tip_mm = 0.0;     ///< from the straight line
-  double tool_axis = 0.0;  ///< from the steady turn [rad]
+  double tool_axis = 0.0;  ///< from the orientation in between, at constant angular speed [rad]
 };
 
-/// One per waypoint of the joint path, of the motion that ends there. Zero where there are no joints, at the
-/// start of a path, where a joint is wound up, and on a travel on which one turns by more than
-/// `joints.max_turn_deg`: there nothing steady is asked. A jump has its deviation, so that it is divided.
+/// Deviations of the motions, one for each waypoint of the joint path, for the motion that ends there. Zero
+/// where joint values are missing, at the start of a path, where a joint is wound back while depositing, and
+/// on a travel on which a rotary joint turns by more than `joints.max_turn_deg`, as nothing is required of
+/// such motions. A jump has its deviation, so that it gets divided.
 std::vector<MotionDeviation> motionDeviations(const JointPath& path, const Toolpath& toolpath,
                                               const KinematicModel& model, const JointPathSettings& settings);
 
-/// A toolpath divided finely enough for joints at constant speed to lead the nozzle along it, and the joints.
+/// A toolpath divided finely enough that joints at constant speed lead the nozzle along it, and its joint
+/// values.
 struct DividedJointPath {
   DividedToolpath divided;
-  JointPath joints;          ///< of the divided toolpath
-  MotionDeviation greatest;  ///< above the tolerances where `kMostDivisions` were not enough
+  JointPath joints;  ///< of the divided toolpath
+  /// Greatest deviations left; above the tolerances if `kMostDivisions` were not enough.
+  MotionDeviation greatest;
 };
 
-/// Motions are checked half way and divided again so often, at most.
+/// Greatest number of times that motions are checked half way and divided again.
 constexpr int kMostDivisions = 4;
 
-/// Divides by the greatest steps of `settings.division`, leads the joints, divides where its tolerances are
-/// not kept, and so on.
+/// Divides a toolpath by the greatest steps of `settings.division` and plans its joint values. Motions that
+/// exceed the tolerances of `settings.division` are divided further and all joint values planned again, at
+/// most `kMostDivisions` times.
 /// @throws as `planJointPath`
 DividedJointPath planDividedJointPath(Toolpath toolpath, const Eigen::Isometry3d& bed_from_part,
                                       const KinematicModel& model, const JointPathSettings& settings,
                                       Progress& progress);
 
-/// The same with joint values only that the guard allows.
+/// The same, but only joint values that the guard allows are planned.
 DividedJointPath planDividedJointPath(Toolpath toolpath, const Eigen::Isometry3d& bed_from_part,
                                       const GuardedModel& guarded, const JointPathSettings& settings,
                                       Progress& progress);

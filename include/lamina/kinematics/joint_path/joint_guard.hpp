@@ -8,15 +8,15 @@
 
 namespace lamina {
 
-/// What keeps a kinematic model from joint values that are within its limits, as links that would be in each
-/// other. Values that never change; all calls may be made from several threads.
+/// Forbids joint values within the limits of a kinematic model, such as those at which links collide with
+/// each other. Guards are immutable; all calls may be made from several threads.
 class JointGuard {
  public:
   virtual ~JointGuard() = default;
 
   virtual bool allows(const JointValues& values) const = 0;
 
-  /// Why values that are not allowed are not, for people.
+  /// Why the values are not allowed, for people; empty if they are.
   virtual std::string hindrance(const JointValues& values) const = 0;
 };
 
@@ -27,7 +27,7 @@ class NoGuard final : public JointGuard {
   std::string hindrance(const JointValues&) const override { return {}; }
 };
 
-/// A kinematic model and what keeps watch over it; both must outlive the value.
+/// A kinematic model and its guard; both must outlive the value.
 struct GuardedModel {
   const KinematicModel& model;
   const JointGuard& guard;

@@ -12,15 +12,15 @@
 
 namespace lamina {
 
-/// What keeps a kinematic model from a waypoint, or from going there as the toolpath asks.
+/// Reasons why a kinematic model cannot reach a waypoint, or cannot move there as the toolpath asks.
 enum class JointFault : std::uint8_t {
-  OutOfReach,      ///< no solution at all
-  OutOfLimits,     ///< none within the joints' limits
-  SelfCollision,   ///< only where links are in each other, as a guard reports (joint_guard.hpp)
+  OutOfReach,      ///< there is no inverse solution
+  OutOfLimits,     ///< there is none within the joints' limits
+  SelfCollision,   ///< there are only solutions that a guard forbids, as links collide (joint_guard.hpp)
   Singular,        ///< nearer to a singularity than the settings allow
-  Jump,            ///< no steady way from the waypoint before
+  Jump,            ///< joints cannot move there continuously from the waypoint before
   JointUnwinding,  ///< a rotary joint has to be wound back while depositing
-  Configuration,   ///< no solution of the configuration that a program states
+  Configuration,   ///< there is no solution in the configuration that a program states
 };
 
 /// "out_of_reach", "out_of_limits", "self_collision", "singular", "jump", "joint_unwinding",
@@ -31,17 +31,18 @@ const char* toString(JointFault fault);
 struct FaultyWaypoint {
   WaypointIndex at;
   JointFault fault = JointFault::OutOfReach;
-  std::string reason;  ///< joint, value and limit, for people
+  std::string reason;  ///< explanation for people, with joint, value and limit
 };
 
-/// The joints of a kinematic model at every waypoint of a toolpath in the order of the motion. A closed path
-/// has its waypoint 0 twice: first and last.
+/// Joint values of a kinematic model at every waypoint of a toolpath, in the order of the motion. A closed
+/// path has its waypoint 0 twice: first and last.
 struct JointPath {
   std::vector<WaypointIndex> at;
-  std::vector<JointValues> values;     ///< as many; of size 0 where there is no solution
+  std::vector<JointValues> values;     ///< one for each of `at`; of size 0 where there is no solution
   std::vector<FaultyWaypoint> faults;  ///< all of them, in the order of the motion
-  double tool_axis_tolerance = 0.0;    ///< by which tool axes may be off what the toolpath asks [rad]
-  std::size_t rewinds = 0;             ///< travels on which a rotary joint is wound back by whole turns
+  /// Angle by which tool axes may deviate from those of the toolpath [rad].
+  double tool_axis_tolerance = 0.0;
+  std::size_t rewinds = 0;  ///< number of travels on which a rotary joint is wound back by whole turns
 
   bool isRunnable() const { return faults.empty(); }
 };

@@ -9,57 +9,66 @@
 
 namespace lamina {
 
-/// Where the turn of the nozzle about its tool axis comes from, on kinematic models that bring it about.
+/// How the rotation of the nozzle about its tool axis (yaw) is chosen on kinematic models that can set it.
 enum class YawChoice : std::uint8_t {
-  Free,  ///< the planner chooses it: a tool axis is the same all around
-  Held,  ///< it is that of the toolpath
+  Free,  ///< by the planner, as the process is the same for every yaw
+  Held,  ///< as in the toolpath
 };
 
-/// Where a kinematic model may go over to another of its branches.
+/// Where the joint path may change to another branch of the inverse solutions.
 enum class BranchChange : std::uint8_t { OnTravel, Never };
 
-/// Where the external axes of an arm that turn its bed stand.
+/// How the external axes that carry the bed of an arm are positioned.
 enum class ExternalChoice : std::uint8_t {
-  Held,    ///< at one value
-  Follow,  ///< external_1 so that the tool axis goes at one azimuth over the robot's base (external_axis.hpp)
-  Gravity,  ///< two of them so that the tool axis points down, within a cone
+  Held,  ///< at one value
+  /// Joint external_1 such that the tool axis keeps one azimuth in the robot's base frame
+  /// (external_axis.hpp).
+  Follow,
+  Gravity,  ///< two of them such that the tool axis points down, within a cone
 };
 
-/// How the joints are led along a toolpath (docs/machines/joint-paths.md).
+/// How joint values are planned along a toolpath (docs/machines/joint-paths.md).
 struct JointPathSettings {
   YawChoice yaw = YawChoice::Free;
-  int yaw_samples = 72;         ///< of the whole turn about the tool axis
-  int yaw_reach = 2;            ///< samples that the yaw may change by from a waypoint to the next, at most
-  double yaw_weight = 0.02;     ///< [s²/rad²]; a joint counts by 1 / its greatest speed, squared
-  bool is_yaw_smoothed = true;  ///< between the samples, after they are chosen
+  int yaw_samples = 72;  ///< number of samples of the yaw over a whole turn
+  int yaw_reach = 2;     ///< greatest change of the yaw from one waypoint to the next, in samples
+  /// Cost of a change of yaw [s²/rad²]; that of a joint is 1 / its greatest speed, squared.
+  double yaw_weight = 0.02;
+  bool is_yaw_smoothed = true;  ///< whether the yaw is smoothed after the samples are chosen
 
-  double max_turn_deg = 90.0;  ///< of a rotary joint in one motion other than a travel; more is a jump
+  /// Rotation of a rotary joint above which a motion other than a travel is a jump.
+  double max_turn_deg = 90.0;
   BranchChange branch_change = BranchChange::OnTravel;
-  double branch_change_cost = 1.0;  ///< [s], as much as one second at the greatest speed of a joint
+  /// Cost of a change of branch [s]; 1 is the cost of moving one joint at its greatest speed for a second.
+  double branch_change_cost = 1.0;
 
-  double limit_margin_deg = 10.0;    ///< a rotary joint nearer to its limit costs
+  double limit_margin_deg = 10.0;    ///< distance of a rotary joint from its limit below which it has a cost
   double limit_weight = 1.0;         ///< cost per second at the limit
-  double singular_margin_deg = 6.0;  ///< a singularity that is nearer costs
+  double singular_margin_deg = 6.0;  ///< distance from a singularity below which it has a cost
   double singular_weight = 1.0;      ///< cost per second in the singularity
-  double least_margin_deg = 0.0;     ///< a singularity that is nearer is a fault
-  double singular_tool_axis_tolerance_deg =
-      0.0;  ///< by which the tool axis may leave what is asked in a singularity
-  /// By which the tool axis of a machine of five axes may leave what is asked so that a joint swings less.
+  double least_margin_deg = 0.0;     ///< distance from a singularity below which the waypoint is a fault
+  /// Angle by which the tool axis may deviate from the toolpath's near a singularity.
+  double singular_tool_axis_tolerance_deg = 0.0;
+  /// Angle by which the tool axis of a five-axis machine may deviate from the toolpath's so that a rotary
+  /// joint swings less.
   double swing_tolerance_deg = 0.0;
-  /// Near a singularity: duration of a motion over that at its feed, at most; as much is standing still.
+  /// Greatest duration of a motion near a singularity, over that at its feed; a slower motion counts as a
+  /// standstill and is a fault.
   double max_slowdown = 100.0;
 
-  MotionDivision division;  ///< before joints are found; `planJointPath` does not divide
+  MotionDivision division;  ///< applied by `planDividedJointPath`; `planJointPath` does not divide
 
   ExternalChoice external = ExternalChoice::Held;
-  double external_deg = 0.0;          ///< where rotary external axes are held, or where a table starts
-  double external_azimuth_deg = 0.0;  ///< at which tool axes go if it follows them
-  double external_cone_deg = 10.0;    ///< about straight down, in which gravity keeps tool axes
+  double external_deg = 0.0;  ///< value at which rotary external axes are held, or with which a table starts
+  double external_azimuth_deg = 0.0;  ///< azimuth of tool axes for `ExternalChoice::Follow`
+  /// Half angle about straight down within which `ExternalChoice::Gravity` keeps tool axes.
+  double external_cone_deg = 10.0;
 };
 
 /// Adds the keys joints.*.
 void describe(SettingsSchema& schema, JointPathSettings& settings);
 
+/// Checks the settings.
 /// @throws InvalidConfig naming key, value and bound
 void validate(const JointPathSettings& settings);
 

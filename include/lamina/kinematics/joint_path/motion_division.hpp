@@ -11,44 +11,44 @@
 
 namespace lamina {
 
-/// How finely motions are divided, so that joints that go steadily from waypoint to waypoint lead the nozzle
-/// along the motion.
+/// How finely motions are divided, so that joints that move at constant speed between waypoints keep the
+/// nozzle on the motion.
 struct MotionDivision {
-  double max_step_mm = 5.0;
-  double max_step_deg = 5.0;             ///< that the nozzle turns by
-  double tip_tolerance_mm = 0.02;        ///< of the tip from the straight line
-  double tool_axis_tolerance_deg = 0.1;  ///< of the tool axis from the steady turn
+  double max_step_mm = 5.0;              ///< greatest length of a step
+  double max_step_deg = 5.0;             ///< greatest rotation of the nozzle in a step
+  double tip_tolerance_mm = 0.02;        ///< greatest deviation of the tip from the straight line
+  double tool_axis_tolerance_deg = 0.1;  ///< greatest deviation of the tool axis from its interpolation
 };
 
 /// Adds the keys joints.max_step_mm, joints.max_step_deg, joints.tip_tolerance_mm,
 /// joints.tool_axis_tolerance_deg.
 void describe(SettingsSchema& schema, MotionDivision& division);
 
-/// A toolpath whose motions are divided into steps, and where each waypoint is from.
+/// A toolpath whose motions are divided into steps, with the original waypoint of each waypoint.
 struct DividedToolpath {
   Toolpath toolpath;
-  /// By layer, path and waypoint: the waypoint of the undivided path at which the motion that it is a step of
-  /// ends. Layers and paths are the same in both.
+  /// Index of the original waypoint, by layer, path and waypoint: the one of the undivided path at which the
+  /// motion ends that the step belongs to. Layers and paths are the same in both.
   std::vector<std::vector<std::vector<std::uint32_t>>> original;
 
-  /// The waypoint that reports name.
+  /// The original waypoint, which reports name.
   WaypointIndex originalOf(const WaypointIndex& at) const {
     return {at.layer, at.path, original[at.layer][at.path][at.waypoint]};
   }
 };
 
-/// The toolpath, each of its waypoints its own origin.
+/// The toolpath as it is, each waypoint being its own original.
 DividedToolpath undivided(Toolpath toolpath);
 
-/// Divides each motion into equal steps: points on the straight line, orientations by steady turns, feed,
-/// bead and process values those of the motion. Drops stay where they are: waypoints in between have none.
-/// What is deposited is the same.
-/// @param steps  of each motion, at the place of its end among the waypoints in the order of the motion, in
-///   which a closed path has its waypoint 0 twice; at least 1; what stands at the first waypoint of a path is
-///   not used
+/// Divides each motion into equal steps: points on the straight line, orientations at constant angular speed,
+/// feed, bead and process values of the motion. Drops stay where they are: the waypoints in between have
+/// none. What is deposited does not change.
+/// @param steps  number of steps of each motion, at least 1, at the index of the waypoint where it ends;
+///   waypoints count in the order of the motion, in which a closed path has its waypoint 0 twice. The entry
+///   of the first waypoint of a path is not used
 DividedToolpath divided(const DividedToolpath& from, const std::vector<int>& steps);
 
-/// Divides motions that are longer or turn the nozzle further than the greatest steps.
+/// Divides the motions that are longer, or rotate the nozzle further, than the greatest steps.
 DividedToolpath divideMotions(Toolpath toolpath, const MotionDivision& division);
 
 }  // namespace lamina

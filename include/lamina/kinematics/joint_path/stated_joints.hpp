@@ -9,12 +9,13 @@
 
 namespace lamina {
 
-/// Judges joints that are stated, as by a program, and leaves them as they are: joints beyond their limits,
-/// rotary joints that turn by more than `joints.max_turn_deg` in one motion that deposits (as where a branch
-/// is left for another), and joints that are too slow beside a singularity (`joints.max_slowdown`). Values
-/// that are beyond a limit by no more than the decimals of a program (1e-3 mm, 1e-6 rad) are put to it.
-/// Waypoints without values keep the faults that they came with, and are not judged.
-/// @param stated  of the toolpath, which lies in coordinates of the bed
+/// Checks joint values that are stated, as by a program, without changing them. Faults are values beyond
+/// their limits, rotary joints that turn by more than `joints.max_turn_deg` in one motion that deposits (as
+/// on a change of branch), and joints that are too slow near a singularity (`joints.max_slowdown`). A value
+/// beyond a limit by no more than the rounding of a program (1e-3 mm, 1e-6 rad) is set to the limit.
+/// Waypoints without values keep the faults they have and are not checked.
+/// @param stated  joint values at the waypoints of `toolpath`
+/// @param toolpath  [bed frame]
 /// @return the path with all its faults, in the order of the motion
 JointPath judged(JointPath stated, const Toolpath& toolpath, const KinematicModel& model,
                  const JointPathSettings& settings);

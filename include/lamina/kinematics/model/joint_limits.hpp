@@ -9,15 +9,16 @@
 
 namespace lamina {
 
-/// Tolerance on reported joint positions: the rounding of limits on their way through a controller [mm, rad].
+/// Tolerance on the limits of joint positions that a controller reports, for the rounding of limits on their
+/// way through it [mm, rad].
 constexpr double kJointLimitSlack = 1e-6;
 
-/// The first joint beyond its limits or not a number, in words: "joint a at 1.2 deg; must be within -1 to
-/// 1 deg"; nothing if all are within.
+/// Describes the first joint that is beyond its limits or not a number: "joint a at 1.2 deg; must be within
+/// -1 to 1 deg". Nothing if all are within.
 /// @param values  one for each joint [mm, rad]
 std::optional<std::string> limitFault(const JointValues& values, const KinematicModel& model);
 
-/// A value of a joint beside its bounds, in words: "joint 'a' 1.2, expected -1 to 1" [mm, rad; per s].
+/// Describes a value of a joint with its bounds: "joint 'a' 1.2, expected -1 to 1" [mm, rad; per s].
 std::string boundsText(const DrivenJoint& joint, double is, double low, double high);
 
 }  // namespace lamina

@@ -18,8 +18,9 @@ constexpr int kMostJoints = 9;
 /// Values of a kinematic model's joints in the order of `KinematicModel::joints` [mm, rad].
 using JointValues = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMostJoints, 1>;
 
-/// How the nozzle moves with the joints: rows 0 to 2 its tip [mm], rows 3 to 5 its turn [rad], both over the
-/// bed and in the bed frame; a column per joint, per mm or rad of it.
+/// Derivative of the nozzle's pose by the joint values, a column for each joint, per mm or rad of it: rows 0
+/// to 2 are the translation of the tip [mm], rows 3 to 5 the rotation [rad], both relative to the bed and in
+/// the bed frame.
 using Jacobian = Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, kMostJoints>;
 
 enum class JointKind : std::uint8_t { Linear, Rotary };
@@ -33,25 +34,26 @@ struct DrivenJoint {
   double max_speed = 0.0;  ///< [mm/s, rad/s]
 };
 
-/// One way to bring the nozzle to a pose.
+/// One solution of the inverse kinematics: joint values that bring the nozzle to a pose.
 struct InverseSolution {
-  /// Number of the way. Along a motion that passes no singularity, solutions of one branch are continuous,
+  /// Number of the branch. Along a motion that passes no singularity, solutions of one branch are continuous,
   /// except for whole turns of rotary joints.
   int branch = 0;
   JointValues values;
 };
 
-/// Solutions of one pose, by branch. Up to eight, all that an arm has, take no memory from the heap.
+/// Solutions for one pose, in order of their branches. Up to eight, which is the most that an arm has, need
+/// no memory from the heap.
 using InverseSolutions = boost::container::small_vector<InverseSolution, 8>;
 
-/// Whether a kinematic model determines the turn of the nozzle about its tool axis.
+/// Whether a kinematic model controls the rotation of the nozzle about its tool axis.
 enum class ToolAxisSpin : std::uint8_t {
-  Free,   ///< undefined: inverse solutions have the tip and the tool axis of the pose asked for
-  Given,  ///< inverse solutions have the whole pose
+  Free,   ///< no: inverse solutions have only the tip and the tool axis of the pose asked for
+  Given,  ///< yes: inverse solutions have the whole pose
 };
 
-/// What carries a nozzle over a bed: forward and inverse kinematics of a machine or robot. Values that never
-/// change; all calls may be made from several threads.
+/// Forward and inverse kinematics of a machine or robot that moves a nozzle relative to a bed. Models are
+/// immutable; all calls may be made from several threads.
 class KinematicModel {
  public:
   virtual ~KinematicModel() = default;
@@ -61,23 +63,23 @@ class KinematicModel {
   virtual const std::vector<DrivenJoint>& joints() const = 0;
   virtual ToolAxisSpin toolAxisSpin() const = 0;
 
-  /// Where the nozzle is [mm].
+  /// Pose of the nozzle [mm].
   virtual Eigen::Isometry3d bedFromNozzle(const JointValues& values) const = 0;
   virtual Jacobian jacobian(const JointValues& values) const = 0;
 
-  /// All solutions, one per branch at most, by branch. Rotary values lie in (-pi, pi]; limits of joints are
-  /// not looked at. Empty if the pose is out of reach.
-  /// @param near  values that joints keep where the pose does not determine them: a joint that is free at a
-  ///   singularity, or an external axis
+  /// All inverse solutions, at most one per branch, in order of the branches. Rotary values lie in (-pi, pi];
+  /// limits of joints are not checked. Empty if the pose is out of reach.
+  /// @param near  values for joints that the pose does not determine: one that is free at a singularity, or
+  ///   an external axis
   virtual InverseSolutions solutions(const Eigen::Isometry3d& bed_from_nozzle,
                                      const JointValues& near) const = 0;
 
   /// Distance from a singularity: 0 at one, 1 at best. It is the least sine of the angles that vanish at
-  /// singularities: of the tool axis to a rotary axis of a head or table, of a wrist, of an elbow from
-  /// straight.
+  /// singularities: between the tool axis and a rotary axis of head or table, of the bend of a wrist, of the
+  /// bend of an elbow.
   virtual double singularityMargin(const JointValues& values) const = 0;
 
-  /// Every link over the bed [mm].
+  /// Pose of every link relative to the bed, by name [mm].
   virtual std::map<std::string, Eigen::Isometry3d> bedFromLinks(const JointValues& values) const = 0;
 
   /// Values of all joints of the URDF that move, driven or not, by name [mm, rad].
@@ -87,12 +89,13 @@ class KinematicModel {
 /// Names of all machines and robots that come with Lamina (`urdf/`).
 std::vector<std::string> kinematicModelNames();
 
+/// The model of one of `kinematicModelNames`.
 /// @throws InvalidConfig if there is none of that name; names those there are
 std::unique_ptr<KinematicModel> kinematicModelByName(const std::string& name);
 
 /// Reads a kinematic model from its URDF; its kind follows from its joints (docs/machines/kinematics.md).
 /// @throws InvalidConfig if it is no URDF, a link `bed` or `nozzle` is missing, a joint has no limits, or its
-///   joints are of no kind that is understood; names link or joint, and what was expected
+///   joints form none of the kinds that are supported; names link or joint, and what was expected
 std::unique_ptr<KinematicModel> kinematicModelFromUrdf(const std::string& text);
 
 }  // namespace lamina

@@ -22,16 +22,17 @@ struct LinkBody {
 struct RigidGroup {
   std::vector<std::string> links;  ///< parents before children
   std::vector<LinkBody> bodies;    ///< of all of them
-  std::size_t parent = 0;          ///< the group that it hangs on
-  std::string joint;               ///< by which the first of its links hangs there; none at the root
+  std::size_t parent = 0;          ///< index of the group that carries it
+  std::string joint;               ///< joint between `parent` and the first of its links; empty at the root
 };
 
-/// The solid pieces of a machine, and which of them can run into each other.
+/// The solid pieces of a machine, and which of them can collide.
 struct LinkBodies {
   std::vector<RigidGroup> groups;
-  std::size_t bed = 0;  ///< the group that carries the part
-  /// Groups that can meet: all but those that hang on each other by one joint, or by several that turn about
-  /// one point with nothing solid between them, as a universal joint does. They are built to touch.
+  std::size_t bed = 0;  ///< index of the group that carries the part
+  /// Pairs of groups that can collide: all except those that are connected by one joint, or by several joints
+  /// that turn about one point without solid pieces in between, as a universal joint does. Groups connected
+  /// in this way are built to touch.
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
 };
 

@@ -10,15 +10,16 @@
 
 namespace lamina {
 
-/// A piece of a link as it is looked at.
+/// A piece of a link as it is displayed.
 struct SeenBody {
   std::string link;
-  Mesh mesh;                                       ///< [mm, frame of the link]
-  std::array<double, 3> colour{0.62, 0.64, 0.67};  ///< red, green, blue of its material, grey without one
+  Mesh mesh;  ///< [mm, frame of the link]
+  /// Red, green and blue of its material, 0 to 1; grey without one.
+  std::array<double, 3> colour{0.62, 0.64, 0.67};
 };
 
-/// The `<visual>` elements of all links, by the names of the links; of a link without any its `<collision>`
-/// elements.
+/// The `<visual>` elements of all links, in order of the links' names. A link without any is displayed by its
+/// `<collision>` elements.
 /// @throws InvalidConfig if it is no URDF; as `linkBodies`
 std::vector<SeenBody> seenBodies(const std::string& urdf);
 

@@ -9,16 +9,16 @@
 
 namespace lamina {
 
-/// Checks that every tip of a toolpath is in the build space, and that each tool axis is that of the head at
-/// rest. The turn about the tool axis is free.
+/// Checks that every position of the tip is in the build space, and that every tool axis is that of the head
+/// at rest. The rotation about the tool axis is free.
 /// @param bed_from_part  [mm]
-/// @throws Unreachable if a tip is outside (gives axis, value and limits), or the tool axis is another than
-///   that of the head at rest by more than 0.01 deg (gives the angle); names layer, path and waypoint of the
-///   first
+/// @throws Unreachable naming layer, path and waypoint of the first fault: with axis, value and limits if a
+///   tip is outside; with the angle if the tool axis deviates by more than 0.01 deg from that of the head at
+///   rest
 void requireReachable(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
                       const BuildSpace& space);
 
-/// The same for the nozzle tip alone, whichever way the tool axis points.
+/// Checks that every position of the tip is in the build space, whichever way the tool axis points.
 /// @throws Unreachable as above if a tip is outside
 void requireTipsReachable(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
                           const BuildSpace& space);

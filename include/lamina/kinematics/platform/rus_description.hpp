@@ -11,8 +11,8 @@
 
 namespace lamina {
 
-/// A platform and its place between bed and nozzle, as its URDF has them. The base frame is that of the link
-/// the cranks hang on.
+/// A 6-RUS platform as its URDF describes it, with its pose between bed and nozzle. The base frame is that of
+/// the link that carries the cranks.
 struct RusDescription {
   RusPlatform platform;
   std::vector<DrivenJoint> cranks;
@@ -21,8 +21,8 @@ struct RusDescription {
   Eigen::Isometry3d platform_from_nozzle = Eigen::Isometry3d::Identity();  ///< [mm]
 };
 
-/// Reads joints crank_i, universal_i_a, universal_i_b and spherical_i, links coupler_end_i, the platform's
-/// joints platform_x, y, z, b, a, c, and links bed and nozzle (docs/machines/platform.md).
+/// Reads a platform: joints crank_i, universal_i_a, universal_i_b and spherical_i, links coupler_end_i, the
+/// platform's joints platform_x, y, z, b, a, c, and links bed and nozzle (docs/machines/platform.md).
 /// @throws InvalidConfig naming joint or link, and what was expected
 RusDescription rusDescriptionFromUrdf(const std::string& text);
 

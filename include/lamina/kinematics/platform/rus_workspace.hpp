@@ -11,9 +11,9 @@
 
 namespace lamina {
 
-/// What keeps a leg of a platform from a pose.
+/// Reasons why a leg of a platform cannot reach a pose.
 enum class LegFault : std::uint8_t {
-  OutOfReach,  ///< the ball is nearer or further than crank and coupler reach
+  OutOfReach,  ///< the ball is nearer or farther than crank and coupler reach
   Crank,       ///< the crank would leave its range
   Universal,   ///< the coupler would lean too far out of the plane of its crank
   Spherical,   ///< the coupler would swing too far from the middle of its spherical joint
@@ -25,19 +25,20 @@ struct FaultyLeg {
   std::string reason;  ///< names the leg from 1, the value and the limit
 };
 
-/// How the passive joints of a leg stand.
+/// Angles of a leg's passive joints.
 struct PassiveAngles {
-  double fold = 0.0;   ///< of the coupler about the parallel of the motor's axis, from the crank [rad]
-  double lean = 0.0;   ///< of the coupler out of the plane of the crank, positive along the axis [rad]
-  double swing = 0.0;  ///< of the coupler from the middle of the spherical joint, not negative [rad]
+  double fold = 0.0;   ///< between coupler and crank, about the parallel to the motor's axis [rad]
+  double lean = 0.0;   ///< of the coupler out of the crank's plane, positive along the motor's axis [rad]
+  double swing = 0.0;  ///< of the coupler from the middle of the spherical joint's range, not negative [rad]
 };
 PassiveAngles passiveAngles(const RusLeg& leg, const Eigen::Isometry3d& pose, double crank);
 
-/// Workspace check: everything that keeps the platform from a pose; empty if it can be there.
+/// Workspace check: all faults of the legs at a pose; empty if the platform can reach it.
 /// @param pose  base_from_platform [mm]
 std::vector<FaultyLeg> faultyLegs(const RusPlatform& platform, const Eigen::Isometry3d& pose);
 
-/// The same for the passive joints alone, with the cranks known.
+/// Whether the passive joints of all legs are within their ranges at a pose, with the angles of the cranks
+/// known.
 bool arePassiveJointsWithin(const RusPlatform& platform, const Eigen::Isometry3d& pose,
                             const CrankAngles& cranks);
 
