@@ -52,7 +52,7 @@ class Fitness {
 std::vector<Evaluation> withoutReplicates(const std::vector<Evaluation>& samples);
 
 /// The index of the evaluation of least cost among those that meet all constraints and lack no response that
-/// counts; the first of equals. None if there is no such evaluation.
+/// counts, the first of several. None if there is no such evaluation.
 std::optional<std::size_t> bestFeasible(const std::vector<Evaluation>& samples, const Goals& goals,
                                         const std::vector<std::string>& response_names,
                                         const Fitness& fitness);

@@ -51,8 +51,8 @@ void describe(SettingsSchema& schema, Nsga2Settings& settings);
 /// State of a search after a generation.
 struct Generation {
   int index = 0;                  ///< 0 is the random one
-  int evaluations = 0;            ///< so far, with those that failed
-  int failed = 0;                 ///< so far
+  int evaluations = 0;            ///< number so far, with those that failed
+  int failed = 0;                 ///< number so far
   double hypervolume = 0.0;       ///< of all points tried so far; never falls
   std::vector<Evaluation> front;  ///< feasible points of the population that no other of it dominates
 };

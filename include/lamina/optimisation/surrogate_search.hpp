@@ -58,7 +58,7 @@ void requireConsistent(const SurrogateSearchSettings& settings);
 
 /// An iteration of a search: the point that it proposed, what was predicted of it, and what was measured.
 struct SurrogateIteration {
-  std::size_t index = 0;  ///< from 1
+  std::size_t index = 0;  ///< number of the iteration, from 1
   DesignPoint proposed;
   std::vector<Prediction> predictions;  ///< of all responses, at the point that was measured
   double predicted_fitness = 0.0;
@@ -100,7 +100,7 @@ struct SurrogateSearch {
   std::size_t design_size = 0;          ///< number of evaluations that belong to the design
   std::vector<SurrogateIteration> iterations;
   std::optional<std::size_t> best;  ///< index of the evaluation of best fitness that keeps to all intervals
-  double best_fitness = 0.0;        ///< of it
+  double best_fitness = 0.0;        ///< fitness of `best`
   SurrogateEnd end = SurrogateEnd::Iterations;
 };
 

@@ -14,7 +14,7 @@ namespace lamina {
 
 /// How far and by which steps leaning tool axes may be raised.
 struct RaiseLimits {
-  Point3 up = Point3::UnitZ();  ///< of unit length [part frame]
+  Point3 up = Point3::UnitZ();  ///< upwards, of unit length [part frame]
   double most_deg = 60.0;       ///< greatest angle by which a tool axis is raised
   double step = 0.25;           ///< share of the wanted lean by which a tool axis is raised at a time
   double reach_mm = 2.0;  ///< length of the run, to both sides, over which its neighbours are raised with it

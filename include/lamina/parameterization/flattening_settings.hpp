@@ -13,7 +13,7 @@ enum class FlatteningMethod {
   Stress,  ///< least squared error of the lengths of sides and of geodesic distances
 };
 
-/// How curved layers are laid out flat.
+/// How curved layers are flattened.
 struct FlatteningSettings {
   FlatteningMethod method = FlatteningMethod::Arap;
   int landmarks = 8;        ///< vertices from which geodesic distances are measured, for Mds and Stress

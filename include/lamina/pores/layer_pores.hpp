@@ -20,7 +20,7 @@ struct LayerBand {
 struct LayerPores {
   LayerBand band;
   std::int64_t solid = 0;
-  std::int64_t open = 0;  ///< all others of the frame
+  std::int64_t open = 0;  ///< all other voxels of the frame in these slices
   /// Open voxels that are cut off from the border of the frame within their slice.
   std::int64_t enclosed = 0;
 

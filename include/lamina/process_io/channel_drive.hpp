@@ -63,7 +63,7 @@ class ChannelDrive {
   double asked_ = 0.0;
   std::optional<double> at_s_;                     ///< of the last call
   std::optional<double> effect_;                   ///< once the dead time is over
-  std::deque<std::pair<double, double>> effects_;  ///< that and when, for the dead time
+  std::deque<std::pair<double, double>> effects_;  ///< [time, effect], kept for the dead time
 };
 
 }  // namespace lamina

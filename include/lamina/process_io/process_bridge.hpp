@@ -58,8 +58,8 @@ class ProcessBridge {
  public:
   ProcessBridge(const ProcessTables& tables, const ProcessBridgeSettings& settings, double now_s);
 
+  /// Adds a chunk to the plan.
   /// @throws InvalidInput as `ProcessPlan::accept`
-  /// Adds to the plan.
   void accept(const ProcessChunk& chunk, double now_s);
   /// Positions of all joints [m, rad].
   void hearPositions(const std::vector<double>& positions, double now_s) { motion_.hear(positions, now_s); }

@@ -87,7 +87,7 @@ struct DeviceSettings {
   std::string address;  ///< host:port, path of a serial port, service; empty for topics
   int baud = 19200;
   Parity parity = Parity::Even;   ///< of Modbus RTU
-  int unit = 1;                   ///< of Modbus
+  int unit = 1;                   ///< unit number of Modbus
   double timeout_s = 0.2;         ///< for an answer; after that the link is lost
   double retry_s = 1.0;           ///< from the loss of a link to the next attempt
   std::string answer;             ///< that a serial device gives to each line; empty if it gives none

@@ -21,11 +21,10 @@ struct ProgramSettings {
   double flow = 1.0;                    ///< factor on all extrusion
   double nozzle_temperature_c = 210.0;  ///< 0 leaves the heater alone
   double bed_temperature_c = 60.0;      ///< 0 leaves the heater alone
-  double retraction_length_mm = 0.8;    ///< of filament
-  double retraction_feed_mm_s = 35.0;
-  /// Written before the first motion; {nozzle_temperature_c} and
-  /// {bed_temperature_c} are replaced, and {lift_axis} by Z or, where axes
-  /// stand askew, by the one that lifts the nozzle.
+  double retraction_length_mm = 0.8;    ///< length of filament that is pulled back
+  double retraction_feed_mm_s = 35.0;   ///< speed of the filament while it is pulled back or pushed forth
+  /// Written before the first motion. {nozzle_temperature_c} and {bed_temperature_c} are replaced;
+  /// {lift_axis} is replaced by Z, or, if axes are askew, by the axis that lifts the nozzle.
   std::string start_code =
       "G28\nG0 {lift_axis}5 F600\n"
       "M140 S{bed_temperature_c}\nM104 S{nozzle_temperature_c}\n"

@@ -13,7 +13,7 @@ struct BrimSettings {
   double width_mm = 0.0;  ///< 0: none
   double gap_mm = 0.0;    ///< between part and innermost loop
   BrimWhere where = BrimWhere::Outside;
-  bool ears = false;  ///< at sharp corners only
+  bool ears = false;  ///< whether there are loops at sharp corners only
 };
 
 /// Layers below the part.

@@ -31,7 +31,7 @@ struct CoolingSettings {
   double least_layer_time_s = 0.0;  ///< 0 for none
   CoolingBy by = CoolingBy::SlowThenDwell;
   double least_feed_mm_s = 10.0;  ///< lower bound of deposition feeds
-  double lift_mm = 2.0;           ///< of the nozzle while it waits
+  double lift_mm = 2.0;           ///< by which the nozzle is lifted while it waits
   ParkPlace park = ParkPlace::Outside;
   CoolingInterval interval = CoolingInterval::Layer;
 };

@@ -69,7 +69,7 @@ struct EntrySettings {
 /// Process values of all beads, and how they rise and fall at the ends of runs.
 struct LevelSettings {
   std::string values;             ///< "laser_power_w=1200, wire_speed_mm_s=from_bead"; empty for none
-  double wire_diameter_mm = 1.2;  ///< of `from_bead`
+  double wire_diameter_mm = 1.2;  ///< diameter of the wire, for `from_bead`
   double start_share = 1.0;       ///< of the value, where a run starts
   double start_mm = 0.0;          ///< length over which it becomes the whole value
   double end_share = 1.0;         ///< of the value, where a run ends

@@ -60,7 +60,7 @@ EndCount addEnds(Toolpath& toolpath, const LeadSettings& lead, const EntrySettin
 /// of open paths. A path shorter than a quarter of a wave stays.
 /// @param limits  by which the machine can swing
 /// @return number of paths that are woven
-/// @throws InvalidInput naming layer, path and values: a swing wider than the bead, or one that takes more
+/// @throws InvalidInput naming layer, path and values: a swing wider than the bead, or one that needs more
 ///   acceleration than the machine has; an event amid a path
 std::size_t weave(Toolpath& toolpath, const WeaveSettings& settings, const MotionLimits& limits);
 

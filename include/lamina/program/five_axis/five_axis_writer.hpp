@@ -32,8 +32,8 @@ struct FiveAxisMotion {
 ///   as `writeGcode`
 /// @throws Unreachable  if the joint path has faults or a joint is outside its limits, or no joints are found
 ///   between two waypoints; names the waypoint
-/// @throws InvalidInput  if the joints are not those of the toolpath, if it holds drops, or as `writeGcode`.
-///   Everything is checked before the first piece is written.
+/// @throws InvalidInput  if the joints are not those of the toolpath, if it holds drops, process values or
+///   changes of tools, or as `writeGcode`. Everything is checked before the first piece is written.
 void writeFiveAxis(const FiveAxisMotion& motion, const FiveAxisSettings& settings,
                    const ProgramSettings& program, const TextSink& sink);
 

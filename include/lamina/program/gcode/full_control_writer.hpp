@@ -17,8 +17,9 @@ namespace lamina {
 ///
 /// The nozzle first travels to above the first waypoint, then down to it.
 ///
-/// @throws InvalidInput if `validate` refuses the toolpath, if it deposits nothing or holds drops, or if its
-///   nozzle does not point straight down; all is checked before the first piece is written
+/// @throws InvalidInput if `validate` refuses the toolpath, if it deposits nothing, or holds drops, events or
+///   process values, or if its nozzle does not point straight down; all is checked before the first piece is
+///   written
 /// @throws InvalidConfig as `writeGcode`
 void writeFullControl(const Toolpath& toolpath, const ProgramFrame& frame, const ProgramSettings& settings,
                       const TextSink& sink);

@@ -18,7 +18,7 @@ struct GcodeWord {
   std::optional<double> value;
 };
 
-/// One line of a program, taken apart. The views are into the text it was made from.
+/// One line of a program, split into its parts. The views are into the text that was parsed.
 struct GcodeLine {
   std::size_t number = 0;                  ///< in the file, 1 based
   std::optional<std::int64_t> sequence;    ///< number after N, if there is one

@@ -35,12 +35,13 @@ namespace lamina {
 ///
 /// @param frame  where the part stands on the bed [mm]
 /// @throws InvalidInput naming layer, path and waypoint, if the toolpath holds no motion, both beads and
-///   drops, drops of several diameters, or process values; if a number is not finite or beyond 10 km, a feed
-///   is not positive, or the nozzle would have to rotate. All of it is checked before the first piece is
-///   written.
+///   drops, drops of several diameters, or events or process values that the dialect has no word for; if a
+///   number is not finite or beyond 10 km, a feed is not positive, or the nozzle would have to rotate. All of
+///   it is checked before the first piece is written.
 /// @throws InvalidConfig if start or end code hold a placeholder other than {nozzle_temperature_c},
-///   {bed_temperature_c} and {lift_axis}, or if a temperature is set that the dialect has no heater for. A
-///   line whose placeholder stands for 0 °C is left out.
+///   {bed_temperature_c} and {lift_axis}, if a temperature is set that the dialect has no heater for, or if
+///   arcs are set for drops or for layers that do not lie in a plane of two axes. A line whose placeholder
+///   stands for 0 °C is left out.
 void writeGcode(const Toolpath& toolpath, const ProgramFrame& frame, const ProgramSettings& settings,
                 const TextSink& sink);
 

@@ -48,8 +48,8 @@ enum class RobotProcess : std::uint8_t {
 struct ArcSettings {
   RobotProcess process = RobotProcess::Outputs;
   int start_schedule = 1;  ///< number, on the controller, of the schedule by which an arc starts
-  int end_schedule = 1;    ///< number of the one by which it ends
-  int weave_schedule = 0;  ///< number of the one by which it weaves; 0 for none
+  int end_schedule = 1;    ///< number of the schedule by which an arc ends
+  int weave_schedule = 0;  ///< number of the schedule by which it weaves; 0 for none
 };
 
 /// How KRL is written.
@@ -126,8 +126,8 @@ struct InformSettings {
 /// languages, and those of each.
 struct RobotProgramSettings {
   std::string name;      ///< of the program; empty for that of the file
-  int tool_number = 1;   ///< of the tool on the controller
-  int frame_number = 1;  ///< of the bed on the controller
+  int tool_number = 1;   ///< number of the tool on the controller
+  int frame_number = 1;  ///< number of the frame on the controller that is the bed
   /// Distance from the part, back along the tool axis, at which a program starts and ends.
   double approach_mm = 50.0;
   double corner_mm = 0.5;  ///< by which points may be rounded where the process neither starts nor ends

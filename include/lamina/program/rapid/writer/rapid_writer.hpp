@@ -31,11 +31,12 @@ class RapidProgram {
  public:
   /// @param bed_from_part  where the part stands on the bed [mm]
   /// @param robot  its arm and joints, for `RapidConfiguration::Joints` and for external axes; may be null
-  /// @throws InvalidInput, naming layer, path and waypoint: if the toolpath holds no motion or holds drops;
-  ///   if a position is farther than 100 m, a feed is below 0.001 mm/s or an orientation is not of unit
-  ///   length; if the nozzle would have to rotate in a variant of 3 axes; if the joints are not those of the
-  ///   toolpath
-  /// @throws Unreachable  if the joints have faults; names the first
+  /// @throws InvalidInput, naming layer, path and waypoint: if the toolpath holds no motion, or holds drops,
+  ///   process values or events other than dwells; if a position is farther than 100 m, a feed is below 0.001
+  ///   mm/s or an orientation is not of unit length; if the nozzle would have to rotate in a variant of 3
+  ///   axes; if the joints are not those of the toolpath
+  /// @throws Unreachable  if the joints have faults (names the first), or the arm cannot reach where the
+  ///   program starts or ends, `rapid.approach_mm` off the part
   /// @throws InvalidConfig as `checkedRapidSettings`; if a predefined speed of RAPID would have to serve for
   ///   another feed; if a run is longer than a module that is loaded in turn; if configurations are asked for
   ///   without joints
