@@ -51,9 +51,10 @@ struct Fittest {
 Fittest searchGenetically(const DesignSpace& space, const MeritOf& merit_of, const GeneticSettings& settings,
                           std::uint64_t seed, Progress& progress);
 
-/// Improves a point along one variable at a time: the step of each doubles while it helps and halves while it
-/// does not, from the mutation step down to a millionth of the range. Discrete variables move to neighbouring
-/// values.
+/// Improves a point along one variable at a time. The step of each variable is at first an eighth of its
+/// range; it doubles while it helps, up to half the range, and halves while it does not, down to a millionth.
+/// Integer variables and Levels move to neighbouring values, Categorical ones do not change. Ends after some
+/// 2000 trials at the latest.
 Fittest refined(const DesignSpace& space, const MeritOf& merit_of, Fittest start);
 
 }  // namespace lamina
