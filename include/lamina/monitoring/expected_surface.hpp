@@ -11,9 +11,9 @@
 
 namespace lamina {
 
-/// The top surface that a toolpath should give, layer by layer: each bead, or drop, stands as wide as planned
-/// and as high as the nozzle ran; elsewhere the height is that of earlier layers, or unknown. Linear in the
-/// deposited length.
+/// The top surface that a toolpath should give, layer by layer: each bead, or drop, is as wide as planned and
+/// as high as the nozzle ran; elsewhere the height is that of earlier layers, or unknown. Takes time in
+/// proportion to the deposited length.
 class ExpectedSurface {
  public:
   /// @param heights_from_part  frame of the grid and the heights, translation [mm]
@@ -25,9 +25,9 @@ class ExpectedSurface {
   /// Heights after the layers added so far [mm].
   const HeightMap& heights() const { return heights_; }
 
-  /// Cells of the latest layer, the skirt left out, that should be level with the nozzle: their centres lie
-  /// on the flat top of a bead, no farther from its centre line than half of width less height, where its
-  /// rounded edges begin, but half a cell at least. In no particular order, each once.
+  /// Cells of the latest layer, without the skirt, that should be as high as the nozzle ran: their centres
+  /// lie on the flat top of a bead. That reaches on either side of the centre line to where the rounded edges
+  /// begin, at (width - height) / 2, and by half a cell at least. In no particular order, each once.
   const std::vector<std::size_t>& topCells() const { return top_cells_; }
 
  private:

@@ -14,19 +14,22 @@
 
 namespace lamina {
 
-/// How measured heights are kept.
+/// How measured heights are mapped and attributed to layers.
 struct MonitorSettings {
-  double cell_mm = 0.1;    ///< of the maps; beads have a flat top only some tenths of a millimetre wide
-  double margin_mm = 3.0;  ///< of the maps around what the toolpath deposits
-  double scan_clearance_mm = 1.0;  ///< that the toolpath's scan passes were planned with
-  double pose_gap_mm = 10.0;  ///< between two known poses of the nozzle; profiles in between are not placed
-  double quiet_s = 2.0;  ///< a scan that shows nothing new of its layer for that long, by the stamps, is over
+  /// Size of cells of the maps; flat tops of beads are only some tenths of a millimetre wide.
+  double cell_mm = 0.1;
+  double margin_mm = 3.0;          ///< by which the maps extend beyond what the toolpath deposits
+  double scan_clearance_mm = 1.0;  ///< with which the toolpath's scan passes were planned
+  /// Profiles between two poses of the nozzle that are farther apart than this are not used.
+  double pose_gap_mm = 10.0;
+  /// A scan that shows nothing new of its layer for that long, by time stamps, has ended.
+  double quiet_s = 2.0;
 };
 
 /// Adds the keys monitor.*, scan.clearance_mm, pose_gap_mm and quiet_s.
 void describe(SettingsSchema& schema, MonitorSettings& settings);
 
-/// How a layer came to its report.
+/// How the scan of a reported layer went.
 enum class LayerSight : std::uint8_t {
   Seen,      ///< its scan came to an end
   CutShort,  ///< its scan was given up before that; profiles that came later do not count
@@ -36,13 +39,13 @@ enum class LayerSight : std::uint8_t {
 /// `seen`, `cut_short` or `not_seen`.
 const char* toString(LayerSight sight);
 
-/// What a layer measured.
+/// What was measured of a layer.
 struct LayerHeightReport {
   std::size_t layer = 0;
   double expected_height_mm = 0.0;  ///< top of the layer, along its normal
   HeightStatistics statistics;
   LayerSight sight = LayerSight::Seen;
-  std::size_t profiles = 0;  ///< of its scan
+  std::size_t profiles = 0;  ///< number of profiles of its scan
 };
 
 /// Reports of layers that turn out to be done at the same time, in the order of the layers.
@@ -52,7 +55,7 @@ using LayerHeightReports = std::vector<LayerHeightReport>;
 /// each scanned layer with what the toolpath should have given. A layer whose scan was missed is reported as
 /// not seen, once a later one is scanned. Time and memory do not grow with the number of profiles.
 ///
-/// What comes must come in the order of time; `StampedHeights` sees to that.
+/// Calls must be made in the order of time; `StampedHeights` takes care of that.
 class HeightMonitor {
  public:
   /// Maps and heights are those of `heightsFromPart`.
@@ -66,11 +69,11 @@ class HeightMonitor {
   /// Where the maps lie on the bed: the identity for layers that are level on it.
   Eigen::Isometry3d bedFromHeights() const { return heights_from_bed_.inverse(); }
 
-  /// The nozzle tip has gone straight to that height [mm, along the layers' normal].
-  /// @return the report of the layer that this shows to be done, if it does
+  /// To be called when the nozzle tip has moved straight to a height [mm, along the layers' normal].
+  /// @return the report of the layer whose scan this motion shows to have ended, if it does
   LayerHeightReports move(double nozzle_height);
 
-  /// Adds a profile that was taken on that way.
+  /// Adds a profile that was taken during that motion.
   /// @param points  [mm, bed frame]; those beyond the map are counted and left out
   /// @return reports of layers that are now known to have been missed
   LayerHeightReports add(const std::vector<Point3>& points);
@@ -94,8 +97,11 @@ class HeightMonitor {
   std::size_t cellsInScan() const { return cells_in_scan_; }
   bool isScanning() const { return scanned_.has_value(); }
 
+  /// Number of profiles that belong to the scan of a layer.
   std::size_t profilesOfLayers() const { return profiles_of_layers_; }
+  /// Number of all other profiles.
   std::size_t otherProfiles() const { return other_profiles_; }
+  /// Number of points beyond the map, which were left out.
   std::size_t pointsOutside() const { return points_outside_; }
 
  private:

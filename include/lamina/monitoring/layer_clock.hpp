@@ -22,7 +22,7 @@ Eigen::Isometry3d heightsFromPart(const Toolpath& toolpath, const Eigen::Isometr
 class LayerClock {
  public:
   /// @param heights_from_part  frame whose z is the layers' normal (`heightsFromPart`); translation [mm]
-  /// @param clearance_mm   that the scan passes were planned with
+  /// @param clearance_mm  with which the scan passes were planned
   LayerClock(const Toolpath& toolpath, const Eigen::Isometry3d& heights_from_part, double clearance_mm);
 
   /// The layer being scanned while the nozzle is at that height [mm, along the layers' normal]; nothing if
@@ -33,10 +33,10 @@ class LayerClock {
   /// layer is finished.
   std::optional<std::size_t> observe(double nozzle_height_mm);
 
-  /// A profile shows the layer being scanned. Does nothing if none is.
+  /// Records that a profile shows the layer being scanned. Does nothing if none is being scanned.
   void see() { is_seen_ = scanned_.has_value(); }
 
-  /// Takes the layer being scanned to be finished if it was seen, though the nozzle may still be at its
+  /// Makes the layer being scanned count as finished if it was seen, though the nozzle may still be at its
   /// height.
   void finish();
 

@@ -17,9 +17,8 @@ namespace lamina {
 /// The surface as an OctoMap: one occupied leaf, as large as a cell, at the height of each known cell;
 /// nothing is marked free.
 ///
-/// @param units_per_mm  the tree's unit of length: 1e-3 for metres, which OctoMap's own tools take for
-/// granted
-/// @param tree_from_map  where the map lies, translation [mm]
+/// @param units_per_mm  the tree's unit of length: 1e-3 for metres, which OctoMap's own tools assume
+/// @param tree_from_map  pose of the map in the tree's frame, translation [mm]
 /// @throws InvalidInput if the map reaches farther than the tree's 32768 leaves from the origin
 std::shared_ptr<octomap::OcTree> octreeOf(
     const HeightMap& surface, double units_per_mm,

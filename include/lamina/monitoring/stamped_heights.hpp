@@ -12,7 +12,7 @@
 
 namespace lamina {
 
-/// Where the nozzle tip is at an instant. Between two poses it goes straight.
+/// Position of the nozzle tip at an instant. Between two of them the tip moves straight.
 struct TipPose {
   std::int64_t stamp_ns = 0;
   Point3 tip = Point3::Zero();  ///< [mm, bed frame]
@@ -35,39 +35,41 @@ struct ProfileTally {
   }
 };
 
-/// What became of profiles: what was received is the sum of what follows it, in profiles and in points.
+/// Profiles by their use. `received` is the sum of the five tallies after it, in profiles and in points.
 struct ProfileUse {
   ProfileTally received;
   ProfileTally of_layers;
-  ProfileTally of_no_layer;          ///< in the map alone
+  ProfileTally of_no_layer;          ///< used in the map alone
   ProfileTally waiting;              ///< for poses of the nozzle
-  ProfileTally late;                 ///< older than one that was worked off before; not used
-  ProfileTally in_gap;               ///< between poses of the nozzle too far apart; not used
-  std::uint64_t points_outside = 0;  ///< of those used, beyond the map
+  ProfileTally late;                 ///< older than a profile that was already processed; not used
+  ProfileTally in_gap;               ///< between poses of the nozzle that are too far apart; not used
+  std::uint64_t points_outside = 0;  ///< points of the used profiles that lie beyond the map
 };
 
-/// Follows one print by stamps alone. Poses of the nozzle and profiles may come in any order among each
-/// other, and as late as they like: a profile is worked off, in the order of the stamps, once a pose of its
-/// stamp or later is known. It belongs to the layer at whose scan height the nozzle goes level from the last
-/// pose before its stamp to the first one not before it. So the same poses and profiles give the same
-/// reports, however they are delayed.
+/// Follows one print by time stamps alone. Poses of the nozzle and profiles may arrive in any order relative
+/// to each other, and with any delay: profiles are processed in the order of their time stamps, each once a
+/// pose of its time stamp or a later one is known. A profile belongs to a layer if the nozzle moves level at
+/// the layer's scan height from the last pose before the profile to the next one. So the same poses and
+/// profiles give the same reports, however they are delayed.
 class StampedHeights {
  public:
-  /// As `HeightMonitor`.
+  /// Parameters and errors are those of `HeightMonitor`.
   StampedHeights(Toolpath toolpath, const Eigen::Isometry3d& bed_from_part, const MonitorSettings& settings);
 
+  /// Adds a pose of the nozzle.
   /// @return reports of layers that are now known to be done
   LayerHeightReports observe(const TipPose& pose);
+  /// Adds a profile; returns reports likewise.
   LayerHeightReports insert(StampedProfile profile);
 
-  /// Gives the scan under way up: the layer is reported as cut short.
+  /// Gives up the scan under way: its layer is reported as cut short.
   LayerHeightReports cutShort();
 
-  /// Nothing more comes: works off what is left; layers that were printed and never seen are reported.
+  /// Ends the print: processes what is left, and reports layers that were printed and never seen.
   LayerHeightReports finish();
 
   const HeightMonitor& monitor() const { return monitor_; }
-  /// What became of the profiles so far.
+  /// How the profiles so far were used.
   ProfileUse use() const;
 
  private:

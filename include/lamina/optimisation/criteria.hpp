@@ -11,32 +11,33 @@
 
 namespace lamina {
 
-/// What a response counts in a decision.
+/// How much a response counts in a decision, and whether less or more of it is better.
 struct Criterion {
   std::string response;
-  double weight = 1.0;  ///< 0: not looked at
+  double weight = 1.0;  ///< 0: the response is ignored
   Sense sense = Sense::Minimise;
 };
 
-/// The criteria of a decision: under-fill and volume error weigh 3 and all other responses 1
-/// ([Guacheta2021, section 4.4] leaves the weights open), but for those that are
-/// given.
-/// @param weights    by response, numbers
-/// @param maximised  responses of which more is better
-/// @throws InvalidConfig naming the response if a name is none of them, or a weight is no number from 0
+/// The criteria of a decision, one for each response. Unless `weights` states another weight, that of
+/// under-fill and volume error is 3 and that of all other responses 1 ([Guacheta2021, section 4.4] leaves the
+/// weights open).
+/// @param weights  names of responses, and their weights as text
+/// @param maximised  names of responses of which more is better
+/// @throws InvalidConfig naming what is given, if a name is that of no response, or a weight is no number
+///   from 0
 std::vector<Criterion> criteriaOf(const std::vector<std::string>& response_names,
                                   const std::vector<SettingText>& weights,
                                   const std::vector<std::string>& maximised);
 
-/// Chooses among alternatives by their responses: `decide` on those that weigh something, where those to be
-/// maximised have their sign changed.
-/// @param responses  by alternative, in the order of the criteria
-/// @throws InvalidInput naming alternative and response if one that weighs something is not finite; as
-/// `decide`
+/// Chooses among alternatives by their responses, as `decide` of `decision.hpp` does by costs. Responses of
+/// weight 0 are left out, and those to be maximised enter with their sign changed.
+/// @param responses  for each alternative, in the order of the criteria
+/// @throws InvalidInput naming alternative and response if one whose weight is not 0 is not finite; as
+///   `decide`
 Decision decide(const std::vector<Criterion>& criteria, const std::vector<std::vector<double>>& responses,
                 DecisionMethod method);
 
-/// "linmap" or "topsis".
+/// The method that is named "linmap" or "topsis".
 /// @throws InvalidConfig if it is neither
 DecisionMethod decisionMethodOf(const std::string& name);
 

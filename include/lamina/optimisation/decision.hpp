@@ -13,25 +13,24 @@ enum class DecisionMethod {
   Topsis,  ///< the greatest distance from the worst, as a share of both distances
 };
 
-/// An alternative chosen.
+/// The alternative that is chosen, and how the others compare.
 struct Decision {
   std::size_t chosen = 0;       ///< the first one if several are equally good
   std::vector<double> indices;  ///< of each alternative. Linmap: the least is best; Topsis: the greatest
 };
 
-/// Chooses an alternative [Guacheta2021, eq. 4.12 to 4.14]. Each cost is taken relative to
-/// the greatest magnitude it has; the distance of two alternatives is sqrt(sum over costs of weight *
-/// difference^2).
+/// Chooses an alternative [Guacheta2021, eq. 4.12 to 4.14]. Each cost is divided by its greatest magnitude
+/// over all alternatives; the distance of two alternatives is sqrt(sum over costs of weight * difference^2).
 ///
 /// Linmap measures from the ideal 0, where a cost has no negative value; otherwise (a response to be
 /// maximised, with its sign changed) from its least value. Topsis: the ideal is the least of each cost, the
 /// worst the greatest; where both are the same place, all indices are 1. A cost that is 0 everywhere has no
 /// influence.
 ///
-/// @param costs    by alternative; to be made small
-/// @param weights  one a cost, none negative, not all 0
+/// @param costs  for each alternative; less is better
+/// @param weights  one for each cost, none negative, not all 0
 /// @throws InvalidInput if there is no alternative, one has another number of costs than there are weights,
-///   or a number is not finite; InvalidConfig if a weight is not as said
+///   or a number is not finite; InvalidConfig if a weight is negative or all are 0
 Decision decide(const std::vector<std::vector<double>>& costs, const std::vector<double>& weights,
                 DecisionMethod method);
 

@@ -9,12 +9,12 @@
 
 namespace lamina {
 
-/// What values a variable takes.
+/// The values that a variable may take.
 enum class VariableKind {
   Continuous,   ///< any number between two bounds, both included
   Integer,      ///< whole numbers between two bounds, both included
-  Levels,       ///< one of some numbers; what lies between has a meaning, but cannot be chosen
-  Categorical,  ///< one of some texts, without order
+  Levels,       ///< one of several numbers; values in between are meaningful, but cannot be chosen
+  Categorical,  ///< one of several texts, without order
 };
 
 /// What a search may change.
@@ -51,7 +51,7 @@ void requireWithin(const DesignSpace& space, const DesignPoint& point);
 /// or levels (halves up).
 DesignPoint nearestWithin(const DesignSpace& space, DesignPoint point);
 
-/// Each value uniform over what its variable allows, independent of the others.
+/// A random point, with each value uniform over those of its variable and independent of the others.
 DesignPoint randomPoint(const DesignSpace& space, Random& random);
 
 /// A value as it stands in a configuration: a choice, or the shortest number that reads back the same.

@@ -11,7 +11,7 @@
 
 namespace lamina {
 
-/// What came of trying a point.
+/// Result of trying a point.
 struct Evaluation {
   DesignPoint point;
   std::vector<double> responses;  ///< in the order of the evaluator's names; empty if it failed
@@ -21,22 +21,22 @@ struct Evaluation {
 /// Whether the point could be tried.
 inline bool isEvaluated(const Evaluation& evaluation) { return evaluation.error.empty(); }
 
-/// Reported of every evaluation as it is done: one at a time, in any order, from any thread.
+/// Called with every evaluation as it is done: one at a time, in any order, from any thread.
 using EvaluationListener = std::function<void(const Evaluation&)>;
 
-/// Port through which a search tries points: by slicing, by a command, on other machines.
+/// Interface through which a search tries points: by slicing, by a command, on other machines.
 class Evaluator {
  public:
   virtual ~Evaluator() = default;
 
-  /// What is measured at each point.
+  /// Names of the responses that are measured at each point.
   virtual const std::vector<std::string>& responseNames() const = 0;
 
-  /// Tries all points, as many at a time as it likes. The result does not depend on how many that are.
-  /// @param done  hears of each; may be empty
-  /// @return one evaluation a point, in the order of the points. A point that cannot be tried is recorded
-  ///   with its error.
-  /// @throws Cancelled; then what was done has been reported
+  /// Tries all points, as many at a time as it likes; the result does not depend on that number.
+  /// @param done  is called with each evaluation; may be empty
+  /// @return one evaluation for each point, in the order of the points; that of a point that cannot be tried
+  ///   holds the error
+  /// @throws Cancelled, after `done` was called with the evaluations that were finished
   virtual std::vector<Evaluation> evaluate(const std::vector<DesignPoint>& points,
                                            const EvaluationListener& done, Progress& progress) = 0;
 };

@@ -15,23 +15,23 @@ namespace lamina {
 /// How the points of an experiment are arranged.
 enum class DesignKind {
   FullFactorial,        ///< every combination of levels
-  FractionalFactorial,  ///< two levels; some variables follow from the others
+  FractionalFactorial,  ///< two levels; the values of some variables follow from those of the others
   LatinHypercube,       ///< each variable's range is sampled evenly
 };
 
-/// An experiment as a person asks for it.
+/// Settings of an experiment, as a user states them.
 struct ExperimentDesignSettings {
   DesignKind kind = DesignKind::LatinHypercube;
-  std::string levels = "2";  ///< FullFactorial, of continuous and integer variables
-  std::string generators;    ///< FractionalFactorial
-  int samples = 0;           ///< LatinHypercube; 0 for ten a variable
+  std::string levels = "2";  ///< FullFactorial: numbers of levels, one for all variables or one for each
+  std::string generators;    ///< FractionalFactorial: see `fractionalFactorial`
+  int samples = 0;           ///< LatinHypercube: number of points; 0 for ten times the number of variables
 };
 
 /// Adds the keys surrogate.design, .levels, .generators and .samples.
 void describe(SettingsSchema& schema, ExperimentDesignSettings& settings);
 
-/// The points the settings ask for; all different, the same for the same seed.
-/// @throws InvalidConfig naming key and value as the functions below do
+/// The points of an experiment; all different, and the same for the same seed.
+/// @throws InvalidConfig naming key and value if `levels` is malformed; as the functions below
 std::vector<DesignPoint> designExperiment(const DesignSpace& space, const ExperimentDesignSettings& settings,
                                           std::uint64_t seed);
 
@@ -42,10 +42,11 @@ std::vector<DesignPoint> designExperiment(const DesignSpace& space, const Experi
 /// @throws InvalidConfig if a count is below 2, or there would be more than a million points
 std::vector<DesignPoint> fullFactorial(const DesignSpace& space, const std::vector<int>& level_counts);
 
-/// Points spread such that each Continuous variable has one in the middle of each of `count` equal parts of
-/// its range, and each other variable takes its values equally often (but for the remainder). Of all such
-/// designs one is sought by exchanges whose nearest points are far apart ([Morris1995]: the sum
-/// of distances to the power of -15). Points that would coincide are exchanged for random ones.
+/// A Latin hypercube of `count` points. Each Continuous variable has one value in the middle of each of
+/// `count` equal parts of its range; each other variable takes its values equally often, but for the
+/// remainder. Among these designs, exchanges of values seek one whose nearest points are far apart: they
+/// minimise the sum of all distances to the power of -15 [Morris1995]. Points that would coincide are
+/// replaced by random ones.
 /// @throws InvalidConfig if there are fewer than 2 points, or more than the space has different ones
 std::vector<DesignPoint> latinHypercube(const DesignSpace& space, std::size_t count, std::uint64_t seed);
 

@@ -14,13 +14,13 @@
 namespace lamina {
 
 /// Several objectives as one number: the sum of weight times response over the mean of the response in the
-/// design of experiments [Vega2023, eq. 7 and 14]. Its sense is that of the first objective with a
-/// weight; objectives of the other sense are subtracted.
+/// design of experiments [Vega2023, eq. 7 and 14]. It is to be minimised or maximised as the first objective
+/// with a weight is; objectives of the opposite sense are subtracted.
 class Fitness {
  public:
   /// Objectives of weight 0 do not count.
-  /// @param design  evaluations that failed and responses that are missing do not enter the means; points
-  ///   tried several times enter once, by their mean
+  /// @param design  evaluations over which the means are taken, without those that failed and without missing
+  ///   responses; points that were tried several times enter once, by their mean
   /// @throws InvalidConfig as `validate(Goals)` and if all weights are 0; InvalidInput if a response with a
   ///   weight has no value or the mean 0
   Fitness(const Goals& goals, const std::vector<std::string>& response_names,
@@ -28,13 +28,13 @@ class Fitness {
 
   Sense sense() const { return sense_; }
 
-  /// In the sense above.
+  /// The fitness of responses, to be minimised or maximised as `sense` says.
   double valueOf(const std::vector<double>& responses) const;
 
-  /// To be made small whatever the sense: the value, or the value with its sign changed.
+  /// The fitness as a cost, which is always to be minimised: with its sign changed if it is to be maximised.
   double costOf(const std::vector<double>& responses) const;
 
-  /// Of the cost, if responses are independent.
+  /// Prediction of the cost from those of the responses, which are taken as independent.
   Prediction predictedCost(const std::vector<Prediction>& predictions) const;
 
  private:
@@ -51,8 +51,8 @@ class Fitness {
 /// that have a value. Failed evaluations are left out; so are those without any response.
 std::vector<Evaluation> withoutReplicates(const std::vector<Evaluation>& samples);
 
-/// The index of the evaluation of least cost among those that hold all constraints and lack no response that
-/// counts; the first of equals.
+/// The index of the evaluation of least cost among those that meet all constraints and lack no response that
+/// counts, the first of several. None if there is no such evaluation.
 std::optional<std::size_t> bestFeasible(const std::vector<Evaluation>& samples, const Goals& goals,
                                         const std::vector<std::string>& response_names,
                                         const Fitness& fitness);
@@ -60,9 +60,9 @@ std::optional<std::size_t> bestFeasible(const std::vector<Evaluation>& samples, 
 /// Responses that have a constraint or a weight, as ascending indices.
 std::vector<std::size_t> countedResponses(const Goals& goals, const std::vector<std::string>& response_names);
 
-/// Mean absolute error of predictions in per cent of what was measured [Vega2023, eq. 5], over the
-/// responses that have a constraint or a weight. One that was measured as 0 counts 0 if it was predicted so,
-/// and otherwise makes the error infinite; one that was not measured does too.
+/// Mean absolute error of predictions in per cent of the measured values [Vega2023, eq. 5], over the
+/// responses that have a constraint or a weight. A response that was measured as 0 counts 0 if it was
+/// predicted as 0, and otherwise makes the error infinite; so does a response that was not measured.
 double predictionErrorPercent(const Goals& goals, const std::vector<std::string>& response_names,
                               const std::vector<double>& measured, const std::vector<Prediction>& predicted);
 

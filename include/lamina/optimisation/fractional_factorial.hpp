@@ -12,16 +12,18 @@ namespace lamina {
 /// A regular fraction of a two-level factorial design.
 struct FractionalFactorial {
   std::vector<DesignPoint> points;
-  /// Length of the shortest word of the defining relation: at III main effects are mixed up with interactions
-  /// of two variables, at IV only these with each other, at V not even these. 0 if nothing is mixed up.
+  /// Length of the shortest word of the defining relation. At III, main effects are confounded with
+  /// interactions of two variables; at IV, only such interactions with each other; at V, not even these. 0 if
+  /// nothing is confounded.
   int resolution = 0;
   std::vector<std::string> defining_words;  ///< the whole relation: "abcd", "-abe"
 };
 
-/// The lows and highs of all variables that have no generator, in standard order with the last one fastest;
-/// the others follow from them: "d=abc" sets the fourth variable high where the product of the first three
-/// signs is positive, "d=-abc" where it is negative. Letters are the variables in order: a, b, c ...
-/// Continuous and Integer variables take their bounds.
+/// A design of two levels, low and high, of each variable. Variables without a generator take all
+/// combinations of both, in standard order with the last one fastest. The others follow from them: "d=abc"
+/// sets the fourth variable high where the product of the first three signs is positive, "d=-abc" where it is
+/// negative. Letters a, b, c ... are the variables in order. The levels of Continuous and Integer variables
+/// are their bounds.
 /// @param generators  separated by commas or spaces; none for the full two-level factorial
 /// @throws InvalidConfig naming the variable if one has more than two levels or choices (mixed levels need a
 ///   full factorial), or the generator if it cannot be read, gives a variable twice, refers to one that has a

@@ -10,30 +10,30 @@
 
 namespace lamina {
 
-/// A point of a front as it stands in a file.
+/// A point of a front, as read from a file.
 struct FrontRow {
-  std::vector<std::string> values;  ///< of the variables, as they stand in a configuration
+  std::vector<std::string> values;  ///< of the variables, as in a configuration
   std::vector<double> responses;    ///< not a number where the cell is empty
-  std::size_t line = 0;             ///< of the file, from 1
+  std::size_t line = 0;             ///< its number in the file, from 1
 };
 
-/// A front as it stands in a file.
+/// A front, as read from a file.
 struct FrontTable {
-  std::string source;  ///< names the file in errors
+  std::string source;  ///< name of the file, for errors
   std::vector<std::string> variables;
   std::vector<std::string> responses;
   std::vector<FrontRow> rows;
 };
 
 /// The front as a table (.csv): a line `# variables N`, a header, and a row for each point with its N
-/// variables and then its responses. Responses that are not finite, and those of what could not be tried, are
-/// left empty.
+/// variables and then its responses. Cells are empty for responses that are not finite, and for those of
+/// points that could not be tried.
 std::string frontCsv(const DesignSpace& space, const std::vector<std::string>& response_names,
                      const std::vector<Evaluation>& front);
 
-/// Reads what `frontCsv` wrote, or somebody typed in its way.
-/// @throws FileError; InvalidInput naming file and line if the number of variables is missing or
-///   greater than the number of columns, there is no row, or a response is no number
+/// Reads a table that `frontCsv` wrote, or that was written by hand in that form.
+/// @throws FileError; InvalidInput naming file and line if the number of variables is missing or greater than
+///   the number of columns, there is no row, or a response is no number
 FrontTable readFrontCsv(const std::string& path);
 
 }  // namespace lamina

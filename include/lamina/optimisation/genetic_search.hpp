@@ -11,7 +11,7 @@
 
 namespace lamina {
 
-/// A genetic search [Vega2023, section 6.3].
+/// Settings of a genetic search [Vega2023, section 6.3].
 struct GeneticSettings {
   int individuals = 100;
   int generations = 100;
@@ -22,7 +22,8 @@ struct GeneticSettings {
 /// Adds the keys genetic.*.
 void describe(SettingsSchema& schema, GeneticSettings& settings);
 
-/// How good a point is. What violates less is better, whatever its cost; of equal violation, what costs less.
+/// How good a point is: that of less violation is better, whatever the cost; of equal violation, that of less
+/// cost.
 struct Merit {
   double violation = 0.0;  ///< 0 if all constraints hold
   double cost = 0.0;
@@ -31,25 +32,29 @@ struct Merit {
 /// Whether a is better than b. A merit that is not a number is worse than any that is.
 bool isBetter(const Merit& a, const Merit& b);
 
+/// Computes the merit of a point.
 using MeritOf = std::function<Merit(const DesignPoint&)>;
 
+/// The best point of a search.
 struct Fittest {
   DesignPoint point;
   Merit merit;
 };
 
-/// Seeks the point of best merit with random individuals first; then, generation after generation: parents
-/// are the better of two drawn at random; their children take each value from one parent or, with even
-/// chance, from the other, and the second child takes what the first did not; a child is changed with the
-/// mutation probability in one random variable by a uniform share of its range (a choice without order
-/// becomes any other one); values are brought to the nearest allowed; the best so far replaces the worst.
+/// Seeks the point of best merit. The first generation is random. In each further generation a parent is the
+/// better of two individuals drawn at random. Of two children, the first takes each value from either parent
+/// with even chance, the second from the other one. A child is mutated with the mutation probability: one
+/// random variable changes by a uniform share of its range, a Categorical one to any other choice. Values are
+/// then moved to the nearest allowed ones. The best individual so far replaces the worst.
 /// @param merit_of  called from one thread at a time
 /// @throws Cancelled
 Fittest searchGenetically(const DesignSpace& space, const MeritOf& merit_of, const GeneticSettings& settings,
                           std::uint64_t seed, Progress& progress);
 
-/// Better points along single variables: each step doubles while it helps and halves while it does not, from
-/// the mutation step down to a millionth of the range. Discrete variables move to neighbouring values.
+/// Improves a point along one variable at a time. The step of each variable is at first an eighth of its
+/// range; it doubles while it helps, up to half the range, and halves while it does not, down to a millionth.
+/// Integer variables and Levels move to neighbouring values, Categorical ones do not change. Ends after some
+/// 2000 trials at the latest.
 Fittest refined(const DesignSpace& space, const MeritOf& merit_of, Fittest start);
 
 }  // namespace lamina

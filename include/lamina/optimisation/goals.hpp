@@ -8,14 +8,14 @@
 
 namespace lamina {
 
-/// Which way is better.
+/// Whether less or more of a response is better.
 enum class Sense { Minimise, Maximise };
 
-/// A response to be made small or large.
+/// A response to be minimised or maximised.
 struct Objective {
   std::string response;
   Sense sense = Sense::Minimise;
-  double weight = 1.0;  ///< where objectives are summed; one of weight 0 is only predicted
+  double weight = 1.0;  ///< in a sum of objectives (`Fitness`); one of weight 0 is only predicted
 };
 
 /// A response that must lie in an interval, bounds included.
@@ -25,7 +25,7 @@ struct Constraint {
   double high = std::numeric_limits<double>::infinity();
 };
 
-/// What a search is for.
+/// What a search seeks: objectives, and constraints that it has to meet.
 struct Goals {
   std::vector<Objective> objectives;
   std::vector<Constraint> constraints;
@@ -36,16 +36,16 @@ struct Goals {
 void validate(const Goals& goals, const std::vector<std::string>& response_names);
 
 /// The index of a response.
-/// @throws InvalidConfig naming those there are if it is none of them
+/// @throws InvalidConfig naming those that there are, if it is none of them
 std::size_t responseIndex(const std::vector<std::string>& response_names, const std::string& response);
 
-/// The objectives as numbers to be made small: those to be maximised change their sign.
+/// The objectives as costs, which are to be minimised: those to be maximised change their sign.
 std::vector<double> costsOf(const Goals& goals, const std::vector<std::string>& response_names,
                             const std::vector<double>& responses);
 
-/// By how much responses leave their intervals: the sum over constraints of the distance from the interval,
-/// each divided by the magnitude of the bound (by 1 if that is less); 0 if all hold. A response that is not a
-/// number leaves its interval infinitely far.
+/// Violation of the constraints: the sum of the distances of responses from their intervals, each divided by
+/// the magnitude of the bound (by 1 if that is less). 0 if all constraints are met; infinite if a constrained
+/// response is not a number.
 double violationOf(const Goals& goals, const std::vector<std::string>& response_names,
                    const std::vector<double>& responses);
 

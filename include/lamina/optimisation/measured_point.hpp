@@ -9,7 +9,8 @@
 
 namespace lamina {
 
-/// The evaluation of a point that was measured. It failed if there are not as many responses as names.
+/// The evaluation of a point that was measured. It counts as failed if there are not as many responses as
+/// names.
 Evaluation measuredPoint(DesignPoint point, std::vector<double> responses,
                          const std::vector<std::string>& names);
 

@@ -13,7 +13,7 @@
 
 namespace lamina {
 
-/// How new points are made of old ones.
+/// How new points are derived from those of the population.
 enum class Variation {
   Blend,  ///< arithmetic blends of random pairs, and apart from them normal steps of random points
   Sbx,    ///< simulated binary crossover of tournament winners, then polynomial mutation (Deb)
@@ -25,39 +25,39 @@ struct Nsga2Settings {
   int population = 50;
   int generations = 20;  ///< after the first, random one
   int seed = 1;
-  bool takes_corners = false;  ///< corners of the space are among the first points
+  bool takes_corners = false;  ///< whether corners of the space are among the first points
 
-  double crossover_share = 0.7;  ///< Blend: children a generation, of the population
-  double mutation_share = 0.4;   ///< Blend: mutants a generation, of the population
+  double crossover_share = 0.7;  ///< Blend: children in a generation, as a share of the population
+  double mutation_share = 0.4;   ///< Blend: mutants in a generation, as a share of the population
   double mutation_rate = 0.02;   ///< Blend: share of a mutant's variables that change; at least one does
-  double mutation_step = 0.1;    ///< Blend: standard deviation, of a variable's range
+  double mutation_step = 0.1;    ///< Blend: standard deviation, as a share of a variable's range
 
-  double crossover_probability = 0.95;  ///< Sbx: of a pair
+  double crossover_probability = 0.95;  ///< Sbx: that a pair is crossed
   double crossover_index = 10.0;        ///< Sbx: the greater, the nearer children are to their parents
-  double mutation_probability = 0.01;   ///< Sbx: of a variable
+  double mutation_probability = 0.01;   ///< Sbx: that a variable changes
   double mutation_index = 50.0;         ///< Sbx: the greater, the smaller the steps
 
-  /// Points to begin with, before corners and random ones; as many as fit. What they measure is never lost:
-  /// no point of the front is dominated by one of them.
+  /// Points of the first generation that come before corners and random ones; as many as the population
+  /// holds. The result is never worse than they are: none of them dominates a point of the front.
   std::vector<DesignPoint> first_points;
-  /// What bounds the hypervolume, as responses of the objectives in order. Empty: the worst of each among the
-  /// feasible points of the first generation that has one.
+  /// Reference point that bounds the hypervolume: the responses of the objectives, in order. Empty: the worst
+  /// response of each among the feasible points of the first generation that has any.
   std::vector<double> reference;
 };
 
 /// Adds the keys nsga2.*.
 void describe(SettingsSchema& schema, Nsga2Settings& settings);
 
-/// How far a search is.
+/// State of a search after a generation.
 struct Generation {
   int index = 0;                  ///< 0 is the random one
-  int evaluations = 0;            ///< until now, with those that failed
-  int failed = 0;                 ///< until now
-  double hypervolume = 0.0;       ///< of all that was tried until now; never falls
+  int evaluations = 0;            ///< number so far, with those that failed
+  int failed = 0;                 ///< number so far
+  double hypervolume = 0.0;       ///< of all points tried so far; never falls
   std::vector<Evaluation> front;  ///< feasible points of the population that no other of it dominates
 };
 
-/// Reported of each generation when it is done.
+/// Called with each generation when it is done.
 using GenerationListener = std::function<void(const Generation&)>;
 
 /// What a search found.
@@ -76,11 +76,11 @@ std::int64_t evaluationsOf(const Nsga2Settings& settings);
 ///   the space
 void validate(const SearchProblem& problem, const Nsga2Settings& settings);
 
-/// Non-dominated sorting genetic algorithm [Deb2002]. Each generation makes new points of the
-/// population, tries them, and keeps the best of both by front and then by crowding. The same seed gives the
+/// Non-dominated sorting genetic algorithm [Deb2002]. Each generation derives new points from the population,
+/// tries them, and keeps the best of old and new ones by front and then by crowding. The same seed gives the
 /// same result, whatever the number of threads. A point that cannot be tried, or one objective of which is
-/// not finite, counts as an evaluation, is recorded with its error, and is taken for a parent only while
-/// nothing better is left.
+/// not finite, counts as an evaluation, is recorded with its error, and becomes a parent only if nothing
+/// better is left.
 /// @param listener  may be empty
 /// @throws as `validate`; Cancelled; what the evaluator throws
 FrontSearch searchFront(const SearchProblem& problem, const Nsga2Settings& settings,

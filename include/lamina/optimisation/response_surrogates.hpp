@@ -12,21 +12,21 @@
 
 namespace lamina {
 
-/// A surrogate for each response, learnt from the samples that have it.
+/// A surrogate for each response, fitted to the samples that have this response.
 class ResponseSurrogates {
  public:
   /// @param samples  failed ones and missing responses are left out
-  /// @throws InvalidInput naming the response if it cannot be learnt
+  /// @throws InvalidInput naming the response if no surrogate can be fitted to it
   ResponseSurrogates(const DesignSpace& space, const std::vector<std::string>& response_names,
                      const std::vector<Evaluation>& samples, const SurrogateFit& fit);
 
-  /// One prediction a response.
+  /// A prediction for each response.
   std::vector<Prediction> at(const DesignPoint& point) const;
 
   /// @param response  index
   const Surrogate& of(std::size_t response) const { return *surrogates_.at(response); }
 
-  /// One line a response.
+  /// A line for each response.
   std::vector<std::string> descriptions() const;
 
  private:

@@ -17,32 +17,35 @@
 
 namespace lamina {
 
-/// How the next point to try is chosen.
+/// How the next point to be tried is chosen.
 enum class Proposal {
   Predicted,            ///< best predicted fitness where all predicted responses keep to their intervals
   ExpectedImprovement,  ///< greatest expected gain over the best point known, times how probably it is
                         ///< allowed
 };
 
-/// What follows a proposed point that cannot be tried.
+/// What follows if a proposed point cannot be tried.
 enum class FailedProposal {
   Avoid,  ///< another point is proposed, not near it
-  Stop,   ///< the search waits: somebody has to measure it
+  Stop,   ///< the search ends, so that the point can be measured
 };
 
-/// A search that learns from the points it tried.
+/// Settings of a search that learns from the points it tried.
 struct SurrogateSearchSettings {
   ExperimentDesignSettings design;
   GeneticSettings genetic;
   Proposal proposal = Proposal::Predicted;
   FailedProposal failed_proposal = FailedProposal::Avoid;
-  int iterations = 4;        ///< at least, unless a proposed point is a sample already
-  int most_iterations = 20;  ///< ends before if a point is accepted, or little improvement is expected
-  double accepted_mape_percent = 5.0;
-  double least_improvement_percent = 0.1;  ///< ExpectedImprovement: of the best fitness; stops below
+  int iterations = 4;  ///< least number, unless a proposed point is a sample already
+  /// Greatest number; fewer if a point is accepted, or little improvement is expected.
+  int most_iterations = 20;
+  double accepted_mape_percent = 5.0;  ///< greatest error of the predictions of an accepted point
+  /// ExpectedImprovement: share of the best fitness below which a search ends.
+  double least_improvement_percent = 0.1;
   /// Share of a continuous variable's range within which two points count as one.
   double nearness = 1e-3;
-  /// The same, for a row of a table that answers a proposed point: machines are set to rounded values.
+  /// Share of a continuous variable's range by which a row of a table may differ from the proposed point that
+  /// it answers, as machines are set to rounded values.
   double answer_nearness = 0.01;
   int seed = 1;
 };
@@ -50,29 +53,30 @@ struct SurrogateSearchSettings {
 /// Adds the keys surrogate.* and genetic.*.
 void describe(SettingsSchema& schema, SurrogateSearchSettings& settings);
 
-/// @throws InvalidConfig if fewer iterations are allowed than asked for at least
+/// @throws InvalidConfig if the greatest number of iterations is below the least
 void requireConsistent(const SurrogateSearchSettings& settings);
 
-/// A point proposed on what was known before it, and what came of it.
+/// An iteration of a search: the point that it proposed, what was predicted of it, and what was measured.
 struct SurrogateIteration {
-  std::size_t index = 0;  ///< from 1
+  std::size_t index = 0;  ///< number of the iteration, from 1
   DesignPoint proposed;
   std::vector<Prediction> predictions;  ///< of all responses, at the point that was measured
   double predicted_fitness = 0.0;
   double predicted_violation = 0.0;
-  double expected_improvement = 0.0;    ///< of the fitness; 0 if predictions alone decided
-  Evaluation measured;                  ///< with its error if the point could not be tried
-  bool is_sample = false;               ///< whether it had been measured before
-  bool is_feasible = false;             ///< whether measured responses keep to their intervals
-  double mape_percent = 0.0;            ///< of predictions; not a number if it could not be tried
-  bool is_accepted = false;             ///< feasible, predicted well enough, and no sample
+  double expected_improvement = 0.0;  ///< of the fitness; 0 with `Proposal::Predicted`
+  Evaluation measured;                ///< with its error if the point could not be tried
+  bool is_sample = false;             ///< whether the point had been measured before
+  bool is_feasible = false;           ///< whether measured responses keep to their intervals
+  /// Mean absolute error of the predictions; not a number if the point could not be tried.
+  double mape_percent = 0.0;
+  bool is_accepted = false;             ///< whether it is feasible, predicted well enough, and no sample
   std::vector<std::string> surrogates;  ///< description for each response
 };
 
-/// Reported of each iteration when it is done.
+/// Called with each iteration when it is done.
 using SurrogateListener = std::function<void(const SurrogateIteration&)>;
 
-/// What a search learns from, and how.
+/// The samples that a search learns from, and how surrogates are fitted.
 struct Learning {
   SurrogateFit fit;
   std::vector<Evaluation> samples;  ///< tried already; if there are none, the design of the settings is tried
@@ -84,25 +88,26 @@ enum class SurrogateEnd {
   Sampled,        ///< the proposed point is a sample already
   NoImprovement,  ///< less than the least improvement is expected
   Iterations,     ///< all iterations were used up
-  NotMeasured,    ///< the last proposed point waits for its results
+  NotMeasured,    ///< the last proposed point has yet to be measured
 };
 
 /// The end as written in reports and JSON: "accepted".
 const char* toString(SurrogateEnd end);
 
+/// What a search found.
 struct SurrogateSearch {
   std::vector<Evaluation> evaluations;  ///< the design, then the proposed points
-  std::size_t design_size = 0;
+  std::size_t design_size = 0;          ///< number of evaluations that belong to the design
   std::vector<SurrogateIteration> iterations;
-  std::optional<std::size_t> best;  ///< evaluation of best fitness that keeps to all intervals
-  double best_fitness = 0.0;        ///< of it
+  std::optional<std::size_t> best;  ///< index of the evaluation of best fitness that keeps to all intervals
+  double best_fitness = 0.0;        ///< fitness of `best`
   SurrogateEnd end = SurrogateEnd::Iterations;
 };
 
-/// Fits a surrogate to each response, proposes a point, tries it, learns from it, and so on
+/// Fits a surrogate to each response, proposes a point, tries it, adds it to the samples, and repeats
 /// [Vega2023, chapter 6]; expected improvement as in [Jones1998], with constraints as in [Schonlau1997].
-/// Missing responses of samples are predicted from those that have them. Fitness is relative to the means of
-/// the design, so that it means the same in all iterations.
+/// Missing responses of samples are predicted from samples that have them. Fitness is relative to the means
+/// of the design, so that it is comparable between iterations.
 /// @param listener  may be empty
 /// @throws InvalidConfig as `validate`, `requireConsistent`, `Fitness` and the designs; InvalidInput if a
 ///   sample lies outside the space, or too few could be tried to fit a surrogate; Cancelled; what the

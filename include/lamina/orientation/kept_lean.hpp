@@ -12,36 +12,39 @@
 
 namespace lamina {
 
-/// How a tool axis that leans may be raised.
+/// How far and by which steps leaning tool axes may be raised.
 struct RaiseLimits {
-  Point3 up = Point3::UnitZ();    ///< of unit length [part frame]
-  double most_deg = 60.0;         ///< by which a tool axis is raised
-  double step = 0.25;             ///< of its lean, by which it is raised at a time
-  double reach_mm = 2.0;          ///< along a run to both sides, within which its neighbours are raised too
-  double most_deg_per_mm = 10.0;  ///< by which the part of the lean that is kept changes along a run
+  Point3 up = Point3::UnitZ();  ///< upwards, of unit length [part frame]
+  double most_deg = 60.0;       ///< greatest angle by which a tool axis is raised
+  double step = 0.25;           ///< share of the wanted lean by which a tool axis is raised at a time
+  double reach_mm = 2.0;  ///< length of the run, to both sides, over which its neighbours are raised with it
+  double most_deg_per_mm = 10.0;  ///< greatest change of the kept lean along a run
 };
 
-/// The lean from upright that a toolpath's tool axes keep, which is lowered place by place.
+/// The lean of a toolpath's tool axes, of which less and less is kept, waypoint by waypoint. Raising a tool
+/// axis lowers the share of its lean that is kept.
 class KeptLean {
  public:
   /// @param wanted  must outlive this
   KeptLean(const Toolpath& wanted, const RaiseLimits& limits);
 
-  /// Raises the tool axis at a waypoint of a run, and what is near it, by a step. Of a travel, the end of the
-  /// run before it and the start of the one after it.
+  /// Raises the tool axis at a waypoint of a run, and those within reach, by a step. For a waypoint of a
+  /// travel, raises those at the end of the run before it and at the start of the run after it.
   void raiseAt(const WaypointIndex& at);
-  /// Raises the tool axes of all runs so that none leans more than is allowed where it is.
-  /// @param most_deg  of the lean, by the place of the tip
+  /// Raises the tool axes of all runs so that none leans more than is allowed at its place, as far as
+  /// `RaiseLimits::most_deg` permits.
+  /// @param most_deg  greatest lean, by the position of the tip
   void limit(const std::function<double(const Point3&)>& most_deg);
   /// Whether a tool axis was raised since the last call of `toolpath`.
   bool isChanged() const { return is_changed_; }
-  /// The wanted toolpath with its tool axes raised towards straight down, each in the plane of both; travels
-  /// turn anew from run to run. A tool axis that points up is not raised.
+  /// The wanted toolpath with its tool axes raised: each is rotated towards straight down, in the plane
+  /// through both. Along travels they are interpolated anew from run to run. A tool axis that points up is
+  /// not raised.
   Toolpath toolpath();
 
-  /// Least part of the lean that is kept anywhere, 1 if all is.
+  /// Least share of the lean that is kept at any waypoint; 1 if all of it is.
   double least() const;
-  /// Waypoints of runs that keep less than all.
+  /// Number of waypoints of runs that keep less than all of their lean.
   std::size_t raised() const;
 
  private:

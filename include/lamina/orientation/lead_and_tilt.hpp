@@ -7,8 +7,8 @@
 namespace lamina {
 
 /// The tool axis after the nozzle's body has been leaned along and across the path: first by `lead_deg` about
-/// the axis across the path, towards where it travels, then by `tilt_deg` about the path's tangent, to the
-/// left of the path as seen along it from the nozzle. The nozzle's tip stays.
+/// the axis across the path, towards the direction of travel, then by `tilt_deg` about the path's tangent, to
+/// the left of the path as seen along it from the nozzle. The nozzle's tip stays where it is.
 ///
 /// @param tool_axis  of unit length
 /// @param tangent  direction of travel, of unit length

@@ -10,24 +10,25 @@
 
 namespace lamina {
 
-/// A toolpath with its nozzle oriented, and how it turns.
+/// A toolpath with its nozzle oriented, and a report on how the nozzle rotates.
 struct OrientedToolpath {
   Toolpath toolpath;
   OrientationReport report;
 };
 
-/// Holds the nozzle along a toolpath as the settings say: the tool axis by mode, lead and tilt, smoothing,
-/// limits on lean and then on turn, and about each tool axis the frame that does not spin. Points, beads and
-/// feeds stay. Runs whose orientation is the same at all waypoints hold it once. Travels whose own tool axes
-/// lead from the end of one run to the start of the next keep these; others turn in proportion to their
-/// length, the shortest way; before the first run and after the last they hold what that has. From waypoint
-/// to waypoint, also from path to path, quaternions keep their sign.
+/// Orients the nozzle along a toolpath as the settings say. The tool axis follows from mode, lead and tilt,
+/// smoothing, a limit on its lean and then one on its turn, in this order; about it, the nozzle has the frame
+/// that does not spin (`noSpinFrames`). Points, beads and feeds stay. A run whose orientation is the same at
+/// all waypoints states it once. Travels whose own tool axes lead from the end of one run to the start of the
+/// next keep these. Other travels are interpolated by the shortest rotation, in proportion to their length;
+/// those before the first run and after the last have the orientation of that run. Quaternions do not change
+/// sign from waypoint to waypoint, nor from path to path.
 ///
 /// @param toolpath  with the orientations the slicer gave, tool axes against the layers' normals
-/// @param part      what it was sliced from [mm, part frame]; read in mode wall only
+/// @param part  mesh that was sliced [mm, part frame]; used in mode wall only
 /// @return the same for any number of threads
-/// @throws InvalidConfig as `requireConsistent`; InvalidInput if a whole run's tool axis lies across the
-/// heading, or a part has no walls to follow; Cancelled
+/// @throws InvalidConfig as `requireConsistent`; InvalidInput if the tool axes of a whole run lie along v of
+///   `noSpinFrame`, or the part has no walls to follow in mode wall; Cancelled
 OrientedToolpath orientToolpath(Toolpath toolpath, const OrientationSettings& settings, const Mesh& part,
                                 Progress& progress);
 

@@ -19,13 +19,13 @@ double leanDeg(const Point3& tool_axis);
 /// @param tool_axis  of unit length
 Point3 withLeanLimit(const Point3& tool_axis, double max_deg);
 
-/// Tool axes near the wanted ones whose turn from waypoint to waypoint is at most `max_deg_per_mm` times the
-/// length of the motion between them. A sudden turn is spread evenly over what lies before and after it. On
-/// an open path as on a closed one, whose return to its start counts, the limit holds everywhere. Tool axes
-/// that need no change have none. All results lie between the wanted ones: a limit on lean of up to 90
-/// degrees that these keep is kept.
+/// Tool axes near the wanted ones that turn from waypoint to waypoint by at most `max_deg_per_mm` times the
+/// length of the motion. A sudden turn is spread evenly over the motions before and after it. The limit holds
+/// everywhere, on a closed path for the return to its start too. Tool axes that need no change are not
+/// changed. All results lie between wanted ones, so that they keep a limit on lean of up to 90 degrees that
+/// the wanted ones keep.
 ///
-/// @param wanted   of unit length, one or more
+/// @param wanted  of unit length, one or more
 /// @param lengths  of the motions [mm]: as many as there are tool axes if the path is closed, else one less
 std::vector<Point3> withTurnLimit(const std::vector<Point3>& wanted, const std::vector<double>& lengths,
                                   double max_deg_per_mm);

@@ -10,7 +10,7 @@ namespace lamina {
 enum class OrientationMode {
   LayerNormal,  ///< as the slicer gave it: against the layer's normal
   Fixed,        ///< one direction everywhere
-  Wall,         ///< walls: in the wall and across the path; other runs as the slicer gave it
+  Wall,         ///< in walls, along the wall and across the path; in other runs as the slicer gave it
 };
 
 /// One direction for the whole part: the nozzle's body leans from the vertical towards a heading.
@@ -19,38 +19,40 @@ struct FixedDirection {
   double heading_deg = 0.0;  ///< to which the body leans, from x towards y
 };
 
-/// What of a mesh is a wall.
+/// Which faces of a mesh are walls.
 struct WallFaces {
-  double max_lean_deg = 60.0;  ///< faces that lean more from the layers' normal are none
+  double max_lean_deg = 60.0;  ///< faces that lean more from the layers' normal are no walls
 };
 
-/// Bounds on how the nozzle is held.
+/// Limits on the orientation of the nozzle.
 struct OrientationLimits {
-  double max_lean_deg = 180.0;       ///< of the tool axis from straight down; 180 is no limit
-  double max_turn_deg_per_mm = 0.0;  ///< of the tool axis along a run; 0 is no limit
+  double max_lean_deg = 180.0;       ///< greatest angle of the tool axis from straight down; 180 is no limit
+  double max_turn_deg_per_mm = 0.0;  ///< greatest turn of the tool axis along a run; 0 is no limit
   double max_off_normal_deg =
       60.0;  ///< of the tool axis from the layer's normal; a part that needs more is refused
 };
 
-/// How the nozzle is held along a toolpath.
+/// How the nozzle is oriented along a toolpath.
 struct OrientationSettings {
   OrientationMode mode = OrientationMode::LayerNormal;
   FixedDirection fixed;
   WallFaces wall;
-  double lead_deg = 0.0;     ///< leans the nozzle's body towards where it travels
-  double tilt_deg = 0.0;     ///< leans it to the left of the path, seen along the path from the nozzle
-  int smoothing_window = 1;  ///< waypoints, odd; 1 is none
+  double lead_deg = 0.0;  ///< leans the nozzle's body towards the direction of travel
+  /// Leans the nozzle's body to the left of the path, seen along the path from the nozzle.
+  double tilt_deg = 0.0;
+  int smoothing_window = 1;  ///< number of waypoints, odd; 1 is none
   OrientationLimits limits;
-  double heading_deg = 0.0;  ///< of the nozzle's x, from x towards y
+  double heading_deg = 0.0;  ///< direction of the nozzle's x, from x towards y
 };
 
-/// Adds the keys orientation.*. The former names of `fixed_lean_deg` and `max_lean_deg`, `fixed_tilt_deg` and
-/// `max_tilt_deg`, are taken for one release.
+/// Adds the keys orientation.*. The former names `fixed_tilt_deg` of `fixed_lean_deg` and `max_tilt_deg` of
+/// `max_lean_deg` are accepted for one release.
 void describe(SettingsSchema& schema, OrientationSettings& settings);
 
-/// Checks what bounds of single keys cannot say.
-/// @throws InvalidConfig if the smoothing window is even, or a turn limit goes with a lean limit of more than
-/// 90 degrees (of two tool axes within such a limit the shortest way between them may leave it)
+/// Checks what the bounds of single keys do not cover.
+/// @throws InvalidConfig if the smoothing window is even; or if there is a turn limit together with a lean
+///   limit between 90 and 180 degrees, as interpolation between two tool axes within such a lean limit may
+///   leave it
 void requireConsistent(const OrientationSettings& settings);
 
 }  // namespace lamina

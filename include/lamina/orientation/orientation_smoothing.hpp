@@ -9,12 +9,13 @@
 
 namespace lamina {
 
-/// Moving average of the tool axes over `window` waypoints, made unit length again [Flores2018,
-/// section 6.1.2]. Circular on a closed path; on an open one the window shrinks evenly towards the ends,
-/// whose tool axes stay. Where an average vanishes, as between opposite tool axes, the tool axis stays. Time
-/// is linear in the waypoints.
+/// Moving average of the tool axes over `window` waypoints, made unit length again [Flores2018, section
+/// 6.1.2]. Circular on a closed path; on an open one the window shrinks evenly towards the ends, whose tool
+/// axes stay. Where an average vanishes, as between opposite tool axes, the tool axis stays. Time is linear
+/// in the waypoints.
 ///
-/// @param window  odd; 1 changes nothing. On a closed path of fewer waypoints it runs round more than once.
+/// @param window  odd; 1 changes nothing. On a closed path with fewer waypoints it goes round more than once,
+///   and counts waypoints several times.
 /// @throws InvalidConfig if it is even or not positive
 std::vector<Point3> smoothedToolAxes(const std::vector<Point3>& tool_axes, Course course, int window);
 

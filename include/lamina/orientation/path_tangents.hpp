@@ -9,8 +9,9 @@
 namespace lamina {
 
 /// Direction of travel at each waypoint, of unit length [part frame]: the mean of the directions of the
-/// motions that end and start there; where they oppose each other, that of the motion that starts there.
-/// Motions without length have no say. Empty if no two points of the path differ, as with a single drop.
+/// motions that end and start there; where these are opposite, that of the motion that starts there. A motion
+/// without length counts as one in the direction of the motion before it, or, at the start, after it. Empty
+/// if no two points of the path differ, as with a single drop.
 std::vector<Point3> pathTangents(const Path& path);
 
 /// Length of each motion of the path [mm].

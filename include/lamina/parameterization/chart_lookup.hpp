@@ -12,7 +12,7 @@
 
 namespace lamina {
 
-/// A triangle of one of several charts.
+/// A triangle of one of several charts, by both their indices.
 struct ChartTriangle {
   std::uint32_t chart = 0;
   std::uint32_t triangle = 0;
@@ -21,23 +21,24 @@ struct ChartTriangle {
 /// A place in a triangle of a chart.
 struct ChartPlace {
   ChartTriangle in;
-  Point3 weights = Point3::Zero();  ///< of the triangle's corners: not negative, 1 together
+  /// Barycentric coordinates: weights of the triangle's corners, not negative, with the sum 1.
+  Point3 weights = Point3::Zero();
 };
 
-/// What a layer is at one place.
+/// Geometry of a layer at one place.
 struct SurfacePoint {
-  Point3 middle = Point3::Zero();  ///< [mm, part frame]
-  Point3 tip = Point3::Zero();     ///< [mm, part frame]
+  Point3 middle = Point3::Zero();  ///< on the middle surface [mm, part frame]
+  Point3 tip = Point3::Zero();     ///< of the nozzle [mm, part frame]
   Point3 normal = Point3::UnitZ();
   double height_mm = 0.0;
 };
 
-/// Part of a straight line of the parameter plane that lies in one triangle; 0 is the line's start and 1 its
-/// end.
+/// The part of a straight line of the parameter plane that lies in one triangle, from and to a share of the
+/// line's length.
 struct ChartStretch {
   ChartTriangle in;
-  double from = 0.0;
-  double to = 0.0;
+  double from = 0.0;  ///< 0 is the line's start
+  double to = 0.0;    ///< 1 is the line's end
 };
 
 /// Finds the triangles of a layer's charts by their parameterization, in a time that does not grow with their
@@ -45,36 +46,36 @@ struct ChartStretch {
 /// may be made from several threads.
 class ChartLookup {
  public:
-  /// Points of the parameter plane no farther than this outside a chart are drawn to its border [mm].
-  /// Outlines are simplified by a tenth of it when they are planned (`planning.simplification_mm`), and thin
-  /// beads cut corners of notches.
+  /// Distance from a chart within which a point of the parameter plane is moved to the chart's border [mm].
+  /// Plans leave charts a little: outlines are simplified by a tenth of this (`planning.simplification_mm`),
+  /// and thin beads cut corners of notches.
   static constexpr double kSnap = 0.05;
 
-  /// @param charts  must outlive this; their parameterizations do not overlap
-  /// @throws InvalidInput if there is no triangle, or a chart has not one place in the parameter plane, tip,
-  ///         normal and height per vertex, or one that is not finite
+  /// @param charts  must outlive the lookup; their parameterizations do not overlap
+  /// @throws InvalidInput if there is no triangle, or a chart does not have one place in the parameter plane,
+  ///   tip, normal and height for each vertex, or one that is not finite
   explicit ChartLookup(const std::vector<LayerChart>& charts);
 
-  /// Where a point of the parameter plane is; nothing if it lies farther outside than `kSnap`. On an edge, in
-  /// the triangle of the lowest number.
+  /// The place of a point of the parameter plane; nothing if it is farther than `kSnap` from all charts. A
+  /// point on an edge is in the triangle of the lowest number.
   std::optional<ChartPlace> find(const Point2& parameters) const;
 
-  /// The same.
-  /// @throws InvalidInput giving the point, if it lies farther outside
+  /// The place of a point, as by `find`.
+  /// @throws InvalidInput naming the point if there is none
   ChartPlace at(const Point2& parameters) const;
 
-  /// The place in that triangle; points outside are drawn to its border.
+  /// The place of a point in a given triangle; points outside are moved to its border.
   ChartPlace within(const ChartTriangle& in, const Point2& parameters) const;
 
-  /// Middle, tip, normal and height between those of the corners.
+  /// Middle, tip, normal and height at a place, interpolated between those of the corners.
   SurfacePoint lifted(const ChartPlace& place) const;
 
-  /// Area in space of what has the area 1 in the parameter plane.
+  /// Area of a triangle in space over its area in the parameter plane.
   double areaRatio(const ChartTriangle& in) const;
 
-  /// A line of the parameter plane, cut where it crosses the sides of triangles, in order and without gaps.
-  /// It goes over from chart to chart only where none takes it whole: level charts of one height may touch.
-  /// Nothing if it leaves the charts by more than `kSnap`.
+  /// A straight line of the parameter plane, cut where it crosses sides of triangles, in order and without
+  /// gaps. It lies in one chart if any holds it whole; otherwise it may pass from chart to chart, as level
+  /// charts of one height may touch. Nothing if it leaves the charts by more than `kSnap`.
   std::optional<std::vector<ChartStretch>> stretches(const Point2& from, const Point2& to) const;
 
  private:

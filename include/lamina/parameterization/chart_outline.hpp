@@ -10,11 +10,11 @@
 namespace lamina {
 
 /// The borders of a chart in its parameterization [mm]: the outer one counter-clockwise, those of holes
-/// clockwise, each through every vertex of the border. They start where the chart's lowest half-edge of each
-/// does.
+/// clockwise, each through every vertex of the border. Each starts at the start of its half-edge of the
+/// lowest number.
 std::vector<Polygon> outlineOf(const LayerChart& chart);
 
-/// Borders of any parameterization of a mesh, on the left of which the triangles lie.
+/// The borders of any parameterization of a mesh, with the triangles on their left.
 std::vector<Polygon> outlineOf(const Mesh& surface, const std::vector<Point2>& parameterization);
 
 }  // namespace lamina

@@ -10,12 +10,12 @@
 namespace lamina {
 
 /// Lays a surface out flat with little change of lengths: a place in the parameter plane [mm] for each
-/// vertex. More of the triangles' area winds counter-clockwise than clockwise; nothing is promised of single
-/// triangles (`measureDistortion` and `isInjective` check them). The parameterization's place and direction
-/// are arbitrary.
+/// vertex. By area, more triangles wind counter-clockwise than clockwise, but single triangles may be flipped
+/// or overlap (`measureDistortion` and `isInjective` check this). Position and rotation of the
+/// parameterization are arbitrary.
 ///
-/// @param surface  [mm] connected by edges; borders and holes as they come
-/// @throws InvalidMesh if a vertex hangs together with the others by no triangle
+/// @param surface  [mm] connected by edges, with any borders and holes
+/// @throws InvalidMesh if triangles do not connect a vertex with the others
 std::vector<Point2> flatten(const Mesh& surface, const FlatteningSettings& settings);
 
 }  // namespace lamina

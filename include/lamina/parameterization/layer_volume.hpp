@@ -8,7 +8,7 @@
 
 namespace lamina {
 
-/// What a layer fills: the sum of its triangles' areas by their mean heights [mm³].
+/// Volume of a layer [mm³]: the sum over its triangles of area times mean height.
 double volume(const LayerSurface& layer);
 double volume(const std::vector<LayerSurface>& layers);
 

@@ -9,9 +9,9 @@
 
 namespace lamina {
 
-/// The part of a surface where a field, linear in each triangle, is not negative. Triangles that its zero
-/// line crosses are cut along it; new vertices get interpolated quantities, normals of unit length. Unused
-/// vertices are removed. Triangles keep their order.
+/// The part of a surface where a field, linear in each triangle, is not negative. Triangles that the zero
+/// line of the field crosses are cut along it; quantities at new vertices are interpolated, and normals made
+/// of unit length. Unused vertices are removed. Triangles keep their order.
 /// @param field  one finite value per vertex
 /// @throws InvalidInput if there are not as many values as vertices, or one is not finite
 LayerSurface whereNotNegative(const LayerSurface& surface, const std::vector<double>& field);
@@ -20,7 +20,8 @@ LayerSurface whereNotNegative(const LayerSurface& surface, const std::vector<dou
 /// pieces touch is in both.
 std::vector<LayerSurface> connectedPieces(const LayerSurface& surface);
 
-/// Triangles of a surface by number, as a surface of their own, without the vertices they do not use.
+/// The given triangles of a surface as a surface of their own, without the vertices that they do not use.
+/// @param triangles  their indices
 LayerSurface pieceOf(const LayerSurface& surface, const std::vector<std::uint32_t>& triangles);
 
 }  // namespace lamina

@@ -22,7 +22,7 @@ struct TextStyle {
   TextWeight weight = TextWeight::Normal;
 };
 
-/// Stroke of a line; the width is that on the picture.
+/// Stroke of a line.
 struct Stroke {
   Colour colour;
   double width_px = 1.0;
@@ -53,6 +53,7 @@ class Canvas {
   /// An empty world is shown as 1 mm around the origin.
   void show(const Box2& world, const Box2& area);
   double pixelsPerMm() const { return pixels_per_mm_; }
+  /// Position on the picture of a point [mm].
   Point2 toPixels(const Point2& point) const;
 
   /// A line through points [mm].
@@ -69,13 +70,14 @@ class Canvas {
   void dotPx(const Point2& centre, double radius_px, const Colour& colour);
   /// Cells of even colour over an extent [mm].
   void raster(const Box2& extent, const CellColours& cells);
-  /// @param at  of the anchor on the base line [px]
+  /// @param at  position of the anchor on the base line [px]
   void text(const Point2& at, const std::string& text, const TextStyle& style);
 
   PixelImage pixels() const;
   /// The picture as the bytes of a PNG file.
   std::string png() const;
-  /// @throws FileError if it cannot be written; the file appears whole or not at all
+  /// Writes the picture as a PNG file, which appears whole or not at all.
+  /// @throws FileError if it cannot be written
   void writePng(const std::string& path) const;
 
  private:

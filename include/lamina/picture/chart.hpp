@@ -10,7 +10,7 @@
 
 namespace lamina {
 
-/// Points of a diagram drawn alike.
+/// Points of a diagram that are drawn alike.
 struct ChartSeries {
   std::string label;  ///< in the legend; empty for none
   std::vector<Point2> points;
@@ -19,7 +19,7 @@ struct ChartSeries {
   double line_px = 0.0;  ///< width of a line through the points; 0 for none
 };
 
-/// A diagram of two axes with even scales. Later series lie over earlier ones.
+/// A diagram of two axes with linear scales. Later series lie over earlier ones.
 struct Chart {
   std::string title;
   std::string x_label;
@@ -27,8 +27,8 @@ struct Chart {
   std::vector<ChartSeries> series;
 };
 
-/// The diagram as the bytes of a PNG file. Points with a coordinate that is not finite are left out; a line
-/// goes on behind them. The axes reach a little beyond all points, and have some room around one place.
+/// The diagram as the bytes of a PNG file. Points with a coordinate that is not finite are left out, and
+/// lines pass over them. The axes reach a little beyond all points, also if these coincide.
 /// @throws InvalidInput if a side is not within 200 and 16384 pixels
 std::string chartPng(const Chart& chart, int width_px, int height_px);
 

@@ -4,7 +4,7 @@
 
 namespace lamina {
 
-/// Parts of light and opacity, each 0 to 1.
+/// A colour by its shares of red, green and blue light, and its opacity, each 0 to 1.
 struct Colour {
   double red = 0.0;
   double green = 0.0;

@@ -8,8 +8,8 @@ namespace lamina {
 
 /// Which of the nozzle's frames along a toolpath are shown.
 struct FrameSettings {
-  double every_mm = 0.0;  ///< way between one frame and the next; 0 shows none
-  double length_mm = 2.0;
+  double every_mm = 0.0;   ///< length of toolpath between one frame and the next; 0 shows none
+  double length_mm = 2.0;  ///< of the axes of a frame
 };
 
 /// Adds the keys frames.*.

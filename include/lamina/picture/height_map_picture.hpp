@@ -8,20 +8,20 @@
 
 namespace lamina {
 
-/// What stands above a picture.
+/// Title and subtitle above a picture.
 struct PictureTitle {
   std::string title;
   std::string subtitle;
 };
 
-/// Draws heights seen from above, as a PNG: coloured from the lowest to the highest known one, unknown cells
-/// grey, with colour bar [mm] and scale bar. Where hardly anything (0.5 %) lies beyond, the ends of the
-/// colour bar leave it out.
+/// Draws heights seen from above, as a PNG, with colour bar [mm] and scale bar. Unknown cells are grey. The
+/// colour bar leaves out the lowest 0.5 % and the highest 0.5 % of the known heights, which have the colours
+/// at its ends.
 /// @throws FileError
 void drawHeightMap(const std::string& path, const HeightMap& heights, const PictureTitle& title);
 
-/// Draws differences of heights as a PNG: white is none, red too high, blue too low; the colours end at the
-/// same magnitude on both sides.
+/// Draws differences of heights as a PNG: white is none, red too high, blue too low. The colour bar ends at
+/// the same magnitude on both sides, and leaves out extremes as `drawHeightMap` does.
 /// @throws FileError
 void drawDeviation(const std::string& path, const HeightMap& deviation, const PictureTitle& title);
 

@@ -17,7 +17,7 @@ struct ModePanel {
   std::string refusal;               ///< why there are no layers; empty if there are
   std::vector<std::string> figures;  ///< below the pictures, a line each
   const Toolpath& toolpath;          ///< in the frame of the part; empty if refused
-  const Mesh& unsupported;           ///< triangles of the part's surface
+  const Mesh& unsupported;           ///< unsupported triangles of the part's surface
 };
 
 /// Modes side by side.
@@ -29,9 +29,9 @@ struct ModePicture {
 };
 
 /// Draws each panel's part as a PNG in two views: the upper one from the front right and above, the lower one
-/// from the front left and below. Its surface has bands of layers, as the nearest outer wall has them, dark
-/// where it is printed first and light where it is printed last; what is unsupported is red, and shines
-/// through where the part hides it. The part of a mode that refuses it is grey.
+/// from the front left and below. The surface shows the layers as bands, as the nearest outer wall has them,
+/// dark where it is printed first and light where it is printed last. Unsupported triangles are red, and
+/// shine through where the part hides them. The part of a mode that refuses it is grey.
 /// @throws InvalidInput if the part has no triangle, or there are no panels, or more than 12; FileError
 void drawModes(const ModePicture& picture, const std::string& png_path);
 

@@ -9,9 +9,9 @@
 
 namespace lamina {
 
-/// Draws a toolpath from the front right and 30 deg above in pale grey, as a PNG, and over it all stretches
-/// that nothing carries, as if the part were of glass: overhangs red, bridges yellow, and a dot where a run
-/// begins in the air. Where many of them are short, as those of sparse infill, they make a haze.
+/// Draws a toolpath from the front right and 30 deg above in pale grey, as a PNG, and over it all unsupported
+/// stretches, which the part does not hide: overhangs red, bridges yellow, and a dot where a run begins in
+/// the air. Many short stretches, as those of sparse infill, appear as a haze.
 /// @throws InvalidInput if nothing is deposited; FileError
 void drawOverhangs(const Toolpath& toolpath, const OverhangReport& report, const std::string& png_path);
 

@@ -8,8 +8,8 @@
 
 namespace lamina {
 
-/// A PNG picture of where light falls through: solid grey, inner openings each in a colour, those at the
-/// border pale.
+/// Draws a projection of pores as a PNG: solid grey, each inner opening in a colour of its own, openings at
+/// the border pale.
 /// @throws FileError if it cannot be written
 void drawProjection(const PoreProjection& projection, const std::string& png_path);
 

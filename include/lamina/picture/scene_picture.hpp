@@ -16,13 +16,13 @@ struct SceneSolid {
   Colour colour;
 };
 
-/// A piece of a scene as it is looked at, without perspective.
+/// A view of a scene, in parallel projection.
 struct ScenePanel {
   std::string title;
-  double heading_rad = 0.0;    ///< of where the viewer stands, about z from x
-  double elevation_rad = 0.0;  ///< of the viewer over the horizon; less than a quarter turn
+  double heading_rad = 0.0;    ///< direction from the centre to the viewer, about z from x
+  double elevation_rad = 0.0;  ///< of the viewer over the horizon; less than pi / 2
   Point3 centre = Point3::Zero();
-  double span_mm = 1000.0;  ///< height of what is shown
+  double span_mm = 1000.0;  ///< height of the part of the scene that is shown
 };
 
 struct ScenePicture {

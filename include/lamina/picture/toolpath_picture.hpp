@@ -29,17 +29,17 @@ struct ToolpathPictureSettings {
 Colour roleColour(PathRole role);
 
 /// Draws all that is deposited, with title, scale bar and legend, over a grid of 10 mm (50 mm for parts above
-/// 300 mm). Beads are as wide as they are; what lies below others is hidden by them.
+/// 300 mm). Beads are drawn at their true width, and hide those below them.
 /// @throws InvalidInput if nothing is deposited, or the size is out of bounds; FileError
 void drawToolpath(const Toolpath& toolpath, const ToolpathPictureSettings& settings,
                   const std::string& png_path);
 
 /// What is drawn over the beads of a layer.
 struct LayerOverlay {
-  Regions contour;                ///< that the layer should fill; its outline is drawn
+  Regions contour;                ///< area that the layer should fill; its outline is drawn
   std::vector<Region> voids;      ///< filled with red
   std::vector<Region> overfills;  ///< filled with dark blue
-  std::string remark;             ///< stands below the title
+  std::string remark;             ///< drawn below the title
 };
 
 /// Draws one layer from above: beads at their true width, drops as discs, travels as thin dashed lines, path
@@ -48,7 +48,7 @@ struct LayerOverlay {
 void drawToolpathLayer(const Toolpath& toolpath, std::size_t layer, const ToolpathPictureSettings& settings,
                        const std::string& png_path);
 
-/// The same with contour, voids and overfill over it.
+/// Draws one layer likewise, with contour, voids and overfills over it.
 void drawToolpathLayer(const Toolpath& toolpath, std::size_t layer, const LayerOverlay& overlay,
                        const ToolpathPictureSettings& settings, const std::string& png_path);
 

@@ -54,14 +54,14 @@ struct InfillSettings {
 /// Solid layers where the part is visible from above or below, beside a sparse infill of level or inclined
 /// layers.
 struct SkinSettings {
-  int top_layers = 0;     ///< number; 0 with `top_mm` 0: none
-  int bottom_layers = 0;  ///< the same
-  double top_mm = 0.0;    ///< least thickness, in whole layers
-  double bottom_mm = 0.0;
+  int top_layers = 0;          ///< number; 0 with `top_mm` 0: none
+  int bottom_layers = 0;       ///< number; 0 with `bottom_mm` 0: none
+  double top_mm = 0.0;         ///< least thickness, in whole layers
+  double bottom_mm = 0.0;      ///< least thickness, in whole layers
   double bead_width_mm = 0.0;  ///< 0: that of walls, in proportion to the nozzles of their tools
   std::string strategy = "zigzag";
   double angle_deg = 45.0;         ///< of the first layer; turned by 90 deg from layer to layer
-  double narrowest = 1.0;          ///< in bead widths; narrower places are no skin
+  double narrowest = 1.0;          ///< least width of a skin, in bead widths
   double anchor_mm = -1.0;         ///< by which skins extend into the infill; -1: the thickness of the walls
   double least_infill_mm2 = 15.0;  ///< smaller areas of infill become skin
   bool is_monotonic = true;        ///< lines of top skins are deposited in one order across them
@@ -98,7 +98,7 @@ enum class VoidRefill { None, Beads };
 
 struct VoidSettings {
   VoidRefill refill = VoidRefill::None;
-  double least_area = 0.25;  ///< smaller voids stay, in squared pitches
+  double least_area = 0.25;  ///< smaller voids are not filled; in squares of the pitch
 };
 
 struct SkirtSettings {
@@ -108,7 +108,7 @@ struct SkirtSettings {
   double least_length_mm = 0.0;  ///< of its loops in the first layer; loops are added until it is reached
 };
 
-/// Walls of layers that are adapted to them.
+/// Walls of `AdaptedLayers`, which follow the walls of the part.
 struct AdaptedWallSettings {
   double contour_offset = 0.5;  ///< distance of the bead's middle from the part's surface, in bead widths
 };
@@ -136,12 +136,12 @@ struct TravelSettings {
   double retraction_threshold_mm = 2.0;  ///< shorter travels neither retract nor hop
   Hopping hop = Hopping::Always;
   Combing comb = Combing::None;
-  double keep_off_mm = 0.2;       ///< between a combed bead and the outline
+  double keep_off_mm = 0.2;       ///< distance of combed travels from the outline, besides half a bead width
   double comb_longest_mm = 30.0;  ///< longer combed travels are retracted
   double comb_detour =
       3.0;               ///< longest combed travel over the straight one; others are straight and retracted
   double wipe_mm = 0.0;  ///< length of a wipe along the run before; 0 for none
-  double wipe_share = 0.7;  ///< share of the retraction that happens on it
+  double wipe_share = 0.7;  ///< share of the retraction that happens during the wipe
 };
 
 struct FeedSettings {
@@ -170,7 +170,7 @@ struct PlanSettings {
   FillSettings fill;
   VoidSettings voids;
   SkirtSettings skirt;        ///< of level layers
-  AdhesionSettings adhesion;  ///< the same
+  AdhesionSettings adhesion;  ///< of level layers
   SupportSettings supports;   ///< of layers in parallel planes
   AnchorSettings anchoring;
   AdaptedWallSettings adapted;
@@ -182,7 +182,7 @@ struct PlanSettings {
   double simplification_mm = 0.005;  ///< greatest distance of a planned outline from the sliced one
 };
 
-/// One wall and nothing inside it.
+/// Whether layers have one wall and nothing inside it.
 inline bool isLoneWall(const PlanSettings& settings) {
   return settings.walls.count == 1 && !isFilled(settings.infill);
 }

@@ -59,16 +59,17 @@ struct VariedBed {
   const SupportMarks* marks = nullptr;  ///< null for none
 };
 
-/// The place of inclined layers.
+/// Where inclined layers lie.
 struct LayerIncline {
   BedPlane bed;
   Eigen::Quaterniond part_from_layers = Eigen::Quaterniond::Identity();
 };
 
-/// The place of layers that are planned flat.
+/// How layers that are planned flat are brought to their places in the part.
 struct LayerLifting {
   LayerLift lift;
-  std::vector<bool> is_skin = {};  ///< by layer: solid by `skins.strategy`, whatever the infill; empty: none
+  /// For each layer, whether `skins.strategy` fills it solid, whatever the infill; empty: none.
+  std::vector<bool> is_skin = {};
   /// Highest z of what stands on the bed before the first layer [mm, part frame].
   double standing_mm = -std::numeric_limits<double>::infinity();
 };
@@ -84,9 +85,10 @@ Plan planPart(const std::string& part_name, const std::vector<Layer>& layers, co
 Plan planPart(const std::string& part_name, const std::vector<Layer>& layers, const PlanSettings& settings,
               const Box2& bed, Progress& progress);
 
-/// The same with other settings in part of the layers, for fills of beads within each layer.
-/// @param layers  given up as they are planned: large parts are moved here
-/// @throws as `planToolpath`; InvalidConfig if a strategy lays drops or continues from layer to layer
+/// The plan of a part in level layers over a bed, with other settings in parts of the layers. Fills must
+/// deposit beads, and each within one layer.
+/// @param layers  each is freed once it is planned: callers move large parts in
+/// @throws as `planToolpath`; InvalidConfig if a strategy deposits drops or continues from layer to layer
 Plan planPart(const std::string& part_name, std::vector<Layer> layers, const PlanSettings& settings,
               const VariedBed& varied, Progress& progress);
 

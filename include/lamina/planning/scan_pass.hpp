@@ -24,13 +24,13 @@ void describe(SettingsSchema& schema, ScanSettings& settings);
 /// without the skirt, back and forth along y in swaths side by side. It lifts the nozzle straight up, keeps
 /// `scanHeight` and ends at the start of the next layer, whose first travel it replaces.
 ///
-/// The sensor travels with the nozzle, its line of light along x of the layers, or over it.
+/// The sensor moves with the nozzle; its line of light lies along x of the layers, at `sensor_offset` from
+/// the nozzle.
 ///
-/// @param toolpath       in the frame of its layers, which are plane; satisfies `validate`, and so does the
-/// result
+/// @param toolpath  in the frame of its layers, which are plane; satisfies `validate`, and so does the result
 /// @param sensor_offset  of the line's middle from the nozzle, in the layers' x and y [mm]
 /// @throws InvalidConfig if the swath is not longer than 0; InvalidInput if layers are to be scanned that are
-/// inclined
+///   inclined
 Toolpath withScanPasses(Toolpath toolpath, const ScanSettings& settings, const Point2& sensor_offset);
 
 }  // namespace lamina

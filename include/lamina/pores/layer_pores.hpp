@@ -16,21 +16,22 @@ struct LayerBand {
   double high_mm = 0.0;
 };
 
-/// Voxels of a layer: those of the slices whose middles lie in its band.
+/// Numbers of voxels of a layer, which has the slices of the grid whose middles lie in its band.
 struct LayerPores {
   LayerBand band;
   std::int64_t solid = 0;
-  std::int64_t open = 0;      ///< all others of the frame
-  std::int64_t enclosed = 0;  ///< open ones that are cut off from the border of the frame within their slice
+  std::int64_t open = 0;  ///< all other voxels of the frame in these slices
+  /// Open voxels that are cut off from the border of the frame within their slice.
+  std::int64_t enclosed = 0;
 
-  /// Enclosed part of what the layer's outlines take up; 0 of nothing.
+  /// Share of the enclosed voxels in the enclosed and solid ones; 0 if there are none.
   double voidRatio() const;
-  /// Open part of the whole frame; 0 of nothing.
+  /// Share of the open voxels in all; 0 if there are none.
   double openRatio() const;
 };
 
-/// Slices are looked at in parallel, in memory proportional to a slice for each thread.
-/// @param solid  with a margin of one voxel around the print, else what meets the border is not enclosed
+/// Counts the voxels of layers, in parallel, with memory proportional to a slice for each thread.
+/// @param solid  with a margin of one voxel around the print: pores that touch the border are not enclosed
 /// @throws InvalidInput if a band is not finite or upside down
 /// @throws Cancelled if `progress` is cancelled
 std::vector<LayerPores> poresByLayer(const VoxelGrid& solid, const std::vector<LayerBand>& bands,

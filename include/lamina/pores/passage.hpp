@@ -8,28 +8,31 @@
 
 namespace lamina {
 
-/// How much of a face straight ways through pores lead to, along one axis. A way goes on from layer to layer,
-/// to the voxel ahead or one of its eight neighbours, and not sideways within a layer
-/// [Vega2023, annex J]. Each is a part of the face, in percent.
+/// Shares of a frame's face that are reached through pores from the opposite face, along one axis [Vega2023,
+/// annex J]. A path leads from a voxel to the one ahead in the next layer, or to one of the eight around
+/// that; never sideways within a layer.
 struct Passage {
-  double epci_forward_percent = 0.0;   ///< of the high face, reached from the low one
-  double epci_backward_percent = 0.0;  ///< of the low face, reached from the high one
-  double mecsi_percent = 0.0;          ///< reached from both, in the layer where that is least
+  double epci_forward_percent = 0.0;   ///< share of the high face that is reached from the low one
+  double epci_backward_percent = 0.0;  ///< share of the low face that is reached from the high one
+  /// Share of a layer that is reached from both faces, in the layer where it is least.
+  double mecsi_percent = 0.0;
 };
 
 /// Passages along x, y and z.
 struct Passages {
   std::array<Passage, 3> along;
 
-  double epciPercent() const;   ///< mean of three axes and two senses
+  double epciPercent() const;   ///< mean of three axes and two directions
   double mecsiPercent() const;  ///< mean of three axes
 };
 
-/// @param pores  solid where there is a pore; beyond its frame there is none
-/// @param axis   0 to 2
+/// The passage along one axis.
+/// @param pores  solid where there is a pore; beyond its frame there are none
+/// @param axis  0 to 2
 Passage passageAlong(const VoxelGrid& pores, int axis);
 
-/// All axes, in parallel. Cost is proportional to the voxels; memory to 2 bits of them for each axis.
+/// The passages along all axes, found in parallel. Cost is proportional to the voxels; memory to 2 bits of
+/// them for each axis.
 Passages passages(const VoxelGrid& pores);
 
 }  // namespace lamina

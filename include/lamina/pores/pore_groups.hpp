@@ -20,21 +20,22 @@ constexpr unsigned faceBit(int axis, AxisEnd end) {
   return 1U << static_cast<unsigned>(2 * axis + (end == AxisEnd::High ? 1 : 0));
 }
 
-/// Pore voxels that hang together by their faces.
+/// A connected group of pore voxels; neighbours share a face.
 struct PoreGroup {
   std::int64_t voxels = 0;
-  unsigned faces = 0;  ///< of the frame that it touches, by `faceBit`
-  /// Axes of the ellipsoid of equal second moments, longest first: 2 sqrt(5 lambda) with the variances lambda
-  /// along them, a voxel counted as a cube (1/12) [voxels].
+  unsigned faces = 0;  ///< faces of the frame that the group touches, as bits of `faceBit`
+  /// Lengths of the axes of the ellipsoid of equal second moments [voxels], longest first: 2 sqrt(5 lambda),
+  /// where lambda are the principal variances of the group. A voxel counts as a cube, which adds 1/12 to
+  /// each.
   std::array<double, 3> axes{};
 
   /// Whether it touches both faces of an axis.
   bool joinsAlong(int axis) const;
   /// Whether it touches both faces of some axis.
   bool joinsOpposite() const;
-  /// Whether it touches two of the six faces.
+  /// Whether it touches two or more of the six faces.
   bool joinsTwoFaces() const;
-  /// Of the sphere of equal volume [voxels].
+  /// Diameter of the sphere of equal volume [voxels].
   double equivalentDiameter() const;
 };
 
@@ -47,25 +48,25 @@ struct PoreRun {
   std::uint32_t group = 0;
 };
 
-/// The pores of a grid, parted into groups; these in the order of their first voxels, x fastest and z
+/// The pores of a grid, divided into groups. These are in the order of their first voxels, x fastest and z
 /// slowest.
 struct PoreGroups {
   VoxelFrame frame;
-  std::vector<PoreRun> runs;  ///< by z, y, x
+  std::vector<PoreRun> runs;  ///< sorted by z, y, x
   std::vector<PoreGroup> groups;
 };
 
 /// Labels connected pores (neighbours share a face) by runs and union-find. Cost and memory are proportional
-/// to words and runs. The result does not depend on the number of threads.
+/// to the words of the grid and the runs. The result does not depend on the number of threads.
 /// @param pores  solid where there is a pore
 /// @throws InvalidInput if there are 2^32 runs or more
 /// @throws Cancelled if `progress` is cancelled
 PoreGroups labelPores(const VoxelGrid& pores, Progress& progress);
 
-/// The voxels of the groups that `is_chosen` says.
+/// The voxels of the groups for which `is_chosen` is true.
 VoxelGrid voxelsOf(const PoreGroups& pores, const std::function<bool(const PoreGroup&)>& is_chosen);
 
-/// Open where the grid is solid and solid where it is open, in the same frame.
+/// The grid that is open where `grid` is solid, and solid where it is open, in the same frame.
 VoxelGrid inverted(const VoxelGrid& grid);
 
 }  // namespace lamina

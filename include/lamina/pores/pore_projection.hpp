@@ -9,21 +9,21 @@
 
 namespace lamina {
 
-/// Where light falls through along z: pixels are open where no voxel above them is solid
-/// [Vega2023, section 7.2.2.5 and annex K]. Pixels hang together by their edges.
+/// Openings through which light falls along z: a pixel is open if no voxel of its column is solid [Vega2023,
+/// section 7.2.2.5 and annex K]. Pixels of an opening are connected by edges.
 struct PoreProjection {
   PoreGroups openings;  ///< in a frame of one voxel along z
 
-  std::int64_t innerCount() const;  ///< openings that do not touch the border
+  std::int64_t innerCount() const;  ///< number of openings that do not touch the border
   /// Mean diameter of discs of equal area [um], of the inner openings; 0 if there is none.
   double meanDiameterUm() const;
 };
 
-/// Whether the opening keeps away from the border of the projection.
+/// Whether the opening does not touch the border of the projection.
 bool isInner(const PoreGroup& opening);
 
-/// Cost is proportional to the voxels over 64.
-/// @param solid  cropped to what is looked at
+/// Projects a grid along z. Cost is proportional to the number of voxels over 64.
+/// @param solid  cropped to the box that is to be examined
 PoreProjection projectPores(const VoxelGrid& solid);
 
 }  // namespace lamina

@@ -11,7 +11,7 @@
 
 namespace lamina {
 
-/// Mean and population standard deviation; 0 of nothing.
+/// Mean and population standard deviation; 0 if there are no values.
 struct Spread {
   double mean = 0.0;
   double deviation = 0.0;
@@ -36,7 +36,7 @@ struct PoreReport {
   PoreSizes joining_two;  ///< groups that touch two faces; `volume_percent` is CVI_2, the interconnectivity
 };
 
-/// @param solid  cropped to what is looked at: its whole box counts
+/// @param solid  cropped to the box that is to be examined, which counts as a whole
 /// @throws InvalidInput as `labelPores`; Cancelled if `progress` is cancelled
 PoreReport reportPores(const VoxelGrid& solid, Progress& progress);
 

@@ -6,7 +6,7 @@
 
 namespace lamina {
 
-/// Area of all voxel faces between solid and open [mm²], those on the border of the frame among them
+/// Area of all voxel faces between solid and open [mm²], including those on the border of the frame
 /// [Vega2023, section 7.2.2.6].
 double voxelFaceArea(const VoxelGrid& solid);
 

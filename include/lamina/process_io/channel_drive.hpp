@@ -11,20 +11,21 @@
 
 namespace lamina {
 
-/// What is asked of a channel.
+/// The value that a plan requires of a channel.
 struct AskedValue {
-  double value = 0.0;  ///< [unit of its quantity]; the safe value while it is off
+  double value = 0.0;  ///< [unit of its quantity]; the safe value while the channel is off
   bool is_on = false;
 };
 
-/// What signals ask of a channel. Levels that nothing states follow from the flow where the channel knows how
-/// (wire, screw), else are the nominal value; a value of 0 is off.
+/// The value that signals require of a channel. A level that the signals do not state follows from the flow
+/// if the channel is one of wire or screw with the data for it, and is the nominal value otherwise. A value
+/// of 0 is off.
 AskedValue askedOf(const OutputChannel& channel, const ProcessSignals& signals);
 
-/// Finds what to send to a channel now, so that its effect is in step with the plan: the value that is
-/// planned for when the effect begins, with the lag of first order inverted. Where the band does not let the
-/// effect follow a step, it sets out early, so that half of the step is reached when the step is planned. Off
-/// is sent at once, whatever the slew.
+/// Finds the value to be sent to a channel now so that its effect keeps to the plan: the value planned for
+/// the time at which the effect begins, corrected for the first-order lag. If the band is too narrow for the
+/// effect to follow a step, the change begins early, so that half of the step is reached when it is planned.
+/// Off is sent at once, whatever the greatest slew is.
 class ChannelDrive {
  public:
   /// @param cycle_s  from one call of `step` to the next
@@ -34,18 +35,19 @@ class ChannelDrive {
 
   /// The value to be sent from now on: the safe one, or one within the band. Times must not go back.
   double step(const ProcessPlan& plan, double now_s);
-  /// The safe value is sent from now on.
+  /// Sends the safe value from now on, and returns it.
   double makeSafe(double now_s);
 
-  /// Sent last; the safe value before the first.
+  /// The value that was sent last; the safe value before the first.
   double sent() const { return is_on_ ? sent_ : channel_.safe; }
   /// False while the safe value is sent.
   bool isOn() const { return is_on_; }
-  /// The effect there should be at the last time, by dead time and lag.
+  /// The effect at the time of the last call, as computed with dead time and lag.
   double expected() const;
-  /// The greatest value that was asked for in the last step, before it was limited to the band.
+  /// The value that the last step headed for; 0 if it was off. It is limited to the band only if the step set
+  /// out early for it.
   double asked() const { return asked_; }
-  /// From sending a value to the instant that it is for [s].
+  /// Time from sending a value to the instant for which it is planned [s].
   double lead() const;
 
  private:
@@ -61,7 +63,7 @@ class ChannelDrive {
   double asked_ = 0.0;
   std::optional<double> at_s_;                     ///< of the last call
   std::optional<double> effect_;                   ///< once the dead time is over
-  std::deque<std::pair<double, double>> effects_;  ///< that and when, for the dead time
+  std::deque<std::pair<double, double>> effects_;  ///< [time, effect], kept for the dead time
 };
 
 }  // namespace lamina

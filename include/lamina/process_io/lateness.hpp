@@ -8,22 +8,23 @@
 
 namespace lamina {
 
-/// How late something was, over and over. Memory does not grow: times are counted in tenths of a millisecond
-/// up to a tenth of a second, and beyond it as more.
+/// Statistics of how late something repeatedly was. Memory does not grow: delays are counted in steps of a
+/// tenth of a millisecond up to a tenth of a second, and longer ones together.
 class Lateness {
  public:
-  static constexpr double kLate = 0.01;     ///< s: reported
-  static constexpr double kTooLate = 0.05;  ///< s: nothing is in step any more
+  static constexpr double kLate = 0.01;  ///< [s] beyond this, delays are reported
+  /// [s] beyond this, the process is no longer in step with the motion.
+  static constexpr double kTooLate = 0.05;
 
   /// @param late_s  negative counts as 0
   void add(double late_s);
 
   std::uint64_t count() const { return count_; }
-  std::uint64_t late() const { return late_; }         ///< by more than `kLate`
-  std::uint64_t tooLate() const { return too_late_; }  ///< by more than `kTooLate`
-  double worst() const { return worst_s_; }            ///< [s]
-  /// The time that a share of all is not above, rounded up to a tenth of a millisecond [s]; the worst where
-  /// that lies beyond what is counted, 0 if there is none.
+  std::uint64_t late() const { return late_; }         ///< number of delays above `kLate`
+  std::uint64_t tooLate() const { return too_late_; }  ///< number of delays above `kTooLate`
+  double worst() const { return worst_s_; }            ///< the greatest delay [s]
+  /// The delay that a share of all delays does not exceed [s], rounded up to a tenth of a millisecond. The
+  /// greatest delay if that is above a tenth of a second; 0 if there is none.
   double percentile(double share) const;
 
  private:

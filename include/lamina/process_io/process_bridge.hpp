@@ -17,44 +17,48 @@ namespace lamina {
 
 struct ProcessBridgeSettings {
   double rate_hz = 100.0;
-  double late_s = Lateness::kLate;         ///< that an output may be: then 5103
-  double too_late_s = Lateness::kTooLate;  ///< the same: then 5104
-  double standstill_s = 0.3;               ///< that the beam may be on without motion; 0 for ever
-  double connect_wait_s = 5.0;             ///< from the start until a device that was never there is an alarm
+  double late_s = Lateness::kLate;         ///< lateness of an output above which alarm 5103 is raised
+  double too_late_s = Lateness::kTooLate;  ///< lateness of an output above which 5104 is raised
+  double standstill_s = 0.3;               ///< for which the beam may be on without motion; 0 for no limit
+  double connect_wait_s = 5.0;  ///< from the start, after which a device that was never connected is an alarm
 };
 
 /// Adds the keys rate_hz, late_s, too_late_s, standstill_s and connect_wait_s.
 void describe(SettingsSchema& schema, ProcessBridgeSettings& settings);
 
-/// A device as it is at a cycle.
+/// State of a device at a cycle.
 struct DeviceView {
   bool is_connected = false;
-  std::string reason;  ///< why it is not
+  std::string reason;  ///< why it is not connected
 };
 
-/// What is known at a cycle, besides the plan.
+/// What a cycle is given besides the plan.
 struct CycleView {
-  std::vector<DeviceView> devices;  ///< as in the tables
-  std::vector<double> measured;     ///< of each input [unit of its quantity]; NaN where it is not read
-  double late_s = 0.0;              ///< the worst output since the last cycle
+  std::vector<DeviceView> devices;  ///< in the order of the tables
+  std::vector<double> measured;     ///< of each input [unit of its quantity]; NaN if it is not read
+  double late_s = 0.0;              ///< greatest lateness of an output since the last cycle
 };
 
-/// What a cycle gives.
+/// Result of a cycle.
 struct BridgeCycle {
-  std::vector<double> values;  ///< of each channel as in the tables [unit of its quantity]
+  /// To be sent to each channel, in the order of the tables [unit of its quantity].
+  std::vector<double> values;
   std::vector<ProcessAlarm> alarms;
   std::string fault;  ///< why the process cannot be run; empty if it can
 };
 
-/// Carries the plan of a process to devices, cycle by cycle; takes times, gives values. No input or output.
+/// Finds the values that devices are to be sent, cycle by cycle, from the plan of a process. It does no input
+/// or output itself: callers pass times and measured values, and send the values.
 ///
-/// Whenever nothing is known of the plan, safe values are sent. A lost device, an output that is far too late
-/// (5104) and a beam without motion (5105) trip it: safe values are sent to all, until every device is there
-/// and the plan has had the process off for half a second, so that no bead is begun in its middle.
+/// Values are the safe ones wherever the plan is not known. A device that is not connected, an output that is
+/// too late (5104) and a beam without motion (5105) trip the bridge: all values are then the safe ones until
+/// every device is connected and the plan has had the process off for half a second, so that no bead is begun
+/// in its middle.
 class ProcessBridge {
  public:
   ProcessBridge(const ProcessTables& tables, const ProcessBridgeSettings& settings, double now_s);
 
+  /// Adds a chunk to the plan.
   /// @throws InvalidInput as `ProcessPlan::accept`
   void accept(const ProcessChunk& chunk, double now_s);
   /// Positions of all joints [m, rad].
@@ -62,18 +66,18 @@ class ProcessBridge {
 
   /// To be called once per cycle; times must not go back.
   BridgeCycle cycle(double now_s, const CycleView& view);
-  /// Safe values for all; what was planned is forgotten.
+  /// Safe values for all channels; the plan is dropped.
   std::vector<double> stop(double now_s);
 
   const std::vector<ChannelDrive>& drives() const { return drives_; }
-  /// What is planned for this instant.
+  /// What is planned for an instant; safe signals if that is not known.
   ProcessSignals planned(double now_s) const { return plan_.at(now_s).value_or(safeSignals()); }
-  /// Conditions that are raised now.
+  /// Alarms that are raised now.
   std::vector<ProcessAlarm> raised() const { return raised_.all(); }
   bool isTripped() const { return !trip_.empty(); }
-  /// Chunks that changed what had been sent already, for its dead time.
+  /// Number of chunks that changed what had already been sent, as values are sent ahead by the dead time.
   std::uint64_t overtaken() const { return overtaken_; }
-  /// Chunks that came after what they begin with should have been sent.
+  /// Number of chunks that came after their first values should have been sent.
   std::uint64_t lateChunks() const { return late_chunks_; }
 
  private:

@@ -12,7 +12,7 @@
 
 namespace lamina {
 
-/// The process from an instant on.
+/// Signals of the process at an instant; linear in between.
 struct PlannedProcess {
   double time_s = 0.0;
   ProcessSignals signals;
@@ -21,22 +21,21 @@ struct PlannedProcess {
 /// A piece of the process over time.
 struct ProcessChunk {
   std::vector<PlannedProcess> points;  ///< in order of time
-  double valid_until_s = 0.0;          ///< from then on nothing is known
+  double valid_until_s = 0.0;          ///< after it nothing is known
 };
 
-/// What the process is to do over absolute time, as far as it is known. A chunk takes the place of what was
-/// planned from its first point on, whenever it comes; what lies between the end of one and the begin of the
-/// next is not known.
+/// The planned process over absolute time, as far as it is known. From its first point on, a chunk replaces
+/// what was planned before. Between the end of one chunk and the begin of the next nothing is known.
 class ProcessPlan {
  public:
-  static constexpr double kMeet = 1e-3;               ///< s: chunks no farther apart meet, but for rounding
-  static constexpr std::size_t kMostPoints = 200000;  ///< that are kept
+  static constexpr double kMeet = 1e-3;  ///< [s] chunks with at most this time between them adjoin
+  static constexpr std::size_t kMostPoints = 200000;  ///< number of points that are kept
 
   /// @throws InvalidInput if there is no point, times are not finite or not in order, a flow or level is
   ///   negative or infinite, a flow no number, or there are too many points; then nothing changes
   void accept(const ProcessChunk& chunk);
 
-  /// What is planned for a time; nothing if that is not known. Logarithmic time.
+  /// The signals planned for a time; nothing if they are not known. In logarithmic time.
   std::optional<ProcessSignals> at(double time_s) const;
 
   /// When the last chunk ends [s]; -infinity before the first.

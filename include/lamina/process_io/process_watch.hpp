@@ -13,25 +13,27 @@
 
 namespace lamina {
 
-/// An alarm of the unit (docs/cell/cell.md) that is raised, or whose cause is gone.
+/// An alarm of the unit (docs/cell/cell.md): that it is raised, or that its cause is gone.
 struct ProcessAlarm {
   std::uint16_t id = 0;
   std::string source;
   double value = 0.0;
-  std::string message;  ///< empty if it is gone
+  std::string message;  ///< empty if the cause is gone
   bool is_gone = false;
 };
 
-/// Which alarms are raised: reports each change once.
+/// Holds the alarms that are raised, and reports each change once.
 class RaisedAlarms {
  public:
-  /// What is wrong now, in words, or nothing.
+  /// Raises an alarm of a source, or clears it.
+  /// @param wrong  what is wrong now, in words; nothing if all is well
   void set(std::uint16_t id, const std::string& source, const std::optional<std::string>& wrong,
            double value);
-  /// One that is gone is reported once no other source raises it.
+  /// Alarms raised and cleared since the last call. A cleared alarm is reported once no source raises it any
+  /// more.
   std::vector<ProcessAlarm> takeChanges() { return std::exchange(changes_, {}); }
   std::vector<ProcessAlarm> all() const;
-  /// The first that is raised, in words; empty if none is.
+  /// Message of the first alarm that is raised; empty if none is.
   std::string first() const { return raised_.empty() ? std::string() : raised_.begin()->second.message; }
 
  private:
@@ -39,7 +41,7 @@ class RaisedAlarms {
   std::vector<ProcessAlarm> changes_;
 };
 
-/// Judges what devices read against what they were sent (5101, 5102, 5106, 5107).
+/// Checks the inputs of devices against what was sent (alarms 5101, 5102, 5106, 5107).
 class InputWatch {
  public:
   explicit InputWatch(std::vector<InputChannel> inputs)
@@ -47,7 +49,7 @@ class InputWatch {
 
   const std::vector<InputChannel>& inputs() const { return inputs_; }
 
-  /// @param measured  of each input [unit of its channel]; NaN where it is not read: that is not judged
+  /// @param measured  of each input [unit of its channel]; NaN if it is not read, which is not checked
   void look(const std::vector<double>& measured, const std::vector<ChannelDrive>& drives, double now_s,
             RaisedAlarms& raised);
 
@@ -56,12 +58,12 @@ class InputWatch {
   std::vector<std::optional<double>> wrong_since_;
 };
 
-/// Since when nothing has moved.
+/// Measures for how long no joint has moved.
 class StandstillWatch {
  public:
   /// Positions of all joints [m, rad].
   void hear(const std::vector<double>& positions, double now_s);
-  /// [s]; since `since_s` if nothing was heard.
+  /// Time without motion [s], counted from `since_s` at the earliest.
   double stillFor(double since_s, double now_s) const;
 
  private:

@@ -10,15 +10,15 @@
 
 namespace lamina {
 
-/// Where the part of a program stands, and what coordinates the program speaks.
+/// Where the part of a program stands on the bed, and in which coordinates the program is written.
 struct ProgramFrame {
   ProgramFrame() = default;
   ProgramFrame(const Eigen::Isometry3d& placed)  // NOLINT: a place on the bed is a frame of most programs
       : bed_from_part(placed) {}
 
-  Eigen::Isometry3d bed_from_part = Eigen::Isometry3d::Identity();
-  /// Axis values of the machine from coordinates of the bed: the identity unless its axes stand askew, as
-  /// those of a belt printer.
+  Eigen::Isometry3d bed_from_part = Eigen::Isometry3d::Identity();  ///< [mm]
+  /// Maps coordinates of the bed to axis values of the machine: the identity unless the axes are askew to the
+  /// bed, as in a belt printer.
   Eigen::Affine3d program_from_bed = Eigen::Affine3d::Identity();
 };
 
@@ -29,17 +29,17 @@ struct StatedFrame {
   Eigen::Affine3d bed_from_program = Eigen::Affine3d::Identity();
 };
 
-/// Comment lines that state the frame, with 17 digits: `;LAYER_FRAME:` (bed_from_layers) and
-/// `;NOZZLE_FRAME:` (bed_from_nozzle) as w x y z, `;BED_FROM_AXES:` as the rows of a 3 x 4 matrix. What is as
-/// usual is not stated: level layers, a nozzle that points straight down, axes that are those of the bed.
+/// Comment lines that state the frame, with 17 digits: `;LAYER_FRAME:` (bed_from_layers) and `;NOZZLE_FRAME:`
+/// (bed_from_nozzle) as w x y z, `;BED_FROM_AXES:` as the rows of a 3 x 4 matrix. Usual values are not
+/// stated: level layers, a nozzle that points straight down, axes that are those of the bed.
 std::string frameComments(const StatedFrame& frame);
 
-/// Whether a comment, without its semicolon, is one of these.
+/// Whether a comment, without its semicolon, is one that `frameComments` writes.
 bool isFrameComment(std::string_view comment);
 
-/// Takes in a comment without its semicolon.
-/// @return whether it is one of these; others change nothing
-/// @throws InvalidProgram if it is one of these and its numbers are no rotation, or no map that can be undone
+/// Reads a comment, without its semicolon, into the frame if it is one that `frameComments` writes.
+/// @return whether it is; other comments change nothing
+/// @throws InvalidProgram if such a comment does not hold a rotation, or an invertible map
 bool readFrameComment(std::string_view comment, StatedFrame& frame);
 
 }  // namespace lamina

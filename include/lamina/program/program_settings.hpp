@@ -21,34 +21,31 @@ struct ProgramSettings {
   double flow = 1.0;                    ///< factor on all extrusion
   double nozzle_temperature_c = 210.0;  ///< 0 leaves the heater alone
   double bed_temperature_c = 60.0;      ///< 0 leaves the heater alone
-  double retraction_length_mm = 0.8;    ///< of filament
-  double retraction_feed_mm_s = 35.0;
-  /// Written before the first motion; {nozzle_temperature_c} and
-  /// {bed_temperature_c} are replaced, and {lift_axis} by Z or, where axes
-  /// stand askew, by the one that lifts the nozzle.
+  double retraction_length_mm = 0.8;    ///< length of filament that is pulled back
+  double retraction_feed_mm_s = 35.0;   ///< speed of the filament while it is pulled back or pushed forth
+  /// Written before the first motion. {nozzle_temperature_c} and {bed_temperature_c} are replaced;
+  /// {lift_axis} is replaced by Z, or, if axes are askew, by the axis that lifts the nozzle.
   std::string start_code =
       "G28\nG0 {lift_axis}5 F600\n"
       "M140 S{bed_temperature_c}\nM104 S{nozzle_temperature_c}\n"
       "M190 S{bed_temperature_c}\nM109 S{nozzle_temperature_c}";
   std::string end_code = "G91\nG0 {lift_axis}5 F600\nG90\nM104 S0\nM140 S0\nM84";
-  double arcs_tolerance_mm = 0.0;  ///< by which runs of waypoints may leave the
-                                   ///< arcs that stand for them; 0: none
-  std::string pause_code = "M0";   ///< that waits for the operator; `pause.code` of jobs
-  /// Of the nozzle of each tool from that of tool 0 [mm], which the program
-  /// takes into account; none beyond.
+  /// By which arcs (G2, G3) may leave the waypoints that they replace; 0: no arcs.
+  double arcs_tolerance_mm = 0.0;
+  std::string pause_code = "M0";  ///< command that waits for the operator; key `pause.code` of jobs
+  /// Offset of each tool's nozzle from that of tool 0 [mm], for which the program corrects positions; 0 for
+  /// tools beyond the list.
   std::vector<Point3> tool_offsets_mm;
-  std::string thumbnails;        ///< pictures in the program, as `thumbnailsFrom` reads them
-  bool states_summary = false;   ///< time, filament and layer height as comments at the end
-  bool states_settings = false;  ///< all settings of the job as comments at the end
-  bool states_progress = false;  ///< share and time left, each time a hundredth is done
-  bool states_accelerations = false;
+  std::string thumbnails;             ///< pictures in the program, as `thumbnailsFrom` reads them
+  bool states_summary = false;        ///< time, filament and layer height as comments at the end
+  bool states_settings = false;       ///< all settings of the job as comments at the end
+  bool states_progress = false;       ///< share done and time left, at each hundredth
+  bool states_accelerations = false;  ///< those of `motion.*`, at the start
   DropDialect drops;
-  FiveAxisSettings five_axis;  ///< of programs for machines with rotary joints;
-                               ///< keys of its own
-  RapidSettings rapid;         ///< of programs for ABB's robots; keys of its own
-  RobotProgramSettings robot;  ///< of programs for other robots; keys of its own
-  std::string strategy;        ///< that filled the part; reported in the header of
-                               ///< drop programs, no setting of its own
+  FiveAxisSettings five_axis;  ///< of programs for machines with rotary joints; has keys of its own
+  RapidSettings rapid;         ///< of programs for ABB's robots; has keys of its own
+  RobotProgramSettings robot;  ///< of programs for other robots; has keys of its own
+  std::string strategy;        ///< that filled the part, for the header of drop programs; no setting
 };
 
 /// Adds the keys program.* and drop_program.*.

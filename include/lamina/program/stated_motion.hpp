@@ -10,11 +10,13 @@
 
 namespace lamina {
 
-/// What a program has a machine or robot do: its joints as they stand in the file, not as they might be led.
+/// The motion that a program commands of a machine or robot: joints as the file states them, not as planning
+/// would choose them.
 struct StatedMotion {
-  Toolpath toolpath;               ///< in coordinates of the bed; each line that moves is a waypoint
-  JointPath joints;                ///< of it; faults are those of waypoints that have no joints
-  std::vector<std::size_t> lines;  ///< that state them, 1 based; as many as `joints.at`
+  Toolpath toolpath;  ///< in coordinates of the bed; each line that moves is a waypoint
+  JointPath joints;   ///< at the waypoints; faults are those of waypoints without joints
+  /// Numbers of the lines that state the waypoints, 1 based; as many as `joints.at`.
+  std::vector<std::size_t> lines;
 };
 
 }  // namespace lamina

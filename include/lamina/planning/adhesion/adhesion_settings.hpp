@@ -13,16 +13,16 @@ struct BrimSettings {
   double width_mm = 0.0;  ///< 0: none
   double gap_mm = 0.0;    ///< between part and innermost loop
   BrimWhere where = BrimWhere::Outside;
-  bool ears = false;  ///< at sharp corners only
+  bool ears = false;  ///< whether there are loops at sharp corners only
 };
 
 /// Layers below the part.
 struct RaftSettings {
-  int layers = 0;  ///< number, the base included; 0: none
-  double base_height_mm = 0.3;
-  int top_layers = 2;  ///< number of solid layers on top
-  double margin_mm = 3.0;
-  double gap_mm = 0.15;  ///< between raft and part
+  int layers = 0;               ///< number, the base included; 0: none
+  double base_height_mm = 0.3;  ///< height of the lowest layer
+  int top_layers = 2;           ///< number of solid layers on top
+  double margin_mm = 3.0;       ///< by which the raft extends beyond what stands on it
+  double gap_mm = 0.15;         ///< between raft and part
 };
 
 enum class PrimeLine { None, Front, Left };
@@ -31,7 +31,7 @@ enum class PrimeLine { None, Front, Left };
 struct PrimeSettings {
   PrimeLine line = PrimeLine::None;
   double length_mm = 100.0;
-  double section_mm2 = 0.5;
+  double section_mm2 = 0.5;  ///< cross-section of its bead
 };
 
 /// Brim and raft, which hold a part to the bed, and the line that primes the nozzle before it. All off by
@@ -42,7 +42,7 @@ struct AdhesionSettings {
   PrimeSettings prime;
 };
 
-/// Whether any of them is used.
+/// Whether brim, raft or prime line is used.
 inline bool isUsed(const AdhesionSettings& settings) {
   return settings.brim.width_mm > 0.0 || settings.raft.layers > 0 || settings.prime.line != PrimeLine::None;
 }

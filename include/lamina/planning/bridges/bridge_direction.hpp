@@ -8,15 +8,15 @@ namespace lamina {
 
 /// Parameters of the search for a bridge's direction.
 struct BridgeSearch {
-  double anchor_mm = 1.0;   ///< a held end lies on at least half of this length of material
-  double pitch_mm = 0.36;   ///< of threads
+  double anchor_mm = 1.0;   ///< an end is held if it lies on material over at least half of this length
+  double pitch_mm = 0.36;   ///< distance of neighbouring threads
   double least_held = 0.5;  ///< the search ends early if no direction can reach this share
 };
 
 /// A direction of the threads over a piece, and how well they are held.
 struct BridgeDirection {
   double angle_rad = 0.0;  ///< from x, within [0, pi)
-  double held = 0.0;       ///< share of their length in the piece on threads held at both ends
+  double held = 0.0;       ///< share of the threads' length in the piece that is on threads held at both ends
   double span_mm = 0.0;    ///< longest free span of a held thread, beyond the piece too
 };
 
@@ -28,7 +28,8 @@ struct BridgeDirection {
 /// @param below  material of the layer below near the piece, which it does not overlap
 BridgeDirection bridgeDirection(const Region& piece, const Regions& below, const BridgeSearch& search);
 
-/// The same in a given direction.
+/// The given direction, and how well threads along it are held.
+/// @param angle_rad  from x
 BridgeDirection bridgeAlong(double angle_rad, const Region& piece, const Regions& below,
                             const BridgeSearch& search);
 

@@ -20,7 +20,7 @@ struct BridgeSettings {
   bool is_used = false;
   double anchor_mm = 1.0;   ///< length of threads on the material that holds them
   double least_held = 0.5;  ///< least share of length held at both ends that makes a bridge
-  double longest_mm = 0.0;  ///< longer free spans are reported; 0: none
+  double longest_mm = 0.0;  ///< free spans longer than this are reported; 0: none
   double angle_deg = -1.0;  ///< direction of threads from x; below 0 it is searched for
   double flow = 1.0;        ///< factor on the cross-section of threads
   BridgeThread thread = BridgeThread::Bead;
@@ -28,10 +28,10 @@ struct BridgeSettings {
   bool is_over_infill = false;  ///< the lowest skin over sparse infill is deposited as a bridge
 };
 
-/// Bridges of a part, and unsupported areas that are none.
+/// Bridges of a part, and unsupported areas that are not bridged.
 struct Bridging {
-  std::size_t bridges = 0;
-  std::size_t too_long = 0;  ///< of them
+  std::size_t bridges = 0;   ///< number of bridged pieces
+  std::size_t too_long = 0;  ///< number of bridges with a free span above `BridgeSettings::longest_mm`
   double longest_mm = 0.0;   ///< free span
   std::size_t unheld = 0;    ///< unsupported pieces that are not held on both sides
   double unheld_mm2 = 0.0;

@@ -12,20 +12,21 @@
 
 namespace lamina {
 
-/// Regions whose outer outlines and holes are offset by the settings. A hole's width is the diameter of the
-/// circle with the same area. Regions that grow together become one.
+/// The regions with their outer outlines and holes offset as the settings say. A hole's width is the diameter
+/// of the circle with the same area. Regions that grow together become one.
 Regions compensated(const Regions& regions, const CompensationSettings& settings);
 
 /// Regions shrunk by `inset_mm`. Places narrower than `bead_width_mm` plus two insets stay as they are, and
 /// remain joined to the rest.
 Regions insetOnBed(const Regions& regions, double inset_mm, double bead_width_mm);
 
-/// The inset of a layer [mm], whose number counts from 0 at the bed.
+/// The inset of outlines in a layer [mm].
+/// @param layer  number, from 0 at the bed
 double insetOf(std::size_t layer, const FirstLayerSettings& settings);
 
-/// Compensates the contours of layers: outlines, holes, and the layers that the bed squeezes out. Without
-/// effect for default settings. Parallel over layers.
-/// @param layers         from the bed
+/// Compensates the contours of layers: offsets outlines and holes, and insets the first layers, whose beads
+/// the bed squeezes out. Without effect for default settings. Parallel over layers.
+/// @param layers  from the bed
 /// @param bead_width_mm  in the first layers
 /// @throws Cancelled
 void compensate(std::vector<Layer>& layers, const CompensationSettings& settings,

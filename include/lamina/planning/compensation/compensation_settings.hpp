@@ -13,18 +13,18 @@ struct FirstLayerSettings {
   double feed_factor = 1.0;           ///< factor on its feeds, except those of travels
   double flow = 1.0;                  ///< factor on the volume deposited
   double nozzle_temperature_c = 0.0;  ///< 0 for that of the program
-  double bed_temperature_c = 0.0;     ///< the same
-  double inset_mm = 0.0;              ///< by which outlines are shrunk that the bed squeezes out
-  int inset_layers = 1;               ///< number over which the inset tapers to 0
+  double bed_temperature_c = 0.0;     ///< 0 for that of the program
+  double inset_mm = 0.0;              ///< by which its outlines are shrunk, as the bed squeezes its beads out
+  int inset_layers = 1;               ///< number of layers over which the inset tapers to 0
 };
 
 /// Compensation of the changes in size that the process causes, before walls are planned.
 struct CompensationSettings {
   double outline_mm = 0.0;     ///< inset of outer outlines; negative: outwards
   double holes_mm = 0.0;       ///< by which holes are widened on each side; negative: narrowed
-  double least_hole_mm = 0.0;  ///< holes wider than this stay as they are; 0 for no limit
-  double shrink_xy = 0.0;      ///< shares by which the print shrinks as it cools, in the layers
-  double shrink_z = 0.0;       ///< and across them
+  double least_hole_mm = 0.0;  ///< width above which holes stay as they are; 0 for no limit
+  double shrink_xy = 0.0;      ///< share by which the print shrinks within the layers as it cools
+  double shrink_z = 0.0;       ///< share by which it shrinks across the layers
 };
 
 /// Adds the keys first_layer.*.

@@ -9,7 +9,8 @@
 
 namespace lamina {
 
-/// How a layer is made to take its least time.
+/// How a layer is made to take its least time: by lower feeds, by a dwell, or by a dwell where feeds cannot
+/// be low enough.
 enum class CoolingBy : std::uint8_t { SlowThenDwell, Slow, Dwell };
 
 /// Where the nozzle waits.
@@ -30,7 +31,7 @@ struct CoolingSettings {
   double least_layer_time_s = 0.0;  ///< 0 for none
   CoolingBy by = CoolingBy::SlowThenDwell;
   double least_feed_mm_s = 10.0;  ///< lower bound of deposition feeds
-  double lift_mm = 2.0;           ///< of the nozzle while it waits
+  double lift_mm = 2.0;           ///< by which the nozzle is lifted while it waits
   ParkPlace park = ParkPlace::Outside;
   CoolingInterval interval = CoolingInterval::Layer;
 };
@@ -48,13 +49,13 @@ struct FanSettings {
   WhenSlow beyond = WhenSlow::Least;  ///< for layers that take longer
   double bridge = 1.0;                ///< share for bridges
   double overhang = 1.0;              ///< share for unsupported walls and skins
-  std::string by_role;                ///< shares of other roles, as `support_interface=1,top_skin=0.8`
+  std::string by_role;                ///< shares for other roles: "support_interface=1,top_skin=0.8"
   double spin_up_s = 0.0;             ///< lead time of commands that raise the fan
 };
 
 /// Adds the keys cooling.*.
 void describe(SettingsSchema& schema, CoolingSettings& settings);
-/// Adds the keys fan.*; `fan.off_above_s`, the former name of `fan.least_at_s`, is taken for one release.
+/// Adds the keys fan.*; `fan.off_above_s`, the former name of `fan.least_at_s`, is accepted for one release.
 void describe(SettingsSchema& schema, FanSettings& settings);
 
 /// @throws InvalidConfig if the least share is above the greatest, `full_below_s` is above `least_at_s`, or

@@ -20,30 +20,30 @@ namespace lamina {
 std::size_t limitFlow(Toolpath& toolpath, const FlowSettings& settings, double flow_factor,
                       Progress& progress);
 
-/// Runs whose ends are deposited by the pressure left in the nozzle.
+/// Result of `coast`: runs whose ends are deposited by the pressure left in the nozzle.
 struct Coasting {
   std::size_t runs = 0;
-  double left_mm3 = 0.0;  ///< total volume that is not pushed
+  double left_mm3 = 0.0;  ///< total volume that is left to the pressure
 };
 
 /// Turns the end of each run of beads into a travel, over the length that holds `coast_mm3`, but at most
 /// `coast_longest_mm` and half of the run's last path. A volume of 0 changes nothing. Parallel over layers.
 Coasting coast(Toolpath& toolpath, const FlowSettings& settings, Progress& progress);
 
-/// What a program that makes up for a lag cannot reach.
+/// Result of `feedForward`: what cannot be compensated.
 struct FeedForward {
-  std::size_t runs = 0;
-  /// Volume that would have to be pulled back, be pushed above the greatest flow, or arrive within the dead
-  /// time.
+  std::size_t runs = 0;  ///< all runs
+  /// Volume that is off the planned beads, since it would have to be pulled back, be pushed above the
+  /// greatest flow, or leave the nozzle within the dead time.
   double unmet_mm3 = 0.0;
-  double unmet_mm = 0.0;  ///< length of the runs where that is so
+  double unmet_mm = 0.0;  ///< length of the runs over which that volume is off
 };
 
-/// Makes up for a nozzle whose flow q follows the flow pushed, u, by `lag_s dq/dt + q = u(t - dead_time_s)`.
-/// Beads are replaced by those to be pushed, so that the planned ones leave the nozzle. Times are those of
-/// the estimate from rest to rest; motions get waypoints where the flow changes. The flow pushed lies between
-/// 0 and `greatest_mm3_s`. Each run starts without pressure, and what it needs is pushed at its start. Lag
-/// and dead time of 0 change nothing.
+/// Compensates the lag of a nozzle whose flow q follows the pushed flow u by `lag_s dq/dt + q = u(t -
+/// dead_time_s)`. Each bead is replaced by the one that has to be pushed so that the planned one leaves the
+/// nozzle. Times are those of the estimate from rest to rest; motions get waypoints where the flow changes.
+/// The flow pushed lies between 0 and `greatest_mm3_s`. Each run starts without pressure, and what it needs
+/// is pushed at its start. Lag and dead time of 0 change nothing.
 /// @param flow_factor  factor of the program on all extrusion
 FeedForward feedForward(Toolpath& toolpath, const FlowSettings& settings, const MotionLimits& limits,
                         double flow_factor);

@@ -16,13 +16,13 @@ enum class AdvanceWord : std::uint8_t { Marlin, Klipper, RepRapFirmware };
 struct FlowSettings {
   double greatest_mm3_s = 0.0;         ///< 0 for no limit
   double greatest_slope_mm3_s2 = 0.0;  ///< greatest change along a run; 0 for no limit
-  double coast_mm3 = 0.0;              ///< volume at the end of each run left to the pressure; 0 for none
-  double coast_longest_mm = 2.0;       ///< greatest length left to the pressure
-  double advance_s = 0.0;              ///< pressure advance of the firmware; 0 leaves it alone
-  std::string advance_by_role;         ///< as "outer_wall=0.04, infill=0.06"; other roles have `advance_s`
+  double coast_mm3 = 0.0;         ///< volume at the end of each run that is left to the pressure; 0 for none
+  double coast_longest_mm = 2.0;  ///< greatest length that is left to the pressure
+  double advance_s = 0.0;         ///< pressure advance of the firmware; 0 leaves it alone
+  std::string advance_by_role;    ///< [s], as "outer_wall=0.04, infill=0.06"; other roles have `advance_s`
   AdvanceWord advance_word = AdvanceWord::Marlin;
-  double lag_s = 0.0;        ///< time constant of the flow, for which the program makes up; 0 for none
-  double dead_time_s = 0.0;  ///< of the flow
+  double lag_s = 0.0;        ///< time constant of the flow, which the program compensates; 0 for none
+  double dead_time_s = 0.0;  ///< of the flow, which the program compensates
 };
 
 /// Adds the keys flow.*.

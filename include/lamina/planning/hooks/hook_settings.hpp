@@ -18,10 +18,11 @@ struct HookSettings {
   std::string tool_change;    ///< after the change
   std::string pause;          ///< before the machine waits
   SettingTable before_role;   ///< by the role's name
-  SettingTable after_role;    ///< the same
+  SettingTable after_role;    ///< by the role's name
   SettingTable at_layer;      ///< by the layer's number, from 0
-  SettingTable at_height_mm;  ///< by the height reached
-  bool moves_axes = false;    ///< position, modes and feed are stated again after each of them
+  SettingTable at_height_mm;  ///< by the height reached [mm]
+  /// Whether code may move axes; position, modes and feed are then restated after it.
+  bool moves_axes = false;
 };
 
 /// Places at which the machine waits for its operator.
@@ -36,7 +37,8 @@ void describe(SettingsSchema& schema, HookSettings& settings);
 void describe(SettingsSchema& schema, PauseSettings& settings);
 
 /// @throws InvalidConfig if code holds an unknown placeholder, a carriage return, more than 1000 lines, or a
-/// command that moves axes or changes modes without `moves_axes`; if a role, a layer or a height is none
+///   command that moves axes or changes modes without `moves_axes`; if a role, a layer or a height is not
+///   valid
 void requireConsistent(const HookSettings& settings);
 void requireConsistent(const PauseSettings& settings);
 

@@ -20,15 +20,15 @@ struct HookSite {
   MotionLimits limits;
 };
 
-/// Adds a pause at a parking place, and the way there, before the first bead of each layer that the settings
-/// name, and of the first layer that begins at or above each height over the bed. A layer without beads
-/// passes the pause on to the next. Several pauses at one layer are one.
+/// Adds a pause at a parking place, and the travels to it and back, before the first bead of each layer that
+/// the settings name, and of the first layer that begins at or above each height over the bed. The pause of a
+/// layer without beads comes in the next one. Several pauses at one layer are one.
 /// @param parking  lift and place of parking
 /// @throws InvalidConfig if there is no such layer, or none above that height
 void addPauses(Toolpath& toolpath, const PauseSettings& settings, const CoolingSettings& parking,
                const HookSite& site);
 
-/// Adds code as events. Their places:
+/// Adds the code of the settings as events, at these places:
 /// - start of a layer, start of a role, a layer's number, a height: after the travel to its first bead;
 /// - end of a role: before the next travel;
 /// - end of a layer: after its last path;
@@ -36,7 +36,7 @@ void addPauses(Toolpath& toolpath, const PauseSettings& settings, const CoolingS
 /// - change of a tool: after it;
 /// - pause: before it.
 ///
-/// A role starts when the bead before, in any layer, has another role.
+/// A role starts at a bead if the bead before it, in any layer, has another role.
 ///
 /// Placeholders: {layer} from 0, {layers}, {z_mm} and {height_mm} of the layer, {time_s} since the start,
 /// {left_s} and {share} of the estimated time, {role}, {part}, {tool} and the {next_tool} after it,

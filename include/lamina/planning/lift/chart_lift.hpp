@@ -22,15 +22,16 @@ struct LiftSettings {
   ToolAxis tool_axis = ToolAxis::Normal;  ///< Down leaves the nozzle upright
 };
 
-/// Adds the keys lifting.*, but for the tool axis.
+/// Adds the keys lifting.*; the tool axis has none.
 void describe(SettingsSchema& schema, LiftSettings& settings);
 
 /// Lifts a planned layer onto its charts.
 ///
 /// Runs that deposit follow the surface of the layer's nozzle tips. They get waypoints where they cross edges
 /// of triangles, except those that the tolerances make needless; planned waypoints stay. The tool axis is
-/// against the normal, and the nozzle's frame is `nozzleDown()` turned the shortest way. Each bead is as high
-/// as the layer and has the volume of the planned one on the middle surface of the layer:
+/// opposite to the normal; the nozzle's frame is `nozzleDown()`, rotated to it by the shortest way. Each bead
+/// is as high as the layer. Its volume is that of the planned bead, brought to the middle surface of the
+/// layer:
 ///
 /// volume = plan area of the bead * area ratio of the triangle * height of the layer
 ///
@@ -39,23 +40,24 @@ void describe(SettingsSchema& schema, LiftSettings& settings);
 /// bead's width. Material that would still need a wider bead than allowed is left out, and so are runs that
 /// are too short as a whole.
 ///
-/// Travels that are not retracted and stay over one chart follow the layer, their inner waypoints raised by
-/// four times the tolerance. For other travels see `makeSpaceTravel`.
+/// Travels that are not retracted and stay over one chart follow the layer, with their inner waypoints raised
+/// above it by four times the position tolerance. For other travels see `makeSpaceTravel`.
 ///
-/// Motions beside all charts are left out, up to five bead widths of a run. They occur where a bead fits
-/// between charts that a fold divides.
+/// Motions that lie on no chart are left out, up to a length of five bead widths in a run. They occur where a
+/// bead lies across the gap between charts that a fold divides.
 ///
-/// @param planned     paths in the plan; may not leave the charts by more than `ChartLookup::kSnap`
+/// @param planned  paths in the plan; may not leave the charts by more than `ChartLookup::kSnap`
 /// @param highest_mm  z of the highest nozzle tip of this layer and of those before it [part frame]
 /// @return layer height and z as planned; the paths join as the planned ones do. Lifted and left-out volume
 ///   add up to the planned one.
-/// @throws InvalidInput if more of a run leaves its chart, naming where
+/// @throws InvalidInput naming the place, if more of a run, or a drop, lies on no chart
 LiftedLayer liftOnto(const std::vector<LayerChart>& charts, ToolpathLayer planned,
                      const LiftSettings& settings, const TravelSettings& travel, double highest_mm);
 
 /// Lifts each layer onto its charts by `liftOnto`. Layers without charts are level and stay as planned.
-/// @param layers      charts of each layer; must outlive the result
-/// @param highest_mm  of each layer, as for `liftOnto`
+/// @param layers  charts of each layer; must outlive the result
+/// @param highest_mm  for each layer, as for `liftOnto`
+/// @throws InvalidInput if there are not as many; the result throws as `liftOnto`
 LayerLift chartLift(const std::vector<std::vector<LayerChart>>& layers, std::vector<double> highest_mm,
                     const LiftSettings& settings, const TravelSettings& travel);
 

@@ -10,8 +10,8 @@ namespace lamina {
 
 /// Lifts layers planned in xy onto the curved layers from which they were cut. The chart of a layer exists
 /// only while it is lifted.
-/// @param slices    must outlive the result
-/// @param settings  the tool axis down for machines that cannot tilt
+/// @param slices  must outlive the result
+/// @param settings  with `ToolAxis::Down` for machines that cannot tilt
 LayerLift heightFieldLift(const HeightFieldSlices& slices, const LiftSettings& settings,
                           const TravelSettings& travel);
 

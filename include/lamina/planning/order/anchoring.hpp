@@ -32,8 +32,9 @@ struct BedPlane {
 
 /// Numbers of runs with an unsupported start; 0 in level layers.
 struct AnchoredStarts {
-  std::size_t moved = 0;   ///< reversed, started elsewhere or divided, so that they begin on bed or material
-  std::size_t in_air = 0;  ///< that still begin in the air
+  /// Runs reversed, started elsewhere or divided, so that they begin on bed or material.
+  std::size_t moved = 0;
+  std::size_t in_air = 0;  ///< runs that still begin in the air
 };
 
 }  // namespace lamina

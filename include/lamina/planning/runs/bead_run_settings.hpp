@@ -13,17 +13,17 @@ namespace lamina {
 /// Where closed runs start, from layer to layer.
 enum class StartRule : std::uint8_t {
   Keep,      ///< where they were planned
-  Golden,    ///< by 0.618034 of their length farther in each layer
-  Opposite,  ///< half their length on in every other layer
+  Golden,    ///< moved on by 0.618034 of their length from each layer to the next
+  Opposite,  ///< moved on by half their length in every other layer
 };
 
 /// How closed runs start in successive layers.
 struct StartSettings {
   StartRule rule = StartRule::Keep;
-  double first_share = 0.0;  ///< of the length, where the first layer starts
+  double first_share = 0.0;  ///< of the length, by which the start in the first layer is moved on
 };
 
-/// The way of a lead.
+/// Shape of a lead: the motion that leads to the beads of a run, or away from them.
 enum class LeadShape : std::uint8_t {
   None,
   Line,
@@ -33,18 +33,18 @@ enum class LeadShape : std::uint8_t {
 
 /// What the process does along a lead.
 enum class LeadDeposit : std::uint8_t {
-  Dry,   ///< lays nothing
-  Bead,  ///< lays the run's bead
-  Ramp,  ///< lays a bead that grows to that of the run, or fades from it
+  Dry,   ///< deposits nothing
+  Bead,  ///< deposits the run's bead
+  Ramp,  ///< deposits a bead that grows to that of the run, or fades from it
 };
 
-/// Ways before and after the beads of a run, and how a closed one is closed.
+/// Leads before and after the beads of a run, and how a closed run is closed.
 struct LeadSettings {
   LeadShape in = LeadShape::None;
   LeadShape out = LeadShape::None;
   double length_mm = 10.0;  ///< of a line
   double angle_deg = 0.0;   ///< of a line, from the tangent, in the layer
-  double rise_deg = 0.0;    ///< out of the layer
+  double rise_deg = 0.0;    ///< angle of a lead out of the layer
   double radius_mm = 5.0;   ///< of an arc or a loop
   double sweep_deg = 90.0;  ///< of an arc
   double least_mm = 1.0;    ///< leads that are shorter are left out
@@ -52,14 +52,14 @@ struct LeadSettings {
   double overlap_mm = 0.0;  ///< by which a closed run goes on over its start; 0 for none
 };
 
-/// Which way a tool comes to a run.
+/// Direction along which a tool approaches a run and leaves it.
 enum class EntryDirection : std::uint8_t {
   ToolAxis,  ///< along the tool axis
   Level,     ///< along z of the part's frame
-  Tangent,   ///< on along the run or its lead; along the tool axis where there is no room
+  Tangent,   ///< along the tangent of the run or its lead; along the tool axis where there is no room
 };
 
-/// Points before and after each run, from and to which the tool goes straight.
+/// Straight entries to each run and exits from it: from and to points at a distance.
 struct EntrySettings {
   double distance_mm = 0.0;  ///< 0 for none
   EntryDirection direction = EntryDirection::ToolAxis;
@@ -69,27 +69,27 @@ struct EntrySettings {
 /// Process values of all beads, and how they rise and fall at the ends of runs.
 struct LevelSettings {
   std::string values;             ///< "laser_power_w=1200, wire_speed_mm_s=from_bead"; empty for none
-  double wire_diameter_mm = 1.2;  ///< of `from_bead`
+  double wire_diameter_mm = 1.2;  ///< diameter of the wire, for `from_bead`
   double start_share = 1.0;       ///< of the value, where a run starts
-  double start_mm = 0.0;          ///< over which it becomes the whole value
+  double start_mm = 0.0;          ///< length over which it becomes the whole value
   double end_share = 1.0;         ///< of the value, where a run ends
-  double end_mm = 0.0;            ///< over which it becomes that share
+  double end_mm = 0.0;            ///< length over which it becomes that share
 };
 
-/// How a tip swings across its way.
+/// Curve on which a tip swings across the centre line of a bead.
 enum class WeaveKind : std::uint8_t {
   None,
   Zigzag,
   Sine,
   Trapezium,
-  Circle,  ///< round and round, ahead of the line
-  Eight,   ///< round a loop on each side, half as far ahead and back as aside
+  Circle,  ///< circles whose centre advances along the line, by the amplitude ahead of the path
+  Eight,   ///< figures of eight with a loop on each side; half as far ahead and back as aside
 };
 
-/// What a feed is of, where a tip weaves.
+/// Which speed the feed is while a tip weaves.
 enum class WeaveFeed : std::uint8_t {
   Advance,  ///< along the centre line
-  Tip,
+  Tip,      ///< of the tip itself
 };
 
 /// Weaving of the tip across the centre line of beads.
@@ -97,16 +97,16 @@ struct WeaveSettings {
   WeaveKind kind = WeaveKind::None;
   double amplitude_mm = 2.0;   ///< half the width that is swung
   double wavelength_mm = 4.0;  ///< along the centre line
-  double flat_share = 0.25;    ///< of a wave, on each side of a trapezium
-  double left_s = 0.0;         ///< rest on the left, with the process on
-  double right_s = 0.0;
+  double flat_share = 0.25;    ///< share of a wave that a trapezium stays on each side
+  double left_s = 0.0;         ///< rest on the left in each wave, with the process on
+  double right_s = 0.0;        ///< rest on the right
   WeaveFeed feed = WeaveFeed::Advance;
-  double tolerance_mm = 0.05;  ///< from chord to curve
+  double tolerance_mm = 0.05;  ///< greatest distance of chords from the curve
   double swing_deg =
       0.0;  ///< of the tool axis about the way, to the side on which the tip is; at the amplitude
 };
 
-/// What becomes of runs of beads once they are planned.
+/// What is done to runs of beads after they are planned.
 struct BeadRunSettings {
   StartSettings starts;
   LeadSettings lead;
@@ -125,14 +125,14 @@ struct StatedLevel {
   bool is_from_bead = false;  ///< follows from bead and feed instead
 };
 
-/// In the order in which they stand.
-/// @throws InvalidConfig if it is no list of name=value, a name is none of `ProcessLevel`, stands twice, or a
-///   value is negative or no number; `from_bead` is of wire_speed_mm_s alone
+/// The values in a list "name=value, ...", in its order.
+/// @throws InvalidConfig if an entry is not of that form; if a name is none of `ProcessLevel`, or stands
+///   twice; if a value is negative or no number; if `from_bead` stands for another name than wire_speed_mm_s
 std::vector<StatedLevel> statedLevels(const std::string& text);
 
-/// @throws InvalidConfig naming key, value and unit: a lead that rises while it lays, a loop that lays, one
-///   that lays beside an overlap, a weave that is wider than four of its waves, a swing of the torch without
-///   a weave, shares or rests without the weave or ramp that they are of
+/// @throws InvalidConfig naming key, value and unit, for a contradiction: a lead that rises and deposits, a
+///   loop that deposits, a lead that deposits together with an overlap, a weave that is wider than four of
+///   its waves, a swing of the torch without a weave, shares without a length over which they change
 void requireConsistent(const BeadRunSettings& settings);
 
 }  // namespace lamina

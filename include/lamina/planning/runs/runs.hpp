@@ -15,24 +15,24 @@ namespace lamina {
 /// frac(first + 0.618034 i) (golden) or frac(first + i / 2) (opposite). Travels lead to the new starts, with
 /// the nozzle turned as it is there. Runs that follow others without a travel, and paths with events within
 /// them, keep their starts.
-/// @return how many start elsewhere
+/// @return number of runs that start elsewhere
 std::size_t spreadStarts(Toolpath& toolpath, const StartSettings& settings);
 
 /// Lets runs that are one closed path go on over their start by `overlap_mm`. There the bead grows from
 /// nothing on the first pass and fades to nothing on the second one, in 16 steps each. Both passes together
 /// make up the planned bead everywhere.
-/// @return how many
-/// @throws InvalidInput naming layer and path where the overlap is as long as the run
+/// @return number of runs that do
+/// @throws InvalidInput naming layer and path if the overlap is as long as the run
 std::size_t overlapEnds(Toolpath& toolpath, const LeadSettings& settings);
 
-/// Leads of a toolpath.
+/// Numbers of leads of a toolpath.
 struct LeadCount {
   std::size_t added = 0;
-  std::size_t shortened = 0;  ///< of those added, for want of room
-  std::size_t left_out = 0;   ///< with less room than `least_mm`
+  std::size_t shortened = 0;  ///< of those added, shortened for lack of room
+  std::size_t left_out = 0;   ///< for which there is less room than `least_mm`
 };
 
-/// What is added at the ends of runs.
+/// Numbers of what is added at the ends of runs.
 struct EndCount {
   LeadCount leads;
   std::size_t entries = 0;
@@ -40,33 +40,34 @@ struct EndCount {
       0;  ///< of the entries: along the tool axis, as there is no room along the run
 };
 
-/// Adds a lead before and after each run of the part: a travel at the run's feed, or a path of role Prime
-/// where it lays a bead. A lead goes to the side with more room; if both sides have the same, it goes to the
+/// Adds a lead before and after each run of the part: a travel at the run's feed, or a path of role Prime if
+/// it deposits a bead. A lead goes to the side with more room; if both sides have the same, it goes to the
 /// outside of a closed run. It comes no nearer to other beads of the layer than beads are to each other. A
 /// lead that would lie on the bead of its own run along more than half of its way is left out. A loop is
 /// smaller where there is less room. It keeps off its own path except where it touches that path.
 ///
 /// Adds an entry and an exit to each run, or to its lead: separate travels, straight and at a feed of their
-/// own, on which the tool comes from `distance_mm` away and leaves as far. These travels, and leads that lay
-/// nothing, are retracted where the travel next to them is.
+/// own, on which the tool comes from `distance_mm` away and leaves as far. These travels, and leads that
+/// deposit nothing, are retracted if the travel next to them is.
 ///
-/// The travels before and after are led to the ends of what was added. Runs that follow another path without
-/// a travel get none.
+/// The travels before and after the run then end and start at what was added. Runs that follow another path
+/// without a travel get none.
 EndCount addEnds(Toolpath& toolpath, const LeadSettings& lead, const EntrySettings& entry);
 
 /// Lets the tip swing across the beads of the part, by additional waypoints. Each path is woven by itself,
-/// about its own line, in a whole number of half waves, or of whole waves if it is closed. Left is the left
-/// of the way, seen against the tool axis. The volume along the line stays, and so do the ends of open paths.
-/// A path shorter than a quarter of a wave stays.
+/// about its own line, in a whole number of half waves, or of whole waves if it is closed. Left is that of
+/// the direction of travel, seen against the tool axis. The volume along the line stays, and so do the ends
+/// of open paths. A path shorter than a quarter of a wave stays.
 /// @param limits  by which the machine can swing
-/// @return how many paths are woven
-/// @throws InvalidInput naming layer, path and values: a swing wider than the bead, or one that takes more
+/// @return number of paths that are woven
+/// @throws InvalidInput naming layer, path and values: a swing wider than the bead, or one that needs more
 ///   acceleration than the machine has; an event amid a path
 std::size_t weave(Toolpath& toolpath, const WeaveSettings& settings, const MotionLimits& limits);
 
-/// States process values on all that lays beads. At the ends of runs they rise and fall in steps of an eighth
-/// of the way: each motion has the value of its middle. `from_bead` is the speed of a wire that brings the
-/// bead's volume, section times feed over the wire's section. To be called once feeds are final.
+/// States process values on all paths that deposit beads. At the ends of runs they rise and fall in eight
+/// steps over the length of the settings; each motion has the value at its middle. `from_bead` is the speed
+/// of a wire that brings the bead's volume, section times feed over the wire's section. To be called once
+/// feeds are final.
 /// @throws InvalidConfig as `statedLevels`
 void stateLevels(Toolpath& toolpath, const LevelSettings& settings);
 

@@ -27,19 +27,19 @@ struct SupportSettings {
   int walls = 0;                  ///< loops round each column
   double top_gap_mm = 0.2;        ///< between support and overhang
   double bottom_gap_mm = 0.2;     ///< between a support and the part on which it stands
-  double side_gap_mm = 0.6;
-  int interface_layers = 2;  ///< number of dense layers below the overhang, and on the part
+  double side_gap_mm = 0.6;       ///< between a support and walls beside it
+  int interface_layers = 2;       ///< number of dense layers below the overhang, and on the part
   double interface_density = 0.8;
-  double least_width_mm = 0.4;  ///< narrower overhangs and columns are left out
-  double join_mm = 2.0;         ///< narrower gaps between columns are closed
-  double expand_mm = 0.0;       ///< by which the supported area is widened
-  double tip_mm = 0.8;          ///< diameter of the support of a point, and of tips of branches
-  double tip_spacing_mm = 2.0;
+  double least_width_mm = 0.4;     ///< narrower overhangs and columns are left out
+  double join_mm = 2.0;            ///< narrower gaps between columns are closed
+  double expand_mm = 0.0;          ///< by which the supported area extends beyond the overhang
+  double tip_mm = 0.8;             ///< diameter of the support of a point, and of tips of branches
+  double tip_spacing_mm = 2.0;     ///< distance of neighbouring tips
   double branch_angle_deg = 40.0;  ///< greatest lean of a branch
   double branch_taper_deg = 5.0;   ///< angle by which each side of a branch widens downwards
-  double branch_mm = 6.0;          ///< greatest diameter
+  double branch_mm = 6.0;          ///< greatest diameter of a branch
   int tool = -1;                   ///< -1: that of the part
-  int interface_tool = -1;
+  int interface_tool = -1;         ///< -1: that of the part
 };
 
 /// Adds the keys supports.*.

@@ -46,7 +46,7 @@ void describe(SettingsSchema& schema, ToolSettings& settings);
 /// @throws InvalidConfig if an entry is no field of a tool, a value does not fit, or a number is missing
 std::vector<Tool> toolsOf(const ToolSettings& settings);
 
-/// The number of the tool that lays paths of that role.
+/// Number of the tool that deposits paths of that role.
 std::size_t toolFor(PathRole role, const ToolSettings& settings);
 
 /// Whether `tool.*` assigns any role to another tool than the first.

@@ -11,11 +11,11 @@
 namespace lamina {
 
 /// Paths along adapted curves, one bead per wall. Beads are outer walls of the set width, at each waypoint as
-/// high as the curve is above the one below. The tool axis is against the curve's axis, the nozzle turned the
-/// shortest way from straight down. Beads lie `walls.contour_offset` of their width inside the wall, along
-/// its normal; where the wall is too thin for that from both of its sides, nothing is deposited. Loops start
-/// as `seam.*` says, in random placement at the point nearest to the seam; open curves start at the end
-/// nearer to the nozzle. Layers are joined by travels.
+/// high as the curve is above the one below. The tool axis is opposite to the curve's axis; the nozzle is
+/// rotated by the shortest way from straight down. Beads lie `walls.contour_offset` of their width inside the
+/// wall, along its normal; where the wall is too thin for that from both of its sides, nothing is deposited.
+/// Loops start as `seam.*` says, in random placement at the point nearest to the seam; open curves start at
+/// the end nearer to the nozzle. Layers are joined by travels.
 ///
 /// @return `z_mm` is the highest point of a layer, `height_mm` its greatest height; layers on which nothing
 ///   is deposited are left out

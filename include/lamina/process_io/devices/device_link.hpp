@@ -16,36 +16,38 @@
 
 namespace lamina {
 
-/// What a device link reports.
+/// State of a device link.
 struct DeviceReport {
   bool is_connected = false;
-  bool is_hung = false;        ///< a call of the device has not come back
-  std::string reason;          ///< why it is not
-  std::string note;            ///< what was to be warned of as it was opened; once
-  std::vector<double> inputs;  ///< raw, of the last exchange; empty before the first
-  double late_s = 0.0;         ///< the worst begin of an exchange since the last report
+  bool is_hung = false;        ///< a call to the device has not returned for twice its time-out
+  std::string reason;          ///< why it is not connected
+  std::string note;            ///< warning from opening the device; in one report only
+  std::vector<double> inputs;  ///< raw, of the last exchange; empty while there is none
+  double late_s = 0.0;         ///< greatest delay of an exchange's begin since the last report
 };
 
-/// How well a device was served.
+/// Delays and durations of the exchanges with a device.
 struct DeviceFigures {
-  Lateness late;        ///< begins of exchanges, after they were due
-  Lateness round_trip;  ///< of exchanges
+  Lateness late;        ///< from when an exchange was due to its begin
+  Lateness round_trip;  ///< from the begin of an exchange to its end
 };
 
-/// Exchanges values with a device in a thread of its own: who sends never waits. A device that is lost is
-/// opened again; the first values after opening, and the last before the end, are the safe ones.
+/// Exchanges values with a device in a thread of its own, so that callers never wait. A device that is lost
+/// is opened again. The first values that it is sent after opening, and the last ones before the link ends,
+/// are the safe ones.
 class DeviceLink {
  public:
-  /// @param clock  must outlive it
-  /// @param safe   raw, in the order of the device's table
+  /// @param clock  must outlive the link
+  /// @param safe  safe values, raw, in the order of the device's table
   DeviceLink(std::unique_ptr<ProcessDevice> device, const DeviceSettings& settings, const Clock& clock,
              std::vector<double> safe);
   ~DeviceLink();
   DeviceLink(const DeviceLink&) = delete;
   DeviceLink& operator=(const DeviceLink&) = delete;
 
-  /// Takes the place of what was not sent yet.
-  /// @param due_s  when it should be sent, by the clock
+  /// Hands over values to be sent, in place of those that were not sent yet.
+  /// @param raw  in the order of the device's table
+  /// @param due_s  time by the clock at which they should be sent
   void send(std::vector<double> raw, double due_s);
   DeviceReport report();
   DeviceFigures figures() const;

@@ -17,20 +17,22 @@
 
 namespace lamina {
 
-/// Registers of the emulated coupler, from 0.
+/// Addresses of the registers of the emulated coupler, from 0.
 inline constexpr std::size_t kCouplerChannels = 16;
-inline constexpr std::uint16_t kCouplerOutputs = 0;       ///< 16, written and read
-inline constexpr std::uint16_t kCouplerEffects = 32;      ///< 16, read: what has become of the outputs
+inline constexpr std::uint16_t kCouplerOutputs = 0;  ///< 16 registers, written and read
+/// 16 registers, read: effects of the outputs, after dead time and lag.
+inline constexpr std::uint16_t kCouplerEffects = 32;
 inline constexpr std::uint16_t kCouplerWatchdog = 64;     ///< [ms]; 0 for none
 inline constexpr std::uint16_t kCouplerState = 65;        ///< read: 0 never written, 1 in service, 2 fault
 inline constexpr std::uint16_t kCouplerReady = 66;        ///< read: 1 if the device behind it is ready
-inline constexpr std::uint16_t kCouplerFaultValues = 80;  ///< 16, written and read
+inline constexpr std::uint16_t kCouplerFaultValues = 80;  ///< 16 registers, written and read
 inline constexpr std::uint16_t kCouplerRegisters = 96;
 
 struct CouplerSettings {
-  double watchdog_s = 0.5;   ///< without a write to an output: then the fault values; 0 for none
+  /// Time without a write to an output after which outputs take their fault values; 0 for none.
+  double watchdog_s = 0.5;
   double dead_time_s = 0.0;  ///< of every output
-  double lag_s = 0.0;        ///< the same
+  double lag_s = 0.0;        ///< time constant of every output
 };
 
 /// A change of an output.
@@ -42,22 +44,24 @@ struct CouplerEvent {
   Cause cause = Cause::Written;
 };
 
-/// A Modbus coupler with 16 outputs that is not there: registers, watchdog with fault values, effects that
-/// lag, and a record of all that its outputs did. No network; times come from outside and must not go back.
+/// Emulates a Modbus coupler with 16 outputs: registers, a watchdog with fault values, effects that lag, and
+/// a record of all changes of outputs. It has no network and no clock: callers pass times, which must not go
+/// back.
 class EmulatedCoupler {
  public:
-  static constexpr std::size_t kMostEvents = 100000;  ///< that are kept: the first
+  static constexpr std::size_t kMostEvents = 100000;  ///< number of events that are kept, the first ones
 
   explicit EmulatedCoupler(const CouplerSettings& settings);
 
   /// The answer to a request, as bytes.
   std::string answer(const ModbusRequest& request, double now_s);
-  /// Lets time pass: the watchdog looks.
+  /// Advances to a time: the watchdog acts if it has expired.
   void advance(double now_s);
 
+  /// The value of a register.
   std::uint16_t at(std::uint16_t address, double now_s);
   void setReady(bool is_ready) { is_ready_ = is_ready; }
-  /// An output whose effect stays at 0, whatever it is sent.
+  /// Makes the effect of an output stay at 0, whatever is sent.
   void block(std::size_t output) { is_blocked_.at(output) = true; }
   const std::vector<CouplerEvent>& events() const { return events_; }
 
@@ -75,7 +79,7 @@ class EmulatedCoupler {
   bool is_ready_ = true;
 };
 
-/// That coupler, for Modbus TCP clients, by the steady clock.
+/// Serves an `EmulatedCoupler` to Modbus TCP clients, by the steady clock.
 class CouplerServer {
  public:
   /// @throws DeviceError if it cannot listen there

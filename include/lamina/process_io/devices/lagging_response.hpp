@@ -8,16 +8,16 @@
 
 namespace lamina {
 
-/// A response that follows what it is sent after a dead time, with a lag of first order: exact at any
-/// time, by the closed solution from one change of its input to the next.
+/// A response that follows its input after a dead time, with a lag of first order. It is exact at any time,
+/// by the closed solution from one change of the input to the next.
 class LaggingResponse {
  public:
   LaggingResponse(double dead_time_s, double lag_s) : dead_time_s_(dead_time_s), lag_s_(lag_s) {}
 
-  /// Times must not go back.
+  /// Sets the input; times must not go back.
   void send(double value, double now_s) { sent_.emplace_back(now_s + dead_time_s_, value); }
 
-  /// The effect at a time, which must not go back.
+  /// The response at a time, which must not go back.
   double effectAt(double time_s) {
     while (!sent_.empty() && sent_.front().first <= time_s) {
       advance(sent_.front().first);

@@ -11,33 +11,34 @@
 
 namespace lamina {
 
-/// What stands in the tables of one device.
+/// The rows of the tables that belong to one device.
 struct DeviceTable {
   DeviceSettings device;
   std::vector<OutputChannel> channels;
   std::vector<InputChannel> inputs;
 };
 
+/// The rows of one device.
 /// @param device  index in the tables
 DeviceTable tableOf(const ProcessTables& tables, std::size_t device);
 
-/// The value that a device is sent for a value of a channel.
+/// The raw value that is sent to a device for a value of a channel.
 inline double rawOf(const OutputChannel& channel, double value) {
   return channel.scale * value + channel.offset;
 }
 
-/// The value of an input that a device reads as that.
+/// The value of an input of which a device reads the raw value.
 inline double valueOf(const InputChannel& input, double raw) { return (raw - input.offset) / input.scale; }
 
-/// The link to a device. Calls come from one thread, and may wait for the device's `timeout_s`.
+/// Interface to a device. Calls come from one thread, and may wait for the device's `timeout_s`.
 class ProcessDevice {
  public:
   virtual ~ProcessDevice() = default;
 
-  /// Connects, and reads back what the device does when the link is lost, where it can report that.
-  /// @return what is to be warned of, in words; empty if nothing is
-  /// @throws Disconnected if it is not there
-  /// @throws DeviceError if it does not go safe by itself as it should, with what it reports
+  /// Connects, and checks what the device does if the link is lost, as far as it can report that.
+  /// @return a warning in words; empty if there is none
+  /// @throws Disconnected if the device does not answer
+  /// @throws DeviceError, with what the device reports, if it would not go to safe values by itself
   virtual std::string open() = 0;
 
   /// Writes all channels and reads all inputs, raw, in the order of the device's table.
@@ -47,7 +48,7 @@ class ProcessDevice {
   virtual void close() = 0;
 };
 
-/// Of the kinds modbus_tcp, modbus_rtu, serial_text and none; null for those that need ROS.
+/// A device of one of the kinds modbus_tcp, modbus_rtu, serial_text and none; null for kinds that need ROS.
 /// @throws InvalidConfig if the table does not fit the kind, naming row, value and what was expected
 std::unique_ptr<ProcessDevice> makeProcessDevice(const DeviceTable& table);
 

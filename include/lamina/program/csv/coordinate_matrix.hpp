@@ -11,9 +11,9 @@
 
 namespace lamina {
 
-/// How a row of the coordinate matrix is reached.
+/// How the nozzle reaches the point of a row of the coordinate matrix.
 enum class CoordinateFlag : std::int8_t {
-  Cut = -1,      ///< extruding; the trajectory is cut here: last point of a sweep and first of the next
+  Cut = -1,      ///< extruding; the trajectory is cut at this point, which ends one sweep and begins the next
   Start = 0,     ///< without extruding: first point of a trajectory
   Continue = 1,  ///< extruding
 };
@@ -22,29 +22,30 @@ enum class CoordinateFlag : std::int8_t {
 struct CoordinateRow {
   Point3 point = Point3::Zero();  ///< nozzle tip [mm]
   CoordinateFlag flag = CoordinateFlag::Start;
-  double filament_mm = 0.0;  ///< pushed forth since the trajectory began: column E
+  double filament_mm = 0.0;  ///< length of filament fed since the trajectory began: column E
 };
 
-/// Low corner of the centre lines in x and y [mm], where the matrix puts the part.
+/// Lowest x and lowest y of the points of a coordinate matrix [mm].
 inline constexpr double kMatrixCorner = 2.0;
 
-/// Every trajectory that lays material of the part, in order: a path of the toolpath with its first point
-/// first, a closed one with that point again at its end. Skirts and supports are left out, and so is travel.
-/// Moved in x and y so that the lowest coordinates are `kMatrixCorner`; z stays. Empty if nothing is
-/// deposited.
-/// @param filament_diameter_mm  positive; fixes what column E counts
+/// The trajectories that deposit material of the part, in the order of the toolpath. A trajectory is a path
+/// from its first point on; a closed one ends with its first point again. Skirts, supports and travels are
+/// left out. Points are moved in x and y so that their lowest coordinates are `kMatrixCorner`; z stays. Empty
+/// if nothing is deposited.
+/// @param filament_diameter_mm  positive; by it column E follows from the beads
 /// @throws InvalidInput if the diameter is not positive, or the toolpath is one of drops
 std::vector<CoordinateRow> coordinateMatrix(const Toolpath& toolpath, double filament_diameter_mm);
 
-/// As CSV: a header, then x, y and z in metres, the flag, and the filament in mm.
+/// The matrix as CSV: a header, then x, y and z in metres, the flag, and the filament in mm.
 std::string toCsv(const std::vector<CoordinateRow>& rows);
 
-/// How many trajectories the rows are.
+/// Number of trajectories in the rows: that of rows with the flag Start.
 std::size_t trajectoryCount(const std::vector<CoordinateRow>& rows);
 
-/// Extrusion width [mm] of the stadium deposited when `filament_mm` is pushed forth over `length_mm` in a
-/// layer of `height_mm` [Vega2023, figures 3 and 20]: h + (E pi (D/2)²/L - pi h²/4) / h, and the upright
-/// stadium where that would be less than the height.
+/// Width [mm] of the stadium that is deposited if the length E (`filament_mm`) of a filament of diameter D is
+/// fed over the length L (`length_mm`) in a layer of height h [Vega2023, figures 3 and 20]: h + (E pi
+/// (D/2)²/L - pi h²/4) / h. If that is less than the height, the width of an upright stadium of the same area
+/// instead.
 /// @throws InvalidInput if length, height or diameter is not positive, or the filament is negative
 double extrusionWidth(double filament_mm, double length_mm, double height_mm, double filament_diameter_mm);
 

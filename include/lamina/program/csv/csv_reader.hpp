@@ -9,14 +9,14 @@
 
 namespace lamina {
 
-/// The toolpath that `writeCsv` wrote. What the rows do not hold is taken thus: a layer lies at the height of
-/// its highest deposited waypoint (along its normal) and is as high as its first deposited bead; layers whose
-/// number is skipped have no paths; nothing is retracted.
+/// The toolpath that `writeCsv` wrote. What the rows do not state is assumed: the height `z_mm` of a layer is
+/// that of its highest deposited waypoint, along the normal of the layers; its thickness is the height of its
+/// first deposited bead; a layer whose number is skipped has no paths; no travel is retracted.
 ///
-/// @throws InvalidProgram if the header differs, a row has another number of fields or one that is no number,
-///   the rows' layers or paths are out of order, or a closed path does not return to its start; names the
-///   line
-/// @throws InvalidInput   if `validate` refuses the whole
+/// @throws InvalidProgram naming the line, if the header does not begin as `kCsvHeader`, a row has another
+///   number of fields or one that cannot be read, layers or paths are out of order, rows of one path
+///   contradict each other, or a closed path does not return to its start
+/// @throws InvalidInput  if `validate` refuses the toolpath
 Toolpath readCsv(std::string_view text, const std::string& part_name);
 
 }  // namespace lamina

@@ -7,29 +7,31 @@
 
 namespace lamina {
 
-/// First line of a toolpath as CSV.
+/// First columns of the header of a toolpath as CSV.
 constexpr const char* kCsvHeader =
     "layer,path,role,closed,x_mm,y_mm,z_mm,qw,qx,qy,qz,bead_width_mm,bead_height_mm,feed_mm_s";
 
 /// Writes the toolpath as comma-separated values in the part frame: the header, then one row for each motion
-/// target, in order. A path begins with a row for where it starts; a closed path ends with a row that repeats
-/// that position. Layers and the paths of each layer count from 0; `closed` is 1 or 0; the quaternion is
-/// part_from_nozzle; a travel has bead width 0. Bead and feed stand in the row of the waypoint they lead to.
-/// Numbers are the shortest that read back to the same double.
+/// target, in order. The first row of a path states where it starts; a closed path ends with a row that
+/// repeats that position. Layers and the paths of each layer count from 0; `closed` is 1 or 0; the quaternion
+/// is part_from_nozzle; a travel has bead width 0. Bead and feed stand in the row of the waypoint they lead
+/// to. Numbers are the shortest that read back to the same double.
 ///
-/// Further columns, each only where the toolpath needs it, in this order. `deposit`: `bead`, or `drops` where
-/// a drop of that width and height falls at each row's position and nothing on the way. `tool`, from 0.
-/// `events`, before the row's motion, separated by |; behind `after:` those that come after it: "dwell=2.5",
-/// "fan=0.4", "pause=insert nuts", "code=M117 hot", "moving_code=G28", with bytes other than printable ASCII,
-/// and , | % as % and two hexadecimal digits. One column for each process value, under its name,
-/// empty where a path has none.
+/// Further columns follow in this order, each only if the toolpath needs it:
+/// - `deposit`: `bead`, or `drops` if the path deposits a drop of that width and height at the position of
+///   each row and nothing in between.
+/// - `tool`: its number, from 0.
+/// - `events`, separated by |: those before the row's motion, and with the prefix `after:` those after it.
+///   Examples are "dwell=2.5", "fan=0.4", "pause=insert nuts", "code=M117 hot", "moving_code=G28". Bytes
+///   other than printable ASCII, and the characters , | %, are written as % and two hexadecimal digits.
+/// - one for each process value, under its name; empty in paths that have no such value.
 ///
-/// Inclined layers are stated by a line before the header, `#LAYER_FRAME:` and part_from_layers as w x y z.
+/// If layers are inclined, a line before the header states part_from_layers: `#LAYER_FRAME:` and w x y z.
 ///
-/// Retraction, the part's name and layers without paths do not appear.
+/// Retraction, the part's name and layers without paths are not written.
 ///
-/// @throws InvalidInput if `validate` refuses the toolpath, or the name of a process value can be no column,
-/// before the first piece is written
+/// @throws InvalidInput if `validate` refuses the toolpath, or the name of a process value cannot be that of
+///   a column; both are checked before the first piece is written
 void writeCsv(const Toolpath& toolpath, const TextSink& sink);
 
 }  // namespace lamina

@@ -11,31 +11,32 @@
 
 namespace lamina {
 
-/// The words of programs for drops. [Sobreviela2014, section 4.2] describes its programs, but its sample
-/// of one is not at hand, so that each word is a setting.
+/// The words of programs that deposit drops: a command, comments and keys of the header. [Sobreviela2014,
+/// section 4.2] describes such programs, but its sample is not available, so each word is a setting.
 struct DropDialect {
-  std::string discharge = "M780";     ///< lets one drop go; parameters may follow it
-  std::string layer_mark = "LAYER:";  ///< comment that opens a layer
-  std::string role_mark = "TYPE:";    ///< comment that reports the role of the drops that follow
-  std::string contour = "CONTOUR";    ///< roles
-  std::string infill = "INFILL";
-  std::string void_fill = "VOIDFILL";
-  std::string diameter_key = "drop_diameter";  ///< comments key=value before the first layer [mm]
-  std::string height_key = "layer_height";
-  std::string strategy_key = "strategy";
-  std::string units_key = "units";
+  std::string discharge = "M780";      ///< command that releases one drop; parameters may follow it
+  std::string layer_mark = "LAYER:";   ///< comment that opens a layer
+  std::string role_mark = "TYPE:";     ///< comment that reports the role of the drops that follow
+  std::string contour = "CONTOUR";     ///< role of drops along contours
+  std::string infill = "INFILL";       ///< role of drops inside contours
+  std::string void_fill = "VOIDFILL";  ///< role of drops that fill voids
+  /// Key of the drops' diameter [mm] in the header, which is comments key=value.
+  std::string diameter_key = "drop_diameter";
+  std::string height_key = "layer_height";  ///< key of the layers' height [mm]
+  std::string strategy_key = "strategy";    ///< key of the name of the infill strategy
+  std::string units_key = "units";          ///< key of the unit of length, which must be mm
 };
 
 /// Adds the keys drop_program.*.
 void describe(SettingsSchema& schema, DropDialect& dialect);
 
-/// Whether the command, without its comment, lets a drop go.
+/// Whether the command, given without its comment, releases a drop.
 bool isDischarge(std::string_view command, const DropDialect& dialect);
 
-/// The role as the dialect writes it: walls are contours, a gap fill is a void fill.
+/// The role as the dialect writes it: walls are contours, a gap fill is a void fill, all others are infill.
 const std::string& roleName(PathRole role, const DropDialect& dialect);
 
-/// The role of that name: outer wall, infill or gap fill; none if it is another one.
+/// The path role of a name that the dialect writes: outer wall, infill or gap fill; none for any other name.
 std::optional<PathRole> roleOf(std::string_view name, const DropDialect& dialect);
 
 }  // namespace lamina

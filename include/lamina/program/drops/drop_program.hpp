@@ -13,66 +13,68 @@
 
 namespace lamina {
 
-/// A drop of a program.
+/// A drop that a program releases.
 struct ProgramDrop {
-  Point3 position = Point3::Zero();  ///< [mm, machine]
-  double feed_mm_s = 0.0;            ///< of the motion that led there
-  std::optional<PathRole> role;      ///< as the program states
-  std::size_t section = 0;           ///< counts the comments that state a role
-  std::string command;               ///< that let it go
+  Point3 position = Point3::Zero();  ///< [mm], machine coordinates
+  double feed_mm_s = 0.0;            ///< of the motion to the position
+  std::optional<PathRole> role;      ///< as comments state
+  std::size_t section = 0;           ///< number of comments so far that state a role
+  std::string command;               ///< that releases the drop
 };
 
-/// What must be known to put lines behind the last drop of a layer.
+/// Where lines can be inserted after the last drop of a layer, and what is in force there.
 struct InsertionPoint {
-  std::size_t offset = 0;         ///< in the text: behind the line of the last drop
-  std::size_t line = 0;           ///< of the last drop, 1 based
-  std::string role_comment;       ///< that holds there, with its semicolon; empty if none does
-  std::string motion = "G1";      ///< command that holds for lines of coordinates alone; empty if an arc's
+  std::size_t offset = 0;    ///< bytes of the text up to the end of the last drop's line
+  std::size_t line = 0;      ///< number of the last drop's line, 1 based
+  std::string role_comment;  ///< last comment that states a role, with its semicolon; empty if there is none
+  /// G0 or G1, which lines of coordinates alone repeat; empty if they repeat an arc.
+  std::string motion = "G1";
   Point2 shift = Point2::Zero();  ///< machine coordinates less those of the program [mm]
-  double unit_mm = 1.0;
-  bool is_absolute = true;
-  bool is_shift_known = false;
+  double unit_mm = 1.0;           ///< length of the program's unit: 1, or 25.4 after G20
+  bool is_absolute = true;        ///< after G90, not G91
+  bool is_shift_known = false;    ///< whether x and y were both stated since the last G28 or G92
 };
 
-/// The drops of one layer in the order of the program, and where new ones are put.
+/// The drops of one layer in the order of the program, and where new ones can be inserted.
 struct DropProgramLayer {
   std::vector<ProgramDrop> drops;
-  std::optional<double> height_mm;  ///< as comments report
+  std::optional<double> height_mm;  ///< as comments state
   InsertionPoint end;
 };
 
-/// A program for drops: its text as it is, and what it says.
+/// A program that deposits drops: its unchanged text, and what is read from it.
 struct DropProgram {
   std::string text;
-  std::optional<double> diameter_mm;  ///< from the header, as the next two
+  std::optional<double> diameter_mm;  ///< of drops; the header states it and the next two
   std::optional<double> layer_height_mm;
   std::string strategy;
-  std::vector<DropProgramLayer> layers;  ///< those with drops
+  std::vector<DropProgramLayer> layers;  ///< that hold drops
 };
 
-/// Whether the text is a program of drops: it has the header that reports their diameter, or a line that lets
-/// one go.
+/// Whether the text is a program of drops: its header states their diameter, or a line releases one.
 bool isDropProgram(std::string_view text, const DropDialect& dialect);
 
-/// Reads the text as GcodeReader does. Layers are those of the comments, and drops before the first are left
-/// alone; without such comments a layer begins where a drop lies at another height.
+/// Reads the text as GcodeReader does. Layers are those of the comments; drops before the first layer and
+/// after the comment "end of the part" are left out. Without such comments a layer begins where a drop lies
+/// at another height.
 /// @throws InvalidProgram naming the line: as GcodeReader; a drop before any motion; a header whose diameter
 ///   or height is no positive number or whose unit is not mm, or that states inclined layers
 DropProgram parseDropProgram(std::string text, const DropDialect& dialect);
 
-/// The text with new drops behind the last of each layer; everything else stays byte for byte. The lines go
-/// there and back in the program's own units and coordinates, state the role of the new drops, restore the
-/// role that held before, and let drops go by the command of the last infill drop of the layer, or of its
-/// last drop.
+/// The text with new drops inserted after the last drop of each layer; everything else stays byte for byte.
+/// The inserted lines are in the program's own units and coordinates. They state the role of void fill, move
+/// to each new drop and release it, move back to the last drop, and restore the role. Drops are released by
+/// the command of the layer's last infill drop, or of its last drop if it has no infill.
 /// @param added  centres for each layer [mm, machine]
-/// @throws InvalidProgram naming the line if coordinates are relative (G91) or shifted in an unknown way
-/// there, or lines of coordinates alone are arcs
+/// @throws InvalidProgram naming the line if, where drops are to be inserted, coordinates are relative (G91)
+///   or shifted in an unknown way, or lines of coordinates alone are arcs
 std::string withDrops(const DropProgram& program, const std::vector<std::vector<Point2>>& added,
                       const DropDialect& dialect);
 
-/// The toolpath that the program lays, as `ToolpathBuilder` does for beads: runs of drops of one role, joined
-/// by travels. A layer's height is that of its comment, of the header, or what it rises over the one before.
-/// @throws InvalidProgram if it holds no drop, or its header no diameter
+/// The toolpath of the program: a path of drops from each comment that states a role to the next, and travels
+/// that join the paths. The thickness of a layer is that which its comments state, else that of the header,
+/// else its height above the layer before.
+/// @throws InvalidProgram if the program holds no drop, or its header states no diameter
 Toolpath toolpathOf(const DropProgram& program, const std::string& part_name);
 
 }  // namespace lamina

@@ -13,13 +13,13 @@
 
 namespace lamina {
 
-/// Whether the text's header states five axes.
+/// Whether the header is that of a program that `writeFiveAxis` wrote.
 bool isFiveAxisProgram(std::string_view program);
 
 /// Reads a program that `writeFiveAxis` wrote for the machine, in coordinates of the bed: poses come from the
-/// machine's forward kinematics, everything else as in `toolpathFromGcode`. What stands before the part and
-/// after it, start and end code, is left out. Lines that end in `;via` are no waypoints, those that end in
-/// `;turn` no motions; one that ends in `;close` returns to where its path began.
+/// machine's forward kinematics, everything else as in `toolpathFromGcode`. Start and end code are left out.
+/// A line that ends in `;via` lies between two waypoints and gives none; one that ends in `;turn` rotates the
+/// tool in place and gives no motion; one that ends in `;close` returns to where its path began.
 ///
 /// @throws InvalidProgram naming the line, what was found and what was expected: axes that are not those of
 ///   the machine, instructions that are not known, an axis that has no value yet, a feed that is missing or
@@ -28,9 +28,10 @@ Toolpath readFiveAxis(std::string_view program, const KinematicModel& machine,
                       const FiveAxisSettings& settings, const ProgramSettings& filament,
                       const std::string& part_name);
 
-/// The same with the machine's joints as every line states them, those in `;via` lines too: rotary joints are
-/// the words themselves; linear ones are the words, or where tip control moves them with the rotary joints as
-/// written. Nothing is judged, and there are no faults.
+/// Reads a program likewise, and also returns the joints of the machine at each line that moves; `;via` lines
+/// give waypoints, too. Rotary joints are as written. Linear joints are as written, or, in a program of tip
+/// positions, where tip control moves them for the rotary joints as written. Limits and collisions are not
+/// checked: there are no faults.
 /// @throws InvalidProgram as above
 StatedMotion readFiveAxisMotion(std::string_view program, const KinematicModel& machine,
                                 const FiveAxisSettings& settings, const ProgramSettings& filament,

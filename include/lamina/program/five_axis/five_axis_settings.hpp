@@ -11,11 +11,13 @@ namespace lamina {
 
 /// What the words of a five-axis program mean.
 enum class FiveAxisCoordinates : std::uint8_t {
-  ToolTip,  ///< the tip over the bed, and the rotary joints; the controller moves the linear ones (RTCP)
-  Joints,   ///< all joints, with inverse-time feed (G93)
+  /// Position of the tip over the bed, and rotary joints; the controller moves the linear joints (RTCP).
+  ToolTip,
+  Joints,  ///< all joints, with inverse-time feed (G93)
 };
 
-/// Whose words for tool-tip coordinates are written.
+/// Controller for which a program is written: its words for tool-tip coordinates, feed of material, waits and
+/// the end.
 enum class FiveAxisDialect : std::uint8_t { Generic, LinuxCnc, Fanuc, Siemens };
 
 /// Which toolpaths are written as five-axis G-code.
@@ -24,18 +26,19 @@ enum class FiveAxisUse : std::uint8_t {
   Always,  ///< level ones too
 };
 
-/// How a toolpath is written as G-code for a machine that turns its nozzle or its table.
+/// How a toolpath is written as G-code for a machine that rotates its nozzle or its table.
 struct FiveAxisSettings {
   FiveAxisUse use = FiveAxisUse::Tilted;
   FiveAxisCoordinates coordinates = FiveAxisCoordinates::ToolTip;
   FiveAxisDialect dialect = FiveAxisDialect::Generic;
   std::string tip_control_on;   ///< empty for that of the dialect
   std::string tip_control_off;  ///< empty for that of the dialect
-  std::string letters;          ///< of rotary joints that have another one in programs: "b=U,c=V"
-  int program_number = 1;       ///< of a Fanuc program, behind its letter O
-  std::string program_name;     ///< of a Fanuc program, in place of its number; empty for none
+  std::string letters;          ///< letters of rotary joints that programs name differently: "b=U,c=V"
+  int program_number = 1;       ///< of a Fanuc program, after its letter O
+  std::string program_name;     ///< of a Fanuc program, instead of its number; empty for none
   std::string extrusion;        ///< letter of the word that feeds material; empty for that of the dialect
-  double chord_tolerance_mm = 0.05;  ///< by which the tip may leave its line between two lines of joints
+  /// Greatest distance of the tip from its straight path while joints move from line to line.
+  double chord_tolerance_mm = 0.05;
 };
 
 /// Adds the keys five_axis.*.
@@ -44,16 +47,18 @@ void describe(SettingsSchema& schema, FiveAxisSettings& settings);
 /// The word that feeds material.
 struct FeederWord {
   char letter = 'E';
-  bool is_absolute = false;  ///< an axis of the controller, counted from the start of the part
+  /// A position of an axis, counted from the start of the part; else the amount of a motion.
+  bool is_absolute = false;
 };
-/// E, relative, of the generic dialect; an absolute axis U of the others, which know no E, unless
-/// `five_axis.extrusion` names another letter.
-/// @throws InvalidConfig if that is none of E, A, B, C, U, V, W, or E where the dialect does not know it
+/// The word of the dialect: E, relative, if it is the generic one; else U, absolute, as the others know no E.
+/// `five_axis.extrusion` replaces the letter; any letter but E is absolute.
+/// @throws InvalidConfig if that letter is none of E, A, B, C, U, V, W, or is E in a dialect that does not
+///   know it
 FeederWord feederWord(const FiveAxisSettings& settings);
 
-/// The line that turns tool-tip coordinates on; empty for none.
+/// The line that switches tool-tip coordinates on; empty for none.
 std::string tipControlOn(const FiveAxisSettings& settings);
-/// The line that turns them off; empty for none.
+/// The line that switches tool-tip coordinates off; empty for none.
 std::string tipControlOff(const FiveAxisSettings& settings);
 
 }  // namespace lamina

@@ -22,16 +22,18 @@ struct FiveAxisMotion {
 };
 
 /// Writes the toolpath as five-axis G-code: X Y Z [mm, 4 decimals] of the tip over the bed or of the joints,
-/// A B C [deg, 5 decimals] of the rotary joints as they are in the joint path, E as in `writeGcode`. F is in
-/// mm/min (deg/min where the tool turns in place), or with joints 1/minutes under G93, which G94 ends.
-/// Between two lines of joints the tip leaves its line by no more than `chord_tolerance_mm`: lines put in
-/// between end in `;via`.
+/// A B C [deg, 5 decimals] of the rotary joints as in the joint path, and the word of `feederWord` with
+/// amounts as E has in `writeGcode`. F is in mm/min, in deg/min if the tool rotates in place; with words of
+/// joints, it is in 1/min under G93, which G94 ends. With words of joints, lines that end in `;via` are
+/// inserted between waypoints wherever the tip would otherwise leave its straight path by more than
+/// `chord_tolerance_mm`.
 ///
-/// @throws InvalidConfig if a joint has no letter (x, y, z, a, b, c), as those of an arm; as `writeGcode`
-/// @throws Unreachable   if the joint path has faults or a joint is outside its limits, or no joints are
-///   found between two waypoints; names the waypoint
-/// @throws InvalidInput  if the joints are not those of the toolpath, or as `writeGcode`, of drops too. All
-///   of it before the first piece is written.
+/// @throws InvalidConfig if a joint is not named by a letter x, y, z, a, b or c, as the joints of an arm; or
+///   as `writeGcode`
+/// @throws Unreachable  if the joint path has faults or a joint is outside its limits, or no joints are found
+///   between two waypoints; names the waypoint
+/// @throws InvalidInput  if the joints are not those of the toolpath, if it holds drops, process values or
+///   changes of tools, or as `writeGcode`. Everything is checked before the first piece is written.
 void writeFiveAxis(const FiveAxisMotion& motion, const FiveAxisSettings& settings,
                    const ProgramSettings& program, const TextSink& sink);
 

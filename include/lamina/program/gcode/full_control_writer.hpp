@@ -15,10 +15,11 @@ namespace lamina {
 /// Of coordinates and feeds only those that change are written, to 3 decimals; extrusion has 5, and the
 /// rounding of each E is carried on to the next. Nothing is retracted: the dialect has no word for it.
 ///
-/// The nozzle goes over the first waypoint before it comes down to it.
+/// The nozzle first travels to above the first waypoint, then down to it.
 ///
-/// @throws InvalidInput if `validate` refuses the toolpath, it deposits nothing, or has drops or a nozzle
-///   that does not point straight down; before the first piece is written
+/// @throws InvalidInput if `validate` refuses the toolpath, if it deposits nothing, or holds drops, events or
+///   process values, or if its nozzle does not point straight down; all is checked before the first piece is
+///   written
 /// @throws InvalidConfig as `writeGcode`
 void writeFullControl(const Toolpath& toolpath, const ProgramFrame& frame, const ProgramSettings& settings,
                       const TextSink& sink);

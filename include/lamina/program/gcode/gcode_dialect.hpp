@@ -14,25 +14,25 @@
 
 namespace lamina {
 
-/// Writes a toolpath as G-code of linear axes, in the coordinates that the frame's axes give. What it
-/// refuses, it refuses before the first piece is written.
+/// Writes a toolpath as G-code of linear axes, in the coordinates of `frame`. It checks everything before it
+/// writes the first piece.
 /// @throws InvalidInput, InvalidConfig as `writeGcode`
 using GcodeDialectWriter = std::function<void(const Toolpath& toolpath, const ProgramFrame& frame,
                                               const ProgramSettings& settings, const TextSink& sink)>;
 
-/// Who writes a dialect of G-code, and what its firmware understands besides motions: what it does not is not
-/// planned for it. Numbers in braces are put in by `dialectLine`.
+/// A dialect of G-code: its writer, and what its firmware understands besides motions; what it does not
+/// understand is not planned. Placeholders in braces are replaced by `dialectLine`.
 struct GcodeDialect {
   GcodeDialectWriter write;
-  bool has_waits = true;     ///< while cooling
-  bool has_extruder = true;  ///< E words; without them what deposits is switched by code of the machine
+  bool has_waits = true;     ///< dwells (G4), by which short layers cool
+  bool has_extruder = true;  ///< E words; without them the machine's own code switches the process
   bool has_heaters = true;
   bool has_fan = true;
   bool has_pause = true;
   bool has_tools = true;
-  bool dwells_in_seconds = false;  ///< the unit of G4 P; else ms
-  std::string progress;            ///< {percent}, {minutes} left; empty if there is none
-  std::string accelerations;       ///< {deposit}, {travel} [mm/s²]; empty if there is none
+  bool dwells_in_seconds = false;  ///< the unit of P in G4; otherwise it is ms
+  std::string progress;       ///< command that reports {percent} done, {minutes} left; empty if there is none
+  std::string accelerations;  ///< command that sets {deposit}, {travel} [mm/s²]; empty if there is none
 };
 
 /// All dialects by name, those of plug-ins too: "marlin", "klipper", "reprapfirmware", "grbl" (`writeGcode`),
@@ -50,7 +50,7 @@ struct DialectWord {
   long long value = 0;
 };
 
-/// The command with its placeholders replaced, its line ended.
+/// The command with each placeholder replaced at its first place, and a line break.
 std::string dialectLine(std::string command, const std::vector<DialectWord>& words);
 
 }  // namespace lamina

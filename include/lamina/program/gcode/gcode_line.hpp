@@ -18,21 +18,21 @@ struct GcodeWord {
   std::optional<double> value;
 };
 
-/// One line of a program, taken apart. The views are into the text it was made from.
+/// One line of a program, split into its parts. The views are into the text that was parsed.
 struct GcodeLine {
   std::size_t number = 0;                  ///< in the file, 1 based
-  std::optional<std::int64_t> sequence;    ///< after N
+  std::optional<std::int64_t> sequence;    ///< number after N, if there is one
   std::vector<GcodeWord> words;            ///< without N and checksum; empty if the line is `is_other`
   std::vector<std::string_view> comments;  ///< after ; or within ( ), trimmed
-  std::string_view command;                ///< what is left without N, checksum and the comment after ;
+  std::string_view command;                ///< the line without N, checksum and the comment after ;
   bool is_other = false;  ///< a command whose arguments are not words, or that Lamina does not know
 };
 
-/// Takes lines apart, reusing its memory.
+/// Splits lines of G-code into words and comments. Its memory is reused from line to line.
 ///
-/// Words are read of the commands that move or change how motions are read: G0 to G6, G17 to G21, G28, G90 to
-/// G92, M82, M83, and lines of coordinates alone. Everything else may carry free text and is `is_other`, kept
-/// whole.
+/// Words are read only in commands that move or change how motions are read: G0 to G6, G17 to G21, G28, G90
+/// to G92, M82, M83, and lines of coordinates alone. Everything else may carry free text and is `is_other`,
+/// kept whole.
 class GcodeLineParser {
  public:
   /// @param text  one line without its line break

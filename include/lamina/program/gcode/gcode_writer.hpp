@@ -9,37 +9,39 @@
 
 namespace lamina {
 
-/// Writes the toolpath as G-code in the dialect that `program.dialect` names (`gcodeDialect`), in the
-/// coordinates that the frame's axes give: those of the bed as a rule.
+/// Writes the toolpath as G-code in the dialect that `program.dialect` names (`gcodeDialects`), in the
+/// coordinates that `frame` gives: those of the bed, unless the axes are askew to it.
 ///
 /// After the start code the program is in mm (G21), absolute (G90), with relative extrusion (M83). Each layer
 /// opens with `;LAYER:k`, `;Z:` and `;HEIGHT:` and a motion that states X, Y, Z and F; from there on only
-/// words that change are written. `;HEIGHT:` stands again
-/// wherever the height of the beads changes, within a path too, with 5 decimals. `;TYPE:role` opens a
-/// deposition path where the role changes or nothing else would separate it from the path before. Positions
-/// have 3 decimals [mm], extrusion 5 [mm of filament], feeds 3 [mm/min]; the remainder of each rounding of E
-/// is carried on, so that the sum of all E is that of the toolpath within half a unit of the last decimal.
+/// words that change are written. `;HEIGHT:` is repeated wherever the height of the beads changes, within a
+/// path too, with 5 decimals. `;TYPE:role` opens a deposition path where the role changes or nothing else
+/// would separate it from the path before. Positions have 3 decimals [mm], extrusion 5 [mm of filament],
+/// feeds 3 [mm/min]; the remainder of each rounding of E is carried on, so that the sum of all E is that of
+/// the toolpath within half a unit of the last decimal.
 ///
 /// A toolpath of drops is written in the dialect `settings.drops`: a header of `;key=value`, a comment with
-/// its role before each run of drops, and for each drop a motion and the command that lets it go. It holds no
+/// its role before each run of drops, and for each drop a motion and the command that releases it. It has no
 /// extrusion and no retraction.
 ///
-/// Inclined layers, another nozzle than one that points straight down, and axes askew to the bed are stated
+/// Layers that are inclined, a nozzle that does not point straight down, and axes askew to the bed are stated
 /// in the header (`frameComments`); `;Z:` is the height of a layer along its normal. Each waypoint has its
-/// own Z. Extrusion follows from lengths over the bed whatever the axes, and feeds are those at which the
-/// axes move when the nozzle has its own over the bed.
+/// own Z. Whatever the axes are, extrusion follows from lengths over the bed; a feed is the speed in axis
+/// values at which the nozzle has the feed of the toolpath over the bed.
 ///
-/// The nozzle travels to the first waypoint height first, then across. Material is pulled back and pushed
-/// forth at retracted paths; consecutive retracted paths share one retraction. Layers are written by all
-/// threads in bounded memory; the bytes are the same whatever their number.
+/// The nozzle travels to the first waypoint height first, then across. Filament is pulled back before a
+/// retracted path and pushed forth after it; consecutive retracted paths share one retraction. Layers are
+/// written by all threads in bounded memory; the bytes are the same whatever their number.
 ///
 /// @param frame  where the part stands on the bed [mm]
-/// @throws InvalidInput if the toolpath holds no motion, both beads and drops, or drops of several diameters,
-/// a number is not finite or beyond 10 km, a feed is not
-///   positive, or the nozzle would have to turn; names layer, path and waypoint.
-///   All of it is checked before the first piece is written.
-/// @throws InvalidConfig if start or end code hold a placeholder other than {nozzle_temperature_c} and
-///   {bed_temperature_c} or {lift_axis}. A line whose placeholder stands for 0 °C is left out.
+/// @throws InvalidInput naming layer, path and waypoint, if the toolpath holds no motion, both beads and
+///   drops, drops of several diameters, or events or process values that the dialect has no word for; if a
+///   number is not finite or beyond 10 km, a feed is not positive, or the nozzle would have to rotate. All of
+///   it is checked before the first piece is written.
+/// @throws InvalidConfig if start or end code hold a placeholder other than {nozzle_temperature_c},
+///   {bed_temperature_c} and {lift_axis}, if a temperature is set that the dialect has no heater for, or if
+///   arcs are set for drops or for layers that do not lie in a plane of two axes. A line whose placeholder
+///   stands for 0 °C is left out.
 void writeGcode(const Toolpath& toolpath, const ProgramFrame& frame, const ProgramSettings& settings,
                 const TextSink& sink);
 

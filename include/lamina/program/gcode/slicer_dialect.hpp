@@ -9,7 +9,7 @@
 
 namespace lamina {
 
-/// Whose comments a G-code program carries.
+/// The software whose comments a G-code program carries.
 enum class SlicerDialect : std::uint8_t {
   Unknown = 0,
   Lamina = 1,
@@ -20,21 +20,21 @@ enum class SlicerDialect : std::uint8_t {
   FullControl = 6
 };
 
-/// As written in files and shown to people: "simplify3d".
+/// The name in files and messages: "simplify3d".
 const char* toString(SlicerDialect dialect);
 
-/// The dialect after a comment was read, given the dialect known before it: a slicer names itself in
-/// the header; a program with a FLAVOR line, or with marks about its start code, that names none is
-/// FullControl's.
+/// The dialect that is known after a comment. A slicer names itself in the header; a program that names none,
+/// but has a FLAVOR line or the mark `kStartCodeEnds`, is FullControl's.
+/// @param known  dialect that was known before the comment
 SlicerDialect dialectAfter(SlicerDialect known, std::string_view comment);
 
 /// What the comments of a program state about the whole program.
 struct ProgramNotes {
   SlicerDialect dialect = SlicerDialect::Unknown;
-  std::optional<double> filament_diameter_mm;  ///< of the filament it was made for
+  std::optional<double> filament_diameter_mm;  ///< of the filament that the program is for
 };
 
-/// Reads the comments of a program: all of them, for slicers report the filament at the end.
+/// Reads all comments of a program to its end, where some slicers state the filament.
 ProgramNotes notesOf(std::string_view program);
 
 /// Comments with which FullControl closes its start code and opens its end code.

@@ -10,13 +10,14 @@
 
 namespace lamina {
 
-/// What is deposited by how many axes [Flores2018, section 6.1.3].
+/// Material and number of axes for which a program is written [Flores2018, section 6.1.3].
 enum class RapidVariant : std::uint8_t { Powder3Axes, Powder5Axes, Wire3Axes };
 
 /// "powder_3_axes", "powder_5_axes", "wire_3_axes".
 const char* toString(RapidVariant variant);
 
-/// Where the configuration of the arm in a target comes from.
+/// Configuration of the arm in the targets: `fixed_configuration` in all of them, or that of the joints at
+/// each.
 enum class RapidConfiguration : std::uint8_t { Fixed, Joints };
 
 /// By what a module starts and stops the process.
@@ -25,7 +26,7 @@ enum class RapidProcess : std::uint8_t {
   Arc,      ///< ArcLStart, ArcL, ArcLEnd of the controller's arc package
 };
 
-/// How the modules of a program that is split come to the controller.
+/// How the modules of a program that is split are loaded.
 enum class RapidLoading : std::uint8_t {
   Together,  ///< all of them are loaded beforehand
   InTurn,    ///< main loads each from the controller's home folder, runs it and unloads it
@@ -36,36 +37,40 @@ enum class RapidLoading : std::uint8_t {
 struct RapidSettings {
   RapidVariant variant = RapidVariant::Powder5Axes;
   std::string module;                    ///< empty for that of the file, or Lamina
-  std::string procedure = "deposit";     ///< begins the names of the procedures that deposit
+  std::string procedure = "deposit";     ///< prefix of the names of procedures that deposit
   std::string tool;                      ///< empty for that of the variant's listing
   std::string work_object;               ///< empty for that of the variant's listing
   std::string start_point = "Pinicial";  ///< origin of the offsets in 3-axis variants
-  std::string offset = "off_";           ///< begins the names of the three offsets
+  std::string offset = "off_";           ///< prefix of the names of the three offsets
   std::string deposition_speed = "speed_prueba";
   std::string air_speed = "speed_aire";
-  std::string zone = "z0";          ///< of points between
+  std::string zone = "z0";          ///< of points where the process neither starts nor ends
   std::string end_zone = "fine";    ///< of points where the process starts or ends
-  double zone_mm = 0.3;             ///< radius of `zone` where its name is none of RAPID's own
-  double turn_speed_deg_s = 500.0;  ///< of the tool, in each speed
+  double zone_mm = 0.3;             ///< radius of `zone` if its name is not one of RAPID's own
+  double turn_speed_deg_s = 500.0;  ///< speed at which the tool rotates, in each declared speed
 
   bool declares_cell = true;  ///< whether the module holds tool, work object and start point
-  /// Tip over the flange; empty for that of the arm's description, or the flange itself without an arm.
+  /// Pose of the tip in the flange's frame: x y z [mm], w x y z. Empty for that of the arm's description, or,
+  /// without an arm, for the flange itself.
   std::vector<double> tool_frame;
-  std::vector<double> tool_centre_of_gravity_mm = {0, 0, 1};
+  std::vector<double> tool_centre_of_gravity_mm = {0, 0, 1};  ///< in the flange's frame
   double tool_mass_kg = 1.0;
   /// Mechanical unit that carries the bed; empty if it stands still, or for STN1 where an external axis of
   /// the arm's description carries it.
   std::string positioner;
-  /// The bed over the world, or over the user frame of its positioner; empty for that of the arm's
-  /// description, or the world without an arm.
+  /// Pose of the bed in the world, or in the user frame of its positioner: x y z [mm], w x y z. Empty for
+  /// that of the arm's description, or, without an arm, for the world itself.
   std::vector<double> work_object_frame;
-  double approach_mm = 50.0;  ///< back along the tool axis, where an arm's program starts and ends
-  std::vector<double> start_point_mm = {0, 0, 0};  ///< in the work object, as long as nobody taught another
+  /// Distance from the part, back along the tool axis, at which an arm's program starts and ends.
+  double approach_mm = 50.0;
+  /// Position of `start_point` in the work object as declared, until it is taught anew.
+  std::vector<double> start_point_mm = {0, 0, 0};
 
   RapidConfiguration configuration = RapidConfiguration::Fixed;
   std::vector<double> fixed_configuration = {-1, 0, 0, 2};  ///< cf1, cf4, cf6, cfx
-  double external_axis = 0.0;  ///< value of the first external axis [mm, deg] where no joint reports it
-  bool is_thesis_compatible = false;  ///< five external axes, as printed in [Flores2018]; RAPID has six
+  double external_axis = 0.0;  ///< value of the first external axis [mm, deg] if no joint states it
+  /// Targets have five external axes as printed in [Flores2018]; RAPID has six.
+  bool is_thesis_compatible = false;
 
   std::string laser_on = "Haz_ON";  ///< procedures of the powder variants
   std::string laser_off = "Haz_OFF";
@@ -75,21 +80,22 @@ struct RapidSettings {
   std::string powder_signal = "SolicitudPolvo";
   std::string gas_signal = "SolicitudGas";
   std::string wire_trigger = "TimeHilo_OFF";
-  std::string aliases;  ///< "name=name of the controller, ..."
+  /// Signals that have other names on the controller: "name=name of the controller, ...".
+  std::string aliases;
 
   RapidProcess process = RapidProcess::Outputs;
-  std::string seam_data = "seam1";  ///< names of data that the controller holds, of arc statements
-  std::string weld_data = "weld1";
-  std::string weave_data;  ///< empty for none
+  std::string seam_data = "seam1";  ///< name of the seam data of arc moves, on the controller
+  std::string weld_data = "weld1";  ///< name of their weld data
+  std::string weave_data;           ///< name of their weave data; empty for none
 
   double powder_wait_s = 0.0;     ///< from powder and gas on to the first move
-  double laser_off_wait_s = 1.2;  ///< of the powder variants
+  double laser_off_wait_s = 1.2;  ///< after laser off, in the powder variants
   double wire_lead_s = 0.5;       ///< waiting1, from wire on to laser on
   double laser_lead_s = 0.5;      ///< waiting2, from laser on to the move
-  double layer_wait_s = 1.0;      ///< t_capas, after laser off
+  double layer_wait_s = 1.0;      ///< t_capas, after laser off, in the wire variant
   double wire_stop_s = 0.2;       ///< how long before the end of a run the wire stops
 
-  int max_points = 0;  ///< in a module; 0 for all in one
+  int max_points = 0;  ///< most points in a module; 0 for all in one
   RapidLoading loading = RapidLoading::Together;
 };
 
@@ -98,8 +104,8 @@ void describe(SettingsSchema& schema, RapidSettings& settings);
 
 /// The settings with empty names filled in from the variant's listing.
 /// @throws InvalidConfig if a name is no identifier of RAPID (a letter, then letters, digits and underscores,
-///   32 at most), a reserved word, or stands for two things; if a list is not of its length; if an alias
-///   names no signal
+///   32 at most), a reserved word, or is used for two things; if a list has not its length; if an orientation
+///   is not of length 1; if an alias names no signal; if arc moves are asked for with the wire variant
 RapidSettings checkedRapidSettings(RapidSettings settings);
 
 /// A signal and its name on the controller.
@@ -107,8 +113,8 @@ struct RapidAlias {
   std::string signal;
   std::string on_controller;
 };
-/// In the order in which they stand.
-/// @throws InvalidConfig if it is no list of name=name
+/// The aliases in a list "name=name of the controller, ...", in its order.
+/// @throws InvalidConfig if an entry has no "="
 std::vector<RapidAlias> rapidAliases(const std::string& text);
 
 }  // namespace lamina

@@ -23,48 +23,48 @@ enum class RobotLanguage : std::uint8_t {
 constexpr std::array<RobotLanguage, 4> kRobotLanguages = {RobotLanguage::Krl, RobotLanguage::UrScript,
                                                           RobotLanguage::Fanuc, RobotLanguage::Inform};
 
-/// "KRL", ...
+/// Name of the language: "KRL", "URScript", "Fanuc TP", "INFORM".
 const char* toString(RobotLanguage language);
 
-/// ".src", ...
+/// Suffix of its files: ".src".
 const char* suffixOf(RobotLanguage language);
 
-/// The language of a file by its suffix; nothing if it is that of none of these.
+/// The language of a file by its suffix; nothing if no language has it.
 std::optional<RobotLanguage> robotLanguageOf(const std::string& path);
 
 /// Where the points of a program in KRL stand.
 enum class KrlPoints : std::uint8_t {
   Inline,  ///< in its moves
-  Dat,     ///< in the data file beside it, by name
+  Dat,     ///< in the data file beside the program; moves name them
 };
 
 /// By what a program starts and stops the process.
 enum class RobotProcess : std::uint8_t {
-  Outputs,    ///< digital and analogue ones
+  Outputs,    ///< digital and analogue outputs
   Schedules,  ///< statements of the controller's arc package, which name schedules kept there
 };
 
 /// Statements of an arc package.
 struct ArcSettings {
   RobotProcess process = RobotProcess::Outputs;
-  int start_schedule = 1;
-  int end_schedule = 1;
-  int weave_schedule = 0;  ///< 0 for none
+  int start_schedule = 1;  ///< number, on the controller, of the schedule by which an arc starts
+  int end_schedule = 1;    ///< number of the schedule by which an arc ends
+  int weave_schedule = 0;  ///< number of the schedule by which it weaves; 0 for none
 };
 
 /// How KRL is written.
 struct KrlSettings {
   KrlPoints points = KrlPoints::Inline;
   int advance = 5;                  ///< $ADVANCE: moves that the controller looks ahead
-  double turn_speed_deg_s = 200.0;  ///< $VEL.ORI1, $VEL.ORI2
+  double turn_speed_deg_s = 200.0;  ///< speed at which the tool rotates: $VEL.ORI1, $VEL.ORI2
   double acceleration_m_s2 = 2.3;   ///< $ACC.CP
-  std::string arc_on;               ///< statement that starts the arc; {schedule}, {weave} are put in
-  std::string arc_off;              ///< statement that ends it
-  int max_lines = 5000;             ///< in a file
-  double max_mb = 4.0;              ///< of all files together
+  std::string arc_on;    ///< statement that starts the arc; {schedule} and {weave} are replaced by numbers
+  std::string arc_off;   ///< statement that ends the arc, likewise
+  int max_lines = 5000;  ///< most lines in a file
+  double max_mb = 4.0;   ///< most for all files of a program together [10^6 bytes]
 };
 
-/// By which statement a script lays beads.
+/// The statement by which a script deposits beads.
 enum class UrBeadMove : std::uint8_t {
   MoveP,  ///< the tip keeps its speed round corners
   MoveL,
@@ -75,7 +75,7 @@ struct UrScriptSettings {
   UrBeadMove bead_move = UrBeadMove::MoveP;
   double acceleration_m_s2 = 1.2;
   double joint_acceleration_rad_s2 = 1.4;
-  int max_points = 900;  ///< in a file
+  int max_points = 900;  ///< most points in a file
 };
 
 /// Sign of an angle.
@@ -84,24 +84,24 @@ enum class JointSign : std::uint8_t { Positive, Negative };
 /// By what a listing states the speed of its welds.
 enum class FanucWeldSpeed : std::uint8_t {
   Stated,    ///< in each move
-  Schedule,  ///< WELD_SPEED: that of the schedule on the controller
+  Schedule,  ///< WELD_SPEED: the speed of the schedule on the controller
 };
 
 /// How Fanuc's listings are written.
 struct FanucSettings {
-  int cnt = 100;                              ///< of points that may be rounded
-  double joint_3_from_2 = -1.0;               ///< share of joint 2 in what joint 3 counts
-  JointSign flip = JointSign::Positive;       ///< sign of joint 5 with the wrist flipped, F
-  std::vector<double> turn_axes = {1, 4, 6};  ///< joints whose turns a configuration counts
-  int name_length = 36;                       ///< of a program, at most
-  int max_lines = 9000;                       ///< in a file
-  int arc_equipment = 1;  ///< that /APPL names where arcs are started by schedules; 0 for no /APPL
+  int cnt = 100;                              ///< value of CNT, for points that may be rounded
+  double joint_3_from_2 = -1.0;               ///< share of joint 2 that the controller adds to joint 3
+  JointSign flip = JointSign::Positive;       ///< sign of joint 5 if the wrist is flipped, F
+  std::vector<double> turn_axes = {1, 4, 6};  ///< joints whose whole turns a configuration counts
+  int name_length = 36;                       ///< most characters of a program's name
+  int max_lines = 9000;                       ///< most lines in a file
+  int arc_equipment = 1;  ///< number that /APPL names if schedules start arcs; 0 for no /APPL
   FanucWeldSpeed weld_speed = FanucWeldSpeed::Stated;
 };
 
 enum class InformSpeedUnit : std::uint8_t { MillimetresPerSecond, CentimetresPerMinute };
 
-/// In which order RCONF begins.
+/// Order of the first three numbers of RCONF.
 enum class InformRconfOrder : std::uint8_t { FlipElbowFront, FrontElbowFlip };
 
 /// How many slashes stand before FRAME.
@@ -110,35 +110,43 @@ enum class InformFrameMark : std::uint8_t { Three, Four };
 /// How jobs in INFORM are written.
 struct InformSettings {
   InformSpeedUnit speed_unit =
-      InformSpeedUnit::MillimetresPerSecond;  ///< of V, a parameter of the controller
-  int corner_level = 1;                       ///< PL of points that may be rounded
-  std::vector<double> pulses_per_deg;         ///< of each joint; empty: joints are stated in degrees
-  JointSign flip = JointSign::Positive;       ///< sign of joint 5 that RCONF calls flip
+      InformSpeedUnit::MillimetresPerSecond;  ///< unit of V, as a parameter of the controller sets it
+  int corner_level = 1;                       ///< value of PL, for points that may be rounded
+  /// Pulses in a degree of each joint; empty: joints are stated in degrees.
+  std::vector<double> pulses_per_deg;
+  JointSign flip = JointSign::Positive;  ///< sign of joint 5 if RCONF states flip
   InformRconfOrder rconf_order = InformRconfOrder::FlipElbowFront;
-  int rconf_length = 8;
+  int rconf_length = 8;  ///< numbers in RCONF: 6, 8 or 24
   InformFrameMark frame_mark = InformFrameMark::Four;
-  int name_length = 32;   ///< of a job, at most
-  int max_points = 2000;  ///< in a job
+  int name_length = 32;   ///< most characters of a job's name
+  int max_points = 2000;  ///< most points in a job
 };
 
-/// How a toolpath is written as a program of a robot whose language is not RAPID; what all languages share,
-/// and each one's own.
+/// How a toolpath is written as a program for a robot whose language is not RAPID: settings for all
+/// languages, and those of each.
 struct RobotProgramSettings {
-  std::string name;                   ///< empty for that of the file
-  int tool_number = 1;                ///< of the tool on the controller
-  int frame_number = 1;               ///< of the bed on the controller
-  double approach_mm = 50.0;          ///< back along the tool axis, where a program starts and ends
-  double corner_mm = 0.5;             ///< by which a point between may be rounded
-  double joint_speed_percent = 10.0;  ///< of the move by joints that begins a file
-  int process_output = 1;             ///< digital, on while material is deposited
-  double process_lead_s = 0.0;        ///< from the process on to the move
-  double process_end_s = 0.0;         ///< from the process off to the next move
+  std::string name;      ///< of the program; empty for that of the file
+  int tool_number = 1;   ///< number of the tool on the controller
+  int frame_number = 1;  ///< number of the frame on the controller that is the bed
+  /// Distance from the part, back along the tool axis, at which a program starts and ends.
+  double approach_mm = 50.0;
+  double corner_mm = 0.5;  ///< by which points may be rounded where the process neither starts nor ends
+  double joint_speed_percent = 10.0;  ///< of the joint move that begins a file, in percent of the fastest
+  int process_output = 1;             ///< number of the digital output that is on while material is deposited
+  double process_lead_s = 0.0;        ///< wait between process on and the move
+  double process_end_s = 0.0;         ///< wait between process off and the next move
   ArcSettings arc;
-  std::string levels;                   ///< "name=output*per, ...": analogue outputs of process values
-  std::vector<double> joint_signs;      ///< of the controller's joints over the description's; empty for 1
-  std::vector<double> joint_zeros_deg;  ///< added to them; empty for 0
-  bool may_cut = false;                 ///< runs that no file holds: the process stops at the cut
-  std::string date = "2000-01-01";      ///< that files state; no clock, so that they are the same every time
+  std::string levels;  ///< analogue outputs of process values: "name=output*per, ..."
+  /// For each joint 1, or -1 if the controller counts it in the opposite direction to the description; empty
+  /// for 1.
+  std::vector<double> joint_signs;
+  /// What the controller shows of each joint at the description's zero; empty for 0.
+  std::vector<double> joint_zeros_deg;
+  /// Whether a run that is too long for a file is cut, with the process stopped at the cut; otherwise it is
+  /// refused.
+  bool may_cut = false;
+  /// Date that files state: a setting instead of the clock, so that files are the same every time.
+  std::string date = "2000-01-01";
   KrlSettings krl;
   UrScriptSettings urscript;
   FanucSettings fanuc;
@@ -148,19 +156,19 @@ struct RobotProgramSettings {
 /// Adds the keys robot_program.*, krl.*, urscript.*, fanuc.*, inform.*.
 void describe(SettingsSchema& schema, RobotProgramSettings& settings);
 
-/// An analogue output that a process value is sent to.
+/// An analogue output that is set by a process value.
 struct RobotLevel {
   std::string name;  ///< of the process value: "laser_power_w"
   int output = 0;
-  double per = 1.0;  ///< what the output is set to for each unit of the value
+  double per = 1.0;  ///< value of the output for each unit of the process value
 };
 
-/// In the order in which they stand.
-/// @throws InvalidConfig if it is no list of name=output*per, or a name or output stands twice
+/// The outputs in a list "name=output*per, ...", in its order.
+/// @throws InvalidConfig if an entry is not of that form, or a name or output stands twice
 std::vector<RobotLevel> robotLevels(const std::string& text);
 
-/// @throws InvalidConfig naming key and value: signs that are not 1 or -1, joints that there are not, a date
-///   that is none, lists that are none
+/// @throws InvalidConfig naming key and value: signs other than 1 and -1; joints other than 1 to 6; no
+///   pulses; schedules while outputs switch the process; a date or a list of outputs that is malformed
 void requireConsistent(const RobotProgramSettings& settings);
 
 }  // namespace lamina

@@ -14,29 +14,30 @@
 namespace lamina {
 
 /// Reads a program in the subset of its language that `robotProgram` writes, in coordinates of the bed.
-/// Roles, beads, layers and where paths begin come from the comments; moves are deposition where the process
-/// is on. The language is that of the first file's suffix.
+/// Roles, beads, layers and where paths begin come from the comments. Moves deposit while the process is
+/// switched on. The language follows from the first file's suffix.
 ///
-/// @param files  the one that is loaded first, then those that it runs and their data files, in any order
+/// @param files  first the one that is loaded first; then, in any order, those that it runs, and data files
 /// @throws InvalidProgram naming file and line, what was found and what was expected: statements that are not
-///   known, files that are missing, moves that no comment describes, or whose process is not that of their
-///   path
+///   known; files that are missing; moves of no path that a comment describes; moves with the process on in a
+///   travel, or off in a path that deposits
 Toolpath readRobotProgram(const std::vector<RobotFile>& files, const std::string& part_name);
 
-/// Reads a file and, beside it, those that it runs; the toolpath is named after it.
+/// Reads a file, and from the same folder those that it runs; the toolpath is named after the file.
 /// @throws FileError if it cannot be read
 /// @throws InvalidProgram as above
 Toolpath readRobotProgramFile(const std::string& path);
 
-/// The same with what the program states beside its toolpath.
+/// Reads a program likewise, and also returns what it states besides the toolpath: outputs, external axes.
 EquippedToolpath readEquippedRobotProgram(const std::vector<RobotFile>& files, const std::string& part_name);
 EquippedToolpath readEquippedRobotProgramFile(const std::string& path);
 
-/// The same with the joints by which an arm runs it: from those of the move that comes to the part on, the
-/// nearest to those before at each pose. External axes stand as in the moves. A pose that has no such joints
-/// is a fault, `out_of_reach`; nothing else is judged.
-/// @throws InvalidProgram as above; also if tool or bed, as the program states them, are others than those of
-///   the arm's description, a move lacks an external axis, or no move of the joints comes to the part
+/// Reads a program likewise, and also returns the joints at which an arm reaches each pose: the nearest to
+/// those at the pose before, beginning with the joints of the move that approaches the part. External axes
+/// stand as in the moves. A pose without such joints is listed as a fault, `out_of_reach`; limits, collisions
+/// and singularities are not checked.
+/// @throws InvalidProgram as above; also if the tool or bed that the program states is another than that of
+///   the arm's description, a move lacks one of its external axes, or no joint move approaches the part
 /// @throws InvalidConfig if the kinematic model is no six-axis arm
 StatedMotion readRobotMotion(const std::vector<RobotFile>& files, const std::string& part_name,
                              const KinematicModel& arm);

@@ -18,30 +18,30 @@ struct RobotFile {
   std::string text;
 };
 
-/// What a program is called and what is written.
+/// Name, language and settings of a program.
 struct RobotProgramRequest {
   RobotLanguage language = RobotLanguage::Krl;
   std::string name = "lamina";  ///< unless `robot_program.name` says otherwise
   RobotProgramSettings settings;
 };
 
-/// A toolpath as a program of a robot whose language is not RAPID (docs/programs/robot-programs.md): the file
-/// that is loaded first, then those that it runs, each within the limits of its controller. It is split where
-/// the process is off.
+/// A toolpath as a program for a robot whose language is not RAPID (docs/programs/robot-programs.md): the
+/// file that is loaded first, then those that it runs, each within the limits of the controller. The program
+/// is split where the process is off; within a run only if `may_cut` allows it.
 ///
-/// An arm comes to where each file begins by a move of its joints. Moves are straight, at poses over the bed
-/// [mm]; roles, beads and layers are reported in comments before the moves of each path. Without an arm the
-/// first move is straight.
+/// If an arm is given, each file begins with a joint move to its first pose. All other moves are straight,
+/// between poses over the bed [mm]; roles, beads and layers are reported in comments before the moves of each
+/// path. Without an arm the first move is straight.
 ///
 /// @param bed_from_part  where the part stands on the bed [mm]
-/// @param robot  may be null
-/// @throws InvalidInput if the toolpath holds no motion, or drops, events or process values without an
-/// output;
-///   a position, speed or value is one that the language cannot state. Names layer, path and waypoint.
-/// @throws Unreachable if the joints have faults, or the arm cannot stand where it is to start
-/// @throws InvalidConfig if a setting cannot be, the controller cannot have the program's name, a run is
-/// longer
-///   than a file may be, or all files are larger than the controller's memory
+/// @param robot  its arm and joints; may be null
+/// @throws InvalidInput naming layer, path and waypoint, if the toolpath holds no motion, if it holds drops,
+///   events other than dwells, or process values without an output, or if the language cannot state a
+///   position, speed or value
+/// @throws Unreachable if the joints have faults, or the arm cannot reach where the program starts or ends,
+///   `approach_mm` off the part
+/// @throws InvalidConfig if a setting is invalid, the controller does not allow the program's name, a run is
+///   longer than a file may be, or all files together are larger than the controller's memory
 std::vector<RobotFile> robotProgram(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
                                     const RobotProgramRequest& request, const RobotMotion* robot = nullptr);
 

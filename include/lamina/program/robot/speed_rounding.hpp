@@ -9,15 +9,15 @@
 
 namespace lamina {
 
-/// How far the speeds of a program are off those of its toolpath, because its language writes few digits.
+/// Differences between the speeds of a program and those of its toolpath, as its language writes few digits.
 struct SpeedRounding {
-  std::size_t motions = 0;    ///< whose speed is off by more than 0.01 %
-  double greatest_share = 0;  ///< of a speed
-  double feed_mm_s = 0.0;     ///< that it is of
-  double written_mm_s = 0.0;  ///< what stands in its place
+  std::size_t motions = 0;    ///< number of motions whose speed is off by more than 0.01 %
+  double greatest_share = 0;  ///< greatest difference, as a share of the speed
+  double feed_mm_s = 0.0;     ///< speed in the toolpath where that difference occurs
+  double written_mm_s = 0.0;  ///< speed that is written there
 };
 
-/// Of Fanuc's listings and INFORM. KRL and URScript write um/s, and round nothing that counts.
+/// The rounding of Fanuc's listings and INFORM. For KRL and URScript, which resolve um/s, all zero.
 /// @throws InvalidInput if a feed cannot be written within 2 %
 SpeedRounding speedRounding(const Toolpath& toolpath, RobotLanguage language,
                             const RobotProgramSettings& settings);

@@ -14,27 +14,29 @@
 
 namespace lamina {
 
-/// A toolpath as a program in RAPID [Flores2018, section 6.1.3]: one module, or a main module
-/// and numbered ones with the points.
+/// A toolpath as a program in RAPID [Flores2018, section 6.1.3]: one module, or a main module and numbered
+/// modules with the points.
 ///
-/// Each point is a move line and a process line, which is empty where the process goes on, so that point k
-/// stands on line 2k-1 of its procedure. Paths that deposit are runs with the laser (and wire) on; paths that
-/// meet in one pose form one run. Travels are air moves. Points where the process starts or ends are in
-/// `end_zone`, all others in `zone`. Positions are those of the work object, which is the bed [mm, 4
-/// decimals]: offsets from the start point with 3 axes, targets with 5, whose orientation (w x y z, 7
-/// decimals) is bed_from_nozzle. Roles, beads and layers are reported in comments before each procedure.
+/// Each point takes two lines, a move and a line for the process, which is empty if the process goes on; so
+/// point k stands on line 2k-1 of its procedure. Paths that deposit are runs with the laser (and wire) on;
+/// consecutive ones that meet in one pose form one run. Travels are air moves. Points where the process
+/// starts or ends are in `end_zone`, all others in `zone`. Positions are those of the work object, which is
+/// the bed [mm, 4 decimals]: offsets from the start point with 3 axes, targets with 5, whose orientation (w x
+/// y z, 7 decimals) is bed_from_nozzle. Roles, beads and layers are reported in comments before each
+/// procedure.
 ///
-/// All is checked when it is made; writing takes linear time and constant memory. The toolpath, and the
-/// robot's motion, must outlive it.
+/// The constructor checks everything; writing takes linear time and constant memory. The toolpath, and the
+/// robot's motion, must outlive the program.
 class RapidProgram {
  public:
   /// @param bed_from_part  where the part stands on the bed [mm]
-  /// @param robot  needed for configurations from joints and for external axes; may be null
-  /// @throws InvalidInput, naming layer, path and waypoint: if the toolpath holds no motion or holds drops;
-  /// if
-  ///   a position is farther than 100 m, a feed is below 0.001 mm/s or an orientation is not of unit length;
-  ///   if a nozzle of 3 axes would have to turn; if the joints are not those of the toolpath
-  /// @throws Unreachable   if the joints have faults; names the first
+  /// @param robot  its arm and joints, for `RapidConfiguration::Joints` and for external axes; may be null
+  /// @throws InvalidInput, naming layer, path and waypoint: if the toolpath holds no motion, or holds drops,
+  ///   process values or events other than dwells; if a position is farther than 100 m, a feed is below 0.001
+  ///   mm/s or an orientation is not of unit length; if the nozzle would have to rotate in a variant of 3
+  ///   axes; if the joints are not those of the toolpath
+  /// @throws Unreachable  if the joints have faults (names the first), or the arm cannot reach where the
+  ///   program starts or ends, `rapid.approach_mm` off the part
   /// @throws InvalidConfig as `checkedRapidSettings`; if a predefined speed of RAPID would have to serve for
   ///   another feed; if a run is longer than a module that is loaded in turn; if configurations are asked for
   ///   without joints
@@ -44,8 +46,10 @@ class RapidProgram {
   RapidProgram(RapidProgram&&) noexcept;
   RapidProgram& operator=(RapidProgram&&) noexcept;
 
-  /// Main first. The file of a module has its name and the suffix .mod.
+  /// Names of the modules, first that of the one with `main`. The file of a module has its name and the
+  /// suffix .mod.
   const std::vector<std::string>& moduleNames() const;
+  /// Writes a module, by its index in `moduleNames`.
   void write(std::size_t module, const TextSink& sink) const;
 
  private:
@@ -54,7 +58,7 @@ class RapidProgram {
 };
 
 /// Writes a program of one module.
-/// @throws InvalidConfig also if it has several
+/// @throws InvalidConfig also if the program has several modules
 void writeRapid(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
                 const RapidSettings& settings, const TextSink& sink, const RobotMotion* robot = nullptr);
 
