@@ -10,58 +10,58 @@ namespace lamina {
 enum class ScaffoldFill {
   Rectilinear,  ///< parallel lines joined at the border, turned by 90 deg from layer to layer
   Concentric,   ///< rings parallel to the border
-  Gyroid,       ///< what the layer cuts out of a gyroid
+  Gyroid,       ///< the curves in which the plane of the layer cuts a gyroid
 };
 
-/// What lines are apart from each other where they fill a layer.
+/// Distance between the lines of a layer that is filled completely.
 enum class FullSpacing {
-  Packed,  ///< what a bead of stadium section fills: w - h (1 - pi/4)
-  Width,   ///< the width of a bead: beads touch, and the layer is full to their section over w h
+  Packed,  ///< w - h (1 - pi/4), at which beads with a stadium section have the volume of the layer
+  Width,   ///< the bead width w: beads touch, and have less volume than the layer
 };
 
-/// Line of the filaments of a sinusoidal scaffold.
+/// Curve of the filaments of a sinusoidal scaffold.
 enum class ScaffoldWave {
   Cosine,
   Sine,
-  SineCosine,  ///< cosine in the first layer, sine in the next, and so on
+  SineCosine,  ///< cosine in the first layer, sine in the second, and so on
 };
 
-/// How neighbouring filaments of a sinusoidal scaffold lie to each other.
+/// How neighbouring filaments of a sinusoidal scaffold are arranged.
 enum class FilamentArrangement {
   Parallel,
-  Mirrored,  ///< each is the mirror image of the one before; of sine waves only
+  Mirrored,  ///< each is the mirror image of the one before; for Sine only
 };
 
-/// A parametric part [Vega2023, sections 5.3, 7.1 and 7.2]. Which fields it takes depends on its
-/// kind: see `makeScaffold`.
+/// Parameters of a parametric part [Vega2023, sections 5.3, 7.1 and 7.2]. Which of them are used depends on
+/// the kind of part (`makeScaffold`).
 struct ScaffoldSettings {
-  double corner_x_mm = 0.0;  ///< low corner of the part on the bed
-  double corner_y_mm = 0.0;
-  double length_mm = 9.0;   ///< along x; of cubes and sinusoidal scaffolds along y too
-  double breadth_mm = 9.0;  ///< along y, of a box
+  double corner_x_mm = 0.0;  ///< x of the low corner of the part on the bed
+  double corner_y_mm = 0.0;  ///< y of that corner
+  double length_mm = 9.0;    ///< size along x; of cubes and sinusoidal scaffolds along y, too
+  double breadth_mm = 9.0;   ///< size of a box along y
   double diameter_mm = 10.0;
   double height_mm = 9.0;  ///< rounded to whole layers
   double layer_height_mm = 0.3;
-  double first_layer_height_mm = 0.0;  ///< 0 takes that of the others
+  double first_layer_height_mm = 0.0;  ///< 0 for that of the other layers
   double bead_width_mm = 0.48;
-  double bead_fill = 0.0;  ///< section over width times height; 0 takes that of the kind
+  double bead_fill = 0.0;  ///< cross-section of a bead over width times height; 0 for that of the kind
   double feed_mm_s = 20.0;
   double travel_feed_mm_s = 100.0;
-  double away_mm = 0.0;  ///< by which the nozzle leaves the part between layers, along -x; 0 stays above it
+  double away_mm = 0.0;  ///< distance to which the nozzle leaves the part along -x between layers; 0 for not
 
   ScaffoldFill fill = ScaffoldFill::Rectilinear;
   FullSpacing full_spacing = FullSpacing::Packed;
-  double density = 0.5;
-  double angle_deg = 0.0;  ///< of the lines of the first layer
-  int perimeters = 0;
-  int solid_layers = 0;  ///< at the bottom, and as many at the top
+  double density = 0.5;    ///< of the fill, as a share of the volume
+  double angle_deg = 0.0;  ///< direction of the lines of the first layer
+  int perimeters = 0;      ///< number of perimeters
+  int solid_layers = 0;    ///< number of solid layers at the bottom, and again at the top
 
   ScaffoldWave wave = ScaffoldWave::Sine;
   FilamentArrangement arrangement = FilamentArrangement::Parallel;
-  double amplitude_mm = 0.5;
-  int cycles = 5;     ///< of the wave along the length
-  int filaments = 5;  ///< of a layer
-  int cycle_segments = 20;
+  double amplitude_mm = 0.5;  ///< of the wave
+  int cycles = 5;             ///< number of cycles of the wave along the length
+  int filaments = 5;          ///< number of filaments of a layer
+  int cycle_segments = 20;    ///< number of straight motions by which a cycle is approximated
 };
 
 /// Adds the keys scaffold.*.

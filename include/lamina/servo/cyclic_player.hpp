@@ -14,56 +14,56 @@
 
 namespace lamina {
 
-/// Why a player has braked by itself.
+/// A fault at which a player has braked by itself.
 struct CyclicFault {
   enum class Kind : std::uint8_t {
-    Starved,  ///< the points end in motion, and no more came in time
-    Late,     ///< a cycle came too late
-    Step,     ///< a target was further away than the joint may go in the time
+    Starved,  ///< the points ended in motion, and no more arrived in time
+    Late,     ///< a cycle was called too late
+    Step,     ///< a target was farther from the last one than the joint may move in the time
   };
   Kind kind = Kind::Starved;
-  std::size_t joint = 0;  ///< of `Step`
-  double value = 0.0;     ///< lateness or duration [s], or way [mm, rad]
-  double most = 0.0;      ///< that was allowed
+  std::size_t joint = 0;  ///< index of the joint, for Step
+  double value = 0.0;     ///< Starved: time left; Late: lateness [s]; Step: distance [mm, rad]
+  double most = 0.0;      ///< Starved: time needed; Late, Step: greatest value allowed
 };
 
-/// In words, with value and bound.
+/// The fault in words, with value and bound.
 std::string faultText(const CyclicFault& fault, const std::vector<DrivenJoint>& joints);
 
-/// Plays chunks of a trajectory as a target each cycle: on cubics through their points and velocities. To
-/// brake, it goes on along the points, slower and slower until it rests; only where they end before that does
-/// it go straight on. Where the points end in motion it brakes so early that it rests on them. What it does
-/// follows from the times it is given alone. `advance` takes no memory from the heap; nothing may be called
-/// at the same time.
+/// Converts chunks of a trajectory into a target for each cycle of a controller, on cubic polynomials through
+/// their points and velocities. It brakes along the points, at a decreasing rate of time; only if the points
+/// end before it rests does it continue straight. If the points end in motion, it begins to brake early
+/// enough to rest before their end. Deterministic: the only times it uses are its arguments. `advance`
+/// allocates no memory. Not thread-safe.
 class CyclicPlayer {
  public:
-  /// @param sink  of which cycle and way ahead count
+  /// @param sink  controller whose `cycle` and `ahead` are used
   /// @throws InvalidConfig naming key, value and bound
   CyclicPlayer(std::vector<DrivenJoint> joints, const CyclicSettings& settings, const CyclicSink& sink);
 
-  /// Forgets all, and rests where the robot is.
+  /// Discards all points and faults, and rests at the robot's position.
   void begin(const JointValues& position);
 
-  /// Takes points; those it has at or after the first of them are dropped.
+  /// Adds points; they replace earlier points at or after the time of the first of them.
   /// @param now_s  by the clock of the points
-  /// @throws InvalidInput naming joint, value and bound if a point is out of the joint's limits or speed,
-  ///   times do not rise, all points are past, the first is not where the robot is or is planned to be, or
-  ///   the motion cannot be joined in time any more, and while it brakes; then nothing changes
+  /// @throws InvalidInput naming joint, value and bound, if a point exceeds the limits or the speed of a
+  ///   joint, times do not ascend, all points are in the past, the first is not at the present or planned
+  ///   position, or the motion cannot be joined in time; also while braking. Nothing changes then.
   void accept(const TrajectoryChunk& chunk, double now_s);
-  /// Brakes from the next cycle on; does nothing at rest.
+  /// Brakes from the next cycle on; without effect at rest.
   void brake() { is_told_ = !points_.empty(); }
 
-  /// The target of the last cycle that is due; null if that was given already.
-  /// @param due_s  when the first cycle was due that has not been given
-  /// @param now_s  not before that
+  /// The target of the newest cycle that is due; null if it was returned already.
+  /// @param due_s  time at which the first cycle was due for which there was no call yet
+  /// @param now_s  present time, at or after `due_s`
   const CyclicTarget* advance(double due_s, double now_s);
 
-  /// Whether nothing is left to follow.
+  /// Whether no points are left to follow.
   bool isAtRest() const { return points_.empty(); }
   bool isBraking() const { return brake_.has_value(); }
-  /// Why it has braked since the last `begin` or chunk that was accepted from rest.
+  /// The last fault since `begin`, or since a chunk was accepted at rest; nothing if there was none.
   const std::optional<CyclicFault>& fault() const { return fault_; }
-  /// The last target.
+  /// The last target that `advance` has returned.
   const CyclicTarget& target() const { return target_; }
 
  private:
@@ -72,7 +72,8 @@ class CyclicPlayer {
     JointValues position;
     JointValues velocity;
   };
-  /// From `begin_s` on the time of the points slows down, until it stands after `duration_s`.
+  /// Braking: from `begin_s` on, when the points are followed at `path_s`, the rate at which their time
+  /// passes decreases to 0 within `duration_s`.
   struct Brake {
     double begin_s = 0.0;
     double path_s = 0.0;
@@ -102,7 +103,7 @@ class CyclicPlayer {
   std::optional<Brake> brake_;
   std::optional<CyclicFault> fault_;
   bool is_told_ = false;
-  std::optional<double> told_s_;  ///< when the last target was due
+  std::optional<double> told_s_;  ///< time at which the last target was due
   CyclicTarget target_;
 };
 

@@ -6,11 +6,11 @@
 
 namespace lamina {
 
-/// How targets are played to a controller that takes one each cycle.
+/// How a trajectory is played to a controller that needs a target each cycle.
 struct CyclicSettings {
-  double brake_s = 0.3;              ///< in which a joint at its greatest speed comes to rest
-  double start_tolerance_deg = 0.1;  ///< that a first point may be off where a joint is
-  double late_cycles = 3.0;          ///< that a cycle may come late in motion
+  double brake_s = 0.3;              ///< time in which a joint comes to rest from its greatest speed
+  double start_tolerance_deg = 0.1;  ///< greatest distance of a first point from a joint's position
+  double late_cycles = 3.0;          ///< greatest lateness of a cycle in motion, in cycles
 };
 
 /// Adds the keys cyclic.*.

@@ -8,30 +8,31 @@
 
 namespace lamina {
 
-/// Where joints are to be at one instant, and how fast.
+/// Commanded positions and velocities of the joints at one instant.
 struct JointTarget {
   JointValues position;  ///< [mm, rad]
   JointValues velocity;  ///< [mm/s, rad/s]
 };
 
-/// What a controller is given in a cycle.
+/// What a controller gets in a cycle.
 struct CyclicTarget {
-  std::int64_t cycle = 0;  ///< counted from 1; one that is left out was missed
-  JointTarget now;
-  JointTarget ahead;  ///< what is planned for `CyclicSink::ahead` later
+  std::int64_t cycle = 0;  ///< number of the cycle, from 1; numbers that are left out were missed
+  JointTarget now;         ///< for this cycle
+  JointTarget ahead;       ///< planned for the time `CyclicSink::ahead` later
 };
 
-/// A controller that takes a target of the joints each cycle, and stops when none comes.
+/// Interface of a controller that needs a target of the joints each cycle, and stops if none arrives.
 class CyclicSink {
  public:
   virtual ~CyclicSink() = default;
 
-  virtual double cycle() const = 0;  ///< [s]
-  /// How far ahead it is given the plan, to follow it where targets are late or lost [s].
+  virtual double cycle() const = 0;  ///< duration of a cycle [s]
+  /// Time by which `CyclicTarget::ahead` is ahead; for so long the controller can bridge late or lost targets
+  /// [s].
   virtual double ahead() const = 0;
-  /// Never waits, and takes no memory from the heap.
+  /// Sends a target. Never blocks, and allocates no memory.
   virtual void send(const CyclicTarget& target) = 0;
-  /// No target comes any more: the controller brakes by itself.
+  /// States that no more targets come; the controller then brakes by itself.
   virtual void stop() = 0;
 };
 

@@ -16,45 +16,46 @@
 
 namespace lamina {
 
-/// What a program that was sent to a robot asks of it.
+/// Parameters of a program by `servojProgram`.
 struct SentProgram {
-  std::string host;  ///< that it calls back
-  std::uint16_t port = 0;
+  std::string host;        ///< IPv4 address to which the program connects
+  std::uint16_t port = 0;  ///< TCP port to which it connects
   ServojSettings settings;
 };
 
-/// Reads what `servojProgram` wrote; nothing if the text is not such a program, whole.
+/// Parses a program by `servojProgram`; nothing if the text is no such program, or not complete.
 std::optional<SentProgram> sentProgram(const std::string& text);
 
-/// How a robot that is not there differs from a perfect one.
+/// Properties of an emulated robot.
 struct EmulatedRobotSettings {
-  std::uint16_t port = 0;  ///< on which it takes programs, on the loopback interface; 0 for any that is free
+  std::uint16_t port = 0;  ///< on the loopback interface, at which it accepts programs; 0 for any free one
   double lag_s = 0.02;     ///< time constant of its joints
-  double jitter_s = 0.0;   ///< that targets come late at most
-  double loss = 0.0;       ///< share of targets that never come
-  std::uint64_t seed = 1;  ///< of both
+  double jitter_s = 0.0;   ///< greatest delay of targets
+  double loss = 0.0;       ///< share of targets that are lost, 0 to 1
+  std::uint64_t seed = 1;  ///< of jitter and loss
 };
 
-/// A robot of Universal Robots that is not there: takes the program, calls back, and follows targets in a
-/// thread of its own, as the program would. Within one host only: it calls no address but of the loopback
-/// interface. Where its thread is late its own time stands still for so long.
+/// Emulates a robot of Universal Robots: accepts a program, connects back, and follows targets as the program
+/// would, in a thread of its own. It connects to addresses of the loopback interface only. If its thread is
+/// late, its cycles are delayed, not caught up.
 class EmulatedRobot {
  public:
+  /// @param start  positions of the joints [rad]
   /// @throws DeviceError if it cannot listen
   EmulatedRobot(const EmulatedRobotSettings& settings, const JointValues& start);
   ~EmulatedRobot();
   EmulatedRobot(const EmulatedRobot&) = delete;
   EmulatedRobot& operator=(const EmulatedRobot&) = delete;
 
-  /// The port on which it takes programs.
+  /// TCP port at which it accepts programs.
   std::uint16_t port() const { return door_.port(); }
-  /// Where its joints are, and what its last program does.
+  /// Positions of its joints, and the state of its last program.
   ServojReport report() const;
-  /// Of its last program.
+  /// How its last program has followed targets.
   ServojFollowing following() const;
-  /// Whether its joints stand still.
+  /// Whether its joints are at rest.
   bool isAtRest() const;
-  /// Ends its program as its stop button would.
+  /// Ends its program, as the stop button of the robot would.
   void stop();
 
  private:
@@ -77,7 +78,7 @@ class EmulatedRobot {
   ServojFollower follower_;
   FrameCutter<TargetBytes> cutter_;
   std::deque<Late> late_;
-  bool is_over_ = false;  ///< the host has gone
+  bool is_over_ = false;  ///< whether the host has closed the connection
   bool is_stopping_ = false;
   std::thread thread_;
 };

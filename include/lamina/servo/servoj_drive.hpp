@@ -16,7 +16,7 @@
 
 namespace lamina {
 
-/// Settings of a drive.
+/// Settings of a `ServojDrive`.
 struct ServojDriveSettings {
   ServojSettings servoj;
   CyclicSettings cyclic;
@@ -26,37 +26,41 @@ struct ServojDriveSettings {
 /// Adds the keys servoj.*, cyclic.* and robot.*.
 void describe(SettingsSchema& schema, ServojDriveSettings& settings);
 
-/// What a drive does at one instant.
+/// State of a `ServojDrive` at one instant.
 struct ServojDriveState {
-  bool is_connected = false;  ///< the robot has reported where it is
-  bool is_at_rest = true;     ///< nothing is left to play
-  JointValues actual;         ///< as the robot reports; of the last connection
-  JointTarget wanted;
-  std::string fault;  ///< why the last motion has ended early, in words; empty if it has not
+  bool is_connected = false;  ///< whether the robot is connected and has reported its position
+  bool is_at_rest = true;     ///< whether no points are left to play
+  JointValues actual;  ///< last position that the robot has reported [rad]; may be of an earlier connection
+  JointTarget wanted;  ///< last target
+  std::string fault;   ///< why the last motion has ended early, in words; empty if it has not
 };
 
-/// Leads a robot of Universal Robots: sends it the program, and plays chunks to it in a thread of its own,
-/// cycle by cycle. When the connection is lost the motion is given up, and the robot called again.
+/// Drives a robot of Universal Robots: sends it the program, and plays chunks of a trajectory to it, cycle by
+/// cycle, in a thread of its own. If the connection is lost, the motion is given up; `keepConnected` connects
+/// again.
 class ServojDrive {
  public:
-  /// @throws InvalidConfig if the joints are not six rotary ones, or naming key, value and bound; DeviceError
+  /// @throws InvalidConfig if the joints are not six rotary ones, or a setting is out of its bounds
+  /// @throws DeviceError if it cannot listen for the robot
   ServojDrive(std::vector<DrivenJoint> joints, const ServojDriveSettings& settings);
   /// Brakes along the path, and ends the program on the robot.
   ~ServojDrive();
   ServojDrive(const ServojDrive&) = delete;
   ServojDrive& operator=(const ServojDrive&) = delete;
 
-  /// Calls the robot where there is no connection; to be called a few times a second. May wait half a second.
-  /// @return what is wrong with the robot, in words; empty if nothing is
+  /// Sends the program to the robot if there is no connection; to be called a few times a second. May block
+  /// for half a second.
+  /// @return why the robot is not ready, in words; empty if it is
   std::string keepConnected();
-  /// Takes points at times of `SteadyClock`.
-  /// @throws Disconnected if there is no robot; InvalidInput as `CyclicPlayer::accept`
+  /// Adds points, with times by `SteadyClock`.
+  /// @throws Disconnected if no robot is connected; InvalidInput as `CyclicPlayer::accept`
   void accept(const TrajectoryChunk& chunk);
+  /// Brakes along the path.
   void brake();
   ServojDriveState state() const;
-  /// The rights of its thread, in words.
+  /// Whether its thread got real-time priority and locked memory, in words (`CycleThread::rights`).
   std::string rights() { return thread_->rights(); }
-  /// The port on which the robot is awaited.
+  /// TCP port to which the program on the robot connects.
   std::uint16_t port() const { return caller_.port(); }
 
  private:
@@ -65,15 +69,15 @@ class ServojDrive {
 
   SteadyClock clock_;
   ServojCaller caller_;
-  double called_s_;  ///< when the robot was called last
+  double called_s_;  ///< time at which the program was last sent
   mutable InheritingMutex mutex_;
   ServojLink link_;
   CyclicPlayer player_;
   std::vector<DrivenJoint> joints_;
-  bool has_begun_ = false;   ///< the robot has reported on this connection
-  bool was_moving_ = false;  ///< when the connection was lost
+  bool has_begun_ = false;   ///< whether the robot has reported on this connection
+  bool was_moving_ = false;  ///< whether the connection was lost in motion
   JointValues actual_;
-  std::unique_ptr<CycleThread> thread_;  ///< last: it uses the rest
+  std::unique_ptr<CycleThread> thread_;  ///< declared last, since it uses the other members
 };
 
 }  // namespace lamina

@@ -12,25 +12,26 @@
 
 namespace lamina {
 
-/// How well a robot was led.
+/// How regularly a robot got targets.
 struct ServojFollowing {
-  std::size_t cycles = 0;   ///< since the first target
-  std::size_t bridged = 0;  ///< of them without a new target, on the way that was planned
-  std::size_t without = 0;  ///< of them with no target at all: beyond what was planned
+  std::size_t cycles = 0;   ///< number of cycles since the first target
+  std::size_t bridged = 0;  ///< number of those without a new target
+  std::size_t without = 0;  ///< number of those later than `CyclicTarget::ahead` of the last target
 };
 
-/// A robot that is not there, with what `servojProgram` does on it: follows targets cycle by cycle, with
-/// joints that lag behind, and brakes by itself after a silence. Deterministic; takes no memory from the
-/// heap.
+/// Simulates what `servojProgram` does on a robot: follows targets cycle by cycle, with joints that lag
+/// behind, and brakes by itself if no target arrives for too long. Deterministic; allocates no memory.
 class ServojFollower {
  public:
   /// @param lag_s  time constant of the joints
+  /// @param start  positions of the joints [rad]
   ServojFollower(const ServojSettings& settings, double lag_s, const JointValues& start);
 
-  /// Takes a target; it replaces the one before.
+  /// Accepts a target, which replaces the one before.
   void hear(const CyclicTarget& target);
-  /// Brakes for good.
+  /// Ends the program: the joints brake for good.
   void end();
+  /// Runs one cycle.
   void cycle();
 
   ServojReport report() const { return {state_, newest_.cycle, position_}; }
@@ -46,9 +47,9 @@ class ServojFollower {
   double silent_cycles_;
   ServojState state_ = ServojState::Waiting;
   CyclicTarget newest_;
-  std::int64_t last_ = 0;  ///< cycle of the target that was newest in the last cycle
-  double phase_ = 0.0;     ///< its own count of the targets' cycles
-  double silent_ = 0.0;    ///< cycles without a new target
+  std::int64_t last_ = 0;  ///< cycle number of the newest target in the last cycle
+  double phase_ = 0.0;     ///< its own count of cycles, which follows the numbers of the targets
+  double silent_ = 0.0;    ///< number of cycles since the last new target
   JointServo servo_;
   JointValues position_;
   JointValues velocity_;

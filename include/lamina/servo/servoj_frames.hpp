@@ -12,54 +12,58 @@
 
 namespace lamina {
 
-// What goes between this host and the program on the robot: whole numbers of four bytes, the highest first,
-// as URScript reads and writes them; joints in millionths of a radian.
-
+// Frames between this host and the program on the robot: integers of four bytes, most significant byte first,
+// as URScript reads and writes them; angles in millionths of a radian.
 constexpr int kServojJoints = 6;
-/// A frame of a target: its cycle, then joints and speeds now and ahead. A cycle of -1 ends the program.
+/// Number of integers of a target frame: number of the cycle, then positions and velocities now, and
+/// positions and velocities ahead. The cycle -1 ends the program.
 constexpr std::size_t kTargetWords = 1 + 4 * kServojJoints;
-/// A frame of a report: kind, cycle of the newest target, joints.
+/// Number of integers of a report frame: state, cycle of the newest target, positions.
 constexpr std::size_t kReportWords = 2 + kServojJoints;
 
 using TargetBytes = std::array<char, 4 * kTargetWords>;
 using ReportBytes = std::array<char, 4 * kReportWords>;
 
-/// What the program on the robot does.
+/// State of the program on the robot.
 enum class ServojState : std::uint8_t {
-  Waiting,  ///< no target has come yet
+  Waiting,  ///< no target has arrived yet
   Following,
-  Silent,  ///< brakes or stands, as no target came in time
-  Ended,   ///< was commanded to end
+  Silent,  ///< brakes or rests, since no target arrived in time
+  Ended,   ///< brakes or rests, since it was commanded to end
 };
 
-/// What the robot reports each cycle.
+/// The report that the robot sends each cycle.
 struct ServojReport {
   ServojState state = ServojState::Waiting;
-  std::int64_t cycle = 0;  ///< of the newest target that it has; 0 before the first
+  std::int64_t cycle = 0;  ///< number of the newest target; 0 before the first
   JointValues position;    ///< [rad]
 };
 
-/// @param target  of six joints; its cycle within 1 to 2^31 - 1
+/// The frame of a target.
+/// @param target  of six joints, with a cycle from 1 to 2^31 - 1
 TargetBytes targetBytes(const CyclicTarget& target);
-/// Ends the program on the robot.
+/// The frame that ends the program on the robot.
 TargetBytes endBytes();
+/// The frame of a report.
 ReportBytes reportBytes(const ServojReport& report);
 
-/// What the frame of a target says.
+/// Contents of a target frame.
 struct TargetFrame {
   enum class Kind : std::uint8_t { Target, End, Broken };
   Kind kind = Kind::Broken;
-  CyclicTarget target;  ///< of `Target`
+  CyclicTarget target;  ///< for Target
 };
+/// Decodes a target frame.
 TargetFrame targetOf(const TargetBytes& bytes);
-/// Nothing if the bytes are no report.
+/// Decodes a report frame; nothing if the bytes are no report.
 std::optional<ServojReport> reportOf(const ReportBytes& bytes);
 
-/// Cuts bytes, as they come, into frames of one length.
+/// Cuts a stream of bytes into frames of one length.
 template <class Bytes>
 class FrameCutter {
  public:
-  /// @param whole  called with each frame; it ends the cutting by returning false
+  /// @param bytes  in pieces of any length
+  /// @param whole  called with each complete frame; the rest of `bytes` is ignored if it returns false
   template <class Whole>
   void add(std::string_view bytes, Whole whole) {
     for (const char byte : bytes) {
@@ -75,14 +79,14 @@ class FrameCutter {
   std::size_t filled_ = 0;
 };
 
-/// Reads the reports of a robot, and knows the last of them.
+/// Decodes the reports of a robot from a stream of bytes, and keeps the last of them.
 class ReportReader {
  public:
   void add(std::string_view bytes);
-  /// Nothing before the first.
+  /// The last report; nothing before the first.
   const std::optional<ServojReport>& last() const { return last_; }
-  std::size_t count() const { return count_; }
-  /// Whether bytes came that are no report; nothing is read any more.
+  std::size_t count() const { return count_; }  ///< number of reports so far
+  /// Whether a frame was no report; all bytes after it are ignored.
   bool isBroken() const { return is_broken_; }
 
  private:

@@ -12,40 +12,47 @@
 
 namespace lamina {
 
-/// Sends the program to a robot, and waits for it to call back.
+/// Sends the program to a robot, and accepts the connection that the program opens.
 class ServojCaller {
  public:
-  /// Listens from then on.
+  /// Listens for the connection from now on.
   /// @throws InvalidConfig, DeviceError as `TcpSocket::listeningOn`
   ServojCaller(const ServojSettings& settings, const RobotAddress& address);
 
-  /// The port on which the robot is awaited.
+  /// TCP port to which the program on the robot connects.
   std::uint16_t port() const { return door_.port(); }
-  /// @throws Disconnected if the robot takes no program
+  /// Sends the program to the robot.
+  /// @throws InvalidConfig as `TcpSocket::connectedTo`
+  /// @throws Disconnected if the robot accepts no program
   void sendProgram();
-  /// The robot that has called; closed if none has. Others than the robot are turned away.
+  /// The connection that the robot has opened; a closed socket if there is none. Connections from other
+  /// addresses are closed.
   TcpSocket called();
 
  private:
   ServojSettings settings_;
   RobotAddress address_;
   TcpSocket door_;
-  TcpSocket script_;  ///< open until the robot calls: a connection that is closed with bytes unread is reset
+  /// Connection by which the program was sent. It stays open until the robot connects, since closing it with
+  /// unread bytes would reset it.
+  TcpSocket script_;
 };
 
-/// The connection to the program on a robot.
+/// The connection to the program on a robot: sends targets and reads reports.
 class ServojLink final : public CyclicSink {
  public:
+  /// @param report_silence_s  time without a report after which the connection is closed
   ServojLink(const ServojSettings& settings, double report_silence_s);
 
-  /// Takes a connection, of which nothing has been read.
+  /// Takes over a connection from which nothing has been read yet.
   void begin(TcpSocket socket, double now_s);
   bool isOpen() const { return socket_.isOpen(); }
-  /// Reads what the robot reports. Closes the connection if it has ended, or reports nothing in time.
+  /// Reads the reports that have arrived. Closes the connection if the robot has ended the program or the
+  /// connection, or sends no report in time.
   void read(double now_s);
-  /// The last report of this connection; nothing before the first.
+  /// The last report on this connection; nothing before the first.
   const std::optional<ServojReport>& report() const { return reader_.last(); }
-  /// Why the last connection has ended; null while it is open, and before the first.
+  /// Why the last connection was closed; null while one is open, and before the first.
   const char* fault() const { return fault_; }
 
   double cycle() const override { return settings_.cycle(); }

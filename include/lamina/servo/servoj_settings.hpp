@@ -9,35 +9,36 @@
 
 namespace lamina {
 
-/// Controllers of Universal Robots by how often they take a target.
+/// Controllers of Universal Robots, by the duration of their cycle.
 enum class ServojController : std::uint8_t {
-  ESeries,  ///< each 2 ms
-  Cb3,      ///< each 8 ms
+  ESeries,  ///< 2 ms
+  Cb3,      ///< 8 ms
 };
 
 /// How a robot of Universal Robots follows targets.
 struct ServojSettings {
   ServojController controller = ServojController::ESeries;
-  double lookahead_s = 0.1;   ///< over which the robot smooths
-  int gain = 300;             ///< with which it follows
-  double silence_s = 0.02;    ///< without a target, after which it brakes by itself
-  double stop_rad_s2 = 10.0;  ///< deceleration of the fastest joint then
+  double lookahead_s = 0.1;   ///< `lookahead_time` of servoj, over which the robot smooths
+  int gain = 300;             ///< `gain` of servoj
+  double silence_s = 0.02;    ///< time without a target after which the robot brakes by itself
+  double stop_rad_s2 = 10.0;  ///< deceleration of the fastest joint when it brakes by itself
 
+  /// Duration of a cycle [s].
   double cycle() const { return controller == ServojController::ESeries ? 0.002 : 0.008; }
-  /// How far ahead the robot is given the plan [s].
+  /// Time by which `CyclicTarget::ahead` is ahead [s].
   double ahead() const { return silence_s < 0.1 ? silence_s : 0.1; }
 };
 
 /// Adds the keys servoj.*.
 void describe(SettingsSchema& schema, ServojSettings& settings);
 
-/// Where robot and host meet.
+/// Addresses by which robot and host connect to each other.
 struct RobotAddress {
-  std::string host = "127.0.0.1";  ///< of the robot
-  int script_port = 30002;         ///< on which it takes programs
-  std::string bind = "127.0.0.1";  ///< of this host, on which the robot's program is awaited
-  int port = 50002;                ///< for that; 0 for any that is free
-  double report_silence_s = 0.1;   ///< without a report of the robot, after which it counts as lost
+  std::string host = "127.0.0.1";  ///< IPv4 address of the robot
+  int script_port = 30002;         ///< TCP port at which the robot accepts programs
+  std::string bind = "127.0.0.1";  ///< IPv4 address of this host, to which the robot's program connects
+  int port = 50002;                ///< TCP port of this host, to which it connects; 0 for any free one
+  double report_silence_s = 0.1;   ///< time without a report after which the robot counts as lost
 };
 
 /// Adds the keys robot.*.

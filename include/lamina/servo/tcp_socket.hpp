@@ -12,7 +12,7 @@
 
 namespace lamina {
 
-/// An IPv4 socket of TCP that never waits unless asked to; closed at its end.
+/// A non-blocking TCP socket (IPv4), which is closed when it is destroyed.
 class TcpSocket {
  public:
   TcpSocket() = default;
@@ -23,26 +23,28 @@ class TcpSocket {
     return *this;
   }
 
-  /// Waits at most so long.
+  /// A socket that is connected to an address; blocks for at most `wait_s`.
   /// @throws InvalidConfig if the address is no IPv4 address; Disconnected with address and reason
   static TcpSocket connectedTo(const std::string& address, std::uint16_t port, double wait_s);
-  /// @param port  0 for any that is free
+  /// A socket that listens at an address of this host.
+  /// @param port  0 for any free one
   /// @throws InvalidConfig if the address is no IPv4 address; DeviceError with address and reason
   static TcpSocket listeningOn(const std::string& address, std::uint16_t port);
 
   bool isOpen() const { return file_ >= 0; }
   int file() const { return file_; }
   void close();
-  /// Of its own end.
+  /// Port of this end.
   std::uint16_t port() const;
-  /// Address of the other end; empty if there is none.
+  /// Address of the other end; empty if it is not connected.
   std::string peer() const;
-  /// The next that connects to it; closed if none has.
+  /// The next connection to this listening socket; a closed socket if there is none.
   TcpSocket accepted() const;
-  /// Whether all of it was taken.
+  /// Sends bytes.
+  /// @return whether all of them were accepted
   bool send(std::string_view bytes) const;
-  /// What has come.
-  /// @return bytes read; 0 if nothing has come; nothing if the other end has closed
+  /// Reads bytes that have arrived.
+  /// @return number of bytes read, 0 if none have arrived; nothing if the connection is closed
   std::optional<std::size_t> read(char* bytes, std::size_t most) const;
 
  private:

@@ -8,52 +8,52 @@
 
 namespace lamina {
 
-/// How the nozzle is held over inclined layers.
+/// Direction of the nozzle over inclined layers.
 enum class ToolAxis {
-  Normal,  ///< along the layers' normal
-  Down,    ///< straight down, by a head that cannot tilt
+  Normal,  ///< along the normal of the layers
+  Down,    ///< vertical, for a head that cannot tilt
 };
 
-/// How the layers lie: turned by `angle_deg` about a horizontal axis (`partFromLayers`).
+/// Inclination of the layers: they are rotated about a horizontal axis (`partFromLayers`).
 struct PlaneSettings {
-  double angle_deg = 0.0;
-  double axis_heading_deg = 0.0;  ///< of that axis, from x towards y: 0 is x, 90 is y
+  double angle_deg = 0.0;         ///< of the rotation; 0 for level layers
+  double axis_heading_deg = 0.0;  ///< of the axis, from x towards y: 0 is x, 90 is y
   ToolAxis tool_axis = ToolAxis::Normal;
 };
 
-/// What says how high the layers of a stack are.
+/// What determines the heights of plane layers.
 enum class LayerHeights {
-  Equal,     ///< `layer_height_mm`
-  Adaptive,  ///< the part's slopes (`adaptiveLayers`)
+  Equal,     ///< `layer_height_mm`, the same for all but the first
+  Adaptive,  ///< the slopes of the part (`adaptiveLayers`)
   File,      ///< a table (`readHeightTable`)
 };
 
-/// How high layers may be where their heights follow the part.
+/// Limits of the heights of layers that follow the slopes of the part.
 struct AdaptiveSettings {
-  double cusp_mm = 0.1;  ///< greatest step that a layer leaves on the surface, along its normal
-  double least_mm = 0.1;
-  double greatest_mm = 0.3;
-  double greatest_ratio = 1.5;  ///< of the heights of neighbouring layers
-  double quantum_mm = 0.0;      ///< heights are multiples of it; 0 for any height
+  double cusp_mm = 0.1;         ///< greatest step that a layer leaves on the surface, along its normal
+  double least_mm = 0.1;        ///< least height
+  double greatest_mm = 0.3;     ///< greatest height
+  double greatest_ratio = 1.5;  ///< of the heights of neighbouring layers, the higher over the lower
+  double quantum_mm = 0.0;      ///< length of which heights are multiples; 0 for any height
 };
 
 /// How a part is cut into layers.
 struct SlicingSettings {
-  /// Kind of layers, by its name; `slicingModes` holds those there are. The job describes its key.
+  /// Name of the kind of layers, one of `slicingModes`. Its key is added by the job, not by `describe`.
   std::string mode = "planar";
   PlaneSettings plane;
   double layer_height_mm = 0.2;
   double first_layer_height_mm = 0.2;
-  LayerHeights heights = LayerHeights::Equal;  ///< of plane layers
-  std::string heights_file;                    ///< the table, with `heights` File
+  LayerHeights heights = LayerHeights::Equal;  ///< used for plane layers only
+  std::string heights_file;                    ///< path of the table if `heights` is File; else empty
   AdaptiveSettings adaptive;
 };
 
-/// Adds the keys slicing.*, but for `slicing.mode`, and adaptive.*.
+/// Adds the keys slicing.*, except `slicing.mode`, and the keys adaptive.*.
 void describe(SettingsSchema& schema, SlicingSettings& settings);
 
-/// @throws InvalidConfig if the least height is above the greatest, or a table is asked for and not named, or
-/// named and not asked for
+/// @throws InvalidConfig if the least height is above the greatest, or `heights` is File without a
+///   `heights_file`, or another with one
 void requireConsistent(const SlicingSettings& settings);
 
 }  // namespace lamina

@@ -14,48 +14,51 @@
 
 namespace lamina {
 
-/// What a start-up has given a job, and the job needs until its end.
+/// A condition that the start-up has established and that a job needs until its end.
 enum class KeptCondition : std::uint8_t { Bed, Vacuum, Homing, Dryness };
 
-/// A condition that is not there any more though the program has not ended it.
+/// The loss of a condition that the program itself has not ended.
 struct JobLoss {
   KeptCondition what = KeptCondition::Bed;
-  std::string reason;  ///< with actual value, unit and expected
-  double value = 0.0;  ///< that was found [degC, kPa]; 0 where there is none
+  std::string reason;  ///< in words, with actual value, unit and expected value
+  double value = 0.0;  ///< actual value [degC, kPa]; 0 if there is none
 };
 
-/// What is known of the lines that are sent.
+/// Whether the lines that are sent are known.
 enum class WatchedLines : std::uint8_t {
-  OfTheProgram,
-  MayBeReplaced,  ///< by others, which nobody has read here
+  OfTheProgram,   ///< the lines of the program, unchanged
+  MayBeReplaced,  ///< lines that may replace those of the program and are not known here
 };
 
-/// Whether a machine keeps, while a job runs, what its start-up has brought about: the bed's temperature, the
-/// vacuum, the homing. Only steps of the sequence are watched, by what the machine reports; what is not
-/// reported is not judged. Commands of the program, replies and times come in. Times are machine times [s]
-/// and never go back.
+/// Watches during a job whether the machine keeps what its start-up has established: temperature of the bed,
+/// vacuum and homing (dryness is left to `StartupSession`). Only steps of the sequence are watched, by the
+/// reports of the machine; what it does not report is not judged. Inputs are commands of the program,
+/// replies and times. Times are machine times [s] and never go back.
 ///
-/// What the program itself ends is no loss: another target of the bed is kept from when it is first reached,
-/// none is kept after 0; axes whose motors it switches off and zones that it closes are watched no more. Of
-/// lines that may be replaced, any change of the bed's target may be theirs, and only the bed is watched.
+/// What the program itself ends is no loss. If it sets another target of the bed, the bed is watched from the
+/// time when that is first reached, and with the target 0 no more. Axes whose motors it switches off, and
+/// zones that it closes, are watched no more. If lines may be replaced, only the bed is watched, and any
+/// change of its target counts as one by the program.
 class JobWatch {
  public:
-  /// Every step of the sequence is done.
+  /// Begins to watch; every step of the sequence must be done.
   JobWatch(const StartupSettings& settings, WatchedLines lines);
 
-  /// A command of the program has been sent.
+  /// States that a command of the program was sent.
   void onSent(const std::string& command);
+  /// States that the machine has sent a line.
   void onReply(const FirmwareReply& reply, double now_s);
 
-  /// In the order of the conditions; each is gone as soon as the machine reports what is expected.
+  /// The present losses, in the order of `KeptCondition`. A loss ends as soon as the machine reports the
+  /// expected value.
   std::vector<JobLoss> losses() const;
 
  private:
-  /// Of the bed, that the program has not set.
+  /// A target of the bed that the program has not set.
   struct ForeignTarget {
     double target_c = 0.0;
     double since_s = 0.0;
-    bool is_believed = false;  ///< it lasts
+    bool is_believed = false;  ///< whether it has lasted long enough to be no error of transmission
   };
   void followTarget(const ReportedTemperatures& temperatures, double now_s);
   void followBed(double bed_c, double now_s);
@@ -67,20 +70,20 @@ class JobWatch {
   StartupSettings settings_;
   MachineReports reports_;
   std::vector<std::string> vacuum_off_;
-  std::string axes_;  ///< of the sequence, which the program has not let go
+  std::string axes_;  ///< axes homed by the sequence whose motors the program has not switched off
   bool watches_bed_ = false;
   bool watches_vacuum_ = false;
-  bool is_opaque_ = false;       ///< macros were sent, whose commands nobody knows
-  double target_c_ = 0.0;        ///< of the bed, that the program asked for and the machine has taken
-  std::deque<double> asked_c_;   ///< targets that were sent and not yet reported
-  double target_since_s_ = 0.0;  ///< when it was first reported
+  bool is_opaque_ = false;       ///< whether lines may be replaced, or macros were sent
+  double target_c_ = 0.0;        ///< target of the bed by the program, as the machine reports it
+  std::deque<double> asked_c_;   ///< targets of the bed that were sent and not yet reported
+  double target_since_s_ = 0.0;  ///< time at which `target_c_` was first reported
   bool is_reached_ = true;
   double bed_c_ = 0.0;
   std::optional<ForeignTarget> foreign_;
   std::optional<double> cold_since_s_;
   bool is_cold_ = false;
   bool is_late_ = false;
-  std::string unhomed_;  ///< the machine's own words
+  std::string unhomed_;  ///< message of the machine that asks for homing; empty for none
 };
 
 }  // namespace lamina

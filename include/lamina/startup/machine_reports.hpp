@@ -13,31 +13,31 @@
 
 namespace lamina {
 
-/// Heights of a bed's surface [mm].
+/// Range of the heights of a bed's surface.
 struct BedHeights {
-  double low_mm = 0.0;
-  double high_mm = 0.0;
-  std::size_t points = 0;
+  double low_mm = 0.0;     ///< least height
+  double high_mm = 0.0;    ///< greatest height
+  std::size_t points = 0;  ///< number of heights
 };
 
-/// A temperature and when it was reported.
+/// A temperature, and the time at which it was reported.
 struct TimedTemperature {
   double time_s = 0.0;
   double value_c = 0.0;
 };
 
-/// The latest values that a machine reported for its start-up. A value that was never reported is empty.
+/// The latest values that a machine has reported for its start-up. A value that was never reported is empty.
 ///
-/// Read are Marlin's temperatures, values after the labels of the settings, and the rows of numbers that
-/// follow a line with "Leveling Grid" (G29). Times are machine times [s] and never go back.
+/// The sources are temperatures in the format of Marlin, values after the labels of the settings, and the
+/// rows of numbers after a line with "Leveling Grid" (G29). Times are machine times [s] and never go back.
 class MachineReports {
  public:
   explicit MachineReports(const StartupSettings& settings);
 
-  /// One line of the machine.
+  /// Reads one line that the machine has sent.
   void read(const FirmwareReply& reply, double now_s);
 
-  /// Forgets how fast the bed has heated.
+  /// Resets `fastestBed`.
   void watchBed();
   void forgetDryer() { dryer_.reset(); }
   void forgetZones() { zone_kpa_.clear(); }
@@ -45,12 +45,12 @@ class MachineReports {
   void forgetHeights() { heights_.reset(); }
 
   std::optional<double> bed() const { return bed_c_; }
-  /// Fastest the bed has heated over two minutes since `watchBed` [K/min].
+  /// Greatest heating rate of the bed since `watchBed`, measured over two minutes at a time [K/min].
   double fastestBed() const { return fastest_bed_c_min_; }
   std::optional<TimedTemperature> dryer() const { return dryer_; }
-  /// Absolute pressures by zone [kPa].
+  /// Absolute pressures of the vacuum zones, by number [kPa].
   const std::map<int, double>& zones() const { return zone_kpa_; }
-  /// Letters of the homed axes.
+  /// Letters of the homed axes, such as "XY".
   const std::optional<std::string>& homed() const { return homed_; }
   const std::optional<BedHeights>& heights() const { return heights_; }
 

@@ -13,80 +13,82 @@
 
 namespace lamina {
 
-/// How far a machine's start-up is: a state machine without input, output or time of its own. Requests,
-/// replies of the machine, commands sent to it and times go in; G-code to send and the states of the steps
-/// come out. Times are machine times [s] since any start and never go back.
+/// The progress of a machine's start-up sequence: a state machine that does no input or output and reads no
+/// clock. Its inputs are requests, replies of the machine, commands sent to it, and times; its outputs are
+/// G-code to send, and the states of the steps. Times are machine times [s] since any start and never go
+/// back.
 ///
-/// A step is Pending at first. `begin` or `confirm` starts it, and is refused unless all that must come
-/// before the step is satisfied. The step is then Running, while `nextCode` is sent and `onCodeFinished`
-/// reported, and ends Done or Failed. If its result is lost afterwards (a cold bed, motors that were switched
-/// off, a zone that leaks, pellets that are no longer dry), it is Pending again, and so is every step that
-/// rests on it.
+/// A step is Pending at first. `begin` or `confirm` starts it, and is refused unless all its prerequisites
+/// are satisfied. The step is then Running; the caller sends what `nextCode` returns and reports its end by
+/// `onCodeFinished`, until the step is Done or Failed. If its result is lost later (a cold bed, motors that
+/// were switched off, a zone that leaks, pellets that are no longer dry), the step is Pending again, and with
+/// it every step that depends on it (`OnLoss::Spreads`).
 ///
-/// Nothing is carried over from an earlier run: a Startup begins with every step Pending.
+/// No state is kept between runs of the program: a Startup begins with every step Pending.
 class Startup {
  public:
   /// @throws InvalidConfig as `makeStartupSequence`
   explicit Startup(const StartupSettings& settings);
 
-  /// Whether there is no sequence: then a job may always start.
+  /// Whether the sequence has no steps; a job may then always start.
   bool isEmpty() const { return entries_.empty(); }
-  /// How each step is, in their order.
+  /// The status of each step, in the order of the sequence.
   std::vector<StartupStatus> steps() const;
-  /// Whether the step is in the sequence and not left out.
+  /// Whether a step is in the sequence and not skipped.
   bool awaits(StartupStep step) const;
-  /// Whether a step that the machine runs or reports is under way or done.
+  /// Whether a step that the machine runs or reports is Running or Done.
   bool hasMachineAtWork() const;
-  /// Whether every step is satisfied.
+  /// Whether every step is Done or Skipped.
   bool isReady() const;
-  /// @throws Rejected naming the first step that is not satisfied, and its reason
+  /// @throws Rejected naming the first step that is neither Done nor Skipped, and the reason
   void requireReady() const;
-  /// @throws Rejected as `requireReady`, or if the program is not the one that was transferred
+  /// @throws Rejected as `requireReady`; also if the program is not the one that was transferred, where that
+  ///   step is in the sequence
   void requireReadyFor(const ProgramIdentity& program) const;
-  /// Skipped if the step is not in the sequence.
+  /// The state of a step; Skipped if it is not in the sequence.
   StartupState stateOf(StartupStep step) const;
-  /// The first step of the sequence that is Pending or Failed and can be run now without the operator.
+  /// The first step of the sequence that is Pending or Failed and can be run now without the operator;
+  /// nothing if there is none.
   std::optional<StartupStep> nextAutomatic() const;
 
   /// Begins a step that the machine does.
   /// @throws InvalidInput if the step is not in the sequence
-  /// @throws Rejected if the operator does the step, it is running, something must come before it, or it is
-  ///   done and so is a step that rests on it
+  /// @throws Rejected if the operator does the step, it is running, a prerequisite is not satisfied, or the
+  ///   step is done and so is a step that depends on it
   void begin(StartupStep step, double now_s);
-  /// The operator has done a step, or has begun one that takes time (the dryer, the bed).
+  /// States that the operator has done a step, or has begun one that takes time (the dryer, the bed).
   /// @throws InvalidInput, Rejected as `begin`; Rejected if the machine does the step
   void confirm(StartupStep step, double now_s);
-  /// A program has arrived whole.
+  /// States that a program has arrived completely.
   /// @throws InvalidInput, Rejected as `begin`
   void onTransferred(const ProgramIdentity& program, double now_s);
 
-  /// G-code to send next for a running step; nothing if there is none to send now.
+  /// The G-code to send next for a running step; nothing if there is none to send now.
   std::optional<std::string> nextCode(StartupStep step);
-  /// That G-code was run to its end.
+  /// States that the machine has run the G-code of `nextCode` to its end.
   void onCodeFinished(StartupStep step, double now_s);
-  /// A running step cannot be brought to its end.
+  /// States that a running step cannot be completed; it is then Failed.
   void fail(StartupStep step, const std::string& why);
-  /// Adds to the reason of a step that has failed.
+  /// Adds a remark to the reason of a step that is Failed.
   void addRemark(StartupStep step, const std::string& remark);
-  /// A running step is given up: it is Pending again.
+  /// States that a running step is given up; it is then Pending.
   void giveUp(StartupStep step, const std::string& why);
 
-  /// The machine has said something.
+  /// States that the machine has sent a line.
   void onReply(const FirmwareReply& reply, double now_s);
-  /// A command was sent to the machine, by whomever.
+  /// States that a command was sent to the machine, by this sequence or a job.
   void onCommandSent(const std::string& command);
-  /// States that the machine was reset or halted, or cannot be reached: nothing is known of its state any
-  /// more.
+  /// States that the machine was reset or halted, or cannot be reached, so that its state is unknown.
   void forgetMachine(const std::string& why);
-  /// Time has passed: what is waited for may be over, what was done may be lost.
+  /// Advances to a time: waits may end, and results may expire.
   void elapse(double now_s);
 
  private:
   struct Entry {
     std::vector<Prerequisite> after;
     StartupStatus status;
-    double since_s = 0.0;  ///< when it began, and then when it was done
-    int phase = 0;         ///< pieces of G-code that were run
+    double since_s = 0.0;  ///< time at which the step began; once it is done, time at which it was done
+    int phase = 0;         ///< number of pieces of G-code that were run
   };
 
   Entry* find(StartupStep step);
@@ -116,10 +118,10 @@ class Startup {
   MachineReports reports_;
   std::vector<std::string> vacuum_off_;
   double dried_s_ = 0.0;
-  double last_dry_s_ = 0.0;     ///< when the pellets were last known to be dried or kept dry
-  bool was_dryer_hot_ = false;  ///< at the last time it was looked at
+  double last_dry_s_ = 0.0;     ///< time at which the pellets were last known to be dried or kept dry
+  bool was_dryer_hot_ = false;  ///< whether the dryer was hot when it was last checked
   double dryer_looked_at_s_ = 0.0;
-  ProgramIdentity program_;  ///< that was transferred
+  ProgramIdentity program_;  ///< program that was transferred
 };
 
 }  // namespace lamina

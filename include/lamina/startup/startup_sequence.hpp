@@ -9,32 +9,31 @@
 
 namespace lamina {
 
-/// What the loss of a step means for one that was done after it.
+/// Effect of the loss of a prerequisite on the step that was done after it.
 enum class OnLoss : std::uint8_t {
-  Spreads,  ///< that one is lost too
-  Stays,    ///< it remains done
+  Spreads,  ///< the step is lost too
+  Stays,    ///< the step remains done
 };
 
-/// A step that must be satisfied before another.
+/// A step that must be Done or Skipped before another one begins.
 struct Prerequisite {
   StartupStep step = StartupStep::PowerOn;
-  std::string because;
+  std::string because;  ///< the reason, in words
   OnLoss on_loss = OnLoss::Spreads;
 };
 
-/// A step of a sequence and what must come before it.
+/// A step of a sequence, and its prerequisites.
 struct SequencedStep {
   StartupStep step = StartupStep::PowerOn;
-  std::vector<Prerequisite> after;  ///< all of them stand before it in the sequence
+  std::vector<Prerequisite> after;  ///< prerequisites, all of them earlier in the sequence
   bool is_skipped = false;
 };
 
-/// The sequence that the settings stand for; empty if there is none.
+/// Makes the sequence that the settings describe; empty if there is none.
 ///
-/// @throws InvalidConfig naming key and reason if a name is unknown or stands twice, the order contradicts
-/// what a step needs or what `startup.after_*` says (which is about the order only, so that no cycle is
-/// left), a step needs one that is missing, a rate is 0 or above its bound, or a machine that switches the
-/// vacuum does not report it
+/// @throws InvalidConfig naming key and reason if a name is unknown or given twice, a step is not after all
+///   that it needs or that `startup.after_*` names for it, a step needs one that is missing, a setting is out
+///   of its bounds, or a machine that switches the vacuum does not report it
 std::vector<SequencedStep> makeStartupSequence(const StartupSettings& settings);
 
 }  // namespace lamina

@@ -13,15 +13,16 @@
 
 namespace lamina {
 
-/// A machine's start-up at its port, in a thread of its own: runs steps, looks at the machine from time to
-/// time while something it was made to do lasts, and lends the port to jobs. All calls may come from any
-/// thread. Without a sequence it does nothing and lets every job start.
+/// Runs a machine's start-up sequence at its port, in a thread of its own. It runs steps, checks the machine
+/// periodically as long as a step that it runs or reports is running or done, and lends the port to jobs. All
+/// functions may be called from any thread. Without a sequence it does nothing and lets every job start.
 ///
-/// A sequence that is aborted, a bed that does not heat as it should and a machine that stops answering end
-/// with `startup.abort_code`, as does the session itself if the machine was made to do anything.
+/// It sends `startup.abort_code` if the sequence is aborted, the bed does not heat as it should, or the
+/// machine stops answering; also when the session ends and a step has acted on the machine.
 class StartupSession {
  public:
-  /// Given the steps when they may have changed; from any thread, also before the constructor has returned.
+  /// Called with the status of all steps when they may have changed; from any thread, and possibly before the
+  /// constructor has returned.
   using Observer = std::function<void(const std::vector<StartupStatus>&)>;
 
   /// @throws InvalidConfig as `makeStartupSequence`, or if a code of the settings cannot be streamed
@@ -33,39 +34,46 @@ class StartupSession {
 
   bool isEmpty() const;
   std::vector<StartupStatus> steps() const;
-  /// Whether the step is in the sequence and not left out.
+  /// Whether a step is in the sequence and not skipped.
   bool awaits(StartupStep step) const;
 
-  /// Begins a step, or without one all that can be run without the operator, in order; returns at once.
+  /// Begins a step, or, if none is given, all steps in order that can be run without the operator. Returns at
+  /// once.
   /// @throws InvalidInput, Rejected as `Startup::begin`; Rejected if a job or another step is under way, or
-  /// nothing can be run
+  ///   there is nothing to run
   void run(std::optional<StartupStep> step);
+  /// States that the operator has done a step (`Startup::confirm`).
   /// @throws InvalidInput, Rejected as `Startup::confirm`; Rejected if a job is under way
   void confirm(StartupStep step);
-  /// @throws InvalidInput, Rejected as `Startup::transferred`; Rejected if a job is under way
+  /// States that a program has arrived completely (`Startup::onTransferred`).
+  /// @throws InvalidInput, Rejected as `Startup::onTransferred`; Rejected if a job is under way
   void transferred(const ProgramIdentity& program);
-  /// Stops what is running and leaves the machine safe; returns at once.
-  /// @throws Rejected if a job is under way
+  /// Stops the running step and sends `startup.abort_code`. Returns at once.
+  /// @throws Rejected if a job is under way, or there is no sequence
   void abort();
-  /// Whether a step is being run or the machine is being left safe.
+  /// Whether a step is running, or `abort` is under way.
   bool isBusy() const;
 
-  /// Looks at the machine and lends it to a job until `endJob`.
-  /// @throws Rejected naming the first step that is not satisfied, and its reason; if a step is under way
+  /// Checks the machine and lends its port to a job until `endJob`.
+  /// @throws Rejected naming the first step that is neither Done nor Skipped, and the reason; also if a step
+  ///   is running, or the program is not the one that was transferred
   /// @throws DeviceError if the machine cannot be reached
   void beginJob(const ProgramIdentity& program);
-  /// The program that the job has begun to send. Of one whose lines are changed on their way, its commands
-  /// count as sent somewhat early.
+  /// States that the job begins to send a program, and watches the machine from now on (`JobWatch`). If lines
+  /// may be replaced, the program's commands are taken for sent somewhat too early.
   void watchJob(const StreamableProgram& program, WatchedLines lines);
-  /// What the machine has lost of its start-up since, and the program has not ended (`JobWatch`); empty
-  /// without a sequence.
+  /// The conditions of the start-up that the machine has lost during the job and that the program has not
+  /// ended (`JobWatch`); empty without a sequence.
+  /// @param status  present status of the job
   std::vector<JobLoss> losses(const StreamStatus& status);
-  /// What to ask the machine during a job, one command on each line: what it does not report by itself of the
-  /// steps of the sequence. Empty for nothing.
+  /// Commands, one on each line, that ask the machine during a job for what it does not report by itself but
+  /// steps of the sequence depend on. Empty if there is nothing to ask.
   std::string questions() const;
-  /// What the machine says during the job.
+  /// States that the machine has sent a line during the job.
   void heard(const FirmwareReply& reply);
-  /// The job is over: what it has switched off is lost.
+  /// States that the job is over. Steps whose result the job has ended, for example by switching off the bed,
+  /// are Pending again. After a failure other than a cancellation the machine counts as unknown: power, bed,
+  /// vacuum, homing and height map are Pending again.
   void endJob(const StreamableProgram& program, const StreamStatus& status);
 
  private:

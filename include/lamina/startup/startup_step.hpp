@@ -13,51 +13,51 @@ namespace lamina {
 enum class StartupStep : std::uint8_t {
   PowerOn,     ///< the operator switches the machine on
   DryPellets,  ///< the material is kept at a temperature for a time
-  HeatBed,     ///< at a rate
-  HomeX,       ///< the axes one after the other
+  HeatBed,     ///< the bed is heated at a limited rate
+  HomeX,       ///< the axes are homed one after the other
   HomeY,
   HomeZ,
-  PlaceSheet,       ///< the operator lays the sheet on the bed
-  DrawVacuum,       ///< the zones that hold the sheet
-  HomeZAgain,       ///< against the sheet
-  MapHeights,       ///< of the bed's surface
-  TransferProgram,  ///< whole
+  PlaceSheet,       ///< the operator places the sheet on the bed
+  DrawVacuum,       ///< the vacuum zones that hold the sheet are evacuated
+  HomeZAgain,       ///< Z is homed again, over the sheet
+  MapHeights,       ///< the heights of the bed's surface are measured
+  TransferProgram,  ///< the program has arrived completely
 };
 
 inline constexpr std::size_t kStartupStepCount = 11;
 
-/// The name in settings and messages: "heat_bed".
+/// The name of a step in settings and messages, such as "heat_bed".
 const char* toString(StartupStep step);
-/// Every step, in the order of the operator's procedure.
+/// All steps, in the order of the operator's procedure.
 const std::vector<StartupStep>& allStartupSteps();
-/// Nothing if there is no step of that name.
+/// The step of a name; nothing if there is none.
 std::optional<StartupStep> startupStepFromText(const std::string& name);
-/// 'X', 'Y' or 'Z' of a step that homes an axis, or nothing.
+/// The axis that a step homes, 'X', 'Y' or 'Z'; nothing for other steps.
 std::optional<char> homedAxis(StartupStep step);
 
-/// The numbers are those of msg/StartupStep.msg; a test compares them.
+/// State of a step. The values are those of msg/StartupStep.msg; a test compares them.
 enum class StartupState : std::uint8_t {
-  Pending = 0,  ///< not done, or what was done has been lost
+  Pending = 0,  ///< not done, or its result was lost
   Running = 1,
   Done = 2,
   Failed = 3,
-  Skipped = 4,  ///< by configuration
+  Skipped = 4,  ///< not to be done, by the settings
 };
 
-/// "Pending"
+/// The name of a state, such as "Pending".
 const char* toString(StartupState state);
 
-/// How far a step is.
+/// The status of a step.
 struct StartupStatus {
   StartupStep step = StartupStep::PowerOn;
   StartupState state = StartupState::Pending;
   std::string reason;           ///< why it is in that state, in words
-  std::optional<double> value;  ///< what was measured last
+  std::optional<double> value;  ///< last measured value; nothing if none was measured
   std::string unit;             ///< of the value
-  std::string expected;         ///< "89 to 91 degC"; empty if nothing is measured
+  std::string expected;         ///< expected value, such as "89 to 91 degC"; empty if nothing is measured
 };
 
-/// Done or skipped.
+/// Whether a step is Done or Skipped.
 inline bool isSatisfied(const StartupStatus& status) {
   return status.state == StartupState::Done || status.state == StartupState::Skipped;
 }

@@ -8,10 +8,10 @@
 
 namespace lamina {
 
-/// Writes the same elements, material and given displacements as an input deck for CalculiX (`ccx`), which
-/// prints the displacements of all nodes and the reactions of the nodes at rest. Nodes and elements are
-/// numbered from 1 in the order of the lattice.
-/// @throws FileError if it cannot be written; then what was there stays
+/// Writes the elements, the material and the given displacements of a result as an input deck for CalculiX
+/// (`ccx`), for comparison. CalculiX then prints the displacements of all nodes and the reactions of the
+/// nodes at rest. Nodes and elements are numbered from 1 in the order of the lattice.
+/// @throws FileError if it cannot be written; an existing file then remains
 void writeCalculixDeck(const StiffnessResult& result, const ElasticMaterial& material,
                        const std::string& path);
 

@@ -4,10 +4,10 @@
 
 namespace lamina {
 
-/// A material that is elastic alike in all directions.
+/// An isotropic linear-elastic material.
 struct ElasticMaterial {
-  double youngs_modulus_mpa = 3861.0;  ///< of the polylactide of [Vega2023, table 12]
-  double poissons_ratio = 0.35;        ///< below 0.5; from 0.49 on elements of eight nodes lock
+  double youngs_modulus_mpa = 3861.0;  ///< the default is that of the polylactide in [Vega2023, table 12]
+  double poissons_ratio = 0.35;        ///< below 0.5; above 0.49 elements of eight nodes lock
 
   /// Lamé's first constant [MPa].
   double lambda() const {

@@ -9,10 +9,10 @@
 
 namespace lamina {
 
-/// A vector at every node, its components along x, y, z apart.
+/// A vector at every node, stored as three arrays of components.
 template <class Real>
 struct NodeField {
-  std::array<std::vector<Real>, 3> along;
+  std::array<std::vector<Real>, 3> along;  ///< components along x, y, z, by node number
 
   NodeField() = default;
   explicit NodeField(std::int32_t nodes) {
@@ -23,16 +23,16 @@ struct NodeField {
   std::array<const Real*, 3> pointers() const { return {along[0].data(), along[1].data(), along[2].data()}; }
 };
 
-/// Sets every component of every node.
+/// Sets every component at every node to a value.
 template <class Real>
 void fill(NodeField<Real>& field, Real value) {
   for (auto& component : field.along) component.assign(component.size(), value);
 }
 
-/// Nodes whose displacement along x, y or z is given, in rising order.
+/// Numbers of the nodes whose displacement is given (boundary conditions), for each of x, y, z; ascending.
 using GivenNodes = std::array<std::vector<std::int32_t>, 3>;
 
-/// Sets the components that are given to 0.
+/// Sets the components whose displacement is given to 0.
 template <class Real>
 void clearGiven(NodeField<Real>& field, const GivenNodes& given) {
   for (std::size_t axis = 0; axis < 3; ++axis)

@@ -15,45 +15,46 @@
 
 namespace lamina {
 
-/// Solid that bears nothing and was left out: it does not reach all that holds and presses.
+/// A connected piece of solid that was left out, since it does not reach all boundary conditions and so bears
+/// no load.
 struct DroppedPart {
-  std::int64_t elements = 0;
-  Box3 box;            ///< [mm]
-  std::string misses;  ///< what it does not reach: "top", "base, top"
+  std::int64_t elements = 0;  ///< number of its elements
+  Box3 box;                   ///< bounding box [mm]
+  std::string misses;         ///< names of the boundary conditions that it does not reach: "base, top"
 };
 
-/// A part as elements, one for each voxel that bears load.
+/// Finite elements of a part, one for each voxel that bears load.
 struct ElementModel {
   ElementLattice lattice;
-  Point3 corner = Point3::Zero();  ///< of the lattice [mm]
-  double element_mm = 0.0;
+  Point3 corner = Point3::Zero();  ///< low corner of the lattice [mm]
+  double element_mm = 0.0;         ///< side of an element
   LoadCase load;
 };
 
-/// What a load does to a part.
+/// Response of a part to a load.
 struct StiffnessResult {
   ElementModel model;
-  GivenNodes given;                  ///< nodes whose displacement is given, along x, y, z
+  GivenNodes given;                  ///< nodes whose displacement is given
   NodeField<double> displacement;    ///< of each node [mm]
   std::vector<Stress> stress;        ///< in the middle of each element, in the order of the lattice's runs
-  double force_n = 0.0;              ///< of the plate or punch, from the reactions of what rests
+  double force_n = 0.0;              ///< on the plate or punch, from the reactions of the nodes at rest
   double modulus_mpa = 0.0;          ///< equivalent modulus
-  double imbalance_n = 0.0;          ///< reactions of what rests and of what is moved, added
-  float greatest_stress_mpa = 0.0F;  ///< von Mises
-  Point3 greatest_stress_at = Point3::Zero();  ///< [mm]
-  int iterations = 0;
-  double residual = 0.0;  ///< reached
-  std::vector<DroppedPart> dropped;
+  double imbalance_n = 0.0;          ///< sum of the reactions of nodes at rest and displaced nodes; ideally 0
+  float greatest_stress_mpa = 0.0F;  ///< greatest von Mises stress
+  Point3 greatest_stress_at = Point3::Zero();  ///< middle of the element that has it [mm]
+  int iterations = 0;                          ///< number of iterations of the solver
+  double residual = 0.0;                       ///< residual that was reached
+  std::vector<DroppedPart> dropped;            ///< pieces of solid that were left out
 };
 
-/// Linear-elastic displacements and stresses of the solid voxels of a grid under a load, and the modulus that
-/// follows [Vega2023, section 7.2.2.7]: one element with eight nodes a voxel, small displacements, perfectly
-/// bonded. Solid that does not hang together, face by face, with all that holds and presses is left out and
-/// reported. The result is the same whatever the number of threads.
+/// Computes the linear-elastic displacements and stresses of the solid voxels of a grid under a load, and the
+/// equivalent modulus [Vega2023, section 7.2.2.7]: one element with eight nodes per voxel, small
+/// displacements, perfect bonds. Pieces of solid, connected face by face, that do not reach all boundary
+/// conditions are left out and reported. The result is the same for any number of threads.
 ///
-/// @throws InvalidInput   if nothing bears the load, or the memory does not suffice (names the voxel that
-///                        would fit), or forces are not balanced after as many iterations as are allowed
-/// @throws InvalidConfig  if a setting is out of range or the span does not lie on the part
+/// @throws InvalidInput   if no solid bears the load, the memory does not suffice (names the voxel size that
+///                        would fit), or the residual is not reached within the allowed iterations
+/// @throws InvalidConfig  if a setting is out of range or the span does not fit on the part
 /// @throws Cancelled
 StiffnessResult solveStiffness(const VoxelGrid& grid, const StiffnessSettings& settings, Progress& progress);
 

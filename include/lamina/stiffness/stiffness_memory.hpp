@@ -4,13 +4,14 @@
 
 namespace lamina {
 
-/// Memory [bytes] to solve so many elements and nodes, from above.
+/// Upper estimate of the memory [bytes] that `solveStiffness` needs.
+/// @param elements, nodes  their numbers
 double stiffnessBytes(double elements, double nodes);
 
 /// Refuses work that does not fit in memory.
 /// @param needed  [bytes]
-/// @param limit_mb  [MiB]; 0 for what the machine has free
-/// @throws InvalidInput  naming what is needed, what may be used, and the voxel that would fit
+/// @param limit_mb  memory that may be used [MiB]; 0 for the free memory of the computer
+/// @throws InvalidInput  naming the memory needed, that which may be used, and the voxel size that would fit
 void requireMemory(double needed, int limit_mb, double voxel_mm);
 
 }  // namespace lamina

@@ -8,10 +8,10 @@
 
 namespace lamina {
 
-/// Writes elements, displacement [mm] of the nodes, and stress [MPa] of the elements (von Mises, and the six
-/// components xx, yy, zz, xy, yz, zx) as a VTK file: legacy binary, an unstructured grid of hexahedra, which
-/// ParaView opens.
-/// @throws FileError if it cannot be written; then what was there stays
+/// Writes a VTK file (legacy, binary, an unstructured grid of hexahedra) with the displacement [mm] of the
+/// nodes and the stress [MPa] of the elements: von Mises, and the components xx, yy, zz, xy, yz, zx. ParaView
+/// opens it.
+/// @throws FileError if it cannot be written; an existing file then remains
 void writeVtk(const StiffnessResult& result, const std::string& path);
 
 }  // namespace lamina

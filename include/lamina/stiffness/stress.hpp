@@ -13,7 +13,7 @@ struct Stress {
   float yz = 0.0F;
   float zx = 0.0F;
 
-  /// Uniaxial stress of the same energy of distortion [MPa] (von Mises).
+  /// Von Mises stress [MPa]: uniaxial stress with the same energy of distortion.
   float vonMises() const;
 };
 

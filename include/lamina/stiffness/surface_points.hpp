@@ -8,14 +8,14 @@
 
 namespace lamina {
 
-/// Nodes on the surface of a part under load, one entry each in every array.
+/// Nodes on the surface of a part under load; every array has one entry per node.
 struct SurfacePoints {
-  std::vector<Eigen::Vector3f> place;         ///< before the load [mm]
-  std::vector<Eigen::Vector3f> displacement;  ///< [mm]
-  std::vector<float> von_mises;               ///< mean of the elements around the node [MPa]
+  std::vector<Eigen::Vector3f> place;         ///< position without load [mm]
+  std::vector<Eigen::Vector3f> displacement;  ///< by the load [mm]
+  std::vector<float> von_mises;               ///< mean von Mises stress of the adjacent elements [MPa]
 };
 
-/// The nodes that have fewer than eight elements around them, in the order of the lattice.
+/// The nodes on the surface, those with fewer than eight adjacent elements, in the order of the lattice.
 SurfacePoints surfacePoints(const StiffnessResult& result);
 
 }  // namespace lamina

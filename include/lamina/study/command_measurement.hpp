@@ -7,13 +7,13 @@
 
 namespace lamina {
 
-/// Measures points by the commands of a study, in a scratch folder of its own for each point. A program
-/// called `lamina` is the one beside the program that runs.
+/// A measurement that runs the commands of a study for each point, in a new scratch folder. A program called
+/// `lamina` is the one in the folder of the running program.
 ///
-/// The measurement throws InvalidInput if a command ends with another exit code than 0 (with the end of what
-/// it wrote on standard error), prints no JSON, or has no number at a pointer; TimedOut, FileError, Cancelled
-/// as `runProgram`.
-/// @param study  with commands; kept
+/// The measurement throws InvalidInput if a command ends with an exit code other than 0 (with the end of its
+/// error output), prints no JSON, or has no number at a pointer; TimedOut, FileError, Cancelled as
+/// `runProgram`.
+/// @param study  must have commands; it is copied
 PointMeasurement commandMeasurement(const Study& study);
 
 }  // namespace lamina

@@ -10,8 +10,9 @@
 
 namespace lamina {
 
-/// Evaluations as a table: a column for each variable and each response, and `error`, which is empty where
-/// the point could be tried; numbers with all their digits, responses that are not numbers empty.
+/// Evaluations as CSV text: a column for each variable and each response, and the column `error`, which is
+/// empty for points that could be measured. Numbers have all their digits; responses that are not finite
+/// are empty.
 std::string evaluationsCsv(const DesignSpace& space, const std::vector<std::string>& response_names,
                            const std::vector<Evaluation>& evaluations);
 

@@ -8,11 +8,12 @@
 
 namespace lamina {
 
-/// Names that stand in braces: `{pitch_mm}`. A name starts with a letter or underscore and goes on with
-/// letters, digits, underscores and dots; any other text in braces stands for itself.
+/// The names of the placeholders in a text, which are names in braces: `{pitch_mm}`. A name starts with a
+/// letter or underscore and continues with letters, digits, underscores and dots; other text in braces is no
+/// placeholder.
 std::vector<std::string> placeholdersIn(const std::string& text);
 
-/// The text with its placeholders replaced, once: what is put in is not looked into.
+/// The text with its placeholders replaced by their values. Placeholders within values are not replaced.
 /// @throws InvalidConfig naming a placeholder that has no value
 std::string filledIn(const std::string& text, const std::map<std::string, std::string>& values);
 

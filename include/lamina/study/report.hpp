@@ -9,23 +9,23 @@
 
 namespace lamina {
 
-/// A picture and what it shows.
+/// A picture of a report.
 struct ReportPicture {
-  std::string png;  ///< bytes of the file
-  std::string description;
+  std::string png;          ///< contents of the PNG file
+  std::string description;  ///< in words, for the caption
 };
 
-/// The costs of each pair of objectives against each other: what was tried, the front, what was chosen. Empty
-/// with fewer than two objectives.
+/// Diagrams of each pair of objectives against each other, with all evaluated points, the front and the
+/// chosen point. Empty if there are fewer than two objectives.
 std::vector<ReportPicture> frontPictures(const Study& study, const StudyOutcome& outcome);
 
-/// How the search went on: hypervolume and best values over generations, or errors of prediction over
-/// iterations, and predictions against measurements.
+/// Diagrams of the progress of the search. For NSGA-II: hypervolume and best values over generations. For a
+/// surrogate: errors of prediction over iterations, and predictions against measurements.
 std::vector<ReportPicture> progressPictures(const Study& study, const StudyOutcome& outcome);
 
-/// One page that a person can read, print and send: what was asked, what was chosen, the front, what was
-/// published beside it, what failed and why. HTML with its pictures inside, without scripts, nothing from
-/// elsewhere; all text of the study stands as it is.
+/// The report of a study as one HTML page: the question, the chosen point, the front, published values for
+/// comparison, failed points and their reasons. It contains its pictures, has no scripts and refers to no
+/// other file; text of the study is escaped.
 std::string studyReport(const Study& study, const StudyOutcome& outcome);
 
 }  // namespace lamina

@@ -12,7 +12,7 @@
 
 namespace lamina {
 
-/// How either method searches.
+/// Settings of both search methods.
 struct SearchSettings {
   Nsga2Settings nsga2;
   SurrogateSearchSettings surrogate;
@@ -21,15 +21,16 @@ struct SearchSettings {
 /// Adds the keys nsga2.*, surrogate.* and genetic.*.
 void describe(SettingsSchema& schema, SearchSettings& settings);
 
-/// Whether a key is for what fits surrogates, which the core does not know: kriging.*.
+/// Whether a key belongs to the fit of surrogates, which is not part of the core: kriging.*.
 bool isOfSurrogateFit(const std::string& key);
 
-/// The settings of a study: the defaults, then what stands under `search`, in order. A study of
-/// a table alone waits for somebody to measure what is proposed.
-/// @throws InvalidConfig naming key, value and bound; keys of the surrogate fit are passed over
+/// The search settings of a study: the defaults, changed by the entries of `Study::search` in their order.
+/// For a study with a table alone the search stops at a point that is not in it, so that somebody can measure
+/// it. Keys of the surrogate fit are ignored.
+/// @throws InvalidConfig naming key, value and bound
 SearchSettings searchSettingsOf(const Study& study);
 
-/// What stands under `search` for what fits surrogates.
+/// The entries of `Study::search` that belong to the fit of surrogates.
 std::vector<SettingText> surrogateFitSettingsOf(const Study& study);
 
 }  // namespace lamina

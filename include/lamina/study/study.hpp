@@ -12,43 +12,44 @@
 
 namespace lamina {
 
-/// How the variables are searched.
+/// How a study is searched.
 enum class SearchMethod {
-  Nsga2,      ///< a front of points, none of which is better in all objectives
-  Surrogate,  ///< one point, found on interpolations of the responses and measured again and again
+  Nsga2,      ///< by NSGA-II, for a front of points none of which is better than another in all objectives
+  Surrogate,  ///< for one point, by interpolation of the responses that is refined by new measurements
 };
 
-/// Settings by name, to be measured beside what the search finds.
+/// Settings that are measured for comparison with the result of the search.
 struct Baseline {
   std::string name;
   std::vector<SettingText> settings;
 };
 
-/// Measures by slicing a part in this program. Variables are keys of the configuration.
+/// Measurement by slicing a part in this program. The variables are keys of the configuration.
 struct SliceMeasure {
-  std::string part;                        ///< mesh file or name of a part
-  std::vector<SettingText> parameters;     ///< of a named part
-  std::string config;                      ///< settings file; empty for none
-  std::vector<SettingText> settings;       ///< over those of the file
-  std::vector<std::string> metrics;        ///< measured at each point
-  std::vector<std::string> front_metrics;  ///< measured again for the front; empty for all there are
+  std::string part;                     ///< path of a mesh, or name of a part
+  std::vector<SettingText> parameters;  ///< parameters of a part given by name
+  std::string config;                   ///< path of a settings file; empty for none
+  std::vector<SettingText> settings;    ///< settings that override those of the file
+  std::vector<std::string> metrics;     ///< names of the metrics measured at each point
+  /// Metrics measured once more for the front; empty for all metrics.
+  std::vector<std::string> front_metrics;
   std::vector<Baseline> baselines;
 };
 
-/// A program and its arguments, which may hold `{variable}` and `{folder}`.
+/// A command: a program and its arguments, in which `{variable}` and `{folder}` are replaced.
 struct StudyCommand {
   std::string name;
-  std::vector<std::string> arguments;  ///< the first is the program
+  std::vector<std::string> arguments;  ///< the program, and its arguments
 };
 
-/// A number in the JSON that a command prints.
+/// A response that is read from the JSON that a command prints.
 struct CommandResponse {
-  std::string name;
-  std::string command;
-  std::string pointer;  ///< RFC 6901: /porosity_percent
+  std::string name;     ///< of the response
+  std::string command;  ///< name of the command
+  std::string pointer;  ///< JSON pointer to the number (RFC 6901): /porosity_percent
 };
 
-/// Measures by programs, run one after the other for each point.
+/// Measurement by commands, which are run one after the other for each point.
 struct CommandMeasure {
   std::vector<StudyCommand> commands;
   std::vector<CommandResponse> responses;
@@ -57,40 +58,41 @@ struct CommandMeasure {
 
 /// How one point of a front is chosen.
 struct DecisionWishes {
-  std::string method = "linmap";     ///< linmap | topsis
-  std::vector<SettingText> weights;  ///< by response, numbers; of others see `criteriaOf`
+  std::string method = "linmap";     ///< "linmap" or "topsis"
+  std::vector<SettingText> weights;  ///< weights by response; for responses without one see `criteriaOf`
 };
 
-/// Values that somebody published: of variables and responses, as text.
+/// Published values of variables and responses, for comparison.
 struct PublishedRow {
   std::string name;
   std::vector<SettingText> values;
 };
 
-/// The subject of a search, as a person writes it down.
+/// A study: an optimisation problem, and how it is solved, as read from a file. Exactly one of `slice`,
+/// `commands` and `table` alone measures the points.
 struct Study {
   std::string name;
   std::string about;   ///< free text
-  std::string file;    ///< that it was read from; empty if from a text
-  std::string folder;  ///< of the file; commands run in it; empty for the current one
+  std::string file;    ///< path of the file from which it was read; empty if read from a text
+  std::string folder;  ///< folder of that file, in which commands are run; empty for the current one
   SearchMethod method = SearchMethod::Nsga2;
   DesignSpace variables;
   std::optional<SliceMeasure> slice;
   std::optional<CommandMeasure> commands;
-  std::string table;  ///< experiments that somebody made and typed in (CSV); empty for none
+  std::string table;  ///< path of a CSV table of experiments that were made by hand; empty for none
   Goals goals;
-  std::vector<SettingText> search;  ///< nsga2.*, surrogate.*, kriging.*; the last of a key counts
+  std::vector<SettingText> search;  ///< settings nsga2.*, surrogate.*, kriging.*; of one key the last counts
   DecisionWishes decision;
-  std::string published_source;
+  std::string published_source;  ///< where the values in `published` come from
   std::vector<PublishedRow> published;
 };
 
-/// What is measured at each point, in order: metrics, responses of commands, or, where there is but a table,
-/// what the goals name.
+/// The names of the responses that are measured at each point, in their order: metrics, responses of
+/// commands, or, without these, the responses that the goals name.
 std::vector<std::string> responseNames(const Study& study);
 
-/// The same study of another part; what was published is of the part it was written for, and left out.
-/// @param part  mesh file or name of a part
+/// The study applied to another part, without published values, which are of the original part.
+/// @param part  path of a mesh, or name of a part
 /// @throws InvalidConfig if the study slices no part
 Study ofPart(Study study, const std::string& part);
 

@@ -8,16 +8,16 @@
 
 namespace lamina {
 
-/// Reads a study from YAML; docs/studies/studies.md explains its keys. Nothing is run or written.
-/// @param source_name  for messages
-/// @param folder       that names of files are relative to; empty for the current one
-/// @throws InvalidConfig naming source, line and key: no YAML, unknown or double keys, wrong types, values
-///   out of bounds, goals on responses that nothing measures, placeholders that are no variable, a number in
-///   JSON that no pointer leads to, more than one way to measure or none
+/// Reads a study from YAML text; docs/studies/studies.md explains its keys. Nothing is run or written.
+/// @param source_name  name of the source, for messages
+/// @param folder       folder to which paths in the study are relative; empty for the current one
+/// @throws InvalidConfig naming source, line and key: no YAML, unknown or repeated keys, wrong types, values
+///   out of bounds, goals on responses that nothing measures, placeholders that are no variables, invalid
+///   JSON pointers, more than one way to measure or none
 Study readStudy(const std::string& yaml, const std::string& source_name, const std::string& folder);
 
-/// The same from a file; names in it are relative to it.
-/// @throws FileError too
+/// Reads a study from a YAML file; paths in it are relative to its folder.
+/// @throws InvalidConfig as `readStudy`; FileError if the file cannot be read
 Study readStudyFile(const std::string& path);
 
 }  // namespace lamina

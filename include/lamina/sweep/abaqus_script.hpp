@@ -10,23 +10,25 @@
 
 namespace lamina {
 
-/// Nine numbers of a turn, row by row, and the origin: how Abaqus places a sketch.
+/// Pose of a sketch as Abaqus describes it: the nine numbers of a rotation matrix, row by row, then the
+/// origin.
 using SketchTransform = std::array<double, 12>;
 
-/// Places the profile of a sweep whose first line runs from `start` to `end` upright across that line, at the
-/// bottom of the bead: the rows of Rx(-90 deg) Rz(atan(dx / dy)), then start and bottom ([Vega2023,
-/// eq. 1], with the sign of its Rx put right).
-/// @param start, end  apart
+/// The pose of the profile of a sweep whose first line runs from `start` to `end`: vertical, across that
+/// line, with the origin at `start` and at the bottom of the bead. The rotation is Rx(-90 deg) Rz(a) with tan
+/// a = dx / dy ([Vega2023, eq. 1], with the sign of its Rx corrected).
+/// @param start, end  must differ
 SketchTransform profileTransform(const Point2& start, const Point2& end, double bottom_mm);
 
-/// Whether the script states RIGHT as the orientation of a sweep's sketches, else LEFT, for a first line from
-/// `start` to `end`: it does for lines along +x, along -y and towards +x and -y, and by the side of the
-/// origin on which the others cross the x axis.
+/// Whether the script gives RIGHT as the orientation of a sweep's sketches, rather than LEFT, if its first
+/// line runs from `start` to `end`: always for lines along +x, along -y or between these directions, never
+/// for lines along -x, along +y or between these. For others it depends on the side of the origin on which
+/// the line crosses the x axis.
 bool isSketchRight(const Point2& start, const Point2& end);
 
-/// The Python script with which Abaqus/CAE builds the part of the sweeps [Vega2023, section 3.2.2]: one solid
-/// sweep each, on datum planes at the bottoms and tops of the layers. Numbers have 3 decimals [mm]; the part
-/// is moved in x and y so that its middle lines begin at 2 mm.
+/// The Python script by which Abaqus/CAE builds the sweeps as a part [Vega2023, section 3.2.2]: a solid sweep
+/// for each, on datum planes at the bottoms and tops of the layers. Numbers have 3 decimals [mm]; the part
+/// is moved in x and y so that the least coordinates of its middle lines are 2 mm.
 /// @throws InvalidInput if there is no sweep, or one is not level
 std::string abaqusScript(const std::vector<Sweep>& sweeps);
 

@@ -11,36 +11,39 @@
 
 namespace lamina {
 
-/// Where a straight line is inside something convex.
+/// The interval of a straight line that is inside a convex solid.
 struct Stretch {
-  double from = 0.0;
-  double to = 0.0;
+  double from = 0.0;  ///< coordinate along the line [mm]
+  double to = 0.0;    ///< coordinate along the line [mm]
 };
 
-/// A convex piece of a swept bead: a stadium prism between two planes, or the stadium revolved about its
-/// upright axis. Its middle is half a bead height below the nozzle's tip.
+/// A convex piece of a swept bead: a prism with a stadium as its profile, cut by two planes, or the stadium
+/// revolved about its vertical axis (a joint). Its middle line is half a bead height below the nozzle tip.
 class BeadSolid {
  public:
-  /// A plane that ends a prism.
+  /// A plane at which a prism ends.
   struct End {
-    Point3 point = Point3::Zero();    ///< on the plane and on the middle line [mm]
-    Point3 normal = Point3::UnitX();  ///< outwards, unit
+    Point3 point = Point3::Zero();    ///< intersection of plane and middle line [mm]
+    Point3 normal = Point3::UnitX();  ///< outwards, of unit length
   };
 
-  /// @param up  unit; need not be normal to the line
+  /// A prism.
+  /// @param up  upward direction of the profile, of unit length; need not be normal to the middle line
   static BeadSolid prism(const End& start, const End& end, const Point3& up, const Bead& bead);
+  /// A joint.
+  /// @param up  axis of revolution, of unit length
   static BeadSolid joint(const Point3& middle, const Point3& up, const Bead& bead);
 
-  /// How far inside a point lies [mm]; negative outside. Exact next to the round side and next to the ends,
-  /// less than the distance near the edges between them.
+  /// Signed distance of a point from the surface [mm], positive inside. It is exact near the round sides and
+  /// near the ends; near the edges between them its magnitude is too small.
   double depth(const Point3& point) const;
-  /// The part of the line through (0, y, z) along x that is inside.
+  /// The interval of the line through (0, y, z) along x that is inside; nothing if there is none.
   std::optional<Stretch> alongX(double y, double z) const;
-  /// Smallest box.
+  /// Bounding box.
   Box3 box() const;
-  /// Boxes that hold it together, of stretches at most that long.
+  /// Boxes that together contain the solid, each that of a piece of at most a given length.
   std::vector<Box3> stretchBoxes(double longest_mm) const;
-  /// Turned by that angle about z of the part.
+  /// The solid rotated about the z axis of the part.
   BeadSolid turned(double angle_rad) const;
 
  private:
@@ -51,16 +54,17 @@ class BeadSolid {
   void includeEnd(const End& end, Box3& box) const;
 
   bool is_joint_ = false;
-  End start_, end_;           ///< a joint has its middle in the start
-  Point3 along_, side_, up_;  ///< of the prism, orthonormal
-  double flat_across_ = 0.0;  ///< half of the straight part of the profile's outline, sideways
-  double flat_up_ = 0.0;      ///< and upwards, of one that is higher than wide
-  double radius_ = 0.0;       ///< of the profile's round part
+  End start_, end_;           ///< of a joint, the point of the start is the middle
+  Point3 along_, side_, up_;  ///< orthonormal axes of the prism
+  double flat_across_ = 0.0;  ///< half the straight length of the profile's outline, sideways
+  double flat_up_ = 0.0;      ///< half the straight length upwards, of a profile that is higher than wide
+  double radius_ = 0.0;       ///< of the round parts of the profile
 };
 
-/// The solids whose union the sweeps are: a prism for each line, and joints where `corners` is Revolved.
-/// Neighbouring lines of a sweep end at the plane that halves their angle; where they turn back by more than
-/// 154 degrees they end flat with a joint between them, as a mitre would reach far beyond the corner.
+/// The solids whose union is that of the sweeps: a prism for each line, and joints at corners if `corners` is
+/// Revolved. Neighbouring lines of a sweep end at the plane that bisects their angle (a mitre). If the
+/// direction changes by more than 154 degrees they end flat, with a joint between them, since a mitre would
+/// extend far beyond the corner.
 std::vector<BeadSolid> beadSolids(const std::vector<Sweep>& sweeps, CornerStrategy corners);
 
 }  // namespace lamina

@@ -9,10 +9,10 @@
 
 namespace lamina {
 
-/// The sweeps as a macro of Autodesk Inventor (VBA module, .bas) [Vega2023, section 3.1]: for each one its
-/// profile on a work plane and a sweep along its lines, each a solid body of its own, in the part document
-/// that is open. Sweeps are cut where lines turn by more than 90 degrees and at lines shorter than half a
-/// bead of 0.48 mm. Coordinates are in mm, which the macro turns into Inventor's cm; 6 decimals.
+/// The sweeps as a macro of Autodesk Inventor (VBA module, .bas) [Vega2023, section 3.1], which works in the
+/// open part document. Each sweep becomes a solid body: its profile on a work plane, swept along its lines.
+/// Sweeps are cut at corners of more than 90 degrees, and at lines shorter than 0.24 mm, half the width of
+/// the bead there. Coordinates are in mm, with 6 decimals; the macro converts them to Inventor's cm.
 /// @throws InvalidInput if there is no sweep
 std::string inventorMacro(const std::vector<Sweep>& sweeps);
 

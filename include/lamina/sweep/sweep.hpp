@@ -10,25 +10,27 @@
 
 namespace lamina {
 
-/// One profile swept along one polyline.
+/// A profile swept along a polyline. A trajectory is a path that deposits; it consists of one or more sweeps.
 struct Sweep {
-  std::vector<Point3> points;  ///< nozzle tip: middle of the top of the bead [mm, part frame]; at least two
-  std::vector<Point3> up;  ///< against the tool axis on the way to each point, unit; the first as the second
-  Bead bead;               ///< one for the whole trajectory, of its volume
-  bool is_loop = false;    ///< ends where it begins, mitred there too
-  std::size_t layer = 0;   ///< of the toolpath, 0 based
-  std::size_t trajectory = 0;  ///< trajectory that it belongs to, 0 based, skirts not counted
+  std::vector<Point3> points;  ///< nozzle tip, middle of the bead's top [mm, part frame]; at least two
+  /// Opposite of the tool axis on the line to each point, of unit length; the first equals the second.
+  std::vector<Point3> up;
+  Bead bead;                   ///< the same for the whole trajectory, whose volume it preserves
+  bool is_loop = false;        ///< whether it ends where it begins, and is mitred there, too
+  std::size_t layer = 0;       ///< index of the layer in the toolpath
+  std::size_t trajectory = 0;  ///< index of the trajectory, from 0; skirts do not count
 
   std::size_t lineCount() const { return points.size() - 1; }
 };
 
-/// The sweeps that a toolpath lays: skirts, supports and travel left out. A bead whose section changes along
-/// its trajectory has the mean section there, so that its volume stays. Of strategy Lines and Revolved each
-/// line is a sweep.
-/// @throws InvalidInput if the toolpath is one of drops
+/// The sweeps of a toolpath; skirts, supports and travels are left out. A trajectory whose bead varies gets
+/// the mean cross-section, so that its volume is preserved. With the strategies Lines and Revolved each line
+/// is a sweep.
+/// @throws InvalidInput if the toolpath deposits drops
 std::vector<Sweep> sweepsOf(const Toolpath& toolpath, const SweepSettings& settings);
 
-/// Volume [mm³] of the sweeps were each alone: section times length.
+/// Sum of the volumes [mm³] of the sweeps, each its cross-section times its length; overlaps count
+/// repeatedly.
 double sweptVolume(const std::vector<Sweep>& sweeps);
 
 }  // namespace lamina

@@ -6,12 +6,12 @@
 
 namespace lamina {
 
-/// How briskly a machine moves its nozzle.
+/// Limits within which a machine moves its nozzle.
 struct MotionLimits {
   double acceleration_mm_s2 = 1500.0;         ///< along the path, while depositing
   double travel_acceleration_mm_s2 = 3000.0;  ///< along the path, while travelling
-  /// How far the nozzle would leave a corner if it rounded it at the corner's speed with the acceleration
-  /// above.
+  /// Determines the speed at corners (`junctionSpeed`): the distance from a corner by which the nozzle would
+  /// pass it if it rounded the corner at that speed, with these accelerations.
   double junction_deviation_mm = 0.02;
 };
 

@@ -14,8 +14,8 @@ namespace lamina {
 /// A straight motion to be timed.
 struct MotionSegment {
   Point3 direction = Point3::Zero();  ///< of unit length; zero for a motion in place, such as a retraction
-  double length_mm = 0.0;             ///< positive; of filament if in place
-  double feed_mm_s = 0.0;             ///< positive; reached only if the length allows
+  double length_mm = 0.0;             ///< positive; for a motion in place that of the filament
+  double feed_mm_s = 0.0;             ///< positive; not reached if the length is too short
   double acceleration_mm_s2 = 0.0;    ///< positive
 };
 
@@ -29,7 +29,7 @@ struct SpeedProfile {
   double exit_mm_s = 0.0;
   double duration_s = 0.0;
 
-  /// Distance gone after `time_s`, which is clamped to [0, duration] [mm].
+  /// Distance travelled after `time_s`, which is clamped to [0, duration_s] [mm].
   double distanceAt(double time_s) const;
   double speedAt(double time_s) const;
 };
@@ -40,18 +40,20 @@ SpeedProfile speedProfile(const MotionSegment& segment, double entry_mm_s, doubl
 
 /// Greatest speed at the corner between two segments [mm/s].
 ///
-/// The corner is thought of as rounded by a circle, run at the lesser of the two accelerations. The circle
-/// leaves the corner by `junction_deviation_mm` at most and touches both segments no further out than half
-/// their length, so that a finely divided curve is run at the speed its curvature allows. Straight on gives
-/// the lesser feed, a reversal or a motion in place 0.
+/// It is the speed at which the nozzle could follow an arc that rounds the corner, with the lesser of the two
+/// accelerations as centripetal acceleration. The arc passes the corner at a distance of at most
+/// `junction_deviation_mm`, and touches each segment at most half its length from the corner, so that a
+/// finely divided curve gets the speed that its curvature allows. Segments in line have the lesser feed;
+/// a reversal or a motion in place has 0.
 double junctionSpeed(const MotionSegment& before, const MotionSegment& after, double junction_deviation_mm);
 
-/// Times straight motions that come one by one: trapezoidal speeds with unlimited look-ahead.
+/// Plans the speeds of straight motions that are added one by one: trapezoidal profiles with unlimited
+/// look-ahead.
 ///
-/// Segments go in by `add`; profiles come out of `next` in the same order, as soon as no later segment can
-/// change them, which is at the latest when the segments waiting are as long as the braking distance (and a
-/// few more: it looks only now and then, which keeps the work linear). `finish` lets the nozzle come to rest
-/// after the last segment; adding after that starts from rest.
+/// Segments are added by `add`; `next` returns their profiles in the same order, each as soon as no later
+/// segment can change it. That is the case once the segments after it are as long as the braking distance,
+/// and a few more, since it is tested only now and then to keep the time linear. `finish` brings the nozzle
+/// to rest after the last segment; segments added afterwards start from rest.
 class MotionPlanner {
  public:
   explicit MotionPlanner(double junction_deviation_mm) : junction_deviation_mm_(junction_deviation_mm) {}
@@ -59,9 +61,10 @@ class MotionPlanner {
   /// @throws InvalidInput if length, feed or acceleration is not positive and finite
   void add(const MotionSegment& segment);
   void finish();
+  /// The profile of the next segment; nothing as long as it can still change, or if there is none.
   std::optional<SpeedProfile> next();
 
-  /// Segments whose speed later ones can still change.
+  /// Number of segments whose profile can still change.
   std::size_t waiting() const { return waiting_.size(); }
 
  private:
@@ -69,7 +72,7 @@ class MotionPlanner {
   struct Waiting {
     MotionSegment segment;
     double entry_limit2 = 0.0;  ///< squared speeds [mm²/s²]
-    double entry_brake2 = 0.0;  ///< from which the nozzle can still stop after the last segment
+    double entry_brake2 = 0.0;  ///< greatest one from which the nozzle can still stop after the last segment
   };
 
   void settle(Ending ending);

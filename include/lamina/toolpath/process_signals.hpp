@@ -6,10 +6,10 @@
 
 namespace lamina {
 
-/// What the process does at one instant.
+/// The state of the process at one instant.
 struct ProcessSignals {
-  double flow_mm3_s = 0.0;   ///< of material: the bead's cross-section times the speed of the tip
-  bool is_laser_on = false;  ///< beam or arc
+  double flow_mm3_s = 0.0;   ///< flow of material: the bead's cross-section times the speed of the tip
+  bool is_laser_on = false;  ///< whether the beam, or an arc, is on
   bool is_wire_fed = false;
   bool is_powder_on = false;
   bool is_gas_on = false;
@@ -21,11 +21,11 @@ struct ProcessSignals {
   }
 };
 
-/// Nothing flows and nothing burns: what a machine is left with.
+/// The safe state, in which a machine is left: no flow, everything off, no level stated.
 inline ProcessSignals safeSignals() { return {}; }
 
-/// On the way from one to the next: flow, wire and screw in proportion, the rest as it was.
-/// @param share  of the way, 0 to 1
+/// Interpolates between two states: flow, wire and screw linearly, the rest as in the first one.
+/// @param share  0 for the first state, 1 for the second
 inline ProcessSignals between(const ProcessSignals& from, const ProcessSignals& to, double share) {
   ProcessSignals signals = from;
   signals.flow_mm3_s += share * (to.flow_mm3_s - from.flow_mm3_s);

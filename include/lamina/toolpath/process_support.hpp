@@ -10,12 +10,13 @@
 
 namespace lamina {
 
-/// What a toolpath can ask of a process besides motions and deposited material.
+/// Kind of element that a toolpath can contain besides motions and beads: an event (MovingCode is a
+/// `MachineCode` that moves axes), a tool other than the first, or a process value.
 enum class ProcessElement : std::uint8_t { Dwell, Fan, Pause, Code, MovingCode, Tool, Value };
 
-/// Refuses a toolpath that asks for more than its taker can do.
-/// @param by  who takes it, for the message: "drop programs"
-/// @throws InvalidInput naming layer, path and the element; a tool other than the first is an element
+/// Refuses a toolpath with elements that are not supported.
+/// @param by  who processes the toolpath, for the message: "drop programs"
+/// @throws InvalidInput naming layer, path and the element
 void requireSupported(const Toolpath& toolpath, const std::vector<ProcessElement>& supported,
                       const std::string& by);
 

@@ -8,16 +8,14 @@
 
 namespace lamina {
 
-/// How often a process that fills contours must stop depositing, by what for. Runs that join end to start
-/// need no stop; skirts do not count.
+/// Numbers of repositions: stops of the deposition between one path and the next, by class. Paths that join
+/// end to start need none; build aids such as skirts do not count.
 struct Repositions {
-  std::size_t to_fill = 0;  ///< class A: from a wall to a run of the fill
-  std::size_t in_layer =
-      0;  ///< class B: any other within a layer, such as from one run of the fill to the next
-  std::size_t to_layer = 0;  ///< class C: from the last run of a layer to the first one of a later layer
+  std::size_t to_fill = 0;   ///< class A: from a wall to a path of the fill
+  std::size_t in_layer = 0;  ///< class B: any other within a layer, as from one path of the fill to the next
+  std::size_t to_layer = 0;  ///< class C: from the last path of a layer to the first of a later layer
 };
-
-/// Counts them [Flores2018, section 6.1.2]. No layer gives none.
+/// Counts the repositions of a toolpath [Flores2018, section 6.1.2]; all are 0 without layers.
 Repositions countRepositions(const Toolpath& toolpath);
 
 }  // namespace lamina

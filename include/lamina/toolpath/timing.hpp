@@ -12,32 +12,30 @@
 
 namespace lamina {
 
-/// How long a toolpath takes.
+/// Duration of a toolpath.
 struct ToolpathTime {
   double total_s = 0.0;
-  std::vector<double>
-      layer_start_s;  ///< when the nozzle sets out on the layer's first motion; as many as layers
+  /// Start of each layer's first motion, one per layer.
+  std::vector<double> layer_start_s;
 };
-
-/// The time the nozzle tip needs from rest at the first waypoint to rest at the last, within the limits.
-/// Dwells are counted; retractions, heating, turning of the nozzle and pauses are not. Linear time; memory
-/// for the layers only.
+/// The time in which the nozzle tip moves from rest at the first waypoint to rest at the last, within the
+/// limits. Dwells are included; retractions, heating, rotation of the nozzle and pauses are not. Linear time;
+/// memory for the layers only.
 /// @throws InvalidInput if a feed is not positive
 ToolpathTime estimateTime(const Toolpath& toolpath, const MotionLimits& limits);
 
-/// When each path of a toolpath begins.
+/// Start times of the paths of a toolpath.
 struct PathTimes {
   double total_s = 0.0;
-  std::vector<std::vector<double>>
-      start_s;  ///< by layer and path, waiting before its first motion not counted
+  /// Start of each path's first motion, after the dwells before it, by layer and path.
+  std::vector<std::vector<double>> start_s;
 };
-
-/// The same estimate path by path. Linear time.
+/// The times of `estimateTime`, path by path. Linear time.
 /// @throws InvalidInput if a feed is not positive
 PathTimes estimatePathTimes(const Toolpath& toolpath, const MotionLimits& limits);
 
-/// The time [s] every motion would take at its feed all the way: the sum of length over feed. Less than any
-/// machine needs.
+/// The duration [s] of all motions at their feeds, without acceleration: the sum of length over feed, a lower
+/// bound for any machine.
 /// @throws InvalidInput if a feed is not positive
 double nominalTime(const Toolpath& toolpath);
 
@@ -47,12 +45,12 @@ struct NozzleSample {
   Point3 position = Point3::Zero();               ///< [mm, part frame]
   Eigen::Quaterniond orientation = nozzleDown();  ///< part_from_nozzle
   double speed_mm_s = 0.0;
-  WaypointIndex heading_for;  ///< the waypoint at which the running motion ends
+  WaypointIndex heading_for;  ///< waypoint at which the running motion ends
 };
 
-/// Plays a toolpath: the nozzle at any time, planning ahead only as far as braking needs. Times that go
-/// forward cost the motions in between; a time that goes back starts over. The toolpath must outlive the
-/// player.
+/// Plays a toolpath: gives the state of the nozzle at any time, and plans ahead only as far as braking
+/// requires. Going forward in time takes time linear in the motions passed; going back starts over. The
+/// toolpath must outlive the player.
 class ToolpathPlayer {
  public:
   ToolpathPlayer(const Toolpath& toolpath, const MotionLimits& limits);
@@ -60,13 +58,13 @@ class ToolpathPlayer {
   ToolpathPlayer(ToolpathPlayer&&) noexcept;
   ToolpathPlayer& operator=(ToolpathPlayer&&) noexcept;
 
-  /// The nozzle at `time_s`; before 0 at the first waypoint, after the end at the last.
+  /// The nozzle at a time: before 0 at the first waypoint, after the end at the last.
   /// @throws InvalidInput if the toolpath has no motion, or a feed is not positive
   NozzleSample at(double time_s);
-  /// When the motion that runs at the time asked for last ends, which is at a waypoint: asking for it next
-  /// misses none. Infinite after the end, and before `at` is called.
+  /// Time at which the nozzle reaches the next waypoint after the time of the last call of `at`; who passes
+  /// it to `at` misses no waypoint. Infinite after the end, and before the first call of `at`.
   double nextWaypointTime() const;
-  /// True once `at` was asked for a time at or after the end.
+  /// Whether the time of the last call of `at` was at or after the end.
   bool isFinished() const;
 
  private:

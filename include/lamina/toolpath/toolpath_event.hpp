@@ -9,45 +9,46 @@
 
 namespace lamina {
 
-/// The nozzle waits where it stands.
+/// A wait of the nozzle where it is.
 struct Dwell {
   double duration_s = 0.0;
 };
 
-/// The fan that cools the part runs at that share of its power from then on.
+/// The power of the part cooling fan from this event on.
 struct FanShare {
-  double share = 0.0;  ///< 0 is off, 1 the greatest
+  double share = 0.0;  ///< of the full power: 0 is off, 1 is full
 };
 
-/// The machine waits until somebody lets it go on.
+/// A wait until the operator lets the machine continue.
 struct OperatorPause {
-  std::string message;  ///< for who stands there; one line, may be empty
+  std::string message;  ///< for the operator; one line, may be empty
 };
 
-/// Lines in the machine's own language, which are passed on as they are.
+/// Lines in the language of the machine, which are passed on unchanged.
 struct MachineCode {
-  std::string text;         ///< lines ended by line feeds, but for the last
-  bool moves_axes = false;  ///< position, modes and feed are unknown after it
+  std::string text;         ///< lines separated by line feeds
+  bool moves_axes = false;  ///< whether position, modes and feed are unknown afterwards
 };
 
-/// What is deposited from then on is of that part of a plate. Asks nothing of the machine.
+/// The part of a plate to which the material deposited from this event on belongs. It has no effect on the
+/// machine.
 struct PartMark {
-  std::string name;  ///< one line; empty for what is of no part
+  std::string name;  ///< one line; empty for material of no part
 };
 
-/// What happens between two motions, or holds from there on.
+/// An event between two motions, or a setting that holds from there on.
 using ToolpathEvent = std::variant<Dwell, FanShare, OperatorPause, MachineCode, PartMark>;
 
 /// An event of a path.
 struct PathEvent {
-  std::size_t motion = 0;  ///< that it comes before (`Path::motionEnd`); the count of motions for after all
+  std::size_t motion = 0;  ///< motion before which it happens; the number of motions for after the last one
   ToolpathEvent event;
 };
 
-/// As named in files and messages: "dwell", "fan", "pause", "code", "part".
+/// The name of an event in files and messages: "dwell", "fan", "pause", "code", "part".
 const char* nameOf(const ToolpathEvent& event);
 
-/// Events of one motion, in their order.
+/// A range of consecutive events of a path.
 class EventRange {
  public:
   using Iterator = std::vector<PathEvent>::const_iterator;
@@ -60,15 +61,15 @@ class EventRange {
   Iterator end_;
 };
 
-/// The events that come before a motion. Logarithmic in their number.
+/// The events between a motion and the one before. Takes time logarithmic in the number of events.
 /// @param events  in the order of their motions; they must outlive the range
 EventRange eventsBefore(const std::vector<PathEvent>& events, std::size_t motion);
 
-/// Waiting of the events that come before a motion [s].
+/// Total duration of the dwells between a motion and the one before [s].
 double dwellBefore(const std::vector<PathEvent>& events, std::size_t motion);
 
-/// Why an event cannot be: a duration that is negative, a share outside 0 to 1, a message or name of several
-/// lines. Empty if it can.
+/// The reason why an event is invalid: a negative duration, a share outside of [0, 1], a message or name of
+/// several lines. Empty if it is valid.
 std::string defectOf(const ToolpathEvent& event);
 
 }  // namespace lamina

@@ -7,7 +7,8 @@
 
 namespace lamina {
 
-/// Where a waypoint stands in a toolpath; all count from 0.
+/// Indices of a waypoint in a toolpath, all from 0: those of its layer, of its path in the layer, and its own
+/// in the path.
 struct WaypointIndex {
   std::size_t layer = 0;
   std::size_t path = 0;
@@ -17,7 +18,7 @@ struct WaypointIndex {
     return a.layer == b.layer && a.path == b.path && a.waypoint == b.waypoint;
   }
   friend bool operator!=(const WaypointIndex& a, const WaypointIndex& b) { return !(a == b); }
-  /// In the order of the motion, except waypoint 0 of a closed path, which stands for its return.
+  /// The order of the motion, except for waypoint 0 of a closed path, which is also reached last.
   friend bool operator<(const WaypointIndex& a, const WaypointIndex& b) {
     return std::tie(a.layer, a.path, a.waypoint) < std::tie(b.layer, b.path, b.waypoint);
   }

@@ -8,7 +8,7 @@
 
 namespace lamina {
 
-/// "layer 3, path 0, waypoint 12": as messages name waypoints.
+/// The name of a waypoint in messages: "layer 3, path 0, waypoint 12".
 std::string toText(const WaypointIndex& at);
 
 }  // namespace lamina

@@ -6,10 +6,12 @@
 
 namespace lamina {
 
-/// Name of the process value that says which share of a retraction happens on the way along a path.
+/// Name of the process value of a path that states the share of its retraction that is made during its
+/// motions (a wipe).
 inline constexpr char kWipeShare[] = "wipe_share";
 
-/// That share, 0 of paths without: the whole retraction comes before their first motion.
+/// That share of a path. 0 if the path does not state it: the whole retraction is made before its first
+/// motion.
 inline double wipeShare(const Path& path) {
   for (const ProcessValue& value : path.values)
     if (value.name == kWipeShare) return value.value.at(0);

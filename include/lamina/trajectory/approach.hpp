@@ -11,28 +11,28 @@
 
 namespace lamina {
 
-/// How a machine comes from where it stands to where a job begins.
+/// How a machine moves from its present position to the start of a job.
 struct ApproachSettings {
-  double lift_mm = 20.0;      ///< of the nozzle against its tool axis, at both ends of the way
-  double lift_mm_s = 20.0;    ///< speed of that
-  double joint_speed = 0.25;  ///< of the joints in between, of their greatest speeds
+  double lift_mm = 20.0;      ///< lift of the nozzle against its tool axis, at both ends of the motion
+  double lift_mm_s = 20.0;    ///< speed of the lift
+  double joint_speed = 0.25;  ///< speed of the joints between the lifts, as a share of their greatest speeds
 };
 
 /// Adds the keys approach.*.
 void describe(SettingsSchema& schema, ApproachSettings& settings);
 
-/// A way of the joints on which nothing is deposited.
+/// A motion on which nothing is deposited.
 struct Approach {
-  std::vector<JointValues> stations;  ///< between which the joints go in proportion
-  std::unique_ptr<TimedPath> motion;  ///< the process is off all the time
+  std::vector<JointValues> stations;  ///< joint positions, between which the joints move in proportion
+  std::unique_ptr<TimedPath> motion;  ///< the motion over time; the process is off throughout
 };
 
-/// The way from rest at `from` to rest at `to`: the nozzle is lifted against its tool axis, the joints go
-/// steadily to above `to`, and the nozzle comes down along its tool axis. Where a lift cannot be followed, or
-/// a joint's limits end it, it ends there.
+/// Plans the motion from rest at `from` to rest at `to`: the nozzle is lifted against its tool axis, the
+/// joints move in proportion to a position above `to`, and the nozzle is lowered along its tool axis. A lift
+/// that a joint's limits end, or that cannot be followed further, ends there.
 /// @throws InvalidConfig naming key, value and bound
-/// @throws InvalidInput if `from` and `to` are the same, or not values of the kinematic model's joints
-/// @throws Unreachable if one of them is outside the joints' limits, naming joint, value and limits
+/// @throws InvalidInput if `from` and `to` are equal, or not values of the kinematic model's joints
+/// @throws Unreachable naming joint, value and limits, if one of them is outside the joints' limits
 Approach approach(const JointValues& from, const JointValues& to, const KinematicModel& model,
                   const ApproachSettings& settings, const TimingSettings& timing);
 

@@ -12,16 +12,16 @@
 
 namespace lamina {
 
-/// The right to move a machine by hand. It has one holder at a time, who keeps it only by renewing it again
-/// and again.
+/// The right to move (jog) a machine by hand. It has one holder at a time, and lapses unless the holder
+/// renews it within the time of the lease.
 class JogLease {
  public:
   explicit JogLease(double lease_s) : lease_s_(lease_s) {}
 
-  /// Takes the lease if nobody else holds it, or prolongs it for its holder.
-  /// @return why not, in words; empty if it is held now
+  /// Gives the lease to a holder, unless somebody else has it, or prolongs it.
+  /// @return empty if the holder has it now, else the reason why not, in words
   std::string renew(const std::string& holder, double now_s);
-  /// Empty if nobody holds it.
+  /// The present holder; empty if there is none.
   std::string holder(double now_s) const { return now_s < until_s_ ? holder_ : std::string(); }
 
  private:
@@ -30,53 +30,54 @@ class JogLease {
   std::string holder_;
 };
 
-/// What joints or nozzle are to do until the lease is over.
+/// An order to move joints, or the nozzle, at a velocity until the lease is over.
 struct JogOrder {
   enum class Kind { Joints, Nozzle };
   Kind kind = Kind::Joints;
-  JointValues rates;                                      ///< of joints [mm/s, rad/s]
-  Eigen::Vector3d linear_mm_s = Eigen::Vector3d::Zero();  ///< of the tip [bed frame]
-  Eigen::Vector3d turn_rad_s = Eigen::Vector3d::Zero();   ///< of the nozzle about its tip [bed frame]
+  JointValues rates;                                      ///< of the joints [mm/s, rad/s]; for Joints only
+  Eigen::Vector3d linear_mm_s = Eigen::Vector3d::Zero();  ///< velocity of the tip [bed frame]
+  Eigen::Vector3d turn_rad_s = Eigen::Vector3d::Zero();   ///< angular velocity about the tip [bed frame]
 };
 
-/// How much of an order is done.
+/// How far an order is obeyed.
 struct JogAnswer {
-  double scale = 1.0;  ///< share of the speed asked for, at the end of the lease
-  std::string reason;  ///< why it is less than 1; empty otherwise
+  double scale = 1.0;  ///< speed at the end of the lease, as a share of the one ordered
+  std::string reason;  ///< why `scale` is less than 1; empty otherwise
 };
 
-/// Why joints may not stand one after the other in these places, in words; empty if they may.
+/// Function that checks whether the joints may pass through these positions in turn; returns the reason why
+/// not, in words, or empty.
 using JogGuard = std::function<std::string(const std::vector<JointValues>&)>;
 
-/// The time by the clock of a jog [s], also while an order is worked out.
+/// Function that returns the present time of the caller's clock [s].
 using JogClock = std::function<double()>;
 
-/// Moves joints by hand. Each order continues the motion under way for the time of the lease, and then brings
-/// it to rest, with bounded accelerations of the joints. Every planned motion ends at rest. If no further
-/// order comes, because some link is broken, the motion therefore ends smoothly by itself. Deterministic: all
-/// times are of the caller's clock.
+/// Moves joints by hand. Each order continues the running motion until the lease is over and then brings it
+/// to rest, with bounded accelerations of the joints. So every planned motion ends at rest, and if no further
+/// order arrives, because some link is broken, the motion ends smoothly by itself. Deterministic: all times
+/// are those of the caller's clock.
 class Jog {
  public:
-  /// At rest at time 0. The model must outlive it.
-  /// @param ramp_s  in which a joint goes from rest to its greatest speed, and back
-  /// @throws InvalidConfig naming key, value and bound; so if the lease ends before anything could move
+  /// Starts at rest at time 0. The model must outlive it.
+  /// @param ramp_s  time in which a joint goes from rest to its greatest speed, and back
+  /// @throws InvalidConfig naming key, value and bound; also if the lease is too short for any motion
   Jog(const KinematicModel& model, const JogSettings& settings, double ramp_s, const JointValues& start);
 
-  /// Plans on from the first point that can still change. If the limits do not allow an order, the share of
-  /// it that they allow is done, in the same direction. The motion brakes in time for the limits of joints,
-  /// for singularities, for the workspace and for the guard. An order that cannot be done at all brakes. An
-  /// order that is worked out only after its first point has passed changes nothing: the motion under way
-  /// goes on to rest by itself.
-  /// @param clock  none for orders that take no time to work out
+  /// Plans the motion anew from the first point that can still change. If limits do not allow an order as a
+  /// whole, it is obeyed at a lower speed, in the same direction. The motion brakes in time for the limits of
+  /// joints, for singularities, for the workspace and for the guard. If an order cannot be obeyed at all, the
+  /// motion brakes. If planning takes so long that the first point has passed, the order has no effect, and
+  /// the running motion goes on to its rest.
+  /// @param clock  tells how long planning takes; empty if that does not matter
   /// @throws InvalidInput if values are not finite or not those of the model, or the machine cannot move its
-  ///   nozzle so; the motion brakes
+  ///   nozzle in this way; the motion then brakes
   JogAnswer order(const JogOrder& order, double now_s, const JogGuard& guard = {},
                   const JogClock& clock = {});
 
-  /// The points that replace what was handed over before, from the first that the last order has changed;
-  /// none if it came too late.
+  /// The points planned by the last order. They replace earlier points from the time of the first one on.
+  /// Empty if the order came too late.
   const TrajectoryChunk& chunk() const { return chunk_; }
-  /// When what is planned is at rest [s].
+  /// Time at which the planned motion comes to rest [s].
   double restTime() const { return points_.back().time_s; }
   JointState at(double time_s) const;
 
@@ -96,7 +97,7 @@ class Jog {
 
   const KinematicModel& model_;
   JogSettings settings_;
-  JointValues acceleration_;  ///< greatest, of each joint
+  JointValues acceleration_;  ///< greatest acceleration of each joint
   std::vector<JointState> points_;
   TrajectoryChunk chunk_;
 };

@@ -8,11 +8,12 @@
 
 namespace lamina {
 
-/// How long joints take that come to rest together, each with the same deceleration all the way [s].
-/// @param brake_s  that a joint takes from its greatest speed
+/// Time in which all joints come to rest together, each at constant deceleration [s].
+/// @param brake_s  time in which a joint comes to rest from its greatest speed
 double brakeTime(const JointValues& velocity, const std::vector<DrivenJoint>& joints, double brake_s);
 
-/// How long they may take at most, so that none comes to rest beyond its limits [s]; infinite if all rest.
+/// Greatest time in which they may come to rest together, at constant decelerations, so that none of them
+/// passes its limits [s]; infinite if all are at rest.
 double brakeRoom(const JointValues& position, const JointValues& velocity,
                  const std::vector<DrivenJoint>& joints);
 

@@ -6,9 +6,10 @@
 
 namespace lamina {
 
-/// Joints on the cubic through two points with their velocities, as controllers join them.
-/// @tparam Point  with time_s, position and velocity
-/// @param b  later than `a`
+/// Joint positions at a time, on the cubic (Hermite) polynomial through two points with their velocities, as
+/// controllers interpolate.
+/// @tparam Point  type with the members time_s, position and velocity
+/// @param b  must be later than `a`
 template <class Point>
 JointValues cubicPosition(const Point& a, const Point& b, double time_s) {
   const double h = b.time_s - a.time_s;
@@ -18,7 +19,7 @@ JointValues cubicPosition(const Point& a, const Point& b, double time_s) {
          h * u * v * (v * a.velocity - u * b.velocity);
 }
 
-/// The rate of change of the same.
+/// Joint velocities at a time, on the polynomial of `cubicPosition`.
 template <class Point>
 JointValues cubicVelocity(const Point& a, const Point& b, double time_s) {
   const double h = b.time_s - a.time_s;

@@ -6,17 +6,18 @@
 
 namespace lamina {
 
-/// Joints that lag behind what they are asked.
+/// Simulated joints that lag behind their commanded positions.
 class JointServo {
  public:
-  /// @param lag_s    time constant of each joint; 0 follows at once
-  /// @param damping  0 for a lag of first order; else that of one of second order
+  /// @param lag_s    time constant of each joint; 0 for joints that follow at once
+  /// @param damping  0 for a lag of first order; else the damping ratio of a lag of second order
   JointServo(double lag_s, double damping, JointValues start);
 
-  /// Goes on by a step, towards where the joints are asked to be at its end.
+  /// Advances by a time step.
+  /// @param asked   positions commanded for the end of the step
   /// @param step_s  greater than 0
   void follow(const JointValues& asked, double step_s);
-  /// Stops dead.
+  /// Sets all velocities to 0 at once.
   void stop() { velocity_.setZero(); }
 
   const JointValues& position() const { return position_; }

@@ -18,17 +18,18 @@ struct JointState {
   JointValues acceleration;  ///< [mm/s², rad/s²]
   double tip_speed_mm_s = 0.0;
   ProcessSignals process;
-  WaypointIndex heading_for;  ///< the waypoint at which the running motion ends
+  WaypointIndex heading_for;  ///< waypoint at which the running motion ends
 };
 
-/// Joints over time that can be asked in any order; what time-parametrisation makes and controllers are fed.
+/// Interface of the joints' motion over time, the result of time-parametrisation, from which controllers are
+/// fed.
 class JointTrajectory {
  public:
   virtual ~JointTrajectory() = default;
   virtual double duration() const = 0;  ///< [s]
-  /// Before 0 at the start, after the duration at the end.
+  /// The state at a time, which is clamped to [0, duration]; may be called for times in any order.
   virtual JointState at(double time_s) const = 0;
-  /// When each station of the joint path is passed [s].
+  /// The times at which the stations of the joint path are passed [s], one per station.
   virtual const std::vector<double>& stationTimes() const = 0;
 };
 

@@ -8,13 +8,14 @@
 
 namespace lamina {
 
-/// Below this share of its feed a bead counts as slow.
+/// Share of its feed below which the tip counts as slow on a bead.
 constexpr double kKeptFeed = 0.95;
 
-/// The share of the length of all beads on which the tip is slower than `kKeptFeed` of the feed that the
-/// toolpath asks for: at their ends, at corners, and where a joint is at its limit. Looked at in eight places
-/// of each motion, evenly in time; 0 where nothing is deposited.
-/// @param trajectory  of the joint path, which is that of the toolpath
+/// The share of the length of all beads on which the tip is slower than `kKeptFeed` of the toolpath's feed:
+/// at their ends, at corners, and where a joint is at its limit. The speed is sampled at eight times of each
+/// motion, evenly spaced; 0 if nothing is deposited.
+/// @param trajectory  timed from the joint path
+/// @param path        joint path of the toolpath
 double slowBeadShare(const JointTrajectory& trajectory, const JointPath& path, const Toolpath& toolpath);
 
 }  // namespace lamina

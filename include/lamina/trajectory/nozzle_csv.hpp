@@ -9,22 +9,23 @@
 
 namespace lamina {
 
-/// What a table of the nozzle over time holds.
+/// Contents of a table of the nozzle's motion over time.
 struct NozzleTable {
-  double rate_hz = 100.0;            ///< within `kNozzleRates`
-  std::vector<ProcessLevel> levels;  ///< a column of each
+  double rate_hz = 100.0;            ///< rows per second, within `kNozzleRates`
+  std::vector<ProcessLevel> levels;  ///< process values that have a column each
 };
 
-/// The process values that a toolpath states anywhere, in the order of `kAllProcessLevels`.
+/// The process values that at least one path of a toolpath states, in the order of `kAllProcessLevels`.
 std::vector<ProcessLevel> levelsIn(const Toolpath& toolpath);
 
 /// @throws InvalidConfig naming the rate if it is out of `kNozzleRates`
 void requireNozzleRate(double rate_hz);
 
-/// Writes where the nozzle is at even steps from 0 to the end, and at the end, a row for each, whole or not
-/// at all. Columns: t [s]; x, y, z of the tip over the bed [mm]; qw, qx, qy, qz, bed_from_nozzle, without
-/// jumps to the negative; v, the speed of the tip over the bed [mm/s]; flow_mm3_s; laser, wire, powder and
-/// gas, 1 while on; the levels by their names, empty where none is stated.
+/// Writes a CSV file of the nozzle's motion, with a row for each step from time 0 on and one for the end. The
+/// file is written as a whole or not at all. Columns: t [s]; x, y, z, position of the tip [mm, bed frame];
+/// qw, qx, qy, qz, quaternion bed_from_nozzle, with signs chosen so that it is continuous; v, speed of the
+/// tip [mm/s]; flow_mm3_s; laser, wire, powder and gas, 1 while on, else 0; the levels by their names, empty
+/// where none is stated.
 /// @throws InvalidConfig as `requireNozzleRate`
 /// @throws FileError as `AtomicFile`
 void writeNozzleCsv(const std::string& file, const JointTrajectory& trajectory, const KinematicModel& model,

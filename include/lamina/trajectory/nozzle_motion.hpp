@@ -12,7 +12,7 @@
 
 namespace lamina {
 
-/// The nozzle at one instant over the bed, in the bed's frame, and the process with it.
+/// The state of nozzle and process at one instant, in the bed frame.
 struct NozzleState {
   double time_s = 0.0;
   Point3 tip = Point3::Zero();                    ///< [mm]
@@ -22,27 +22,28 @@ struct NozzleState {
   ProcessSignals process;
 };
 
-/// How many states a second a Cartesian trajectory may have [Hz].
+/// Bounds of the number of states per second of a Cartesian trajectory [Hz].
 inline constexpr Bounds kNozzleRates{50.0, 500.0};
 
-/// Where the joints bring the nozzle, and how fast: what the machine does, corners rounded as they are.
+/// The state of the nozzle by the state of the joints; so corners are rounded as the machine rounds them.
 NozzleState nozzleState(const JointState& joints, const KinematicModel& model);
 
-/// A nozzle of a machine that only moves its tip, as a toolpath is played; nothing of the process but flow
-/// and levels. Its velocity is along the motion that runs.
-/// @param sample  of a player of that toolpath
+/// The state of the nozzle on a machine with linear axes, as a toolpath is played. Of the process, only flow
+/// and levels are set. The angular velocity is 0, the velocity along the running motion.
+/// @param sample  from a player of that toolpath
 NozzleState nozzleState(const NozzleSample& sample, const Toolpath& toolpath,
                         const Eigen::Isometry3d& bed_from_part);
 
-/// Instants from one to another at even steps, and the other itself.
-/// @param step_s  (0, inf)
+/// The times begin_s, begin_s + step_s, ... before end_s, and end_s itself.
+/// @param step_s  positive and finite
 std::vector<double> evenTimes(double begin_s, double end_s, double step_s);
 
-/// The same turn by the quaternion that is nearer to another's, of the two that describe it.
+/// A rotation by the one of its two quaternions that is nearer to another quaternion.
 Eigen::Quaterniond alignedWith(const Eigen::Quaterniond& turn, const Eigen::Quaterniond& other);
 
-/// The nozzle at these instants, in order, no quaternion the negative of what goes on from the one before.
-/// @param state_at  a `NozzleState` of an instant
+/// The states of the nozzle at these times, in order, with signs of the quaternions that make them
+/// continuous.
+/// @param state_at  function that returns the `NozzleState` at a time
 template <class StateAt>
 std::vector<NozzleState> nozzleStates(const std::vector<double>& times_s, StateAt state_at) {
   std::vector<NozzleState> states;

@@ -7,12 +7,13 @@
 
 namespace lamina {
 
+/// A device of the process that is switched on and off.
 enum class ProcessChannel : std::uint8_t { Laser, Wire, Powder, Gas };
 
-/// "laser", "wire", "powder", "gas".
+/// The name of a channel: "laser", "wire", "powder", "gas".
 const char* toString(ProcessChannel channel);
 
-/// An instant at which something is switched.
+/// The switching of a channel at an instant.
 struct ProcessEvent {
   double time_s = 0.0;
   ProcessChannel channel = ProcessChannel::Laser;

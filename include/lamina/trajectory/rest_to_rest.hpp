@@ -11,13 +11,13 @@
 
 namespace lamina {
 
-/// Time of a straight motion from rest to rest [s]: d / v + v / a, or 2 sqrt(d / a) where the speed is not
-/// reached [Guacheta2021, eq. 4.5]. A length of 0 takes none.
+/// Duration of a straight motion from rest to rest [s]: d / v + v / a, or 2 sqrt(d / a) if the speed v is not
+/// reached [Guacheta2021, eq. 4.5]; 0 for a length of 0.
 /// @throws InvalidInput if the length is negative, or speed or acceleration is not positive
 double restToRestTime(double length_mm, double speed_mm_s, double acceleration_mm_s2);
 
-/// The same for a toolpath that rests at every waypoint: the reference that look-ahead is measured against.
-/// The junction deviation of the limits is not used.
+/// Duration of a toolpath if the nozzle rests at every waypoint: the reference with which look-ahead is
+/// compared. The junction deviation of the limits is not used.
 /// @throws InvalidInput if a feed is not positive
 ToolpathTime restToRestTime(const Toolpath& toolpath, const MotionLimits& limits);
 
@@ -25,21 +25,22 @@ ToolpathTime restToRestTime(const Toolpath& toolpath, const MotionLimits& limits
 struct RestToRestSample {
   double time_s = 0.0;
   Point3 position = Point3::Zero();      ///< [mm, part frame]
-  Point3 velocity = Point3::Zero();      ///< [mm/s], linear in time between the ends of ramps
-  Point3 acceleration = Point3::Zero();  ///< [mm/s²], constant in between
-  WaypointIndex heading_for;
+  Point3 velocity = Point3::Zero();      ///< [mm/s]
+  Point3 acceleration = Point3::Zero();  ///< [mm/s²]; constant on each ramp, 0 between ramps
+  WaypointIndex heading_for;             ///< waypoint at which the running motion ends
 };
 
-/// Plays a toolpath from rest to rest, in any order of times. The toolpath must outlive the player.
+/// Plays a toolpath in which the nozzle rests at every waypoint.
 class RestToRestPlayer {
  public:
   /// @throws InvalidInput if the toolpath has no motion, or a feed is not positive
   RestToRestPlayer(const Toolpath& toolpath, const MotionLimits& limits);
 
-  double duration() const { return start_s_.back(); }
-  /// Before 0 at the first waypoint, after the duration at the last. Logarithmic time.
+  double duration() const { return start_s_.back(); }  ///< [s]
+  /// The nozzle at a time, which is clamped to [0, duration]; times may come in any order. Takes logarithmic
+  /// time.
   RestToRestSample at(double time_s) const;
-  /// At 0, `step_s`, 2 `step_s`, ... and at the end.
+  /// The nozzle at the times 0, `step_s`, 2 `step_s`, ... and at the end.
   /// @throws InvalidInput if the step is not positive
   std::vector<RestToRestSample> sampled(double step_s) const;
 
@@ -50,7 +51,7 @@ class RestToRestPlayer {
     WaypointIndex end;
   };
   std::vector<Motion> motions_;
-  std::vector<double> start_s_;  ///< of each motion; one more for the end
+  std::vector<double> start_s_;  ///< start of each motion, and the end of the last
 };
 
 }  // namespace lamina

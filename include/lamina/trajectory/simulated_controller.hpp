@@ -15,63 +15,64 @@
 
 namespace lamina {
 
-/// How the joints of a simulated controller follow what they are asked.
+/// How the joints of a simulated controller follow their commanded positions.
 struct ServoSettings {
-  double rate_hz = 250.0;
-  double lag_s = 0.01;   ///< time constant of each joint; 0 follows at once
-  double damping = 0.0;  ///< 0 for a lag of first order; else damping of one of second order, up to 10
-  double brake_s = 0.2;  ///< in which a joint at its greatest speed comes to rest; 0 stops dead
+  double rate_hz = 250.0;  ///< cycles per second
+  double lag_s = 0.01;     ///< time constant of each joint; 0 for joints that follow at once
+  /// 0 for a lag of first order; else the damping ratio of one of second order, up to 10.
+  double damping = 0.0;
+  double brake_s = 0.2;  ///< time in which a joint comes to rest from its greatest speed; 0 for at once
 };
 
 /// Adds the keys servo.*.
 void describe(SettingsSchema& schema, ServoSettings& settings);
 
-/// What goes wrong in a simulated controller.
+/// Faults of a simulated controller.
 struct ControllerFaults {
-  std::optional<std::size_t> late_chunk;  ///< index of the chunk that is late, and all behind it, from 0
-  double late_s = 0.0;
-  std::optional<double> stop_s;  ///< when the joints stop dead and follow no more
+  std::optional<std::size_t> late_chunk;  ///< index, from 0, of a chunk that is late with all after it
+  double late_s = 0.0;                    ///< time by which it is late
+  std::optional<double> stop_s;           ///< time at which the joints stop at once, for good
 };
 
-/// How well a simulated controller was fed, and has followed.
+/// How well a simulated controller was supplied with points, and has followed them.
 struct TrackingReport {
   std::size_t cycles = 0;
-  JointValues greatest;  ///< of each joint, asked less actual [mm, rad]
-  JointValues rms;
-  double tip_greatest_mm = 0.0;
-  double tip_rms_mm = 0.0;
-  std::size_t starvations = 0;  ///< times there was nothing to follow while moving
-  double least_queue_s = 0.0;   ///< least motion waiting while more was to come; infinite if never
-  bool is_stopped = false;      ///< by a fault
+  JointValues greatest;          ///< greatest error of each joint, commanded less actual [mm, rad]
+  JointValues rms;               ///< root mean square of that error
+  double tip_greatest_mm = 0.0;  ///< greatest distance of the tip from its commanded position
+  double tip_rms_mm = 0.0;       ///< root mean square of that distance
+  std::size_t starvations = 0;   ///< times that points ran out in motion
+  double least_queue_s = 0.0;    ///< least queued motion while more was to come; infinite if none ever was
+  bool is_stopped = false;       ///< whether a fault has stopped the joints
 };
 
-/// A controller that interpolates queued points by cubics through positions and velocities, at its rate, with
-/// joints that lag behind. With nothing left to follow while moving, it brakes, and dead at a joint's limit.
-/// Deterministic: time is that of the clock, and what happens at a cycle depends on
-/// what has been accepted before `advance` reaches it.
+/// Simulates a controller that interpolates queued points by cubic polynomials through their positions and
+/// velocities, cycle by cycle, with joints that lag behind. If the points run out in motion it brakes, so
+/// hard that no joint passes its limits. Deterministic: time is that of the clock, and a cycle depends only
+/// on the points that were accepted before `advance` reaches it.
 class SimulatedController {
  public:
-  /// Clock and kinematic model must outlive it. It starts at the clock's time, at rest at `start`.
+  /// Starts at the clock's present time, at rest at `start`. Clock and kinematic model must outlive it.
   /// @throws InvalidConfig naming key, value and bound
   SimulatedController(const Clock& clock, const KinematicModel& model, const ServoSettings& settings,
                       const JointValues& start, const ControllerFaults& faults = {});
 
-  /// Takes points; those it has at or after the first of them are dropped.
+  /// Queues points; they replace queued points at or after the time of the first of them.
   void accept(const TrajectoryChunk& chunk);
-  /// Drops what it has, and brakes from where the joints are to be in the last cycle.
+  /// Discards the queue, and brakes from the commanded positions of the last cycle.
   void brake();
-  /// Runs all cycles up to the clock's time.
+  /// Runs all cycles up to the clock's present time.
   void advance();
 
-  /// Where the joints are to be, in the last cycle.
+  /// Commanded positions of the joints in the last cycle.
   const JointValues& wanted() const { return wanted_; }
-  const JointValues& position() const { return servo_.position(); }
-  const JointValues& velocity() const { return servo_.velocity(); }
-  /// Of the point that is followed; safe when starved or stopped.
+  const JointValues& position() const { return servo_.position(); }  ///< actual
+  const JointValues& velocity() const { return servo_.velocity(); }  ///< actual
+  /// Process signals of the point that is followed; those of `safeSignals` while it brakes or is stopped.
   const ProcessSignals& process() const { return process_; }
-  /// Motion that is waiting [s].
+  /// Duration of the queued motion [s].
   double queued() const;
-  /// When it will have nothing left to follow while moving [s]; nothing if what it has ends at rest.
+  /// Time at which the points will run out in motion [s]; nothing if they end at rest.
   std::optional<double> runsOutAt() const;
   TrackingReport report() const;
 
@@ -92,7 +93,7 @@ class SimulatedController {
   const KinematicModel& model_;
   ServoSettings settings_;
   ControllerFaults faults_;
-  std::deque<JointState> points_;  ///< the first is the last one passed
+  std::deque<JointState> points_;  ///< the last point passed, and the queue
   std::vector<Late> late_;
   double start_s_;
   std::size_t cycles_ = 0;

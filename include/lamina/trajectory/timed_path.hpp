@@ -17,7 +17,7 @@ namespace lamina {
 
 class TimedMotion;
 
-/// All that time-parametrisation is asked.
+/// Settings of time-parametrisation.
 struct TimingSettings {
   MotionLimits motion;  ///< the junction deviation is not used
   TrajectorySettings trajectory;
@@ -27,34 +27,34 @@ struct TimingSettings {
 /// @throws InvalidConfig naming key, value and bound
 void validate(const TimingSettings& settings);
 
-/// The fastest motion along a joint path within the limits of joints and path, corners rounded within the
-/// tolerance (docs/machines/timing.md). At rest at both ends, where beads begin and end, and for the dwells
-/// of the toolpath. Other events, tools and process values are left out. Linear time and memory.
+/// The fastest motion along a joint path within the limits of joints and path, with corners rounded within
+/// the tolerance (docs/machines/timing.md). It rests at both ends, where beads begin and end, and for the
+/// dwells of the toolpath. Other events, tools and process values are ignored. Linear time and memory.
 class TimedPath final : public JointTrajectory {
  public:
-  /// Nothing given is needed afterwards.
+  /// The arguments need not outlive the call.
   /// @throws InvalidConfig as `validate`
   /// @throws Unreachable if the joint path has faults, or a bead cannot be followed between its waypoints
   /// @throws InvalidInput if path, toolpath and kinematic model do not fit each other, nothing moves, a feed
   ///   is not positive, drops are deposited, or a bead is too short for the leads of its process
   TimedPath(const Toolpath& toolpath, const JointPath& path, const KinematicModel& model,
             const TimingSettings& settings);
-  /// A motion that was planned otherwise.
+  /// Wraps a motion that was planned in another way.
   explicit TimedPath(std::shared_ptr<const TimedMotion> motion);
 
   double duration() const override;
-  /// Logarithmic time.
+  /// Takes logarithmic time.
   JointState at(double time_s) const override;
   const std::vector<double>& stationTimes() const override { return station_times_; }
 
-  /// What is switched when, in order.
+  /// The switching of the process, in order of time.
   const std::vector<ProcessEvent>& events() const { return events_; }
 
-  /// Ends of travels on which the tip leaves the straight line by more than the tolerance, as where an arm
-  /// changes its configuration.
+  /// End waypoints of travels on which the tip deviates from the straight line by more than the tolerance,
+  /// for example since an arm changes its configuration.
   const std::vector<WaypointIndex>& looseTravels() const;
 
-  /// What hand-over goes on from.
+  /// The planned motion, for `TrajectoryFeeder`.
   const std::shared_ptr<const TimedMotion>& motion() const { return motion_; }
 
  private:
@@ -63,12 +63,12 @@ class TimedPath final : public JointTrajectory {
   std::vector<ProcessEvent> events_;
 };
 
-/// Total time and that of each layer's start, of a timed joint path.
-/// @param layers  of the toolpath; one without waypoints starts with the next
+/// Total time of a timed joint path, and the time at which each layer starts.
+/// @param layers  number of layers of the toolpath; a layer without waypoints starts with the next
 ToolpathTime trajectoryTime(const JointTrajectory& trajectory, const JointPath& path, std::size_t layers);
 
-/// The print time of a machine whose joints have limits, dwells and waits of the process included: what
-/// `estimateTime` of the tip alone is for machines with linear axes.
+/// The print time on a machine whose joints have limits, with dwells and the waits of the process. For
+/// machines with linear axes use `estimateTime`, which considers the tip alone.
 /// @throws as `TimedPath`
 ToolpathTime estimateJointTime(const Toolpath& toolpath, const JointPath& path, const KinematicModel& model,
                                const TimingSettings& settings);

@@ -8,16 +8,17 @@ namespace lamina {
 
 /// How joints are timed along a toolpath (docs/machines/timing.md).
 struct TrajectorySettings {
-  /// How far rounding may take the tip off a corner; 0 stops at corners.
+  /// Greatest deviation of the tip at a rounded corner; with 0 it stops at corners.
   double blend_tolerance_mm = 0.05;
-  /// The same for the tool axis [deg]; 0 stops where the tool axis's turning changes.
+  /// Greatest deviation of the tool axis where its rotation is rounded; with 0 it stops where the rotation
+  /// changes.
   double blend_tolerance_deg = 0.5;
-  /// How far the tip may leave the straight line between two waypoints.
+  /// Greatest deviation of the tip from the straight line between two waypoints.
   double line_tolerance_mm = 0.01;
-  double line_tolerance_deg = 0.1;  ///< the same for the tool axis
-  /// In which a joint goes from rest to its greatest speed: URDF knows no acceleration.
+  double line_tolerance_deg = 0.1;  ///< greatest deviation of the tool axis from its uniform rotation
+  /// Time in which a joint goes from rest to its greatest speed, since URDF has no limit of acceleration.
   double joint_ramp_s = 0.2;
-  /// In which the acceleration of a joint goes from none to its greatest; 0 for no limit on jerk.
+  /// Time in which the acceleration of a joint goes from 0 to its greatest; 0 for unlimited jerk.
   double jerk_ramp_s = 0.0;
 };
 

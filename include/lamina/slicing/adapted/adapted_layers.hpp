@@ -12,46 +12,50 @@
 
 namespace lamina {
 
-/// One loop of a wall, or a piece of one where a layer reaches the top of the part elsewhere. The vectors
-/// hold one value per point. Loops of material run counter-clockwise seen from above, holes clockwise.
+/// The curve that the nozzle follows along one wall in one layer: a closed loop, or an open piece of one if
+/// the wall reaches the top of the part elsewhere. The vectors hold one value per point. Seen from above,
+/// outer walls run counter-clockwise and walls of holes clockwise.
 struct AdaptedCurve {
   bool is_closed = true;          ///< the last point joins the first, which is not repeated
-  std::vector<Point3> points;     ///< where the nozzle tip passes, at the top of the layer [mm, part frame]
-  std::vector<Point3> axis;       ///< against the tool axis: up along the wall, of unit length
-  std::vector<double> height_mm;  ///< distance from the layer below
+  std::vector<Point3> points;     ///< positions of the nozzle tip, at the top of the layer [mm, part frame]
+  std::vector<Point3> axis;       ///< opposite of the tool axis: upwards along the wall, of unit length
+  std::vector<double> height_mm;  ///< height of the bead: distance from the layer below
 };
 
 /// Curves of one layer, wall by wall.
 struct AdaptedLayer {
   std::vector<AdaptedCurve> curves;
-  /// Border of the layer if not every wall has a closed curve in it. For each wall it is a loop of its
-  /// curves, joined by pieces of what the wall stands on. Empty if the curves are loops themselves.
+  /// Border of the layer if at least one wall has no closed curve in it: for each wall a loop of its curves,
+  /// which pieces of the loop below join. Empty if all curves are closed.
   std::vector<AdaptedCurve> outlines;
 };
 
-/// Layers that follow walls which lean.
+/// Layers that follow leaning walls.
 struct AdaptedLayers {
   std::vector<AdaptedLayer> layers;  ///< upwards
-  std::size_t completing = 0;        ///< layers from the first on in which not every wall has a closed curve
+  /// Number of layers at the top, from the first that has `outlines` to the last.
+  std::size_t completing = 0;
 };
 
-/// Layers of single walls that grow along the tool by the layer height [Flores2018, section 6.2.3]: a bead
-/// along a wall that leans rises less than the layer is high, so flat layers of that height would be too far
-/// apart along the wall. Each curve is a flat contour drawn down the wall until it is at most a layer's
-/// height from the curve below; where walls lean alike all round, layers stay plane. What is left between the
-/// last of them and the top of the part is completed by open curves. Ends of open curves that are lower than
-/// a quarter of a layer are left out. So are curves shorter than a step at the tip of a wall. No curve
-/// crosses itself or another of its layer seen from above.
+/// Slices a part into layers whose height is measured along its walls [Flores2018, section 6.2.3]. A bead
+/// along a leaning wall rises by less than its height, so that plane layers of that height would be too far
+/// apart along the wall. Each curve is therefore a plane contour that is moved down the wall until it is at
+/// most a layer height from the curve below. Where walls lean equally all round, layers stay plane. The gap
+/// between the last closed curve and the top of the part is filled by open curves. Left out are ends of open
+/// curves where the bead would be lower than a quarter of a layer, and curves shorter than a step at the tip
+/// of a wall. Seen from above, no curve crosses itself or another curve of its layer.
 ///
 /// Walls are closed loops that neither split nor merge between the part's flat bottom and its top; each is
-/// followed by itself. Time is n log n in the points of all layers.
+/// followed independently of the others. The time is n log n in the points of all layers.
 ///
 /// @param mesh  closed, facing outwards [mm, part frame]
 /// @return the same for any number of threads
-/// @throws Unsliceable with the faces in the way if a wall leans too far, splits, merges, begins above the
-///         bottom or ends below the top, or if curves of a layer cross; InvalidMesh if a contour is open;
-///         InvalidConfig if the smoothing window is even or the computing height no multiple of the layer
-///         height; Cancelled
+/// @throws Unsliceable with the faces that prevent it, if a wall leans by more than `adapted.max_lean_deg`,
+///         splits, merges, begins above the bottom or ends below the top, or if curves of a layer cross
+/// @throws InvalidMesh if the mesh is empty or a contour is open
+/// @throws InvalidConfig if the smoothing window is even, the computing height is no multiple of the layer
+///         height, or there would be more than a million layers
+/// @throws Cancelled
 AdaptedLayers adaptedLayers(const Mesh& mesh, const SlicingSettings& slicing, const AdaptedSettings& settings,
                             Progress& progress);
 

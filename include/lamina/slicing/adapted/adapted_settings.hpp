@@ -6,12 +6,15 @@
 
 namespace lamina {
 
-/// How layers are adapted to walls that lean.
+/// How layers follow leaning walls (`adaptedLayers`).
 struct AdaptedSettings {
-  double step_mm = 0.5;              ///< greatest distance between points of a curve
-  int smoothing_window = 1;          ///< points of a curve that are averaged, odd; 1 is none
-  double computing_height_mm = 0.0;  ///< layers that are computed, others lie between them; 0 computes all
-  double max_lean_deg = 60.0;        ///< of walls from the vertical; a part whose walls lean more is refused
+  double step_mm = 0.5;      ///< greatest distance between points of a curve
+  int smoothing_window = 1;  ///< number of points over which curves are averaged, odd; 1 for no smoothing
+  /// Distance of the layers that are computed, a multiple of the layer height; those between are
+  /// interpolated. 0 computes all.
+  double computing_height_mm = 0.0;
+  /// Greatest angle of walls from the vertical; parts with steeper ones are refused.
+  double max_lean_deg = 60.0;
 };
 
 /// Adds the keys adapted.*.

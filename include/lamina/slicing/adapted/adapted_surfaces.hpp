@@ -10,16 +10,16 @@
 
 namespace lamina {
 
-/// The surfaces that adapted curves span, so that what is inside the walls can be filled: for each layer the
-/// area its curves enclose seen from above, at heights that satisfy Laplace's equation between the curves'
-/// own. [Flores2018] knows walls only. The border's tips lie on the curves; its points are those of the
-/// curves and those that had to be put between. Thickness is the distance to the surface below, of the
-/// lowest layer that to the level bottom of the part.
+/// The layer surfaces that are bounded by adapted curves, on which the inside of the walls can be filled;
+/// [Flores2018] has walls only. A surface covers the area that the curves of its layer enclose seen from
+/// above. Its height equals that of the curves on the border, and satisfies Laplace's equation inside. Tips
+/// on the border lie on the curves, at their points and at points inserted between them. The thickness is the
+/// distance to the surface below, for the lowest layer to the level bottom of the part.
 ///
-/// @param bottom_mm  height of the part's bottom
-/// @param step_mm    distance of the points inside
-/// @return one per layer. Layers that complete an uneven top run out on the layer below; of these only what
-///         is at least a quarter as thick as their curves are high, which may be nothing.
+/// @param bottom_mm  z of the part's bottom [part frame]
+/// @param step_mm    distance between points inside
+/// @return one surface per layer. A layer that completes an uneven top ends on the layer below; it is cut off
+///         where it is thinner than a quarter of its curves' height, so that it may be empty.
 /// @throws InvalidInput naming the layer if a curve crosses itself seen from above; Cancelled
 std::vector<LayerSurface> adaptedSurfaces(const AdaptedLayers& layers, double bottom_mm, double step_mm,
                                           Progress& progress);

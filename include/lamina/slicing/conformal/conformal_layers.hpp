@@ -16,32 +16,34 @@ namespace lamina {
 /// Layers that follow a given surface, in the order in which they are deposited.
 struct ConformalLayers {
   std::vector<LayerSurface> layers;
-  double layer_height_mm = 0.0;  ///< of each
-  double deposited_mm3 = 0.0;
-  double part_mm3 = 0.0;  ///< of the part that is filled; 0 for a coat
-  /// Of faces that look in the direction of a coat, but lie below other faces: not coated.
+  double layer_height_mm = 0.0;  ///< height of each layer
+  double deposited_mm3 = 0.0;    ///< volume of the layers
+  double part_mm3 = 0.0;         ///< volume of the part that is filled; 0 for a coat
+  /// Area that is not coated although it faces the direction of a coat, as other faces hide it.
   double hidden_mm2 = 0.0;
 };
 
-/// A coat on a mesh: layers on its faces that look in the direction of the settings and have no other face
-/// before them, seen from there, growing outwards and ending where they meet the mesh or each other. As many
-/// layers of equal height, at most `layer_height_mm`, as give the thickness exactly.
+/// The layers of a coat on a mesh. Coated are the faces whose normal is within `conformal.max_tilt_deg` of
+/// the direction of the settings and that no other face hides from a viewer in that direction. Layers are
+/// stacked outwards and end where they meet the mesh or each other. There are as few layers of equal height
+/// as give the thickness exactly with at most `layer_height_mm` each.
 ///
 /// @param mesh  facing outwards [mm, part frame]; may be open
-/// @throws Unsliceable if no face looks in that direction, or all that do are hidden; InvalidConfig;
-/// Cancelled
+/// @throws Unsliceable if no face looks in that direction, or all that do are hidden; InvalidConfig if a
+///   length is not positive or the direction zero; Cancelled
 ConformalLayers coatingLayers(const Mesh& mesh, const ConformalSettings& settings, double layer_height_mm,
                               Progress& progress);
 
-/// A part in layers that follow a base: shells of the faces of the base that look in the direction of the
-/// settings, as far as they lie inside the part. They are cut where the distance to the part's surface,
-/// linear between vertices at most `longest_edge_mm` apart in the base, is zero: on plane walls exactly.
+/// The layers of a part that follow a base: shells of those faces of the base whose normal is within
+/// `conformal.max_tilt_deg` of the direction of the settings, as far as the shells lie inside the part. They
+/// are cut where the signed distance to the part's surface is zero. That distance is interpolated linearly
+/// between vertices that are at most `longest_edge_mm` apart on the base; so cuts are exact on plane walls.
 ///
 /// @param part  closed, facing outwards [mm, part frame]
 /// @param base  facing outwards, in the same frame; may be open
-/// @throws Unsliceable if no face of the base looks in that direction, or the layers leave (or lay too much)
-///                     more than `largest_gap_percent` of the part
-/// @throws InvalidMesh if the part holds no volume; InvalidConfig; Cancelled
+/// @throws Unsliceable if no face of the base looks in that direction, or the volume of the layers differs
+///                     from that of the part by more than `largest_gap_percent`
+/// @throws InvalidMesh if the part encloses no volume; InvalidConfig; Cancelled
 ConformalLayers layersOnBase(const Mesh& part, const Mesh& base, const ConformalSettings& settings,
                              double layer_height_mm, Progress& progress);
 

@@ -10,31 +10,32 @@
 
 namespace lamina {
 
-/// Which way a surface of a part faces.
+/// Whether a surface faces down or up.
 enum class Facing { Down, Up };
 
-/// Triangles of a mesh by number, in ascending order.
+/// Indices of triangles of a mesh, in ascending order.
 using TriangleNumbers = std::vector<std::uint32_t>;
 
-/// The triangles that face down (n_z < -limit) or up (n_z > limit) in patches that hang together across
-/// common vertices, the patch with the lowest (greatestHeight) place of them all first, the others in the
-/// order of their first triangles. Triangles without area belong to none. ([Guacheta2021, listing A.5], with
-/// the signed rule.) Empty if nothing faces that way.
+/// The triangles that face down (n_z < -limit) or up (n_z > limit), in patches connected by common vertices
+/// ([Guacheta2021, listing A.5], with the sign of n_z). The first patch is the one that contains the lowest
+/// point of all (facing down) or the highest (facing up); the others follow in the order of their first
+/// triangles. Triangles without area belong to no patch. Empty if no triangle faces that way.
 std::vector<TriangleNumbers> facingPatches(const Mesh& mesh, Facing facing, double normal_limit);
 
-/// The triangles of a mesh that are in neither of two ascending lists.
+/// The triangles of a mesh that are in neither of two lists.
 TriangleNumbers remainder(const Mesh& mesh, const TriangleNumbers& lower, const TriangleNumbers& upper);
 
-/// Triangles by number as a mesh of its own, without the vertices they do not use.
+/// The mesh of these triangles alone, without unused vertices.
 Mesh patchOf(const Mesh& mesh, const TriangleNumbers& triangles);
 
-/// The same surface seen from its other side.
+/// The mesh with the orientation of every triangle reversed.
 Mesh turnedOver(Mesh mesh);
 
-/// A patch with the faces beside its rim as walls: all those of the mesh that share a vertex with it.
+/// A patch as the source of shells. Its walls are all other faces of the mesh that share a vertex with it.
 ShellSource shellSourceOf(const Mesh& mesh, const TriangleNumbers& triangles);
 
-/// The greatest height that triangles of the mesh come to [mm]; that upside down, negated, if the sign is -1.
+/// The greatest value of sign * z among the vertices of the triangles [mm].
+/// @param sign  1 for the greatest height; -1 for the least height, negated
 double greatestHeight(const Mesh& mesh, const TriangleNumbers& triangles, double sign);
 
 }  // namespace lamina

@@ -18,64 +18,65 @@ namespace lamina {
 /// How curved layers divide a part.
 enum class CurvedScheme {
   BothSides,  ///< shells of the lower surface, level layers, shells of the upper surface
-  Halves,     ///< the same without level layers: both surfaces overlap in height and are parted half way
+  Halves,     ///< shells of both surfaces, which overlap in height, up to the level half way between them
   LowerOnly,  ///< shells of all surfaces that face down, up to the upper surface
 };
 
-/// In words: "both sides", "halves", "lower only".
+/// The scheme in words: "both sides", "halves", "lower only".
 const char* toString(CurvedScheme scheme);
 
-/// What the layers fill against what the part holds [mm³].
+/// Volumes of a part and of its curved layers.
 struct LayerVolumes {
   double part_mm3 = 0.0;
-  double lower_mm3 = 0.0;
-  double middle_mm3 = 0.0;
-  double upper_mm3 = 0.0;
-  /// What is left open, of the part's volume; negative if more is deposited than the part holds.
+  double lower_mm3 = 0.0;   ///< of the lower shells
+  double middle_mm3 = 0.0;  ///< of the level layers
+  double upper_mm3 = 0.0;   ///< of the upper shells
+  /// Share of the part's volume that the layers lack; negative if they have more volume than the part.
   double gap() const { return 1.0 - (lower_mm3 + middle_mm3 + upper_mm3) / part_mm3; }
 };
 
-/// How evenly layers fill a part, by samples inside it. Holes and overlaps cannot cancel here, as they can in
-/// volumes.
+/// How evenly layers fill a part, by sample points inside it. Unlike in `LayerVolumes`, holes and overlaps
+/// cannot cancel.
 struct LayerCoverage {
-  std::size_t samples = 0;
-  double open = 0.0;   ///< share of samples in no layer
-  double twice = 0.0;  ///< share of samples in more than one
-  /// Greatest connected volume in no layer: samples are connected if they are no farther apart than 1.25
-  /// times their spacing. Fewer than four of them, of about 1/4000 of the part each, are put down to chance.
+  std::size_t samples = 0;  ///< number of sample points
+  double open = 0.0;        ///< share of samples in no layer
+  double twice = 0.0;       ///< share of samples in more than one layer
+  /// Volume of the greatest void, a connected group of samples in no layer: those that are at most 1.25 times
+  /// the spacing of the samples apart. A sample stands for about 1/4000 of the part; groups of fewer than
+  /// four are taken for chance.
   double void_mm3 = 0.0;
 };
 
-/// A part in curved layers, all in the order in which they are deposited: lower, middle, upper.
+/// A part in curved layers, in the order of deposition: lower, middle, upper.
 struct CurvedLayers {
   CurvedScheme scheme = CurvedScheme::BothSides;
-  std::vector<LayerSurface> lower;  ///< outermost first
-  std::vector<Layer> middle;        ///< level, with what the planes cut out
-  std::vector<LayerSurface> upper;  ///< innermost first
-  std::vector<ShellEnd> lower_ends;
-  std::vector<ShellEnd> upper_ends;
+  std::vector<LayerSurface> lower;   ///< shells of the lower surface, outermost first
+  std::vector<Layer> middle;         ///< level layers, upwards
+  std::vector<LayerSurface> upper;   ///< shells of the upper surface, innermost first
+  std::vector<ShellEnd> lower_ends;  ///< places where the lower shells end, the farthest first
+  std::vector<ShellEnd> upper_ends;  ///< places where the upper shells end, the farthest first
   LayerVolumes volumes;
   LayerCoverage coverage;
 };
 
-/// Lower and upper shells with level layers between them [Guacheta2021, algorithm 2-3]. Where the
-/// lower surface ends below the upper one's beginning, both are propagated inwards, kept below and above
-/// those heights, and level layers fill what is between. Where they overlap in height, shells of everything
-/// that faces down go up to the upper surface; if those do not fill the part, both surfaces' shells meet half
-/// way.
+/// Divides a part into shells of its lower surface, level layers, and shells of its upper surface
+/// [Guacheta2021, algorithm 2-3]. If the top of the lower surface is below the bottom of the upper surface,
+/// both are propagated inwards, as far as these two heights, and level layers fill the space between. If the
+/// two surfaces overlap in height, shells of all that faces down are propagated up to the upper surface; if
+/// those do not fill the part, shells of both surfaces meet half way.
 ///
 /// @param mesh             closed, facing outwards [mm, part frame]
-/// @param layer_height_mm  of every shell; of level layers as near to it as they fit
-/// @throws Unsliceable if all of that leaves open or lays twice more than `largest_gap_percent` of the part,
-///                     or leaves a void larger than `largest_void_mm3`: names the reason, its region is the
-///                     surface nearest to it
-/// @throws InvalidMesh if the mesh is open or holds no volume; InvalidConfig; Cancelled
+/// @param layer_height_mm  of every shell; that of level layers is as near to it as fits
+/// @throws Unsliceable naming the reason, if no surface faces down or none up, or if in every scheme more
+///                     than `largest_gap_percent` of the part is in no layer or in more than one, or a void
+///                     is larger than `largest_void_mm3`; the region is the surface nearest to the fault
+/// @throws InvalidMesh if the mesh is open or encloses no volume; InvalidConfig; Cancelled
 CurvedLayers curvedLayers(const Mesh& mesh, const MeshTopology& topology, const CurvedSettings& settings,
                           double layer_height_mm, Progress& progress);
 
-/// Level layers between two heights, cut at low + h/2, ..., high - h/2 in equal steps [Guacheta2021,
-/// listing A.7] if these are within 5 % of h; otherwise, in thin plates, as many of equal height as fit best.
-/// None in less than half a height.
+/// The level layers between two heights. With h the layer height, they are cut at low + h/2, ..., high - h/2
+/// in equal steps [Guacheta2021, listing A.7], if these steps are within 5 % of h. Otherwise, in thin plates,
+/// they are of equal height, as many as come nearest to h. Empty if there is less than half a layer height.
 std::vector<LayerBounds> middleBounds(double low_mm, double high_mm, double layer_height_mm);
 
 }  // namespace lamina

@@ -15,61 +15,61 @@ namespace lamina {
 
 struct MergedVertices;
 
-/// On which side of a shell the nozzle is.
+/// The side of a shell on which the nozzle is while it deposits the shell.
 enum class NozzleSide {
-  Ahead,   ///< where the surface is propagated to: shells are deposited one on the other in the
-           ///< order of propagation
-  Behind,  ///< where it comes from: shells are deposited in the opposite order
+  Ahead,   ///< the side that faces away from the surface: shells are deposited in the order of propagation
+  Behind,  ///< the side that faces the surface: shells are deposited in the opposite order
 };
 
-/// Which shell of a surface.
+/// Selects a shell of a surface.
 struct ShellAt {
-  double offset_mm = 0.0;  ///< of its middle from the surface
-  double height_mm = 0.2;
+  double offset_mm = 0.0;  ///< distance of the middle of the shell from the surface
+  double height_mm = 0.2;  ///< thickness of the shell
   NozzleSide side = NozzleSide::Ahead;
 };
 
-/// A place at which part of a surface cannot be propagated further.
+/// A place beyond which part of a surface cannot be propagated.
 struct ShellEnd {
-  double offset_mm = 0.0;         ///< the greatest offset there
-  Point3 where = Point3::Zero();  ///< the place of the surface that goes farthest [mm]
+  double offset_mm = 0.0;         ///< greatest offset that is reached
+  Point3 where = Point3::Zero();  ///< point of the surface that is propagated farthest [mm]
 };
 
-/// Equidistant shells of an open surface, on the side that its triangles face [Guacheta2021,
-/// algorithm 2-2]. Each shell is propagated from the surface itself by its whole offset, so that errors do
-/// not add up from shell to shell.
+/// Equidistant shells of an open surface, on the side that its triangles face [Guacheta2021, algorithm 2-2].
+/// Each shell is propagated from the surface itself by its whole offset, so that errors do not accumulate
+/// from shell to shell.
 class ShellPropagation {
  public:
-  /// @param source           its surface faces where its shells are to be
-  /// @param longest_edge_mm  longer edges of it are halved first, so that shells can bend and end there
-  /// @throws InvalidInput if it has no triangle or the length is not positive; Cancelled
+  /// @param source           its surface must face the side on which shells are wanted
+  /// @param longest_edge_mm  edges of the surface that are longer are halved first, so that shells can bend
+  ///   and end between its vertices
+  /// @throws InvalidInput if the surface has no triangle or the length is not positive; Cancelled
   ShellPropagation(const ShellSource& source, double longest_edge_mm, const ShellLimits& limits,
                    Progress& progress);
   ShellPropagation(const ShellPropagation&) = delete;
   ShellPropagation& operator=(const ShellPropagation&) = delete;
 
-  /// The shell at an offset, without what has collapsed, has left the part or lies beyond the bound; without
-  /// triangles if nothing is left. Vertices that have collapsed (past the medial axis) are merged into living
-  /// ones near them, so that the shell stays connected along the creases that arise. Where the shell leaves
-  /// the part or crosses the bound, it is cut along that line.
+  /// The shell at an offset, without triangles if nothing is left of it. Left out is what has collapsed, lies
+  /// outside of the part or beyond the bound. Vertices that have collapsed (passed the medial axis) are
+  /// merged into others nearby that have not, so that the shell stays connected along the creases that arise.
+  /// The shell is cut along the line where it leaves the part or crosses the bound.
   ///
-  /// Triangles face as the surface does if the nozzle is ahead, the other way if it is behind; so do normals.
-  /// Heights are those asked for, and less where the bound or the part's surface lies ahead by less than half
-  /// of that height.
+  /// Triangles and normals face as the surface does with the nozzle ahead, and the other way with the nozzle
+  /// behind. The height of the shell is that of `at`, less where the bound or the part's surface is ahead by
+  /// less than half of that height.
   LayerSurface shell(const ShellAt& at) const;
 
-  /// The shell at the offset `height_mm / 2` and those at every further `height_mm`, up to the last one
-  /// before a shell without triangles.
+  /// The shells at the offsets `height_mm` / 2, 3 `height_mm` / 2 and so on, up to the last one before the
+  /// first without triangles.
   std::vector<LayerSurface> shells(double height_mm, NozzleSide side, Progress& progress) const;
 
-  /// No shell has triangles at greater offsets.
+  /// The offset [mm] beyond which shells have no triangles.
   double farthest() const;
 
-  /// Where shells of this height end: every place of the surface that goes farther than its surroundings by
-  /// more than one height, the farthest first.
+  /// The places where shells of this height end, the farthest first: each place of the surface that is
+  /// propagated farther than its surroundings by more than one height.
   std::vector<ShellEnd> ends(double height_mm) const;
 
-  /// The source with its edges halved.
+  /// The surface of the source, with its long edges halved.
   const Mesh& surface() const { return subdivision_.mesh; }
 
  private:

@@ -9,7 +9,7 @@
 
 namespace lamina {
 
-/// The vertices that each vertex of a mesh shares an edge with, in ascending order.
+/// The neighbours of each vertex of a mesh: the vertices it shares an edge with, in ascending order.
 class VertexNeighbours {
  public:
   explicit VertexNeighbours(const Mesh& mesh);

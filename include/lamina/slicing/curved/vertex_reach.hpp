@@ -11,46 +11,50 @@
 
 namespace lamina {
 
-/// The side of a part that shells stay on.
+/// The side of a part's surface on which shells stay.
 enum class PartSide { Inside, Outside };
 
-/// What ends a shell.
+/// Limits at which shells end.
 struct ShellLimits {
-  const SignedDistance* part = nullptr;  ///< shells stay on one side of its surface; no end if null
-  PartSide part_side = PartSide::Inside;
-  const NearestTriangle* rest = nullptr;  ///< the part's surface but for that propagated; none if null
-  std::optional<ShellBound> bound;        ///< shells stay on its side
-  double farthest_mm = 0.0;               ///< no offset beyond it is asked for
-  double step_mm = 0.2;                   ///< between the offsets at which leaving the part is looked for
+  const SignedDistance* part = nullptr;   ///< part at whose surface shells end; null for none
+  PartSide part_side = PartSide::Inside;  ///< side of that surface on which shells stay
+  /// The part's surface without the one that is propagated; null for none, or if shells do not end at it.
+  const NearestTriangle* rest = nullptr;
+  std::optional<ShellBound> bound;  ///< half-space in which shells stay; nothing for all of space
+  double farthest_mm = 0.0;         ///< greatest offset that is computed
+  /// Distance between the offsets at which it is tested whether a path has left the part.
+  double step_mm = 0.2;
 
-  /// How far a point lies on the side of the part that shells stay on [mm].
+  /// Signed distance of a point from the part's surface [mm], positive on the side where shells stay; `part`
+  /// must not be null.
   double allowed(const Point3& point) const {
     const double inside = part->at(point).inside_mm;
     return part_side == PartSide::Inside ? inside : -inside;
   }
 };
 
-/// How far each vertex of a surface may be propagated.
+/// How far each vertex of a surface can be propagated; the vectors hold one offset per vertex.
 struct VertexReach {
-  /// Offset from which on the vertex is nearer to another place of the surface than to its own: the radius of
-  /// the greatest ball that touches the surface there from the front [mm]. `farthest_mm` if it is not
-  /// reached.
+  /// Offset [mm] at which the vertex collapses, as it gets nearer to another place of the surface than to its
+  /// own: the radius of the greatest ball that touches the surface there from the front. `farthest_mm` if
+  /// there is none up to that offset.
   std::vector<double> collapse_mm;
-  /// Offset at which its path leaves the part for the first time [mm]; infinite if it does not.
+  /// Offset at which the vertex's path first leaves the part [mm]; infinite if it does not.
   std::vector<double> exit_mm;
-  /// Offset at which its path crosses the bound [mm]; infinite if it does not.
+  /// Offset at which the vertex's path crosses the bound [mm]; infinite if it does not.
   std::vector<double> bound_mm;
 };
 
-/// A surface about to move. Its vertices may be more than those of the source it is a subdivision of.
+/// A surface and how its vertices move.
 struct MovableSurface {
-  const Mesh& surface;
-  const std::vector<VertexMotion>& motions;
-  const NearestTriangle& source;
+  const Mesh& surface;                       ///< a subdivision of the source
+  const std::vector<VertexMotion>& motions;  ///< one per vertex of `surface`
+  const NearestTriangle& source;             ///< the source, for queries
 };
 
-/// Found per vertex, not per shell: balls shrink from the farthest offset until nothing of the surface is
-/// inside them (by 1 to 2 % of their radius, so that rounding and tessellation do not count).
+/// Computes how far each vertex can be propagated, once for all shells. For the collapse, a ball is shrunk
+/// from the farthest offset until none of the surface is inside it, except for 1 to 2 % of its radius, so
+/// that rounding and tessellation have no effect.
 /// @throws Cancelled if `progress` is cancelled
 VertexReach vertexReach(const MovableSurface& moving, const ShellLimits& limits, Progress& progress);
 

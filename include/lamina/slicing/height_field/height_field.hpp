@@ -12,39 +12,44 @@
 
 namespace lamina {
 
-/// Bends level layers: what lies `z` above the bed goes to `z` times a factor that depends on the place in
-/// the plan alone. With h = H (factor - 1), H the height of the part in level layers, that is
+/// A mapping that bends level layers: a point at the height `z` above the bed moves to the height `z` times a
+/// factor that depends on x and y alone. With the offset h = H (factor - 1) at the height H of the part in
+/// level layers, the new height is
 ///
 ///     z (1 + h(x, y) / H)
 ///
-/// so that layers are flat on the bed, bend more the higher they lie, and are as thick as the factor says.
+/// So layers are flat on the bed, bend more the higher they are, and their thickness is scaled by the factor.
 struct HeightField {
   HeightGrid cells;
-  double base_mm = 0.0;        ///< z of the bed [part frame]
-  std::vector<double> factor;  ///< at the corners of the cells, row by row; positive. Linear in the two
-                               ///< triangles of a cell, which meet along its rising diagonal
+  double base_mm = 0.0;  ///< z of the bed [part frame]
+  /// Positive factors at the corners of the cells, row by row. In between they are interpolated linearly in
+  /// the two triangles of a cell, which share the diagonal from its low to its high corner.
+  std::vector<double> factor;
 
-  /// Index of the corner at the low end of that cell; the grid has one more row and column than cells.
+  /// Index of a cell's corner at its low x and y; there is one more row and column of corners than of cells.
   std::size_t corner(int column, int row) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(cells.columns + 1) +
            static_cast<std::size_t>(column);
   }
   Point2 cornerPoint(int column, int row) const { return cells.origin + cells.cell_mm * Point2(column, row); }
 
-  /// Beyond the grid that of its border.
+  /// The factor at a point (x, y) [part frame]; outside of the grid that of the nearest point of its border.
   double factorAt(const Point2& plan) const;
 
-  /// Where a point of the level layers lies in the part.
+  /// The point of the part to which a point of the level layers is bent.
   Point3 bent(const Point3& level) const;
-  /// The reverse.
+  /// The inverse of `bent`.
   Point3 level(const Point3& bent) const;
 };
 
-/// The mesh with its vertices where they lie in level layers; its edges should be short against the bend.
+/// The mesh with its vertices mapped by `HeightField::level`; its edges should be short compared with the
+/// curvature of the bend.
 Mesh levelled(Mesh mesh, const HeightField& field);
 
-/// The chart of a layer over a rectangle of the plan, widened to whole cells: its plan is the xy plane, tips
-/// lie straight above their plan at the layer's top, and normals are those of its middle.
+/// The chart of a bent layer over a rectangle of the xy plane, widened to whole cells. Its parameterization
+/// is the projection to the xy plane; tips are vertically above their points, at the top of the layer;
+/// normals are those of the middle of the layer.
+/// @param bounds  of the level layer
 LayerChart bentLayer(const HeightField& field, const LayerBounds& bounds, const Box2& area);
 
 }  // namespace lamina

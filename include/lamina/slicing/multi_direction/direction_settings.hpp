@@ -10,13 +10,15 @@ namespace lamina {
 
 /// How a part is cut into pieces that are printed flat, each along a direction of its own.
 struct DirectionSettings {
-  int count = 321;                 ///< directions tried, at least: evenly over the half sphere
-  int beam = 10;                   ///< sequences of cuts that are followed side by side
-  int most_cuts = 8;               ///< of a sequence
-  double max_tilt_deg = 90.0;      ///< of a direction from up
-  double max_overhang_deg = 45.0;  ///< that the material takes, from a piece's direction
-  double cell_mm = 0.0;            ///< side of the cells that pieces are weighed in; 0 for one by the part
-  double largest_unsupported_percent = 5.0;  ///< of the surface, before the part is refused
+  int count = 321;             ///< least number of directions tried, spread evenly over the half sphere
+  int beam = 10;               ///< width of the beam search: number of sequences of cuts kept at each step
+  int most_cuts = 8;           ///< greatest number of cuts
+  double max_tilt_deg = 90.0;  ///< greatest angle of a direction from the vertical
+  /// Greatest overhang that the material can bear: angle of a surface from the piece's direction.
+  double max_overhang_deg = 45.0;
+  double cell_mm = 0.0;  ///< side of the voxels in which cuts are searched; 0 to derive it from the volume
+  /// Greatest share of the surface that overhangs by more before the part is refused.
+  double largest_unsupported_percent = 5.0;
 };
 
 /// Adds the keys directions.*.

@@ -9,13 +9,13 @@
 
 namespace lamina {
 
-/// The turn by +angle about the axis (right-handed), as the G-code transform turns a program
-/// [Garcia2024, eq. 4.1 to 4.3]: layers are level in the frame it comes from, their normal in the part
-/// is R z. About x by a: (0, -sin a, cos a), so that layers follow each other towards -y. Identity to the
-/// last bit for an angle of 0.
+/// The rotation from the frame in which the layers are level to the part frame: by the angle of the settings
+/// about their axis, right-handed, as the G-code transform rotates a program [Garcia2024, eq. 4.1 to 4.3].
+/// The normal of the layers in the part frame is the rotated z axis; for an angle a about x it is (0, -sin a,
+/// cos a), so that layers are stacked towards -y. Exactly the identity for an angle of 0.
 Eigen::Quaterniond partFromLayers(const PlaneSettings& plane);
 
-/// The mesh turned about the origin, in its own memory.
+/// The mesh rotated about the origin.
 Mesh turned(Mesh mesh, const Eigen::Quaterniond& rotation);
 
 }  // namespace lamina

@@ -9,29 +9,34 @@
 
 namespace lamina {
 
-/// A piece of a head round its tool axis.
+/// A stage of a print head: a cylinder about the tool axis.
 struct HeadStage {
-  double from_mm = 0.0;  ///< from the nozzle tip, against the tool axis
-  double to_mm = 0.0;
+  double from_mm = 0.0;  ///< distance of its lower face from the nozzle tip, against the tool axis
+  double to_mm = 0.0;    ///< distance of its upper face from the nozzle tip
   double radius_mm = 0.0;
 };
 
-/// Where a head fits over a part that grows, and the bed.
+/// Collision check of a print head against the bed, and against the material deposited so far.
 class HeadRoom {
  public:
-  /// Growth at which a place of the part is deposited [mm]; infinite where nothing ever is.
+  /// The order of deposition: the growth [mm], which increases as the part is printed, at which the material
+  /// at a point is deposited; infinite where there is never any.
   class Growth {
    public:
     virtual ~Growth() = default;
+    /// @param place  [mm, part frame]
     virtual double at(const Point3& place) const = 0;
   };
 
-  /// @param stages  none: the head is clear everywhere
+  /// @param stages  of the head; with none there are no collisions
+  /// @param bed_mm  z of the bed [part frame]
   HeadRoom(std::shared_ptr<const Growth> growth, const std::vector<HeadStage>& stages, double bed_mm);
 
-  /// Whether the head clears the bed and what is deposited before a growth, by points on its hull at most 4
-  /// mm apart. What lies within 3 mm of the tip is not looked at.
-  /// @param axis  against the tool axis, of unit length
+  /// Whether the head collides neither with the bed nor with material deposited before a growth; the latter
+  /// is tested at points of its hull at most 4 mm apart. Only what is 3 to 120 mm from the tip along the axis
+  /// is tested.
+  /// @param tip   of the nozzle [mm, part frame]
+  /// @param axis  opposite of the tool axis, of unit length
   bool isClear(const Point3& tip, const Point3& axis, double growth_mm) const;
 
  private:

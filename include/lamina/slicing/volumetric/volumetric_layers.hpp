@@ -17,43 +17,49 @@
 
 namespace lamina {
 
-/// A layer of equal growth: what lies between two amounts of it.
+// Growth is a scalar field in the part: the height deposited, layer upon layer, when a point is reached [mm].
+// It is 0 at the bed. Layers are bounded by its level sets.
+
+/// A layer between two values of growth.
 struct VolumetricLayer {
-  Layer plane;           ///< growth at which it begins and ends, as heights in the part frame; the section of
-                         ///< a layer that is level as a whole, empty otherwise
+  /// Growth at which the layer begins and ends, as heights in the part frame; with its section if the whole
+  /// layer is level.
+  Layer plane;
   LayerSurface surface;  ///< of a layer that is not level; without triangles otherwise
 
   bool isLevel() const { return surface.middle.triangles.empty(); }
 };
 
-/// How good volumetric layers are. Areas and volumes are of the part above the bed.
+/// Measures of the quality of volumetric layers. Areas and volumes are of the part above the bed.
 struct VolumetricMeasures {
-  double cell_mm = 0.0;
-  std::size_t nodes = 0;           ///< cells, by pieces
-  double overhang_used_deg = 0.0;  ///< lowered, if layers would be too thick otherwise
-  double contact_mm2 = 0.0;        ///< with the bed
-  double tilt_deg = 0.0;           ///< of growth from up, not exceeded in 99.5 % of the volume
-  std::size_t level_layers = 0;
-  std::size_t pieces = 0;  ///< connected ones, of layers that are not level
+  double cell_mm = 0.0;   ///< side of the cells in which growth is computed
+  std::size_t nodes = 0;  ///< number of cells; one in which the part is in several pieces counts as many
+  double overhang_used_deg = 0.0;  ///< angle used for `VolumetricSettings::overhang_used_deg`
+  double contact_mm2 = 0.0;        ///< area of contact with the bed
+  /// Angle of the gradient of growth from the vertical, not exceeded in 99.5 % of the volume.
+  double tilt_deg = 0.0;
+  std::size_t level_layers = 0;  ///< number of level layers
+  std::size_t pieces = 0;        ///< number of connected pieces of the layers that are not level
 
-  double surface_mm2 = 0.0;
-  double unsupported_level_mm2 = 0.0;  ///< overhangs by more than is taken, if all layers were level
-  double unsupported_mm2 = 0.0;        ///< the same over these layers
-  double pendant_mm3 = 0.0;            ///< to which no growth leads
-  double volume_mm3 = 0.0;
+  double surface_mm2 = 0.0;            ///< area of the part's surface
+  double unsupported_level_mm2 = 0.0;  ///< area that would overhang by more than allowed from level layers
+  double unsupported_mm2 = 0.0;        ///< area that overhangs by more than allowed from these layers
+  double pendant_mm3 = 0.0;  ///< volume of pendants: material that growth from the bed does not reach
+  double volume_mm3 = 0.0;   ///< of the part
 
-  double thinnest = 1.0;          ///< thickness over nominal height, between neighbouring cells, away from
-  double thickest = 1.0;          ///< where fronts meet
+  double thinnest = 1.0;  ///< least thickness over nominal height, except where growth from two sides meets
+  double thickest = 1.0;  ///< greatest thickness over nominal height, with the same exception
   double beyond_thickness = 0.0;  ///< share of the volume that is thinner or thicker than allowed by over 2 %
-  std::size_t minima = 0;         ///< cells off the bed that grow before all their neighbours: none is right
-  double resting = 1.0;           ///< share of the bent layers' area that lies on what is deposited before
-  double least_resting = 1.0;     ///< the same of the piece with least
-  double open = 0.0;              ///< share of the volume in no layer
-  double open_level = 0.0;        ///< the same of the layers that `planar` gives
-  double twice = 0.0;             ///< in more than one
-  double left_out_mm3 = 0.0;      ///< pieces smaller than a bead's square
-  double greatest_lean_deg = 0.0;  ///< of the head from the layers' normals
-  double shut = 0.0;               ///< share of the volume where no such lean clears bed and part
+  std::size_t minima = 0;  ///< cells off the bed that are reached before all their neighbours; should be 0
+  double resting = 1.0;    ///< share of the area of layers that are not level that lies on earlier material
+  double least_resting = 1.0;  ///< that share of the piece that rests least
+  double open = 0.0;           ///< share of the volume in no layer
+  double open_level = 0.0;     ///< share of the volume that would be in no layer of the mode `planar`
+  double twice = 0.0;          ///< share of the volume in more than one layer
+  /// Volume of pieces left out since they are smaller than a bead's width squared.
+  double left_out_mm3 = 0.0;
+  double greatest_lean_deg = 0.0;  ///< greatest angle of the tool axis from the layers' normals
+  double shut = 0.0;  ///< share of the volume where the head collides with bed or part at any allowed angle
 };
 
 /// A part in layers of equal growth, in the order in which they are deposited.
@@ -61,31 +67,30 @@ struct VolumetricLayers {
   std::vector<VolumetricLayer> layers;
   VolumetricMeasures measures;
   Mesh hanging;                          ///< triangles of the surface that is left unsupported
-  std::shared_ptr<const HeadRoom> room;  ///< of the head that was asked for, over the part as it grows
+  std::shared_ptr<const HeadRoom> room;  ///< collision check of the request's head
 };
 
 /// The request by which a part is cut into layers of equal growth.
 struct VolumetricRequest {
   VolumetricSettings settings;
-  SlicingSettings slicing;           ///< heights of first layer and others, the least there are
-  double bead_mm = 0.4;              ///< width
-  std::vector<HeadStage> head = {};  ///< that lays them; none clears everything
+  SlicingSettings slicing;           ///< its layer heights are the least thickness of the layers
+  double bead_mm = 0.4;              ///< width of beads
+  std::vector<HeadStage> head = {};  ///< stages of the head that prints; none: collisions are not checked
 };
 
-/// Layers that grow from the bed through the part. They may tilt and be up to `max_thickness` times as high
-/// as asked for, so that no underside overhangs by more than `overhang_used_deg` from its own layer's normal.
-/// They are level where level layers meet that condition. The tool axis is against the layer's normal. It
-/// leans from there towards upright where the head would be in bed or part.
+/// Cuts a part into layers that grow from the bed through the part. Layers may tilt, and be up to
+/// `max_thickness` times as thick as the layer height, so that no underside overhangs by more than
+/// `overhang_used_deg` from the normal of its own layer. They are level where level layers meet that
+/// condition. The tool axis is opposite to the normal of the layer, but leans from there towards the vertical
+/// where the head would otherwise collide with the bed or the part.
 ///
-/// @param mesh  closed, facing outwards [mm, part frame]; the bed is at its lowest place, or above that by
-///              the depth to which it is sunk
-/// @throws Unsliceable naming figure, bound and place: contact with the bed below a bead's square, pendants
-/// or
-///         unsupported surface beyond their limits, a piece that less than half rests; its region is the
-///         surface there
-/// @throws InvalidMesh if the mesh is open or holds no volume; InvalidConfig; InvalidInput if there are too
-/// many
-///         cells, or no layer; Cancelled
+/// @param mesh  closed, facing outwards [mm, part frame]; the bed is at its lowest point, or above that by
+///              `sink_mm`
+/// @throws Unsliceable naming value, limit and place, if the contact with the bed is smaller than a bead's
+///         width squared, pendants or unsupported surface exceed their limits, or less than half of a piece
+///         rests on earlier material; the region is the surface there
+/// @throws InvalidMesh if the mesh is open or encloses no volume
+/// @throws InvalidInput if there are too many cells, or no layer; InvalidConfig; Cancelled
 VolumetricLayers volumetricLayers(const Mesh& mesh, const MeshTopology& topology,
                                   const VolumetricRequest& request, Progress& progress);
 

@@ -12,34 +12,37 @@
 
 namespace lamina {
 
-/// Ports of an emulated machine besides its pseudo-terminal.
+/// Ways to reach an emulated machine, besides its pseudo-terminal itself.
 struct EmulatedPorts {
-  std::string pty_link;  ///< stable path to the pseudo-terminal, a symbolic link; empty for none
-  std::optional<std::uint16_t> tcp_port;  ///< on the loopback interface; 0 for any free one
+  std::string pty_link;  ///< path of a symbolic link to the pseudo-terminal; empty for none
+  /// TCP port on the loopback interface; 0 for any free one, nothing for none.
+  std::optional<std::uint16_t> tcp_port;
 };
 
-/// An emulated machine with Marlin firmware at a pseudo-terminal and a TCP port, in a thread of its own.
-/// Replies go to the port that sent last.
+/// An emulated machine with Marlin firmware, reached at a pseudo-terminal and a TCP port; it runs in a thread
+/// of its own. Replies go to the one of the two from which bytes came last.
 class EmulatedMachine {
  public:
   /// @param observer  called from the machine's thread
-  /// @throws DeviceError if there is no pseudo-terminal or the TCP port is taken
-  /// @throws FileError if the link cannot be made, or its path holds something that is no symbolic link
+  /// @throws DeviceError if no pseudo-terminal can be had or the TCP port is in use
+  /// @throws FileError if the link cannot be made, or something else than a symbolic link is at its path
   EmulatedMachine(const EmulatedSettings& settings, std::vector<Fault> faults, const EmulatedPorts& ports,
                   EmulatedObserver observer);
-  /// Removes the link.
+  /// Ends the thread and removes the symbolic link.
   ~EmulatedMachine();
   EmulatedMachine(const EmulatedMachine&) = delete;
   EmulatedMachine& operator=(const EmulatedMachine&) = delete;
 
-  /// The link if there is one, otherwise the pseudo-terminal itself, which a disconnect replaces by another.
+  /// Path of the symbolic link if there is one, otherwise of the pseudo-terminal itself, which is another one
+  /// after a disconnect.
   std::string pty() const;
   std::uint16_t tcpPort() const;  ///< 0 if there is none
 
-  /// Its counts, and whether it is done with all that it received; from any thread.
+  // The following may be called from any thread.
   EmulatedCounts counts() const;
+  /// Whether all lines received were run and the nozzle is at rest.
   bool isIdle() const;
-  Point3 position() const;
+  Point3 position() const;      ///< of the nozzle [mm, frame of the bed]
   double nozzleTarget() const;  ///< [°C]; 0 is off
   double bedTarget() const;     ///< [°C]; 0 is off
 

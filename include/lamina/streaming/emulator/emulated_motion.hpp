@@ -14,57 +14,58 @@ namespace lamina {
 
 /// A straight motion that the firmware requests.
 struct RequestedMotion {
-  Point3 start = Point3::Zero();  ///< [mm, bed]
-  Point3 end = Point3::Zero();    ///< [mm, bed]
-  double filament_mm = 0.0;
+  Point3 start = Point3::Zero();  ///< position of the nozzle [mm, frame of the bed]
+  Point3 end = Point3::Zero();    ///< position of the nozzle [mm, frame of the bed]
+  double filament_mm = 0.0;       ///< length of filament extruded; negative if it is retracted
   double feed_mm_s = 0.0;
 };
 
-/// A straight motion the machine has run, with machine times.
+/// A straight motion that the machine has run.
 struct ExecutedMotion {
-  Point3 start = Point3::Zero();  ///< [mm, bed]
-  Point3 end = Point3::Zero();    ///< [mm, bed]
-  double filament_mm = 0.0;
-  double start_s = 0.0;
-  double end_s = 0.0;
-  SpeedProfile profile;  ///< along the requested motion, of which a quick stop leaves only the first part
+  Point3 start = Point3::Zero();  ///< position of the nozzle [mm, frame of the bed]
+  Point3 end = Point3::Zero();    ///< position of the nozzle [mm, frame of the bed]
+  double filament_mm = 0.0;       ///< length of filament extruded; negative if it was retracted
+  double start_s = 0.0;           ///< machine time
+  double end_s = 0.0;             ///< machine time
+  SpeedProfile profile;           ///< of the whole requested motion, even if a quick stop has cut it short
 
-  /// The nozzle at a machine time, which is clamped to the motion [mm, bed].
+  /// Position of the nozzle [mm, frame of the bed] at a machine time, which is clamped to the motion.
   Point3 positionAt(double time_s) const;
   /// Machine time at which the nozzle has gone the share `part` of the way, from 0 at the start to 1 at the
   /// end.
   double timeAt(double part) const;
 };
 
-/// The motions of an emulated machine: a queue of blocks with look-ahead over the whole queue, run one after
-/// the other in machine time. A block that has begun is no longer changed. The nozzle stops when the queue
-/// runs empty.
+/// Motion planner of an emulated machine: a queue of motions (blocks) with look-ahead over the whole queue,
+/// run one after the other in machine time. The speeds of a block no longer change once it runs. The nozzle
+/// stops when the queue runs empty.
 class EmulatedMotion {
  public:
   using Observer = std::function<void(const ExecutedMotion&)>;
 
-  /// @param capacity  blocks that wait behind the running one
-  /// @param observer  given every motion when it has ended, in order; may be empty
+  /// @param capacity  number of blocks that may wait behind the running one, at least 1
+  /// @param observer  called with each motion when it has ended, in order; may be empty
   EmulatedMotion(const MotionLimits& limits, std::size_t capacity, Observer observer);
 
   bool isFull() const { return waiting_.size() >= capacity_; }
   bool isEmpty() const { return waiting_.empty() && !running_; }
-  /// Adds a motion at machine time `now_s`. A motion without length and filament is ignored.
+  /// Adds a motion at machine time `now_s`. A motion with neither length nor filament is ignored.
   void add(const RequestedMotion& motion, double now_s);
 
-  /// Runs everything up to machine time `now_s`.
+  /// Runs the motions up to machine time `now_s`.
   void advance(double now_s);
-  /// Time at which the running block ends, or the next one begins if none runs; none if the queue is empty.
+  /// Machine time at which the running block ends, or the next one begins if none runs; nothing if there is
+  /// no block.
   std::optional<double> nextEvent() const;
 
-  /// Stops at once, wherever the nozzle is, and forgets the queue.
+  /// Stops the nozzle at once, wherever it is, and discards the queue.
   void quickStop(double now_s);
-  /// Puts the nozzle elsewhere without a motion.
+  /// Sets the position of the nozzle without a motion.
   void place(const Point3& position) { position_ = position; }
 
-  Point3 positionAt(double now_s) const;
-  double filament() const { return filament_mm_; }          ///< pushed forth so far [mm]
-  std::size_t starvations() const { return starvations_; }  ///< times the queue ran empty
+  Point3 positionAt(double now_s) const;                    ///< of the nozzle [mm, frame of the bed]
+  double filament() const { return filament_mm_; }          ///< length extruded so far, net [mm]
+  std::size_t starvations() const { return starvations_; }  ///< times that the queue ran empty
 
  private:
   struct Block {
@@ -85,7 +86,7 @@ class EmulatedMotion {
   std::deque<Block> waiting_;
   std::optional<ExecutedMotion> running_;
   MotionSegment last_segment_;  ///< of the block added last
-  double begin_at_ = 0.0;       ///< of the first waiting block, if none runs
+  double begin_at_ = 0.0;       ///< machine time at which the first waiting block begins, if none runs
   Point3 position_ = Point3::Zero();
   double filament_mm_ = 0.0;
   std::size_t starvations_ = 0;

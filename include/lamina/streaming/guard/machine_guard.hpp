@@ -13,60 +13,67 @@
 
 namespace lamina {
 
+/// Times by which `MachineGuard` decides. A streamer is a process that moves a machine and sends pulses.
 struct GuardSettings {
-  double silence_s = 1.0;  ///< silence after which a living process counts as lost
-  double grace_s = 10.0;   ///< from the loss of a streamer at work to the stop; 0: at once
-  /// Time for which a streamer that came back may leave the machine as the lost one left it, before it is
-  /// stopped; 0 for any time.
+  double silence_s = 1.0;  ///< time without a pulse after which a process that still runs counts as lost
+  double grace_s = 10.0;   ///< time from the loss of a streamer at work to the stop; 0 for an immediate stop
+  /// Time after which the machine is stopped if a streamer sends pulses again but does not take up the work;
+  /// 0 for no such limit.
   double unattended_s = 600.0;
-  double retry_s = 2.0;  ///< to the next try of a stop that was not confirmed
+  double retry_s = 2.0;  ///< time from a stop that was not confirmed to the next attempt
 };
 
-/// A machine that is to be stopped now.
+/// An order to stop a machine now.
 struct GuardOrder {
-  MachinePulse machine;  ///< as its streamer said last
-  int hung_process = 0;  ///< that has the port and says nothing: to be ended first; 0 for none
+  MachinePulse machine;  ///< last pulse of the lost streamer
+  int hung_process = 0;  ///< process that holds the port but sends nothing, to be killed first; 0 for none
 };
 
+/// What `MachineGuard` reports.
 enum class GuardNewsKind : std::uint8_t {
-  Lost,        ///< a streamer that was at work
-  Back,        ///< it, or another in its place
-  Stopped,     ///< the machine, which has confirmed it
-  NotStopped,  ///< which is tried again
+  Lost,        ///< a streamer at work, or one that had come back, was lost
+  Back,        ///< the lost streamer, or another process in its place, sends pulses
+  Stopped,     ///< the machine has confirmed its stop, or its stop had begun when its streamer came back
+  NotStopped,  ///< the machine has not confirmed its stop, which is tried again
 };
 
+/// A report of `MachineGuard`.
 struct GuardNews {
   GuardNewsKind kind = GuardNewsKind::Lost;
   std::string message;
 };
 
-/// Decides when a machine is stopped in the place of the process that streams to it: when that process was
-/// lost at work, and no other has taken up its work in time. Pulses, ends of connections and times come in;
-/// orders and news come out. Times are seconds since any start and never go back.
+/// Decides when a machine is to be stopped on behalf of the process that moves it: when that process was lost
+/// at work, and no process has taken up the work in time. Its inputs are pulses, ends of connections and
+/// times; its outputs are orders and news. Times are seconds since any start and never go back.
 ///
-/// A controller that follows trajectories has no grace: its motion ends within a second in any case, and no
-/// process resumes it.
+/// A lost process that was not at work leads to no stop. The work of a lost process is taken up by that
+/// process itself, or by a job of another process; a step of a start-up sequence only delays the stop. Once a
+/// stop has begun, the work is lost: a process that then takes it up causes the news Stopped.
 ///
-/// A machine at rest is never stopped. The work of a lost process is taken up by a job of another process, or
-/// by that process itself; a step of a start-up only delays the stop. Once a stop has begun, the work is
-/// lost. A job that takes it up is then informed as if the stop had been confirmed.
+/// If the machine is a controller that follows trajectories, it is stopped without grace, since its motion
+/// ends within a second in any case and no process resumes it.
 class MachineGuard {
  public:
   explicit MachineGuard(GuardSettings settings) : settings_(settings) {}
 
-  /// @param process  that sent it, by its number in the system
+  /// Accepts a pulse.
+  /// @param process  process number (PID) of the sender
   void hear(const MachinePulse& pulse, int process, double now_s);
-  /// The connection of a process has ended, and so has the process.
+  /// States that the connection of a process has ended, and with it the process.
   void end(int process, double now_s);
-  /// The machine that is to be stopped now, once; to be called at `nextDeadline` at the latest.
+  /// The order to stop a machine, if one is due; it is given once. To be called at `nextDeadline` at the
+  /// latest.
   std::optional<GuardOrder> due(double now_s);
-  /// The watch ends: what nobody has taken up is to be stopped now.
+  /// The order to stop, without further grace, a machine whose work nobody has taken up; for the end of the
+  /// watch.
   std::optional<GuardOrder> dueAtEnd();
-  /// What became of the last order.
+  /// States the result of the last order.
   void onStop(const MachineStopReport& report, double now_s);
 
-  /// When time alone may have an effect; infinite for never.
+  /// Time [s] at which `due` is to be called next; infinite if time alone has no effect.
   double nextDeadline() const;
+  /// The news since the last call.
   std::vector<GuardNews> takeNews();
 
  private:
@@ -75,12 +82,13 @@ class MachineGuard {
     int process = 0;
     double heard_s = 0.0;
   };
+  /// The work that a lost streamer left.
   struct Left {
     MachinePulse machine;
-    int process = 0;       ///< that left it and may still live; 0: it has ended
-    int hung_process = 0;  ///< as in the order
-    double due_s = 0.0;
-    bool is_touched = false;  ///< by a stop that was not confirmed
+    int process = 0;          ///< process that left it and may still run; 0 once it has ended
+    int hung_process = 0;     ///< as in `GuardOrder`
+    double due_s = 0.0;       ///< time of the stop
+    bool is_touched = false;  ///< whether an unconfirmed stop has already sent bytes
     bool is_watched_again = false;
     bool is_failure_told = false;
   };
@@ -90,8 +98,8 @@ class MachineGuard {
   void lose(const Streamer& streamer, int hung_process, const std::string& how, double now_s);
 
   GuardSettings settings_;
-  std::map<int, Streamer> streamers_;  ///< that give signs of life, by their processes
-  std::optional<Left> left_;           ///< as a lost one left it
+  std::map<int, Streamer> streamers_;  ///< streamers that send pulses, by process number
+  std::optional<Left> left_;           ///< nothing unless a streamer was lost at work
   bool is_stopping_ = false;
   std::vector<GuardNews> news_;
 };

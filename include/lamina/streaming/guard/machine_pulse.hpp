@@ -10,32 +10,32 @@
 
 namespace lamina {
 
-/// In the place of a firmware: the process hands trajectories to a controller that follows them, as an
-/// action.
+/// The value of `MachinePulse::firmware` for a process that sends no program to firmware, but trajectories to
+/// a controller, through its action of this name.
 inline constexpr char kFollowsTrajectories[] = "follow_joint_trajectory";
 
-/// What a process that moves a machine says of itself again and again, so that another can stop the machine
-/// in its place.
+/// The state of a process that moves a machine. The process sends it periodically (its pulse), so that
+/// another process can stop the machine on its behalf if it is lost.
 struct MachinePulse {
-  bool is_at_work = false;  ///< it has switched on or moved what it will switch off or stop itself
-  MachinePort port;         ///< or the full name of the controller's action, without a baud rate
+  bool is_at_work = false;  ///< whether it has moved or switched on anything that it would yet stop itself
+  MachinePort port;         ///< port of the machine; its name may be that of the controller's action
   /// Name of the protocol, `auto` until it is known; or `kFollowsTrajectories`.
   std::string firmware = kAnyFirmware;
-  std::string program;            ///< file of the job under way; empty for none
-  bool keeps_heaters_on = false;  ///< at a safe stop
-  bool has_job = false;           ///< it is at work on a job, and not on a step of a start-up alone
+  std::string program;            ///< path of the program of the running job; empty for none
+  bool keeps_heaters_on = false;  ///< whether heaters are left on at a safe stop
+  bool has_job = false;           ///< whether it runs a job, not merely a step of a start-up sequence
 };
 
-/// The longest text of a pulse [byte].
+/// Greatest length of a pulse as text [byte].
 inline constexpr std::size_t kLongestPulse = 8192;
 
-/// A pulse as it is sent. Ends of lines within names become spaces.
+/// A pulse as text, in which it is sent. Line feeds within names become spaces.
 std::string toText(const MachinePulse& pulse);
 
-/// The pulse in a text; nothing for a text that is none, or is of another version.
+/// The pulse that was written as text; nothing if the text is no pulse, or of another version.
 std::optional<MachinePulse> pulseIn(std::string_view text);
 
-/// Name of the one protocol that firmware of this name speaks; `auto` if there are several or none.
+/// Name of the protocol that firmware of this name speaks; `auto` if several or none match.
 std::string protocolOfFirmware(const std::string& firmware_name);
 
 }  // namespace lamina

@@ -9,23 +9,23 @@
 
 namespace lamina {
 
-/// What became of a machine that was stopped in the place of its streamer.
+/// Result of stopping a machine on behalf of its lost streamer.
 struct MachineStopReport {
-  bool is_confirmed = false;  ///< the machine itself has reported that it is at rest and heats nothing
+  bool is_confirmed = false;  ///< whether the machine has reported that it is at rest and its heaters are off
   std::string message;
-  bool has_begun = false;  ///< its first bytes have left: what the machine was to do is lost
+  bool has_begun = false;  ///< whether the first bytes of the stop were sent, by which the job is lost
 };
 
-/// What is sent at once, without numbers, so that also firmware that waits for heat stops as soon as it reads
-/// on: beam off, heaters off, with the end of motions where the firmware has one.
-/// @param machine  by its firmware, of which any that is not known stands for Marlin's kin, and whether it
-/// keeps its heat
+/// The bytes that are sent first, without line numbers and without waiting for answers, so that firmware that
+/// waits for heat stops, too, as soon as it reads on: beam off, heaters off, and the end of all motions if
+/// the firmware has a command for it; a feed hold for grbl.
+/// @param machine  with unknown firmware it is treated as Marlin
 std::string urgentStopOf(const MachinePulse& machine);
 
-/// Stops a machine whose streamer is gone: sends `urgentStopOf`, then has the machine confirm, line by line,
-/// that all that the program has used is off. grbl is slowed down and reset. Returns after some seconds, or
-/// as soon as the port cannot be had.
-/// @param begun  called once the first bytes have left; may be empty
+/// Stops a machine whose streamer is lost: sends `urgentStopOf`, then the commands that switch off all that
+/// the program has used, each of which the machine has to confirm. grbl gets a feed hold and a reset instead.
+/// Returns after some seconds, or at once if the port cannot be opened.
+/// @param begun  called when the first bytes have been sent; may be empty
 MachineStopReport stopMachine(const MachinePulse& machine, const std::function<void()>& begun);
 
 }  // namespace lamina

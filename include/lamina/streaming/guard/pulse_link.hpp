@@ -12,22 +12,22 @@
 
 namespace lamina {
 
-/// Sends the pulses of this process to a socket of this host, in a thread of its own, twenty times a second.
-/// Nobody needs to listen: it is tried again and again. The system itself closes the connection when the
-/// process dies, however it dies.
+/// Sends the pulses of this process to a Unix socket of this host, in a thread of its own, twenty times a
+/// second. As long as nobody listens, it tries to connect again and again. When the process ends, in whatever
+/// way, the system closes the connection.
 class PulseSender {
  public:
-  /// @param socket  path of the listener's; empty for no pulses
-  /// @param pulse   called from the sender's thread
-  /// @throws InvalidInput if the path is longer than a socket's may be
+  /// @param socket  path of the listener's socket; empty for sending nothing
+  /// @param pulse   returns the present pulse; called from the sender's thread
+  /// @throws InvalidInput if the path is longer than that of a Unix socket may be
   PulseSender(const std::string& socket, std::function<MachinePulse()> pulse);
   ~PulseSender();
   PulseSender(const PulseSender&) = delete;
   PulseSender& operator=(const PulseSender&) = delete;
 
-  /// Whether somebody listens; true where no pulses are sent.
+  /// Whether a listener is connected; true if nothing is to be sent.
   bool isHeard() const;
-  /// Sends one now: what it says has changed.
+  /// Sends a pulse now; for a pulse that has changed.
   void send();
 
  private:
@@ -35,27 +35,28 @@ class PulseSender {
   std::unique_ptr<Impl> impl_;
 };
 
-/// What a listener has heard of one process.
+/// A pulse that a listener has received from a process, or the end of that process's connection.
 struct HeardPulse {
-  int process = 0;                    ///< by the system's own word
-  std::optional<MachinePulse> pulse;  ///< nothing: its connection has ended, as it does when the process dies
+  int process = 0;                    ///< process number (PID), as the system gives it
+  std::optional<MachinePulse> pulse;  ///< nothing if the connection has ended, as when the process dies
 };
 
-/// Hears pulses at a socket that only processes of the same user, and of root, reach. Its folder is made if
-/// it is not there.
+/// Receives pulses at a Unix socket that only processes of the same user, and of root, can reach. Makes the
+/// folder of the socket if it is missing.
 class PulseListener {
  public:
-  /// @throws InvalidInput as `PulseSender`
+  /// @param socket  path of the socket
+  /// @throws InvalidInput if the path is longer than that of a Unix socket may be
   /// @throws DeviceError if another process listens there, or the socket cannot be made
   explicit PulseListener(std::string socket);
   ~PulseListener();
   PulseListener(const PulseListener&) = delete;
   PulseListener& operator=(const PulseListener&) = delete;
 
-  /// Waits until something has come, and gives all that has, process by process; nothing after the time-out
-  /// or `wake`. What is no pulse ends the connection.
+  /// Waits until a pulse or the end of a connection arrives, and returns all that have arrived, process by
+  /// process; empty after the time-out or `wake`. A connection that sends anything but pulses is closed.
   std::vector<HeardPulse> wait(double timeout_s);
-  /// Ends the wait under way or the next one; from any thread.
+  /// Ends the call of `wait` under way, or else the next one; may be called from any thread.
   void wake();
 
  private:

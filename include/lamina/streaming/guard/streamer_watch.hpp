@@ -14,26 +14,28 @@
 
 namespace lamina {
 
-/// Stops a machine, as `stopMachine` does one that reads programs.
+/// Function that stops a machine; `stopMachine` is the one for machines that read programs.
 using MachineStopper =
     std::function<MachineStopReport(const MachinePulse& machine, const std::function<void()>& begun)>;
 
-/// Receiver of a watch's reports, called from its thread.
+/// Callbacks of a `StreamerWatch`, called from its thread.
 struct WatchObserver {
   std::function<void(const GuardNews&)> news;
-  std::function<void()> begun;                     ///< a stop has begun; may be empty
-  std::function<void(const MachinePulse&)> heard;  ///< each pulse; may be empty
+  std::function<void()> begun;                     ///< called when a stop has begun; may be empty
+  std::function<void(const MachinePulse&)> heard;  ///< called with each pulse; may be empty
 };
 
-/// Watches the process that moves one machine, in a thread of its own, and stops the machine in its place
-/// (`MachineGuard`). A process that hangs, and has the port, is ended first.
+/// Watches the process that moves a machine, in a thread of its own, and stops the machine on its behalf when
+/// `MachineGuard` decides so. If that process hangs and holds the port, it is killed first.
 class StreamerWatch {
  public:
+  /// @param socket  path at which pulses are received (`PulseListener`)
   /// @param stop  called from the watch's thread
   /// @throws InvalidInput, DeviceError as `PulseListener`
   StreamerWatch(const std::string& socket, GuardSettings settings, WatchObserver observer,
                 MachineStopper stop = stopMachine);
-  /// Waits for a stop under way, and stops what was left and not taken up, once.
+  /// Waits for a stop under way; if a lost process has left work that nobody has taken up, tries once to stop
+  /// its machine.
   ~StreamerWatch();
   StreamerWatch(const StreamerWatch&) = delete;
   StreamerWatch& operator=(const StreamerWatch&) = delete;

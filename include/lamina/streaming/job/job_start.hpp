@@ -8,9 +8,10 @@ namespace lamina {
 
 /// How a job starts.
 enum class JobStart : std::uint8_t {
-  New,     ///< from its first line; at a print server the program is uploaded and its print started
-  Resume,  ///< with the job of an earlier session; at a print server its print is followed, nothing is
-           ///< started
+  New,  ///< at its first line; on a print server the program is uploaded and its print started
+  /// Where the job of an earlier session left off. On a print server its running print is followed, and
+  /// nothing is started.
+  Resume,
 };
 
 }  // namespace lamina

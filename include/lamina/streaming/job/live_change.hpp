@@ -11,34 +11,34 @@ namespace lamina {
 enum class LiveSetting : std::uint8_t {
   Feed,          ///< all feeds [%]
   Flow,          ///< all extrusion [%]
-  Babystep,      ///< further shift of the nozzle relative to the part [mm, upwards]
-  CancelPart,    ///< no longer prints the part of that index, of several on the plate
-  PauseAtLayer,  ///< holds in front of that layer's first line
-  Rapid,         ///< rapid motions [%], of grbl
-  Spindle,       ///< speed of the spindle, power of the laser [%], of grbl
-  Power,         ///< the same by the name that driven toolpaths have for it [%]
+  Babystep,      ///< further shift of the nozzle relative to the part [mm], positive upwards
+  CancelPart,    ///< part that is no longer printed, by its index among those on the plate
+  PauseAtLayer,  ///< layer before whose first line the job holds, by its number
+  Rapid,         ///< speed of rapid motions [%]; grbl alone has it
+  Spindle,       ///< speed of the spindle, or power of the laser [%]; grbl alone has it
+  Power,         ///< power of the laser [%], under the name that it has in driven toolpaths
 };
 
+/// A change of a setting of the running job.
 struct LiveChange {
   LiveSetting setting = LiveSetting::Feed;
   double value = 100.0;
 };
 
-/// A change by the name of its setting: feed, flow, babystep, cancel_part, pause_at_layer, rapid, spindle,
-/// power.
-/// @throws InvalidInput if there is no such setting, or the value is out of its bounds: feed, flow and power
-/// as
-///   `boundsOf` has them, 0.5 mm up or down, an index from 0, a layer from 0, 25, 50 or 100 %, 10 to 200 %
+/// Makes a change from the name of a setting and a value. Bounds are: feed, flow, power: those of `boundsOf`,
+/// in percent; babystep: -0.5 to 0.5 mm; cancel_part: 0 to 9999; pause_at_layer: 0 to 1000000; rapid: 25 to
+/// 100 %; spindle: 10 to 200 %. All but feed, flow and babystep must be whole numbers.
+/// @throws InvalidInput if there is no such setting, or the value is out of its bounds
 LiveChange liveChange(const std::string& name, double value);
 
 /// The name of a setting: "feed".
 std::string nameOf(LiveSetting setting);
 
-/// The refusal of a change by a machine that has no such setting: "grbl has no flow".
-/// @param machine  firmware or server, as the subject of the sentence
+/// The message by which a machine without such a setting refuses a change: "grbl has no flow".
+/// @param machine  name of the firmware or server, the subject of the sentence
 std::string notOf(const std::string& machine, LiveSetting setting);
 
-/// The refusal of a change while no program runs.
+/// The message by which a change is refused while no program runs.
 inline constexpr const char* kNoJobToChange = "the job is not under way; expected it in Execute or held";
 
 }  // namespace lamina

@@ -6,9 +6,9 @@
 
 namespace lamina {
 
-/// State of a job on a machine, in the names of PackML (ISA-TR88). The numbers are those of
-/// msg/MachineState.msg; a test compares them. The unit as a whole has the standard's numbers
-/// (`cell/packml_model.hpp`).
+/// State of a job on a machine, by the names of PackML (ISA-TR88). The values are those of
+/// msg/MachineState.msg, not those of the standard; a test compares them. `cell/packml_model.hpp` has the
+/// states of the whole cell, with the values of the standard.
 enum class PackmlState : std::uint8_t {
   Idle = 0,
   Starting = 1,
@@ -29,15 +29,15 @@ enum class PackmlState : std::uint8_t {
   Unsuspending = 16,
 };
 
-/// The state as a cell controller writes it: "Execute".
+/// The name of a state as in PackML, such as "Execute".
 const char* toString(PackmlState state);
 
-/// True if PackML's state model has an arrow from one state to the other: the acting states end in the
-/// waiting state of their name, Stopping can be entered from every state but those that stop, abort or clear,
-/// and Aborting from every state but itself and Aborted.
+/// Whether PackML's state model has a transition from one state to the other: an acting state (Holding) ends
+/// in the waiting state of its name (Held), Stopping can be entered from every state but those that stop,
+/// abort or clear, and Aborting from every state but itself and Aborted.
 bool isLegalTransition(PackmlState from, PackmlState to);
 
-/// Complete, Stopped or Aborted: the job is over.
+/// Whether the job is over: Complete, Stopped or Aborted.
 bool isFinal(PackmlState state);
 
 }  // namespace lamina

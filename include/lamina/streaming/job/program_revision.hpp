@@ -11,33 +11,34 @@
 
 namespace lamina {
 
-/// Changes the lines of a program layer by layer, before they are numbered and sent. Called by one job, from
-/// its thread.
+/// Interface that changes the lines of a program, layer by layer, before they are numbered and sent, as for
+/// corrections by a scan. It serves one job and is called from the thread of that job.
 class ProgramRevision {
  public:
   virtual ~ProgramRevision() = default;
 
-  /// Whether the revision of a layer is decided. A decision is final.
-  /// @param layer  as the program counts it
+  /// Whether it is decided how a layer is revised. A decision is final.
+  /// @param layer  number of the layer in the program
   virtual bool isKnown(std::int32_t layer) = 0;
-  /// Decides a layer by what is known now, after the longest wait.
+  /// Decides how a layer is revised by what is known at present; called after the longest wait.
   virtual void decide(std::int32_t layer) = 0;
-  /// A program that replaces the rest of this one, before a layer that is not decided; none if there is none.
-  /// Once it is given, the revision is that of the new program: lines and layers count from its beginning.
+  /// A program that replaces the present one from a layer on that is not decided yet; nothing if the present
+  /// one goes on. Once it is returned, the revision is that of the new program, by whose lines and layers all
+  /// later calls count.
   virtual std::optional<StreamableProgram> successor(std::int32_t /*layer*/) { return std::nullopt; }
-  /// The record from which all lines given so far can be made again; none if it is not kept, or not for every
-  /// line.
+  /// The record from which all lines returned so far can be made again; nothing if there is none, or it does
+  /// not cover every line.
   virtual std::optional<RevisionRecord> record() const { return std::nullopt; }
-  /// Why the record is no longer kept; empty if it is.
+  /// The reason why the record is no longer kept; empty if it is kept.
   virtual std::string recordFailure() const { return {}; }
 
-  /// Longest time for which the machine waits at rest for a layer [s].
+  /// Longest time for which the machine waits, at rest, for the decision on a layer [s].
   virtual double waitTime() const = 0;
 
-  /// The lines that replace a line of the program's text, separated by line feeds. Calls come in the order of
-  /// lines, those of a layer once it is decided.
-  /// @param number  of the line in the text, from 1
-  /// @throws InvalidProgram if it cannot be changed
+  /// The lines that replace a line of the program's text, separated by line feeds. It is called for the lines
+  /// in their order, and for those of a layer once that layer is decided.
+  /// @param number  number of the line in the text, from 1
+  /// @throws InvalidProgram if the line cannot be changed
   virtual std::string revised(std::string_view line, std::uint64_t number) = 0;
 };
 

@@ -15,26 +15,26 @@
 
 namespace lamina {
 
-/// A line of a program as it is sent: without comment and surrounding blanks, never empty.
+/// A line of a program as it is sent.
 struct ProgramLine {
-  std::string command;
-  std::int32_t layer = -1;  ///< its layer by ";LAYER:k" or ";LAYER_CHANGE"; -1 before the first
-  double seconds = 0.0;     ///< time of its motions at their feeds, if it was asked for
+  std::string command;      ///< the line without comment and surrounding blanks, never empty
+  std::int32_t layer = -1;  ///< layer by the comments ";LAYER:k" or ";LAYER_CHANGE"; -1 before the first
+  double seconds = 0.0;     ///< duration of its motions at their feeds; 0 unless it is computed
 };
 
-/// Reads the commands of a G-code text one by one, in constant memory. It leaves out comments, tape marks
-/// ('%'), empty lines, and line numbers with correct checksums. Comments begin with ';' outside quotes;
-/// parentheses enclose one too, except in quotes, in braces and in commands that carry text.
+/// Reads the commands of a G-code text one by one, in constant memory. It omits comments, tape marks ('%'),
+/// empty lines, and line numbers with correct checksums. A comment begins with ';' outside quotes, or is
+/// enclosed by parentheses, except in quotes, in braces and in commands that carry text.
 class ProgramCursor {
  public:
   explicit ProgramCursor(std::unique_ptr<std::istream> text) : text_(std::move(text)) {}
 
   /// The next command; nothing at the end.
   std::optional<ProgramLine> next();
-  /// Number of the last command's line in the text, from 1.
+  /// Number in the text, from 1, of the line of the last command.
   std::uint64_t textLine() const { return text_line_; }
-  /// Bytes of the text up to and including the end of that line, which is counted even if the last line lacks
-  /// it.
+  /// Number of bytes of the text up to and including the line feed of that line; a last line without line
+  /// feed counts as if it had one.
   std::uint64_t bytesRead() const { return bytes_read_; }
   /// The layer to which a command read next would belong.
   std::int32_t layer() const { return layer_; }
@@ -49,40 +49,41 @@ class ProgramCursor {
   std::int32_t layer_ = -1;
 };
 
-/// A program that was read whole and checked for the firmware to which it may be sent. It is read again, line
-/// by line, while it is sent.
+/// A program that was read and checked for the firmware to which it may be sent. A program from a file is not
+/// held in memory, but read again while it is sent.
 class StreamableProgram {
  public:
-  /// @param settings  `firmware` is the protocol for which the program is checked; auto checks it for all
+  /// @param settings  `firmware` is the protocol for which the program is checked; `auto` checks it for all
   /// @throws FileError if the file cannot be read
-  /// @throws InvalidProgram naming the line if the firmware, or with auto every one, would misread it; or if
-  /// there
-  ///   is no command at all
+  /// @throws InvalidProgram naming the line if the firmware (with `auto`: every known one) would misread it,
+  ///   or if the program has no command
   static StreamableProgram fromFile(const std::string& path, const StreamSettings& settings = {});
+  /// A program whose text is held in memory; parameters and errors as for `fromFile`.
   static StreamableProgram fromText(const std::string& name, std::string text,
                                     const StreamSettings& settings = {});
 
-  /// The same program with its origin, that of a corrected program.
+  /// This program with its origin added; for a corrected program.
   StreamableProgram madeFrom(ProgramOrigin origin) const;
-  /// The origin of a corrected program; none of any other.
+  /// The origin of a corrected program; nothing for any other.
   const std::optional<ProgramOrigin>& origin() const { return origin_; }
 
   const std::string& name() const { return name_; }
   /// Number of commands.
   std::uint64_t lines() const { return lines_; }
-  /// The first line that firmware of this protocol would misread, in words; empty if there is none.
+  /// The message about the first line that firmware of this protocol would misread; empty if there is none.
   /// @param protocol  one for which the program was checked
   std::string defectFor(const std::string& protocol) const;
   /// The part of the text that messages may quote.
   const Quotation& quotation() const { return quotation_; }
   /// @throws FileError if the file is gone
   ProgramCursor open() const;
-  /// Whether its text is in memory; else it is a file.
+  /// Whether the text is held in memory rather than in a file.
   bool isHeld() const { return text_ != nullptr; }
   /// The whole text, unchanged.
   /// @throws FileError if the file is gone
   std::unique_ptr<std::istream> openText() const;
-  /// Whether the file is no longer the one that was checked: written to, cut, replaced or gone.
+  /// Whether the file is no longer as it was when it was checked: it was written to, cut, replaced or
+  /// removed.
   bool hasChanged() const;
 
  private:

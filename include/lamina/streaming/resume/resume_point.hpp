@@ -11,21 +11,22 @@
 namespace lamina {
 
 /// The line at which a job can be resumed after the machine has lost its position. A person has to confirm it
-/// at the part, since acknowledged lines need not have been deposited.
+/// by a look at the part, since acknowledged lines need not have been deposited. Lines carry commands and
+/// count from 1.
 struct ResumePoint {
-  std::uint64_t line = 1;             ///< the first that was not certainly taken, from 1
-  std::optional<std::int32_t> layer;  ///< of that line, as numbered in comments
-  std::uint64_t layer_line = 1;       ///< the first of that layer
-  double height_mm = 0.0;             ///< z at the start of the line, in the program's coordinates
+  std::uint64_t line = 1;             ///< first line that the machine has not certainly accepted
+  std::optional<std::int32_t> layer;  ///< layer of that line by the program's comments; nothing before any
+  std::uint64_t layer_line = 1;       ///< first line of that layer
+  double height_mm = 0.0;             ///< z at the start of `line`, in the program's coordinates
 };
 
-/// Finds that line.
-/// @param taken_through  the last line that was certainly taken; 0 for none
+/// Finds the line at which a job can be resumed.
+/// @param taken_through  last line that the machine has certainly accepted; 0 for none
 /// @throws InvalidInput if no line is left
 /// @throws InvalidProgram as `GcodeReader`
 ResumePoint resumePointAfter(const StreamableProgram& program, std::uint64_t taken_through);
 
-/// Advice in words: what to look for at the part, and the options of `lamina resume` for that line.
+/// Advice in words: what to check on the part, and the options of `lamina resume` for the line.
 std::string adviceFor(const ResumePoint& point);
 
 }  // namespace lamina

@@ -12,48 +12,51 @@
 
 namespace lamina {
 
-/// The port at which a machine is.
+/// The port by which a machine is reached.
 struct MachinePort {
-  /// "tcp:host:port", "http://host:port" of a print server, or the path of a serial port or pseudo-terminal
+  /// "tcp:host:port", "http://host:port" of a print server, or the path of a serial port or pseudo-terminal.
   std::string name;
-  int baud = 115200;
+  int baud = 115200;  ///< of a serial port
 };
 
-/// Whether a port is a print server, which takes a whole program as an upload.
+/// Whether a port is a print server, to which a program is uploaded as a whole.
 /// @throws InvalidInput for a web address of a scheme that is not supported: "https://..."
 bool isPrintServer(const MachinePort& port);
 
 /// Options of a session.
 struct SessionOptions {
-  ReplyListener heard;    ///< given every line of the machine, from the session's thread; a print server says
-                          ///< none
-  StreamJournal journal;  ///< where the progress is kept (`beginJournal`), and the job to go on with
-                          ///< (`resumeJournal`), or the print to follow (`followJournal`)
-  JobStart start = JobStart::New;  ///< of no effect at a serial port, where the journal says it
-  /// Changes the lines before they are sent; null if they are sent unchanged. Progress of a job with a
-  /// revision is kept only if the revision keeps a record, from which the lines can be made again.
+  /// Called with each line that the machine sends, from the session's thread; a print server sends none.
+  ReplyListener heard;
+  /// The progress file, from `beginJournal` for a job that begins, `resumeJournal` for one that is resumed,
+  /// `followJournal` for a print that is followed.
+  StreamJournal journal;
+  JobStart start = JobStart::New;  ///< used for a print server only; for other ports the journal decides
+  /// Changes the lines before they are sent; null if they are sent unchanged. The progress of a job with a
+  /// revision is kept only if the revision keeps a record from which the lines can be made again.
   std::shared_ptr<ProgramRevision> revision = nullptr;
 };
 
-/// The journal of a job at a port, by how the job starts.
-/// @param path  as `journalPath`
+/// The journal of a job at a port: `beginJournal` for a new job; to resume one, `followJournal` on a print
+/// server and `resumeJournal` at any other port.
+/// @param path  path of the progress file, from `journalPath`
 /// @throws as `beginJournal`, `resumeJournal` and `followJournal`
 StreamJournal journalFor(const std::string& path, const StreamableProgram& program, const MachinePort& port,
                          JobStart start);
 
-/// A job in a thread of its own: a streamer at a port, or an upload to a print server, which prints by
-/// itself. All calls may come from any thread.
+/// A job that runs in a thread of its own: either a program is streamed to a port, or it is uploaded to a
+/// print server, which prints it by itself. All functions may be called from any thread.
 class StreamSession {
  public:
   /// Called with the job's status at each change of state, in order, and at least ten times a second while
-  /// the job advances. It runs in the session's thread and must not wait for the session.
+  /// the job advances. It is called from the session's thread and must not wait for the session.
   using Observer = std::function<void(const StreamStatus&)>;
 
   /// Opens the port and starts to stream.
   /// @throws Disconnected naming the port if no machine is there
-  /// @throws FileError if the program is gone, or the password's file
-  /// @throws InvalidProgram of a print server, if it would misread the program
-  /// @throws InvalidConfig if a revision is given for a print server, for firmware that takes no revised
+  /// @throws FileError if the file of the program, or of the password, is gone
+  /// @throws InvalidProgram if the firmware that the settings name, or the print server, would misread the
+  ///   program
+  /// @throws InvalidConfig if a revision is given for a print server, for firmware that accepts no revised
   ///   lines, or for an unfinished job
   StreamSession(const StreamableProgram& program, const StreamSettings& settings, const MachinePort& port,
                 Observer observer, SessionOptions options = {});
@@ -62,20 +65,21 @@ class StreamSession {
   StreamSession(const StreamSession&) = delete;
   StreamSession& operator=(const StreamSession&) = delete;
 
-  /// Asks to hold after the lines under way, or before the first one; without effect unless in Starting or
-  /// Execute.
+  /// Requests a hold after the lines under way, or before the first one; without effect unless the job is in
+  /// Starting or Execute.
   void pause();
-  /// Asks to go on; without effect unless in Starting, Holding or Held.
+  /// Requests that the job continues; without effect unless it is in Starting, Holding or Held.
   void resume();
-  /// Changes a setting of the running job; waits until the session's thread has taken it.
-  /// @return why it is refused, in words; empty if it is taken. A later answer of a print server is in the
-  ///   status's message.
+  /// Changes a setting of the running job; waits until the session's thread has accepted or refused it.
+  /// @return empty if it is accepted, else the reason in words. If a print server refuses it later, its
+  ///   answer is the status's `message`.
   std::string change(const LiveChange& change);
-  /// Asks the machine, one after the other, between two lines of the job; its answers come to whoever hears
-  /// it. Without effect where `StreamJob::ask` is.
-  /// @param commands  one on each line
+  /// Sends the machine questions between two lines of the job (`StreamJob::ask`); `SessionOptions::heard` is
+  /// called with the answers. A question is dropped if `StreamJob::ask` returns false, as while the one
+  /// before is not answered.
+  /// @param commands  commands, one on each line
   void ask(const std::string& commands);
-  /// Asks for a safe stop; the job ends in Aborted.
+  /// Requests a safe stop; the job ends in Aborted.
   void abort(const Failure& why);
 
   StreamStatus status() const;
@@ -88,8 +92,8 @@ class StreamSession {
   std::unique_ptr<class SessionKind> kind_;
 };
 
-/// Throws the failure of a job that is over, unless it is Complete.
-/// @throws the error that its failure stands for
+/// Does nothing if a job has no failure.
+/// @throws otherwise the error that its failure describes
 void throwIfFailed(const StreamStatus& status);
 
 }  // namespace lamina

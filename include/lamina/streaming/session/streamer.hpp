@@ -11,23 +11,27 @@
 
 namespace lamina {
 
-/// Streams one program to the firmware that `stream.firmware` names, or with `auto` to the one that answers.
+/// Streams one program by the protocol that `stream.firmware` names; with `auto`, by the protocol of the
+/// firmware that answers.
 ///
 /// States: Idle until `start`; Starting, while the firmware is identified and the protocol is set up and
-/// confirmed; Execute; Completing, while the machine has all lines and finishes its motions; Complete.
-/// `pause` leads to Holding until the lines under way are taken, then to Held; while Starting, as soon as the
-/// first line could be sent. `abort` and every failure lead
-/// to Aborting, a safe stop that the machine confirms, then to Aborted. A machine that got no line of the
-/// program gets no safe stop, since its motions belong to somebody else.
+/// confirmed; Execute; Completing, when the machine has all lines and finishes its motions; Complete. `pause`
+/// leads to Holding until the lines under way are acknowledged, then to Held; from Starting, as soon as the
+/// first line could be sent. `abort` and every failure lead to Aborting, a safe stop that the machine has to
+/// confirm, then to Aborted. A machine that has got no line of the program gets no safe stop, since it may be
+/// in use by others.
 ///
-/// Either no line is lost or run twice, or the job ends in Aborted. Each protocol has its own proof of that.
+/// Either no line is lost or run twice, or the job ends in Aborted. Each protocol ensures that in its own
+/// way.
 class Streamer final : public StreamJob {
  public:
   /// @param heard  may be empty
   /// @throws InvalidConfig as `requireConsistent` of the settings
+  /// @throws InvalidProgram if the firmware that the settings name would misread the program
   Streamer(const StreamableProgram& program, const StreamSettings& settings, ReplyListener heard = {});
-  /// @throws InvalidConfig also if an unfinished job cannot be resumed by the protocol, or its firmware is
-  ///   not stated
+  /// @throws InvalidConfig, InvalidProgram as the constructor above
+  /// @throws InvalidConfig also if the protocol cannot resume an unfinished job or revise lines, as the order
+  ///   asks, or the firmware of an unfinished job is `auto`
   explicit Streamer(StreamOrder order);
   ~Streamer() override;
   Streamer(const Streamer&) = delete;
@@ -55,9 +59,9 @@ class Streamer final : public StreamJob {
   void adopt(double now);
 
   StreamOrder order_;
-  bool is_hold_due_ = false;                              ///< once the machine is known
-  std::unique_ptr<class Identification> identification_;  ///< until the machine is known
-  std::unique_ptr<StreamJob> job_;                        ///< from then on
+  bool is_hold_due_ = false;  ///< whether the job is to hold as soon as the firmware is known
+  std::unique_ptr<class Identification> identification_;  ///< null if the settings name the firmware
+  std::unique_ptr<StreamJob> job_;                        ///< null until the firmware is known
 };
 
 }  // namespace lamina

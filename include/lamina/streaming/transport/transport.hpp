@@ -10,29 +10,29 @@
 
 namespace lamina {
 
-/// Callbacks of a transport, from the thread that runs its io_context.
+/// Callbacks of a transport; they are called from the thread that runs its io_context.
 struct TransportEvents {
   std::function<void(std::string_view bytes)> received;
-  std::function<void(const std::string& why)> closed;  ///< by the other end or by an error; at most once
+  std::function<void(const std::string& why)> closed;  ///< the other end or an error has closed it; once
 };
 
-/// The link for bytes between host and machine.
+/// Interface of a link that carries bytes between host and machine.
 class Transport {
  public:
   virtual ~Transport() = default;
 
-  /// Opens the link. To be called before the io_context runs.
+  /// Opens the link; to be called while the io_context does not run.
   /// @throws Disconnected naming the port if nothing answers there or it cannot be used
   virtual void open(TransportEvents events) = 0;
-  /// Queues bytes to be sent; from the thread that runs the io_context.
+  /// Queues bytes to be sent; to be called from the thread that runs the io_context.
   virtual void send(const std::string& bytes) = 0;
-  /// True while bytes given to `send` have not left.
+  /// Whether bytes given to `send` have not been sent yet.
   virtual bool isSending() const = 0;
   virtual void close() = 0;
 };
 
-/// A transport by its name: "tcp:host:port", or the path of a serial port or pseudo-terminal.
-/// @param baud  of a serial port; any rate the port can do
+/// Makes the transport for a port: "tcp:host:port", or the path of a serial port or pseudo-terminal.
+/// @param baud  of a serial port; any rate that the port supports
 /// @throws InvalidInput if the name is no port
 std::unique_ptr<Transport> makeTransport(boost::asio::io_context& context, const std::string& port, int baud);
 

@@ -6,20 +6,21 @@
 
 namespace lamina {
 
-/// Which programs are not written unless the machine runs them clear of everything (`checkRun`).
+/// Which programs are refused if the machine would collide when it runs them (`checkRun`).
 enum class ClearanceNeed {
-  Turning,  ///< those of joints that turn, and those of layers that are not plane
-  Always,
-  Never,
+  Turning,  ///< programs for machines with rotary joints, and those with layers that are not plane
+  Always,   ///< all programs
+  Never,    ///< no program
 };
 
-/// How closely a machine's head is checked for collisions.
+/// Whether and how a machine is checked for collisions.
 struct ClearanceSettings {
   ClearanceNeed need = ClearanceNeed::Turning;
-  bool raises_tool_axis = false;  ///< where the machine would run into something, before a program is refused
-  bool is_shown = false;          ///< by the slicing node, which then checks, as markers
-  double spacing_mm = 1.0;        ///< between the places of the nozzle that are looked at, at most
-  double tolerance_mm = 0.05;     ///< how deep the head may be in bed or material
+  /// Whether the tool axis leans less where the machine would collide otherwise.
+  bool raises_tool_axis = false;
+  bool is_shown = false;       ///< whether the slicing node checks for collisions and shows them as markers
+  double spacing_mm = 1.0;     ///< greatest distance between positions of the nozzle that are checked
+  double tolerance_mm = 0.05;  ///< depth to which bodies may be in bed or material
 };
 
 /// Adds the keys clearance.*.

@@ -13,36 +13,38 @@
 
 namespace lamina {
 
-/// A toolpath, where its part stands, and what runs it with which joints; all must outlive the value.
+/// A toolpath, the pose of its part, and the joint path by which a machine or robot runs it; all references
+/// must outlive the value.
 struct JointRun {
   const Toolpath& toolpath;
-  Eigen::Isometry3d bed_from_part;  ///< [mm]
+  Eigen::Isometry3d bed_from_part;  ///< pose of the part [mm]
   const KinematicModel& model;
-  const JointPath& path;  ///< of that toolpath; may leave whole layers out
+  const JointPath& path;  ///< of the toolpath; may omit whole layers
 };
 
-/// How a toolpath clears machine and part when it is run with these joints.
+/// The collisions of a toolpath when it is run by a joint path.
 struct JointClearanceReport {
-  std::size_t waypoints = 0;          ///< that were looked at: those with joint values
-  std::vector<Collision> collisions;  ///< the first of each waypoint, in the order of the motion
+  std::size_t waypoints = 0;          ///< number of waypoints checked: those with joint values
+  std::vector<Collision> collisions;  ///< first collision of each waypoint that has any, in their order
 };
 
-/// Checks every link of a machine or robot, whatever its joints, at every waypoint and on the way there,
-/// travels too: against the material deposited before and against the other links and the bed's plate, but
-/// for links that hang on each other by one joint (`linkBodies`). Between waypoints the joints go in
-/// proportion; the places looked at are `spacing_mm` apart at the nozzle tip at most, and 5 deg of any joint.
+/// Checks all links of a machine or robot for collisions, at every waypoint and on the motion to it, travels
+/// included: with the material deposited before, with the other links and with the plate of the bed. Links
+/// that one joint connects are not checked against each other (`linkBodies`). Between waypoints the joints
+/// move in proportion; the positions checked are at most `spacing_mm` apart at the nozzle tip, and at most 5
+/// deg of any joint.
 ///
-/// Material is as `checkClearance` has it, but for what the nozzle has just deposited, within one and a half
-/// bead widths of its way. On layers that are not plane a bead lies below the tip along the tool axis, as
-/// wide as its flat top: such layers lean against each other. It moves with the bed. Links that never move
-/// against the bed are not looked for in it. Waypoints without joint values are left out, and so is the way
-/// from and to them. Layers that the joint path leaves out are deposited all the same, and the way past them
-/// is left out.
+/// Material is modelled as in `checkClearance`, with these differences. It moves with the bed. Material that
+/// the nozzle has deposited within the last one and a half bead widths of its motion is no obstacle. On
+/// layers that are not plane a bead is below the tip along the tool axis and only as wide as its flat top,
+/// since such layers lean against each other. Links that never move relative to the bed are not checked
+/// against it. Waypoints without joint values, and the motions to and from them, are not checked. Layers that
+/// the joint path omits count as deposited, but the motion past them is not checked.
 ///
-/// The same whatever the number of threads; n log n in waypoints.
+/// The result is the same for any number of threads. Time is n log n in the number of waypoints.
 ///
 /// @param progress  stage "clearance"
-/// @throws InvalidConfig if no link that moves against the bed has a body; Cancelled
+/// @throws InvalidConfig if no link that moves relative to the bed has a body; Cancelled
 JointClearanceReport checkJointClearance(const JointRun& run, const LinkBodies& bodies,
                                          const ClearanceSettings& settings, Progress& progress);
 

@@ -13,19 +13,19 @@ namespace lamina {
 
 class CollisionTable;
 
-/// Keeps two links with two driven rotary joints between them, such as forearm and head of an arm, out of
-/// each other.
+/// Forbids joint values at which two links collide that have two driven rotary joints between them, such as
+/// forearm and head of an arm.
 ///
-/// Tables in cells of 2 deg hold the values of the two joints at which the links collide. They are made once.
-/// A cell is banned unless the links are clear of each other all over it, so that up to about 2 deg beside a
-/// collision are banned too. Meshes are tested by their hulls. A cell whose hulls meet is banned if the
-/// meshes meet in its middle; `checkJointClearance` finds collisions beside that. A query takes no more than
-/// a look into the tables. Links that are further apart, the part, and links that linear joints move are left
-/// to `checkJointClearance`.
+/// Tables with cells of 2 deg in the two joints state where the links collide; they are computed once, so
+/// that a query is a look-up. A cell is forbidden unless the links are free of collision everywhere in it, so
+/// that values up to about 2 deg beside a collision are forbidden, too. Meshes are tested by their convex
+/// hulls; if the hulls collide, the cell is forbidden only if the meshes collide at its middle. Collisions
+/// elsewhere in such a cell are left to `checkJointClearance`, as are links with more joints between them,
+/// links moved by linear joints, and the part.
 class SelfCollisionGuard final : public JointGuard {
  public:
-  /// The arguments are not needed after construction.
-  /// @param bodies  of the kinematic model's own description
+  /// The arguments need not outlive the call.
+  /// @param bodies  from the kinematic model's own description
   SelfCollisionGuard(const KinematicModel& model, const LinkBodies& bodies);
   ~SelfCollisionGuard() override;
   SelfCollisionGuard(const SelfCollisionGuard&) = delete;
@@ -33,7 +33,8 @@ class SelfCollisionGuard final : public JointGuard {
 
   bool allows(const JointValues& values) const override;
 
-  /// "link 'nozzle' would be in link 'link_4'": all links that hang together with the colliding ones.
+  /// The reason why joint values are forbidden, with the names of all links that are rigidly connected to the
+  /// colliding ones: "link 'nozzle' would be in link 'link_4'".
   std::string hindrance(const JointValues& values) const override;
 
  private:

@@ -14,73 +14,78 @@
 
 namespace lamina {
 
-/// A piece of a run with nothing below it along the tool axis.
+/// Kind of a stretch of bead with nothing below it along the tool axis.
 enum class StretchKind {
-  Bridge,    ///< both its ends are carried and it stays within half a width of the straight line between them
-  Overhang,  ///< any other: it hangs on one end, on none, or goes round a curve
+  Bridge,    ///< both ends are supported, and it is within half a width of the straight line between them
+  Overhang,  ///< any other: it is supported at one end or none, or follows a curve
 };
 
-/// "bridge", "overhang".
+/// The name of a kind: "bridge", "overhang".
 const char* toString(StretchKind kind);
 
-/// A piece of a run that nothing carries, as long as possible.
+/// A stretch of bead that nothing supports, from support to support or to the end of its run. A run is
+/// material deposited without interruption.
 struct UnsupportedStretch {
   StretchKind kind = StretchKind::Overhang;
-  WaypointIndex at;                  ///< to which the nozzle moves when it leaves what carries it
-  PathRole role = PathRole::Infill;  ///< where it begins
-  bool begins_run = false;           ///< nothing was deposited right before it
+  WaypointIndex at;                  ///< end of the motion on which the stretch begins
+  PathRole role = PathRole::Infill;  ///< of the path on which it begins
+  bool begins_run = false;           ///< whether its run begins with it
   double length_mm = 0.0;
-  double width_mm = 0.0;       ///< of the bead where it begins
-  std::vector<Point3> points;  ///< nozzle tip from begin to end [mm, part frame]; two at least, one of a drop
+  double width_mm = 0.0;  ///< of the bead where it begins
+  /// Positions of the nozzle tip from begin to end [mm, part frame]: at least two, one for a drop.
+  std::vector<Point3> points;
 };
 
-/// Overhang lengths of one layer.
+/// Lengths of unsupported beads in one layer.
 struct LayerOverhang {
-  double deposited_mm = 0.0;
-  double overhang_mm = 0.0;
-  double bridge_mm = 0.0;
-  std::size_t starts_in_air = 0;  ///< runs that begin with nothing below them
+  double deposited_mm = 0.0;      ///< length of all beads
+  double overhang_mm = 0.0;       ///< length of overhangs
+  double bridge_mm = 0.0;         ///< length of bridges
+  std::size_t starts_in_air = 0;  ///< number of runs that begin with nothing below them
 
-  /// Length of both kinds [mm].
+  /// Length of overhangs and bridges [mm].
   double unsupported() const { return overhang_mm + bridge_mm; }
 };
 
-/// The parts of a toolpath that are deposited with nothing below them.
+/// The beads of a toolpath that are deposited with nothing below them.
 struct OverhangReport {
-  std::vector<LayerOverhang> layers;  ///< as many as the toolpath has; a stretch counts where it begins
-  std::vector<UnsupportedStretch> stretches;  ///< in the order in which they are deposited
-  std::size_t runs = 0;                       ///< of deposition without a stop
+  std::vector<LayerOverhang> layers;  ///< one per layer; a stretch counts in the layer in which it begins
+  std::vector<UnsupportedStretch> stretches;  ///< in the order of deposition
+  std::size_t runs = 0;                       ///< number of runs
 };
 
-/// Sums of a report.
+/// Totals of a report.
 struct OverhangTotals {
-  LayerOverhang all;
-  std::size_t overhangs = 0;
-  std::size_t bridges = 0;
+  LayerOverhang all;          ///< sums over all layers
+  std::size_t overhangs = 0;  ///< number of overhangs
+  std::size_t bridges = 0;    ///< number of bridges
   double longest_overhang_mm = 0.0;
   double longest_bridge_mm = 0.0;
-  double in_walls_mm = 0.0;                ///< unsupported length that begins in an outer or inner wall
-  std::optional<std::size_t> worst_layer;  ///< with the greatest unsupported length; none if there is none
+  double in_walls_mm = 0.0;  ///< length of stretches that begin in an outer or inner wall
+  /// Index of the layer with the greatest unsupported length; nothing if all is supported.
+  std::optional<std::size_t> worst_layer;
 
-  /// Unsupported part of the length; 0 if nothing is deposited.
+  /// Unsupported share of the length of all beads; 0 if nothing is deposited.
   double share() const { return all.deposited_mm > 0.0 ? all.unsupported() / all.deposited_mm : 0.0; }
 };
 
+/// Sums up a report.
 OverhangTotals totals(const OverhangReport& report);
 
-/// The longest stretches of a kind, the longest first; of equal ones the one deposited first.
+/// The longest stretches of a kind, at most `count`, the longest first; of equal ones the one deposited
+/// first.
 std::vector<UnsupportedStretch> longest(const OverhangReport& report, StretchKind kind, std::size_t count);
 
-/// Finds what is deposited with nothing below it along the tool axis.
+/// Finds the beads that are deposited with nothing below them along the tool axis.
 ///
-/// Beads are looked at every `step_mm`. Their section is a box as wide and high as the bead, below the
-/// nozzle tip along the layers' normal. A place is carried if a ray along the tool axis from the middle of
-/// that section, or from anywhere up to (1/2 - overlap) of the width beside it, meets the bed or a bead
-/// deposited before within `reach` bead heights, measured along the normal. A bead whose middle is less than
-/// a quarter of the height farther along the tool axis lies beside, not below. A drop is a bead as long as
-/// its diameter.
+/// Beads are sampled at most `step_mm` apart. The cross-section of a bead is a rectangle of its width and
+/// height, below the nozzle tip along the layers' normal. A sample is supported if a ray along the tool axis,
+/// from the middle of the section or from a point at most (1/2 - `overlap`) of the width beside it, meets the
+/// bed or an earlier bead within `reach` bead heights, measured along the normal. A bead whose middle is less
+/// than a quarter of the height farther along the tool axis counts as beside, not below. A drop counts as a
+/// bead as long as its diameter.
 ///
-/// n log n in the number of motions; the same whatever the number of threads.
+/// Time is n log n in the number of motions; the result is the same for any number of threads.
 ///
 /// @param bed_from_part  [mm]; the bed is z = 0 of its frame
 /// @param progress       stage "overhang"

@@ -7,28 +7,30 @@
 
 namespace lamina {
 
-/// How far walls lean outwards over what carries them. A wall that leans by an angle t from the direction of
-/// growth puts each layer of height h out by h tan t over the one before; what goes beyond a bead's width is
-/// deposited on air. Faces that the first layer lies along rest on the bed, or on what takes its place.
+/// How far walls overhang. On a wall that leans outwards by an angle t from the direction in which layers are
+/// stacked, each layer of height h projects by h tan t beyond the one before; if that exceeds the width of a
+/// bead, the bead is deposited in air. Faces in the first layer rest on the bed, or on what replaces it, and
+/// do not overhang.
 struct OverhangAngle {
-  double greatest_rad = 0.0;            ///< greatest lean of a wall, 0 to pi / 2; 0 if none leans outwards
-  Point3 greatest_at = Point3::Zero();  ///< where [mm, frame of the mesh]
-  double overhang_mm = 0.0;             ///< h tan t there; infinite on level undersides
-  double area_mm2 = 0.0;                ///< of the whole surface
-  double beyond_bead_mm2 = 0.0;  ///< of the surface that leans so that a layer is put out by more than a bead
+  double greatest_rad = 0.0;            ///< greatest outward lean t, 0 to pi / 2; 0 if no wall leans outwards
+  Point3 greatest_at = Point3::Zero();  ///< middle of the triangle that has it [mm, frame of the mesh]
+  double overhang_mm = 0.0;             ///< h tan t of that triangle; infinite if it is a level underside
+  double area_mm2 = 0.0;                ///< area of the whole surface
+  double beyond_bead_mm2 = 0.0;         ///< area where layers project by more than the width of a bead
 
-  /// Part of the surface; 0 if there is none.
+  /// Share of that area in the surface; 0 of an empty surface.
   double shareBeyondBead() const { return area_mm2 > 0.0 ? beyond_bead_mm2 / area_mm2 : 0.0; }
 };
 
-/// Layers that grow all one way, as level or inclined ones. Linear in the number of triangles.
-/// A wall should not overhang by more than one bead width per layer [Flores2018, section 4.3.3].
-/// @param growth  unit vector, the layers' normal [frame of the mesh]
-/// @param bead    width, and height of the layers [mm]
+/// The overhang of plane layers, level or inclined. Takes time linear in the number of triangles. A wall
+/// should not overhang by more than one bead width per layer [Flores2018, section 4.3.3].
+/// @param growth  unit vector in which layers are stacked, their normal [frame of the mesh]
+/// @param bead    its width, and the height of the layers [mm]
 OverhangAngle overhangAngle(const Mesh& mesh, const Point3& growth, const Bead& bead);
 
-/// Layers that grow against the tool axis: at each triangle as at the nearest waypoint of the outer walls, or
-/// of all that is deposited if there are no walls. Time is O(n log n).
+/// The overhang of the layers of a toolpath, which are stacked against the tool axis. Each triangle gets the
+/// tool axis of the nearest motion of the outer walls, or of all beads if there are no walls. Time is O(n log
+/// n).
 /// @param toolpath   in the frame of the mesh
 /// @param width_mm   of a bead
 /// @throws InvalidInput if nothing is deposited

@@ -6,12 +6,12 @@
 
 namespace lamina {
 
-/// When a bead counts as carried.
+/// When a bead counts as supported (`findOverhangs`).
 struct OverhangSettings {
-  bool is_shown = false;  ///< by the slicing node, which then looks, as markers
-  double step_mm = 0.2;   ///< between the places of a bead that are looked at, at most
-  double reach = 1.0;     ///< how far from its middle something must be met, in bead heights
-  double overlap = 0.25;  ///< least part of its width that must lie on something
+  bool is_shown = false;  ///< whether the slicing node finds overhangs and shows them as markers
+  double step_mm = 0.2;   ///< greatest distance between the samples of a bead
+  double reach = 1.0;     ///< greatest distance from its middle to its support, in bead heights
+  double overlap = 0.25;  ///< least share of its width that must be supported
 };
 
 /// Adds the keys overhang.*.

@@ -8,30 +8,32 @@
 
 namespace lamina {
 
-/// What of a part's surface overhangs its own layers by more than the material takes.
+/// The surface of a part that overhangs its own layers by more than the material can bear.
 struct UnsupportedSurface {
-  double surface_mm2 = 0.0;  ///< of the whole part
-  double unsupported_mm2 = 0.0;
-  Mesh region;  ///< the triangles of it
+  double surface_mm2 = 0.0;      ///< area of the whole surface
+  double unsupported_mm2 = 0.0;  ///< area of the surface that is unsupported
+  Mesh region;                   ///< triangles that are unsupported
 
-  /// 0 of a part without surface.
+  /// Unsupported share of the surface [%]; 0 of an empty surface.
   double percent() const { return surface_mm2 > 0.0 ? 100.0 * unsupported_mm2 / surface_mm2 : 0.0; }
 };
 
-/// Which overhangs count.
+/// Which surface counts as unsupported.
 struct SupportQuestion {
-  double max_overhang_deg =
-      45.0;                     ///< 0 on a wall that layers grow along, 90 on an underside that they lie in
-  double first_layer_mm = 0.2;  ///< what reaches no higher above the lowest place rests on the bed
+  /// Greatest overhang that is supported; 0 is a wall along the direction in which layers are stacked, 90 an
+  /// underside parallel to the layers.
+  double max_overhang_deg = 45.0;
+  double first_layer_mm = 0.2;  ///< height above the lowest point up to which triangles rest on the bed
 };
-
-/// Of plane layers that grow along a unit vector, by whole triangles. Linear in their number.
+/// The unsupported surface of a part in plane layers, by whole triangles. Takes time linear in their number.
+/// @param growth  unit vector in which layers are stacked, their normal [frame of the mesh]
 UnsupportedSurface unsupportedSurface(const Mesh& mesh, const Point3& growth,
-                                      const SupportQuestion& question);
 
-/// Of layers that grow against the tool axis, as it is at the nearest waypoint of the outer walls, or of all
-/// that is deposited if there are none. Edges are halved until none is longer than a hundredth of the part's
-/// diagonal.
+                                      const SupportQuestion& question);
+/// The unsupported surface of a part in the layers of a toolpath, which are stacked against the tool axis.
+/// Each triangle gets the tool axis of the nearest motion of the outer walls, or of all beads if there are
+/// none; triangles nearest to the first layer are supported. Edges are first halved until none is longer than
+/// a hundredth of the part's diagonal.
 /// @param toolpath  in the frame of the mesh
 /// @param progress  stage "overhang"
 /// @throws InvalidInput if nothing is deposited, or more than 20 million triangles would result; Cancelled

@@ -10,15 +10,15 @@
 
 namespace lamina {
 
-/// Which voids are filled by runs of their own.
+/// Which voids are filled (`refill`).
 struct RefillSettings {
-  double least_area = 0.25;   ///< of a void, in squared pitches
-  double least_width = 0.25;  ///< in pitches: no bead is deposited where a void is narrower
+  double least_area = 0.25;   ///< least area of a void that is filled, in squared pitches
+  double least_width = 0.25;  ///< width of a void below which no bead is deposited, in pitches
 };
 
-/// Runs of role GapFill along the medial axes of a layer's voids, as wide as the voids are; a void with room
-/// for several beads side by side gets loops parallel to its border. A void that is too small, or nowhere
-/// wide enough, stays.
+/// Paths of role GapFill that fill the voids of a layer: along their medial axes, with beads as wide as the
+/// voids; in a void with room for several beads side by side, loops parallel to its border. A void that is
+/// too small, or nowhere wide enough, is not filled. Empty if the layer deposits nothing.
 /// @throws InvalidInput if a setting is negative
 std::vector<FillPath> refill(const LayerVoids& layer, const RefillSettings& settings);
 

@@ -12,49 +12,49 @@
 
 namespace lamina {
 
-/// How finely layers are looked at. Lengths are in pitches, the mean plan width of the layer's beads.
+/// Resolution of the search for voids. Lengths are in pitches; the pitch is the mean plan width of the
+/// layer's beads.
 struct VoidMapSettings {
-  /// Between the lines along x on which beads and contours are compared. Not a whole part of the pitch, so
-  /// that beads along x meet these lines at all heights.
+  /// Distance of the scan lines along x on which beads and contours are compared. No integer fraction of the
+  /// pitch, so that these lines cross beads along x at all offsets from their middle.
   double line_spacing = 0.0618;
-  double least_void =
-      0.02;  ///< area in squared pitches; smaller ones are counted as uncovered, but not listed
+  /// Area, in squared pitches, below which voids count as uncovered, but are not listed.
+  double least_void = 0.02;
 };
-
-/// One connected part of a layer that no bead reaches, or that too many do.
+/// A connected area inside the contour of a layer that no bead covers.
 struct Void {
-  Region outline;  ///< [mm]; true within a line spacing
+  Region outline;  ///< [mm], accurate to the distance of the scan lines
   double area_mm2 = 0.0;
   VoidClass kind = VoidClass::Between;
 };
-
-/// How the deposit of a layer fills its contour.
+/// How the beads of a layer fill its contour.
 ///
-/// Uncovered is what no bead reaches; a bead reaches half its width from its centre line, and a drop half its
-/// own. Overfill counts by volume, each bead as wide as it fills (`planWidth`): where passes lie on each
-/// other, all but one of them count as overfill, and outside of the contour all. Places of a run within one
-/// and a half widths of each other along it are one pass, so that bends are no overlap.
+/// An area is uncovered if it is farther than half a bead's width from the centre line of every bead, and
+/// farther than half a drop's width from the centre of every drop. Overfill is found with beads of the width
+/// that they fill (`planWidth`), so that it corresponds to volume. Where several passes cover an area, all
+/// but one of them count as overfill; outside of the contour all of them do. Points of a path within one and
+/// a half widths of each other along it belong to one pass, so that bends are no overlap.
 struct LayerVoids {
-  double z_mm = 0.0;           ///< top of the layer
-  double pitch_mm = 0.0;       ///< mean plan width of the beads by length; 0 if nothing is deposited
-  double area_mm2 = 0.0;       ///< within the contour
-  double deposited_mm2 = 0.0;  ///< volume over height of the layer
-  double uncovered_mm2 = 0.0;
-  double overfill_mm2 = 0.0;
-  double outside_mm2 = 0.0;       ///< of the overfill, what beads fill outside of the contour
-  std::size_t runs = 0;           ///< that deposit
-  std::vector<Void> voids;        ///< from bottom to top, at least `least_void` large
-  std::vector<Region> overfills;  ///< where overfill is, as large at least
+  double z_mm = 0.0;              ///< top of the layer
+  double pitch_mm = 0.0;          ///< mean plan width of the beads by length; 0 if nothing is deposited
+  double area_mm2 = 0.0;          ///< area inside the contour
+  double deposited_mm2 = 0.0;     ///< deposited volume over the height of the layer
+  double uncovered_mm2 = 0.0;     ///< area that is uncovered
+  double overfill_mm2 = 0.0;      ///< area of overfill
+  double outside_mm2 = 0.0;       ///< share of the overfill that is outside of the contour
+  std::size_t runs = 0;           ///< number of paths that deposit
+  std::vector<Void> voids;        ///< those of at least `least_void`, from low to high y
+  std::vector<Region> overfills;  ///< areas of overfill of at least `least_void` [mm]
 };
-
-/// Compares what a layer deposits (travel and skirt left out) with its contour.
-/// @param contour  united; the deposit's frame [mm]
+/// Finds the voids and the overfill of a layer. Travels and build aids such as skirts are ignored.
+/// @param contour  of the layer, without overlaps [mm, frame of the toolpath]
 /// @throws InvalidInput if the settings are out of range
 LayerVoids findVoids(const Regions& contour, const ToolpathLayer& layer, const VoidMapSettings& settings);
 
-/// The same for all layers, side by side.
+/// Finds the voids and the overfill of all layers, in parallel.
 /// @param contours  one per layer
-/// @throws InvalidInput if they are not as many, or the layers are inclined; Cancelled
+/// @throws InvalidInput if the number of contours is another than that of layers, or the layers are inclined;
+///   Cancelled
 std::vector<LayerVoids> findVoids(const std::vector<Regions>& contours, const Toolpath& toolpath,
                                   const VoidMapSettings& settings, Progress& progress);
 

@@ -8,31 +8,32 @@
 
 namespace lamina {
 
-/// Where another drop would find room.
+/// A point between drops at which there is room for another one.
 struct VoidPoint {
   Point2 position = Point2::Zero();  ///< [mm]
-  double clearance_mm = 0.0;         ///< distance to the nearest drop's centre
+  double clearance_mm = 0.0;         ///< distance to the centre of the nearest drop
 };
 
 /// How void points are found [Sobreviela2014, section 4.1].
 enum class VoidDetector {
-  Voronoi,     ///< the vertices of the Voronoi diagram of all drops: equally far from three of them or more
-  Neighbours,  ///< beside drops whose neighbours leave a gap of more than 95 degrees, in the middle of it
+  Voronoi,     ///< vertices of the Voronoi diagram of all drops, equally far from at least three of them
+  Neighbours,  ///< middle of an angle of more than 95 degrees in which a drop has no neighbour
 };
 
-/// What void points are searched for.
+/// Size and distance of the drops for which void points are searched.
 struct VoidSearch {
   double diameter_mm = 0.0;        ///< of a drop, positive
-  double least_distance_mm = 0.0;  ///< from a new drop to any other, centre to centre
+  double least_distance_mm = 0.0;  ///< from the centre of a new drop to that of any other
 };
 
-/// Places with at least that distance to all drops (within a millionth of the diameter), by x and then y,
-/// none closer than that rounding to another. Outside the drops there are such places too: see `inside`.
-/// @param drops  centres; of those at one place one counts. Fewer than three give nothing.
+/// The void points with at least the least distance to all drops, within a millionth of the diameter. They
+/// are in the order of x and then y, and no two are closer to each other than that tolerance. There are void
+/// points outside of the drops, too; `inside` removes them.
+/// @param drops  centres; coincident ones count once. There are no void points of fewer than three.
 std::vector<VoidPoint> findVoidPoints(VoidDetector detector, const std::vector<Point2>& drops,
                                       const VoidSearch& search);
 
-/// Those inside the outlines by the even-odd rule.
+/// The points that are inside of the outlines by the even-odd rule.
 std::vector<VoidPoint> inside(const std::vector<Polygon>& borders, const std::vector<VoidPoint>& points);
 
 }  // namespace lamina

@@ -10,25 +10,27 @@
 
 namespace lamina {
 
-/// A part of the area of layers.
+/// A kind of area, such as the uncovered one, over all layers and as percentages of the layers' areas. Layers
+/// without area are ignored.
 struct AreaShare {
-  double area_mm2 = 0.0;       ///< of all layers together
-  double mean_percent = 0.0;   ///< of the layers' own percentages, those without area left out
-  double total_percent = 0.0;  ///< of the area of all layers together
-  double worst_percent = 0.0;
-  std::size_t worst_layer = 0;  ///< the first, if none has any
+  double area_mm2 = 0.0;        ///< sum over all layers
+  double mean_percent = 0.0;    ///< mean of the percentages of the layers
+  double total_percent = 0.0;   ///< percentage of the area of all layers together
+  double worst_percent = 0.0;   ///< greatest percentage of a layer
+  std::size_t worst_layer = 0;  ///< index of the layer that has it; 0 if no layer has any
 };
 
-/// Sums over layers.
+/// Totals over all layers.
 struct VoidTotals {
-  std::size_t layers = 0;
-  std::size_t voids = 0;
-  std::map<VoidClass, std::size_t> voids_by_class;  ///< those there are
+  std::size_t layers = 0;                           ///< number of layers
+  std::size_t voids = 0;                            ///< number of voids
+  std::map<VoidClass, std::size_t> voids_by_class;  ///< number of voids of each class that occurs
   AreaShare uncovered;
   AreaShare overfill;
-  double material_percent = 0.0;  ///< deposited, of what fills the area of all layers
-  double runs_per_layer_mean = 0.0;
+  double material_percent = 0.0;     ///< deposited area, as a percentage of the area of all layers
+  double runs_per_layer_mean = 0.0;  ///< mean number of paths that deposit
 };
+/// Sums up the voids of all layers.
 
 VoidTotals totals(const std::vector<LayerVoids>& layers);
 

@@ -10,25 +10,26 @@
 
 namespace lamina {
 
-/// A void between drops and what filled it.
+/// A void between drops, and the drops that fill it.
 struct DropVoid {
   VoidClass kind = VoidClass::Between;
-  std::vector<VoidPoint> points;  ///< that mark it; those of a later pass behind those of the first
-  double greatest_clearance_mm = 0.0;
-  std::vector<Point2> drops;          ///< new ones, in the order they are deposited
-  double uncovered_before_mm2 = 0.0;  ///< of the material within the clearance of its points
-  double uncovered_after_mm2 = 0.0;   ///< of that, left by the new drops of all voids
+  std::vector<VoidPoint> points;       ///< points of the void, those found by later passes last
+  double greatest_clearance_mm = 0.0;  ///< of its points
+  std::vector<Point2> drops;           ///< new drops, in the order of deposition [mm]
+  double uncovered_before_mm2 = 0.0;   ///< uncovered area of the part within the clearance of its points
+  double uncovered_after_mm2 = 0.0;    ///< what remains of that area after the new drops of all voids
 };
 
-/// Finds the voids of a layer and fills each by itself [Sobreviela2014, section 4.1]: the points of a void
-/// are ordered into a line that starts at the point farthest from their middle and always goes on to the
-/// nearest point. Along that line a drop is deposited wherever it keeps its distance to all others. A layer
-/// without a contour has no inside and gets no drops.
-/// @return in the order of their first points by x, then y; those found by later passes behind
+/// Finds the voids of a layer and fills them one by one [Sobreviela2014, section 4.1]. The points of a void
+/// are ordered into a line that starts at the point farthest from their middle and always continues to the
+/// nearest remaining point. Along that line a drop is placed at each point that has the least distance
+/// (`leastDistance`) from all new drops before it; the points themselves have it from all prior drops. A
+/// layer without contours has no inside and gets no drops.
+/// @return the voids by the x, then y, of their first points; those found by later passes last
 /// @throws InvalidInput if the diameter is not positive
 std::vector<DropVoid> fillDropVoids(const DropLayer& layer, const DropVoidSettings& settings);
 
-/// New drops of all voids, void by void.
+/// The new drops of all voids, void by void [mm].
 std::vector<Point2> newDrops(const std::vector<DropVoid>& voids);
 
 }  // namespace lamina

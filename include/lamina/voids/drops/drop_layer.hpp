@@ -10,47 +10,49 @@
 
 namespace lamina {
 
-/// What a drop belongs to.
+/// Role of a drop in its layer.
 enum class DropRole : std::uint8_t { Contour, Infill, VoidFill };
 
-/// Drops deposited one after the other: the drops [begin, end) of their layer.
+/// A sequence of drops that are deposited one after the other: the drops of the layer with the indices
+/// [begin, end).
 struct DropChain {
   DropRole role = DropRole::Infill;
   std::size_t begin = 0;
   std::size_t end = 0;
 };
 
-/// The drops of one layer, all of one diameter, in the order they are deposited.
+/// The drops of one layer, all of one diameter, in the order of deposition.
 struct DropLayer {
   double diameter_mm = 0.0;
   std::vector<Point2> drops;  ///< centres [mm]
   std::vector<DropChain> chains;
-  bool is_dense = false;  ///< the infill is packed hexagonally
+  bool is_dense = false;  ///< whether the infill is packed hexagonally
 };
 
 /// A contour of drops.
 struct DropContour {
-  std::size_t chain = 0;      ///< index among the layer's chains
-  Polygon outline;            ///< through the centres
-  bool is_hole = false;       ///< follows a hole: it winds clockwise
-  bool is_border = false;     ///< of the material; the others lie inside of such a one
-  bool is_innermost = false;  ///< no other contour lies inside
+  std::size_t chain = 0;      ///< index of its chain in the layer
+  Polygon outline;            ///< through the centres of its drops [mm]
+  bool is_hole = false;       ///< whether it follows a hole; it is then clockwise
+  bool is_border = false;     ///< whether it is the outermost of the contours along its outline or hole
+  bool is_innermost = false;  ///< whether no other contour is inside of it
 };
 
-/// The contours of the layer: its contour chains of three drops at least. A contour round material winds
-/// counter-clockwise and is a border unless the next one around it does too; one round a hole winds clockwise
-/// and is a border unless the next one inside does too. One that lacks so many drops that it has a step of
-/// more than 2.5 diameters is no border of a hole where another one is.
+/// The contours of a layer: its chains of role Contour with at least three drops. A contour around material
+/// is counter-clockwise, and a border unless the next contour outside of it is counter-clockwise, too. A
+/// contour around a hole is clockwise, and a border unless the next contour inside of it is clockwise, too;
+/// it is no border either if a gap of more than 2.5 diameters shows that it lacks drops, and another contour
+/// is the border of the hole.
 std::vector<DropContour> contoursOf(const DropLayer& layer);
 
-/// The borders of the material by the even-odd rule: outlines through the centres of the drops of its border
-/// contours. None if the layer has no contour.
+/// The outlines of the border contours, which bound the material by the even-odd rule; empty if there is no
+/// contour.
 std::vector<Polygon> borders(const std::vector<DropContour>& contours);
 
-/// Chains of a layer whose program does not distinguish contours from infill. Drops no farther from the one
-/// before than two diameters are a chain, which ends where it returns to its start. Closed chains that lie in
-/// no other are contours, and so are those inside of them round a space without drops and wider than 1.2
-/// diameters: holes.
+/// Guesses the chains of a layer whose program does not distinguish contours from infill. A chain continues
+/// as long as each drop is at most two diameters from the one before, and ends where it returns to its start.
+/// A closed chain is a contour if it is inside of no other, or if it is a hole: if it is inside of such a one
+/// and encloses a space without drops that is wider than 1.2 diameters. All other chains are infill.
 std::vector<DropChain> guessChains(const std::vector<Point2>& drops, double diameter_mm);
 
 }  // namespace lamina

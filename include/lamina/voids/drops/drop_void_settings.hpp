@@ -8,20 +8,20 @@
 
 namespace lamina {
 
-/// Whether voids are filled once and for all, or until no drop finds room.
+/// Whether voids are searched once, or again until there is no room for another drop.
 enum class VoidPasses { Single, UntilFull };
 
 /// How voids between drops are filled.
 struct DropVoidSettings {
-  bool is_on = false;    ///< as a step of slicing
-  double overlap = 0.2;  ///< allowed between a new drop and any other
+  bool is_on = false;    ///< whether voids are filled as a step of slicing
+  double overlap = 0.2;  ///< greatest overlap of a new drop with any other
   OverlapDefinition definition = OverlapDefinition::Linear;
   VoidDetector detector = VoidDetector::Voronoi;
   VoidPasses passes = VoidPasses::Single;
-  double least_share = 0.005;  ///< new drops per drop: with fewer, filling is said not to be worth it
+  double least_share = 0.005;  ///< new drops per prior drop below which filling is reported as not worthwhile
 };
 
-/// Distance that a new drop keeps from any other, centre to centre [mm].
+/// Least distance of the centre of a new drop from that of any other [mm].
 double leastDistance(const DropVoidSettings& settings, double diameter_mm);
 
 /// Adds the keys drop_voids.*.

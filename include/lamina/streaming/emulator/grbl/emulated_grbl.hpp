@@ -15,51 +15,51 @@ namespace lamina {
 
 /// A fault of an emulated grbl or its link.
 enum class GrblFaultKind : std::uint8_t {
-  LostOk,       ///< the line is run, its answer is never sent
-  DelayedOk,    ///< the answer, and all that follows, comes later
-  LostByte,     ///< one byte of the line, its end included, is not received
-  ChangedByte,  ///< one byte of the line, its end included, is received with one bit changed
-  Error,        ///< the line is refused, though it is right
+  LostOk,       ///< the line is run, but its answer is never sent
+  DelayedOk,    ///< the answer to the line, and every answer after it, is sent late
+  LostByte,     ///< one byte of the line, which may be its line feed, is not received
+  ChangedByte,  ///< one byte of the line, which may be its line feed, is received with one bit changed
+  Error,        ///< the line is refused, though it is correct
   Alarm,        ///< the machine locks itself instead of running the line
-  Reset,        ///< the firmware starts anew and forgets everything
+  Reset,        ///< the firmware restarts and loses its state and all that it has received
   Silence,      ///< the firmware neither reads nor writes for a while
-  Disconnect,   ///< the link goes away with the line on it, and is back at once
+  Disconnect,   ///< the link is cut and the line on it lost; the link is back at once
 };
 
-/// One fault: at given lines, counted as they arrive, or at any line with a probability. Lines that begin
-/// with '$' or "M115" are not counted.
+/// A fault and when it strikes: at given lines, or with a probability at each line. Only lines that begin
+/// with 'G' are struck; all lines that do not begin with '$' are counted, in the order of their arrival.
 struct GrblFault {
   GrblFaultKind kind = GrblFaultKind::LostOk;
-  double rate = 0.0;                 ///< 0 to 1
-  std::vector<std::uint64_t> lines;  ///< from 1
+  double rate = 0.0;                 ///< probability at each line, 0 to 1
+  std::vector<std::uint64_t> lines;  ///< numbers of the lines struck, counted from 1
 };
 
-/// Properties of the machine and sizes of the firmware's buffers.
+/// Properties of the machine, and sizes of the firmware's buffers.
 struct EmulatedGrblSettings {
-  int blocks = 15;          ///< of the motion queue
-  int receive_bytes = 128;  ///< of the receive buffer; more are lost
-  double rapid_mm_min = 5000.0;
-  double hold_s = 0.05;     ///< until the axes are at rest
-  double delay_s = 1.0;     ///< of a delayed answer
-  double silence_s = 5.0;   ///< of a silence
-  bool is_locked = false;   ///< at the start
-  bool obeys_holds = true;  ///< whether a feed hold has an effect
-  std::uint64_t seed = 1;   ///< of faults
+  int blocks = 15;               ///< capacity of the motion queue
+  int receive_bytes = 128;       ///< capacity of the receive buffer; bytes beyond it are lost
+  double rapid_mm_min = 5000.0;  ///< speed of rapid motions
+  double hold_s = 0.05;          ///< time from a feed hold until the axes are at rest
+  double delay_s = 1.0;          ///< time by which a delayed answer is late
+  double silence_s = 5.0;        ///< duration of a silence
+  bool is_locked = false;        ///< whether the machine starts in the state Alarm
+  bool obeys_holds = true;       ///< whether a feed hold has an effect
+  std::uint64_t seed = 1;        ///< seed of the random faults
   std::string greeting = "Grbl 1.1h ['$' for help]";
   std::string version = "[VER:1.1h.20190830:]";
-  std::string options = "[OPT:V,15,128]";  ///< need not agree with `blocks` and `receive_bytes`
+  std::string options = "[OPT:V,15,128]";  ///< answer to `$I`; need not agree with the capacities above
 };
 
-/// grbl 1.1 without a machine: it takes bytes, gives answers, and each motion takes the time of its length at
-/// its feed. It has no input, output or clock of its own; times are seconds since any start and never go
-/// back.
+/// Emulated grbl 1.1 without a machine: it receives bytes and gives answers. A motion lasts as long as its
+/// length takes at its feed, without acceleration. It does no input or output and reads no clock; times are
+/// passed in, in seconds since any start, and never go back.
 ///
-/// Supported: G0 to G4, G20, G21, G90 to G92, M0, M2 to M5, M8, M9, M30 and what changes nothing here; `$$`,
-/// `$G`, `$I`, `$X`; '?', '!', '~', ctrl-X and the overrides, of which only that of the spindle has an
-/// effect. Positions are reported at the ends of motions only.
+/// Supported: G0 to G4, G20, G21, G90 to G92, M0, M2 to M5, M8, M9, M30, and codes that would change nothing
+/// here; `$$`, `$G`, `$I`, `$X`; '?', '!', '~', ctrl-X, and the overrides, of which only that of the spindle
+/// has an effect. The reported position advances only when a motion has ended.
 class EmulatedGrbl {
  public:
-  /// Called with every line of G-code that was accepted, as it was read.
+  /// Called with each line of G-code that was accepted, as it was received.
   using Observer = std::function<void(const std::string& line)>;
 
   EmulatedGrbl(EmulatedGrblSettings settings, std::vector<GrblFault> faults, Observer observer);
@@ -67,21 +67,23 @@ class EmulatedGrbl {
   EmulatedGrbl(const EmulatedGrbl&) = delete;
   EmulatedGrbl& operator=(const EmulatedGrbl&) = delete;
 
+  /// Receives bytes from the host, in pieces of any length.
   void receive(std::string_view bytes, double now);
-  /// States the time; to be called at `nextDeadline` at the latest.
+  /// Advances to a time; to be called at `nextDeadline` at the latest.
   void elapse(double now);
-  /// Bytes to send since the last call.
+  /// Bytes that the firmware has written since the last call.
   std::string takeOutput();
+  /// Time [s] at which `elapse` is due next; infinite if nothing is.
   double nextDeadline() const;
   /// Whether a fault has cut the link since the last call.
   bool takeDisconnect();
 
-  /// The tool's place in the machine's coordinates at the end of the last motion [mm].
+  /// Position of the tool at the end of the last motion [mm, machine coordinates].
   Point3 position() const;
   double spindleSpeed() const;  ///< [rpm]; 0 is off
   bool isInMotion() const;
-  std::uint64_t faults() const;     ///< that have struck
-  std::uint64_t bytesLost() const;  ///< that came while the receive buffer was full
+  std::uint64_t faults() const;     ///< number of faults that have struck
+  std::uint64_t bytesLost() const;  ///< number of bytes that arrived while the receive buffer was full
 
  private:
   class Board;

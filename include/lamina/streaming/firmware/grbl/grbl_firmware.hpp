@@ -15,10 +15,10 @@ namespace lamina {
 class GrblFirmware final : public FirmwareProtocol {
  public:
   bool isSpokenBy(std::string_view firmware_name) const override;
-  /// Names only what none of these firmwares accepts. What a particular machine does not support is named by
-  /// the job, before its first line.
+  /// Reports only what none of these firmwares accepts. What the connected machine does not support is
+  /// reported by the job, before its first line.
   std::string defectOf(std::string_view command, const StreamSettings& settings) const override;
-  /// The position of the machine decides where it resumes.
+  /// True: the job finds the line at which to resume from the position of the machine.
   bool canResume() const override { return true; }
   std::unique_ptr<StreamJob> begin(StreamOrder order) const override;
 };
