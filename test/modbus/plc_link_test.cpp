@@ -59,6 +59,12 @@ TEST(RegisterMap, LetsAProgrammerCheckItsWordOrder) {
   EXPECT_EQ(low[6], 0x5000);
 }
 
+TEST(RegisterMap, SaysAbortedUntilTheUnitReportsItsState) {
+  const InputRegisters registers = inputRegisters({}, {}, WordOrder::HighFirst);
+  EXPECT_EQ(registers[10], 9) << "PackML's number of Aborted";
+  EXPECT_EQ(registers[11], 9);
+}
+
 TEST(RegisterMap, ShowsTheUnitItsJobAndAlarms) {
   PlcStatus status;
   status.flags = {StatusFlag::Alarm, StatusFlag::ResumeWaits};

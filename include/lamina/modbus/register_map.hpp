@@ -83,8 +83,8 @@ struct PlcStatus {
   std::vector<StatusFlag> flags;  ///< those that are set, without those that the link sets itself
   int mode = kProduction;
   int mode_requested = kProduction;
-  UnitState state = UnitState::Stopped;
-  UnitState state_requested = UnitState::Stopped;
+  UnitState state = UnitState::Aborted;  ///< until the unit reports one: the state that promises nothing
+  UnitState state_requested = UnitState::Aborted;
   std::uint16_t stop_reason = 0;  ///< number of the alarm; 0 for none
   std::int32_t stop_value = 0;
   std::vector<ActiveAlarm> alarms;
