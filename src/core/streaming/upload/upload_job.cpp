@@ -309,13 +309,8 @@ double UploadJob::nextDeadline() const {
 }
 
 bool UploadJob::pause(double now) {
-  if (record_.status.state == PackmlState::Starting) {
-    layer_pause_.setNextLine();
-    return true;
-  }
-  if (record_.status.state != PackmlState::Execute) return false;
-  layer_pause_.clearNextLine();
-  record_.enter(PackmlState::Holding);
+  const LayerPause::Wish wish = layer_pause_.pauseNow(record_);
+  if (wish != LayerPause::Wish::Begun) return wish == LayerPause::Wish::Kept;
   is_to_resume_ = false;
   command_ = UploadStep::Pause;
   next_at_ = now;
@@ -323,10 +318,7 @@ bool UploadJob::pause(double now) {
 }
 
 bool UploadJob::resume(double now) {
-  if (record_.status.state == PackmlState::Starting) {
-    layer_pause_.clearNextLine();
-    return true;
-  }
+  if (layer_pause_.takeBack(record_)) return true;
   if (record_.status.state == PackmlState::Holding) {
     is_to_resume_ = true;
     return true;
@@ -365,10 +357,7 @@ std::string UploadJob::change(const LiveChange& change, double now) {
       state == PackmlState::Execute || state == PackmlState::Holding || state == PackmlState::Held;
   const bool is_to_come = record_.isStarting() && change.setting == LiveSetting::PauseAtLayer;
   if (!is_to_come && !(is_running && phase_ == Phase::Follow)) return kNoJobToChange;
-  if (change.setting == LiveSetting::PauseAtLayer) {
-    layer_pause_.set(change.value);
-    return {};
-  }
+  if (layer_pause_.take(change)) return {};
   const ChangeCommand changed = server().changed(change);
   if (changed.command.empty()) return changed.refusal;
   changes_.push_back(changed.command);

@@ -24,10 +24,7 @@ std::string GrblJob::change(const LiveChange& change, double now) {
   const bool is_running =
       state() == PackmlState::Execute || state() == PackmlState::Holding || state() == PackmlState::Held;
   if (!is_running || !isRunning()) return kNoJobToChange;
-  if (change.setting == LiveSetting::PauseAtLayer) {
-    layer_pause_.set(change.value);
-    return {};
-  }
+  if (layer_pause_.take(change)) return {};
   std::string refusal = overrides_.set(change, now);
   if (refusal.empty()) poll(now);
   return refusal;

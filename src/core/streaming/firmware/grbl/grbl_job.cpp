@@ -495,14 +495,9 @@ void GrblJob::finish(double now) {
 // Pause, abort and the link.
 
 bool GrblJob::pause(double now) {
-  if (state() == PackmlState::Starting) {
-    layer_pause_.setNextLine();
-    return true;
-  }
-  if (state() != PackmlState::Execute || !isRunning()) return false;
-  layer_pause_.clearNextLine();
+  const LayerPause::Wish wish = layer_pause_.pauseNow(record_);
+  if (wish != LayerPause::Wish::Begun) return wish == LayerPause::Wish::Kept;
   is_at_layer_ = false;
-  record_.enter(PackmlState::Holding);
   is_held_by_user_ = true;
   is_resume_wanted_ = false;
   idle_at_s_ = -1.0;
@@ -511,10 +506,7 @@ bool GrblJob::pause(double now) {
 }
 
 bool GrblJob::resume(double now) {
-  if (state() == PackmlState::Starting) {
-    layer_pause_.clearNextLine();
-    return true;
-  }
+  if (layer_pause_.takeBack(record_)) return true;
   if (state() == PackmlState::Holding) {
     is_resume_wanted_ = true;  // grbl ignores it before it is at rest
     return true;

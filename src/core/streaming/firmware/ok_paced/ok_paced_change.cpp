@@ -9,10 +9,7 @@ std::string OkPacedJob::change(const LiveChange& change, double) {
   const bool is_running =
       state == PackmlState::Execute || state == PackmlState::Holding || state == PackmlState::Held;
   if (!is_running || phase_ != Phase::Feeding) return kNoJobToChange;
-  if (change.setting == LiveSetting::PauseAtLayer) {
-    layer_pause_.set(change.value);
-    return {};
-  }
+  if (layer_pause_.take(change)) return {};
   const ChangeCommand changed = firmware_->changed(change, checked_program_);
   if (changed.command.empty()) return changed.refusal;
   if (!leavesRoomForStop()) {

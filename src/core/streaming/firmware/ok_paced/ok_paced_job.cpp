@@ -374,23 +374,15 @@ void OkPacedJob::timeOut(double now) {
 }
 
 bool OkPacedJob::pause(double now) {
-  if (record_.status.state == PackmlState::Starting) {
-    layer_pause_.setNextLine();
-    return true;
-  }
-  if (record_.status.state != PackmlState::Execute) return false;
-  layer_pause_.clearNextLine();
-  record_.enter(PackmlState::Holding);
+  const LayerPause::Wish wish = layer_pause_.pauseNow(record_);
+  if (wish != LayerPause::Wish::Begun) return wish == LayerPause::Wish::Kept;
   starvation_.standStill();
   proceed(now);
   return true;
 }
 
 bool OkPacedJob::resume(double now) {
-  if (record_.status.state == PackmlState::Starting) {
-    layer_pause_.clearNextLine();
-    return true;
-  }
+  if (layer_pause_.takeBack(record_)) return true;
   if (record_.status.state != PackmlState::Held && record_.status.state != PackmlState::Holding) return false;
   layer_due_ = 0.0;  // the time to wait for a layer begins anew
   is_paused_by_machine_ = false;
