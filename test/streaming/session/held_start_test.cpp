@@ -106,16 +106,31 @@ TEST_P(PacedStart, SendsNoLineWhileItIsHeld) {
 }
 
 TEST(LayerPause, BeforeTheNextLineIsTakenBackAlone) {
+  JobRecord record;
+  record.enter(PackmlState::Starting);
   LayerPause pause;
-  pause.set(3);
-  pause.setNextLine();
-  pause.clearNextLine();
+  EXPECT_TRUE(pause.take({LiveSetting::PauseAtLayer, 3}));
+  EXPECT_EQ(pause.pauseNow(record), LayerPause::Wish::Kept);
+  EXPECT_TRUE(pause.takeBack(record));
   EXPECT_FALSE(pause.takeIfDueAt(-1));
   EXPECT_TRUE(pause.takeIfDueAt(3));
   EXPECT_FALSE(pause.takeIfDueAt(4)) << "once";
-  pause.setNextLine();
+  EXPECT_EQ(pause.pauseNow(record), LayerPause::Wish::Kept);
   EXPECT_TRUE(pause.takeIfDueAt(-1));
   EXPECT_FALSE(pause.takeIfDueAt(-1)) << "once";
+  EXPECT_EQ(record.status.state, PackmlState::Starting);
+}
+
+TEST(LayerPause, OfAJobUnderWayBeginsAtOnce) {
+  JobRecord record;
+  LayerPause pause;
+  EXPECT_EQ(pause.pauseNow(record), LayerPause::Wish::Refused);
+  record.enter(PackmlState::Execute);
+  EXPECT_EQ(pause.pauseNow(record), LayerPause::Wish::Begun);
+  EXPECT_EQ(record.status.state, PackmlState::Holding);
+  EXPECT_EQ(pause.pauseNow(record), LayerPause::Wish::Refused);
+  EXPECT_FALSE(pause.takeBack(record));
+  EXPECT_FALSE(pause.takeIfDueAt(0)) << "it does not wait for a line";
 }
 
 INSTANTIATE_TEST_SUITE_P(Firmware, PacedStart, testing::Bool());

@@ -21,8 +21,23 @@ class JobRecord {
   }
   std::vector<PackmlState> takeStateChanges() { return std::exchange(entered_, {}); }
 
+  void beginToStop(const Failure& why) {
+    status.failure = why;
+    enter(PackmlState::Aborting);
+  }
+
   bool isStarting() const { return status.state == PackmlState::Starting; }
   bool isStopping() const { return status.state == PackmlState::Aborting; }
+  /// Whether lines are under way, or held back by a pause.
+  bool isUnderWay() const { return status.state == PackmlState::Execute || isPaused(); }
+  /// Whether the job holds, or is about to.
+  bool isPaused() const { return status.state == PackmlState::Holding || status.state == PackmlState::Held; }
+  /// Ends a pause, of a machine that takes lines again at once.
+  void goOn() {
+    if (status.state == PackmlState::Holding) enter(PackmlState::Held);
+    enter(PackmlState::Unholding);
+    enter(PackmlState::Execute);
+  }
 
   /// For the end of a message: "; line 3 of 9 was the last acknowledged".
   std::string whereItStands() const {

@@ -98,4 +98,14 @@ std::shared_ptr<RevisedLines> revisedLines(const StreamOrder& order,
                                         });
 }
 
+LineFeed::Source sourceOf(const StreamableProgram& program, const std::shared_ptr<RevisedLines>& revised) {
+  if (!revised) return sourceOf(program);
+  return [revised] { return revised->next(); };
+}
+
+LineFeed::Readiness readinessOf(const std::shared_ptr<RevisedLines>& revised) {
+  if (!revised) return {};
+  return [revised] { return revised->isNextKnown(); };
+}
+
 }  // namespace lamina

@@ -12,6 +12,7 @@
 #include "lamina/base/error.hpp"
 #include "lamina/streaming/job/program_revision.hpp"
 #include "lamina/streaming/job/streamable_program.hpp"
+#include "streaming/job/line_feed.hpp"
 #include "streaming/job/motion_time.hpp"
 
 namespace lamina {
@@ -86,5 +87,9 @@ struct StreamOrder;
 /// The revised lines of an order's program, for a firmware; null if the lines are sent unchanged.
 std::shared_ptr<RevisedLines> revisedLines(const StreamOrder& order,
                                            const std::shared_ptr<const FirmwareProtocol>& firmware);
+
+/// The lines of a program, revised unless `revised` is null, and whether the next one is known.
+LineFeed::Source sourceOf(const StreamableProgram& program, const std::shared_ptr<RevisedLines>& revised);
+LineFeed::Readiness readinessOf(const std::shared_ptr<RevisedLines>& revised);
 
 }  // namespace lamina

@@ -3,12 +3,12 @@
 #include "streaming/firmware/grbl/grbl_job.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <utility>
 
 #include "base/duration_text.hpp"
 #include "streaming/firmware/grbl/grbl_syntax.hpp"
+#include "streaming/job/job_failures.hpp"
 
 namespace lamina {
 namespace {
@@ -16,20 +16,22 @@ namespace {
 constexpr double kNoDeadline = std::numeric_limits<double>::infinity();
 constexpr double kJobPoll = 0.2;     // s; grbl's own recommendation is 5 to 10 Hz at most
 constexpr double kChangePoll = 0.1;  // s
-constexpr double kIdleApart = 0.05;  // s, between two reports that were asked for apart
+constexpr double kPlacePoll = 0.1;   // s; the work's offset is in one of thirty reports
 constexpr int kUsualReceiveBytes = 128;
 constexpr const char* kQuestion = "$G";
 constexpr std::size_t kQuestionBytes = 3;
-constexpr double kMillimetresPerInch = 25.4;
+// Behind the head of a line that was cut off it is a word without number, for which grbl refuses the whole.
+constexpr const char* kRefusedWord = "Z\n";
 
-/// Commands during which grbl reports Idle and takes nothing: dwells, and spindles that come up to speed.
-bool mayStandStill(std::string_view command) {
-  const auto words = GrblWords::of(command);
-  if (!words) return true;
-  return std::any_of(words->begin(), words->end(), [](const GrblWord& word) {
-    constexpr int kDwell = 40;
-    return word.letter == 'M' || word.letter == 'T' || (word.letter == 'G' && word.tenfold() == kDwell);
-  });
+/// As the listeners of all firmware take it.
+FirmwareReply translated(const GrblReply& reply) {
+  FirmwareReply translation;
+  translation.text = reply.text;
+  if (reply.kind == GrblReplyKind::Ok) translation.kind = ReplyKind::Ok;
+  if (reply.kind == GrblReplyKind::Error || reply.kind == GrblReplyKind::Alarm)
+    translation.kind = ReplyKind::Fatal;
+  if (reply.kind == GrblReplyKind::Greeting) translation.kind = ReplyKind::Start;
+  return translation;
 }
 
 }  // namespace
@@ -47,7 +49,7 @@ void GrblJob::start(double now) {
   record_.enter(PackmlState::Starting);
   record_.status.firmware_name = order_.firmware_name.value_or("");
   phase_ = Phase::Starting;
-  if (order_.unfinished) refuseCutLine();
+  if (order_.unfinished) output_ += kRefusedWord;
   start_.begin(now);
 }
 
@@ -59,7 +61,7 @@ void GrblJob::followStart(double now) {
     const GrblMachine& machine = start_.machine();
     record_.status.firmware_name = machine.name();
     const int reported = machine.receive_bytes > 0 ? machine.receive_bytes : kUsualReceiveBytes;
-    capacity_ = static_cast<std::size_t>(std::min(reported, order_.settings.window_bytes));
+    window_.setCapacity(static_cast<std::size_t>(std::min(reported, order_.settings.window_bytes)));
     expected_ = ExpectedPosition(machine.modes);
     beginChecking(now);
   }
@@ -68,33 +70,70 @@ void GrblJob::followStart(double now) {
 void GrblJob::beginChecking(double now) {
   phase_ = Phase::Checking;
   try {
-    unchecked_ = order_.program.open();
+    check_.emplace(order_.program, start_.machine());
   } catch (const Error&) {
     abort(currentFailure(), now);
   }
 }
 
-/// What this machine does not know is named before anything moves. By pieces, since programs are long.
 void GrblJob::check(double now) {
-  constexpr int kLinesAtOnce = 20000;
-  for (int i = 0; i < kLinesAtOnce; ++i) {
-    const auto line = unchecked_->next();
-    if (!line) return order_.unfinished ? beginLocating(now) : execute(now);
-    const std::string defect = defectForGrbl(line->command, start_.machine());
-    if (defect.empty()) {
-      warnOfLaser(*line);
-      continue;
-    }
-    abort({ErrorCode::InvalidProgram, order_.program.name() + " line " +
-                                          std::to_string(unchecked_->textLine()) + ": " +
-                                          order_.program.quotation().of(line->command) + " " + defect},
-          now);
-    return;
+  check_->goOn();
+  record_.status.warning = check_->warning();
+  if (!check_->defect().empty()) {
+    abort({ErrorCode::InvalidProgram, check_->defect()}, now);
+  } else if (check_->isDone()) {
+    order_.unfinished ? beginLocating(now) : execute(now);
   }
 }
 
+void GrblJob::beginLocating(double now) {
+  phase_ = Phase::Locating;
+  // grbl reports Idle in a dwell too: what was reported before its questions were answered is where it stood
+  // between two lines.
+  place_.forgetWork();
+  heard_s_ = now;
+  next_poll_s_ = now;
+  locate_by_s_ = now + order_.settings.connect_timeout_s;
+  goOn(now);
+}
+
+/// Once the machine is idle, and has reported where it is in the coordinates of the work.
+void GrblJob::goOn(double now) {
+  const bool is_idle = machine_state_ == GrblState::Idle;
+  if (place_.work() && is_idle) return goOnAt(*place_.work(), now);
+  if (now < locate_by_s_) {
+    next_poll_s_ = now + kPlacePoll;
+    output_ += grbl_byte::kStatus;
+  } else if (place_.work()) {
+    abort({ErrorCode::Rejected, "the machine has answered its questions, and was not idle within " +
+                                    std::to_string(static_cast<int>(order_.settings.connect_timeout_s)) +
+                                    " s, for somebody else; expected Idle"},
+          now);
+  } else {
+    abort(
+        {ErrorCode::TimedOut, "the machine does not report where it is in the coordinates of the work (WCO)"},
+        now);
+  }
+}
+
+void GrblJob::goOnAt(const GrblAxes& work, double now) {
+  const GrblMachine& machine = start_.machine();
+  const auto passed = [this](const ProgramLine& line) { record_.status.layer = line.layer; };
+  try {
+    const GrblResumption found =
+        resumptionOf(order_.program, *order_.unfinished, machine.modes, machine.inMillimetres(work));
+    if (!found.refusal.empty()) return abort({ErrorCode::Rejected, found.refusal}, now);
+    expected_ = found.expected;
+    record_.status.lines_acknowledged = record_.status.lines_sent = found.line;
+    feed_ = LineFeed(restOf(order_.program, found.line, passed), found.line + 1, record_.status.layer);
+  } catch (const Error&) {
+    return abort(currentFailure(), now);
+  }
+  execute(now);
+}
+
 void GrblJob::execute(double now) {
-  unchecked_.reset();
+  check_.reset();
   has_begun_ = true;
   record_.enter(PackmlState::Execute);
   phase_ = Phase::Feeding;
@@ -110,17 +149,12 @@ void GrblJob::proceed(double now) {
   if (window_.empty() && feed_.peek() == nullptr) prove(now);
 }
 
-bool GrblJob::hasRoom(std::size_t bytes) const {
-  // What grbl has answered it has taken from its buffer, so that it reads a line that comes alone at once.
-  return window_.empty() || window_.bytes() + bytes <= capacity_;
-}
-
 void GrblJob::pump(double now) {
   while (const ProgramLine* line = feed_.peek()) {
     if (isHeldBack(*line, now)) break;
     // A question must find room behind a full window.
     const std::size_t kept_free = window_.hasQuestion() ? 0 : kQuestionBytes;
-    if (!hasRoom(line->command.size() + 1 + kept_free)) break;
+    if (!window_.hasRoom(line->command.size() + 1 + kept_free)) break;
     if (window_.empty()) answers_.restart(now);
     window_.add({feed_.next(), line->command});
     expected_.follow(line->command);
@@ -140,14 +174,7 @@ void GrblJob::ask() {
 }
 
 void GrblJob::prove(double now) {
-  const std::uint64_t lines_read = feed_.end() - 1;
-  if (lines_read < record_.status.lines_total) {
-    abort({ErrorCode::InvalidProgram, "the program was changed while it was streamed: it ended after line " +
-                                          std::to_string(lines_read) + " of " +
-                                          std::to_string(record_.status.lines_total)},
-          now);
-    return;
-  }
+  if (const auto why = shortfall(feed_.end() - 1, record_)) return abort(*why, now);
   phase_ = Phase::Proving;
   answers_.restart(now);
   ask();
@@ -192,13 +219,7 @@ double GrblJob::nextDeadline() const {
 }
 
 void GrblJob::elapse(double now) {
-  if (phase_ == Phase::Starting && order_.settings.link == LinkKind::Lossy) {
-    abort({ErrorCode::Rejected,
-           "the link counts as lossy, and this firmware checks no line: one that is damaged and still reads "
-           "as G-code would be run; expected stream.link reliable, where the USB bridge sits on the board "
-           "(docs/streaming/firmware/grbl.md)"},
-          now);
-  } else if (phase_ == Phase::Starting) {
+  if (phase_ == Phase::Starting) {
     start_.elapse(now);
     followStart(now);
   } else if (phase_ == Phase::Checking) {
@@ -225,7 +246,7 @@ void GrblJob::elapse(double now) {
 void GrblJob::onNoAnswer(double now) {
   answers_.asked(now);
   // A machine in motion only waits for room in its queue.
-  if (machine_state_ == GrblState::Idle && hasRoom(kQuestionBytes)) ask();
+  if (machine_state_ == GrblState::Idle && window_.hasRoom(kQuestionBytes)) ask();
 }
 
 void GrblJob::poll(double now) {
@@ -253,16 +274,6 @@ void GrblJob::receive(std::string_view bytes, double now) {
   proceed(now);
 }
 
-FirmwareReply GrblJob::translated(const GrblReply& reply) const {
-  FirmwareReply translation;
-  translation.text = reply.text;
-  if (reply.kind == GrblReplyKind::Ok) translation.kind = ReplyKind::Ok;
-  if (reply.kind == GrblReplyKind::Error || reply.kind == GrblReplyKind::Alarm)
-    translation.kind = ReplyKind::Fatal;
-  if (reply.kind == GrblReplyKind::Greeting) translation.kind = ReplyKind::Start;
-  return translation;
-}
-
 void GrblJob::onReply(const GrblReply& reply, double now) {
   if (phase_ == Phase::Idle || phase_ == Phase::Offline) return;
   if (reply.kind != GrblReplyKind::Other) heard_s_ = now;
@@ -280,7 +291,7 @@ void GrblJob::onReply(const GrblReply& reply, double now) {
   }
   if (phase_ == Phase::Starting) {
     start_.hear(reply, now);
-    if (reply.report) work_ = workPosition(*reply.report);
+    if (reply.report) place_.learn(*reply.report);
     if (reply.report && reply.report->overrides) overrides_.hear(*reply.report->overrides, now);
     return followStart(now);
   }
@@ -311,9 +322,8 @@ void GrblJob::onAnswered(double now) {
 }
 
 void GrblJob::onOk(double now) {
-  if (window_.empty()) return loseCount("a line was answered that was not sent", now);
-  if (window_.front().number == 0 && !std::exchange(has_modes_, false))
-    return loseCount("an answer came more than lines were sent", now);
+  const std::string trouble = window_.hearOk();
+  if (!trouble.empty()) return loseCount(trouble, now);
   onAnswered(now);
   const GrblWindow::Line line = window_.take();
   if (line.number > 0) {
@@ -321,21 +331,15 @@ void GrblJob::onOk(double now) {
     record_.status.layer = feed_.layerOf(line.number);
   } else if (phase_ == Phase::Proving) {
     phase_ = Phase::Resting;
-    idle_at_s_ = -1.0;
+    standstill_.restart();
     record_.enter(PackmlState::Completing);
     poll(now);
   }
 }
 
 void GrblJob::onModes(double now) {
-  if (window_.empty()) return;  // somebody else's question
-  if (window_.front().number == 0) {
-    has_modes_ = true;
-  } else {
-    loseCount("a question behind line " + std::to_string(window_.front().number) +
-                  " was answered, the line was not",
-              now);
-  }
+  const std::string trouble = window_.hearAnswer();
+  if (!trouble.empty()) loseCount(trouble, now);
 }
 
 /// Whatever the code: a motion, a spindle or a coordinate system that was asked for is missing, and grbl goes
@@ -353,9 +357,8 @@ void GrblJob::onError(int code, double now) {
 
 void GrblJob::onAlarm(const std::string& code_text, int code, double now) {
   const std::string why = code > 0 ? ", " + meaningOfGrblAlarm(code, start_.machine().dialect) : "";
-  record_.status.failure = {ErrorCode::Rejected, "the machine has locked itself: \"" + code_text + "\"" +
-                                                     why + record_.whereItStands()};
-  record_.enter(PackmlState::Aborting);
+  record_.beginToStop({ErrorCode::Rejected, "the machine has locked itself: \"" + code_text + "\"" + why +
+                                                record_.whereItStands()});
   if (!has_begun_) return finishAborted("");
   stop(GrblStop::Motion::EndedByAlarm, now);
 }
@@ -368,26 +371,14 @@ void GrblJob::loseCount(const std::string& what, double now) {
         now);
 }
 
-std::optional<GrblAxes> GrblJob::workPosition(const GrblReport& report) {
-  if (report.work_offset) work_offset_ = report.work_offset;
-  std::optional<GrblAxes> work = report.work_position;
-  if (!work && report.machine_position && work_offset_) {
-    work = report.machine_position;
-    for (std::size_t i = 0; i < work->size(); ++i) (*work)[i] -= (*work_offset_)[i];
-  }
-  return work;
-}
-
 void GrblJob::onReport(const GrblReport& report, double now) {
   machine_state_ = report.state;
   machine_substate_ = report.substate.value_or(0);
-  const auto place = report.machine_position ? report.machine_position : report.work_position;
-  if (std::exchange(place_, place) != place) answers_.restart(now);
-  work_ = workPosition(report);
-  const double unit_mm = start_.machine().reports_in_inches.value_or(false) ? kMillimetresPerInch : 1.0;
-  if (work_)
-    record_.status.position =
-        ReportedPosition{unit_mm * (*work_)[0], unit_mm * (*work_)[1], unit_mm * (*work_)[2], 0.0};
+  if (place_.follow(report)) answers_.restart(now);
+  if (place_.work()) {
+    const GrblAxes work = start_.machine().inMillimetres(*place_.work());
+    record_.status.position = ReportedPosition{work[0], work[1], work[2], 0.0};
+  }
   switch (report.state) {
     case GrblState::Alarm:
       return onAlarm(report.state_text, machine_substate_, now);
@@ -404,53 +395,41 @@ void GrblJob::onReport(const GrblReport& report, double now) {
   countStarvation(report, now);
   onMotionState(report, now);
   holdAtLayer(report, now);
-  if (phase_ == Phase::Resting) rest(report, now);
+  const bool is_idle = report.state == GrblState::Idle;
+  if (phase_ == Phase::Resting && is_idle && standstill_.isCertainAt(now)) finish(now);
 }
 
 void GrblJob::countStarvation(const GrblReport& report, double now) {
-  const int blocks = start_.machine().blocks;
-  const bool is_empty =
-      report.state == GrblState::Idle || (blocks > 0 && report.free_blocks.value_or(0) >= blocks);
-  const bool is_starved = phase_ == Phase::Feeding && state() == PackmlState::Execute && !is_at_layer_ &&
-                          is_empty && record_.status.lines_acknowledged > 0;
-  if (!is_starved) {
-    starved_since_.reset();
-    return;
-  }
-  Starvation& starvation = record_.status.starvation;
-  if (!starved_since_) {
-    starved_since_ = now;
-    ++starvation.count;
-  }
-  if (now - *starved_since_ < starvation.longest_s) return;
-  starvation.longest_s = now - *starved_since_;
-  starvation.line = record_.status.lines_acknowledged + 1;
+  const bool are_lines_due = phase_ == Phase::Feeding && state() == PackmlState::Execute && !is_at_layer_ &&
+                             record_.status.lines_acknowledged > 0;
+  if (!are_lines_due) return starvation_.end();
+  starvation_.see(report, start_.machine().blocks, record_.status.lines_acknowledged + 1, now);
+  record_.status.starvation = starvation_.starvation();
 }
 
 /// Holds of the machine's own are obeyed: a button, a door, M0, a tool that is to be changed.
 void GrblJob::onMotionState(const GrblReport& report, double now) {
   const bool is_held =
       report.state == GrblState::Hold || report.state == GrblState::Door || report.state == GrblState::Tool;
-  if (report.state != GrblState::Idle) idle_at_s_ = -1.0;
+  if (report.state != GrblState::Idle) standstill_.restart();
   if (is_held && state() == PackmlState::Execute) {
     record_.status.message = "the machine holds: " + report.state_text;
     record_.enter(PackmlState::Holding);
   }
   const bool is_slowing = (report.state == GrblState::Hold && machine_substate_ > 0) ||
                           (report.state == GrblState::Door && machine_substate_ > 1);
-  if (is_held && !is_slowing) return onStandstill(report, now);
+  if (is_held && !is_slowing) return onStandstill(now);
   if (is_held) return;
   if (report.state == GrblState::Idle && state() == PackmlState::Holding) {
-    // Nothing was left to be held; but one report may be from before the hold.
-    if (idle_at_s_ < 0.0) idle_at_s_ = now;
-    if (now >= idle_at_s_ + kIdleApart) onStandstill(report, now);
+    // Nothing was left to be held.
+    if (standstill_.isCertainAt(now)) onStandstill(now);
   } else if (state() == PackmlState::Unholding ||
              (state() == PackmlState::Held && (!is_held_by_user_ || report.state != GrblState::Idle))) {
     onMoving(now);
   }
 }
 
-void GrblJob::onStandstill(const GrblReport&, double now) {
+void GrblJob::onStandstill(double now) {
   if (state() != PackmlState::Holding) return;
   record_.enter(PackmlState::Held);
   if (std::exchange(is_resume_wanted_, false)) resume(now);
@@ -464,22 +443,10 @@ void GrblJob::onMoving(double now) {
   answers_.restart(now);
 }
 
-/// One Idle may be from before the last motions were begun.
-void GrblJob::rest(const GrblReport& report, double now) {
-  if (report.state != GrblState::Idle) return;
-  if (idle_at_s_ < 0.0) {
-    idle_at_s_ = now;
-  } else if (now >= idle_at_s_ + kIdleApart) {
-    finish(now);
-  }
-}
-
 void GrblJob::finish(double now) {
-  const auto in_inches = start_.machine().reports_in_inches;
-  if (work_ && in_inches) {
-    GrblAxes work = *work_;
-    for (double& axis : work) axis *= *in_inches ? kMillimetresPerInch : 1.0;
-    const std::string contradiction = expected_.contradictionBy(work);
+  const GrblMachine& machine = start_.machine();
+  if (place_.work() && machine.reports_in_inches) {
+    const std::string contradiction = expected_.contradictionBy(machine.inMillimetres(*place_.work()));
     if (!contradiction.empty()) {
       abort({ErrorCode::DeviceError,
              "all lines were answered, but the machine does not stand where they end: " + contradiction +
@@ -495,26 +462,18 @@ void GrblJob::finish(double now) {
 // Pause, abort and the link.
 
 bool GrblJob::pause(double now) {
-  if (state() == PackmlState::Starting) {
-    layer_pause_.setNextLine();
-    return true;
-  }
-  if (state() != PackmlState::Execute || !isRunning()) return false;
-  layer_pause_.clearNextLine();
+  const LayerPause::Wish wish = layer_pause_.pauseNow(record_);
+  if (wish != LayerPause::Wish::Begun) return wish == LayerPause::Wish::Kept;
   is_at_layer_ = false;
-  record_.enter(PackmlState::Holding);
   is_held_by_user_ = true;
   is_resume_wanted_ = false;
-  idle_at_s_ = -1.0;
+  standstill_.restart();
   poll(now);
   return true;
 }
 
 bool GrblJob::resume(double now) {
-  if (state() == PackmlState::Starting) {
-    layer_pause_.clearNextLine();
-    return true;
-  }
+  if (layer_pause_.takeBack(record_)) return true;
   if (state() == PackmlState::Holding) {
     is_resume_wanted_ = true;  // grbl ignores it before it is at rest
     return true;
@@ -527,6 +486,44 @@ bool GrblJob::resume(double now) {
   return true;
 }
 
+/// Overrides are made of bytes that need no room in the buffer.
+std::string GrblJob::change(const LiveChange& change, double now) {
+  if (!record_.isUnderWay() || !isRunning()) return kNoJobToChange;
+  if (layer_pause_.take(change)) return {};
+  std::string refusal = overrides_.set(change, now);
+  if (refusal.empty()) poll(now);
+  return refusal;
+}
+
+void GrblJob::followOverrides(const GrblReport& report, double now) {
+  if (report.overrides) overrides_.hear(*report.overrides, now);
+  if (!overrides_.isUnderWay()) return;
+  output_ += overrides_.takeBytes();
+  const std::string remark = overrides_.giveUp(now);
+  if (!remark.empty()) record_.status.message = remark;
+}
+
+/// In front of the layer at which a person wants to hold: the lines before it are run to their end first.
+bool GrblJob::isHeldBack(const ProgramLine& line, double now) {
+  if (!is_at_layer_ && layer_pause_.takeIfDueAt(line.layer)) {
+    is_at_layer_ = true;
+    standstill_.restart();
+    next_poll_s_ = now;
+    if (line.layer >= 0) record_.status.message = "holds in front of layer " + std::to_string(line.layer);
+  }
+  return is_at_layer_;
+}
+
+/// The hold comes when the last motion has ended, so that it stands between two layers and a laser in laser
+/// mode goes off.
+void GrblJob::holdAtLayer(const GrblReport& report, double now) {
+  const bool is_still =
+      is_at_layer_ && state() == PackmlState::Execute && window_.empty() && report.state == GrblState::Idle;
+  if (!is_still || !standstill_.isCertainAt(now)) return;
+  is_at_layer_ = false;
+  pause(now);
+}
+
 void GrblJob::release(double now) {
   output_ += grbl_byte::kCycleStart;
   release_again_s_ = now + order_.settings.probe_after_s;
@@ -534,8 +531,7 @@ void GrblJob::release(double now) {
 
 void GrblJob::abort(const Failure& why, double now) {
   if (record_.isStopping() || isFinal(state())) return;
-  record_.status.failure = why;
-  record_.enter(PackmlState::Aborting);
+  record_.beginToStop(why);
   if (!has_begun_) return finishAborted("");
   stop(GrblStop::Motion::Possible, now);
 }
@@ -550,9 +546,7 @@ void GrblJob::stop(GrblStop::Motion motion, double now) {
 
 void GrblJob::followStop(double now) {
   if (phase_ == Phase::Offline) {
-    if (now >= safe_stop_by_s_)
-      finishAborted(
-          "; the link did not come back, so that the machine was not commanded to stop: look after it");
+    if (now >= safe_stop_by_s_) finishAborted(kLinkNotBack);
     return;
   }
   stop_->elapse(now);
@@ -568,8 +562,7 @@ void GrblJob::followStop(double now) {
 void GrblJob::disconnect(const std::string& why, double now) {
   if (isFinal(state()) || phase_ == Phase::Offline) return;
   if (!record_.isStopping()) {
-    record_.status.failure = {ErrorCode::Disconnected, why + record_.whereItStands()};
-    record_.enter(PackmlState::Aborting);
+    record_.beginToStop({ErrorCode::Disconnected, why + record_.whereItStands()});
     if (!has_begun_) return finishAborted("");
     safe_stop_by_s_ = now + order_.settings.safe_stop_timeout_s;
   }

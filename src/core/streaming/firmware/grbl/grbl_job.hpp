@@ -11,8 +11,12 @@
 #include "streaming/firmware/grbl/expected_position.hpp"
 #include "streaming/firmware/grbl/grbl_machine.hpp"
 #include "streaming/firmware/grbl/grbl_overrides.hpp"
+#include "streaming/firmware/grbl/grbl_place.hpp"
+#include "streaming/firmware/grbl/grbl_program_check.hpp"
 #include "streaming/firmware/grbl/grbl_resumption.hpp"
+#include "streaming/firmware/grbl/grbl_standstill.hpp"
 #include "streaming/firmware/grbl/grbl_start.hpp"
+#include "streaming/firmware/grbl/grbl_starvation.hpp"
 #include "streaming/firmware/grbl/grbl_stop.hpp"
 #include "streaming/firmware/grbl/grbl_window.hpp"
 #include "streaming/job/answer_timer.hpp"
@@ -68,15 +72,13 @@ class GrblJob final : public StreamJob {
   void followStop(double now);
   void beginChecking(double now);
   void check(double now);
-  void refuseCutLine();
   void beginLocating(double now);
   void goOn(double now);
-  void goOnAt(GrblAxes work, double now);
+  void goOnAt(const GrblAxes& work, double now);
   void execute(double now);
 
   void proceed(double now);
   void pump(double now);
-  bool hasRoom(std::size_t bytes) const;
   void ask();
   void prove(double now);
 
@@ -87,16 +89,13 @@ class GrblJob final : public StreamJob {
   void onAlarm(const std::string& code_text, int code, double now);
   void onReport(const GrblReport& report, double now);
   void onMotionState(const GrblReport& report, double now);
-  void onStandstill(const GrblReport& report, double now);
+  void onStandstill(double now);
   void onMoving(double now);
   void followOverrides(const GrblReport& report, double now);
   bool isHeldBack(const ProgramLine& line, double now);
   void holdAtLayer(const GrblReport& report, double now);
-  void warnOfLaser(const ProgramLine& line);
   void countStarvation(const GrblReport& report, double now);
-  void rest(const GrblReport& report, double now);
   void finish(double now);
-  std::optional<GrblAxes> workPosition(const GrblReport& report);
 
   void poll(double now);
   void onNoAnswer(double now);
@@ -107,14 +106,13 @@ class GrblJob final : public StreamJob {
   void loseCount(const std::string& what, double now);
   void stop(GrblStop::Motion motion, double now);
   void finishAborted(const std::string& remark);
-  FirmwareReply translated(const GrblReply& reply) const;
 
   StreamOrder order_;
   JobRecord record_;
   LineFeed feed_;
   GrblStart start_;
   std::optional<GrblStop> stop_;
-  std::optional<ProgramCursor> unchecked_;
+  std::optional<GrblProgramCheck> check_;
   ExpectedPosition expected_{""};
   GrblWindow window_;
   GrblOverrides overrides_;
@@ -122,21 +120,17 @@ class GrblJob final : public StreamJob {
   bool is_at_layer_ = false;  ///< no line is sent until the machine stands still and holds
   AnswerTimer answers_;
   Phase phase_ = Phase::Idle;
-  std::size_t capacity_ = 0;  ///< [bytes] that may be under way
   double next_poll_s_ = 0.0;
   double heard_s_ = 0.0;
   double locate_by_s_ = 0.0;
   GrblState machine_state_ = GrblState::Other;  ///< as last reported
   int machine_substate_ = 0;
-  std::optional<GrblAxes> work_offset_;
-  std::optional<GrblAxes> place_;  ///< as last reported
-  std::optional<GrblAxes> work_;   ///< position, in the reports' unit
-  double idle_at_s_ = -1.0;        ///< of the first Idle in a row; -1 if there is none
-  bool has_begun_ = false;         ///< a line of the program may have been sent
-  bool has_modes_ = false;         ///< the answer to our question was heard, its ok was not
+  GrblPlace place_;
+  GrblStandstill standstill_;
+  GrblStarvation starvation_;
+  bool has_begun_ = false;  ///< a line of the program may have been sent
   bool is_held_by_user_ = false;
   bool is_resume_wanted_ = false;
-  std::optional<double> starved_since_;  ///< the first report of an empty planner
   double release_again_s_ = 0.0;
   double safe_stop_by_s_ = 0.0;
   ReplyLines replies_;

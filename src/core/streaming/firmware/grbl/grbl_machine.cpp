@@ -26,6 +26,13 @@ std::string GrblMachine::name() const {
          version;
 }
 
+GrblAxes GrblMachine::inMillimetres(const GrblAxes& reported) const {
+  constexpr double kMillimetresPerInch = 25.4;
+  GrblAxes position = reported;
+  for (double& axis : position) axis *= reports_in_inches.value_or(false) ? kMillimetresPerInch : 1.0;
+  return position;
+}
+
 void GrblMachine::learn(const GrblReply& reply) {
   if (reply.text.find("FluidNC") != std::string::npos) dialect = GrblDialect::FluidNc;
   if (reply.text.find("rblHAL") != std::string::npos || reply.text.compare(0, 8, "[NEWOPT:") == 0)

@@ -22,6 +22,8 @@ struct GrblMachine {
 
   /// Name and version, as in "grbl 1.1h.20190830".
   std::string name() const;
+  /// A reported position [mm]; of a machine that does not say its unit, as if it were that.
+  GrblAxes inMillimetres(const GrblAxes& reported) const;
   bool hasOption(char letter) const { return options.find(letter) != std::string::npos; }
 
   /// Takes an answer to `$I`, `$G` or `$$`.

@@ -44,6 +44,11 @@ double GrblStart::nextDeadline() const {
 
 void GrblStart::elapse(double now) {
   if (failure_ || isReady()) return;
+  if (settings_.link == LinkKind::Lossy)
+    return refuse(
+        "the link counts as lossy, and this firmware checks no line: one that is damaged and still reads as "
+        "G-code would be run; expected stream.link reliable, where the USB bridge sits on the board "
+        "(docs/streaming/firmware/grbl.md)");
   if (now >= began_s_ + settings_.connect_timeout_s) return timeOut();
   if (step_ != Step::Awaiting || now < next_poll_s_) return;
   next_poll_s_ = now + kStartPoll;

@@ -7,10 +7,9 @@
 namespace lamina {
 namespace {
 
-constexpr double kHaltPoll = 0.1;     // s
-constexpr double kResetPoll = 0.25;   // s
-constexpr double kResetAgain = 2.0;   // s, more than a board takes to boot
-constexpr double kTwoReports = 0.05;  // s, between two that were asked for apart
+constexpr double kHaltPoll = 0.1;    // s
+constexpr double kResetPoll = 0.25;  // s
+constexpr double kResetAgain = 2.0;  // s, more than a board takes to boot
 
 }  // namespace
 
@@ -74,7 +73,6 @@ void GrblStop::onReport(const GrblReport& report, double now) {
   is_confirmed_ = has_greeted_ && is_at_rest && report.spindle_speed.value_or(0.0) == 0.0;
 }
 
-/// A single Idle may be from before the hold.
 void GrblStop::onHalting(const GrblReport& report, double now) {
   const int substate = report.substate.value_or(0);
   switch (report.state) {
@@ -91,16 +89,12 @@ void GrblStop::onHalting(const GrblReport& report, double now) {
       break;
     case GrblState::Idle:
     case GrblState::Tool:
-      if (idle_at_s_ >= 0.0 && now >= idle_at_s_ + kTwoReports) {
-        reset(now);
-      } else if (idle_at_s_ < 0.0) {
-        idle_at_s_ = now;
-      }
+      if (standstill_.isCertainAt(now)) reset(now);
       return;
     default:
       break;
   }
-  idle_at_s_ = -1.0;
+  standstill_.restart();
 }
 
 }  // namespace lamina

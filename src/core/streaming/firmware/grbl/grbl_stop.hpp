@@ -5,6 +5,7 @@
 #include <string>
 
 #include "lamina/streaming/firmware/grbl/grbl_protocol.hpp"
+#include "streaming/firmware/grbl/grbl_standstill.hpp"
 
 namespace lamina {
 
@@ -36,7 +37,7 @@ class GrblStop {
   double reset_by_s_;
   double next_step_s_;
   double reset_at_s_ = 0.0;
-  double idle_at_s_ = -1.0;  ///< of the first of two reports; -1 if there is none
+  GrblStandstill standstill_;
   bool is_resetting_ = false;
   bool was_moving_ = false;  ///< when it was reset
   bool has_greeted_ = false;

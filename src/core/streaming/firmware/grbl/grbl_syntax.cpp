@@ -104,4 +104,21 @@ std::string defectForGrbl(std::string_view command, const GrblMachine& machine) 
   return machine.dialect == GrblDialect::Grbl ? defectForClassic(command, machine) : std::string();
 }
 
+bool mayStandStill(std::string_view command) {
+  const auto words = GrblWords::of(command);
+  if (!words) return true;
+  return std::any_of(words->begin(), words->end(), [](const GrblWord& word) {
+    constexpr int kDwell = 40;
+    return word.letter == 'M' || word.letter == 'T' || (word.letter == 'G' && word.tenfold() == kDwell);
+  });
+}
+
+bool keepsLaserOn(std::string_view command) {
+  constexpr int kOn = 30;
+  const auto words = GrblWords::of(command);
+  return words && std::any_of(words->begin(), words->end(), [](const GrblWord& word) {
+           return word.letter == 'M' && word.tenfold() == kOn;
+         });
+}
+
 }  // namespace lamina

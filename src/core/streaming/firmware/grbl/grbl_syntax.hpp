@@ -17,4 +17,12 @@ std::string defectForAllGrbl(std::string_view command, int longest);
 /// empty if nothing. For grblHAL and FluidNC, which boards extend, it names only what no board takes.
 std::string defectForGrbl(std::string_view command, const GrblMachine& machine);
 
+/// Whether grbl may report Idle during a command, and takes nothing until its end: dwells, and spindles that
+/// come up to speed.
+bool mayStandStill(std::string_view command);
+
+/// Whether a command turns a beam on at a power of its own (M3), so that it burns on where the lines stop
+/// coming.
+bool keepsLaserOn(std::string_view command);
+
 }  // namespace lamina

@@ -11,7 +11,8 @@
 namespace lamina {
 
 /// The lines sent and not yet answered, with their number of characters, the most that they fill of the
-/// receive buffer.
+/// receive buffer. A question among them has an answer of its own before its ok, by which the count of
+/// answers is verified.
 class GrblWindow {
  public:
   struct Line {
@@ -25,10 +26,33 @@ class GrblWindow {
   const Line& front() const { return lines_.front(); }
   bool hasQuestion() const { return questions_ > 0; }
 
+  /// Sets how many bytes may be under way.
+  void setCapacity(std::size_t bytes) { capacity_ = bytes; }
+  bool hasRoom(std::size_t bytes) const {
+    // What grbl has answered it has taken from its buffer, so that it reads a line that comes alone at once.
+    return empty() || bytes_ + bytes <= capacity_;
+  }
+
   void add(Line line) {
     bytes_ += line.command.size() + 1;
     if (line.number == 0) ++questions_;
     lines_.push_back(std::move(line));
+  }
+  /// Takes the answer to a question, before its ok.
+  /// @return what is wrong with the count then, in words; empty if nothing is
+  std::string hearAnswer() {
+    if (empty()) return {};  // somebody else's question
+    if (front().number > 0)
+      return "a question behind line " + std::to_string(front().number) + " was answered, the line was not";
+    is_question_answered_ = true;
+    return {};
+  }
+  /// Takes an ok, before `take`. Likewise.
+  std::string hearOk() {
+    if (empty()) return "a line was answered that was not sent";
+    if (front().number == 0 && !std::exchange(is_question_answered_, false))
+      return "an answer came more than lines were sent";
+    return {};
   }
   /// Removes the first line, which was answered.
   Line take() {
@@ -38,12 +62,19 @@ class GrblWindow {
     if (line.number == 0) --questions_;
     return line;
   }
-  void clear() { *this = {}; }
+  void clear() {
+    lines_.clear();
+    bytes_ = 0;
+    questions_ = 0;
+    is_question_answered_ = false;
+  }
 
  private:
   std::deque<Line> lines_;
   std::size_t bytes_ = 0;
+  std::size_t capacity_ = 0;
   int questions_ = 0;
+  bool is_question_answered_ = false;  ///< the first line, except for its ok
 };
 
 }  // namespace lamina

@@ -8,19 +8,14 @@
 
 #include "base/duration_text.hpp"
 #include "streaming/firmware/marlin/stop_commands.hpp"
+#include "streaming/job/job_failures.hpp"
 
 namespace lamina {
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
-constexpr int kReportAttempts = 3;
-
-LineFeed feedOf(const StreamableProgram& program, const std::shared_ptr<RevisedLines>& revised,
-                std::uint64_t first) {
-  if (!revised) return LineFeed(sourceOf(program), first);
-  return LineFeed([revised] { return revised->next(); }, first, -1,
-                  [revised] { return revised->isNextKnown(); });
-}
+// Lines under way when a job is aborted must not be taken for those of the safe stop.
+constexpr std::uint64_t kSafeStopGap = 1000;
 
 }  // namespace
 
@@ -32,13 +27,14 @@ MarlinJob::MarlinJob(StreamOrder order, std::shared_ptr<const MarlinFirmware> fi
       line_base_(order.line_base),
       enquiry_(order.unfinished ? std::make_unique<LineEnquiry>(order, firmware_) : nullptr),
       revised_(revisedLines(order, firmware_)),
-      feed_(feedOf(order.program, revised_, line_base_ + 1)),
+      feed_(sourceOf(order.program, revised_), line_base_ + 1, -1, readinessOf(revised_)),
+      account_(record_.status, line_base_),
+      resend_(settings_),
       timer_(order.settings.probe_after_s),
       firmware_name_(std::move(order.firmware_name)),
       answers_due_(order.answers_due) {
-  settings_.window_lines = windowLines(settings_, settings_.link);
   record_.status.lines_total = order.program.lines();
-  reports_ = reportsOn(*firmware_, settings_);
+  reports_.begin(reportsOn(*firmware_, settings_));
 }
 
 void MarlinJob::beginPhase(Phase phase, double now) {
@@ -47,13 +43,13 @@ void MarlinJob::beginPhase(Phase phase, double now) {
 }
 
 bool MarlinJob::isWaiting() const {
-  if (phase_ == Phase::Feeding) return !sent_.empty() || isSettling() || isAwaitingLayer();
+  if (phase_ == Phase::Feeding) return !resend_.empty() || resend_.isWaiting() || isAwaitingLayer();
   return phase_ != Phase::Idle;
 }
 
 double MarlinJob::silenceLimit() const {
   if (record_.status.state == PackmlState::Starting) return settings_.connect_timeout_s;
-  const bool is_blocked = phase_ == Phase::Draining || sent_.hasBlocking();
+  const bool is_blocked = phase_ == Phase::Draining || resend_.hasBlocking();
   return is_blocked ? settings_.blocking_timeout_s : settings_.silence_timeout_s;
 }
 
@@ -61,54 +57,122 @@ double MarlinJob::nextDeadline() const {
   if (!isWaiting()) return kNever;
   if (phase_ == Phase::Offline) return safe_stop_by_;
   if (phase_ == Phase::Enquiring) return enquiry_->nextDeadline();
-  if (isAwaitingLayer()) return next_look_;
+  if (isAwaitingLayer()) return layer_wait_.nextLook();
   const double give_up = isStopping() ? safe_stop_by_ : timer_.quietSince() + silenceLimit();
   const double deadline = std::min(timer_.retryAt(), give_up);
-  return isSettling() ? std::min(deadline, settle_until_) : deadline;
+  return resend_.isWaiting() ? std::min(deadline, resend_.waitsUntil()) : deadline;
+}
+
+void MarlinJob::start(double now) {
+  if (record_.status.state != PackmlState::Idle) return;
+  record_.enter(PackmlState::Starting);
+  if (enquiry_) {
+    beginPhase(Phase::Enquiring, now);
+    enquiry_->start(now);
+    return followEnquiry(now);
+  }
+  if (!firmware_name_) return identify(now);
+  record_.status.firmware_name = *firmware_name_;
+  beginNumbering(line_base_, now);
+}
+
+void MarlinJob::followEnquiry(double now) {
+  output_ += enquiry_->takeOutput();
+  if (enquiry_->failure().code != ErrorCode::Ok) {
+    abort(enquiry_->failure(), now);
+  } else if (enquiry_->taken()) {
+    goOnAfter(*enquiry_->taken(), now);
+  }
+}
+
+/// The firmware counts on from where it is: its number is what proves that no line is lost or run twice.
+void MarlinJob::goOnAfter(std::uint64_t number, double now) {
+  StreamStatus& status = record_.status;
+  status.lines_sent = status.lines_acknowledged = number - line_base_;
+  const auto pass = [&](const ProgramLine& line) {
+    outputs_.see(line.command);
+    status.layer = line.layer;
+  };
+  auto rest = restOf(program_, status.lines_acknowledged, pass);
+  feed_ = LineFeed(std::move(rest), number + 1, status.layer);
+  resend_.beginAt(number + 1);
+  answers_due_ = 0;  // the enquiry has waited for them
+  nextReport(now);
+}
+
+void MarlinJob::beginNumbering(std::uint64_t base, double now) {
+  base_ = base;
+  beginPhase(Phase::Numbering, now);
+  retry(now);
+}
+
+/// The firmware refuses a wrong number as soon as it reads it, but says the ok to what it has queued before
+/// only when that is done.
+void MarlinJob::confirm(double now) {
+  resend_.waitFor(answers_due_, now);
+  if (!resend_.isWaiting()) return nextReport(now);
+  if (phase_ != Phase::Confirming) beginPhase(Phase::Confirming, now);
+}
+
+void MarlinJob::nextReport(double now) {
+  if (!reports_.isDone()) {
+    beginPhase(Phase::Reporting, now);
+    return askReport();
+  }
+  if (isAtRest()) return finishComplete();
+  if (answers_due_ > 0) return confirm(now);
+  has_begun_ = true;
+  record_.enter(PackmlState::Execute);
+  beginPhase(Phase::Feeding, now);
+  resend_.waitForProbes(now);
+  proceed(now);
+}
+
+void MarlinJob::askReport() {
+  ++answers_due_;
+  output_ += reports_.next() + "\n";
+}
+
+void MarlinJob::onReportDone(double now) {
+  reports_.advance();
+  nextReport(now);
 }
 
 /// Sends what may be sent, and takes the step that is due when nothing is under way any more.
 void MarlinJob::proceed(double now) {
-  settle(now);
-  if (isSettling() || beginChange(now)) return;
+  resend_.settle(now);
+  if (resend_.isWaiting() || beginChange(now)) return;
   if (record_.status.state == PackmlState::Execute || isStopping()) pump(now);
-  if (!sent_.empty()) return;
+  if (!resend_.empty()) return;
   if (record_.status.state == PackmlState::Holding) {
     record_.enter(PackmlState::Held);
   } else if (record_.status.state == PackmlState::Execute || isStopping()) {
     if (awaitLayer(now)) return;
     // Nothing is left to send either: the machine must report that it has all.
     beginPhase(Phase::Probing, now);
-    probe(now);
+    probe();
   }
-}
-
-bool MarlinJob::hasRoom(std::size_t bytes) const {
-  if (sent_.empty() || must_send_one_) return true;
-  return sent_.count() < static_cast<std::size_t>(settings_.window_lines) &&
-         sent_.bytes() + bytes <= static_cast<std::size_t>(settings_.window_bytes);
 }
 
 void MarlinJob::noteSent(const ProgramLine& line, double now) {
   outputs_.see(line.command);
-  if (firmware_->isBlocking(line.command)) return starvation_.sentWait(feed_.next(), now);
-  starvation_.sent(feed_.next(), line.seconds, now);
+  if (firmware_->isBlocking(line.command)) return account_.starvation().sentWait(feed_.next(), now);
+  account_.starvation().sent(feed_.next(), line.seconds, now);
 }
 
 void MarlinJob::pump(double now) {
   while (const ProgramLine* line = feed_.isNextKnown() ? feed_.peek() : nullptr) {
-    is_rest_asked_ = false;
-    layer_due_ = 0.0;
+    unnumbered_.lineSent();
+    layer_wait_.end();
     if (!isStopping() && layer_pause_.takeIfDueAt(line->layer)) {
       pause(now);
       break;
     }
     const std::string framed = firmware_->framed(feed_.next(), line->command);
-    if (!hasRoom(framed.size())) break;
-    if (sent_.empty()) timer_.restart(now);
-    must_send_one_ = false;
-    sent_.add({feed_.next(), framed.size(), firmware_->isBlocking(line->command), feed_.next() < feed_.end(),
-               false});
+    if (!resend_.hasRoom(framed.size())) break;
+    if (resend_.empty()) timer_.restart(now);
+    resend_.sent({feed_.next(), framed.size(), firmware_->isBlocking(line->command),
+                  feed_.next() < feed_.end(), false});
     output_ += framed;
     if (!isStopping()) noteSent(*line, now);
     feed_.advance();
@@ -119,25 +183,58 @@ void MarlinJob::pump(double now) {
 }
 
 void MarlinJob::onAllTaken(double now) {
-  if (!isStopping() && revised_ && revised_->failure().code != ErrorCode::Ok)
-    return abort({revised_->failure().code, revised_->failure().message + record_.whereItStands()}, now);
-  const std::uint64_t lines_read = feed_.end() - 1 - line_base_;
-  if (!isStopping() && lines_read < record_.status.lines_total) {
-    abort({ErrorCode::InvalidProgram, "the program was changed while it was streamed: it ended after line " +
-                                          std::to_string(lines_read) + " of " +
-                                          std::to_string(record_.status.lines_total)},
-          now);
-    return;
+  if (!isStopping()) {
+    const auto why = shortfall(feed_.end() - 1 - line_base_, record_, revised_.get());
+    if (why) return abort(*why, now);
+    record_.enter(PackmlState::Completing);
   }
-  if (!isStopping()) record_.enter(PackmlState::Completing);
   beginPhase(Phase::Draining, now);
   askForRest();
+}
+
+std::string MarlinJob::change(const LiveChange& change, double now) {
+  if (!record_.isUnderWay()) return kNoJobToChange;
+  if (layer_pause_.take(change)) return {};
+  const auto command = firmware_->changed(change);
+  if (!command) return notOf("this firmware", change.setting);
+  unnumbered_.add(*command);
+  if (phase_ == Phase::Feeding) proceed(now);
+  return {};
+}
+
+bool MarlinJob::ask(const std::string& command, double now) {
+  if (!record_.isUnderWay() || !unnumbered_.addQuestion(command)) return false;
+  if (phase_ == Phase::Feeding) proceed(now);
+  return true;
+}
+
+/// What becomes of a layer may depend on all that is below it: its time counts from when the machine is at
+/// rest.
+/// @return whether the lines of a layer wait
+bool MarlinJob::awaitLayer(double now) {
+  if (isStopping() || feed_.isNextKnown()) return false;
+  account_.starvation().standStill();
+  if (unnumbered_.addRest(firmware_->endOfMotions())) return beginChange(now);
+  if (!layer_wait_.isUnderWay()) layer_wait_.begin(now + revised_->waitTime());
+  layer_wait_.look(now);
+  return true;
+}
+
+/// A change has no number, so that the numbers stay those of the program's lines: it goes out while no line
+/// is under way.
+/// @return whether lines must wait
+bool MarlinJob::beginChange(double now) {
+  if (unnumbered_.empty() || isStopping()) return false;
+  if (!resend_.empty() || resend_.hasUnansweredProbe()) return !resend_.empty();
+  beginPhase(Phase::Changing, now);
+  output_ += unnumbered_.front() + "\n";
+  return true;
 }
 
 void MarlinJob::elapse(double now) {
   if (!isWaiting()) return;
   if (isAwaitingLayer()) {
-    if (now >= layer_due_) revised_->decide();
+    if (layer_wait_.isOver(now)) revised_->decide();
     return proceed(now);
   }
   if (phase_ == Phase::Enquiring) {
@@ -145,16 +242,13 @@ void MarlinJob::elapse(double now) {
     return followEnquiry(now);
   }
   if (isStopping() && now >= safe_stop_by_) {
-    finishAborted(
-        phase_ == Phase::Offline
-            ? "; the link did not come back, so that the machine was not commanded to stop: look after it"
-            : "; the machine did not confirm the safe stop");
+    finishAborted(phase_ == Phase::Offline ? kLinkNotBack : "; the machine did not confirm the safe stop");
   } else if (!isStopping() && now >= timer_.quietSince() + silenceLimit()) {
     timeOut(now);
   } else if (now >= timer_.retryAt()) {
-    proof_.doubt(settings_.window_lines + 2);  // answers to what was sent may be late, not lost
+    resend_.doubtAnswers();  // they may be late, not lost
     retry(now);
-  } else if (isSettling() && now >= settle_until_) {
+  } else if (resend_.isWaiting() && now >= resend_.waitsUntil()) {
     if (phase_ != Phase::Confirming) return proceed(now);
     answers_due_ = 0;  // they were lost
     confirm(now);
@@ -172,29 +266,24 @@ void MarlinJob::retry(double now) {
       if (isStopping()) output_ += urgentStop(*firmware_, outputs_, settings_);
       ++answers_due_;
       output_ += firmware_->framed(base_, firmware_->numberedFrom(base_));
-      probe(now);
+      probe();
       break;
     case Phase::Reporting:
-      if (++report_attempts_ < kReportAttempts) {
-        ++answers_due_;
-        output_ += reports_.back() + "\n";
-      } else {
-        onReportDone(now);  // a machine without reports prints all the same
-      }
+      if (reports_.mayRepeat()) return askReport();
+      onReportDone(now);  // a machine without reports prints all the same
       break;
     case Phase::Feeding:
       phase_ = Phase::Probing;
-      settle_until_ = 0.0;
-      probe(now);
+      resend_.waitNoLonger();
+      probe();
       break;
     case Phase::Changing:
-      record_.status.message = "no answer to " + changes_.front() + ", which may not have been done";
-      changes_.clear();
+      record_.status.message = unnumbered_.lose();
       beginPhase(Phase::Probing, now);
-      probe(now);
+      probe();
       break;
     case Phase::Probing:
-      probe(now);
+      probe();
       break;
     case Phase::Draining:
       askForRest();
@@ -209,54 +298,46 @@ void MarlinJob::retry(double now) {
 
 void MarlinJob::timeOut(double now) {
   if (record_.status.state != PackmlState::Starting) {
-    abort({ErrorCode::TimedOut,
-           "no answer from the machine for " + fullTenths(timer_.quietFor(now)) + record_.whereItStands()},
-          now);
+    abort(fallenSilent(fullTenths(timer_.quietFor(now)), record_), now);
   } else if (has_answered_) {
     abort({ErrorCode::Rejected, "the machine answers, but does not check line numbers as Marlin does"}, now);
   } else {
-    abort({ErrorCode::TimedOut, "no machine answered within " + fullTenths(settings_.connect_timeout_s) +
-                                    "; is it on, and is the baud rate right?"},
-          now);
+    abort(nobodyThere(fullTenths(settings_.connect_timeout_s)), now);
   }
 }
 
 bool MarlinJob::pause(double now) {
-  if (record_.status.state == PackmlState::Starting) {
-    layer_pause_.setNextLine();
-    return true;
-  }
-  if (record_.status.state != PackmlState::Execute) return false;
-  layer_pause_.clearNextLine();
-  record_.enter(PackmlState::Holding);
-  starvation_.standStill();
+  const LayerPause::Wish wish = layer_pause_.pauseNow(record_);
+  if (wish != LayerPause::Wish::Begun) return wish == LayerPause::Wish::Kept;
+  account_.starvation().standStill();
   if (phase_ == Phase::Feeding) proceed(now);
   return true;
 }
 
 bool MarlinJob::resume(double now) {
-  if (record_.status.state == PackmlState::Starting) {
-    layer_pause_.clearNextLine();
-    return true;
-  }
-  if (record_.status.state != PackmlState::Held && record_.status.state != PackmlState::Holding) return false;
-  layer_due_ = 0.0;  // the time to wait for a layer begins anew
+  if (layer_pause_.takeBack(record_)) return true;
+  if (!record_.isPaused()) return false;
+  layer_wait_.end();  // the time to wait for a layer begins anew
   is_paused_by_machine_ = false;
-  if (record_.status.state == PackmlState::Holding) record_.enter(PackmlState::Held);
-  record_.enter(PackmlState::Unholding);
-  record_.enter(PackmlState::Execute);
+  record_.goOn();
   if (phase_ == Phase::Feeding) proceed(now);
   return true;
 }
 
+void MarlinJob::prepareSafeStop(double now) {
+  safe_stop_by_ = now + settings_.safe_stop_timeout_s;
+  safe_stop_latest_ = now + std::max(settings_.safe_stop_timeout_s, settings_.blocking_timeout_s);
+  // With a journal beyond the program: who goes on with the job must not take these numbers for its lines'.
+  const std::uint64_t end = line_base_ > 0 ? line_base_ + record_.status.lines_total : 0;
+  base_ = std::max(feed_.end(), end) + kSafeStopGap;
+  feed_ = LineFeed(sourceOf(safeStop(*firmware_, outputs_, settings_)), base_ + 1);
+  resend_.forget();
+}
+
 void MarlinJob::abort(const Failure& why, double now) {
   if (isStopping() || isFinal(record_.status.state)) return;
-  record_.status.failure = why;
-  record_.enter(PackmlState::Aborting);
-  if (!has_begun_) {
-    finishAborted("");
-    return;
-  }
+  record_.beginToStop(why);
+  if (!has_begun_) return finishAborted("");
   prepareSafeStop(now);
   beginNumbering(base_, now);
 }
@@ -266,12 +347,8 @@ void MarlinJob::disconnect(const std::string& why, double now) {
   if (isFinal(record_.status.state) || phase_ == Phase::Offline) return;
   if (isAtRest()) return finishComplete();
   if (!isStopping()) {
-    record_.status.failure = {ErrorCode::Disconnected, why + record_.whereItStands()};
-    record_.enter(PackmlState::Aborting);
-    if (!has_begun_) {
-      finishAborted("");
-      return;
-    }
+    record_.beginToStop({ErrorCode::Disconnected, why + record_.whereItStands()});
+    if (!has_begun_) return finishAborted("");
     prepareSafeStop(now);
   }
   replies_.clear();
@@ -293,13 +370,13 @@ void MarlinJob::finishComplete() {
 void MarlinJob::finishAborted(const std::string& remark) {
   record_.status.failure.message += remark;
   phase_ = Phase::Idle;
-  sent_.clear();
+  resend_.forget();
   record_.enter(PackmlState::Aborted);
 }
 
 std::string MarlinJob::takeOutput() { return std::exchange(output_, {}); }
 
-// What the streamer makes of the machine's replies.
+// What the job makes of the machine's replies.
 
 void MarlinJob::receive(std::string_view bytes, double now) {
   replies_.add(bytes);
@@ -313,51 +390,56 @@ void MarlinJob::onReply(const FirmwareReply& reply, double now) {
   if (!reply.firmware_name.empty()) onIdentity(reply, now);
   if (reply.temperatures) record_.status.temperatures = reply.temperatures;
   if (reply.position) record_.status.position = reply.position;
-  if (phase_ == Phase::Enquiring) return hearEnquiry(reply, now);
-  if (phase_ == Phase::Draining && isStopping() && reply.temperatures && isSafe(*reply.temperatures))
-    return finishAborted("");
-  const bool is_ok_of_resend = std::exchange(expects_ok_of_resend_, false) && reply.kind == ReplyKind::Ok;
+  if (phase_ == Phase::Enquiring) {
+    enquiry_->hear(reply, now);
+    return followEnquiry(now);
+  }
+  const bool is_draining = phase_ == Phase::Draining && isStopping();
+  if (is_draining && reply.temperatures && isSafe(*reply.temperatures, settings_)) return finishAborted("");
   if (reply.kind != ReplyKind::Information && reply.kind != ReplyKind::Warning) {
     has_answered_ = true;
     if (record_.status.state != PackmlState::Starting) timer_.restart(now);
-    if (isSettling()) settle_until_ = now + settings_.settle_s;
   }
   // A machine that boots, or that another sender has made heat, answers later.
   const bool is_alive = reply.kind == ReplyKind::Busy || reply.temperatures;
   if (is_alive && record_.status.state == PackmlState::Starting) timer_.restart(now);
-  proof_.hear(reply);
+  if (!resend_.hear(reply, now)) onKind(reply, now);
+}
+
+void MarlinJob::onKind(const FirmwareReply& reply, double now) {
   switch (reply.kind) {
     case ReplyKind::Ok:
-      if (!is_ok_of_resend) onOk(reply, now);
+      onOk(reply, now);
       break;
     case ReplyKind::Resend:
       onResend(reply, now);
       break;
     case ReplyKind::Start:
-      onStart(now);
+      if (record_.isStarting()) return identify(now);
+      fail(ErrorCode::DeviceError, "the machine was reset", now);
       break;
     case ReplyKind::Fatal:
-      onFatal(reply, now);
+      fail(ErrorCode::Rejected, "the machine halted: \"" + reply.text + "\"", now);
       break;
     case ReplyKind::Warning:
       record_.status.message = reply.text;
       break;
     case ReplyKind::NotDone:
-      onNotDone(reply);
+      record_.status.message = reply.text;
+      if (!isStopping()) account_.notDone(reply.text);
       break;
     case ReplyKind::Pause:
-      onPause(reply, now);
+      record_.status.message = reply.text;
+      if (pause(now)) is_paused_by_machine_ = true;
       break;
     case ReplyKind::Resume:
-      onResume(now);
+      if (is_paused_by_machine_) resume(now);
       break;
     case ReplyKind::Cancel:
-      abort({ErrorCode::Cancelled,
-             "the machine ends the job: \"" + reply.text + "\"" + record_.whereItStands()},
-            now);
+      fail(ErrorCode::Cancelled, "the machine ends the job: \"" + reply.text + "\"", now);
       break;
     case ReplyKind::Busy:
-      starvation_.busy(now);
+      account_.starvation().busy(now);
       safe_stop_by_ = std::min(now + settings_.safe_stop_timeout_s, safe_stop_latest_);
       break;
     case ReplyKind::LineError:
@@ -380,61 +462,106 @@ void MarlinJob::onOk(const FirmwareReply& reply, double now) {
     --answers_due_;
     onReportDone(now);
   } else if (phase_ == Phase::Changing) {
-    changes_.pop_front();
+    unnumbered_.answered();
     beginPhase(Phase::Feeding, now);
     proceed(now);
   } else if (phase_ == Phase::Draining && !isStopping()) {
-    reports_ = reportsOff(*firmware_, settings_);
-    report_attempts_ = 0;
+    reports_.begin(reportsOff(*firmware_, settings_));
     beginPhase(Phase::Reporting, now);
     nextReport(now);
   } else if (phase_ == Phase::Feeding || phase_ == Phase::Probing) {
-    odd_requests_ = 0;
-    if (reply.line && *reply.line < feed_.end()) {
-      sent_.acknowledgeUpTo(*reply.line);
-      acknowledgedUpTo(*reply.line, reply, now);
-    } else if (const auto number = sent_.acknowledge()) {
-      acknowledgedUpTo(*number, reply, now);
-    }
+    const bool names_line = reply.line && *reply.line < feed_.end();
+    const auto done = resend_.acknowledge(names_line ? reply.line : std::nullopt);
+    if (done) acknowledgedUpTo(*done, reply, now);
   }
+}
+
+void MarlinJob::onResend(const FirmwareReply& reply, double now) {
+  const bool is_of_probe = resend_.takeRequest();
+  if (!reply.line) return;
+  const std::uint64_t wanted = *reply.line;
+  if (phase_ == Phase::Numbering) {
+    if (wanted != base_ + 1) return;
+    resend_.beginAt(wanted);
+    if (isStopping()) {
+      beginPhase(Phase::Feeding, now);
+      proceed(now);
+    } else {
+      confirm(now);
+    }
+  } else if (phase_ == Phase::Probing) {
+    if (!isRefuted(wanted, now)) onProbeAnswer(wanted, now);
+  } else if (phase_ == Phase::Feeding) {
+    if (is_of_probe && resend_.isRepeated(wanted)) return;
+    if (isRefuted(wanted, now) || resend_.absorb(wanted) || !goTo(wanted, now)) return;
+    ++record_.status.resends;
+    resend_.refuse(wanted, now);
+  }
+}
+
+/// Asks once more where a request contradicts what is known, and ends the job if it is repeated.
+/// @return whether the request must not be followed
+bool MarlinJob::isRefuted(std::uint64_t wanted, double now) {
+  using Contradiction = MarlinResend::Contradiction;
+  if (isStopping()) return false;
+  const Contradiction found = resend_.contradictionOf(wanted, line_base_ + record_.status.lines_acknowledged);
+  if (found == Contradiction::None) return false;
+  if (found == Contradiction::First) {
+    resend_.forget();
+    beginPhase(Phase::Probing, now);
+    probe();
+    return true;
+  }
+  fail(ErrorCode::DeviceError,
+       "the machine asks for line " + std::to_string(wanted) + ", which it has taken before: it was reset",
+       now);
+  return true;
+}
+
+/// Goes on with `line`, which the firmware has asked for.
+bool MarlinJob::goTo(std::uint64_t line, double now) {
+  if (!feed_.rewind(line)) {
+    if (resend_.isTooOdd())
+      fail(ErrorCode::Rejected,
+           "the machine asks for line " + std::to_string(line) + "; expected one up to " +
+               std::to_string(feed_.end()),
+           now);
+    return false;
+  }
+  const std::string trouble = resend_.follow(line);
+  if (!isStopping()) account_.rewound(line, feed_.layerOf(line - 1));
+  if (!trouble.empty()) fail(ErrorCode::Rejected, trouble, now);
+  return trouble.empty();
+}
+
+/// Sends a line that the firmware must refuse, naming the line it waits for: a harmless one, with the number
+/// after the next one.
+void MarlinJob::probe() {
+  ++record_.status.probes;
+  resend_.probed();
+  const std::uint64_t expected = phase_ == Phase::Numbering ? base_ + 1 : feed_.end();
+  output_ += firmware_->framed(expected + 1, firmware_->harmless());
+}
+
+void MarlinJob::onProbeAnswer(std::uint64_t wanted, double now) {
+  if (!goTo(wanted, now)) return;
+  resend_.allRead(now);
+  if (wanted < feed_.end()) ++record_.status.resends;
+  beginPhase(Phase::Feeding, now);
+  const bool may_feed = record_.status.state == PackmlState::Execute || isStopping();
+  if (may_feed && feed_.isNextKnown() && feed_.peek() == nullptr) onAllTaken(now);
 }
 
 void MarlinJob::acknowledgedUpTo(std::uint64_t line, const FirmwareReply& reply, double now) {
   if (isStopping() || line <= line_base_ + record_.status.lines_acknowledged) return;
-  starvation_.acknowledged(line, reply.free_planner_blocks, now);
-  record_.status.starvation = starvation_.starvation();
-  undone_.acknowledge(line);
-  record_.status.commands_not_done = undone_.count();
-  proof_.acknowledged();
-  record_.status.lines_acknowledged = line - line_base_;
-  record_.status.layer = feed_.layerOf(line);
+  account_.taken(line, feed_.layerOf(line), reply.free_planner_blocks, now);
+  resend_.proven();
 }
 
 /// A job has ended when its motions have. A safe stop has ended when the machine says that it no longer
 /// heats: the lines it has taken may still wait behind others.
 void MarlinJob::askForRest() {
   output_ += (isStopping() ? firmware_->harmless() : firmware_->endOfMotions()) + "\n";
-}
-
-void MarlinJob::onStart(double now) {
-  if (record_.status.state == PackmlState::Starting) return identify(now);
-  abort({ErrorCode::DeviceError, "the machine was reset" + record_.whereItStands()}, now);
-}
-
-void MarlinJob::onFatal(const FirmwareReply& reply, double now) {
-  abort({ErrorCode::Rejected, "the machine halted: \"" + reply.text + "\"" + record_.whereItStands()}, now);
-}
-
-void MarlinJob::onPause(const FirmwareReply& reply, double now) {
-  record_.status.message = reply.text;
-  if (pause(now)) is_paused_by_machine_ = true;
-}
-
-void MarlinJob::onNotDone(const FirmwareReply& reply) {
-  record_.status.message = reply.text;
-  if (isStopping()) return;
-  if (undone_.count() == 0) record_.status.first_not_done = reply.text;
-  undone_.announce();
 }
 
 /// Nothing but the question for its name has been sent yet.

@@ -1,11 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What answers a request to send lines again, and the probe that provokes one.
-#include <cstdint>
-#include <string>
-#include <utility>
+#include "streaming/firmware/marlin/marlin_resend.hpp"
 
-#include "streaming/firmware/marlin/marlin_job.hpp"
+#include <utility>
 
 namespace lamina {
 namespace {
@@ -16,120 +13,96 @@ constexpr int kMostOddRequests = 5;
 
 }  // namespace
 
-void MarlinJob::onResend(const FirmwareReply& reply, double now) {
-  expects_ok_of_resend_ = true;
-  const bool is_of_probe = unanswered_probes_ > 0;
-  if (is_of_probe) --unanswered_probes_;
-  if (!reply.line) return;
-  if (phase_ == Phase::Numbering) {
-    if (*reply.line != base_ + 1) return;
-    refusals_in_a_row_ = 0;
-    sent_.clear();
-    if (!isStopping()) proof_.asked(base_ + 1);
-    if (isStopping()) {
-      beginPhase(Phase::Feeding, now);
-      proceed(now);
-    } else {
-      confirm(now);
-    }
-  } else if (phase_ == Phase::Probing) {
-    if (!isRefuted(*reply.line, now)) onProbeAnswer(*reply.line, now);
-  } else if (phase_ == Phase::Feeding) {
-    if (is_of_probe && *reply.line == rewound_to_) return;
-    if (isRefuted(*reply.line, now)) return;
-    if (*reply.line == rewound_to_ && sent_.absorbRefusal()) return;
-    if (goTo(*reply.line, now)) onRefusal(*reply.line, now);
-  }
+MarlinResend::MarlinResend(const StreamSettings& settings) : settings_(settings) {
+  settings_.window_lines = windowLines(settings, settings.link);
 }
 
-/// What was sent after the refused line is refused too or discarded. Sending waits for that to be over: the
-/// answers would ask for lines that are under way again, whose second copies would be refused in turn, and so
-/// for ever.
-void MarlinJob::onRefusal(std::uint64_t wanted, double now) {
-  ++record_.status.resends;
-  sent_.refuse(wanted);
-  must_send_one_ = true;
-  settle_until_ = now + settings_.settle_s;
+void MarlinResend::beginAt(std::uint64_t line) {
+  sent_.clear();
+  refusals_in_a_row_ = 0;
+  proof_.asked(line);
 }
 
-void MarlinJob::settle(double now) {
-  if (!isSettling()) return;
-  const bool is_answer_due = sent_.hasStale() || expects_ok_of_resend_ || unanswered_probes_ > 0;
-  if (now < settle_until_ && is_answer_due) return;
-  unanswered_probes_ = 0;
-  sent_.dropStale();
-  settle_until_ = 0.0;
-  // Some firmware says no ok after a request; one that comes later than this counts for a line.
-  if (std::exchange(expects_ok_of_resend_, false)) proof_.doubt(1);
+void MarlinResend::forget() {
+  sent_.clear();
+  wait_until_ = 0.0;
+  must_send_one_ = false;
 }
 
-/// Asks once more where a request contradicts what is known, and ends the job if it is repeated.
-/// @return whether the request must not be followed
-bool MarlinJob::isRefuted(std::uint64_t wanted, double now) {
-  if (isStopping() || !proof_.contradicts(wanted, line_base_ + record_.status.lines_acknowledged)) {
-    is_asking_again_ = false;
-    return false;
-  }
-  if (!std::exchange(is_asking_again_, true)) {
-    sent_.clear();
-    settle_until_ = 0.0;
-    beginPhase(Phase::Probing, now);
-    probe(now);
-    return true;
-  }
-  abort({ErrorCode::DeviceError, "the machine asks for line " + std::to_string(wanted) +
-                                     ", which it has taken before: it was reset" + record_.whereItStands()},
-        now);
+bool MarlinResend::hasRoom(std::size_t bytes) const {
+  if (sent_.empty() || must_send_one_) return true;
+  return sent_.count() < static_cast<std::size_t>(settings_.window_lines) &&
+         sent_.bytes() + bytes <= static_cast<std::size_t>(settings_.window_bytes);
+}
+
+void MarlinResend::sent(const SentLine& line) {
+  must_send_one_ = false;
+  sent_.add(line);
+}
+
+std::optional<std::uint64_t> MarlinResend::acknowledge(const std::optional<std::uint64_t>& named) {
+  odd_requests_ = 0;
+  if (!named) return sent_.acknowledge();
+  sent_.acknowledgeUpTo(*named);
+  return named;
+}
+
+bool MarlinResend::hear(const FirmwareReply& reply, double now) {
+  proof_.hear(reply);
+  const bool is_answer = reply.kind != ReplyKind::Information && reply.kind != ReplyKind::Warning;
+  if (isWaiting() && is_answer) wait_until_ = now + settings_.settle_s;
+  return std::exchange(expects_ok_of_request_, false) && reply.kind == ReplyKind::Ok;
+}
+
+bool MarlinResend::takeRequest() {
+  expects_ok_of_request_ = true;
+  if (unanswered_probes_ == 0) return false;
+  --unanswered_probes_;
   return true;
 }
 
-/// Goes on with `line`, which the firmware has asked for.
-bool MarlinJob::goTo(std::uint64_t line, double now) {
-  if (!feed_.rewind(line)) {
-    if (++odd_requests_ < kMostOddRequests) return false;
-    abort(
-        {ErrorCode::Rejected, "the machine asks for line " + std::to_string(line) + "; expected one up to " +
-                                  std::to_string(feed_.end()) + record_.whereItStands()},
-        now);
-    return false;
-  }
+MarlinResend::Contradiction MarlinResend::contradictionOf(std::uint64_t wanted, std::uint64_t taken) {
+  const bool is_one = proof_.contradicts(wanted, taken);
+  const bool is_asking_again = std::exchange(is_asking_again_, is_one);
+  if (!is_one) return Contradiction::None;
+  return is_asking_again ? Contradiction::Repeated : Contradiction::First;
+}
+
+bool MarlinResend::isTooOdd() { return ++odd_requests_ >= kMostOddRequests; }
+
+std::string MarlinResend::follow(std::uint64_t wanted) {
   odd_requests_ = 0;
-  refusals_in_a_row_ = line == rewound_to_ ? refusals_in_a_row_ + 1 : 0;
-  rewound_to_ = line;
-  if (!isStopping()) {
-    proof_.asked(line);
-    undone_.rewind(line);
-    starvation_.rewound(line);
-    record_.status.commands_not_done = undone_.count();
-    record_.status.lines_acknowledged = line - 1 - line_base_;
-    record_.status.layer = feed_.layerOf(line - 1);
-  }
-  if (refusals_in_a_row_ < kMostRefusals) return true;
-  abort({ErrorCode::Rejected, "the machine refused line " + std::to_string(line) + " " +
-                                  std::to_string(kMostRefusals) + " times" + record_.whereItStands()},
-        now);
-  return false;
+  refusals_in_a_row_ = isRepeated(wanted) ? refusals_in_a_row_ + 1 : 0;
+  rewound_to_ = wanted;
+  proof_.asked(wanted);
+  if (refusals_in_a_row_ < kMostRefusals) return {};
+  return "the machine refused line " + std::to_string(wanted) + " " + std::to_string(kMostRefusals) +
+         " times";
 }
 
-/// Sends a line that the firmware must refuse, naming the line it waits for: a harmless one, with the number
-/// after the next one.
-void MarlinJob::probe(double) {
-  ++record_.status.probes;
-  ++unanswered_probes_;
-  const std::uint64_t expected = phase_ == Phase::Numbering ? base_ + 1 : feed_.end();
-  output_ += firmware_->framed(expected + 1, firmware_->harmless());
+/// Sending waits for the answers to be over: they would ask for lines that are under way again, whose second
+/// copies would be refused in turn, and so for ever.
+void MarlinResend::refuse(std::uint64_t wanted, double now) {
+  sent_.refuse(wanted);
+  must_send_one_ = true;
+  wait_until_ = now + settings_.settle_s;
 }
 
-void MarlinJob::onProbeAnswer(std::uint64_t wanted, double now) {
-  if (!goTo(wanted, now)) return;
-  // The firmware has read everything that was sent before the probe.
+void MarlinResend::allRead(double now) {
   sent_.clear();
-  awaitProbes(now);
+  waitForProbes(now);
   must_send_one_ = false;
-  if (wanted < feed_.end()) ++record_.status.resends;
-  beginPhase(Phase::Feeding, now);
-  const bool may_feed = record_.status.state == PackmlState::Execute || isStopping();
-  if (may_feed && feed_.isNextKnown() && feed_.peek() == nullptr) onAllTaken(now);
+}
+
+void MarlinResend::settle(double now) {
+  if (!isWaiting()) return;
+  const bool is_answer_due = sent_.hasStale() || expects_ok_of_request_ || unanswered_probes_ > 0;
+  if (now < wait_until_ && is_answer_due) return;
+  unanswered_probes_ = 0;
+  sent_.dropStale();
+  wait_until_ = 0.0;
+  // Some firmware says no ok after a request; one that comes later than this counts for a line.
+  if (std::exchange(expects_ok_of_request_, false)) proof_.doubt(1);
 }
 
 }  // namespace lamina

@@ -20,6 +20,9 @@ std::string urgentStop(const MarlinFirmware& firmware, const UsedOutputs& output
 std::vector<std::string> safeStop(const MarlinFirmware& firmware, const UsedOutputs& outputs,
                                   const StreamSettings& settings);
 
+/// Whether a machine has ended a safe stop, by the temperatures that it reports after the lines of the stop.
+bool isSafe(const ReportedTemperatures& temperatures, const StreamSettings& settings);
+
 /// Commands that switch on the reports of the settings, in reverse order.
 std::vector<std::string> reportsOn(const MarlinFirmware& firmware, const StreamSettings& settings);
 
