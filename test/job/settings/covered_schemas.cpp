@@ -53,8 +53,8 @@ const std::vector<TestedElsewhere>& testedElsewhere() {
   static const std::vector<TestedElsewhere> all = {
       {"clearance.report", "ros/slicing/slicing_service_test.cpp", "clearance.report"},
       {"overhang.report", "ros/slicing/slicing_service_test.cpp", "overhang.report"},
-      {"frames.every_mm", "ros/adapters/frame_markers_test.cpp", "every_mm"},
-      {"frames.length_mm", "ros/adapters/frame_markers_test.cpp", "length_mm"}};
+      {"frames.every_mm", "ros/settings/shown_probes.cpp", "{\"frames.every_mm="},
+      {"frames.length_mm", "ros/settings/shown_probes.cpp", "{\"frames.length_mm="}};
   return all;
 }
 

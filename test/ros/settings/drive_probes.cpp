@@ -4,7 +4,9 @@
 #include "lamina/base/error.hpp"
 #include "lamina/trajectory/trajectory_feeder.hpp"
 #include "nodes/gcode_streamer/streamer_settings.hpp"
+#include "nodes/trajectory_driver/drive_job.hpp"
 #include "nodes/trajectory_driver/driver_settings.hpp"
+#include "nodes/trajectory_driver/process_io_watch.hpp"
 #include "nodes/trajectory_driver/report_watch.hpp"
 #include "nodes/trajectory_driver/tracking.hpp"
 #include "ros/settings/node_probes.hpp"
@@ -60,11 +62,47 @@ std::string off(const SettingTexts& set) {
 /// When a driver gives up a controller of which it hears nothing.
 std::string givenUp(const SettingTexts& set) {
   const ros::Time begin(1000.0);
-  ReportWatch watch(settingsWith<DriverSettings>(set).tracking, 5.0, begin);
+  const auto settings = settingsWith<DriverSettings>(set);
+  ReportWatch watch(settings.tracking, settings.controller_wait_s, begin);
   watch.hear(begin, begin);
   int looks = 0;
-  while (looks < 1000 && !watch.look(begin + ros::Duration(0.01 * looks))) ++looks;
+  while (looks < 10000 && !watch.look(begin + ros::Duration(0.01 * looks))) ++looks;
   return std::to_string(looks);
+}
+
+/// Whether a bead is driven on which the head leans into the bed.
+std::string drivenIntoTheBed(const SettingTexts& set) {
+  const auto settings = settingsWith<DriverSettings>(set);
+  const auto model = kinematicModelOf(settings.machine);
+  Toolpath toolpath = twoLayers();
+  for (ToolpathLayer& layer : toolpath.layers)
+    for (Path& path : layer.paths)
+      path.orientation =
+          AlongPath<Eigen::Quaterniond>(Eigen::AngleAxisd(-0.9, Point3::UnitY()) * nozzleDown());
+  MachineToolpath placed;
+  placed.machine = model->name();
+  placed.bed_from_part = Eigen::Translation3d(0, 0, 0);
+  placed.toolpath = toolpath;
+  NoProgress nobody;
+  try {
+    driveJob(
+        placed, *model, settings, [](const MachineCheck&) {}, nobody);
+    return "driven";
+  } catch (const Unreachable& error) {
+    return error.what();
+  }
+}
+
+/// What a driver says of process_io half a second after it said that it is ready, and each half after that.
+std::string processSilentFor(const SettingTexts& set) {
+  const ProcessIoDemand demand = settingsWith<DriverSettings>(set).process_io;
+  lamina_msgs::ProcessReady ready;
+  ready.ready = true;
+  std::string text = processFault(demand, ready, ros::Time(), ros::Time(1000.0)) + "\n";
+  for (int i = 1; i <= 8; ++i)
+    text +=
+        processFault(demand, ready, ros::Time(1000.0), ros::Time(1000.0 + 0.5 * i)).empty() ? "." : "silent ";
+  return text;
 }
 
 }  // namespace
@@ -86,7 +124,17 @@ std::vector<SettingProbe> driveProbes() {
           {"a controller that is silent",
            "",
            givenUp,
-           {{"tracking.silence_s=0.5"}, {"tracking.silence_by=stamps"}}}};
+           {{"tracking.silence_s=0.5"},
+            {"tracking.silence_by=stamps"},
+            {"controller_wait_s=20", "tracking.silence_by=stamps"}}},
+          {"a head in the bed",
+           "machine.name=five_axis_head_table",
+           drivenIntoTheBed,
+           {{"check_clearance=false"}}},
+          {"process_io that says that it is ready, and then no more",
+           "process_io.required=true",
+           processSilentFor,
+           {{"process_io.required=false"}, {"process_io.silence_s=3"}}}};
 }
 
 }  // namespace lamina::test

@@ -48,6 +48,10 @@ std::string laidByController(const SettingTexts& set) {
 }  // namespace
 
 std::vector<SettingProbe> machineProbes() {
+  const auto mount = [](const SettingTexts& set) {
+    const Point3 place = sensorMount(settingsWith<ControllerSettings>(set));
+    return numbersText({place.x(), place.y(), place.z()});
+  };
   const auto on_bed = [](const SettingTexts& set) { return beadOn("cartesian_gantry", set); };
   const auto on_belt = [](const SettingTexts& set) { return beadOn("belt_45", set); };
   return {{"where a machine is reached, and what is wrong with it",
@@ -59,6 +63,7 @@ std::vector<SettingProbe> machineProbes() {
            on_bed,
            {{"deposit.model=heights"}, {"deposit.cell_mm=0.2"}}},
           {"a bead on a belt", "deposit.cell_mm=0.5", on_belt, {{"deposit.belt_mm=50"}}},
+          {"where a sensor is mounted", "", mount, {{"sensor.mount_mm=0,5,-60"}}},
           {"a bead that a controller lays",
            "deposit.area_mm=-10,-10,40,10",
            laidByController,

@@ -20,5 +20,6 @@ std::vector<SettingProbe> processIoProbes();
 std::vector<SettingProbe> pageProbes();
 std::vector<SettingProbe> machineProbes();
 std::vector<SettingProbe> watchProbes();
+std::vector<SettingProbe> shownProbes();
 
 }  // namespace lamina::test

@@ -55,8 +55,7 @@ std::set<std::string> nodeKeys() {
 /// Of the cell's PLC.
 const std::vector<TestedElsewhere>& plcTests() {
   static const std::vector<TestedElsewhere> all = {
-      {"modbus.watchdog_action", "ros/cell/plc_link_test.cpp", "_modbus/watchdog_action"},
-      {"start.local_after_estop", "ros/cell/plc_link_test.cpp", "_start/local_after_estop"}};
+      {"modbus.watchdog_action", "ros/cell/plc_link_test.cpp", "_modbus/watchdog_action"}};
   return all;
 }
 
@@ -70,8 +69,6 @@ const std::vector<TestedElsewhere>& loopTests() {
       {"monitor.reorder_s", "control/run/loop_run_settings_test.cpp", "monitor.reorder_s"},
       {"monitor.settle_mm", "control/run/loop_run_settings_test.cpp", "monitor.settle_mm"},
       {"monitor.settle_s", "control/run/loop_run_settings_test.cpp", "monitor.settle_s"},
-      {"plans_followed", "ros/loop/robot_loop.test", "plans_followed"},
-      {"pauses_print", "ros/loop/height_controller_test.cpp", "pauses_print"},
       {"process.gain_ratio", "control/run/loop_run_settings_test.cpp", "process.gain_ratio"},
       {"process.levelling_mm", "control/run/loop_run_settings_test.cpp", "process.levelling_mm"},
       {"process.material", "ros/loop/height_controller_test.cpp", "_process/material"},
@@ -102,8 +99,6 @@ const std::vector<TestedElsewhere>& hostTests() {
 const std::vector<TestedElsewhere>& processTests() {
   static const std::vector<TestedElsewhere> all = {
       {"bind", "ros/process_io/process_io.test", "bind"},
-      {"process_io.required", "ros/process_io/process_io.test", "required"},
-      {"process_io.silence_s", "ros/process_io/process_io.test", "silence_s"},
       {"ready", "ros/process_io/process_io.test", "ready"},
       {"state_hz", "ros/process_io/process_io_test.cpp", "state_hz"}};
   return all;
@@ -111,9 +106,7 @@ const std::vector<TestedElsewhere>& processTests() {
 
 /// Of robots that take a target each cycle.
 const std::vector<TestedElsewhere>& servoTests() {
-  static const std::vector<TestedElsewhere> all = {
-      {"emulated", "ros/drive/servo_bridge.test", "emulated"},
-      {"robot.port", "servo/servoj_drive_test.cpp", "robot.port"}};
+  static const std::vector<TestedElsewhere> all = {{"emulated", "ros/drive/servo_bridge.test", "emulated"}};
   return all;
 }
 
@@ -130,27 +123,23 @@ const std::vector<TestedElsewhere>& nodeTests() {
   static const std::vector<TestedElsewhere> all = {
       {"baud", "ros/streaming/gcode_streamer_test.cpp", "_baud"},
       {"cartesian.rate_hz", "ros/playback/trajectory_publisher.test", "cartesian/rate_hz"},
-      {"check_clearance", "ros/drive/trajectory_driver.test", "check_clearance"},
-      {"corrections.follow_plans", "ros/loop/robot_loop.test", "follow_plans"},
+      {"corrections.follow_plans", "ros/loop/corrected_stream_test.cpp", "_corrections/follow_plans"},
       {"corrections.folder", "ros/adapters/layer_corrector_test.cpp", "corrections.folder"},
       {"corrections.use", "ros/adapters/layer_corrector_test.cpp", "corrections.use"},
-      {"controller_wait_s", "ros/drive/trajectory_driver.test", "controller_wait_s"},
-      {"deposit.period_s", "ros/deposition/deposition_following.test", "period_s"},
+      {"deposit.period_s", "ros/machine/emulated_belt.test", "period_s: 0.1"},
       {"executor.owner", "ros/cell/cell_of_nodes.hpp", "_executor/owner"},
       {"executor.patience_s", "ros/cell/cell_of_nodes.hpp", "executor/patience_s"},
       {"filament_diameter_mm", "ros/machine/told_machine_test.cpp", "filament_diameter_mm"},
       {"following.period_s", "ros/deposition/deposition_following.test", "following/period_s"},
-      {"host_wait_s", "ros/drive/trajectory_driver.test", "host_wait_s"},
+      {"host_wait_s", "ros/drive/simulated_controller.test", "host_wait_s"},
       {"journal.folder", "ros/cell/cell_of_nodes.hpp", "journal/folder"},
       {"journal.least_free_gib", "ros/cell/cell_controller_test.cpp", "_journal/least_free_gib"},
       {"load_program", "ros/playback/inclined_playback_test.cpp", "load_program"},
       {"map_period_s", "ros/monitor/layer_height_monitor.test", "map_period_s"},
-      {"mode", "ros/deposition/deposition_following.test", "mode"},
+      {"mode", "ros/deposition/deposition_following_test.cpp", "_mode:=follow"},
       {"output_folder", "ros/end_to_end.test", "output_folder"},
       {"owner.grace_s", "ros/cell/cell_of_nodes.hpp", "_owner/grace_s"},
       {"packml.hold_anywhere", "ros/cell/cell_controller_test.cpp", "packml/hold_anywhere"},
-      {"part", "ros/end_to_end_test.cpp", "settings.part"},
-      {"patience_s", "ros/end_to_end_test.cpp", "settings.patience_s"},
       {"path_tolerance", "ros/drive/simulated_controller.test", "path_tolerance"},
       {"path_spacing_mm", "ros/playback/trajectory_publisher.test", "path_spacing_mm"},
       {"port", "ros/streaming/gcode_streamer.test", "port"},
@@ -160,10 +149,7 @@ const std::vector<TestedElsewhere>& nodeTests() {
       {"queue_mb", "ros/monitor/layer_height_monitor.test", "queue_mb"},
       {"rate_hz", "ros/playback/trajectory_publisher.test", "rate_hz"},
       {"report_hz", "ros/drive/simulated_controller.test", "report_hz"},
-      {"sensor.mount_mm", "ros/loop/robot_loop.test", "mount_mm"},
-      {"shown.points", "ros/deposition/deposition_following.test", "shown/points"},
-      {"shown.triangles", "ros/deposition/deposition_simulator_test.cpp", "triangles"},
-      {"speed_up", "ros/deposition/deposition_following.test", "speed_up"},
+      {"speed_up", "ros/playback/trajectory_publisher.test", "trajectory_publisher/speed_up"},
       {"start_delay_s", "ros/drive/trajectory_driver.test", "start_delay_s"},
       {"view.largest_program_mb", "ros/slicing/gcode_incliner_test.cpp", "view.largest_program_mb"}};
   return all;
@@ -171,8 +157,9 @@ const std::vector<TestedElsewhere>& nodeTests() {
 
 std::vector<SettingProbe> nodeProbes() {
   std::vector<SettingProbe> all;
-  for (const auto& probes : {jogProbes(), driveProbes(), servoProbes(), plcProbes(), guardProbes(),
-                             hostProbes(), processIoProbes(), pageProbes(), machineProbes(), watchProbes()})
+  for (const auto& probes :
+       {jogProbes(), driveProbes(), servoProbes(), plcProbes(), guardProbes(), hostProbes(),
+        processIoProbes(), pageProbes(), machineProbes(), watchProbes(), shownProbes()})
     all.insert(all.end(), probes.begin(), probes.end());
   return all;
 }
@@ -193,6 +180,7 @@ TEST(NodeSettingsCoverage, EverySettingStandsInATest) {
     const std::string text = readFile(std::string(LAMINA_SOURCE_DIR) + "/test/" + setting.file);
     EXPECT_NE(text.find(setting.word), std::string::npos) << setting.key << " in " << setting.file;
   }
+  for (const TestedElsewhere& of_core : testedElsewhere()) covered.erase(of_core.key);
   const std::set<std::string> keys = nodeKeys();
   for (const std::string& key : keys) EXPECT_EQ(covered.count(key), 1U) << key << " stands in no test";
   for (const std::string& key : covered)
@@ -208,6 +196,7 @@ TEST(NodeSettingsCoverage, OfHosts) { expectEffects(hostProbes()); }
 TEST(NodeSettingsCoverage, OfProcesses) { expectEffects(processIoProbes()); }
 TEST(NodeSettingsCoverage, OfPages) { expectEffects(pageProbes()); }
 TEST(NodeSettingsCoverage, OfMachines) { expectEffects(machineProbes()); }
+TEST(NodeSettingsCoverage, OfWhatIsShown) { expectEffects(shownProbes()); }
 TEST(NodeSettingsCoverage, OfWatches) { expectEffects(watchProbes()); }
 
 TEST(NodeSettingsCoverage, APrintLooksForScansAtTheirClearance) {

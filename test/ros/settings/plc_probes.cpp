@@ -93,7 +93,15 @@ std::vector<SettingProbe> plcProbes() {
            "",
            demandsOfPlc,
            {{"plc.required=true"}, {"plc.patience_s=40", "plc.required=true"}}},
-          {"a unit that the PLC has suspended", "", goesOn, {{"plc.unsuspends=false"}}}};
+          {"a unit that the PLC has suspended", "", goesOn, {{"plc.unsuspends=false"}}},
+          {"a unit whose emergency stop was pressed",
+           "",
+           [](const SettingTexts& set) {
+             const bool is_local =
+                 demandsLocalStart({1207, "pressed"}, settingsWith<CellControllerSettings>(set));
+             return std::string(is_local ? "somebody else starts it" : "the PLC may start it");
+           },
+           {{"start.local_after_estop=false"}}}};
 }
 
 }  // namespace lamina::test

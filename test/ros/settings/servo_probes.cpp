@@ -62,7 +62,7 @@ std::string called(const SettingTexts& set) {
   std::string said;
   try {
     ServojDrive drive(sixJoints(), settings);
-    said = drive.keepConnected();
+    said = drive.keepConnected() + (drive.port() == settings.robot.port ? " on this port" : "");
   } catch (const DeviceError& error) {
     said = error.what();
   }
@@ -88,27 +88,28 @@ std::string isHeardOf(const SettingTexts& set) {
 }  // namespace
 
 std::vector<SettingProbe> servoProbes() {
-  return {{"a motion of which a cycle comes late",
-           "",
-           ledLate,
-           {{"cyclic.late_cycles=50"}, {"cyclic.brake_s=1", "cyclic.late_cycles=50"}}},
-          {"a motion from aside", "", takenFromAside, {{"cyclic.start_tolerance_deg=1"}}},
-          {"the program of a robot",
-           "",
-           programOfRobot,
-           {{"servoj.controller=cb3"},
-            {"servoj.lookahead_s=0.05"},
-            {"servoj.gain=600"},
-            {"servoj.silence_s=0.4"},
-            {"servoj.stop_rad_s2=4"}}},
-          {"a robot that is called",
-           "robot.port=0",
-           called,
-           {{"robot.host=127.0.0.2"}, {"robot.script_port=1"}, {"robot.bind=192.0.2.1"}}},
-          {"a robot that falls silent",
-           "robot.report_silence_s=60",
-           isHeardOf,
-           {{"robot.report_silence_s=0.02"}}}};
+  return {
+      {"a motion of which a cycle comes late",
+       "",
+       ledLate,
+       {{"cyclic.late_cycles=50"}, {"cyclic.brake_s=1", "cyclic.late_cycles=50"}}},
+      {"a motion from aside", "", takenFromAside, {{"cyclic.start_tolerance_deg=1"}}},
+      {"the program of a robot",
+       "",
+       programOfRobot,
+       {{"servoj.controller=cb3"},
+        {"servoj.lookahead_s=0.05"},
+        {"servoj.gain=600"},
+        {"servoj.silence_s=0.4"},
+        {"servoj.stop_rad_s2=4"}}},
+      {"a robot that is called",
+       "robot.port=0",
+       called,
+       {{"robot.host=127.0.0.2"}, {"robot.script_port=1"}, {"robot.bind=192.0.2.1"}, {"robot.port=50123"}}},
+      {"a robot that falls silent",
+       "robot.report_silence_s=60",
+       isHeardOf,
+       {{"robot.report_silence_s=0.02"}}}};
 }
 
 }  // namespace lamina::test

@@ -51,11 +51,23 @@ std::string copied(const SettingTexts& set) {
   return text;
 }
 
+/// Which reactions to an alarm hold the print.
+std::string holding(const SettingTexts& set) {
+  std::string text;
+  for (const LoopReaction reaction : {LoopReaction::Warn, LoopReaction::Hold, LoopReaction::Replan}) {
+    RaisedAlarm alarm;
+    alarm.reaction = reaction;
+    text += holdsPrint(alarm, settingsWith<HeightControllerSettings>(set)) ? "holds " : "goes on ";
+  }
+  return text;
+}
+
 }  // namespace
 
 std::vector<SettingProbe> watchProbes() {
   return {{"a scan that shows nothing", "", scanGivenUp, {{"silence_s=3"}}},
           {"what arrives", "", usedAt, {{"arrival_hold_s=1"}}},
+          {"an alarm of the loop on heights", "", holding, {{"pauses_print=false"}, {"plans_followed=true"}}},
           {"a journal that is copied", "", copied, {{"journal.copy_hour=12"}, {"journal.copies_kept=2"}}}};
 }
 
