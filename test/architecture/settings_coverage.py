@@ -11,7 +11,7 @@ from rule_script import report
 # The lists, and how a type stands in them: the core's, those of nodes, and parts, each of whose parameters parts_test.cpp changes.
 LISTS = {
     "test/job/settings/covered_schemas.cpp": re.compile(r"\bkeysOfAll<([^>.]+)>"),
-    "test/ros/adapters/node_settings_coverage_test.cpp": re.compile(r"\bkeysOf<(\w+)>"),
+    "test/ros/settings/node_settings_coverage_test.cpp": re.compile(r"\bkeysOf<(\w+)>"),
     "src/core/geometry/parts/parts.cpp": re.compile(r"\bpart<(\w+)>\("),
 }
 # What is described without being a choice of anybody's, by why.

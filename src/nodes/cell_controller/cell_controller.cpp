@@ -28,7 +28,6 @@ constexpr char kRemoteAccess[] = "remote_access";  // among the numbers that the
 constexpr char kLocalStart[] = "local_start_due";  // there, too
 constexpr char kPlc[] = "plc";
 constexpr double kFeedInterval = 1.0;  // [s] between two tries of a speed that was refused
-constexpr int kEmergencyStop = 1207;
 constexpr int kStartAtTheMachine = 1312;
 constexpr int kExecutorLost = 2201;
 constexpr int kExecutorSilent = 2202;
@@ -352,7 +351,7 @@ void CellController::followPlc(CellTime now) {
   const PlcDemands demands = plc_.watch().demands(cell_->status(), now.steady_s);
   for (const PlcAlarm& alarm : demands.raised) {
     cell_->raise(alarm.id, 0.0, alarm.message, now);
-    if (alarm.id == kEmergencyStop && settings_.is_start_local_after_stop) demandLocalStart(true);
+    if (demandsLocalStart(alarm, settings_)) demandLocalStart(true);
   }
   for (const int alarm : demands.ended) cell_->end(alarm, now);
   if (demands.is_part_removed && is_remote_allowed_) cell_->confirmRemoval(kPlc, now);

@@ -38,4 +38,9 @@ void describe(SettingsSchema& schema, CellControllerSettings& settings) {
                 "after a restart.");
 }
 
+bool demandsLocalStart(const PlcAlarm& alarm, const CellControllerSettings& settings) {
+  constexpr int kEmergencyStop = 1207;
+  return alarm.id == kEmergencyStop && settings.is_start_local_after_stop;
+}
+
 }  // namespace lamina

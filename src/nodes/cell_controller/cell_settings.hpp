@@ -27,4 +27,7 @@ struct CellControllerSettings {
 /// Adds the node's keys.
 void describe(SettingsSchema& schema, CellControllerSettings& settings);
 
+/// Whether the next Start has to come from somebody else than the PLC, which has raised this alarm.
+bool demandsLocalStart(const PlcAlarm& alarm, const CellControllerSettings& settings);
+
 }  // namespace lamina

@@ -290,10 +290,7 @@ void HeightController::report(const PrintPlan& plan) {
 
 void HeightController::report(const RaisedAlarm& alarm) {
   ROS_WARN("alarm %d: %s", static_cast<int>(alarm.alarm), alarm.reason.c_str());
-  // A plan takes the place of layers that must not be begun before.
-  const bool is_planned = alarm.reaction == LoopReaction::Replan && !settings_.plans_followed;
-  const bool holds = alarm.reaction == LoopReaction::Hold || is_planned;
-  if (!holds || !settings_.pauses_print) return;
+  if (!holdsPrint(alarm, settings_)) return;
   topics_.publish(toMessage(feed_.run()));
   ROS_WARN("%s", print_hold_.hold().c_str());
 }

@@ -24,4 +24,10 @@ void describe(SettingsSchema& schema, HeightControllerSettings& settings) {
       "the print.");
 }
 
+bool holdsPrint(const RaisedAlarm& alarm, const HeightControllerSettings& settings) {
+  // A plan takes the place of layers that must not be begun before.
+  const bool is_planned = alarm.reaction == LoopReaction::Replan && !settings.plans_followed;
+  return settings.pauses_print && (alarm.reaction == LoopReaction::Hold || is_planned);
+}
+
 }  // namespace lamina

@@ -22,4 +22,7 @@ struct HeightControllerSettings {
 /// Adds the node's keys.
 void describe(SettingsSchema& schema, HeightControllerSettings& settings);
 
+/// Whether an alarm of the loop holds the print.
+bool holdsPrint(const RaisedAlarm& alarm, const HeightControllerSettings& settings);
+
 }  // namespace lamina

@@ -16,13 +16,6 @@ namespace {
 
 constexpr double kTickInterval = 0.1;   // [s]
 constexpr double kStateInterval = 1.0;  // [s]
-constexpr double kGibibyte = 1024.0 * 1024.0 * 1024.0;
-
-HostWatchSettings watchSettings(const HostWatchNodeSettings& settings) {
-  HostWatchSettings watch = settings.watch;
-  watch.least_free_bytes = settings.least_gib * kGibibyte;
-  return watch;
-}
 
 std::vector<PeerHost> hostsOf(const std::vector<PeerAddress>& addresses) {
   std::vector<PeerHost> hosts;
@@ -59,7 +52,7 @@ lamina_msgs::HostNode toMessage(const NodeStatus& node) {
 HostWatchNode::HostWatchNode(ros::NodeHandle node, const HostWatchNodeSettings& settings)
     : settings_(settings),
       addresses_(peersOf(settings)),
-      watch_(watchSettings(settings), hostsOf(addresses_), shiftedNow(settings.shift_s)),
+      watch_(watchOf(settings), hostsOf(addresses_), shiftedNow(settings.shift_s)),
       alarms_(node.advertise<lamina_msgs::AlarmReport>(names::kAlarmReports, 100,
                                                        [this](const auto& listener) { greet(listener); })),
       state_(node.advertise<lamina_msgs::HostState>(names::kHostState, 10, true)),

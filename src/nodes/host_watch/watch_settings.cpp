@@ -69,6 +69,13 @@ void describe(SettingsSchema& schema, HostWatchNodeSettings& settings) {
       "any time.");
 }
 
+HostWatchSettings watchOf(const HostWatchNodeSettings& settings) {
+  constexpr double kGibibyte = 1024.0 * 1024.0 * 1024.0;
+  HostWatchSettings watch = settings.watch;
+  watch.least_free_bytes = settings.least_gib * kGibibyte;
+  return watch;
+}
+
 std::vector<std::string> namesIn(const std::string& list) {
   std::vector<std::string> names;
   std::istringstream text(list);

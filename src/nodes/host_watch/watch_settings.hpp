@@ -37,6 +37,9 @@ struct PeerAddress {
 /// Adds the keys hosts.*, clock.*, master.*, disk.*, nodes and guard.*.
 void describe(SettingsSchema& schema, HostWatchNodeSettings& settings);
 
+/// What is watched, as the core takes it.
+HostWatchSettings watchOf(const HostWatchNodeSettings& settings);
+
 /// The other hosts, in the order of their names.
 /// @throws InvalidConfig for an address that is none, and a host that is needed and not there
 std::vector<PeerAddress> peersOf(const HostWatchNodeSettings& settings);

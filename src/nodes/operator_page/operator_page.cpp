@@ -7,8 +7,6 @@
 #include <filesystem>
 
 #include "lamina/base/error.hpp"
-#include "lamina/base/loopback.hpp"
-#include "lamina/base/text.hpp"
 #include "log_bridge.hpp"
 #include "names.hpp"
 #include "page_files.hpp"
@@ -35,49 +33,6 @@ std::string madePageFolder(const std::string& folder) {
   return fs::absolute(folder).string();
 }
 
-std::optional<TlsFiles> tlsFiles(const OperatorPageSettings& settings, const std::string& folder) {
-  if (!settings.is_encrypted) return std::nullopt;
-  if (settings.certificate.empty() != settings.key.empty())
-    throw InvalidConfig("web.certificate is '" + settings.certificate + "' and web.key is '" + settings.key +
-                        "'; expected both or none");
-  TlsFiles files{settings.certificate, settings.key};
-  if (files.certificate.empty()) {
-    files = {folder + "/page_certificate.pem", folder + "/page_key.pem"};
-    const std::vector<std::string> hosts = splitIntoWords(settings.hosts);
-    makeTlsIdentity(files, hosts.empty() ? settings.bind : hosts.front());
-  }
-  return files;
-}
-
-SiteSettings siteSettings(const OperatorPageSettings& settings, const std::string& folder) {
-  SiteSettings site;
-  site.access.is_loopback_open = settings.loopback == LoopbackAccess::None;
-  site.access.hosts = splitIntoWords(settings.hosts);
-  for (std::string& host : site.access.hosts)
-    host = hostName(host.find(':') == std::string::npos ? host : "[" + host + "]");
-  site.access.hosts.push_back(settings.bind);
-  site.upload_folder = folder + "/uploads";
-  site.journal_folder = folder;
-  site.most_upload_bytes = static_cast<std::uint64_t>(settings.largest_upload_mb) << 20;
-  site.upload_print = settings.upload_print;
-  if (!isLoopbackHost(settings.bind))
-    site.notices.push_back(settings.is_encrypted
-                               ? "This page is reached from other hosts."
-                               : "This page is reached from other hosts, without encryption.");
-  return site;
-}
-
-WebServerSettings serverSettings(const OperatorPageSettings& settings, const std::string& folder) {
-  WebServerSettings server;
-  server.connections = static_cast<std::size_t>(settings.connections);
-  server.connections_of_client = static_cast<std::size_t>(settings.connections_of_address);
-  server.bind = settings.bind;
-  server.port = static_cast<std::uint16_t>(settings.port);
-  server.tls = tlsFiles(settings, folder);
-  server.allows_plain = settings.allows_plain;
-  return server;
-}
-
 }  // namespace
 
 OperatorPage::OperatorPage(ros::NodeHandle node, const OperatorPageSettings& settings)
@@ -86,10 +41,10 @@ OperatorPage::OperatorPage(ros::NodeHandle node, const OperatorPageSettings& set
       desk_(node, settings.patience_s),
       store_(madePageFolder(settings.folder) + "/page.db") {
   const std::string folder = fs::absolute(settings.folder).string();
-  site_ = std::make_unique<OperatorSite>(siteSettings(settings, folder), desk_, store_, pageFiles());
+  site_ = std::make_unique<OperatorSite>(siteOf(settings, folder), desk_, store_, pageFiles());
   camera_ = std::make_unique<CameraIntake>(node, settings.camera_topic,
                                            [this](std::string jpeg) { site_->setFrame(std::move(jpeg)); });
-  const WebServerSettings server = serverSettings(settings, folder);
+  const WebServerSettings server = webServerOf(settings, folder);
   server_ = std::make_unique<WebServer>(server, *site_, rosLog());
   if (server.tls) ROS_INFO_STREAM("certificate, SHA-256: " << tlsFingerprint(server.tls->certificate));
   for (const std::string& notice : site_->settings().notices) ROS_WARN_STREAM(notice);

@@ -2,7 +2,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "page_settings.hpp"
 
+#include "lamina/base/error.hpp"
+#include "lamina/base/loopback.hpp"
+#include "lamina/base/text.hpp"
+
 namespace lamina {
+namespace {
+
+std::optional<TlsFiles> tlsFiles(const OperatorPageSettings& settings, const std::string& folder) {
+  if (!settings.is_encrypted) return std::nullopt;
+  if (settings.certificate.empty() != settings.key.empty())
+    throw InvalidConfig("web.certificate is '" + settings.certificate + "' and web.key is '" + settings.key +
+                        "'; expected both or none");
+  TlsFiles files{settings.certificate, settings.key};
+  if (files.certificate.empty()) {
+    files = {folder + "/page_certificate.pem", folder + "/page_key.pem"};
+    const std::vector<std::string> hosts = splitIntoWords(settings.hosts);
+    makeTlsIdentity(files, hosts.empty() ? settings.bind : hosts.front());
+  }
+  return files;
+}
+
+}  // namespace
 
 void describe(SettingsSchema& schema, OperatorPageSettings& settings) {
   schema.text("web.bind", settings.bind,
@@ -40,6 +61,35 @@ void describe(SettingsSchema& schema, OperatorPageSettings& settings) {
               "Images of the camera; those on this topic with /compressed are taken before raw ones.");
   schema.number("cell.patience_s", settings.patience_s, {0.1, 60.0},
                 "Time in which the cell answers an order.");
+}
+
+SiteSettings siteOf(const OperatorPageSettings& settings, const std::string& folder) {
+  SiteSettings site;
+  site.access.is_loopback_open = settings.loopback == LoopbackAccess::None;
+  site.access.hosts = splitIntoWords(settings.hosts);
+  for (std::string& host : site.access.hosts)
+    host = hostName(host.find(':') == std::string::npos ? host : "[" + host + "]");
+  site.access.hosts.push_back(settings.bind);
+  site.upload_folder = folder + "/uploads";
+  site.journal_folder = folder;
+  site.most_upload_bytes = static_cast<std::uint64_t>(settings.largest_upload_mb) << 20;
+  site.upload_print = settings.upload_print;
+  if (!isLoopbackHost(settings.bind))
+    site.notices.push_back(settings.is_encrypted
+                               ? "This page is reached from other hosts."
+                               : "This page is reached from other hosts, without encryption.");
+  return site;
+}
+
+WebServerSettings webServerOf(const OperatorPageSettings& settings, const std::string& folder) {
+  WebServerSettings server;
+  server.connections = static_cast<std::size_t>(settings.connections);
+  server.connections_of_client = static_cast<std::size_t>(settings.connections_of_address);
+  server.bind = settings.bind;
+  server.port = static_cast<std::uint16_t>(settings.port);
+  server.tls = tlsFiles(settings, folder);
+  server.allows_plain = settings.allows_plain;
+  return server;
 }
 
 }  // namespace lamina

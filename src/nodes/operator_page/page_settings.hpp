@@ -6,6 +6,7 @@
 
 #include "lamina/base/settings_schema.hpp"
 #include "lamina/web/operator_site.hpp"
+#include "lamina/web/web_server.hpp"
 
 namespace lamina {
 
@@ -36,5 +37,14 @@ struct OperatorPageSettings {
 
 /// Adds the node's keys.
 void describe(SettingsSchema& schema, OperatorPageSettings& settings);
+
+/// What the page shows and takes from whom.
+/// @param folder  of the page, absolute
+SiteSettings siteOf(const OperatorPageSettings& settings, const std::string& folder);
+
+/// Where and for how many the page listens. With TLS and no certificate stated, makes one in the folder if it
+/// is not there.
+/// @throws InvalidConfig for a certificate without its key; FileError
+WebServerSettings webServerOf(const OperatorPageSettings& settings, const std::string& folder);
 
 }  // namespace lamina

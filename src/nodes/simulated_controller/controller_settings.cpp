@@ -30,4 +30,10 @@ void describe(SettingsSchema& schema, ControllerSettings& settings) {
               "Whether the sensor also measures while something flows.");
 }
 
+Point3 sensorMount(const ControllerSettings& settings) {
+  const std::vector<double>& mount = settings.sensor_mount_mm;
+  if (mount.empty()) return {0.0, 0.0, -settings.sensor.stand_off_mm};
+  return {mount[0], mount[1], mount[2]};
+}
+
 }  // namespace lamina

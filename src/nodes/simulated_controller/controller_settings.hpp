@@ -33,4 +33,7 @@ struct ControllerSettings {
 /// profile_while_depositing.
 void describe(SettingsSchema& schema, ControllerSettings& settings);
 
+/// Where the sensor is in the nozzle's frame [mm], where the URDF has none; it looks along the nozzle.
+Point3 sensorMount(const ControllerSettings& settings);
+
 }  // namespace lamina

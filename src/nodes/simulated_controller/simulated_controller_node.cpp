@@ -256,10 +256,7 @@ void SimulatedControllerNode::report(const ros::Time& now) {
 /// Where the URDF has no sensor, it looks along the nozzle.
 void SimulatedControllerNode::mountSensor() {
   if (model_->bedFromLinks(controller_.position()).count(names::kSensorFrame) > 0) return;
-  const std::vector<double>& mount = settings_.sensor_mount_mm;
-  const Point3 place =
-      mount.size() == 3 ? Point3(mount[0], mount[1], mount[2]) : Point3(0, 0, -settings_.sensor.stand_off_mm);
-  nozzle_from_sensor_ = Eigen::Isometry3d(Eigen::Translation3d(place));
+  nozzle_from_sensor_ = Eigen::Isometry3d(Eigen::Translation3d(sensorMount(settings_)));
   geometry_msgs::TransformStamped mounted;
   mounted.header.stamp = epoch_;
   mounted.header.frame_id = names::kNozzleFrame;

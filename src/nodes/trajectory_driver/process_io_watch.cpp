@@ -7,6 +7,17 @@
 
 namespace lamina {
 
+std::string processFault(const ProcessIoDemand& demand, const lamina_msgs::ProcessReady& last,
+                         const ros::Time& heard, const ros::Time& now) {
+  if (!demand.is_required) return {};
+  if (heard.isZero()) return "process_io was not heard of";
+  const double silent_s = (now - heard).toSec();
+  if (silent_s > demand.silence_s)
+    return "process_io has been silent for " + numberText(silent_s) + " s; expected word every " +
+           numberText(demand.silence_s) + " s at least";
+  return last.ready ? std::string() : "process_io is not ready: " + last.reason;
+}
+
 ProcessIoWatch::ProcessIoWatch(ros::NodeHandle& node, const ProcessIoDemand& demand) : demand_(demand) {
   if (!demand.is_required) return;
   const boost::function<void(const lamina_msgs::ProcessReadyConstPtr&)> on_ready =
@@ -19,14 +30,8 @@ ProcessIoWatch::ProcessIoWatch(ros::NodeHandle& node, const ProcessIoDemand& dem
 }
 
 std::string ProcessIoWatch::fault(const ros::Time& now) const {
-  if (!demand_.is_required) return {};
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (heard_.isZero()) return "process_io was not heard of";
-  const double silent_s = (now - heard_).toSec();
-  if (silent_s > demand_.silence_s)
-    return "process_io has been silent for " + numberText(silent_s) + " s; expected word every " +
-           numberText(demand_.silence_s) + " s at least";
-  return last_.ready ? std::string() : "process_io is not ready: " + last_.reason;
+  return processFault(demand_, last_, heard_, now);
 }
 
 }  // namespace lamina

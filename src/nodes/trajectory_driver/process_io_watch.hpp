@@ -12,6 +12,12 @@
 
 namespace lamina {
 
+/// Why the process cannot be run by what was heard of process_io last, in words; empty if it can, or is not
+/// asked for.
+/// @param heard  when; zero before the first word
+std::string processFault(const ProcessIoDemand& demand, const lamina_msgs::ProcessReady& last,
+                         const ros::Time& heard, const ros::Time& now);
+
 /// Hears whether process_io can run the process.
 class ProcessIoWatch {
  public:

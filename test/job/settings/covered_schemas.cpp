@@ -51,39 +51,10 @@ std::vector<std::string> coreKeys() {
 
 const std::vector<TestedElsewhere>& testedElsewhere() {
   static const std::vector<TestedElsewhere> all = {
-      {"clearance.need", "job/joint_program_test.cpp", "clearance.need"},
-      {"clearance.raise_tool_axis", "job/joint_program_test.cpp", "raises_tool_axis"},
       {"clearance.report", "ros/slicing/slicing_service_test.cpp", "clearance.report"},
-      {"drop_voids.least_share", "job/voids/drop_void_job_test.cpp", "least_share"},
-      {"stream.firmware", "streaming/firmware/firmware_protocol_test.cpp", "stream.firmware"},
-      {"stream.password_file", "streaming/session/upload_session_test.cpp", "password_file"},
-      {"frames.every_mm", "ros/adapters/frame_markers_test.cpp", "every_mm"},
-      {"frames.length_mm", "ros/adapters/frame_markers_test.cpp", "length_mm"},
-      {"fanuc.name_length", "program/robot/robot_writer_test.cpp", "fanuc.name_length"},
-      {"inform.name_length", "program/robot/robot_writer_test.cpp", "inform.name_length"},
-      {"krl.max_mb", "program/robot/robot_writer_test.cpp", "max_mb"},
-      {"robot_program.allow_cut", "program/robot/robot_writer_test.cpp", "may_cut"},
-      {"input.deflection_deg", "geometry/mesh_io/step_reader_test.cpp", "deflection"},
-      {"input.deflection_mm", "geometry/mesh_io/step_reader_test.cpp", "deflection_mm"},
-      {"input.extrude_mm", "job/part/outline_part_test.cpp", "extrude_mm"},
-      {"machine.greatest_bed_c", "job/profiles/capabilities_test.cpp", "machine.greatest_bed_c"},
-      {"machine.greatest_layer_mm", "job/profiles/capabilities_test.cpp", "machine.greatest_layer_mm"},
-      {"machine.greatest_nozzle_c", "job/profiles/capabilities_test.cpp", "machine.greatest_nozzle_c"},
-      {"machine.has_bed_heater", "job/profiles/capabilities_test.cpp", "machine.has_bed_heater"},
-      {"machine.has_fan", "job/profiles/capabilities_test.cpp", "machine.has_fan"},
-      {"machine.least_layer_mm", "job/profiles/capabilities_test.cpp", "machine.least_layer_mm"},
-      {"machine.nozzle_mm", "job/profiles/capabilities_test.cpp", "machine.nozzle_mm"},
-      {"joints.branch_change", "kinematics/joint_path/joint_path_planner_test.cpp", "branch_change"},
-      {"joints.branch_change_cost", "kinematics/joint_path/ladder_search_test.cpp", "branch_change_cost"},
-      {"joints.max_slowdown", "kinematics/joint_path/joint_path_planner_test.cpp", "max_slowdown"},
       {"overhang.report", "ros/slicing/slicing_service_test.cpp", "overhang.report"},
-      {"pose_gap_mm", "monitoring/stamped_heights_test.cpp", "pose_gap_mm"},
-      {"quiet_s", "monitoring/stamped_heights_test.cpp", "quiet_s"},
-      {"tool.interface", "planning/tools/tool_settings_test.cpp", "interface"},
-      {"tool.support", "planning/tools/tool_settings_test.cpp", "support"},
-      {"raster.order", "infill/rectilinear/section_order_test.cpp", "tourByEnds"},
-      {"sweep.cut_height", "sweep/sweep_test.cpp", "CutHeight::Absolute"},
-      {"surrogate.answer_nearness", "job/study/study_job_test.cpp", "answer_nearness"}};
+      {"frames.every_mm", "ros/settings/shown_probes.cpp", "{\"frames.every_mm="},
+      {"frames.length_mm", "ros/settings/shown_probes.cpp", "{\"frames.length_mm="}};
   return all;
 }
 

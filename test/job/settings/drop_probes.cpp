@@ -3,6 +3,8 @@
 // Drops: their fills, their voids and their programs.
 #include "job/settings/setting_probe.hpp"
 #include "job/settings/sliced_text.hpp"
+#include "lamina/job/voids/drop_void_job.hpp"
+#include "support/drop_programs.hpp"
 
 namespace lamina::test {
 namespace {
@@ -52,8 +54,25 @@ SettingProbe dropProgramProbe() {
            {"drop_program.units_key=length"}}};
 }
 
+/// Whether two drops more for 160 are worth it.
+std::string worthIt(const SettingTexts& set) {
+  NoProgress nobody;
+  const DropProgram program = parseDropProgram(squareProgram({{4, 4}, {2, 6}}), {});
+  const FilledDropProgram filled =
+      fillDropProgram(program, settingsWith<JobSettings>(set).drop_voids, {}, nobody);
+  return filled.report.is_worth_it ? "worth it" : "not worth it";
+}
+
 }  // namespace
 
-std::vector<SettingProbe> dropProbes() { return {dropFillProbe(), dropVoidProbe(), dropProgramProbe()}; }
+std::vector<SettingProbe> dropProbes() {
+  return {dropFillProbe(),
+          dropVoidProbe(),
+          dropProgramProbe(),
+          {"whether a program's voids are filled",
+           "drop_voids.least_share=0.01",
+           worthIt,
+           {{"drop_voids.least_share=0.02"}}}};
+}
 
 }  // namespace lamina::test

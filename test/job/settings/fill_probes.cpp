@@ -16,7 +16,6 @@ SettingProbe rasterProbe() {
           kPlain,
           toolpathOf("through_hole_plate x_mm=24 y_mm=16 z_mm=1 hole_radius_mm=5 segments=32"),
           {{"raster.direction=fewest_turns"},
-
            {"raster.longest_connection_mm=0"},
            {"raster.most_connection=0.5"}}};
 }
@@ -26,6 +25,7 @@ SettingProbe hybridProbe() {
           std::string(kPlain) + "infill.strategy=hybrid;infill.density=0.5",
           toolpathOf("cylinder radius_mm=9 height_mm=2 segments=48"),
           {{"hybrid.lines=metal"},
+           {"raster.order=ends"},
            {"hybrid.longitudinal=two_pass", "hybrid.lines=metal"},
            {"hybrid.grid_x_mm=0.7", "hybrid.lines=metal"},
            {"hybrid.grid_y_mm=0.7", "hybrid.lines=metal;infill.angle_deg=90"},

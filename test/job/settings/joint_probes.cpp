@@ -6,6 +6,7 @@
 #include "job/settings/setting_probe.hpp"
 #include "lamina/job/kinematic_model_run.hpp"
 #include "lamina/job/run_settings.hpp"
+#include "support/gantry_head.hpp"
 #include "support/tilting_arm.hpp"
 
 namespace lamina::test {
@@ -50,11 +51,11 @@ Toolpath beads(double turn_deg, double tilt_deg) {
   return {"beads", {{0.2, 0.2, {first, travelBetween(first, second), second}}}};
 }
 
-std::string jointsText(const KinematicModelRun& run) {
+std::string jointsText(const JointPath& path) {
   std::string text;
-  for (const JointValues& values : run.path.values)
+  for (const JointValues& values : path.values)
     text += numbersText({values.data(), values.data() + values.size()});
-  for (const FaultyWaypoint& fault : run.path.faults) text += fault.reason + "\n";
+  for (const FaultyWaypoint& fault : path.faults) text += fault.reason + "\n";
   return text;
 }
 
@@ -64,7 +65,8 @@ std::function<std::string(const SettingTexts& set)> jointsOn(const std::string& 
     NoProgress nobody;
     return jointsText(runOn(*kinematicModelByName(machine), toolpath,
                             Eigen::Isometry3d(Eigen::Translation3d(place)),
-                            settingsWith<RunSettings>(set).joints, nobody));
+                            settingsWith<RunSettings>(set).joints, nobody)
+                          .path);
   };
 }
 
@@ -101,15 +103,16 @@ SettingProbe turntableProbe() {
 
 SettingProbe tiltingTableProbe() {
   const Toolpath toolpath = beads(60.0, 15.0);
-  return {"joints of an arm with a table that tilts",
-          "joints.yaw_samples=24;joints.external=gravity",
-          [toolpath](const SettingTexts& set) {
-            NoProgress nobody;
-            return jointsText(runOn(*kinematicModelFromUrdf(tiltingArm()), toolpath,
-                                    Eigen::Isometry3d::Identity(), settingsWith<RunSettings>(set).joints,
-                                    nobody));
-          },
-          {{"joints.external_cone_deg=3"}}};
+  return {
+      "joints of an arm with a table that tilts",
+      "joints.yaw_samples=24;joints.external=gravity",
+      [toolpath](const SettingTexts& set) {
+        NoProgress nobody;
+        return jointsText(runOn(*kinematicModelFromUrdf(tiltingArm()), toolpath,
+                                Eigen::Isometry3d::Identity(), settingsWith<RunSettings>(set).joints, nobody)
+                              .path);
+      },
+      {{"joints.external_cone_deg=3"}}};
 }
 
 SettingProbe uprightHeadProbe() {
@@ -119,10 +122,55 @@ SettingProbe uprightHeadProbe() {
           {{"joints.singular_tool_axis_tolerance_deg=1"}, {"joints.swing_tolerance_deg=0.2"}}};
 }
 
+/// A bead over whose middle the tool axis passes straight down at 0.2 deg.
+Toolpath beadOverASingularity() {
+  Path path = leaningBead(0.0, 0.0, 0.0, 0.0);
+  const Eigen::Quaterniond aside = leaning(90.0, 0.2) * nozzleDown().inverse();
+  std::vector<Eigen::Quaterniond> nozzles;
+  for (int i = -6; i <= 6; ++i) nozzles.push_back(aside * leaning(0.0, 0.5 * i));
+  path.orientation = AlongPath<Eigen::Quaterniond>(std::move(nozzles));
+  return {"bead", {{0.2, 0.2, {path}}}};
+}
+
+SettingProbe swingProbe() {
+  return {"joints of a head that swings beside its singularity",
+          "joints.max_step_mm=1000",
+          jointsOn("five_axis_head_ac", beadOverASingularity(), {60, 60, 0}),
+          {{"joints.max_slowdown=1.5"}}};
+}
+
+/// Beads between which a head with so much way for its joint c would turn far, or tilt to the other side.
+std::string branches(double c_limit_deg, const SettingTexts& set) {
+  const Path first = leaningBead(0.0, -40.0, 50.0, 30.0);
+  const Path second = leaningBead(40.0, -10.0, 50.0, 30.0);
+  const Path third = leaningBead(80.0, 150.0, 50.0, 30.0);
+  const Toolpath toolpath{
+      "beads",
+      {{0.2, 0.2, {first, travelBetween(first, second), second, travelBetween(second, third), third}}}};
+  NoProgress nobody;
+  return jointsText(planJointPath(toolpath, Eigen::Isometry3d::Identity(),
+                                  GantryHead(ToolAxisSpin::Free, c_limit_deg),
+                                  settingsWith<RunSettings>(set).joints, nobody));
+}
+
+std::vector<SettingProbe> branchProbes() {
+  return {{"joints of a head that has to change its branch",
+           "",
+           [](const SettingTexts& set) { return branches(110.0, set); },
+           {{"joints.branch_change=never"}}},
+          {"joints of a head that may change its branch",
+           "joints.branch_change_cost=0",
+           [](const SettingTexts& set) { return branches(200.0, set); },
+           {{"joints.branch_change_cost=1e6"}}}};
+}
+
 }  // namespace
 
 std::vector<SettingProbe> jointProbes() {
-  return {armProbe(), turntableProbe(), tiltingTableProbe(), uprightHeadProbe()};
+  std::vector<SettingProbe> probes = {armProbe(), turntableProbe(), tiltingTableProbe(), uprightHeadProbe(),
+                                      swingProbe()};
+  for (SettingProbe& probe : branchProbes()) probes.push_back(std::move(probe));
+  return probes;
 }
 
 }  // namespace lamina::test

@@ -13,6 +13,7 @@
 #include "lamina/verification/overhang/overhang.hpp"
 #include "support/toolpaths.hpp"
 #include "support/voxel_shapes.hpp"
+#include "sweep/specimen.hpp"
 
 namespace lamina::test {
 namespace {
@@ -83,6 +84,27 @@ std::string swept(const SettingTexts& set) {
   NoProgress nobody;
   const VoxelGrid inside = voxelUnion(solids, settings.voxel_mm, nobody);
   return numbersText({double(solids.size()), double(inside.solidCount()), unionVolume(solids, nobody)});
+}
+
+/// Sections of a bead of the second layer that ends 0.17 mm from where it begins.
+std::string cutInto(const SettingTexts& set) {
+  const Toolpath toolpath = layered({1.2, 1.5}, [](std::size_t, double z, double h) {
+    std::vector<Path> paths;
+    if (h < 0.5) paths = {bead({{0, 0, z}, {10, 0, z}, {10, 10, z}, {0, 0.17, z}}, {0.3, h})};
+    return paths;
+  });
+  return std::to_string(sweepsOf(toolpath, settingsWith<JobSettings>(set).sweep).size());
+}
+
+/// How a nozzle is held that leans into the bed, if it is not refused.
+SettingProbe headInBedProbe() {
+  return {"a head in the bed",
+          "slicing.layer_height_mm=0.5;slicing.first_layer_height_mm=0.5;bead.width_mm=1;skirt.count=0;"
+          "machine.name=five_axis_head_table;orientation.mode=fixed;orientation.fixed_lean_deg=50;"
+          "clearance.need=never",
+          programOf("box x_mm=6 y_mm=4 z_mm=0.5", ".gcode"),
+          {{"clearance.need=turning"},
+           {"clearance.raise_tool_axis=false", "clearance.need=turning;clearance.raise_tool_axis=true"}}};
 }
 
 /// A bar of voxels of 1 mm.
@@ -162,6 +184,8 @@ std::vector<SettingProbe> measureProbes() {
             {"deposition.skirt=true"},
             {"deposition.memory_limit_mb=0.001"}}},
           {"sweeps", "", swept, {{"sweep.corners=lines"}, {"sweep.voxel_mm=0.2"}}},
+          {"a bead that is cut", "", cutInto, {{"sweep.cut_height=absolute"}}},
+          headInBedProbe(),
           stiffnessProbe(),
           {"the memory of stiffness",
            "stiffness.residual=0.01",

@@ -4,6 +4,7 @@
 #include "job/settings/setting_probe.hpp"
 #include "lamina/monitoring/height_monitor.hpp"
 #include "lamina/monitoring/profile_sensor.hpp"
+#include "lamina/monitoring/stamped_heights.hpp"
 #include "support/scanned_plates.hpp"
 
 namespace lamina::test {
@@ -40,10 +41,35 @@ std::string monitored(const SettingTexts& set) {
   return text + numbersText({double(monitor.pointsOutside())});
 }
 
+/// A scan of half a second in steps of 0.5 mm, the last of which is of 3 mm, and a rest over what was seen.
+std::string stamped(const SettingTexts& set) {
+  StampedHeights heights(scannedPlates({{Point2(5, 5), Point2(15, 12)}}), Eigen::Isometry3d::Identity(),
+                         settingsWith<MonitorSettings>(set));
+  std::vector<double> numbers;
+  const auto note = [&](const LayerHeightReports& reports) {
+    for (const LayerHeightReport& report : reports)
+      numbers.insert(numbers.end(), {double(report.profiles), report.statistics.coverage});
+  };
+  const auto look = [&](int i, double y) {
+    const std::int64_t stamp_ns = 50'000'000LL * i;
+    note(heights.observe({stamp_ns, Point3(0, y, 1.3)}));
+    StampedProfile profile{stamp_ns - 1, {}};
+    for (double x = 4.05; x < 16.0; x += 0.1) profile.points.emplace_back(x, y, 0.21);
+    note(heights.insert(profile));
+  };
+  heights.observe({1, Point3(5, 5, 0.2)});
+  heights.observe({2, Point3(10, 5, 0.2)});
+  heights.observe({3, Point3(0, 5, 1.3)});
+  for (int i = 1; i <= 10; ++i) look(i, 5.0 + 0.5 * i);
+  for (int i = 11; i <= 80; ++i) look(i, 13.0);
+  return numbersText(numbers) + numbersText({double(heights.use().in_gap.profiles)});
+}
+
 }  // namespace
 
 std::vector<SettingProbe> monitorProbes() {
-  return {{"a profile sensor",
+  return {{"heights by stamps", "", stamped, {{"pose_gap_mm=1"}, {"quiet_s=1"}}},
+          {"a profile sensor",
            "",
            seen,
            {{"sensor.width_mm=20"},

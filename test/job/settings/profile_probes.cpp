@@ -3,6 +3,7 @@
 // What profiles set beside planning: comments of programs, dialects, letters.
 #include "job/settings/setting_probe.hpp"
 #include "job/settings/sliced_text.hpp"
+#include "lamina/base/error.hpp"
 
 namespace lamina::test {
 namespace {
@@ -30,8 +31,32 @@ SettingProbe lettersProbe() {
           {{"five_axis.letters=b=U,c=V"}}};
 }
 
+/// What settings are refused with that a machine is not capable of.
+std::string refusedBy(const SettingTexts& set) {
+  try {
+    validate(settingsWith<JobSettings>(set));
+    return "nothing is refused";
+  } catch (const InvalidConfig& error) {
+    return error.what();
+  }
+}
+
+SettingProbe capabilitiesProbe() {
+  return {"what a machine is capable of",
+          "fan.use=true;program.nozzle_temperature_c=210;program.bed_temperature_c=60;"
+          "slicing.layer_height_mm=0.2;slicing.first_layer_height_mm=0.2",
+          refusedBy,
+          {{"machine.nozzle_mm=0.15"},
+           {"machine.greatest_nozzle_c=200"},
+           {"machine.greatest_bed_c=50"},
+           {"machine.least_layer_mm=0.25"},
+           {"machine.greatest_layer_mm=0.15"},
+           {"machine.has_bed_heater=false"},
+           {"machine.has_fan=false"}}};
+}
+
 }  // namespace
 
-std::vector<SettingProbe> profileProbes() { return {annotationProbe(), lettersProbe()}; }
+std::vector<SettingProbe> profileProbes() { return {annotationProbe(), lettersProbe(), capabilitiesProbe()}; }
 
 }  // namespace lamina::test

@@ -3,6 +3,9 @@
 // Programs: G-code of three and five axes, RAPID, other languages of robots.
 #include "job/settings/setting_probe.hpp"
 #include "job/settings/sliced_text.hpp"
+#include "lamina/base/error.hpp"
+#include "support/robot_programs.hpp"
+#include "support/toolpaths.hpp"
 
 namespace lamina::test {
 namespace {
@@ -163,10 +166,38 @@ std::vector<SettingProbe> robotProbes() {
                       {"inform.max_points=10", "robot_program.allow_cut=true"}})};
 }
 
+/// A program of two layers, so many times; or why there is none.
+SettingProbe layersProbe(RobotLanguage language, int times, std::vector<SettingRow> rows) {
+  const auto written = [language, times](const SettingTexts& set) {
+    Toolpath toolpath;
+    for (int i = 0; i < times; ++i)
+      for (const ToolpathLayer& layer : twoLayers().layers) toolpath.layers.push_back(layer);
+    std::string text;
+    try {
+      for (const RobotFile& file :
+           robotFiles(language, toolpath, settingsWith<JobSettings>(set).program.robot))
+        text += file.name + "\n" + file.text;
+    } catch (const InvalidInput& error) {
+      return std::string(error.what());
+    }
+    return text;
+  };
+  return {std::string("layers in ") + toString(language), "", written, std::move(rows)};
+}
+
+std::vector<SettingProbe> layersProbes() {
+  return {
+      layersProbe(RobotLanguage::Krl, 200, {{"krl.max_mb=0.1"}}),
+      layersProbe(RobotLanguage::UrScript, 1, {{"robot_program.allow_cut=true", "urscript.max_points=4"}}),
+      layersProbe(RobotLanguage::Fanuc, 1, {{"fanuc.name_length=8"}}),
+      layersProbe(RobotLanguage::Inform, 1, {{"inform.name_length=8"}})};
+}
+
 }  // namespace
 
 std::vector<SettingProbe> programProbes() {
   std::vector<SettingProbe> probes = {gcodeProbe(), fiveAxisProbe(), rapidNamesProbe(), rapidValuesProbe()};
+  for (SettingProbe& probe : layersProbes()) probes.push_back(std::move(probe));
   for (SettingProbe& probe : robotProbes()) probes.push_back(std::move(probe));
   return probes;
 }

@@ -4,12 +4,15 @@
 #include <cmath>
 
 #include "job/settings/setting_probe.hpp"
+#include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/job/study/study_job.hpp"
 #include "lamina/kriging/kriging.hpp"
 #include "lamina/optimisation/evaluation.hpp"
 #include "lamina/optimisation/nsga2.hpp"
 #include "lamina/optimisation/surrogate_search.hpp"
 #include "lamina/study/search_settings.hpp"
+#include "lamina/study/study_reader.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace lamina::test {
@@ -67,6 +70,20 @@ std::string learntOf(const PointMeasurement& measure, const SettingTexts& set) {
   return pointsText(search.evaluations) + toString(search.end);
 }
 
+/// How a table ends whose row of the first iteration is not quite what is proposed.
+std::string answered(const SettingTexts& set) {
+  const ScratchFolder folder;
+  writeFile(folder.file("made.csv"),
+            "x,iteration,y\n-1,,7.25\n0,,3.25\n0.9,,1.36\n2,,1.25\n3,,3.25\n1.45,1,1.0025\n");
+  std::string yaml = "method: surrogate\nvariables: {x: [-1, 3]}\ntable: " + folder.file("made.csv") +
+                     "\nobjectives: {y: minimise}\nsearch:\n";
+  yaml += "  " + set.back().key + ": " + set.back().text + "\n";
+  NoProgress nobody;
+  const StudyOutcome outcome = runStudy({readStudy(yaml, "study", ""), folder.file("out")},
+                                        krigingFit(KrigingSettings()), nullptr, {}, nobody);
+  return numbersText({double(outcome.surrogate->iterations.size())}) + toString(outcome.surrogate->end);
+}
+
 SettingProbe frontProbe() {
   return {"a front",
           "nsga2.population=12;nsga2.generations=4",
@@ -116,13 +133,15 @@ SettingProbe surrogateProbe() {
 }  // namespace
 
 std::vector<SettingProbe> searchProbes() {
-  return {frontProbe(),
-          surrogateProbe(),
-          {"a search that may stop",
-           "surrogate.samples=12;surrogate.iterations=2;surrogate.most_iterations=4;genetic.individuals=20;"
-           "genetic.generations=10;surrogate.accepted_mape_percent=100",
-           [](const SettingTexts& set) { return learntOf(calmHills, set); },
-           {{"surrogate.iterations=1"}, {"surrogate.accepted_mape_percent=0.000001"}}}};
+  return {
+      frontProbe(),
+      surrogateProbe(),
+      {"a search that may stop",
+       "surrogate.samples=12;surrogate.iterations=2;surrogate.most_iterations=4;genetic.individuals=20;"
+       "genetic.generations=10;surrogate.accepted_mape_percent=100",
+       [](const SettingTexts& set) { return learntOf(calmHills, set); },
+       {{"surrogate.iterations=1"}, {"surrogate.accepted_mape_percent=0.000001"}}},
+      {"a table that answers", "surrogate.answer_nearness=0", answered, {{"surrogate.answer_nearness=0.1"}}}};
 }
 
 }  // namespace lamina::test

@@ -34,6 +34,8 @@ SettingTexts settingTexts(const std::string& assignments) {
   return texts;
 }
 
+std::string changedKey(const SettingRow& row) { return settingTexts(row.change).front().key; }
+
 template <>
 JobSettings settingsWith<JobSettings>(const SettingTexts& set) {
   JobSettings settings = plainSettings();
@@ -99,20 +101,6 @@ void expectEffects(const std::vector<SettingProbe>& probes) {
       }
     }
   }
-}
-
-std::vector<SettingProbe> allProbes() {
-  std::vector<SettingProbe> all;
-  for (const auto& probes :
-       {sliceProbes(),      layerProbes(),   fillProbes(),     flowProbes(),     runProbes(),
-        dropProbes(),       programProbes(), jointProbes(),    motionProbes(),   measureProbes(),
-        platformProbes(),   inclineProbes(), searchProbes(),   scaffoldProbes(), streamProbes(),
-        emulatorProbes(),   startupProbes(), approachProbes(), monitorProbes(),  bridgeProbes(),
-        skinProbes(),       supportProbes(), heightProbes(),   arcProbes(),      hookProbes(),
-        plateProbes(),      toolProbes(),    profileProbes(),  loopProbes(),     resumeProbes(),
-        calibrationProbes()})
-    all.insert(all.end(), probes.begin(), probes.end());
-  return all;
 }
 
 }  // namespace lamina::test

@@ -28,6 +28,9 @@ struct SettingProbe {
   std::vector<SettingRow> rows;
 };
 
+/// Key of the setting that a row is about.
+std::string changedKey(const SettingRow& row);
+
 /// "key=value;key=value" as settings.
 SettingTexts settingTexts(const std::string& assignments);
 
@@ -100,8 +103,5 @@ std::vector<SettingProbe> toolProbes();
 std::vector<SettingProbe> loopProbes();
 std::vector<SettingProbe> resumeProbes();
 std::vector<SettingProbe> calibrationProbes();
-
-/// All of them.
-std::vector<SettingProbe> allProbes();
 
 }  // namespace lamina::test

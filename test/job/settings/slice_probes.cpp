@@ -5,6 +5,7 @@
 
 #include "job/settings/setting_probe.hpp"
 #include "job/settings/sliced_text.hpp"
+#include "lamina/base/atomic_file.hpp"
 #include "lamina/geometry/mesh_io/mesh_writer.hpp"
 #include "lamina/geometry/parts/parts.hpp"
 #include "support/scratch_folder.hpp"
@@ -23,6 +24,25 @@ std::string openBox(const SettingTexts& set) {
     mesh.triangles.pop_back();
     writeStl(file, mesh);
   }
+  NoProgress nobody;
+  return toolpathId(runSliceJob({file, "", settingsWith<JobSettings>(set)}, nobody).toolpath);
+}
+
+/// A cylinder of 6 mm radius with faces that are curved.
+std::string curvedSolid(const SettingTexts& set) {
+  NoProgress nobody;
+  const std::string file = std::string(LAMINA_SOURCE_DIR) + "/test/data/cylinder.step";
+  return toolpathId(runSliceJob({file, "", settingsWith<JobSettings>(set)}, nobody).toolpath);
+}
+
+/// A rectangle that is extruded.
+std::string outline(const SettingTexts& set) {
+  static const ScratchFolder folder;
+  const std::string file = folder.file("plate.svg");
+  if (!std::filesystem::exists(file))
+    writeFile(file,
+              "<svg width='12mm' height='9mm' viewBox='0 0 12 9'><rect x='2' y='2' width='8' "
+              "height='5'/></svg>");
   NoProgress nobody;
   return toolpathId(runSliceJob({file, "", settingsWith<JobSettings>(set)}, nobody).toolpath);
 }
@@ -142,10 +162,20 @@ SettingProbe curvedOutlineProbe() {
 }  // namespace
 
 std::vector<SettingProbe> sliceProbes() {
-  return {readingProbe(),  {"an open box is read", kCoarse, openBox, {{"input.repair=strict"}}},
-          planningProbe(), skinProbe(),
-          coolingProbe(),  narrowProbe(),
-          refillProbe(),   curvedOutlineProbe()};
+  return {
+      readingProbe(),
+      {"an open box is read", kCoarse, openBox, {{"input.repair=strict"}}},
+      {"an outline is read", std::string(kCoarse) + ";input.extrude_mm=1", outline, {{"input.extrude_mm=2"}}},
+      {"a curved solid is read",
+       std::string(kCoarse) + ";input.deflection_deg=90",
+       curvedSolid,
+       {{"input.deflection_mm=1"}, {"input.deflection_deg=5"}}},
+      planningProbe(),
+      skinProbe(),
+      coolingProbe(),
+      narrowProbe(),
+      refillProbe(),
+      curvedOutlineProbe()};
 }
 
 }  // namespace lamina::test

@@ -19,6 +19,7 @@ std::vector<SettingProbe> toolProbes() {
            kTwoTools,
            programOf("box x_mm=12 y_mm=9 z_mm=1.6", ".gcode"),
            {{"tool.walls=1"},
+            {"tool.support=1", "brim.width_mm=1"},
             {"tool.infill=0"},
             {"tool.skin=1"},
             {"tools.list=[{name: a}, {name: b, offset_mm: [30, 0, 0]}]"},
@@ -27,7 +28,11 @@ std::vector<SettingProbe> toolProbes() {
             {"tools.purge_into_infill=true"},
             {"tools.tower_at_mm=-30,4"},
             {"bead.flow=0.9"},
-            {"hooks.tool_change=M117 {tool}"}}}};
+            {"hooks.tool_change=M117 {tool}"}}},
+          {"supports by two tools",
+           std::string(kTwoTools) + ";supports.use=true;supports.interface_layers=1",
+           programOf("bridge length_mm=12 width_mm=4 gap_mm=8 pillar_mm=2 plate_mm=0.8", ".gcode"),
+           {{"tool.interface=1"}}}};
 }
 
 }  // namespace lamina::test

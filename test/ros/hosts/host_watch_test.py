@@ -3,6 +3,7 @@
 
     host_watch_test.py NODE   and the launch file of another host
 """
+import math
 import os
 import pathlib
 import shutil
@@ -28,7 +29,7 @@ class HostWatch(TwoHosts):
         import rospy  # only now: the master's address is known to it from the environment
         from lamina.msg import AlarmReport, HostState
         self.master = self.start_master(ROS_IP=HOST)
-        self.reports, self.state = [], None
+        self.reports, self.state, self.hosts = [], None, set()
         if not rospy.core.is_initialized():
             rospy.init_node("host_watch_test", disable_signals=True)
         self.subscribers = [rospy.Subscriber("alarm_reports", AlarmReport, self.reports.append, queue_size=100),
@@ -37,6 +38,7 @@ class HostWatch(TwoHosts):
             self.addCleanup(subscriber.unregister)
 
     def on_state(self, state):
+        self.hosts.add(state.host)
         if state.host == "motion":
             self.state = state
 
@@ -73,6 +75,7 @@ class HostWatch(TwoHosts):
         self.assertEqual(self.raised(), [])
         self.assertLess(self.peer().silent, NEEDED_SILENCE)
         self.assertGreater(self.state.free_space, 0.0)
+        self.await_that(lambda: self.hosts == {"motion", "sensing"}, "the hosts are not named")
         ip("link", "set", "cable", "down")
         self.addCleanup(ip, "link", "set", "cable", "up")
         pulled = time.monotonic()
@@ -102,9 +105,10 @@ class HostWatch(TwoHosts):
         self.assertEqual(self.raised(), [])
 
     def test_a_master_that_died_and_one_that_was_started_anew_are_told(self):
-        watched = self.both("_nodes:=/host_watch_sensing")
+        watched = self.both("_nodes:=/host_watch_sensing", "_disk/folder:=/nowhere")
         self.await_that(lambda: self.state and self.state.nodes and self.state.nodes[0].answers, "the watched node is not seen")
         self.assertTrue(self.state.has_master)
+        self.assertTrue(math.isnan(self.state.free_space), "of a folder that is not there")
         self.master.send_signal(signal.SIGKILL)
         self.master.wait()
         self.await_that(lambda: 8002 in self.raised(), "the lost master is not told")

@@ -5,7 +5,9 @@
 
 #include "job/settings/setting_probe.hpp"
 #include "job/settings/streaming/silent_machine.hpp"
+#include "lamina/base/error.hpp"
 #include "lamina/streaming/journal/job_journal.hpp"
+#include "lamina/streaming/session/stream_session.hpp"
 #include "lamina/streaming/session/streamer.hpp"
 
 namespace lamina::test {
@@ -49,6 +51,17 @@ std::string sentToADeafKlipper(const SettingTexts& set) {
   return streamer.takeOutput();
 }
 
+/// Why a print server is not streamed to that is not there.
+std::string notStreamed(const SettingTexts& set) {
+  try {
+    const StreamSession session(StreamableProgram::fromText("part", "G1 X1\n"),
+                                settingsWith<StreamSettings>(set), {"http://127.0.0.1:1", 0}, {});
+    return "streamed";
+  } catch (const Error& error) {
+    return error.what();
+  }
+}
+
 }  // namespace
 
 std::vector<SettingProbe> streamProbes() {
@@ -56,7 +69,7 @@ std::vector<SettingProbe> streamProbes() {
       {"a machine that never answers",
        "",
        silentAt(Silence::FromTheStart, kTenMoves),
-       {{"stream.connect_timeout_s=4"}}},
+       {{"stream.connect_timeout_s=4"}, {"stream.firmware=grbl"}}},
       {"a machine that falls silent",
        "stream.temperature_interval_s=0",
        silentAt(Silence::OnceBegun, kTenMoves),
@@ -80,6 +93,7 @@ std::vector<SettingProbe> streamProbes() {
        "stream.temperature_interval_s=0",
        sentAgainAt,
        {{"stream.settle_s=0.5"}}},
+      {"a print server that is not there", "", notStreamed, {{"stream.password_file=/nowhere/at/all"}}},
       {"a job whose progress is kept",
        "stream.journal=/somewhere",
        [](const SettingTexts& set) { return journalPath(settingsWith<StreamSettings>(set), "/dev/ttyUSB0"); },

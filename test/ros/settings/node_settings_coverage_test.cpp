@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Every setting that only a node has is set in a test of it; those that end a driven job hold to the second.
+// Every setting that only a node has changes what a probe says, or is set in a test of the node that depends
+// on it; those that end a driven job hold to the second.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <set>
 
 #include "job/settings/covered_schemas.hpp"
-#include "job/settings/setting_probe.hpp"
 #include "lamina/base/atomic_file.hpp"
 #include "nodes/cell_controller/cell_settings.hpp"
 #include "nodes/deposition_simulator/simulator_settings.hpp"
@@ -30,6 +30,7 @@
 #include "nodes/trajectory_driver/report_watch.hpp"
 #include "nodes/trajectory_driver/tracking.hpp"
 #include "nodes/trajectory_publisher/publisher_settings.hpp"
+#include "ros/settings/node_probes.hpp"
 #include "support/gantry_head.hpp"
 
 namespace lamina::test {
@@ -54,25 +55,13 @@ std::set<std::string> nodeKeys() {
 /// Of the cell's PLC.
 const std::vector<TestedElsewhere>& plcTests() {
   static const std::vector<TestedElsewhere> all = {
-      {"modbus.abandon_s", "ros/cell/plc_link_test.cpp", "_modbus/abandon_s"},
-      {"modbus.allow", "ros/cell/plc_link_test.cpp", "_modbus/allow"},
-      {"modbus.bind", "ros/cell/plc_link_test.cpp", "_modbus/bind"},
-      {"modbus.connections", "ros/cell/plc_link_test.cpp", "_modbus/connections"},
-      {"modbus.port", "ros/cell/plc_link_test.cpp", "_modbus/port"},
-      {"modbus.watchdog_action", "ros/cell/plc_link_test.cpp", "_modbus/watchdog_action"},
-      {"modbus.watchdog_s", "ros/cell/plc_link_test.cpp", "_modbus/watchdog_s"},
-      {"modbus.word_order", "ros/cell/plc_link_test.cpp", "_modbus/word_order"},
-      {"plc.patience_s", "ros/cell/plc_link_test.cpp", "_plc/patience_s"},
-      {"plc.required", "ros/cell/plc_link_test.cpp", "_plc/required"},
-      {"start.local_after_estop", "ros/cell/plc_link_test.cpp", "_start/local_after_estop"},
-      {"plc.unsuspends", "cell/plc_watch_test.cpp", "settings.unsuspends"}};
+      {"modbus.watchdog_action", "ros/cell/plc_link_test.cpp", "_modbus/watchdog_action"}};
   return all;
 }
 
 /// Of the loop on heights.
 const std::vector<TestedElsewhere>& loopTests() {
   static const std::vector<TestedElsewhere> all = {
-      {"arrival_hold_s", "ros/loop/height_controller_test.cpp", "arrival_hold_s"},
       {"feeder.uncertainty_s", "control/run/loop_run_settings_test.cpp", "feeder.uncertainty_s"},
       {"head.clearance_mm", "control/run/loop_run_settings_test.cpp", "head.clearance_mm"},
       {"loop.learned", "control/run/taught_part_test.cpp", "loop.learned"},
@@ -80,8 +69,6 @@ const std::vector<TestedElsewhere>& loopTests() {
       {"monitor.reorder_s", "control/run/loop_run_settings_test.cpp", "monitor.reorder_s"},
       {"monitor.settle_mm", "control/run/loop_run_settings_test.cpp", "monitor.settle_mm"},
       {"monitor.settle_s", "control/run/loop_run_settings_test.cpp", "monitor.settle_s"},
-      {"plans_followed", "ros/loop/robot_loop.test", "plans_followed"},
-      {"pauses_print", "ros/loop/height_controller_test.cpp", "pauses_print"},
       {"process.gain_ratio", "control/run/loop_run_settings_test.cpp", "process.gain_ratio"},
       {"process.levelling_mm", "control/run/loop_run_settings_test.cpp", "process.levelling_mm"},
       {"process.material", "ros/loop/height_controller_test.cpp", "_process/material"},
@@ -98,24 +85,12 @@ const std::vector<TestedElsewhere>& loopTests() {
 /// Of the watch of a host.
 const std::vector<TestedElsewhere>& hostTests() {
   static const std::vector<TestedElsewhere> all = {
-      {"clock.hold_s", "cell/host_watch_test.cpp", "HoldsForAClockOnlyWhereJobsNeedIt"},
-      {"clock.is_needed", "ros/hosts/host_watch_test.py", "_clock/is_needed"},
       {"clock.shift_s", "ros/hosts/host_watch_test.py", "_clock/shift_s"},
-      {"clock.warn_s", "ros/hosts/host_watch_test.py", "_clock/warn_s"},
       {"disk.folder", "ros/hosts/host_watch_test.py", "_disk/folder"},
-      {"disk.least_gib", "ros/hosts/host_watch_test.py", "_disk/least_gib"},
-      {"guard.grace_s", "ros/cell/cell_controller_test.cpp", "_guard/grace_s"},
-      {"guard.silence_s", "streaming/guard/machine_guard_test.cpp", "EndsAStreamerThatHangs"},
       {"guard.socket", "ros/cell/cell_controller_test.cpp", "_guard/socket"},
-      {"guard.unattended_s", "streaming/guard/machine_guard_test.cpp", "TheTimeUnattended"},
       {"hosts.bind", "ros/hosts/host_watch_test.py", "_hosts/bind"},
       {"hosts.interval_s", "ros/hosts/host_watch_test.py", "_hosts/interval_s"},
       {"hosts.name", "ros/hosts/host_watch_test.py", "_hosts/name"},
-      {"hosts.needed", "ros/hosts/host_watch_test.py", "_hosts/needed"},
-      {"hosts.peers", "ros/hosts/host_watch_test.py", "_hosts/peers"},
-      {"hosts.port", "ros/hosts/host_watch_test.py", "_hosts/port"},
-      {"hosts.silence_s", "ros/hosts/host_watch_test.py", "_hosts/silence_s"},
-      {"master.silence_s", "ros/hosts/host_watch_test.py", "_master/silence_s"},
       {"nodes", "ros/hosts/host_watch_test.py", "_nodes"}};
   return all;
 }
@@ -124,83 +99,23 @@ const std::vector<TestedElsewhere>& hostTests() {
 const std::vector<TestedElsewhere>& processTests() {
   static const std::vector<TestedElsewhere> all = {
       {"bind", "ros/process_io/process_io.test", "bind"},
-      {"channels", "ros/process_io/process_io_test.cpp", "channels/laser"},
-      {"connect_wait_s", "process_io/process_bridge_test.cpp", "connect_wait_s"},
-      {"dead_time_s", "process_io/devices/emulated_coupler_test.cpp", "dead_time_s"},
-      {"devices", "ros/process_io/process_io_test.cpp", "devices/coupler"},
-      {"inputs", "ros/process_io/process_io_test.cpp", "inputs/power"},
-      {"lag_s", "process_io/devices/emulated_coupler_test.cpp", "lag_s"},
-      {"late_s", "process_io/process_bridge_test.cpp", "late_s"},
-      {"process_io.required", "ros/process_io/process_io.test", "required"},
-      {"process_io.silence_s", "ros/process_io/process_io.test", "silence_s"},
       {"ready", "ros/process_io/process_io.test", "ready"},
-      {"standstill_s", "process_io/process_bridge_test.cpp", "standstill_s"},
-      {"state_hz", "ros/process_io/process_io_test.cpp", "state_hz"},
-      {"too_late_s", "process_io/process_bridge_test.cpp", "too_late_s"},
-      {"watchdog_s", "process_io/devices/emulated_coupler_test.cpp", "watchdog_s"}};
+      {"state_hz", "ros/process_io/process_io_test.cpp", "state_hz"}};
   return all;
 }
 
 /// Of robots that take a target each cycle.
 const std::vector<TestedElsewhere>& servoTests() {
-  static const std::vector<TestedElsewhere> all = {
-      {"cyclic.brake_s", "servo/cyclic_player_test.cpp", "settings.brake_s"},
-      {"cyclic.late_cycles", "servo/cyclic_player_test.cpp", "settings.late_cycles"},
-      {"cyclic.start_tolerance_deg", "servo/cyclic_player_test.cpp", "settings.start_tolerance_deg"},
-      {"emulated", "ros/drive/servo_bridge.test", "emulated"},
-      {"robot.bind", "servo/servoj_drive_test.cpp", "robot.bind"},
-      {"robot.host", "ros/drive/servo_bridge_test.cpp", "_robot/host"},
-      {"robot.port", "servo/servoj_drive_test.cpp", "robot.port"},
-      {"robot.report_silence_s", "servo/servoj_drive_test.cpp", "robot.report_silence_s"},
-      {"robot.script_port", "servo/servoj_drive_test.cpp", "robot.script_port"},
-      {"servoj.controller", "servo/servoj_program_test.cpp", "other.controller"},
-      {"servoj.gain", "servo/servoj_program_test.cpp", "other.gain"},
-      {"servoj.lookahead_s", "servo/servoj_program_test.cpp", "other.lookahead_s"},
-      {"servoj.silence_s", "servo/servoj_program_test.cpp", "other.silence_s"},
-      {"servoj.stop_rad_s2", "servo/servoj_follower_test.cpp", "settings.stop_rad_s2"}};
+  static const std::vector<TestedElsewhere> all = {{"emulated", "ros/drive/servo_bridge.test", "emulated"}};
   return all;
 }
 
 /// Of the operator's page.
 const std::vector<TestedElsewhere>& pageTests() {
   static const std::vector<TestedElsewhere> all = {
-      {"api.octoprint_print", "ros/cell/operator_page_test.cpp", "_api/octoprint_print"},
-      {"auth.loopback", "ros/cell/operator_page_test.cpp", "_auth/loopback"},
       {"camera.topic", "ros/cell/operator_page_test.cpp", "_camera/topic"},
       {"cell.patience_s", "ros/cell/operator_page_test.cpp", "_cell/patience_s"},
-      {"web.allow_plain", "ros/cell/operator_page_test.cpp", "_web/allow_plain"},
-      {"web.connections", "ros/cell/operator_page_test.cpp", "_web/connections:"},
-      {"web.connections_of_address", "ros/cell/operator_page_test.cpp", "_web/connections_of_address"},
-      {"web.bind", "ros/cell/operator_page_test.cpp", "_web/bind"},
-      {"web.certificate", "ros/cell/operator_page_test.cpp", "_web/certificate"},
-      {"web.folder", "ros/cell/operator_page_test.cpp", "_web/folder"},
-      {"web.hosts", "ros/cell/operator_page_test.cpp", "_web/hosts"},
-      {"web.key", "ros/cell/operator_page_test.cpp", "_web/key"},
-      {"web.largest_upload_mb", "ros/cell/operator_page_test.cpp", "_web/largest_upload_mb"},
-      {"web.port", "ros/cell/operator_page_test.cpp", "_web/port"},
-      {"web.tls", "ros/cell/operator_page_test.cpp", "_web/tls"}};
-  return all;
-}
-
-/// Of moving machines by hand, and of jobs run dry.
-const std::vector<TestedElsewhere>& jogTests() {
-  static const std::vector<TestedElsewhere> all = {
-      {"dry.extrusion", "gcode_rewrite/dry_run_test.cpp", "settings.extrusion"},
-      {"dry.lift_mm", "ros/drive/trajectory_driver.test", "lift_mm"},
-      {"dry.pointer_mm", "ros/drive/trajectory_driver.test", "pointer_mm"},
-      {"dry.speed", "gcode_rewrite/dry_run_test.cpp", "settings.speed"},
-      {"dry.unknown", "gcode_rewrite/dry_run_test.cpp", "strict.unknown"},
-      {"jog.lease_s", "trajectory/jog_test.cpp", "settings.lease_s"},
-      {"jog.reaction_s", "trajectory/jog_test.cpp", "settings.reaction_s"},
-      {"jog.rate_hz", "trajectory/jog_test.cpp", "settings.rate_hz"},
-      {"jog.joint_share", "trajectory/jog_test.cpp", "settings.joint_share"},
-      {"jog.tip_mm_s", "trajectory/jog_test.cpp", "slow.tip_mm_s"},
-      {"jog.turn_deg_s", "trajectory/jog_test.cpp", "slow.turn_deg_s"},
-      {"jog.limit_margin_deg", "trajectory/jog_test.cpp", "settings.limit_margin_deg"},
-      {"jog.limit_margin_mm", "trajectory/jog_test.cpp", "settings.limit_margin_mm"},
-      {"jog.least_margin_deg", "trajectory/jog_test.cpp", "settings.least_margin_deg"},
-      {"jog.clearance_mm", "trajectory/jog_test.cpp", "settings.clearance_mm"},
-      {"jog.workspace_mm", "trajectory/jog_test.cpp", "settings.workspace_mm"}};
+      {"web.folder", "ros/cell/operator_page_test.cpp", "_web/folder"}};
   return all;
 }
 
@@ -208,82 +123,81 @@ const std::vector<TestedElsewhere>& nodeTests() {
   static const std::vector<TestedElsewhere> all = {
       {"baud", "ros/streaming/gcode_streamer_test.cpp", "_baud"},
       {"cartesian.rate_hz", "ros/playback/trajectory_publisher.test", "cartesian/rate_hz"},
-      {"check_clearance", "ros/drive/trajectory_driver.test", "check_clearance"},
-      {"corrections.follow_plans", "ros/loop/robot_loop.test", "follow_plans"},
+      {"corrections.follow_plans", "ros/loop/corrected_stream_test.cpp", "_corrections/follow_plans"},
       {"corrections.folder", "ros/adapters/layer_corrector_test.cpp", "corrections.folder"},
       {"corrections.use", "ros/adapters/layer_corrector_test.cpp", "corrections.use"},
-      {"controller_wait_s", "ros/drive/trajectory_driver.test", "controller_wait_s"},
-      {"deposit.area_mm", "ros/loop/robot_loop.test", "area_mm"},
-      {"deposit.bead_width_mm", "ros/adapters/machine_deposit_test.cpp", "deposit.bead_width_mm"},
-      {"deposit.layers", "ros/adapters/machine_deposit_test.cpp", "deposit.layers"},
-      {"deposit.belt_mm", "ros/machine/emulated_belt.test", "belt_mm"},
-      {"deposit.cell_mm", "ros/machine/emulated_belt.test", "cell_mm"},
-      {"deposit.model", "ros/deposition/deposition_following_test.cpp", "model"},
-      {"deposit.period_s", "ros/deposition/deposition_following.test", "period_s"},
+      {"deposit.period_s", "ros/machine/emulated_belt.test", "period_s: 0.1"},
       {"executor.owner", "ros/cell/cell_of_nodes.hpp", "_executor/owner"},
       {"executor.patience_s", "ros/cell/cell_of_nodes.hpp", "executor/patience_s"},
-      {"faults", "ros/streaming/gcode_streamer_test.cpp", "faults"},
       {"filament_diameter_mm", "ros/machine/told_machine_test.cpp", "filament_diameter_mm"},
       {"following.period_s", "ros/deposition/deposition_following.test", "following/period_s"},
-      {"host_wait_s", "ros/drive/trajectory_driver.test", "host_wait_s"},
-      {"journal.copies_kept", "ros/cell/cell_controller_test.cpp", "_journal/copies_kept"},
-      {"journal.copy_hour", "ros/cell/cell_controller_test.cpp", "_journal/copy_hour"},
+      {"host_wait_s", "ros/drive/simulated_controller.test", "host_wait_s"},
       {"journal.folder", "ros/cell/cell_of_nodes.hpp", "journal/folder"},
       {"journal.least_free_gib", "ros/cell/cell_controller_test.cpp", "_journal/least_free_gib"},
-      {"lift_mm", "ros/drive/trajectory_driver.test", "lift_mm"},
-      {"lift_mm_s", "ros/drive/trajectory_driver.test", "lift_mm_s"},
       {"load_program", "ros/playback/inclined_playback_test.cpp", "load_program"},
       {"map_period_s", "ros/monitor/layer_height_monitor.test", "map_period_s"},
-      {"mode", "ros/deposition/deposition_following.test", "mode"},
+      {"mode", "ros/deposition/deposition_following_test.cpp", "_mode:=follow"},
       {"output_folder", "ros/end_to_end.test", "output_folder"},
       {"owner.grace_s", "ros/cell/cell_of_nodes.hpp", "_owner/grace_s"},
       {"packml.hold_anywhere", "ros/cell/cell_controller_test.cpp", "packml/hold_anywhere"},
-      {"part", "ros/end_to_end_test.cpp", "settings.part"},
-      {"patience_s", "ros/end_to_end_test.cpp", "settings.patience_s"},
       {"path_tolerance", "ros/drive/simulated_controller.test", "path_tolerance"},
       {"path_spacing_mm", "ros/playback/trajectory_publisher.test", "path_spacing_mm"},
       {"port", "ros/streaming/gcode_streamer.test", "port"},
       {"position_spacing_mm", "ros/machine/told_machine_test.cpp", "position_spacing_mm"},
       {"profile_spacing_mm", "ros/machine/emulated_machine.test", "profile_spacing_mm"},
       {"profile_while_depositing", "ros/machine/told_machine_test.cpp", "profile_while_depositing"},
-      {"pty", "ros/deposition/deposition_following.test", "pty"},
       {"queue_mb", "ros/monitor/layer_height_monitor.test", "queue_mb"},
       {"rate_hz", "ros/playback/trajectory_publisher.test", "rate_hz"},
       {"report_hz", "ros/drive/simulated_controller.test", "report_hz"},
-      {"sensor.mount_mm", "ros/loop/robot_loop.test", "mount_mm"},
-      {"shown.points", "ros/deposition/deposition_following.test", "shown/points"},
-      {"shown.triangles", "ros/deposition/deposition_simulator_test.cpp", "triangles"},
-      {"silence_s", "ros/drive/trajectory_driver.test", "silence_s"},
-      {"speed_up", "ros/deposition/deposition_following.test", "speed_up"},
+      {"speed_up", "ros/playback/trajectory_publisher.test", "trajectory_publisher/speed_up"},
       {"start_delay_s", "ros/drive/trajectory_driver.test", "start_delay_s"},
-      {"tcp_port", "ros/machine/told_machine_test.cpp", "tcp_port"},
-      {"tracking.tip_mm", "ros/adapters/node_settings_coverage_test.cpp", "tracking.tip_mm"},
-      {"tracking.silence_by", "ros/adapters/report_watch_test.cpp", "silence_by"},
-      {"tracking.silence_s", "ros/drive/trajectory_driver.test", "silence_s"},
       {"view.largest_program_mb", "ros/slicing/gcode_incliner_test.cpp", "view.largest_program_mb"}};
+  return all;
+}
+
+std::vector<SettingProbe> nodeProbes() {
+  std::vector<SettingProbe> all;
+  for (const auto& probes :
+       {jogProbes(), driveProbes(), servoProbes(), plcProbes(), guardProbes(), hostProbes(),
+        processIoProbes(), pageProbes(), machineProbes(), watchProbes(), shownProbes()})
+    all.insert(all.end(), probes.begin(), probes.end());
   return all;
 }
 
 TEST(NodeSettingsCoverage, EverySettingStandsInATest) {
   std::set<std::string> covered;
+  for (const SettingProbe& probe : nodeProbes())
+    for (const SettingRow& row : probe.rows) covered.insert(changedKey(row));
   std::vector<TestedElsewhere> tests = nodeTests();
   tests.insert(tests.end(), loopTests().begin(), loopTests().end());
   tests.insert(tests.end(), hostTests().begin(), hostTests().end());
   tests.insert(tests.end(), processTests().begin(), processTests().end());
   tests.insert(tests.end(), pageTests().begin(), pageTests().end());
   tests.insert(tests.end(), plcTests().begin(), plcTests().end());
-  tests.insert(tests.end(), jogTests().begin(), jogTests().end());
   tests.insert(tests.end(), servoTests().begin(), servoTests().end());
   for (const TestedElsewhere& setting : tests) {
     covered.insert(setting.key);
     const std::string text = readFile(std::string(LAMINA_SOURCE_DIR) + "/test/" + setting.file);
     EXPECT_NE(text.find(setting.word), std::string::npos) << setting.key << " in " << setting.file;
   }
+  for (const TestedElsewhere& of_core : testedElsewhere()) covered.erase(of_core.key);
   const std::set<std::string> keys = nodeKeys();
   for (const std::string& key : keys) EXPECT_EQ(covered.count(key), 1U) << key << " stands in no test";
   for (const std::string& key : covered)
     EXPECT_EQ(keys.count(key), 1U) << key << " is no setting of a node alone";
 }
+
+TEST(NodeSettingsCoverage, OfJogs) { expectEffects(jogProbes()); }
+TEST(NodeSettingsCoverage, OfDrivers) { expectEffects(driveProbes()); }
+TEST(NodeSettingsCoverage, OfServos) { expectEffects(servoProbes()); }
+TEST(NodeSettingsCoverage, OfPlcs) { expectEffects(plcProbes()); }
+TEST(NodeSettingsCoverage, OfGuards) { expectEffects(guardProbes()); }
+TEST(NodeSettingsCoverage, OfHosts) { expectEffects(hostProbes()); }
+TEST(NodeSettingsCoverage, OfProcesses) { expectEffects(processIoProbes()); }
+TEST(NodeSettingsCoverage, OfPages) { expectEffects(pageProbes()); }
+TEST(NodeSettingsCoverage, OfMachines) { expectEffects(machineProbes()); }
+TEST(NodeSettingsCoverage, OfWhatIsShown) { expectEffects(shownProbes()); }
+TEST(NodeSettingsCoverage, OfWatches) { expectEffects(watchProbes()); }
 
 TEST(NodeSettingsCoverage, APrintLooksForScansAtTheirClearance) {
   Path scan;
