@@ -88,8 +88,8 @@ class CellEstimate {
   /// Predicts the error after a layer of a pressed process: it is that of the nozzle's plane.
   void press(const DepositedGrowth& growth, double spread);
   /// Amends the last `lay`: the layer of height `planned_mm` was deposited with `correction`, not with
-  /// `told`.
-  void relay(double planned_mm, double told, double correction);
+  /// `assumed`.
+  void relay(double planned_mm, double assumed, double correction);
 
   /// Takes over a new plan, which is higher by `raised_mm` at this cell and lays `flow` times the volume.
   void replan(double raised_mm, double flow);

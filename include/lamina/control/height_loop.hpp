@@ -138,7 +138,7 @@ class HeightLoop {
   std::vector<double> learnt_;   ///< amounts from parts before; empty if there are none
   std::vector<double> deficit_;  ///< of cross-section, of a pressed process
   std::vector<bool> is_section_seen_;
-  std::vector<double> laid_;            ///< correction of the layer
+  std::vector<double> applied_;         ///< correction of the layer
   double cloud_sigma_mm_ = 0.0;         ///< greatest of the cloud's readings
   LayerKnowledge before_clouds_;        ///< as if nothing had been seen of the layer below
   std::vector<double> before_deficit_;  ///< likewise

@@ -61,7 +61,7 @@ class PlcLink {
   /// Hold and Abort.
   std::vector<PlcOrder> takeOrders();
 
-  /// Tells the PLC what became of a command. What became of other orders is seen in the status.
+  /// Reports to the PLC what became of a command. What became of other orders is seen in the status.
   void setResult(const PlcOrder& order, CommandResult result);
 
   /// Looks at the heartbeat. The watchdog is armed by the first change of the heartbeat while remote access
@@ -75,7 +75,7 @@ class PlcLink {
 
   /// True once the PLC has written the register of its plate; until then the content of the register means
   /// nothing.
-  bool isPlateTold() const { return is_plate_told_; }
+  bool isPlateWritten() const { return is_plate_written_; }
 
   /// As written last.
   PlcInputs inputs() const { return plcInputs(holding_, settings_.word_order); }
@@ -99,7 +99,7 @@ class PlcLink {
   PlcHeartbeat watchdog_ = PlcHeartbeat::Unarmed;
   double heard_s_ = 0.0;
   bool was_refused_ = false;
-  bool is_plate_told_ = false;
+  bool is_plate_written_ = false;
   std::uint32_t news_ = 0;
   std::vector<PlcOrder> orders_;
 };

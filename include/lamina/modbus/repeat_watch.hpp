@@ -7,7 +7,7 @@
 
 namespace lamina {
 
-/// Tells when something has happened too often: more than `most` times within a time.
+/// Reports when something has happened too often: more than `most` times within a time.
 class RepeatWatch {
  public:
   RepeatWatch(std::size_t most, double within_s) : most_(most), within_s_(within_s) {}

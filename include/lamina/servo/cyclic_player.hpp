@@ -51,7 +51,7 @@ class CyclicPlayer {
   ///   the motion cannot be joined in time any more, and while it brakes; then nothing changes
   void accept(const TrajectoryChunk& chunk, double now_s);
   /// Brakes from the next cycle on; does nothing at rest.
-  void brake() { is_told_ = !points_.empty(); }
+  void brake() { is_brake_requested_ = !points_.empty(); }
 
   /// The target of the last cycle that is due; null if that was given already.
   /// @param due_s  when the first cycle was due that has not been given
@@ -101,8 +101,8 @@ class CyclicPlayer {
   std::size_t passed_ = 0;     ///< index of the last point passed
   std::optional<Brake> brake_;
   std::optional<CyclicFault> fault_;
-  bool is_told_ = false;
-  std::optional<double> told_s_;  ///< when the last target was due
+  bool is_brake_requested_ = false;
+  std::optional<double> last_due_s_;  ///< when the last target was due
   CyclicTarget target_;
 };
 
