@@ -9,7 +9,7 @@ import sys
 import tempfile
 import time
 
-# What Lamina lays for printers unless told otherwise, and what figures were measured without.
+# What Lamina deposits for printers unless set otherwise, and what figures were measured without.
 PLAIN = {"skins.top_layers": 0, "skins.bottom_layers": 0, "bridges.use": "false", "overhangs.use": "false",
          "cooling.least_layer_time_s": 0, "fan.use": "false"}
 

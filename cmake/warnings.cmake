@@ -17,7 +17,7 @@ if(LAMINA_FUZZ)
   target_compile_options(lamina_flags INTERFACE -fsanitize=fuzzer-no-link,address,undefined)
   target_link_options(lamina_flags INTERFACE -fsanitize=address,undefined)
 endif()
-# GCC tells of members that may be uninitialised where the sanitizers' own code hides that they are not; the build without
+# GCC warns of members that may be uninitialised where the sanitizers' own code hides that they are not; the build without
 # them has this warning.
 if(LAMINA_SANITIZE)
   target_compile_options(lamina_flags INTERFACE -Wno-maybe-uninitialized)

@@ -89,7 +89,7 @@ Bead beadOf(const benchmark::State& state) {
   return {width, 0.5 * width};
 }
 
-/// What comes with each cloud: its points to readings of the newest layer and the one beneath, and these to
+/// What comes with each cloud: its points to readings of the newest layer and the one below, and these to
 /// the estimates of the cells.
 void readPatch(benchmark::State& state, const Raster& raster) {
   const Bead bead = beadOf(state);

@@ -27,9 +27,9 @@ void addMessages(BagRecording& read, const std::string& path, const BagNames& na
   for (const rosbag::MessageInstance& message : rosbag::View(bag)) {
     const bool is_static = isNamed(message.getTopic(), "tf_static");
     if (is_static || isNamed(message.getTopic(), "tf")) {
-      const auto told = message.instantiate<tf2_msgs::TFMessage>();
-      if (!told) continue;
-      for (const auto& transform : told->transforms)
+      const auto stated = message.instantiate<tf2_msgs::TFMessage>();
+      if (!stated) continue;
+      for (const auto& transform : stated->transforms)
         is_static ? gathered.addFixed(transform) : gathered.add(transform);
     } else if (isNamed(message.getTopic(), names.profile)) {
       if (const auto cloud = message.instantiate<sensor_msgs::PointCloud2>()) gathered.add(*cloud);

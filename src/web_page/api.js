@@ -47,7 +47,7 @@ export async function login(token) {
   return session();
 }
 
-/** Sends a file as a form, and tells how far it is. */
+/** Sends a file as a form, and reports how far it is. */
 export function upload(file, onProgress) {
   return new Promise((resolve, reject) => {
     const form = new FormData();

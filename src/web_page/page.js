@@ -86,7 +86,7 @@ async function askHistory() {
     takeSamples(samples);
     takeEvents(events);
   } catch {
-    // The link tells when nobody answers.
+    // The link reports when nobody answers.
   } finally {
     asksHistory = false;
   }

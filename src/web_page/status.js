@@ -45,7 +45,7 @@ export function showState(state, layers) {
   sayPolitely(unit.state, job);
 }
 
-/** Tells a screen reader of a new state, at most every five seconds. */
+/** Reports a new state to a screen reader, at most every five seconds. */
 function sayPolitely(state, job) {
   const text = `${texts.states[state] ?? state}${job ? `, ${job.name}` : ""}`;
   const now = Date.now();

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""A property is asserted: rc::check tells by its result alone whether it holds, so a call whose result is dropped cannot
+"""A property is asserted: rc::check states by its result alone whether it holds, so a call whose result is dropped cannot
 fail.
 
 Usage: live_properties.py [ROOT]   exits 1 and names each call whose result is dropped

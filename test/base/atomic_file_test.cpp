@@ -93,7 +93,7 @@ TEST(AtomicFile, WritesToWhatALinkOfOnesOwnNames) {
   EXPECT_EQ(readFile(folder.file("missing")), "new");
 }
 
-/// In a folder that others may write to, somebody may have laid it to a file of ours.
+/// In a folder that others may write to, somebody may have linked it to a file of ours.
 TEST(AtomicFile, ReplacesALinkOfAnotherAndLeavesWhatItLedTo) {
   if (::geteuid() != 0) GTEST_SKIP() << "only root can make a link of another's";
   const test::ScratchFolder folder;

@@ -74,14 +74,14 @@ bool comesTrue(const Condition& condition) {
   return true;
 }
 
-/// Whether a process runs that was told to watch the group.
+/// Whether a process runs that was started to watch the group.
 bool isWatched(pid_t group) {
-  const std::string told = std::string("watcher") + '\0' + std::to_string(group) + '\0';
+  const std::string watching = std::string("watcher") + '\0' + std::to_string(group) + '\0';
   for (const auto& process : std::filesystem::directory_iterator("/proc")) {
     if (!isProcess(process.path())) continue;
     std::ifstream line(process.path() / "cmdline");
     const std::string words((std::istreambuf_iterator<char>(line)), {});
-    if (words.find(told) != std::string::npos) return true;
+    if (words.find(watching) != std::string::npos) return true;
   }
   return false;
 }

@@ -60,28 +60,28 @@ TEST(CalibrationProgram, LaysNoBeadOfACrossTwice) {
         const double nearest = std::clamp((at - beads[j].start).dot(along) / along.squaredNorm(), 0.0, 1.0);
         EXPECT_GT((at - beads[j].start - nearest * along).norm(), 1.5 * settings.bead_width_mm);
       }
-  const auto laid = pathsOf(crossToolpath(settings, kSensorOffset), true);
-  ASSERT_EQ(laid.size(), beads.size());
-  EXPECT_EQ(laid[4].points[0].head<2>(), beads[4].start);
+  const auto deposited = pathsOf(crossToolpath(settings, kSensorOffset), true);
+  ASSERT_EQ(deposited.size(), beads.size());
+  EXPECT_EQ(deposited[4].points[0].head<2>(), beads[4].start);
 }
 
 TEST(CalibrationProgram, StepsTheFeederThereAndBack) {
   const CalibrationSettings settings;
-  const auto laid = pathsOf(feederToolpath(settings, kSensorOffset), true);
-  ASSERT_EQ(laid.size(), 2u);
+  const auto deposited = pathsOf(feederToolpath(settings, kSensorOffset), true);
+  ASSERT_EQ(deposited.size(), 2u);
   const double area = crossSection({settings.bead_width_mm, settings.bead_height_mm});
-  for (const Path& bead : laid) {
+  for (const Path& bead : deposited) {
     ASSERT_EQ(bead.points.size(), 7u);
     EXPECT_NEAR(crossSection(bead.bead.at(1)), area, 1e-9);
     EXPECT_NEAR(crossSection(bead.bead.at(2)), 1.2 * area, 1e-9);
     EXPECT_NEAR(crossSection(bead.bead.at(3)), 0.8 * area, 1e-9);
     EXPECT_NEAR((bead.points[3] - bead.points[2]).norm(), settings.step_mm, 1e-9);
   }
-  EXPECT_GT(laid[0].points[1].y(), laid[0].points[0].y());
-  EXPECT_LT(laid[1].points[1].y(), laid[1].points[0].y());
+  EXPECT_GT(deposited[0].points[1].y(), deposited[0].points[0].y());
+  EXPECT_LT(deposited[1].points[1].y(), deposited[1].points[0].y());
 }
 
-TEST(CalibrationProgram, ScansAcrossWhatItLaid) {
+TEST(CalibrationProgram, ScansAcrossWhatItDeposited) {
   CalibrationSettings settings;
   settings.swath_mm = 20.0;
   double least = 1e9;

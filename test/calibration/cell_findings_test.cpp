@@ -129,9 +129,9 @@ TEST(CellFindings, TellThePlaceOfASensorThatIsLate) {
   EXPECT_LT(off.norm(), 0.05);
   EXPECT_EQ(found.pose.spread.size(), 6U);
   EXPECT_EQ(found.pose.origin.method, "bed");
-  const FoundPose untold = findPose({{sensorTarget("bed", {}, settings), recording}}, test::nominalSensor(),
-                                    0.0, settings, {"bed", ""});
-  EXPECT_GT(untold.fit.rms_mm, 5.0 * found.fit.rms_mm) << "the offset counts";
+  const FoundPose without_offset = findPose({{sensorTarget("bed", {}, settings), recording}},
+                                            test::nominalSensor(), 0.0, settings, {"bed", ""});
+  EXPECT_GT(without_offset.fit.rms_mm, 5.0 * found.fit.rms_mm) << "the offset counts";
 }
 
 TEST(CellFindings, TellTheDeadTimeOfAFeeder) {
@@ -147,8 +147,9 @@ TEST(CellFindings, TellTheDeadTimeOfAFeeder) {
       const double place = (at - bead.start).dot(bead.end - bead.start) / length;
       const double aside = std::abs(at.x() - bead.start.x()) / 0.5;
       if (aside >= 1.0 || place < 0.0 || place >= length) continue;
-      const double told = std::max(0.0, place - kDead * settings.feeder_mm_s);
-      const auto piece = static_cast<std::size_t>(told / length * static_cast<double>(steps.amount.size()));
+      const double commanded = std::max(0.0, place - kDead * settings.feeder_mm_s);
+      const auto piece =
+          static_cast<std::size_t>(commanded / length * static_cast<double>(steps.amount.size()));
       return 0.4 * steps.amount[piece] * (1.0 - aside * aside);
     }
     return 0.0;
@@ -169,7 +170,7 @@ TEST(CellFindings, TakeTheTimeOffsetOfACalibration) {
   EXPECT_EQ(timeOffsetOf(cell), kKnownOffset);
 }
 
-TEST(CellFindings, AreToldInWords) {
+TEST(CellFindings, AreStatedInWords) {
   FoundTime time;
   time.fit.offset_s = 0.0805;
   time.fit.spread_s = 0.00025;

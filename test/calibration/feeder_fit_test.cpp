@@ -21,8 +21,8 @@ struct LateFeeder {
 };
 
 /// The relative amount along a bead, integrated in small steps of time: lag y' = u(t - dead time) - y.
-std::vector<double> laid(const FeederSteps& steps, const LateFeeder& feeder, double speed_mm_s,
-                         const std::vector<double>& along_mm) {
+std::vector<double> deposited(const FeederSteps& steps, const LateFeeder& feeder, double speed_mm_s,
+                              const std::vector<double>& along_mm) {
   constexpr double kStep = 1e-4;
   const double piece_s = (steps.beads[0].end - steps.beads[0].start).norm() /
                          static_cast<double>(steps.amount.size()) / speed_mm_s;
@@ -31,8 +31,8 @@ std::vector<double> laid(const FeederSteps& steps, const LateFeeder& feeder, dou
   double time = 0.0;
   for (const double along : along_mm) {
     for (; time < along / speed_mm_s; time += kStep) {
-      const double told_s = std::max(0.0, time - feeder.dead_time_s);
-      const auto piece = std::min(steps.amount.size() - 1, static_cast<std::size_t>(told_s / piece_s));
+      const double commanded_s = std::max(0.0, time - feeder.dead_time_s);
+      const auto piece = std::min(steps.amount.size() - 1, static_cast<std::size_t>(commanded_s / piece_s));
       amount += (steps.amount[piece] - amount) * (feeder.lag_s > 0.0 ? kStep / feeder.lag_s : 1.0);
     }
     amounts.push_back(amount);
@@ -51,7 +51,7 @@ std::vector<BeadSections> sections(const FeederSteps& steps, const LateFeeder& f
       bead.along_mm.push_back(along);
       at.push_back(along - (b == 0 ? shift_mm : -shift_mm));
     }
-    for (const double amount : laid(steps, feeder, 10.0, at))
+    for (const double amount : deposited(steps, feeder, 10.0, at))
       bead.area_mm2.push_back((0.22 + 0.01 * b) * amount * (1.0 + random.normal(0.0, noise)));
     beads.push_back(bead);
   }
@@ -76,7 +76,7 @@ TEST(FeederFit, FindsThemInAScan) {
   const FeederSteps steps = feederSteps(settings);
   std::vector<double> along;
   for (double at = 0.0; at <= 150.0; at += 0.25) along.push_back(at);
-  const std::vector<double> amount = laid(steps, {0.6, 0.3}, 10.0, along);
+  const std::vector<double> amount = deposited(steps, {0.6, 0.3}, 10.0, along);
   test::RecordedCell cell;
   cell.noise_mm = 0.01;
   cell.points = 281;

@@ -157,9 +157,9 @@ TEST(SensorPose, ByAPlaneWithoutTiltsIsLargelyKept) {
   EXPECT_TRUE(fit.is_kept[1]);
   EXPECT_TRUE(fit.is_kept[2]);
   EXPECT_NEAR(fit.nozzle_from_sensor.translation().x(), test::nominalSensor().translation().x(), 1e-12);
-  const std::vector<std::string> told = observability(fit, settings);
-  EXPECT_GE(told.size(), 3u);
-  EXPECT_NE(told[0].find("x of the nozzle is not observable"), std::string::npos) << told[0];
+  const std::vector<std::string> reported = observability(fit, settings);
+  EXPECT_GE(reported.size(), 3u);
+  EXPECT_NE(reported[0].find("x of the nozzle is not observable"), std::string::npos) << reported[0];
   EXPECT_GE(fit.directions[0].singular_value, fit.directions[5].singular_value);
 }
 

@@ -73,7 +73,7 @@ TEST(TimeOffset, ByBobbingNeedsNoPoseOfTheSensor) {
   EXPECT_NEAR(found.offset_s, 0.1, 0.001);
 }
 
-TEST(TimeOffset, ThatDriftsIsToldAsDrift) {
+TEST(TimeOffset, ThatDriftsIsReportedAsDrift) {
   SensorRecording recording = test::record(spoilt(0.0, 5), bobbing({}));
   for (RecordedProfile& profile : recording.profiles)
     profile.time_s += 0.1 + 0.001 * (profile.time_s - 1000.0);  // 60 ms per minute
@@ -92,7 +92,7 @@ TEST(TimeOffset, OfMotionThatRepeatsItselfIsRefused) {
   }
 }
 
-TEST(TimeOffset, IsRefusedWhereNothingTellsIt) {
+TEST(TimeOffset, IsRefusedWhereNothingShowsIt) {
   const SensorRecording recording = test::record(spoilt(0.1, 2), bobbing({}));
   EXPECT_THROW(offsetByBobbing({recording.poses, {}}, 0.6), InvalidInput);
   EXPECT_THROW(offsetByBobbing({{}, recording.profiles}, 0.6), InvalidInput);

@@ -85,9 +85,10 @@ TEST(ActiveAlarms, AskAgainForAnAcknowledgedAlarmThatComesBack) {
 
 TEST(ActiveAlarms, TellAFloodOnceASecondAndCountIt) {
   ActiveAlarms alarms;
-  int told = 0;
-  for (int i = 0; i < 100; ++i) told += alarms.raise(4102, i, "", 0.05 * i) != ActiveAlarms::Raised::Flooding;
-  EXPECT_EQ(told, 5);
+  int reported = 0;
+  for (int i = 0; i < 100; ++i)
+    reported += alarms.raise(4102, i, "", 0.05 * i) != ActiveAlarms::Raised::Flooding;
+  EXPECT_EQ(reported, 5);
   EXPECT_EQ(alarms.all().front().times, 100U);
 }
 

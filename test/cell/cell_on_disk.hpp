@@ -17,7 +17,7 @@
 
 namespace lamina::test {
 
-/// An executor that does what it is told when it is asked to, and prints ten lines a step.
+/// An executor that does what it is asked when it is asked to, and prints ten lines a step.
 class PrintingExecutor final : public Executor {
  public:
   void start(const StartOrder& order) override {
@@ -85,7 +85,7 @@ class PrintingExecutor final : public Executor {
   std::vector<std::string> orders;
   int pauses_not_heard = 0;                    ///< as of one that the job has not reached yet
   std::map<std::string, std::uint64_t> taken;  ///< lines, by execution: what its progress file knows
-  std::map<std::string, int> begun;            ///< its first lines were laid
+  std::map<std::string, int> begun;            ///< its first lines were sent
   std::map<std::string, int> resumed;
 
  private:

@@ -60,7 +60,7 @@ TEST(Guards, EachStopsTheStartAlone) {
   }
 }
 
-TEST(Guards, AreAllToldAtOnce) {
+TEST(Guards, AreAllReportedAtOnce) {
   StartConditions found = readyToStart();
   found.job.clear();
   found.plc.has_gas = found.plc.has_vacuum = false;

@@ -132,7 +132,7 @@ TEST(HostWatch, DoesNotTakeTheNetworkForTheClock) {
   hosts.way_there_s = 0.2;  // one way only: looks like 100 ms
   hosts.way_back_s = 0.0;
   hosts.run(30.0);
-  EXPECT_EQ(hosts.raised(), std::vector<int>{8003}) << "it cannot be told";
+  EXPECT_EQ(hosts.raised(), std::vector<int>{8003}) << "it cannot be known";
   EXPECT_NE(hosts.alarms.back().message.find("give or take 100.0 ms"), std::string::npos);
   hosts.way_there_s = 0.010;
   hosts.run(30.0);
@@ -166,7 +166,7 @@ std::vector<int> presentIn(TwoHosts& hosts) {
   return ids;
 }
 
-TEST(HostWatch, TellsOfAHostThatIsSilentAndComesBack) {
+TEST(HostWatch, ReportsAHostThatIsSilentAndComesBack) {
   TwoHosts hosts;
   hosts.run(5.0);
   hosts.loss = 1.0;
@@ -180,8 +180,8 @@ TEST(HostWatch, TellsOfAHostThatIsSilentAndComesBack) {
   hosts.run(0.5);
   EXPECT_TRUE(hosts.isGone(8001));
   EXPECT_TRUE(presentIn(hosts).empty());
-  const std::vector<HostAlarm> told = hosts.watch().present();
-  EXPECT_TRUE(std::any_of(told.begin(), told.end(), [](const HostAlarm& alarm) {
+  const std::vector<HostAlarm> reported = hosts.watch().present();
+  EXPECT_TRUE(std::any_of(reported.begin(), reported.end(), [](const HostAlarm& alarm) {
     return alarm.id == 8001 && alarm.is_gone;
   })) << "whoever begins to listen may wait for its end";
 }
@@ -206,7 +206,7 @@ TEST(HostWatch, RaisesNoFalseAlarmOnABadNetwork) {
   EXPECT_TRUE(hosts.raised().empty()) << "1 h at 30 %";
 }
 
-TEST(HostWatch, TellsOfTheMasterAfterAWhileOnly) {
+TEST(HostWatch, ReportsTheMasterAfterAWhileOnly) {
   HostWatch watch({}, {}, {0.0, 1.7e9});
   EXPECT_EQ(watch.tick({0.0, 1.7e9}).size(), 5U) << "what is not there is said to be gone";
   watch.onMaster("the master does not know this node: it was started anew", {2.0, 1.7e9 + 2.0});
@@ -222,7 +222,7 @@ TEST(HostWatch, TellsOfTheMasterAfterAWhileOnly) {
   EXPECT_TRUE(back[0].is_gone);
 }
 
-TEST(HostWatch, TellsOfADiskAndOfNodesThatWereStartedAnew) {
+TEST(HostWatch, ReportsADiskAndNodesThatWereStartedAnew) {
   HostWatch watch({}, {}, {0.0, 1.7e9});
   watch.onFreeSpace(1.5 * 1024 * 1024 * 1024);
   auto alarms = watch.tick({0.1, 1.7e9 + 0.1});

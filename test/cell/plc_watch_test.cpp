@@ -15,7 +15,7 @@ PlcReport goodReport() {
   PlcReport report;
   report.heartbeat = PlcHeartbeat::Good;
   report.interlocks = {true, true, true, true, true, true, true, false, false, false};
-  report.is_plate_told = true;
+  report.is_plate_written = true;
   report.is_guard_closed = true;
   return report;
 }
@@ -88,7 +88,7 @@ TEST(PlcWatch, SuspendsForAZoneThatIsTakenAndGoesOnWhenItIsFree) {
   EXPECT_EQ(idsOf(watch.demands(statusIn(UnitState::Execute), 0.0).raised), (std::vector<int>{1204}));
   const UnitStatus suspended = suspendedBy(1204);
   const PlcDemands again = watch.demands(suspended, 0.1);
-  EXPECT_TRUE(again.raised.empty()) << "told once";
+  EXPECT_TRUE(again.raised.empty()) << "reported once";
   EXPECT_FALSE(again.command);
   report.interlocks.is_zone_taken = false;
   watch.hear(report, 0.2);
@@ -194,7 +194,7 @@ TEST(PlcWatch, BelievesNoRemovalOfALinkThatWasStartedAnew) {
   PlcWatch watch({});
   watch.hear(goodReport(), 0.0);
   PlcReport anew = goodReport();
-  anew.is_plate_told = false;  // zeroed registers, before the PLC has written them
+  anew.is_plate_written = false;  // zeroed registers, before the PLC has written them
   watch.hear(anew, 1.0);
   PlcReport as_before = goodReport();
   as_before.is_part_removed = true;
@@ -221,7 +221,7 @@ TEST(PlcWatch, RaisesAnEmergencyStopUntilItIsReleased) {
   pressed.interlocks.is_emergency_stop_pressed = true;
   watch.hear(pressed, 0.0);
   EXPECT_EQ(idsOf(watch.demands(statusIn(UnitState::Execute), 0.0).raised), (std::vector<int>{1207}));
-  EXPECT_TRUE(watch.demands(statusIn(UnitState::Stopping), 0.1).raised.empty()) << "told once";
+  EXPECT_TRUE(watch.demands(statusIn(UnitState::Stopping), 0.1).raised.empty()) << "reported once";
   PlcReport silent = pressed;
   silent.heartbeat = PlcHeartbeat::Lost;
   silent.interlocks.is_alive = false;

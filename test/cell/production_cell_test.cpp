@@ -115,7 +115,7 @@ TEST(ProductionCell, HoldsAJobThatStartsAndGoesOnFromItsFirstLine) {
   EXPECT_EQ(cell.state(), UnitState::Holding);
   ASSERT_TRUE(cell.reaches(UnitState::Held));
   EXPECT_EQ(cell.journal().job(job).state, JobState::Interrupted);
-  EXPECT_TRUE(cell.executor.begun.empty()) << "no line was laid";
+  EXPECT_TRUE(cell.executor.begun.empty()) << "no line was sent";
   EXPECT_EQ(cell.command(UnitCommand::Unhold), CommandResult::Accepted);
   ASSERT_TRUE(cell.reaches(UnitState::Execute));
   EXPECT_EQ(cell.journal().job(job).state, JobState::Running);

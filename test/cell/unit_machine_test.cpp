@@ -48,7 +48,7 @@ TEST(UnitMachine, ChangesNothingWhenItRefuses) {
   EXPECT_TRUE(unit.takeChanges().empty());
 }
 
-TEST(UnitMachine, TellsItsChangesOnce) {
+TEST(UnitMachine, ReportsItsChangesOnce) {
   UnitMachine unit = unitIn(UnitState::Stopped);
   EXPECT_EQ(resultOf(unit, UnitCommand::Reset, 2.0), CommandResult::Accepted);
   unit.complete(UnitState::Resetting, 3.0);

@@ -3,7 +3,7 @@ import os
 import tempfile
 import unittest
 
-from lamina_command import PLAIN, lamina, told
+from lamina_command import PLAIN, lamina, reported
 
 WALLS = ("--set", "infill.density=0", "--set", "skirt.count=0")
 ARCS = ("--set", "program.arcs_tolerance_mm=0.0125")
@@ -14,13 +14,13 @@ class Arcs(unittest.TestCase):
         self.folder = tempfile.TemporaryDirectory()
         self.addCleanup(self.folder.cleanup)
         self.part = self.path("cylinder.stl")
-        told("part", "cylinder", "--set", "radius_mm=10", "--set", "height_mm=2", "--set", "segments=360", "-o", self.part)
+        reported("part", "cylinder", "--set", "radius_mm=10", "--set", "height_mm=2", "--set", "segments=360", "-o", self.part)
 
     def path(self, name):
         return os.path.join(self.folder.name, name)
 
     def lines(self, name, *settings):
-        told("slice", self.part, *PLAIN, *WALLS, *settings, "-o", self.path(name))
+        reported("slice", self.part, *PLAIN, *WALLS, *settings, "-o", self.path(name))
         with open(self.path(name), encoding="utf-8") as file:
             return file.read().splitlines()
 

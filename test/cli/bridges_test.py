@@ -4,7 +4,7 @@ import re
 import tempfile
 import unittest
 
-from lamina_command import PLAIN, lamina, told
+from lamina_command import PLAIN, lamina, reported
 
 SKINS = ["--set", "skins.top_layers=4", "--set", "skins.bottom_layers=4", "--set", "skirt.count=0"]
 SPANNING = [*SKINS, "--set", "bridges.use=true"]
@@ -16,27 +16,27 @@ class Bridges(unittest.TestCase):
         self.folder = tempfile.TemporaryDirectory()
         self.addCleanup(self.folder.cleanup)
         self.part = self.path("bridge.stl")
-        told("part", "bridge", "--set", "pillar_mm=2", "--set", "plate_mm=2", "-o", self.part)
+        reported("part", "bridge", "--set", "pillar_mm=2", "--set", "plate_mm=2", "-o", self.part)
 
     def path(self, name):
         return os.path.join(self.folder.name, name)
 
     def program(self, *settings):
-        told("slice", self.part, *settings, "-o", self.path("part.gcode"))
+        reported("slice", self.part, *settings, "-o", self.path("part.gcode"))
         with open(self.path("part.gcode"), encoding="utf-8") as file:
             return file.read()
 
-    def test_a_bridge_is_counted_and_laid(self):
-        summary = told("slice", self.part, *SPANNING)
+    def test_a_bridge_is_counted_and_deposited(self):
+        summary = reported("slice", self.part, *SPANNING)
         self.assertEqual((summary["bridges"], summary["unheld_pieces"]), (1, 0))
         self.assertAlmostEqual(summary["longest_bridge_mm"], 20.0, places=2)
         self.assertIn("bridges     1, the longest free span is 20.0 mm", lamina("slice", self.part, *SPANNING).stdout)
         self.assertEqual(self.program(*SPANNING).count(";TYPE:bridge"), 1)
         self.assertNotIn(";TYPE:bridge", self.program(*PLAIN))
 
-    def test_a_bridge_that_is_too_long_is_told(self):
+    def test_a_bridge_that_is_too_long_is_reported(self):
         long = [*SPANNING, "--set", "bridges.longest_mm=12"]
-        self.assertEqual(told("slice", self.part, *long)["bridges_too_long"], 1)
+        self.assertEqual(reported("slice", self.part, *long)["bridges_too_long"], 1)
         self.assertIn("too long    1 of them", lamina("slice", self.part, *long).stdout)
 
     def test_the_fan_has_its_share_over_the_gap_alone(self):
@@ -57,7 +57,7 @@ class Bridges(unittest.TestCase):
             self.assertIn(word, done.stderr)
 
     def test_modes_without_plane_layers_say_that_there_are_none(self):
-        notes = told("slice", "pyramid", "--set", "slicing.mode=heightfield", "--set", "bridges.use=true")["notes"]
+        notes = reported("slice", "pyramid", "--set", "slicing.mode=heightfield", "--set", "bridges.use=true")["notes"]
         self.assertTrue(any("bridges.use has no effect" in note for note in notes), notes)
 
 

@@ -6,7 +6,7 @@ import re
 import tempfile
 import unittest
 
-from lamina_command import lamina, motions, told
+from lamina_command import lamina, motions, reported
 
 LATE = 0.12  # s
 
@@ -64,7 +64,7 @@ class Calibrate(unittest.TestCase):
 
     def test_finds_how_late_the_stamps_of_tables_are(self):
         write_bobbing(self.folder)
-        found = told("calibrate", "time", self.folder, "-o", self.path("cell.yaml"), "--sensor", "profiler 7")
+        found = reported("calibrate", "time", self.folder, "-o", self.path("cell.yaml"), "--sensor", "profiler 7")
         self.assertAlmostEqual(found["time_offset_s"], LATE, delta=0.0002)
         self.assertLess(found["spread_s"], 0.0005)
         with open(self.path("cell.yaml"), encoding="ascii") as file:
@@ -81,7 +81,7 @@ class Calibrate(unittest.TestCase):
     def test_finds_where_the_sensor_sits_by_a_touched_pyramid(self):
         write_scan(self.path("scan"), pyramid)
         write_scan(self.path("bare"), lambda x, y: 0.0)
-        found = told("calibrate", "sensor", self.path("scan"), "--method", "pyramid", "--pyramid", "40,20,10", "--at", "100,100",
+        found = reported("calibrate", "sensor", self.path("scan"), "--method", "pyramid", "--pyramid", "40,20,10", "--at", "100,100",
                      "--top", "10", "--with-plane", self.path("bare"), "-o", self.path("cell.yaml"))
         for value, truth in zip(found["xyz_mm"], (26.0, 0.0, -60.0)):
             self.assertAlmostEqual(value, truth, delta=0.05)
@@ -96,13 +96,13 @@ class Calibrate(unittest.TestCase):
 
     def test_refuses_the_calibration_of_another_machine(self):
         write_bobbing(self.folder)
-        told("calibrate", "time", self.folder, "-o", self.path("cell.yaml"))
+        reported("calibrate", "time", self.folder, "-o", self.path("cell.yaml"))
         other = lamina("calibrate", "time", self.folder, "-o", self.path("cell.yaml"), "--set",
                        "machine.name=large_gantry_45")
         self.assertEqual(other.returncode, 1)
         self.assertIn("cartesian_gantry", other.stderr)
 
-    def test_tells_what_is_missing(self):
+    def test_reports_what_is_missing(self):
         for arguments, words in ((("calibrate", "time", self.folder), "poses.csv"),
                                  (("calibrate", "plan", "bobbing"), "no output"),
                                  (("calibrate", "plan", "cross", "-o", self.path("a.gcode"), "--set", "calibrate.x_mm=5000"),
@@ -123,12 +123,12 @@ class Calibrate(unittest.TestCase):
 
     def test_plans_what_is_to_be_recorded(self):
         for kind in ("bobbing", "edge", "cross", "feeder"):
-            plan = told("calibrate", "plan", kind, "-o", self.path(kind + ".gcode"))
+            plan = reported("calibrate", "plan", kind, "-o", self.path(kind + ".gcode"))
             with open(self.path(kind + ".gcode"), encoding="ascii") as file:
                 run = motions(file.read())
-            laid = sum(math.dist(motion.start, motion.end) for motion in run if motion.lays())
-            self.assertAlmostEqual(laid, plan["deposition_mm"], delta=0.1)
-            self.assertEqual(laid > 0.0, kind != "bobbing")
+            deposited = sum(math.dist(motion.start, motion.end) for motion in run if motion.lays())
+            self.assertAlmostEqual(deposited, plan["deposition_mm"], delta=0.1)
+            self.assertEqual(deposited > 0.0, kind != "bobbing")
             if kind == "bobbing":
                 heights = [motion.end[2] for motion in run]
         self.assertGreater(sum(a != b for a, b in zip(heights, heights[1:])), 20)

@@ -39,7 +39,7 @@ class CheckAndTrack(unittest.TestCase):
             file.write(through(points, *path_of))
         return path
 
-    def told(self, *arguments, code=0):
+    def reported(self, *arguments, code=0):
         done = run(*arguments, "--json")
         self.assertEqual(done.returncode, code, done.stderr)
         return json.loads(done.stdout)
@@ -51,22 +51,22 @@ class CheckAndTrack(unittest.TestCase):
     def test_what_can_be_run_takes_its_time(self):
         points = self.write([(0, 0, 0.2), (40, 0, 0.2)])
         for machine in ("irb_4600", "five_axis_head_ac", "rus_platform", "cartesian_gantry"):
-            told = self.told("check", points, "--machine", machine)
-            self.assertEqual(told["machine"], machine)
-            self.assertEqual(told["waypoints"], 2)
-            self.assertEqual(told["findings"], [])
-            self.assertGreater(told["time_s"], 40.0 / 20.0)
+            reported = self.reported("check", points, "--machine", machine)
+            self.assertEqual(reported["machine"], machine)
+            self.assertEqual(reported["waypoints"], 2)
+            self.assertEqual(reported["findings"], [])
+            self.assertGreater(reported["time_s"], 40.0 / 20.0)
         self.assertIn("the machine can run it", run("check", points, "--machine", "irb_4400").stdout)
 
     def test_the_nozzle_is_written_over_time(self):
         points = self.write([(0, 0, 0.2), (40, 0, 0.2)])
         for machine in ("irb_4600", "cartesian_gantry"):
             table = self.path(machine + ".csv")
-            told = self.told("check", points, "--machine", machine, "--set", "part.placement=as_is", "--trajectory", table,
+            reported = self.reported("check", points, "--machine", machine, "--set", "part.placement=as_is", "--trajectory", table,
                              "--rate-hz", "500")
             rows = [{name: float(value) for name, value in row.items()} for row in self.listed(table)]
             self.assertEqual(list(rows[0]), "t,x,y,z,qw,qx,qy,qz,v,flow_mm3_s,laser,wire,powder,gas".split(","))
-            self.assertAlmostEqual(rows[-1]["t"], told["time_s"], places=5)
+            self.assertAlmostEqual(rows[-1]["t"], reported["time_s"], places=5)
             self.assertAlmostEqual(rows[0]["x"], 0.0, places=3)
             self.assertAlmostEqual(rows[-1]["x"], 40.0, places=3)
             for row, after in zip(rows, rows[1:-1]):
@@ -80,7 +80,7 @@ class CheckAndTrack(unittest.TestCase):
     def test_no_trajectory_of_what_cannot_be_run(self):
         table = self.path("nozzle.csv")
         points = self.write([(0, 0, 50), (0, 0, -25), (10, 0, -25)], "travel", 0)
-        self.told("check", points, "--machine", "irb_4600", "--set", "part.placement=as_is", "--trajectory", table,
+        self.reported("check", points, "--machine", "irb_4600", "--set", "part.placement=as_is", "--trajectory", table,
                   code=2)
         self.assertFalse(os.path.exists(table))
         done = run("check", points, "--machine", "irb_4600", "--set", "part.placement=as_is", "--trajectory", table)
@@ -92,25 +92,25 @@ class CheckAndTrack(unittest.TestCase):
             program = self.path("waits.gcode")
             with open(program, "w") as file:
                 file.write("G0 X110 Y110 Z0.2 F600\n;LAYER:0\nG1 X140 E1\n" + waiting + "G0 X140 Y160\nG1 X110 E1\n")
-            return self.told("check", program, "--machine", machine)["time_s"]
+            return self.reported("check", program, "--machine", machine)["time_s"]
         for machine in ("five_axis_head_ac", "cartesian_gantry"):
             self.assertAlmostEqual(taking("G4 P3500\n", machine) - taking("", machine), 3.5, places=6)
 
     def test_a_part_is_sliced_for_the_machine(self):
-        told = self.told("check", "box", "--machine", "irb_4600", "--set", "slicing.layer_height_mm=1", "--set",
+        reported = self.reported("check", "box", "--machine", "irb_4600", "--set", "slicing.layer_height_mm=1", "--set",
                          "slicing.first_layer_height_mm=1", "--set", "bead.width_mm=2")
-        self.assertGreater(told["waypoints"], 80)
-        self.assertEqual(told["faulty_waypoints"], 0)
+        self.assertGreater(reported["waypoints"], 80)
+        self.assertEqual(reported["faulty_waypoints"], 0)
 
-    def test_all_waypoints_out_of_reach_are_told(self):
+    def test_all_waypoints_out_of_reach_are_reported(self):
         points = self.write([(i, 0, 0.2) for i in range(20)] + [(1e5 + i, 0, 0.2) for i in range(15)])
         report = self.path("report.csv")
         arguments = ("check", points, "--machine", "irb_4600", "--set", "part.placement=as_is", "--set",
                      "joints.max_step_mm=100000", "--report", report)
-        told = self.told(*arguments, code=2)
-        self.assertEqual(told["faulty_waypoints"], 15)
-        self.assertIsNone(told["time_s"])
-        unreached = [finding["waypoint"] for finding in told["findings"] if finding["what"] == "out_of_reach"]
+        reported = self.reported(*arguments, code=2)
+        self.assertEqual(reported["faulty_waypoints"], 15)
+        self.assertIsNone(reported["time_s"])
+        unreached = [finding["waypoint"] for finding in reported["findings"] if finding["what"] == "out_of_reach"]
         self.assertEqual(unreached, list(range(20, 35)))
         self.assertEqual([int(row["waypoint"]) for row in self.listed(report)], unreached)
         done = run(*arguments)
@@ -118,13 +118,13 @@ class CheckAndTrack(unittest.TestCase):
         self.assertIn("out_of_reach at 15 waypoints", done.stdout)
         self.assertIn("the machine cannot run it", done.stdout)
 
-    def test_what_collides_is_told(self):
+    def test_what_collides_is_reported(self):
         points = self.write([(0, 0, 50), (0, 0, -25), (10, 0, -25)], "travel", 0)
         report = self.path("report.csv")
-        told = self.told("check", points, "--machine", "irb_4600", "--set", "part.placement=as_is", "--report",
+        reported = self.reported("check", points, "--machine", "irb_4600", "--set", "part.placement=as_is", "--report",
                          report, code=2)
-        self.assertEqual(told["faulty_waypoints"], 0)
-        self.assertEqual([finding["waypoint"] for finding in told["findings"]], [1, 2])
+        self.assertEqual(reported["faulty_waypoints"], 0)
+        self.assertEqual([finding["waypoint"] for finding in reported["findings"]], [1, 2])
         self.assertEqual([row["what"] for row in self.listed(report)], ["collision", "collision"])
         self.assertIn("the bed", self.listed(report)[0]["reason"])
 
@@ -141,22 +141,22 @@ class CheckAndTrack(unittest.TestCase):
                                 ("InvalidConfig", [points, "--machine", "irb_4600", "--set", "joints.yaw_samples=0"])):
             done = run("check", *arguments, "--json")
             self.assertNotIn(done.returncode, (0, 2), arguments)
-            told = json.loads(done.stdout)
-            self.assertEqual(told["error"]["code"], code, told)
+            reported = json.loads(done.stdout)
+            self.assertEqual(reported["error"]["code"], code, reported)
             self.assertEqual(sorted(os.listdir(self.folder.name)), names, arguments)
         self.assertIn("irb_4400", run("check", points, "--machine", "nowhere").stderr)
 
     def test_a_toolpath_is_tracked_by_the_platform(self):
         points = self.write([(50, 60, 0.2), (70, 60, 0.2)])
-        told = self.told("track", points)
+        reported = self.reported("track", points)
         # From rest to rest: 20 mm at 20 mm/s, up to it and down from it at 1000 mm/s2.
-        self.assertAlmostEqual(told["duration_s"], 1.0 + 20.0 / 1000.0, places=9)
+        self.assertAlmostEqual(reported["duration_s"], 1.0 + 20.0 / 1000.0, places=9)
         for figure in ("linear_ise_mm2_s", "control_energy_nm2_s", "greatest_torque_nm", "greatest_tip_error_mm"):
-            self.assertGreater(told[figure], 0.0)
-        self.assertLess(told["greatest_tip_error_mm"], 1.0)
+            self.assertGreater(reported[figure], 0.0)
+        self.assertLess(reported["greatest_tip_error_mm"], 1.0)
         self.assertIn("1.020 s", run("track", points).stdout)
-        moved = self.told("track", self.write([(-10, 0, 0.2), (10, 0, 0.2)]), "--middle", "60,60")
-        self.assertAlmostEqual(moved["control_energy_nm2_s"], told["control_energy_nm2_s"], places=9)
+        moved = self.reported("track", self.write([(-10, 0, 0.2), (10, 0, 0.2)]), "--middle", "60,60")
+        self.assertAlmostEqual(moved["control_energy_nm2_s"], reported["control_energy_nm2_s"], places=9)
 
     def test_what_the_platform_cannot_track_is_refused(self):
         points = self.write([(50, 60, 0.2), (70, 60, 0.2)])

@@ -43,20 +43,20 @@ class CommandLine(unittest.TestCase):
     def assert_fails_with(self, code, *arguments):
         done = run(*arguments, "--json")
         self.assertNotEqual(done.returncode, 0)
-        told = json.loads(done.stdout)
-        self.assertEqual(told["error"]["code"], code)
-        self.assertTrue(told["error"]["message"])
-        return told
+        reported = json.loads(done.stdout)
+        self.assertEqual(reported["error"]["code"], code)
+        self.assertTrue(reported["error"]["message"])
+        return reported
 
-    def test_arguments_that_cannot_be_read_are_told_as_json(self):
+    def test_arguments_that_cannot_be_read_are_reported_as_json(self):
         for arguments in (["slice", "--bogus"], ["stream"], ["info"], ["slice", "box", "--threads", "0"],
                           ["emulate", "--tcp", "99999999"], ["preview", "box", "--layer", "-1"]):
             self.assert_fails_with("InvalidConfig", *arguments)
 
     def test_the_bound_of_a_layer_can_be_read(self):
         for subcommand in ("voids", "preview"):
-            told = self.assert_fails_with("InvalidConfig", subcommand, "box", "--layer", "-1")
-            self.assertLess(len(told["error"]["message"]), 100)
+            reported = self.assert_fails_with("InvalidConfig", subcommand, "box", "--layer", "-1")
+            self.assertLess(len(reported["error"]["message"]), 100)
 
     def test_help_is_no_failure(self):
         for subcommand in ("part", "info", "slice", "preview", "emulate", "stream"):
@@ -70,12 +70,12 @@ class CommandLine(unittest.TestCase):
         self.assertEqual(configuration["slicing.layer_height_mm"], 0.2)
         self.assertEqual(configuration["infill.strategy"], "zigzag")
 
-    def test_slicing_tells_one_object(self):
+    def test_slicing_reports_one_object(self):
         box = self.make_part("box", "--set", "x_mm=10", "--set", "y_mm=10", "--set", "z_mm=2")
-        told = json.loads(run("slice", box, "-o", self.path("box.gcode"), "--json").stdout)
-        self.assertEqual(told["layers"], 10)
-        self.assertEqual(told["open_contours"], 0)
-        self.assertAlmostEqual(told["sliced_volume_mm3"], 200.0, places=6)
+        reported = json.loads(run("slice", box, "-o", self.path("box.gcode"), "--json").stdout)
+        self.assertEqual(reported["layers"], 10)
+        self.assertEqual(reported["open_contours"], 0)
+        self.assertAlmostEqual(reported["sliced_volume_mm3"], 200.0, places=6)
         self.assertTrue(os.path.getsize(self.path("box.gcode")) > 0)
 
     def test_five_axis_programs_are_written_and_read_through_their_machine(self):
@@ -85,10 +85,10 @@ class CommandLine(unittest.TestCase):
         tilt = ["--set", "orientation.mode=fixed", "--set", "orientation.fixed_lean_deg=10"]
         self.assertEqual(run("slice", box, *machine, *tilt, "-o", program).returncode, 0)
         self.assertIn(b"\n;FIVE_AXIS:tool_tip X Y Z B C\n", content(program))
-        told = json.loads(run("preview", program, *machine, "-o", picture, "--json").stdout)
-        self.assertEqual(told["layers"], 5)
-        told = json.loads(run("check", program, "--machine", "five_axis_head_table", "--json").stdout)
-        self.assertEqual(told["faulty_waypoints"], 0)
+        reported = json.loads(run("preview", program, *machine, "-o", picture, "--json").stdout)
+        self.assertEqual(reported["layers"], 5)
+        reported = json.loads(run("check", program, "--machine", "five_axis_head_table", "--json").stdout)
+        self.assertEqual(reported["faulty_waypoints"], 0)
         self.assertEqual(run("voids", program, *machine).returncode, 0)
         self.assert_fails_with("InvalidProgram", "preview", program, "-o", picture)
         self.assert_fails_with("Unreachable", "slice", box, *tilt, "-o", self.path("upright.gcode"))
@@ -99,10 +99,10 @@ class CommandLine(unittest.TestCase):
         module, arm = self.path("box.mod"), ["--set", "machine.name=irb_4600"]
         done = run("slice", box, *arm, "--set", "rapid.configuration=joints", "-o", module)
         self.assertEqual(done.returncode, 0, done.stderr)
-        told = json.loads(run("check", module, "--machine", "irb_4600", "--json").stdout)
-        self.assertEqual(told["faulty_waypoints"], 0)
-        told = json.loads(run("voids", module, "--json").stdout)
-        self.assertEqual(told["layers"], 5)
+        reported = json.loads(run("check", module, "--machine", "irb_4600", "--json").stdout)
+        self.assertEqual(reported["faulty_waypoints"], 0)
+        reported = json.loads(run("voids", module, "--json").stdout)
+        self.assertEqual(reported["layers"], 5)
         self.assert_fails_with("InvalidInput", "slice", box, *arm, "-o", self.path("box.gcode"))
         self.assertFalse(os.path.exists(self.path("box.gcode")))
 
@@ -114,10 +114,10 @@ class CommandLine(unittest.TestCase):
             cut = ["--set", "robot_program.allow_cut=true"]
             done = run("slice", box, *arm, *cut, "-o", program)
             self.assertEqual(done.returncode, 0, done.stderr)
-            told = json.loads(run("check", program, "--machine", "irb_4600", "--json").stdout)
-            self.assertEqual(told["faulty_waypoints"], 0)
-            told = json.loads(run("voids", program, "--json").stdout)
-            self.assertEqual(told["layers"], 5)
+            reported = json.loads(run("check", program, "--machine", "irb_4600", "--json").stdout)
+            self.assertEqual(reported["faulty_waypoints"], 0)
+            reported = json.loads(run("voids", program, "--json").stdout)
+            self.assertEqual(reported["layers"], 5)
             upright = self.path("upright" + suffix)
             self.assert_fails_with("InvalidInput", "slice", box, "-o", upright)
             self.assertFalse(os.path.exists(upright))
@@ -126,14 +126,14 @@ class CommandLine(unittest.TestCase):
         box = self.make_part("box", "--set", "x_mm=10", "--set", "y_mm=10", "--set", "z_mm=2")
         plane = ["--set", "slicing.plane.angle_deg=45", "--set", "machine.name=gantry_45"]
         program = self.path("inclined.gcode")
-        told = json.loads(run("slice", box, *plane, "-o", program, "--json").stdout)
+        reported = json.loads(run("slice", box, *plane, "-o", program, "--json").stdout)
         # The box is (10 + 2) / sqrt 2 = 8.49 mm across these layers, which makes 42 of 0.2 mm.
-        self.assertEqual(told["layers"], 42)
-        self.assertAlmostEqual(told["sliced_volume_mm3"], 200.0, places=0)
-        self.assertEqual(told["starts_in_air"], 0)
+        self.assertEqual(reported["layers"], 42)
+        self.assertAlmostEqual(reported["sliced_volume_mm3"], 200.0, places=0)
+        self.assertEqual(reported["starts_in_air"], 0)
         drawn = json.loads(run("preview", program, "-o", self.path("inclined.png"), "--json").stdout)
         self.assertEqual(drawn["layers"], 42)
-        self.assertAlmostEqual(drawn["deposition_mm"], told["deposition_mm"], delta=1.0)
+        self.assertAlmostEqual(drawn["deposition_mm"], reported["deposition_mm"], delta=1.0)
         refused = run("slice", box, "--set", "slicing.plane.angle_deg=45", "-o", self.path("none.gcode"))
         self.assertNotEqual(refused.returncode, 0)
         self.assertIn("slicing.plane.tool axis 'down'", refused.stderr)
@@ -144,19 +144,19 @@ class CommandLine(unittest.TestCase):
         program = self.path("box.gcode")
         self.assertEqual(run("slice", box, "-o", program).returncode, 0)
         listed = self.path("voids.json")
-        told = json.loads(run("voids", program, "--part", box, "-o", listed, "--json").stdout)
+        reported = json.loads(run("voids", program, "--part", box, "-o", listed, "--json").stdout)
         layers = json.loads(content(listed))["layers"]
-        self.assertEqual(len(layers), told["layers"])
+        self.assertEqual(len(layers), reported["layers"])
         voids = [void for layer in layers for void in layer["voids"]]
-        self.assertEqual(len(voids), told["voids"])
+        self.assertEqual(len(voids), reported["voids"])
         self.assertGreater(len(voids), 0)  # the infill is sparse
         for void in voids:
-            self.assertIn(void["class"], told["voids_by_class"])
+            self.assertIn(void["class"], reported["voids_by_class"])
             self.assertGreater(void["area_mm2"], 0.0)
             self.assertGreaterEqual(len(void["outline_mm"]), 3)
         # The outer walls alone tell the same of a box.
         alone = json.loads(run("voids", program, "--json").stdout)
-        self.assertAlmostEqual(alone["uncovered_percent_mean"], told["uncovered_percent_mean"], delta=0.5)
+        self.assertAlmostEqual(alone["uncovered_percent_mean"], reported["uncovered_percent_mean"], delta=0.5)
         self.assert_fails_with("InvalidInput", "voids", program, "--part", box, "-o", self.path("voids.txt"))
 
     def slice_drops(self, name):
@@ -170,31 +170,31 @@ class CommandLine(unittest.TestCase):
         program = self.slice_drops("drops.gcode")
         before = content(program)
         filled = self.path("filled.gcode")
-        told = json.loads(run("fill-voids", program, "-o", filled, "--overlap", "0.1", "--json").stdout)
-        self.assertEqual(told["layers"], 2)
-        self.assertGreater(told["new_drops"], 0)
-        self.assertLessEqual(told["greatest_linear_overlap"], 0.1 + 1e-6)
-        self.assertEqual(sum(told["voids_by_class"].values()), told["voids"])
+        reported = json.loads(run("fill-voids", program, "-o", filled, "--overlap", "0.1", "--json").stdout)
+        self.assertEqual(reported["layers"], 2)
+        self.assertGreater(reported["new_drops"], 0)
+        self.assertLessEqual(reported["greatest_linear_overlap"], 0.1 + 1e-6)
+        self.assertEqual(sum(reported["voids_by_class"].values()), reported["voids"])
         self.assertEqual(content(program), before)
         lines = content(filled).decode().splitlines()
-        self.assertEqual(lines.count("M780"), told["drops"] + told["new_drops"])
+        self.assertEqual(lines.count("M780"), reported["drops"] + reported["new_drops"])
 
     def test_a_sweep_of_degrees_needs_no_output(self):
         table = self.path("sweep.csv")
-        told = json.loads(run("fill-voids", self.slice_drops("drops.gcode"), "--sweep", table, "--json").stdout)
-        self.assertEqual([round(100 * step["allowed_overlap"]) for step in told["sweep"]], list(range(0, 41, 5)))
+        reported = json.loads(run("fill-voids", self.slice_drops("drops.gcode"), "--sweep", table, "--json").stdout)
+        self.assertEqual([round(100 * step["allowed_overlap"]) for step in reported["sweep"]], list(range(0, 41, 5)))
         self.assertEqual(len(content(table).decode().splitlines()), 10)
-        self.assertNotIn("output", told)
+        self.assertNotIn("output", reported)
 
     def test_a_drop_program_is_measured_like_one_of_beads(self):
         program = self.slice_drops("drops.gcode")
-        told = json.loads(run("voids", program, "--part", self.path("box.stl"), "--json").stdout)
+        reported = json.loads(run("voids", program, "--part", self.path("box.stl"), "--json").stdout)
         for key in ("layers", "uncovered_percent_mean", "uncovered_percent_worst", "overfill_percent_mean",
                     "runs_per_layer_mean", "voids"):
-            self.assertIn(key, told)
+            self.assertIn(key, reported)
         # Between the porosity of a hexagonal lattice, 9.3 %, and that of a layer with its voids open.
-        self.assertGreater(told["uncovered_percent_mean"], 9.3)
-        self.assertLess(told["uncovered_percent_mean"], 25.0)
+        self.assertGreater(reported["uncovered_percent_mean"], 9.3)
+        self.assertLess(reported["uncovered_percent_mean"], 25.0)
 
     def test_options_that_do_not_apply_are_refused(self):
         drops = self.slice_drops("drops.gcode")
@@ -208,12 +208,12 @@ class CommandLine(unittest.TestCase):
                        ["--sweep", self.path("s.csv")]):
             self.assertIn(option[0], self.assert_keeps_inputs("fill-voids", beads, "--part", box, *filled, *option))
 
-    def test_a_part_too_narrow_for_a_drop_is_told_of_drops(self):
+    def test_a_part_too_narrow_for_a_drop_is_refused_in_terms_of_drops(self):
         box = self.make_part("box", "--set", "x_mm=2", "--set", "y_mm=2", "--set", "z_mm=1")
-        told = self.assert_fails_with("InvalidInput", "slice", box, "--set", "infill.strategy=drops_dense", "--set",
+        reported = self.assert_fails_with("InvalidInput", "slice", box, "--set", "infill.strategy=drops_dense", "--set",
                                       "drops.diameter_mm=3", "--set", "drops.pitch_mm=3")
-        self.assertIn("no drop", told["error"]["message"])
-        self.assertIn("drops.diameter_mm", told["error"]["message"])
+        self.assertIn("no drop", reported["error"]["message"])
+        self.assertIn("drops.diameter_mm", reported["error"]["message"])
 
     def test_filling_without_a_file_to_write_is_refused(self):
         self.assert_fails_with("InvalidInput", "fill-voids", self.slice_drops("drops.gcode"))
@@ -236,10 +236,10 @@ class CommandLine(unittest.TestCase):
     def assert_keeps_inputs(self, *arguments):
         names = sorted(os.listdir(self.folder.name))
         before = [content(self.path(name)) for name in names]
-        told = self.assert_fails_with("InvalidInput", *arguments)
+        reported = self.assert_fails_with("InvalidInput", *arguments)
         self.assertEqual(sorted(os.listdir(self.folder.name)), names, arguments)
         self.assertEqual([content(self.path(name)) for name in names], before, arguments)
-        return told["error"]["message"]
+        return reported["error"]["message"]
 
     def write_config(self, name):
         with open(self.path(name), "w") as file:
@@ -292,10 +292,10 @@ class CommandLine(unittest.TestCase):
     def test_a_program_is_inclined_beside_itself(self):
         done = run("incline", self.tilted(), "--layer-height", "0.5", "--json")
         self.assertEqual(done.returncode, 0, done.stderr)
-        told = json.loads(done.stdout)
-        self.assertEqual(told["output"], self.path("tilted_rotate.gcode"))
-        self.assertEqual(told["depositions"], 2)
-        self.assertEqual(self.inclined(told["output"]),
+        reported = json.loads(done.stdout)
+        self.assertEqual(reported["output"], self.path("tilted_rotate.gcode"))
+        self.assertEqual(reported["depositions"], 2)
+        self.assertEqual(self.inclined(reported["output"]),
                          "; generated by a test\nM83\n;LAYER:0\nG0 X5.000 Y14.142 Z0.500\n"
                          "G1 X9.000 Y14.142 Z0.500 E1 F900\nG1 X9.000 Y14.849 Z1.207 E1\n; end of the part\nG1 X0 Y200\n")
 
@@ -362,8 +362,8 @@ class CommandLine(unittest.TestCase):
             size = json.loads(done.stdout)["size_mm"]  # a cube of 20 mm on an edge
             for side, expected in zip(size, (20.0, 20.0 * 2 ** 0.5, 20.0 * 2 ** 0.5)):
                 self.assertAlmostEqual(side, expected, 4)
-            told = json.loads(run("info", self.path("turned.stl"), "--json").stdout)
-            self.assertAlmostEqual(told["volume_mm3"], 8000.0, 1)
+            reported = json.loads(run("info", self.path("turned.stl"), "--json").stdout)
+            self.assertAlmostEqual(reported["volume_mm3"], 8000.0, 1)
         mesh = self.path("box.stl")
         before = content(mesh)
         self.assert_fails_with("InvalidInput", "rotate", mesh, "-o", mesh)
@@ -396,10 +396,10 @@ class CommandLine(unittest.TestCase):
         os.close(terminal)
         self.wait_for_text(screen, b"Execute")
         stream.send_signal(signal.SIGHUP)
-        told = json.loads(stream.communicate(timeout=60)[0])
-        self.assertEqual(told["error"]["code"], "Cancelled")
-        self.assertEqual(told["lines"], 2002)
-        self.assertLess(told["acknowledged"], 2002)
+        reported = json.loads(stream.communicate(timeout=60)[0])
+        self.assertEqual(reported["error"]["code"], "Cancelled")
+        self.assertEqual(reported["lines"], 2002)
+        self.assertLess(reported["acknowledged"], 2002)
         emulator.send_signal(signal.SIGINT)
         emulator.wait(timeout=60)
         self.assertIn(b"M104 S0", content(self.path("run")))

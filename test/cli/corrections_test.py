@@ -16,7 +16,7 @@ import tempfile
 import time
 import unittest
 
-from lamina_command import LAMINA, lamina, told
+from lamina_command import LAMINA, lamina, reported
 
 LAYERS = 60
 SEGMENTS = 20  # of the bead of each layer
@@ -115,7 +115,7 @@ class Corrections(unittest.TestCase):
             self.assertIn(word, done.stderr)
 
     def test_each_layer_gets_the_filament_of_its_map(self):
-        made = told("correct", self.program, self.maps, "-o", self.corrected)
+        made = reported("correct", self.program, self.maps, "-o", self.corrected)
         self.assertEqual(len(made["maps"]), LAYERS - 1)
         self.assertEqual((made["toolpath_id"], made["off_path_lines"]), (ID, 0))
         self.assertGreater(made["added_lines"], 0)
@@ -127,7 +127,7 @@ class Corrections(unittest.TestCase):
     def test_maps_of_nothing_change_no_byte(self):
         for layer in range(1, LAYERS):
             self.write(f"maps/correction_{layer}.csv", correction_map(layer, [0.0] * STATIONS))
-        told("correct", self.program, self.maps, "-o", self.corrected)
+        reported("correct", self.program, self.maps, "-o", self.corrected)
         self.assertEqual(self.read(self.corrected), self.read(self.program))
 
     def test_what_does_not_fit_is_refused_whole_by_name(self):
@@ -167,7 +167,7 @@ class Corrections(unittest.TestCase):
                                 stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
 
     def known(self):
-        return told("stream", self.program, "--progress", *self.options())
+        return reported("stream", self.program, "--progress", *self.options())
 
     def kill_at(self, streaming, line):
         self.wait_for(lambda: os.path.exists(self.journal) and self.known()["taken_through"] >= line)
@@ -184,7 +184,7 @@ class Corrections(unittest.TestCase):
 
     def test_a_killed_corrected_job_goes_on_where_it_was(self):
         machine = self.emulate()
-        made = told("correct", self.program, self.maps, "-o", self.corrected)
+        made = reported("correct", self.program, self.maps, "-o", self.corrected)
         commands = self.commands_of(self.corrected)
         streaming = self.stream()
         for line in sorted(random.Random(2).sample(range(1, int(0.8 * len(commands))), KILLS)):
@@ -198,13 +198,13 @@ class Corrections(unittest.TestCase):
         self.assertEqual(self.known()["state"], "Complete")
         ran = self.ran(machine)
         self.assertEqual(ran, commands, "no line lost or repeated")
-        laid = sum(float(word) for line in ran for word in re.findall(r"^G1 .*E([-.\d]+)", line))
+        deposited = sum(float(word) for line in ran for word in re.findall(r"^G1 .*E([-.\d]+)", line))
         commanded = FILAMENT_PER_MM * LENGTH_MM + sum(filament_of(amounts_of(layer)) for layer in range(1, LAYERS))
-        self.assertAlmostEqual(laid, commanded, delta=1e-4 * LAYERS)
+        self.assertAlmostEqual(deposited, commanded, delta=1e-4 * LAYERS)
 
     def test_a_job_goes_on_by_the_same_maps_only(self):
         machine = self.emulate()
-        made = told("correct", self.program, self.maps, "-o", self.corrected)
+        made = reported("correct", self.program, self.maps, "-o", self.corrected)
         self.kill_at(self.stream(), 200)
         resume = ("stream", self.program, *self.options("--resume"))
         self.expect_refusal(*resume, says=(f"was corrected by {LAYERS - 1} correction maps",))
@@ -215,14 +215,14 @@ class Corrections(unittest.TestCase):
         self.write("maps/correction_30.csv", correction_map(30, amounts_of(30)))
         self.expect_refusal(*resume, "--corrections", self.maps, "--set", "loop.lag_s=1", says=("other settings (loop.*)",))
         self.expect_refusal("resume", self.program, *self.options(), says=("lamina correct",))
-        offer = told("resume", self.corrected, *self.options())
+        offer = reported("resume", self.corrected, *self.options())
         self.assertEqual(offer["from_line"], self.known()["taken_through"] + 1)
-        told("stream", self.program, *self.options("--resume", "--corrections", self.maps))
+        reported("stream", self.program, *self.options("--resume", "--corrections", self.maps))
         self.assertEqual(self.ran(machine), self.commands_of(self.corrected))
 
 
 class RobotPrograms(unittest.TestCase):
-    """RAPID as `lamina slice` writes it: the process is steady, so that an amount is laid by its time."""
+    """RAPID as `lamina slice` writes it: the process is steady, so that an amount is deposited by its time."""
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -231,9 +231,9 @@ class RobotPrograms(unittest.TestCase):
         self.program, self.corrected, self.maps = (os.path.join(self.folder, name) for name in ("wall.mod", "corrected.mod", "maps"))
         os.mkdir(self.maps)
         self.part, toolpath = os.path.join(self.folder, "wall.stl"), os.path.join(self.folder, "wall.csv")
-        told("part", "flat_wall", "--set", "length_mm=20", "--set", "height_mm=1", "-o", self.part)
+        reported("part", "flat_wall", "--set", "length_mm=20", "--set", "height_mm=1", "-o", self.part)
         for output in (self.program, toolpath):
-            told("slice", self.part, "--set", "machine.name=irb_4600", "--set", "part.placement=as_is", "-o", output)
+            reported("slice", self.part, "--set", "machine.name=irb_4600", "--set", "part.placement=as_is", "-o", output)
         with open(toolpath, encoding="utf-8") as file:
             self.rows = [line.split(",") for line in file.read().splitlines()[1:]]
             file.seek(0)
@@ -252,18 +252,18 @@ class RobotPrograms(unittest.TestCase):
     def test_an_amount_takes_its_time_and_reads_back(self):
         length_mm, time_s = self.length_and_time(2, 1)
         self.write("correction_2.csv", correction_map(2, [0.25] * 8, length_mm=length_mm))
-        made = told("correct", self.program, self.maps, "-o", self.corrected)
+        made = reported("correct", self.program, self.maps, "-o", self.corrected)
         self.assertAlmostEqual(made["corrected_s"] - made["planned_s"], 0.25 * time_s, delta=1e-3)
         self.assertEqual(lamina("preview", self.corrected, "--layer", "2", "-o", os.path.join(self.folder, "layer.png")).returncode, 0)
-        self.assertNotEqual(told("metrics", self.corrected, "--part", self.part), {})
+        self.assertNotEqual(reported("metrics", self.corrected, "--part", self.part), {})
 
     def test_other_languages_take_their_time_too(self):
         length_mm, time_s = self.length_and_time(2, 1)
         self.write("correction_2.csv", correction_map(2, [0.25] * 8, length_mm=length_mm))
         for suffix in ("src", "ls", "jbi"):
             program, corrected = (os.path.join(self.folder, f"{name}.{suffix}") for name in ("wall", "corrected"))
-            told("slice", self.part, "--set", "machine.name=irb_4600", "--set", "part.placement=as_is", "-o", program)
-            made = told("correct", program, self.maps, "-o", corrected)
+            reported("slice", self.part, "--set", "machine.name=irb_4600", "--set", "part.placement=as_is", "-o", program)
+            made = reported("correct", program, self.maps, "-o", corrected)
             # Fanuc's speeds are whole numbers, Yaskawa's have one decimal.
             self.assertAlmostEqual(made["corrected_s"] - made["planned_s"], 0.25 * time_s, delta=0.02 * time_s)
             picture = os.path.join(self.folder, "layer.png")
@@ -272,7 +272,7 @@ class RobotPrograms(unittest.TestCase):
     def slice_again(self, suffix, *settings):
         program, corrected = (os.path.join(self.folder, f"{name}.{suffix}") for name in ("wall", "corrected"))
         chosen = [word for setting in settings for word in ("--set", setting)]
-        told("slice", self.part, "--set", "part.placement=as_is", *chosen, "-o", program)
+        reported("slice", self.part, "--set", "part.placement=as_is", *chosen, "-o", program)
         return program, corrected
 
     def test_arcs_are_not_written_as_outputs(self):
@@ -288,7 +288,7 @@ class RobotPrograms(unittest.TestCase):
                 self.assertIn(said, refused.stderr)
             self.assertFalse(os.path.exists(corrected))
             chosen = [word for setting in settings for word in ("--set", setting)]
-            made = told("correct", program, self.maps, *chosen, "-o", corrected)
+            made = reported("correct", program, self.maps, *chosen, "-o", corrected)
             self.assertAlmostEqual(made["corrected_s"] - made["planned_s"], 0.25 * time_s, delta=0.02 * time_s)
 
     def test_external_axes_are_not_dropped(self):
@@ -311,7 +311,7 @@ class RobotPrograms(unittest.TestCase):
         length_mm, time_s = self.length_and_time(2, 1)
         self.write("correction_2.csv", correction_map(2, [0.25] * 8, length_mm=length_mm))
         program, corrected = self.slice_again("src", *waiting)
-        made = told("correct", program, self.maps, "-o", corrected)
+        made = reported("correct", program, self.maps, "-o", corrected)
         self.assertAlmostEqual(made["corrected_s"] - made["planned_s"], 0.25 * time_s, delta=0.02 * time_s)
         waits = []
         for path in (program, corrected):
@@ -323,14 +323,14 @@ class RobotPrograms(unittest.TestCase):
     def test_scripts_without_joints_are_refused(self):
         self.write("correction_2.csv", correction_map(2, [0.25] * 8))
         program, corrected = (os.path.join(self.folder, f"{name}.script") for name in ("wall", "corrected"))
-        told("slice", self.part, "--set", "machine.name=irb_4600", "--set", "part.placement=as_is", "-o", program)
+        reported("slice", self.part, "--set", "machine.name=irb_4600", "--set", "part.placement=as_is", "-o", program)
         refused = lamina("correct", program, self.maps, "-o", corrected)
         self.assertIn("poses in URScript are over the robot's base", refused.stderr)
         self.assertFalse(os.path.exists(corrected))
 
     def test_maps_of_nothing_leave_the_motions(self):
         self.write("correction_2.csv", correction_map(2, [0.0] * 8))
-        made = told("correct", self.program, self.maps, "-o", self.corrected)
+        made = reported("correct", self.program, self.maps, "-o", self.corrected)
         self.assertEqual(made["corrected_s"], made["planned_s"])
         moves = []
         for path in (self.program, self.corrected):
@@ -342,7 +342,7 @@ class RobotPrograms(unittest.TestCase):
 
     def test_another_program_is_refused(self):
         self.write("correction_2.csv", correction_map(2, [0.25] * 8))
-        told("correct", self.program, self.maps, "-o", self.corrected)
+        reported("correct", self.program, self.maps, "-o", self.corrected)
         again = lamina("correct", self.corrected, self.maps, "-o", self.program)
         self.assertEqual(again.returncode, 1)
         self.assertIn("layer 2, path 1 is of role", again.stderr)

@@ -3,7 +3,7 @@ import os
 import tempfile
 import unittest
 
-from lamina_command import lamina, told
+from lamina_command import lamina, reported
 
 # A front of three, with a setting of the slicer beside it.
 FRONT = """# variables 2
@@ -33,31 +33,31 @@ class Decide(unittest.TestCase):
             return file.read()
 
     def test_linmap_follows_the_weights(self):
-        found = told("decide", self.front)
+        found = reported("decide", self.front)
         self.assertEqual((found["chosen"], found["line"], found["alternatives"]), (2, 4, 3))
         for index, expected in zip(found["indices"], (1.0198, 0.7071, 1.0198)):
             self.assertAlmostEqual(index, expected, delta=5e-5)
-        weighted = told("decide", self.front, "--weights", "a=9,b=1")
+        weighted = reported("decide", self.front, "--weights", "a=9,b=1")
         self.assertEqual(weighted["chosen"], 3)
         self.assertEqual(weighted["weights"], {"a": 9.0, "b": 1.0})
         for index, expected in zip(weighted["indices"], (3.007, 1.581, 1.166)):
             self.assertAlmostEqual(index, expected, delta=5e-4)
-        self.assertEqual(told("decide", self.front, "--method", "topsis")["chosen"], 2)
-        self.assertEqual(told("decide", self.front, "--maximise", "a", "--maximise", "b")["chosen"], 2)
-        self.assertEqual(told("decide", self.front, "--weights", "b=0")["chosen"], 3)
+        self.assertEqual(reported("decide", self.front, "--method", "topsis")["chosen"], 2)
+        self.assertEqual(reported("decide", self.front, "--maximise", "a", "--maximise", "b")["chosen"], 2)
+        self.assertEqual(reported("decide", self.front, "--weights", "b=0")["chosen"], 3)
 
-    def test_the_text_tells_values_and_what_was_to_be_had(self):
+    def test_the_text_states_values_and_what_was_to_be_had(self):
         text = lamina("decide", self.front).stdout
         self.assertIn("chosen       2 of 3, line 4, by linmap, index 0.707107", text)
         self.assertIn("of 0.2 to 1, weight 1", text)
 
     def test_slice_takes_what_is_written_as_it_is(self):
         self.write("base.yaml", "slicing: {layer_height_mm: 0.1}\nwalls: {count: 1}\n")
-        told("decide", self.front, "--weights", "a=9", "-o", self.path("best.yaml"), "--base", self.path("base.yaml"))
+        reported("decide", self.front, "--weights", "a=9", "-o", self.path("best.yaml"), "--base", self.path("base.yaml"))
         self.assertEqual(self.read("best.yaml"), "slicing:\n  layer_height_mm: 0.3\nwalls:\n  count: 1\n"
                          "infill:\n  strategy: perimeters\n")
-        sliced = told("slice", "box", "--config", self.path("best.yaml"), "-o", self.path("box.gcode"))
-        by_hand = told("slice", "box", "--set", "slicing.layer_height_mm=0.3", "--set", "walls.count=1", "--set",
+        sliced = reported("slice", "box", "--config", self.path("best.yaml"), "-o", self.path("box.gcode"))
+        by_hand = reported("slice", "box", "--set", "slicing.layer_height_mm=0.3", "--set", "walls.count=1", "--set",
                        "infill.strategy=perimeters", "-o", self.path("by_hand.gcode"))
         self.assertEqual(sliced["layers"], by_hand["layers"])
         self.assertEqual(self.read("box.gcode"), self.read("by_hand.gcode"))

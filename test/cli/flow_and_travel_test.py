@@ -5,7 +5,7 @@ import re
 import tempfile
 import unittest
 
-from lamina_command import PLAIN, lamina, told
+from lamina_command import PLAIN, lamina, reported
 
 FILAMENT_MM2 = math.pi * 0.875 ** 2
 
@@ -50,13 +50,13 @@ class FlowAndTravel(unittest.TestCase):
     def part(self, name, **parameters):
         path = self.path(name + ".stl")
         sets = [word for key, value in parameters.items() for word in ("--set", f"{key}={value}")]
-        told("part", name, *sets, "-o", path)
+        reported("part", name, *sets, "-o", path)
         return path
 
     def sliced(self, part, *settings):
         output = self.path("part.gcode")
         sets = [word for setting in ("skirt.count=0", *settings) for word in ("--set", setting)]
-        summary = told("slice", part, "-o", output, *PLAIN, *sets)
+        summary = reported("slice", part, "-o", output, *PLAIN, *sets)
         return Program(output), summary
 
     def refusal(self, part, *settings):
@@ -73,7 +73,7 @@ class FlowAndTravel(unittest.TestCase):
         self.assertAlmostEqual(foot.width(1), 19.6, places=2)
         self.assertIn("first_layer.inset_mm", self.refusal(box, "first_layer.inset_mm=0.2", "slicing.plane.angle_deg=30"))
 
-    def test_shrinkage_makes_a_part_larger_and_tells_both_sizes(self):
+    def test_shrinkage_makes_a_part_larger_and_reports_both_sizes(self):
         box = self.part("box", x_mm=100, y_mm=100, z_mm=1)
         program, summary = self.sliced(box, "compensation.shrink_xy=0.005")
         self.assertAlmostEqual(program.width(2), 100.5025 - 0.4, places=2)
@@ -114,7 +114,7 @@ class FlowAndTravel(unittest.TestCase):
         self.assertAlmostEqual(program.pushed_mm() * FILAMENT_MM2, summary["deposited_mm3"], delta=0.01)
         self.assertTrue(any(note.startswith(f"{runs} runs end without pushing") for note in summary["notes"]))
 
-    def test_the_firmware_is_told_its_advance(self):
+    def test_the_firmware_is_given_its_advance(self):
         box = self.part("box", x_mm=20, y_mm=20, z_mm=1)
         words = {"marlin": "M900 K0.05", "klipper": "SET_PRESSURE_ADVANCE ADVANCE=0.05", "reprapfirmware": "M572 D0 S0.05"}
         for firmware, word in words.items():

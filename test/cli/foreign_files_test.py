@@ -4,7 +4,7 @@ import re
 import tempfile
 import unittest
 
-from lamina_command import lamina, told
+from lamina_command import lamina, reported
 
 SECRET = "SECRETSECRET"
 FOREIGN = {
@@ -97,7 +97,7 @@ class ForeignFiles(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = folder.name
-        told("slice", "box", "-o", self.path("own.gcode"))
+        reported("slice", "box", "-o", self.path("own.gcode"))
 
     def path(self, name):
         return os.path.join(self.folder, name)

@@ -3,7 +3,7 @@ import os
 import tempfile
 import unittest
 
-from lamina_command import lamina, told
+from lamina_command import lamina, reported
 
 ADAPTIVE = ("--set", "slicing.heights=adaptive")
 
@@ -13,7 +13,7 @@ class Heights(unittest.TestCase):
         self.folder = tempfile.TemporaryDirectory()
         self.addCleanup(self.folder.cleanup)
         self.part = self.path("cone.stl")
-        told("part", "cone", "--set", "radius_mm=8", "--set", "top_radius_mm=4", "--set", "height_mm=5", "-o", self.part)
+        reported("part", "cone", "--set", "radius_mm=8", "--set", "top_radius_mm=4", "--set", "height_mm=5", "-o", self.part)
 
     def path(self, name):
         return os.path.join(self.folder.name, name)
@@ -24,7 +24,7 @@ class Heights(unittest.TestCase):
 
     def test_follow_the_slope(self):
         # The cone's normal rises by atan(4 / 5): n_z = 0.6247, so that 0.1 mm of cusp are 0.16 mm of height.
-        report = told("heights", self.part, *ADAPTIVE)
+        report = reported("heights", self.part, *ADAPTIVE)
         heights = [layer["top_mm"] - layer["bottom_mm"] for layer in report["layers"]]
         self.assertEqual(len(heights), 31)
         for height in heights[1:]:
@@ -32,15 +32,15 @@ class Heights(unittest.TestCase):
         self.assertLessEqual(report["greatest_cusp_mm"], 0.1 + 1e-9)
 
     def test_slice_by_the_written_table(self):
-        told("heights", self.part, *ADAPTIVE, "-o", self.path("heights.csv"))
-        told("slice", self.part, *ADAPTIVE, "-o", self.path("adaptive.gcode"))
-        told("slice", self.part, "--set", "slicing.heights=file", "--set", "slicing.heights_file=" + self.path("heights.csv"),
+        reported("heights", self.part, *ADAPTIVE, "-o", self.path("heights.csv"))
+        reported("slice", self.part, *ADAPTIVE, "-o", self.path("adaptive.gcode"))
+        reported("slice", self.part, "--set", "slicing.heights=file", "--set", "slicing.heights_file=" + self.path("heights.csv"),
              "-o", self.path("file.gcode"))
         self.assertEqual(self.content("adaptive.gcode"), self.content("file.gcode"))
 
     def test_default_is_equal(self):
-        told("slice", self.part, "-o", self.path("default.gcode"))
-        told("slice", self.part, "--set", "slicing.heights=equal", "--set", "adaptive.cusp_mm=0.01", "-o", self.path("equal.gcode"))
+        reported("slice", self.part, "-o", self.path("default.gcode"))
+        reported("slice", self.part, "--set", "slicing.heights=equal", "--set", "adaptive.cusp_mm=0.01", "-o", self.path("equal.gcode"))
         self.assertEqual(self.content("default.gcode"), self.content("equal.gcode"))
 
     def test_refuse_what_cannot_be(self):

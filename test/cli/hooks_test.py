@@ -3,7 +3,7 @@ import os
 import tempfile
 import unittest
 
-from lamina_command import PLAIN, lamina, told
+from lamina_command import PLAIN, lamina, reported
 
 SETTINGS = """\
 hooks:
@@ -26,13 +26,13 @@ class Hooks(unittest.TestCase):
         self.folder = tempfile.TemporaryDirectory()
         self.addCleanup(self.folder.cleanup)
         self.part = self.path("box.stl")
-        told("part", "box", "--set", "x_mm=10", "--set", "y_mm=10", "--set", "z_mm=4", "-o", self.part)
+        reported("part", "box", "--set", "x_mm=10", "--set", "y_mm=10", "--set", "z_mm=4", "-o", self.part)
 
     def path(self, name):
         return os.path.join(self.folder.name, name)
 
     def lines(self, *arguments):
-        told("slice", self.part, *PLAIN, *arguments, "-o", self.path("part.gcode"))
+        reported("slice", self.part, *PLAIN, *arguments, "-o", self.path("part.gcode"))
         with open(self.path("part.gcode"), encoding="utf-8") as file:
             return file.read().splitlines()
 

@@ -5,7 +5,7 @@ import sys
 
 LAMINA = sys.argv.pop(1)
 
-# Without what is laid by default so that parts come off a printer whole.
+# Without what is deposited by default so that parts come off a printer whole.
 PLAIN = [word for setting in ("skins.top_layers=0", "skins.bottom_layers=0", "bridges.use=false", "overhangs.use=false",
                               "cooling.least_layer_time_s=0", "fan.use=false")
          for word in ("--set", setting)]
@@ -48,7 +48,7 @@ def motions(program):
     return found
 
 
-def told(*arguments):
+def reported(*arguments):
     done = lamina(*arguments, "--json")
     assert done.returncode == 0, done.stderr
     return json.loads(done.stdout)

@@ -38,13 +38,13 @@ class Metrics(unittest.TestCase):
     def path(cls, name):
         return os.path.join(cls.folder.name, name)
 
-    def told(self, *arguments):
+    def reported(self, *arguments):
         done = run("metrics", *arguments, "--part", self.part, "--json")
         self.assertEqual(done.returncode, 0, done.stderr)
         return json.loads(done.stdout)["programs"]
 
     def test_program_toolpath_and_part_are_the_same(self):
-        program, toolpath, sliced = self.told(self.path("plate.gcode"), self.path("plate.csv"), self.part, *SETTINGS)
+        program, toolpath, sliced = self.reported(self.path("plate.gcode"), self.path("plate.csv"), self.part, *SETTINGS)
         self.assertEqual([each["placing"] for each in (program, toolpath, sliced)], ["contours", "contours", "sliced"])
         self.assertEqual(list(sliced["metrics"]), NAMES)
         for name in NAMES[:6]:
@@ -52,29 +52,29 @@ class Metrics(unittest.TestCase):
             self.assertAlmostEqual(toolpath["metrics"][name], expected, delta=1e-6 * expected, msg=name)
             # Coordinates of programs are rounded to a thousandth of a millimetre.
             self.assertAlmostEqual(program["metrics"][name], expected, delta=0.001 * expected + 0.05, msg=name)
-        for told, expected in zip(program["program_from_part_mm"], sliced["program_from_part_mm"]):
-            self.assertAlmostEqual(told, expected, delta=0.002)
-        for told in toolpath["program_from_part_mm"]:  # which are in the frame of the part
-            self.assertAlmostEqual(told, 0.0, delta=0.002)
+        for reported, expected in zip(program["program_from_part_mm"], sliced["program_from_part_mm"]):
+            self.assertAlmostEqual(reported, expected, delta=0.002)
+        for reported in toolpath["program_from_part_mm"]:  # which are in the frame of the part
+            self.assertAlmostEqual(reported, 0.0, delta=0.002)
 
     def test_the_platform_is_simulated_if_asked(self):
-        quiet = self.told(self.path("plate.csv"))[0]["metrics"]
+        quiet = self.reported(self.path("plate.csv"))[0]["metrics"]
         self.assertEqual([quiet[name] for name in NAMES[6:]], [None, None, None])
         line = self.path("line.csv")
         with open(line, "w") as file:
             file.write("layer,path,role,closed,x_mm,y_mm,z_mm,qw,qx,qy,qz,bead_width_mm,bead_height_mm,feed_mm_s\n")
             for x in (0, 8):
                 file.write(f"0,0,infill,0,{x},6,0.2,0,1,0,0,0.4,0.2,20\n")
-        told = self.told(line, "--simulate", "--offset", "4,6,0")[0]
-        self.assertEqual(told["placing"], "given")
-        self.assertEqual(told["program_from_part_mm"], [4, 6, 0])
-        self.assertAlmostEqual(told["metrics"]["print_time_s"], 8 / 50 + 0.05)
-        self.assertGreater(told["metrics"]["control_energy_nm2_s"], 1.5 * (8 / 50 + 0.05))
-        self.assertLess(told["metrics"]["rotational_ise_rad2_s"], 1e-6)
+        reported = self.reported(line, "--simulate", "--offset", "4,6,0")[0]
+        self.assertEqual(reported["placing"], "given")
+        self.assertEqual(reported["program_from_part_mm"], [4, 6, 0])
+        self.assertAlmostEqual(reported["metrics"]["print_time_s"], 8 / 50 + 0.05)
+        self.assertGreater(reported["metrics"]["control_energy_nm2_s"], 1.5 * (8 / 50 + 0.05))
+        self.assertLess(reported["metrics"]["rotational_ise_rad2_s"], 1e-6)
 
     def test_a_table_has_a_column_a_program(self):
         table = self.path("table.csv")
-        self.told(self.path("plate.gcode"), self.path("plate.csv"), "-o", table)
+        self.reported(self.path("plate.gcode"), self.path("plate.csv"), "-o", table)
         with open(table, newline="") as file:
             rows = list(csv.reader(file))
         self.assertEqual(rows[0], ["metric", "plate.gcode", "plate.csv"])
@@ -92,9 +92,9 @@ class Metrics(unittest.TestCase):
         bottom = self.path("bottom.csv")
         with open(bottom, "w") as file:
             file.writelines(line for line in lines if line.startswith(("layer,", "0,")))
-        place = ",".join(str(x) for x in self.told(self.path("plate.csv"))[0]["program_from_part_mm"])
-        counted = self.told(bottom, "--offset", place)[0]["metrics"]["under_fill_mm2"]
-        skipped = self.told(bottom, "--offset", place, "--set", "metrics.uncovered_faces=skip",
+        place = ",".join(str(x) for x in self.reported(self.path("plate.csv"))[0]["program_from_part_mm"])
+        counted = self.reported(bottom, "--offset", place)[0]["metrics"]["under_fill_mm2"]
+        skipped = self.reported(bottom, "--offset", place, "--set", "metrics.uncovered_faces=skip",
                             "--set", "metrics.face_pieces=within")[0]["metrics"]["under_fill_mm2"]
         self.assertGreater(counted, skipped + 8 * 12 - 1)
 

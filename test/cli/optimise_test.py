@@ -68,14 +68,14 @@ class Optimise(unittest.TestCase):
             text = file.read().replace("{x: [0, 4]}", "{x: [1, 4]}")
         done = lamina("optimise", self.study(text), "-o", self.path("out"), "--json")
         self.assertEqual(done.returncode, 0, done.stderr)
-        told = json.loads(done.stdout)
-        self.assertEqual(told["failed"], 0)
-        self.assertAlmostEqual(told["chosen"]["responses"]["volume"],
-                               400.0 * told["chosen"]["variables"]["x"], delta=0.01)
+        reported = json.loads(done.stdout)
+        self.assertEqual(reported["failed"], 0)
+        self.assertAlmostEqual(reported["chosen"]["responses"]["volume"],
+                               400.0 * reported["chosen"]["variables"]["x"], delta=0.01)
         self.assertIn("generation 1:", done.stderr)
         self.assertIn("<h1>parabolas</h1>", self.read("out", "report.html"))
 
-    def test_what_fails_is_told_with_its_error(self):
+    def test_what_fails_is_reported_with_its_error(self):
         text = FRONT.replace("[0, 4]", "[-4, 4]")
         done = lamina("optimise", self.study(text), "-o", self.path("out"), "--json")
         self.assertEqual(done.returncode, 0, done.stderr)
@@ -125,7 +125,7 @@ class Optimise(unittest.TestCase):
         self.assertNotEqual(both.returncode, 0)
         self.assertIn("excludes", both.stderr)
 
-    def test_errors_that_are_no_text_are_told_all_the_same(self):
+    def test_errors_that_are_no_text_are_reported_all_the_same(self):
         study = self.study(SLOW.replace('[sleep, "0.1"]', "[echo]").replace(
             "{x = {x};", '{x = {x}; if (x == 2) {printf "a\\377z" > "/dev/stderr"; exit 3}')
                            + "published: {rows: {theirs: {x: 2}}}\n")
@@ -164,10 +164,10 @@ class Optimise(unittest.TestCase):
         study = os.path.join(STUDIES, "mini_specimens.yaml")
         done = lamina("optimise", study, "-o", self.path("mini"), "--json")
         self.assertEqual(done.returncode, 0, done.stderr)
-        told = json.loads(done.stdout)
-        self.assertEqual(told["end"], "accepted")
-        self.assertEqual(told["chosen"]["variables"]["infill_percent"], 69.39)
-        for proposal, infill, error in zip(told["proposals"], (68.73, 69.39, 68.9, 69.19), (5.06, 3.99, 2.45, 0.93)):
+        reported = json.loads(done.stdout)
+        self.assertEqual(reported["end"], "accepted")
+        self.assertEqual(reported["chosen"]["variables"]["infill_percent"], 69.39)
+        for proposal, infill, error in zip(reported["proposals"], (68.73, 69.39, 68.9, 69.19), (5.06, 3.99, 2.45, 0.93)):
             self.assertAlmostEqual(float(proposal["proposed"]["infill_percent"]), infill, delta=0.01)
             self.assertEqual(float(proposal["measured_at"]["infill_percent"]), infill)
             self.assertAlmostEqual(proposal["mape_percent"], error, delta=0.1)

@@ -5,7 +5,7 @@ import subprocess
 import tempfile
 import unittest
 
-from lamina_command import LAMINA, lamina, told
+from lamina_command import LAMINA, lamina, reported
 
 
 class Options(unittest.TestCase):
@@ -13,7 +13,7 @@ class Options(unittest.TestCase):
         self.folder = tempfile.TemporaryDirectory()
         self.addCleanup(self.folder.cleanup)
         self.box = self.path("box.stl")
-        told("part", "box", "--set", "x_mm=10", "--set", "y_mm=10", "--set", "z_mm=1", "-o", self.box)
+        reported("part", "box", "--set", "x_mm=10", "--set", "y_mm=10", "--set", "z_mm=1", "-o", self.box)
 
     def path(self, name):
         return os.path.join(self.folder.name, name)
@@ -23,9 +23,9 @@ class Options(unittest.TestCase):
             return file.read()
 
     def test_units_and_scale_size_a_mesh(self):
-        volume = told("info", self.box)["volume_mm3"]
-        self.assertAlmostEqual(told("info", self.box, "--unit", "cm")["volume_mm3"] / volume, 1000.0, places=6)
-        self.assertAlmostEqual(told("info", self.box, "--scale", "2")["volume_mm3"] / volume, 8.0, places=6)
+        volume = reported("info", self.box)["volume_mm3"]
+        self.assertAlmostEqual(reported("info", self.box, "--unit", "cm")["volume_mm3"] / volume, 1000.0, places=6)
+        self.assertAlmostEqual(reported("info", self.box, "--scale", "2")["volume_mm3"] / volume, 8.0, places=6)
 
     def test_a_broken_mesh_is_refused_if_strict(self):
         broken = self.path("broken.stl")
@@ -37,29 +37,29 @@ class Options(unittest.TestCase):
 
     def test_density_weighs(self):
         for command in ("coordinates", "sweep"):
-            light = json.dumps(told(command, self.box, "--density-g-cm3", "1"))
-            self.assertNotEqual(light, json.dumps(told(command, self.box, "--density-g-cm3", "2")), command)
+            light = json.dumps(reported(command, self.box, "--density-g-cm3", "1"))
+            self.assertNotEqual(light, json.dumps(reported(command, self.box, "--density-g-cm3", "2")), command)
 
     def test_pictures_have_views(self):
         for view in ("oblique", "top"):
-            told("preview", self.box, "--view", view, "-o", self.path(view + ".png"))
+            reported("preview", self.box, "--view", view, "-o", self.path(view + ".png"))
         self.assertNotEqual(self.content("oblique.png"), self.content("top.png"))
 
     def test_programs_have_dialects(self):
         for dialect in ("fullcontrol", "lamina"):
-            told("scaffold", "box", "--dialect", dialect, "-o", self.path(dialect + ".gcode"))
+            reported("scaffold", "box", "--dialect", dialect, "-o", self.path(dialect + ".gcode"))
         self.assertNotEqual(self.content("fullcontrol.gcode"), self.content("lamina.gcode"))
 
     def test_overhangs_are_listed_as_many_as_asked_for(self):
         ball = self.path("ball.stl")
-        told("part", "sphere", "--set", "radius_mm=4", "--set", "segments=16", "-o", ball)
-        self.assertEqual(len(told("overhang", ball, "--worst", "0")["worst"]), 0)
-        self.assertGreater(len(told("overhang", ball, "--worst", "3")["worst"]), 0)
+        reported("part", "sphere", "--set", "radius_mm=4", "--set", "segments=16", "-o", ball)
+        self.assertEqual(len(reported("overhang", ball, "--worst", "0")["worst"]), 0)
+        self.assertGreater(len(reported("overhang", ball, "--worst", "3")["worst"]), 0)
 
     def test_a_printed_part_is_softer_than_a_solid_one(self):
         coarse = ["--set", "deposition.voxel_mm=0.5", "--set", "stiffness.compression_mm=0.02"]
-        solid = told("stiffness", self.box, *coarse)["modulus_mpa"]
-        self.assertLess(told("stiffness", self.box, "--printed", *coarse)["modulus_mpa"], solid)
+        solid = reported("stiffness", self.box, *coarse)["modulus_mpa"]
+        self.assertLess(reported("stiffness", self.box, "--printed", *coarse)["modulus_mpa"], solid)
 
     def test_an_emulator_ends_after_one_job_and_strikes_with_its_faults(self):
         program, port = self.path("p.gcode"), self.path("machine")
@@ -72,7 +72,7 @@ class Options(unittest.TestCase):
         self.addCleanup(emulator.kill)
         while not os.path.exists(port):
             self.assertIsNone(emulator.poll())
-        streamed = told("stream", program, "--port", port, "--baud", "250000")
+        streamed = reported("stream", program, "--port", port, "--baud", "250000")
         self.assertEqual(emulator.wait(timeout=60), 0)
         self.assertGreaterEqual(streamed["resends"], 1)
 

@@ -3,7 +3,7 @@ import os
 import tempfile
 import unittest
 
-from lamina_command import PLAIN, lamina, told
+from lamina_command import PLAIN, lamina, reported
 
 
 class Plates(unittest.TestCase):
@@ -11,7 +11,7 @@ class Plates(unittest.TestCase):
         self.folder = tempfile.TemporaryDirectory()
         self.addCleanup(self.folder.cleanup)
         self.box = self.path("box.stl")
-        told("part", "box", "--set", "x_mm=20", "--set", "y_mm=10", "--set", "z_mm=2", "-o", self.box)
+        reported("part", "box", "--set", "x_mm=20", "--set", "y_mm=10", "--set", "z_mm=2", "-o", self.box)
 
     def path(self, name):
         return os.path.join(self.folder.name, name)
@@ -26,7 +26,7 @@ class Plates(unittest.TestCase):
             return file.read()
 
     def test_several_files_share_the_bed(self):
-        summary = told("slice", self.box, self.box, "cylinder", "-o", self.path("plate.gcode"))
+        summary = reported("slice", self.box, self.box, "cylinder", "-o", self.path("plate.gcode"))
         self.assertEqual([part["name"] for part in summary["parts"]], ["box 1", "box 2", "cylinder"])
         text = self.program("plate.gcode")
         for name in ("box 1", "box 2", "cylinder"):
@@ -34,7 +34,7 @@ class Plates(unittest.TestCase):
         self.assertEqual(text.count("TYPE:skirt"), 1)
 
     def test_parking_passes_above_parts_that_are_done(self):
-        told("slice", self.box, self.box, "--set", "plate.order=by_part", "--set", "plate.spacing_mm=60",
+        reported("slice", self.box, self.box, "--set", "plate.order=by_part", "--set", "plate.spacing_mm=60",
              "--set", "pause.at_layers=12", "-o", self.path("plate.gcode"))
         lines = self.program("plate.gcode").splitlines()
         pause = lines.index("M0")
@@ -45,13 +45,13 @@ class Plates(unittest.TestCase):
         plate = self.write("plate.yaml", "plate:\n  parts:\n"
                            "    - {file: box.stl, at_mm: [50, 60], turn_deg: [0, 0, 90]}\n"
                            "    - {file: box.stl, at_mm: [100, 60], settings: {infill.density: 1}}\n  labels: m486\n")
-        first, second = told("slice", "--plate", plate, *PLAIN, "-o", self.path("plate.gcode"))["parts"]
+        first, second = reported("slice", "--plate", plate, *PLAIN, "-o", self.path("plate.gcode"))["parts"]
         self.assertEqual(first["at_mm"], [50, 60])
         self.assertAlmostEqual(first["size_mm"][0], 10.0, places=6)
         self.assertGreater(second["deposited_mm3"], 1.2 * first["deposited_mm3"])
         self.assertIn("M486 T2\n", self.program("plate.gcode"))
         # What is set one by one wins.
-        told("slice", "--plate", plate, "--set", "plate.labels=none", "-o", self.path("plate.gcode"))
+        reported("slice", "--plate", plate, "--set", "plate.labels=none", "-o", self.path("plate.gcode"))
         self.assertNotIn("M486", self.program("plate.gcode"))
 
     def test_overlap_is_refused_and_nothing_written(self):
@@ -65,19 +65,19 @@ class Plates(unittest.TestCase):
     def test_regions_have_settings_of_their_own(self):
         modifiers = self.write("modifiers.yaml",
                                "modifiers:\n  - {box_mm: [[0, -9, -1], [11, 9, 9]], settings: {infill.density: 0.9}}\n")
-        usual = told("slice", self.box, *PLAIN)["deposited_mm3"]
-        self.assertGreater(told("slice", self.box, *PLAIN, "--set", f"part.modifiers={modifiers}")["deposited_mm3"],
+        usual = reported("slice", self.box, *PLAIN)["deposited_mm3"]
+        self.assertGreater(reported("slice", self.box, *PLAIN, "--set", f"part.modifiers={modifiers}")["deposited_mm3"],
                            1.1 * usual)
 
     def test_a_part_is_laid_flat(self):
-        best = told("lay", "box", "--set", "input.scale=2", "--best", "1")["layings"]
+        best = reported("lay", "box", "--set", "input.scale=2", "--best", "1")["layings"]
         self.assertEqual(len(best), 1)
         self.assertAlmostEqual(best[0]["height_mm"], 40.0, places=6)
         self.assertEqual(best[0]["overhang_mm2"], 0.0)
 
     def test_what_hangs_is_a_matter_of_the_angle(self):
         def hanging(angle_deg):
-            return sum(each["overhang_mm2"] for each in told("lay", "cone", "--overhang-deg", angle_deg)["layings"])
+            return sum(each["overhang_mm2"] for each in reported("lay", "cone", "--overhang-deg", angle_deg)["layings"])
         self.assertGreater(hanging("20"), hanging("70"))
 
 

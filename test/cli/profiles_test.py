@@ -4,7 +4,7 @@ import re
 import tempfile
 import unittest
 
-from lamina_command import lamina, told
+from lamina_command import lamina, reported
 
 
 class Profiles(unittest.TestCase):
@@ -12,18 +12,18 @@ class Profiles(unittest.TestCase):
         self.folder = tempfile.TemporaryDirectory()
         self.addCleanup(self.folder.cleanup)
         self.box = self.path("box.stl")
-        told("part", "box", "--set", "x_mm=12", "--set", "y_mm=10", "--set", "z_mm=4", "-o", self.box)
+        reported("part", "box", "--set", "x_mm=12", "--set", "y_mm=10", "--set", "z_mm=4", "-o", self.box)
 
     def path(self, name):
         return os.path.join(self.folder.name, name)
 
     def sliced(self, name, *arguments):
-        told("slice", self.box, *arguments, "-o", self.path(name))
+        reported("slice", self.box, *arguments, "-o", self.path(name))
         with open(self.path(name), encoding="ascii") as file:
             return file.read()
 
     def test_are_listed(self):
-        listed = told("profiles")
+        listed = reported("profiles")
         machines = [entry["name"] for entry in listed["machine"]]
         for name in ("creality_cr_30", "ideaformer_ir3", "prusa_mk3s", "prusa_mk4", "creality_ender_3", "voron_2_4_250",
                      "voron_2_4_300", "voron_2_4_350", "open5x_i3", "open5x_jubilee", "duet_large", "bigrep_class", "drop_printer"):
@@ -65,10 +65,10 @@ class Profiles(unittest.TestCase):
 
     def test_a_setting_is_explained(self):
         layers = ["--machine", "prusa_mk4", "--material", "tpu", "--process", "fine", "--set", "walls.count=5"]
-        told_of = told("slice", "--explain", "walls.count", *layers)
-        self.assertEqual((told_of["value"], told_of["set_by"]), ("5", "--set"))
-        self.assertEqual([layer["layer"] for layer in told_of["layers"]], ["built-in", "--process", "--set"])
-        self.assertRegex(told_of["layers"][1]["place"], r"processes/fine\.yaml:\d+$")
+        reported_of = reported("slice", "--explain", "walls.count", *layers)
+        self.assertEqual((reported_of["value"], reported_of["set_by"]), ("5", "--set"))
+        self.assertEqual([layer["layer"] for layer in reported_of["layers"]], ["built-in", "--process", "--set"])
+        self.assertRegex(reported_of["layers"][1]["place"], r"processes/fine\.yaml:\d+$")
         self.assertIn("walls.count = 5, set by --set", lamina("slice", "--explain", "walls.count", *layers).stdout)
 
     def test_what_nobody_typed_follows_from_the_machine(self):
@@ -80,7 +80,7 @@ class Profiles(unittest.TestCase):
         explained = lamina("slice", "--explain", "fan.use", *own).stdout
         self.assertIn("fan.use = false, set by machine.has_fan\n", explained)
         self.assertRegex(explained, r"machine\.has_fan +false +.*own\.yaml:6\n")
-        self.assertEqual(told("slice", "--explain", "bead.width_mm", *own)["value"], "0.6")
+        self.assertEqual(reported("slice", "--explain", "bead.width_mm", *own)["value"], "0.6")
         refused = lamina("slice", self.box, *own, "--set", "fan.use=true", "-o", self.path("no.gcode"))
         self.assertEqual(refused.returncode, 1)
         self.assertIn("fan.use is true with machine.has_fan false", refused.stderr)
@@ -98,7 +98,7 @@ class Profiles(unittest.TestCase):
         with open(outline, "w", encoding="ascii") as file:
             file.write("<svg width='30mm' height='30mm' viewBox='0 0 30 30'>"
                        "<path fill-rule='evenodd' d='M5 5h20v20H5z M20 15a5 5 0 1 0-10 0a5 5 0 1 0 10 0'/></svg>")
-        self.assertAlmostEqual(told("slice", outline, "--set", "input.extrude_mm=2")["mesh_volume_mm3"], 2 * (400 - 78.54), delta=0.3)
+        self.assertAlmostEqual(reported("slice", outline, "--set", "input.extrude_mm=2")["mesh_volume_mm3"], 2 * (400 - 78.54), delta=0.3)
 
 
 if __name__ == "__main__":

@@ -39,7 +39,7 @@ class Pages(unittest.TestCase):
     def test_commands_of_the_documentation_run(self):
         self.run_all_of("docs/printing/commands.md")
 
-    def test_every_command_is_told(self):
+    def test_every_command_is_described(self):
         help_text = subprocess.run([LAMINA, "--help"], capture_output=True, text=True, check=True).stdout
         names = re.findall(r"^  ([a-z][a-z-]+)\b", help_text.split("Subcommands:")[1], re.MULTILINE)
         page = (SOURCE / "docs/printing/commands.md").read_text()

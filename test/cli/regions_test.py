@@ -5,7 +5,7 @@ import tempfile
 import unittest
 import zipfile
 
-from lamina_command import PLAIN, lamina, motions, told
+from lamina_command import PLAIN, lamina, motions, reported
 
 LEVEL = (*PLAIN, "--set", "slicing.first_layer_height_mm=0.2", "--set", "skirt.count=0")
 MIDDLE = (110.0, 110.0, 0.0)
@@ -24,9 +24,9 @@ class Regions(unittest.TestCase):
         self.folder = tempfile.TemporaryDirectory()
         self.addCleanup(self.folder.cleanup)
         self.box = self.path("box.stl")
-        told("part", "box", "--set", "x_mm=20", "--set", "y_mm=20", "--set", "z_mm=2", "-o", self.box)
+        reported("part", "box", "--set", "x_mm=20", "--set", "y_mm=20", "--set", "z_mm=2", "-o", self.box)
         self.bridge = self.path("bridge.stl")  # 20 x 20 mm hang between two pillars
-        told("part", "bridge", "-o", self.bridge)
+        reported("part", "bridge", "-o", self.bridge)
 
     def path(self, name):
         return os.path.join(self.folder.name, name)
@@ -36,7 +36,7 @@ class Regions(unittest.TestCase):
         with open(self.path("modifiers.yaml"), "w", encoding="utf-8") as file:
             file.write("modifiers:\n" + "".join("  - {%s}\n" % each for each in modifiers))
         regions = ("--set", "part.modifiers=" + self.path("modifiers.yaml")) if modifiers else ()
-        summary = told("slice", part, "-o", self.path("part.gcode"), *LEVEL, *regions, *arguments)
+        summary = reported("slice", part, "-o", self.path("part.gcode"), *LEVEL, *regions, *arguments)
         with open(self.path("part.gcode"), encoding="utf-8") as file:
             found = motions(file.read())
         for motion in found:  # from the middle of the bed, where the part stands
@@ -79,7 +79,7 @@ class Regions(unittest.TestCase):
         self.assertEqual({m.layer for m in found if m.lays() and m.role == "prime"}, set(range(6)))
 
     def test_infill_takes_what_is_purged(self):
-        def laid(found, role, layer):
+        def deposited(found, role, layer):
             return 2.405282 * sum(m.filament for m in found if m.lays() and m.role == role and m.layer == layer)
         region, purge = [RIGHT + ", settings: {tool: 1}"], ("--set", "tools.purge_mm3=40")
         hidden = ("--set", "skins.top_layers=1", "--set", "skins.bottom_layers=1")
@@ -87,9 +87,9 @@ class Regions(unittest.TestCase):
         into = (*hidden, "--set", "tools.purge_into_infill=true")
         _, found = self.sliced(self.box, region, *TOOLS, *purge, *into)
         for layer in range(1, 9):
-            infill = laid(found, "infill", layer)
-            self.assertAlmostEqual(infill, laid(plain, "infill", layer), places=3)
-            self.assertAlmostEqual(laid(found, "prime", layer) + infill, 40.0, delta=0.4)
+            infill = deposited(found, "infill", layer)
+            self.assertAlmostEqual(infill, deposited(plain, "infill", layer), places=3)
+            self.assertAlmostEqual(deposited(found, "prime", layer) + infill, 40.0, delta=0.4)
             order = [(m.tool, m.role) for m in found if m.lays() and m.layer == layer]
             taken = [role for tool, role in order if tool != order[0][0]]
             kinds = [role for i, role in enumerate(taken) if i == 0 or taken[i - 1] != role]
@@ -98,7 +98,7 @@ class Regions(unittest.TestCase):
         # As much as the infill holds needs no tower.
         _, found = self.sliced(self.box, region, *TOOLS, *into, "--set", "tools.purge_mm3=5")
         self.assertEqual({m.layer for m in found if m.lays() and m.role == "prime"}, set(range(10)))
-        self.assertLess(laid(found, "prime", 5), laid(found, "prime", 9))
+        self.assertLess(deposited(found, "prime", 5), deposited(found, "prime", 9))
 
     def test_no_tool_takes_what_purges_another(self):
         regions = [box((-2, -99, -1), (99, 99, 99)) + ", settings: {tool: 1}",
@@ -147,7 +147,7 @@ class Regions(unittest.TestCase):
 
     def test_walls_that_lean_little_are_held_up_where_that_is_enforced(self):
         cone = self.path("cone.stl")
-        told("part", "cone", "--set", "radius_mm=6", "--set", "top_radius_mm=12", "--set", "height_mm=10", "-o", cone)
+        reported("part", "cone", "--set", "radius_mm=6", "--set", "top_radius_mm=12", "--set", "height_mm=10", "-o", cone)
         held = ("--set", "supports.use=true", "--set", "supports.angle_deg=50")
         self.assertEqual(self.sliced(cone, [], *held)[0]["support_mm3"], 0.0)  # they lean 31 deg
         summary, found = self.sliced(cone, [RIGHT + ", kind: support_enforcer"], *held)
@@ -169,12 +169,12 @@ class Regions(unittest.TestCase):
         def is_across(motion):
             return motion.start[0] * motion.end[0] < 0.0 and min(abs(motion.start[0]), abs(motion.end[0])) > 3.0
         top = max(motion.layer for motion in found)
-        crossings, is_skin_laid = [], False
+        crossings, is_skin_deposited = [], False
         for motion in found:
             if motion.layer != top:
                 continue
-            is_skin_laid = is_skin_laid or (motion.lays() and motion.role == "top_skin")
-            if is_skin_laid and not motion.lays() and is_across(motion):
+            is_skin_deposited = is_skin_deposited or (motion.lays() and motion.role == "top_skin")
+            if is_skin_deposited and not motion.lays() and is_across(motion):
                 crossings.append(motion)
         self.assertEqual(len(crossings), 1, "from one side of the band to the other")
         for motion in crossings:
@@ -220,7 +220,7 @@ class Regions(unittest.TestCase):
                       'key="volume_type" value="ModelPart"/></volume><volume firstid="12" lastid="23"><metadata type="volume" '
                       f'key="volume_type" value="{kind}"/></volume></object></config>')
             part = self.threemf(boxes, "Metadata/Slic3r_PE_model.config", config)
-            return told("slice", part, *plate, *LEVEL)
+            return reported("slice", part, *plate, *LEVEL)
         self.assertAlmostEqual(sliced("NegativeVolume")["sliced_volume_mm3"], 4 * (400 - 100), places=3)
         self.assertAlmostEqual(sliced("NegativeVolume", [self.box])["sliced_volume_mm3"], 4 * 300 + 2 * 400, places=3)
         for kind in ("SupportBlocker", "SupportEnforcer"):
@@ -280,8 +280,8 @@ class Regions(unittest.TestCase):
         return path
 
     def program(self, part, *arguments):
-        """What `lamina slice` tells, and the program without its comments."""
-        summary = told("slice", part, "-o", self.path("part.gcode"), *LEVEL, *arguments)
+        """What `lamina slice` reports, and the program without its comments."""
+        summary = reported("slice", part, "-o", self.path("part.gcode"), *LEVEL, *arguments)
         with open(self.path("part.gcode"), encoding="utf-8") as file:
             return summary, [line for line in file.read().splitlines() if not line.startswith(";")]
 
@@ -308,14 +308,14 @@ class Regions(unittest.TestCase):
     def test_settings_of_volumes_that_no_region_has_are_named(self):
         for written, words in ((self.prusa, [("support_material", "1"), ("fill_pattern", "stars"), ("perimeters", "3")]),
                                (self.orca, [("enable_support", "1"), ("ironing_type", "top"), ("wall_loops", "3")])):
-            summary = told("slice", written(words), *LEVEL)
+            summary = reported("slice", written(words), *LEVEL)
             notes = [note for note in summary["notes"] if "of the part's file" in note]
             self.assertEqual(len(notes), 1)
             self.assertIn("volume 0 of the part's file", notes[0])
             for key, value in words[:2]:
                 self.assertIn("'%s' '%s'" % (key, value), notes[0])
             self.assertNotIn("'%s'" % words[2][0], notes[0])
-        summary = told("slice", self.prusa([("perimeters", "3")]), *LEVEL, "--set", "infill.strategy=vase", "--set",
+        summary = reported("slice", self.prusa([("perimeters", "3")]), *LEVEL, "--set", "infill.strategy=vase", "--set",
                        "walls.count=0", "--set", "skins.top_layers=0", "--set", "skins.bottom_layers=0", "--set", "bridges.use=false")
         self.assertIn("cannot lie beside others", " ".join(summary["notes"]))
 
@@ -393,11 +393,11 @@ class Regions(unittest.TestCase):
                   'key="volume_type" value="ModelPart"/><metadata type="volume" key="extruder" value="2"/></volume></object>'
                   '</config>')
         part = self.threemf(halves, "Metadata/Slic3r_PE_model.config", config)
-        told("slice", part, "-o", self.path("part.gcode"), *LEVEL, *TOOLS)
+        reported("slice", part, "-o", self.path("part.gcode"), *LEVEL, *TOOLS)
         with open(self.path("part.gcode"), encoding="utf-8") as file:
-            laid = [motion for motion in motions(file.read()) if motion.lays()]
-        self.assertEqual({motion.tool for motion in laid}, {0, 1})
-        for motion in laid:
+            deposited = [motion for motion in motions(file.read()) if motion.lays()]
+        self.assertEqual({motion.tool for motion in deposited}, {0, 1})
+        for motion in deposited:
             middle = 0.5 * (motion.start[0] + motion.end[0]) - MIDDLE[0]
             self.assertEqual(motion.tool, 1 if middle > 0 else 0, (motion.start, motion.end))
 
@@ -460,11 +460,11 @@ class Regions(unittest.TestCase):
         part = self.threemf([((0, 0, 0), (20, 20, 4)), ((5, 5, -1), (15, 15, 9))], "Metadata/Slic3r_PE_model.config",
                             self.negative())
         for mode in ("planar", "auto"):
-            summary = told("slice", part, *LEVEL, "--set", "slicing.mode=" + mode)
+            summary = reported("slice", part, *LEVEL, "--set", "slicing.mode=" + mode)
             self.assertEqual(summary["mode"], "planar")
             self.assertAlmostEqual(summary["sliced_volume_mm3"], 4 * (400 - 100), places=3)
             self.assertFalse([note for note in summary["notes"] if "volumes of the file" in note])
-        inclined = told("slice", part, *LEVEL, "--set", "slicing.plane.angle_deg=45", "--set", "machine.name=belt_45")
+        inclined = reported("slice", part, *LEVEL, "--set", "slicing.plane.angle_deg=45", "--set", "machine.name=belt_45")
         self.assertIn("1 volumes of the file", " ".join(inclined["notes"]))
 
     def test_volumes_are_found_by_what_the_archive_says(self):
@@ -472,7 +472,7 @@ class Regions(unittest.TestCase):
         comment = '<!-- <object id="9"> -->'
         for model in ("3D/3dmodel.model", "3D/part.model"):
             part = self.threemf(boxes, entry, self.negative(), model, comment)
-            self.assertAlmostEqual(told("slice", part, *LEVEL)["sliced_volume_mm3"], 4 * (400 - 100), places=3)
+            self.assertAlmostEqual(reported("slice", part, *LEVEL)["sliced_volume_mm3"], 4 * (400 - 100), places=3)
         done = lamina("slice", self.threemf(boxes, entry, self.negative(7)), *LEVEL)
         self.assertEqual(done.returncode, 1)
         self.assertIn("object 7", done.stderr)
@@ -510,7 +510,7 @@ class Regions(unittest.TestCase):
     def test_objects_of_3mf_files_may_be_volumes(self):
         part = self.threemf([((0, 0, 0), (20, 20, 4))], "Metadata/model_settings.config", '<config><object id="1">'
                             '<part id="4" subtype="normal_part"/></object></config>')
-        self.assertAlmostEqual(told("slice", part, *LEVEL)["sliced_volume_mm3"], 1600.0, places=3)
+        self.assertAlmostEqual(reported("slice", part, *LEVEL)["sliced_volume_mm3"], 1600.0, places=3)
         part = self.threemf([((0, 0, 0), (20, 20, 4))], "Metadata/model_settings.config", '<config><object id="1">'
                             '<part id="4" subtype="modifier_part"/></object></config>')
         self.assertNotEqual(lamina("slice", part).returncode, 0, "nothing is left")

@@ -5,7 +5,7 @@ import os
 import tempfile
 import unittest
 
-from lamina_command import PLAIN, lamina, told
+from lamina_command import PLAIN, lamina, reported
 
 FIGURES = "layer,coverage,mean_error_mm,gain_mean\n{}\n"
 
@@ -15,7 +15,7 @@ class Replan(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = folder.name
-        told("slice", "box", "-o", self.path("box.csv"), *PLAIN, "--set", "slicing.layer_height_mm=0.2")
+        reported("slice", "box", "-o", self.path("box.csv"), *PLAIN, "--set", "slicing.layer_height_mm=0.2")
         self.tops = self.tops_of("box.csv")
 
     def path(self, name):
@@ -37,7 +37,7 @@ class Replan(unittest.TestCase):
 
     def test_ends_at_the_planned_top(self):
         figures = self.write("8,1,0.1,0.8\n9,1,0.3,0.8\n10,0,9,0.1")
-        done = told("replan", self.path("box.csv"), figures, "-o", self.path("rest.csv"), "--json")
+        done = reported("replan", self.path("box.csv"), figures, "-o", self.path("rest.csv"), "--json")
         tops = self.tops_of("rest.csv")
         self.assertEqual(len(tops), len(self.tops) - 10)
         self.assertAlmostEqual(tops[-1], self.tops[-1], places=6)
@@ -48,14 +48,14 @@ class Replan(unittest.TestCase):
 
     def test_adds_whole_layers_and_writes_programs(self):
         figures = self.write("9,1,0.41,1")
-        done = told("replan", self.path("box.csv"), figures, "--by", "add", "-o", self.path("rest.gcode"), "--json")
+        done = reported("replan", self.path("box.csv"), figures, "--by", "add", "-o", self.path("rest.gcode"), "--json")
         self.assertEqual(done["layers"], len(self.tops) - 10 + 2)
         with open(self.path("rest.gcode"), encoding="utf-8") as file:
             self.assertIn("G1", file.read())
 
     def test_takes_the_highest_layer_that_was_seen(self):
         figures = self.write("9,1,0.05,1\n9,1,0.1,1\n8,1,0.2,1\n12,0,9,1")
-        told("replan", self.path("box.csv"), figures, "-o", self.path("rest.csv"), "--json")
+        reported("replan", self.path("box.csv"), figures, "-o", self.path("rest.csv"), "--json")
         tops = self.tops_of("rest.csv")
         self.assertEqual(len(tops), len(self.tops) - 10)
         self.assertGreater(tops[0], self.tops[9] - 0.1)

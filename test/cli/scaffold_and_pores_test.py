@@ -3,7 +3,7 @@ import os
 import tempfile
 import unittest
 
-from lamina_command import lamina, told
+from lamina_command import lamina, reported
 
 DATA = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "data")
 
@@ -19,15 +19,15 @@ class ScaffoldAndPores(unittest.TestCase):
     def test_a_program_and_a_toolpath_leave_the_same_pores(self):
         figures = []
         for name in ("cube.gcode", "cube.csv"):
-            made = told("scaffold", "sinusoidal", "--set", "scaffold.height_mm=3", "-o", self.path(name))
+            made = reported("scaffold", "sinusoidal", "--set", "scaffold.height_mm=3", "-o", self.path(name))
             self.assertEqual(made["layers"], 10)
-            figures.append(told("pores", self.path(name), "--voxel-mm", "0.1"))
+            figures.append(reported("pores", self.path(name), "--voxel-mm", "0.1"))
         for key in ("porosity_percent", "cvi_2_percent", "surface_mm2"):
             self.assertAlmostEqual(figures[0][key] / figures[1][key], 1.0, delta=0.01)
         self.assertEqual(len(figures[0]["layers"]), 10)
 
     def test_the_program_has_the_marks_of_its_dialect(self):
-        told("scaffold", "cylinder", "-o", self.path("cylinder.gcode"))
+        reported("scaffold", "cylinder", "-o", self.path("cylinder.gcode"))
         with open(self.path("cylinder.gcode"), encoding="utf-8") as file:
             lines = file.read().splitlines()
         self.assertTrue(lines[0].startswith(";FLAVOR"))
@@ -35,8 +35,8 @@ class ScaffoldAndPores(unittest.TestCase):
         self.assertIn(";START OF THE END GCODE", lines)
 
     def test_a_solid_part_has_no_pores(self):
-        told("part", "box", "-o", self.path("box.stl"))
-        found = told("pores", self.path("box.stl"), "--voxel-mm", "0.5", "--picture", self.path("box.png"))
+        reported("part", "box", "-o", self.path("box.stl"))
+        found = reported("pores", self.path("box.stl"), "--voxel-mm", "0.5", "--picture", self.path("box.png"))
         self.assertEqual(found["porosity_percent"], 0.0)
         self.assertEqual(found["pore_um"], 0.0)
         self.assertTrue(os.path.getsize(self.path("box.png")) > 1000)
@@ -48,7 +48,7 @@ class ScaffoldAndPores(unittest.TestCase):
         mesh[80:84] = (11).to_bytes(4, "little")
         with open(self.path("open.stl"), "wb") as file:
             file.write(mesh[:-50])
-        found = [told("pores", self.path(name), "--voxel-mm", "0.5") for name in ("box.stl", "open.stl")]
+        found = [reported("pores", self.path(name), "--voxel-mm", "0.5") for name in ("box.stl", "open.stl")]
         for report in found:
             del report["wall_s"]
         self.assertEqual(found[0], found[1])
@@ -61,13 +61,13 @@ class ScaffoldAndPores(unittest.TestCase):
             done = lamina("scaffold", *arguments, "-o", self.path("no.csv"))
             self.assertNotEqual(done.returncode, 0)
             self.assertFalse(os.path.exists(self.path("no.csv")))
-        told("scaffold", "box", "--set", "scaffold.height_mm=1", "-o", self.path("box.csv"))
+        reported("scaffold", "box", "--set", "scaffold.height_mm=1", "-o", self.path("box.csv"))
         done = lamina("pores", self.path("box.csv"), "--crop", "5", "5", "5", "1", "1", "1")
         self.assertNotEqual(done.returncode, 0)
         self.assertIn("crop", done.stderr)
 
     def test_statistics_of_a_table(self):
-        found = told("statistics", os.path.join(DATA, "bending_moduli.csv"), "--response", "simulated_mpa", "--factors",
+        found = reported("statistics", os.path.join(DATA, "bending_moduli.csv"), "--response", "simulated_mpa", "--factors",
                      "layer_height_mm,infill_percent,perimeters")
         probabilities = [source["p"] for source in found["variance"]["sources"]]
         for ours, published in zip(probabilities, (0.0143, 0.0089, 0.0008, 0.1820, 0.0506, 0.0167)):

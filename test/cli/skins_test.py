@@ -5,7 +5,7 @@ import re
 import tempfile
 import unittest
 
-from lamina_command import lamina, motions, told
+from lamina_command import lamina, motions, reported
 
 SKINS = ["--set", "skins.top_layers=2", "--set", "skins.bottom_layers=2", "--set", "skirt.count=0"]
 PLATE = """<svg xmlns="http://www.w3.org/2000/svg" width="30mm" height="22mm" viewBox="0 0 30 22">
@@ -24,7 +24,7 @@ class Skins(unittest.TestCase):
         return os.path.join(self.folder.name, name)
 
     def program(self, *settings):
-        told("slice", self.part, "--set", "input.extrude_mm=0.8", *SKINS, *settings, "-o", self.path("part.gcode"))
+        reported("slice", self.part, "--set", "input.extrude_mm=0.8", *SKINS, *settings, "-o", self.path("part.gcode"))
         with open(self.path("part.gcode"), encoding="utf-8") as file:
             return file.read()
 
@@ -37,7 +37,7 @@ class Skins(unittest.TestCase):
     def test_its_volume_counts(self):
         def deposited(*settings):
             self.program(*settings)
-            return told("preview", self.path("part.gcode"), "-o", self.path("part.png"))["deposited_mm3"]
+            return reported("preview", self.path("part.gcode"), "-o", self.path("part.png"))["deposited_mm3"]
 
         # 414.8 mm2 within two walls and the inset, 0.03 mm high.
         self.assertAlmostEqual(deposited("--set", "ironing.use=true") - deposited(), 12.44, delta=0.4)
@@ -47,7 +47,7 @@ class Skins(unittest.TestCase):
         self.assertNotEqual(done.returncode, 0)
         self.assertIn("skins.top_layers", done.stderr)
 
-    def test_the_order_changes_the_program_and_not_what_is_laid(self):
+    def test_the_order_changes_the_program_and_not_what_is_deposited(self):
         one_sense, shortest = self.program(), self.program("--set", "skins.monotonic=false")
         self.assertNotEqual(one_sense, shortest)
 
@@ -84,13 +84,13 @@ class Skins(unittest.TestCase):
         self.assertLess(solid.index(";TYPE:bottom_skin"), solid.index(";TYPE:top_skin"))
         self.assertNotIn(";TYPE:infill", self.program("--set", "infill.density=1", "--set", "skins.top_layers=4"))
 
-    def test_infill_is_laid_every_other_layer(self):
+    def test_infill_is_deposited_every_other_layer(self):
         box = ["slice", "box", "--set", "skins.top_layers=0", "--set", "skins.bottom_layers=0"]
         both = ["--set", "infill.every_layers=2"]
         self.assertIn("0.8 of bead.width_mm", lamina(*box, *both).stderr)
 
         def infills(*settings):
-            told(*box, "--set", "machine.nozzle_mm=0.8", "--set", "slicing.layer_height_mm=0.2", "--set",
+            reported(*box, "--set", "machine.nozzle_mm=0.8", "--set", "slicing.layer_height_mm=0.2", "--set",
                  "slicing.first_layer_height_mm=0.2", *settings, "-o", self.path("box.gcode"))
             with open(self.path("box.gcode"), encoding="utf-8") as file:
                 return file.read().count(";TYPE:infill")
@@ -100,7 +100,7 @@ class Skins(unittest.TestCase):
     def test_places_are_left_alone_only_by_waiting(self):
         alone = ["--set", "cooling.least_layer_time_s=60", "--set", "cooling.interval=place"]
         self.assertIn("cooling.by", lamina("slice", "box", *alone).stderr)
-        notes = told("slice", "box", *alone, "--set", "cooling.by=dwell")["notes"]
+        notes = reported("slice", "box", *alone, "--set", "cooling.by=dwell")["notes"]
         self.assertTrue(any("are waited for" in note for note in notes), notes)
 
 

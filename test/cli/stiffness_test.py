@@ -5,7 +5,7 @@ import subprocess
 import tempfile
 import unittest
 
-from lamina_command import lamina, told
+from lamina_command import lamina, reported
 
 
 def reaction_of(folder, name):
@@ -27,22 +27,22 @@ class Stiffness(unittest.TestCase):
 
     def test_a_solid_box_has_the_modulus_of_its_material(self):
         for axis in "xyz":
-            found = told("stiffness", "box", "--voxel-mm", "2", "--axis", axis)
+            found = reported("stiffness", "box", "--voxel-mm", "2", "--axis", axis)
             self.assertAlmostEqual(found["modulus_mpa"] / 3861.0, 1.0, delta=1e-4)
             self.assertLessEqual(found["residual"], 1e-6)
             self.assertEqual(found["dropped"], [])
 
-    def test_strands_thinner_than_four_voxels_are_told(self):
-        told("scaffold", "sinusoidal", "--set", "scaffold.height_mm=1.5", "-o", self.path("cube.csv"))
-        coarse = told("stiffness", self.path("cube.csv"), "--voxel-mm", "0.15")
+    def test_strands_thinner_than_four_voxels_are_reported(self):
+        reported("scaffold", "sinusoidal", "--set", "scaffold.height_mm=1.5", "-o", self.path("cube.csv"))
+        coarse = reported("stiffness", self.path("cube.csv"), "--voxel-mm", "0.15")
         self.assertLess(coarse["strand_voxels"], 4)
         self.assertGreater(coarse["thin_percent"], 10.0)
-        solid = told("stiffness", "box", "--voxel-mm", "2")
+        solid = reported("stiffness", "box", "--voxel-mm", "2")
         self.assertEqual((solid["strand_voxels"], solid["thin_percent"]), (4, 0.0))
 
     def test_a_printed_scaffold_is_softer_than_its_material_and_has_fields_to_look_at(self):
-        told("scaffold", "sinusoidal", "--set", "scaffold.height_mm=3", "-o", self.path("cube.csv"))
-        found = told("stiffness", self.path("cube.csv"), "--voxel-mm", "0.1", "-o", self.path("cube.vtk"))
+        reported("scaffold", "sinusoidal", "--set", "scaffold.height_mm=3", "-o", self.path("cube.csv"))
+        found = reported("stiffness", self.path("cube.csv"), "--voxel-mm", "0.1", "-o", self.path("cube.vtk"))
         self.assertGreater(found["modulus_mpa"], 1.0)
         self.assertLess(found["modulus_mpa"], 0.5 * 3861.0)
         with open(self.path("cube.vtk"), "rb") as file:
@@ -52,12 +52,12 @@ class Stiffness(unittest.TestCase):
 
     @unittest.skipUnless(shutil.which("ccx"), "calculix-ccx is not installed")
     def test_calculix_finds_the_same_forces_in_the_same_elements(self):
-        told("scaffold", "sinusoidal", "--set", "scaffold.height_mm=1.5", "-o", self.path("cube.csv"))
+        reported("scaffold", "sinusoidal", "--set", "scaffold.height_mm=1.5", "-o", self.path("cube.csv"))
         for name, load in (("pressed", "compression"), ("bent", "bending")):
             source = self.path("cube.csv") if load == "compression" else "box"
             voxel = "0.15" if load == "compression" else "2"
             span = [] if load == "compression" else ["--set", "stiffness.span_mm=12"]
-            found = told("stiffness", source, "--voxel-mm", voxel, "--load", load, *span, "--set",
+            found = reported("stiffness", source, "--voxel-mm", voxel, "--load", load, *span, "--set",
                          "stiffness.residual=1e-9", "--deck", self.path(name + ".inp"))
             axis = "xyz".index(found["load"]["axis"])
             theirs = abs(reaction_of(self.folder.name, name)[axis])

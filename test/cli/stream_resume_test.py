@@ -17,7 +17,7 @@ import threading
 import time
 import unittest
 
-from lamina_command import LAMINA, lamina, told
+from lamina_command import LAMINA, lamina, reported
 
 LINES = 3000
 KILLS = 8
@@ -97,7 +97,7 @@ class StreamResume(unittest.TestCase):
                                 stderr=subprocess.DEVNULL)
 
     def known(self):
-        return told("stream", self.program, "--progress", *self.options())
+        return reported("stream", self.program, "--progress", *self.options())
 
     def kill_at(self, streaming, line):
         self.wait_for(lambda: os.path.exists(self.journal) and self.known()["taken_through"] >= line)
@@ -139,7 +139,7 @@ class StreamResume(unittest.TestCase):
         self.assertEqual(streaming.returncode, 1)
         self.assertEqual(self.known()["state"], "Execute")
         cable.plug_in()
-        told("stream", self.program, "--resume", *options)
+        reported("stream", self.program, "--resume", *options)
         self.assertEqual(self.ran(), self.lines)
 
     def test_a_machine_that_has_done_something_else_is_left_alone(self):
@@ -172,7 +172,7 @@ class StreamResume(unittest.TestCase):
         streaming.send_signal(signal.SIGTERM)
         self.assertNotEqual(streaming.wait(PATIENCE_S), 0)
         self.assertEqual(self.known()["state"], "Aborted")
-        offer = told("resume", self.program, *self.options())
+        offer = reported("resume", self.program, *self.options())
         taken = self.known()["taken_through"]
         self.assertEqual((offer["from_line"], offer["from_layer"], offer["from_height"]), (taken + 1, taken // 100, 0))
         self.assertIn("line %d of 3000 was certainly taken" % taken, offer["known"])
@@ -212,7 +212,7 @@ class Rest(unittest.TestCase):
 
     def test_line_layer_and_height_lead_to_the_same_rest(self):
         for where, line in (("--from-line=7", 7), ("--from-layer=1", 6), ("--from-height=0.4", 7)):
-            made = told("resume", self.program, where, "--nozzle-height=50", "-o", self.rest)
+            made = reported("resume", self.program, where, "--nozzle-height=50", "-o", self.rest)
             self.assertEqual(made["from_line"], line)
             self.assertIn("z = 50 mm", " ".join(made["to_check"]))
             with open(self.rest, encoding="utf-8") as rest:
@@ -221,7 +221,7 @@ class Rest(unittest.TestCase):
             self.assertIn("G1 X20 E2\n", text)
             self.assertNotIn("G1 X40 E1\n", text)
 
-    def test_the_height_of_the_nozzle_must_be_told(self):
+    def test_the_height_of_the_nozzle_must_be_stated(self):
         done = lamina("resume", self.program, "--from-line=7", "-o", self.rest)
         self.assertEqual(done.returncode, 1)
         self.assertIn("--nozzle-height", done.stderr)

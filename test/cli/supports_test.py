@@ -52,17 +52,17 @@ class Supports(unittest.TestCase):
         return json.loads(done.stdout)
 
     def sliced(self, name, *settings):
-        told = self.run_json("slice", self.part, "-o", self.path(name), *LEVEL, *settings)
+        reported = self.run_json("slice", self.part, "-o", self.path(name), *LEVEL, *settings)
         with open(self.path(name)) as file:
-            return told, file.read()
+            return reported, file.read()
 
     def test_a_tee_is_held_up(self):
-        told, program = self.sliced("held.gcode", *HELD)
-        self.assertAlmostEqual(told["overhang_mm2"], 1200.0, places=3)
-        self.assertAlmostEqual(told["support_area_mm2"], 1152.0, places=3)
-        self.assertAlmostEqual(told["unsupported_mm2"], 0.0, places=3)
+        reported, program = self.sliced("held.gcode", *HELD)
+        self.assertAlmostEqual(reported["overhang_mm2"], 1200.0, places=3)
+        self.assertAlmostEqual(reported["support_area_mm2"], 1152.0, places=3)
+        self.assertAlmostEqual(reported["unsupported_mm2"], 0.0, places=3)
         wanted = 1152 * (97 * 0.2 * 0.15 + 2 * 0.2 * 0.8)
-        self.assertLessEqual(told["support_mm3"] + told["support_interface_mm3"], 1.2 * wanted)
+        self.assertLessEqual(reported["support_mm3"] + reported["support_interface_mm3"], 1.2 * wanted)
         self.assertIn(";TYPE:support\n", program)
         self.assertIn(";TYPE:support_interface\n", program)
 
@@ -83,10 +83,10 @@ class Supports(unittest.TestCase):
         self.assertNotIn(";TYPE:support", plain)
 
     def test_layers_that_are_not_plane_are_refused_by_name(self):
-        told = self.run_json("slice", self.part, *HELD, "--set", "slicing.mode=curved", code=1)
-        self.assertIn("supports.use", told["error"]["message"])
-        told = self.run_json("slice", self.part, *HELD, "--set", "infill.strategy=drops_raster", code=1)
-        self.assertIn("supports.use", told["error"]["message"])
+        reported = self.run_json("slice", self.part, *HELD, "--set", "slicing.mode=curved", code=1)
+        self.assertIn("supports.use", reported["error"]["message"])
+        reported = self.run_json("slice", self.part, *HELD, "--set", "infill.strategy=drops_raster", code=1)
+        self.assertIn("supports.use", reported["error"]["message"])
 
     def test_branches_take_less_than_columns(self):
         columns, _ = self.sliced("columns.gcode", *HELD)
@@ -98,9 +98,9 @@ class Supports(unittest.TestCase):
 
     def test_columns_of_inclined_layers_are_upright(self):
         belt = ["--set", "machine.name=belt_45", "--set", "slicing.plane.angle_deg=45"]
-        told = self.run_json("slice", self.part, "-o", self.path("belt.csv"), *belt, "--set", "supports.use=true",
+        reported = self.run_json("slice", self.part, "-o", self.path("belt.csv"), *belt, "--set", "supports.use=true",
                              "--set", "supports.angle_deg=30")
-        self.assertGreater(told["support_mm3"], 100.0)
+        self.assertGreater(reported["support_mm3"], 100.0)
         places = set()  # in squares of 1 mm, and their heights
         with open(self.path("belt.csv")) as file:
             for row in csv.DictReader(line for line in file if not line.startswith("#")):
@@ -110,8 +110,8 @@ class Supports(unittest.TestCase):
         for x, _, z in places:
             self.assertGreater(abs(x), 5.0 + 0.6, "beside the stem")
             self.assertLess(z, 20.0 - 0.2, "a gap below the slab")
-        told = self.run_json("slice", self.part, *belt, *HELD, "--set", "supports.kind=tree", code=1)
-        self.assertIn("supports.kind is 'tree'", told["error"]["message"])
+        reported = self.run_json("slice", self.part, *belt, *HELD, "--set", "supports.kind=tree", code=1)
+        self.assertIn("supports.kind is 'tree'", reported["error"]["message"])
 
     def test_a_raft_lifts_the_part(self):
         plain, _ = self.sliced("plain.gcode", "--set", "skirt.count=0")
@@ -129,10 +129,10 @@ class Supports(unittest.TestCase):
     def test_a_brim_surrounds_the_first_layer(self):
         _, program = self.sliced("brim.gcode", "--set", "brim.width_mm=5")
         self.assertEqual(program.count(";TYPE:brim\n"), 1)
-        told = self.run_json("slice", self.part, "--set", "brim.width_mm=5", "--set", "raft.layers=2", code=1)
-        self.assertIn("brim.width_mm is 5", told["error"]["message"])
-        told = self.run_json("slice", self.part, "--set", "raft.layers=2", "--set", "slicing.mode=curved", code=1)
-        self.assertIn("raft.layers is 2", told["error"]["message"])
+        reported = self.run_json("slice", self.part, "--set", "brim.width_mm=5", "--set", "raft.layers=2", code=1)
+        self.assertIn("brim.width_mm is 5", reported["error"]["message"])
+        reported = self.run_json("slice", self.part, "--set", "raft.layers=2", "--set", "slicing.mode=curved", code=1)
+        self.assertIn("raft.layers is 2", reported["error"]["message"])
 
 
 if __name__ == "__main__":

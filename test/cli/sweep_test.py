@@ -44,17 +44,17 @@ class SweptBeads(unittest.TestCase):
     def path(self, name):
         return os.path.join(self.folder.name, name)
 
-    def told(self, *arguments, code=0):
+    def reported(self, *arguments, code=0):
         done = run(*arguments, "--json")
         self.assertEqual(done.returncode, code, done.stderr)
         return json.loads(done.stdout)
 
     def test_the_matrix_is_that_of_the_document(self):
         table = self.path("loop.csv")
-        told = self.told("coordinates", self.program, "-o", table)
-        self.assertEqual(told["dialect"], "slic3r")
-        self.assertEqual((told["rows"], told["trajectories"]), (5, 1))
-        self.assertAlmostEqual(told["mass_g"], 1.24e-3 * told["extruded_mm3"], places=9)
+        reported = self.reported("coordinates", self.program, "-o", table)
+        self.assertEqual(reported["dialect"], "slic3r")
+        self.assertEqual((reported["rows"], reported["trajectories"]), (5, 1))
+        self.assertAlmostEqual(reported["mass_g"], 1.24e-3 * reported["extruded_mm3"], places=9)
         with open(table, encoding="utf-8") as file:
             rows = list(csv.reader(file))
         self.assertEqual(rows[0], ["x_m", "y_m", "z_m", "flag", "e_mm"])
@@ -67,17 +67,17 @@ class SweptBeads(unittest.TestCase):
     def test_corners_change_the_sweeps_and_hardly_the_volume(self):
         sweeps = {"whole": 1, "lines": 4, "revolved": 4, "sections": 2}
         for corners, count in sweeps.items():
-            told = self.told("sweep", self.program, "--corners", corners)
-            self.assertEqual(told["sweeps"], count, corners)
-            self.assertAlmostEqual(told["width_max_mm"], 0.4968, places=4)
-            self.assertLess(abs(told["deviation_percent"]), 0.6, corners)
-            self.assertAlmostEqual(told["size_mm"][2], 0.3, places=9)
+            reported = self.reported("sweep", self.program, "--corners", corners)
+            self.assertEqual(reported["sweeps"], count, corners)
+            self.assertAlmostEqual(reported["width_max_mm"], 0.4968, places=4)
+            self.assertLess(abs(reported["deviation_percent"]), 0.6, corners)
+            self.assertAlmostEqual(reported["size_mm"][2], 0.3, places=9)
 
     def test_surface_is_closed_and_the_script_is_python(self):
         surface, script = self.path("loop.stl"), self.path("loop.py")
-        told = self.told("sweep", self.program, "-o", surface, "--abaqus", script, "--set", "sweep.voxel_mm=0.05")
-        self.assertLess(abs(told["surface_encloses_mm3"] / told["volume_mm3"] - 1.0), 0.02)
-        mesh = self.told("info", surface)
+        reported = self.reported("sweep", self.program, "-o", surface, "--abaqus", script, "--set", "sweep.voxel_mm=0.05")
+        self.assertLess(abs(reported["surface_encloses_mm3"] / reported["volume_mm3"] - 1.0), 0.02)
+        mesh = self.reported("info", surface)
         self.assertTrue(mesh["closed"])
         self.assertEqual(mesh["nonmanifold_edges"], 0)
         with open(script, encoding="utf-8") as file:
@@ -87,7 +87,7 @@ class SweptBeads(unittest.TestCase):
 
     def test_gmsh_and_inventor_get_all_lines(self):
         geometry, macro = self.path("loop.geo"), self.path("loop.bas")
-        self.told("sweep", self.program, "--corners", "lines", "--gmsh", geometry, "--inventor", macro)
+        self.reported("sweep", self.program, "--corners", "lines", "--gmsh", geometry, "--inventor", macro)
         with open(geometry, encoding="utf-8") as file:
             text = file.read()
         lines = text.count("beads[] += v[1];")
@@ -105,25 +105,25 @@ class SweptBeads(unittest.TestCase):
 
     def test_calculix_finds_the_same_force(self):
         deck = self.path("loop.inp")
-        told = self.told("sweep", self.program, "--deck", deck, "--set", "stiffness.load=compression", "--set",
+        reported = self.reported("sweep", self.program, "--deck", deck, "--set", "stiffness.load=compression", "--set",
                          "stiffness.compression_mm=0.01")
-        self.assertGreater(told["force_n"], 0.0)
+        self.assertGreater(reported["force_n"], 0.0)
         if shutil.which("ccx") is None:
             self.skipTest("needs calculix-ccx")
         done = subprocess.run(["ccx", deck[:-4]], capture_output=True, text=True, timeout=200, cwd=self.folder.name)
         self.assertEqual(done.returncode, 0, done.stdout[-400:])
         with open(deck[:-4] + ".dat", encoding="utf-8") as file:
             total = file.read().split("total force")[1].split("\n\n")[1].split()
-        self.assertAlmostEqual(abs(float(total[2])) / told["force_n"], 1.0, places=3)
+        self.assertAlmostEqual(abs(float(total[2])) / reported["force_n"], 1.0, places=3)
 
     def test_refusals_leave_no_file(self):
         surface = self.path("loop.stl")
         empty = self.path("empty.gcode")
         with open(empty, "w", encoding="utf-8") as file:
             file.write("G28\nG1 X10 F600\n")
-        refused = self.told("sweep", empty, "-o", surface, code=1)
+        refused = self.reported("sweep", empty, "-o", surface, code=1)
         self.assertEqual(refused["error"]["code"], "InvalidInput")
-        refused = self.told("sweep", self.program, "-o", surface, "--set", "sweep.voxel_mm=1e-3", "--abaqus",
+        refused = self.reported("sweep", self.program, "-o", surface, "--set", "sweep.voxel_mm=1e-3", "--abaqus",
                             self.path("loop.txt"), code=1)
         self.assertEqual(refused["error"]["code"], "InvalidInput")
         self.assertFalse(os.path.exists(surface))

@@ -3,7 +3,7 @@ import os
 import tempfile
 import unittest
 
-from lamina_command import PLAIN, lamina, motions, told
+from lamina_command import PLAIN, lamina, motions, reported
 
 TWO = "tools.list=[{name: a}, {name: b, offset_mm: [30, 0, 0]}]"
 TOOLS = (*PLAIN, "--set", TWO, "--set", "tool.infill=1")
@@ -26,13 +26,13 @@ class Tools(unittest.TestCase):
         self.folder = tempfile.TemporaryDirectory()
         self.addCleanup(self.folder.cleanup)
         self.part = self.path("box.stl")
-        told("part", "box", "--set", "x_mm=10", "--set", "y_mm=10", "--set", "z_mm=2", "-o", self.part)
+        reported("part", "box", "--set", "x_mm=10", "--set", "y_mm=10", "--set", "z_mm=2", "-o", self.part)
 
     def path(self, name):
         return os.path.join(self.folder.name, name)
 
     def lines(self, name, *arguments):
-        told("slice", self.part, *arguments, "-o", self.path(name))
+        reported("slice", self.part, *arguments, "-o", self.path(name))
         with open(self.path(name), encoding="utf-8") as file:
             return file.read().splitlines()
 
@@ -58,12 +58,12 @@ class Tools(unittest.TestCase):
         self.lines("one.gcode")
         boxes = []
         for name in ("one.gcode", "two.gcode"):
-            told("coordinates", self.path(name), "-o", self.path(name + ".csv"))
+            reported("coordinates", self.path(name), "-o", self.path(name + ".csv"))
             with open(self.path(name + ".csv"), encoding="utf-8") as file:
                 rows = [line.split(",") for line in file.read().splitlines()[1:]]
-            laid = [(float(row[0]), float(row[1])) for row in rows if row[3].strip() not in ("0", "0.0")]
+            deposited = [(float(row[0]), float(row[1])) for row in rows if row[3].strip() not in ("0", "0.0")]
             boxes.append([round(bound, 2) for axis in (0, 1) for bound in
-                          (min(point[axis] for point in laid), max(point[axis] for point in laid))])
+                          (min(point[axis] for point in deposited), max(point[axis] for point in deposited))])
         self.assertEqual(boxes[0], boxes[1])
 
     def test_tower_holds_the_purge(self):
@@ -76,13 +76,13 @@ class Tools(unittest.TestCase):
         self.assertAlmostEqual(filament * 2.405282 / 10, 100.0, delta=1.0)  # of 1.75 mm, in 10 layers
 
     def motions(self, name, *arguments, part=None):
-        told("slice", part or self.part, *arguments, "-o", self.path(name))
+        reported("slice", part or self.part, *arguments, "-o", self.path(name))
         with open(self.path(name), encoding="utf-8") as file:
             return motions(file.read())
 
     def test_tool_of_supports_alone_changes_once_and_purges(self):
         tee = self.path("bridge.stl")
-        told("part", "bridge", "-o", tee)
+        reported("part", "bridge", "-o", tee)
         tools = (*PLAIN, "--set", TWO, "--set", "supports.use=true", "--set", "supports.tool=1", "--set", "tools.purge_mm3=30")
         found = self.motions("supports.gcode", *tools, part=tee)
         self.assertEqual({m.tool for m in found if m.lays() and m.role == "support"}, {1})
@@ -118,14 +118,14 @@ class Tools(unittest.TestCase):
 
     def test_plates_lay_their_skirt_with_the_tool_of_walls(self):
         of_one = ("--set", TWO, "--set", "tool.walls=1", "--set", "tool.infill=1", "--set", "tool.skin=1")
-        told("slice", self.part, self.part, *of_one, "-o", self.path("plate.gcode"))
+        reported("slice", self.part, self.part, *of_one, "-o", self.path("plate.gcode"))
         with open(self.path("plate.gcode"), encoding="utf-8") as file:
             found = motions(file.read())
         self.assertEqual({m.role for m in found if m.lays() and m.tool == 0}, set())
         self.assertIn("skirt", {m.role for m in found if m.lays() and m.tool == 1})
 
     def test_plates_prime_the_tool_that_goes_on(self):
-        told("slice", self.part, self.part, *TOOLS, "-o", self.path("plate.gcode"))
+        reported("slice", self.part, self.part, *TOOLS, "-o", self.path("plate.gcode"))
         with open(self.path("plate.gcode"), encoding="utf-8") as file:
             lines = file.read().splitlines()
         self.assertEqual([line for line in lines if line in ("T0", "T1")], ["T1", "T0"] * 5, "once in each layer")
@@ -139,7 +139,7 @@ class Tools(unittest.TestCase):
                 pulled += float(line.split()[1][1:])
 
     def test_plates_have_one_tower(self):
-        told("slice", self.part, self.part, *TOOLS, "--set", "tools.purge_mm3=60", "--set", "plate.labels=m486",
+        reported("slice", self.part, self.part, *TOOLS, "--set", "tools.purge_mm3=60", "--set", "plate.labels=m486",
              "--set", "travel.wipe_mm=2", "-o", self.path("plate.gcode"))
         with open(self.path("plate.gcode"), encoding="utf-8") as file:
             text = file.read()
@@ -158,17 +158,17 @@ class Tools(unittest.TestCase):
         self.assertIn("plate.order", done.stderr)
 
     def test_towers_purge_for_parts_of_other_layers_and_heights(self):
-        told("part", "box", "--set", "x_mm=10", "--set", "y_mm=10", "--set", "z_mm=4", "-o", self.path("high.stl"))
+        reported("part", "box", "--set", "x_mm=10", "--set", "y_mm=10", "--set", "z_mm=4", "-o", self.path("high.stl"))
         with open(self.path("plate.yaml"), "w", encoding="utf-8") as file:
             file.write("plate:\n  parts:\n    - {file: box.stl}\n    - {file: high.stl, settings: "
                        "{slicing.layer_height_mm: 0.3, slicing.first_layer_height_mm: 0.3}}\n")
-        told("slice", "--plate", self.path("plate.yaml"), *TOOLS, "--set", "tools.purge_mm3=60", "-o", self.path("plate.gcode"))
+        reported("slice", "--plate", self.path("plate.yaml"), *TOOLS, "--set", "tools.purge_mm3=60", "-o", self.path("plate.gcode"))
         with open(self.path("plate.gcode"), encoding="utf-8") as file:
             found = [m for m in motions(file.read()) if m.lays() and m.role != "skirt"]
         self.assertEqual({m.part for m in found if m.role != "prime"}, {"box", "high"})
         purged, changes, at_work = None, 0, found[0].tool
         for before, motion in zip(found, found[1:]):
-            self.assertGreaterEqual(motion.end[2], before.end[2] - 1e-6, "never below what is laid")
+            self.assertGreaterEqual(motion.end[2], before.end[2] - 1e-6, "never below what is deposited")
             if motion.tool != at_work:
                 at_work, purged, changes = motion.tool, 0.0, changes + 1
             if purged is not None and motion.role == "prime":
@@ -181,7 +181,7 @@ class Tools(unittest.TestCase):
     def test_plates_leave_room_for_their_tower(self):
         settings = (*TOOLS, "--set", "tools.purge_mm3=100", "--set", "plate.spacing_mm=5")
         room = int((220 - 2 * 4.4 + 5) // 15)  # boxes of 10 mm in a row of the bed
-        told("slice", *[self.part] * room, *settings, "-o", self.path("plate.gcode"))
+        reported("slice", *[self.part] * room, *settings, "-o", self.path("plate.gcode"))
         with open(self.path("plate.gcode"), encoding="utf-8") as file:
             found = motions(file.read())
         tower = [m.end[0] for m in found if m.lays() and m.role == "prime"]
@@ -191,7 +191,7 @@ class Tools(unittest.TestCase):
         with open(self.path("plate.yaml"), "w", encoding="utf-8") as file:
             file.write("plate:\n  parts:\n    - {file: box.stl, name: black}\n    - {file: box.stl, name: white, settings: "
                        "{tool.walls: 1, tool.infill: 1, tool.skin: 1}}\n")
-        told("slice", "--plate", self.path("plate.yaml"), "--set", TWO, "-o", self.path("plate.gcode"))
+        reported("slice", "--plate", self.path("plate.yaml"), "--set", TWO, "-o", self.path("plate.gcode"))
         with open(self.path("plate.gcode"), encoding="utf-8") as file:
             found = motions(file.read())
         self.assertEqual({(m.part, m.tool) for m in found if m.lays() and m.part}, {("black", 0), ("white", 1)})

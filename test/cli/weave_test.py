@@ -7,7 +7,7 @@ import os
 import tempfile
 import unittest
 
-from lamina_command import PLAIN, lamina, told
+from lamina_command import PLAIN, lamina, reported
 
 SWING = 12.0
 WALL = [word for setting in ("infill.density=0", "skirt.count=0", "walls.count=1", "bead.width_mm=6",
@@ -25,20 +25,20 @@ class Weaves(unittest.TestCase):
         self.folder = tempfile.TemporaryDirectory()
         self.addCleanup(self.folder.cleanup)
         self.part = self.path("box.stl")
-        told("part", "box", "--set", "x_mm=40", "--set", "y_mm=30", "--set", "z_mm=4", "-o", self.part)
+        reported("part", "box", "--set", "x_mm=40", "--set", "y_mm=30", "--set", "z_mm=4", "-o", self.part)
 
     def path(self, name):
         return os.path.join(self.folder.name, name)
 
     def sliced(self, machine, name):
-        told("slice", self.part, *PLAIN, *WALL, *TURNED_RAPID, "--set", "machine.name=" + machine, "--set", "weave.kind=sine",
+        reported("slice", self.part, *PLAIN, *WALL, *TURNED_RAPID, "--set", "machine.name=" + machine, "--set", "weave.kind=sine",
              "-o", self.path(name))
         return self.path(name)
 
     def leans(self, program, machine):
         """How far the tool axis leans from straight down where it lays a bead, over the time of the program [deg]."""
         table = self.path("nozzle.csv")
-        told("check", program, "--machine", machine, "--trajectory", table, "--rate-hz", "50")
+        reported("check", program, "--machine", machine, "--trajectory", table, "--rate-hz", "50")
         with open(table, newline="", encoding="utf-8") as file:
             rows = [{name: float(value or 0) for name, value in row.items()} for row in csv.DictReader(file)]
         return [math.degrees(math.acos(min(1.0, max(-1.0, 2.0 * (row["qx"] ** 2 + row["qy"] ** 2) - 1.0)))) for row in rows

@@ -132,7 +132,7 @@ TEST(CellAtlas, LooksNoFartherThanACellReaches) {
   EXPECT_FALSE(atlas.look({10.3, 0.0, 1.5}).newest);
 }
 
-TEST(CellAtlas, TakesTheNewestLaidCellAndTheOneBeneath) {
+TEST(CellAtlas, TakesTheNewestDepositedCellAndTheOneBelow) {
   CellAtlas atlas;
   for (const std::size_t k : {2U, 0U, 1U})
     atlas.add(shared(layerCells(test::straightBeadLayer({0.0}, 10.0, 1.5 * double(k + 1)), k, 0.5)));

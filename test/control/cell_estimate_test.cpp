@@ -108,7 +108,7 @@ TEST(CellEstimate, MeasuresGrowthOverWhatWasCommanded) {
   cell.lay({1.5, 0.2, 0.0}, 0.1);
   cell.see({3.0 - 0.9 * (1.5 + 1.8), 1000, 1e-4}, 0.0);
   EXPECT_NEAR(cell.takeMeasuredGain().value().gain, 0.9, 1e-3);
-  EXPECT_FALSE(cell.takeMeasuredGain()) << "nothing was laid since";
+  EXPECT_FALSE(cell.takeMeasuredGain()) << "nothing was deposited since";
 }
 
 TEST(CellEstimate, LearnsNothingFromWhatBrokeOff) {

@@ -25,7 +25,7 @@ void seeAll(HeightLoop& loop, double error_mm) {
 }
 
 /// Lays layers that all grow by that much of what is planned, and are seen.
-HeightLoop laidLoop(const LoopSettings& settings, int layers, double growth) {
+HeightLoop loopAfter(const LoopSettings& settings, int layers, double growth) {
   HeightLoop loop(settings);
   for (int k = 0; k < layers; ++k) {
     loop.beginLayer(layerOf(static_cast<std::size_t>(k)));
@@ -37,7 +37,7 @@ HeightLoop laidLoop(const LoopSettings& settings, int layers, double growth) {
 }
 
 TEST(HeightLoop, CorrectsNothingWhileItIsNotActive) {
-  HeightLoop loop = laidLoop({}, 5, 0.9);
+  HeightLoop loop = loopAfter({}, 5, 0.9);
   loop.beginLayer(layerOf(5));
   for (const LoopState state : {LoopState::Off, LoopState::Identifying, LoopState::Open, LoopState::Blocked})
     for (const double amount : loop.correction(state).amount) EXPECT_EQ(amount, 0.0);
@@ -45,7 +45,7 @@ TEST(HeightLoop, CorrectsNothingWhileItIsNotActive) {
 }
 
 TEST(HeightLoop, CoastsByWhatItHasLearnt) {
-  HeightLoop loop = laidLoop({}, 30, 0.9);
+  HeightLoop loop = loopAfter({}, 30, 0.9);
   loop.beginLayer(layerOf(30));
   for (const double amount : loop.correction(LoopState::Coasting).amount)
     EXPECT_NEAR(amount, 1.0 / 0.9 - 1.0, 2e-3);
@@ -78,7 +78,7 @@ TEST(HeightLoop, CountsALayerThatIsHardlySeenAsUnmeasured) {
 }
 
 TEST(HeightLoop, BelievesAPatchAsWideAsABeadAtOnce) {
-  HeightLoop loop = laidLoop({}, 5, 1.0);
+  HeightLoop loop = loopAfter({}, 5, 1.0);
   loop.beginLayer(layerOf(5));
   loop.lay(loop.correction(LoopState::Identifying));
   for (std::size_t i = 0; i < loop.cells().size(); ++i)
@@ -90,7 +90,7 @@ TEST(HeightLoop, BelievesAPatchAsWideAsABeadAtOnce) {
 }
 
 TEST(HeightLoop, TakesTheGainOfItsRegionWhereNothingIsBelow) {
-  HeightLoop loop = laidLoop({}, 30, 0.8);
+  HeightLoop loop = loopAfter({}, 30, 0.8);
   loop.beginLayer(layerOf(30, {0.0, 50.0}));
   const LayerKnowledge known = loop.knowledge();
   const std::size_t beside = loop.cells().runs[1].first + 30;
@@ -104,7 +104,7 @@ TEST(HeightLoop, RefusesReadingsOfNoCell) {
   loop.beginLayer(layerOf(0));
   EXPECT_THROW(loop.see(60, {0.0, 6, 0.02}), InvalidInput);
   EXPECT_THROW(loop.seeDeficit(60, 0.1), InvalidInput);
-  EXPECT_NO_THROW(loop.seeDeficit(59, 0.1)) << "nothing is laid yet";
+  EXPECT_NO_THROW(loop.seeDeficit(59, 0.1)) << "nothing is deposited yet";
   LayerCorrection shorter;
   shorter.amount.assign(59, 0.0);
   EXPECT_THROW(loop.lay(shorter), InvalidInput);
@@ -137,7 +137,7 @@ void seeAnyCloud(HeightLoop& loop) {
 TEST(HeightLoop, IsMovedByNoSingleCloudByMoreThanATenth) {
   const LoopSettings settings;
   EXPECT_TRUE(rc::check("whatever the cloud", [&] {
-    HeightLoop loop = laidLoop(settings, 4, 0.7 + 0.01 * *rc::gen::inRange(0, 60));
+    HeightLoop loop = loopAfter(settings, 4, 0.7 + 0.01 * *rc::gen::inRange(0, 60));
     loop.beginLayer(layerOf(4));
     loop.lay(loop.correction(LoopState::Active));
     HeightLoop unseen = loop;
@@ -161,7 +161,7 @@ TEST(HeightLoop, IsMovedByNoSingleCloudByMoreThanATenth) {
 TEST(HeightLoop, IsMovedByNoSingleCloudByMoreThanATenthOfAPressedAmount) {
   LoopSettings settings;
   settings.process = LoopProcess::Pressed;
-  HeightLoop loop = laidLoop(settings, 4, 1.0);
+  HeightLoop loop = loopAfter(settings, 4, 1.0);
   loop.beginLayer(layerOf(4));
   loop.lay(loop.correction(LoopState::Active));
   for (std::size_t i = 0; i < loop.cells().size(); ++i) loop.seeDeficit(i, 0.9);
@@ -219,7 +219,7 @@ TEST(HeightLoop, TakesTenThousandCloudsOfAnything) {
 /// Leaving a state amid a layer: the amounts in force fade to those of the next state within the slope.
 TEST(HeightLoop, LeavesAStateWithoutAStep) {
   const LoopSettings settings;
-  HeightLoop loop = laidLoop(settings, 6, 0.8);
+  HeightLoop loop = loopAfter(settings, 6, 0.8);
   loop.beginLayer(layerOf(6));
   const auto active = loop.correction(LoopState::Active).amount;
   for (const LoopState next : {LoopState::Off, LoopState::Open, LoopState::Coasting}) {

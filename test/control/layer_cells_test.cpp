@@ -85,13 +85,13 @@ TEST(LayerCells, GrowSquareToAPathThatTheNozzleTrails) {
     EXPECT_NEAR((growth - Eigen::Vector3d(-1, 0, 1).normalized()).norm(), 0.0, 1e-12);
 }
 
-TEST(LayerCells, ArePassedInTheOrderInWhichTheyAreLaid) {
+TEST(LayerCells, ArePassedInTheOrderInWhichTheyAreDeposited) {
   const LayerCells cells = test::straightBeads({0.0, 3.0}, 10.0, 1.0);  // paths 0 and 2
   EXPECT_EQ(cellsPassed(cells, 0, 0.0, 0.0), 0U);
   EXPECT_EQ(cellsPassed(cells, 0, 4.5, 0.0), 4U);
   EXPECT_EQ(cellsPassed(cells, 0, 4.5, 3.0), 1U);
   EXPECT_EQ(cellsPassed(cells, 1, 1.0, 0.0), 10U) << "on the travel between";
-  EXPECT_EQ(cellsPassed(cells, 1, 1.0, 3.0), 7U) << "nothing is laid on it";
+  EXPECT_EQ(cellsPassed(cells, 1, 1.0, 3.0), 7U) << "nothing is deposited on it";
   EXPECT_EQ(cellsPassed(cells, 2, 1.0, 3.0), 8U);
   EXPECT_EQ(cellsPassed(cells, 2, 10.0, 0.0), 20U);
   EXPECT_EQ(cellsPassed(cells, 9, 0.0, 3.0), 17U);

@@ -30,19 +30,19 @@ LayerCells wallCells(std::size_t layer) {
   return layerCells({z, kLearntLayer, {path}}, layer, 0.5);
 }
 
-struct LaidPart {
+struct DepositedPart {
   std::vector<DepositedLayer> layers;
   double rmse_mm = 0.0;  ///< of the heights of all layers
 };
 
-/// The part laid by a disturbed process as the map says, the loop off.
-LaidPart laidPart(const PartMap& map, int seed) {
+/// The part deposited by a disturbed process as the map says, the loop off.
+DepositedPart depositedPart(const PartMap& map, int seed) {
   PlantSettings settings = test::disturbedPlant();
   settings.levelling_mm = 0.0;
   settings.random = 0.005;
   settings.seed = seed;
   const GrowthPlant plant(settings);
-  LaidPart part;
+  DepositedPart part;
   std::vector<double> heights;
   double squares = 0.0;
   double count = 0.0;
@@ -77,7 +77,7 @@ TEST(PartLearning, GetsBetterFromPartToPart) {
   PartMap map;
   std::vector<double> rmse;
   for (int print = 1; print <= 5; ++print) {
-    const LaidPart part = laidPart(map, print);
+    const DepositedPart part = depositedPart(map, print);
     rmse.push_back(part.rmse_mm);
     map = learntFromPart(map, kPart, part.layers, PartEnd::Complete, LoopSettings());
     EXPECT_TRUE(print == 1 || rmse.back() < rmse[rmse.size() - 2]) << "print " << print;
@@ -86,7 +86,7 @@ TEST(PartLearning, GetsBetterFromPartToPart) {
   EXPECT_EQ(map.parts, 5U);
 }
 
-/// Cells that grow by a share of what they are told, over errors that the loop mends meanwhile.
+/// Cells that grow by a share of what is commanded, over errors that the loop mends meanwhile.
 DepositedLayer evenLayer(double gain, double amount) {
   DepositedLayer layer{wallCells(0), {}, {}};
   layer.amount.assign(layer.cells.size(), amount);
@@ -94,8 +94,8 @@ DepositedLayer evenLayer(double gain, double amount) {
   return layer;
 }
 
-/// Growth of 0.9 asks for 1 / 0.9 - 1 = 1 / 9, whatever was laid beyond the map to mend what lay below. Of
-/// the first part all of it is learnt, of the second a half of what is missing.
+/// Growth of 0.9 asks for 1 / 0.9 - 1 = 1 / 9, whatever was deposited beyond the map to mend what lay below.
+/// Of the first part all of it is learnt, of the second a half of what is missing.
 TEST(PartLearning, LearnsWhatMakesACellGrowAsPlanned) {
   for (const double mended : {0.0, 0.1, -0.2}) {
     const PartMap first =
@@ -116,7 +116,7 @@ TEST(PartLearning, LearnsNothingOfCellsThatWereNotSeen) {
 }
 
 TEST(PartLearning, LearnsNothingFromAnAbortedPart) {
-  const LaidPart part = laidPart({}, 1);
+  const DepositedPart part = depositedPart({}, 1);
   const PartMap map = learntFromPart({}, kPart, part.layers, PartEnd::Complete, LoopSettings());
   const PartMap after = learntFromPart(map, kPart, part.layers, PartEnd::Aborted, LoopSettings());
   EXPECT_EQ(after.parts, 1U);
@@ -124,7 +124,7 @@ TEST(PartLearning, LearnsNothingFromAnAbortedPart) {
 }
 
 TEST(PartLearning, RefusesLayersWithoutAValuePerCell) {
-  LaidPart part = laidPart({}, 1);
+  DepositedPart part = depositedPart({}, 1);
   part.layers[3].growth_error_mm.pop_back();
   EXPECT_THROW(learntFromPart({}, kPart, part.layers, PartEnd::Complete, LoopSettings()), InvalidInput);
 }
@@ -146,7 +146,7 @@ TEST(PartLearning, RefusesAMapOfOtherCells) {
 }
 
 TEST(PartLearning, RefusesAMapOfAnotherMachine) {
-  const LaidPart part = laidPart({}, 1);
+  const DepositedPart part = depositedPart({}, 1);
   const PartMap map = learntFromPart({}, kPart, part.layers, PartEnd::Complete, LoopSettings());
   PartIdentity other = kPart;
   other.machine = "irb_4600";

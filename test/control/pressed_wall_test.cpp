@@ -55,7 +55,7 @@ PressedFigures pressedWall(LoopState state) {
   settings.z = state == LoopState::Active ? NozzleHeight::Layer : NozzleHeight::Plan;
   HeightLoop loop(settings);
   Random random(1);
-  double below_mm = 0.0;  // top of what is laid
+  double below_mm = 0.0;  // top of what is deposited
   double shift_mm = 0.0;
   double error_mm = 0.0;
   PressedFigures figures;

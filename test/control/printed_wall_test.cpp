@@ -99,8 +99,8 @@ TEST(PrintedWall, IsAsGoodWithADeadTimeThatIsKnown) {
   EXPECT_LE(meanOfSeeds(both, lateRmse), 1.3 * without);
 }
 
-/// A program tells nothing before its layer begins: what is told last has to be what the next one begins
-/// with.
+/// A program commands nothing before its layer begins: what is commanded last has to be what the next one
+/// begins with.
 TEST(PrintedWall, IsAsGoodWithADeadTimeThatIsKnownByPlace) {
   for (const bool is_closed : {false, true}) {
     WallCase prompt = disturbedWall();
@@ -204,10 +204,10 @@ TEST(PrintedWall, IsReplannedAfterAClog) {
   WallCase wall = cloggedWall();
   wall.loop.replan = Replanning::Scale;
   const PrintedWall printed = test::printedWall(wall);
-  bool is_told = false;
+  bool is_reported = false;
   for (std::size_t layer = 20; layer <= 24; ++layer)
-    is_told |= printed.layers[layer - 1].raises(LoopAlarm::Saturated);
-  EXPECT_TRUE(is_told) << "within four layers";
+    is_reported |= printed.layers[layer - 1].raises(LoopAlarm::Saturated);
+  EXPECT_TRUE(is_reported) << "within four layers";
   EXPECT_LT(std::abs(topError(printed)), 0.5 * wall.layer_mm);
   wall.loop.replan = Replanning::Hold;
   EXPECT_GT(topError(test::printedWall(wall)), 0.5 * wall.layer_mm) << "amounts alone will not do";

@@ -93,7 +93,7 @@ TEST(ReplannedToolpath, RefusesWhatItCannotPlan) {
   curved.layers[6].paths[0].points[1].z() += 0.5;
   curved.layers[6].paths[1].points[0].z() += 0.5;
   EXPECT_THROW(replannedToolpath(curved, {5, 0.2}, heights), InvalidInput);
-  EXPECT_NO_THROW(replannedToolpath(curved, {7, 0.2}, heights)) << "it is laid already";
+  EXPECT_NO_THROW(replannedToolpath(curved, {7, 0.2}, heights)) << "it is deposited already";
   Toolpath uneven = eightLayers();
   uneven.layers[7].height_mm = 1.0;
   EXPECT_THROW(replannedToolpath(uneven, {5, 0.2}, heights), InvalidInput);

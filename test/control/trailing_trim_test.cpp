@@ -17,7 +17,7 @@ namespace {
 constexpr double kStep = 0.5;  // mm
 
 /// Root mean square of the relative error along a layer of 6 m, on a drift that the layers before cannot have
-/// told: waves of 3 to 5 m, which are minutes, of a random phase.
+/// shown: waves of 3 to 5 m, which are minutes, of a random phase.
 double drifted(double trim, double behind_mm, double growth, std::uint64_t seed) {
   Random random(seed);
   const double wave_mm = random.uniform(3000.0, 5000.0);

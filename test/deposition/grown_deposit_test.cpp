@@ -65,7 +65,7 @@ TEST(GrownDeposit, GrowsByVolumeOverWidthWhateverTheNozzleDoes) {
   EXPECT_NEAR(wall.at(30.0), 5.2 * kLayer, 1e-9) << "nothing holds the bead down";
   EXPECT_NEAR(wall.at(30.0, 0.5 * kWidth - 0.2), 5.2 * kLayer, 1e-9);
   EXPECT_EQ(wall.at(30.0, 0.5 * kWidth + 0.3), 0.0);
-  EXPECT_EQ(wall.at(-0.3), 0.0) << "beside its end nothing is laid";
+  EXPECT_EQ(wall.at(-0.3), 0.0) << "beside its end nothing is deposited";
   EXPECT_NEAR(volumeUnder(wall.deposit().surface()), 5.2 * kLayer * kWidth * kLength, 1e-3 * 1400);
 }
 
@@ -116,7 +116,7 @@ TEST(GrownDeposit, WearsOverItsLayersAndLosesByStandOff) {
   EXPECT_NEAR(high.at(30.0), kLayer + kLayer * (1.0 - 0.3 * 0.5 / kLayer), 1e-9);
 }
 
-TEST(GrownDeposit, LiesBesideItsPlaceAndHasTheWidthToldIt) {
+TEST(GrownDeposit, LiesBesideItsPlaceAndHasTheWidthGivenIt) {
   PlantSettings plant;
   plant.nozzle_offset_mm = {0.0, 1.0, 0.0};
   GrownDepositSettings settings;

@@ -83,7 +83,7 @@ TEST(GrowthPlant, LevelsAWaveAsAGaussianDoes) {
   for (std::size_t i = 0; i < 400; ++i) EXPECT_NEAR(after[i] - 1.5, damped * heights[i], 1e-3);
 }
 
-TEST(GrowthPlant, IsRandomAsToldAndTheSameFromASeed) {
+TEST(GrowthPlant, IsRandomAsStatedAndTheSameFromASeed) {
   double sum = 0.0;
   double squares = 0.0;
   constexpr int kPlaces = 4000;

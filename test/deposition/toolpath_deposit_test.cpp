@@ -201,7 +201,7 @@ TEST(ToolpathDeposit, AGridTooLargeIsRefusedWithTheVoxelThatFits) {
   EXPECT_THROW(deposited(toolpath, settings), InvalidInput);
 }
 
-TEST(ToolpathDeposit, MemoryIsForetoldAndSmall) {
+TEST(ToolpathDeposit, MemoryIsPredictedAndSmall) {
   const Toolpath toolpath = blockOf({10.0, {0.48, 0.3}, 0.3, 33});
   for (const double voxel_mm : {0.05, 0.1}) {
     const ToolpathDeposit deposit = deposited(toolpath, voxels(voxel_mm));

@@ -67,12 +67,12 @@ TEST(FrameComments, ReportTheHeadOfTheMachineWhereItIsHeldOtherwise) {
 
 TEST(FrameComments, TheFrameReportedIsTurnedFurther) {
   RewriteSettings settings = test::withHeight(0.5);
-  const std::string told = frameComments(transformed(kSquare, settings).frame);
-  const test::Transformed twice = transformed(told + kSquare, settings);
+  const std::string stated = frameComments(transformed(kSquare, settings).frame);
+  const test::Transformed twice = transformed(stated + kSquare, settings);
   expectAlong(normalOf(twice.frame), Point3(0, -1, 0));
   expectAlong(toolAxisOf(twice.frame), Point3(0, 1, 0));
   const AffineMap back = rotation(Point3::UnitX(), -45.0);
-  EXPECT_EQ(frameComments(transformed(told + kSquare, settings, back).frame), "");
+  EXPECT_EQ(frameComments(transformed(stated + kSquare, settings, back).frame), "");
 }
 
 TEST(FrameComments, StandBeforeTheBeginCode) {

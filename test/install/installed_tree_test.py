@@ -64,7 +64,7 @@ class Tree(unittest.TestCase):
         self.assertIn("lamina/Status status", in_environment("rossrv show lamina/SliceMesh"))
 
     @unittest.skipUnless(HAS_ROS, "built without ROS")
-    def test_the_setup_file_keeps_ros_on_the_loopback_interface_unless_told_otherwise(self):
+    def test_the_setup_file_keeps_ros_on_the_loopback_interface_unless_set_otherwise(self):
         def address_with(setting):
             others = "unset ROS_IP ROS_HOSTNAME ROS_MASTER_URI"
             return run("bash", "-c", f"{others}; {setting}; source {TREE}/setup.bash; echo $ROS_IP").strip()
@@ -89,9 +89,9 @@ class Examples(unittest.TestCase):
         self.assertAlmostEqual(deposited_mm(SCRATCH / "box.gcode"), deposited_mm(SCRATCH / "by_command.gcode"), places=1)
 
     def test_the_second_takes_settings(self):
-        told = run(SCRATCH / "examples/02_settings", SCRATCH / "blade.gcode", "slicing.layer_height_mm=0.4",
+        reported = run(SCRATCH / "examples/02_settings", SCRATCH / "blade.gcode", "slicing.layer_height_mm=0.4",
                    "slicing.first_layer_height_mm=0.4")
-        self.assertIn("100 layers", told)  # 40 mm by 0.4 mm
+        self.assertIn("100 layers", reported)  # 40 mm by 0.4 mm
         self.assertEqual(layers(SCRATCH / "blade.gcode"), 100)
 
 
@@ -135,12 +135,12 @@ class CatkinConsumer(unittest.TestCase):
             self.nodes.append(self.start(f"source {TREE}/setup.bash && exec roslaunch --wait lamina slicing_service.launch", log))
         counting = self.start(f"source {SCRATCH}/consumer/devel/setup.bash && exec rosrun lamina_consumer count_layers", subprocess.PIPE)
         try:
-            told, _ = counting.communicate(timeout=2 * PATIENCE)
+            reported, _ = counting.communicate(timeout=2 * PATIENCE)
         except subprocess.TimeoutExpired:
             counting.kill()
             self.fail("no answer; the nodes say:\n" + (SCRATCH / "nodes.log").read_text())
-        self.assertEqual(counting.returncode, 0, told)
-        self.assertIn("100 layers by the node, 100 by the core", told)  # 20 mm by 0.2 mm
+        self.assertEqual(counting.returncode, 0, reported)
+        self.assertIn("100 layers by the node, 100 by the core", reported)  # 20 mm by 0.2 mm
 
 
 if __name__ == "__main__":

@@ -49,8 +49,8 @@ class Services(unittest.TestCase):
                     copy.write(change(text.read()))
         names = [os.path.join(self.folder, name) for name in ("lamina-master.service", "lamina@gcode_streamer.service")]
         verified = subprocess.run(["systemd-analyze", "verify", "--man=no", *names], capture_output=True, text=True, check=False)
-        told = [line for line in verified.stderr.splitlines() if "lamina" in line]
-        return told + ["exit code %d" % verified.returncode] * (verified.returncode != 0)
+        reported = [line for line in verified.stderr.splitlines() if "lamina" in line]
+        return reported + ["exit code %d" % verified.returncode] * (verified.returncode != 0)
 
     def test_systemd_reads_them(self):
         self.assertEqual(self.complaints(), [])
@@ -81,9 +81,9 @@ class Services(unittest.TestCase):
         program = os.path.join(self.folder, "part.gcode")
         with open(program, "w", encoding="utf-8") as text:
             text.write("G28\n")
-        told = subprocess.run([LAMINA, "stream", program, "--port", "/dev/ttyUSB7", "--progress"], capture_output=True, text=True,
+        reported = subprocess.run([LAMINA, "stream", program, "--port", "/dev/ttyUSB7", "--progress"], capture_output=True, text=True,
                               env={**os.environ, "HOME": "/nonexistent", **environment_of(unit)}, check=False).stderr
-        self.assertIn("/var/lib/%s/lamina/" % state, told)
+        self.assertIn("/var/lib/%s/lamina/" % state, reported)
 
     def test_the_streamer_gets_its_priority_without_rights(self):
         (priority,) = lines_of("lamina@.service", "LimitRTPRIO")

@@ -28,7 +28,7 @@ CorrectionMap evenMap(std::size_t layer, double amount) {
   return correctionMap(cells, {std::vector<double>(cells.size(), amount), {}, {}}, toolpathId(part), 1);
 }
 
-/// A folder as the streamer leaves it whose second layer was laid by a map.
+/// A folder as the streamer leaves it whose second layer was deposited by a map.
 std::string recordOf(const StreamableProgram& program, const test::ScratchFolder& folder) {
   const std::string id = toolpathId(test::stackedBeads(3));
   const CorrectionMap map = evenMap(1, 0.2);

@@ -26,13 +26,13 @@ std::map<std::string, std::string> textsOf(JobSettings settings) {
   return texts;
 }
 
-TEST(JobSettings, CloseAndBridgePartsUnlessToldOtherwise) {
+TEST(JobSettings, CloseAndBridgePartsUnlessSetOtherwise) {
   const PlanSettings planning = loadJobSettings("", {}).planning;
   EXPECT_EQ(planning.skins.top_layers, 4);
   EXPECT_EQ(planning.skins.bottom_layers, 4);
   EXPECT_TRUE(planning.bridges.is_used);
   EXPECT_TRUE(planning.overhangs.is_used);
-  EXPECT_FALSE(hasSkins(PlanSettings{}.skins)) << "the planner lays what it is told";
+  EXPECT_FALSE(hasSkins(PlanSettings{}.skins)) << "the planner lays what is set";
 }
 
 TEST(JobSettings, HasTheKeysThatUsersKnow) {

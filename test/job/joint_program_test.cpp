@@ -235,17 +235,17 @@ TEST_F(JointProgramTest, RapidTargetsLeadAnArmThroughTheJointsThatWereChecked) {
   }
 }
 
-TEST_F(JointProgramTest, RoundedSpeedsAndSplitFilesAreTold) {
+TEST_F(JointProgramTest, RoundedSpeedsAndSplitFilesAreReported) {
   job_.settings.planning.feed.outer_wall_mm_s = 6.7;
   job_.settings.program.robot.may_cut = true;
   job_.settings.program.robot.fanuc.max_lines = 150;
   const SlicedPart sliced = slice("irb_4600", "box.ls");
-  const auto told = [&](const std::string& part) {
+  const auto reported = [&](const std::string& part) {
     return std::any_of(sliced.summary.notes.begin(), sliced.summary.notes.end(),
                        [&](const std::string& note) { return note.find(part) != std::string::npos; });
   };
-  EXPECT_TRUE(told("0.50 %: 6.7 mm/s is written as 6.667 mm/s"));
-  EXPECT_TRUE(told("files, 'BOX_1.ls' to 'BOX_"));
+  EXPECT_TRUE(reported("0.50 %: 6.7 mm/s is written as 6.667 mm/s"));
+  EXPECT_TRUE(reported("files, 'BOX_1.ls' to 'BOX_"));
 }
 
 TEST_F(JointProgramTest, ATurntableThatFollowsIsReportedAtEachTarget) {

@@ -59,8 +59,8 @@ TEST(GyroidJob, LaysOneSurfaceInThePartInLevelAndInclinedLayers) {
   }
 }
 
-/// Squares of a pitch where beads of a grid cross, each laid twice: p² in (2 s)², of p / s in all.
-TEST(PatternJob, TellsHowMuchLiesOnItselfWhereLinesCross) {
+/// Squares of a pitch where beads of a grid cross, each deposited twice: p² in (2 s)², of p / s in all.
+TEST(PatternJob, ReportsHowMuchLiesOnItselfWhereLinesCross) {
   SliceJob job = test::plainJob();
   job.settings.planning.infill.strategy = "grid";
   job.settings.planning.infill.density = 0.2;

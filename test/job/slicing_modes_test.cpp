@@ -75,7 +75,7 @@ TEST_F(SlicingModes, CurvedLayersFillASphere) {
   EXPECT_NEAR(sliced.summary.orientation.lean_deg.value, greatestLeanDeg(sliced.toolpath), 1e-6);
 }
 
-/// Of what is laid, against layers without gaps.
+/// Of what is deposited, against layers without gaps.
 double solidShare(const SlicedPart& sliced) {
   return sliced.summary.deposited_mm3 / sliced.summary.sliced_volume_mm3;
 }
@@ -265,14 +265,14 @@ TEST_F(SlicingModes, SettingsThatDoNotGoTogetherAreRefused) {
 
 TEST_F(SlicingModes, ShellsThatBeginInTheAirAreReported) {
   usePart("sphere", {{"radius_mm", "7"}, {"segments", "32"}});
-  const auto isTold = [](const SliceSummary& summary) {
+  const auto isReported = [](const SliceSummary& summary) {
     return std::any_of(summary.notes.begin(), summary.notes.end(), [](const std::string& note) {
       return note.find("deposited on air") != std::string::npos;
     });
   };
-  EXPECT_TRUE(isTold(slice("curved").summary));
+  EXPECT_TRUE(isReported(slice("curved").summary));
   useDome();
-  EXPECT_FALSE(isTold(slice("curved").summary));
+  EXPECT_FALSE(isReported(slice("curved").summary));
 }
 
 TEST_F(SlicingModes, TheNozzleComesToACoatFromAbove) {

@@ -15,7 +15,7 @@
 namespace lamina {
 namespace {
 
-/// A wall across x, 2 mm thick and 30 mm high, laid first.
+/// A wall across x, 2 mm thick and 30 mm high, deposited first.
 struct Wall final : HeadRoom::Growth {
   double at(const Point3& place) const override {
     const bool is_in = std::abs(place.x()) < 1.0 && place.z() > 0.0 && place.z() < 30.0;
@@ -54,17 +54,17 @@ TravelsOverPart lead(Toolpath& toolpath) {
 TEST(TravelsOverPart, StayWhereTheyAreClear) {
   const Path way = wayBetween({-30, 0, 10}, Point3::UnitZ(), {-15, 0, 10}, Point3::UnitZ());
   Toolpath toolpath = toolpathWith(way);
-  const TravelsOverPart told = lead(toolpath);
-  EXPECT_EQ(told.travels, 1U);
-  EXPECT_EQ(told.led_round, 0U);
+  const TravelsOverPart reported = lead(toolpath);
+  EXPECT_EQ(reported.travels, 1U);
+  EXPECT_EQ(reported.led_round, 0U);
   EXPECT_EQ(toolpath.layers[0].paths[1].points, way.points);
 }
 
 TEST(TravelsOverPart, GoOverAWall) {
   Toolpath toolpath = toolpathWith(wayBetween({-15, 0, 10}, Point3::UnitZ(), {15, 0, 10}, Point3::UnitZ()));
-  const TravelsOverPart told = lead(toolpath);
-  EXPECT_EQ(told.led_round, 1U);
-  EXPECT_EQ(told.shut, 0U);
+  const TravelsOverPart reported = lead(toolpath);
+  EXPECT_EQ(reported.led_round, 1U);
+  EXPECT_EQ(reported.shut, 0U);
   const Path& way = toolpath.layers[0].paths[1];
   EXPECT_EQ(way.firstPoint(), Point3(-15, 0, 10));
   EXPECT_EQ(way.lastPoint(), Point3(15, 0, 10));
@@ -76,12 +76,12 @@ TEST(TravelsOverPart, GoOverAWall) {
   EXPECT_NO_THROW(validate(toolpath));
 }
 
-// The nozzle itself would swing into what it has laid.
-TEST(TravelsOverPart, TurnAwayFromWhatIsLaid) {
+// The nozzle itself would swing into what it has deposited.
+TEST(TravelsOverPart, TurnAwayFromWhatIsDeposited) {
   const Point3 leaning(0.0, std::sin(1.0), std::cos(1.0));
   Toolpath toolpath = toolpathWith(wayBetween({-30, 0, 40}, leaning, {-25, 0, 40}, Point3::UnitZ()));
-  const TravelsOverPart told = lead(toolpath);
-  EXPECT_EQ(told.led_round, 1U);
+  const TravelsOverPart reported = lead(toolpath);
+  EXPECT_EQ(reported.led_round, 1U);
   const Path& way = toolpath.layers[0].paths[1];
   for (std::size_t i = 1; i < way.points.size(); ++i) {
     const double turn = way.orientation.at(i - 1).angularDistance(way.orientation.at(i));
@@ -94,9 +94,9 @@ TEST(TravelsOverPart, TurnAwayFromWhatIsLaid) {
 TEST(TravelsOverPart, WithoutAWayStayAndAreCounted) {
   const Path way = wayBetween({0.0, 0.0, 10}, Point3::UnitZ(), {15, 0, 10}, Point3::UnitZ());
   Toolpath toolpath = toolpathWith(way);
-  const TravelsOverPart told = lead(toolpath);
-  EXPECT_EQ(told.led_round, 1U);
-  EXPECT_EQ(told.shut, 1U);
+  const TravelsOverPart reported = lead(toolpath);
+  EXPECT_EQ(reported.led_round, 1U);
+  EXPECT_EQ(reported.shut, 1U);
   EXPECT_EQ(toolpath.layers[0].paths[1].points, way.points);
 }
 

@@ -211,7 +211,7 @@ TEST(CellJournal, IsCopiedWhole) {
   EXPECT_EQ(CellJournal(folder.path() + "/copy.db").job(id).name, "bracket");
 }
 
-/// Writes transitions until it is killed, and says through the pipe how many it was told are kept.
+/// Writes transitions until it is killed, and says through the pipe how many were reported as kept.
 [[noreturn]] void writeUntilKilled(const std::string& path, int pipe) {
   CellJournal journal(path);
   for (int i = 1;; ++i) {

@@ -55,7 +55,7 @@ void replaceFile(const std::string& path, const std::string& bytes) {
   std::ofstream(path) << bytes;
 }
 
-TEST(PartRecord, TellsOfLayersAsATable) {
+TEST(PartRecord, ReportsLayersAsATable) {
   MadePart made;
   EXPECT_EQ(partRecord(made.journal, made.execution, {"good", 8.0, {}}).layers_csv,
             "layer,began,ended,expected_mm,mean_mm,rms_mm,flatness_mm,worst_mm,coverage,gain,nozzle_c,bed_c,"

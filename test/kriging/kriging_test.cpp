@@ -170,11 +170,13 @@ TEST(KrigingTest, FittedRangesAreThoseOfGreatestLikelihood) {
   KrigingSettings settings;
   settings.correlation = Correlation::Matern52;
   const auto surrogate = krigingFit(settings)(plane(), made.points, made.values);
-  const std::string told = surrogate->description();
-  const double range = std::stod(told.substr(told.find(": x ") + 4));
+  const std::string described = surrogate->description();
+  const double range = std::stod(described.substr(described.find(": x ") + 4));
   const Textbook best(made, Correlation::Matern52, range);
-  EXPECT_GT(best.logLikelihood(), Textbook(made, Correlation::Matern52, 1.1 * range).logLikelihood()) << told;
-  EXPECT_GT(best.logLikelihood(), Textbook(made, Correlation::Matern52, 0.9 * range).logLikelihood()) << told;
+  EXPECT_GT(best.logLikelihood(), Textbook(made, Correlation::Matern52, 1.1 * range).logLikelihood())
+      << described;
+  EXPECT_GT(best.logLikelihood(), Textbook(made, Correlation::Matern52, 0.9 * range).logLikelihood())
+      << described;
   const Prediction expected = best.at({1.5, 25.0});
   EXPECT_NEAR(surrogate->at({1.5, 25.0}).value, expected.value, 2e-3);
   EXPECT_NEAR(surrogate->at({1.5, 25.0}).variance, expected.variance, 1e-2 * expected.variance);
@@ -189,15 +191,15 @@ TEST(KrigingTest, FallsBackToAnOrderTheSamplesDetermine) {
       made.points.push_back({layer, infill});
       made.values.push_back(std::sin(infill) + 10.0 * layer);
     }
-  const auto told = [&](std::size_t count) {
+  const auto described = [&](std::size_t count) {
     const std::vector<DesignPoint> points(made.points.begin(),
                                           made.points.begin() + static_cast<std::ptrdiff_t>(count));
     const std::vector<double> values(made.values.begin(),
                                      made.values.begin() + static_cast<std::ptrdiff_t>(count));
     return krigingFit(KrigingSettings{})(space, points, values)->description();
   };
-  EXPECT_NE(told(6).find("order 1"), std::string::npos) << told(6);  // two levels have no square
-  EXPECT_NE(told(2).find("order 0"), std::string::npos) << told(2);
+  EXPECT_NE(described(6).find("order 1"), std::string::npos) << described(6);  // two levels have no square
+  EXPECT_NE(described(2).find("order 0"), std::string::npos) << described(2);
   const Experiment wavy = experiment(plane(), 7, 1);
   EXPECT_NE(krigingFit(KrigingSettings{})(plane(), wavy.points, wavy.values)->description().find("order 2"),
             std::string::npos);

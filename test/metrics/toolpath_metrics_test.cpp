@@ -58,8 +58,8 @@ TEST(ToolpathMetrics, MaterialAndTravelOfAProgramAreItsLength) {
 }
 
 TEST(ToolpathMetrics, CountFromTheFirstRunThatDepositsToTheLast) {
-  // 10 mm laid, 30 mm of travel, 10 mm laid; home and parking are 100 mm away. 50 mm/s, 0.05 s to start and
-  // stop.
+  // 10 mm deposited, 30 mm of travel, 10 mm deposited; home and parking are 100 mm away. 50 mm/s, 0.05 s to
+  // start and stop.
   const auto travel = [](const Point3& from, const Point3& to) {
     Path path = test::straightPath(from, to);
     path.role = PathRole::Travel;

@@ -111,7 +111,7 @@ TEST(FrameReader, TakesFramesHoweverTheyAreSplit) {
   }
 }
 
-TEST(FrameReader, TellsHowLongHalfAFrameWaits) {
+TEST(FrameReader, ReportsHowLongHalfAFrameWaits) {
   FrameReader reader;
   EXPECT_DOUBLE_EQ(reader.waited(5.0), 0.0);
   reader.add(bytes("0001 0000"), 5.0);

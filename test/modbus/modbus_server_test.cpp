@@ -23,30 +23,30 @@ namespace {
 namespace asio = boost::asio;
 using asio::ip::tcp;
 
-/// What the server told, and a way to wait for it.
-class Told {
+/// What the server reported, and a way to wait for it.
+class Reported {
  public:
   void tell(const std::string& what) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    told_.push_back(what);
+    reported_.push_back(what);
     changed_.notify_all();
   }
   std::vector<std::string> waitFor(std::size_t count) {
     std::unique_lock<std::mutex> lock(mutex_);
-    changed_.wait(lock, [&] { return told_.size() >= count; });
-    return told_;
+    changed_.wait(lock, [&] { return reported_.size() >= count; });
+    return reported_;
   }
 
  private:
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::vector<std::string> told_;
+  std::vector<std::string> reported_;
 };
 
 /// A server whose registers hold their own addresses.
 struct ServerOfAddresses {
-  Told broken;
-  Told closed;
+  Reported broken;
+  Reported closed;
   ModbusServer server;
 
   explicit ServerOfAddresses(ModbusServerSettings settings = onAnyPort())
@@ -182,7 +182,7 @@ TEST(ModbusServer, SaysWhereItCannotListen) {
 struct ServerOfLink {
   std::mutex mutex;
   PlcLink link{PlcLinkSettings{}};
-  Told broken;
+  Reported broken;
   ModbusServer server{ServerOfAddresses::onAnyPort(),
                       {[this](int connection, const ModbusRequest& request) {
                          const std::lock_guard<std::mutex> lock(mutex);

@@ -209,10 +209,10 @@ TEST(PlcLink, HasNewsWhenThePlcsSurroundingsChange) {
   PlcLink link = openLink();
   link.answer(1, writing(0, {1, 3, 9}), 0.0);
   EXPECT_EQ(link.news(), 0U) << "heartbeat and command are none";
-  EXPECT_FALSE(link.isPlateTold());
+  EXPECT_FALSE(link.isPlateWritten());
   link.answer(1, writing(11, {0}), 0.0);
   EXPECT_EQ(link.news(), 1U) << "that it was written at all";
-  EXPECT_TRUE(link.isPlateTold());
+  EXPECT_TRUE(link.isPlateWritten());
   link.answer(1, writing(11, {3}), 0.0);
   EXPECT_EQ(link.news(), 2U);
   link.answer(1, writing(11, {3}), 0.0);

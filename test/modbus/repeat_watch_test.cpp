@@ -7,7 +7,7 @@
 namespace lamina {
 namespace {
 
-TEST(RepeatWatch, TellsOnceOfWhatHappensTooOften) {
+TEST(RepeatWatch, ReportsOnceWhatHappensTooOften) {
   RepeatWatch watch(3, 60.0);
   EXPECT_FALSE(watch.add(0.0));
   EXPECT_FALSE(watch.add(1.0));

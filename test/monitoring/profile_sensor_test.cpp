@@ -114,7 +114,7 @@ TEST(ProfileSensor, NoiseIsThatOfASensorWithoutDefects) {
   EXPECT_NEAR(static_cast<double>(same), 270.0, 20.0);
 }
 
-TEST(ProfileSensor, NoiseCorrelatesAsTold) {
+TEST(ProfileSensor, NoiseCorrelatesAsStated) {
   ProfileSensorSettings settings;
   settings.noise_mm = 0.05;
   settings.noise_correlation = 0.6;

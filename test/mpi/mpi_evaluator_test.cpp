@@ -70,11 +70,11 @@ void lead(const MpiSession& session) {
   expect(found.generations.back().failed > 0, "failures are passed on");
 
   CancelledSoon soon;
-  std::atomic<int> told{0};
+  std::atomic<int> reported{0};
   expect(throws<Cancelled>(
-             evaluator, [&](const Evaluation&) { ++told; }, soon),
+             evaluator, [&](const Evaluation&) { ++reported; }, soon),
          "cancelling is passed on");
-  expect(told >= 1, "what was done before it was cancelled is reported");
+  expect(reported >= 1, "what was done before it was cancelled is reported");
   const auto refuse = [](const Evaluation&) { throw FileError("disk full"); };
   if (session.size() > 1)
     expect(throws<FileError>(evaluator, refuse, progress), "what the listener throws is passed on");

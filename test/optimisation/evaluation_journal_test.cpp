@@ -44,11 +44,11 @@ TEST_F(EvaluationJournalTest, TriesNoPointTwice) {
   CountingEvaluator inner;
   JournalledEvaluator journal(inner, mixedSpace(), {});
   const std::vector<DesignPoint> points = {{0.5, 2.0, 0.2, 1.0}, {0.7, 1.0, 0.3, 0.0}, {0.5, 2.0, 0.2, 1.0}};
-  int told = 0;
+  int reported = 0;
   const auto first = journal.evaluate(
-      points, [&](const Evaluation&) { ++told; }, progress_);
+      points, [&](const Evaluation&) { ++reported; }, progress_);
   EXPECT_EQ(inner.tried(), 2);
-  EXPECT_EQ(told, 3);
+  EXPECT_EQ(reported, 3);
   EXPECT_EQ(first[0].responses, first[2].responses);
   EXPECT_EQ(first[1].point, points[1]);
   journal.evaluate(points, {}, progress_);
@@ -196,9 +196,9 @@ TEST_F(EvaluationJournalTest, ReadsAnyBytesOrRefusesThem) {
       random.below(2) == 0 ? void(broken[at] = byte) : void(broken.erase(at, random.below(9)));
     }
     writeFile(path_, broken);
-    const std::string told = refusal(mixedSpace(), settings());
+    const std::string reported = refusal(mixedSpace(), settings());
     // What is refused stays as it is; what is read is a prefix in whole lines, or a header anew.
-    if (told.empty()) {
+    if (reported.empty()) {
       const std::string kept = readFile(path_);
       RC_ASSERT(kept.back() == '\n');
     } else {
@@ -280,11 +280,11 @@ class CarelessEvaluator final : public Evaluator {
 TEST_F(EvaluationJournalTest, NotesAnswersAtThePointsAskedFor) {
   const std::vector<DesignPoint> points = {{0.5, 2.0, 0.2, 1.0}, {0.7, 1.0, 0.3, 0.0}, {0.5, 2.0, 0.2, 1.0}};
   CarelessEvaluator inner(0);
-  int told = 0;
+  int reported = 0;
   JournalledEvaluator journal(inner, mixedSpace(), settings());
   const auto found = journal.evaluate(
-      points, [&](const Evaluation&) { ++told; }, progress_);
-  EXPECT_EQ(told, 3);
+      points, [&](const Evaluation&) { ++reported; }, progress_);
+  EXPECT_EQ(reported, 3);
   for (std::size_t i = 0; i < points.size(); ++i) {
     EXPECT_EQ(found[i].point, points[i]);
     EXPECT_EQ(found[i].responses, (std::vector<double>{points[i][0]}));

@@ -28,14 +28,14 @@ TEST(ParallelEvaluatorTest, AnswersInTheOrderOfThePointsAndReportsEachOnce) {
   });
   std::vector<DesignPoint> points;
   for (int i = 0; i < 100; ++i) points.push_back({static_cast<double>(i)});
-  std::vector<int> told(100);
+  std::vector<int> reported(100);
   NoProgress progress;
   const auto evaluations = evaluator.evaluate(
-      points, [&](const Evaluation& e) { ++told[static_cast<std::size_t>(e.point[0])]; }, progress);
+      points, [&](const Evaluation& e) { ++reported[static_cast<std::size_t>(e.point[0])]; }, progress);
   ASSERT_EQ(evaluations.size(), 100U);
   for (std::size_t i = 0; i < 100; ++i) {
     EXPECT_EQ(evaluations[i].responses, std::vector<double>{static_cast<double>(i * i)});
-    EXPECT_EQ(told[i], 1);
+    EXPECT_EQ(reported[i], 1);
   }
 }
 
@@ -73,13 +73,13 @@ TEST(ParallelEvaluatorTest, StopsWhenCancelledAndHasReportedWhatWasDone) {
     ++tried;
     return std::vector<double>{0.0};
   });
-  int told = 0;
+  int reported = 0;
   CancelAfter progress(tried, 5);
   EXPECT_THROW(
       evaluator.evaluate(
-          std::vector<DesignPoint>(1000, DesignPoint{0.0}), [&](const Evaluation&) { ++told; }, progress),
+          std::vector<DesignPoint>(1000, DesignPoint{0.0}), [&](const Evaluation&) { ++reported; }, progress),
       Cancelled);
-  EXPECT_EQ(told, tried);
+  EXPECT_EQ(reported, tried);
   EXPECT_LT(tried, 1000);
 }
 

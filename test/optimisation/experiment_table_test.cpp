@@ -93,11 +93,11 @@ TEST(TableEvaluatorTest, AnswersFromTheNearestUnusedRowOnly) {
                             {{90.0, 0.0}, {2500.0, NAN}, ""}},
                            0.01);
   NoProgress progress;
-  std::size_t told = 0;
+  std::size_t reported = 0;
   const auto answers = evaluator.evaluate(
-      {{68.7, 1.0}, {68.7, 1.0}, {68.7, 1.0}, {68.7, 0.0}, {90.0, 0.0}}, [&](const Evaluation&) { ++told; },
-      progress);
-  EXPECT_EQ(told, 5U);
+      {{68.7, 1.0}, {68.7, 1.0}, {68.7, 1.0}, {68.7, 0.0}, {90.0, 0.0}},
+      [&](const Evaluation&) { ++reported; }, progress);
+  EXPECT_EQ(reported, 5U);
   EXPECT_EQ(answers[0].point, (DesignPoint{68.73, 1.0}));
   EXPECT_EQ(answers[0].responses, (std::vector<double>{2166.62, 122.0}));
   EXPECT_EQ(answers[1].point, (DesignPoint{69.39, 1.0}));

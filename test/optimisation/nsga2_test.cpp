@@ -61,15 +61,15 @@ TEST(Nsga2SettingsTest, TheSourcesCountsAre36ChildrenAnd20MutantsAnd1170Evaluati
 TEST_P(Nsga2Test, AsksForAsManyEvaluationsAsItSaysAllWithinTheSpace) {
   CountingEvaluator evaluator;
   const Nsga2Settings settings = nsga2SettingsOf(GetParam(), 50, 20);
-  std::vector<int> told;
+  std::vector<int> reported;
   const FrontSearch found = searchFront(
       {mixedSpace(), timeAndError(), evaluator}, settings,
-      [&](const Generation& generation) { told.push_back(generation.evaluations); }, progress_);
+      [&](const Generation& generation) { reported.push_back(generation.evaluations); }, progress_);
   EXPECT_EQ(evaluator.tried(), evaluationsOf(settings));
   EXPECT_EQ(found.evaluations.size(), static_cast<std::size_t>(evaluationsOf(settings)));
-  ASSERT_EQ(told.size(), 21U);
-  EXPECT_EQ(told.front(), 50);
-  EXPECT_EQ(told.back(), evaluationsOf(settings));
+  ASSERT_EQ(reported.size(), 21U);
+  EXPECT_EQ(reported.front(), 50);
+  EXPECT_EQ(reported.back(), evaluationsOf(settings));
   std::vector<int> links(2);
   for (const Evaluation& evaluation : found.evaluations) {
     ASSERT_NO_THROW(requireWithin(mixedSpace(), evaluation.point));

@@ -76,14 +76,14 @@ TEST(SurrogateSearchTest, TriesTheDesignThenWhatItProposesAndKeepsTheBest) {
   chosen.proposal = Proposal::ExpectedImprovement;
   chosen.most_iterations = 12;
   chosen.least_improvement_percent = 0.0;
-  std::vector<std::size_t> told;
+  std::vector<std::size_t> reported;
   NoProgress progress;
   const SurrogateSearch search = searchBySurrogate(
       {unitSpace(1), goals(), evaluator}, {fitLine, {}}, chosen,
-      [&](const SurrogateIteration& iteration) { told.push_back(iteration.index); }, progress);
+      [&](const SurrogateIteration& iteration) { reported.push_back(iteration.index); }, progress);
   EXPECT_EQ(search.design_size, 3U);
   EXPECT_EQ(search.evaluations.size(), 3U + 12U);
-  EXPECT_EQ(told.size(), 12U);
+  EXPECT_EQ(reported.size(), 12U);
   EXPECT_EQ(search.end, SurrogateEnd::Iterations);
   ASSERT_TRUE(search.best);
   EXPECT_NEAR(search.evaluations[*search.best].point[0], 0.5, 0.05);

@@ -52,7 +52,7 @@ double lineDirection(const ToolpathLayer& layer) {
   return angle_deg;
 }
 
-TEST(InfillGroup, IsLaidInItsLastLayerAsHighAsAllOfThem) {
+TEST(InfillGroup, IsDepositedInItsLastLayerAsHighAsAllOfThem) {
   const Toolpath plan = test::plan(block(12), sharedInfill(3));
   for (std::size_t l = 0; l < 12; ++l) {
     EXPECT_EQ(hasInfill(plan.layers[l]), l % 3 == 2) << l;

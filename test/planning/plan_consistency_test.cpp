@@ -41,8 +41,8 @@ TEST_P(DropConsistency, RefusesWhatDropsDoNotFollow) {
                                  "skirt.count=2", "voids.refill=beads", "bead.flow=0.9"}) {
     const SettingText setting = settingFromAssignment(assignment);
     const std::string refusal = refusalOf(GetParam(), {assignment});
-    for (const std::string& told : {setting.key, setting.text, std::string("expected")})
-      EXPECT_NE(refusal.find(told), std::string::npos) << assignment << ": " << refusal;
+    for (const std::string& reported : {setting.key, setting.text, std::string("expected")})
+      EXPECT_NE(refusal.find(reported), std::string::npos) << assignment << ": " << refusal;
     EXPECT_EQ(refusalOf("zigzag", {assignment}), "");
   }
 }
@@ -106,8 +106,8 @@ TEST(ToolConsistency, PurgesIntoHiddenInfillOnly) {
                            "skins.top_layers is 0", "skins.bottom_layers is 0"}) {
     std::string assignment = seen;
     assignment.replace(assignment.find(" is "), 4, "=");
-    const std::string told = refusal({"tools.purge_mm3=40", assignment});
-    EXPECT_NE(told.find(seen), std::string::npos) << told;
+    const std::string reported = refusal({"tools.purge_mm3=40", assignment});
+    EXPECT_NE(reported.find(seen), std::string::npos) << reported;
   }
   EXPECT_EQ(refusal({"tools.purge_mm3=40", "skins.top_layers=0", "skins.top_mm=0.4"}), "");
 }
@@ -119,9 +119,9 @@ TEST(ToolConsistency, NamesTheKeyAndItsValue) {
   EXPECT_NE(of_supports.find("supports.interface_tool is 4"), std::string::npos) << of_supports;
 }
 
-TEST(IroningConsistency, TellsWhatSkinsThereAre) {
-  const std::string told = refusalOf("zigzag", {"ironing.use=true"});
-  EXPECT_NE(told.find("skins.top_layers 0 and skins.top_mm 0 mm"), std::string::npos) << told;
+TEST(IroningConsistency, ReportsWhatSkinsThereAre) {
+  const std::string reported = refusalOf("zigzag", {"ironing.use=true"});
+  EXPECT_NE(reported.find("skins.top_layers 0 and skins.top_mm 0 mm"), std::string::npos) << reported;
 }
 
 INSTANTIATE_TEST_SUITE_P(Strategies, DropConsistency,

@@ -131,7 +131,7 @@ TEST(Planner, NamesLayerAndIslandThatCannotBeFilled) {
   EXPECT_EQ(messageOfFailingFill(breaks), "Internal layer 1 at 0.4 mm, island 1: dot 7");
 }
 
-/// Where the middle of a square's infill lies in the part, as its strategy is told.
+/// Where the middle of a square's infill lies in the part, as its strategy is given it.
 Point3 middleInPart(const Polygon& square, const Eigen::Quaterniond& part_from_layers) {
   Point3 middle = Point3::Zero();
   InfillStrategy strategy;

@@ -47,7 +47,7 @@ TEST(RunPath, KeepsCornersAndLongMotionsOfUnequalWidth) {
   FillPath gap = run;
   gap.points = {{0, 0}, {0.1, 0}, {0.2, 0}};
   gap.width_mm = {0.3, 0.0, 0.3};
-  EXPECT_EQ(withoutShortMotions(gap, kRunBead).points, gap.points) << "nothing is laid in between";
+  EXPECT_EQ(withoutShortMotions(gap, kRunBead).points, gap.points) << "nothing is deposited in between";
 }
 
 TEST(RunPath, LeavesRunsOfOneWidthAndLoops) {

@@ -141,7 +141,7 @@ TEST(ChannelDrive, KeepsTheSlewWithinTheBandAndIsOffAtOnce) {
   EXPECT_EQ(drive.step(plan, 1.00), 0.0);
 }
 
-TEST(ChannelDrive, LimitsToTheBandAndTellsWhatWasAsked) {
+TEST(ChannelDrive, LimitsToTheBandAndReportsWhatWasAsked) {
   ChannelDrive drive(laser(), kDriveCycle);
   const ProcessPlan plan = planOf({{0.0, lit(3000.0)}, {1.0, lit(50.0)}, {2.0, lit(50.0)}});
   EXPECT_EQ(drive.step(plan, 0.0), 2000.0);

@@ -154,7 +154,7 @@ TEST(ProcessBridge, ADeviceThatWasNeverThereIsAnAlarmAfterAWait) {
   EXPECT_EQ(cycle.alarms[0].source, "laser_source");
 }
 
-TEST(ProcessBridge, LatenessIsToldOnceASecondAndTripsWhenItIsTooMuch) {
+TEST(ProcessBridge, LatenessIsReportedOnceASecondAndTripsWhenItIsTooMuch) {
   BridgeRun run;
   run.view.late_s = 0.5;
   run.run(1);  // nothing is on
@@ -266,7 +266,7 @@ TEST(ProcessBridge, InputsAreJudged) {
   EXPECT_EQ(run.alarms[0].message, "power of laser_source is 900 (laser_power_w); expected 1000, within 50");
   EXPECT_EQ(run.alarms[1].message,
             "current of feeder is 0.1 while wire is at 30 (wire_speed_mm_s); expected at least 0.2");
-  EXPECT_EQ(run.last.values, kLaying);  // the driver is told to hold
+  EXPECT_EQ(run.last.values, kLaying);  // the driver is commanded to hold
   EXPECT_NE(run.last.fault, "");
   run.view.measured = {1000.0, 0.5, 1.0};
   run.run(1);

@@ -104,10 +104,10 @@ TEST(ProgramFrame, AProgramIsReadBackAsItWasPlanned) {
     RC_ASSERT(std::abs(inclinationDeg(back) - angle) < 1e-6);
     RC_ASSERT(back.layers.size() == 2U);
     for (std::size_t l = 0; l < 2; ++l) {
-      const Path& told = back.layers[l].paths.back();
+      const Path& read = back.layers[l].paths.back();
       const Path& planned = toolpath.layers[l].paths.back();
-      RC_ASSERT((told.lastPoint() - frame.bed_from_part * planned.lastPoint()).norm() < 6 * kWritten);
-      RC_ASSERT((told.orientation.at(0) * Point3::UnitZ()).isApprox(-layerNormal(toolpath), 1e-9));
+      RC_ASSERT((read.lastPoint() - frame.bed_from_part * planned.lastPoint()).norm() < 6 * kWritten);
+      RC_ASSERT((read.orientation.at(0) * Point3::UnitZ()).isApprox(-layerNormal(toolpath), 1e-9));
     }
     RC_ASSERT(std::abs(totals(back).deposition_mm - 50.0) < 0.02);
     RC_ASSERT(std::abs(totals(back).deposited_mm3 / totals(toolpath).deposited_mm3 - 1.0) < 1e-3);
@@ -147,11 +147,11 @@ TEST(ProgramFrame, DropsOnInclinedLayersAreWrittenAndNotReadBackAsLevel) {
 }
 
 TEST(ProgramFrame, RefusesFramesThatAreNone) {
-  StatedFrame told;
-  EXPECT_FALSE(readFrameComment("TYPE:infill", told));
-  EXPECT_THROW(readFrameComment("LAYER_FRAME: 1 1 0 0", told), InvalidProgram);
-  EXPECT_THROW(readFrameComment("NOZZLE_FRAME: 1 0", told), InvalidProgram);
-  EXPECT_THROW(readFrameComment("BED_FROM_AXES: 1 0 0 0 0 1 0 0 0 1 0 0", told), InvalidProgram);
+  StatedFrame read;
+  EXPECT_FALSE(readFrameComment("TYPE:infill", read));
+  EXPECT_THROW(readFrameComment("LAYER_FRAME: 1 1 0 0", read), InvalidProgram);
+  EXPECT_THROW(readFrameComment("NOZZLE_FRAME: 1 0", read), InvalidProgram);
+  EXPECT_THROW(readFrameComment("BED_FROM_AXES: 1 0 0 0 0 1 0 0 0 1 0 0", read), InvalidProgram);
 }
 
 }  // namespace

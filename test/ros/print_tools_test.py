@@ -87,11 +87,11 @@ class Inclined(unittest.TestCase):
 @mock.patch("rospy.is_shutdown", return_value=False)
 @mock.patch("rospy.Subscriber")
 class ByJoints(unittest.TestCase):
-    def test_what_is_laid_is_compared_with_the_plan(self, *_):
+    def test_what_is_deposited_is_compared_with_the_plan(self, *_):
         process = tool("print_by_joints").Process()
         for seq in range(7, 18):  # 10 s at 1 mm3/s
             process.take(report(seq, seq, 1e-9))
-        self.assertAlmostEqual(process.laid, 10e-9)
+        self.assertAlmostEqual(process.deposited, 10e-9)
         self.assertEqual(process.fault(10e-9), "")
         self.assertRegex(process.fault(12e-9), "deposited 10 mm3; expected 12 mm3")
 
@@ -126,8 +126,8 @@ class CompareDeposit(unittest.TestCase):
         with tempfile.TemporaryDirectory() as scratch:
             root = pathlib.Path(scratch)
             part = compare.Solid(self.box(root / "part.stl", (0, 0, 0), (8, 8, 10)))
-            laid, left_open, outside = compare.shares(part, compare.Solid(self.box(root / "deposit.stl", (4, 0, 0), (12, 8, 5))))
-        self.assertAlmostEqual(laid, 0.5)
+            deposited, left_open, outside = compare.shares(part, compare.Solid(self.box(root / "deposit.stl", (4, 0, 0), (12, 8, 5))))
+        self.assertAlmostEqual(deposited, 0.5)
         self.assertAlmostEqual(left_open, 0.75)
         self.assertAlmostEqual(outside, 0.25)
 
@@ -219,7 +219,7 @@ class Cell(unittest.TestCase):
             with self.assertRaisesRegex(OSError, "exception 2"):
                 plc.read(999, 1)
 
-    def test_a_state_is_told_once(self):
+    def test_a_state_is_reported_once(self):
         timeline = tool("print_cell").Timeline()
         with contextlib.redirect_stdout(io.StringIO()) as said:
             for _ in range(3):

@@ -27,7 +27,7 @@ int exitCodeOfNode(const lamina::NodeRun& run, const std::function<void()>& body
 }
 
 TEST(RunNode, OnlyReportsOfASignalIfAskedTo) {
-  const int exit_code = exitCodeOfNode({"told", lamina::OnSignal::Request}, [] {
+  const int exit_code = exitCodeOfNode({"requested", lamina::OnSignal::Request}, [] {
     std::raise(SIGHUP);
     ros::WallDuration(0.1).sleep();
     ros::spinOnce();

@@ -36,7 +36,7 @@ namespace {
 
 constexpr double kCycle = 0.01;  // s
 
-/// Of 100 cycles a second, told 0.05 s ahead.
+/// Of 100 cycles a second, sent 0.05 s ahead.
 class NoSink final : public CyclicSink {
  public:
   double cycle() const override { return kCycle; }
@@ -89,7 +89,7 @@ TrajectoryChunk there() {
   return {{jointPoint(1.0, sixValues(0.0), sixValues(0.0)), jointPoint(3.0, sixValues(1.0), sixValues(0.0))}};
 }
 
-TEST(CyclicPlayer, PlaysTheCubicThroughItsPointsAndTellsWhatComes) {
+TEST(CyclicPlayer, PlaysTheCubicThroughItsPointsAndReportsWhatComes) {
   Played played(sixValues(0.0));
   ASSERT_EQ(played.refusal(there()), "");
   EXPECT_FALSE(played.player.isAtRest());
@@ -210,7 +210,7 @@ TEST(CyclicPlayer, BrakesWhenACycleComesTooLate) {
   }
 }
 
-TEST(CyclicPlayer, TellsNoCycleTwice) {
+TEST(CyclicPlayer, SendsNoCycleTwice) {
   Played played(sixValues(0.0));
   ASSERT_NE(played.player.advance(0.0, 0.021), nullptr);
   EXPECT_EQ(played.player.advance(0.02, 0.022), nullptr);
@@ -218,7 +218,7 @@ TEST(CyclicPlayer, TellsNoCycleTwice) {
   EXPECT_EQ(played.player.target().cycle, 2);
 }
 
-TEST(CyclicPlayer, TellsNoTargetThatAJointCannotComeTo) {
+TEST(CyclicPlayer, SendsNoTargetThatAJointCannotComeTo) {
   Played played(sixValues(0.0));
   TrajectoryChunk jump = sampledChunk(steadily, 0.0, 2.0, 0.1);
   for (std::size_t i = 10; i < jump.points.size(); ++i) jump.points[i].position[1] += 0.5;

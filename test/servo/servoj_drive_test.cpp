@@ -84,7 +84,7 @@ TEST(ServojDrive, BrakesOnThePathAtItsEnd) {
   EXPECT_LT(robot.report().position[0], 2.0);
 }
 
-TEST(ServojDrive, BrakesWhenItIsTold) {
+TEST(ServojDrive, BrakesWhenItIsAskedTo) {
   EmulatedRobot robot({}, sixValues(0.0));
   ServojDrive drive(sixJoints(), patientDrive(robot.port()));
   ASSERT_TRUE(connects(drive));

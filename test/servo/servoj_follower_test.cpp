@@ -11,8 +11,8 @@ namespace {
 
 constexpr double kServoCycle = 0.002;  // s
 
-/// What is told in a cycle of a motion.
-CyclicTarget toldOf(const std::function<JointState(double)>& motion, std::int64_t cycle, double ahead_s) {
+/// What is sent in a cycle of a motion.
+CyclicTarget targetOf(const std::function<JointState(double)>& motion, std::int64_t cycle, double ahead_s) {
   const JointState now = motion(kServoCycle * static_cast<double>(cycle));
   const JointState ahead = motion(kServoCycle * static_cast<double>(cycle) + ahead_s);
   return {cycle, {now.position, now.velocity}, {ahead.position, ahead.velocity}};
@@ -24,7 +24,7 @@ TEST(ServojFollower, WaitsForItsFirstTargetAndFollows) {
   EXPECT_EQ(robot.report().state, ServojState::Waiting);
   EXPECT_EQ(robot.position()[0], 0.3);
   for (int k = 1; k <= 500; ++k) {
-    robot.hear(toldOf(steadily, k, 0.02));
+    robot.hear(targetOf(steadily, k, 0.02));
     robot.cycle();
     EXPECT_NEAR(robot.position()[0], kServoCycle * k, 1e-9);
   }
@@ -37,7 +37,7 @@ TEST(ServojFollower, WaitsForItsFirstTargetAndFollows) {
 TEST(ServojFollower, LagsAsItsServoDoes) {
   ServojFollower robot({}, 0.02, sixValues(0.0));
   for (int k = 1; k <= 500; ++k) {
-    robot.hear(toldOf(steadily, k, 0.02));
+    robot.hear(targetOf(steadily, k, 0.02));
     robot.cycle();
   }
   // A lag of first order in steps: step / (1 - exp(-step / lag)) - step behind.
@@ -48,7 +48,7 @@ TEST(ServojFollower, LagsAsItsServoDoes) {
 TEST(ServojFollower, GoesOnAsPlannedWithoutNewTargets) {
   ServojFollower robot({}, 0.0, sixValues(0.5));
   for (int k = 1; k <= 500; ++k) {
-    if (k % 7 != 3 && k % 7 != 4) robot.hear(toldOf(round, k, 0.02));
+    if (k % 7 != 3 && k % 7 != 4) robot.hear(targetOf(round, k, 0.02));
     robot.cycle();
     EXPECT_NEAR(robot.position().norm(), 0.5, 1e-7);
     EXPECT_NEAR(std::atan2(robot.position()[1], robot.position()[0]), kServoCycle * k, 1e-5);
@@ -62,7 +62,7 @@ TEST(ServojFollower, StopsOnThePathAfterASilence) {
   settings.stop_rad_s2 = 5.0;
   ServojFollower robot(settings, 0.0, sixValues(0.0));
   for (int k = 1; k <= 500; ++k) {
-    robot.hear(toldOf(steadily, k, 0.02));
+    robot.hear(targetOf(steadily, k, 0.02));
     robot.cycle();
   }
   int cycles = 0;
@@ -74,16 +74,16 @@ TEST(ServojFollower, StopsOnThePathAfterASilence) {
   while (!robot.isAtRest()) robot.cycle();
   // 20 ms on, and 1 rad/s to rest by 5 rad/s2.
   EXPECT_NEAR(robot.position()[0], 1.0 + 0.02 + 0.1, 1e-6);
-  robot.hear(toldOf(steadily, 600, 0.02));
+  robot.hear(targetOf(steadily, 600, 0.02));
   for (int i = 0; i < 10; ++i) robot.cycle();
   EXPECT_EQ(robot.report().state, ServojState::Silent) << "for good";
   EXPECT_NEAR(robot.position()[0], 1.12, 1e-6);
 }
 
-TEST(ServojFollower, EndsWhenItIsToldTo) {
+TEST(ServojFollower, EndsWhenItIsAskedTo) {
   ServojFollower robot({}, 0.0, sixValues(0.0));
   for (int k = 1; k <= 500; ++k) {
-    robot.hear(toldOf(steadily, k, 0.02));
+    robot.hear(targetOf(steadily, k, 0.02));
     robot.cycle();
   }
   robot.end();
@@ -98,13 +98,13 @@ TEST(ServojFollower, CountsWhatLiesBeyondWhatWasPlanned) {
   patient.silence_s = 0.3;
   ServojFollower robot(patient, 0.0, sixValues(0.0));
   for (int k = 1; k <= 100; ++k) {
-    robot.hear(toldOf(steadily, k, patient.ahead()));
+    robot.hear(targetOf(steadily, k, patient.ahead()));
     robot.cycle();
   }
   for (int i = 0; i < 100; ++i) robot.cycle();
   EXPECT_GT(robot.following().without, 0U);
   EXPECT_NEAR(robot.position()[0], 0.2 + 0.1, 1e-6) << "stands where the plan ends";
-  robot.hear(toldOf(steadily, 400, patient.ahead()));
+  robot.hear(targetOf(steadily, 400, patient.ahead()));
   robot.cycle();
   EXPECT_NEAR(robot.position()[0], 0.8, 0.25) << "takes up the count again";
 }

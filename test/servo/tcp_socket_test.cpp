@@ -12,7 +12,7 @@
 namespace lamina::test {
 namespace {
 
-TEST(TcpSocket, CarriesBytesAndTellsWhenTheOtherEndHasGone) {
+TEST(TcpSocket, CarriesBytesAndReportsWhenTheOtherEndHasGone) {
   const TcpSocket door = TcpSocket::listeningOn("127.0.0.1", 0);
   EXPECT_FALSE(door.accepted().isOpen());
   TcpSocket one = TcpSocket::connectedTo("127.0.0.1", door.port(), 1.0);

@@ -49,7 +49,7 @@ class StartupSessionTest : public testing::Test {
     session_ = std::make_unique<StartupSession>(settings_, stream_, MachinePort{port(), 115200},
                                                 [this](const auto& steps) {
                                                   const std::lock_guard<std::mutex> lock(mutex_);
-                                                  told_ = steps;
+                                                  reported_ = steps;
                                                 });
   }
   std::string port() const { return folder_.file("machine"); }
@@ -109,7 +109,7 @@ class StartupSessionTest : public testing::Test {
   StreamSettings stream_;
   mutable std::mutex mutex_;
   std::vector<std::string> commands_;
-  std::vector<StartupStatus> told_;  ///< to the observer, last
+  std::vector<StartupStatus> reported_;  ///< to the observer, last
   std::unique_ptr<EmulatedMachine> machine_;
   std::unique_ptr<StartupSession> session_;
 };
@@ -176,8 +176,8 @@ TEST_F(StartupSessionTest, LeavesTheMachineSafeWhenItEnds) {
   EXPECT_DOUBLE_EQ(machine_->bedTarget(), 40.0);
   session_.reset();
   EXPECT_DOUBLE_EQ(machine_->bedTarget(), 0.0);
-  ASSERT_FALSE(told_.empty());
-  for (const StartupStatus& status : told_) {
+  ASSERT_FALSE(reported_.empty());
+  for (const StartupStatus& status : reported_) {
     EXPECT_NE(status.state, State::Done) << toString(status.step);
     EXPECT_NE(status.state, State::Running) << toString(status.step);
   }
@@ -191,7 +191,7 @@ TEST_F(StartupSessionTest, SaysThatABedIsHotThatItMayNotSwitchOff) {
   expectState(StartupSessionStep::HeatBed, State::Done);
   session_.reset();
   EXPECT_DOUBLE_EQ(machine_->bedTarget(), 40.0);
-  EXPECT_TRUE(std::any_of(told_.begin(), told_.end(), [](const StartupStatus& status) {
+  EXPECT_TRUE(std::any_of(reported_.begin(), reported_.end(), [](const StartupStatus& status) {
     return status.step == StartupSessionStep::HeatBed && status.state == State::Done;
   }));
 }

@@ -71,13 +71,13 @@ TEST(CommandMeasurement, RunsCommandsInOrderInOneScratchFolderThatIsGoneAfterwar
   study.commands->responses = {{"y", "tell", "/y"}};
   EXPECT_EQ(measured(study, 1.0), 1.0);
   study.commands->responses = {{"y", "tell", "/path"}};
-  const std::string told = refusalOf(study);
-  const std::size_t begin = told.find('"') + 1;
-  const std::string folder = told.substr(begin, told.find('"', begin) - begin);
+  const std::string reported = refusalOf(study);
+  const std::size_t begin = reported.find('"') + 1;
+  const std::string folder = reported.substr(begin, reported.find('"', begin) - begin);
   const test::ScratchFolder beside;
   EXPECT_EQ(std::filesystem::path(folder).parent_path(),
             std::filesystem::path(beside.file("")).parent_path().parent_path())
-      << told;
+      << reported;
   EXPECT_FALSE(std::filesystem::exists(folder));
 }
 
@@ -116,10 +116,10 @@ TEST(CommandMeasurement, ReportsTheEndOfWhatIsLongInWholeCharacters) {
   for (const std::string& shift : shifts) {
     std::string characters;
     for (int i = 0; i < 400; ++i) characters += "\xE2\x82\xAC";
-    const std::string told =
+    const std::string reported =
         refusalOf(studyOf({"sh", "-c", "echo '" + characters + shift + "' >&2; exit 1"}));
-    EXPECT_NE(told.find(": ...\xE2\x82\xAC"), std::string::npos) << told;
-    EXPECT_LT(told.size(), 600U);
+    EXPECT_NE(reported.find(": ...\xE2\x82\xAC"), std::string::npos) << reported;
+    EXPECT_LT(reported.size(), 600U);
   }
   EXPECT_LT(refusalOf(studyOf({"echo", "{\"y\": \"" + std::string(5000, 'a') + "\"}"})).size(), 700U);
 }

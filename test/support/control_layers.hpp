@@ -8,8 +8,8 @@
 
 namespace lamina::test {
 
-/// A layer of straight beads along x at these y, 3 x 1.5 mm, laid at 10 mm/s, with a travel before each but
-/// the first.
+/// A layer of straight beads along x at these y, 3 x 1.5 mm, deposited at 10 mm/s, with a travel before each
+/// but the first.
 inline ToolpathLayer straightBeadLayer(const std::vector<double>& beads_y, double length_mm,
                                        double z_mm = 1.5) {
   ToolpathLayer layer{z_mm, 1.5, {}};

@@ -137,7 +137,7 @@ class WallPrinter {
     if (!heights) return;
     plan_.resize(k + 1);
     plan_.insert(plan_.end(), heights->heights_mm.begin(), heights->heights_mm.end());
-    plan_[k] -= figures.mean_error_mm;  // heights count from what is laid
+    plan_[k] -= figures.mean_error_mm;  // heights count from what is deposited
     flow_ *= heights->flow;
     loop_.replan(-figures.mean_error_mm, heights->flow);
     status_ = afterReplan(status_, -figures.mean_error_mm);
@@ -188,7 +188,7 @@ class WallPrinter {
     heights_ = plant_.afterBead(bead, heights_);
   }
 
-  /// What the feeder is told by time; of a program it knows the end of the layer below.
+  /// What the feeder is commanded by time; of a program it knows the end of the layer below.
   TimedValues commanded(const LayerCorrection& correction) {
     const LayerCells& cells = loop_.cells();
     if (!wall_.is_commanded_by_place) {
@@ -197,12 +197,12 @@ class WallPrinter {
     }
     const std::vector<double> times = timesOf(cells);
     const std::vector<double> led = ledCorrection(cells, correction.amount, wall_.lead, wall_.loop);
-    TimedValues told = told_;
-    for (double& time_s : told.time_s) time_s -= wall_.length_mm / wall_.speed_mm_s;
-    told.time_s.insert(told.time_s.end(), times.begin(), times.end());
-    told.value.insert(told.value.end(), led.begin(), led.end());
-    told_ = {times, led};
-    return told;
+    TimedValues joined = commanded_before_;
+    for (double& time_s : joined.time_s) time_s -= wall_.length_mm / wall_.speed_mm_s;
+    joined.time_s.insert(joined.time_s.end(), times.begin(), times.end());
+    joined.value.insert(joined.value.end(), led.begin(), led.end());
+    commanded_before_ = {times, led};
+    return joined;
   }
 
   void measure(std::size_t k) {
@@ -244,7 +244,7 @@ class WallPrinter {
   std::vector<double> heights_;
   std::vector<double> amount_;
   double shift_mm_ = 0.0;
-  TimedValues told_;  ///< to the feeder in the layer below
+  TimedValues commanded_before_;  ///< to the feeder in the layer below
 };
 
 inline PrintedWall printedWall(const WallCase& wall) { return WallPrinter(wall).print(); }

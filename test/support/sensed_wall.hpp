@@ -30,8 +30,8 @@ enum class SensorDoes {
   SpoutGarbage    ///< clouds of anything, some of them of long ago
 };
 
-/// A straight wall, one bead a layer, laid along x and scanned on the way back, by a process that lays
-/// `growth` of what it is told; the loop over it changes what it is told.
+/// A straight wall, one bead a layer, deposited along x and scanned on the way back, by a process that lays
+/// `growth` of what is commanded; the loop over it changes what is commanded.
 struct SensedWallCase {
   LoopRunSettings settings;
   double growth = 0.9;
@@ -48,19 +48,19 @@ struct SensedWallCase {
   int scans = 1;                                             ///< passes over the wall, odd
   double scan_margin_mm = 0.0;                               ///< beyond both of its ends
   double lag_s = 0.05;
-  /// Growth over `growth`, by the number of the layer laid; 1 where empty.
+  /// Growth over `growth`, by the number of the layer deposited; 1 where empty.
   std::function<double(std::size_t layer, double along_mm)> grows = {};
-  /// What befalls the wall once a layer is laid: heights 1 mm apart.
+  /// What befalls the wall once a layer is deposited: heights 1 mm apart.
   std::function<void(std::size_t layer, std::vector<double>& heights_mm)> befalls = {};
-  /// What the operator does with the loop while the bead of a layer is laid.
+  /// What the operator does with the loop while the bead of a layer is deposited.
   std::function<void(std::size_t layer, LoopRun& run)> operates = {};
   std::string machine = {};    ///< that it is printed on
   bool follows_plans = false;  ///< goes on with a plan as soon as it is offered
   /// Whether the machine lays a layer as planned, having waited for its map in vain.
   std::function<bool(std::size_t layer)> misses_map = {};
-  /// Of such a layer the way that is laid before the map holds after all; none where it never does.
+  /// Of such a layer the way that is deposited before the map holds after all; none where it never does.
   std::optional<double> missed_mm = {};
-  bool is_miss_told_early = false;  ///< while the layer before is laid
+  bool is_miss_told_early = false;  ///< while the layer before is deposited
 };
 
 /// What was sent and what came of it. Heights lie 1 mm apart along the wall.
@@ -138,7 +138,7 @@ class SensedWallPrinter {
     LoopRun run(printed_.part, wall_.settings);
     run_ = &run;
     take();
-    for (std::size_t k = 0; k < toolpath_.layers.size(); ++laid_) {
+    for (std::size_t k = 0; k < toolpath_.layers.size(); ++deposited_) {
       printLayer(k);
       k = goesOn() ? 0 : k + 1;
     }
@@ -158,17 +158,17 @@ class SensedWallPrinter {
     take();
     const double planned_mm = plannedHeight(toolpath_.layers[k].paths[0]);
     for (std::size_t i = 0; i < places(); ++i) {
-      const double grows = wall_.grows ? wall_.grows(laid_, static_cast<double>(i)) : 1.0;
+      const double grows = wall_.grows ? wall_.grows(deposited_, static_cast<double>(i)) : 1.0;
       surface_[i] += wall_.growth * grows * planned_mm * (1.0 + amountAt(k, i));
     }
-    if (wall_.befalls) wall_.befalls(laid_, surface_);
+    if (wall_.befalls) wall_.befalls(deposited_, surface_);
     printed_.heights_mm.push_back(surface_);
     const auto& paths = toolpath_.layers[k].paths;
     go(paths[0].points[0], paths[0].points[1], wall_.speed_mm_s, SensorDoes::KeepSilent);
-    const std::size_t told = wall_.is_miss_told_early ? k + 1 : k;
-    if (misses(told)) run_->missMap(missed(told));
+    const std::size_t reported = wall_.is_miss_told_early ? k + 1 : k;
+    if (misses(reported)) run_->missMap(missed(reported));
     if (wall_.operates) wall_.operates(k, *run_);
-    const SensorDoes does = wall_.sensor ? wall_.sensor(laid_) : SensorDoes::Measure;
+    const SensorDoes does = wall_.sensor ? wall_.sensor(deposited_) : SensorDoes::Measure;
     const auto& scan = paths[1].points;
     for (std::size_t m = 0; m + 1 < scan.size(); ++m)
       go(scan[m], scan[m + 1], wall_.scan_mm_s, m > 0 && m + 2 < scan.size() ? does : SensorDoes::KeepSilent);
@@ -187,11 +187,11 @@ class SensedWallPrinter {
     return true;
   }
 
-  /// What a bead grows by where the process lays what it is told: its volume over the width of the wall.
+  /// What a bead grows by where the process lays what is commanded: its volume over the width of the wall.
   double plannedHeight(const Path& bead) const {
-    const Bead& laid = bead.bead.at(1);
-    const double as_wide = crossSection({wall_.width_mm, laid.height_mm});
-    return laid.height_mm * crossSection(laid) / as_wide;
+    const Bead& deposited = bead.bead.at(1);
+    const double as_wide = crossSection({wall_.width_mm, deposited.height_mm});
+    return deposited.height_mm * crossSection(deposited) / as_wide;
   }
 
   bool misses(std::size_t layer) const { return wall_.misses_map && wall_.misses_map(layer); }
@@ -289,7 +289,7 @@ class SensedWallPrinter {
   Random random_;
   Toolpath toolpath_;  ///< under way
   std::string toolpath_id_;
-  std::size_t laid_ = 0;  ///< layers, of all plans
+  std::size_t deposited_ = 0;  ///< layers, of all plans
   std::int64_t now_ns_;
   double speed_mm_s_ = 0.0;  ///< of the sensor along the wall
   std::vector<double> surface_;
@@ -304,7 +304,7 @@ inline SensedWall sensedWall(const SensedWallCase& wall) { return SensedWallPrin
 struct WallTruth {
   std::vector<double> error_mm;  ///< of each layer's top
   std::vector<double> gain;      ///< learnt with it
-  std::vector<double> amount;    ///< that it is laid with
+  std::vector<double> amount;    ///< that it is deposited with
 };
 
 inline WallTruth wallTruth(const SensedWallCase& wall) {

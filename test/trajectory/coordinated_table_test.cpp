@@ -20,7 +20,7 @@ constexpr double kFeed = 8.0;     // mm/s
 constexpr double kRadius = 60.0;  // mm
 constexpr int kSides = 72;
 
-/// Rings above each other, each leaning out by 15 deg more than the one below, laid without a travel.
+/// Rings above each other, each leaning out by 15 deg more than the one below, deposited without a travel.
 Toolpath leaningRings(int count) {
   Path path;
   path.role = PathRole::OuterWall;

@@ -9,7 +9,7 @@
 namespace lamina::test {
 namespace {
 
-TEST(CellHistory, TellsWhatHasChanged) {
+TEST(CellHistory, ReportsWhatHasChanged) {
   CellHistory history;
   CellSnapshot seen;
   history.observe(seen, {0.0, 100.0});

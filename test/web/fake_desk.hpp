@@ -12,7 +12,7 @@
 
 namespace lamina::test {
 
-/// A cell that notes what it is asked, and answers as it is told.
+/// A cell that notes what it is asked, and answers as it is set to.
 class FakeDesk final : public CellDesk {
  public:
   CellSnapshot seen;

@@ -37,7 +37,7 @@ TEST(OctoPrint, MapsStatesOfTheUnit) {
   }
 }
 
-TEST(OctoPrint, QueuesWhatIsSentAndReleasesItOnlyIfToldTo) {
+TEST(OctoPrint, QueuesWhatIsSentAndReleasesItOnlyIfAskedTo) {
   SiteOfFakes site(closedLoopback());
   const std::string path = site.folder.path() + "/sent";
   writeFile(path, "G1 X1\n");
@@ -129,7 +129,7 @@ TEST(OctoPrint, GivesAnApplicationATokenOnceSomebodyAllowsIt) {
   ASSERT_EQ(given.status, 200);
   const std::string key = nlohmann::json::parse(given.body)["api_key"];
   EXPECT_EQ(site.get("/api/v1/session", key)["role"], "sender");
-  EXPECT_EQ(site.ask(HttpMethod::Get, place, {}).status, 404) << "a key is told once";
+  EXPECT_EQ(site.ask(HttpMethod::Get, place, {}).status, 404) << "a key is shown once";
   const WebResponse second = site.ask(HttpMethod::Post, "/plugin/appkeys/request", {}, R"({"app":"Other"})");
   EXPECT_EQ(site.ask(HttpMethod::Post, "/api/v1/keys/2/deny", anna).status, 200);
   EXPECT_EQ(site.ask(HttpMethod::Get, second.headers.at(0).second, {}).status, 404);

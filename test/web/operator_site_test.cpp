@@ -281,7 +281,7 @@ TEST(OperatorSite, DoesNotRunARequestAgainThatWasCutOff) {
   EXPECT_EQ(site.desk.orders().size(), 2U);
   site.desk.next = {DeskAnswer::Outcome::Unsure, 0, "it may still do what was asked", 0};
   EXPECT_EQ(site.ask(HttpMethod::Post, "/api/v1/jobs/5/release", page).status, 504);
-  EXPECT_EQ(site.ask(HttpMethod::Post, "/api/v1/jobs/5/release", page).status, 504) << "told again";
+  EXPECT_EQ(site.ask(HttpMethod::Post, "/api/v1/jobs/5/release", page).status, 504) << "reported again";
   EXPECT_EQ(site.desk.orders().size(), 3U);
   // As a page leaves it that is killed between the deed and its answer.
   EXPECT_FALSE(site.store.begin("0 k2", "its digest", site.now.utc_s));
@@ -343,7 +343,7 @@ TEST(OperatorSite, GivesSendersTheStateOnly) {
   EXPECT_NE(site.site.live(WebRole::Viewer).text->find("queue"), std::string::npos);
 }
 
-TEST(OperatorSite, TellsThatTheCellHasGoneSilent) {
+TEST(OperatorSite, ReportsThatTheCellHasGoneSilent) {
   SiteOfFakes site;
   site.desk.seen.heard_s = site.now.steady_s;
   site.site.observe({site.now.steady_s + 3.0, site.now.utc_s});
@@ -352,7 +352,7 @@ TEST(OperatorSite, TellsThatTheCellHasGoneSilent) {
   EXPECT_NE(site.site.live(WebRole::Viewer).text->find(R"("is_fresh":false)"), std::string::npos);
 }
 
-TEST(OperatorSite, TellsThatAProgramIsBeingReadWithoutWaitingForIt) {
+TEST(OperatorSite, ReportsThatAProgramIsBeingReadWithoutWaitingForIt) {
   SiteOfFakes site;
   site.desk.shown_layer = LayerPreview{};
   site.desk.is_being_read = true;

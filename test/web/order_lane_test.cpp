@@ -156,7 +156,7 @@ TEST(OrderLane, BoundsHowManyWait) {
   for (auto& order : orders) EXPECT_EQ(order.get().outcome, Outcome::Done);
 }
 
-TEST(OrderLane, TellsWhetherWhatWasNotAnsweredMayStillBeDone) {
+TEST(OrderLane, ReportsWhetherWhatWasNotAnsweredMayStillBeDone) {
   HeldUpLane held;
   const DeskAnswer silent = held.ask("mode", OrderEffect::Other, 0.01).get();
   EXPECT_EQ(silent.outcome, Outcome::Silent);

@@ -322,7 +322,7 @@ TEST(WebServer, AnswersOthersWhileManyConnectionsSayNothing) {
   }
 }
 
-TEST(WebServer, TellsStatesOverWebSocketsAndAnswersPings) {
+TEST(WebServer, ReportsStatesOverWebSocketsAndAnswersPings) {
   ServerOfFakes fakes;
   fakes.site.site.observe(fakes.site.now);
   const RawClient client(fakes.server.port());

@@ -64,7 +64,7 @@ class ActiveAlarms {
   std::optional<AlarmCategory> gravest() const;
 
  private:
-  struct LastTold {
+  struct LastReport {
     int id = 0;
     double at_s = 0.0;
   };
@@ -72,7 +72,7 @@ class ActiveAlarms {
   bool isFlooding(int id, double now_s);
 
   std::vector<ActiveAlarm> alarms_;
-  std::vector<LastTold> last_told_;
+  std::vector<LastReport> last_reports_;
 };
 
 }  // namespace lamina

@@ -126,7 +126,7 @@ class HostWatch {
   std::string master_defect_;
   std::optional<double> free_bytes_;
   std::vector<HostAlarm> events_;
-  std::optional<Conditions> told_;
+  std::optional<Conditions> reported_;
 };
 
 }  // namespace lamina

@@ -29,7 +29,8 @@ struct PlcReport {
   PlcInterlocks interlocks;
   PlcHeartbeat heartbeat = PlcHeartbeat::Unarmed;
   WatchdogAction on_silence = WatchdogAction::Hold;
-  bool is_plate_told = false;  ///< whether the PLC has written its plate register since the link was started
+  bool is_plate_written =
+      false;  ///< whether the PLC has written its plate register since the link was started
   bool is_part_removed = false;
   bool is_guard_closed = false;
 };

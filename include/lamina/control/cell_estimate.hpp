@@ -89,9 +89,9 @@ class CellEstimate {
   /// @param spread  relative standard deviation of growth
   void press(const DepositedGrowth& growth, double spread);
   /// Amends the last `lay`: the layer of height `planned_mm` was deposited with `correction`, not with
-  /// `told`, the correction that `lay` was given. The expected error is amended only if the cell was not seen
-  /// since.
-  void relay(double planned_mm, double told, double correction);
+  /// `assumed`, the correction that `lay` was given. The expected error is amended only if the cell was not
+  /// seen since.
+  void relay(double planned_mm, double assumed, double correction);
 
   /// Refers the estimate to a new plan, which is higher by `raised_mm` at this cell and deposits `flow` times
   /// the volume.

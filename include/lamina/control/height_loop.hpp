@@ -148,7 +148,7 @@ class HeightLoop {
   std::vector<double> learnt_;   ///< amounts learnt from previous parts; empty if there are none
   std::vector<double> deficit_;  ///< lack of cross-section, of a pressed process
   std::vector<bool> is_section_seen_;
-  std::vector<double> laid_;            ///< correction of the layer
+  std::vector<double> applied_;         ///< correction of the layer
   double cloud_sigma_mm_ = 0.0;         ///< greatest standard deviation of the cloud's readings
   LayerKnowledge before_clouds_;        ///< what would be known if no cloud had shown the layer below
   std::vector<double> before_deficit_;  ///< `deficit_` if no cloud had shown the layer below

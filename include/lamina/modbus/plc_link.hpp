@@ -80,7 +80,7 @@ class PlcLink {
   std::uint32_t news() const { return news_; }
 
   /// Whether the PLC has written the register of its plate; before that the register has no meaning.
-  bool isPlateTold() const { return is_plate_told_; }
+  bool isPlateWritten() const { return is_plate_written_; }
 
   /// The values that the PLC has written.
   PlcInputs inputs() const { return plcInputs(holding_, settings_.word_order); }
@@ -104,7 +104,7 @@ class PlcLink {
   PlcHeartbeat watchdog_ = PlcHeartbeat::Unarmed;
   double heard_s_ = 0.0;
   bool was_refused_ = false;
-  bool is_plate_told_ = false;
+  bool is_plate_written_ = false;
   std::uint32_t news_ = 0;
   std::vector<PlcOrder> orders_;
 };

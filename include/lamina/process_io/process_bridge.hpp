@@ -105,7 +105,7 @@ class ProcessBridge {
   std::optional<double> off_since_s_;
   std::optional<double> beam_since_s_;
   double chunk_late_s_ = 0.0;  ///< since the last cycle
-  double told_late_s_;
+  double late_reported_s_;
   std::uint64_t overtaken_ = 0;
   std::uint64_t late_chunks_ = 0;
 };

@@ -51,7 +51,7 @@ class CyclicPlayer {
   ///   position, or the motion cannot be joined in time; also while braking. Nothing changes then.
   void accept(const TrajectoryChunk& chunk, double now_s);
   /// Brakes from the next cycle on; without effect at rest.
-  void brake() { is_told_ = !points_.empty(); }
+  void brake() { is_brake_requested_ = !points_.empty(); }
 
   /// The target of the newest cycle that is due; null if it was returned already.
   /// @param due_s  time at which the first cycle was due for which there was no call yet
@@ -102,8 +102,8 @@ class CyclicPlayer {
   std::size_t passed_ = 0;     ///< index of the last point passed
   std::optional<Brake> brake_;
   std::optional<CyclicFault> fault_;
-  bool is_told_ = false;
-  std::optional<double> told_s_;  ///< time at which the last target was due
+  bool is_brake_requested_ = false;
+  std::optional<double> last_due_s_;  ///< time at which the last target was due
   CyclicTarget target_;
 };
 

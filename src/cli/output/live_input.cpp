@@ -30,8 +30,8 @@ void LiveInput::follow(StreamSession& session) {
 
 void LiveInput::tell(const StreamSession& session) {
   const std::string message = session.status().message;
-  if (message == told_) return;
-  told_ = message;
+  if (message == reported_) return;
+  reported_ = message;
   if (!message.empty()) std::fprintf(stderr, "machine: %s\n", message.c_str());
 }
 

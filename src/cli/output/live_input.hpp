@@ -22,7 +22,7 @@ class LiveInput {
   static std::string follow(StreamSession& session, const std::string& line);
 
   std::string typed_;
-  std::string told_;  ///< the session's message
+  std::string reported_;  ///< the session's message
   bool is_over_ = false;
 };
 

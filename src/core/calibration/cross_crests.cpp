@@ -251,10 +251,10 @@ Eigen::Isometry3d placedOverCross(const CrossTarget& target, const ViewPoints& v
         "and 5 deg of where it is thought to be");
   const Eigen::Matrix3d turn = view.bed_from_nozzle.front().linear();
   const Eigen::Matrix3d about = Eigen::AngleAxisd(best.turn, Eigen::Vector3d::UnitZ()).toRotationMatrix();
-  Eigen::Isometry3d laid = nozzle_from_sensor;
-  laid.linear() = turn.transpose() * about * turn * nozzle_from_sensor.linear();
-  laid.translation() += turn.transpose() * Point3(best.shift.x(), best.shift.y(), 0.0);
-  return laid;
+  Eigen::Isometry3d corrected = nozzle_from_sensor;
+  corrected.linear() = turn.transpose() * about * turn * nozzle_from_sensor.linear();
+  corrected.translation() += turn.transpose() * Point3(best.shift.x(), best.shift.y(), 0.0);
+  return corrected;
 }
 
 }  // namespace lamina

@@ -300,7 +300,7 @@ Pose fittedByRounds(PoseProblem& problem, Pose pose, const SensorPoseSettings& s
 
 /// Fits from the start; keeps one direction that is not determined and fits the others again, until all are:
 /// what looks badly determined beside it may be determined well without it.
-Pose fittedWhereTold(PoseProblem& problem, const Pose& start, const SensorPoseSettings& settings) {
+Pose fittedWhereDetermined(PoseProblem& problem, const Pose& start, const SensorPoseSettings& settings) {
   for (;;) {
     Pose pose = fittedByRounds(problem, start, settings);
     const auto at_fit = nextKept(scaledInformation(problem, pose, settings), problem.is_kept);
@@ -339,7 +339,7 @@ Eigen::Isometry3d placedOverCrosses(const std::vector<SensorView>& views, const 
   level.target = &bed;
   level.view = viewPoints(cross->recording, settings.time_offset_s);
   problem.views.push_back(std::move(level));
-  const Pose pose = fittedWhereTold(problem, Pose::Zero(), settings);
+  const Pose pose = fittedWhereDetermined(problem, Pose::Zero(), settings);
   return placedOverCross(std::get<CrossTarget>(cross->target), problem.views[0].view, moved(about, pose));
 }
 
@@ -350,7 +350,7 @@ SensorPoseFit fitSensorPose(const std::vector<SensorView>& views, const Eigen::I
   if (views.empty()) throw InvalidInput("there is no view; expected a recording of a target");
   PoseProblem problem = problemOf(views, about, settings.time_offset_s);
   const Pose start = between(about, placedOverCrosses(views, about, settings));
-  const Pose pose = fittedWhereTold(problem, start, settings);
+  const Pose pose = fittedWhereDetermined(problem, start, settings);
   return describedFit(problem, pose, settings);
 }
 

@@ -84,9 +84,9 @@ void ActiveAlarms::removeSettled() {
 }
 
 bool ActiveAlarms::isFlooding(int id, double now_s) {
-  const auto last = findAlarm(last_told_, id);
-  if (last == last_told_.end()) {
-    last_told_.push_back({id, now_s});
+  const auto last = findAlarm(last_reports_, id);
+  if (last == last_reports_.end()) {
+    last_reports_.push_back({id, now_s});
     return false;
   }
   if (now_s - last->at_s < kFloodInterval) return true;

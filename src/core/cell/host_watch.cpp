@@ -21,9 +21,9 @@ constexpr int kNodeRestarted = 8005;
 constexpr int kDiskNearlyFull = 7002;
 constexpr std::array<int, 5> kConditions = {kDiskNearlyFull, kHostLost, kMasterLost, kClockOff, kClockFarOff};
 
-constexpr double kStep = 0.005;         // [s] of the clock, between two ticks
-constexpr double kStepIsTold = 10.0;    // [s]: until the clocks were compared anew
-constexpr std::size_t kQuestions = 64;  // an answer that comes later is none
+constexpr double kStep = 0.005;           // [s] of the clock, between two ticks
+constexpr double kStepIsReported = 10.0;  // [s]: until the clocks were compared anew
+constexpr std::size_t kQuestions = 64;    // an answer that comes later is none
 constexpr double kMebibyte = 1048576.0;
 
 std::string milliseconds(double duration_s) { return decimalText(duration_s * 1e3, 1) + " ms"; }
@@ -137,7 +137,7 @@ void HostWatch::judgeClock(Conditions& found, const PeerStatus& peer) const {
 HostWatch::Conditions HostWatch::conditions(CellTime now) {
   Conditions found;
   judgePeers(found, now);
-  if (!peers_.empty() && now.steady_s - stepped_at_s_ < kStepIsTold)
+  if (!peers_.empty() && now.steady_s - stepped_at_s_ < kStepIsReported)
     found[settings_.is_clock_needed ? kClockFarOff : kClockOff] = {
         stepped_by_s_ * 1e3, "the clock of " + settings_.host + " was set by " + milliseconds(stepped_by_s_) +
                                  " at once; expected it to be led slowly"};
@@ -158,10 +158,10 @@ HostWatch::Conditions HostWatch::conditions(CellTime now) {
 
 std::vector<HostAlarm> HostWatch::present() const {
   std::vector<HostAlarm> alarms;
-  if (!told_) return alarms;
+  if (!reported_) return alarms;
   for (const int id : kConditions) {
-    const auto is = told_->find(id);
-    if (is == told_->end())
+    const auto is = reported_->find(id);
+    if (is == reported_->end())
       alarms.push_back({id, 0.0, "", true});
     else
       alarms.push_back({id, is->second.value, is->second.message, false});
@@ -175,15 +175,15 @@ std::vector<HostAlarm> HostWatch::tick(CellTime now) {
   std::vector<HostAlarm> alarms = std::exchange(events_, {});
   for (const int id : kConditions) {
     const auto is = found.find(id);
-    const bool was_told = told_ && told_->count(id) > 0;
+    const bool was_reported = reported_ && reported_->count(id) > 0;
     const bool is_more =
-        was_told && id == kHostLost && is != found.end() && is->second.value > told_->at(id).value;
-    if (is != found.end() && (!was_told || is_more))
+        was_reported && id == kHostLost && is != found.end() && is->second.value > reported_->at(id).value;
+    if (is != found.end() && (!was_reported || is_more))
       alarms.push_back({id, is->second.value, is->second.message, false});
-    else if (is == found.end() && (was_told || !told_))
+    else if (is == found.end() && (was_reported || !reported_))
       alarms.push_back({id, 0.0, "", true});
   }
-  told_ = std::move(found);
+  reported_ = std::move(found);
   return alarms;
 }
 

@@ -48,7 +48,7 @@ void PlcWatch::hear(const PlcReport& report, double now_s) {
   if (!before) return;
   const bool is_silent =
       report.heartbeat == PlcHeartbeat::Lost || report.heartbeat == PlcHeartbeat::Abandoned;
-  const bool is_trusted = !is_silent && report.is_plate_told && before->is_plate_told;
+  const bool is_trusted = !is_silent && report.is_plate_written && before->is_plate_written;
   is_removal_new_ = is_removal_new_ || (is_trusted && report.is_part_removed && !before->is_part_removed);
   is_guard_opened_ =
       is_guard_opened_ || (report.interlocks.is_alive && !report.is_guard_closed && before->is_guard_closed);

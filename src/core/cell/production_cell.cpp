@@ -257,9 +257,9 @@ CommandAnswer ProductionCell::acknowledge(int alarm, const std::string& by, Cell
 
 void ProductionCell::raise(int alarm, double value, const std::string& message, CellTime now) {
   const AlarmKind& kind = alarmKind(alarm);
-  const bool is_to_be_told = unit_.raise(alarm, value, message, now.steady_s);
+  const bool is_to_be_reported = unit_.raise(alarm, value, message, now.steady_s);
   if (kind.category >= AlarmCategory::Stop) settle(now);
-  if (is_to_be_told)
+  if (is_to_be_reported)
     write(now, [&] {
       journal_.add(AlarmRow{now.utc_s, alarm, value, letterOf(kind.category), message});
       if (kind.cause == AlarmCause::Event) journal_.endAlarm(alarm, now.utc_s);

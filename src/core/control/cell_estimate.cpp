@@ -73,8 +73,8 @@ void CellEstimate::press(const DepositedGrowth& growth, double spread) {
 }
 
 /// A height that was seen since needs no expectation; what was commanded is as it is.
-void CellEstimate::relay(double planned_mm, double told, double correction) {
-  const double more = planned_mm * (correction - told);
+void CellEstimate::relay(double planned_mm, double assumed, double correction) {
+  const double more = planned_mm * (correction - assumed);
   commanded_mm_ += static_cast<float>(more);
   if (isSeen()) return;
   error_mm_ -= static_cast<float>(gain() * more);

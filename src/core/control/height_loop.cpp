@@ -135,7 +135,7 @@ void HeightLoop::beginLayer(LayerCells cells, std::vector<double> learnt) {
   deficit_.resize(cells.size(), 0.0);
   before_deficit_.resize(cells.size(), 0.0);
   is_section_seen_.assign(cells.size(), false);
-  laid_.assign(cells.size(), 0.0);
+  applied_.assign(cells.size(), 0.0);
   cells_ = std::move(cells);
   estimates_ = std::move(estimates);
   learnt_ = std::move(learnt);
@@ -220,7 +220,7 @@ void HeightLoop::lay(const LayerCorrection& correction, const std::vector<double
   requireOnePerCell("amounts", correction.amount.size());
   requireOnePerCell("errors of the nozzle", nozzle_error_mm.size());
   limited_share_ = correction.limited_share;
-  laid_ = correction.amount;
+  applied_ = correction.amount;
   is_section_seen_.assign(cells_.size(), false);
   for (std::size_t i = 0; i < cells_.size(); ++i) {
     const DepositedGrowth growth{cells_.height_mm[i], correction.amount[i], nozzle_error_mm[i]};
@@ -236,12 +236,12 @@ void HeightLoop::lay(const LayerCorrection& correction, const std::vector<double
 void HeightLoop::relay(const LayerCorrection& correction) {
   requireOnePerCell("amounts", correction.amount.size());
   for (std::size_t i = 0; i < cells_.size() && settings_.process == LoopProcess::Free; ++i) {
-    estimates_[i].relay(cells_.height_mm[i], laid_[i], correction.amount[i]);
+    estimates_[i].relay(cells_.height_mm[i], applied_[i], correction.amount[i]);
     before_clouds_.error_mm[i] -=
-        before_clouds_.gain[i] * cells_.height_mm[i] * (correction.amount[i] - laid_[i]);
+        before_clouds_.gain[i] * cells_.height_mm[i] * (correction.amount[i] - applied_[i]);
   }
   limited_share_ = correction.limited_share;
-  laid_ = correction.amount;
+  applied_ = correction.amount;
 }
 
 ReadingOutcome HeightLoop::see(std::size_t cell, const CellReading& reading) {
@@ -358,7 +358,7 @@ std::vector<MeasuredGain> HeightLoop::heightGains() {
 std::vector<MeasuredGain> HeightLoop::sectionGains() const {
   std::vector<MeasuredGain> gains(cells_.size());
   for (std::size_t i = 0; i < cells_.size(); ++i)
-    if (is_section_seen_[i]) gains[i] = {(1.0 - deficit_[i]) / (1.0 + laid_[i]), cells_.height_mm[i]};
+    if (is_section_seen_[i]) gains[i] = {(1.0 - deficit_[i]) / (1.0 + applied_[i]), cells_.height_mm[i]};
   return gains;
 }
 

@@ -270,14 +270,14 @@ std::size_t cellsPassed(const LayerCells& cells, std::size_t path, double along_
   std::size_t passed = 0;
   for (auto run = cells.runs.rbegin(); run != cells.runs.rend(); ++run) {
     if (run->path > path) continue;
-    const double laid = run->path == path ? std::clamp(along_mm, 0.0, run->length_mm) : run->length_mm;
-    const double settled = laid - std::max(0.0, settle_mm - behind);
+    const double deposited = run->path == path ? std::clamp(along_mm, 0.0, run->length_mm) : run->length_mm;
+    const double settled = deposited - std::max(0.0, settle_mm - behind);
     const double count = std::floor(settled / run->cellLength() + 1e-9);
     if (count >= 1.0) {
       passed = run->first + std::min(run->count, static_cast<std::size_t>(count));
       break;
     }
-    behind += laid;
+    behind += deposited;
   }
   return passed;
 }

@@ -18,7 +18,7 @@
 namespace lamina {
 namespace {
 
-constexpr std::size_t kMostFlatsTold = 3;
+constexpr std::size_t kMostFlatsReported = 3;
 
 std::string noteOnHeights(const LayerHeightsReport& report, const SlicingSettings& settings) {
   const auto [least, greatest] =
@@ -38,12 +38,12 @@ std::string noteOnMissed(const std::vector<MissedFlat>& missed) {
                      (missed.size() == 1 ? " level face lies" : " level faces lie") +
                      " between the ends of layers:";
   char text[80];
-  for (std::size_t i = 0; i < std::min(missed.size(), kMostFlatsTold); ++i) {
+  for (std::size_t i = 0; i < std::min(missed.size(), kMostFlatsReported); ++i) {
     std::snprintf(text, sizeof text, "%s at %.6g mm, off by %.3g mm", i > 0 ? ";" : "", missed[i].z_mm,
                   missed[i].off_mm);
     note += text;
   }
-  return note + (missed.size() > kMostFlatsTold ? "; ..." : "");
+  return note + (missed.size() > kMostFlatsReported ? "; ..." : "");
 }
 
 /// The first layer has its own height whatever the part is like.

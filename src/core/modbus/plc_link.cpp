@@ -71,8 +71,8 @@ std::optional<ModbusException> PlcLink::write(int connection, const ModbusReques
   const PlcInputs before = inputs();
   const std::size_t past = request.write_address + request.written.size();
   if (request.write_address <= kPlateRegister && kPlateRegister < past) {
-    if (!is_plate_told_) ++news_;
-    is_plate_told_ = true;
+    if (!is_plate_written_) ++news_;
+    is_plate_written_ = true;
   }
   if (surroundings(after) != surroundings(holding_)) ++news_;
   holding_ = after;

@@ -372,8 +372,8 @@ class LayerPlanner {
   /// @return the other skins
   Regions withoutLowest(Regions skin, const Regions& inside) {
     if (!bridgesInfill() || infill_.spacing_mm == 0.0 || isSolid(infill_)) return skin;
-    const SkinAreas beneath = skinAreas(inside, *cover_below_, skinMeasures(settings_, pitch_));
-    const Regions lowest = intersection(skin, beneath.sparse);
+    const SkinAreas areas_below = skinAreas(inside, *cover_below_, skinMeasures(settings_, pitch_));
+    const Regions lowest = intersection(skin, areas_below.sparse);
     if (lowest.empty()) return skin;
     const std::size_t before = result_.paths.size();
     const double across_deg =

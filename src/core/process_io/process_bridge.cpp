@@ -47,7 +47,7 @@ ProcessBridge::ProcessBridge(const ProcessTables& tables, const ProcessBridgeSet
       begin_s_(now_s),
       inputs_(tables.inputs),
       was_connected_(tables.devices.size(), false),
-      told_late_s_(-std::numeric_limits<double>::infinity()) {
+      late_reported_s_(-std::numeric_limits<double>::infinity()) {
   for (const OutputChannel& channel : tables.channels) {
     drives_.emplace_back(channel, 1.0 / settings.rate_hz);
     longest_lead_s_ = std::max(longest_lead_s_, drives_.back().lead());
@@ -100,8 +100,8 @@ void ProcessBridge::lookAtLateness(double now_s, double late_s) {
   const std::string text = "an output is " + milliseconds(late_s) + " late; expected at most " +
                            milliseconds(is_too_late ? settings_.too_late_s : settings_.late_s);
   if (is_too_late) trip(text);
-  if (!is_too_late && now_s - told_late_s_ < kQuiet) return;
-  told_late_s_ = now_s;
+  if (!is_too_late && now_s - late_reported_s_ < kQuiet) return;
+  late_reported_s_ = now_s;
   const std::uint16_t alarm = is_too_late ? 5104 : 5103;
   events_.push_back({alarm, "process_io", 1e3 * late_s, text, false});
 }

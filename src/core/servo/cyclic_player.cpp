@@ -57,8 +57,8 @@ void CyclicPlayer::begin(const JointValues& position) {
   points_.clear();
   brake_.reset();
   fault_.reset();
-  is_told_ = false;
-  told_s_.reset();
+  is_brake_requested_ = false;
+  last_due_s_.reset();
   passed_ = 0;
   target_.cycle = 0;
   target_.now = target_.ahead = {position, JointValues::Zero(position.size())};
@@ -89,7 +89,8 @@ void CyclicPlayer::requireFeasible(const TrajectoryChunk& chunk) const {
 
 /// The motion goes on from what is planned, or from where the robot rests, and can still be joined.
 void CyclicPlayer::requireJoined(const TrajectoryChunk& chunk, double now_s) const {
-  if (brake_ || is_told_) throw InvalidInput("the robot is being braked; expected a motion from rest");
+  if (brake_ || is_brake_requested_)
+    throw InvalidInput("the robot is being braked; expected a motion from rest");
   const JointState& first = chunk.points.front();
   if (!(chunk.points.back().time_s > now_s))
     throw InvalidInput("the last point is " + numberText(now_s - chunk.points.back().time_s) +
@@ -123,8 +124,8 @@ void CyclicPlayer::accept(const TrajectoryChunk& chunk, double now_s) {
   merged.swap(points_);
   const std::size_t former_passed = std::exchange(passed_, 0);
   // What would be given next has to be within a step of what was given last.
-  const double next_s = told_s_ ? std::max(*told_s_ + cycle_s_, now_s) : now_s;
-  if (const auto too_far = tooFar(onPoints(next_s), told_s_ ? next_s - *told_s_ : cycle_s_)) {
+  const double next_s = last_due_s_ ? std::max(*last_due_s_ + cycle_s_, now_s) : now_s;
+  if (const auto too_far = tooFar(onPoints(next_s), last_due_s_ ? next_s - *last_due_s_ : cycle_s_)) {
     merged.swap(points_);
     passed_ = former_passed;
     throw InvalidInput("the motion cannot be joined in time: " + faultText(*too_far, joints_));
@@ -187,8 +188,8 @@ void CyclicPlayer::startBraking(double time_s, double path_s) {
 /// Begins to brake where it is commanded to, a cycle came too late, or the points soon end in motion.
 void CyclicPlayer::watch(double newest_s, double late_s) {
   if (points_.empty() || brake_) return;
-  if (is_told_) {
-    const double last_s = told_s_.value_or(newest_s);
+  if (is_brake_requested_) {
+    const double last_s = last_due_s_.value_or(newest_s);
     return startBraking(last_s, last_s);
   }
   const double most_s = settings_.late_cycles * cycle_s_;
@@ -224,19 +225,19 @@ void CyclicPlayer::brakeStraight() {
   }
   points_.resize(1);
   passed_ = 0;
-  points_.front() = {*told_s_, target_.now.position, share * target_.now.velocity};
-  startBraking(*told_s_, *told_s_);
+  points_.front() = {*last_due_s_, target_.now.position, share * target_.now.velocity};
+  startBraking(*last_due_s_, *last_due_s_);
 }
 
 const CyclicTarget* CyclicPlayer::advance(double due_s, double now_s) {
   const double late_s = std::max(0.0, now_s - due_s);
   const double newest_s = due_s + std::floor(late_s / cycle_s_) * cycle_s_;
-  if (told_s_ && newest_s < *told_s_ + 0.5 * cycle_s_) return nullptr;
-  const double elapsed_s = told_s_ ? newest_s - *told_s_ : cycle_s_;
+  if (last_due_s_ && newest_s < *last_due_s_ + 0.5 * cycle_s_) return nullptr;
+  const double elapsed_s = last_due_s_ ? newest_s - *last_due_s_ : cycle_s_;
   watch(newest_s, late_s);
   JointTarget asked = at(newest_s);
   const std::optional<CyclicFault> too_far = tooFar(asked, elapsed_s);
-  if (too_far && told_s_) {
+  if (too_far && last_due_s_) {
     fault_ = too_far;
     brakeStraight();
     asked = at(newest_s);
@@ -245,7 +246,7 @@ const CyclicTarget* CyclicPlayer::advance(double due_s, double now_s) {
   const JointTarget ahead = at(newest_s + ahead_s_);
   target_.now = asked;
   target_.ahead = ahead;
-  told_s_ = newest_s;
+  last_due_s_ = newest_s;
   settle(newest_s);
   return &target_;
 }
@@ -259,7 +260,7 @@ void CyclicPlayer::settle(double time_s) {
     points_.clear();
     passed_ = 0;
     brake_.reset();
-    is_told_ = false;
+    is_brake_requested_ = false;
     return;
   }
   const double path_s = pathTime(time_s);

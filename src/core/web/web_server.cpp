@@ -314,9 +314,9 @@ class Connection {
               webSocketAccept(key) + "\r\n\r\n"))
       return false;
     WebSocketReader frames;
-    double told_s = clock_.now();
-    double heard_s = told_s;
-    double checked_s = told_s;
+    double sent_s = clock_.now();
+    double heard_s = sent_s;
+    double checked_s = sent_s;
     std::uint64_t sent = 0;
     const double ping_s = place_.settings.patience.ping_s;
     while (!place_.is_ending && clock_.now() - heard_s < ping_s * kSilentPings) {
@@ -332,8 +332,8 @@ class Connection {
       const bool is_new = live.text && live.number != sent;
       if (is_new && !sendState(live, *admitted.who.role)) return false;
       if (is_new) sent = live.number;
-      if (clock_.now() - told_s < ping_s) continue;
-      told_s = clock_.now();
+      if (clock_.now() - sent_s < ping_s) continue;
+      sent_s = clock_.now();
       if (!send(webSocketFrame(WebSocketOpcode::Ping, ""))) return false;
     }
     send(webSocketFrame(WebSocketOpcode::Close, std::string("\x03\xe9", 2)));

@@ -154,8 +154,8 @@ std::vector<UnmetGuard> CellController::againstStart(const std::string& source) 
   if (is_executor_lost_) against.push_back({kExecutorLost, "the executor gives no sign of life"});
   if (!hasMaster()) against.push_back({kMasterLost, "the ROS master does not answer"});
   for (const ActiveAlarm& alarm : cell_->status().alarms.all()) {
-    const auto is_told = [&alarm](const UnmetGuard& guard) { return guard.code == alarm.id; };
-    if (alarm.id == kAnyAuditBroken && std::none_of(against.begin(), against.end(), is_told))
+    const auto is_reported = [&alarm](const UnmetGuard& guard) { return guard.code == alarm.id; };
+    if (alarm.id == kAnyAuditBroken && std::none_of(against.begin(), against.end(), is_reported))
       against.push_back({kAnyAuditBroken, alarm.message});
     if (alarm.id == kJournalDamaged && !alarm.acknowledged_s)
       against.push_back(

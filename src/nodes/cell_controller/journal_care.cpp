@@ -40,7 +40,7 @@ std::vector<CareAlarm> JournalCare::look(CellTime now) {
   std::vector<CareAlarm> alarms;
   if (now.steady_s - looked_s_ < kLookInterval) return alarms;
   looked_s_ = now.steady_s;
-  if (!broken_audit_.empty() && !std::exchange(is_audit_told_, true))
+  if (!broken_audit_.empty() && !std::exchange(is_audit_reported_, true))
     alarms.push_back({kAuditBroken, 0.0, broken_audit_, false});
   for (CareAlarm& alarm : lookAtDisk()) alarms.push_back(std::move(alarm));
   followCopy(now);

@@ -44,7 +44,7 @@ class JournalCare {
   std::string folder_;
   JournalCareSettings settings_;
   std::string broken_audit_;  ///< what is wrong with it; empty if it is whole
-  bool is_audit_told_ = false;
+  bool is_audit_reported_ = false;
   bool is_disk_low_ = false;
   double looked_s_ = -1e9;
   double tried_s_ = -1e9;

@@ -16,7 +16,7 @@ constexpr double kMillimetres = 1e3;  // of a metre
 
 double utcNow() { return ros::WallTime::now().toSec(); }
 
-std::optional<double> told(double value) {
+std::optional<double> known(double value) {
   if (!std::isfinite(value) || value == 0.0) return std::nullopt;
   return value;
 }
@@ -58,8 +58,8 @@ void LayerLog::onEnd(const lamina_msgs::MachineState& machine) {
   LayerRow row;
   row.layer = layer_;
   row.ended_s = utcNow();
-  row.nozzle_c = told(machine.nozzle_temperature);
-  row.bed_c = told(machine.bed_temperature);
+  row.nozzle_c = known(machine.nozzle_temperature);
+  row.bed_c = known(machine.bed_temperature);
   keep(row);
 }
 

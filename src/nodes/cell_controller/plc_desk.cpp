@@ -17,7 +17,7 @@ PlcReport reportOf(const lamina_msgs::PlcInputs& said) {
       std::min<std::uint8_t>(said.watchdog, static_cast<std::uint8_t>(PlcHeartbeat::Abandoned)));
   report.on_silence = static_cast<WatchdogAction>(
       std::min<std::uint8_t>(said.on_silence, static_cast<std::uint8_t>(WatchdogAction::Stop)));
-  report.is_plate_told = said.is_plate_told != 0;
+  report.is_plate_written = said.is_plate_told != 0;
   report.is_part_removed = said.is_part_removed != 0;
   report.is_guard_closed = said.is_guard_closed != 0;
   PlcInterlocks& interlocks = report.interlocks;

@@ -94,8 +94,8 @@ void HeightController::onToolpath(const lamina_msgs::ToolpathConstPtr& message) 
     save();
     memory_.forget();
   }
-  const bool is_first = !toolpath_told_;
-  toolpath_told_ = message;
+  const bool is_first = !announced_toolpath_;
+  announced_toolpath_ = message;
   calibrator_.setMachine(message->machine);
   beginPrint(*message);
   // What was kept is of the print that a node before this one was over.
@@ -138,7 +138,7 @@ void HeightController::beginAgainIfOver(const lamina_msgs::MachineState& machine
   ROS_WARN("the machine is at layer %d: what was kept after layer %zu is of a print before", machine.layer,
            *resumed);
   memory_.forget();
-  beginPrint(*toolpath_told_);
+  beginPrint(*announced_toolpath_);
   publishNews();
 }
 
@@ -181,7 +181,7 @@ void HeightController::onMachineState(const lamina_msgs::MachineStateConstPtr& m
   const bool was_resumed = memory_.resumedAfter().has_value();
   memory_.forget();
   if (!was_resumed) return;
-  beginPrint(*toolpath_told_);
+  beginPrint(*announced_toolpath_);
   publishNews();
 }
 

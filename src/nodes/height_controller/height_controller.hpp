@@ -74,7 +74,7 @@ class HeightController {
   PrintHold print_hold_;
   PrintMemory memory_;
   CellCalibrator calibrator_;
-  lamina_msgs::ToolpathConstPtr toolpath_told_;  ///< the last one
+  lamina_msgs::ToolpathConstPtr announced_toolpath_;  ///< the last one
   LoopRecord record_;
   std::map<std::size_t, std::string> digests_;  ///< of the maps published last, by layer
   std::string toolpath_fault_;                  ///< why the last toolpath could not be used

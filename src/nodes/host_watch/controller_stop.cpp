@@ -35,7 +35,7 @@ void ControllerStop::onStatus(const std::string& action, const actionlib_msgs::G
   Controller& controller = controllers_[action];
   controller.goals = static_cast<std::size_t>(
       std::count_if(status.status_list.begin(), status.status_list.end(), isFollowed));
-  controller.told = ros::WallTime::now();
+  controller.reported = ros::WallTime::now();
 }
 
 MachineStopReport ControllerStop::stop(const std::string& action, const std::function<void()>& begun) {
@@ -51,11 +51,11 @@ MachineStopReport ControllerStop::stop(const std::string& action, const std::fun
   if (begun) begun();
   while (ros::WallTime::now() < give_up) {
     queue_.callAvailable(kLook);
-    if (controller.told > cancelled && controller.goals == 0) return {true, "it follows no goal", true};
+    if (controller.reported > cancelled && controller.goals == 0) return {true, "it follows no goal", true};
   }
   return {false,
-          controller.told > cancelled ? "it still follows " + std::to_string(controller.goals) + " goals"
-                                      : std::string("it has said nothing since its goals were cancelled"),
+          controller.reported > cancelled ? "it still follows " + std::to_string(controller.goals) + " goals"
+                                          : std::string("it has said nothing since its goals were cancelled"),
           true};
 }
 

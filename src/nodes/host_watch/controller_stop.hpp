@@ -32,8 +32,8 @@ class ControllerStop {
   struct Controller {
     ros::Publisher cancel;
     ros::Subscriber status;
-    std::size_t goals = 0;  ///< that it followed by the last status
-    ros::WallTime told;     ///< when that status came
+    std::size_t goals = 0;   ///< that it followed by the last status
+    ros::WallTime reported;  ///< when that status came
   };
   void onStatus(const std::string& action, const actionlib_msgs::GoalStatusArray& status);
 

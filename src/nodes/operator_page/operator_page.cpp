@@ -63,12 +63,12 @@ void OperatorPage::onTick() {
   } catch (const Error& error) {
     ROS_ERROR_STREAM_THROTTLE(60.0, "the page cannot be informed of the cell: " << error.what());
   }
-  if (!is_exposure_told_ && desk_.snapshot().heard_s) tellExposure();
+  if (!is_exposure_reported_ && desk_.snapshot().heard_s) tellExposure();
 }
 
 /// Once the unit is there to hear it.
 void OperatorPage::tellExposure() {
-  is_exposure_told_ = true;
+  is_exposure_reported_ = true;
   for (const std::string& notice : site_->settings().notices) desk_.report(kReachable, 0.0, notice);
   if (const auto bad = store_.firstBadAudit())
     desk_.report(kAuditBroken, static_cast<double>(*bad),

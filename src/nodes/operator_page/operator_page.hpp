@@ -34,7 +34,7 @@ class OperatorPage {
   std::unique_ptr<CameraIntake> camera_;
   std::unique_ptr<WebServer> server_;
   ros::WallTimer timer_;
-  bool is_exposure_told_ = false;
+  bool is_exposure_reported_ = false;
 };
 
 }  // namespace lamina

@@ -81,13 +81,13 @@ void PlcLinkNode::onStatus(const lamina_msgs::PackmlStatusConstPtr& status) {
   const std::lock_guard<std::mutex> lock(mutex_);
   view_.unit = *status;
   view_.unit_heard_s = clock_.now();
-  if (!std::exchange(is_unit_here_, true)) is_reach_told_ = isLoopbackHost(settings_.bind);
+  if (!std::exchange(is_unit_here_, true)) is_reach_reported_ = isLoopbackHost(settings_.bind);
   link_.setPresence(UnitPresence::Present, clock_.now());
   link_.setRemoteAccess(status->remote_access != 0 ? RemoteAccess::Allowed : RemoteAccess::Locked);
   refreshRegisters(clock_.now());
   // The unit may speak before it hears: what nobody takes is lost.
-  if (is_reach_told_ || alarms_.getNumSubscribers() == 0) return;
-  is_reach_told_ = true;
+  if (is_reach_reported_ || alarms_.getNumSubscribers() == 0) return;
+  is_reach_reported_ = true;
   raise(kReachable, port(), "Modbus listens on " + settings_.bind + ':' + std::to_string(port()));
 }
 
@@ -183,7 +183,7 @@ lamina_msgs::PlcInputs PlcLinkNode::inputsNow() {
   message.is_guard_closed = said.is_guard_closed;
   message.is_guard_reset = said.is_guard_reset;
   message.is_emergency_stop_pressed = said.is_emergency_stop_pressed;
-  message.is_plate_told = link_.isPlateTold();
+  message.is_plate_told = link_.isPlateWritten();
   message.is_plate_there = said.is_plate_there;
   message.is_plate_clamped = said.is_plate_clamped;
   message.is_part_removed = said.is_part_removed;

@@ -63,7 +63,7 @@ class PlcLinkNode {
   std::uint32_t published_news_ = 0;
   double published_s_ = 0.0;
   bool is_unit_here_ = false;
-  bool is_reach_told_ = false;  ///< to the unit: that other hosts reach the link, if they do
+  bool is_reach_reported_ = false;  ///< to the unit: that other hosts reach the link, if they do
   RepeatWatch broken_frames_;
   RepeatWatch refusals_;
   std::string refusal_;  // the last

@@ -25,11 +25,11 @@ AlarmCategory categoryOf(const std::string& letter) {
 
 std::vector<ActiveAlarm> alarmsOf(const UnitView& view) {
   std::vector<ActiveAlarm> alarms;
-  for (const lamina_msgs::CellAlarm& told : view.alarms.alarms) {
+  for (const lamina_msgs::CellAlarm& reported : view.alarms.alarms) {
     ActiveAlarm alarm;
-    alarm.id = told.id;
-    alarm.category = categoryOf(told.category);
-    alarm.value = told.value;
+    alarm.id = reported.id;
+    alarm.category = categoryOf(reported.category);
+    alarm.value = reported.value;
     alarms.push_back(alarm);
   }
   return alarms;

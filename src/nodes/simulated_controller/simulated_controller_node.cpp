@@ -89,7 +89,7 @@ SimulatedControllerNode::SimulatedControllerNode(ros::NodeHandle node, const Con
   const boost::function<void(const ros::TimerEvent&)> tick = [this](const ros::TimerEvent&) { onTick(); };
   timer_ = node.createTimer(ros::Duration(1.0 / settings_.report_hz), tick);
   if (!settings_.deposit_area_mm.empty()) {
-    laid_.emplace(settings_);
+    material_.emplace(settings_);
     profile_ = node.advertise<sensor_msgs::PointCloud2>(names::kProfile, kProfiles);
     mountSensor();
   }
@@ -245,7 +245,7 @@ void SimulatedControllerNode::report(const ros::Time& now) {
   const ros::Duration behind(behind_s_);
   // Nothing is deposited but on the way of a goal.
   ProcessSignals signals = server_.isActive() ? process_.at(now - behind) : safeSignals();
-  if (laid_) lay(now, signals.flow_mm3_s);
+  if (material_) lay(now, signals.flow_mm3_s);
   signals.flow_mm3_s = flow_.at((now - epoch_).toSec(), signals.flow_mm3_s);
   lamina_msgs::ProcessState process = toStateMessage(signals);
   process.header.stamp = now;
@@ -274,13 +274,13 @@ Eigen::Isometry3d SimulatedControllerNode::bedFromSensor() const {
 /// Lays what has flowed since the last report, and looks at it.
 void SimulatedControllerNode::lay(const ros::Time& now, double asked_mm3_s) {
   const double time_s = (now - epoch_).toSec();
-  laid_->observe({time_s, model_->bedFromNozzle(controller_.position()).translation(), asked_mm3_s});
+  material_->observe({time_s, model_->bedFromNozzle(controller_.position()).translation(), asked_mm3_s});
   const bool measures = server_.isActive() && (asked_mm3_s == 0.0 || settings_.profile_while_depositing);
   if (!measures || profile_.getNumSubscribers() == 0) return;
-  const std::vector<Point3> points = laid_->seenFrom(bedFromSensor(), time_s);
+  const std::vector<Point3> points = material_->seenFrom(bedFromSensor(), time_s);
   if (points.empty()) return;
   sensor_msgs::PointCloud2 message = toCloudMessage(points);
-  message.header.stamp = now + ros::Duration(laid_->stampError());
+  message.header.stamp = now + ros::Duration(material_->stampError());
   message.header.frame_id = names::kSensorFrame;
   profile_.publish(message);
 }

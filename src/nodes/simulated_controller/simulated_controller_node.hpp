@@ -71,7 +71,7 @@ class SimulatedControllerNode {
   ProcessQueue process_;
   ArrivingFlow flow_;
   AwaitedProcess awaited_;
-  std::optional<DepositedMaterial> laid_;  ///< if it keeps what it lays
+  std::optional<DepositedMaterial> material_;  ///< if it keeps what it lays
   /// In the nozzle's frame [mm]; nothing if the URDF has a sensor.
   std::optional<Eigen::Isometry3d> nozzle_from_sensor_;
   std::optional<tf2_ros::StaticTransformBroadcaster> static_tf_;  ///< of that

@@ -63,20 +63,20 @@ std::string ChunkCorrection::hear(const CorrectionMap& map, const std::string& d
 }
 
 void ChunkCorrection::tellMapOf(std::size_t layer, const std::string& digest) {
-  Told& told = told_[layer];
-  const bool is_trim = !told.digest.empty();
-  told.digest = digest;
+  Reported& reported = reported_[layer];
+  const bool is_trim = !reported.digest.empty();
+  reported.digest = digest;
   if (is_trim) return;
-  if (handed_layer_ == layer) told.held_from = handed_;
-  layers_.push_back({driven_.id, digest, {layer, 0.0, {}, told.held_from}});
+  if (handed_layer_ == layer) reported.held_from = handed_;
+  layers_.push_back({driven_.id, digest, {layer, 0.0, {}, reported.held_from}});
 }
 
 void ChunkCorrection::miss(std::size_t layer, const std::string& reason, double waited_s) {
   if (layer >= layers()) return;
-  const auto [entry, is_first] = told_.try_emplace(layer);
-  const Told& told = entry->second;
-  if (!is_first && told.digest.empty()) return;
-  layers_.push_back({driven_.id, told.digest, {layer, waited_s, reason, told.held_from}});
+  const auto [entry, is_first] = reported_.try_emplace(layer);
+  const Reported& reported = entry->second;
+  if (!is_first && reported.digest.empty()) return;
+  layers_.push_back({driven_.id, reported.digest, {layer, waited_s, reason, reported.held_from}});
 }
 
 void ChunkCorrection::giveUp(std::size_t layer, double waited_s) {
@@ -89,11 +89,11 @@ void ChunkCorrection::refusePlan(const std::string& plan_id, const std::string& 
   layers_.push_back({plan_id, {}, refusedPlan(reason)});
 }
 
-void ChunkCorrection::end() { missUntold(layers()); }
+void ChunkCorrection::end() { missUnreported(layers()); }
 
-void ChunkCorrection::missUntold(std::size_t end) {
+void ChunkCorrection::missUnreported(std::size_t end) {
   for (std::size_t layer = handed_layer_.value_or(end); layer < end; ++layer)
-    if (told_.count(layer) == 0) miss(layer, "none came before the layer had been handed over");
+    if (reported_.count(layer) == 0) miss(layer, "none came before the layer had been handed over");
 }
 
 /// A layer that lies behind without a map will have none.
@@ -101,7 +101,7 @@ void ChunkCorrection::noteHandedOver(const TrajectoryChunk& chunk) {
   for (auto point = chunk.points.rbegin(); point != chunk.points.rend(); ++point) {
     const WaypointIndex& at = point->heading_for;
     if (driven_.toolpath.layers[at.layer].paths[at.path].role == PathRole::Travel) continue;
-    missUntold(at.layer);
+    missUnreported(at.layer);
     handed_layer_ = at.layer;
     handed_ = {at.path, alongAt(*point)};
     return;

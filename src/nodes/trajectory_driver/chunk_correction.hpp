@@ -83,13 +83,13 @@ class ChunkCorrection {
   };
 
   /// What was reported to drive a layer.
-  struct Told {
+  struct Reported {
     std::string digest;
     std::optional<PlaceOnLayer> held_from;
   };
 
   void miss(std::size_t layer, const std::string& reason, double waited_s = 0.0);
-  void missUntold(std::size_t end);
+  void missUnreported(std::size_t end);
   void tellMapOf(std::size_t layer, const std::string& digest);
   void noteHandedOver(const TrajectoryChunk& chunk);
   const PathCorrection* find(const WaypointIndex& heading_for) const;
@@ -107,9 +107,9 @@ class ChunkCorrection {
   std::map<std::size_t, CorrectionMap> maps_;       ///< by layer, led
   std::vector<std::pair<double, double>> heights_;  ///< time and height of the last chunk [s, mm]
   std::string refusal_;
-  std::optional<std::size_t> handed_layer_;  ///< of which something was deposited by what was handed over
-  PlaceOnLayer handed_;                      ///< the last of it
-  std::map<std::size_t, Told> told_;         ///< by layer
+  std::optional<std::size_t> handed_layer_;   ///< of which something was deposited by what was handed over
+  PlaceOnLayer handed_;                       ///< the last of it
+  std::map<std::size_t, Reported> reported_;  ///< by layer
   std::vector<DrivenLayer> layers_;
 };
 

@@ -48,7 +48,7 @@ JogDriver::JogDriver(ros::NodeHandle& node, const DriverSettings& settings, cons
   joints_ = node.subscribe<sensor_msgs::JointState>(names::kJogJoints, 1, on_joints);
   const boost::function<void(const ros::TimerEvent&)> look = [this](const ros::TimerEvent&) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (!is_told_) tell(ros::Time::now());
+    if (!is_rest_reported_) tell(ros::Time::now());
   };
   timer_ = node.createTimer(ros::Duration(kTellPeriod), look);
 }
@@ -242,7 +242,7 @@ void JogDriver::tell(const ros::Time& now) {
   state_.header.stamp = now;
   state_.holder = lease_.holder(now.toSec());
   state_.moving = is_under_way_ = isMoving(now);
-  is_told_ = !state_.moving && state_.holder.empty();
+  is_rest_reported_ = !state_.moving && state_.holder.empty();
   publishLatched(publisher_, state_);
 }
 

@@ -79,7 +79,7 @@ class JogDriver {
   ros::Time begin_;                   ///< when the clock of the jog is 0
   std::string failure_;               ///< of the last jog, while its holder's lease goes on
   bool is_blocked_ = false;
-  bool is_told_ = true;  ///< that the machine is at rest
+  bool is_rest_reported_ = true;  ///< that the machine is at rest
   lamina_msgs::JogState state_;
   std::atomic<bool> is_under_way_{false};
 

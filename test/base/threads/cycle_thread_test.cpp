@@ -14,7 +14,7 @@
 namespace lamina {
 namespace {
 
-TEST(CycleThread, CallsAtItsRateAndTellsWhenACallWasDue) {
+TEST(CycleThread, CallsAtItsRateAndReportsWhenACallWasDue) {
   const SteadyClock clock;
   const double begin_s = clock.now();
   std::mutex mutex;

@@ -185,17 +185,17 @@ class RealGrbl(unittest.TestCase):
         self.assertIn("M104", errors)
         self.assertEqual(self.ran(), [])
 
-    def test_a_laser_whose_beam_would_burn_on_is_told_of(self):
+    def test_a_laser_whose_beam_would_burn_on_is_reported(self):
         self.run_grbl()
         descriptor = os.open(self.port, os.O_RDWR | os.O_NOCTTY)
         time.sleep(1.5)
         os.write(descriptor, b"$32=1\n")
         time.sleep(0.5)
         os.close(descriptor)
-        for power, is_told in (("M3 S10", True), ("M4 S10", False)):
+        for power, is_reported in (("M3 S10", True), ("M4 S10", False)):
             code, _, errors = self.stream(["G21", "G90", power, "G1 X1 F300", "M5"])
             self.assertEqual(code, 0, errors)
-            self.assertEqual("line 3: '%s' keeps the laser on" % power in errors, is_told, errors)
+            self.assertEqual("line 3: '%s' keeps the laser on" % power in errors, is_reported, errors)
 
     def test_a_locked_machine_is_unlocked_only_where_that_is_asked_for(self):
         self.run_grbl()

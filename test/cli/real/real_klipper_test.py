@@ -48,14 +48,14 @@ class RealKlipper(unittest.TestCase):
 
     def stream(self, lines):
         job = self.begin(lines)
-        out, told = job.communicate(timeout=PATIENCE_S)
-        self.skip_if_stalled(told)
-        return job.returncode, out, told
+        out, reported = job.communicate(timeout=PATIENCE_S)
+        self.skip_if_stalled(reported)
+        return job.returncode, out, reported
 
-    def skip_if_stalled(self, told):
+    def skip_if_stalled(self, reported):
         """A microcontroller that is a program of a busy computer comes too late, and Klipper shuts down."""
-        if re.search("Timer too close|Stepper too far in past|Rescheduled timer in the past|Lost communication", told):
-            self.skipTest("the computer is too busy for Klipper: " + told.strip())
+        if re.search("Timer too close|Stepper too far in past|Rescheduled timer in the past|Lost communication", reported):
+            self.skipTest("the computer is too busy for Klipper: " + reported.strip())
 
     def say(self, command):
         """Another sender's command, behind the streamer's back."""
@@ -75,23 +75,23 @@ class RealKlipper(unittest.TestCase):
     def test_every_line_is_run_once(self):
         self.run_klipper()
         lines = spiral(500)
-        code, _, told = self.stream(lines)
-        self.assertEqual(code, 0, told)
+        code, _, reported = self.stream(lines)
+        self.assertEqual(code, 0, reported)
         self.assertEqual(self.ran(), lines)
 
     def test_an_error_ends_the_job_and_nothing_behind_it_is_run(self):
         self.run_klipper(NOZZLE_C="25")
-        code, _, told = self.stream(["G90", "G28", "M83", "G1 X20 E5 F6000", "G1 X30"])
+        code, _, reported = self.stream(["G90", "G28", "M83", "G1 X20 E5 F6000", "G1 X30"])
         self.assertEqual(code, 1)
-        self.assertIn("Extrude below minimum temp", told)
-        self.assertNotIn("confirm", told)
+        self.assertIn("Extrude below minimum temp", reported)
+        self.assertNotIn("confirm", reported)
         self.assertNotIn("G1 X30", self.sent())
         self.assertIn("TURN_OFF_HEATERS", self.sent())
 
     def test_commands_that_it_does_not_know_are_counted(self):
         self.run_klipper()
-        code, out, told = self.stream(["G90", "M4242", "FROBNICATE A=1"])
-        self.assertEqual(code, 0, told)
+        code, out, reported = self.stream(["G90", "M4242", "FROBNICATE A=1"])
+        self.assertEqual(code, 0, reported)
         self.assertIn("not done: 2", out)
 
     def test_an_interrupted_job_stops_safely(self):
@@ -99,10 +99,10 @@ class RealKlipper(unittest.TestCase):
         job = self.begin(["M104 S180"] + spiral(2000))
         time.sleep(4.0)
         job.send_signal(signal.SIGINT)
-        _, told = job.communicate(timeout=PATIENCE_S)
-        self.skip_if_stalled(told)
+        _, reported = job.communicate(timeout=PATIENCE_S)
+        self.skip_if_stalled(reported)
         self.assertEqual(job.returncode, 1)
-        self.assertNotIn("confirm", told)
+        self.assertNotIn("confirm", reported)
         self.assertIn("TURN_OFF_HEATERS", self.sent())
 
     def test_an_emergency_stop_ends_a_wait_for_heat(self):
@@ -110,10 +110,10 @@ class RealKlipper(unittest.TestCase):
         job = self.begin(spiral(10) + ["M109 S250"], "stream.safe_stop_timeout_s=5", "stream.emergency_stop=unconfirmed")
         time.sleep(4.0)
         job.send_signal(signal.SIGINT)
-        _, told = job.communicate(timeout=PATIENCE_S)
-        self.skip_if_stalled(told)
+        _, reported = job.communicate(timeout=PATIENCE_S)
+        self.skip_if_stalled(reported)
         self.assertEqual(job.returncode, 1)
-        self.assertIn("an emergency stop was sent; the machine halted", told)
+        self.assertIn("an emergency stop was sent; the machine halted", reported)
         self.assertEqual(self.sent().count("M112"), 1)
 
     def test_an_emergency_stop_is_heard_behind_all_that_waits(self):
@@ -123,9 +123,9 @@ class RealKlipper(unittest.TestCase):
                          "stream.emergency_stop=unconfirmed")
         time.sleep(10.0)
         job.send_signal(signal.SIGINT)
-        _, told = job.communicate(timeout=PATIENCE_S)
-        self.skip_if_stalled(told)
-        self.assertIn("an emergency stop was sent; the machine halted", told)
+        _, reported = job.communicate(timeout=PATIENCE_S)
+        self.skip_if_stalled(reported)
+        self.assertIn("an emergency stop was sent; the machine halted", reported)
         waiting = self.sent()[self.sent().index("G4 P900000"):]
         self.assertEqual(waiting[-1], "M112")
         self.assertGreater(len(waiting), 10)
@@ -139,35 +139,35 @@ class RealKlipper(unittest.TestCase):
         job.stdin.write("feed 80\nbabystep -0.05\nspindle 50\n")
         job.stdin.close()
         job.stdin = None
-        _, told = job.communicate(timeout=PATIENCE_S)
-        self.skip_if_stalled(told)
-        self.assertEqual(job.returncode, 0, told)
+        _, reported = job.communicate(timeout=PATIENCE_S)
+        self.skip_if_stalled(reported)
+        self.assertEqual(job.returncode, 0, reported)
         changes = ["M220 S80", "SET_GCODE_OFFSET Z_ADJUST=-0.05 MOVE=1"]
         self.assertEqual([line for line in self.ran() if line in changes], changes)
         self.assertEqual([line for line in self.ran() if line not in changes], lines)
-        self.assertIn("spindle 50: Klipper has no spindle", told)
+        self.assertIn("spindle 50: Klipper has no spindle", reported)
 
     def test_a_machine_in_shutdown_is_left_alone(self):
         self.run_klipper()
         self.say("M112")
         time.sleep(1.0)
-        code, _, told = self.stream(spiral(10))
+        code, _, reported = self.stream(spiral(10))
         self.assertEqual(code, 1)
-        self.assertIn("Shutdown due to M112", told)
+        self.assertIn("Shutdown due to M112", reported)
         self.assertEqual(set(self.sent()), {"M112", "M115", "STATUS"})
 
-    def test_a_shutdown_under_way_is_told_with_its_reason(self):
+    def test_a_shutdown_under_way_is_reported_with_its_reason(self):
         self.run_klipper()
-        code, _, told = self.stream(spiral(50) + ["M112"] + spiral(50))
+        code, _, reported = self.stream(spiral(50) + ["M112"] + spiral(50))
         self.assertEqual(code, 1)
-        self.assertIn("Shutdown due to M112", told)
-        self.assertIn("does not confirm", told)
+        self.assertIn("Shutdown due to M112", reported)
+        self.assertIn("does not confirm", reported)
 
     def test_a_restart_under_way_ends_the_job(self):
         self.run_klipper()
-        code, _, told = self.stream(spiral(50) + ["FIRMWARE_RESTART"] + spiral(50))
+        code, _, reported = self.stream(spiral(50) + ["FIRMWARE_RESTART"] + spiral(50))
         self.assertEqual(code, 1)
-        self.assertIn("the machine was reset", told)
+        self.assertIn("the machine was reset", reported)
 
 
 if __name__ == "__main__":

@@ -108,8 +108,8 @@ class KilledAtRealMarlin(unittest.TestCase):
                     self.cut_off(instant)
                     cut += 1
                 streaming = self.stream("--resume")
-            told = streaming.communicate(timeout=PATIENCE_S)[0]
-            self.assertEqual(streaming.returncode, 0, told)
+            reported = streaming.communicate(timeout=PATIENCE_S)[0]
+            self.assertEqual(streaming.returncode, 0, reported)
             self.assertEqual(self.ran(), lines)
             self.doCleanups()
             self.setUp()

@@ -47,13 +47,13 @@ class RealMoonraker(unittest.TestCase):
             return file.read().strip()
 
     def run_moonraker(self, **environment):
-        with open(self.path("told"), "w", encoding="utf-8") as told:
-            runner = subprocess.Popen([RUNNER, self.folder], env={**os.environ, **environment}, stdout=subprocess.PIPE, stderr=told, text=True,
+        with open(self.path("reported"), "w", encoding="utf-8") as reported:
+            runner = subprocess.Popen([RUNNER, self.folder], env={**os.environ, **environment}, stdout=subprocess.PIPE, stderr=reported, text=True,
                                       start_new_session=True)
         self.addCleanup(runner.stdout.close)
         self.addCleanup(runner.wait)
         self.addCleanup(os.killpg, runner.pid, signal.SIGTERM)
-        self.assertEqual(runner.stdout.readline().strip(), "ready", self.text_of("told"))
+        self.assertEqual(runner.stdout.readline().strip(), "ready", self.text_of("reported"))
         self.url = self.text_of("url")
 
     def kill(self, name):
@@ -89,17 +89,17 @@ class RealMoonraker(unittest.TestCase):
         return job
 
     def end_of(self, job):
-        out, told = job.communicate(timeout=PATIENCE_S)
-        self.skip_if_stalled(told)
-        return job.returncode, out, told
+        out, reported = job.communicate(timeout=PATIENCE_S)
+        self.skip_if_stalled(reported)
+        return job.returncode, out, reported
 
     def print(self, lines, *settings, **how):
         return self.end_of(self.begin(lines, *settings, **how))
 
-    def skip_if_stalled(self, told):
+    def skip_if_stalled(self, reported):
         """A microcontroller that is a program of a busy computer comes too late, and Klipper shuts down."""
-        if re.search("Timer too close|Stepper too far in past|Rescheduled timer in the past|Lost communication with MCU", told):
-            self.skipTest("the computer is too busy for Klipper: " + told.strip())
+        if re.search("Timer too close|Stepper too far in past|Rescheduled timer in the past|Lost communication with MCU", reported):
+            self.skipTest("the computer is too busy for Klipper: " + reported.strip())
 
     def ran(self):
         return self.text_of("record").splitlines()
@@ -112,10 +112,10 @@ class RealMoonraker(unittest.TestCase):
         self.skip_if_stalled(self.machine()["webhooks"]["state_message"])
         self.fail("%d lines were run, not %d" % (len(self.ran()), count))
 
-    def expect_stopped(self, told, lines):
+    def expect_stopped(self, reported, lines):
         """What was run is the beginning of the program, each line once; the machine has ended the print and is cold."""
         machine = self.machine()
-        self.assertIn("its heaters are off", told)
+        self.assertIn("its heaters are off", reported)
         self.assertEqual(self.ran(), lines[:len(self.ran())])
         self.assertLess(len(self.ran()), len(lines))
         self.assertEqual(machine["extruder"]["target"], 0)
@@ -123,12 +123,12 @@ class RealMoonraker(unittest.TestCase):
         self.assertNotIn(machine["print_stats"]["state"], ("printing", "paused"))
         self.assertEqual(self.files(), [])
 
-    def test_every_line_is_run_once_and_complete_is_told_when_motions_have_ended(self):
+    def test_every_line_is_run_once_and_complete_is_reported_when_motions_have_ended(self):
         self.run_moonraker()
         lines = spiral(300)
-        code, out, told = self.print(lines, "stream.firmware=klipper")
+        code, out, reported = self.print(lines, "stream.firmware=klipper")
         toolhead = self.machine()["toolhead"]
-        self.assertEqual(code, 0, told)
+        self.assertEqual(code, 0, reported)
         self.assertIn("Complete: 300 lines", out)
         self.assertIn("Klipper (Moonraker", out)
         self.assertEqual(self.ran(), lines)
@@ -139,23 +139,23 @@ class RealMoonraker(unittest.TestCase):
         self.run_moonraker()
         lines = spiral(100)
         for _ in range(2):
-            code, out, told = self.print(lines)
-            self.assertEqual(code, 0, told)
+            code, out, reported = self.print(lines)
+            self.assertEqual(code, 0, reported)
             self.assertIn("Klipper (Moonraker", out)
         self.assertEqual(self.ran(), lines + lines)
 
     def test_files_of_all_kinds_are_read_as_they_are_meant(self):
         self.run_moonraker()
         self.program = self.path('Teil 1 "ä" (100%) #2;a&b=c+d.gcode')
-        code, _, told = self.print([], text="G90 ; nach außen\r\nM83\r\n\r\n; Öse\r\nG28\r\nG1 X10 F6000 ; 90°\r\nG1 X20".encode())
-        self.assertEqual(code, 0, told)
+        code, _, reported = self.print([], text="G90 ; nach außen\r\nM83\r\n\r\n; Öse\r\nG28\r\nG1 X10 F6000 ; 90°\r\nG1 X20".encode())
+        self.assertEqual(code, 0, reported)
         self.assertEqual(self.ran(), ["G90", "M83", "G28", "G1 X10 F6000", "G1 X20"])
         self.assertEqual(self.files(), [])
 
     def test_a_program_without_motion_is_complete(self):
         self.run_moonraker()
-        code, _, told = self.print(["G90"])
-        self.assertEqual(code, 0, told)
+        code, _, reported = self.print(["G90"])
+        self.assertEqual(code, 0, reported)
         self.assertEqual(self.ran(), ["G90"])
 
     def test_an_interrupted_print_is_cancelled(self):
@@ -164,10 +164,10 @@ class RealMoonraker(unittest.TestCase):
         job = self.begin(lines)
         self.await_lines(200)
         job.send_signal(signal.SIGINT)
-        code, _, told = self.end_of(job)
+        code, _, reported = self.end_of(job)
         self.assertEqual(code, 1)
-        self.assertIn("stopped by the user", told)
-        self.expect_stopped(told, lines)
+        self.assertIn("stopped by the user", reported)
+        self.expect_stopped(reported, lines)
         self.assertEqual(self.machine()["print_stats"]["state"], "cancelled")
 
     def test_a_print_that_its_file_has_paused_is_ended(self):
@@ -178,9 +178,9 @@ class RealMoonraker(unittest.TestCase):
         time.sleep(3.0)
         self.assertEqual(self.machine()["print_stats"]["state"], "paused")
         job.send_signal(signal.SIGINT)
-        code, _, told = self.end_of(job)
+        code, _, reported = self.end_of(job)
         self.assertEqual(code, 1)
-        self.expect_stopped(told, lines)
+        self.expect_stopped(reported, lines)
 
     def test_a_stop_that_waits_for_heat_is_not_called_confirmed(self):
         self.run_moonraker()
@@ -188,9 +188,9 @@ class RealMoonraker(unittest.TestCase):
         self.await_lines(10)
         time.sleep(3.0)
         job.send_signal(signal.SIGINT)
-        code, _, told = self.end_of(job)
+        code, _, reported = self.end_of(job)
         self.assertEqual(code, 1)
-        self.assertIn("has not confirmed within 5 s", told)
+        self.assertIn("has not confirmed within 5 s", reported)
 
     def test_it_pauses_and_goes_on(self):
         self.run_moonraker()
@@ -206,8 +206,8 @@ class RealMoonraker(unittest.TestCase):
         self.assertEqual(self.ran(), held)
         job.stdin.write("resume\n")
         job.stdin.flush()
-        code, _, told = self.end_of(job)
-        self.assertEqual(code, 0, told)
+        code, _, reported = self.end_of(job)
+        self.assertEqual(code, 0, reported)
         self.assertEqual(self.ran(), lines)
 
     def type(self, job, *lines):
@@ -238,11 +238,11 @@ class RealMoonraker(unittest.TestCase):
             abs(found["gcode_move"]["speed_factor"] - 0.8) < 1e-6 and abs(found["gcode_move"]["extrude_factor"] - 1.05) < 1e-6
             and abs(found["gcode_move"]["homing_origin"][2] + 0.05) < 1e-6
             and found["exclude_object"]["excluded_objects"] == ["RIGHT"]))
-        code, out, told = self.end_of(job)
-        self.assertEqual(code, 0, told)
-        self.assertIn("feed 80: taken", told)
-        self.assertIn("spindle 50: Klipper has no spindle", told)
-        self.assertIn("cancel_part 7: part 7 is not in the program, which defines 2", told)
+        code, out, reported = self.end_of(job)
+        self.assertEqual(code, 0, reported)
+        self.assertIn("feed 80: taken", reported)
+        self.assertIn("spindle 50: Klipper has no spindle", reported)
+        self.assertIn("cancel_part 7: part 7 is not in the program, which defines 2", reported)
         self.assertNotIn("not done", out)
         self.assertEqual(self.ran(), lines)
 
@@ -259,19 +259,19 @@ class RealMoonraker(unittest.TestCase):
         self.assertLess(held, 450)
         time.sleep(1.0)
         self.type(job, "resume")
-        code, _, told = self.end_of(job)
-        self.assertEqual(code, 0, told)
+        code, _, reported = self.end_of(job)
+        self.assertEqual(code, 0, reported)
         self.assertEqual(self.ran(), path)
 
     def test_commands_that_it_does_not_know_are_counted(self):
         self.run_moonraker()
         path = spiral(60)
-        code, out, told = self.print(path[:20] + ["NO_SUCH_MACRO A=1"] + path[20:] + ["M999"])
-        self.assertEqual(code, 0, told)
+        code, out, reported = self.print(path[:20] + ["NO_SUCH_MACRO A=1"] + path[20:] + ["M999"])
+        self.assertEqual(code, 0, reported)
         self.assertIn("not done: 2 commands", out)
         self.assertIn('Unknown command:"NO_SUCH_MACRO"', out)
-        code, out, told = self.print(path)
-        self.assertEqual(code, 0, told)
+        code, out, reported = self.print(path)
+        self.assertEqual(code, 0, reported)
         self.assertNotIn("not done", out)
 
     def test_an_emergency_stop_ends_a_wait_for_heat(self):
@@ -282,9 +282,9 @@ class RealMoonraker(unittest.TestCase):
                 self.await_lines(10)
                 time.sleep(3.0)
                 job.send_signal(signal.SIGINT)
-                code, _, told = self.end_of(job)
+                code, _, reported = self.end_of(job)
                 self.assertEqual(code, 1)
-                self.assertIn("was shut down by an emergency stop" if is_halted else "POST /printer/emergency_stop", told)
+                self.assertIn("was shut down by an emergency stop" if is_halted else "POST /printer/emergency_stop", reported)
                 self.assertEqual(self.machine()["webhooks"]["state"], "shutdown" if is_halted else "ready")
 
     def test_a_print_goes_on_without_its_streamer_and_is_followed(self):
@@ -319,16 +319,16 @@ class RealMoonraker(unittest.TestCase):
         self.ask("/printer/print/pause", "POST")
         time.sleep(3.0)
         self.ask("/printer/print/resume", "POST")
-        code, _, told = self.end_of(job)
-        self.assertEqual(code, 0, told)
+        code, _, reported = self.end_of(job)
+        self.assertEqual(code, 0, reported)
         self.assertEqual(self.ran(), lines)
 
         job = self.begin(lines)
         self.await_lines(550)
         self.ask("/printer/print/cancel", "POST")
-        code, _, told = self.end_of(job)
+        code, _, reported = self.end_of(job)
         self.assertEqual(code, 1)
-        self.assertIn("was cancelled at the machine", told)
+        self.assertIn("was cancelled at the machine", reported)
         self.assertEqual(self.files(), [])
 
     def test_an_earlier_print_that_was_cancelled_is_left_alone(self):
@@ -357,10 +357,10 @@ class RealMoonraker(unittest.TestCase):
         time.sleep(40.0)
         self.assertIsNone(job.poll(), "it is followed all the time")
         self.ask("/printer/emergency_stop", "POST")
-        code, _, told = self.end_of(job)
+        code, _, reported = self.end_of(job)
         self.assertEqual(code, 1)
-        self.assertIn("M220 S80: no answer within 10 s", told)
-        self.assertIn("the printer has shut itself down", told)
+        self.assertIn("M220 S80: no answer within 10 s", reported)
+        self.assertIn("the printer has shut itself down", reported)
 
     def test_no_part_is_left_out_where_klipper_cannot(self):
         self.run_moonraker()
@@ -370,37 +370,37 @@ class RealMoonraker(unittest.TestCase):
         self.await_lines(100)
         time.sleep(1.5)  # until it is seen to print
         self.type(job, "cancel_part 0")
-        code, _, told = self.end_of(job)
-        self.assertEqual(code, 0, told)
-        self.assertIn("cancel_part 0: this Klipper leaves out no parts: its configuration has no [exclude_object]", told)
+        code, _, reported = self.end_of(job)
+        self.assertEqual(code, 0, reported)
+        self.assertIn("cancel_part 0: this Klipper leaves out no parts: its configuration has no [exclude_object]", reported)
 
     def test_an_error_ends_the_print_and_nothing_behind_it_is_run(self):
         self.run_moonraker(NOZZLE_C="25")
         lines = ["G90", "M140 S50", "G28", "M83", "G1 X20 E5 F6000", "G1 X30"]
-        code, _, told = self.print(lines)
+        code, _, reported = self.print(lines)
         self.assertEqual(code, 1)
-        self.assertIn("the print has ended with an error: Extrude below minimum temp", told)
-        self.assertIn("line 4 of 6 was the last acknowledged", told)
-        self.assertEqual(told.count("\n"), 1, told)
+        self.assertIn("the print has ended with an error: Extrude below minimum temp", reported)
+        self.assertIn("line 4 of 6 was the last acknowledged", reported)
+        self.assertEqual(reported.count("\n"), 1, reported)
         self.assertEqual(self.ran(), lines[:4])
-        self.expect_stopped(told, lines)
+        self.expect_stopped(reported, lines)
 
     def test_another_print_is_left_alone(self):
         self.run_moonraker()
         theirs = spiral(1200)
         job = self.begin(theirs)
         self.await_lines(100)
-        code, _, told = self.print(["G91"])
+        code, _, reported = self.print(["G91"])
         self.assertEqual(code, 1)
-        self.assertIn("another print under way", told)
+        self.assertIn("another print under way", reported)
         self.ask("/printer/print/pause", "POST")
-        code, _, told = self.print(["G91"])
+        code, _, reported = self.print(["G91"])
         self.assertEqual(code, 1)
-        self.assertIn("another print under way", told)
+        self.assertIn("another print under way", reported)
         self.assertEqual(len(self.files()), 1)
         self.ask("/printer/print/resume", "POST")
-        code, _, told = self.end_of(job)
-        self.assertEqual(code, 0, told)
+        code, _, reported = self.end_of(job)
+        self.assertEqual(code, 0, reported)
         self.assertEqual(self.ran(), theirs)
 
     def test_nothing_is_started_behind_anothers_command(self):
@@ -408,9 +408,9 @@ class RealMoonraker(unittest.TestCase):
         other = threading.Thread(target=self.ask_in_vain, args=("/printer/gcode/script?script=M109%20S250",), daemon=True)
         other.start()
         time.sleep(2.0)
-        code, _, told = self.print(spiral(10))
+        code, _, reported = self.print(spiral(10))
         self.assertEqual(code, 1)
-        self.assertIn("has been busy for 10 s", told)
+        self.assertIn("has been busy for 10 s", reported)
         machine = self.machine()
         self.assertEqual(machine["extruder"]["target"], 250)
         self.assertEqual(machine["print_stats"]["state"], "standby")
@@ -419,35 +419,35 @@ class RealMoonraker(unittest.TestCase):
 
     def test_the_key_is_asked_for(self):
         self.run_moonraker(LOGINS="1")
-        code, _, told = self.print(["G90"])
+        code, _, reported = self.print(["G90"])
         self.assertEqual(code, 1)
-        self.assertIn("Moonraker asks for an API key", told)
+        self.assertIn("Moonraker asks for an API key", reported)
         with open(self.path("wrong"), "w", encoding="utf-8") as key:
             key.write("0123456789abcdef0123456789abcdef\n")
-        code, _, told = self.print(["G90"], "stream.password_file=" + self.path("wrong"))
+        code, _, reported = self.print(["G90"], "stream.password_file=" + self.path("wrong"))
         self.assertEqual(code, 1)
-        self.assertIn("does not take the key", told)
-        self.assertNotIn("0123456789abcdef", told)
+        self.assertIn("does not take the key", reported)
+        self.assertNotIn("0123456789abcdef", reported)
         self.assertEqual(self.ran(), [])
-        code, _, told = self.print(["G90", "M83"], "stream.password_file=" + self.path("key"))
-        self.assertEqual(code, 0, told)
+        code, _, reported = self.print(["G90", "M83"], "stream.password_file=" + self.path("key"))
+        self.assertEqual(code, 0, reported)
         self.assertEqual(self.ran(), ["G90", "M83"])
         self.assertEqual(self.files(), [])
 
-    def test_a_shutdown_under_way_is_told_with_its_reason(self):
+    def test_a_shutdown_under_way_is_reported_with_its_reason(self):
         self.run_moonraker()
         job = self.begin(spiral(1000))
         self.await_lines(150)
         self.ask("/printer/emergency_stop", "POST")
-        code, _, told = self.end_of(job)
+        code, _, reported = self.end_of(job)
         self.assertEqual(code, 1)
-        self.assertIn("Shutdown due to", told)
+        self.assertIn("Shutdown due to", reported)
         self.assertLess(len(self.ran()), 1000)
 
         before = self.ran()
-        code, _, told = self.print(["G90"])
+        code, _, reported = self.print(["G90"])
         self.assertEqual(code, 1)
-        self.assertIn("the printer is not ready: Shutdown due to", told)
+        self.assertIn("the printer is not ready: Shutdown due to", reported)
         self.assertEqual(self.ran(), before)
 
     def test_a_shutdown_in_the_last_motion_is_not_complete(self):
@@ -457,9 +457,9 @@ class RealMoonraker(unittest.TestCase):
         time.sleep(4.0)
         self.assertEqual(self.machine()["print_stats"]["state"], "complete")
         self.ask("/printer/emergency_stop", "POST")
-        code, _, told = self.end_of(job)
+        code, _, reported = self.end_of(job)
         self.assertEqual(code, 1)
-        self.assertIn("Shutdown due to", told)
+        self.assertIn("Shutdown due to", reported)
 
     def test_a_stop_in_the_last_motion_waits_for_it(self):
         self.run_moonraker()
@@ -467,11 +467,11 @@ class RealMoonraker(unittest.TestCase):
         self.await_lines(5)
         time.sleep(4.0)
         job.send_signal(signal.SIGINT)
-        code, _, told = self.end_of(job)
+        code, _, reported = self.end_of(job)
         machine = self.machine()
         self.assertEqual(code, 1)
-        self.assertIn("its heaters are off", told)
-        self.assertNotIn("still moving", told)
+        self.assertIn("its heaters are off", reported)
+        self.assertNotIn("still moving", reported)
         self.assertEqual(machine["extruder"]["target"], 0)
         self.assertGreater(machine["toolhead"]["estimated_print_time"], machine["toolhead"]["print_time"])
 
@@ -482,9 +482,9 @@ class RealMoonraker(unittest.TestCase):
                 job = self.begin(spiral(1000))
                 self.await_lines(150)
                 self.ask("/printer/" + way, "POST")
-                code, _, told = self.end_of(job)
+                code, _, reported = self.end_of(job)
                 self.assertEqual(code, 1)
-                self.assertRegex(told, "restarted|shut itself down")
+                self.assertRegex(reported, "restarted|shut itself down")
 
     def test_a_server_that_restarts_is_waited_for(self):
         self.run_moonraker()
@@ -492,27 +492,27 @@ class RealMoonraker(unittest.TestCase):
         job = self.begin(lines)
         self.await_lines(150)
         self.ask("/server/restart", "POST")
-        code, _, told = self.end_of(job)
-        self.assertEqual(code, 0, told)
+        code, _, reported = self.end_of(job)
+        self.assertEqual(code, 0, reported)
         self.assertEqual(self.ran(), lines)
 
-    def told_without(self, process):
-        """What is told of a job amid which a process is killed."""
+    def reported_without(self, process):
+        """What is reported of a job amid which a process is killed."""
         self.run_moonraker()
         job = self.begin(spiral(1000), "stream.silence_timeout_s=5")
         self.await_lines(150)
         self.kill(process)
-        code, _, told = self.end_of(job)
+        code, _, reported = self.end_of(job)
         self.assertEqual(code, 1)
-        return told
+        return reported
 
-    def test_a_server_that_is_gone_is_told(self):
-        told = self.told_without("moonraker")
-        self.assertIn("nothing was heard of the machine for", told)
-        self.assertIn("it may still be printing", told)
+    def test_a_server_that_is_gone_is_reported(self):
+        reported = self.reported_without("moonraker")
+        self.assertIn("nothing was heard of the machine for", reported)
+        self.assertIn("it may still be printing", reported)
 
-    def test_klipper_that_is_gone_is_told(self):
-        self.assertIn("Klippy", self.told_without("klippy"))
+    def test_klipper_that_is_gone_is_reported(self):
+        self.assertIn("Klippy", self.reported_without("klippy"))
 
 
 if __name__ == "__main__":

@@ -69,7 +69,7 @@ CorrectionMap evenMap(const Toolpath& part, std::size_t layer, const PlaceCorrec
 
 /// What a program does.
 struct Played {
-  double laid_mm = 0.0;       ///< filament, while the nozzle moves
+  double deposited_mm = 0.0;  ///< filament, while the nozzle moves
   double balance_mm = 0.0;    ///< all filament
   double deposit_mm = 0.0;    ///< way
   double fastest_mm_s = 0.0;  ///< of depositing motions
@@ -87,7 +87,7 @@ Played played(const std::string& program) {
     if (way > 0.0 && motion.extrusion_mm <= 0.0 && motion.layer)
       sum.fastest_travel_mm_s = std::max(sum.fastest_travel_mm_s, motion.feed_mm_s);
     if (way == 0.0 || motion.extrusion_mm <= 0.0) return;
-    sum.laid_mm += motion.extrusion_mm;
+    sum.deposited_mm += motion.extrusion_mm;
     sum.deposit_mm += way;
     sum.fastest_mm_s = std::max(sum.fastest_mm_s, motion.feed_mm_s);
     sum.slowest_mm_s = std::min(sum.slowest_mm_s, motion.feed_mm_s);
@@ -144,8 +144,10 @@ TEST(CorrectedProgram, PushesWhatTheMapAsksFor) {
     const Played before = played(program);
     const CorrectedProgram corrected = correctedProgram(program, part, {map}, {});
     const Played after = played(corrected.text);
-    EXPECT_NEAR(after.laid_mm, before.laid_mm * (1.0 + 0.5 * 0.15), 1e-4) << "the second layer of two";
-    EXPECT_NEAR(after.balance_mm - before.balance_mm, 0.075 * before.laid_mm, 1e-4) << "retractions are kept";
+    EXPECT_NEAR(after.deposited_mm, before.deposited_mm * (1.0 + 0.5 * 0.15), 1e-4)
+        << "the second layer of two";
+    EXPECT_NEAR(after.balance_mm - before.balance_mm, 0.075 * before.deposited_mm, 1e-4)
+        << "retractions are kept";
     EXPECT_NEAR(after.deposit_mm, before.deposit_mm, 1e-9);
     EXPECT_EQ(corrected.report.corrected_lines, 3U);
     EXPECT_EQ(corrected.report.added_lines, 0U) << "it does not change along a line";
@@ -161,7 +163,7 @@ TEST(CorrectedProgram, SplitsLinesWhereTheAmountChanges) {
   const CorrectedProgram corrected = correctedProgram(program, part, {mapOf(part, 0, ramp)}, {});
   const Played before = played(program);
   const Played after = played(corrected.text);
-  EXPECT_NEAR(after.laid_mm, before.laid_mm, 1e-4);
+  EXPECT_NEAR(after.deposited_mm, before.deposited_mm, 1e-4);
   EXPECT_NEAR(after.deposit_mm, before.deposit_mm, 1e-6);
   // A change of 0.395 in pieces of 0.02, cut at stations of 0.005: 19.75, and so 20 of each of three lines.
   EXPECT_EQ(corrected.report.added_lines, 3U * 19U);
@@ -175,8 +177,8 @@ TEST(CorrectedProgram, KeepsTheSumOfManyPieces) {
       const std::string program =
           is_absolute ? inAbsoluteExtrusion(programOf(part, arcs)) : programOf(part, arcs);
       const CorrectedProgram corrected = correctedProgram(program, part, {mapOf(part, 0, wave)}, {});
-      EXPECT_NEAR(played(corrected.text).laid_mm, corrected.report.corrected_mm, 1e-4);
-      EXPECT_NEAR(corrected.report.corrected_mm, played(program).laid_mm, 1e-3) << "a wave adds nothing";
+      EXPECT_NEAR(played(corrected.text).deposited_mm, corrected.report.corrected_mm, 1e-4);
+      EXPECT_NEAR(corrected.report.corrected_mm, played(program).deposited_mm, 1e-3) << "a wave adds nothing";
       EXPECT_EQ(corrected.report.off_path_lines, 0U);
     }
   }
@@ -188,7 +190,7 @@ TEST(CorrectedProgram, KeepsAnArcWhoseAmountIsTheSame) {
   const CorrectedProgram corrected = correctedProgram(program, part, {evenMap(part, 0, {0.1, 0, 0})}, {});
   EXPECT_EQ(corrected.report.added_lines, 0U);
   EXPECT_NE(corrected.text.find("G3"), std::string::npos);
-  EXPECT_NEAR(played(corrected.text).laid_mm, 1.1 * played(program).laid_mm, 1e-4);
+  EXPECT_NEAR(played(corrected.text).deposited_mm, 1.1 * played(program).deposited_mm, 1e-4);
 }
 
 TEST(CorrectedProgram, ChangesFeedsAndTakesThemBack) {
@@ -199,7 +201,7 @@ TEST(CorrectedProgram, ChangesFeedsAndTakesThemBack) {
   EXPECT_NEAR(after.fastest_mm_s, 15.0, 1e-3);
   EXPECT_NEAR(after.slowest_mm_s, 10.0, 1e-3) << "the second layer has its own";
   EXPECT_NEAR(after.fastest_travel_mm_s, played(program).fastest_travel_mm_s, 1e-3);
-  EXPECT_NEAR(after.laid_mm, played(program).laid_mm, 1e-4);
+  EXPECT_NEAR(after.deposited_mm, played(program).deposited_mm, 1e-4);
 }
 
 TEST(CorrectedProgram, ShiftsTheNozzleAndTakesItBack) {
@@ -254,8 +256,8 @@ TEST(CorrectedProgram, HoldsNoMoreThanTheStationsOfAMap) {
     path.stations.resize(2);
   }
   const std::string program = programOf(part);
-  EXPECT_NEAR(played(correctedProgram(program, part, {map}, {}).text).laid_mm, 1.05 * played(program).laid_mm,
-              1e-3);
+  EXPECT_NEAR(played(correctedProgram(program, part, {map}, {}).text).deposited_mm,
+              1.05 * played(program).deposited_mm, 1e-3);
   CorrectionWriting never;
   never.split_change = 0.0;
   EXPECT_THROW(correctedProgram(program, part, {map}, never), InvalidInput);
@@ -295,7 +297,7 @@ TEST(CorrectedProgram, TakesMapsUntilTheirLayersBegin) {
     if (begin == layer) {
       CorrectionMap late = second;
       late.layer = 0;
-      EXPECT_THROW(corrector.add(late), InvalidInput) << "the first layer is laid";
+      EXPECT_THROW(corrector.add(late), InvalidInput) << "the first layer is deposited";
       corrector.add(second);
       EXPECT_THROW(corrector.add(second), InvalidInput) << "one a layer";
     }
@@ -318,12 +320,12 @@ TEST(CorrectedProgram, TakesLaterMapsForLinesThatAreNotRead) {
   const std::size_t first = program.find(" E", program.find(";LAYER:0"));
   const auto line = static_cast<std::size_t>(
       1 + std::count(program.begin(), program.begin() + static_cast<std::ptrdiff_t>(first), '\n'));
-  const double bead_mm = played(program).laid_mm / 6.0;
-  const auto laid = [&](std::size_t from_line) {
-    return played(correctedProgram(program, part, {begun}, {}, {{from_line, later}}).text).laid_mm;
+  const double bead_mm = played(program).deposited_mm / 6.0;
+  const auto deposited = [&](std::size_t from_line) {
+    return played(correctedProgram(program, part, {begun}, {}, {{from_line, later}}).text).deposited_mm;
   };
-  EXPECT_NEAR(laid(line), (6.0 + 3.0 * 0.1) * bead_mm, 1e-4);
-  EXPECT_NEAR(laid(line + 1), (6.0 + 0.5 + 2.0 * 0.1) * bead_mm, 1e-4);
+  EXPECT_NEAR(deposited(line), (6.0 + 3.0 * 0.1) * bead_mm, 1e-4);
+  EXPECT_NEAR(deposited(line + 1), (6.0 + 0.5 + 2.0 * 0.1) * bead_mm, 1e-4);
   EXPECT_EQ(correctedProgram(program, part, {begun}, {}, {{program.size(), later}}).text,
             correctedProgram(program, part, {begun}, {}).text);
   CorrectionMap other = later;

@@ -86,7 +86,7 @@ TEST(CorrectionFiles, ARecordSaysWhichMapsCount) {
               "# program_sha256 0\n# toolpath planned\nlayer,sequence,digest\n" + rows);
   };
   record("0,0,none\n1,1," + digestOf(mapOfLayer(1)) + "\n2,0,none\n");
-  ASSERT_EQ(readCorrectionFiles(here).size(), 1U) << "layer 2 was laid as planned";
+  ASSERT_EQ(readCorrectionFiles(here).size(), 1U) << "layer 2 was deposited as planned";
   record("1,1," + digestOf(mapOfLayer(2)) + "\n");
   EXPECT_NE(refusalOf(here).find("layer_1.csv: the map's digest is"), std::string::npos);
   record("7,1," + digestOf(mapOfLayer(7)) + "\n");
@@ -123,7 +123,7 @@ TEST(CorrectionFiles, ARecordSaysFromWhereLaterMapsOfALayerHold) {
       << refusalOf(here);
 }
 
-TEST(CorrectionFiles, AMapOfAnotherProgramIsTold) {
+TEST(CorrectionFiles, AMapOfAnotherProgramIsReported) {
   const ProgrammedToolpath planned{"planned", test::stackedBeads(2)};
   EXPECT_EQ(defectOf(mapOfLayer(1), planned), "");
   EXPECT_EQ(defectOf(mapOfLayer(1, "other"), planned), "is of toolpath other; expected toolpath planned");

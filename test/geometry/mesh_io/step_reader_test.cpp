@@ -237,7 +237,7 @@ class CancelledReading final : public Progress {
   double last_ = 0.0;
 };
 
-TEST(StepReader, StopsWhenItIsToldTo) {
+TEST(StepReader, StopsWhenItIsAskedTo) {
   gp_Trsf aside;
   std::vector<TopoDS_Shape> solids;
   for (int i = 0; i < 20; ++i) {

@@ -126,7 +126,7 @@ void writeTwoItems(const std::string& path) {
   for (Object* handle : {writer, item, second, first, model}) NMR::lib3mf_release(handle);
 }
 
-TEST(ThreemfReader, TellsItemsOfTheBuildListApart) {
+TEST(ThreemfReader, DistinguishesItemsOfTheBuildList) {
   const test::ScratchFolder folder;
   const std::string path = folder.file("two_items.3mf");
   writeTwoItems(path);

@@ -44,7 +44,7 @@ TEST(StaysInside, AgreesWithPointsAlongTheLine) {
   }));
 }
 
-TEST(StaysInside, IsToldAlikeOfManyLines) {
+TEST(StaysInside, IsJudgedAlikeOfManyLines) {
   EXPECT_TRUE(rc::check("random lines", [] {
     Random random(*rc::gen::arbitrary<std::uint64_t>());
     std::vector<Polygon> stars;

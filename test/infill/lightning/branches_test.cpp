@@ -70,7 +70,7 @@ void expectHeld(const std::vector<BranchLayer>& layers, const Branches& branches
   for (std::size_t i = 1; i < layers.size(); ++i) {
     const std::vector<Polygon> walls = outlines(layers[i - 1].inside);
     for (const Point2& point : pointsAlong(branches[i])) {
-      if (!contains(outlines(layers[i].inside), point)) continue;  // not laid
+      if (!contains(outlines(layers[i].inside), point)) continue;  // not deposited
       if (!contains(walls, point)) continue;                       // over the wall of the layer below
       const double distance =
           std::min(distanceToBranches(branches[i - 1], point), test::distanceToOutline(walls, point));

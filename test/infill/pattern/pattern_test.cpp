@@ -43,7 +43,7 @@ double filledShare(const std::string& strategy, double density, double height_mm
 
 class EveryPattern : public testing::TestWithParam<std::string> {};
 
-/// 300 layers of a cube of 60 mm hold density * 60³ mm³ of infill: one layer in five is laid here.
+/// 300 layers of a cube of 60 mm hold density * 60³ mm³ of infill: one layer in five is deposited here.
 TEST_P(EveryPattern, FillsTheShareOfACubeThatTheDensitySays) {
   for (const double density : {0.15, 0.3}) {
     double sum = 0.0;

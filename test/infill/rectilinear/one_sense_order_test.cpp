@@ -41,7 +41,7 @@ Regions holedRegions(Random& random) {
   return unite(outlines);
 }
 
-TEST(OneSenseOrder, LaysNoRowBetweenTwoLaidBeforeIt) {
+TEST(OneSenseOrder, LaysNoRowBetweenTwoDepositedBeforeIt) {
   EXPECT_TRUE(rc::check("random polygons with holes", [](std::uint64_t seed) {
     Random random(seed);
     const double spacing_mm = random.uniform(0.2, 1.5);
@@ -49,14 +49,14 @@ TEST(OneSenseOrder, LaysNoRowBetweenTwoLaidBeforeIt) {
     const Point2 from(random.uniform(-20, 40), random.uniform(-20, 20));
     const std::vector<RowVisit> order = orderInOneSense(rows, {spacing_mm, 0.0}, from);
     RC_ASSERT(order.size() == rows.size());
-    std::vector<bool> is_laid(rows.size(), false);
+    std::vector<bool> is_deposited(rows.size(), false);
     for (const RowVisit& visit : order) {
-      RC_ASSERT(!is_laid[visit.row]);
+      RC_ASSERT(!is_deposited[visit.row]);
       for (std::size_t other = 0; other < rows.size(); ++other) {
-        RC_ASSERT(!(is_laid[other] && liesAbove(rows[other], rows[visit.row])));
-        RC_ASSERT(is_laid[other] || !liesAbove(rows[visit.row], rows[other]));
+        RC_ASSERT(!(is_deposited[other] && liesAbove(rows[other], rows[visit.row])));
+        RC_ASSERT(is_deposited[other] || !liesAbove(rows[visit.row], rows[other]));
       }
-      is_laid[visit.row] = true;
+      is_deposited[visit.row] = true;
     }
   }));
 }
@@ -86,14 +86,15 @@ TEST(OneSenseOrder, LaysBothLegsBeforeWhatJoinsThem) {
 TEST(OneSenseOrder, OfNothingIsEmpty) { EXPECT_TRUE(orderInOneSense({}, {0.4, 0.0}, {0, 0}).empty()); }
 
 /// A bead along the raster.
-struct LaidRow {
+struct DepositedRow {
   double left_mm;
   double right_mm;
   double height_mm;  ///< of its middle, across
 };
 
-std::vector<LaidRow> laidRows(const std::vector<FillPath>& runs, const RasterFrame& frame, double pitch_mm) {
-  std::vector<LaidRow> rows;
+std::vector<DepositedRow> depositedRows(const std::vector<FillPath>& runs, const RasterFrame& frame,
+                                        double pitch_mm) {
+  std::vector<DepositedRow> rows;
   for (const FillPath& run : runs)
     for (std::size_t i = 1; i < run.points.size(); ++i) {
       const Point2 a = frame.intoRaster(run.points[i - 1]);
@@ -104,13 +105,13 @@ std::vector<LaidRow> laidRows(const std::vector<FillPath>& runs, const RasterFra
   return rows;
 }
 
-/// Beads that lie beside one laid before them, on the side they should come from.
-std::size_t laidBelow(const std::vector<LaidRow>& rows, double pitch_mm) {
+/// Beads that lie beside one deposited before them, on the side they should come from.
+std::size_t depositedBelow(const std::vector<DepositedRow>& rows, double pitch_mm) {
   std::size_t count = 0;
   for (std::size_t later = 0; later < rows.size(); ++later)
     for (std::size_t earlier = 0; earlier < later; ++earlier) {
-      const LaidRow& a = rows[earlier];
-      const LaidRow& b = rows[later];
+      const DepositedRow& a = rows[earlier];
+      const DepositedRow& b = rows[later];
       const bool are_beside = std::min(a.right_mm, b.right_mm) - std::max(a.left_mm, b.left_mm) > pitch_mm;
       const double above = a.height_mm - b.height_mm;
       if (are_beside && above > 0.6 * pitch_mm && above < 1.4 * pitch_mm) ++count;
@@ -118,7 +119,7 @@ std::size_t laidBelow(const std::vector<LaidRow>& rows, double pitch_mm) {
   return count;
 }
 
-TEST(VariableWidthRuns, InOneSenseLieAboveThoseLaidBefore) {
+TEST(VariableWidthRuns, InOneSenseLieAboveThoseDepositedBefore) {
   std::size_t unordered = 0;
   EXPECT_TRUE(rc::check("random polygons with holes", [&unordered](std::uint64_t seed) {
     Random random(seed);
@@ -129,10 +130,10 @@ TEST(VariableWidthRuns, InOneSenseLieAboveThoseLaidBefore) {
     const Regions links = offset(regions, -0.5 * narrowestBead(request));
     const RasterFrame frame(request.angle_rad);
     const std::vector<FillPath> shortest = variableWidthRuns(links, request);
-    unordered += laidBelow(laidRows(shortest, frame, request.pitch_mm), request.pitch_mm);
+    unordered += depositedBelow(depositedRows(shortest, frame, request.pitch_mm), request.pitch_mm);
     request.advance = LineAdvance::OneSense;
     const std::vector<FillPath> runs = variableWidthRuns(links, request);
-    RC_ASSERT(laidBelow(laidRows(runs, frame, request.pitch_mm), request.pitch_mm) == 0U);
+    RC_ASSERT(depositedBelow(depositedRows(runs, frame, request.pitch_mm), request.pitch_mm) == 0U);
     double filled = 0.0;
     for (const FillPath& run : runs)
       for (std::size_t i = 1; i < run.points.size(); ++i)

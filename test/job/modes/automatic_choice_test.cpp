@@ -307,7 +307,7 @@ TEST_F(AutomaticChoice, SkinsAreFollowedWhereThatIsAskedFor) {
   EXPECT_EQ(slice().summary.mode, "planar");
 }
 
-TEST_F(AutomaticChoice, ABaseIsLaidOn) {
+TEST_F(AutomaticChoice, ABaseIsDepositedOn) {
   usePart("box");
   job_.settings.conformal.base = job_.part;
   Mesh plate = makePart("box", {{"z_mm", "2"}});

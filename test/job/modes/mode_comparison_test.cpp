@@ -55,7 +55,7 @@ TEST_F(ModeComparisonTest, EachModeShowsWhatItLeavesUnsupported) {
 }
 
 // A plate 2 mm high at 20 mm, over a box as high: a coat would lie above 22 mm.
-TEST_F(ModeComparisonTest, WhatIsLaidOnABaseIsComparedOnIt) {
+TEST_F(ModeComparisonTest, WhatIsDepositedOnABaseIsComparedOnIt) {
   job_.settings.conformal.base = folder_.file("box.stl");
   writeStl(job_.settings.conformal.base, makePart("box"));
   Mesh plate = makePart("box", {{"z_mm", "2"}});
@@ -74,7 +74,7 @@ TEST_F(ModeComparisonTest, WhatIsLaidOnABaseIsComparedOnIt) {
   EXPECT_FALSE(comparison.chosen.has_value());
 }
 
-TEST_F(ModeComparisonTest, APartIsComparedAsLargeAsItIsLaid) {
+TEST_F(ModeComparisonTest, APartIsComparedAsLargeAsItIsDeposited) {
   job_.settings.compensation.shrink_z = 0.2;
   const ModeComparison comparison = compared({"planar"});
   // 28 mm as drawn, in layers of 0.5 mm.

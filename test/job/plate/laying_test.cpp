@@ -33,7 +33,7 @@ TEST(Laying, TurnsAFunnelOver) {
   EXPECT_NEAR(std::abs(best.turn_deg.x()), 180.0, 1e-9);
 }
 
-TEST(Laying, TellsWhatHangs) {
+TEST(Laying, ReportsWhatHangs) {
   bool stands = false;
   for (const Laying& laying : layings(tee(), {})) {
     if (!laying.turn_deg.isZero()) continue;
@@ -52,12 +52,12 @@ TEST(Laying, TellsWhatHangs) {
 TEST(Laying, TurnsEachFaceDown) {
   const Mesh part = makePart("tetradecahedron");
   for (const Laying& laying : layings(part, {})) {
-    const Mesh laid = transformed(part, standing(part, turnOf(laying.turn_deg), 1.0));
+    const Mesh placed = transformed(part, standing(part, turnOf(laying.turn_deg), 1.0));
     double on_bed_mm2 = 0.0;
-    for (const Triangle& t : laid.triangles) {
-      const Point3 doubled =
-          (laid.vertices[t[1]] - laid.vertices[t[0]]).cross(laid.vertices[t[2]] - laid.vertices[t[0]]);
-      if (std::max({laid.vertices[t[0]].z(), laid.vertices[t[1]].z(), laid.vertices[t[2]].z()}) < 1e-6)
+    for (const Triangle& t : placed.triangles) {
+      const Point3 doubled = (placed.vertices[t[1]] - placed.vertices[t[0]])
+                                 .cross(placed.vertices[t[2]] - placed.vertices[t[0]]);
+      if (std::max({placed.vertices[t[0]].z(), placed.vertices[t[1]].z(), placed.vertices[t[2]].z()}) < 1e-6)
         on_bed_mm2 += 0.5 * doubled.norm();
     }
     EXPECT_NEAR(on_bed_mm2, laying.face_mm2, 1e-6 * laying.face_mm2);

@@ -79,7 +79,7 @@ std::map<std::string, double> volumesByPart(const Toolpath& toolpath) {
   return volumes;
 }
 
-double laidIn(const Toolpath& toolpath) { return totals(toolpath).deposited_mm3; }
+double depositedIn(const Toolpath& toolpath) { return totals(toolpath).deposited_mm3; }
 
 TEST_F(PlateJobTest, TurnsContoursExactly) {
   for (const double angle_deg : {0.0, 30.0, 45.0, 90.0}) {
@@ -118,10 +118,10 @@ TEST_F(PlateJobTest, LaysWhatSinglePartsLay) {
     const Mesh mesh = test::boxBetween(Point3::Zero(), {20, 10, 2});
     writeStl(turned, transformed(mesh, standing(mesh, turnOf({0, 0, angle_deg}), 1.0)));
     NoProgress nobody;
-    singles_mm3 += laidIn(runSliceJob({turned, "", job_.settings}, nobody).toolpath);
+    singles_mm3 += depositedIn(runSliceJob({turned, "", job_.settings}, nobody).toolpath);
   }
   const SlicedPlate plate = run();
-  EXPECT_NEAR(laidIn(plate.sliced.toolpath) / singles_mm3, 1.0, 1e-6);
+  EXPECT_NEAR(depositedIn(plate.sliced.toolpath) / singles_mm3, 1.0, 1e-6);
   EXPECT_EQ(plate.sliced.toolpath.layers.size(), 10U);
   ASSERT_EQ(plate.parts.size(), 4U);
   EXPECT_EQ(plate.parts[1].name, "box 2");
@@ -286,7 +286,7 @@ TEST_F(PlateJobTest, StacksLevelsOfATowerBesideLayersOfOtherHeights) {
     job_.plate.parts.back().settings = {{"slicing.layer_height_mm", height_mm},
                                         {"slicing.first_layer_height_mm", height_mm}};
     double top_mm = 0.0;
-    double laid_mm = 0.0;
+    double deposited_mm = 0.0;
     double purged_mm3 = 0.0;
     std::size_t changes = 0;
     std::optional<std::uint32_t> tool;
@@ -295,16 +295,16 @@ TEST_F(PlateJobTest, StacksLevelsOfATowerBesideLayersOfOtherHeights) {
         if (path.role == PathRole::Travel || path.role == PathRole::Skirt) continue;
         if (tool.value_or(path.tool) != path.tool) ++changes;
         tool = path.tool;
-        EXPECT_GE(path.firstPoint().z(), laid_mm - 1e-9) << "below what is laid, at " << height_mm;
-        laid_mm = path.firstPoint().z();
+        EXPECT_GE(path.firstPoint().z(), deposited_mm - 1e-9) << "below what is deposited, at " << height_mm;
+        deposited_mm = path.firstPoint().z();
         if (path.role != PathRole::Prime) continue;
         purged_mm3 += depositedVolume(path);
         EXPECT_LE(path.bead.at(0).height_mm, 1.5 * 0.3);
         if (path.points.size() == kWallPoints) {
           // A layer less than half a layer above its level lays from where it is.
           top_mm += path.bead.at(0).height_mm;
-          EXPECT_GE(laid_mm, top_mm - 1e-9) << height_mm;
-          EXPECT_LT(laid_mm, top_mm + 0.5 * 0.2) << height_mm;
+          EXPECT_GE(deposited_mm, top_mm - 1e-9) << height_mm;
+          EXPECT_LT(deposited_mm, top_mm + 0.5 * 0.2) << height_mm;
         }
       }
     EXPECT_GT(changes, 10U);
@@ -402,7 +402,7 @@ TEST(PlateFile, IsRefusedByLineAndKey) {
             std::string::npos);
 }
 
-/// Values of the belt over what is laid, by part.
+/// Values of the belt over what is deposited, by part.
 std::map<std::string, std::pair<double, double>> beltByPart(const SlicedPart& plate) {
   const CartesianMachine machine = machineByName("belt_45");
   std::map<std::string, std::pair<double, double>> spans;
@@ -436,7 +436,7 @@ TEST_F(PlateJobTest, PartsFollowEachOtherAlongABelt) {
   for (const auto& [name, size] : boxes) {
     job_.plate.parts.clear();
     add(box(name, size));
-    single[name] = laidIn(run().sliced.toolpath);
+    single[name] = depositedIn(run().sliced.toolpath);
   }
   job_.plate.parts.clear();
   for (const auto& [name, size] : boxes) add(folder_.file(name + ".stl"));
@@ -445,8 +445,8 @@ TEST_F(PlateJobTest, PartsFollowEachOtherAlongABelt) {
   ASSERT_EQ(spans.size(), 3U);
   EXPECT_NEAR(spans.at("low").first - spans.at("cube").second, 7.0, 1e-6);
   EXPECT_NEAR(spans.at("high").first - spans.at("low").second, 7.0, 1e-6);
-  const auto laid = volumesByPart(plate.sliced.toolpath);
-  for (const auto& [name, volume_mm3] : single) EXPECT_NEAR(laid.at(name), volume_mm3, 1e-6) << name;
+  const auto deposited = volumesByPart(plate.sliced.toolpath);
+  for (const auto& [name, volume_mm3] : single) EXPECT_NEAR(deposited.at(name), volume_mm3, 1e-6) << name;
   ASSERT_EQ(plate.parts.size(), 3U);
   EXPECT_LT(plate.parts[2].at_mm.y(), plate.parts[1].at_mm.y() - 20.0) << "the belt goes along -y";
 
@@ -464,18 +464,18 @@ TEST_F(PlateJobTest, PartsStandBesideEachOtherInInclinedLayers) {
   for (const PlatePart& part : both) {
     job_.plate.parts = {part};
     const SlicedPlate plate = run();
-    single[plate.parts.front().name] = laidIn(plate.sliced.toolpath);
+    single[plate.parts.front().name] = depositedIn(plate.sliced.toolpath);
   }
   job_.plate.parts = both;
   const SlicedPlate plate = run();
   const Toolpath& toolpath = plate.sliced.toolpath;
-  const auto laid = volumesByPart(toolpath);
-  for (const auto& [name, volume_mm3] : single) EXPECT_NEAR(laid.at(name), volume_mm3, 1e-6) << name;
+  const auto deposited = volumesByPart(toolpath);
+  for (const auto& [name, volume_mm3] : single) EXPECT_NEAR(deposited.at(name), volume_mm3, 1e-6) << name;
   EXPECT_TRUE(hasPlaneLayers(toolpath));
   EXPECT_NEAR(inclinationDeg(toolpath), 45.0, 1e-9);
   double level_mm = -1e9;
   for (const ToolpathLayer& layer : toolpath.layers) {
-    EXPECT_GE(layer.z_mm, level_mm) << "nothing is laid below what is finished";
+    EXPECT_GE(layer.z_mm, level_mm) << "nothing is deposited below what is finished";
     level_mm = layer.z_mm;
   }
   const Box3 of_both = depositionBox(toolpath);

@@ -147,7 +147,7 @@ Toolpath ringToolpath(double lean) {
   return {"ring", {{10.0, 1.0, {path}}}};
 }
 
-TEST(GravityTable, LimitsThatNoSideKeepsAreToldByTheJoint) {
+TEST(GravityTable, LimitsThatNoSideKeepsAreReportedByTheJoint) {
   const auto model = kinematicModelFromUrdf(test::tiltingArm({"-0.3", "0.3"}));
   JointPathSettings settings;
   settings.external = ExternalChoice::Gravity;

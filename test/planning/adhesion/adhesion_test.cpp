@@ -206,7 +206,7 @@ TEST(Raft, LiesBelowThePartThatKeepsItsPlace) {
     auto& first = above.layers.front().paths;
     if (first.front().role == PathRole::Travel) first.erase(first.begin());
     return toolpathId(above);
-  }()) << "the part is laid as without raft";
+  }()) << "the part is printed as without raft";
 }
 
 TEST(Raft, CarriesSupportsToo) {

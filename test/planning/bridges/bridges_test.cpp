@@ -122,7 +122,7 @@ TEST(Bridges, AreTheSameUnderASolidInfill) {
   EXPECT_NEAR(all, inside, 0.01 * inside);
 }
 
-TEST(Bridges, AreLaidWithoutSkinsToo) {
+TEST(Bridges, AreDepositedWithoutSkinsToo) {
   PlanSettings settings = spanning();
   settings.skins = SkinSettings{};
   const Plan plan = plannedPart(bridge(), settings);
@@ -164,7 +164,7 @@ TEST(Bridges, OfOneSideAreNone) {
   EXPECT_GT(hanging, 0.99 * (20.0 - kTwoWalls) * (20.0 - 2.0 * kTwoWalls) * 0.2);
 }
 
-TEST(Bridges, LongerThanAskedAreTold) {
+TEST(Bridges, LongerThanAskedAreReported) {
   PlanSettings settings = spanning();
   settings.bridges.longest_mm = 15.0;
   EXPECT_EQ(plannedPart(bridge(), settings).bridging.too_long, 1U);
@@ -185,7 +185,7 @@ TEST(Bridges, OfRoundThreadsHaveTheirSection) {
     EXPECT_NEAR(depositedVolume(thread) / length(thread), 0.8 * 0.2 * kThreadPitch, 1e-9);
 }
 
-TEST(Bridges, GoAsTheyAreTold) {
+TEST(Bridges, GoAsTheyAreSet) {
   PlanSettings settings = spanning();
   settings.bridges.angle_deg = 10.0;
   settings.bridges.least_held = 0.3;
@@ -288,12 +288,12 @@ TEST(Bridges, NeedNoneWhereAnInclinedLayerStandsOnTheBed) {
   EXPECT_EQ(inclinedPlan(bridge(), 20.0).bridging.bridges, 0U);
   const double half_mm = 10.0 * std::sin(M_PI / 9.0) + 0.9 * std::cos(M_PI / 9.0);  // y = 10, layer 4
   const Plan plan = inclinedPlan(bridge(), half_mm);
-  double laid_mm = 0.0;
+  double deposited_mm = 0.0;
   for (const Path& thread : threadsOf(plan.toolpath.layers[5])) {
     EXPECT_GT(thread.points[0].y(), 10.0 - 1.1) << "the trace lies at y = 10 and below, and holds threads";
-    laid_mm += length(thread);
+    deposited_mm += length(thread);
   }
-  EXPECT_GT(laid_mm, 20.0);
+  EXPECT_GT(deposited_mm, 20.0);
 }
 
 TEST(Bridges, OverAGridCrossBothOfItsDirections) {
@@ -326,11 +326,11 @@ TEST(Bridges, CloseAHollowPartFromWallToWall) {
   EXPECT_NEAR(plan.bridging.longest_mm, 18.0 - 2.0 * kTwoWalls, 1e-3) << "the shorter way";
   const double volume = (30.0 - 2.0 * kTwoWalls) * (18.0 - 2.0 * kTwoWalls) * 0.2;
   for (std::size_t l = 0; l < 20; ++l) {
-    const double laid = threadVolume(threadsOf(plan.toolpath.layers[l]));
+    const double deposited = threadVolume(threadsOf(plan.toolpath.layers[l]));
     if (l == 16)
-      EXPECT_NEAR(laid, volume, 0.03 * volume);
+      EXPECT_NEAR(deposited, volume, 0.03 * volume);
     else
-      EXPECT_EQ(laid, 0.0) << l;
+      EXPECT_EQ(deposited, 0.0) << l;
   }
 }
 

@@ -43,29 +43,29 @@ FanSettings fanOfBridges() {
   return settings;
 }
 
-/// What the fan is told, and where along x [mm].
-struct Told {
+/// What the fan is commanded, and where along x [mm].
+struct Commanded {
   double at_mm;
   double share;
 };
 
-std::vector<Told> toldOf(Toolpath& toolpath, const FanSettings& settings) {
+std::vector<Commanded> commandedOf(Toolpath& toolpath, const FanSettings& settings) {
   const double volume = totals(toolpath).deposited_mm3;
   addFan(toolpath, settings, withoutInertia());
   validate(toolpath);
   EXPECT_NEAR(totals(toolpath).deposited_mm3, volume, 1e-9);
-  std::vector<Told> told;
+  std::vector<Commanded> commanded;
   for (const Path& path : toolpath.layers[0].paths)
     for (const PathEvent& each : path.events)
-      told.push_back({path.points[each.motion].x(), std::get<FanShare>(each.event).share});
-  return told;
+      commanded.push_back({path.points[each.motion].x(), std::get<FanShare>(each.event).share});
+  return commanded;
 }
 
-void expectTold(const std::vector<Told>& told, const std::vector<Told>& wanted) {
-  ASSERT_EQ(told.size(), wanted.size());
-  for (std::size_t i = 0; i < told.size(); ++i) {
-    EXPECT_NEAR(told[i].at_mm, wanted[i].at_mm, 0.01) << i;
-    EXPECT_DOUBLE_EQ(told[i].share, wanted[i].share) << i;
+void expectCommanded(const std::vector<Commanded>& commanded, const std::vector<Commanded>& wanted) {
+  ASSERT_EQ(commanded.size(), wanted.size());
+  for (std::size_t i = 0; i < commanded.size(); ++i) {
+    EXPECT_NEAR(commanded[i].at_mm, wanted[i].at_mm, 0.01) << i;
+    EXPECT_DOUBLE_EQ(commanded[i].share, wanted[i].share) << i;
   }
 }
 
@@ -75,7 +75,7 @@ TEST(FanByRole, HasTheShareOfTheRoleElseThatOfTheLayer) {
   Toolpath toolpath =
       oneLayer({stretch(PathRole::OuterWall, 0, 20), stretch(PathRole::TopSkin, 20, 40),
                 stretch(PathRole::Infill, 40, 60), stretch(PathRole::SupportInterface, 60, 80)});
-  expectTold(toldOf(toolpath, settings), {{0, 0.2}, {20, 0.7}, {40, 0.2}, {60, 1.0}});
+  expectCommanded(commandedOf(toolpath, settings), {{0, 0.2}, {20, 0.7}, {40, 0.2}, {60, 1.0}});
 }
 
 TEST(FanByRole, IsOffWithTheFirstLayers) {
@@ -83,7 +83,7 @@ TEST(FanByRole, IsOffWithTheFirstLayers) {
   settings.by_role = "outer_wall=0.7";
   settings.off_layers = 1;
   Toolpath toolpath = oneLayer({stretch(PathRole::OuterWall, 0, 20)});
-  expectTold(toldOf(toolpath, settings), {});
+  expectCommanded(commandedOf(toolpath, settings), {});
 }
 
 TEST(FanByRole, IsRefusedWhereItIsNoListOfRolesAndShares) {
@@ -103,13 +103,13 @@ TEST(FanSettingsSchema, TakesTheFormerNameOfTheTimeOfTheLeastShare) {
   EXPECT_EQ(settings.least_at_s, 25.0);
 }
 
-TEST(FanSpinUp, TellsTheFanEarlierAlongThePath) {
+TEST(FanSpinUp, CommandsTheFanEarlierAlongThePath) {
   FanSettings settings = fanOfBridges();
   settings.spin_up_s = 2.0;
   Toolpath toolpath = oneLayer({stretch(PathRole::Infill, 0, 100), stretch(PathRole::Bridge, 100, 130),
                                 stretch(PathRole::Infill, 130, 200)});
-  expectTold(toldOf(toolpath, settings), {{0, 0.2}, {80, 0.9}, {130, 0.2}});
-  EXPECT_EQ(toolpath.layers[0].paths[0].points.size(), 3U) << "divided where it is told";
+  expectCommanded(commandedOf(toolpath, settings), {{0, 0.2}, {80, 0.9}, {130, 0.2}});
+  EXPECT_EQ(toolpath.layers[0].paths[0].points.size(), 3U) << "divided where it is commanded";
 }
 
 TEST(FanSpinUp, ReachesBackThroughSeveralPaths) {
@@ -117,14 +117,14 @@ TEST(FanSpinUp, ReachesBackThroughSeveralPaths) {
   settings.spin_up_s = 2.5;
   Toolpath toolpath = oneLayer({stretch(PathRole::Infill, 0, 50), stretch(PathRole::OuterWall, 50, 60),
                                 stretch(PathRole::InnerWall, 60, 70), stretch(PathRole::Bridge, 70, 100)});
-  expectTold(toldOf(toolpath, settings), {{0, 0.2}, {45, 0.9}});
+  expectCommanded(commandedOf(toolpath, settings), {{0, 0.2}, {45, 0.9}});
 }
 
 TEST(FanSpinUp, BeginsWithTheToolpathAtTheEarliest) {
   FanSettings settings = fanOfBridges();
   settings.spin_up_s = 20.0;
   Toolpath toolpath = oneLayer({stretch(PathRole::Infill, 0, 50), stretch(PathRole::Bridge, 50, 70)});
-  expectTold(toldOf(toolpath, settings), {{0, 0.9}});
+  expectCommanded(commandedOf(toolpath, settings), {{0, 0.9}});
 }
 
 TEST(FanSpinUp, RunsThroughALullThatIsShorter) {
@@ -133,7 +133,7 @@ TEST(FanSpinUp, RunsThroughALullThatIsShorter) {
   Toolpath toolpath = oneLayer({stretch(PathRole::Bridge, 0, 30), stretch(PathRole::Infill, 30, 45),
                                 stretch(PathRole::Bridge, 45, 60), stretch(PathRole::Infill, 60, 100),
                                 stretch(PathRole::Bridge, 100, 120)});
-  expectTold(toldOf(toolpath, settings), {{0, 0.9}, {60, 0.2}, {80, 0.9}});
+  expectCommanded(commandedOf(toolpath, settings), {{0, 0.9}, {60, 0.2}, {80, 0.9}});
 }
 
 TEST(FanSpinUp, KeepsTheGreaterOfTwoRisesThatAreTooLate) {
@@ -142,7 +142,7 @@ TEST(FanSpinUp, KeepsTheGreaterOfTwoRisesThatAreTooLate) {
   settings.by_role = "top_skin=0.6";
   Toolpath toolpath = oneLayer({stretch(PathRole::Infill, 0, 20), stretch(PathRole::Bridge, 20, 30),
                                 stretch(PathRole::Infill, 30, 40), stretch(PathRole::TopSkin, 40, 60)});
-  expectTold(toldOf(toolpath, settings), {{0, 0.9}, {30, 0.6}});
+  expectCommanded(commandedOf(toolpath, settings), {{0, 0.9}, {30, 0.6}});
 }
 
 TEST(FanSpinUp, KeepsAFallToMoreThanWhatFollowsTheLull) {
@@ -151,7 +151,7 @@ TEST(FanSpinUp, KeepsAFallToMoreThanWhatFollowsTheLull) {
   settings.by_role = "top_skin=0.6,skin=0.4";
   Toolpath toolpath = oneLayer({stretch(PathRole::Bridge, 0, 100), stretch(PathRole::TopSkin, 100, 120),
                                 stretch(PathRole::Infill, 120, 140), stretch(PathRole::Skin, 140, 200)});
-  expectTold(toldOf(toolpath, settings), {{0, 0.9}, {100, 0.6}, {120, 0.4}});
+  expectCommanded(commandedOf(toolpath, settings), {{0, 0.9}, {100, 0.6}, {120, 0.4}});
 }
 
 TEST(FanSpinUp, FallsOnlyAsFarAsWhatFollowsALull) {
@@ -160,7 +160,7 @@ TEST(FanSpinUp, FallsOnlyAsFarAsWhatFollowsALull) {
   settings.by_role = "top_skin=0.6";
   Toolpath toolpath = oneLayer({stretch(PathRole::Bridge, 0, 30), stretch(PathRole::Infill, 30, 45),
                                 stretch(PathRole::TopSkin, 45, 60)});
-  expectTold(toldOf(toolpath, settings), {{0, 0.9}, {30, 0.6}});
+  expectCommanded(commandedOf(toolpath, settings), {{0, 0.9}, {30, 0.6}});
 }
 
 }  // namespace

@@ -215,13 +215,13 @@ std::string firstCode(AdvanceWord word) {
   return std::get<MachineCode>(toolpath.layers[0].paths[0].events.at(0).event).text;
 }
 
-TEST(PressureAdvance, IsToldInTheWordsOfTheFirmware) {
+TEST(PressureAdvance, IsStatedInTheWordsOfTheFirmware) {
   EXPECT_EQ(firstCode(AdvanceWord::Marlin), "M900 K0.05");
   EXPECT_EQ(firstCode(AdvanceWord::Klipper), "SET_PRESSURE_ADVANCE ADVANCE=0.05");
   EXPECT_EQ(firstCode(AdvanceWord::RepRapFirmware), "M572 D0 S0.05");
 }
 
-TEST(PressureAdvance, IsToldWhereItChangesWithTheRole) {
+TEST(PressureAdvance, IsStatedWhereItChangesWithTheRole) {
   FlowSettings settings;
   settings.advance_s = 0.05;
   settings.advance_by_role = "outer_wall=0.04, infill = 0.06";
@@ -233,10 +233,10 @@ TEST(PressureAdvance, IsToldWhereItChangesWithTheRole) {
   }
   Toolpath toolpath = of(paths);
   addAdvance(toolpath, settings);
-  std::string told;
+  std::string stated;
   for (const Path& path : toolpath.layers[0].paths)
-    told += path.events.empty() ? "-;" : std::get<MachineCode>(path.events[0].event).text + ";";
-  EXPECT_EQ(told, "M900 K0.05;-;M900 K0.04;M900 K0.06;-;M900 K0.05;");
+    stated += path.events.empty() ? "-;" : std::get<MachineCode>(path.events[0].event).text + ";";
+  EXPECT_EQ(stated, "M900 K0.05;-;M900 K0.04;M900 K0.06;-;M900 K0.05;");
 }
 
 TEST(PressureAdvance, RefusesWhatIsNoAdvanceOfARole) {
@@ -248,7 +248,7 @@ TEST(PressureAdvance, RefusesWhatIsNoAdvanceOfARole) {
   }
 }
 
-TEST(PressureAdvance, IsNotToldTogetherWithFeedForward) {
+TEST(PressureAdvance, IsNotStatedTogetherWithFeedForward) {
   FlowSettings settings;
   settings.advance_s = 0.05;
   EXPECT_NO_THROW(requireConsistent(settings));

@@ -199,7 +199,7 @@ TEST(Pauses, AreParkedAndReturn) {
     EXPECT_TRUE(wait.process.is_retracted);
     ASSERT_EQ(wait.points.size(), 5U);
     EXPECT_LT((wait.points[1] - Point3(5, 0, z + 2.0)).norm(), 1e-12);   // lifted by cooling.lift_mm
-    EXPECT_LT((wait.points[2] - Point3(-5, 0, z + 2.0)).norm(), 1e-12);  // beside what is laid, from x 0 on
+    EXPECT_LT((wait.points[2] - Point3(-5, 0, z + 2.0)).norm(), 1e-12);  // beside the part, from x 0 on
     EXPECT_EQ(wait.points[4], Point3(5, 0, z));
     ASSERT_EQ(wait.events.size(), 1U);
     EXPECT_EQ(wait.events[0].motion, 2U);

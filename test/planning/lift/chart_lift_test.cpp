@@ -90,8 +90,8 @@ TEST(ChartLift, KeepsTheVolumeOnWhatIsDevelopable) {
   }));
 }
 
-/// Volume laid on the annulus between two parallels of the sphere by circles of the plan, per volume of the
-/// layer there.
+/// Volume deposited on the annulus between two parallels of the sphere by circles of the plan, per volume of
+/// the layer there.
 double shareOnAnnulus(double from, double to) {
   const LayerChart chart = polarCap(kRadius, 0.5 * M_PI, 90, 180);
   const double pitch = (to - from) * kRadius / 40;

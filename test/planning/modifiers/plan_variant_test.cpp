@@ -261,10 +261,10 @@ TEST(PlanVariant, HopsOverTopSkinsOfItsNeighbours) {
   const Toolpath toolpath = variedPlan(open, {variantOf(closed, middle)});
   const ToolpathLayer& top = toolpath.layers.back();
   std::size_t crossing = 0;
-  bool is_skin_laid = false;
+  bool is_skin_deposited = false;
   for (const Path& path : top.paths) {
-    is_skin_laid = is_skin_laid || path.role == PathRole::TopSkin;
-    if (!is_skin_laid || path.role != PathRole::Travel) continue;
+    is_skin_deposited = is_skin_deposited || path.role == PathRole::TopSkin;
+    if (!is_skin_deposited || path.role != PathRole::Travel) continue;
     const auto sideOf = [](const Point3& point) { return point.x() < 7.0 ? -1 : point.x() > 13.0 ? 1 : 0; };
     if (sideOf(path.firstPoint()) * sideOf(path.lastPoint()) >= 0) continue;
     ++crossing;

@@ -172,15 +172,15 @@ HinderedWaypoints hinderedAtRandom(const Toolpath& toolpath, Random& random) {
   return hindered;
 }
 
-TEST(CutBeads, WhatIsLaidIsWhatNothingHinders) {
+TEST(CutBeads, WhatIsDepositedIsWhatNothingHinders) {
   EXPECT_TRUE(rc::check("any toolpath and waypoints", [](std::uint64_t seed) {
     const Toolpath toolpath = test::randomToolpath(seed);
     Random random(seed + 1);
     const HinderedWaypoints hindered = hinderedAtRandom(toolpath, random);
     const CutBeads cut = cutIn(toolpath, hindered);
     const std::multiset<Segment> expected = segmentsOf(toolpath, hindered);
-    const std::multiset<Segment> laid = segmentsOf(cut.toolpath, {});
-    RC_ASSERT(std::includes(expected.begin(), expected.end(), laid.begin(), laid.end()));
+    const std::multiset<Segment> deposited = segmentsOf(cut.toolpath, {});
+    RC_ASSERT(std::includes(expected.begin(), expected.end(), deposited.begin(), deposited.end()));
     RC_ASSERT(std::abs(totals(toolpath).deposited_mm3 - totals(cut.toolpath).deposited_mm3 -
                        cut.left_out_mm3) < 1e-9);
   }));

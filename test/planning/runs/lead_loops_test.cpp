@@ -228,7 +228,7 @@ double offPath(const Path& path, const Point3& point) {
   return least;
 }
 
-TEST(LeadLoops, KeepOffWhatIsLaidWhereverItLies) {
+TEST(LeadLoops, KeepOffWhatIsDepositedWhereverItLies) {
   EXPECT_TRUE(rc::check("of all other runs of a layer, but where these meet the run already", [] {
     Random random(*rc::gen::arbitrary<std::uint64_t>());
     std::vector<Path> walls;

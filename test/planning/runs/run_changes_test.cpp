@@ -17,7 +17,7 @@ namespace {
 constexpr double kTurn = 2.0 * M_PI;
 constexpr double kGolden = 0.6180339887498949;
 
-Path laidBead(std::vector<Point3> points, const Bead& section = {1.0, 0.5}) {
+Path depositedBead(std::vector<Point3> points, const Bead& section = {1.0, 0.5}) {
   Path path;
   path.role = PathRole::OuterWall;
   path.points = std::move(points);
@@ -41,7 +41,7 @@ Path ring(double radius_mm, double z_mm, std::size_t count = 360) {
     const double angle = kTurn * static_cast<double>(i) / static_cast<double>(count);
     points.emplace_back(radius_mm * std::cos(angle), radius_mm * std::sin(angle), z_mm);
   }
-  Path path = laidBead(std::move(points));
+  Path path = depositedBead(std::move(points));
   path.is_closed = true;
   return path;
 }
@@ -135,7 +135,7 @@ TEST(SpreadStarts, OppositeStartsStandHalfARoundApart) {
 
 TEST(SpreadStarts, LeavesRunsOfSeveralPathsAndOpenOnes) {
   Path wall = ring(10.0, 0.5);
-  Toolpath joined = ofPaths({wall, laidBead({wall.firstPoint(), {20, 0, 0.5}})});
+  Toolpath joined = ofPaths({wall, depositedBead({wall.firstPoint(), {20, 0, 0.5}})});
   const std::string id = toolpathId(joined);
   StartSettings settings;
   settings.rule = StartRule::Opposite;
@@ -248,7 +248,7 @@ TEST(Leads, LinesGoOnAlongTheTangent) {
   const Point3 start(0, 0, 0.5);
   const Point3 end(30, 0, 0.5);
   Toolpath toolpath =
-      ofPaths({travelTo({0, 20, 0.5}, start), laidBead({start, end}), travelTo(end, {9, 9, 0.5})});
+      ofPaths({travelTo({0, 20, 0.5}, start), depositedBead({start, end}), travelTo(end, {9, 9, 0.5})});
   const LeadCount count = addLeads(toolpath, straightLead(6.0));
   validate(toolpath);
   EXPECT_EQ(count.added, 2U);
@@ -265,7 +265,7 @@ TEST(Leads, LinesGoOnAlongTheTangent) {
 }
 
 TEST(Leads, RiseAndTurnByTheirAngles) {
-  Toolpath toolpath = ofPaths({laidBead({{0, 0, 0.5}, {30, 0, 0.5}})});
+  Toolpath toolpath = ofPaths({depositedBead({{0, 0, 0.5}, {30, 0, 0.5}})});
   LeadSettings settings = straightLead(10.0, 30.0);
   settings.rise_deg = 20.0;
   addLeads(toolpath, settings);
@@ -305,9 +305,9 @@ TEST(Leads, ArcsAreTangentAndOnTheFreeSideOfATube) {
 
 TEST(Leads, AreShortenedToTheRoomOrLeftOut) {
   // A wall stands 5 mm behind the start, and one right at the end.
-  const Path run = laidBead({{0, 0, 0.5}, {30, 0, 0.5}});
-  const Path behind = laidBead({{-5, -10, 0.5}, {-5, 10, 0.5}});
-  const Path at_end = laidBead({{31.2, -10, 0.5}, {31.2, 10, 0.5}});
+  const Path run = depositedBead({{0, 0, 0.5}, {30, 0, 0.5}});
+  const Path behind = depositedBead({{-5, -10, 0.5}, {-5, 10, 0.5}});
+  const Path at_end = depositedBead({{31.2, -10, 0.5}, {31.2, 10, 0.5}});
   Toolpath toolpath = ofPaths(
       {behind, travelTo({-5, 10, 0.5}, {0, 0, 0.5}), run, travelTo({30, 0, 0.5}, {31.2, -10, 0.5}), at_end});
   LeadSettings settings = straightLead(10.0);
@@ -326,7 +326,7 @@ TEST(Leads, AreShortenedToTheRoomOrLeftOut) {
 
 TEST(Leads, DoNotLieAlongTheirOwnBead) {
   // A square that starts amid a side: the tangent is the side.
-  Path square = laidBead({{20, 0, 0.5}, {20, 20, 0.5}, {-20, 20, 0.5}, {-20, -20, 0.5}, {20, -20, 0.5}});
+  Path square = depositedBead({{20, 0, 0.5}, {20, 20, 0.5}, {-20, 20, 0.5}, {-20, -20, 0.5}, {20, -20, 0.5}});
   square.is_closed = true;
   Toolpath toolpath = ofPaths({square});
   const LeadCount count = addLeads(toolpath, straightLead(10.0));
@@ -353,7 +353,7 @@ TEST(Leads, LayNothingAlongABeadThatTheyHardlyLeave) {
 }
 
 TEST(Leads, StraightOnFromAnOpenBeadMayBeShorterThanItIsWide) {
-  Toolpath toolpath = ofPaths({laidBead({{0, 0, 2}, {30, 0, 2}}, {6.0, 2.0})});
+  Toolpath toolpath = ofPaths({depositedBead({{0, 0, 2}, {30, 0, 2}}, {6.0, 2.0})});
   LeadSettings settings = straightLead(2.0);
   settings.deposit = LeadDeposit::Bead;
   EXPECT_EQ(addLeads(toolpath, settings).added, 2U);
@@ -364,8 +364,8 @@ TEST(Leads, AreGivenTheRoomOfTheWholeBeadWhereItOverlaps) {
   const Bead section{6.0, 2.0};
   Path wall = ring(20.0, 2.0);
   wall.bead = section;
-  const Path outside = laidBead({{28, -10, 2}, {28, 10, 2}}, section);
-  const Path inside = laidBead({{12, -8, 2}, {12, 8, 2}}, section);
+  const Path outside = depositedBead({{28, -10, 2}, {28, 10, 2}}, section);
+  const Path inside = depositedBead({{12, -8, 2}, {12, 8, 2}}, section);
   Toolpath toolpath = ofPaths({wall, travelTo(wall.firstPoint(), outside.points[0]), outside,
                                travelTo(outside.points[1], inside.points[0]), inside});
   LeadSettings settings = straightLead(20.0, 90.0);
@@ -381,7 +381,7 @@ TEST(Leads, AreGivenTheRoomOfTheWholeBeadWhereItOverlaps) {
 }
 
 TEST(Leads, LayTheBeadOrOneThatGrowsToIt) {
-  Toolpath toolpath = ofPaths({laidBead({{0, 0, 0.5}, {30, 0, 0.5}})});
+  Toolpath toolpath = ofPaths({depositedBead({{0, 0, 0.5}, {30, 0, 0.5}})});
   LeadSettings settings = straightLead(6.0);
   settings.deposit = LeadDeposit::Ramp;
   addLeads(toolpath, settings);
@@ -398,7 +398,7 @@ TEST(Leads, LayTheBeadOrOneThatGrowsToIt) {
 }
 
 TEST(Entries, ComeAlongTheToolAxis) {
-  Path tilted = laidBead({{0, 0, 0.5}, {30, 0, 0.5}});
+  Path tilted = depositedBead({{0, 0, 0.5}, {30, 0, 0.5}});
   const Eigen::Quaterniond nozzle = Eigen::AngleAxisd(M_PI / 6.0, Point3::UnitY()) * nozzleDown();
   tilted.orientation = nozzle;
   Path travel = travelTo({0, 20, 0.5}, {0, 0, 0.5});
@@ -418,7 +418,8 @@ TEST(Entries, ComeAlongTheToolAxis) {
 }
 
 TEST(Entries, ComeToTheDryLeadOfARun) {
-  Toolpath toolpath = ofPaths({travelTo({0, 20, 0.5}, {0, 0, 0.5}), laidBead({{0, 0, 0.5}, {30, 0, 0.5}})});
+  Toolpath toolpath =
+      ofPaths({travelTo({0, 20, 0.5}, {0, 0, 0.5}), depositedBead({{0, 0, 0.5}, {30, 0, 0.5}})});
   EntrySettings settings;
   settings.distance_mm = 5.0;  // where the travel comes down from
   addEnds(toolpath, straightLead(6.0), settings);
@@ -431,10 +432,10 @@ TEST(Entries, ComeToTheDryLeadOfARun) {
 
 TEST(Entries, JoinWhereOneLeadIsLeftOutAndTheOtherIsNot) {
   // The second run starts right beside a wall.
-  const Path wall = laidBead({{49, -10, 0.5}, {49, 10, 0.5}});
+  const Path wall = depositedBead({{49, -10, 0.5}, {49, 10, 0.5}});
   Toolpath toolpath =
-      ofPaths({wall, travelTo({49, 10, 0.5}, {0, 0, 0.5}), laidBead({{0, 0, 0.5}, {30, 0, 0.5}}),
-               travelTo({30, 0, 0.5}, {50, 0, 0.5}), laidBead({{50, 0, 0.5}, {80, 0, 0.5}})});
+      ofPaths({wall, travelTo({49, 10, 0.5}, {0, 0, 0.5}), depositedBead({{0, 0, 0.5}, {30, 0, 0.5}}),
+               travelTo({30, 0, 0.5}, {50, 0, 0.5}), depositedBead({{50, 0, 0.5}, {80, 0, 0.5}})});
   EntrySettings settings;
   settings.distance_mm = 3.0;
   const EndCount count = addEnds(toolpath, straightLead(6.0), settings);
@@ -445,7 +446,7 @@ TEST(Entries, JoinWhereOneLeadIsLeftOutAndTheOtherIsNot) {
 }
 
 TEST(Entries, AreRunByTheToolOfTheirRun) {
-  Path run = laidBead({{0, 0, 0.5}, {30, 0, 0.5}});
+  Path run = depositedBead({{0, 0, 0.5}, {30, 0, 0.5}});
   Path travel = travelTo({0, 20, 0.5}, {0, 0, 0.5});
   run.tool = travel.tool = 1;
   Toolpath toolpath = ofPaths({travel, run});
@@ -457,7 +458,7 @@ TEST(Entries, AreRunByTheToolOfTheirRun) {
 }
 
 TEST(Entries, AndDryLeadsKeepTheMaterialPulledBack) {
-  const Path run = laidBead({{0, 0, 0.5}, {30, 0, 0.5}});
+  const Path run = depositedBead({{0, 0, 0.5}, {30, 0, 0.5}});
   Path to = travelTo({0, 20, 0.5}, run.points[0]);
   Path away = travelTo(run.points[1], {9, 9, 0.5});
   EntrySettings entry;
@@ -480,7 +481,7 @@ TEST(Entries, AndDryLeadsKeepTheMaterialPulledBack) {
 }
 
 TEST(Levels, OfAWireFollowFromBeadAndFeed) {
-  Toolpath toolpath = ofPaths({laidBead({{0, 0, 2}, {30, 0, 2}}, {6.0, 2.0})});
+  Toolpath toolpath = ofPaths({depositedBead({{0, 0, 2}, {30, 0, 2}}, {6.0, 2.0})});
   LevelSettings settings;
   settings.values = "laser_power_w=1200, wire_speed_mm_s=from_bead";
   stateLevels(toolpath, settings);
@@ -495,7 +496,7 @@ TEST(Levels, OfAWireFollowFromBeadAndFeed) {
 TEST(Levels, RiseAndFallAtTheEndsOfRuns) {
   // Two paths of 20 mm are one run.
   Toolpath toolpath =
-      ofPaths({laidBead({{0, 0, 0.5}, {20, 0, 0.5}}), laidBead({{20, 0, 0.5}, {20, 20, 0.5}})});
+      ofPaths({depositedBead({{0, 0, 0.5}, {20, 0, 0.5}}), depositedBead({{20, 0, 0.5}, {20, 20, 0.5}})});
   LevelSettings settings;
   settings.values = "laser_power_w=1000";
   settings.start_share = 0.6;
@@ -555,7 +556,7 @@ TEST(BeadRunSettings, RefuseWhatCannotBeByName) {
   EXPECT_NE(refusal(settings).find("lead.rise_deg is 10 deg"), std::string::npos);
   settings.lead.rise_deg = 0.0;
   settings.lead.overlap_mm = 8.0;
-  EXPECT_EQ(refusal(settings), "") << "without leads nothing is laid before the overlap";
+  EXPECT_EQ(refusal(settings), "") << "without leads nothing is deposited before the overlap";
   settings.lead.in = LeadShape::Line;
   EXPECT_NE(refusal(settings).find("lead.overlap_mm is 8 mm with leads that lay a bead"), std::string::npos);
   settings.lead.deposit = LeadDeposit::Dry;

@@ -27,7 +27,7 @@ PlanSettings ironed() {
   return settings;
 }
 
-double laidInRole(const ToolpathLayer& layer, PathRole role) {
+double depositedInRole(const ToolpathLayer& layer, PathRole role) {
   double sum = 0.0;
   for (const Path& path : layer.paths)
     if (path.role == role) sum += depositedVolume(path);
@@ -38,8 +38,9 @@ TEST(Ironing, LaysItsShareOverWhatIsSeen) {
   const Toolpath toolpath = test::plan(ironedCube(), ironed());
   const double side = 20.0 - 2.0 * kIronedWalls - 2.0 * 0.2;  // walls and inset
   const double volume = 0.15 * 0.2 * side * side;             // flow, layer height
-  EXPECT_NEAR(laidInRole(toolpath.layers[11], PathRole::Ironing), volume, 0.015 * volume);
-  for (std::size_t l = 0; l < 11; ++l) EXPECT_EQ(laidInRole(toolpath.layers[l], PathRole::Ironing), 0.0) << l;
+  EXPECT_NEAR(depositedInRole(toolpath.layers[11], PathRole::Ironing), volume, 0.015 * volume);
+  for (std::size_t l = 0; l < 11; ++l)
+    EXPECT_EQ(depositedInRole(toolpath.layers[l], PathRole::Ironing), 0.0) << l;
 }
 
 TEST(Ironing, IsTheLastThingInItsLayer) {
@@ -79,8 +80,8 @@ TEST(Ironing, PassesOverSolidInfillToo) {
   PlanSettings settings = ironed();
   settings.infill.density = 1.0;
   const Toolpath toolpath = test::plan(ironedCube(), settings);
-  EXPECT_GT(laidInRole(toolpath.layers[11], PathRole::Ironing), 8.0);
-  EXPECT_EQ(laidInRole(toolpath.layers[10], PathRole::Ironing), 0.0);
+  EXPECT_GT(depositedInRole(toolpath.layers[11], PathRole::Ironing), 8.0);
+  EXPECT_EQ(depositedInRole(toolpath.layers[10], PathRole::Ironing), 0.0);
 }
 
 TEST(Ironing, ChangesNothingElse) {
@@ -91,7 +92,7 @@ TEST(Ironing, ChangesNothingElse) {
   for (std::size_t l = 0; l < 12; ++l)
     for (const PathRole role : {PathRole::OuterWall, PathRole::InnerWall, PathRole::Infill, PathRole::TopSkin,
                                 PathRole::Skin, PathRole::BottomSkin})
-      EXPECT_DOUBLE_EQ(laidInRole(with.layers[l], role), laidInRole(without.layers[l], role));
+      EXPECT_DOUBLE_EQ(depositedInRole(with.layers[l], role), depositedInRole(without.layers[l], role));
 }
 
 TEST(Ironing, IsRefusedWhereNothingIsSeenAsSkin) {

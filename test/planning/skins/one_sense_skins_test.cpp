@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Skins that are seen are laid in one sense across.
+// Skins that are seen are deposited in one sense across.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -27,8 +27,8 @@ PlanSettings coveredPlate() {
   return settings;
 }
 
-/// Lines of the top skin that have one above them laid before, at 135 deg in layer 5.
-std::size_t laidBeneath(const ToolpathLayer& layer) {
+/// Lines of the top skin that have one above them deposited before, at 135 deg in layer 5.
+std::size_t depositedBelow(const ToolpathLayer& layer) {
   struct Row {
     double from, to, across;
   };
@@ -63,13 +63,13 @@ double topSkinOf(const ToolpathLayer& layer) {
   return sum;
 }
 
-TEST(OneSenseSkins, LayNoLineBetweenTwoLaidBeforeIt) {
+TEST(OneSenseSkins, LayNoLineBetweenTwoDepositedBeforeIt) {
   PlanSettings settings = coveredPlate();
   const ToolpathLayer one_sense = test::plan(holedPlate(), settings).layers[5];
-  EXPECT_EQ(laidBeneath(one_sense), 0U);
+  EXPECT_EQ(depositedBelow(one_sense), 0U);
   settings.skins.is_monotonic = false;
   const ToolpathLayer shortest = test::plan(holedPlate(), settings).layers[5];
-  EXPECT_GT(laidBeneath(shortest), 0U) << "round the holes";
+  EXPECT_GT(depositedBelow(shortest), 0U) << "round the holes";
   EXPECT_NEAR(topSkinOf(one_sense), topSkinOf(shortest), 0.01 * topSkinOf(shortest));
 }
 

@@ -108,9 +108,9 @@ TEST(Skins, GiveASolidInfillTheirRoles) {
                           : l == 19          ? PathRole::TopSkin
                           : l < 4 || l >= 16 ? PathRole::Skin
                                              : PathRole::Infill;
-    const double laid = depositedBy(plain.layers[l], PathRole::Infill);
-    EXPECT_NEAR(depositedBy(skinned.layers[l], role), laid, 0.003 * laid) << l;
-    EXPECT_NEAR(depositedBy(skinned.layers[l], PathRole::Infill), role == PathRole::Infill ? laid : 0.0,
+    const double deposited = depositedBy(plain.layers[l], PathRole::Infill);
+    EXPECT_NEAR(depositedBy(skinned.layers[l], role), deposited, 0.003 * deposited) << l;
+    EXPECT_NEAR(depositedBy(skinned.layers[l], PathRole::Infill), role == PathRole::Infill ? deposited : 0.0,
                 1e-9);
   }
   solid.infill.strategy = "hilbert";

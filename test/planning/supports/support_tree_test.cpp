@@ -89,16 +89,16 @@ TEST(SupportTree, LeansNoMoreThanItsAngle) {
   EXPECT_LT(tree.layers[0].size(), tree.layers[98].size() / 8) << "branches have met";
 }
 
-/// Outlines of what is laid of branches in each layer, along the middle of its beads.
-std::vector<std::vector<Polygon>> laidBranches(const Toolpath& toolpath) {
-  std::vector<std::vector<Polygon>> laid(toolpath.layers.size());
-  for (std::size_t l = 0; l < laid.size(); ++l)
+/// Outlines of what is deposited of branches in each layer, along the middle of its beads.
+std::vector<std::vector<Polygon>> depositedBranches(const Toolpath& toolpath) {
+  std::vector<std::vector<Polygon>> deposited(toolpath.layers.size());
+  for (std::size_t l = 0; l < deposited.size(); ++l)
     for (const Path& path : toolpath.layers[l].paths) {
       if (path.role != PathRole::Support) continue;
-      laid[l].emplace_back();
-      for (const Point3& point : path.points) laid[l].back().push_back(point.head<2>());
+      deposited[l].emplace_back();
+      for (const Point3& point : path.points) deposited[l].back().push_back(point.head<2>());
     }
-  return laid;
+  return deposited;
 }
 
 /// Those of the loops that come within a millimetre of a place.
@@ -112,14 +112,14 @@ std::vector<Polygon> loopsNear(const std::vector<Polygon>& loops, const Point2& 
   return near;
 }
 
-/// How far waypoints of branches lie beyond what is laid of them in the layer below.
+/// How far waypoints of branches lie beyond what is deposited of them in the layer below.
 double farthestBeyondBelow(const Toolpath& toolpath) {
-  const std::vector<std::vector<Polygon>> laid = laidBranches(toolpath);
+  const std::vector<std::vector<Polygon>> deposited = depositedBranches(toolpath);
   double farthest = 0.0;
-  for (std::size_t l = 1; l < laid.size(); ++l)
-    for (const Polygon& loop : laid[l])
+  for (std::size_t l = 1; l < deposited.size(); ++l)
+    for (const Polygon& loop : deposited[l])
       for (const Point2& point : loop) {
-        const std::vector<Polygon> below = loopsNear(laid[l - 1], point);
+        const std::vector<Polygon> below = loopsNear(deposited[l - 1], point);
         if (below.empty()) return 1000.0;
         if (!contains(below, point)) farthest = std::max(farthest, test::distanceToOutline(below, point));
       }
@@ -141,7 +141,7 @@ TEST(SupportTree, HasSectionsThatLeanNoMoreThanItsAngle) {
   EXPECT_GT(beyond_less, 1.0);
 }
 
-TEST(SupportTree, IsLaidOnWhatIsLaidBelow) {
+TEST(SupportTree, IsDepositedOnWhatIsDepositedBelow) {
   // By a quarter of a bead at least.
   EXPECT_LE(farthestBeyondBelow(plannedWithBranches(tee(), branching()).toolpath), 0.75 * 0.4);
 }
@@ -183,7 +183,8 @@ TEST(SupportTree, OnTheBedOnlyLeavesASphereUnderAnArchAlone) {
   for (std::size_t l = 0; l < 100; ++l)
     for (const BranchDisc& disc : tree.layers[l])
       EXPECT_GE(disc.at.norm() - disc.radius_mm, test::sphereRadiusIn(l)) << l;
-  // What is laid lies on what is laid below it by a quarter of a bead, layer by layer down to the bed.
+  // What is deposited lies on what is deposited below it by a quarter of a bead, layer by layer down to the
+  // bed.
   EXPECT_LE(farthestBeyondBelow(plannedWithBranches(test::archOverSphere(), settings).toolpath), 0.75 * 0.4);
 }
 
@@ -194,11 +195,11 @@ TEST(SupportTree, TakesNoMoreThanTheLattice) {
   const Plan plan = plannedWithBranches(tee(), branching());
   const SupportTotals branches = plan.supports;
   EXPECT_LE(branches.support_mm3, columns.support_mm3 + columns.interface_mm3);
-  double laid_mm3 = 0.0;
+  double deposited_mm3 = 0.0;
   for (const ToolpathLayer& layer : plan.toolpath.layers)
     for (const Path& path : layer.paths)
-      if (path.role == PathRole::Support) laid_mm3 += depositedVolume(path);
-  EXPECT_NEAR(branches.support_mm3, laid_mm3, 1e-6 * laid_mm3);
+      if (path.role == PathRole::Support) deposited_mm3 += depositedVolume(path);
+  EXPECT_NEAR(branches.support_mm3, deposited_mm3, 1e-6 * deposited_mm3);
   EXPECT_GT(branches.support_mm3, 100.0);
   EXPECT_NEAR(branches.overhang_mm2, 1200.0, 1e-6);
   EXPECT_NEAR(branches.unsupported_mm2, 0.0, 1e-6);

@@ -44,7 +44,7 @@ bool isSupport(const Path& path) {
   return path.role == PathRole::Support || path.role == PathRole::SupportInterface;
 }
 
-/// Calls visit(path, layer) for all that is laid as support.
+/// Calls visit(path, layer) for all that is deposited as support.
 template <class Visit>
 void forEachSupport(const Toolpath& toolpath, const Visit& visit) {
   for (std::size_t l = 0; l < toolpath.layers.size(); ++l)
@@ -234,8 +234,8 @@ TEST(Supports, OnTheBedOnlyLeaveASphereUnderAnArchAlone) {
   // Columns stand beside the sphere, a gap and half a bead off; outlines of circles are simplified by 0.02
   // mm.
   EXPECT_GT(clearanceOverSphere(plan.toolpath), kSideGap + 0.5 * test::kLayerPitch - 0.02);
-  // Beside the sphere columns stand, so what is told to hang is its shadow: wider by the gap, and less what
-  // columns reach, which is the gap and the tolerance of their outlines.
+  // Beside the sphere columns stand, so what is reported to hang is its shadow: wider by the gap, and less
+  // what columns reach, which is the gap and the tolerance of their outlines.
   const double below_sphere = plannedWith(archOverSphere(0.0), settings).supports.unsupported_mm2;
   const double shadow = M_PI * std::pow(test::kSphereRadius - 0.02, 2);
   EXPECT_NEAR(plan.supports.unsupported_mm2 - below_sphere, shadow, 0.01 * shadow);

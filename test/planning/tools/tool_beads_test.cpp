@@ -58,7 +58,7 @@ Toolpath squareBy(const PlanSettings& settings) {
       .toolpath;
 }
 
-double laidBy(const Toolpath& toolpath, std::uint32_t tool) {
+double depositedByTool(const Toolpath& toolpath, std::uint32_t tool) {
   double sum = 0.0;
   for (const ToolpathLayer& layer : toolpath.layers)
     for (const Path& path : layer.paths)
@@ -74,13 +74,13 @@ TEST(ToolBeads, FillWhatTheWallsLeaveWhateverTheirWidth) {
     PlanSettings settings = twoNozzles(0.4, nozzle_mm);
     settings.infill.density = 1.0;
     const Toolpath solid = squareBy(settings);
-    EXPECT_NEAR(laidBy(solid, 1) / whole_mm3, 1.0, 0.01) << nozzle_mm;
+    EXPECT_NEAR(depositedByTool(solid, 1) / whole_mm3, 1.0, 0.01) << nozzle_mm;
     settings.infill.density = 0.2;
     settings.infill.links.link = LineLink::None;
     settings.infill.wall_overlap = 0.0;
-    EXPECT_NEAR(laidBy(squareBy(settings), 1) / whole_mm3, 0.2, 0.01) << nozzle_mm;
+    EXPECT_NEAR(depositedByTool(squareBy(settings), 1) / whole_mm3, 0.2, 0.01) << nozzle_mm;
     settings.skins.top_layers = settings.skins.bottom_layers = 10;
-    EXPECT_NEAR(laidBy(squareBy(settings), 1) / whole_mm3, 1.0, 0.01) << nozzle_mm;
+    EXPECT_NEAR(depositedByTool(squareBy(settings), 1) / whole_mm3, 1.0, 0.01) << nozzle_mm;
     for (const ToolpathLayer& layer : squareBy(settings).layers)
       for (const Path& path : layer.paths)
         if (path.tool == 0 && path.role != PathRole::Travel) {
@@ -97,7 +97,7 @@ PlanSettings secondForAids(double nozzle_mm) {
   return settings;
 }
 
-std::vector<Path> laidAs(PathRole role, const ToolpathLayer& layer) {
+std::vector<Path> depositedAs(PathRole role, const ToolpathLayer& layer) {
   std::vector<Path> paths;
   for (const Path& path : layer.paths)
     if (path.role == role) paths.push_back(path);
@@ -109,7 +109,7 @@ TEST(ToolBeads, OfBrimsFollowTheirOwnNozzle) {
     PlanSettings settings = secondForAids(nozzle_mm);
     settings.adhesion.brim.width_mm = 5.0;
     const double pitch = nozzle_mm - (1.0 - M_PI / 4.0) * kToolLayer;
-    const std::vector<Path> loops = laidAs(PathRole::Brim, squareBy(settings).layers.front());
+    const std::vector<Path> loops = depositedAs(PathRole::Brim, squareBy(settings).layers.front());
     ASSERT_EQ(loops.size(), static_cast<std::size_t>(std::lround(5.0 / pitch))) << nozzle_mm;
     for (std::size_t i = 0; i < loops.size(); ++i) {
       EXPECT_EQ(loops[i].tool, 1U);
@@ -130,15 +130,15 @@ TEST(ToolBeads, OfRaftsFollowTheirOwnNozzle) {
     // 40 mm and a margin of 3 mm all round; two solid layers at the top, half as dense ones below.
     const double area_mm2 = 46.0 * 46.0;
     for (std::size_t l = 0; l < 4; ++l) {
-      const std::vector<Path> raft = laidAs(PathRole::Raft, toolpath.layers[l]);
-      double laid_mm3 = 0.0;
+      const std::vector<Path> raft = depositedAs(PathRole::Raft, toolpath.layers[l]);
+      double deposited_mm3 = 0.0;
       for (const Path& path : raft) {
         EXPECT_EQ(path.tool, 1U);
         EXPECT_NEAR(path.bead.at(0).width_mm, nozzle_mm, 1e-12);
-        laid_mm3 += depositedVolume(path);
+        deposited_mm3 += depositedVolume(path);
       }
       const double whole_mm3 = area_mm2 * (l == 0 ? 0.3 : kToolLayer);
-      EXPECT_NEAR(laid_mm3 / whole_mm3, l < 2 ? 0.5 : 1.0, 0.03) << nozzle_mm << " mm, layer " << l;
+      EXPECT_NEAR(deposited_mm3 / whole_mm3, l < 2 ? 0.5 : 1.0, 0.03) << nozzle_mm << " mm, layer " << l;
     }
   }
 }
@@ -155,12 +155,12 @@ TEST(ToolBeads, OfBranchesAndSkirtsFollowTheirOwnNozzle) {
     settings.supports.tip_mm = 1.5;
     std::size_t count = 0;
     for (const ToolpathLayer& layer : test::plan(test::layersOf(60, slab), settings).layers) {
-      for (const Path& path : laidAs(PathRole::Support, layer)) {
+      for (const Path& path : depositedAs(PathRole::Support, layer)) {
         EXPECT_EQ(path.tool, 1U);
         EXPECT_NEAR(path.bead.at(0).width_mm, nozzle_mm, 1e-12);
         ++count;
       }
-      for (const Path& path : laidAs(PathRole::Skirt, layer)) {
+      for (const Path& path : depositedAs(PathRole::Skirt, layer)) {
         EXPECT_EQ(path.tool, 0U);
         EXPECT_NEAR(path.bead.at(0).width_mm, 0.4, 1e-12) << "the walls' tool lays the skirt";
       }
@@ -209,7 +209,7 @@ PlanSettings plainSquare() {
 double lengthAs(PathRole role, const Toolpath& toolpath) {
   double sum = 0.0;
   for (const ToolpathLayer& layer : toolpath.layers)
-    for (const Path& path : laidAs(role, layer))
+    for (const Path& path : depositedAs(role, layer))
       for (std::size_t i = 1; i < path.points.size(); ++i)
         sum += (path.points[i] - path.points[i - 1]).norm();
   return sum;
@@ -218,7 +218,7 @@ double lengthAs(PathRole role, const Toolpath& toolpath) {
 double volumeAs(PathRole role, const Toolpath& toolpath) {
   double sum = 0.0;
   for (const ToolpathLayer& layer : toolpath.layers)
-    for (const Path& path : laidAs(role, layer)) sum += depositedVolume(path);
+    for (const Path& path : depositedAs(role, layer)) sum += depositedVolume(path);
   return sum;
 }
 

@@ -55,7 +55,7 @@ TEST(CombArea, IsStraightWhereItCanBe) {
 TEST(CombArea, GoesRoundAHoleOnTheShorterSide) {
   const double radius = 5.0;
   const Regions area = {{rectangle(-20, -20, 20, 20), {test::reversed(circle({0, 1}, radius, 720))}}};
-  // Tangents from both ends to the circle, 1 mm above the line between them, and the arc beneath.
+  // Tangents from both ends to the circle, 1 mm above the line between them, and the arc below.
   const double to_centre = std::hypot(15, 1);
   const double tangent = std::sqrt(to_centre * to_centre - radius * radius);
   const double angle = 2 * std::atan2(15, 1) - 2 * std::acos(radius / to_centre);

@@ -85,8 +85,8 @@ TEST(Combing, AvoidsTopSkin) {
   EXPECT_NEAR(length(across(settings, skin)), 2 * std::hypot(4.8, 18.2) + 10.4, 1e-3);
   settings.comb = Combing::NoSkin;
   settings.comb_detour = 4.0;
-  const double beneath = 14.0 + 2 * std::hypot(3, 23);
-  EXPECT_NEAR(length(across(settings, skin)), beneath, 1e-3) << "below the skin";
+  const double below_mm = 14.0 + 2 * std::hypot(3, 23);
+  EXPECT_NEAR(length(across(settings, skin)), below_mm, 1e-3) << "below the skin";
 }
 
 TEST(Combing, ChangesNothingWhereItIsNone) {

@@ -12,7 +12,7 @@
 namespace lamina {
 namespace {
 
-Path laidRun(bool is_closed) {
+Path depositedRun(bool is_closed) {
   Path path;
   path.is_closed = is_closed;
   path.points = {{0, 0, 0.2}, {10, 0, 0.2}, {10, 1, 0.2}, {0, 1, 0.2}};
@@ -23,8 +23,8 @@ Path laidRun(bool is_closed) {
 
 /// A run, a travel of 20 mm and another run.
 std::vector<ToolpathLayer> wiped(bool is_closed, const TravelSettings& settings) {
-  const Path first = laidRun(is_closed);
-  Path second = laidRun(true);
+  const Path first = depositedRun(is_closed);
+  Path second = depositedRun(true);
   for (Point3& point : second.points) point.x() += 30.0;
   Toolpath toolpath;
   toolpath.layers = {

@@ -31,7 +31,7 @@ TEST(OpenedLoop, RunsRoundFromItsStartAndStopsShort) {
   EXPECT_NEAR(length(reversed), 38.5, 1e-9);
 }
 
-TEST(OpenedLoop, EndsWhereItIsForetoldToEnd) {
+TEST(OpenedLoop, EndsWhereItIsPredictedToEnd) {
   const auto agrees = [] {
     Random random(*rc::gen::arbitrary<std::uint64_t>());
     const Path joined_loop = joinedLoopOf(test::star(random, {3, 1}, 2.0, 9.0, *rc::gen::inRange(3, 60)));

@@ -122,29 +122,29 @@ TEST(RisingWall, StandsOnSolidLayers) {
 }
 
 TEST(RisingWall, RefusesALayerOfTwoRegionsByItsNumber) {
-  const std::string told = risingWallRefusalOf(layersOf([](int i) {
+  const std::string reported = risingWallRefusalOf(layersOf([](int i) {
     std::vector<Polygon> contours = {rectangle(0, 0, 5, 5)};
     if (i == 7) contours.push_back(rectangle(7, 0, 12, 5));
     return contours;
   }));
-  EXPECT_NE(told.find("layer 7 "), std::string::npos) << told;
-  EXPECT_NE(told.find("2 regions"), std::string::npos) << told;
+  EXPECT_NE(reported.find("layer 7 "), std::string::npos) << reported;
+  EXPECT_NE(reported.find("2 regions"), std::string::npos) << reported;
 }
 
 TEST(RisingWall, RefusesAHoleByTheLayerItIsIn) {
-  const std::string told = risingWallRefusalOf(layersOf([](int i) {
+  const std::string reported = risingWallRefusalOf(layersOf([](int i) {
     std::vector<Polygon> contours = {rectangle(0, 0, 12, 12)};
     if (i > 4) contours.push_back(reversed(circle({6, 6}, 3, 30)));
     return contours;
   }));
-  EXPECT_NE(told.find("layer 5 "), std::string::npos) << told;
-  EXPECT_NE(told.find("1 hole"), std::string::npos) << told;
+  EXPECT_NE(reported.find("layer 5 "), std::string::npos) << reported;
+  EXPECT_NE(reported.find("1 hole"), std::string::npos) << reported;
 }
 
 TEST(RisingWall, RefusesALayerWithoutRoomBetweenOthers) {
-  const std::string told = risingWallRefusalOf(layersOf(
+  const std::string reported = risingWallRefusalOf(layersOf(
       [](int i) { return i == 6 ? std::vector<Polygon>{} : std::vector<Polygon>{rectangle(0, 0, 12, 12)}; }));
-  EXPECT_NE(told.find("layer 6 "), std::string::npos) << told;
+  EXPECT_NE(reported.find("layer 6 "), std::string::npos) << reported;
 }
 
 TEST(RisingWall, EndsWhereThePartDoes) {

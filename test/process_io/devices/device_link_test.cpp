@@ -15,8 +15,8 @@ namespace {
 
 using Values = std::vector<double>;
 
-/// What a device is told and how it is; shared with the test.
-struct ToldDevice {
+/// What a device is commanded and how it is; shared with the test.
+struct CommandedDevice {
   std::mutex mutex;
   std::condition_variable changed;
   std::vector<Values> exchanged;
@@ -39,28 +39,28 @@ struct ToldDevice {
 
 class FakeDevice final : public ProcessDevice {
  public:
-  explicit FakeDevice(ToldDevice& told) : told_(told) {}
+  explicit FakeDevice(CommandedDevice& commanded) : commanded_(commanded) {}
   std::string open() override {
-    const std::lock_guard<std::mutex> lock(told_.mutex);
-    if (!told_.is_well) throw Disconnected("not there");
-    ++told_.opened;
+    const std::lock_guard<std::mutex> lock(commanded_.mutex);
+    if (!commanded_.is_well) throw Disconnected("not there");
+    ++commanded_.opened;
     return "found";
   }
   Values exchange(const Values& raw) override {
-    std::unique_lock<std::mutex> lock(told_.mutex);
-    told_.changed.wait(lock, [this] { return !told_.hangs; });
-    if (!told_.is_well) throw Disconnected("gone");
-    told_.exchanged.push_back(raw);
-    told_.changed.notify_all();
+    std::unique_lock<std::mutex> lock(commanded_.mutex);
+    commanded_.changed.wait(lock, [this] { return !commanded_.hangs; });
+    if (!commanded_.is_well) throw Disconnected("gone");
+    commanded_.exchanged.push_back(raw);
+    commanded_.changed.notify_all();
     return {2.0 * raw[0]};
   }
   void close() override {
-    const std::lock_guard<std::mutex> lock(told_.mutex);
-    told_.is_closed = true;
+    const std::lock_guard<std::mutex> lock(commanded_.mutex);
+    commanded_.is_closed = true;
   }
 
  private:
-  ToldDevice& told_;
+  CommandedDevice& commanded_;
 };
 
 DeviceSettings quickSettings() {
@@ -82,43 +82,43 @@ bool comesTo(DeviceLink& link, const std::function<bool(const DeviceReport&)>& i
 }
 
 TEST(DeviceLink, FirstAndLastValuesAreSafe) {
-  ToldDevice told;
+  CommandedDevice commanded;
   const SteadyClock clock;
   {
-    DeviceLink link(std::make_unique<FakeDevice>(told), quickSettings(), clock, {-1.0});
+    DeviceLink link(std::make_unique<FakeDevice>(commanded), quickSettings(), clock, {-1.0});
     ASSERT_TRUE(comesTo(link, [](const DeviceReport& report) { return report.is_connected; }));
     link.send({5.0}, clock.now());
     ASSERT_TRUE(comesTo(link, [](const DeviceReport& report) { return report.inputs == Values{10.0}; }));
     EXPECT_EQ(link.figures().late.count(), 1U);
     EXPECT_EQ(link.figures().round_trip.count(), 1U);
   }
-  EXPECT_EQ(told.exchanged, (std::vector<Values>{{-1.0}, {5.0}, {-1.0}}));
-  EXPECT_TRUE(told.is_closed);
+  EXPECT_EQ(commanded.exchanged, (std::vector<Values>{{-1.0}, {5.0}, {-1.0}}));
+  EXPECT_TRUE(commanded.is_closed);
 }
 
 TEST(DeviceLink, ALostDeviceIsOpenedAgainAndGetsNoOldValue) {
-  ToldDevice told;
+  CommandedDevice commanded;
   const SteadyClock clock;
-  DeviceLink link(std::make_unique<FakeDevice>(told), quickSettings(), clock, {-1.0});
+  DeviceLink link(std::make_unique<FakeDevice>(commanded), quickSettings(), clock, {-1.0});
   ASSERT_TRUE(comesTo(link, [](const DeviceReport& report) { return report.note == "found"; }));
-  told.set(told.is_well, false);
+  commanded.set(commanded.is_well, false);
   link.send({5.0}, clock.now());
   ASSERT_TRUE(comesTo(link, [](const DeviceReport& report) { return !report.is_connected; }));
   EXPECT_NE(link.report().reason, "");
   link.send({6.0}, clock.now());
-  told.set(told.is_well, true);
+  commanded.set(commanded.is_well, true);
   ASSERT_TRUE(comesTo(link, [](const DeviceReport& report) { return report.is_connected; }));
   link.send({7.0}, clock.now());
-  ASSERT_TRUE(told.waitFor([&] { return told.exchanged.size() == 3; }));
-  EXPECT_EQ(told.exchanged, (std::vector<Values>{{-1.0}, {-1.0}, {7.0}}));
+  ASSERT_TRUE(commanded.waitFor([&] { return commanded.exchanged.size() == 3; }));
+  EXPECT_EQ(commanded.exchanged, (std::vector<Values>{{-1.0}, {-1.0}, {7.0}}));
 }
 
 TEST(DeviceLink, WhatWasNotSentYetIsReplacedAndLate) {
-  ToldDevice told;
+  CommandedDevice commanded;
   const SteadyClock clock;
-  DeviceLink link(std::make_unique<FakeDevice>(told), quickSettings(), clock, {0.0});
+  DeviceLink link(std::make_unique<FakeDevice>(commanded), quickSettings(), clock, {0.0});
   ASSERT_TRUE(comesTo(link, [](const DeviceReport& report) { return report.is_connected; }));
-  told.set(told.hangs, true);
+  commanded.set(commanded.hangs, true);
   link.send({1.0}, clock.now());
   // Only then is the first under way.
   ASSERT_TRUE(comesTo(link, [](const DeviceReport& report) {
@@ -127,9 +127,9 @@ TEST(DeviceLink, WhatWasNotSentYetIsReplacedAndLate) {
   const double due_s = clock.now();
   link.send({2.0}, due_s);
   link.send({3.0}, due_s + 0.01);
-  told.set(told.hangs, false);
-  ASSERT_TRUE(told.waitFor([&] { return told.exchanged.size() == 3; }));
-  EXPECT_EQ(told.exchanged, (std::vector<Values>{{0.0}, {1.0}, {3.0}}));
+  commanded.set(commanded.hangs, false);
+  ASSERT_TRUE(commanded.waitFor([&] { return commanded.exchanged.size() == 3; }));
+  EXPECT_EQ(commanded.exchanged, (std::vector<Values>{{0.0}, {1.0}, {3.0}}));
   EXPECT_EQ(link.figures().late.count(), 2U);
 }
 

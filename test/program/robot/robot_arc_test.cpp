@@ -275,7 +275,7 @@ std::string equipmentRefusal(const StatedEquipment& read, const StatedEquipment&
   return refusedWith([&] { requireSameEquipment(read, written, "a.ls", "robot_program.*"); });
 }
 
-TEST(StatedEquipment, TellsArcsFromOutputsAndFromOtherArcs) {
+TEST(StatedEquipment, DistinguishesArcsFromOutputsAndFromOtherArcs) {
   for (const RobotLanguage language : {RobotLanguage::Krl, RobotLanguage::Fanuc, RobotLanguage::Inform}) {
     const StatedEquipment weaving = equipmentOf(language, byArc(4));
     EXPECT_EQ(equipmentRefusal(weaving, equipmentOf(language, byArc(4))), "");

@@ -163,7 +163,7 @@ TEST(RobotProgram, WholeSpeedsAreInTheUnitOfLeastError) {
   EXPECT_TRUE(holds(refusalOf([&] { roundedSpeed(3000.0, units); }), "expected 2 % at most"));
 }
 
-TEST(RobotProgram, TellsHowFarItsSpeedsAreRounded) {
+TEST(RobotProgram, ReportsHowFarItsSpeedsAreRounded) {
   Toolpath toolpath = test::twoLayers();
   const auto rounding = [&](RobotLanguage language) { return speedRounding(toolpath, language, {}); };
   EXPECT_EQ(rounding(RobotLanguage::Fanuc).motions, 0U);  // 30 mm/s: 180 cm/min

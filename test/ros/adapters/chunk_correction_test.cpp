@@ -149,7 +149,7 @@ TEST_F(CorrectedChunks, NameTheJointThatEndsAHeight) {
   const std::string refusal = correction.takeRefusal();
   EXPECT_NE(refusal.find("layer 0, path 0: the height stays at"), std::string::npos) << refusal;
   EXPECT_NE(refusal.find(model->joints()[2].name + " would be at"), std::string::npos) << refusal;
-  EXPECT_EQ(correction.takeRefusal(), "") << "told once";
+  EXPECT_EQ(correction.takeRefusal(), "") << "reported once";
   EXPECT_NEAR(corrected.points.back().position[z], end, 5.0 / kRate + 1e-9);
   EXPECT_LE(sense * corrected.points.back().position[z], sense * end);
 }
@@ -168,18 +168,18 @@ TEST_F(CorrectedChunks, DoNotTakeMapsThatCannotBeFollowed) {
   EXPECT_NE(correction.hear(fast, "digest").find("changes the speed by 0.1"), std::string::npos);
 }
 
-/// What was handed over before a map came is told with the place up to which it was.
+/// What was handed over before a map came is reported with the place up to which it was.
 TEST_F(CorrectedChunks, TellFromWhereAMapHolds) {
   correction.corrected(chunkOf(0.0, 1.2, *model));
   EXPECT_TRUE(correction.takeLayers().empty()) << "its map may still come";
   EXPECT_EQ(correction.hear(risingMap(0.0), "digest"), "");
-  const std::vector<DrivenLayer> told = correction.takeLayers();
-  ASSERT_EQ(told.size(), 1U);
-  EXPECT_EQ(told[0].digest, "digest");
-  EXPECT_EQ(told[0].missed.layer, 0U);
-  ASSERT_TRUE(told[0].missed.held_from);
-  EXPECT_EQ(told[0].missed.held_from->path, 0U);
-  EXPECT_NEAR(told[0].missed.held_from->along_mm, 1.2 * kSpeed, 1e-6);
+  const std::vector<DrivenLayer> reported = correction.takeLayers();
+  ASSERT_EQ(reported.size(), 1U);
+  EXPECT_EQ(reported[0].digest, "digest");
+  EXPECT_EQ(reported[0].missed.layer, 0U);
+  ASSERT_TRUE(reported[0].missed.held_from);
+  EXPECT_EQ(reported[0].missed.held_from->path, 0U);
+  EXPECT_NEAR(reported[0].missed.held_from->along_mm, 1.2 * kSpeed, 1e-6);
   EXPECT_EQ(correction.hear(risingMap(0.1), "later"), "");
   EXPECT_TRUE(correction.takeLayers().empty()) << "a trim of what is driven by a map";
   const std::string refusal = correction.hear(risingMap(1.6), "too much");
@@ -193,18 +193,18 @@ TEST_F(CorrectedChunks, TellFromWhereAMapHolds) {
 
 TEST_F(CorrectedChunks, TellThatAMapHoldsFromTheBeginning) {
   EXPECT_EQ(correction.hear(risingMap(0.0), "digest"), "");
-  const std::vector<DrivenLayer> told = correction.takeLayers();
-  ASSERT_EQ(told.size(), 1U);
-  EXPECT_EQ(told[0].digest, "digest");
-  EXPECT_FALSE(told[0].missed.held_from);
+  const std::vector<DrivenLayer> reported = correction.takeLayers();
+  ASSERT_EQ(reported.size(), 1U);
+  EXPECT_EQ(reported[0].digest, "digest");
+  EXPECT_FALSE(reported[0].missed.held_from);
 }
 
 TEST_F(CorrectedChunks, TellThatAMapIsNotTaken) {
   const std::string refusal = correction.hear(risingMap(1.6), "digest");
-  const std::vector<DrivenLayer> told = correction.takeLayers();
-  ASSERT_EQ(told.size(), 1U);
-  EXPECT_EQ(told[0].digest, "");
-  EXPECT_EQ(told[0].missed.reason, refusal);
+  const std::vector<DrivenLayer> reported = correction.takeLayers();
+  ASSERT_EQ(reported.size(), 1U);
+  EXPECT_EQ(reported[0].digest, "");
+  EXPECT_EQ(reported[0].missed.reason, refusal);
   correction.hear(risingMap(1.6), "digest");
   EXPECT_TRUE(correction.takeLayers().empty()) << "once";
   EXPECT_EQ(correction.hear(risingMap(0.3), "better"), "");
@@ -223,7 +223,7 @@ TEST_F(CorrectedChunks, TellNothingOfLayersThatAreNotThere) {
 }
 
 /// Of two layers the first is handed over without a map, which then comes too late.
-TEST(ChunkCorrection, TellsThatALayerWasHandedOverWithoutItsMap) {
+TEST(ChunkCorrection, ReportsThatALayerWasHandedOverWithoutItsMap) {
   const auto model = kinematicModelByName("cartesian_gantry");
   DrivenToolpath two = driven();
   two.toolpath.layers.push_back(two.toolpath.layers.front());
@@ -232,10 +232,10 @@ TEST(ChunkCorrection, TellsThatALayerWasHandedOverWithoutItsMap) {
   correction.corrected(chunk);
   for (JointState& point : chunk.points) point.heading_for.layer = 1;
   correction.corrected(chunk);
-  const std::vector<DrivenLayer> told = correction.takeLayers();
-  ASSERT_EQ(told.size(), 1U);
-  EXPECT_EQ(told[0].missed.layer, 0U);
-  EXPECT_NE(told[0].missed.reason.find("handed over"), std::string::npos) << told[0].missed.reason;
+  const std::vector<DrivenLayer> reported = correction.takeLayers();
+  ASSERT_EQ(reported.size(), 1U);
+  EXPECT_EQ(reported[0].missed.layer, 0U);
+  EXPECT_NE(reported[0].missed.reason.find("handed over"), std::string::npos) << reported[0].missed.reason;
   EXPECT_NE(correction.hear(risingMap(0.0), "digest").find("comes when layer 1 is on its way"),
             std::string::npos);
   EXPECT_TRUE(correction.takeLayers().empty()) << "once";

@@ -72,7 +72,7 @@ TEST(CorrectionMessages, TellWhatALayerMissesOfItsMap) {
   EXPECT_EQ(late->held_from->path, 2U);
   EXPECT_DOUBLE_EQ(late->held_from->along_mm, 12.5);
   const auto whole = missedOf(toMessage(MissedMap{7, 0.0, {}, {}}, "part", "digest"));
-  ASSERT_TRUE(whole && whole->held_from) << "it takes the place of what was told before";
+  ASSERT_TRUE(whole && whole->held_from) << "it takes the place of what was reported before";
   EXPECT_EQ(whole->held_from->path, 0U);
   EXPECT_EQ(whole->held_from->along_mm, 0.0);
   EXPECT_FALSE(missedOf(toMessage(MissedMap{7, 0.0, "speeds", {}}, "part", "digest"))) << "of a later map";

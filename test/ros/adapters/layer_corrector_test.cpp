@@ -124,14 +124,14 @@ TEST(LayerCorrector, RefusesWhatIsNotForTheProgram) {
   EXPECT_THROW(LayerCorrector(elsewhere, programmed(), used()), InvalidProgram);
 }
 
-TEST(LayerCorrector, RecordsWhatWasAppliedSoThatItCanBeLaidAgain) {
+TEST(LayerCorrector, RecordsWhatWasAppliedSoThatItCanBeDepositedAgain) {
   const test::ScratchFolder folder;
   StreamCorrectionSettings settings = used();
   settings.folder = folder.file("record");
   LayerCorrector corrector(beadProgram(), programmed(), settings);
   const CorrectionMap map = constantMap(2, 0.2);
   EXPECT_EQ(corrector.hear(map), "");
-  const std::string laid = sent(corrector);
+  const std::string deposited = sent(corrector);
   EXPECT_EQ(corrector.recordFailure(), "");
   const std::string record = readFile(settings.folder + "/record.csv");
   EXPECT_NE(record.find("# toolpath " + toolpathId(beads())), std::string::npos) << record;
@@ -141,7 +141,7 @@ TEST(LayerCorrector, RecordsWhatWasAppliedSoThatItCanBeLaidAgain) {
   const std::string kept = readFile(settings.folder + "/layer_2.csv");
   EXPECT_EQ(digestOf(readCorrectionMap(kept, "layer_2.csv")), digestOf(map));
   const PlannedCorrection again = test::recordedIn(settings.folder, settings.loop);
-  EXPECT_EQ(correctedByMaps("beads", textOf(beads()), again).text, laid) << "made again from the record";
+  EXPECT_EQ(correctedByMaps("beads", textOf(beads()), again).text, deposited) << "made again from the record";
 }
 
 /// What cannot begin leaves what is known of the job before.
@@ -170,8 +170,8 @@ TEST(LayerCorrector, RefusesAFolderThatIsNone) {
   EXPECT_THROW(LayerCorrector(beadProgram(), programmed(), settings), FileError);
 }
 
-/// A record that fails is told of in each job.
-TEST(LayerCorrector, TellsOfARecordThatFailsOnceAJob) {
+/// A record that fails is reported in each job.
+TEST(LayerCorrector, ReportsARecordThatFailsOnceAJob) {
   for (int job = 0; job < 2; ++job) {
     const test::ScratchFolder folder;
     StreamCorrectionSettings settings = used();
@@ -187,7 +187,7 @@ TEST(LayerCorrector, TellsOfARecordThatFailsOnceAJob) {
   }
 }
 
-/// In the layer that is under way, the first of its two beads is laid by the map that it began with.
+/// In the layer that is under way, the first of its two beads is deposited by the map that it began with.
 TEST(LayerCorrector, TrimsALayerThatIsUnderWay) {
   const test::ScratchFolder folder;
   StreamCorrectionSettings settings = used();
@@ -195,19 +195,19 @@ TEST(LayerCorrector, TrimsALayerThatIsUnderWay) {
   LayerCorrector corrector(beadProgram(), programmed(), settings);
   EXPECT_EQ(corrector.hear(constantMap(1, 0.3)), "");
   std::istringstream text(textOf(beads()));
-  std::string laid, line;
+  std::string deposited, line;
   std::int32_t layer = -1;
   int deposits = 0;
   for (std::uint64_t number = 1; std::getline(text, line); ++number) {
     if (line.compare(0, 7, ";LAYER:") == 0) corrector.decide(++layer);
-    laid += corrector.revised(line, number) + "\n";
+    deposited += corrector.revised(line, number) + "\n";
     deposits += line.find(" E") != std::string::npos && line.find("G1 X") != std::string::npos ? 1 : 0;
     if (deposits != 3 || layer != 1 || corrector.decisions().back().sequence != 1) continue;
     EXPECT_EQ(corrector.hear(constantMap(1, 0.1, 2)), "");
     EXPECT_EQ(corrector.hear(constantMap(1, -0.1, 3)), "") << "before the next line";
   }
   EXPECT_NE(corrector.hear(constantMap(2, 0.2, 9)).find("on its way"), std::string::npos)
-      << "it was told to be laid as planned";
+      << "it was reported to be deposited as planned";
   EXPECT_EQ(deposits, 6);
   EXPECT_EQ(corrector.recordFailure(), "");
   const std::vector<LayerDecision> decisions = corrector.decisions();
@@ -218,10 +218,10 @@ TEST(LayerCorrector, TrimsALayerThatIsUnderWay) {
   const CorrectionReport report =
       correctedByMaps("beads", textOf(beads()), {programmed(), {{"", constantMap(1, 0.1)}}, {}}).report;
   const double bead_mm = 0.5 * report.planned_mm;
-  EXPECT_NEAR(test::filamentOf(laid) - test::filamentOf(textOf(beads())), (0.3 - 0.1) * bead_mm, 1e-4);
+  EXPECT_NEAR(test::filamentOf(deposited) - test::filamentOf(textOf(beads())), (0.3 - 0.1) * bead_mm, 1e-4);
   const PlannedCorrection again = test::recordedIn(settings.folder, settings.loop);
   EXPECT_EQ(again.maps.size(), 2U);
-  EXPECT_EQ(correctedByMaps("beads", textOf(beads()), again).text, laid) << "made again from the record";
+  EXPECT_EQ(correctedByMaps("beads", textOf(beads()), again).text, deposited) << "made again from the record";
 }
 
 TEST(LayerCorrector, GoesOverToAPlanWhereItWaits) {
@@ -261,11 +261,11 @@ TEST(LayerCorrector, GoesOverToAPlanWhereItWaits) {
   EXPECT_FALSE(stream.isKnown(0)) << "the first layer of a plan waits, too";
   EXPECT_EQ(stream.hear(of_plan), "");
   EXPECT_TRUE(stream.isKnown(0));
-  const std::vector<StreamDecision> told = stream.takeDecisions();
-  ASSERT_EQ(told.size(), 2U);
-  EXPECT_EQ(told[0].toolpath_id, toolpathId(beads()));
-  EXPECT_EQ(told[1].toolpath_id, id);
-  EXPECT_EQ(told[1].decision.digest, digestOf(of_plan));
+  const std::vector<StreamDecision> reported = stream.takeDecisions();
+  ASSERT_EQ(reported.size(), 2U);
+  EXPECT_EQ(reported[0].toolpath_id, toolpathId(beads()));
+  EXPECT_EQ(reported[1].toolpath_id, id);
+  EXPECT_EQ(reported[1].decision.digest, digestOf(of_plan));
 }
 
 TEST(LayerCorrector, AProgramThatGoesOnPushesForthWhatWasPulledBack) {

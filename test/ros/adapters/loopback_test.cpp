@@ -71,7 +71,7 @@ std::string addressWith(const char* address, const char* name, const char* maste
   return set == nullptr ? "" : set;
 }
 
-TEST(Loopback, IsWhereANodeStaysUnlessItIsToldOtherwise) {
+TEST(Loopback, IsWhereANodeStaysUnlessItIsSetOtherwise) {
   EXPECT_EQ(addressWith("", "", ""), "127.0.0.1");
   EXPECT_EQ(addressWith("", "", "http://localhost:11311"), "127.0.0.1");
   EXPECT_EQ(addressWith("192.168.0.5", "", "http://localhost:11311"), "192.168.0.5");

@@ -71,9 +71,9 @@ TEST(MachineTransforms, OfEveryKinematicModelBringTheNozzleToWhereItsJointsDo) {
     Transforms all = machine.fixed(ros::Time());
     const Transforms moving = machine.moving(machine.positions(model->urdfJoints(values)), ros::Time());
     all.insert(all.end(), moving.begin(), moving.end());
-    Eigen::Isometry3d told = rootFrom("bed", all).inverse() * rootFrom("nozzle", all);
-    told.translation() *= 1e3;
-    EXPECT_TRUE(told.isApprox(model->bedFromNozzle(values), 1e-9)) << name;
+    Eigen::Isometry3d published = rootFrom("bed", all).inverse() * rootFrom("nozzle", all);
+    published.translation() *= 1e3;
+    EXPECT_TRUE(published.isApprox(model->bedFromNozzle(values), 1e-9)) << name;
   }
 }
 

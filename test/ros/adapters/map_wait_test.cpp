@@ -92,26 +92,26 @@ TEST_F(MapWaits, TellAtOnceThatAMapHasNotCome) {
   drive(0.6);
   EXPECT_EQ(entered, 1);
   EXPECT_NE(wait.takeNotice().find("the map of layer 1 has not come within 2 s"), std::string::npos);
-  const std::vector<DrivenLayer> told = correction.takeLayers();
-  ASSERT_EQ(told.size(), 1U);
-  EXPECT_EQ(told[0].toolpath_id, "wall");
-  EXPECT_EQ(told[0].digest, "");
-  EXPECT_EQ(told[0].missed.layer, 1U);
-  EXPECT_NEAR(told[0].missed.waited_s, kWait, 2.0 * kLook);
+  const std::vector<DrivenLayer> reported = correction.takeLayers();
+  ASSERT_EQ(reported.size(), 1U);
+  EXPECT_EQ(reported[0].toolpath_id, "wall");
+  EXPECT_EQ(reported[0].digest, "");
+  EXPECT_EQ(reported[0].missed.layer, 1U);
+  EXPECT_NEAR(reported[0].missed.waited_s, kWait, 2.0 * kLook);
 }
 
-/// What was told of a layer is told anew once its map comes after all.
+/// What was reported of a layer is reported anew once its map comes after all.
 TEST_F(MapWaits, UseAMapThatComesAfterItWasGivenUp) {
   driveToRest();
   drive(kWait + 1.0);
   EXPECT_EQ(entered, 1);
   correction.takeLayers();
   hearMap(1);
-  const std::vector<DrivenLayer> told = correction.takeLayers();
-  ASSERT_EQ(told.size(), 1U);
-  EXPECT_EQ(told[0].digest, "digest");
-  ASSERT_TRUE(told[0].missed.held_from) << "its beginning is handed over";
-  EXPECT_GT(told[0].missed.held_from->along_mm, 0.0);
+  const std::vector<DrivenLayer> reported = correction.takeLayers();
+  ASSERT_EQ(reported.size(), 1U);
+  EXPECT_EQ(reported[0].digest, "digest");
+  ASSERT_TRUE(reported[0].missed.held_from) << "its beginning is handed over";
+  EXPECT_GT(reported[0].missed.held_from->along_mm, 0.0);
 }
 
 /// A plan that comes once its first layer was given up would lay the layers above one too high.
@@ -125,11 +125,11 @@ TEST_F(MapWaits, RefusePlansOfALayerThatWasEntered) {
   EXPECT_NE(refusal.find("begins with layer 1; the machine is held in front of layer 2"), std::string::npos)
       << refusal;
   EXPECT_EQ(wait.plan(), nullptr);
-  const std::vector<DrivenLayer> told = correction.takeLayers();
-  ASSERT_EQ(told.size(), 1U);
-  EXPECT_EQ(told[0].toolpath_id, "plan-from-1-of-wall");
-  EXPECT_EQ(told[0].digest, "");
-  EXPECT_NE(told[0].missed.reason.find(refusal), std::string::npos) << told[0].missed.reason;
+  const std::vector<DrivenLayer> reported = correction.takeLayers();
+  ASSERT_EQ(reported.size(), 1U);
+  EXPECT_EQ(reported[0].toolpath_id, "plan-from-1-of-wall");
+  EXPECT_EQ(reported[0].digest, "");
+  EXPECT_NE(reported[0].missed.reason.find(refusal), std::string::npos) << reported[0].missed.reason;
   EXPECT_EQ(wait.offer(planOf("plan-from-2-of-wall")), "");
 }
 
@@ -180,9 +180,9 @@ TEST_F(MapWaits, ForgetAPlanThatCannotBeDriven) {
   correction.takeLayers();
   wait.refuse("plan-from-1-of-wall", "a waypoint is out of reach");
   EXPECT_EQ(wait.plan(), nullptr);
-  const std::vector<DrivenLayer> told = correction.takeLayers();
-  ASSERT_EQ(told.size(), 1U);
-  EXPECT_EQ(told[0].toolpath_id, "plan-from-1-of-wall");
+  const std::vector<DrivenLayer> reported = correction.takeLayers();
+  ASSERT_EQ(reported.size(), 1U);
+  EXPECT_EQ(reported[0].toolpath_id, "plan-from-1-of-wall");
   feeder.pause(now_s);
   now_s += 5.0;
   wait.resume(now_s);
@@ -232,9 +232,9 @@ TEST_F(MapWaits, TellOfTheLastLayerAtTheEnd) {
   handOver();
   correction.takeLayers();
   correction.end();
-  const std::vector<DrivenLayer> told = correction.takeLayers();
-  ASSERT_EQ(told.size(), 1U);
-  EXPECT_EQ(told[0].missed.layer, kLayers - 1);
+  const std::vector<DrivenLayer> reported = correction.takeLayers();
+  ASSERT_EQ(reported.size(), 1U);
+  EXPECT_EQ(reported[0].missed.layer, kLayers - 1);
 }
 
 /// Beads that go on from layer to layer: it is said once that none of the maps is waited for.

@@ -13,10 +13,10 @@ namespace lamina {
 namespace {
 
 TEST(WorkBeside, GoesOnWhileItsOwnerDoes) {
-  std::promise<int> told;
-  WorkBeside<int> work([&](Progress&) { return told.get_future().get() + 1; });
+  std::promise<int> awaited;
+  WorkBeside<int> work([&](Progress&) { return awaited.get_future().get() + 1; });
   EXPECT_FALSE(work.isDone());
-  told.set_value(41);
+  awaited.set_value(41);
   EXPECT_EQ(work.take(), 42);
 }
 

@@ -33,15 +33,15 @@ CorrectionMap keptMap(std::size_t layer) {
   return correctionMap(cells, {std::vector<double>(cells.size(), 0.2), {}, {}}, toolpathId(part), 1);
 }
 
-/// A job, and a folder as the streamer has left it, whose second layer was laid by a map.
-struct LaidPart {
+/// A job, and a folder as the streamer has left it, whose second layer was deposited by a map.
+struct DepositedPart {
   test::ScratchFolder folder;
   test::ScratchFolder maps;
   CellJournal journal{folder.file("cell.db")};
   ArtefactStore store{folder.file("artefacts")};
   std::int64_t execution = 0;
 
-  explicit LaidPart(const std::string& recorded_program = keptProgram()) {
+  explicit DepositedPart(const std::string& recorded_program = keptProgram()) {
     const Artefact program = store.keepText(keptProgram(), "program", "beads.gcode");
     const std::int64_t job = journal.addJob({"beads", "beads", "gantry", {program}, "anna"}, kBegan);
     journal.release(job, "anna", kBegan);
@@ -71,7 +71,7 @@ struct LaidPart {
 };
 
 TEST(KeptCorrections, MakeWhatWasSentAgainByteForByte) {
-  LaidPart part;
+  DepositedPart part;
   keepRecord(part.journal, part.store, part.execution, {"good", kBegan + 101.0, part.kept()});
   const std::string sent = correctedByMaps("beads", keptProgram(), test::recordedIn(part.maps.file(""))).text;
   ASSERT_NE(sent, keptProgram());
@@ -87,18 +87,18 @@ TEST(KeptCorrections, MakeWhatWasSentAgainByteForByte) {
 }
 
 TEST(KeptCorrections, AreThoseOfTheExecutionAlone) {
-  LaidPart part;
+  DepositedPart part;
   EXPECT_EQ(part.kept().size(), 3U);
   part.setWritten(kBegan - 10.0);
   EXPECT_TRUE(part.kept().empty()) << "the record of a job before it";
   part.setWritten(kBegan + 110.0);
   EXPECT_TRUE(part.kept().empty()) << "the record of a job after it";
-  LaidPart other("G1 X1\n");
+  DepositedPart other("G1 X1\n");
   EXPECT_TRUE(other.kept().empty()) << "of another program";
 }
 
 TEST(KeptCorrections, OfNoFolderAreNone) {
-  LaidPart part;
+  DepositedPart part;
   const ExecutionRow row = ExecutionLog(part.journal).execution(part.execution);
   EXPECT_TRUE(keptCorrections(part.store, "", part.journal.job(row.job), row).empty());
   EXPECT_TRUE(

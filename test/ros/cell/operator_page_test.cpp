@@ -48,7 +48,7 @@ std::string wallProgram(int layers) {
   return text;
 }
 
-/// The port of the page in a namespace, as its node tells it.
+/// The port of the page in a namespace, as its node reports it.
 class PagePort {
  public:
   explicit PagePort(const std::string& space)
@@ -208,7 +208,7 @@ TEST(OperatorPage, PrintsWhatWasUploadedAndShowsHowFarItIs) {
   EXPECT_EQ(cell.ask("POST", "/api/v1/removal").first, cell.state()["unit"]["is_part_on_plate"] ? 200 : 409);
 }
 
-TEST(OperatorPage, GoesOnWhereItWasWhenItIsKilledAndTellsWhenTheCellIsSilent) {
+TEST(OperatorPage, GoesOnWhereItWasWhenItIsKilledAndReportsWhenTheCellIsSilent) {
   CellWithPage cell("killed", 20.0);
   ASSERT_TRUE(cell.reaches("Stopped"));
   ASSERT_EQ(cell.upload(wallProgram(3), "wall.gcode").first, 201);

@@ -92,7 +92,7 @@ class LinkedCell {
   }
 
   /// Reports an alarm as another node does, and waits until the unit has it, or has it no longer.
-  bool isTold(std::uint16_t alarm, bool is_gone) {
+  bool isReported(std::uint16_t alarm, bool is_gone) {
     lamina_msgs::AlarmReport report;
     report.id = alarm;
     report.source = "test";
@@ -280,11 +280,11 @@ TEST(PlcLink, HoldsTheUnitWhenItsPlcFallsSilent) {
   }));
 }
 
-TEST(PlcLink, ListensWhereItIsTold) {
+TEST(PlcLink, ListensWhereItIsSetTo) {
   LinkedCell linked("elsewhere", 1000.0, {"_modbus/bind:=0.0.0.0", "_modbus/allow:=192.0.2.1, 127.0.0.1"});
   EXPECT_TRUE(waitUntil([&] { return linked.cell.hasAlarm(9002); })) << "reachable from other hosts";
-  EXPECT_TRUE(linked.isTold(8003, false));
-  EXPECT_TRUE(linked.isTold(8003, true));
+  EXPECT_TRUE(linked.isReported(8003, false));
+  EXPECT_TRUE(linked.isReported(8003, true));
   LibmodbusClient plc(linked.port);
   EXPECT_EQ(plc.input(0), 1);
   const std::uint16_t beat = plc.input(1);

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Reads and writes registers by pymodbus as it is told: lines "read ADDRESS COUNT" and "write ADDRESS VALUE ..." on standard
+"""Reads and writes registers by pymodbus as it is asked: lines "read ADDRESS COUNT" and "write ADDRESS VALUE ..." on standard
 input, each answered by a line "ok VALUE ..." or by what went wrong.
 
 Usage: pymodbus_client.py PORT

@@ -46,18 +46,18 @@ class GuardedDriver : public testing::TestWithParam<int> {
   std::vector<lamina_msgs::AlarmReport> alarms;
 
  private:
-  ros::NodeHandle node_{"told"};
+  ros::NodeHandle node_{"driverless"};
   ros::Subscriber subscriber_;
 };
 
 TEST_P(GuardedDriver, HasItsControllerStopped) {
-  DriveCell cell("told", "five_axis_head_table");
+  DriveCell cell("driverless", "five_axis_head_table");
   // The grace is of streamers: a driver has none.
   const test::NodeProcess watch(LAMINA_WATCH_NODE,
-                                {"__ns:=/told", "__name:=host_watch", "_guard/grace_s:=600",
+                                {"__ns:=/driverless", "__name:=host_watch", "_guard/grace_s:=600",
                                  "_guard/socket:=" + socket, "_disk/folder:=" + folder.path()});
   test::NodeProcess driver(
-      LAMINA_NODE, {"__ns:=/told", "__name:=trajectory_driver", "_guard/socket:=" + socket,
+      LAMINA_NODE, {"__ns:=/driverless", "__name:=trajectory_driver", "_guard/socket:=" + socket,
                     "_machine/name:=five_axis_head_table", "_feeder/ahead_s:=60", "_start_delay_s:=0.2",
                     "_tracking/silence_by:=stamps", "_approach/joint_speed:=1.0"});
   ASSERT_TRUE(isReady());

@@ -182,7 +182,7 @@ TEST(ServoBridge, AbortsTheGoalWhenTheRobotIsStoppedAndLeadsItAgain) {
   EXPECT_TRUE(led.beginsSlowly());
 }
 
-TEST(ServoBridge, StopsOnThePathWhenItIsToldToEnd) {
+TEST(ServoBridge, StopsOnThePathWhenItIsAskedToEnd) {
   LedRobot led;
   ASSERT_TRUE(led.isReady());
   ASSERT_TRUE(led.beginsSlowly());

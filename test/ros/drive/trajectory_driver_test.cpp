@@ -198,7 +198,7 @@ INSTANTIATE_TEST_SUITE_P(TrajectoryDriver, DrivenMachine,
                          [](const auto& machine) { return std::string(machine.param.first); });
 
 /// It waits for longer than a controller may be silent, which reports nothing at rest; a pause meanwhile does
-/// not let it into the layer; a plan that begins elsewhere is refused and told of; an abort lifts the tool.
+/// not let it into the layer; a plan that begins elsewhere is refused and reported; an abort lifts the tool.
 TEST(TrajectoryDriver, StaysInFrontOfALayerWithoutAMapAndLiftsTheToolFromThere) {
   DriveCell cell("waiting", "five_axis_head_table");
   ros::NodeHandle node("waiting");
@@ -248,9 +248,9 @@ TEST(TrajectoryDriver, StaysInFrontOfALayerWithoutAMapAndLiftsTheToolFromThere) 
 
 TEST(TrajectoryDriver, AbortsAndLeavesTheMachineSafeWhenAskedToStop) {
   for (const int signal : {SIGINT, SIGTERM}) {
-    DriveCell cell("told", "five_axis_head_table");
+    DriveCell cell("driverless", "five_axis_head_table");
     test::NodeProcess driver(
-        LAMINA_NODE, {"__ns:=/told", "_machine/name:=five_axis_head_table", "_feeder/points:=250",
+        LAMINA_NODE, {"__ns:=/driverless", "_machine/name:=five_axis_head_table", "_feeder/points:=250",
                       "_feeder/ahead_s:=4.0", "_feeder/reaction_s:=0.5", "_start_delay_s:=0.2",
                       "_lift_mm_s:=20", "_tracking/silence_by:=stamps", "_approach/joint_speed:=1.0"});
     cell.drive(twoBeads());
@@ -278,7 +278,7 @@ class FaultyController {
       state_.position.push_back(is_linear ? at / 1000.0 : at);
     }
     const boost::function<void(const ros::TimerEvent&)> tell = [this](const ros::TimerEvent&) {
-      if (tells_joints) states_.publish(state_);
+      if (reports_joints) states_.publish(state_);
     };
     timer_ = node_.createTimer(ros::Duration(0.02), tell);
     server_.registerGoalCallback([this] {
@@ -295,7 +295,7 @@ class FaultyController {
     server_.start();
   }
 
-  bool tells_joints = false;
+  bool reports_joints = false;
   bool refuses = true;
   bool was_cancelled = false;
 
@@ -326,7 +326,8 @@ CorrectionMap evenMap(const Toolpath& part, double amount, std::uint64_t sequenc
                        sequence);
 }
 
-/// A map that comes while the first bead is laid holds for what is not handed over by then: the last one.
+/// A map that comes while the first bead is deposited holds for what is not handed over by then: the last
+/// one.
 TEST(TrajectoryDriver, TrimsALayerThatIsUnderWay) {
   const Toolpath part = eightBeads();
   ros::NodeHandle node("/trimmed");
@@ -389,7 +390,7 @@ TEST(TrajectoryDriver, EndsInAbortedIfTheControllerFails) {
   })) << blind.message;
   EXPECT_EQ(blind.code, Status::TIMED_OUT + 0);
   EXPECT_NE(blind.message.find("joint_states"), std::string::npos) << blind.message;
-  controller.tells_joints = true;
+  controller.reports_joints = true;
   const Status refused = failure();
   EXPECT_EQ(refused.code, Status::DEVICE_ERROR + 0);
   EXPECT_NE(refused.message.find("drives are off"), std::string::npos) << refused.message;

@@ -68,7 +68,7 @@ class HostWatch(TwoHosts):
     def await_compared(self):
         self.await_that(lambda: self.peer() and self.peer().is_compared, "the clocks are not compared")
 
-    def test_clocks_are_compared_and_a_pulled_cable_is_told(self):
+    def test_clocks_are_compared_and_a_pulled_cable_is_reported(self):
         self.both()
         self.await_compared()
         self.assertLess(abs(self.peer().clock_offset), self.peer().clock_uncertainty + 1e-4, "one machine has one clock")
@@ -79,12 +79,12 @@ class HostWatch(TwoHosts):
         ip("link", "set", "cable", "down")
         self.addCleanup(ip, "link", "set", "cable", "up")
         pulled = time.monotonic()
-        self.await_that(lambda: 8001 in self.raised(), "the lost host is not told")
+        self.await_that(lambda: 8001 in self.raised(), "the lost host is not reported")
         self.assertGreater(time.monotonic() - pulled, NEEDED_SILENCE - 0.5)
         ip("link", "set", "cable", "up")
         self.await_that(lambda: self.is_gone(8001), "the host does not come back")
 
-    def test_clocks_apart_are_told_with_their_offset(self):
+    def test_clocks_apart_are_reported_with_their_offset(self):
         self.both("_clock/is_needed:=true", "_hosts/interval_s:=0.05", "_hosts/port:=11412", shift_s=0.050)
         self.await_that(lambda: 8004 in self.raised(), "8004 is not raised")
         report = next(report for report in self.reports if report.id == 8004 and not report.is_gone)
@@ -111,13 +111,13 @@ class HostWatch(TwoHosts):
         self.assertTrue(math.isnan(self.state.free_space), "of a folder that is not there")
         self.master.send_signal(signal.SIGKILL)
         self.master.wait()
-        self.await_that(lambda: 8002 in self.raised(), "the lost master is not told")
+        self.await_that(lambda: 8002 in self.raised(), "the lost master is not reported")
         self.await_that(lambda: not self.state.has_master, "the state does not say so")
         self.start_master(ROS_IP=HOST)
         self.await_that(lambda: "started anew" in self.state.master_defect, "it is not seen that the master knows nobody")
         self.assertIsNone(watched.poll())
 
-    def test_a_node_that_was_started_anew_is_told(self):
+    def test_a_node_that_was_started_anew_is_reported(self):
         # Without a run_id roslaunch waits for whoever sets one.
         xmlrpc.client.ServerProxy(f"http://{HOST}:{MASTER_PORT}").setParam("/test", "/run_id", str(uuid.uuid1()))
         self.start("nsenter", f"--net=/proc/{self.other.pid}/ns/net", "roslaunch", "--wait", LAUNCH, f"address:={OTHER}", f"motion:={HOST}",
@@ -126,7 +126,7 @@ class HostWatch(TwoHosts):
         self.await_that(lambda: self.state and self.state.nodes and self.state.nodes[0].answers, "the watched node is not seen")
         self.await_compared()
         os.kill(self.state.nodes[0].pid, signal.SIGKILL)
-        self.await_that(lambda: 8005 in self.raised(), "the restart is not told")
+        self.await_that(lambda: 8005 in self.raised(), "the restart is not reported")
         self.assertIn(7002, self.raised())
         self.assertEqual(self.state.nodes[0].restarts, 1)
 

@@ -18,7 +18,7 @@ class Reachability(TwoHosts):
         self.assertFalse(self.is_reached(MASTER_PORT))
         self.assertNotIn("whoever reaches this host", self.log())
 
-    def test_a_node_that_is_told_its_address_is_reached_and_says_so(self):
+    def test_a_node_that_is_given_its_address_is_reached_and_says_so(self):
         self.start_master(ROS_IP="127.0.0.1")
         node = self.start_node(SLICING_SERVICE, ROS_IP=HOST)
         for port in listening(node.pid):
@@ -26,7 +26,7 @@ class Reachability(TwoHosts):
             self.assertIn(str(port), self.log())
         self.assertIn("whoever reaches this host commands this node", self.log())
 
-    def test_a_node_tells_of_a_master_on_all_interfaces(self):
+    def test_a_node_reports_a_master_on_all_interfaces(self):
         self.start_master()
         self.start_node(SLICING_SERVICE)
         self.assertTrue(self.is_reached(MASTER_PORT))

@@ -37,8 +37,8 @@ def ip(*arguments):
 
 def listening(pid):
     """Ports of a process that waits for connections: {port: address}."""
-    told = subprocess.run(["ss", "-ltnpH"], capture_output=True, text=True, check=True).stdout
-    lines = [line.split() for line in told.splitlines() if f"pid={pid}," in line]
+    reported = subprocess.run(["ss", "-ltnpH"], capture_output=True, text=True, check=True).stdout
+    lines = [line.split() for line in reported.splitlines() if f"pid={pid}," in line]
     return {int(at.rsplit(":", 1)[1]): at.rsplit(":", 1)[0] for at in (columns[3] for columns in lines)}
 
 

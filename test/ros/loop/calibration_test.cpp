@@ -180,9 +180,10 @@ TEST(CalibrationTest, FindsHowLateAndWhereAnEmulatedSensorSees) {
   const test::ScratchFolder folder;
   writeFile(folder.file("moved.urdf"), gantryWithMovedSensor());
   const test::NodeProcess machine(LAMINA_NODE, machineArguments(folder.file("moved.urdf")));
-  const std::string told = folder.file("told.yaml");
-  writeCalibration(told, ofGantry());
-  const test::NodeProcess loop(LAMINA_LOOP_NODE, {"_sensor/calibration:=" + told, "_request:=active"});
+  const std::string calibration_file = folder.file("known.yaml");
+  writeCalibration(calibration_file, ofGantry());
+  const test::NodeProcess loop(LAMINA_LOOP_NODE,
+                               {"_sensor/calibration:=" + calibration_file, "_request:=active"});
   ASSERT_TRUE(test::waitUntil(isReady));
   const std::string cell = folder.file("cell.yaml");
   begin<CalibrateTime>(names::kCalibrateTime);
@@ -207,12 +208,12 @@ TEST(CalibrationTest, FindsHowLateAndWhereAnEmulatedSensorSees) {
   EXPECT_GT(place.points, 1000U);
   lamina(withBrisk({"calibrate", "sensor", folder.file("cross.bag"), "-o", cell}));
   expectTruth(readCalibration(cell));
-  expectTruth(readCalibration(told));
+  expectTruth(readCalibration(calibration_file));
   EXPECT_NEAR(toMillimetres(place.nozzle_from_sensor.position.x),
-              readCalibration(told).pose->nozzle_from_sensor.translation().x(), 1e-9);
+              readCalibration(calibration_file).pose->nozzle_from_sensor.translation().x(), 1e-9);
 }
 
-/// Beads with steps, laid by a feeder that is late, seen by a sensor where its description says.
+/// Beads with steps, deposited by a feeder that is late, seen by a sensor where its description says.
 TEST(CalibrationTest, FindsHowLateAnEmulatedFeederFollows) {
   using lamina_msgs::CalibrateFeeder;
   const test::ScratchFolder folder;
@@ -223,11 +224,12 @@ TEST(CalibrationTest, FindsHowLateAnEmulatedFeederFollows) {
   arguments.push_back("_plant/lag_s:=" + std::to_string(kLag));
   arguments.emplace_back("_deposit/bead_width_mm:=0.8");
   const test::NodeProcess machine(LAMINA_NODE, arguments);
-  const std::string told = folder.file("told.yaml");
+  const std::string calibration_file = folder.file("known.yaml");
   Calibration known = ofGantry();
   known.time = CalibratedTime{kLate, 1e-4, 0.0, 0.0, {"bobbing", "2026-11-23T12:00:00Z"}};
-  writeCalibration(told, known);
-  const test::NodeProcess loop(LAMINA_LOOP_NODE, {"_sensor/calibration:=" + told, "_request:=active"});
+  writeCalibration(calibration_file, known);
+  const test::NodeProcess loop(LAMINA_LOOP_NODE,
+                               {"_sensor/calibration:=" + calibration_file, "_request:=active"});
   ASSERT_TRUE(test::waitUntil(isReady));
   begin<CalibrateFeeder>(names::kCalibrateFeeder);
   recordPlan("feeder", folder.file("feeder.bag"));
@@ -239,7 +241,7 @@ TEST(CalibrationTest, FindsHowLateAnEmulatedFeederFollows) {
   EXPECT_NEAR(found.gain, 1.0, 0.1);
   EXPECT_LT(found.rms, 0.1);
   EXPECT_GT(found.sections, 100U);
-  const Calibration kept = readCalibration(told);
+  const Calibration kept = readCalibration(calibration_file);
   ASSERT_TRUE(kept.feeder && kept.time);
   EXPECT_NEAR(kept.feeder->dead_time_s, found.dead_time, 1e-9);
   EXPECT_EQ(kept.feeder->origin.method, "bead");
@@ -251,10 +253,10 @@ TEST(CalibrationTest, RefusesByName) {
   using lamina_msgs::CalibrateSensor;
   using lamina_msgs::CalibrateTime;
   const test::ScratchFolder folder;
-  const std::string told = folder.file("told.yaml");
-  writeCalibration(told, ofGantry());
-  const std::string before = readFile(told);
-  const test::NodeProcess loop(LAMINA_LOOP_NODE, {"_sensor/calibration:=" + told});
+  const std::string calibration_file = folder.file("known.yaml");
+  writeCalibration(calibration_file, ofGantry());
+  const std::string before = readFile(calibration_file);
+  const test::NodeProcess loop(LAMINA_LOOP_NODE, {"_sensor/calibration:=" + calibration_file});
   ASSERT_TRUE(test::waitUntil([] { return ros::service::exists(names::kCalibrateFeeder, false); }));
   const auto expectRefused = [](const lamina_msgs::Status& status, std::uint8_t code, const char* word) {
     EXPECT_EQ(status.code, code) << status.message;
@@ -288,7 +290,7 @@ TEST(CalibrationTest, RefusesByName) {
   ASSERT_TRUE(ros::service::call(names::kCalibrateSensor, unknown));
   expectRefused(unknown.response.status, Status::INVALID_CONFIG, "calibrate.bobs");
   EXPECT_EQ(step<CalibrateSensor>(names::kCalibrateSensor, kDrop).status.code, Status::OK + 0);
-  EXPECT_EQ(readFile(told), before);
+  EXPECT_EQ(readFile(calibration_file), before);
 }
 
 /// What would be refused when the machine has moved.
@@ -320,7 +322,7 @@ TEST(CalibrationTest, RefusesAtTheBeginning) {
   begin<CalibrateSensor>(names::kCalibrateSensor);
 }
 
-/// More than is to be kept; what is under way ends when that is told.
+/// More than is to be kept; what is under way ends when that is reported.
 TEST(CalibrationTest, GivesUpARecordingThatTakesTooMuch) {
   using lamina_msgs::CalibrateTime;
   const test::NodeProcess loop(LAMINA_LOOP_NODE, {"_queue_mb:=0.01", "__name:=small"});
@@ -362,7 +364,7 @@ TEST(CalibrationTest, OfAnotherMachineIsRefusedByItsName) {
 }
 
 /// A sensor whose stamps are late and that tf has 7 mm off its place, over a plate at its planned height.
-TEST(CalibrationTest, TellsTheMonitorWhenAndFromWhereTheSensorSees) {
+TEST(CalibrationTest, ReportsToTheMonitorWhenAndFromWhereTheSensorSees) {
   const test::ScratchFolder folder;
   const std::string file = folder.file("cell.yaml");
   Calibration cell = ofGantry();

@@ -98,7 +98,7 @@ class LiveWall {
   }
 
   /// Publishes what is due until something is true, or all is said. The machine's clock stands in between,
-  /// and runs slower where turns come late: a busy machine is told what it would be told in time.
+  /// and runs slower where turns come late: a busy machine gets what it would get in time.
   void say(const std::function<bool()>& is_enough) {
     ros::SteadyTime turn = ros::SteadyTime::now();
     while (!is_enough() && (tip_ < printed.tips.size() || cloud_ < printed.clouds.size())) {
@@ -130,9 +130,9 @@ class LiveWall {
 };
 
 /// What the machine says of its job.
-class ToldMachine {
+class ReportedMachine {
  public:
-  ToldMachine() { state_ = node_.advertise<lamina_msgs::MachineState>(names::kMachineState, 1, true); }
+  ReportedMachine() { state_ = node_.advertise<lamina_msgs::MachineState>(names::kMachineState, 1, true); }
   void say(std::uint8_t state, std::int32_t layer) {
     lamina_msgs::MachineState message;
     message.state = state;

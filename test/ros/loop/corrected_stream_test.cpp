@@ -121,7 +121,7 @@ class CorrectedCell {
       return false;
     });
   }
-  bool isTold(std::size_t layers) {
+  bool isApplied(std::size_t layers) {
     return waitUntil([&] { return applied.size() >= layers; });
   }
 
@@ -132,7 +132,7 @@ class CorrectedCell {
   std::vector<lamina_msgs::AppliedCorrection> applied;
   std::vector<lamina_msgs::AppliedCorrection> refusals;  ///< of plans
   std::vector<std::string> states;
-  std::vector<lamina_msgs::Toolpath> toolpaths;  ///< told by anybody
+  std::vector<lamina_msgs::Toolpath> toolpaths;  ///< announced by anybody
 
  private:
   void listen() {
@@ -167,9 +167,9 @@ void beginTrimmed(CorrectedCell& cell, const MachineToolpath& part, const std::s
   lamina_msgs::StreamProgramGoal goal;
   goal.program = program;
   cell.client->sendGoal(goal);
-  ASSERT_TRUE(cell.isTold(1));
+  ASSERT_TRUE(cell.isApplied(1));
   cell.send(evenMap(part, 1, 0.3, 1));
-  ASSERT_TRUE(cell.isTold(2));
+  ASSERT_TRUE(cell.isApplied(2));
   cell.send(evenMap(part, 1, -0.2, 2));
 }
 
@@ -189,13 +189,13 @@ TEST(CorrectedStream, TrimsALayerThatIsUnderWay) {
   EXPECT_GT(applied.maps[1].from_line, applied.maps[0].from_line);
   const CorrectedProgram made = correctedByMaps("part.gcode", textOf(part), applied);
   EXPECT_EQ(cell.machine.commands(), commandsOf(made.text)) << "made again from the record";
-  // Some of the layer's 160 motions are laid by the first map, the others by the trim.
+  // Some of the layer's 160 motions are deposited by the first map, the others by the trim.
   EXPECT_LT(made.report.corrected_mm, 1.3 * made.report.planned_mm);
   EXPECT_GT(made.report.corrected_mm, 0.8 * made.report.planned_mm);
 }
 
 /// A node that is killed amid a trimmed layer: what was sent is made again from its record, and the rest is
-/// laid as planned, each line once.
+/// deposited as planned, each line once.
 TEST(CorrectedStream, IsGoneOnWithByItsRecordAfterAKill) {
   const test::ScratchFolder folder;
   const MachineToolpath part = finePart();
@@ -220,7 +220,8 @@ TEST(CorrectedStream, IsGoneOnWithByItsRecordAfterAKill) {
   EXPECT_EQ(cell.machine.commands(), commandsOf(correctedByMaps("part.gcode", textOf(part), applied).text));
 }
 
-/// The same by a node that takes the place of the one that was killed: the layers left are told to the loop.
+/// The same by a node that takes the place of the one that was killed: the layers left are announced to the
+/// loop.
 TEST(CorrectedStream, GoesOnByItsRecordItself) {
   const test::ScratchFolder folder;
   const MachineToolpath part = finePart();
@@ -244,7 +245,7 @@ TEST(CorrectedStream, GoesOnByItsRecordItself) {
   EXPECT_EQ(applied.maps.size(), 2U);
   EXPECT_EQ(cell.machine.commands(), commandsOf(correctedByMaps("part.gcode", textOf(part), applied).text))
       << "every line once";
-  ASSERT_TRUE(cell.isTold(3));
+  ASSERT_TRUE(cell.isApplied(3));
   EXPECT_EQ(cell.applied.back().layer, 2U);
   EXPECT_EQ(cell.applied.back().digest, "");
   EXPECT_NE(cell.applied.back().reason.find("gone on with from its record"), std::string::npos)
@@ -265,7 +266,7 @@ TEST(CorrectedStream, GoesOverToLayersPlannedAnew) {
   CorrectedCell cell("planned", 0.0, {"_corrections/follow_plans:=true"});
   cell.begin(part);
   cell.stream(part);
-  ASSERT_TRUE(cell.isTold(1));
+  ASSERT_TRUE(cell.isApplied(1));
   const MachineToolpath plan = planOf(part, 1);
   const auto isFollowed = [&] { return !cell.toolpaths.empty() && cell.toolpaths.back().id == plan.id; };
   ASSERT_TRUE(cell.offer(plan, isFollowed));
@@ -288,26 +289,26 @@ TEST(CorrectedStream, GoesOverToLayersPlannedAnew) {
   EXPECT_TRUE(waitUntil([&] { return cell.states.back() == "Complete"; }));
   EXPECT_EQ(cell.states, (std::vector<std::string>{"Idle", "Starting", "Execute", "Completing", "Complete"}))
       << "one job to its end";
-  ASSERT_TRUE(cell.isTold(2));
+  ASSERT_TRUE(cell.isApplied(2));
   EXPECT_EQ(cell.applied[0].toolpath_id, part.id);
   EXPECT_EQ(cell.applied[1].toolpath_id, plan.id);
   EXPECT_EQ(cell.applied[1].digest, toMessage(evenMap(plan, 0, 0.25, 1)).digest);
   cell.stream(part);
-  EXPECT_TRUE(cell.isTold(3)) << "what it published itself takes no toolpath's place: "
-                              << cell.client->getState().getText();
+  EXPECT_TRUE(cell.isApplied(3)) << "what it published itself takes no toolpath's place: "
+                                 << cell.client->getState().getText();
   EXPECT_EQ(cell.applied.back().toolpath_id, part.id);
   cell.client->cancelGoal();
   EXPECT_TRUE(waitUntil([&] { return cell.client->getState().isDone(); }));
 }
 
-/// The loop is told of plans that are not gone on with; where one cannot be written, the job is held, and
+/// The loop is informed of plans that are not gone on with; where one cannot be written, the job is held, and
 /// once it is let go on its layer is waited for anew.
-TEST(CorrectedStream, TellsOfPlansThatItDoesNotGoOnWith) {
+TEST(CorrectedStream, ReportsPlansThatItDoesNotGoOnWith) {
   const MachineToolpath part = finePart();
   CorrectedCell cell("refused", 0.0, {"_corrections/follow_plans:=true"});
   cell.begin(part);
   cell.stream(part);
-  ASSERT_TRUE(cell.isTold(1));
+  ASSERT_TRUE(cell.isApplied(1));
   const MachineToolpath elsewhere = planOf(part, 2);
   cell.plan.publish(toMessage(elsewhere));
   ASSERT_TRUE(waitUntil([&] { return !cell.refusals.empty(); }));
@@ -324,7 +325,7 @@ TEST(CorrectedStream, TellsOfPlansThatItDoesNotGoOnWith) {
   EXPECT_EQ(cell.toolpaths.back().id, part.id);
   EXPECT_TRUE(cell.isAnswered("resume"));
   cell.send(evenMap(part, 1, 0.2, 1));
-  EXPECT_TRUE(cell.isTold(2));
+  EXPECT_TRUE(cell.isApplied(2));
   EXPECT_EQ(cell.applied.back().digest, toMessage(evenMap(part, 1, 0.2, 1)).digest);
   cell.send(evenMap(part, 2, 0.0, 1));
   EXPECT_TRUE(waitUntil([&] { return cell.client->getState().isDone(); }));
@@ -341,7 +342,7 @@ TEST(CorrectedStream, AnswersWhileAPlanIsWritten) {
                       "_loop/wait_s:=600"});
   cell.begin(part);
   cell.stream(part);
-  ASSERT_TRUE(cell.isTold(1));
+  ASSERT_TRUE(cell.isApplied(1));
   MachineToolpath plan = planOf(part, 1);
   for (Path& path : plan.toolpath.layers[0].paths) {
     if (path.role == PathRole::Travel) continue;

@@ -16,7 +16,7 @@
 
 namespace lamina::test {
 
-/// What `lamina estimate` says of a bag, with a loop that is told of its sensor by `known`.
+/// What `lamina estimate` says of a bag, with a loop that knows its sensor by `known`.
 inline nlohmann::json estimate(const std::string& bag, const std::string& more = "",
                                const std::string& known =
                                    "--set sensor.time_offset_trusted=true "

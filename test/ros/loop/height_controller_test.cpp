@@ -34,11 +34,11 @@ using test::estimate;
 using test::LiveWall;
 using test::NodeProcess;
 using test::replayed;
+using test::ReportedMachine;
 using test::SensedWall;
 using test::sensedWall;
 using test::SensedWallCase;
 using test::SensorDoes;
-using test::ToldMachine;
 using test::waitUntil;
 using StateMessage = lamina_msgs::LoopState;
 
@@ -211,9 +211,9 @@ TEST(HeightController, IsCalibratedByTheScansOfThePrintItself) {
   }
 }
 
-TEST(HeightController, EndsAtItsStartWithoutTheCalibrationItIsTold) {
+TEST(HeightController, EndsAtItsStartWithoutTheCalibrationItIsGiven) {
   const test::ScratchFolder folder;
-  NodeProcess node(LAMINA_NODE, {"_sensor/calibration:=" + folder.file("none.yaml"), "__name:=untold"});
+  NodeProcess node(LAMINA_NODE, {"_sensor/calibration:=" + folder.file("none.yaml"), "__name:=uncalibrated"});
   EXPECT_EQ(node.wait(), 1);
 }
 
@@ -269,8 +269,8 @@ TEST(HeightController, CoastsWithinASecondWhenTfStops) {
 }
 
 /// The machine waited for the map of the third layer in vain: 6116 comes within a second, the layer counts as
-/// coasted, and growth is learnt from what was laid.
-TEST(HeightController, TellsOfAMapThatTheMachineMissed) {
+/// coasted, and growth is learnt from what was deposited.
+TEST(HeightController, ReportsAMapThatTheMachineMissed) {
   SensedWallCase wall = shortWall(4);
   wall.misses_map = [](std::size_t layer) { return layer == 2; };
   Controller controller({"_monitor/reorder_s:=0.1", "_arrival_hold_s:=0.1"});
@@ -285,9 +285,9 @@ TEST(HeightController, TellsOfAMapThatTheMachineMissed) {
   live.say([&] { return controller.maps.size() == 3; });
   applied.publish(of_another_print);
   applied.publish(missed);
-  const auto isTold = [&] { return controller.states.back().alarm == 6116; };
-  live.say(isTold);
-  ASSERT_TRUE(waitUntil(isTold));
+  const auto isReported = [&] { return controller.states.back().alarm == 6116; };
+  live.say(isReported);
+  ASSERT_TRUE(waitUntil(isReported));
   EXPECT_EQ(controller.states.back().reaction, StateMessage::COAST + 0);
   EXPECT_NE(controller.states.back().reason.find("none came within 2 s"), std::string::npos)
       << controller.states.back().reason;
@@ -489,7 +489,7 @@ TEST(HeightController, BeginsAgainWhenTheMachineDoes) {
   controller.emplace(parameters);
   ASSERT_TRUE(waitUntil([&] { return !controller->maps.empty(); }));
   EXPECT_EQ(controller->maps.front().layer, 2U);
-  ToldMachine machine;
+  ReportedMachine machine;
   machine.say(lamina_msgs::MachineState::STARTING, -1);
   ASSERT_TRUE(waitUntil([&] { return controller->maps.back().layer == 0; }));
   EXPECT_TRUE(controller->maps.back().paths.empty()) << "nothing is known of the first layer";
@@ -509,7 +509,7 @@ TEST(HeightController, TeachesTheNextPart) {
     Controller first({material, "_output_folder:=" + folder.file("report")});
     const test::BagPlayer player(folder.file("wall.bag"), {"--rate=10"});
     ASSERT_TRUE(waitUntil([&] { return first.layers.size() >= wall.layers; }));
-    ToldMachine machine;
+    ReportedMachine machine;
     machine.say(lamina_msgs::MachineState::STOPPED, 2);
     ros::WallDuration(0.5).sleep();
     EXPECT_FALSE(std::filesystem::exists(file));

@@ -24,7 +24,7 @@ TEST(MissedMapInABag, IsTakenIntoAccount) {
   const std::string bag = folder.file("wall.bag");
   const test::SensedWall printed = test::sensedWall(wall);
   test::writeBag(bag, printed);
-  const std::vector<std::string> untold = test::estimate(bag)["prints"][0]["map_digests"];
+  const std::vector<std::string> unreported = test::estimate(bag)["prints"][0]["map_digests"];
   const auto begun = std::find_if(printed.tips.begin(), printed.tips.end(),
                                   [](const StampedTip& pose) { return pose.tip.z() > 4.5 - 1e-6; });
   ASSERT_NE(begun, printed.tips.end()) << "layer 2 ends at 4.5 mm";
@@ -33,14 +33,14 @@ TEST(MissedMapInABag, IsTakenIntoAccount) {
     more.write(std::string("/") + names::kAppliedCorrection, test::timeOf(begun->stamp_ns),
                toMessage({2, 2.0, {}, {}}, printed.part.toolpath_id, ""));
   }
-  const nlohmann::json told = test::estimate(bag)["prints"][0];
-  const auto& alarms = told["layers"][2]["alarms"];
+  const nlohmann::json reported = test::estimate(bag)["prints"][0];
+  const auto& alarms = reported["layers"][2]["alarms"];
   EXPECT_EQ(std::count(alarms.begin(), alarms.end(), 6116), 1);
-  EXPECT_EQ(told["layers"][2]["state"], "coasting");
+  EXPECT_EQ(reported["layers"][2]["state"], "coasting");
   const test::WallTruth truth = test::wallTruth(wall);
-  EXPECT_NEAR(told["layers"][2]["gain_mean"], truth.gain[2], 0.01) << "of what was laid";
-  const std::vector<std::string> expected = told["map_digests"];
-  EXPECT_NE(expected[3], untold[3]);
+  EXPECT_NEAR(reported["layers"][2]["gain_mean"], truth.gain[2], 0.01) << "of what was deposited";
+  const std::vector<std::string> expected = reported["map_digests"];
+  EXPECT_NE(expected[3], unreported[3]);
   EXPECT_EQ(test::replayed(bag, wall.layers, "4"), expected);
 }
 
@@ -49,7 +49,7 @@ std::size_t alarmsOf(const nlohmann::json& layer, int alarm) {
 }
 
 /// As the node does: a plan that the machine did not go on with, and a further map that it did not use.
-TEST(MissedMapInABag, TellsOfAPlanThatWasRefused) {
+TEST(MissedMapInABag, ReportsAPlanThatWasRefused) {
   test::SensedWallCase wall;
   wall.settings = test::calibratedLoop();
   wall.length_mm = 20.0;
@@ -59,10 +59,10 @@ TEST(MissedMapInABag, TellsOfAPlanThatWasRefused) {
   const test::SensedWall printed = test::sensedWall(wall);
   test::writeBag(bag, printed);
   const std::string replans = "--set loop.replan=scale --set loop.greatest_amount=0.05";
-  const nlohmann::json untold = test::estimate(bag, replans)["prints"][0];
-  ASSERT_FALSE(untold["plans"].empty()) << "growth of 0.9 needs amounts of a ninth";
-  const std::string plan_id = untold["plans"][0]["toolpath_id"];
-  const std::size_t layer = untold["plans"][0]["layer"];
+  const nlohmann::json unreported = test::estimate(bag, replans)["prints"][0];
+  ASSERT_FALSE(unreported["plans"].empty()) << "growth of 0.9 needs amounts of a ninth";
+  const std::string plan_id = unreported["plans"][0]["toolpath_id"];
+  const std::size_t layer = unreported["plans"][0]["layer"];
   const double top_mm = printed.part.toolpath.layers[layer].z_mm;
   const auto amid = std::find_if(printed.tips.begin(), printed.tips.end(), [top_mm](const StampedTip& pose) {
     return std::abs(pose.tip.z() - top_mm) < 1e-6 && pose.tip.x() > 10.0;
@@ -75,12 +75,12 @@ TEST(MissedMapInABag, TellsOfAPlanThatWasRefused) {
     more.write(topic, stamp, toMessage(refusedPlan("it is out of reach"), plan_id, ""));
     more.write(topic, stamp, toMessage({layer, 0.0, "it is late", {}}, printed.part.toolpath_id, "digest"));
   }
-  const nlohmann::json told = test::estimate(bag, replans)["prints"][0];
-  EXPECT_EQ(alarmsOf(told["layers"][layer], 6113), alarmsOf(untold["layers"][layer], 6113) + 1);
-  EXPECT_EQ(alarmsOf(told["layers"][layer], 6116), 1U);
-  EXPECT_EQ(told["trims_refused"], 1);
-  const std::vector<std::string> maps = told["map_digests"];
-  EXPECT_EQ(maps.size(), untold["map_digests"].size() + 1) << "the layer has its map once more";
+  const nlohmann::json reported = test::estimate(bag, replans)["prints"][0];
+  EXPECT_EQ(alarmsOf(reported["layers"][layer], 6113), alarmsOf(unreported["layers"][layer], 6113) + 1);
+  EXPECT_EQ(alarmsOf(reported["layers"][layer], 6116), 1U);
+  EXPECT_EQ(reported["trims_refused"], 1);
+  const std::vector<std::string> maps = reported["map_digests"];
+  EXPECT_EQ(maps.size(), unreported["map_digests"].size() + 1) << "the layer has its map once more";
 }
 
 }  // namespace

@@ -115,16 +115,16 @@ class SensingCell : public DriveCell {
 
   /// What loop and driver said, in the order of arrival, and what the layers came to.
   std::string history() const {
-    std::ostringstream told;
-    told << notes_.str();
+    std::ostringstream report;
+    report << notes_.str();
     for (const lamina_msgs::LoopFigures& layer : layers) {
-      told << "\nlayer " << layer.layer << " of " << layer.toolpath_id << ": state " << int{layer.state}
-           << ", mean " << 1e3 * layer.mean_error << " mm, rmse " << 1e3 * layer.rmse << " mm, coverage "
-           << layer.coverage << ", contested " << layer.contested_share << ", limited " << layer.limited_share
-           << ", gain " << layer.gain_mean << ", alarms";
-      for (const auto alarm : layer.alarms) told << ' ' << alarm;
+      report << "\nlayer " << layer.layer << " of " << layer.toolpath_id << ": state " << int{layer.state}
+             << ", mean " << 1e3 * layer.mean_error << " mm, rmse " << 1e3 * layer.rmse << " mm, coverage "
+             << layer.coverage << ", contested " << layer.contested_share << ", limited "
+             << layer.limited_share << ", gain " << layer.gain_mean << ", alarms";
+      for (const auto alarm : layer.alarms) report << ' ' << alarm;
     }
-    return told.str();
+    return report.str();
   }
 
   std::vector<lamina_msgs::LoopFigures> layers;

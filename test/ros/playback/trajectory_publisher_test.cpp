@@ -150,7 +150,7 @@ TEST(TrajectoryPublisher, FollowsTheMachineAtItsOwnStamps) {
   EXPECT_TRUE(listener.canTransform("world", "sensor", stamp(1999)));
 }
 
-TEST(TrajectoryPublisher, TellsWhoComesLaterWhereTheMachineRests) {
+TEST(TrajectoryPublisher, ReportsToLateSubscribersWhereTheMachineRests) {
   Listener listener("follower");
   ASSERT_TRUE(await([&] { return listener.isConnected() && listener.isFollowed(); }));
   const ros::Time rest(2000.0);
@@ -229,8 +229,8 @@ TEST(TrajectoryPublisher, PublishesTheNozzleOverTheBedAsTheAxesMove) {
     EXPECT_LE(velocity.norm(), 50.0 + 1e-6);
     // The bead of 0.4 x 0.2 mm, at the speed of the tip.
     const double flow = toCubicMillimetres(listener.processes.back().points[i].flow);
-    const bool is_laid = velocity.head<2>().norm() > 0.0;
-    EXPECT_NEAR(flow, is_laid ? velocity.norm() * crossSection({0.4, 0.2}) : 0.0, 1e-6) << i;
+    const bool is_deposited = velocity.head<2>().norm() > 0.0;
+    EXPECT_NEAR(flow, is_deposited ? velocity.norm() * crossSection({0.4, 0.2}) : 0.0, 1e-6) << i;
     if (velocity.head<2>().norm() > 50.0 - 1e-6) ++cruising;
   }
   // At 1500 mm/s² each side of 10 mm is 8.3 mm or more at 50 mm/s: 33 of 200 states a second.

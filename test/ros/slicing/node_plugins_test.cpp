@@ -53,8 +53,9 @@ std::uint8_t dashedBy(const std::string& space, const std::vector<std::string>& 
 TEST(NodePluginPaths, AreTakenFromAParameter) {
   ::unsetenv("ROS_PACKAGE_PATH");
   EXPECT_EQ(dashedBy("bare", {}), Status::INVALID_CONFIG + 0);
-  EXPECT_EQ(dashedBy("told", {"_" + std::string(lamina::names::kPluginsParameter) + ":=" + LAMINA_DASHES}),
-            Status::OK + 0);
+  EXPECT_EQ(
+      dashedBy("configured", {"_" + std::string(lamina::names::kPluginsParameter) + ":=" + LAMINA_DASHES}),
+      Status::OK + 0);
 }
 
 TEST_F(NodePlugins, FillAPartOnRequest) {

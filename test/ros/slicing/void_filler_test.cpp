@@ -140,7 +140,7 @@ TEST_F(VoidFiller, LaysRunsIntoTheVoidsOfAProgramOfBeads) {
   EXPECT_GT(std::filesystem::file_size(output_), std::filesystem::file_size(folder_.file("tube.gcode")));
 }
 
-TEST_F(VoidFiller, TakesWhatIsLaidBesideThePartForOverfill) {
+TEST_F(VoidFiller, TakesWhatIsDepositedBesideThePartForOverfill) {
   // 0.6 mm of filament of 1.75 mm along 10 mm, in a layer of 0.4 mm; with round ends.
   const double width = 0.6e-3 * M_PI / 4.0 * 1.75e-3 * 1.75e-3 / (10e-3 * 0.4e-3);
   const double area = width * 10e-3 + M_PI / 4.0 * width * width;

@@ -49,7 +49,7 @@ TEST(ConformalLayers, ACoatLooksWhereItIsReportedTo) {
   EXPECT_NEAR(layers.deposited_mm3, 400.0, 1e-6);
 }
 
-TEST(ConformalLayers, WhatLiesBeneathOtherMaterialGetsNoCoat) {
+TEST(ConformalLayers, WhatLiesBelowOtherMaterialGetsNoCoat) {
   ConformalSettings settings;
   // A plate over half of a block: of the block's top, half is open.
   const Mesh block = test::boxBetween({0, 0, 0}, {20, 10, 5});
@@ -73,7 +73,7 @@ TEST(ConformalLayers, FacesThatAreHiddenInPartAreCoatedUpToThere) {
   const Mesh table =
       test::joined(test::boxBetween({0, 0, 0}, {20, 10, 5}), test::boxBetween({3, 3, 8}, {7, 7, 9}));
   const ConformalLayers layers = coat(table, settings, 0.5);
-  // 16 mm2 lie beneath the plate; of the faces across its edge, as wide as they are long, none is coated.
+  // 16 mm2 lie below the plate; of the faces across its edge, as wide as they are long, none is coated.
   EXPECT_GE(layers.hidden_mm2, 16.0);
   EXPECT_LE(layers.hidden_mm2, 16.0 + 4.0 * 5.0 * 0.5);
   EXPECT_NEAR(layers.deposited_mm3, 216.0 - layers.hidden_mm2, 1e-6);

@@ -14,7 +14,7 @@
 namespace lamina {
 namespace {
 
-/// A wall that fills all of x > 10 mm, laid first.
+/// A wall that fills all of x > 10 mm, deposited first.
 class WallAtTen final : public HeadRoom::Growth {
  public:
   double at(const Point3& place) const override {
@@ -33,7 +33,7 @@ TEST(HeadRoom, IsClearBesideAWallAsFarAsTheHeadIsWide) {
   const HeadRoom room = roomAt(-100.0);
   EXPECT_TRUE(room.isClear({-21.0, 0.0, 0.0}, Point3::UnitZ(), 2.0));
   EXPECT_FALSE(room.isClear({-19.0, 0.0, 0.0}, Point3::UnitZ(), 2.0));
-  // Not laid yet.
+  // Not deposited yet.
   EXPECT_TRUE(room.isClear({-19.0, 0.0, 0.0}, Point3::UnitZ(), 0.5));
 }
 

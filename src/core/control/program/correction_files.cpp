@@ -101,11 +101,11 @@ FiledMap appliedMap(const AppliedRow& row, const std::vector<FiledMap>& maps, co
     if (digestOf(each.map) == row.digest) return {each.file, each.map, row.from_line};
     if (of_layer == nullptr) of_layer = &each;
   }
-  const std::string laid = "layer " + std::to_string(row.layer) + " was deposited by ";
+  const std::string deposited_by = "layer " + std::to_string(row.layer) + " was deposited by ";
   if (of_layer != nullptr && of_layer->map.sequence == row.sequence)
     throw InvalidInput(of_layer->file + ": the map's digest is " + digestOf(of_layer->map) + "; " + record +
-                       " says that " + laid + row.digest);
-  throw InvalidInput(record + ": " + laid + "map " + row.digest + ", which is not in the folder");
+                       " says that " + deposited_by + row.digest);
+  throw InvalidInput(record + ": " + deposited_by + "map " + row.digest + ", which is not in the folder");
 }
 
 /// Only those that were applied are left; each must be there.

@@ -70,7 +70,7 @@ class BytesBuffer : public std::streambuf {
   }
 };
 
-/// Tells the library to stop, and how far it is.
+/// Asks the library to stop, and reports how far it is.
 class ReadingProgress : public Message_ProgressIndicator {
  public:
   explicit ReadingProgress(Progress& progress) : progress_(progress) {}
@@ -146,8 +146,8 @@ class StepReader {
   std::vector<MeshObject> read(std::string_view bytes) {
     throwIfCancelled(progress_, kReading);
     load(bytes);
-    const Handle(ReadingProgress) told = new ReadingProgress(progress_);
-    Message_ProgressScope whole(told->Start(), kReading, 2);
+    const Handle(ReadingProgress) range = new ReadingProgress(progress_);
+    Message_ProgressScope whole(range->Start(), kReading, 2);
     const std::vector<TopoDS_Shape> solids = readSolids(whole.Next());
     Message_ProgressScope meshing(whole.Next(), kReading, static_cast<double>(solids.size()));
     std::vector<MeshObject> objects;
@@ -158,9 +158,9 @@ class StepReader {
   }
 
  private:
-  std::vector<TopoDS_Shape> readSolids(const Message_ProgressRange& told) {
+  std::vector<TopoDS_Shape> readSolids(const Message_ProgressRange& range) {
     const int roots = reader_.NbRootsForTransfer();
-    const int transferred = reader_.TransferRoots(told);
+    const int transferred = reader_.TransferRoots(range);
     throwIfCancelled(progress_, kReading);
     findItems();
     if (transferred < roots)
@@ -245,14 +245,14 @@ class StepReader {
     return {};
   }
 
-  Mesh meshOf(const TopoDS_Shape& solid, const Message_ProgressRange& told) {
+  Mesh meshOf(const TopoDS_Shape& solid, const Message_ProgressRange& range) {
     IMeshTools_Parameters parameters;
     parameters.Deflection = tessellation_.deflection_mm;
     parameters.MinSize = kShortestEdge;
     parameters.Angle = tessellation_.deflection_deg * kDegree;
     // The library's own order of threads must not show in the mesh.
     parameters.InParallel = false;
-    BRepMesh_IncrementalMesh mesher(solid, parameters, told);
+    BRepMesh_IncrementalMesh mesher(solid, parameters, range);
     throwIfCancelled(progress_, kReading);
     IndexedFaces faces;
     std::size_t count = 0;

@@ -77,18 +77,18 @@ ModeComparison compareModes(const SliceJob& job, const std::vector<std::string>&
   const SliceJob placed = onMachine(job, space);
   validate(placed.settings);
   requireToolAxisFor(placed, space);
-  const PartOnBed laid = partOnBed(readSource(placed, progress), placed, space);
-  const PlanningRequest request{placed, space, laid.bed_from_part};
+  const PartOnBed on_bed = partOnBed(readSource(placed, progress), placed, space);
+  const PlanningRequest request{placed, space, on_bed.bed_from_part};
   ModeComparison comparison;
   for (const std::string& mode : modes) {
-    ModeTrial trial = tryMode(mode, laid.source, request, progress);
+    ModeTrial trial = tryMode(mode, on_bed.source, request, progress);
     ComparedMode& compared = comparison.modes.emplace_back();
     compared.candidate = std::move(trial.candidate);
     if (!trial.planned) continue;
     compared.toolpath = std::move(trial.planned->plan.toolpath);
     compared.unsupported = std::move(trial.planned->support->unsupported);
   }
-  comparison.part = laid.source.mesh;
+  comparison.part = on_bed.source.mesh;
   comparison.chosen = takenByAuto(comparison.modes, modesOfAuto(request), job.settings.automatic);
   return comparison;
 }

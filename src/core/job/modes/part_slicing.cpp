@@ -134,24 +134,24 @@ SourcePart readSource(const SliceJob& job, Progress& progress) {
 }
 
 PartOnBed partOnBed(SourcePart read, const SliceJob& job, const BuildSpace& space) {
-  PartOnBed laid{grownForShrinkage(std::move(read), job.settings)};
-  const Box3 box = boxOnBed(laid.source);
+  PartOnBed on_bed{grownForShrinkage(std::move(read), job.settings)};
+  const Box3 box = boxOnBed(on_bed.source);
   requireNearOrigin(box);
   requireFits(box, boundingBox(space), space.name);
-  laid.bed_from_part = placePart(box, space, job.settings.placement);
-  return laid;
+  on_bed.bed_from_part = placePart(box, space, job.settings.placement);
+  return on_bed;
 }
 
 SlicedPart sliceSource(SourcePart source, const SliceJob& job, const BuildSpace& space, Progress& progress,
                        const std::vector<ModeCandidate>& refused) {
   SlicedPart sliced;
   const Point3 drawn = boundingBox(source.mesh).size();
-  PartOnBed laid = partOnBed(std::move(source), job, space);
-  const Point3 size = boundingBox(laid.source.mesh).size();
-  const std::size_t volumes = laid.source.volumes.size();
-  addSource(sliced.summary, laid.source);
-  sliced.bed_from_part = laid.bed_from_part;
-  sliced.toolpath = planOriented(std::move(laid.source), {job, space, sliced.bed_from_part, refused},
+  PartOnBed on_bed = partOnBed(std::move(source), job, space);
+  const Point3 size = boundingBox(on_bed.source.mesh).size();
+  const std::size_t volumes = on_bed.source.volumes.size();
+  addSource(sliced.summary, on_bed.source);
+  sliced.bed_from_part = on_bed.bed_from_part;
+  sliced.toolpath = planOriented(std::move(on_bed.source), {job, space, sliced.bed_from_part, refused},
                                  sliced.summary, progress);
   sliced.bed_from_part.pretranslate(Point3(0.0, 0.0, sliced.summary.raft_mm));
   const bool are_level = sliced.summary.mode == "planar" && job.settings.slicing.plane.angle_deg == 0.0;

@@ -134,8 +134,8 @@ PlannedPart planVolumetric(SourcePart source, const PlanningRequest& request, Pr
   source = {};
   const VolumetricMeasures measures = layers.measures;
   const std::shared_ptr<const HeadRoom> room = layers.room;
-  std::vector<double> laid_mm;
-  for (const VolumetricLayer& layer : layers.layers) laid_mm.push_back(layer.plane.bounds.top_mm - bed_mm);
+  std::vector<double> tops_mm;
+  for (const VolumetricLayer& layer : layers.layers) tops_mm.push_back(layer.plane.bounds.top_mm - bed_mm);
   Mesh hanging = std::move(layers.hanging);
   for (Point3& vertex : hanging.vertices) vertex.z() += settings.volumetric.sink_mm;
   const std::size_t bent_layers = layers.layers.size() - measures.level_layers;
@@ -143,7 +143,7 @@ PlannedPart planVolumetric(SourcePart source, const PlanningRequest& request, Pr
   PlannedPart planned = planStack({stackedLayers(std::move(layers))}, request, progress);
   settleAxes(planned.plan.toolpath, kSettledRad);
   const LeadTravels lead = [&](Toolpath& toolpath) {
-    return leadTravels(toolpath, laid_mm, *room, settings.planning.travel.hop_mm, progress);
+    return leadTravels(toolpath, tops_mm, *room, settings.planning.travel.hop_mm, progress);
   };
   const double deposited_mm3 = totals(planned.plan.toolpath).deposited_mm3;
   MachineFit fit = fitToHead(std::move(planned.plan.toolpath), request, lead, progress);

@@ -29,12 +29,12 @@ SourcePart grownForShrinkage(SourcePart source, const JobSettings& settings) {
   return source;
 }
 
-std::string sizeNote(const Point3& drawn, const Point3& laid) {
+std::string sizeNote(const Point3& drawn, const Point3& deposited) {
   char text[192];
   std::snprintf(
       text, sizeof text,
       "the part is %.6g x %.6g x %.6g mm as drawn, and printed as %.6g x %.6g x %.6g mm, for it shrinks",
-      drawn.x(), drawn.y(), drawn.z(), laid.x(), laid.y(), laid.z());
+      drawn.x(), drawn.y(), drawn.z(), deposited.x(), deposited.y(), deposited.z());
   return text;
 }
 

@@ -17,6 +17,6 @@ bool changesSize(const CompensationSettings& settings);
 SourcePart grownForShrinkage(SourcePart source, const JobSettings& settings);
 
 /// What to know of the sizes [mm] as drawn and as deposited.
-std::string sizeNote(const Point3& drawn, const Point3& laid);
+std::string sizeNote(const Point3& drawn, const Point3& deposited);
 
 }  // namespace lamina

@@ -97,13 +97,13 @@ double widestBead(const ToolpathLayer& layer) {
 
 /// Boxes of layers of another part differ from those of the sections in most of them.
 void requireSamePart(const Toolpath& program, const std::vector<Regions>& sections, const std::string& part) {
-  std::size_t laid = 0;
+  std::size_t compared = 0;
   std::size_t other = 0;
   std::string first;
   for (std::size_t i = 0; i < sections.size(); ++i) {
     const Box2 deposited = depositedBox(program.layers[i]);
     if (deposited.isEmpty()) continue;
-    ++laid;
+    ++compared;
     const Box2 cut = boundingBox(outlines(sections[i]));
     const Point2 size = cut.isEmpty() ? Point2(Point2::Zero()) : Point2(cut.size());
     if ((deposited.size() - size).cwiseAbs().maxCoeff() <= kMostBeads * widestBead(program.layers[i]))
@@ -115,9 +115,9 @@ void requireSamePart(const Toolpath& program, const std::vector<Regions>& sectio
                   deposited.size().x(), deposited.size().y(), size.x(), size.y());
     first = text;
   }
-  if (2 * other <= laid) return;
+  if (2 * other <= compared) return;
   throw InvalidInput("'" + program.part_name + "' is no program of the part '" + part +
-                     "': " + std::to_string(other) + " of " + std::to_string(laid) +
+                     "': " + std::to_string(other) + " of " + std::to_string(compared) +
                      " layers are of another size; expected the part that it lays, at its scale (" + first +
                      ")");
 }

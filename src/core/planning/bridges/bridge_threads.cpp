@@ -100,19 +100,19 @@ class ThreadLayer {
   void addLine(std::int64_t line, std::vector<FillPath>& threads) const {
     const std::vector<Stretch> below = below_.on(line);
     const std::vector<Stretch> inside = inside_.on(line);
-    std::vector<Stretch> laid;
+    std::vector<Stretch> merged;
     for (const Stretch& free : piece_.on(line))
       for (const Stretch& room : inside) {
         if (room.second <= free.first || room.first >= free.second) continue;
         const Stretch thread = {std::max(begin(free, below, room), room.first),
                                 std::min(end(free, below, room), room.second)};
-        if (!laid.empty() && thread.first <= laid.back().second)
-          laid.back().second = thread.second;
+        if (!merged.empty() && thread.first <= merged.back().second)
+          merged.back().second = thread.second;
         else
-          laid.push_back(thread);
+          merged.push_back(thread);
       }
     const double y = static_cast<double>(line) * lines_.spacing_mm;
-    for (const Stretch& thread : laid) {
+    for (const Stretch& thread : merged) {
       if (thread.second - thread.first < kShortestThread) continue;
       FillPath path;
       path.role = PathRole::Bridge;

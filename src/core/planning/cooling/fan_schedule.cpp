@@ -68,9 +68,9 @@ std::array<std::optional<double>, kPathRoles> roleSharesOf(const FanSettings& se
 }
 
 void FanSchedule::add(const std::vector<Path>& paths, std::size_t layer, double share) {
-  const auto laid = std::find_if(paths.begin(), paths.end(),
-                                 [](const Path& path) { return path.role != PathRole::Travel; });
-  change({layer, 0, 0}, laid == paths.end() ? share : shareOf(laid->role, layer, share));
+  const auto first = std::find_if(paths.begin(), paths.end(),
+                                  [](const Path& path) { return path.role != PathRole::Travel; });
+  change({layer, 0, 0}, first == paths.end() ? share : shareOf(first->role, layer, share));
   for (std::size_t p = 0; p < paths.size(); ++p)
     if (paths[p].role != PathRole::Travel)
       addPath(paths[p], {layer, p, 0}, shareOf(paths[p].role, layer, share));

@@ -114,7 +114,7 @@ class PlaceCooler {
     std::vector<double> ready_s;
     ready_s.reserve(pieces.places.size());
     for (const DepositedPlace& place : pieces.places)
-      ready_s.push_back(leftBeneath(place.box, left_) + settings_.least_layer_time_s);
+      ready_s.push_back(leftBelow(place.box, left_) + settings_.least_layer_time_s);
     const std::vector<std::size_t> order = visitOrder(pieces, ready_s);
     if (!std::is_sorted(order.begin(), order.end())) {
       ++summary_.reordered_layers;

@@ -118,7 +118,7 @@ PlacedLayer placesOf(const ToolpathLayer& layer, const Eigen::Quaterniond& layer
   return placed;
 }
 
-double leftBeneath(const Box2& box, const PlaceTimes& below) {
+double leftBelow(const Box2& box, const PlaceTimes& below) {
   double left_s = -std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < below.boxes.size(); ++i)
     if (areOverlapping(box, below.boxes[i])) left_s = std::max(left_s, below.left_s[i]);

@@ -39,6 +39,6 @@ struct PlaceTimes {
 };
 
 /// Last time at which a place below a box was left; minus infinity if there is none.
-double leftBeneath(const Box2& box, const PlaceTimes& below);
+double leftBelow(const Box2& box, const PlaceTimes& below);
 
 }  // namespace lamina

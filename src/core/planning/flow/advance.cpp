@@ -29,12 +29,12 @@ std::string advanceLine(AdvanceWord word, double advance_s) {
 void addAdvance(Toolpath& toolpath, const FlowSettings& settings) {
   if (!hasAdvance(settings)) return;
   const std::array<double, kPathRoles> advances = advancesOf(settings);
-  double told_s = -1.0;
+  double last_s = -1.0;
   for (ToolpathLayer& layer : toolpath.layers)
     for (Path& path : layer.paths) {
       if (path.role == PathRole::Travel) continue;
       const double advance_s = advances[static_cast<std::size_t>(path.role)];
-      if (std::exchange(told_s, advance_s) == advance_s) continue;
+      if (std::exchange(last_s, advance_s) == advance_s) continue;
       PathEvent change;
       change.event.emplace<MachineCode>(MachineCode{advanceLine(settings.advance_word, advance_s), false});
       path.events.insert(path.events.begin(), std::move(change));

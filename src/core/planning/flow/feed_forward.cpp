@@ -288,8 +288,8 @@ class RunPusher {
   /// as it starts; what was to arrive until then cannot be.
   double pushed(double from_s, double to_s, const DesiredFlow& desired) const {
     const double stored_before = from_s > 0.0 ? lag_s_ * desired.flowBefore(from_s + dead_s_) : 0.0;
-    const double laid = desired.volumeUntil(to_s + dead_s_) - desired.volumeUntil(from_s + dead_s_);
-    return laid + lag_s_ * desired.flowBefore(to_s + dead_s_) - stored_before;
+    const double deposited = desired.volumeUntil(to_s + dead_s_) - desired.volumeUntil(from_s + dead_s_);
+    return deposited + lag_s_ * desired.flowBefore(to_s + dead_s_) - stored_before;
   }
 
   const Toolpath& toolpath_;

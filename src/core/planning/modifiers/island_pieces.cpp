@@ -169,18 +169,18 @@ int leastWalls(const std::vector<IslandPiece>& pieces) {
 
 std::vector<Path> depositedByPieces(std::vector<Path> paths, std::size_t from,
                                     const std::vector<IslandPiece>& pieces, const WallRules& deposited_by) {
-  std::vector<Path> laid(std::make_move_iterator(paths.begin()),
-                         std::make_move_iterator(paths.begin() + static_cast<std::ptrdiff_t>(from)));
+  std::vector<Path> deposited(std::make_move_iterator(paths.begin()),
+                              std::make_move_iterator(paths.begin() + static_cast<std::ptrdiff_t>(from)));
   for (std::size_t i = from; i < paths.size(); ++i) {
     if (paths[i].role == PathRole::Travel) {
-      laid.push_back(std::move(paths[i]));
+      deposited.push_back(std::move(paths[i]));
       continue;
     }
     const PieceRules rules(pieces, paths[i].role, deposited_by);
     std::vector<Path> parts = depositedBy(rules, std::move(paths[i]));
-    std::move(parts.begin(), parts.end(), std::back_inserter(laid));
+    std::move(parts.begin(), parts.end(), std::back_inserter(deposited));
   }
-  return laid;
+  return deposited;
 }
 
 }  // namespace lamina

@@ -135,7 +135,7 @@ class PiecedWall {
  public:
   PiecedWall(Path wall, const OverhangRules& rules) : wall_(std::move(wall)), rules_(rules) {}
 
-  Path laid(const std::vector<WallPiece>& pieces) && {
+  Path divided(const std::vector<WallPiece>& pieces) && {
     const std::vector<bool> spans = rules_.bridge_feed_mm_s > 0.0 ? spansOf(wall_, pieces, rules_.anchor_mm)
                                                                   : std::vector<bool>(pieces.size(), false);
     std::vector<double> feeds;
@@ -212,7 +212,7 @@ Path overhanging(Path wall, const BorderDistance& below, const OverhangRules& ru
     wall = turnedRound(std::move(wall));
     pieces = WallCutter(wall, below, entries).cut();
   }
-  return PiecedWall(std::move(wall), rules).laid(pieces);
+  return PiecedWall(std::move(wall), rules).divided(pieces);
 }
 
 void markUnsupportedSince(std::vector<Path>& paths, std::size_t before, double feed_mm_s) {

@@ -168,10 +168,11 @@ class ModbusDevice final : public ProcessDevice {
     for (const OutputChannel& channel : table_.channels) {
       if (channel.fault_register < 0) continue;
       const auto expected = static_cast<std::uint16_t>(std::lround(rawOf(channel, channel.safe)));
-      const std::uint16_t told = readOne(channel.fault_register);
-      if (told != expected)
-        throw DeviceError(table_.device.name + " would set " + channel.name + " to " + std::to_string(told) +
-                          " when its link is lost; expected " + std::to_string(expected) + " in register " +
+      const std::uint16_t fault_value = readOne(channel.fault_register);
+      if (fault_value != expected)
+        throw DeviceError(table_.device.name + " would set " + channel.name + " to " +
+                          std::to_string(fault_value) + " when its link is lost; expected " +
+                          std::to_string(expected) + " in register " +
                           std::to_string(channel.fault_register));
     }
   }

@@ -348,15 +348,15 @@ class FiveAxisProgram {
     const Path& path = *paths_[p].path;
     const PathExtrusion extrusion(path, filamentPerVolume(program_));
     double height_mm = motion_.toolpath.layers[paths_[p].layer].height_mm;
-    bool is_told = false;  // that of the layer may have been left by the path before
+    bool is_stated = false;  // that of the layer may have been left by the path before
     for (std::size_t m = 0; m < path.motionCount(); ++m) {
       writeEvents(path, m, text);
       const std::size_t end = path.motionEnd(m);
       const double bead_mm = path.bead.at(end).height_mm;
-      if (path.role != PathRole::Travel && (!is_told || bead_mm != height_mm)) {
+      if (path.role != PathRole::Travel && (!is_stated || bead_mm != height_mm)) {
         lines.comment(";HEIGHT:", bead_mm, text);
         height_mm = bead_mm;
-        is_told = true;
+        is_stated = true;
       }
       writeMotion(p, m, extrusion, lines, text);
     }

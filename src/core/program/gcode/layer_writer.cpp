@@ -153,20 +153,20 @@ void LayerWriter::writePath(const Path& path, Modal& modal, std::string& text) c
 }
 
 void LayerWriter::writeWipe(const Path& path, double retraction_mm, Modal& modal, std::string& text) const {
-  const double laid_mm = modal.filament_mm;
+  const double before_mm = modal.filament_mm;
   const double whole_mm = length(path);
   double way_mm = 0.0;
   for (std::size_t m = 0; m < path.motionCount(); ++m) {
     writeEvents(path, m, modal, text);
     const std::size_t end = path.motionEnd(m);
     way_mm += (path.points[end] - path.points[m]).norm();
-    modal.filament_mm = laid_mm - retraction_mm * way_mm / whole_mm;
+    modal.filament_mm = before_mm - retraction_mm * way_mm / whole_mm;
     writeMotion(path.points[end], path.feed_mm_s.at(end) * feedFactor(path.points[m], path.points[end]),
                 modal, text);
   }
   writeEvents(path, path.motionCount(), modal, text);
   // What is pulled back is pushed forth again: it does not count as deposited.
-  modal.filament_mm = laid_mm;
+  modal.filament_mm = before_mm;
   modal.filament += toUnits(retraction_mm, kFilamentScale);
 }
 

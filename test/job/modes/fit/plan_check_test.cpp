@@ -20,7 +20,7 @@
 namespace lamina {
 namespace {
 
-constexpr double kClearMm = 60.0;  // above all that is laid
+constexpr double kClearMm = 60.0;  // above all that is deposited
 
 /// A job for a machine whose joints are no choice, and whose head, 40 mm wide, is 25 mm above the tip.
 struct GantryPlan {

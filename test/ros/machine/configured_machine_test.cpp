@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-// An emulated machine that is told its port, filament, spacings and when its sensor measures.
+// An emulated machine that is given its port, filament, spacings and when its sensor measures.
 #include <arpa/inet.h>
 #include <gtest/gtest.h>
 #include <netinet/in.h>
@@ -40,7 +40,7 @@ int freePort() {
   return ntohs(address.sin_port);
 }
 
-class ToldMachine : public testing::Test {
+class ConfiguredMachine : public testing::Test {
  protected:
   void SetUp() override {
     const boost::function<void(const sensor_msgs::JointStateConstPtr&)> on_position =
@@ -79,11 +79,12 @@ class ToldMachine : public testing::Test {
   }
 
   int port_ = freePort();
-  test::NodeProcess machine_{LAMINA_NODE,
-                             {"__ns:=/told", "_tcp_port:=" + std::to_string(port_), "_emulator/speed_up:=20",
-                              "_filament_diameter_mm:=2.85", "_position_spacing_mm:=5.0",
-                              "_profile_spacing_mm:=2.0", "_profile_while_depositing:=true"}};
-  ros::NodeHandle node_{"told"};
+  test::NodeProcess machine_{
+      LAMINA_NODE,
+      {"__ns:=/configured", "_tcp_port:=" + std::to_string(port_), "_emulator/speed_up:=20",
+       "_filament_diameter_mm:=2.85", "_position_spacing_mm:=5.0", "_profile_spacing_mm:=2.0",
+       "_profile_while_depositing:=true"}};
+  ros::NodeHandle node_{"configured"};
   ros::ServiceClient rest_ = node_.serviceClient<lamina_msgs::MachineRest>(names::kMachineRest);
   std::vector<ros::Subscriber> subscribers_;
   std::vector<sensor_msgs::JointStateConstPtr> positions_;
@@ -91,7 +92,7 @@ class ToldMachine : public testing::Test {
   sensor_msgs::PointCloud2ConstPtr deposited_;
 };
 
-TEST_F(ToldMachine, ListensAtItsPortAndReportsPositionsAtItsSpacing) {
+TEST_F(ConfiguredMachine, ListensAtItsPortAndReportsPositionsAtItsSpacing) {
   run("G28\nG90\nG1 X50 Y50 Z0.3 F6000\n");
   positions_.clear();
   run("G1 X150 F6000\n");
@@ -105,7 +106,7 @@ TEST_F(ToldMachine, ListensAtItsPortAndReportsPositionsAtItsSpacing) {
   EXPECT_LE(reached.size(), 21U) << "these, and where the motion began";
 }
 
-TEST_F(ToldMachine, DepositsAsMuchAsItsFilamentIsThickAndMeasuresMeanwhile) {
+TEST_F(ConfiguredMachine, DepositsAsMuchAsItsFilamentIsThickAndMeasuresMeanwhile) {
   run("G28\nG90\nM83\nG1 X60 Y60 Z0.3 F6000\nG1 X100 E1.9 F1800\n");
   const double volume = kExtruded * M_PI / 4.0 * kFilament * kFilament;  // mm3
   std::set<std::pair<int, int>> columns;                                 // of 0.1 mm
