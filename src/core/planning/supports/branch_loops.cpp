@@ -11,10 +11,10 @@
 #include <memory>
 #include <utility>
 
+#include "geometry/spatial/edge_bands.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
 #include "lamina/geometry/spatial/point_grid.hpp"
-#include "planning/supports/edge_bands.hpp"
 #include "planning/tools/tool_beads.hpp"
 
 namespace lamina {
