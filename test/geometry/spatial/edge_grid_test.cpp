@@ -71,6 +71,30 @@ TEST_P(EdgeGridOfManyEdges, HasNoneBetweenPlacesOfClearNeighbours) {
   EXPECT_GT(clear, 1000U);
 }
 
+TEST_P(EdgeGridOfManyEdges, FindsAllThatTouchABox) {
+  const double cell_mm = GetParam() > 0.0 ? 10.0 / GetParam() : 1.7;
+  const EdgeGrid grid(edges_, {Point2(-2, -1), Point2(11, 12)}, cell_mm);
+  std::size_t touching = 0;
+  for (int i = 0; i < 200; ++i) {
+    const Point2 low = place();
+    const Point2 high = low + 0.2 * place();
+    std::set<std::size_t> found;
+    grid.forEdgesNear({low, high}, [&](std::size_t edge) { found.insert(edge); });
+    for (std::size_t edge = 0; edge < edges_.size(); ++edge) {
+      const auto isWithin = [&](const Point2& p) {
+        return (p.array() >= low.array()).all() && (p.array() <= high.array()).all();
+      };
+      const Edge diagonal(low, high);
+      const Edge other(Point2(low.x(), high.y()), Point2(high.x(), low.y()));
+      if (!isWithin(edges_[edge].first) && !doCross(diagonal, edges_[edge]) && !doCross(other, edges_[edge]))
+        continue;
+      ++touching;
+      EXPECT_EQ(found.count(edge), 1U);
+    }
+  }
+  EXPECT_GT(touching, 300U);
+}
+
 INSTANTIATE_TEST_SUITE_P(Cells, EdgeGridOfManyEdges, testing::Values(0.0, 64.0));
 
 TEST(EdgeGrid, HasNoClearCellOutside) {

@@ -5,6 +5,9 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "lamina/base/random.hpp"
 
 namespace lamina {
@@ -36,6 +39,57 @@ TEST(PointGrid, FindsTheNearestPoint) {
     const Point2 place(random.uniform(-30, 30), random.uniform(-30, 30));
     const Point2 found = grid.points()[*grid.nearest(place, 0.0)];
     for (const Point2& point : grid.points()) RC_ASSERT((point - place).norm() >= (found - place).norm());
+  }));
+}
+
+TEST(PointGrid, FindsThePointsInABox) {
+  EXPECT_TRUE(rc::check("as going through all of them", [] {
+    Random random(*rc::gen::arbitrary<std::uint64_t>());
+    PointGrid grid(unitBox(), random.uniform(0.1, 3.0));
+    for (int i = 0; i < 60; ++i) grid.insert({random.uniform(-2, 12), random.uniform(-2, 12)});
+    const Point2 low(random.uniform(-3, 13), random.uniform(-3, 13));
+    const Point2 high = low + Point2(random.uniform(0, 6), random.uniform(0, 6));
+    std::vector<std::uint32_t> expected;
+    for (std::uint32_t i = 0; i < grid.points().size(); ++i) {
+      const Point2& point = grid.points()[i];
+      if (point.x() >= low.x() && point.x() <= high.x() && point.y() >= low.y() && point.y() <= high.y())
+        expected.push_back(i);
+    }
+    std::vector<std::uint32_t> found;
+    grid.visitIn({low, high}, [&](std::uint32_t i) { found.push_back(i); });
+    std::sort(found.begin(), found.end());
+    RC_ASSERT(found == expected);
+  }));
+}
+
+TEST(PointGrid, FindsWhetherANearPointPassesATest) {
+  PointGrid grid(unitBox(), 1.0);
+  grid.insert({1.0, 1.0});
+  grid.insert({1.5, 1.0});
+  const auto isSecond = [](std::uint32_t index, double) { return index == 1; };
+  EXPECT_TRUE(grid.hasNear({1.0, 1.0}, 0.5, isSecond));
+  EXPECT_FALSE(grid.hasNear({1.0, 1.0}, 0.4, isSecond));
+}
+
+TEST(PointGrid, GivesAllPointsNearestFirstAsTheyAreTaken) {
+  EXPECT_TRUE(rc::check("equally near ones by their index", [] {
+    Random random(*rc::gen::arbitrary<std::uint64_t>());
+    PointGrid grid(unitBox(), random.uniform(0.1, 5.0));
+    std::vector<std::uint32_t> left;
+    // On a lattice that goes beyond the box: many are equally near.
+    for (int i = 0; i < 50; ++i)
+      left.push_back(grid.insert({std::floor(random.uniform(-4, 14)), std::floor(random.uniform(-4, 14))}));
+    while (!left.empty()) {
+      const Point2 place(std::floor(random.uniform(-6, 16)), std::floor(random.uniform(-6, 16)));
+      const auto distance = [&](std::uint32_t i) { return (grid.points()[i] - place).squaredNorm(); };
+      const auto expected = std::min_element(left.begin(), left.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return distance(a) < distance(b);
+      });
+      RC_ASSERT(grid.nearest(place) == *expected);
+      grid.remove(*expected);
+      left.erase(expected);
+    }
+    RC_ASSERT(!grid.nearest({0.0, 0.0}).has_value());
   }));
 }
 

@@ -41,7 +41,7 @@ PlcReport goodPlc() {
   PlcReport report;
   report.heartbeat = PlcHeartbeat::Good;
   report.interlocks = {true, true, true, true, true, true, true, false, false, false};
-  report.is_plate_told = report.is_guard_closed = true;
+  report.is_plate_written = report.is_guard_closed = true;
   return report;
 }
 

@@ -35,8 +35,19 @@ class PointGrid {
   template <class Visit>
   void visitNear(const Point2& place, double radius, Visit visit) const;
 
+  /// Calls visit(index) for each point in the box or on its border, in the same order.
+  template <class Visit>
+  void visitIn(const Box2& box, Visit visit) const;
+
+  /// Whether test(index, squared distance) holds for a point no farther than `radius`.
+  template <class Test>
+  bool hasNear(const Point2& place, double radius, Test test) const;
+
   /// Whether a point is nearer than `distance`.
   bool hasNearer(const Point2& place, double distance) const;
+
+  /// Index of the nearest point; of points equally near the lowest. Nothing if the grid is empty.
+  std::optional<std::uint32_t> nearest(const Point2& place) const;
 
   /// Index of the nearest point; of points equally near within `tie_mm`, the one with the smaller x, then y.
   /// Nothing if the grid is empty.
@@ -45,6 +56,22 @@ class PointGrid {
  private:
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
+  /// A point that a search has found so far.
+  struct Candidate {
+    double squared = std::numeric_limits<double>::infinity();
+    std::uint32_t index = kNone;
+  };
+
+  /// Calls visit(index) for the points of the cells from corner to corner until it returns true.
+  /// @return whether it did
+  template <class Visit>
+  bool visitCells(const Point2& low, const Point2& high, const Visit& visit) const;
+  void searchCell(int column, int row, const Point2& place, Candidate& best) const;
+  void searchLoop(int radius, const Point2& place, Candidate& best) const;
+  std::size_t cellAt(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+           static_cast<std::size_t>(column);
+  }
   int column(double x) const { return cellOf(x - low_.x(), columns_); }
   int row(double y) const { return cellOf(y - low_.y(), rows_); }
   int cellOf(double offset, int count) const;
@@ -61,19 +88,40 @@ class PointGrid {
 };
 
 template <class Visit>
+bool PointGrid::visitCells(const Point2& low, const Point2& high, const Visit& visit) const {
+  const int last_column = column(high.x());
+  const int last_row = row(high.y());
+  for (int r = row(low.y()); r <= last_row; ++r)
+    for (int c = column(low.x()); c <= last_column; ++c)
+      for (std::uint32_t i = first_[cellAt(c, r)]; i != kNone; i = next_[i])
+        if (visit(i)) return true;
+  return false;
+}
+
+template <class Visit>
 void PointGrid::visitNear(const Point2& place, double radius, Visit visit) const {
-  const int last_column = column(place.x() + radius);
-  const int last_row = row(place.y() + radius);
-  for (int r = row(place.y() - radius); r <= last_row; ++r) {
-    for (int c = column(place.x() - radius); c <= last_column; ++c) {
-      const std::size_t at =
-          static_cast<std::size_t>(r) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(c);
-      for (std::uint32_t i = first_[at]; i != kNone; i = next_[i]) {
-        const double squared = (points_[i] - place).squaredNorm();
-        if (squared <= radius * radius) visit(i, squared);
-      }
-    }
-  }
+  hasNear(place, radius, [&](std::uint32_t index, double squared) {
+    visit(index, squared);
+    return false;
+  });
+}
+
+template <class Test>
+bool PointGrid::hasNear(const Point2& place, double radius, Test test) const {
+  const Point2 reach(radius, radius);
+  return visitCells(place - reach, place + reach, [&](std::uint32_t index) {
+    const double squared = (points_[index] - place).squaredNorm();
+    return squared <= radius * radius && test(index, squared);
+  });
+}
+
+template <class Visit>
+void PointGrid::visitIn(const Box2& box, Visit visit) const {
+  visitCells(box.low, box.high, [&](std::uint32_t index) {
+    const Point2& point = points_[index];
+    if ((point.array() >= box.low.array()).all() && (point.array() <= box.high.array()).all()) visit(index);
+    return false;
+  });
 }
 
 }  // namespace lamina

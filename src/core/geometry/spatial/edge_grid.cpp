@@ -26,18 +26,31 @@ EdgeGrid::EdgeGrid(const std::vector<std::pair<Point2, Point2>>& edges, double f
   low_ = box.low;
   columns_ = 1 + static_cast<std::size_t>(size.x() / cell_mm_);
   rows_ = 1 + static_cast<std::size_t>(size.y() / cell_mm_);
+  sort(edges);
+}
+
+EdgeGrid::EdgeGrid(const std::vector<std::pair<Point2, Point2>>& edges, const Box2& box, double cell_mm)
+    : low_(box.low),
+      cell_mm_(cell_mm),
+      columns_(1 + static_cast<std::size_t>(box.size().x() / cell_mm)),
+      rows_(1 + static_cast<std::size_t>(box.size().y() / cell_mm)) {
+  sort(edges);
+}
+
+void EdgeGrid::sort(const std::vector<std::pair<Point2, Point2>>& edges) {
   first_.assign(columns_ * rows_ + 1, 0);
-  const auto forCellsOf = [&](std::size_t edge, const auto& act) {
+  const auto forCellsOf = [&](std::uint32_t edge, const auto& act) {
     forCellsAlong(edges[edge].first, edges[edge].second, [&](std::size_t column, std::size_t row) {
       act(row * columns_ + column);
       return true;
     });
   };
-  for (std::size_t i = 0; i < edges.size(); ++i) forCellsOf(i, [&](std::size_t cell) { ++first_[cell + 1]; });
+  for (std::uint32_t i = 0; i < edges.size(); ++i)
+    forCellsOf(i, [&](std::size_t cell) { ++first_[cell + 1]; });
   std::partial_sum(first_.begin(), first_.end(), first_.begin());
   edges_.resize(first_.back());
-  std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
-  for (std::size_t i = 0; i < edges.size(); ++i)
+  std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+  for (std::uint32_t i = 0; i < edges.size(); ++i)
     forCellsOf(i, [&](std::size_t cell) { edges_[next[cell]++] = i; });
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -20,8 +21,12 @@ class EdgeGrid {
   /// @param edges          by their ends [mm]
   /// @param fewest_across  cells along the longer side, where the edges alone would give fewer
   explicit EdgeGrid(const std::vector<std::pair<Point2, Point2>>& edges, double fewest_across = 0.0);
+  /// Of cells of a given size over a box that holds the edges and is not empty.
+  EdgeGrid(const std::vector<std::pair<Point2, Point2>>& edges, const Box2& box, double cell_mm);
 
   bool isEmpty() const { return first_.size() < 2; }
+  std::size_t columns() const { return columns_; }
+  std::size_t rows() const { return rows_; }
   /// Column of a position; positions outside belong to the border.
   std::size_t columnOf(double x) const { return index(x, low_.x(), columns_); }
   std::size_t rowOf(double y) const { return index(y, low_.y(), rows_); }
@@ -34,6 +39,24 @@ class EdgeGrid {
     for (std::size_t i = first_[cell]; i < first_[cell + 1]; ++i)
       if (!visit(edges_[i])) return false;
     return true;
+  }
+
+  /// Calls `visit(edge)` for all edges that may touch a box, for some of them more than once.
+  template <class Visit>
+  void forEdgesNear(const Box2& box, const Visit& visit) const {
+    if (isEmpty()) return;
+    const std::size_t last_row = rowOf(box.high.y());
+    const std::size_t last_column = columnOf(box.high.x());
+    for (std::size_t row = rowOf(box.low.y()); row <= last_row; ++row)
+      for (std::size_t column = columnOf(box.low.x()); column <= last_column; ++column)
+        forEdgesIn(column, row, [&](std::size_t edge) {
+          visit(edge);
+          return true;
+        });
+  }
+
+  Point2 centreOf(std::size_t column, std::size_t row) const {
+    return low_ + cell_mm_ * Point2(static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5);
   }
 
   /// The cell of a point if no edge passes through it: between two points of one such cell there is none.
@@ -75,12 +98,14 @@ class EdgeGrid {
         std::clamp(std::floor((position - low) / cell_mm_), 0.0, static_cast<double>(count - 1)));
   }
 
+  void sort(const std::vector<std::pair<Point2, Point2>>& edges);
+
   Point2 low_ = Point2::Zero();
   double cell_mm_ = 1.0;
   std::size_t columns_ = 1;
   std::size_t rows_ = 1;
-  std::vector<std::size_t> first_;  ///< of each cell's edges, and the end of the last
-  std::vector<std::size_t> edges_;
+  std::vector<std::uint32_t> first_;  ///< of each cell's edges, and the end of the last
+  std::vector<std::uint32_t> edges_;
 };
 
 }  // namespace lamina

@@ -25,10 +25,7 @@ int PointGrid::cellOf(double offset, int count) const {
   return static_cast<int>(std::clamp(offset / cell_mm_, 0.0, static_cast<double>(count - 1)));
 }
 
-std::size_t PointGrid::cell(const Point2& point) const {
-  return static_cast<std::size_t>(row(point.y())) * static_cast<std::size_t>(columns_) +
-         static_cast<std::size_t>(column(point.x()));
-}
+std::size_t PointGrid::cell(const Point2& point) const { return cellAt(column(point.x()), row(point.y())); }
 
 std::uint32_t PointGrid::insert(const Point2& point) {
   const auto index = static_cast<std::uint32_t>(points_.size());
@@ -49,17 +46,52 @@ void PointGrid::remove(std::uint32_t index) {
 }
 
 bool PointGrid::hasNearer(const Point2& place, double distance) const {
-  bool is_found = false;
-  visitNear(place, distance,
-            [&](std::uint32_t, double squared) { is_found |= squared < distance * distance; });
-  return is_found;
+  return hasNear(place, distance,
+                 [&](std::uint32_t, double squared) { return squared < distance * distance; });
+}
+
+void PointGrid::searchCell(int column, int row, const Point2& place, Candidate& best) const {
+  for (std::uint32_t i = first_[cellAt(column, row)]; i != kNone; i = next_[i]) {
+    const double squared = (points_[i] - place).squaredNorm();
+    if (squared < best.squared || (squared == best.squared && i < best.index)) best = {squared, i};
+  }
+}
+
+/// The cells round the place's own, so many away.
+void PointGrid::searchLoop(int radius, const Point2& place, Candidate& best) const {
+  const int x = column(place.x());
+  const int y = row(place.y());
+  const int left = std::max(0, x - radius);
+  const int right = std::min(columns_ - 1, x + radius);
+  for (const int outermost : {y - radius, y + radius}) {
+    if (outermost < 0 || outermost >= rows_) continue;
+    for (int column = left; column <= right; ++column) searchCell(column, outermost, place, best);
+  }
+  const int bottom = std::max(0, y - radius + 1);
+  const int top = std::min(rows_ - 1, y + radius - 1);
+  for (const int outermost : {x - radius, x + radius}) {
+    if (outermost < 0 || outermost >= columns_) continue;
+    for (int row = bottom; row <= top; ++row) searchCell(outermost, row, place, best);
+  }
+}
+
+std::optional<std::uint32_t> PointGrid::nearest(const Point2& place) const {
+  if (count_ == 0) return std::nullopt;
+  Candidate best;
+  const int last_loop = std::max(columns_, rows_);
+  for (int radius = 0; radius <= last_loop; ++radius) {
+    // Seen from the cell in the middle, all of this loop is at least this far away; from a place outside the
+    // grid even farther, and so are points outside it.
+    const double least = (radius - 1) * cell_mm_;
+    if (least > 0.0 && least * least > best.squared) break;
+    searchLoop(radius, place, best);
+  }
+  return best.index;
 }
 
 std::optional<std::uint32_t> PointGrid::nearest(const Point2& place, double tie_mm) const {
   if (count_ == 0) return std::nullopt;
-  double least = std::numeric_limits<double>::infinity();
-  for (double radius = cell_mm_; std::isinf(least); radius *= 2.0)
-    visitNear(place, radius, [&](std::uint32_t, double squared) { least = std::min(least, squared); });
+  const double least = (points_[*nearest(place)] - place).squaredNorm();
   std::optional<std::uint32_t> first;
   visitNear(place, std::nextafter(std::sqrt(least), 2.0 * least + 1.0) + tie_mm,
             [&](std::uint32_t i, double) {

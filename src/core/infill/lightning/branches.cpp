@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "infill/lightning/edge_rows.hpp"
+#include "geometry/spatial/edge_bands.hpp"
 #include "lamina/geometry/polygon/polygon.hpp"
 #include "lamina/geometry/spatial/point_grid.hpp"
 
@@ -49,7 +49,7 @@ class BranchForest {
   /// @param counts  of children that nodes had before they were shortened
   void straighten(double reach_mm, const std::vector<int>& counts);
   void cutOff(const Regions& inside, double spacing_mm);
-  void reachWalls(const EdgeRows& rows, const PointGrid& walls);
+  void reachWalls(const EdgeBands& edges, const PointGrid& walls);
   void compact();
   void addHolds(PointGrid& grid, std::vector<Hold>& holds, int node, double step_mm) const;
   int joint(const Hold& hold, const Point2& at);
@@ -80,10 +80,10 @@ PointGrid wallPoints(const Regions& inside, double step_mm) {
 /// Places of a roof on a grid that is the same in all layers.
 std::vector<Point2> samplesOf(const Regions& roof, double step_mm) {
   std::vector<Point2> samples;
-  const EdgeRows rows(roof, step_mm);
-  if (rows.box().isEmpty()) return samples;
-  for (double k = std::ceil(rows.box().low.y() / step_mm); k * step_mm <= rows.box().high.y(); ++k) {
-    const std::vector<double> crossings = rows.crossings(k * step_mm);
+  const EdgeBands edges(roof);
+  if (edges.box().isEmpty()) return samples;
+  for (double k = std::ceil(edges.box().low.y() / step_mm); k * step_mm <= edges.box().high.y(); ++k) {
+    const std::vector<double> crossings = edges.crossings(k * step_mm);
     for (std::size_t i = 0; i + 1 < crossings.size(); i += 2)
       for (double m = std::ceil(crossings[i] / step_mm); m * step_mm <= crossings[i + 1]; ++m)
         samples.emplace_back(m * step_mm, k * step_mm);
@@ -156,7 +156,7 @@ void BranchForest::straighten(double reach_mm, const std::vector<int>& counts) {
 
 /// Each stretch of a branch that lies inside is a branch of its own, from one end or wall to the other.
 void BranchForest::cutOff(const Regions& inside, double spacing_mm) {
-  const EdgeRows rows(inside, spacing_mm);
+  const EdgeBands edges(inside);
   std::vector<Node> kept;
   std::vector<int> place(nodes_.size(), kWall);
   const auto nodeAt = [&](const Point2& at) {
@@ -172,11 +172,11 @@ void BranchForest::cutOff(const Regions& inside, double spacing_mm) {
     if (nodes_[i].parent == kWall) continue;
     const Point2 from = nodes_[i].at;
     const Point2 along = nodes_[index(nodes_[i].parent)].at - from;
-    std::vector<double> cuts = rows.cuts(from, from + along);
+    std::vector<double> cuts = edges.cuts(from, from + along);
     cuts.push_back(1.0);
     double start = 0.0;
     for (const double end : cuts) {
-      if (end > start && rows.contains(from + 0.5 * (start + end) * along)) {
+      if (end > start && edges.enclose(from + 0.5 * (start + end) * along)) {
         const int tip = start == 0.0 ? placeOf(static_cast<int>(i)) : nodeAt(from + start * along);
         const int root = end == 1.0 ? placeOf(nodes_[i].parent) : nodeAt(from + end * along);
         kept[index(tip)].parent = root;
@@ -185,15 +185,15 @@ void BranchForest::cutOff(const Regions& inside, double spacing_mm) {
     }
   }
   nodes_ = std::move(kept);
-  reachWalls(rows, wallPoints(inside, kHoldStep * spacing_mm));
+  reachWalls(edges, wallPoints(inside, kHoldStep * spacing_mm));
 }
 
 /// Roots stand at a wall again.
-void BranchForest::reachWalls(const EdgeRows& rows, const PointGrid& walls) {
+void BranchForest::reachWalls(const EdgeBands& edges, const PointGrid& walls) {
   const double near_mm = kNoDistance * 10.0;
   const std::size_t before = nodes_.size();
   for (std::size_t i = 0; i < before; ++i) {
-    if (nodes_[i].is_gone || nodes_[i].parent != kWall || !rows.contains(nodes_[i].at)) continue;
+    if (nodes_[i].is_gone || nodes_[i].parent != kWall || !edges.enclose(nodes_[i].at)) continue;
     const auto nearest = walls.nearest(nodes_[i].at, kNoDistance);
     if (!nearest || (walls.points()[*nearest] - nodes_[i].at).norm() < near_mm) continue;
     nodes_[i].parent = static_cast<int>(nodes_.size());

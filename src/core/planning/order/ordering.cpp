@@ -6,19 +6,19 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
-#include <numeric>
 #include <utility>
 #include <vector>
+
+#include "lamina/geometry/spatial/point_grid.hpp"
 
 namespace lamina {
 namespace {
 
-/// The ends of runs in square cells, about one run a cell, from which the nearest are taken one after the
-/// other.
+constexpr double kLeastCell = 1e-6;  // mm
+
+/// The ends of runs, from which the nearest are taken one after the other.
 class EndGrid {
  public:
-  /// `runs` must outlive the grid.
   explicit EndGrid(const std::vector<RunEnds>& runs);
 
   /// The run with an end nearest to the point, entered at that end; of equally near ones the first. It is not
@@ -26,112 +26,37 @@ class EndGrid {
   OrderedRun takeNearest(const Point2& point);
 
  private:
-  struct Candidate {
-    double squared_distance;
-    std::uint32_t end;
-  };
-
-  std::int64_t column(double x) const;
-  std::int64_t row(double y) const;
-  void searchCell(std::int64_t x, std::int64_t y, const Point2& point, Candidate& best);
-  void searchLoop(std::int64_t radius, const Point2& point, Candidate& best);
-  const Point2& pointOf(std::uint32_t end) const;
-
-  const std::vector<RunEnds>& runs_;
-  Point2 low_;
-  double cell_ = 1.0;
-  std::int64_t columns_ = 1;
-  std::int64_t rows_ = 1;
-  std::vector<std::uint32_t> begin_;  ///< of each cell in ends_
-  std::vector<std::uint32_t> count_;  ///< of each cell's ends that are left
-  std::vector<std::uint32_t> ends_;   ///< 2 * run, plus 1 for its last point
-  std::vector<bool> is_taken_;
+  PointGrid ends_;  ///< 2 * run, plus 1 for its last point
 };
 
-EndGrid::EndGrid(const std::vector<RunEnds>& runs) : runs_(runs), is_taken_(runs.size(), false) {
+Box2 boxOfEnds(const std::vector<RunEnds>& runs) {
   Box2 box;
   for (const RunEnds& run : runs) {
     box.include(run.first);
     box.include(run.last);
   }
-  low_ = box.isEmpty() ? Point2(Point2::Zero()) : box.low;
-  const Point2 size = box.size();
-  const auto runs_wanted = static_cast<double>(std::max<std::size_t>(1, runs.size()));
-  // Square cells, also where all ends lie on a line.
-  cell_ = std::max({std::sqrt(size.x() * size.y() / runs_wanted), size.maxCoeff() / runs_wanted, 1e-6});
-  columns_ = static_cast<std::int64_t>(size.x() / cell_) + 1;
-  rows_ = static_cast<std::int64_t>(size.y() / cell_) + 1;
-  const auto cellOf = [this](std::uint32_t end) {
-    return static_cast<std::size_t>(row(pointOf(end).y()) * columns_ + column(pointOf(end).x()));
-  };
-  const auto end_count = static_cast<std::uint32_t>(2 * runs.size());
-  count_.assign(static_cast<std::size_t>(columns_ * rows_), 0);
-  for (std::uint32_t end = 0; end < end_count; ++end) ++count_[cellOf(end)];
-  begin_.assign(count_.size(), 0);
-  std::partial_sum(count_.begin(), count_.end() - 1, begin_.begin() + 1);
-  std::vector<std::uint32_t> next = begin_;
-  ends_.resize(end_count);
-  for (std::uint32_t end = 0; end < end_count; ++end) ends_[next[cellOf(end)]++] = end;
+  return box;
 }
 
-const Point2& EndGrid::pointOf(std::uint32_t end) const {
-  return end % 2 == 0 ? runs_[end / 2].first : runs_[end / 2].last;
+/// About one run a cell, also where all ends lie on a line.
+double cellFor(const Point2& size, std::size_t runs) {
+  const auto cells = static_cast<double>(std::max<std::size_t>(1, runs));
+  return std::max({std::sqrt(size.x() * size.y() / cells), size.maxCoeff() / cells, kLeastCell});
 }
 
-std::int64_t EndGrid::column(double x) const {
-  return std::clamp<std::int64_t>(static_cast<std::int64_t>(std::floor((x - low_.x()) / cell_)), 0,
-                                  columns_ - 1);
-}
-
-std::int64_t EndGrid::row(double y) const {
-  return std::clamp<std::int64_t>(static_cast<std::int64_t>(std::floor((y - low_.y()) / cell_)), 0,
-                                  rows_ - 1);
-}
-
-void EndGrid::searchCell(std::int64_t x, std::int64_t y, const Point2& point, Candidate& best) {
-  const auto cell = static_cast<std::size_t>(y * columns_ + x);
-  for (std::uint32_t i = begin_[cell]; i < begin_[cell] + count_[cell];) {
-    const std::uint32_t end = ends_[i];
-    if (is_taken_[end / 2]) {
-      ends_[i] = ends_[begin_[cell] + --count_[cell]];
-      continue;
-    }
-    const double distance = (pointOf(end) - point).squaredNorm();
-    if (distance < best.squared_distance || (distance == best.squared_distance && end < best.end))
-      best = {distance, end};
-    ++i;
-  }
-}
-
-void EndGrid::searchLoop(std::int64_t radius, const Point2& point, Candidate& best) {
-  const std::int64_t x = column(point.x());
-  const std::int64_t y = row(point.y());
-  const std::int64_t left = std::max<std::int64_t>(0, x - radius);
-  const std::int64_t right = std::min(columns_ - 1, x + radius);
-  for (const std::int64_t outermost : {y - radius, y + radius}) {
-    if (outermost < 0 || outermost >= rows_) continue;
-    for (std::int64_t column = left; column <= right; ++column) searchCell(column, outermost, point, best);
-  }
-  const std::int64_t bottom = std::max<std::int64_t>(0, y - radius + 1);
-  const std::int64_t top = std::min(rows_ - 1, y + radius - 1);
-  for (const std::int64_t outermost : {x - radius, x + radius}) {
-    if (outermost < 0 || outermost >= columns_) continue;
-    for (std::int64_t row = bottom; row <= top; ++row) searchCell(outermost, row, point, best);
+EndGrid::EndGrid(const std::vector<RunEnds>& runs)
+    : ends_(boxOfEnds(runs), cellFor(boxOfEnds(runs).size(), runs.size())) {
+  for (const RunEnds& run : runs) {
+    ends_.insert(run.first);
+    ends_.insert(run.last);
   }
 }
 
 OrderedRun EndGrid::takeNearest(const Point2& point) {
-  Candidate best{std::numeric_limits<double>::infinity(), 0};
-  const std::int64_t last_loop = std::max(columns_, rows_);
-  for (std::int64_t radius = 0; radius <= last_loop; ++radius) {
-    // Seen from a point in the middle cell, all of this loop is at least this far away; from one outside the
-    // grid even farther.
-    const double least = static_cast<double>(radius - 1) * cell_;
-    if (radius > 0 && least > 0.0 && least * least > best.squared_distance) break;
-    searchLoop(radius, point, best);
-  }
-  is_taken_[best.end / 2] = true;
-  return {best.end / 2, best.end % 2 == 1};
+  const std::uint32_t end = *ends_.nearest(point);
+  ends_.remove(end);
+  ends_.remove(end ^ 1U);
+  return {end / 2, end % 2 == 1};
 }
 
 constexpr int kMostPasses = 4;

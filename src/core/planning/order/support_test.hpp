@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <utility>
-#include <vector>
-
+#include "geometry/spatial/edge_bands.hpp"
 #include "lamina/geometry/polygon/polygon.hpp"
 #include "lamina/planning/order/anchoring.hpp"
 #include "lamina/slicing/layer.hpp"
@@ -36,15 +34,12 @@ class SupportTest {
  private:
   bool touchesBed(const Point2& point) const;
   bool isOverMaterial(const Point2& anywhere) const;
-  std::size_t rowOf(double y) const;
 
   BedPlane bed_;
   double top_mm_;
   double reach_mm_;                 ///< of a bead below its waypoint, towards the bed
-  Point2 origin_ = Point2::Zero();  ///< of the rows
-  double low_y_ = 0.0;
-  double row_mm_ = 1.0;
-  std::vector<std::vector<std::pair<Point2, Point2>>> rows_;  ///< edges of the layer before by their y
+  Point2 origin_ = Point2::Zero();  ///< of the edges
+  EdgeBands edges_;                 ///< of what carries, widened
 };
 
 }  // namespace lamina

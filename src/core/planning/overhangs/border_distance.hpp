@@ -3,10 +3,10 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <utility>
 #include <vector>
 
+#include "geometry/spatial/edge_grid.hpp"
 #include "lamina/geometry/polygon/polygon.hpp"
 
 namespace lamina {
@@ -28,43 +28,19 @@ class BorderDistance {
   /// Calls visit(a, b) for each edge that may touch a box, for some edges more than once.
   template <class Visit>
   void visitEdges(const Point2& low, const Point2& high, const Visit& visit) const {
-    const int last_row = rowOf(high.y());
-    const int last_column = columnOf(high.x());
-    for (int row = rowOf(low.y()); row <= last_row; ++row)
-      for (int column = columnOf(low.x()); column <= last_column; ++column) {
-        const std::size_t cell = cellAt(column, row);
-        for (std::uint32_t i = begin_[cell]; i < begin_[cell + 1]; ++i)
-          visit(edges_[held_[i]].first, edges_[held_[i]].second);
-      }
+    grid_.forEdgesNear({low, high}, [&](std::size_t e) { visit(edges_[e].first, edges_[e].second); });
   }
 
  private:
   using Edge = std::pair<Point2, Point2>;
 
-  template <class Visit>
-  void forCells(const Edge& edge, const Visit& visit) const;
-  void sortEdges();
   void findInside();
-  Point2 centreOf(int column, int row) const {
-    return {low_.x() + (column + 0.5) * cell_mm_, low_.y() + (row + 0.5) * cell_mm_};
-  }
-  int columnOf(double x) const { return clamped((x - low_.x()) / cell_mm_, columns_); }
-  int rowOf(double y) const { return clamped((y - low_.y()) / cell_mm_, rows_); }
-  static int clamped(double position, int count);
-  std::size_t cellAt(int column, int row) const {
-    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
-           static_cast<std::size_t>(column);
-  }
 
   double reach_;
   std::vector<Edge> edges_;
-  Point2 low_ = Point2::Zero();
-  double cell_mm_ = 1.0;
-  int columns_ = 1;
-  int rows_ = 1;
-  std::vector<std::uint32_t> begin_{0, 0};  ///< where the edges of each cell begin, and an end
-  std::vector<std::uint32_t> held_;         ///< edges, cell by cell
-  std::vector<bool> is_inside_;             ///< the middle of each cell
+  Box2 box_;  ///< of the grid
+  EdgeGrid grid_;
+  std::vector<bool> is_inside_;  ///< the middle of each cell, row by row
 };
 
 }  // namespace lamina

@@ -11,9 +11,10 @@
 #include <memory>
 #include <utility>
 
+#include "geometry/spatial/edge_bands.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
-#include "planning/supports/edge_bands.hpp"
+#include "lamina/geometry/spatial/point_grid.hpp"
 #include "planning/tools/tool_beads.hpp"
 
 namespace lamina {
@@ -129,31 +130,25 @@ void addLoopsOf(const BranchDisc& disc, const UnitCircle& circle, double pitch_m
   }
 }
 
-/// Tips in level bands, each from left to right.
-class TipBands {
+/// Finds how much of level lines lies near tips.
+class NearTips {
  public:
-  TipBands(const std::vector<BranchTip>& tips, double radius_mm) : radius_(radius_mm) {
-    for (const BranchTip& tip : tips) bands_[bandOf(tip.at.y())].push_back(tip.at);
-    for (auto& [band, places] : bands_)
-      std::sort(places.begin(), places.end(), [](const Point2& a, const Point2& b) { return a.x() < b.x(); });
+  NearTips(const std::vector<BranchTip>& tips, double radius_mm)
+      : radius_(radius_mm), tips_(boxOf(tips), radius_mm) {
+    for (const BranchTip& tip : tips) tips_.insert(tip.at);
   }
 
   /// Of a level line from a place to another, how much is no nearer to a tip than the radius.
   double lengthBeyond(double y, double from_x, double to_x) {
     reached_.clear();
-    for (const std::int64_t step : {-1, 0, 1}) {
-      const auto band = bands_.find(bandOf(y) + step);
-      if (band == bands_.end()) continue;
-      const std::vector<Point2>& places = band->second;
-      auto place = std::lower_bound(places.begin(), places.end(), from_x - radius_,
-                                    [](const Point2& at, double x) { return at.x() < x; });
-      for (; place != places.end() && place->x() < to_x + radius_; ++place) {
-        const double squared = radius_ * radius_ - (place->y() - y) * (place->y() - y);
-        if (squared <= 0.0) continue;
-        const double half = std::sqrt(squared);
-        reached_.emplace_back(place->x() - half, place->x() + half);
-      }
-    }
+    const Box2 near{{from_x - radius_, y - radius_}, {to_x + radius_, y + radius_}};
+    tips_.visitIn(near, [&](std::uint32_t tip) {
+      const Point2& place = tips_.points()[tip];
+      const double squared = radius_ * radius_ - (place.y() - y) * (place.y() - y);
+      if (squared <= 0.0 || place.x() >= near.high.x()) return;
+      const double half = std::sqrt(squared);
+      reached_.emplace_back(place.x() - half, place.x() + half);
+    });
     std::sort(reached_.begin(), reached_.end());
     double beyond = 0.0;
     double at = from_x;
@@ -166,15 +161,19 @@ class TipBands {
   }
 
  private:
-  std::int64_t bandOf(double y) const { return static_cast<std::int64_t>(std::floor(y / radius_)); }
+  static Box2 boxOf(const std::vector<BranchTip>& tips) {
+    Box2 box;
+    for (const BranchTip& tip : tips) box.include(tip.at);
+    return box;
+  }
 
   double radius_;
-  std::map<std::int64_t, std::vector<Point2>> bands_;
+  PointGrid tips_;
   std::vector<std::pair<double, double>> reached_;  ///< of one line
 };
 
 /// On level lines through the regions.
-double areaBeyond(const Regions& regions, TipBands& tips) {
+double areaBeyond(const Regions& regions, NearTips& tips) {
   double sum = 0.0;
   for (const Region& region : regions) {
     const std::vector<LineCrossing> crossings = crossingsOf(region);
@@ -252,7 +251,7 @@ SupportTotals branchTotals(const std::vector<Regions>& overhangs, const SupportT
   SupportTotals totals;
   totals.dropped_branches = tree.dropped;
   for (const Regions& regions : loops.areas) totals.area_mm2 = std::max(totals.area_mm2, area(regions));
-  TipBands tips(tree.tips, settings.tip_spacing_mm);
+  NearTips tips(tree.tips, settings.tip_spacing_mm);
   for (const Regions& overhang : overhangs) {
     totals.overhang_mm2 += area(overhang);
     totals.unsupported_mm2 += areaBeyond(overhang, tips);

@@ -9,9 +9,9 @@
 #include <unordered_map>
 #include <utility>
 
+#include "geometry/spatial/edge_bands.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
-#include "planning/supports/edge_bands.hpp"
 
 namespace lamina {
 namespace {

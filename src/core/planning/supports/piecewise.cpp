@@ -12,8 +12,8 @@
 
 #include "geometry/polygon/edge_collapse_inset.hpp"
 #include "geometry/polygon/plane_vectors.hpp"
+#include "geometry/spatial/edge_bands.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
-#include "planning/supports/edge_bands.hpp"
 #include "planning/supports/stacked_material.hpp"
 
 namespace lamina {

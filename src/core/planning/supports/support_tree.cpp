@@ -12,10 +12,10 @@
 #include <utility>
 
 #include "geometry/polygon/plane_vectors.hpp"
+#include "geometry/spatial/edge_bands.hpp"
 #include "lamina/base/angle.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
-#include "planning/supports/edge_bands.hpp"
 #include "planning/supports/piecewise.hpp"
 
 namespace lamina {

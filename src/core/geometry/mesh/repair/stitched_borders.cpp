@@ -1,25 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <numeric>
 
 #include "geometry/mesh/repair/steps.hpp"
+#include "geometry/spatial/box_tree.hpp"
 
 namespace lamina {
 namespace {
 
-using Cell = std::array<std::int64_t, 3>;
-
-struct Placed {
-  Cell cell;
-  std::uint32_t vertex;
-
-  bool operator<(const Placed& other) const {
-    return cell != other.cell ? cell < other.cell : vertex < other.vertex;
-  }
-};
+constexpr double kRounding = 1e-9;  // of the tolerance
 
 std::vector<std::uint32_t> borderVertices(const Mesh& mesh, const MeshTopology& topology) {
   std::vector<std::uint32_t> vertices;
@@ -33,46 +23,37 @@ std::vector<std::uint32_t> borderVertices(const Mesh& mesh, const MeshTopology& 
   return vertices;
 }
 
-/// Border vertices in cells as large as the tolerance, so that near ones lie in neighbouring cells.
+/// Finds border vertices near each other.
 class NearVertices {
  public:
   NearVertices(const Mesh& mesh, const std::vector<std::uint32_t>& vertices, double tolerance)
-      : mesh_(mesh), tolerance_(tolerance) {
-    for (const std::uint32_t v : vertices) placed_.push_back({cellOf(mesh.vertices[v]), v});
-    std::sort(placed_.begin(), placed_.end());
-  }
+      : mesh_(mesh), tolerance_(tolerance), vertices_(vertices), places_(boxesOf(mesh, vertices)) {}
 
   /// The first vertex within the tolerance of v that comes before it and stands for itself, or v.
   std::uint32_t representativeOf(std::uint32_t v, const std::vector<std::uint32_t>& representatives) const {
     std::uint32_t found = v;
-    const Cell middle = cellOf(mesh_.vertices[v]);
-    for (std::int64_t x = -1; x <= 1; ++x)
-      for (std::int64_t y = -1; y <= 1; ++y) {
-        // Cells along z are neighbours in the sorted list.
-        const Cell first = {middle[0] + x, middle[1] + y, middle[2] - 1};
-        const Cell last = {first[0], first[1], middle[2] + 1};
-        auto near = std::lower_bound(placed_.begin(), placed_.end(), Placed{first, 0});
-        for (; near != placed_.end() && near->cell <= last; ++near) {
-          const bool is_earlier = near->vertex < found && representatives[near->vertex] == near->vertex;
-          if (is_earlier && isNear(near->vertex, v)) found = near->vertex;
-        }
-      }
+    const Point3& at = mesh_.vertices[v];
+    const Point3 reach = Point3::Constant((1.0 + kRounding) * tolerance_);
+    places_.visitOverlapping({at - reach, at + reach}, [&](std::uint32_t i) {
+      const std::uint32_t near = vertices_[i];
+      if (near < found && representatives[near] == near && (mesh_.vertices[near] - at).norm() <= tolerance_)
+        found = near;
+    });
     return found;
   }
 
  private:
-  bool isNear(std::uint32_t a, std::uint32_t b) const {
-    return (mesh_.vertices[a] - mesh_.vertices[b]).norm() <= tolerance_;
-  }
-
-  Cell cellOf(const Point3& point) const {
-    const auto number = [this](double x) { return static_cast<std::int64_t>(std::floor(x / tolerance_)); };
-    return {number(point.x()), number(point.y()), number(point.z())};
+  static std::vector<Box3> boxesOf(const Mesh& mesh, const std::vector<std::uint32_t>& vertices) {
+    std::vector<Box3> boxes;
+    boxes.reserve(vertices.size());
+    for (const std::uint32_t v : vertices) boxes.push_back({mesh.vertices[v], mesh.vertices[v]});
+    return boxes;
   }
 
   const Mesh& mesh_;
   double tolerance_;
-  std::vector<Placed> placed_;
+  const std::vector<std::uint32_t>& vertices_;
+  BoxTree places_;
 };
 
 }  // namespace

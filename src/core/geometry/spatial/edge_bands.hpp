@@ -44,18 +44,28 @@ class EdgeBands {
   /// By the even-odd rule; on a border either way.
   bool enclose(const Point2& point) const;
 
+  /// Where edges cross the level line at that y, from left to right: inside begins and ends in turn.
+  std::vector<double> crossings(double y) const;
+
+  /// Where a line crosses edges, in order: parts of its length, between 0 and 1.
+  std::vector<double> cuts(const Point2& from, const Point2& to) const;
+
   /// Calls visit(edge, index) for the edges that come within `reach_mm` of the height of a point, and for
   /// some others; for one that lies in several bands more than once. The index gives the place of an edge in
   /// the order of all.
   template <class Visit>
   void visitNear(const Point2& point, double reach_mm, const Visit& visit) const {
-    if (begin_.empty() || point.y() + reach_mm < box_.low.y() || point.y() - reach_mm > box_.high.y()) return;
-    const std::size_t last = bandOf(point.y() + reach_mm);
-    for (std::size_t band = bandOf(point.y() - reach_mm); band <= last; ++band)
-      for (std::uint32_t k = begin_[band]; k < begin_[band + 1]; ++k) visit(edges_[in_band_[k]], in_band_[k]);
+    visitBetween(point.y() - reach_mm, point.y() + reach_mm, visit);
   }
 
  private:
+  template <class Visit>
+  void visitBetween(double low_y, double high_y, const Visit& visit) const {
+    if (begin_.empty() || high_y < box_.low.y() || low_y > box_.high.y()) return;
+    const std::size_t last = bandOf(high_y);
+    for (std::size_t band = bandOf(low_y); band <= last; ++band)
+      for (std::uint32_t k = begin_[band]; k < begin_[band + 1]; ++k) visit(edges_[in_band_[k]], in_band_[k]);
+  }
   std::size_t bandOf(double y) const {
     const double band = (y - box_.low.y()) * per_mm_;
     return static_cast<std::size_t>(std::clamp(band, 0.0, static_cast<double>(begin_.size() - 2)));

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "planning/supports/edge_bands.hpp"
+#include "geometry/spatial/edge_bands.hpp"
 
 #include <cmath>
 #include <numeric>
@@ -17,6 +17,14 @@ bool leavesOnOneSide(const BorderEdge& line, const BorderEdge& edge) {
   const double first = side(line.from, line.to, edge.from);
   const double second = side(line.from, line.to, edge.to);
   return (first > kFlat && second > kFlat) || (first < -kFlat && second < -kFlat);
+}
+
+bool reachesAcross(const BorderEdge& edge, double y) { return (edge.from.y() > y) != (edge.to.y() > y); }
+
+/// Of an edge that reaches across the line at that y.
+double crossingAt(const BorderEdge& edge, double y) {
+  const auto& [from, to] = edge;
+  return from.x() + (y - from.y()) / (to.y() - from.y()) * (to.x() - from.x());
 }
 
 }  // namespace
@@ -68,14 +76,36 @@ bool EdgeBands::enclose(const Point2& point) const {
   if (begin_.empty() || (point.array() < box_.low.array()).any() || (point.array() > box_.high.array()).any())
     return false;
   bool is_inside = false;
-  const std::size_t band = bandOf(point.y());
-  for (std::uint32_t k = begin_[band]; k < begin_[band + 1]; ++k) {
-    const auto& [from, to] = edges_[in_band_[k]];
-    if ((from.y() > point.y()) == (to.y() > point.y())) continue;
-    if (point.x() < from.x() + (to.x() - from.x()) * (point.y() - from.y()) / (to.y() - from.y()))
-      is_inside = !is_inside;
-  }
+  visitBetween(point.y(), point.y(), [&](const BorderEdge& edge, std::uint32_t) {
+    if (reachesAcross(edge, point.y()) && point.x() < crossingAt(edge, point.y())) is_inside = !is_inside;
+  });
   return is_inside;
+}
+
+std::vector<double> EdgeBands::crossings(double y) const {
+  std::vector<double> found;
+  visitBetween(y, y, [&](const BorderEdge& edge, std::uint32_t) {
+    if (reachesAcross(edge, y)) found.push_back(crossingAt(edge, y));
+  });
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+std::vector<double> EdgeBands::cuts(const Point2& from, const Point2& to) const {
+  std::vector<double> found;
+  const Point2 along = to - from;
+  const auto [low_y, high_y] = std::minmax(from.y(), to.y());
+  visitBetween(low_y, high_y, [&](const BorderEdge& edge, std::uint32_t) {
+    const double side_from = cross(along, edge.from - from);
+    const double side_to = cross(along, edge.to - from);
+    if ((side_from > 0.0) == (side_to > 0.0)) return;
+    const Point2 crossing = edge.from + (edge.to - edge.from) * (side_from / (side_from - side_to));
+    const double at = (crossing - from).dot(along) / along.squaredNorm();
+    if (at > 0.0 && at < 1.0) found.push_back(at);
+  });
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());  // an edge stands in several bands
+  return found;
 }
 
 std::pair<std::size_t, std::size_t> EdgeBands::bandsOf(const BorderEdge& edge) const {
