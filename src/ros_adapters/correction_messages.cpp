@@ -22,7 +22,7 @@ double rounded(double length) {
 CorrectionMap roundedMap(CorrectionMap map) {
   for (PathCorrection& path : map.paths) {
     path.spacing_mm = rounded(path.spacing_mm);
-    for (PlaceCorrection& place : path.stations) place.dz_mm = rounded(place.dz_mm);
+    for (PointCorrection& place : path.stations) place.dz_mm = rounded(place.dz_mm);
   }
   return map;
 }
@@ -58,7 +58,7 @@ lamina_msgs::CorrectionMap toMessage(const CorrectionMap& map) {
     lamina_msgs::CorrectionPath& corrected = message.paths.back();
     corrected.path = static_cast<std::uint32_t>(path.path);
     corrected.station = toMetres(path.spacing_mm);
-    for (const PlaceCorrection& place : path.stations) {
+    for (const PointCorrection& place : path.stations) {
       corrected.amount.push_back(place.amount);
       corrected.speed.push_back(place.speed);
       corrected.dz.push_back(toMetres(place.dz_mm));

@@ -181,7 +181,7 @@ TEST(CellFindings, AreStatedInWords) {
   EXPECT_EQ(of_time[0], "time offset 80.500 ms by overlap: true time is the stamp less that");
   EXPECT_NE(of_time[2].find("over 1200 profiles"), std::string::npos) << of_time[2];
   EXPECT_EQ(of_time[3].rfind("caution", 0), 0U) << of_time[3];
-  time.fit.is_skew_known = true;
+  time.fit.is_skew_separable = true;
   EXPECT_EQ(inWords(time).size(), 3U);
 
   FoundPose pose;

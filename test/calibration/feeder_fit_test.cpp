@@ -40,12 +40,12 @@ std::vector<double> deposited(const FeederSteps& steps, const LateFeeder& feeder
   return amounts;
 }
 
-std::vector<BeadSections> sections(const FeederSteps& steps, const LateFeeder& feeder, double shift_mm,
-                                   double noise) {
+std::vector<BeadCrossSections> sections(const FeederSteps& steps, const LateFeeder& feeder, double shift_mm,
+                                        double noise) {
   Random random(5);
-  std::vector<BeadSections> beads;
+  std::vector<BeadCrossSections> beads;
   for (int b = 0; b < 2; ++b) {
-    BeadSections bead;
+    BeadCrossSections bead;
     std::vector<double> at;
     for (double along = 1.0; along < 149.0; along += 0.5) {
       bead.along_mm.push_back(along);
@@ -103,8 +103,8 @@ TEST(FeederFit, FindsThemInAScan) {
 
 TEST(FeederFit, OfBeadsThatDoNotFollowIsRefused) {
   const FeederSteps steps = feederSteps({});
-  std::vector<BeadSections> beads = sections(steps, {0.2, 0.1}, 0.0, 0.01);
-  for (BeadSections& bead : beads)
+  std::vector<BeadCrossSections> beads = sections(steps, {0.2, 0.1}, 0.0, 0.01);
+  for (BeadCrossSections& bead : beads)
     for (double& area : bead.area_mm2) area = 0.22;
   EXPECT_THROW(fitFeeder(steps, beads, 10.0), InvalidInput);
   beads[1] = {};

@@ -114,7 +114,7 @@ TEST(TimeOffset, IsFoundByAnEdgeThereAndBack) {
     EXPECT_NEAR(found.offset_s, offset, 0.001);
     EXPECT_EQ(found.pieces_s.size(), 7u);
     EXPECT_LT(found.spread_s, 0.001);
-    EXPECT_TRUE(found.is_skew_known);
+    EXPECT_TRUE(found.is_skew_separable);
   }
 }
 
@@ -140,7 +140,7 @@ TEST(TimeOffset, ByOverlapIsFreeOfATurnedLine) {
   const TimeOffset found = offsetByPasses(test::record(cell, swaths(5, 60.0, 28.0 * 0.95, 40.0)), comparison);
   EXPECT_NEAR(found.offset_s, 0.08, 0.002);
   EXPECT_NEAR(std::abs(found.skew_deg), 0.01 * 180.0 / M_PI, 0.1);
-  EXPECT_TRUE(found.is_skew_known);
+  EXPECT_TRUE(found.is_skew_separable);
 }
 
 TEST(TimeOffset, ByPassesIsRefusedOnEvenGround) {

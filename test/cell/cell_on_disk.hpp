@@ -65,7 +65,7 @@ class PrintingExecutor final : public Executor {
         report.progress.taken_through += 10;
         taken[execution_] = report.progress.taken_through;
         report.progress.sent_through = report.progress.taken_through + 5;
-        report.progress.laid_mm3 += 5.0;
+        report.progress.deposited_mm3 += 5.0;
         if (report.progress.taken_through >= report.lines) report.phase = ExecutorPhase::Done;
         break;
       default:

@@ -104,7 +104,7 @@ TEST(CorrectionMap, RefusesWhatIsNone) {
 }
 
 TEST(CorrectionMap, RefusesWhatNoLoopAsksFor) {
-  const auto mapWith = [](const PlaceCorrection& place) {
+  const auto mapWith = [](const PointCorrection& place) {
     return CorrectionMap{"part", 0, 1, {{0, 1.0, {place}}}};
   };
   EXPECT_NO_THROW(validate(mapWith({5.0, 5.0, -3.0})));

@@ -62,7 +62,7 @@ TEST(FollowedDeposit, LaysNoSkirtUnlessAsked) {
   Toolpath toolpath = test::twoLayers();
   toolpath.layers[0].paths[0].role = PathRole::Skirt;
   DepositionSettings with_skirt;
-  with_skirt.is_skirt_deposited = true;
+  with_skirt.are_build_aids_deposited = true;
   const double per_mm = crossSection({0.4, 0.2});
   EXPECT_NEAR(FollowedDeposit(toolpath, {}, {}).plannedVolume(), 10.0 * per_mm, 1e-9);
   EXPECT_NEAR(FollowedDeposit(toolpath, with_skirt, {}).plannedVolume(), 50.0 * per_mm, 1e-9);

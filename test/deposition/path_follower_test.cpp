@@ -43,7 +43,7 @@ Toolpath zigzags(int layers) {
 /// Way along the toolpath up to a place [mm].
 double wayTo(const PathFollower& follower) {
   double way = 0.0;
-  const PathPlace& place = follower.place();
+  const PathPosition& place = follower.place();
   for (std::size_t p = 0; p < follower.paths().size(); ++p) {
     const Path& path = *follower.paths()[p];
     for (std::size_t m = 0; m < path.motionCount(); ++m) {

@@ -173,7 +173,7 @@ TEST(ToolpathDeposit, TravelsLayNothingAndSkirtsOnlyIfAsked) {
   toolpath.layers[0].paths.push_back(travel);
   EXPECT_NEAR(deposited(toolpath, voxels(0.1)).totals.extruded_mm3, part, 1e-9);
   DepositionSettings with_skirt = voxels(0.1);
-  with_skirt.is_skirt_deposited = true;
+  with_skirt.are_build_aids_deposited = true;
   EXPECT_NEAR(deposited(toolpath, with_skirt).totals.extruded_mm3, part + depositedVolume(skirt), 1e-9);
   EXPECT_THROW(deposited(Toolpath(), voxels(0.1)), InvalidInput);
 }

@@ -150,7 +150,7 @@ TEST(ModbusServer, TakesSoManyConnectionsAndNoMore) {
 TEST(ModbusServer, MakesPlaceForADeviceWhoseOwnConnectionsAreSilent) {
   ModbusServerSettings settings = ServerOfAddresses::onAnyPort();
   settings.connections = 1;
-  settings.give_way_s = 0.0;
+  settings.replaceable_after_s = 0.0;
   ServerOfAddresses server(settings);
   Client dead(server.server.port());
   dead.send(readRequest(1, 3, 1));

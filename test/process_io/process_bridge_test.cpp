@@ -80,7 +80,7 @@ class BridgeRun {
   void run(int cycles) {
     for (int i = 0; i < cycles; ++i) {
       now_s += kCycle;
-      if (is_moving) bridge.hearPositions({now_s}, now_s);
+      if (is_moving) bridge.updatePositions({now_s}, now_s);
       last = bridge.cycle(now_s, view);
       for (const ProcessAlarm& alarm : last.alarms) alarms.push_back(alarm);
     }

@@ -9,16 +9,16 @@
 namespace lamina {
 namespace {
 
-TEST(JobOverride, IsNamedAndBounded) {
+TEST(OverrideKind, IsNamedAndBounded) {
   for (const double share : {0.1, 1.0, 3.0}) {
-    EXPECT_EQ(overrideRefusal(JobOverride::Feed, share, boundsOf(JobOverride::Feed)), "");
-    EXPECT_EQ(overrideRefusal(JobOverride::Flow, share, boundsOf(JobOverride::Flow)), "");
+    EXPECT_EQ(overrideRefusal(OverrideKind::Feed, share, boundsOf(OverrideKind::Feed)), "");
+    EXPECT_EQ(overrideRefusal(OverrideKind::Flow, share, boundsOf(OverrideKind::Flow)), "");
   }
-  EXPECT_EQ(overrideRefusal(JobOverride::Power, 2.5, boundsOf(JobOverride::Power)),
+  EXPECT_EQ(overrideRefusal(OverrideKind::Power, 2.5, boundsOf(OverrideKind::Power)),
             "power is 2.5; must be from 0.1 to 2, 1 is as planned");
-  EXPECT_EQ(overrideRefusal(JobOverride::Flow, 0.0, boundsOf(JobOverride::Flow)),
+  EXPECT_EQ(overrideRefusal(OverrideKind::Flow, 0.0, boundsOf(OverrideKind::Flow)),
             "flow is 0; must be from 0.1 to 3, 1 is as planned");
-  EXPECT_NE(overrideRefusal(JobOverride::Feed, std::nan(""), boundsOf(JobOverride::Feed)), "");
+  EXPECT_NE(overrideRefusal(OverrideKind::Feed, std::nan(""), boundsOf(OverrideKind::Feed)), "");
 }
 
 }  // namespace

@@ -79,8 +79,8 @@ TEST(TrajectoryFeeder, LeadsFlowAndPowerToTheirShares) {
   ramped.reaction_s = 0.1;
   ramped.override_ramp_s = 0.5;
   TrajectoryFeeder feeder(timed, ramped);
-  feeder.setShare(JobOverride::Flow, 1.4, 0.3);
-  feeder.setShare(JobOverride::Power, 0.8, 0.5);
+  feeder.setShare(OverrideKind::Flow, 1.4, 0.3);
+  feeder.setShare(OverrideKind::Power, 0.8, 0.5);
   const auto shares = [&](double time_s) {
     const JointState planned = timed.at(time_s);
     const JointState now = feeder.at(time_s);
@@ -103,7 +103,7 @@ TEST(TrajectoryFeeder, LeadsFlowAndPowerToTheirShares) {
     EXPECT_NEAR(found.second, power, 1e-9) << time_s;
   }
   // From half of a ramp on it goes the other way.
-  feeder.setShare(JobOverride::Power, 0.9, 0.55);
+  feeder.setShare(OverrideKind::Power, 0.9, 0.55);
   EXPECT_NEAR(shares(0.65).second, 0.9, 1e-9);
   EXPECT_NEAR(shares(0.8).second, 0.9, 1e-9);
 }
@@ -112,7 +112,7 @@ TEST(TrajectoryFeeder, HandsOverAgainWhatAShareChanges) {
   const TimedPath timed = timedGantry(trajectoryFeederLine(), powderSettings());
   TrajectoryFeeder feeder(timed, {});
   while (feeder.next(0.2)) continue;
-  feeder.setShare(JobOverride::Flow, 0.5, 0.2);
+  feeder.setShare(OverrideKind::Flow, 0.5, 0.2);
   const auto chunk = feeder.next(0.2);
   ASSERT_TRUE(chunk) << "what was handed over has another flow";
   EXPECT_NEAR(chunk->points.front().time_s, 0.252, 1e-9) << "the first point after the reaction";
@@ -123,9 +123,9 @@ TEST(TrajectoryFeeder, RefusesSharesOfWhatIsNotThere) {
   const TimedPath timed = timedGantry(trajectoryFeederLine(), powderSettings());
   TrajectoryFeeder feeder(timed, {});
   for (const double share : {0.0, 0.09, 3.1, -1.0, std::nan("")})
-    EXPECT_THROW(feeder.setShare(JobOverride::Flow, share, 0.1), InvalidInput) << share;
-  EXPECT_THROW(feeder.setShare(JobOverride::Power, 0.9, 0.1), InvalidInput) << "no path states its power";
-  EXPECT_THROW(feeder.setShare(JobOverride::Feed, 0.9, 0.1), InvalidInput);
+    EXPECT_THROW(feeder.setShare(OverrideKind::Flow, share, 0.1), InvalidInput) << share;
+  EXPECT_THROW(feeder.setShare(OverrideKind::Power, 0.9, 0.1), InvalidInput) << "no path states its power";
+  EXPECT_THROW(feeder.setShare(OverrideKind::Feed, 0.9, 0.1), InvalidInput);
   EXPECT_EQ(feeder.at(0.5).process, timed.at(0.5).process);
 }
 

@@ -12,10 +12,10 @@
 namespace lamina {
 
 /// Length of bead over which a cross-section is averaged [mm].
-inline constexpr double kSectionMm = 0.5;
+inline constexpr double kCrossSectionLengthMm = 0.5;
 
 /// Cross-sections measured along a bead: areas above the level of the bed on either side of it.
-struct BeadSections {
+struct BeadCrossSections {
   std::vector<double> along_mm;  ///< middle of each section, from where the bead begins; ascending
   std::vector<double> area_mm2;
 };
@@ -37,15 +37,15 @@ struct FeederFit {
 /// @param time_offset_s  how late the sensor's time stamps are, as in `TimeOffset`
 /// @return an entry for each bead of `steps`, without the places where the scan does not show the bead's
 ///   whole width
-std::vector<BeadSections> beadSections(const SensorRecording& scan,
-                                       const Eigen::Isometry3d& nozzle_from_sensor, double time_offset_s,
-                                       const FeederSteps& steps);
+std::vector<BeadCrossSections> beadSections(const SensorRecording& scan,
+                                            const Eigen::Isometry3d& nozzle_from_sensor, double time_offset_s,
+                                            const FeederSteps& steps);
 
 /// Fits dead time, lag, gain and shift to sections of beads that were deposited at one speed. Beads in
 /// opposite directions distinguish the dead time from a shift of the scan.
 /// @param speed_mm_s  of the nozzle while the beads were deposited
 /// @throws InvalidInput if a bead has fewer than 20 sections, the gain is below 0.1, or the dead time is
 ///   longer than a step takes
-FeederFit fitFeeder(const FeederSteps& steps, const std::vector<BeadSections>& beads, double speed_mm_s);
+FeederFit fitFeeder(const FeederSteps& steps, const std::vector<BeadCrossSections>& beads, double speed_mm_s);
 
 }  // namespace lamina

@@ -24,7 +24,7 @@ struct TimeOffset {
   double skew_deg = 0.0;
   /// Of passes: whether the skew can be told from the offset, as neighbours lie on both sides; true also
   /// where passes repeat one track.
-  bool is_skew_known = false;
+  bool is_skew_separable = false;
 };
 
 /// The time offset of a sensor that bobs (moves up and down) over a flat place: the lag at which the mean

@@ -13,7 +13,7 @@
 namespace lamina {
 
 /// The correction at a point of a path.
-struct PlaceCorrection {
+struct PointCorrection {
   double amount = 0.0;  ///< relative change of the volume deposited per length
   double speed = 0.0;   ///< relative change of the travel speed
   /// Shift of the nozzle: in G-code along the normal of the layers, for a robot against the tool axis.
@@ -28,7 +28,7 @@ struct PlaceCorrection {
 struct PathCorrection {
   std::size_t path = 0;     ///< number in the layer, travels included
   double spacing_mm = 0.0;  ///< distance from station to station
-  std::vector<PlaceCorrection> stations;
+  std::vector<PointCorrection> stations;
 };
 
 /// The corrections of one layer of a toolpath. Paths without an entry are deposited as planned.
@@ -40,9 +40,9 @@ struct CorrectionMap {
 };
 
 /// The correction at a distance from the start of the path [mm]; none if the path has no stations.
-PlaceCorrection correctionAt(const PathCorrection& path, double along_mm);
+PointCorrection correctionAt(const PathCorrection& path, double along_mm);
 
-/// The corrections of the cells of a layer, one value per cell, as in `PlaceCorrection`. An empty vector
+/// The corrections of the cells of a layer, one value per cell, as in `PointCorrection`. An empty vector
 /// means that there is no correction of its kind.
 struct CellCorrections {
   std::vector<double> amount;

@@ -13,7 +13,7 @@ struct DepositionSettings {
   double reach_mm = 10.0;  ///< greatest distance from the middle of the strand at which material is deposited
   double bed_z_mm = 0.0;   ///< height of the bed, below which nothing is deposited
   /// Whether build aids are deposited too: skirt, brim, raft, supports, priming.
-  bool is_skirt_deposited = false;
+  bool are_build_aids_deposited = false;
   double memory_limit_mb = 0.0;  ///< greatest memory of the voxels; 0: what is available on the machine
 };
 

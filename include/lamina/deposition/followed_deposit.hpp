@@ -30,14 +30,14 @@ class FollowedDeposit {
   bool isComplete() const { return follower_.isAtEnd(); }
 
  private:
-  void layUpTo(const PathPlace& place);
+  void layUpTo(const PathPosition& place);
   void layPart(const Path& path, double until);
 
   const Toolpath toolpath_;
   DepositionSettings settings_;
   PathFollower follower_;
   VoxelDeposit deposit_;
-  PathPlace deposited_;  ///< position up to which the toolpath is deposited
+  PathPosition deposited_;  ///< position up to which the toolpath is deposited
   double planned_mm3_ = 0.0;
 };
 

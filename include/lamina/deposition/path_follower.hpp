@@ -12,12 +12,12 @@
 namespace lamina {
 
 /// A position on a toolpath. Positions are ordered as the nozzle passes them.
-struct PathPlace {
+struct PathPosition {
   std::size_t path = 0;    ///< number, counted through all layers; the number of paths at the end
   std::size_t motion = 0;  ///< number in the path
   double fraction = 0.0;   ///< share of the motion that is passed, 0 to 1
 
-  friend bool operator==(const PathPlace& a, const PathPlace& b) {
+  friend bool operator==(const PathPosition& a, const PathPosition& b) {
     return a.path == b.path && a.motion == b.motion && a.fraction == b.fraction;
   }
 };
@@ -62,9 +62,9 @@ class PathFollower {
 
   /// The position on the toolpath after the nozzle was reported at `tip` [mm]. A tip that is not finite
   /// changes nothing.
-  PathPlace observe(const Point3& tip);
+  PathPosition observe(const Point3& tip);
 
-  const PathPlace& place() const { return place_; }
+  const PathPosition& place() const { return place_; }
   bool isAtEnd() const { return place_.path == paths_.size(); }
   /// All paths in the order they are run.
   const std::vector<const Path*>& paths() const { return paths_; }
@@ -72,27 +72,27 @@ class PathFollower {
  private:
   /// A point of the toolpath ahead, and its distance along it [mm].
   struct Found {
-    PathPlace place;
+    PathPosition place;
     double way_mm = 0.0;
   };
   /// A point of the toolpath to which a report was assigned, not accepted yet.
   struct Guess {
-    PathPlace place;
+    PathPosition place;
     Point3 tip = Point3::Zero();
     int on_the_way = 1;  ///< number of reports in a row that continue along the toolpath
     int ahead = 1;       ///< number of reports in a row that are ahead
   };
 
-  std::optional<Found> firstNear(const PathPlace& from, const Point3& tip) const;
+  std::optional<Found> firstNear(const PathPosition& from, const Point3& tip) const;
   bool isOnTheWay(const Found& found, const Point3& from, const Point3& tip) const;
   bool goesOn(const Point3& tip);
-  void accept(const PathPlace& place, const Point3& tip);
+  void accept(const PathPosition& place, const Point3& tip);
   void skipEmptyPaths();
-  PathPlace endIfNear(const PathPlace& place) const;
+  PathPosition endIfNear(const PathPosition& place) const;
 
   std::vector<const Path*> paths_;
   FollowingSettings settings_;
-  PathPlace place_;
+  PathPosition place_;
   Point3 tip_ = Point3::Zero();  ///< position of the nozzle when `place_` was accepted
   std::optional<Guess> guess_;
   double look_ahead_mm_;

@@ -40,7 +40,7 @@ double depositBytes(const Toolpath& toolpath, const DepositionSettings& settings
 VoxelDeposit roomFor(const Toolpath& toolpath, const DepositionSettings& settings);
 
 /// Whether a path is deposited: travels are not; build aids (skirt, brim, raft, supports, priming) are only
-/// if `is_skirt_deposited` is set.
+/// if `are_build_aids_deposited` is set.
 bool isDeposited(const Path& path, const DepositionSettings& settings);
 
 /// Deposits a toolpath, in coordinates of the bed, from its first motion to its last (`VoxelDeposit`). The

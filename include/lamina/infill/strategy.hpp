@@ -115,7 +115,7 @@ InfillStrategy infillStrategy(const std::string& name);
 
 /// Whether the strategy of that name deposits drops: its toolpaths have no beads within the part.
 /// @throws InvalidConfig if there is none
-bool laysDrops(const std::string& strategy);
+bool depositsDrops(const std::string& strategy);
 
 /// Names of all strategies, in alphabetical order.
 std::vector<std::string> infillStrategyNames();

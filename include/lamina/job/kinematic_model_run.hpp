@@ -40,7 +40,7 @@ KinematicModelRun runOn(const KinematicModel& model, Toolpath toolpath,
                         Progress& progress);
 
 /// A range of consecutive layers of a toolpath.
-struct LayerStretch {
+struct LayerRange {
   std::size_t first = 0;
   std::size_t end = 0;  ///< index after the last layer
 };
@@ -48,7 +48,7 @@ struct LayerStretch {
 /// Some of the layers of a toolpath, which must outlive the value.
 struct ToolpathExcerpt {
   const Toolpath& toolpath;
-  std::vector<LayerStretch> stretches;  ///< ascending, with at least one layer between each and the next
+  std::vector<LayerRange> stretches;  ///< ascending, with at least one layer between each and the next
 };
 
 /// Plans the joint values for some of the layers. `path` holds these only; the other layers stay in the

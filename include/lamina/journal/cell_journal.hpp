@@ -69,7 +69,7 @@ struct ExecutionProgress {
   std::uint64_t taken_through = 0;  ///< number of the last line that the machine has certainly taken
   std::int32_t layer = -1;
   double path_mm = 0.0;
-  double laid_mm3 = 0.0;  ///< volume deposited
+  double deposited_mm3 = 0.0;  ///< volume deposited
 };
 
 /// An execution that has not ended: it is running or interrupted, or the process was killed.

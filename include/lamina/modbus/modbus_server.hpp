@@ -19,7 +19,7 @@ struct ModbusServerSettings {
   std::uint16_t port = 1502;       ///< 0 for any that is free
   std::size_t connections = 4;     ///< most at a time; further ones are closed at once
   /// Silence after which a connection may be closed for a new one from the same address, if all are in use.
-  double give_way_s = 10.0;
+  double replaceable_after_s = 10.0;
   std::vector<std::string> allow = {"127.0.0.1"};  ///< addresses from which clients may connect
   double half_frame_s = 1.0;                       ///< time within which a frame must be complete
 };

@@ -62,7 +62,7 @@ class ProcessBridge {
   /// @throws InvalidInput as `ProcessPlan::accept`
   void accept(const ProcessChunk& chunk, double now_s);
   /// Positions of all joints [m, rad].
-  void hearPositions(const std::vector<double>& positions, double now_s) { motion_.hear(positions, now_s); }
+  void updatePositions(const std::vector<double>& positions, double now_s) { motion_.hear(positions, now_s); }
 
   /// To be called once per cycle; times must not go back.
   BridgeCycle cycle(double now_s, const CycleView& view);

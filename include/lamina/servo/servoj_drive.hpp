@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "lamina/base/clock.hpp"
-#include "lamina/base/threads/cycle_thread.hpp"
 #include "lamina/base/threads/inheriting_mutex.hpp"
+#include "lamina/base/threads/periodic_thread.hpp"
 #include "lamina/servo/cyclic_player.hpp"
 #include "lamina/servo/servoj_link.hpp"
 
@@ -58,7 +58,7 @@ class ServojDrive {
   /// Brakes along the path.
   void brake();
   ServojDriveState state() const;
-  /// Whether its thread got real-time priority and locked memory, in words (`CycleThread::rights`).
+  /// Whether its thread got real-time priority and locked memory, in words (`PeriodicThread::rights`).
   std::string rights() { return thread_->rights(); }
   /// TCP port to which the program on the robot connects.
   std::uint16_t port() const { return caller_.port(); }
@@ -77,7 +77,7 @@ class ServojDrive {
   bool has_begun_ = false;   ///< whether the robot has reported on this connection
   bool was_moving_ = false;  ///< whether the connection was lost in motion
   JointValues actual_;
-  std::unique_ptr<CycleThread> thread_;  ///< declared last, since it uses the other members
+  std::unique_ptr<PeriodicThread> thread_;  ///< declared last, since it uses the other members
 };
 
 }  // namespace lamina

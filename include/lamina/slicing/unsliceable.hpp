@@ -22,11 +22,11 @@ class Unsliceable : public InvalidMesh, public RichError {
   const Mesh& part() const { return part_; }
 
   [[noreturn]] void throwAt(const std::string& place) const override {
-    throw Unsliceable(place + ": " + what(), region_).on(part_);
+    throw Unsliceable(place + ": " + what(), region_).withPart(part_);
   }
 
   /// This error, with the mesh of the whole part.
-  Unsliceable on(Mesh part) && {
+  Unsliceable withPart(Mesh part) && {
     part_ = std::move(part);
     return std::move(*this);
   }

@@ -57,7 +57,7 @@ struct CommandMeasure {
 };
 
 /// How one point of a front is chosen.
-struct DecisionWishes {
+struct DecisionSettings {
   std::string method = "linmap";     ///< "linmap" or "topsis"
   std::vector<SettingText> weights;  ///< weights by response; for responses without one see `criteriaOf`
 };
@@ -82,7 +82,7 @@ struct Study {
   std::string table;  ///< path of a CSV table of experiments that were made by hand; empty for none
   Goals goals;
   std::vector<SettingText> search;  ///< settings nsga2.*, surrogate.*, kriging.*; of one key the last counts
-  DecisionWishes decision;
+  DecisionSettings decision;
   std::string published_source;  ///< where the values in `published` come from
   std::vector<PublishedRow> published;
 };

@@ -8,7 +8,7 @@
 namespace lamina {
 
 /// A quantity of a job that can be changed while it runs, as a share of its planned or programmed value.
-enum class JobOverride : std::uint8_t {
+enum class OverrideKind : std::uint8_t {
   Feed,   ///< speed along the path, of beads and travels
   Flow,   ///< rate of material: extrusion, wire, screw, powder
   Power,  ///< power of the laser or arc
@@ -22,15 +22,15 @@ struct OverrideBounds {
 
 /// The bounds of a quantity, the same for driver and streamer: 0.1 to 3 for feed and flow, 0.1 to 2 for
 /// power, which grbl allows no further, and which would be no mere correction beyond that.
-constexpr OverrideBounds boundsOf(JobOverride kind) {
-  return kind == JobOverride::Power ? OverrideBounds{0.1, 2.0} : OverrideBounds{0.1, 3.0};
+constexpr OverrideBounds boundsOf(OverrideKind kind) {
+  return kind == OverrideKind::Power ? OverrideBounds{0.1, 2.0} : OverrideBounds{0.1, 3.0};
 }
 
 /// The name of a quantity: "feed", "flow" or "power".
-const char* nameOf(JobOverride kind);
+const char* nameOf(OverrideKind kind);
 
 /// The reason why a share is refused: "flow is 4; must be from 0.1 to 3". Empty if it is accepted.
 /// @param share  1 for the planned value
-std::string overrideRefusal(JobOverride kind, double share, const OverrideBounds& bounds);
+std::string overrideRefusal(OverrideKind kind, double share, const OverrideBounds& bounds);
 
 }  // namespace lamina

@@ -10,6 +10,6 @@ namespace lamina {
 /// waypoints; orientations stay. The point may be the tip of a pointer, or lie ahead of the nozzle to keep
 /// that away from the part.
 /// @param point_mm  in the nozzle's frame, whose z goes from the tip along the tool axis
-Toolpath ledByPoint(Toolpath toolpath, const Point3& point_mm);
+Toolpath withToolPoint(Toolpath toolpath, const Point3& point_mm);
 
 }  // namespace lamina

@@ -36,7 +36,8 @@ struct JogOrder {
   Kind kind = Kind::Joints;
   JointValues rates;                                      ///< of the joints [mm/s, rad/s]; for Joints only
   Eigen::Vector3d linear_mm_s = Eigen::Vector3d::Zero();  ///< velocity of the tip [bed frame]
-  Eigen::Vector3d turn_rad_s = Eigen::Vector3d::Zero();   ///< angular velocity about the tip [bed frame]
+  Eigen::Vector3d angular_velocity_rad_s =
+      Eigen::Vector3d::Zero();  ///< angular velocity about the tip [bed frame]
 };
 
 /// How far an order is obeyed.

@@ -90,7 +90,7 @@ class TrajectoryFeeder {
   /// the share. The motion remains the same.
   /// @throws InvalidInput if `kind` is Feed, the share is outside `boundsOf`, or `kind` is Power and the
   ///   toolpath states none; nothing changes
-  void setShare(JobOverride kind, double share, double now_s);
+  void setShare(OverrideKind kind, double share, double now_s);
   /// Holds the motion at the beginning of a layer until `release`: at the end of what comes before the layer,
   /// or on the travel with which it begins. The motion up to there remains the same. A pause that comes to
   /// rest before the layer cancels the hold.

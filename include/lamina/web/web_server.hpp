@@ -15,7 +15,7 @@
 namespace lamina {
 
 /// How long clients may take. [s]
-struct WebPatience {
+struct WebTimeouts {
   double header_s = 10.0;    ///< for the TLS handshake, and for the head of a request from its first byte on
   double body_s = 10.0;      ///< for the body of a request that is no upload, at most 64 KiB
   double idle_s = 30.0;      ///< in which the next request of an open connection begins, the first one too
@@ -38,8 +38,8 @@ struct WebServerSettings {
   std::size_t connections = 32;           ///< most at a time
   std::size_t connections_of_client = 8;  ///< most at a time from one address
   /// A WebSocket whose client has yet to take more bytes than this is closed.
-  std::size_t most_behind = std::size_t{1} << 20;
-  WebPatience patience;
+  std::size_t most_unsent_bytes = std::size_t{1} << 20;
+  WebTimeouts patience;
 };
 
 /// Listens for browsers and slicers. Each connection has a thread of its own, so that none waits for another;

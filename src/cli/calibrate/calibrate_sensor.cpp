@@ -63,7 +63,7 @@ void calibrateByPairs(const SensorArguments& arguments, Calibration cell, Output
   printPose(arguments, found, format,
             {{"rms_mm", fit.rms_mm},
              {"rms_deg", fit.rms_deg},
-             {"turn_values", fit.turn_values},
+             {"turn_values", fit.rotation_singular_values},
              {"place_values", fit.place_values}});
 }
 

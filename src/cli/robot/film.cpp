@@ -80,7 +80,7 @@ class Film {
       : timed_(timed),
         model_(model),
         source_(std::move(source)),
-        bodies_(seenBodies(model.urdf())),
+        bodies_(displayBodies(model.urdf())),
         root_(linkBodies(model.urdf()).groups.front().links.front()) {
     const auto& at = timed_.run.path.at;
     for (std::size_t i = 0; i < at.size(); ++i) {
@@ -89,7 +89,7 @@ class Film {
         part_.include(timed_.run.bed_from_part * path.points[at[i].waypoint]);
     }
     const auto links = model_.bedFromLinks(stateAt(0.0).position);
-    for (const SeenBody& body : bodies_)
+    for (const DisplayBody& body : bodies_)
       for (const Point3& vertex : body.mesh.vertices)
         machine_.include(links.at(root_).inverse() * links.at(body.link) * vertex);
   }
@@ -102,7 +102,7 @@ class Film {
     const Eigen::Isometry3d root_from_bed = links.at(root_).inverse();
     ScenePicture picture{model_.name() + " lays " + source_, subtitleOf(frame.state), {}, {}};
     addFloor(picture);
-    for (const SeenBody& body : bodies_)
+    for (const DisplayBody& body : bodies_)
       addMoved(picture, body.mesh, root_from_bed * links.at(body.link),
                {body.colour[0], body.colour[1], body.colour[2]});
     addBeads(picture, root_from_bed, frame.state.time_s);
@@ -178,7 +178,7 @@ class Film {
   const TimedRun& timed_;
   const KinematicModel& model_;
   std::string source_;
-  std::vector<SeenBody> bodies_;
+  std::vector<DisplayBody> bodies_;
   std::string root_;
   Box3 part_;     // on the bed
   Box3 machine_;  // in the frame of its root, as it begins

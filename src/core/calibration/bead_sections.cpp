@@ -48,7 +48,8 @@ double areaOf(std::vector<HeightAcross> cell, double reach_mm) {
   return area;
 }
 
-BeadSections sectionsOf(const CalibrationBead& bead, const std::vector<Point3>& points, double reach_mm) {
+BeadCrossSections sectionsOf(const CalibrationBead& bead, const std::vector<Point3>& points,
+                             double reach_mm) {
   const Point2 along = (bead.end - bead.start).normalized();
   const double length = (bead.end - bead.start).norm();
   std::map<int, std::vector<HeightAcross>> cells;
@@ -57,13 +58,13 @@ BeadSections sectionsOf(const CalibrationBead& bead, const std::vector<Point3>& 
     const double across = along.x() * from.y() - along.y() * from.x();
     const double place = from.dot(along);
     if (std::abs(across) <= reach_mm && place >= 0.0 && place < length)
-      cells[static_cast<int>(place / kSectionMm)].push_back({across, point.z()});
+      cells[static_cast<int>(place / kCrossSectionLengthMm)].push_back({across, point.z()});
   }
-  BeadSections sections;
+  BeadCrossSections sections;
   for (auto& [cell, heights] : cells) {
     const double area = areaOf(std::move(heights), reach_mm);
     if (!std::isfinite(area)) continue;
-    sections.along_mm.push_back((cell + 0.5) * kSectionMm);
+    sections.along_mm.push_back((cell + 0.5) * kCrossSectionLengthMm);
     sections.area_mm2.push_back(area);
   }
   return sections;
@@ -71,12 +72,12 @@ BeadSections sectionsOf(const CalibrationBead& bead, const std::vector<Point3>& 
 
 }  // namespace
 
-std::vector<BeadSections> beadSections(const SensorRecording& scan,
-                                       const Eigen::Isometry3d& nozzle_from_sensor, double time_offset_s,
-                                       const FeederSteps& steps) {
+std::vector<BeadCrossSections> beadSections(const SensorRecording& scan,
+                                            const Eigen::Isometry3d& nozzle_from_sensor, double time_offset_s,
+                                            const FeederSteps& steps) {
   const std::vector<Point3> points = viewPoints(scan, time_offset_s).onBed(nozzle_from_sensor);
   const double gap_mm = (steps.beads.back().end - steps.beads.front().start).norm();
-  std::vector<BeadSections> sections;
+  std::vector<BeadCrossSections> sections;
   for (const CalibrationBead& bead : steps.beads)
     sections.push_back(sectionsOf(bead, points, kReachShare * gap_mm));
   return sections;

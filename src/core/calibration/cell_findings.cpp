@@ -135,7 +135,7 @@ std::vector<std::string> inWords(const FoundTime& found) {
       worded("spread      %.3f ms; %.3f ms from piece to piece of %zu; drift %.3f ms/min", fit.spread_s * 1e3,
              fit.scatter_s * 1e3, fit.pieces_s.size(), fit.drift_s_per_min * 1e3),
       worded("agreement   %.4f over %zu profiles", fit.agreement, fit.profiles)};
-  if (found.time.origin.method == "overlap" && !fit.is_skew_known)
+  if (found.time.origin.method == "overlap" && !fit.is_skew_separable)
     sentences.emplace_back(
         "caution     swaths lie to one side only: a turn of the sensor's line counts as time");
   return sentences;

@@ -61,7 +61,7 @@ double arrived(const FeederSteps& steps, double time_s, double section_s, double
 /// Sections beside what commanded them.
 struct FeederProblem {
   const FeederSteps& steps;
-  const std::vector<BeadSections>& beads;
+  const std::vector<BeadCrossSections>& beads;
   double speed_mm_s = 1.0;
   double step_s = 1.0;
   double area_mm2 = 1.0;  ///< standard deviation of a section
@@ -70,7 +70,7 @@ struct FeederProblem {
     // Against the direction of the first bead, a shift of the scan counts the other way.
     const double sense = bead % 2 == 0 ? 1.0 : -1.0;
     const double time_s = (along_mm - sense * values[kShift]) / speed_mm_s;
-    return arrived(steps, time_s, kSectionMm / speed_mm_s, step_s,
+    return arrived(steps, time_s, kCrossSectionLengthMm / speed_mm_s, step_s,
                    {values[kDeadTime], std::abs(values[kLag])});
   }
 
@@ -135,7 +135,7 @@ Eigen::VectorXd firstGuess(const FeederProblem& problem) {
   return best.values;
 }
 
-void requireSections(const std::vector<BeadSections>& beads) {
+void requireSections(const std::vector<BeadCrossSections>& beads) {
   for (std::size_t i = 0; i < beads.size(); ++i)
     if (beads[i].along_mm.size() < kLeastSections)
       throw InvalidInput("bead " + std::to_string(i + 1) + " of the feeder is seen at " +
@@ -151,7 +151,8 @@ Eigen::VectorXd stepsOf(const Eigen::VectorXd& values) {
 
 }  // namespace
 
-FeederFit fitFeeder(const FeederSteps& steps, const std::vector<BeadSections>& beads, double speed_mm_s) {
+FeederFit fitFeeder(const FeederSteps& steps, const std::vector<BeadCrossSections>& beads,
+                    double speed_mm_s) {
   requireSections(beads);
   FeederProblem problem{steps, beads, speed_mm_s, 2.0 * firstUsed(steps) / speed_mm_s, 1.0};
   Eigen::VectorXd values = firstGuess(problem);
@@ -184,7 +185,7 @@ FeederFit fitFeeder(const FeederSteps& steps, const std::vector<BeadSections>& b
   result.gain = values[kGain];
   result.shift_mm = values[kShift];
   result.rms = found.rms * problem.area_mm2 / values[kLevels];
-  for (const BeadSections& bead : beads) result.sections += bead.along_mm.size();
+  for (const BeadCrossSections& bead : beads) result.sections += bead.along_mm.size();
   return result;
 }
 

@@ -44,15 +44,15 @@ Eigen::Matrix3d commonTurn(const std::vector<RelativeMotion>& motions, HandEyeFi
   for (const RelativeMotion& motion : motions)
     sum += rotationVector(motion.sensor.linear()) * rotationVector(motion.nozzle.linear()).transpose();
   const SingularParts parts = singularParts(sum);
-  for (const double value : parts.values) fit.turn_values.push_back(std::sqrt(value));
-  if (fit.turn_values[0] < kLeastTurn)
+  for (const double value : parts.values) fit.rotation_singular_values.push_back(std::sqrt(value));
+  if (fit.rotation_singular_values[0] < kLeastTurn)
     throw InvalidInput(
-        "the head turns by " + numberText(toDegrees(fit.turn_values[0])) +
+        "the head turns by " + numberText(toDegrees(fit.rotation_singular_values[0])) +
         " deg over all poses; expected at least 5 deg: without turns, neither turn nor place of the "
         "sensor can be found from poses of a body");
-  if (fit.turn_values[1] < kLeastTurn)
+  if (fit.rotation_singular_values[1] < kLeastTurn)
     throw InvalidInput(
-        "the head turns about one axis, by " + numberText(toDegrees(fit.turn_values[1])) +
+        "the head turns about one axis, by " + numberText(toDegrees(fit.rotation_singular_values[1])) +
         " deg about any other; expected at least 5 deg about two axes: the sensor's turn about that "
         "axis and its place along it cannot be found");
   Eigen::Vector3d signs(1.0, 1.0, 1.0);

@@ -357,8 +357,8 @@ void combine(TimeOffset& offset, const Comparison& comparison, const std::vector
   offset.drift_s_per_min = line.slope;
   const double aside = (kinds[0].aside_mm + kinds[1].aside_mm) / static_cast<double>(count);
   const bool overlaps = aside > comparison.column_mm;
-  offset.is_skew_known = !overlaps || (!kinds[0].offsets_s.empty() && !kinds[1].offsets_s.empty());
-  if (!overlaps || !offset.is_skew_known) {
+  offset.is_skew_separable = !overlaps || (!kinds[0].offsets_s.empty() && !kinds[1].offsets_s.empty());
+  if (!overlaps || !offset.is_skew_separable) {
     offset.offset_s = line.mean;
     offset.scatter_s = line.deviation;
     return;

@@ -413,7 +413,7 @@ void ProductionCell::act(const UnitChange& change, CellTime now) {
         if (execution_) journal_.goOn(*execution_, now.utc_s);
       });
     case UnitState::Completing:
-      unit_.countPart(PartVerdict::Good, report_.progress.laid_mm3);
+      unit_.countPart(PartVerdict::Good, report_.progress.deposited_mm3);
       is_part_on_plate_ = true;
       end_tried_s_ = now.steady_s;
       return close(JobState::Ended, "", now);

@@ -56,7 +56,7 @@ void requireStations(const PathCorrection& path) {
                   "stations are " + numberText(path.spacing_mm) + " mm apart; expected a positive distance");
   if (path.stations.empty()) refuseStation(path, 0, "there is none; expected one at least");
   for (std::size_t i = 0; i < path.stations.size(); ++i) {
-    const PlaceCorrection& place = path.stations[i];
+    const PointCorrection& place = path.stations[i];
     const bool is_finite =
         std::isfinite(place.amount) && std::isfinite(place.speed) && std::isfinite(place.dz_mm);
     if (!is_finite) refuseStation(path, i, "a value is not finite; expected finite ones");
@@ -73,15 +73,15 @@ double valueOr(const std::vector<double>& values, std::size_t i) { return values
 
 }  // namespace
 
-PlaceCorrection correctionAt(const PathCorrection& path, double along_mm) {
+PointCorrection correctionAt(const PathCorrection& path, double along_mm) {
   if (path.stations.empty()) return {};
   const double place = std::max(0.0, along_mm / path.spacing_mm - 0.5);
   const std::size_t last = path.stations.size() - 1;
   if (place >= static_cast<double>(last)) return path.stations[last];
   const auto i = static_cast<std::size_t>(place);
   const double part = place - static_cast<double>(i);
-  const PlaceCorrection& a = path.stations[i];
-  const PlaceCorrection& b = path.stations[i + 1];
+  const PointCorrection& a = path.stations[i];
+  const PointCorrection& b = path.stations[i + 1];
   return {a.amount + part * (b.amount - a.amount), a.speed + part * (b.speed - a.speed),
           a.dz_mm + part * (b.dz_mm - a.dz_mm)};
 }
@@ -110,7 +110,7 @@ std::string digestOf(const CorrectionMap& map) {
     fingerprint.add(static_cast<std::uint64_t>(path.path));
     fingerprint.add(path.spacing_mm);
     fingerprint.add(static_cast<std::uint64_t>(path.stations.size()));
-    for (const PlaceCorrection& place : path.stations) {
+    for (const PointCorrection& place : path.stations) {
       fingerprint.add(place.amount);
       fingerprint.add(place.speed);
       fingerprint.add(place.dz_mm);

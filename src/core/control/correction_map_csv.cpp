@@ -69,7 +69,7 @@ void addRow(CorrectionMap& map, const CsvTable& table, std::size_t r) {
   if (map.paths.back().spacing_mm != spacing_mm)
     refuseLine(table.source, line,
                "stations of path " + row[0] + " are " + row[1] + " mm apart; expected the same along a path");
-  PlaceCorrection place;
+  PointCorrection place;
   place.amount = numberOf<double>(row[2], table.source, line, "the amount");
   place.speed = numberOf<double>(row[3], table.source, line, "the speed");
   place.dz_mm = numberOf<double>(row[4], table.source, line, "the height");
@@ -83,7 +83,7 @@ std::string correctionMapCsv(const CorrectionMap& map) {
                      "\n# sequence " + std::to_string(map.sequence) + "\n# digest " + digestOf(map) + "\n" +
                      kColumns + "\n";
   for (const PathCorrection& path : map.paths) {
-    for (const PlaceCorrection& place : path.stations) {
+    for (const PointCorrection& place : path.stations) {
       text += std::to_string(path.path);
       for (const double number : {path.spacing_mm, place.amount, place.speed, place.dz_mm}) {
         text += ',';

@@ -96,8 +96,8 @@ CorrectionMap ledMap(const CorrectionMap& map, const ToolpathLayer& layer, const
   for (const CellRun& run : cells.runs) {
     const PathCorrection* const path = correctionOf(map, run.path);
     for (std::size_t i = run.first; i < run.first + run.count; ++i) {
-      const PlaceCorrection here =
-          path != nullptr ? correctionAt(*path, cells.along_mm[i]) : PlaceCorrection{};
+      const PointCorrection here =
+          path != nullptr ? correctionAt(*path, cells.along_mm[i]) : PointCorrection{};
       corrections.amount.push_back(here.amount);
       corrections.speed.push_back(here.speed);
       corrections.dz_mm.push_back(here.dz_mm);

@@ -44,14 +44,14 @@ FollowedDeposit::FollowedDeposit(Toolpath toolpath, const DepositionSettings& se
 
 void FollowedDeposit::observe(const Point3& tip) { layUpTo(follower_.observe(tip)); }
 
-void FollowedDeposit::layUpTo(const PathPlace& place) {
+void FollowedDeposit::layUpTo(const PathPosition& place) {
   const std::vector<const Path*>& paths = follower_.paths();
   while (std::tie(deposited_.path, deposited_.motion) < std::tie(place.path, place.motion)) {
     const Path& path = *paths[deposited_.path];
     layPart(path, 1.0);
     deposited_ = deposited_.motion + 1 < path.motionCount()
-                     ? PathPlace{deposited_.path, deposited_.motion + 1, 0.0}
-                     : PathPlace{deposited_.path + 1, 0, 0.0};
+                     ? PathPosition{deposited_.path, deposited_.motion + 1, 0.0}
+                     : PathPosition{deposited_.path + 1, 0, 0.0};
   }
   if (follower_.isAtEnd()) return;
   const Path& path = *paths[deposited_.path];

@@ -17,14 +17,14 @@ struct Stretch {
 };
 
 /// Paths without motions are left out on the way.
-PathPlace nextMotion(const std::vector<const Path*>& paths, const PathPlace& place) {
-  PathPlace next{place.path, place.motion + 1, 0.0};
+PathPosition nextMotion(const std::vector<const Path*>& paths, const PathPosition& place) {
+  PathPosition next{place.path, place.motion + 1, 0.0};
   while (next.path < paths.size() && next.motion >= paths[next.path]->motionCount())
     next = {next.path + 1, 0, 0.0};
   return next;
 }
 
-Stretch stretchFrom(const Path& path, const PathPlace& place) {
+Stretch stretchFrom(const Path& path, const PathPosition& place) {
   const Point3& start = path.points[place.motion];
   const Point3& end = path.points[path.motionEnd(place.motion)];
   const Point3 from = start + place.fraction * (end - start);
@@ -68,7 +68,7 @@ void PathFollower::begin(std::size_t path, double look_ahead_mm) {
   skipEmptyPaths();
 }
 
-PathPlace PathFollower::observe(const Point3& tip) {
+PathPosition PathFollower::observe(const Point3& tip) {
   if (isAtEnd() || !tip.allFinite()) return place_;
   const auto found = firstNear(place_, tip);
   if (found && isOnTheWay(*found, tip_, tip)) {
@@ -82,11 +82,12 @@ PathPlace PathFollower::observe(const Point3& tip) {
   return place_;
 }
 
-std::optional<PathFollower::Found> PathFollower::firstNear(const PathPlace& from, const Point3& tip) const {
+std::optional<PathFollower::Found> PathFollower::firstNear(const PathPosition& from,
+                                                           const Point3& tip) const {
   std::optional<Found> nearest;
   double least = settings_.tolerance_mm;
   double way_mm = 0.0;
-  for (PathPlace at = from; at.path < paths_.size() && way_mm <= look_ahead_mm_;
+  for (PathPosition at = from; at.path < paths_.size() && way_mm <= look_ahead_mm_;
        at = nextMotion(paths_, at)) {
     const Stretch stretch = stretchFrom(*paths_[at.path], at);
     // On its way to the start the nozzle may come by any travel.
@@ -125,7 +126,7 @@ bool PathFollower::goesOn(const Point3& tip) {
   return true;
 }
 
-void PathFollower::accept(const PathPlace& place, const Point3& tip) {
+void PathFollower::accept(const PathPosition& place, const Point3& tip) {
   is_found_ = true;
   place_ = endIfNear(place.fraction < 1.0 ? place : nextMotion(paths_, place));
   tip_ = tip;
@@ -134,9 +135,9 @@ void PathFollower::accept(const PathPlace& place, const Point3& tip) {
 }
 
 /// The end, if no more than the tolerance is left up to it.
-PathPlace PathFollower::endIfNear(const PathPlace& place) const {
+PathPosition PathFollower::endIfNear(const PathPosition& place) const {
   double left_mm = 0.0;
-  for (PathPlace at = place; at.path < paths_.size(); at = nextMotion(paths_, at)) {
+  for (PathPosition at = place; at.path < paths_.size(); at = nextMotion(paths_, at)) {
     left_mm += stretchFrom(*paths_[at.path], at).length_mm;
     if (left_mm > settings_.tolerance_mm) return place;
   }

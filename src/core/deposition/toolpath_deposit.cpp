@@ -143,7 +143,7 @@ void requireMemory(const Toolpath& toolpath, const DepositionSettings& settings)
 
 bool isDeposited(const Path& path, const DepositionSettings& settings) {
   if (path.role == PathRole::Travel) return false;
-  return kindOf(path.role) != RoleKind::BuildAid || settings.is_skirt_deposited;
+  return kindOf(path.role) != RoleKind::BuildAid || settings.are_build_aids_deposited;
 }
 
 ToolAxisMotion toolAxisMotion(const Path& path, std::size_t motion) {

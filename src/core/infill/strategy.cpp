@@ -102,7 +102,7 @@ Registry<InfillStrategy>& infillStrategies() {
 
 InfillStrategy infillStrategy(const std::string& name) { return infillStrategies().find(name); }
 
-bool laysDrops(const std::string& strategy) { return infillStrategy(strategy).deposit == Deposit::Drops; }
+bool depositsDrops(const std::string& strategy) { return infillStrategy(strategy).deposit == Deposit::Drops; }
 
 std::vector<std::string> infillStrategyNames() { return infillStrategies().names(); }
 

@@ -88,7 +88,7 @@ void coolPart(SlicedPart& sliced, const SliceJob& job, const BuildSpace& space, 
   CoolingSettings cooling = job.settings.cooling;
   FanSettings fan = job.settings.fan;
   const CarriedCooling carried = carriedBy(job);
-  if (laysDrops(job.settings.planning.infill.strategy)) {
+  if (depositsDrops(job.settings.planning.infill.strategy)) {
     if (cooling.least_layer_time_s > 0.0 || fan.is_used)
       sliced.summary.notes.push_back("cooling.* and fan.* have no effect with infill.strategy '" +
                                      job.settings.planning.infill.strategy + "'");

@@ -44,7 +44,7 @@ void noteFlowFactor(SlicedPart& sliced, double factor) {
 /// A drop is no bead whose flow could lag.
 void addAdvanceOf(SlicedPart& sliced, const JobSettings& settings) {
   const std::string& strategy = settings.planning.infill.strategy;
-  if (!laysDrops(strategy)) return addAdvance(sliced.toolpath, settings.flow);
+  if (!depositsDrops(strategy)) return addAdvance(sliced.toolpath, settings.flow);
   if (hasAdvance(settings.flow))
     sliced.summary.notes.push_back("flow.advance_s has no effect with infill.strategy '" + strategy + "'");
 }

@@ -173,7 +173,7 @@ void requireRunsFor(const JobSettings& settings) {
                             " mm; expected 0 mm: wipes stay along the ends that were planned");
   asked.push_back({"levels.values is set", !runs.levels.values.empty()});
   asked.push_back({"weave.kind is not 'none'", runs.weave.kind != WeaveKind::None});
-  if (laysDrops(strategy))
+  if (depositsDrops(strategy))
     for (const auto& [key_is, is_asked] : asked)
       if (is_asked)
         throw InvalidConfig(std::string(key_is) + " with infill.strategy '" + strategy +
@@ -302,10 +302,10 @@ void validate(const JobSettings& settings) {
   requireRunsFor(settings);
   thumbnailsFrom(settings.program.thumbnails);
   const std::string& strategy = settings.planning.infill.strategy;
-  if (settings.slicing.heights != LayerHeights::Equal && laysDrops(strategy))
+  if (settings.slicing.heights != LayerHeights::Equal && depositsDrops(strategy))
     throw InvalidConfig("slicing.heights is not 'equal' with infill.strategy '" + strategy +
                         "'; expected 'equal': all drops are as high");
-  if (settings.drop_voids.is_on && !laysDrops(strategy))
+  if (settings.drop_voids.is_on && !depositsDrops(strategy))
     throw InvalidConfig(
         "drop_voids.fill is true with infill.strategy '" + strategy +
         "', which lays beads; expected false: voids between beads are filled by voids.refill");

@@ -19,7 +19,7 @@ namespace lamina {
 namespace {
 
 /// The same layers, those outside of the stretch without paths.
-Toolpath alone(const Toolpath& toolpath, const LayerStretch& stretch) {
+Toolpath alone(const Toolpath& toolpath, const LayerRange& stretch) {
   Toolpath result;
   result.part_name = toolpath.part_name;
   result.part_from_layers = toolpath.part_from_layers;
@@ -31,7 +31,7 @@ Toolpath alone(const Toolpath& toolpath, const LayerStretch& stretch) {
 }
 
 /// The run with the layers and joints of a stretch put in behind what it has.
-KinematicModelRun joined(KinematicModelRun run, DividedJointPath led, const LayerStretch& stretch) {
+KinematicModelRun joined(KinematicModelRun run, DividedJointPath led, const LayerRange& stretch) {
   for (std::size_t l = stretch.first; l < stretch.end; ++l) {
     run.divided.toolpath.layers[l] = std::move(led.divided.toolpath.layers[l]);
     run.divided.original[l] = std::move(led.divided.original[l]);
@@ -63,7 +63,7 @@ KinematicModelRun runOn(const KinematicModel& model, const ToolpathExcerpt& exce
                         Progress& progress) {
   const SelfCollisionGuard guard(model, linkBodies(model.urdf()));
   KinematicModelRun run{undivided(excerpt.toolpath), bed_from_part, {}, {}};
-  for (const LayerStretch& stretch : excerpt.stretches)
+  for (const LayerRange& stretch : excerpt.stretches)
     run = joined(std::move(run),
                  planDividedJointPath(alone(excerpt.toolpath, stretch), bed_from_part, {model, guard},
                                       settings, progress),

@@ -314,7 +314,7 @@ void CellJournal::setProgress(std::int64_t execution, const ExecutionProgress& p
       .bind(static_cast<std::int64_t>(progress.taken_through))
       .bind(std::int64_t{progress.layer})
       .bind(progress.path_mm)
-      .bind(progress.laid_mm3)
+      .bind(progress.deposited_mm3)
       .bind(time_s)
       .run();
 }

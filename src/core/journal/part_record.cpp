@@ -85,7 +85,7 @@ Json executionJson(const ExecutionRow& execution) {
           {"reason", execution.reason},
           {"operator", execution.operator_name},
           {"lines_taken", execution.progress.taken_through},
-          {"material_mm3", execution.progress.laid_mm3}};
+          {"material_mm3", execution.progress.deposited_mm3}};
 }
 
 Json transitionsJson(const std::vector<TransitionRow>& rows) {

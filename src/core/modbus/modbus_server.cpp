@@ -198,7 +198,7 @@ class ModbusServer::Listener {
     const std::string address = socket.remote_endpoint(error).address().to_string(error);
     std::shared_ptr<Connection> silent;
     for (const auto& [number, connection] : connections_)
-      if (connection->address() == address && connection->silentFor() > settings_.give_way_s &&
+      if (connection->address() == address && connection->silentFor() > settings_.replaceable_after_s &&
           (!silent || connection->silentFor() > silent->silentFor()))
         silent = connection;
     if (silent) silent->end("");

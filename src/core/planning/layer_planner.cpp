@@ -91,7 +91,7 @@ class LayerPlanner {
     setMaterial(material);
     if (aids_ != nullptr)
       for (const AidRuns& aids : *aids_) addAids(aids);
-    if (laysDrops()) requireFewDrops(material, settings_.fill.drops);
+    if (depositsDrops()) requireFewDrops(material, settings_.fill.drops);
     std::vector<Polygon> islands;
     for (const Region& island : material) islands.push_back(seam_.placed(island.outer));
     for (const OrderedRun& next : orderRuns(endsOf(islands), nozzle_)) {
@@ -114,9 +114,9 @@ class LayerPlanner {
   }
 
  private:
-  bool laysDrops() const { return context_.strategy.deposit == Deposit::Drops; }
+  bool depositsDrops() const { return context_.strategy.deposit == Deposit::Drops; }
   /// A vase is hollow.
-  bool isFilledByBeads() const { return !laysDrops() && context_.strategy.link != LayerLink::Rising; }
+  bool isFilledByBeads() const { return !depositsDrops() && context_.strategy.link != LayerLink::Rising; }
 
   /// A sparse fill runs into the walls rather than ending at them.
   WallContact contact() const {
@@ -155,7 +155,7 @@ class LayerPlanner {
 
   /// @return area [mm²] that gets no bead
   double addIsland(const Region& island) {
-    if (laysDrops()) {
+    if (depositsDrops()) {
       addInfill({island});
       return 0.0;
     }

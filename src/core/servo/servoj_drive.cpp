@@ -42,7 +42,7 @@ ServojDrive::ServojDrive(std::vector<DrivenJoint> joints, const ServojDriveSetti
   ServojDriveSettings checked = settings;
   describe(schema, checked);
   schema.validate();
-  thread_ = std::make_unique<CycleThread>(1.0 / link_.cycle(), [this](double due_s) { cycle(due_s); });
+  thread_ = std::make_unique<PeriodicThread>(1.0 / link_.cycle(), [this](double due_s) { cycle(due_s); });
 }
 
 ServojDrive::~ServojDrive() {

@@ -187,8 +187,8 @@ Constraint constraintFrom(const std::string& name, const StrictYaml& yaml) {
   return constraint;
 }
 
-DecisionWishes decisionFrom(const StrictYaml& yaml) {
-  DecisionWishes wishes;
+DecisionSettings decisionFrom(const StrictYaml& yaml) {
+  DecisionSettings wishes;
   for (const auto& [key, value] : yaml.entries({"method", "weights"})) {
     if (key == "method") wishes.method = value.text();
     if (wishes.method != "linmap" && wishes.method != "topsis")

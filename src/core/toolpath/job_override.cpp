@@ -6,19 +6,19 @@
 
 namespace lamina {
 
-const char* nameOf(JobOverride kind) {
+const char* nameOf(OverrideKind kind) {
   switch (kind) {
-    case JobOverride::Feed:
+    case OverrideKind::Feed:
       return "feed";
-    case JobOverride::Flow:
+    case OverrideKind::Flow:
       return "flow";
-    case JobOverride::Power:
+    case OverrideKind::Power:
       return "power";
   }
   return "";
 }
 
-std::string overrideRefusal(JobOverride kind, double share, const OverrideBounds& bounds) {
+std::string overrideRefusal(OverrideKind kind, double share, const OverrideBounds& bounds) {
   if (share >= bounds.least && share <= bounds.most) return "";
   std::ostringstream text;
   text << nameOf(kind) << " is " << share << "; must be from " << bounds.least << " to " << bounds.most

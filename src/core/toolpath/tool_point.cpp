@@ -4,7 +4,7 @@
 
 namespace lamina {
 
-Toolpath ledByPoint(Toolpath toolpath, const Point3& point_mm) {
+Toolpath withToolPoint(Toolpath toolpath, const Point3& point_mm) {
   for (ToolpathLayer& layer : toolpath.layers)
     for (Path& path : layer.paths)
       for (std::size_t i = 0; i < path.points.size(); ++i)

@@ -222,10 +222,10 @@ JointValues Jog::ratesFor(const JogOrder& order, const JointValues& position, Jo
 
 /// Damped least squares: what the nozzle is to do in m and rad, linear joints in m.
 JointValues Jog::nozzleRates(const JogOrder& order, const JointValues& position, JogAnswer& answer) const {
-  if (!order.linear_mm_s.allFinite() || !order.turn_rad_s.allFinite())
+  if (!order.linear_mm_s.allFinite() || !order.angular_velocity_rad_s.allFinite())
     throw InvalidInput("a jog of the nozzle is not finite; expected a velocity and a turn");
   Eigen::Matrix<double, 6, 1> asked;
-  asked << order.linear_mm_s / kMillimetres, order.turn_rad_s;
+  asked << order.linear_mm_s / kMillimetres, order.angular_velocity_rad_s;
   Eigen::MatrixXd jacobian = model_.jacobian(position);
   jacobian.topRows<3>() /= kMillimetres;
   for (Eigen::Index j = 0; j < jacobian.cols(); ++j)
@@ -246,7 +246,7 @@ JointValues Jog::nozzleRates(const JogOrder& order, const JointValues& position,
   for (Eigen::Index j = 0; j < rates.size(); ++j)
     if (model_.joints()[static_cast<std::size_t>(j)].kind == JointKind::Linear) rates[j] *= kMillimetres;
   const double speed = order.linear_mm_s.norm();
-  const double turn = order.turn_rad_s.norm();
+  const double turn = order.angular_velocity_rad_s.norm();
   if (speed > settings_.tip_mm_s)
     scaleTo(settings_.tip_mm_s / speed, "the tip goes at jog.tip_mm_s", rates, answer);
   const double most_turn = toRadians(settings_.turn_deg_s);

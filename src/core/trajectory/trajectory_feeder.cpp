@@ -226,11 +226,11 @@ class TrajectoryFeeder::State {
     reschedule();
   }
 
-  void setShare(JobOverride kind, double share, double now_s) {
+  void setShare(OverrideKind kind, double share, double now_s) {
     const std::string refusal = shareRefusal(kind, share);
     if (!refusal.empty()) throw InvalidInput(refusal);
     const double from_s = reactionTo(now_s);
-    (kind == JobOverride::Power ? power_ : flow_).lead(share, from_s, settings_.override_ramp_s);
+    (kind == OverrideKind::Power ? power_ : flow_).lead(share, from_s, settings_.override_ramp_s);
     if (state_ != TrajectoryFeederState::Aborted) sent_ = std::min(sent_, stepBefore(from_s));
   }
 
@@ -276,9 +276,9 @@ class TrajectoryFeeder::State {
 
   SharedSpeeds sharedSpeeds() const { return {*speeds_, std::min(speed_share_, 1.0)}; }
 
-  std::string shareRefusal(JobOverride kind, double share) const {
-    if (kind == JobOverride::Feed) return "a feed is no share of the process; expected flow or power";
-    if (kind == JobOverride::Power && !statesPower())
+  std::string shareRefusal(OverrideKind kind, double share) const {
+    if (kind == OverrideKind::Feed) return "a feed is no share of the process; expected flow or power";
+    if (kind == OverrideKind::Power && !statesPower())
       return "the toolpath states no laser power; expected the process value laser_power_w in its paths";
     return overrideRefusal(kind, share, boundsOf(kind));
   }
@@ -391,7 +391,7 @@ class TrajectoryFeeder::State {
 };
 
 std::string speedRefusal(double share, const TrajectoryFeederSettings& settings) {
-  const std::string refusal = overrideRefusal(JobOverride::Feed, share, {kLeastSpeed, settings.feed_most});
+  const std::string refusal = overrideRefusal(OverrideKind::Feed, share, {kLeastSpeed, settings.feed_most});
   const bool is_too_fast = share > settings.feed_most;
   return refusal + (is_too_fast ? "; feeder.feed_most allows more, up to 3" : "");
 }
@@ -414,7 +414,7 @@ void TrajectoryFeeder::setSpeed(const SpeedChange& change, double now_s) { state
 void TrajectoryFeeder::setSpeed(double share, double now_s) {
   state_->setSpeed(state_->speedChange(share), now_s);
 }
-void TrajectoryFeeder::setShare(JobOverride kind, double share, double now_s) {
+void TrajectoryFeeder::setShare(OverrideKind kind, double share, double now_s) {
   state_->setShare(kind, share, now_s);
 }
 void TrajectoryFeeder::resume(double now_s) { state_->resume(now_s); }

@@ -17,7 +17,7 @@ void describe(SettingsSchema& schema, TrajectoryFeederSettings& settings) {
                 "How much motion the controller has waiting at least.");
   schema.number("feeder.reaction_s", settings.reaction_s, {0.0, 10.0},
                 "From a pause or abort to the first point that differs for it.");
-  schema.number("feeder.feed_most", settings.feed_most, {1.0, boundsOf(JobOverride::Feed).most},
+  schema.number("feeder.feed_most", settings.feed_most, {1.0, boundsOf(OverrideKind::Feed).most},
                 "Greatest share of the planned speeds that a change of the feed may ask for.");
   schema.number("feeder.override_ramp_s", settings.override_ramp_s, {0.0, 60.0},
                 "Time in which a change of flow or power by all that is planned takes effect.");

@@ -145,7 +145,7 @@ class Connection {
   /// @param isTooFarBehind  asked with the bytes left each time that none were taken for a moment
   template <class Check>
   bool send(std::string_view bytes, const Check& isTooFarBehind) {
-    const WebPatience& patience = place_.settings.patience;
+    const WebTimeouts& patience = place_.settings.patience;
     const double begun_s = clock_.now();
     const double until_s =
         begun_s + patience.write_s + static_cast<double>(bytes.size()) / patience.least_bytes_per_s;
@@ -183,7 +183,7 @@ class Connection {
 
   /// @return whether another request may follow
   bool serveRequest() {
-    const WebPatience& patience = place_.settings.patience;
+    const WebTimeouts& patience = place_.settings.patience;
     place_.table.use(number_, ConnectionUse::Waiting);
     if (buffer_.size() == 0 && !socket_.waitForBytes(patience.idle_s)) return false;
     Parser parser;
@@ -343,7 +343,7 @@ class Connection {
   /// @return false if the client is gone, or more than a MiB behind
   bool sendState(const OperatorSite::Live& live, WebRole role) {
     const std::string frame = webSocketFrame(WebSocketOpcode::Text, *live.text);
-    const std::size_t most = place_.settings.most_behind;
+    const std::size_t most = place_.settings.most_unsent_bytes;
     if (socket_.unsent() > most) return false;
     return send(frame, [&](std::size_t left) {
       const std::uint64_t missed = place_.site.live(role).number - live.number;

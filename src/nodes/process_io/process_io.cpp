@@ -173,7 +173,8 @@ ProcessIo::ProcessIo(ros::NodeHandle node, const ProcessIoSettings& settings)
                                       [this](const ros::WallTimerEvent&) { publishReady(); });
   updater_.setHardwareID("process_io");
   updater_.add("outputs", [this](auto& diagnostics) { diagnose(diagnostics); });
-  cycle_ = std::make_unique<CycleThread>(settings.bridge.rate_hz, [this](double due_s) { onCycle(due_s); });
+  cycle_ =
+      std::make_unique<PeriodicThread>(settings.bridge.rate_hz, [this](double due_s) { onCycle(due_s); });
   ROS_INFO_STREAM("process outputs run " << cycle_->rights());
 }
 
@@ -218,7 +219,7 @@ void ProcessIo::onTrajectory(const lamina_msgs::ProcessTrajectory& message) {
 
 void ProcessIo::onPositions(const sensor_msgs::JointState& message) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  bridge_.hearPositions(message.position, clock_.now());
+  bridge_.updatePositions(message.position, clock_.now());
 }
 
 void ProcessIo::onCycle(double due_s) {

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "lamina/base/clock.hpp"
-#include "lamina/base/threads/cycle_thread.hpp"
+#include "lamina/base/threads/periodic_thread.hpp"
 #include "lamina/process_io/devices/device_link.hpp"
 #include "lamina/process_io/process_bridge.hpp"
 #include "messages.hpp"
@@ -66,7 +66,7 @@ class ProcessIo {
   ros::WallTimer ready_timer_;
   diagnostic_updater::Updater updater_;
   // Last, so that no cycle runs while the rest is destroyed.
-  std::unique_ptr<CycleThread> cycle_;
+  std::unique_ptr<PeriodicThread> cycle_;
 };
 
 }  // namespace lamina

@@ -29,7 +29,7 @@ JointValues turnedNear(JointValues values, const JointValues& near, const std::v
 /// Why a map of the toolpath cannot be applied to a trajectory, as the rest of a sentence; empty if it can.
 std::string defectOfSpeeds(const CorrectionMap& map) {
   for (const PathCorrection& path : map.paths)
-    for (const PlaceCorrection& place : path.stations)
+    for (const PointCorrection& place : path.stations)
       if (place.speed != 0.0)
         return "of layer " + std::to_string(map.layer) + " changes the speed by " + numberText(place.speed) +
                "; expected 0, as the motion is timed before it is handed over";
@@ -139,7 +139,7 @@ double ChunkCorrection::alongAt(const JointState& state) const {
 ChunkCorrection::Asked ChunkCorrection::askedAt(const JointState& state) const {
   const PathCorrection* const correction = find(state.heading_for);
   if (correction == nullptr) return {};
-  const PlaceCorrection here = correctionAt(*correction, alongAt(state));
+  const PointCorrection here = correctionAt(*correction, alongAt(state));
   return {here.amount, here.dz_mm};
 }
 

@@ -20,7 +20,7 @@ constexpr double kPatience = 5.0;   // s that a controller may need to stop by i
 /// With nothing of the process on, more than the planned speed harms no bead.
 TrajectoryFeederSettings feedingOf(const DriveMotion& motion, const DriverSettings& settings) {
   TrajectoryFeederSettings feeding = settings.feeder;
-  if (motion.process == ProcessUse::Off) feeding.feed_most = boundsOf(JobOverride::Feed).most;
+  if (motion.process == ProcessUse::Off) feeding.feed_most = boundsOf(OverrideKind::Feed).most;
   return feeding;
 }
 
@@ -280,8 +280,8 @@ bool DriveSession::isChangeable() const {
           state == PackmlState::Unholding);
 }
 
-bool DriveSession::setShare(JobOverride kind, double share) {
-  if (kind == JobOverride::Feed) return setSpeed(share);
+bool DriveSession::setShare(OverrideKind kind, double share) {
+  if (kind == OverrideKind::Feed) return setSpeed(share);
   if (motion_.running == PackmlState::Starting) return true;  // the process is off
   if (isDry()) throw InvalidInput(std::string("a dry run has no ") + nameOf(kind) + "; expected feed");
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -289,7 +289,7 @@ bool DriveSession::setShare(JobOverride kind, double share) {
   const ros::Time now = ros::Time::now();
   begin(now);
   feeder_.setShare(kind, share, jobTime(now));
-  (kind == JobOverride::Flow ? status_.flow_share : status_.power_share) = share;
+  (kind == OverrideKind::Flow ? status_.flow_share : status_.power_share) = share;
   feed(now);
   return true;
 }

@@ -100,7 +100,7 @@ class DriveSession {
   /// @return false if a later order of the feed has taken its place
   /// @throws InvalidInput as `TrajectoryFeeder::speedChange` and `setShare`; or in a dry run, if it is no
   /// feed
-  bool setShare(JobOverride kind, double share);
+  bool setShare(OverrideKind kind, double share);
   /// Whether a job is in Execute or held, or goes from one to the other.
   bool isChangeable() const;
   bool isDry() const { return motion_.process == ProcessUse::Off; }

@@ -41,18 +41,18 @@ DryOrder dryOrderOf(const lamina_msgs::DriveToolpathGoal& goal) {
                        ", of a job with its process; expected 0, or a dry run (change_job changes the feed)");
   const double speed = goal.speed == 0.0 ? 1.0 : goal.speed;
   const std::string refusal =
-      overrideRefusal(JobOverride::Feed, speed, {kLeastDrySpeed, boundsOf(JobOverride::Feed).most});
+      overrideRefusal(OverrideKind::Feed, speed, {kLeastDrySpeed, boundsOf(OverrideKind::Feed).most});
   if (!refusal.empty()) throw InvalidInput("speed of a dry run: " + refusal);
   return {place, speed};
 }
 
 Toolpath drivenAs(const DryOrder& order, Toolpath toolpath, const DrySettings& settings) {
-  if (order.place == DryPlace::Lift) return ledByPoint(std::move(toolpath), {0.0, 0.0, settings.lift_mm});
+  if (order.place == DryPlace::Lift) return withToolPoint(std::move(toolpath), {0.0, 0.0, settings.lift_mm});
   if (order.place != DryPlace::Point) return toolpath;
   if (settings.pointer_mm.empty())
     throw InvalidInput("dry.pointer_mm is not set; expected the pointer's tip in the nozzle's frame");
-  return ledByPoint(std::move(toolpath),
-                    {settings.pointer_mm[0], settings.pointer_mm[1], settings.pointer_mm[2]});
+  return withToolPoint(std::move(toolpath),
+                       {settings.pointer_mm[0], settings.pointer_mm[1], settings.pointer_mm[2]});
 }
 
 }  // namespace lamina

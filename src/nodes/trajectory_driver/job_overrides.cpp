@@ -15,8 +15,8 @@ namespace lamina {
 namespace {
 
 /// @throws InvalidInput if a robot's job has no such setting
-JobOverride overrideOf(const std::string& setting) {
-  for (const JobOverride kind : {JobOverride::Feed, JobOverride::Flow, JobOverride::Power})
+OverrideKind overrideOf(const std::string& setting) {
+  for (const OverrideKind kind : {OverrideKind::Feed, OverrideKind::Flow, OverrideKind::Power})
     if (setting == nameOf(kind)) return kind;
   throw InvalidInput("'" + setting +
                      "' cannot be changed while a toolpath is driven; expected feed, flow or power");
@@ -63,13 +63,13 @@ bool JobOverrides::onChange(Change& event) {
 }
 
 void JobOverrides::change(const std::string& setting, double share) {
-  const JobOverride kind = overrideOf(setting);
+  const OverrideKind kind = overrideOf(setting);
   const auto job = session_();
   const TrajectoryFeederSettings& feeding = job ? job->feeding() : settings_;
   OverrideBounds bounds = boundsOf(kind);
-  if (kind == JobOverride::Feed) bounds.most = feeding.feed_most;
+  if (kind == OverrideKind::Feed) bounds.most = feeding.feed_most;
   std::string refusal = overrideRefusal(kind, share, bounds);
-  if (kind == JobOverride::Feed && share > bounds.most) refusal = speedRefusal(share, feeding);
+  if (kind == OverrideKind::Feed && share > bounds.most) refusal = speedRefusal(share, feeding);
   if (!refusal.empty()) throw InvalidInput(refusal);
   if (!job || !job->isChangeable()) throw Rejected(kNoJobToChange);
   const bool stands = job->setShare(kind, share);
@@ -85,11 +85,11 @@ void JobOverrides::onSpeedFactor(const ros::MessageEvent<const std_msgs::Float64
     ROS_WARN("a speed factor is not used: %s", refusal.c_str());
     return;
   }
-  const bool stands = !job || job->setShare(JobOverride::Feed, share);
-  if (stands && (!job || !job->isDry())) keep(JobOverride::Feed, share);
+  const bool stands = !job || job->setShare(OverrideKind::Feed, share);
+  if (stands && (!job || !job->isDry())) keep(OverrideKind::Feed, share);
 }
 
-void JobOverrides::keep(JobOverride kind, double share) {
+void JobOverrides::keep(OverrideKind kind, double share) {
   const std::lock_guard<std::mutex> lock(mutex_);
   shares_.erase(kind);
   if (share != 1.0) shares_[kind] = share;

@@ -34,13 +34,13 @@ class JobOverrides {
   bool onChange(Change& event);
   void change(const std::string& setting, double share);
   void onSpeedFactor(const ros::MessageEvent<const std_msgs::Float64>& event);
-  void keep(JobOverride kind, double share);
+  void keep(OverrideKind kind, double share);
 
   TrajectoryFeederSettings settings_;
   ExecutorOwner owner_;
   std::function<std::shared_ptr<DriveSession>()> session_;
   mutable std::mutex mutex_;
-  std::map<JobOverride, double> shares_;  ///< that are not as planned
+  std::map<OverrideKind, double> shares_;  ///< that are not as planned
   ros::Subscriber speed_;
   ros::ServiceServer service_;
 };

@@ -179,7 +179,7 @@ JogOrder JogDriver::orderOf(const geometry_msgs::TwistStamped& message, const Jo
   order.kind = JogOrder::Kind::Nozzle;
   order.linear_mm_s = bed_from_frame * Eigen::Vector3d(toMillimetres(linear.x), toMillimetres(linear.y),
                                                        toMillimetres(linear.z));
-  order.turn_rad_s = bed_from_frame * Eigen::Vector3d(angular.x, angular.y, angular.z);
+  order.angular_velocity_rad_s = bed_from_frame * Eigen::Vector3d(angular.x, angular.y, angular.z);
   return order;
 }
 

@@ -321,7 +321,7 @@ TrajectoryDriver::Driven TrajectoryDriver::run(const DriveMotion& motion) {
   }
   if (motion.correction) correctByLastMap(*session, motion.toolpath_id);
   if (isDry())
-    session->setShare(JobOverride::Feed, dry_.speed);
+    session->setShare(OverrideKind::Feed, dry_.speed);
   else
     overrides_.applyTo(*session);
   // Before what makes all safe, which then does not wait for the end of a plan's computation.

@@ -55,7 +55,7 @@ CorrectionMap mapOf(const Toolpath& part, std::size_t layer, Amount placeAt) {
   const LayerCells cells = layerCells(part.layers[layer], layer, 0.5);
   CellCorrections corrections;
   for (const double s : cells.along_mm) {
-    const PlaceCorrection place = placeAt(s);
+    const PointCorrection place = placeAt(s);
     corrections.amount.push_back(place.amount);
     corrections.speed.push_back(place.speed);
     corrections.dz_mm.push_back(place.dz_mm);
@@ -63,7 +63,7 @@ CorrectionMap mapOf(const Toolpath& part, std::size_t layer, Amount placeAt) {
   return correctionMap(cells, corrections, toolpathId(part), 1);
 }
 
-CorrectionMap evenMap(const Toolpath& part, std::size_t layer, const PlaceCorrection& place) {
+CorrectionMap evenMap(const Toolpath& part, std::size_t layer, const PointCorrection& place) {
   return mapOf(part, layer, [&](double) { return place; });
 }
 
@@ -158,7 +158,7 @@ TEST(CorrectedProgram, PushesWhatTheMapAsksFor) {
 /// A ramp from -0.2 to 0.2 along each bead changes no sum; beyond half a station from its ends it is flat.
 TEST(CorrectedProgram, SplitsLinesWhereTheAmountChanges) {
   const Toolpath part = beadPart();
-  const auto ramp = [](double s) { return PlaceCorrection{0.2 * (s / 20.0 - 1.0), 0.0, 0.0}; };
+  const auto ramp = [](double s) { return PointCorrection{0.2 * (s / 20.0 - 1.0), 0.0, 0.0}; };
   const std::string program = programOf(part);
   const CorrectedProgram corrected = correctedProgram(program, part, {mapOf(part, 0, ramp)}, {});
   const Played before = played(program);
@@ -171,7 +171,7 @@ TEST(CorrectedProgram, SplitsLinesWhereTheAmountChanges) {
 
 TEST(CorrectedProgram, KeepsTheSumOfManyPieces) {
   const Toolpath part = ringPart();
-  const auto wave = [](double s) { return PlaceCorrection{0.3 * std::sin(s / 20.0), 0.0, 0.0}; };
+  const auto wave = [](double s) { return PointCorrection{0.3 * std::sin(s / 20.0), 0.0, 0.0}; };
   for (const double arcs : {0.0, 0.01}) {
     for (const bool is_absolute : {false, true}) {
       const std::string program =
@@ -286,7 +286,7 @@ TEST(CorrectedProgram, RefusesAChecksum) {
 TEST(CorrectedProgram, TakesMapsUntilTheirLayersBegin) {
   const Toolpath part = beadPart();
   const std::string program = programOf(part);
-  const CorrectionMap second = mapOf(part, 1, [](double) { return PlaceCorrection{0.1, 0.0, 0.0}; });
+  const CorrectionMap second = mapOf(part, 1, [](double) { return PointCorrection{0.1, 0.0, 0.0}; });
   const std::string expected = correctedProgram(program, part, {second}, {}).text;
   const std::size_t layer = program.find(";LAYER:1");
   ASSERT_NE(layer, std::string::npos);

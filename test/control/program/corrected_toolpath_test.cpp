@@ -15,7 +15,7 @@ namespace lamina {
 namespace {
 
 /// A map of the first bead of a layer of `stackedBeads`, 40 mm long.
-CorrectionMap firstBeadMap(const Toolpath& part, std::size_t layer, std::vector<PlaceCorrection> stations) {
+CorrectionMap firstBeadMap(const Toolpath& part, std::size_t layer, std::vector<PointCorrection> stations) {
   const double spacing_mm = 40.0 / static_cast<double>(stations.size());
   return {toolpathId(part), layer, 1, {{layer == 0 ? 0U : 1U, spacing_mm, std::move(stations)}}};
 }
@@ -29,22 +29,22 @@ double timeOf(const Path& path) {
   return time_s;
 }
 
-std::vector<PlaceCorrection> waveOf(double amount, double dz_mm) {
-  std::vector<PlaceCorrection> stations;
+std::vector<PointCorrection> waveOf(double amount, double dz_mm) {
+  std::vector<PointCorrection> stations;
   for (int i = 0; i < 80; ++i)
     stations.push_back({amount * std::sin(0.3 * i), 0.0, dz_mm * std::sin(0.2 * i)});
   return stations;
 }
 
-double meanOfStations(const std::vector<PlaceCorrection>& stations) {
+double meanOfStations(const std::vector<PointCorrection>& stations) {
   double sum = 0.0;
-  for (const PlaceCorrection& place : stations) sum += place.amount;
+  for (const PointCorrection& place : stations) sum += place.amount;
   return sum / static_cast<double>(stations.size());
 }
 
 TEST(CorrectedToolpath, GivesEachMillimetreTheTimeOfItsAmount) {
   const Toolpath part = test::stackedBeads(3);
-  const std::vector<PlaceCorrection> wave = waveOf(0.3, 0.0);
+  const std::vector<PointCorrection> wave = waveOf(0.3, 0.0);
   const Toolpath corrected = correctedToolpath(part, {firstBeadMap(part, 1, wave)}, 0.02);
   // 40 mm at 10 mm/s take 4 s; amounts are linear between the middles of equal pieces.
   EXPECT_NEAR(timeOf(corrected.layers[1].paths[1]), 4.0 * (1.0 + meanOfStations(wave)), 1e-9);

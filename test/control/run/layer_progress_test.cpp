@@ -20,7 +20,7 @@ TEST(LayerProgress, GoesFromBeadToScanToTheNextLayer) {
     for (int i = 0; i <= 100; ++i) progress.observe(from + (to - from) * (i / 100.0));
     return progress.place();
   };
-  PrintPlace place = go({0, 0, 1.5}, {30, 0, 1.5});
+  PrintPosition place = go({0, 0, 1.5}, {30, 0, 1.5});
   EXPECT_EQ(place.layer, 0U);
   EXPECT_EQ(place.path, 0U);
   EXPECT_NEAR(place.along_mm, 30.0, 1e-9);

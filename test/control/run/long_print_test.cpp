@@ -89,7 +89,7 @@ std::string wrongIn(const CorrectionMap& map, const SensedWallCase& wall) {
   const double steepest = loop.feeder_rate_s / wall.speed_mm_s;
   for (const PathCorrection& path : map.paths) {
     double last = path.stations.front().amount;
-    for (const PlaceCorrection& place : path.stations) {
+    for (const PointCorrection& place : path.stations) {
       if (!std::isfinite(place.amount) || !std::isfinite(place.dz_mm)) return "a value that is no number";
       if (place.amount < loop.least_amount || place.amount > loop.greatest_amount)
         return "an amount of " + std::to_string(place.amount);

@@ -42,7 +42,7 @@ bool raises(const std::vector<RaisedAlarm>& alarms, LoopAlarm alarm) {
 double meanAmount(const CorrectionMap& map) {
   if (map.paths.empty()) return 0.0;
   double sum = 0.0;
-  for (const PlaceCorrection& place : map.paths[0].stations) sum += place.amount;
+  for (const PointCorrection& place : map.paths[0].stations) sum += place.amount;
   return sum / static_cast<double>(map.paths[0].stations.size());
 }
 

@@ -94,7 +94,7 @@ std::string handedOver(const SettingTexts& set) {
   std::string text;
   for (double now_s = 0.0; now_s < 1.0; now_s += 0.125) {
     if (now_s == 0.25) feeder.setSpeed(settings.feed_most, now_s);
-    if (now_s == 0.25) feeder.setShare(JobOverride::Flow, 0.5, now_s);
+    if (now_s == 0.25) feeder.setShare(OverrideKind::Flow, 0.5, now_s);
     if (now_s == 0.5) feeder.abort(now_s);
     while (const auto chunk = feeder.next(now_s))
       text += numbersText({now_s, double(chunk->points.size()), chunk->points.front().time_s,
@@ -128,7 +128,7 @@ std::string followed(const SettingTexts& set) {
   PathFollower follower(toolpath, settingsWith<FollowingSettings>(set));
   std::string text;
   const auto observe = [&](const Point3& tip) {
-    const PathPlace place = follower.observe(tip);
+    const PathPosition place = follower.observe(tip);
     text += numbersText({double(place.path), double(place.motion), place.fraction});
   };
   for (double x = 0.5; x < 5.0; x += 0.5) observe({x, 0.3, 0.2});

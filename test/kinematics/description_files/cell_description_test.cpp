@@ -115,7 +115,7 @@ TEST_F(CellFolder, BedIsSeenAndMaterialsOfOneNameDoNotMeet) {
                      "\"/></material>" + seen);
     write(name, text);
   }
-  const std::vector<SeenBody> seen = seenBodies(
+  const std::vector<DisplayBody> seen = displayBodies(
       cell(std::string(kPlain) + "  positioner: {urdf: table.urdf, flange: plate, xyz_mm: [900, 0, 0]}\n"));
   ASSERT_EQ(seen.size(), 3U);
   EXPECT_EQ(seen[0].link, "base_link");

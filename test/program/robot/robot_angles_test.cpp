@@ -25,11 +25,11 @@ void expectAngles(const Eigen::Quaterniond& turn, double x_deg, double y_deg, do
 
 // Axes of the turned frame, worked out by hand: Rz(90) carries x to y and y to -x.
 TEST(RobotAngles, TurnAboutFixedAxesXThenYThenZ) {
-  const Eigen::Matrix3d about_z = turnOfAngles(RobotAngles{0.0, 0.0, 90.0}).toRotationMatrix();
+  const Eigen::Matrix3d about_z = rotationOfAngles(RobotAngles{0.0, 0.0, 90.0}).toRotationMatrix();
   EXPECT_TRUE(about_z.col(0).isApprox(Point3(0, 1, 0), 1e-12));
   EXPECT_TRUE(about_z.col(1).isApprox(Point3(-1, 0, 0), 1e-12));
   // First by 90 deg about x: y to z, z to -y. Then about the fixed z: -y to x. The tool axis is along x.
-  const Eigen::Matrix3d both = turnOfAngles(RobotAngles{90.0, 0.0, 90.0}).toRotationMatrix();
+  const Eigen::Matrix3d both = rotationOfAngles(RobotAngles{90.0, 0.0, 90.0}).toRotationMatrix();
   EXPECT_TRUE(both.col(0).isApprox(Point3(0, 1, 0), 1e-12));
   EXPECT_TRUE(both.col(1).isApprox(Point3(0, 0, 1), 1e-12));
   EXPECT_TRUE(both.col(2).isApprox(Point3(1, 0, 0), 1e-12));
@@ -62,14 +62,14 @@ TEST(RobotAngles, KeepXWhereXAndZTurnAboutOneAxis) {
   const RobotAngles kept = robotAngles(up, 35.0);
   EXPECT_EQ(kept.x_deg, 35.0);
   EXPECT_NEAR(kept.z_deg, 35.0, 1e-9);
-  EXPECT_LT(turnOfAngles(kept).angularDistance(up), 1e-9);
+  EXPECT_LT(rotationOfAngles(kept).angularDistance(up), 1e-9);
   // At -90 deg it depends on z + x.
   const Eigen::Quaterniond down(kQuarter, 0, -kQuarter, 0);
   const RobotAngles below = robotAngles(down, 35.0);
   EXPECT_EQ(below.y_deg, -90.0);
   EXPECT_EQ(below.x_deg, 35.0);
   EXPECT_NEAR(below.z_deg, -35.0, 1e-9);
-  EXPECT_LT(turnOfAngles(below).angularDistance(down), 1e-9);
+  EXPECT_LT(rotationOfAngles(below).angularDistance(down), 1e-9);
 }
 
 TEST(RobotAngles, GiveTheTurnBackAsRoundedAndAlsoCloseToWhereTheyAreNotUnique) {
@@ -79,12 +79,12 @@ TEST(RobotAngles, GiveTheTurnBackAsRoundedAndAlsoCloseToWhereTheyAreNotUnique) {
                        random.uniform(-180.0, 180.0)};
     if (random.below(2) == 0)
       angles.y_deg = (random.below(2) == 0 ? 90.0 : -90.0) + random.uniform(-1e-4, 1e-4);
-    const Eigen::Quaterniond turn = turnOfAngles(angles);
+    const Eigen::Quaterniond turn = rotationOfAngles(angles);
     RobotAngles found = robotAngles(turn, random.uniform(-180.0, 180.0));
     RC_ASSERT(found.y_deg >= -90.0 && found.y_deg <= 90.0);
     for (double* angle : {&found.x_deg, &found.y_deg, &found.z_deg}) *angle = std::round(*angle * 1e4) * 1e-4;
     // Half of the last decimal about each of three axes.
-    RC_ASSERT(turnOfAngles(found).angularDistance(turn) * 180.0 / M_PI <= 2e-4);
+    RC_ASSERT(rotationOfAngles(found).angularDistance(turn) * 180.0 / M_PI <= 2e-4);
   }));
 }
 
@@ -101,11 +101,11 @@ TEST(RobotAngles, RotationVectorsAreAxesOfTheLengthOfTheirAngle) {
   EXPECT_TRUE(rotationVector(in_base).isApprox(Point3(1.277558, 0.522089, -1.754865), 2e-6));
   EXPECT_TRUE(rc::check([](std::uint64_t seed) {
     Random random(seed);
-    const Eigen::Quaterniond turn = turnOfAngles(RobotAngles{
+    const Eigen::Quaterniond turn = rotationOfAngles(RobotAngles{
         random.uniform(-180.0, 180.0), random.uniform(-90.0, 90.0), random.uniform(-180.0, 180.0)});
     const Eigen::Vector3d vector = rotationVector(turn);
     RC_ASSERT(vector.norm() <= M_PI + 1e-12);
-    RC_ASSERT(turnOfVector(vector).angularDistance(turn) < 1e-9);
+    RC_ASSERT(rotationOfVector(vector).angularDistance(turn) < 1e-9);
   }));
 }
 

@@ -81,7 +81,7 @@ TEST(RobotProgram, IsTheListingOfEachLanguage) {
 TEST(RobotProgram, KrlStatesJointsAndPosesOfAPublicRobot) {
   const ControllerJoints joints{{10, -20, 30, -40, 50, -60}, {}};
   const TipMove move =
-      poseAt({1625.297, -207.584, 647.816}, turnOfAngles(RobotAngles{137.981, -21.855, 100.385}), 8.0);
+      poseAt({1625.297, -207.584, 647.816}, rotationOfAngles(RobotAngles{137.981, -21.855, 100.385}), 8.0);
   const std::string text =
       printed(RobotLanguage::Krl, {JointMove{joints}, LevelChange{1, 0.3, true}, move, ProgramWait{1.5}});
   EXPECT_TRUE(holds(text,
@@ -108,7 +108,7 @@ TEST(RobotProgram, KrlPutsPointsIntoItsDataFileIfAsked) {
 
 TEST(RobotProgram, UrScriptStatesAPublicRobotsPoseInMetresAndRotationVector) {
   // Over base, which is turned by 180 deg about z from base_link.
-  const Eigen::Quaterniond turn = turnOfVector(Eigen::Vector3d(1.277558, 0.522089, -1.754865));
+  const Eigen::Quaterniond turn = rotationOfVector(Eigen::Vector3d(1.277558, 0.522089, -1.754865));
   TipMove move = poseAt({-1213.229, -466.834, 231.855}, turn, 250.0);
   const std::string text = printed(RobotLanguage::UrScript, {move});
   EXPECT_TRUE(holds(
@@ -134,7 +134,8 @@ TEST(RobotProgram, FanucCountsJoint3FromLevel) {
   const ControllerMap map = controllerMap(RobotLanguage::Fanuc, {});
   EXPECT_EQ(map.joint_3_from_2, -1.0);
   EXPECT_EQ(controllerMap(RobotLanguage::Krl, {}).joint_3_from_2, 0.0);
-  TipMove move = poseAt({226.572, -10.049, 1629.662}, turnOfAngles(RobotAngles{1.812, 29.536, -80.551}), 6.7);
+  TipMove move =
+      poseAt({226.572, -10.049, 1629.662}, rotationOfAngles(RobotAngles{1.812, 29.536, -80.551}), 6.7);
   move.lays = true;
   move.posture = ArmPosture{{{10, -20, 50, -190, 50, 190}, {}}, 4};
   const std::string text = printed(RobotLanguage::Fanuc, {move});

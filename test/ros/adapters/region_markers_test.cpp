@@ -14,7 +14,7 @@ TEST(RegionMarkers, ShowTheRegionOnThePartWithTheReason) {
   const lamina::Mesh part = lamina::makePart("box");
   lamina::Mesh region = part;
   region.triangles.resize(2);
-  const lamina::Unsliceable refusal = lamina::Unsliceable("too level", region).on(part);
+  const lamina::Unsliceable refusal = lamina::Unsliceable("too level", region).withPart(part);
   const auto markers = lamina::regionMarkers(refusal, "part").markers;
   ASSERT_EQ(markers.size(), 4U);
   EXPECT_EQ(markers[0].action, Marker::DELETEALL + 0);

@@ -23,7 +23,7 @@ JogOrder nozzleBy(const Point3& velocity, const Point3& turn) {
   JogOrder order;
   order.kind = JogOrder::Kind::Nozzle;
   order.linear_mm_s = velocity;
-  order.turn_rad_s = turn;
+  order.angular_velocity_rad_s = turn;
   return order;
 }
 

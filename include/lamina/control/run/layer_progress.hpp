@@ -10,7 +10,7 @@
 namespace lamina {
 
 /// The position of the nozzle in its toolpath.
-struct PrintPlace {
+struct PrintPosition {
   std::size_t layer = 0;     ///< number of the layer; the number of layers once all are done
   std::size_t path = 0;      ///< number in the layer, travels included
   double along_mm = 0.0;     ///< from the start of the path
@@ -31,8 +31,8 @@ class LayerProgress {
   void resume(std::size_t layer);
 
   /// The position in the toolpath, after the nozzle was reported at `tip` [mm].
-  const PrintPlace& observe(const Point3& tip);
-  const PrintPlace& place() const { return place_; }
+  const PrintPosition& observe(const Point3& tip);
+  const PrintPosition& place() const { return place_; }
   /// Whether the nozzle was found on the toolpath since the start, or since `resume`.
   bool isFound() const { return is_found_; }
 
@@ -50,17 +50,17 @@ class LayerProgress {
     double end_mm = 0.0;  ///< length of the toolpath up to the end of the layer
   };
 
-  double alongPath(const PathPlace& at);
-  void locate(const PathPlace& at);
+  double alongPath(const PathPosition& at);
+  void locate(const PathPosition& at);
 
   PathFollower follower_;
   double tolerance_mm_;
   std::vector<Span> layers_;
   std::vector<double> start_mm_;  ///< length of the toolpath up to each path
-  PrintPlace place_;
+  PrintPosition place_;
   bool is_found_ = false;
-  PathPlace begun_;           ///< from where on the nozzle is searched for
-  PathPlace measured_;        ///< motion up to which `measured_mm_` is measured
+  PathPosition begun_;        ///< from where on the nozzle is searched for
+  PathPosition measured_;     ///< motion up to which `measured_mm_` is measured
   double measured_mm_ = 0.0;  ///< distance from the start of the path of `measured_`
 };
 

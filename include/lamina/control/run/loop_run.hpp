@@ -171,7 +171,7 @@ class LoopRun {
   const LoopStatus& status() const { return status_; }
   /// The last alarm, if there was one.
   const std::optional<RaisedAlarm>& lastAlarm() const { return last_alarm_; }
-  const PrintPlace& place() const { return progress_.place(); }
+  const PrintPosition& place() const { return progress_.place(); }
   const LoopCounts& counts() const { return counts_; }
   const PlacedPart& part() const { return part_; }
   /// The last check of stability, which allowed or refused the loop.

@@ -11,7 +11,7 @@
 namespace lamina {
 
 /// A piece of a link as it is displayed.
-struct SeenBody {
+struct DisplayBody {
   std::string link;
   Mesh mesh;  ///< [mm, frame of the link]
   /// Red, green and blue of its material, 0 to 1; grey without one.
@@ -21,6 +21,6 @@ struct SeenBody {
 /// The `<visual>` elements of all links, in order of the links' names. A link without any is displayed by its
 /// `<collision>` elements.
 /// @throws InvalidConfig if it is no URDF; as `linkBodies`
-std::vector<SeenBody> seenBodies(const std::string& urdf);
+std::vector<DisplayBody> displayBodies(const std::string& urdf);
 
 }  // namespace lamina

@@ -19,7 +19,7 @@ struct UnsupportedSurface {
 };
 
 /// Which surface counts as unsupported.
-struct SupportQuestion {
+struct SupportCriteria {
   /// Greatest overhang that is supported; 0 is a wall along the direction in which layers are stacked, 90 an
   /// underside parallel to the layers.
   double max_overhang_deg = 45.0;
@@ -29,7 +29,7 @@ struct SupportQuestion {
 /// @param growth  unit vector in which layers are stacked, their normal [frame of the mesh]
 UnsupportedSurface unsupportedSurface(const Mesh& mesh, const Point3& growth,
 
-                                      const SupportQuestion& question);
+                                      const SupportCriteria& question);
 /// The unsupported surface of a part in the layers of a toolpath, which are stacked against the tool axis.
 /// Each triangle gets the tool axis of the nearest motion of the outer walls, or of all beads if there are
 /// none; triangles nearest to the first layer are supported. Edges are first halved until none is longer than
@@ -38,6 +38,6 @@ UnsupportedSurface unsupportedSurface(const Mesh& mesh, const Point3& growth,
 /// @param progress  stage "overhang"
 /// @throws InvalidInput if nothing is deposited, or more than 20 million triangles would result; Cancelled
 UnsupportedSurface unsupportedSurface(const Mesh& mesh, const Toolpath& toolpath,
-                                      const SupportQuestion& question, Progress& progress);
+                                      const SupportCriteria& question, Progress& progress);
 
 }  // namespace lamina

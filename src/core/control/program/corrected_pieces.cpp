@@ -65,14 +65,14 @@ std::vector<CorrectedPiece> correctedPieces(const PathCorrection& correction, co
                                             double split_change) {
   const double length = stretch.to_mm - stretch.from_mm;
   if (!(length > 0.0)) {
-    const PlaceCorrection here = correctionAt(correction, stretch.to_mm);
+    const PointCorrection here = correctionAt(correction, stretch.to_mm);
     return {{1.0, here, here.dz_mm}};
   }
   const std::vector<double> nodes = linearNodes(correction, stretch, split_change);
   std::vector<CorrectedPiece> pieces;
-  PlaceCorrection sum;
+  PointCorrection sum;
   double begin = nodes.front();
-  PlaceCorrection last = correctionAt(correction, begin);
+  PointCorrection last = correctionAt(correction, begin);
   double first_amount = last.amount;
   const auto close = [&](double end) {
     const double of_piece = end - begin;
@@ -83,7 +83,7 @@ std::vector<CorrectedPiece> correctedPieces(const PathCorrection& correction, co
     begin = end;
   };
   for (std::size_t i = 1; i < nodes.size(); ++i) {
-    const PlaceCorrection next = correctionAt(correction, nodes[i]);
+    const PointCorrection next = correctionAt(correction, nodes[i]);
     const bool changes = std::abs(next.amount - first_amount) > split_change * (1.0 + 1e-9);
     if (changes && nodes[i - 1] > begin) {
       close(nodes[i - 1]);

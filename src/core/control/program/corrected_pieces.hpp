@@ -13,7 +13,7 @@ namespace lamina {
 /// A piece of a motion that is deposited with one correction.
 struct CorrectedPiece {
   double share = 1.0;  ///< of the motion's length
-  PlaceCorrection mean;
+  PointCorrection mean;
   double end_dz_mm = 0.0;
 };
 

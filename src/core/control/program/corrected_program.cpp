@@ -24,7 +24,7 @@ constexpr double kNoOffset = 1e-9;  // mm
 struct WrittenPiece {
   Point3 end = Point3::Zero();  ///< of the program
   double pushed = 0.0;          ///< filament, of the program
-  PlaceCorrection correction;
+  PointCorrection correction;
   double end_dz_mm = 0.0;
 };
 
@@ -46,7 +46,7 @@ void requireShiftsWithinLayer(const CorrectionMap& map, const Toolpath& toolpath
                        std::to_string(toolpath.layers.size()));
   const double height = toolpath.layers[map.layer].height_mm;
   for (const PathCorrection& path : map.paths)
-    for (const PlaceCorrection& place : path.stations)
+    for (const PointCorrection& place : path.stations)
       if (std::abs(place.dz_mm) > height)
         throw InvalidInput("the correction map of layer " + std::to_string(map.layer) +
                            " shifts the nozzle by " + numberText(place.dz_mm) +
@@ -244,7 +244,7 @@ class ProgramCorrector::Writer {
   }
 
   bool isUniform(const std::vector<WrittenPiece>& pieces) const {
-    const PlaceCorrection& first = pieces.front().correction;
+    const PointCorrection& first = pieces.front().correction;
     return std::all_of(pieces.begin(), pieces.end(), [&](const WrittenPiece& piece) {
       return std::abs(piece.correction.amount - first.amount) <= writing_.split_change &&
              std::abs(piece.correction.speed - first.speed) <= writing_.split_change &&
@@ -255,7 +255,7 @@ class ProgramCorrector::Writer {
   static WrittenPiece joined(const std::vector<WrittenPiece>& pieces) {
     WrittenPiece whole = pieces.back();
     whole.pushed = 0.0;
-    PlaceCorrection sum;
+    PointCorrection sum;
     for (const WrittenPiece& piece : pieces) {
       whole.pushed += piece.pushed;
       sum.amount += piece.pushed * piece.correction.amount;

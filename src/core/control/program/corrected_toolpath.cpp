@@ -85,7 +85,7 @@ Path correctedPath(const Path& path, const PathCorrection& correction, double sp
 
 bool isNone(const PathCorrection& correction) {
   return std::all_of(correction.stations.begin(), correction.stations.end(),
-                     [](const PlaceCorrection& place) { return place.isNone(); });
+                     [](const PointCorrection& place) { return place.isNone(); });
 }
 
 void requireCorrectable(const Path& path, const std::string& name) {

@@ -201,7 +201,7 @@ std::string defectOf(const CorrectionMap& map, const std::string& toolpath_id, c
     if (path.path >= paths)
       return "of " + layer + " is of path " + std::to_string(path.path) + "; the layer has " +
              std::to_string(paths);
-    for (const PlaceCorrection& place : path.stations)
+    for (const PointCorrection& place : path.stations)
       if (std::abs(place.dz_mm) > most_mm)
         return "of " + layer + " moves the nozzle by " + numberText(place.dz_mm) +
                " mm; expected no more than the layer, " + numberText(most_mm) + " mm";

@@ -56,15 +56,15 @@ void LayerProgress::resume(std::size_t layer) {
   begun_ = follower_.place();
 }
 
-const PrintPlace& LayerProgress::observe(const Point3& tip) {
-  const PathPlace at = follower_.observe(tip);
+const PrintPosition& LayerProgress::observe(const Point3& tip) {
+  const PathPosition at = follower_.observe(tip);
   is_found_ = is_found_ || !(at == begun_);
   locate(at);
   return place_;
 }
 
 /// Sums on from where it was last asked for: paths may have a hundred thousand motions.
-double LayerProgress::alongPath(const PathPlace& at) {
+double LayerProgress::alongPath(const PathPosition& at) {
   const Path& path = *follower_.paths()[at.path];
   if (measured_.path != at.path || measured_.motion > at.motion) {
     measured_ = {at.path, 0, 0.0};
@@ -75,7 +75,7 @@ double LayerProgress::alongPath(const PathPlace& at) {
   return measured_mm_ + at.fraction * motionLength(path, at.motion);
 }
 
-void LayerProgress::locate(const PathPlace& at) {
+void LayerProgress::locate(const PathPosition& at) {
   const bool is_at_end = at.path >= start_mm_.size();
   const double along = is_at_end ? 0.0 : alongPath(at);
   const double way = is_at_end ? 0.0 : start_mm_[at.path] + along;

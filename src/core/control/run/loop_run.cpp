@@ -246,7 +246,7 @@ void LoopRun::layMapFrom(std::size_t cell) {
 /// The nozzle where the plan has it: what the loop shifts it by is off.
 Point3 LoopRun::correctedTip(const Point3& tip) const {
   if (!layer_ || progress_.place().layer != *layer_ || isAllZero(shift_mm_)) return tip;
-  const PrintPlace& place = progress_.place();
+  const PrintPosition& place = progress_.place();
   const auto& runs = loop_->cells().runs;
   const auto run = std::lower_bound(runs.begin(), runs.end(), place.path,
                                     [](const CellRun& each, std::size_t path) { return each.path < path; });
@@ -258,7 +258,7 @@ Point3 LoopRun::correctedTip(const Point3& tip) const {
 void LoopRun::onTip(std::int64_t stamp_ns, const Point3& tip) {
   is_moving_ = tip_ns_ && tip != tip_;
   const bool was_scanning = progress_.place().is_scanning;
-  const PrintPlace& place = progress_.observe(correctedTip(part_from_bed_ * tip));
+  const PrintPosition& place = progress_.observe(correctedTip(part_from_bed_ * tip));
   if (!place.is_scanning || !was_scanning) silent_s_ = 0.0;
   if (place.is_scanning && was_scanning && is_moving_)
     silent_s_ += secondsFrom(std::max(*tip_ns_, cloud_ns_.value_or(*tip_ns_)), stamp_ns);
@@ -309,7 +309,7 @@ void LoopRun::watchOffset() {
 }
 
 std::size_t LoopRun::cellsDeposited(double settle_mm) const {
-  const PrintPlace& place = progress_.place();
+  const PrintPosition& place = progress_.place();
   if (place.layer < *layer_) return 0;
   const bool is_whole = place.layer > *layer_ || place.is_scanning;
   return is_whole ? loop_->cells().size()

@@ -61,7 +61,7 @@ class ModeTrials {
       message += "; not " + candidate.mode + ": " + candidate.refusal;
     if (is_for_machine) throw Unreachable(message);
     if (in_the_way_.triangles.empty()) throw InvalidMesh(message);
-    throw Unsliceable(message, in_the_way_).on(source_.mesh);
+    throw Unsliceable(message, in_the_way_).withPart(source_.mesh);
   }
 
   /// On all that were tried but one.

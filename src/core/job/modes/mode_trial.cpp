@@ -14,7 +14,7 @@
 namespace lamina {
 namespace {
 
-SupportQuestion questionOf(const JobSettings& settings) {
+SupportCriteria questionOf(const JobSettings& settings) {
   return {settings.automatic.max_overhang_deg, settings.slicing.first_layer_height_mm};
 }
 
@@ -84,7 +84,7 @@ PlannedPart planShown(SourcePart source, const std::string& mode, const Planning
   try {
     return by.plan(std::move(source), request, progress);
   } catch (Unsliceable& refusal) {
-    throw std::move(refusal).on(part);
+    throw std::move(refusal).withPart(part);
   }
 }
 

@@ -49,7 +49,7 @@ void requireDeposition(const Toolpath& toolpath, const PlanSettings& settings) {
     if (lays(layer, isPartOfPart)) return;
   const std::string part =
       "of part '" + toolpath.part_name + "' is deposited in any of " + std::to_string(toolpath.layers.size());
-  if (laysDrops(settings.infill.strategy))
+  if (depositsDrops(settings.infill.strategy))
     throw InvalidInput("no drop " + part + " layers: it is narrower than drops.diameter_mm, " +
                        numberText(settings.fill.drops.diameter_mm) + " mm, everywhere");
   throw InvalidInput("no bead " + part + " layers: it is narrower than walls.narrowest, " +

@@ -41,8 +41,8 @@ struct SeenShape {
   Mesh operator()(const MeshShape& shape) const { return *shape.mesh; }
 };
 
-SeenBody seenBody(const urdf::Collision& element, const std::string& link) {
-  SeenBody body;
+DisplayBody seenBody(const urdf::Collision& element, const std::string& link) {
+  DisplayBody body;
   body.link = link;
   body.mesh = std::visit(SeenShape(), shapeOf(element, link));
   const Eigen::Isometry3d link_from_body = poseOf(element.origin);
@@ -52,9 +52,9 @@ SeenBody seenBody(const urdf::Collision& element, const std::string& link) {
 
 }  // namespace
 
-std::vector<SeenBody> seenBodies(const std::string& urdf) {
+std::vector<DisplayBody> displayBodies(const std::string& urdf) {
   const auto model = parseMachine(urdf);
-  std::vector<SeenBody> bodies;
+  std::vector<DisplayBody> bodies;
   for (const auto& [name, link] : model->links_) {
     for (const auto& visual : link->visual_array) {
       urdf::Collision element;

@@ -44,7 +44,7 @@ RobotAngles robotAngles(const Eigen::Quaterniond& turn, double near_x_deg) {
   return angles;
 }
 
-Eigen::Quaterniond turnOfAngles(const RobotAngles& angles) {
+Eigen::Quaterniond rotationOfAngles(const RobotAngles& angles) {
   const Eigen::Quaterniond turn = Eigen::AngleAxisd(toRadians(angles.z_deg), Eigen::Vector3d::UnitZ()) *
                                   Eigen::AngleAxisd(toRadians(angles.y_deg), Eigen::Vector3d::UnitY()) *
                                   Eigen::AngleAxisd(toRadians(angles.x_deg), Eigen::Vector3d::UnitX());
@@ -65,7 +65,7 @@ Eigen::Vector3d rotationVector(const Eigen::Quaterniond& turn) {
   return 2.0 * std::atan2(sine, q.w()) * axis;
 }
 
-Eigen::Quaterniond turnOfVector(const Eigen::Vector3d& rotation_vector) {
+Eigen::Quaterniond rotationOfVector(const Eigen::Vector3d& rotation_vector) {
   const double angle = rotation_vector.norm();
   if (angle == 0.0) return Eigen::Quaterniond::Identity();
   return Eigen::Quaterniond(Eigen::AngleAxisd(angle, rotation_vector / angle)).normalized();

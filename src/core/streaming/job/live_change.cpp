@@ -24,21 +24,21 @@ struct KindOfChange {
 };
 
 /// By the bounds that driven toolpaths have, in percent.
-constexpr KindOfChange overrideOf(std::string_view name, LiveSetting setting, JobOverride kind,
+constexpr KindOfChange overrideOf(std::string_view name, LiveSetting setting, OverrideKind kind,
                                   bool is_whole) {
   constexpr double kPercent = 100.0;
   return {name, setting, kPercent * boundsOf(kind).least, kPercent * boundsOf(kind).most, " %", is_whole};
 }
 
 constexpr std::array<KindOfChange, 8> kKinds = {
-    {overrideOf("feed", LiveSetting::Feed, JobOverride::Feed, false),
-     overrideOf("flow", LiveSetting::Flow, JobOverride::Flow, false),
+    {overrideOf("feed", LiveSetting::Feed, OverrideKind::Feed, false),
+     overrideOf("flow", LiveSetting::Flow, OverrideKind::Flow, false),
      {"babystep", LiveSetting::Babystep, -0.5, 0.5, " mm", false},
      {"cancel_part", LiveSetting::CancelPart, 0.0, 9999.0, "", true},
      {"pause_at_layer", LiveSetting::PauseAtLayer, 0.0, 1e6, "", true},
      {"rapid", LiveSetting::Rapid, 25.0, 100.0, " %", true},
      {"spindle", LiveSetting::Spindle, 10.0, 200.0, " %", true},
-     overrideOf("power", LiveSetting::Power, JobOverride::Power, true)}};
+     overrideOf("power", LiveSetting::Power, OverrideKind::Power, true)}};
 
 }  // namespace
 

@@ -21,7 +21,7 @@ constexpr const char* kStage = "overhang";
 
 /// @param growth_of  of a triangle by its number: unit vector; zero for one that rests
 template <class GrowthOf>
-UnsupportedSurface unsupportedBy(const Mesh& mesh, const SupportQuestion& question,
+UnsupportedSurface unsupportedBy(const Mesh& mesh, const SupportCriteria& question,
                                  const GrowthOf& growth_of) {
   const double limit = -std::sin(toRadians(question.max_overhang_deg)) - 1e-9;
   const double held_mm = boundingBox(mesh).low.z() + question.first_layer_mm;
@@ -46,12 +46,12 @@ UnsupportedSurface unsupportedBy(const Mesh& mesh, const SupportQuestion& questi
 }  // namespace
 
 UnsupportedSurface unsupportedSurface(const Mesh& mesh, const Point3& growth,
-                                      const SupportQuestion& question) {
+                                      const SupportCriteria& question) {
   return unsupportedBy(mesh, question, [&](std::uint32_t) { return growth; });
 }
 
 UnsupportedSurface unsupportedSurface(const Mesh& mesh, const Toolpath& toolpath,
-                                      const SupportQuestion& question, Progress& progress) {
+                                      const SupportCriteria& question, Progress& progress) {
   throwIfCancelled(progress, kStage);
   const DepositedWalls walls = depositedWalls(toolpath, 0.0);
   const NearestTriangle nearest(walls.motions);

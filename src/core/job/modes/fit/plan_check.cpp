@@ -32,8 +32,8 @@ bool isAlike(const Path& a, const Path& b) {
 }
 
 /// The layers that differ between two states of a toolpath, and one on either side.
-std::vector<LayerStretch> changedStretches(const Toolpath& before, const Toolpath& after) {
-  std::vector<LayerStretch> stretches;
+std::vector<LayerRange> changedStretches(const Toolpath& before, const Toolpath& after) {
+  std::vector<LayerRange> stretches;
   const std::size_t count = after.layers.size();
   for (std::size_t l = 0; l < count; ++l) {
     const std::vector<Path>& was = before.layers[l].paths;
@@ -51,9 +51,9 @@ std::vector<LayerStretch> changedStretches(const Toolpath& before, const Toolpat
 
 /// What was found before in other layers, and what is found now in these.
 std::vector<Finding> replaced(const std::vector<Finding>& before, std::vector<Finding> now,
-                              const std::vector<LayerStretch>& stretches) {
+                              const std::vector<LayerRange>& stretches) {
   const auto isElsewhere = [&](const Finding& finding) {
-    return std::none_of(stretches.begin(), stretches.end(), [&](const LayerStretch& stretch) {
+    return std::none_of(stretches.begin(), stretches.end(), [&](const LayerRange& stretch) {
       return finding.at.layer >= stretch.first && finding.at.layer < stretch.end;
     });
   };
@@ -84,7 +84,7 @@ CheckedPlan PlanCheck::whole(Toolpath beads) const {
 
 CheckedPlan PlanCheck::again(Toolpath beads, const CheckedPlan& before) const {
   const TravelsOverPart travels = lead_(beads);
-  const std::vector<LayerStretch> stretches = changedStretches(before.toolpath, beads);
+  const std::vector<LayerRange> stretches = changedStretches(before.toolpath, beads);
   const ToolpathExcerpt excerpt{beads, stretches};
   MachineCheck check = checked(runOn(*model_, excerpt, request_.bed_from_part, joints_, progress_));
   check.faults = replaced(before.check.faults, std::move(check.faults), stretches);

@@ -99,7 +99,7 @@ FanucPoint fanucPose(FanucText& text) {
   angles.y_deg = measured(text, "P", kGreatestAngle, "deg", kFanucAngle);
   text.here().expect(",");
   angles.z_deg = measured(text, "R", kGreatestAngle, "deg", kFanucAngle);
-  move.orientation = turnOfAngles(angles);
+  move.orientation = rotationOfAngles(angles);
   return move;
 }
 

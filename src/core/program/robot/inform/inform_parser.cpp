@@ -261,7 +261,7 @@ class InformParser {
     if (point.kind != InformPointKind::Pose) line.refuse("a point that states a pose");
     TipMove move;
     move.point = Point3(point.numbers[0], point.numbers[1], point.numbers[2]);
-    move.orientation = turnOfAngles(RobotAngles{point.numbers[3], point.numbers[4], point.numbers[5]});
+    move.orientation = rotationOfAngles(RobotAngles{point.numbers[3], point.numbers[4], point.numbers[5]});
     line.expect("V");
     line.expect("=");
     move.feed_mm_s = units_.mm_s * line.number(0.1, kGreatestInformSpeed, "a speed, 0.1 at least");

@@ -65,7 +65,7 @@ TipMove krlPose(LineCursor& cursor) {
     cursor.expect(name);
     *angle = cursor.number(-kGreatestAngle, kGreatestAngle, kKrlAngle);
   }
-  move.orientation = turnOfAngles(angles);
+  move.orientation = rotationOfAngles(angles);
   move.external = krlExternal(cursor);
   cursor.expect("}");
   return move;

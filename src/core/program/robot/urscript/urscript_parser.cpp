@@ -33,7 +33,7 @@ TipMove urPoseOf(LineCursor& cursor) {
     turn[axis] = cursor.number(-kGreatestUrAngle, kGreatestUrAngle, "an angle in rad");
   }
   cursor.expect("]");
-  move.orientation = turnOfVector(turn);
+  move.orientation = rotationOfVector(turn);
   move.is_over_base = true;
   return move;
 }

@@ -11,16 +11,16 @@ namespace lamina {
 
 /// Calls a function periodically, timed by the monotonic clock, in a thread of its own. If the user has the
 /// rights to it, the thread gets real-time priority and the memory of the process is locked.
-class CycleThread {
+class PeriodicThread {
  public:
   /// @param cycle  is called with the time at which the call was due, by `SteadyClock` [s]; if cycles were
   ///   missed, with that of the first missed one
   /// @throws DeviceError if the system has no timer left
-  CycleThread(double rate_hz, std::function<void(double due_s)> cycle);
+  PeriodicThread(double rate_hz, std::function<void(double due_s)> cycle);
   /// Waits for a call under way and ends the thread: no call is made afterwards.
-  ~CycleThread();
-  CycleThread(const CycleThread&) = delete;
-  CycleThread& operator=(const CycleThread&) = delete;
+  ~PeriodicThread();
+  PeriodicThread(const PeriodicThread&) = delete;
+  PeriodicThread& operator=(const PeriodicThread&) = delete;
 
   /// Whether the thread got real-time priority and locked memory, in words: "in real time, memory locked".
   /// Waits until the thread runs.

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lamina/base/threads/cycle_thread.hpp"
+#include "lamina/base/threads/periodic_thread.hpp"
 
 #include <linux/capability.h>
 #include <poll.h>
@@ -44,7 +44,7 @@ bool lockMemory() { return mayLockAll() && ::mlockall(MCL_CURRENT | MCL_FUTURE) 
 
 }  // namespace
 
-CycleThread::CycleThread(double rate_hz, std::function<void(double due_s)> cycle)
+PeriodicThread::PeriodicThread(double rate_hz, std::function<void(double due_s)> cycle)
     : period_s_(1.0 / rate_hz),
       cycle_(std::move(cycle)),
       timer_(::timerfd_create(CLOCK_MONOTONIC, TFD_CLOEXEC)),
@@ -55,7 +55,7 @@ CycleThread::CycleThread(double rate_hz, std::function<void(double due_s)> cycle
   thread_ = std::thread([this] { run(); });
 }
 
-CycleThread::~CycleThread() {
+PeriodicThread::~PeriodicThread() {
   const std::uint64_t one = 1;
   while (::write(end_, &one, sizeof one) < 0 && errno == EINTR) continue;
   thread_.join();
@@ -63,12 +63,12 @@ CycleThread::~CycleThread() {
   ::close(end_);
 }
 
-std::string CycleThread::rights() {
+std::string PeriodicThread::rights() {
   const std::string time = answer_.get() ? "in real time" : "without real time (ulimit -r)";
   return time + (is_memory_locked_ ? ", memory locked" : ", memory not locked (ulimit -l)");
 }
 
-void CycleThread::run() {
+void PeriodicThread::run() {
   is_real_time_.set_value(preferThisThread());
   double due_s = SteadyClock().now() + period_s_;
   const itimerspec times{timeOf(period_s_), timeOf(due_s)};

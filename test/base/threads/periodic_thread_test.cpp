@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lamina/base/threads/cycle_thread.hpp"
+#include "lamina/base/threads/periodic_thread.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@
 namespace lamina {
 namespace {
 
-TEST(CycleThread, CallsAtItsRateAndReportsWhenACallWasDue) {
+TEST(PeriodicThread, CallsAtItsRateAndReportsWhenACallWasDue) {
   const SteadyClock clock;
   const double begin_s = clock.now();
   std::mutex mutex;
@@ -22,7 +22,7 @@ TEST(CycleThread, CallsAtItsRateAndReportsWhenACallWasDue) {
   std::vector<double> due;
   std::vector<double> called;
   {
-    CycleThread thread(250.0, [&](double due_s) {
+    PeriodicThread thread(250.0, [&](double due_s) {
       const std::lock_guard<std::mutex> lock(mutex);
       due.push_back(due_s);
       called.push_back(clock.now());
@@ -40,10 +40,10 @@ TEST(CycleThread, CallsAtItsRateAndReportsWhenACallWasDue) {
   }
 }
 
-TEST(CycleThread, EndsBeforeItsFirstCall) {
+TEST(PeriodicThread, EndsBeforeItsFirstCall) {
   bool was_called = false;
   {
-    const CycleThread thread(0.001, [&](double) { was_called = true; });
+    const PeriodicThread thread(0.001, [&](double) { was_called = true; });
   }
   EXPECT_FALSE(was_called);
 }
