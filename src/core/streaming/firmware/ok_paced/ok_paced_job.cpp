@@ -7,14 +7,12 @@
 #include <utility>
 
 #include "base/duration_text.hpp"
+#include "streaming/job/job_failures.hpp"
 
 namespace lamina {
 namespace {
 
 constexpr double kForever = std::numeric_limits<double>::infinity();
-constexpr const char* kEndOfMotions = "M400";
-constexpr const char* kTemperatures = "M105";
-constexpr const char* kPosition = "M114";
 
 }  // namespace
 
@@ -29,11 +27,14 @@ OkPacedJob::OkPacedJob(StreamOrder order, std::shared_ptr<const OkPacedFirmware>
       heard_(std::move(order.heard)),
       checked_program_(order.program),
       revised_(revisedLines(order, firmware_)),
-      program_(revised_ ? [revised = revised_] { return revised->next(); } : sourceOf(order.program)),
+      lines_(order.program, revised_),
       quotation_(order.program.quotation()),
-      feed_([this] { return nextLine(); }, 1, -1, [this] { return isNextKnown(); }),
+      feed_([this] { return nextLine(); }, 1, -1, [this] { return lines_.isNextKnown(); }),
+      account_(record_.status, 0),
       timer_(order.settings.probe_after_s),
-      opening_(firmware_->opening(order.settings.link)) {
+      reports_(order.settings),
+      opening_(firmware_->opening(order.settings.link)),
+      stop_(order.settings, firmware_) {
   // Such firmware runs what it has read behind a line that it refuses.
   if (settings_.window_lines == 0) settings_.window_lines = 1;
   if (isLossy()) settings_.window_lines = 1;
@@ -41,41 +42,15 @@ OkPacedJob::OkPacedJob(StreamOrder order, std::shared_ptr<const OkPacedFirmware>
   if (order.firmware_name) record_.status.firmware_name = *order.firmware_name;
 }
 
-/// The lines of the program, and the wait for the end of their motions: behind the last one, and in front of
-/// a layer that is not known yet.
 std::optional<ProgramLine> OkPacedJob::nextLine() {
-  if (revised_ && !revised_->isNextKnown()) {
-    is_rest_given_ = true;
-    ++rests_;
-    ++lines_read_;
-    return ProgramLine{kEndOfMotions, layer_given_};
-  }
-  auto line = program_();
-  countLines();
-  if (line) {
-    is_rest_given_ = false;
-    layer_given_ = line->layer;
-    ++lines_read_;
-    return line;
-  }
-  if (lines_read_ != record_.status.lines_total) return std::nullopt;
-  ++lines_read_;
-  return ProgramLine{kEndOfMotions, -1};
-}
-
-bool OkPacedJob::isNextKnown() { return !revised_ || !is_rest_given_ || revised_->isNextKnown(); }
-
-/// Lines that are revised become more or fewer, and the waits for the end of motions are lines, too.
-void OkPacedJob::countLines() {
-  if (revised_) record_.status.lines_total = revised_->total() + rests_;
+  auto line = lines_.next();
+  record_.status.lines_total = lines_.total();
+  return line;
 }
 
 void OkPacedJob::beginPhase(Phase phase, double now) {
   phase_ = phase;
-  questions_ = 0;
-  oks_heard_ = 0;
-  is_ok_heard_ = false;
-  answer_.reset();
+  questions_.begin();
   timer_.restart(now);
 }
 
@@ -93,9 +68,9 @@ double OkPacedJob::silenceLimit() const {
 
 double OkPacedJob::nextDeadline() const {
   if (!isWaiting()) return kForever;
-  if (phase_ == Phase::Offline) return stop_.give_up_s;
-  if (isAwaitingLayer()) return next_look_;
-  const double give_up = isStopping() ? stop_.give_up_s : timer_.quietSince() + silenceLimit();
+  if (phase_ == Phase::Offline) return stop_.giveUpAt();
+  if (isAwaitingLayer()) return layer_wait_.nextLook();
+  const double give_up = isStopping() ? stop_.giveUpAt() : timer_.quietSince() + silenceLimit();
   return std::min(timer_.retryAt(), give_up);
 }
 
@@ -113,16 +88,13 @@ bool OkPacedJob::hasRoomFor(std::size_t commands) const {
 }
 
 /// Whether one command more can be sent, and then a safe stop with its question.
-bool OkPacedJob::leavesRoomForStop() const { return hasRoomFor(1 + stopCommands().size() + 1); }
+bool OkPacedJob::leavesRoomForStop() const { return hasRoomFor(1 + stop_.commands(outputs_).size() + 1); }
 
-std::uint64_t OkPacedJob::ask() {
-  ++questions_;
-  ++last_question_;
+void OkPacedJob::ask() {
   PacedCommand as;
-  as.question = last_question_;
-  send(firmware_->question(last_question_, settings_.link), as);
-  unanswered_.isQuestion(last_question_);
-  return last_question_;
+  as.question = questions_.ask();
+  send(firmware_->question(as.question, settings_.link), as);
+  unanswered_.isQuestion(as.question);
 }
 
 void OkPacedJob::start(double now) {
@@ -152,7 +124,7 @@ void OkPacedJob::onOpeningOk(double now) {
   }
 }
 
-/// Asks until the last question is answered: then everything before it is answered too, or never will be.
+/// Asks until the last question is answered.
 void OkPacedJob::locate(Aim aim, double now) {
   aim_ = aim;
   beginPhase(Phase::Locating, now);
@@ -164,7 +136,8 @@ void OkPacedJob::locate(Aim aim, double now) {
 void OkPacedJob::onLocated(double now) {
   const Aim aim = aim_;
   if (aim == Aim::Doubt) return decide(now);
-  if (answer_ && answer_->position) tracker_.locate(*answer_->position);
+  const auto& answer = questions_.answer();
+  if (answer && answer->position) tracker_.locate(*answer->position);
   if (aim == Aim::End) {
     phase_ = Phase::Idle;
     record_.enter(PackmlState::Complete);
@@ -181,27 +154,25 @@ void OkPacedJob::onLocated(double now) {
 /// Whether the line under way ran, and goes on from there; or nobody knows, and the job ends.
 void OkPacedJob::decide(double now) {
   const auto line = under_way_.takeOldest();
+  const auto position = questions_.answer()->position;
   RunEvidence evidence = RunEvidence::None;
-  if (answer_->position) evidence = tracker_.evidence(*answer_->position);
-  if (is_ok_heard_) evidence = RunEvidence::Ran;
+  if (position) evidence = tracker_.evidence(*position);
+  if (questions_.isLineAnswered()) evidence = RunEvidence::Ran;
   if (evidence == RunEvidence::None && tracker_.isRepeatable()) evidence = RunEvidence::DidNotRun;
-  const auto position = answer_->position;
   under_way_.clear();
   beginPhase(Phase::Feeding, now);
   if (evidence == RunEvidence::None) {
     feed_.rewind(line->line);
-    abort({ErrorCode::DeviceError,
-           "it is not known whether the machine ran line " + std::to_string(line->line) + ", " +
-               quotation_.of(feed_.peek()->command) + ", whose ok did not come; it was not sent again" +
-               record_.whereItStands()},
-          now);
-    return;
+    return fail(ErrorCode::DeviceError,
+                "it is not known whether the machine ran line " + std::to_string(line->line) + ", " +
+                    quotation_.of(feed_.peek()->command) + ", whose ok did not come; it was not sent again",
+                now);
   }
   if (evidence == RunEvidence::Ran) {
     acknowledge(*line, now);
   } else {
     ++record_.status.resends;
-    undone_.rewind(line->line);
+    account_.repeated(line->line);
     feed_.rewind(line->line);
   }
   if (position) tracker_.locate(*position);
@@ -211,12 +182,7 @@ void OkPacedJob::acknowledge(const PacedCommand& command, double now) {
   if (command.line == 0) return;
   tracker_.confirm();
   if (command.line > record_.status.lines_total) return;
-  undone_.acknowledge(command.line);
-  record_.status.commands_not_done = undone_.count();
-  starvation_.acknowledged(command.line, std::nullopt, now);
-  record_.status.starvation = starvation_.starvation();
-  record_.status.lines_acknowledged = command.line;
-  record_.status.layer = feed_.layerOf(command.line);
+  account_.taken(command.line, feed_.layerOf(command.line), std::nullopt, now);
 }
 
 /// Sends what may be sent, and takes the step that is due when nothing is under way any more.
@@ -236,29 +202,21 @@ void OkPacedJob::proceed(double now) {
 /// What becomes of a layer may depend on all that is below it: its time counts from when the machine is at
 /// rest.
 void OkPacedJob::awaitLayer(double now) {
-  constexpr double kLookInterval = 0.01;  // s
-  starvation_.standStill();
-  if (layer_due_ == 0.0) layer_due_ = now + revised_->waitTime();
-  next_look_ = now + kLookInterval;
+  account_.starvation().standStill();
+  if (!layer_wait_.isUnderWay()) layer_wait_.begin(now + revised_->waitTime());
+  layer_wait_.look(now);
 }
 
 void OkPacedJob::onAllTaken(double now) {
-  if (revised_ && revised_->failure().code != ErrorCode::Ok)
-    return abort({revised_->failure().code, revised_->failure().message + record_.whereItStands()}, now);
-  if (lines_read_ <= record_.status.lines_total) {
-    abort({ErrorCode::InvalidProgram, "the program was changed while it was streamed: it ended after line " +
-                                          std::to_string(lines_read_) + " of " +
-                                          std::to_string(record_.status.lines_total)},
-          now);
-    return;
-  }
+  if (const auto why = shortfall(lines_.given(), record_, revised_.get())) return abort(*why, now);
   locate(Aim::End, now);
 }
 
 void OkPacedJob::pump(double now) {
   while (phase_ == Phase::Feeding && sendNext(now)) {
   }
-  countLines();
+  lines_.count();
+  record_.status.lines_total = lines_.total();
   record_.status.lines_sent = std::min(feed_.end() - 1, record_.status.lines_total);
 }
 
@@ -266,7 +224,7 @@ void OkPacedJob::pump(double now) {
 bool OkPacedJob::sendNext(double now) {
   const ProgramLine* line = feed_.isNextKnown() ? feed_.peek() : nullptr;
   if (line == nullptr) return false;
-  layer_due_ = 0.0;
+  layer_wait_.end();
   const std::size_t lines = under_way_.lines();
   if (lines > 0 && lines >= static_cast<std::size_t>(settings_.window_lines)) return false;
   constexpr std::size_t kMostFrameBytes = 24;
@@ -292,9 +250,9 @@ bool OkPacedJob::sendNext(double now) {
   const std::string command = line->command;
   outputs_.see(command);
   if (as.is_blocking)
-    starvation_.sentWait(as.line, now);
+    account_.starvation().sentWait(as.line, now);
   else
-    starvation_.sent(as.line, line->seconds, now);
+    account_.starvation().sent(as.line, line->seconds, now);
   feed_.advance();
   send(command, as);
   return true;
@@ -302,22 +260,17 @@ bool OkPacedJob::sendNext(double now) {
 
 /// Asks for the temperatures and the position, where an ok more or less is no matter.
 void OkPacedJob::poll(double now) {
-  if (isLossy() || now < next_poll_ || under_way_.hasOthers()) return;
-  const auto least = [](int a, int b) { return a == 0 || b == 0 ? std::max(a, b) : std::min(a, b); };
-  const int interval_s = least(settings_.temperature_interval_s, settings_.position_interval_s);
-  if (interval_s == 0) return;
-  next_poll_ = now + interval_s;
-  if (settings_.temperature_interval_s > 0) send(kTemperatures, {});
-  if (settings_.position_interval_s > 0) send(kPosition, {});
+  if (isLossy() || under_way_.hasOthers()) return;
+  for (const std::string& command : reports_.takeDue(now)) send(command, {});
 }
 
 void OkPacedJob::elapse(double now) {
   if (!isWaiting()) return;
   if (isAwaitingLayer()) {
-    if (now >= layer_due_) revised_->decide();
+    if (layer_wait_.isOver(now)) revised_->decide();
     return proceed(now);
   }
-  if (isStopping() && now >= stop_.give_up_s) {
+  if (isStopping() && now >= stop_.giveUpAt()) {
     onStopTimeout(now);
   } else if (!isStopping() && now >= timer_.quietSince() + silenceLimit()) {
     timeOut(now);
@@ -334,7 +287,6 @@ void OkPacedJob::retry(double now) {
       break;
     case Phase::Locating:
       if (!leavesRoomForStop()) break;
-      answer_.reset();
       ask();
       break;
     case Phase::Feeding:
@@ -354,43 +306,128 @@ void OkPacedJob::retry(double now) {
 
 void OkPacedJob::timeOut(double now) {
   if (!record_.isStarting()) {
-    abort({ErrorCode::TimedOut,
-           "no answer from the machine for " + wholeSeconds(timer_.quietFor(now)) + record_.whereItStands()},
-          now);
+    abort(fallenSilent(wholeSeconds(timer_.quietFor(now)), record_), now);
   } else if (!not_yet_.empty()) {
     abort({ErrorCode::Rejected, not_yet_}, now);
   } else if (has_answered_) {
     abort({ErrorCode::Rejected,
            "the machine answers, but not to \"" +
                (phase_ == Phase::Opening ? opening_[step_]
-                                         : firmware_->question(last_question_, settings_.link)) +
+                                         : firmware_->question(questions_.last(), settings_.link)) +
                "\" as " + settings_.firmware + " does"},
           now);
   } else {
-    abort({ErrorCode::TimedOut, "no machine answered within " + wholeSeconds(settings_.connect_timeout_s) +
-                                    "; is it on, and is the baud rate right?"},
-          now);
+    abort(nobodyThere(wholeSeconds(settings_.connect_timeout_s)), now);
   }
 }
 
 bool OkPacedJob::pause(double now) {
   const LayerPause::Wish wish = layer_pause_.pauseNow(record_);
   if (wish != LayerPause::Wish::Begun) return wish == LayerPause::Wish::Kept;
-  starvation_.standStill();
+  account_.starvation().standStill();
   proceed(now);
   return true;
 }
 
 bool OkPacedJob::resume(double now) {
   if (layer_pause_.takeBack(record_)) return true;
-  if (record_.status.state != PackmlState::Held && record_.status.state != PackmlState::Holding) return false;
-  layer_due_ = 0.0;  // the time to wait for a layer begins anew
+  if (!record_.isPaused()) return false;
+  layer_wait_.end();  // the time to wait for a layer begins anew
   is_paused_by_machine_ = false;
-  if (record_.status.state == PackmlState::Holding) record_.enter(PackmlState::Held);
-  record_.enter(PackmlState::Unholding);
-  record_.enter(PackmlState::Execute);
+  record_.goOn();
   proceed(now);
   return true;
+}
+
+std::string OkPacedJob::change(const LiveChange& change, double) {
+  if (!record_.isUnderWay() || phase_ != Phase::Feeding) return kNoJobToChange;
+  if (layer_pause_.take(change)) return {};
+  const ChangeCommand changed = firmware_->changed(change, checked_program_);
+  if (changed.command.empty()) return changed.refusal;
+  if (!leavesRoomForStop()) {
+    return "the machine waits, and has " + std::to_string(unanswered_.count()) +
+           " commands to answer; expected fewer, so that it hears a stop";
+  }
+  send(changed.command, {});
+  return {};
+}
+
+void OkPacedJob::abort(const Failure& why, double now) {
+  if (isStopping() || isFinal(record_.status.state)) return;
+  record_.beginToStop(why);
+  if (!has_begun_) return finishAborted("");
+  prepareStop(now);
+  beginPhase(Phase::Stopping, now);
+  sendStop(now);
+}
+
+void OkPacedJob::prepareStop(double now) {
+  stop_.begin(now);
+  under_way_.clear();
+}
+
+void OkPacedJob::sendStop(double now) {
+  timer_.asked(now);
+  stop_.sent();
+  for (const std::string& command : stop_.commands(outputs_)) send(command, {});
+  ask();
+}
+
+/// Klipper that waits for heat keeps what it is sent, and with too much of it would not hear an emergency
+/// stop either.
+void OkPacedJob::repeatStop(double now) {
+  if (stop_.isAwaitingReason()) return;
+  if (hasRoomFor(stop_.commands(outputs_).size() + 1)) sendStop(now);
+}
+
+void OkPacedJob::prolongStop(double now) {
+  const std::string delay = stop_.prolong(now);
+  if (!delay.empty()) record_.status.message = delay;
+}
+
+void OkPacedJob::onStopTimeout(double now) {
+  if (phase_ == Phase::Offline) return finishAborted(kLinkNotBack);
+  const std::string emergency = stop_.takeEmergencyStop(now);
+  if (emergency.empty()) return finishAborted(stop_.remark());
+  record_.status.failure.message += "; the safe stop was not confirmed within " +
+                                    wholeSeconds(settings_.safe_stop_timeout_s) +
+                                    ", so that an emergency stop was sent";
+  output_ += emergency + "\n";
+}
+
+void OkPacedJob::onStopAnswer(double now) {
+  if (stop_.isAwaitingRest()) return finishAborted("");
+  if (!stop_.awaitRest(now)) return;
+  timer_.restart(now);
+  sendStop(now);
+}
+
+/// A machine whose link is lost goes on heating: it is asked to stop as soon as it can be reached again.
+void OkPacedJob::disconnect(const std::string& why, double now) {
+  if (isFinal(record_.status.state) || phase_ == Phase::Offline) return;
+  if (!isStopping()) {
+    record_.beginToStop({ErrorCode::Disconnected, why + record_.whereItStands()});
+    if (!has_begun_) return finishAborted("");
+    prepareStop(now);
+  }
+  replies_.clear();
+  output_.clear();
+  phase_ = Phase::Offline;
+}
+
+void OkPacedJob::reconnect(double now) {
+  if (phase_ != Phase::Offline) return;
+  unanswered_.forget();
+  stop_.beginAgain(now);
+  beginPhase(Phase::Stopping, now);
+  sendStop(now);
+}
+
+void OkPacedJob::finishAborted(const std::string& remark) {
+  record_.status.failure.message += remark;
+  phase_ = Phase::Idle;
+  under_way_.clear();
+  record_.enter(PackmlState::Aborted);
 }
 
 std::string OkPacedJob::takeOutput() { return std::exchange(output_, {}); }
@@ -410,10 +447,7 @@ void OkPacedJob::onReply(const PacedReply& heard, double now) {
   if (!reply.firmware_name.empty()) record_.status.firmware_name = reply.firmware_name;
   if (reply.position) record_.status.position = reply.position;
   if (reply.temperatures) record_.status.temperatures = reply.temperatures;
-  if (heard.are_heaters_off) {
-    stop_.are_heaters_off = heard.are_heaters_off;
-    temperatures_ = reply.text;
-  }
+  stop_.hear(heard);
   if (phase_ == Phase::Opening || phase_ == Phase::Stopping) opening_answer_.push_back(reply.text);
   const bool is_alive = reply.temperatures || reply.kind == ReplyKind::Busy;
   if (is_alive && isStopping()) prolongStop(now);
@@ -455,9 +489,7 @@ void OkPacedJob::onKind(const FirmwareReply& reply, double now) {
       if (is_paused_by_machine_) resume(now);
       break;
     case ReplyKind::Cancel:
-      abort({ErrorCode::Cancelled,
-             "the machine ends the job: \"" + reply.text + "\"" + record_.whereItStands()},
-            now);
+      fail(ErrorCode::Cancelled, "the machine ends the job: \"" + reply.text + "\"", now);
       break;
     default:
       break;
@@ -467,11 +499,11 @@ void OkPacedJob::onKind(const FirmwareReply& reply, double now) {
 void OkPacedJob::onOk(double now) {
   if (phase_ == Phase::Opening) {
     onOpeningOk(now);
-  } else if (phase_ == Phase::Stopping && stop_.stage == StopStage::Reason) {
+  } else if (phase_ == Phase::Stopping && stop_.isAwaitingReason()) {
     onReason();
   } else if (phase_ == Phase::Locating) {
-    if (answer_) return onLocated(now);
-    ++oks_heard_;
+    if (questions_.answer()) return onLocated(now);
+    questions_.hearOk();
   } else if (phase_ == Phase::Feeding) {
     if (const auto oldest = under_way_.takeOldest()) acknowledge(*oldest, now);
   }
@@ -479,19 +511,15 @@ void OkPacedJob::onOk(double now) {
 
 void OkPacedJob::onAnswer(const SyncAnswer& answer, double now) {
   if (phase_ == Phase::Locating) {
-    // The questions before this one have no more oks than they are; one more is that of the line.
-    const std::uint64_t first = last_question_ - static_cast<std::uint64_t>(questions_) + 1;
-    if (answer.question >= first && oks_heard_ > answer.question - first) is_ok_heard_ = true;
-    if (answer.question != last_question_) return;
-    if (isLossy() && !answer.position) return;
-    answer_ = answer;
+    if (!questions_.hear(answer) || (isLossy() && !answer.position)) return;
+    questions_.keep(answer);
     // An ok that was another's could be taken for that of this answer; nothing follows at the end.
     if (aim_ == Aim::End) onLocated(now);
   } else if (phase_ == Phase::Feeding) {
     if (!under_way_.hasQuestion(answer.question)) return;
     // Nothing is lost on the way: all before the question was read.
     while (!under_way_.isNext(answer.question)) acknowledge(*under_way_.takeOldest(), now);
-  } else if (phase_ == Phase::Stopping && answer.question == last_question_) {
+  } else if (phase_ == Phase::Stopping && answer.question == questions_.last()) {
     onStopAnswer(now);
   }
 }
@@ -501,33 +529,26 @@ void OkPacedJob::onRefusal(const FirmwareReply& reply, double now) {
   // One that comes while nothing is under way is another sender's.
   if (record_.isStarting() || isStopping() || (under_way_.empty() && phase_ == Phase::Feeding)) return;
   const std::uint64_t line = under_way_.oldestLine();
-  if (line == 0 || !feed_.rewind(line)) {
-    abort({ErrorCode::Rejected,
-           "the machine did not run a line: \"" + reply.text + "\"" + record_.whereItStands()},
-          now);
-    return;
-  }
-  abort({ErrorCode::Rejected, "the machine did not run line " + std::to_string(line) + ", " +
-                                  quotation_.of(feed_.peek()->command) + ": \"" + reply.text + "\"" +
-                                  record_.whereItStands()},
-        now);
+  const std::string what = line == 0 || !feed_.rewind(line)
+                               ? "a line"
+                               : "line " + std::to_string(line) + ", " + quotation_.of(feed_.peek()->command);
+  fail(ErrorCode::Rejected, "the machine did not run " + what + ": \"" + reply.text + "\"", now);
 }
 
 void OkPacedJob::onHalt(const FirmwareReply& reply, double now) {
-  if (isStopping() && stop_.stage == StopStage::Reason) return;
+  if (isStopping() && stop_.isAwaitingReason()) return;
   if (isStopping())
     return finishAborted("; the machine halted: \"" + reply.text + "\"; " + firmware_->afterHalt());
   if (record_.isStarting()) {
     abort({ErrorCode::Rejected, "the machine has halted: \"" + reply.text + "\""}, now);
     return;
   }
-  record_.status.failure = {ErrorCode::Rejected,
-                            "the machine halted: \"" + reply.text + "\"" + record_.whereItStands()};
-  record_.enter(PackmlState::Aborting);
+  record_.beginToStop(
+      {ErrorCode::Rejected, "the machine halted: \"" + reply.text + "\"" + record_.whereItStands()});
   const std::string question = firmware_->reasonOfHalt();
   if (question.empty()) return finishAborted("; " + firmware_->afterHalt());
   prepareStop(now);
-  stop_.stage = StopStage::Reason;
+  stop_.awaitReason();
   beginPhase(Phase::Stopping, now);
   opening_answer_.clear();
   send(question, {});
@@ -549,18 +570,14 @@ void OkPacedJob::onRestart(const FirmwareReply& reply, double now) {
                     "the machine was reset: \"" + reply.text + "\"" + record_.whereItStands()};
   const std::string known = firmware_->afterRestart();
   if (known.empty()) return abort(why, now);
-  if (!isStopping()) {
-    record_.status.failure = why;
-    record_.enter(PackmlState::Aborting);
-  }
+  if (!isStopping()) record_.beginToStop(why);
   finishAborted("; " + known);
 }
 
 void OkPacedJob::onNotDone(const FirmwareReply& reply) {
   record_.status.message = reply.text;
   if (isStopping() || phase_ == Phase::Opening) return;
-  if (undone_.count() == 0) record_.status.first_not_done = reply.text;
-  undone_.announce();
+  account_.notDone(reply.text);
 }
 
 }  // namespace lamina

@@ -11,15 +11,19 @@
 #include "streaming/firmware/ok_paced/lines_under_way.hpp"
 #include "streaming/firmware/ok_paced/motion_tracker.hpp"
 #include "streaming/firmware/ok_paced/ok_paced_firmware.hpp"
+#include "streaming/firmware/ok_paced/ok_paced_stop.hpp"
+#include "streaming/firmware/ok_paced/paced_lines.hpp"
+#include "streaming/firmware/ok_paced/paced_questions.hpp"
+#include "streaming/firmware/ok_paced/report_poll.hpp"
 #include "streaming/firmware/ok_paced/unanswered_commands.hpp"
 #include "streaming/job/answer_timer.hpp"
 #include "streaming/job/job_record.hpp"
 #include "streaming/job/layer_pause.hpp"
+#include "streaming/job/layer_wait.hpp"
+#include "streaming/job/line_account.hpp"
 #include "streaming/job/line_feed.hpp"
 #include "streaming/job/reply_lines.hpp"
 #include "streaming/job/revised_lines.hpp"
-#include "streaming/job/starvation_watch.hpp"
-#include "streaming/job/undone_commands.hpp"
 #include "streaming/job/used_outputs.hpp"
 
 namespace lamina {
@@ -65,20 +69,6 @@ class OkPacedJob final : public StreamJob {
     Base,   ///< the machine's position before the next line
     End,    ///< that all was read
   };
-  enum class StopStage {
-    SwitchOff,
-    Rest,    ///< the end of the motions it has taken
-    Reason,  ///< why the machine has halted
-  };
-  /// The safe stop under way.
-  struct Stop {
-    StopStage stage = StopStage::SwitchOff;
-    bool is_emergency = false;            ///< an emergency stop was sent
-    std::optional<bool> are_heaters_off;  ///< since it was sent last
-    double began_s = 0.0;
-    double give_up_s = 0.0;  ///< when to give up, unless the machine shows that it lives
-    double latest_s = 0.0;   ///< when to give up in any case
-  };
 
   bool isStopping() const { return record_.isStopping(); }
   bool isLossy() const { return settings_.link == LinkKind::Lossy; }
@@ -88,7 +78,7 @@ class OkPacedJob final : public StreamJob {
   void send(const std::string& command, PacedCommand as);
   bool hasRoomFor(std::size_t commands) const;
   bool leavesRoomForStop() const;
-  std::uint64_t ask();
+  void ask();
 
   void onReply(const PacedReply& heard, double now);
   void onKind(const FirmwareReply& reply, double now);
@@ -110,24 +100,24 @@ class OkPacedJob final : public StreamJob {
   bool sendNext(double now);
   void poll(double now);
   void onAllTaken(double now);
-  bool isNextKnown();
   void awaitLayer(double now);
   bool isAwaitingLayer() const {
-    return layer_due_ > 0.0 && phase_ == Phase::Feeding && record_.status.state == PackmlState::Execute;
+    return layer_wait_.isUnderWay() && phase_ == Phase::Feeding &&
+           record_.status.state == PackmlState::Execute;
   }
-  void countLines();
   void acknowledge(const PacedCommand& command, double now);
   std::optional<ProgramLine> nextLine();
 
+  void fail(ErrorCode code, const std::string& what, double now) {
+    abort({code, what + record_.whereItStands()}, now);
+  }
   void retry(double now);
   void timeOut(double now);
-  std::vector<std::string> stopCommands() const;
   void prepareStop(double now);
   void sendStop(double now);
   void repeatStop(double now);
   void prolongStop(double now);
   void onStopTimeout(double now);
-  void stopAtOnce(const std::string& emergency, double now);
   void onStopAnswer(double now);
   void finishAborted(const std::string& remark);
 
@@ -137,25 +127,21 @@ class OkPacedJob final : public StreamJob {
   JobRecord record_;
   StreamableProgram checked_program_;
   std::shared_ptr<RevisedLines> revised_;  ///< null if the lines go as they are
-  LineFeed::Source program_;
+  PacedLines lines_;
   Quotation quotation_;  ///< of the program
-  std::uint64_t lines_read_ = 0;
-  std::uint64_t rests_ = 0;        ///< lines among them that only bring the machine to rest
-  bool is_rest_given_ = false;     ///< in front of the layer that is not known yet
-  std::int32_t layer_given_ = -1;  ///< of the line read last
-  double layer_due_ = 0.0;         ///< when the layer is decided; 0 while none is waited for
-  double next_look_ = 0.0;         ///< whether it is known
+  LayerWait layer_wait_;
   LineFeed feed_;
+  LineAccount account_;
   LinesUnderWay under_way_;
   UnansweredCommands unanswered_;
   UsedOutputs outputs_;
   LayerPause layer_pause_;
-  StarvationWatch starvation_;
   MotionTracker tracker_;
   AnswerTimer timer_;
-  UndoneCommands undone_;
+  ReportPoll reports_;
   std::vector<std::string> opening_;
   std::vector<std::string> opening_answer_;
+  OkPacedStop stop_;
   std::size_t step_ = 0;
   std::string not_yet_;  ///< why the opening waits
   Phase phase_ = Phase::Idle;
@@ -164,15 +150,8 @@ class OkPacedJob final : public StreamJob {
   bool has_answered_ = false;
   bool is_paused_by_machine_ = false;
   std::uint64_t next_number_ = 1;
-  std::uint64_t last_question_ = 0;
-  int questions_ = 0;  ///< since the phase began
-  std::uint64_t oks_heard_ = 0;
-  bool is_ok_heard_ = false;          ///< that of the line in doubt
-  std::optional<SyncAnswer> answer_;  ///< to the last question; its ok is to come
+  PacedQuestions questions_;  ///< since the phase began
   double longest_motion_s_ = 0.0;
-  double next_poll_ = 0.0;
-  std::string temperatures_;
-  Stop stop_;
   ReplyLines replies_;
   std::string output_;
 };

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The safe stop, and what is left where it is not heard.
+#include "streaming/firmware/ok_paced/ok_paced_stop.hpp"
+
 #include <algorithm>
+#include <utility>
 
 #include "base/duration_text.hpp"
-#include "streaming/firmware/ok_paced/ok_paced_job.hpp"
 
 namespace lamina {
 namespace {
@@ -19,125 +20,77 @@ std::string offerOf(const std::string& emergency) {
 
 }  // namespace
 
-void OkPacedJob::abort(const Failure& why, double now) {
-  if (isStopping() || isFinal(record_.status.state)) return;
-  record_.status.failure = why;
-  record_.enter(PackmlState::Aborting);
-  if (!has_begun_) return finishAborted("");
-  prepareStop(now);
-  beginPhase(Phase::Stopping, now);
-  sendStop(now);
+OkPacedStop::OkPacedStop(const StreamSettings& settings, std::shared_ptr<const OkPacedFirmware> firmware)
+    : settings_(settings), firmware_(std::move(firmware)) {}
+
+void OkPacedStop::begin(double now) {
+  stage_ = settings_.keep_heaters_on ? Stage::Rest : Stage::SwitchOff;
+  is_emergency_ = false;
+  are_heaters_off_.reset();
+  beginAgain(now);
+  latest_s_ = now + std::max(settings_.safe_stop_timeout_s, settings_.blocking_timeout_s);
 }
 
-void OkPacedJob::prepareStop(double now) {
-  stop_ = {};
-  stop_.stage = settings_.keep_heaters_on ? StopStage::Rest : StopStage::SwitchOff;
-  stop_.began_s = now;
-  stop_.give_up_s = now + settings_.safe_stop_timeout_s;
-  stop_.latest_s = now + std::max(settings_.safe_stop_timeout_s, settings_.blocking_timeout_s);
-  under_way_.clear();
+void OkPacedStop::beginAgain(double now) {
+  began_s_ = now;
+  give_up_s_ = now + settings_.safe_stop_timeout_s;
 }
 
-/// The firmware has no command that ends motions without losing the position: it runs what it has taken.
-std::vector<std::string> OkPacedJob::stopCommands() const {
-  std::vector<std::string> commands = outputs_.beamOff();
+bool OkPacedStop::awaitRest(double now) {
+  if (are_heaters_off_ != true) return false;
+  stage_ = Stage::Rest;
+  give_up_s_ = now + settings_.safe_stop_timeout_s;
+  return true;
+}
+
+std::vector<std::string> OkPacedStop::commands(const UsedOutputs& outputs) const {
+  std::vector<std::string> commands = outputs.beamOff();
   const auto add = [&commands](const std::vector<std::string>& more) {
     commands.insert(commands.end(), more.begin(), more.end());
   };
-  add(outputs_.airOff());
-  if (stop_.stage == StopStage::SwitchOff) add(firmware_->switchOff(temperatures_));
-  commands.emplace_back(stop_.stage == StopStage::SwitchOff ? kTargets : kStandstill);
+  add(outputs.airOff());
+  if (stage_ == Stage::SwitchOff) add(firmware_->switchOff(temperatures_));
+  commands.emplace_back(stage_ == Stage::SwitchOff ? kTargets : kStandstill);
   return commands;
 }
 
-void OkPacedJob::sendStop(double now) {
-  timer_.asked(now);
-  stop_.are_heaters_off.reset();
-  for (const std::string& command : stopCommands()) send(command, {});
-  ask();
+void OkPacedStop::hear(const PacedReply& reply) {
+  if (!reply.are_heaters_off) return;
+  are_heaters_off_ = reply.are_heaters_off;
+  temperatures_ = reply.reply.text;
 }
 
-/// Klipper that waits for heat keeps what it is sent, and with too much of it would not hear an emergency
-/// stop either.
-void OkPacedJob::repeatStop(double now) {
-  if (stop_.stage == StopStage::Reason) return;
-  if (hasRoomFor(stopCommands().size() + 1)) sendStop(now);
+std::string OkPacedStop::emergencyStop() const {
+  return stage_ == Stage::SwitchOff ? firmware_->emergencyStop() : "";
 }
 
-/// A machine that reports while it waits for heat hears the stop once the heat is there.
-void OkPacedJob::prolongStop(double now) {
-  const std::string emergency = stop_.stage == StopStage::SwitchOff ? firmware_->emergencyStop() : "";
-  if (settings_.emergency_stop == EmergencyStop::Unconfirmed && !emergency.empty()) return;
-  const double by = std::min(now + settings_.safe_stop_timeout_s, stop_.latest_s);
-  const bool is_late = now >= stop_.began_s + settings_.safe_stop_timeout_s;
-  if (is_late && !emergency.empty())
-    record_.status.message = "the machine has not heard the stop for " +
-                             wholeSeconds(settings_.safe_stop_timeout_s) + ", and reports that it lives" +
-                             offerOf(emergency);
-  stop_.give_up_s = std::max(stop_.give_up_s, by);
+std::string OkPacedStop::prolong(double now) {
+  const std::string emergency = emergencyStop();
+  if (settings_.emergency_stop == EmergencyStop::Unconfirmed && !emergency.empty()) return {};
+  give_up_s_ = std::max(give_up_s_, std::min(now + settings_.safe_stop_timeout_s, latest_s_));
+  const bool is_late = now >= began_s_ + settings_.safe_stop_timeout_s;
+  if (!is_late || emergency.empty()) return {};
+  return "the machine has not heard the stop for " + wholeSeconds(settings_.safe_stop_timeout_s) +
+         ", and reports that it lives" + offerOf(emergency);
 }
 
-void OkPacedJob::onStopTimeout(double now) {
-  if (phase_ == Phase::Offline)
-    return finishAborted(
-        "; the link did not come back, so that the machine was not commanded to stop: look after it");
-  if (stop_.stage == StopStage::Reason) return finishAborted("; " + firmware_->afterHalt());
-  if (stop_.stage == StopStage::Rest)
-    return finishAborted(settings_.keep_heaters_on
-                             ? "; the machine did not confirm that its motions have ended"
-                             : "; its heaters are off, but it did not confirm that its motions have ended");
-  const std::string emergency = stop_.is_emergency ? "" : firmware_->emergencyStop();
-  if (emergency.empty()) return finishAborted("; the machine did not confirm the safe stop");
-  if (settings_.emergency_stop == EmergencyStop::Unconfirmed) return stopAtOnce(emergency, now);
-  finishAborted("; the machine did not confirm the safe stop" + offerOf(emergency));
+std::string OkPacedStop::takeEmergencyStop(double now) {
+  const bool is_wanted = settings_.emergency_stop == EmergencyStop::Unconfirmed && !is_emergency_;
+  std::string emergency = is_wanted ? emergencyStop() : "";
+  if (emergency.empty()) return {};
+  is_emergency_ = true;
+  give_up_s_ = now + settings_.safe_stop_timeout_s;
+  return emergency;
 }
 
-void OkPacedJob::stopAtOnce(const std::string& emergency, double now) {
-  stop_.is_emergency = true;
-  stop_.give_up_s = now + settings_.safe_stop_timeout_s;
-  record_.status.failure.message += "; the safe stop was not confirmed within " +
-                                    wholeSeconds(settings_.safe_stop_timeout_s) +
-                                    ", so that an emergency stop was sent";
-  output_ += emergency + "\n";
-}
-
-void OkPacedJob::onStopAnswer(double now) {
-  if (stop_.stage == StopStage::Rest) return finishAborted("");
-  if (stop_.are_heaters_off != true) return;
-  stop_.stage = StopStage::Rest;
-  stop_.give_up_s = now + settings_.safe_stop_timeout_s;
-  timer_.restart(now);
-  sendStop(now);
-}
-
-/// A machine whose link is lost goes on heating: it is asked to stop as soon as it can be reached again.
-void OkPacedJob::disconnect(const std::string& why, double now) {
-  if (isFinal(record_.status.state) || phase_ == Phase::Offline) return;
-  if (!isStopping()) {
-    record_.status.failure = {ErrorCode::Disconnected, why + record_.whereItStands()};
-    record_.enter(PackmlState::Aborting);
-    if (!has_begun_) return finishAborted("");
-    prepareStop(now);
-  }
-  replies_.clear();
-  output_.clear();
-  phase_ = Phase::Offline;
-}
-
-void OkPacedJob::reconnect(double now) {
-  if (phase_ != Phase::Offline) return;
-  unanswered_.forget();
-  stop_.began_s = now;
-  stop_.give_up_s = now + settings_.safe_stop_timeout_s;
-  beginPhase(Phase::Stopping, now);
-  sendStop(now);
-}
-
-void OkPacedJob::finishAborted(const std::string& remark) {
-  record_.status.failure.message += remark;
-  phase_ = Phase::Idle;
-  under_way_.clear();
-  record_.enter(PackmlState::Aborted);
+std::string OkPacedStop::remark() const {
+  if (stage_ == Stage::Reason) return "; " + firmware_->afterHalt();
+  if (stage_ == Stage::Rest)
+    return settings_.keep_heaters_on
+               ? "; the machine did not confirm that its motions have ended"
+               : "; its heaters are off, but it did not confirm that its motions have ended";
+  const std::string emergency = is_emergency_ ? "" : emergencyStop();
+  return "; the machine did not confirm the safe stop" + (emergency.empty() ? "" : offerOf(emergency));
 }
 
 }  // namespace lamina

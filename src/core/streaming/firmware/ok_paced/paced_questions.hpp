@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "streaming/firmware/ok_paced/ok_paced_firmware.hpp"
+
+namespace lamina {
+
+/// The numbered questions of a job. With the answer to the last one everything before it is answered too, or
+/// never will be.
+class PacedQuestions {
+ public:
+  /// Begins to count questions and oks, with at most one line under way.
+  void begin() {
+    asked_ = 0;
+    oks_ = 0;
+    is_line_answered_ = false;
+    answer_.reset();
+  }
+  /// @return the number of the next question, which is the last one now
+  std::uint64_t ask() {
+    answer_.reset();
+    ++asked_;
+    return ++last_;
+  }
+  std::uint64_t last() const { return last_; }
+
+  /// Takes an ok that came ahead of the answer to the last question.
+  void hearOk() { ++oks_; }
+  /// Takes an answer.
+  /// @return whether it is that to the last question
+  bool hear(const SyncAnswer& answer) {
+    // The questions before this one have no more oks than they are; one more is that of the line.
+    const std::uint64_t first = last_ - asked_ + 1;
+    if (answer.question >= first && oks_ > answer.question - first) is_line_answered_ = true;
+    return answer.question == last_;
+  }
+  /// Keeps the answer to the last question, whose ok is to come.
+  void keep(const SyncAnswer& answer) { answer_ = answer; }
+  /// The answer kept; nothing once it is asked again.
+  const std::optional<SyncAnswer>& answer() const { return answer_; }
+  /// Whether the ok of the line was among those heard.
+  bool isLineAnswered() const { return is_line_answered_; }
+
+ private:
+  std::uint64_t last_ = 0;
+  std::uint64_t asked_ = 0;
+  std::uint64_t oks_ = 0;
+  bool is_line_answered_ = false;
+  std::optional<SyncAnswer> answer_;
+};
+
+}  // namespace lamina
