@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/duration_text.hpp"
+#include "streaming/upload/print_verdict.hpp"
 
 namespace lamina {
 namespace {
@@ -14,6 +15,7 @@ namespace {
 constexpr double kReportInterval = 1.0;  // s; below the 8 s in which a Duet forgets a session
 constexpr double kNearInterval = 0.2;    // s, in front of a layer in which it is to hold
 constexpr double kRetryInterval = 2.0;   // s; Moonraker's temporary files are named by the second
+constexpr double kRepeatCommand = 5.0;   // s
 constexpr int kAttempts = 3;
 
 }  // namespace
@@ -22,11 +24,8 @@ UploadJob::UploadJob(const StreamSettings& settings, std::shared_ptr<const Uploa
     : settings_(settings),
       order_(std::move(order)),
       servers_(printServers(settings.firmware, order_)),
-      sent_line_(order_->body.program()),
-      read_line_(order_->body.program()) {
-  record_.status.lines_total = order_->body.program().lines();
-  record_.status.starvation.source = StarvationSource::Nobody;
-}
+      account_(record_.status, order_->body.program()),
+      stop_(settings) {}
 
 void UploadJob::start(double now) {
   if (record_.status.state != PackmlState::Idle) return;
@@ -95,8 +94,7 @@ void UploadJob::beforeAsking(UploadStep step, double now) {
     may_be_started_ = true;
     started_at_ = now;
   } else if (step == UploadStep::HeatersOff) {
-    asked_heaters_off_ = true;
-    asked_at_ = now;
+    stop_.heatersAsked(now);
   } else if (step == UploadStep::Change) {
     server().give(changes_.front());
   } else if (step == UploadStep::Pause || step == UploadStep::Resume) {
@@ -105,8 +103,7 @@ void UploadJob::beforeAsking(UploadStep step, double now) {
 }
 
 void UploadJob::sent(std::uint64_t bytes) {
-  if (under_way_ != UploadStep::Upload) return;
-  record_.status.lines_sent = std::max(record_.status.lines_sent, sent_line_.linesBefore(bytes));
+  if (under_way_ == UploadStep::Upload) account_.sent(bytes);
 }
 
 // Answers
@@ -198,8 +195,7 @@ void UploadJob::onDone(UploadStep step, double now) {
       changes_.pop_front();
       return;
     case UploadStep::EmergencyStop:
-      emergency_.is_taken = true;
-      emergency_.answer = "the server has taken it";
+      stop_.emergencyStopTaken();
       command_.reset();
       return;
     default:
@@ -210,7 +206,7 @@ void UploadJob::onDone(UploadStep step, double now) {
 
 void UploadJob::onRemoved() {
   command_.reset();
-  is_removed_ = true;
+  stop_.removed();
   if (phase_ == Phase::Remove) phase_ = Phase::Leave;
 }
 
@@ -256,11 +252,10 @@ void UploadJob::onTroubleInPrint(UploadStep step, const Failure& why, Arrival ar
 
 void UploadJob::onTroubleInStop(UploadStep step, const Failure& why, Arrival arrival) {
   const bool may_be_done = arrival == Arrival::Possible;
-  if (!may_be_done && step == UploadStep::Cancel) cancels_ = {};
-  if (!may_be_done && step == UploadStep::HeatersOff) asked_heaters_off_ = false;
-  if (step == UploadStep::EmergencyStop) emergency_.answer = why.message;
+  if (!may_be_done) stop_.notDone(step);
+  if (step == UploadStep::EmergencyStop) stop_.emergencyStopAnswered(why.message);
   // Whether one that may have arrived did is seen in the next report.
-  if (isEmergencyStopDue() && !(step == UploadStep::EmergencyStop && may_be_done))
+  if (stop_.isEmergencyStopDue() && !(step == UploadStep::EmergencyStop && may_be_done))
     command_ = UploadStep::EmergencyStop;
 }
 
@@ -283,7 +278,7 @@ void UploadJob::onRefused(UploadStep step, const Failure& why, double now) {
     case UploadStep::Disconnect:
       return close();
     case UploadStep::EmergencyStop:
-      emergency_.answer = why.message;
+      stop_.emergencyStopAnswered(why.message);
       break;
     default:
       break;
@@ -295,16 +290,192 @@ void UploadJob::onRefused(UploadStep step, const Failure& why, double now) {
   abort(why, now);
 }
 
+// What the machine reports.
+
+void UploadJob::onReport(double now) {
+  heard_at_ = now;
+  may_be_started_ ? account_.hearOfPrint(server()) : account_.hear(server());
+  switch (phase_) {
+    case Phase::Check:
+      return check(now);
+    case Phase::Follow:
+      return was_seen_ ? follow(now) : awaitStart(now);
+    case Phase::Finish:
+      return finish(now);
+    case Phase::Stop:
+      return stop(now);
+    default:
+      return;
+  }
+}
+
+void UploadJob::check(double now) {
+  const MachineReport& report = server().report();
+  if (order_->start == JobStart::Resume) return recognise(now);
+  if (const auto why = hindrance(report)) return abort(*why, now);
+  if (report.is_moving) return awaitIdleness(now);
+  busy_since_.reset();
+  phase_ = is_stored_ ? Phase::Start : Phase::Upload;
+  next_at_ = now;
+}
+
+/// A print that was begun earlier is known by the name of its file, and then by its bytes; meanwhile it may
+/// have ended.
+void UploadJob::recognise(double now) {
+  const MachineReport& report = server().report();
+  if (const auto why = hindranceToGoOn(report, order_->earlier_files)) return abort(*why, now);
+  if (is_stored_ && server().isOurs()) return adopt(now);
+  server().follow(report.file);
+  phase_ = Phase::Verify;
+  next_at_ = now;
+}
+
+/// Nothing is started or stopped: the print is followed from where it is. One that is complete is no longer
+/// there to be stopped.
+void UploadJob::adopt(double now) {
+  may_be_started_ = may_be_stored_ = was_seen_ = true;
+  was_complete_ = !server().report().isPrintUnderWay();
+  record_.status.lines_sent = record_.status.lines_total;
+  record_.enter(PackmlState::Execute);
+  phase_ = Phase::Follow;
+  heard_at_ = now;
+}
+
+/// A print that is asked for while another's command is under way, such as to wait for heat, would begin when
+/// that has ended, whenever this is.
+void UploadJob::awaitIdleness(double now) {
+  if (!busy_since_) busy_since_ = now;
+  if (now < *busy_since_ + settings_.connect_timeout_s) return;
+  abort({ErrorCode::Rejected, "the printer has been busy for " + wholeSeconds(now - *busy_since_) +
+                                  " with motions or commands of somebody else; expected it to stand still"},
+        now);
+}
+
+void UploadJob::awaitStart(double now) {
+  const MachineReport& report = server().report();
+  if (server().isOurs() && report.state != PrintState::None) {
+    was_seen_ = true;
+    record_.enter(PackmlState::Execute);
+    return follow(now);
+  }
+  if (const auto why = hindranceToCome(report)) {
+    abort(*why, now);
+  } else if (now >= started_at_ + settings_.connect_timeout_s) {
+    abort({ErrorCode::TimedOut,
+           "the machine has not begun the print within " + wholeSeconds(settings_.connect_timeout_s)},
+          now);
+  }
+}
+
+void UploadJob::follow(double now) {
+  if (const auto why = endOfPrint(server())) return abort(*why, now);
+  if (server().report().state == PrintState::Complete) {
+    complete();
+    completed_at_ = now;
+  } else {
+    followHold(now);
+    pauseAtLayer(now);
+  }
+}
+
+void UploadJob::pauseAtLayer(double now) {
+  if (record_.status.state != PackmlState::Execute || !layer_pause_.takeIfDueAt(record_.status.layer)) return;
+  record_.status.message = "held in layer " + std::to_string(record_.status.layer);
+  pause(now);
+}
+
+/// Holding and going on, whoever asked for it.
+void UploadJob::followHold(double now) {
+  const PrintState print = server().report().state;
+  const bool is_to_repeat = now >= asked_at_ + kRepeatCommand && !command_;
+  switch (record_.status.state) {
+    case PackmlState::Execute:
+      if (print != PrintState::Paused) return;
+      record_.status.message = "paused at the machine";
+      record_.enter(PackmlState::Holding);
+      record_.enter(PackmlState::Held);
+      return;
+    case PackmlState::Holding:
+      if (print == PrintState::Paused) {
+        record_.enter(PackmlState::Held);
+        if (is_to_resume_) resume(now);
+      } else if (print == PrintState::Printing && is_to_repeat) {
+        command_ = UploadStep::Pause;
+      }
+      return;
+    case PackmlState::Held:
+      if (print != PrintState::Printing) return;
+      record_.status.message = "resumed at the machine";
+      record_.enter(PackmlState::Unholding);
+      record_.enter(PackmlState::Execute);
+      return;
+    case PackmlState::Unholding:
+      if (print == PrintState::Printing) record_.enter(PackmlState::Execute);
+      if (print == PrintState::Paused && is_to_repeat) command_ = UploadStep::Resume;
+      return;
+    default:
+      return;
+  }
+}
+
+/// The machine has said that this print is complete. A hold that came too late for it has no effect.
+void UploadJob::complete() {
+  if (record_.status.state == PackmlState::Holding) record_.enter(PackmlState::Held);
+  if (record_.status.state == PackmlState::Held) record_.enter(PackmlState::Unholding);
+  if (record_.status.state == PackmlState::Unholding) record_.enter(PackmlState::Execute);
+  record_.enter(PackmlState::Completing);
+  command_.reset();
+  phase_ = Phase::Finish;
+}
+
+/// It has to say so twice: a Duet's computer may learn that a print has ended before it learns how. Klipper
+/// calls a print complete when its last line was read, and may shut down in the motions that are still to
+/// come.
+void UploadJob::finish(double now) {
+  const MachineReport& report = server().report();
+  if (report.is_halted || !server().isOurs() || report.state != PrintState::Complete) return follow(now);
+  if (report.is_moving) {
+    if (now < completed_at_ + settings_.blocking_timeout_s) return;
+    return abort({ErrorCode::TimedOut, "the machine has reported the print complete, and was still moving " +
+                                           wholeSeconds(settings_.blocking_timeout_s) + " later"},
+                 now);
+  }
+  record_.status.lines_acknowledged = record_.status.lines_total;
+  phase_ = Phase::Remove;
+  next_at_ = now;
+}
+
+void UploadJob::stop(double now) {
+  const UploadStop::Verdict verdict = stop_.judge(server(), record_.status.failure.message, now);
+  if (verdict.next) command_ = verdict.next;
+  if (!verdict.confirmation) return;
+  record_.status.failure.message += *verdict.confirmation;
+  phase_ = stop_.isRemoved() ? Phase::Leave : Phase::Remove;
+  next_at_ = now;
+}
+
+void UploadJob::giveUpStop(double now) {
+  if (under_way_) is_to_break_ = true;
+  under_way_.reset();
+  if (stop_.takeEmergencyStop(server(), now)) {
+    command_ = UploadStep::EmergencyStop;
+    next_at_ = now;
+    return;
+  }
+  record_.status.failure.message += stop_.remark(server());
+  close();
+}
+
 // Time and commands
 
 void UploadJob::elapse(double now) {
-  if (phase_ == Phase::Stop && now >= stop_until_) giveUpStop(now);
+  if (phase_ == Phase::Stop && now >= stop_.until()) giveUpStop(now);
 }
 
 double UploadJob::nextDeadline() const {
   constexpr double kNever = std::numeric_limits<double>::infinity();
   if (phase_ == Phase::Over || record_.status.state == PackmlState::Idle) return kNever;
-  const double stop = phase_ == Phase::Stop ? stop_until_ : kNever;
+  const double stop = phase_ == Phase::Stop ? stop_.until() : kNever;
   return under_way_ ? stop : std::min(stop, next_at_);
 }
 
@@ -332,17 +503,16 @@ bool UploadJob::resume(double now) {
 
 void UploadJob::abort(const Failure& why, double now) {
   if (record_.isStopping() || isFinal(record_.status.state)) return;
-  record_.status.failure = why;
-  if (may_be_started_) record_.status.failure.message += record_.whereItStands();
   const bool was_starting = record_.isStarting();
-  record_.enter(PackmlState::Aborting);
+  record_.beginToStop({why.code, why.message + (may_be_started_ ? record_.whereItStands() : "")});
   if (std::exchange(under_way_, std::nullopt)) is_to_break_ = true;
   command_.reset();
   attempts_ = 0;
   next_at_ = now;
   if (may_be_started_ && !was_complete_) {
     phase_ = Phase::Stop;
-    stop_until_ = now + settings_.safe_stop_timeout_s;
+    stop_.begin(now);
+    if (was_seen_) stop_.seen();
   } else if (phase_ == Phase::Connect || (was_starting && why.code == ErrorCode::Disconnected)) {
     close();
   } else {
@@ -352,11 +522,8 @@ void UploadJob::abort(const Failure& why, double now) {
 }
 
 std::string UploadJob::change(const LiveChange& change, double now) {
-  const PackmlState state = record_.status.state;
-  const bool is_running =
-      state == PackmlState::Execute || state == PackmlState::Holding || state == PackmlState::Held;
   const bool is_to_come = record_.isStarting() && change.setting == LiveSetting::PauseAtLayer;
-  if (!is_to_come && !(is_running && phase_ == Phase::Follow)) return kNoJobToChange;
+  if (!is_to_come && !(record_.isUnderWay() && phase_ == Phase::Follow)) return kNoJobToChange;
   if (layer_pause_.take(change)) return {};
   const ChangeCommand changed = server().changed(change);
   if (changed.command.empty()) return changed.refusal;

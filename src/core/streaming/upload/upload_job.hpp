@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
 #include <deque>
 #include <memory>
 #include <optional>
@@ -13,8 +12,9 @@
 #include "lamina/streaming/job/stream_settings.hpp"
 #include "streaming/job/job_record.hpp"
 #include "streaming/job/layer_pause.hpp"
-#include "streaming/upload/line_at_byte.hpp"
+#include "streaming/upload/print_account.hpp"
 #include "streaming/upload/print_server.hpp"
+#include "streaming/upload/upload_stop.hpp"
 
 namespace lamina {
 
@@ -87,16 +87,9 @@ class UploadJob {
     NotTaken,  ///< the server says that it has not done it
     Possible,  ///< it may be done
   };
-  struct AskedEmergencyStop {
-    bool is_asked = false;
-    bool is_taken = false;             ///< the server has said so
-    std::string answer = "no answer";  ///< to the last request, in words
-  };
 
   UploadStep nextStep() const;
   bool isChangeNext() const;
-  /// A repeated request does no harm.
-  bool isEmergencyStopDue() const { return emergency_.is_asked && !emergency_.is_taken; }
   PrintServer& server() const { return *servers_.front(); }
   void beforeAsking(UploadStep step, double now);
   void onDone(UploadStep step, double now);
@@ -107,7 +100,6 @@ class UploadJob {
   void onRefused(UploadStep step, const Failure& why, double now);
   void tryNextServer(double now);
   void onReport(double now);
-  void takeTelemetry();
   void check(double now);
   void awaitIdleness(double now);
   void awaitStart(double now);
@@ -116,14 +108,9 @@ class UploadJob {
   void finish(double now);
   void complete();
   void stop(double now);
-  void askToCancel(double now);
-  void awaitStandstill(const std::string& how, double now);
-  void confirmStop(const std::string& how);
   void giveUpStop(double now);
   void onChangeFailed(const std::string& why);
   void pauseAtLayer(double now);
-  void takeComplaints();
-  void countStalls();
   void recognise(double now);
   void adopt(double now);
   void lose(double now);
@@ -133,8 +120,8 @@ class UploadJob {
   std::shared_ptr<const UploadOrder> order_;
   std::vector<std::unique_ptr<PrintServer>> servers_;  ///< that are still in question; the first is asked
   JobRecord record_;
-  LineAtByte sent_line_;
-  LineAtByte read_line_;
+  PrintAccount account_;
+  UploadStop stop_;
 
   Phase phase_ = Phase::Connect;
   std::optional<UploadStep> under_way_;
@@ -146,7 +133,6 @@ class UploadJob {
   bool may_be_started_ = false;
   bool was_seen_ = false;      ///< the machine has said that it prints it
   bool was_complete_ = false;  ///< before it was followed
-  bool is_removed_ = false;    ///< the file was, or is refused to be
   bool is_to_resume_ = false;  ///< once it is paused
   std::string trouble_;        ///< the last one
   int attempts_ = 0;           ///< of this step that brought no answer
@@ -154,16 +140,11 @@ class UploadJob {
   std::optional<double> busy_since_;
   double started_at_ = 0.0;  ///< when the start was asked for
   double heard_at_ = 0.0;    ///< the last report
-  double asked_at_ = 0.0;    ///< to pause, to resume, or to turn heaters off
+  double asked_at_ = 0.0;    ///< to pause or to resume
   double completed_at_ = 0.0;
-  double stop_until_ = 0.0;
   std::deque<std::string> changes_;  ///< commands that are still to be sent, in order
   bool is_report_due_ = false;       ///< before the next change
   LayerPause layer_pause_;
-  std::optional<std::uint64_t> stalls_before_;  ///< the print
-  AskedEmergencyStop emergency_;
-  std::array<int, 2> cancels_{};  ///< asked for while it printed, and while it was paused
-  bool asked_heaters_off_ = false;
 };
 
 }  // namespace lamina

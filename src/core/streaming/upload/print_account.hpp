@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "lamina/streaming/job/stream_job.hpp"
+#include "streaming/upload/line_at_byte.hpp"
+#include "streaming/upload/print_server.hpp"
+
+namespace lamina {
+
+/// The account of a print by what is sent and what the machine reports: lines, complaints, stalls. It stands
+/// in the status of the job.
+class PrintAccount {
+ public:
+  PrintAccount(StreamStatus& status, const StreamableProgram& program);
+
+  /// States how many bytes of the program were sent.
+  void sent(std::uint64_t bytes);
+  /// Takes what the machine has said lately, before the print can have begun.
+  void hear(PrintServer& server);
+  /// Likewise once it may have begun. Complaints are counted, as a link does that hears them.
+  void hearOfPrint(PrintServer& server);
+
+ private:
+  void hearOfMachine(const MachineReport& report);
+
+  StreamStatus& status_;
+  LineAtByte sent_line_;
+  LineAtByte read_line_;
+  std::optional<std::uint64_t> stalls_before_;  ///< the print
+};
+
+}  // namespace lamina

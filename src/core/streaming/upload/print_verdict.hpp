@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "lamina/base/error.hpp"
+#include "streaming/upload/print_server.hpp"
+
+namespace lamina {
+
+/// Why a machine cannot begin a print, by its report; nothing if it can.
+std::optional<Failure> hindrance(const MachineReport& report);
+
+/// Why a machine has no print of an earlier session to go on with; nothing if it has.
+/// @param earlier_files  beginning of the names that the file of the print may have
+std::optional<Failure> hindranceToGoOn(const MachineReport& report, const std::string& earlier_files);
+
+/// Why a print that was asked for will not begin; nothing if it still may.
+std::optional<Failure> hindranceToCome(const MachineReport& report);
+
+/// Why a print is under way no more, and not complete; nothing if it is under way or complete.
+std::optional<Failure> endOfPrint(const PrintServer& server);
+
+}  // namespace lamina
