@@ -4,13 +4,10 @@
 
 #include <Eigen/Geometry>
 #include <cstdint>
-#include <deque>
 #include <map>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "lamina/control/correction_map.hpp"
@@ -21,26 +18,16 @@
 #include "lamina/control/run/lump_watch.hpp"
 #include "lamina/control/run/missed_map.hpp"
 #include "lamina/control/run/offset_watch.hpp"
+#include "lamina/control/run/sensor_motion.hpp"
+#include "lamina/control/run/solid_cells.hpp"
+#include "lamina/control/run/stamped_events.hpp"
+#include "lamina/control/run/standing_alarms.hpp"
 #include "lamina/control/run/stuck_watch.hpp"
 #include "lamina/control/run/taught_part.hpp"
 
 namespace lamina {
 
 class LayerTrim;
-
-/// The position of the nozzle tip at an instant.
-struct StampedTip {
-  std::int64_t stamp_ns = 0;
-  Point3 tip = Point3::Zero();  ///< [mm, bed frame]
-};
-
-/// The points that the sensor saw at an instant.
-struct SensedCloud {
-  std::int64_t stamp_ns = 0;  ///< true time of measurement, without the offset of the sensor's clock
-  Eigen::Isometry3d bed_from_sensor = Eigen::Isometry3d::Identity();  ///< translation [mm]
-  /// Points of each profile [mm, frame of the sensor]; not finite where one is missing.
-  std::vector<std::vector<Point3>> profiles;
-};
 
 /// A part on its bed.
 struct PlacedPart {
@@ -188,24 +175,12 @@ class LoopRun {
   const StabilityReport& stability() const { return stability_; }
 
  private:
-  /// A pose, or a cloud if there is one.
-  struct Event {
-    std::int64_t stamp_ns = 0;
-    Point3 tip = Point3::Zero();
-    std::shared_ptr<const SensedCloud> cloud;
-  };
-  /// Orders by stamp, poses before clouds, then by content, so that the order of arrival has no influence.
-  struct Earlier {
-    bool operator()(const Event& a, const Event& b) const;
-  };
-
-  void insert(Event event);
+  void passDue();
   void passUntil(std::int64_t stamp_ns);
   void onTip(std::int64_t stamp_ns, const Point3& tip);
   void onCloud(const SensedCloud& cloud);
   void readCloud(const SensedCloud& cloud);
   void use(const LayerReading& reading);
-  void senseMotion(const SensedCloud& cloud);
   void watchLump(const std::vector<Point3>& points, const Eigen::Isometry3d& toolpath_from_sensor);
   void watchOffset();
   void watch(double blind_s);
@@ -216,18 +191,15 @@ class LoopRun {
   void checkAgain(const LayerFigures& figures);
   void planAnew(const LayerFigures& figures);
   void offerPlan(const LayerFigures& figures, const std::string& reason);
-  std::string reasonToPlan(const LayerFigures& figures) const;
   void blockIfLump();
   LayerCorrection wanted() const;
   void layAsPlanned(const std::string& reason);
   void layMapFrom(std::size_t cell);
   void takeMissed();
   void shiftNozzle();
-  CellCorrections asDeposited() const;
   LayerOutcome outcomeOf(const LayerFigures& figures);
   std::size_t cellsDeposited(double settle_mm) const;
   void leaveBehind(std::int64_t stamp_ns);
-  std::size_t cellsSolid(std::int64_t stamp_ns);
   void publishMap();
   void trimLayer();
   void take(LoopStep step);
@@ -272,26 +244,21 @@ class LoopRun {
   std::vector<CellEstimate> below_;          ///< of the layer before
   std::size_t below_layer_ = 0;
 
-  std::multiset<Event, Earlier> waiting_;
-  std::optional<std::int64_t> latest_ns_;
-  std::optional<std::int64_t> latest_tip_ns_;
-  std::optional<std::int64_t> passed_ns_;
+  StampedEvents events_;
   std::optional<std::int64_t> tip_ns_;
   Point3 tip_ = Point3::Zero();
   bool is_moving_ = false;
   double silent_s_ = 0.0;  ///< of motion in the scan, without a cloud
   double settle_mm_ = 0.0;
-  std::deque<std::pair<std::int64_t, std::size_t>> left_behind_;  ///< cells of the layer, and since when
+  SolidCells solid_;
   std::optional<std::int64_t> cloud_ns_;
   StuckWatch stuck_;
   OffsetWatch offset_;
-  OffsetLeft offset_left_;          ///< of the layer that reported it last
-  LumpWatch lump_;                  ///< above the layer under way, as scanned
-  Box3 ground_;                     ///< of that layer, without its height
-  Point3 sensor_ = Point3::Zero();  ///< at the last cloud [toolpath]
-  std::optional<std::int64_t> sensor_ns_;
-  Eigen::Vector3d sensor_mm_s_ = Eigen::Vector3d::Zero();  ///< [toolpath]
-  std::set<LoopAlarm> watched_;                            ///< alarms of the watch that are up
+  OffsetLeft offset_left_;  ///< of the layer that reported it last
+  LumpWatch lump_;          ///< above the layer under way, as scanned
+  Box3 ground_;             ///< of that layer, without its height
+  SensorMotion motion_;     ///< [toolpath]
+  StandingAlarms watched_;
   std::vector<RaisedAlarm> layer_alarms_;
   std::optional<RaisedAlarm> last_alarm_;
   LoopNews news_;

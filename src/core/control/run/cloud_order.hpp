@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "lamina/control/run/loop_run.hpp"
+#include "lamina/control/run/stamped_events.hpp"
 
 namespace lamina {
 

@@ -3,6 +3,9 @@
 #include "control/run/layer_ground.hpp"
 
 #include <algorithm>
+#include <limits>
+
+#include "geometry/boxes.hpp"
 
 namespace lamina {
 
@@ -20,6 +23,21 @@ Box3 groundOf(const LayerCells& cells, const Eigen::Vector3d& normal) {
     ground.include(at + around);
   }
   return ground;
+}
+
+std::vector<double> heightsOver(const Box3& ground, const Eigen::Vector3d& normal,
+                                const std::vector<Point3>& points,
+                                const Eigen::Isometry3d& toolpath_from_sensor) {
+  std::vector<double> heights;
+  heights.reserve(points.size());
+  for (const Point3& point : points) {
+    const Point3 at = toolpath_from_sensor * point;
+    const double height = at.dot(normal);
+    const bool is_point = point.allFinite() && !point.isZero(0.0);
+    const bool is_over = is_point && isInBox(ground, Point3(at - height * normal));
+    heights.push_back(is_over ? height : std::numeric_limits<double>::quiet_NaN());
+  }
+  return heights;
 }
 
 }  // namespace lamina

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Geometry>
+#include <vector>
+
 #include "lamina/control/layer_cells.hpp"
 #include "lamina/geometry/vector.hpp"
 
@@ -13,5 +16,12 @@ double widestBead(const LayerCells& cells);
 /// The area that a layer covers, widened by the width of its beads [mm]: the box of its cells' middles,
 /// projected along the layers' normal onto the plane through the origin.
 Box3 groundOf(const LayerCells& cells, const Eigen::Vector3d& normal);
+
+/// Heights of the points of a profile over the plane through the origin [mm]; not finite where a point is
+/// missing or outside that area.
+/// @param points  [mm, frame of the sensor]
+std::vector<double> heightsOver(const Box3& ground, const Eigen::Vector3d& normal,
+                                const std::vector<Point3>& points,
+                                const Eigen::Isometry3d& toolpath_from_sensor);
 
 }  // namespace lamina

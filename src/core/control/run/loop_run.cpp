@@ -8,40 +8,21 @@
 #include <utility>
 
 #include "base/decimals.hpp"
-#include "control/run/cloud_order.hpp"
+#include "control/run/cell_corrections.hpp"
 #include "control/run/layer_ground.hpp"
 #include "control/run/layer_trim.hpp"
-#include "geometry/boxes.hpp"
+#include "control/run/loop_plan.hpp"
+#include "control/run/stamps.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
-#include "lamina/control/metal_split.hpp"
 #include "lamina/control/run/run_calibration.hpp"
 #include "lamina/control/z_follow.hpp"
 
 namespace lamina {
 namespace {
 
-constexpr double kSecond = 1e9;              // ns
 constexpr double kShiftBack = 0.2;           // layers per layer, as the nozzle's height is followed
 constexpr double kLeastOffsetSigma = 0.001;  // s, better than which no stamps are
-constexpr double kSteady = 0.5;              // s between clouds, above which their sensor may have turned
-
-double secondsFrom(std::int64_t begin_ns, std::int64_t end_ns) {
-  return static_cast<double>(end_ns - begin_ns) / kSecond;
-}
-
-bool isAllZero(const std::vector<double>& values) {
-  return std::all_of(values.begin(), values.end(), [](double value) { return value == 0.0; });
-}
-
-/// Asks once for all layers what `metalSplit` refuses.
-void requireSpeeds(const Toolpath& toolpath, const LoopRunSettings& settings) {
-  if (settings.loop.speed_exponent == 0.0) return;
-  for (std::size_t layer = 0; layer < toolpath.layers.size(); ++layer) {
-    const LayerCells cells = layerCells(toolpath.layers[layer], layer, settings.cell_mm);
-    metalSplit(cells, std::vector<double>(cells.size(), 0.0), PowerSource::Fixed, settings.loop);
-  }
-}
 
 std::string reasonOf(const MissedMap& missed) {
   return "layer " + std::to_string(missed.layer) + " is deposited as planned, not by its map: " +
@@ -58,15 +39,6 @@ double highestCell(const std::vector<CellEstimate>& estimates) {
 }
 
 }  // namespace
-
-bool LoopRun::Earlier::operator()(const Event& a, const Event& b) const {
-  if (a.stamp_ns != b.stamp_ns) return a.stamp_ns < b.stamp_ns;
-  if (!a.cloud || !b.cloud) {
-    if (a.cloud || b.cloud) return !a.cloud;
-    return std::lexicographical_compare(a.tip.begin(), a.tip.end(), b.tip.begin(), b.tip.end());
-  }
-  return compared(*a.cloud, *b.cloud) < 0;
-}
 
 LoopRun::LoopRun(PlacedPart part, const LoopRunSettings& settings)
     : part_(std::move(part)),
@@ -140,44 +112,40 @@ bool LoopRun::isCorrecting() const { return lamina::isCorrecting(status_.state);
 
 void LoopRun::observe(const StampedTip& pose) {
   ++counts_.poses;
-  if (passed_ns_ && pose.stamp_ns < *passed_ns_) {
+  if (events_.isLate(pose.stamp_ns)) {
     ++counts_.poses_late;
     return;
   }
-  latest_tip_ns_ = std::max(latest_tip_ns_.value_or(pose.stamp_ns), pose.stamp_ns);
-  insert({pose.stamp_ns, pose.tip, nullptr});
+  events_.add(pose);
+  passDue();
 }
 
 void LoopRun::see(SensedCloud cloud) {
   ++counts_.clouds;
-  if (passed_ns_ && cloud.stamp_ns < *passed_ns_) {
+  if (events_.isLate(cloud.stamp_ns)) {
     ++counts_.clouds_late;
     return;
   }
   ++counts_.clouds_waiting;
-  const std::int64_t stamp_ns = cloud.stamp_ns;
-  insert({stamp_ns, Point3::Zero(), std::make_shared<const SensedCloud>(std::move(cloud))});
+  events_.add(std::move(cloud));
+  passDue();
 }
 
-void LoopRun::insert(Event event) {
-  latest_ns_ = std::max(latest_ns_.value_or(event.stamp_ns), event.stamp_ns);
-  waiting_.insert(std::move(event));
-  passUntil(*latest_ns_ - static_cast<std::int64_t>(settings_.reorder_s * kSecond));
+void LoopRun::passDue() {
+  passUntil(*events_.latest() - static_cast<std::int64_t>(settings_.reorder_s * 1e9));
 }
 
 void LoopRun::passUntil(std::int64_t stamp_ns) {
-  while (!waiting_.empty() && waiting_.begin()->stamp_ns <= stamp_ns) {
-    const Event event = std::move(waiting_.extract(waiting_.begin()).value());
-    passed_ns_ = event.stamp_ns;
-    if (event.cloud)
-      onCloud(*event.cloud);
+  while (const auto event = events_.takeUntil(stamp_ns)) {
+    if (event->cloud)
+      onCloud(*event->cloud);
     else
-      onTip(event.stamp_ns, event.tip);
+      onTip(event->stamp_ns, event->tip);
   }
 }
 
 void LoopRun::passAll() {
-  if (latest_ns_) passUntil(*latest_ns_);
+  if (events_.latest()) passUntil(*events_.latest());
 }
 
 void LoopRun::finish() {
@@ -186,10 +154,11 @@ void LoopRun::finish() {
 }
 
 void LoopRun::hear(std::int64_t stamp_ns) {
-  if (!latest_tip_ns_ || stamp_ns <= *latest_tip_ns_) return;
-  const double blind_s = secondsFrom(*latest_tip_ns_, stamp_ns);
+  const auto latest_tip_ns = events_.latestTip();
+  if (!latest_tip_ns || stamp_ns <= *latest_tip_ns) return;
+  const double blind_s = secondsFrom(*latest_tip_ns, stamp_ns);
   // The last poses say whether the nozzle was scanning: nothing that comes brings them on any more.
-  if (blind_s > settings_.loop.silence_s) passUntil(*latest_tip_ns_);
+  if (blind_s > settings_.loop.silence_s) passUntil(*latest_tip_ns);
   watch(blind_s);
 }
 
@@ -215,6 +184,42 @@ void LoopRun::refuseTrim(std::size_t layer, const std::string& reason) {
   take({status_,
         {{LoopAlarm::MapLate, LoopReaction::Warn,
           "a further map of layer " + std::to_string(layer) + " is not used: " + reason}}});
+}
+
+bool LoopRun::follow(const std::string& toolpath_id) {
+  passAll();
+  if (!plan_ || plan_->part.toolpath_id != toolpath_id) return false;
+  events_.clear();
+  missed_.clear();
+  part_ = std::move(plan_->part);
+  progress_ = LayerProgress(part_.toolpath, settings_.following);
+  loop_ = std::move(plan_loop_);
+  atlas_ = CellAtlas(settings_.sight.window_layers);
+  below_.clear();
+  below_layer_ = 0;
+  if (isCorrecting()) status_ = afterReplan(status_, plan_->raised_mm);
+  mean_shift_mm_ = last_amount_ = 0.0;
+  short_mm_ = plan_->short_mm;
+  layer_alarms_.clear();
+  trim_refused_.reset();
+  plan_.reset();
+  plan_loop_.reset();
+  taught_.abandon();
+  beginLayer(0);
+  return true;
+}
+
+bool LoopRun::refusePlan(const std::string& toolpath_id, const std::string& reason) {
+  if (!plan_ || plan_->part.toolpath_id != toolpath_id) return false;
+  take({status_,
+        {{LoopAlarm::Saturated, LoopReaction::Warn,
+          "layer " + std::to_string(plan_->layer) + " is deposited as before, not by plan " + toolpath_id +
+              ": " + reason}}});
+  const bool is_next = layer_ == plan_->layer;
+  plan_.reset();
+  plan_loop_.reset();
+  if (is_next) publishMap();
+  return true;
 }
 
 /// Cells that went to the machine before their map were deposited as planned. The trim of the layer expected
@@ -276,36 +281,21 @@ void LoopRun::onCloud(const SensedCloud& cloud) {
   for (const auto& profile : cloud.profiles)
     if (is_moving_) stuck_.see(profile);
   watch(0.0);
-  if (watched_.count(LoopAlarm::Stuck) > 0) {
+  if (watched_.isUp(LoopAlarm::Stuck)) {
     ++counts_.clouds_stuck;
     return;
   }
   ++counts_.clouds_read;
-  senseMotion(cloud);
+  motion_.see(cloud.stamp_ns, part_from_bed_ * cloud.bed_from_sensor.translation());
   if (layer_) readCloud(cloud);
-}
-
-void LoopRun::senseMotion(const SensedCloud& cloud) {
-  const Point3 sensor = part_from_bed_ * cloud.bed_from_sensor.translation();
-  const double span_s = sensor_ns_ ? secondsFrom(*sensor_ns_, cloud.stamp_ns) : 0.0;
-  const bool is_steady = span_s > 0.0 && span_s <= kSteady;
-  sensor_mm_s_ = is_steady ? Eigen::Vector3d((sensor - sensor_) / span_s) : Eigen::Vector3d::Zero();
-  sensor_ = sensor;
-  sensor_ns_ = cloud.stamp_ns;
 }
 
 /// What stands higher than cells are looked for. A layer that is not plane has no one height.
 void LoopRun::watchLump(const std::vector<Point3>& points, const Eigen::Isometry3d& toolpath_from_sensor) {
   if (!atlas_.isPlane(*layer_)) return;
+  std::vector<double> heights = heightsOver(ground_, normal_, points, toolpath_from_sensor);
   const double top = loop_->cells().middle.front().dot(normal_);
-  std::vector<double> heights;
-  heights.reserve(points.size());
-  for (const Point3& point : points) {
-    const Point3 at = toolpath_from_sensor * point;
-    const bool is_point = point.allFinite() && !point.isZero(0.0);
-    const bool is_under_way = is_point && isInBox(ground_, Point3(at - at.dot(normal_) * normal_));
-    heights.push_back(is_under_way ? at.dot(normal_) - top : LumpWatch::kNone);
-  }
+  for (double& height : heights) height = std::isfinite(height) ? height - top : LumpWatch::kNone;
   lump_.see(heights);
 }
 
@@ -328,25 +318,17 @@ std::size_t LoopRun::cellsDeposited(double settle_mm) const {
 
 void LoopRun::leaveBehind(std::int64_t stamp_ns) {
   if (!layer_) return;
-  const std::size_t cells = cellsDeposited(settle_mm_);
-  if (left_behind_.empty() || left_behind_.back().second != cells) left_behind_.emplace_back(stamp_ns, cells);
-}
-
-/// Of what the nozzle had left behind, what had the time to become solid.
-std::size_t LoopRun::cellsSolid(std::int64_t stamp_ns) {
-  const std::int64_t since_ns = stamp_ns - std::llround(kSecond * settings_.settle_s);
-  while (left_behind_.size() > 1 && left_behind_[1].first <= since_ns) left_behind_.pop_front();
-  return !left_behind_.empty() && left_behind_.front().first <= since_ns ? left_behind_.front().second : 0;
+  solid_.leaveBehind(stamp_ns, cellsDeposited(settle_mm_));
 }
 
 void LoopRun::readCloud(const SensedCloud& cloud) {
-  atlas_.setDeposited(*layer_, cellsSolid(cloud.stamp_ns));
+  atlas_.setDeposited(*layer_, solid_.leftBehindBy(cloud.stamp_ns - nanoseconds(settings_.settle_s)));
   // In a scan pass all that lies open is of the layer.
   if (progress_.place().is_scanning) atlas_.forgetBelow(*layer_);
   const std::vector<LayerPrediction> predictions = {{*layer_, &loop_->estimates()}, {below_layer_, &below_}};
   SensorProfile profile;
   profile.toolpath_from_sensor = part_from_bed_ * cloud.bed_from_sensor;
-  profile.stamp_sigma_mm = settings_.calibration.time_offset_sigma_s * sensor_mm_s_;
+  profile.stamp_sigma_mm = settings_.calibration.time_offset_sigma_s * motion_.velocity();
   for (const auto& points : cloud.profiles) {
     profile.points = points;
     const ProfileReadings read = readProfile(profile, atlas_, predictions, settings_.sight);
@@ -374,7 +356,7 @@ void LoopRun::use(const LayerReading& reading) {
     return;
   }
   if (progress_.place().is_scanning)
-    offset_.see(reading.cell, sensor_mm_s_.dot(loop_->cells().tangent[reading.cell]), reading.reading);
+    offset_.see(reading.cell, motion_.velocity().dot(loop_->cells().tangent[reading.cell]), reading.reading);
   switch (loop_->see(reading.cell, reading.reading).use) {
     case ReadingUse::Used:
       ++counts_.readings_used;
@@ -388,7 +370,6 @@ void LoopRun::use(const LayerReading& reading) {
   }
 }
 
-/// An alarm that stays up is raised once.
 void LoopRun::watch(double blind_s) {
   SensorWatch seen;
   seen.is_scanning = progress_.place().is_scanning;
@@ -400,14 +381,7 @@ void LoopRun::watch(double blind_s) {
   if (offset_left_.sigma_s > 0.0)
     seen.time_offset_sigmas = std::abs(offset_left_.offset_s) / offset_left_.sigma_s;
   LoopStep step = afterWatch(status_, seen, settings_.loop);
-  std::set<LoopAlarm> up;
-  std::vector<RaisedAlarm> risen;
-  for (RaisedAlarm& alarm : step.alarms) {
-    up.insert(alarm.alarm);
-    if (watched_.count(alarm.alarm) == 0) risen.push_back(std::move(alarm));
-  }
-  step.alarms = std::move(risen);
-  watched_ = std::move(up);
+  step.alarms = watched_.risen(std::move(step.alarms));
   take(std::move(step));
 }
 
@@ -431,7 +405,7 @@ void LoopRun::beginLayer(std::size_t layer) {
   if (cells.size() == 0) return;
   layer_ = layer;
   silent_s_ = 0.0;
-  left_behind_.clear();
+  solid_.begin();
   settle_mm_ = settings_.settle_mm > 0.0 ? settings_.settle_mm : widestBead(cells);
   const auto shared = std::make_shared<const LayerCells>(cells);
   loop_->beginLayer(std::move(cells), taught_.amountsOf(layer));
@@ -511,26 +485,9 @@ void LoopRun::shiftNozzle() {
   mean_shift_mm_ = meanOverCells(cells, shift_mm_);
 }
 
-/// What the machine is given so that the layer grows as corrected.
-CellCorrections LoopRun::asDeposited() const {
-  CellCorrections told;
-  if (!isAllZero(shift_mm_)) told.dz_mm = shift_mm_;
-  if (isAllZero(laid_.amount)) return told;
-  told.amount = laid_.amount;
-  if (settings_.loop.speed_exponent == 0.0) return told;
-  const LayerCells& cells = loop_->cells();
-  const MetalCorrection split = metalSplit(cells, laid_.amount, PowerSource::Fixed, settings_.loop);
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    told.speed.push_back(split.speed_mm_s[i] / cells.speed_mm_s[i] - 1.0);
-    // What the wire brings per time is the same all over the layer.
-    told.amount[i] = (1.0 + split.wire) / (1.0 + told.speed[i]) - 1.0;
-  }
-  return told;
-}
-
 void LoopRun::publishMap() {
   mapped_ = {laid_, shift_mm_, deposited_in_};
-  const CellCorrections told = asDeposited();
+  const CellCorrections told = cellCorrections(loop_->cells(), laid_.amount, shift_mm_, settings_.loop);
   CorrectionMap map{part_.toolpath_id, *layer_, map_sequence_, {}};
   if (!told.amount.empty() || !told.dz_mm.empty())
     map = correctionMap(loop_->cells(), told, part_.toolpath_id, map_sequence_);
@@ -567,6 +524,35 @@ LayerOutcome LoopRun::outcomeOf(const LayerFigures& figures) {
         {cells.middle[i], cell.error(), std::sqrt(cell.variance()), laid_.amount[i], cell.isSeen()});
   }
   return outcome;
+}
+
+/// A plan holds for the layer that comes next alone.
+void LoopRun::planAnew(const LayerFigures& figures) {
+  plan_.reset();
+  plan_loop_.reset();
+  const bool plans = settings_.loop.replan == Replanning::Scale || settings_.loop.replan == Replanning::Add;
+  const bool is_free = settings_.loop.process == LoopProcess::Free;
+  if (!plans || !is_free || status_.state != LoopState::Active || !figures.is_measured) return;
+  const std::string reason = reasonToPlan(part_.toolpath, figures, layer_alarms_, settings_.loop);
+  if (reason.empty()) return;
+  try {
+    offerPlan(figures, reason);
+  } catch (const InvalidInput& error) {
+    take({status_, {{LoopAlarm::Saturated, LoopReaction::Hold, reason + "; no plan: " + error.what()}}});
+  }
+}
+
+void LoopRun::offerPlan(const LayerFigures& figures, const std::string& reason) {
+  PrintPlan plan = planOfLayersLeft(part_, figures, short_mm_, settings_.loop);
+  plan.reason = reason;
+  plan_loop_ = *loop_;
+  plan_loop_->replan(plan.raised_mm, plan.flow);
+  const bool is_told = std::any_of(layer_alarms_.begin(), layer_alarms_.end(), [](const RaisedAlarm& alarm) {
+    return alarm.alarm == LoopAlarm::Saturated;
+  });
+  if (!is_told) take({status_, {{LoopAlarm::Saturated, LoopReaction::Replan, reason}}});
+  plan_ = plan;
+  news_.plans.push_back(std::move(plan));
 }
 
 /// By what was stated, and by what the last layer showed: how far its growth was off what is learnt of it.

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <utility>
+
+namespace lamina {
+
+/// The cells of a layer that have had the time to become solid since the nozzle left them behind.
+class SolidCells {
+ public:
+  /// States that nothing of a new layer is left behind.
+  void begin() { left_.clear(); }
+  /// States how many cells the nozzle has left behind.
+  void leaveBehind(std::int64_t stamp_ns, std::size_t cells) {
+    if (left_.empty() || left_.back().second != cells) left_.emplace_back(stamp_ns, cells);
+  }
+  /// Number of cells left behind by then, which must not be earlier than at the call before.
+  std::size_t leftBehindBy(std::int64_t stamp_ns) {
+    while (left_.size() > 1 && left_[1].first <= stamp_ns) left_.pop_front();
+    return !left_.empty() && left_.front().first <= stamp_ns ? left_.front().second : 0;
+  }
+
+ private:
+  std::deque<std::pair<std::int64_t, std::size_t>> left_;  ///< cells, and since when
+};
+
+}  // namespace lamina

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "lamina/geometry/vector.hpp"
+
+namespace lamina {
+
+/// The position of the nozzle tip at an instant.
+struct StampedTip {
+  std::int64_t stamp_ns = 0;
+  Point3 tip = Point3::Zero();  ///< [mm, bed frame]
+};
+
+/// The points that the sensor saw at an instant.
+struct SensedCloud {
+  std::int64_t stamp_ns = 0;  ///< true time of measurement, without the offset of the sensor's clock
+  Eigen::Isometry3d bed_from_sensor = Eigen::Isometry3d::Identity();  ///< translation [mm]
+  /// Points of each profile [mm, frame of the sensor]; not finite where one is missing.
+  std::vector<std::vector<Point3>> profiles;
+};
+
+/// A pose, or a cloud if there is one.
+struct StampedEvent {
+  std::int64_t stamp_ns = 0;
+  Point3 tip = Point3::Zero();
+  std::shared_ptr<const SensedCloud> cloud;
+};
+
+/// Poses and clouds that wait, in an order that does not depend on that of their arrival: by stamp, poses
+/// before clouds, then by content.
+class StampedEvents {
+ public:
+  /// Whether an event of that stamp comes too late, since a later one was taken.
+  bool isLate(std::int64_t stamp_ns) const { return taken_ns_ && stamp_ns < *taken_ns_; }
+  void add(const StampedTip& pose);
+  void add(SensedCloud cloud);
+
+  /// Takes the first event, unless it is later than that stamp.
+  std::optional<StampedEvent> takeUntil(std::int64_t stamp_ns);
+  /// Forgets the events that wait.
+  void clear() { waiting_.clear(); }
+
+  /// The latest stamp of an event, and of a pose; nothing before the first one.
+  const std::optional<std::int64_t>& latest() const { return latest_ns_; }
+  const std::optional<std::int64_t>& latestTip() const { return latest_tip_ns_; }
+
+ private:
+  struct Earlier {
+    bool operator()(const StampedEvent& a, const StampedEvent& b) const;
+  };
+
+  void insert(StampedEvent event);
+
+  std::multiset<StampedEvent, Earlier> waiting_;
+  std::optional<std::int64_t> latest_ns_;
+  std::optional<std::int64_t> latest_tip_ns_;
+  std::optional<std::int64_t> taken_ns_;
+};
+
+}  // namespace lamina

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "lamina/control/supervision.hpp"
+
+namespace lamina {
+
+/// The alarms of a watch that are up. One that stays up is raised once.
+class StandingAlarms {
+ public:
+  /// Takes the alarms that are up now.
+  /// @return those that were not up before
+  std::vector<RaisedAlarm> risen(std::vector<RaisedAlarm> now) {
+    std::set<LoopAlarm> up;
+    std::vector<RaisedAlarm> risen;
+    for (RaisedAlarm& alarm : now) {
+      up.insert(alarm.alarm);
+      if (!isUp(alarm.alarm)) risen.push_back(std::move(alarm));
+    }
+    up_ = std::move(up);
+    return risen;
+  }
+  bool isUp(LoopAlarm alarm) const { return up_.count(alarm) > 0; }
+
+ private:
+  std::set<LoopAlarm> up_;
+};
+
+}  // namespace lamina
