@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
 #include <deque>
 #include <memory>
 #include <string>
@@ -13,6 +12,7 @@
 #include "lamina/streaming/emulator/emulated_firmware.hpp"
 #include "streaming/emulator/emulated_heaters.hpp"
 #include "streaming/emulator/emulated_vacuum.hpp"
+#include "streaming/emulator/homed_axes.hpp"
 #include "streaming/emulator/line_gate.hpp"
 
 namespace lamina {
@@ -88,7 +88,6 @@ class EmulatedFirmware::Board {
   void heat(EmulatedHeater& heater, std::string_view command);
   void home(std::string_view command);
   bool runPeriphery(int code, std::string_view command);
-  void motorsOff(std::string_view command);
   void switchPin(std::string_view command);
   void sayPin(std::string_view command);
   void sayHomed();
@@ -112,7 +111,7 @@ class EmulatedFirmware::Board {
   FaultInjector faults_;
   EmulatedHeaters heaters_;
   EmulatedVacuum vacuum_;
-  std::array<bool, 3> is_homed_{};
+  HomedAxes homed_;
   EmulatedMotion motion_;
   std::unique_ptr<GcodeReader> reader_;
   LineGate gate_;

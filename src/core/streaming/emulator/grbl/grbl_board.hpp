@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <deque>
 #include <optional>
-#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -13,7 +12,7 @@
 
 #include "lamina/base/random.hpp"
 #include "lamina/streaming/emulator/grbl/emulated_grbl.hpp"
-#include "lamina/streaming/firmware/grbl/grbl_protocol.hpp"
+#include "streaming/emulator/grbl/grbl_overriding.hpp"
 
 namespace lamina {
 
@@ -29,7 +28,7 @@ class EmulatedGrbl::Board {
   bool takeDisconnect() { return std::exchange(is_link_cut_, false); }
 
   const Point3& position() const { return position_; }
-  double spindleSpeed() const { return 0.01 * percents_.spindle * spindle_; }
+  double spindleSpeed() const { return 0.01 * overriding_.percents().spindle * spindle_; }
   bool isInMotion() const { return state_ == State::Run || state_ == State::Slowing; }
   std::uint64_t faults() const { return fault_count_; }
   std::uint64_t bytesLost() const { return bytes_lost_; }
@@ -79,8 +78,6 @@ class EmulatedGrbl::Board {
   bool tryFinish(double now);
   void say(const std::string& text);
   void report();
-  bool noteOverride(char byte);
-  void applyOverrides();
   void reset();
 
   void advance(double now);
@@ -111,9 +108,7 @@ class EmulatedGrbl::Board {
   double spindle_ = 0.0;
   double speed_ = 0.0;
   int reports_to_offset_ = 1;  ///< until it is reported again
-  GrblPercents percents_;
-  std::set<char> override_bytes_;  ///< that came since the firmware looked last; equal ones are one
-  int reports_to_overrides_ = 1;   ///< until they are reported again
+  GrblOverriding overriding_;
 
   // Faults.
   std::uint64_t arriving_ = 1;     ///< number of the line whose bytes arrive

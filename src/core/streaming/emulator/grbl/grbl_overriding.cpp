@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Overrides as grbl takes them: flags that are set as bytes arrive, and obeyed when it looks at them.
-#include <algorithm>
-#include <utility>
+#include "streaming/emulator/grbl/grbl_overriding.hpp"
 
-#include "streaming/emulator/grbl/grbl_board.hpp"
+#include <algorithm>
+#include <array>
+#include <utility>
 
 namespace lamina {
 namespace {
@@ -17,20 +17,19 @@ int nextPercent(int percent, int byte, int as_programmed) {
 
 }  // namespace
 
-/// @return whether the byte does not wait in the buffer
-bool EmulatedGrbl::Board::noteOverride(char byte) {
+bool GrblOverriding::note(char byte) {
   const bool is_extended = static_cast<unsigned char>(byte) >= 0x80;
-  if (is_extended) override_bytes_.insert(byte);
+  if (is_extended) bytes_.insert(byte);
   return is_extended;
 }
 
-void EmulatedGrbl::Board::applyOverrides() {
+void GrblOverriding::apply() {
   constexpr int kFeed = 0x90;
   constexpr int kRapid = 0x95;
   constexpr int kSpindle = 0x99;
   constexpr std::array<int, 3> kRapids = {100, 50, 25};
-  if (override_bytes_.empty()) return;
-  for (const char given : std::exchange(override_bytes_, {})) {
+  if (bytes_.empty()) return;
+  for (const char given : std::exchange(bytes_, {})) {
     const int byte = static_cast<unsigned char>(given);
     if (byte >= kFeed && byte < kRapid) percents_.feed = nextPercent(percents_.feed, byte, kFeed);
     if (byte >= kRapid && byte < kRapid + 3)
@@ -38,7 +37,20 @@ void EmulatedGrbl::Board::applyOverrides() {
     if (byte >= kSpindle && byte < kSpindle + 5)
       percents_.spindle = nextPercent(percents_.spindle, byte, kSpindle);
   }
-  reports_to_overrides_ = 1;
+  reports_left_ = 1;
+}
+
+void GrblOverriding::reset() {
+  percents_ = {};
+  reports_left_ = 1;
+}
+
+std::string GrblOverriding::takeReport() {
+  constexpr int kReportsBetween = 10;
+  if (--reports_left_ > 0) return {};
+  reports_left_ = kReportsBetween;
+  return "|Ov:" + std::to_string(percents_.feed) + "," + std::to_string(percents_.rapid) + "," +
+         std::to_string(percents_.spindle);
 }
 
 }  // namespace lamina
