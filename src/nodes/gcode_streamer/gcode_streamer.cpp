@@ -18,6 +18,7 @@
 #include "startup_messages.hpp"
 #include "status.hpp"
 #include "stream_messages.hpp"
+#include "streamer_pulse.hpp"
 
 namespace lamina {
 namespace {
@@ -60,6 +61,7 @@ GcodeStreamer::GcodeStreamer(ros::NodeHandle node, const GcodeStreamerSettings& 
     : settings_(settings),
       owner_(settings.owner),
       machine_(machineOf(settings.machine)),
+      programs_(machine_, settings),
       bed_from_program_(programFromBed(machine_).inverse()),
       state_(node.advertise<lamina_msgs::MachineState>(names::kMachineState, 100, true)),
       heaters_(node.advertise<lamina_msgs::HeaterState>(names::kHeaterState, 100, true)),
@@ -96,7 +98,7 @@ GcodeStreamer::GcodeStreamer(ros::NodeHandle node, const GcodeStreamerSettings& 
     onCorrection(*map);
   };
   if (settings_.corrections.is_used) {
-    applied_ = node.advertise<lamina_msgs::AppliedCorrection>(names::kAppliedCorrection, 100);
+    reports_ = CorrectionReports(node);
     correction_ = node.subscribe<lamina_msgs::CorrectionMap>(names::kCorrection, 100, correct);
   }
   const boost::function<void(const lamina_msgs::ToolpathConstPtr&)> plan = [this](const auto& message) {
@@ -235,8 +237,8 @@ StreamStatus GcodeStreamer::streamProgram(const StreamableProgram& program, JobS
   StreamStatus status = follow(*session, [&](const StreamStatus& now) {
     watchStartup(*session, now);
     if (!execution.empty()) holdWithoutOwner(*session);
-    if (corrected) tellDecisions(*corrected);
-    if (recorded) reportDepositedAsPlanned(*recorded, now.layer);
+    if (corrected) reports_.tell(*corrected);
+    if (recorded) reports_.tell(*recorded, now.layer);
   });
   const std::lock_guard<std::mutex> lock(mutex_);
   session_.reset();
@@ -295,17 +297,7 @@ StreamableProgram GcodeStreamer::programFromToolpath(const std::string& id) cons
   if (message->id != id) {
     throw InvalidInput("toolpath " + id + " is asked for; the one published last is " + message->id);
   }
-  return programFromToolpath(fromMessage(*message), settings_.program);
-}
-
-StreamableProgram GcodeStreamer::programFromToolpath(const MachineToolpath& placed,
-                                                     const ProgramSettings& settings) const {
-  requireRunsOn(placed, machine_);
-  std::string text;
-  ProgramFrame frame(placed.bed_from_part);
-  frame.program_from_bed = programFromBed(machine_);
-  writeInDialect(placed.toolpath, frame, settings, [&](std::string_view piece) { text += piece; });
-  return StreamableProgram::fromText("toolpath " + placed.id, std::move(text), settings_.stream);
+  return programs_.programOf(fromMessage(*message));
 }
 
 std::shared_ptr<CorrectedStream> GcodeStreamer::correctionOf(const StreamableProgram& program) const {
@@ -317,19 +309,7 @@ std::shared_ptr<CorrectedStream> GcodeStreamer::correctionOf(const StreamablePro
   }
   if (!message)
     throw InvalidInput("corrections.use is set, but no toolpath was published that the program could be of");
-  const Eigen::Affine3d program_from_bed = programFromBed(machine_);
-  if (!program_from_bed.isApprox(Eigen::Affine3d::Identity()))
-    throw InvalidConfig(
-        "corrections.use is set for " + machine_.name +
-        ", whose programs are in values of its axes; expected a machine whose programs are in "
-        "coordinates of the bed");
-  const MachineToolpath planned = fromMessage(*message);
-  return std::make_shared<CorrectedStream>(
-      std::make_shared<LayerCorrector>(
-          program, ProgrammedToolpath{planned.id, placed(planned.toolpath, planned.bed_from_part)},
-          settings_.corrections),
-      settings_.corrections.follows_plans ? CorrectedStream::Plans::Followed
-                                          : CorrectedStream::Plans::Refused);
+  return programs_.corrected(program, fromMessage(*message));
 }
 
 void GcodeStreamer::onPlan(const lamina_msgs::ToolpathConstPtr& message) {
@@ -352,23 +332,14 @@ void GcodeStreamer::onPlan(const lamina_msgs::ToolpathConstPtr& message) {
                                                : "the job is of a file; expected one of a toolpath";
     if (refusal.empty()) return;
     ROS_WARN("plan %s is not gone on with: %s", message->id.c_str(), refusal.c_str());
-    refusePlan(message->id, *corrected, refusal);
+    reports_.refuse(message->id, *corrected, refusal);
   } catch (const Error& error) {
     ROS_ERROR("plan %s cannot be streamed, the job is held: %s", message->id.c_str(), error.what());
     // Held first: the layer has been waited for long enough, and would begin as planned.
     hold(*job);
     corrected->dropPlan();
-    refusePlan(message->id, *corrected, error.what());
+    reports_.refuse(message->id, *corrected, error.what());
   }
-}
-
-/// So that the loop gives the first layer of the plan its map, and plans on from what is deposited.
-void GcodeStreamer::refusePlan(const std::string& plan_id, const CorrectedStream& corrected,
-                               const std::string& reason) {
-  if (!isPlanOf(plan_id, corrected.toolpathId())) return;
-  lamina_msgs::AppliedCorrection message = toMessage(refusedPlan(reason), plan_id, "");
-  message.header.stamp = ros::Time::now();
-  applied_.publish(message);
 }
 
 /// Who follows the print follows the plan from here on.
@@ -376,7 +347,7 @@ std::string GcodeStreamer::goOverTo(const lamina_msgs::Toolpath& message, Correc
                                     const std::shared_ptr<StreamSession>& job) {
   const MachineToolpath plan = fromMessage(message);
   std::string refusal = corrected.goOverTo(plan.id, [&](const LayerCorrector& present, std::size_t layer) {
-    return programOf(plan, present, layer);
+    return programs_.programOf(plan, present, layer);
   });
   if (!refusal.empty()) return refusal;
   {
@@ -387,20 +358,6 @@ std::string GcodeStreamer::goOverTo(const lamina_msgs::Toolpath& message, Correc
   ROS_WARN("going on with the layers left as planned anew: %s", plan.id.c_str());
   publishLatched(toolpath_publisher_, stamped(plan, ros::Time::now()));
   return {};
-}
-
-PlannedProgram GcodeStreamer::programOf(const MachineToolpath& plan, const LayerCorrector& present,
-                                        std::size_t layer) const {
-  const StreamableProgram program =
-      programFromToolpath(plan, settingsToGoOn(settings_.program, present.toolpath(), layer));
-  StreamCorrectionSettings corrections = settings_.corrections;
-  if (!corrections.folder.empty()) corrections.folder += "/" + plan.id;
-  PlannedProgram planned{program,
-                         std::make_shared<LayerCorrector>(
-                             program, ProgrammedToolpath{plan.id, placed(plan.toolpath, plan.bed_from_part)},
-                             corrections, FirstMap::Awaited)};
-  planned.corrector->beginRecord();
-  return planned;
 }
 
 void GcodeStreamer::onCorrection(const lamina_msgs::CorrectionMap& message) {
@@ -418,42 +375,6 @@ void GcodeStreamer::onCorrection(const lamina_msgs::CorrectionMap& message) {
     if (!refusal.empty()) ROS_WARN("a correction is not used: %s", refusal.c_str());
   } catch (const Error& error) {
     ROS_WARN("a correction is not used: %s", error.what());
-  }
-}
-
-void GcodeStreamer::tellDecisions(CorrectedStream& corrected) {
-  for (const auto& [toolpath_id, each] : corrected.takeDecisions()) {
-    if (each.is_later) {
-      ROS_DEBUG("layer %lu is trimmed from line %lu on", static_cast<unsigned long>(each.layer),
-                static_cast<unsigned long>(each.from_line));
-      continue;
-    }
-    lamina_msgs::AppliedCorrection message =
-        toMessage({each.layer, each.waited_s, each.refusal, {}}, toolpath_id, each.digest);
-    message.header.stamp = ros::Time::now();
-    applied_.publish(message);
-    if (!each.digest.empty())
-      ROS_INFO("layer %lu is deposited by map %s", static_cast<unsigned long>(each.layer),
-               each.digest.c_str());
-    else if (!each.refusal.empty())
-      ROS_WARN("layer %lu is deposited as planned: %s", static_cast<unsigned long>(each.layer),
-               each.refusal.c_str());
-    else if (each.layer > 0 || each.waited_s > 0.0)
-      ROS_WARN("%d: no map of layer %lu within %.1f s: it is deposited as planned",
-               static_cast<int>(LoopAlarm::MapLate), static_cast<unsigned long>(each.layer), each.waited_s);
-  }
-  const std::string failure = corrected.takeRecordFailure();
-  if (!failure.empty()) ROS_WARN("the corrections are not recorded: %s", failure.c_str());
-}
-
-/// As they come: without a report the loop takes layers to be deposited by its maps.
-void GcodeStreamer::reportDepositedAsPlanned(RecordedProgram& recorded, std::int32_t layer) {
-  for (; static_cast<std::int64_t>(recorded.next_planned) <= layer; ++recorded.next_planned) {
-    lamina_msgs::AppliedCorrection message =
-        toMessage({recorded.next_planned, 0.0, "the job is gone on with from its record, without maps", {}},
-                  recorded.toolpath_id, "");
-    message.header.stamp = ros::Time::now();
-    applied_.publish(message);
   }
 }
 
@@ -485,6 +406,77 @@ void GcodeStreamer::finish(const StreamStatus& status, double duration_s) {
 std::shared_ptr<StreamSession> GcodeStreamer::session() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return session_;
+}
+
+bool GcodeStreamer::holdPrepared(bool is_held) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (is_preparing_) is_hold_due_ = is_held;
+  return is_preparing_;
+}
+
+bool GcodeStreamer::onPause(Trigger::Request&, Trigger::Response& response) {
+  const bool is_prepared = holdPrepared(true);
+  const auto job = session();
+  const PackmlState state = job ? job->status().state : PackmlState::Idle;
+  const bool is_begun = state == PackmlState::Execute;
+  response.success = is_prepared || is_begun || state == PackmlState::Starting;
+  response.message = std::string("state is ") + toString(state) + "; only Starting and Execute can be paused";
+  if (response.success)
+    response.message = is_begun ? "holding after the lines under way" : "holding before the first line";
+  if (response.success && job) job->pause();
+  return true;
+}
+
+bool GcodeStreamer::onResume(Trigger::Request&, Trigger::Response& response) {
+  const bool is_prepared = holdPrepared(false);
+  const auto job = session();
+  const PackmlState state = job ? job->status().state : PackmlState::Idle;
+  response.success = is_prepared || state == PackmlState::Starting || state == PackmlState::Holding ||
+                     state == PackmlState::Held;
+  response.message = response.success
+                         ? "going on"
+                         : std::string("state is ") + toString(state) + "; only Held can be resumed";
+  if (response.success && job) job->resume();
+  return true;
+}
+
+bool GcodeStreamer::onAbort(Trigger::Request&, Trigger::Response& response) {
+  const auto job = session();
+  const bool is_starting_up = !job && startup_.isBusy();
+  response.success = job != nullptr || is_starting_up;
+  response.message = response.success ? "stopping the machine" : "no job is under way";
+  if (job) job->abort({ErrorCode::Cancelled, "aborted on request"});
+  if (!is_starting_up) return true;
+  try {
+    startup_.abort();
+  } catch (const Error& error) {
+    response.success = false;
+    response.message = error.what();
+  }
+  return true;
+}
+
+bool GcodeStreamer::onChange(lamina_msgs::ChangeJob::Request& request,
+                             lamina_msgs::ChangeJob::Response& response) {
+  try {
+    const LiveChange change = liveChangeOf(request.setting, request.value);
+    const auto job = session();
+    if (!job) throw Rejected("no job is under way");
+    const std::string refusal = job->change(change);
+    if (!refusal.empty()) throw Rejected(refusal);
+  } catch (const Error&) {
+    const Failure failure = currentFailure();
+    ROS_ERROR_STREAM(refusalText({"change", request.setting, ""}, failure));
+    response.status = toMessage(failure);
+  }
+  return true;
+}
+
+MachinePulse GcodeStreamer::pulse() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  MachinePulse pulse = pulseOf(settings_, session_ ? status_.state : PackmlState::Idle, status_, steps_);
+  if (!is_of_toolpath_) pulse.program = job_;
+  return pulse;
 }
 
 void GcodeStreamer::onStatus(const StreamStatus& status) {

@@ -16,6 +16,7 @@
 
 #include "conversions.hpp"
 #include "corrected_stream.hpp"
+#include "correction_reports.hpp"
 #include "dry_program.hpp"
 #include "job_alarms.hpp"
 #include "lamina/kinematics/cartesian/cartesian_machine.hpp"
@@ -28,6 +29,7 @@
 #include "recorded_program.hpp"
 #include "startup_service.hpp"
 #include "streamer_settings.hpp"
+#include "toolpath_programs.hpp"
 
 namespace lamina {
 
@@ -59,7 +61,6 @@ class GcodeStreamer {
   StreamStatus follow(StreamSession& session, const std::function<void(const StreamStatus&)>& look);
   StreamableProgram programFor(const lamina_msgs::StreamProgramGoal& goal) const;
   StreamableProgram programFromToolpath(const std::string& id) const;
-  StreamableProgram programFromToolpath(const MachineToolpath& placed, const ProgramSettings& settings) const;
   void holdWithoutOwner(StreamSession& session);
   void watchStartup(StreamSession& session, const StreamStatus& status);
   void finish(const StreamStatus& status, double duration_s);
@@ -67,15 +68,10 @@ class GcodeStreamer {
   /// What corrects the program on its way; null if programs are not corrected.
   std::shared_ptr<CorrectedStream> correctionOf(const StreamableProgram& program) const;
   void onCorrection(const lamina_msgs::CorrectionMap& message);
-  void tellDecisions(CorrectedStream& corrected);
-  void reportDepositedAsPlanned(RecordedProgram& recorded, std::int32_t layer);
 
   void onPlan(const lamina_msgs::ToolpathConstPtr& message);
   std::string goOverTo(const lamina_msgs::Toolpath& message, CorrectedStream& corrected,
                        const std::shared_ptr<StreamSession>& job);
-  void refusePlan(const std::string& plan_id, const CorrectedStream& corrected, const std::string& reason);
-  PlannedProgram programOf(const MachineToolpath& plan, const LayerCorrector& present,
-                           std::size_t layer) const;
 
   bool onPause(Trigger::Request& request, Trigger::Response& response);
   bool onResume(Trigger::Request& request, Trigger::Response& response);
@@ -99,11 +95,12 @@ class GcodeStreamer {
   GcodeStreamerSettings settings_;
   ExecutorOwner owner_;
   CartesianMachine machine_;
+  ToolpathPrograms programs_;
   Eigen::Affine3d bed_from_program_;
   ros::Publisher state_;
   ros::Publisher heaters_;
   ros::Publisher position_;
-  ros::Publisher applied_;
+  CorrectionReports reports_;
   ros::Subscriber toolpath_subscriber_;
   ros::Subscriber correction_;
   ros::Subscriber plan_;

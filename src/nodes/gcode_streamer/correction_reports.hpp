@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/node_handle.h>
+
+#include <cstdint>
+#include <string>
+
+#include "corrected_stream.hpp"
+#include "messages.hpp"
+#include "recorded_program.hpp"
+
+namespace lamina {
+
+/// Reports to the loop what became of its corrections, and to the log.
+class CorrectionReports {
+ public:
+  /// Reports nothing.
+  CorrectionReports() = default;
+  explicit CorrectionReports(ros::NodeHandle& node);
+
+  /// Reports the layers that were decided since the last call.
+  void tell(CorrectedStream& corrected) const;
+  /// Reports, as the layers come, those that are deposited as planned in a job that goes on by its record:
+  /// without a report the loop takes them to be deposited by its maps.
+  void tell(RecordedProgram& recorded, std::int32_t layer) const;
+  /// Reports that a plan is not gone on with, so that the loop gives its first layer a map, and plans on from
+  /// what is deposited.
+  void refuse(const std::string& plan_id, const CorrectedStream& corrected, const std::string& reason) const;
+
+ private:
+  void publish(lamina_msgs::AppliedCorrection message) const;
+
+  ros::Publisher applied_;
+};
+
+}  // namespace lamina

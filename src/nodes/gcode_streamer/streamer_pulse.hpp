@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "lamina/streaming/guard/machine_pulse.hpp"
+#include "messages.hpp"
+#include "streamer_settings.hpp"
+
+namespace lamina {
+
+/// What a watch needs to stop the machine in the node's place, but for the file of the job.
+/// @param job    state of the job under way; Idle if there is none
+/// @param steps  of the start-up
+MachinePulse pulseOf(const GcodeStreamerSettings& settings, PackmlState job, const StreamStatus& status,
+                     const std::vector<lamina_msgs::StartupStep>& steps);
+
+}  // namespace lamina
