@@ -13,6 +13,7 @@ import include_rule
 import interfaces
 import live_properties
 import one_definition
+import one_source
 import references
 import scratch_files
 import settings_coverage
@@ -147,6 +148,30 @@ class EqualFunctions(unittest.TestCase):
 
     def test_tests_may_repeat_a_function(self):
         self.assertEqual(self.found(self.FIRST, "test/base/a_test.cpp"), [])
+
+
+class OneSource(unittest.TestCase):
+    FIRST = "Press::Press(int size) : size_(size) {}\n\nint Press::size() const { return Sheet::area(size_); }\n"
+
+    def found(self, second, name="src/core/base/b.cpp"):
+        return list(one_source.faults(tree({"src/core/base/a.cpp": self.FIRST, name: second})))
+
+    def test_a_class_in_two_sources_is_refused(self):
+        for second in ("void Press::stop() {}\n", "const std::string&\nPress::name() const {\n", "Press::~Press() = default;\n",
+                       "bool Press::operator<(const Press& b) const {\n", "std::map<int, Sheet> Press::all(\n    int least) {\n"):
+            found = self.found(second)
+            self.assertEqual(len(found), 1, second)
+            self.assertIn("Press stand in src/core/base/a.cpp and src/core/base/b.cpp", found[0])
+
+    def test_calls_and_types_are_no_definitions(self):
+        for second in ("int two() { return Press::size(); }\n", "Press::Kind kind(int a) {\n", "const int kTwo = Press::size();\n",
+                       "void run() {\n  Press::stop();\n}\n", "class Press;\nSheet::Sheet() : press(Press::of(2)) {}\n"):
+            self.assertEqual(self.found(second), [], second)
+
+    def test_classes_of_a_source_alone_may_share_a_name(self):
+        self.assertEqual(self.found("class Press final : public Tool {\n};\nvoid Press::stop() {}\n"), [])
+        self.assertEqual(self.found("struct Press::Impl {\n};\nvoid Press::Impl::stop() {}\n"), [])
+        self.assertEqual(len(self.found("struct Press::Impl {\n};\nvoid Press::stop() {}\n")), 1)
 
 
 class DocsLinks(unittest.TestCase):

@@ -125,7 +125,8 @@ void GrblJob::goOnAt(const GrblAxes& work, double now) {
     if (!found.refusal.empty()) return abort({ErrorCode::Rejected, found.refusal}, now);
     expected_ = found.expected;
     record_.status.lines_acknowledged = record_.status.lines_sent = found.line;
-    feed_ = LineFeed(restOf(order_.program, found.line, passed), found.line + 1, record_.status.layer);
+    auto rest = restOf(order_.program, found.line, passed);  // states the layer
+    feed_ = LineFeed(std::move(rest), found.line + 1, record_.status.layer);
   } catch (const Error&) {
     return abort(currentFailure(), now);
   }

@@ -22,7 +22,6 @@ class GrblWindow {
 
   bool empty() const { return lines_.empty(); }
   std::size_t count() const { return lines_.size(); }
-  std::size_t bytes() const { return bytes_; }
   const Line& front() const { return lines_.front(); }
   bool hasQuestion() const { return questions_ > 0; }
 
