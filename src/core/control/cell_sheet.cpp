@@ -140,7 +140,7 @@ inline CellSheet::LocalCoordinates CellSheet::onBent(std::uint32_t cell, const P
 
 /// Of cells in a row, pieces of one bead, the nearer along; of several beads the nearer in widths.
 template <class CoordinatesOf>
-CellSheet::Found CellSheet::best(const StationIndex::Cells& near, CoordinatesOf coordinates) const {
+CellSheet::Found CellSheet::best(const BoxCells::Numbers& near, CoordinatesOf coordinates) const {
   Found best;
   Found of_bead;
   std::uint32_t last = 0;
@@ -161,7 +161,7 @@ CellSheet::Found CellSheet::best(const StationIndex::Cells& near, CoordinatesOf 
 }
 
 inline std::optional<CellSight> CellSheet::lookOnPlane(const Point3& at,
-                                                       const StationIndex::Cells& near) const {
+                                                       const BoxCells::Numbers& near) const {
   const PlanePlace place = {static_cast<float>(at.x()), static_cast<float>(at.y()), at.z()};
   const Found found = best(near, [&](std::uint32_t cell) { return onPlane(cell, place); });
   if (!found.isCell()) return std::nullopt;
@@ -176,7 +176,7 @@ inline std::optional<CellSight> CellSheet::lookOnPlane(const Point3& at,
 }
 
 inline std::optional<CellSight> CellSheet::lookOnBent(const Point3& point,
-                                                      const StationIndex::Cells& near) const {
+                                                      const BoxCells::Numbers& near) const {
   const Found found = best(near, [&](std::uint32_t cell) { return onBent(cell, point); });
   if (!found.isCell()) return std::nullopt;
   const BentStation& station = bent_[found.cell];
@@ -192,7 +192,8 @@ inline std::optional<CellSight> CellSheet::lookOnBent(const Point3& point,
 
 std::optional<CellSight> CellSheet::look(const Point3& point) const {
   const Point3 place = index_.placeOf(point);
-  return is_plane_ ? lookOnPlane(place, index_.near(place)) : lookOnBent(point, index_.near(place));
+  return is_plane_ ? lookOnPlane(place, index_.stations().near(place))
+                   : lookOnBent(point, index_.stations().near(place));
 }
 
 inline void CellSheet::fetch(std::uint32_t cell) const {
@@ -207,18 +208,18 @@ inline void CellSheet::fetch(std::uint32_t cell) const {
 std::vector<std::optional<CellSight>> CellSheet::look(const std::vector<Point3>& points) const {
   struct Sought {
     Point3 place;
-    std::uint32_t square = StationIndex::kNone;
-    StationIndex::Cells near;
+    std::uint32_t square = BoxCells::kNone;
+    BoxCells::Numbers near;
   };
   std::vector<Sought> sought;
   sought.reserve(points.size());
   for (const Point3& point : points) {
     const Point3 place = index_.placeOf(point);
-    sought.push_back({place, index_.squareOf(place), {}});
-    index_.fetch(sought.back().square);
+    sought.push_back({place, index_.stations().cellAt(place), {}});
+    index_.stations().fetch(sought.back().square);
   }
   for (Sought& each : sought) {
-    each.near = index_.cellsIn(each.square);
+    each.near = index_.stations().in(each.square);
     __builtin_prefetch(each.near.first);
   }
   for (const Sought& each : sought)
@@ -233,8 +234,8 @@ std::vector<std::optional<CellSight>> CellSheet::look(const std::vector<Point3>&
 }
 
 std::size_t CellSheet::bytes() const {
-  return index_.bytes() + sizeof(PlaneStation) * plane_.capacity() + sizeof(BentStation) * bent_.capacity() +
-         sizeof(float) * window_mm_.capacity();
+  return index_.stations().bytes() + sizeof(PlaneStation) * plane_.capacity() +
+         sizeof(BentStation) * bent_.capacity() + sizeof(float) * window_mm_.capacity();
 }
 
 }  // namespace lamina

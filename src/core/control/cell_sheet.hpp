@@ -83,10 +83,10 @@ class CellSheet {
   LocalCoordinates onBent(std::uint32_t cell, const Point3& point) const;
   double heightOnPlane(const PlaneStation& station, const PlanePlace& place) const;
   template <class CoordinatesOf>
-  Found best(const StationIndex::Cells& near, CoordinatesOf coordinates) const;
+  Found best(const BoxCells::Numbers& near, CoordinatesOf coordinates) const;
   /// @param at  in the axes of the index
-  std::optional<CellSight> lookOnPlane(const Point3& at, const StationIndex::Cells& near) const;
-  std::optional<CellSight> lookOnBent(const Point3& point, const StationIndex::Cells& near) const;
+  std::optional<CellSight> lookOnPlane(const Point3& at, const BoxCells::Numbers& near) const;
+  std::optional<CellSight> lookOnBent(const Point3& point, const BoxCells::Numbers& near) const;
   void fetch(std::uint32_t cell) const;
 
   std::shared_ptr<const LayerCells> cells_;

@@ -4,14 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
 
+#include "geometry/spatial/box_cells.hpp"
 #include "lamina/geometry/voxel/isosurface.hpp"
 
 namespace lamina {
 namespace {
 
 constexpr std::size_t kBetweenReports = 4096;  // solids
+constexpr double kCellVoxels = 8.0;            // edge of a cell
+constexpr double kLeastShare = 1e-6;           // of all that a cell measures
 
 /// Index of the first voxel whose centre is at or beyond the coordinate.
 int firstVoxel(const VoxelFrame& frame, int axis, double coordinate) {
@@ -41,56 +43,37 @@ void fillSolid(VoxelGrid& grid, const BeadSolid& solid) {
     }
 }
 
-/// The solids near a place, from cells that hold them.
+/// The solids near a place.
 class SolidCells {
  public:
-  /// @param reach_mm  within which solids are found
-  SolidCells(const std::vector<BeadSolid>& solids, const Point3& corner, double reach_mm)
-      : solids_(solids), corner_(corner), cell_mm_(8.0 * reach_mm) {
-    for (std::size_t i = 0; i < solids.size(); ++i) insert(static_cast<std::uint32_t>(i), reach_mm);
-  }
+  /// @param frame  of places; solids are found within a voxel
+  SolidCells(const std::vector<BeadSolid>& solids, const VoxelFrame& frame)
+      : solids_(solids), far_mm_(kCellVoxels * frame.voxel_mm), cells_(cellsOf(solids, frame)) {}
 
   /// Greatest depth of the point in one of them; negative outside.
   double depth(const Point3& point) const {
-    const auto cell = cells_.find(key(indexOf(point)));
-    double deepest = -cell_mm_;
-    if (cell == cells_.end()) return deepest;
-    for (const std::uint32_t i : cell->second) deepest = std::max(deepest, solids_[i].depth(point));
+    double deepest = -far_mm_;
+    for (const std::uint32_t i : cells_.near(point)) deepest = std::max(deepest, solids_[i].depth(point));
     return deepest;
   }
 
  private:
-  using Index = Eigen::Matrix<std::int64_t, 3, 1>;
-
-  Index indexOf(const Point3& point) const {
-    return ((point - corner_) / cell_mm_).array().floor().matrix().cast<std::int64_t>();
-  }
-  /// 21 bits an axis.
-  static std::uint64_t key(const Index& index) {
-    std::uint64_t key = 0;
-    for (int axis = 0; axis < 3; ++axis)
-      key = key << 21U | (static_cast<std::uint64_t>(index[axis] + (1 << 20)) & 0x1FFFFFU);
-    return key;
-  }
-
   /// A long solid that lies askew would be in all cells of its box, so it goes in stretch by stretch.
-  void insert(std::uint32_t i, double reach_mm) {
-    const auto grow = Point3::Constant(reach_mm);
-    for (const Box3& box : solids_[i].stretchBoxes(cell_mm_)) {
-      const Index low = indexOf(box.low - grow), high = indexOf(box.high + grow);
-      for (std::int64_t z = low.z(); z <= high.z(); ++z)
-        for (std::int64_t y = low.y(); y <= high.y(); ++y)
-          for (std::int64_t x = low.x(); x <= high.x(); ++x) {
-            std::vector<std::uint32_t>& held = cells_[key({x, y, z})];
-            if (held.empty() || held.back() != i) held.push_back(i);
-          }
-    }
+  /// Cells begin on the frame, since beyond a voxel a depth is not exact and depends on what else is found.
+  static BoxCells cellsOf(const std::vector<BeadSolid>& solids, const VoxelFrame& frame) {
+    const Point3 grow = Point3::Constant(frame.voxel_mm);
+    const Box3 all = unionBox(solids);
+    const double cell_mm = std::max(kCellVoxels * frame.voxel_mm, kLeastShare * all.size().maxCoeff());
+    const Box3 space{frame.corner - Point3::Constant(cell_mm), all.high + grow};
+    return BoxCells({CellKind::Cubes, space, cell_mm}, [&](const auto& put) {
+      for (std::uint32_t i = 0; i < solids.size(); ++i)
+        for (const Box3& box : solids[i].stretchBoxes(cell_mm)) put(i, {box.low - grow, box.high + grow});
+    });
   }
 
   const std::vector<BeadSolid>& solids_;
-  Point3 corner_;
-  double cell_mm_;
-  std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> cells_;
+  double far_mm_;
+  BoxCells cells_;
 };
 
 }  // namespace
@@ -121,7 +104,7 @@ Mesh unionSurface(const std::vector<BeadSolid>& solids, const VoxelGrid& inside)
   const VoxelFrame& frame = inside.frame();
   // Vertices at one lattice point would become one in a file of single precision.
   const double least = 0.01 * frame.voxel_mm;
-  const SolidCells cells(solids, frame.corner, frame.voxel_mm);
+  const SolidCells cells(solids, frame);
   return isosurface(inside, [&](int i, int j, int k) {
     const double depth = cells.depth(frame.centre(i, j, k));
     return inside.isSolid(i, j, k) ? std::max(depth, least) : std::min(depth, -least);

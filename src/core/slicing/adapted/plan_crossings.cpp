@@ -3,30 +3,25 @@
 #include "slicing/adapted/plan_crossings.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <tuple>
 #include <utility>
 
 #include "geometry/polygon/plane_vectors.hpp"
+#include "geometry/spatial/box_cells.hpp"
 #include "lamina/geometry/polygon/polygon.hpp"
 
 namespace lamina {
 namespace {
+
+constexpr double kLeastShare = 1e-6;  // of the plan that a cell measures
 
 struct Segment {
   std::size_t curve = 0;
   std::size_t segment = 0;
   Point2 from = Point2::Zero();
   Point2 to = Point2::Zero();
-};
-
-/// A segment in a square of the plan that its box covers.
-struct Covered {
-  std::int64_t column = 0;
-  std::int64_t row = 0;
-  std::size_t segment = 0;
 };
 
 std::vector<Segment> planSegmentsOf(const std::vector<AdaptedCurve>& curves) {
@@ -39,26 +34,22 @@ std::vector<Segment> planSegmentsOf(const std::vector<AdaptedCurve>& curves) {
   return segments;
 }
 
-/// By squares as wide as the longest segment, so that none covers more than four.
-std::vector<Covered> coveredSquares(const std::vector<Segment>& segments) {
-  double cell_mm = 0.0;
-  for (const Segment& segment : segments) cell_mm = std::max(cell_mm, (segment.to - segment.from).norm());
-  std::vector<Covered> covered;
-  if (cell_mm <= 0.0) return covered;
-  const auto cell = [cell_mm](double position) {
-    return static_cast<std::int64_t>(std::floor(position / cell_mm));
-  };
+/// In cells as wide as the longest segment, so that none lies in more than four.
+BoxCells cellsOf(const std::vector<Segment>& segments) {
+  Box3 all;
+  double longest_mm = 0.0;
+  std::vector<Box3> boxes(segments.size());
   for (std::size_t s = 0; s < segments.size(); ++s) {
-    const Point2 low = segments[s].from.cwiseMin(segments[s].to);
-    const Point2 high = segments[s].from.cwiseMax(segments[s].to);
-    for (std::int64_t column = cell(low.x()); column <= cell(high.x()); ++column)
-      for (std::int64_t row = cell(low.y()); row <= cell(high.y()); ++row)
-        covered.push_back({column, row, s});
+    for (const Point2& end : {segments[s].from, segments[s].to}) boxes[s].include({end.x(), end.y(), 0.0});
+    all.include(boxes[s].low);
+    all.include(boxes[s].high);
+    longest_mm = std::max(longest_mm, (segments[s].to - segments[s].from).norm());
   }
-  std::sort(covered.begin(), covered.end(), [](const Covered& a, const Covered& b) {
-    return std::tie(a.column, a.row, a.segment) < std::tie(b.column, b.row, b.segment);
+  if (longest_mm <= 0.0) return {};
+  const double cell_mm = std::max(longest_mm, kLeastShare * all.size().maxCoeff());
+  return BoxCells({CellKind::Cubes, all, cell_mm}, [&](const auto& put) {
+    for (std::uint32_t s = 0; s < boxes.size(); ++s) put(s, boxes[s]);
   });
-  return covered;
 }
 
 std::optional<PlanCrossing> crossingOf(const Segment& a, const Segment& b) {
@@ -80,14 +71,13 @@ auto orderOf(const PlanCrossing& crossing) {
 
 std::vector<PlanCrossing> planCrossings(const std::vector<AdaptedCurve>& curves) {
   const std::vector<Segment> segments = planSegmentsOf(curves);
-  const std::vector<Covered> covered = coveredSquares(segments);
+  const BoxCells cells = cellsOf(segments);
   std::vector<PlanCrossing> crossings;
-  for (std::size_t i = 0; i < covered.size(); ++i) {
-    for (std::size_t j = i + 1;
-         j < covered.size() && covered[j].column == covered[i].column && covered[j].row == covered[i].row;
-         ++j)
-      if (const auto found = crossingOf(segments[covered[i].segment], segments[covered[j].segment]))
-        crossings.push_back(*found);
+  for (std::uint32_t cell = 0; cell < cells.size(); ++cell) {
+    const BoxCells::Numbers in = cells.in(cell);
+    for (const std::uint32_t* a = in.begin(); a != in.end(); ++a)
+      for (const std::uint32_t* b = a + 1; b != in.end(); ++b)
+        if (const auto found = crossingOf(segments[*a], segments[*b])) crossings.push_back(*found);
   }
   std::sort(crossings.begin(), crossings.end(),
             [](const PlanCrossing& a, const PlanCrossing& b) { return orderOf(a) < orderOf(b); });
