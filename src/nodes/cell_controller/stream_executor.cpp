@@ -107,9 +107,7 @@ void StreamExecutor::endJob(const std::string& order) {
 void StreamExecutor::call(OrderThread& thread, ros::ServiceClient& service, const std::string& order) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (waiting_ == order) return;  // it is on its way
-    waiting_ = order;
-    waiting_since_ = ros::WallTime::now();
+    if (!waiting_.give(order, ros::WallTime::now().toSec())) return;
   }
   thread.give([this, &service, order] {
     std_srvs::Trigger request;
@@ -117,7 +115,7 @@ void StreamExecutor::call(OrderThread& thread, ros::ServiceClient& service, cons
     if (service.call(request) && !request.response.success)
       ROS_WARN_STREAM("gcode_streamer refuses the order to " << order << ": " << request.response.message);
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (waiting_ == order) waiting_.clear();
+    waiting_.answer(order);
   });
 }
 
@@ -144,8 +142,7 @@ std::string StreamExecutor::takeUnanswered(double patience_s) {
     return "start";
   }
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (waiting_.empty() || (now - waiting_since_).toSec() <= patience_s) return "";
-  return std::exchange(waiting_, {});
+  return waiting_.take(now.toSec(), patience_s);
 }
 
 std::optional<ExecutorReport> StreamExecutor::seen() const {

@@ -15,6 +15,7 @@
 #include "lamina/cell/production_cell.hpp"
 #include "messages.hpp"
 #include "order_thread.hpp"
+#include "unanswered_order.hpp"
 
 namespace lamina {
 
@@ -79,8 +80,7 @@ class StreamExecutor final : public Executor {
   ros::WallTime ordered_at_;
   ros::WallTime last_sign_;
   std::mutex mutex_;  ///< of the order under way
-  std::string waiting_;
-  ros::WallTime waiting_since_;
+  UnansweredOrder waiting_;
   std::optional<FeedAnswer> feed_answer_;
   // Last, so that they end before what they use. What ends a job does not wait behind what pauses it.
   OrderThread orders_;

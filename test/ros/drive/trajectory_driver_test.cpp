@@ -282,7 +282,7 @@ class FaultyController {
     };
     timer_ = node_.createTimer(ros::Duration(0.02), tell);
     server_.registerGoalCallback([this] {
-      server_.acceptNewGoal();
+      begin = server_.acceptNewGoal()->trajectory.header.stamp;
       if (!refuses) return;
       follow::Result result;
       result.error_string = "drives are off";
@@ -298,6 +298,7 @@ class FaultyController {
   bool reports_joints = false;
   bool refuses = true;
   bool was_cancelled = false;
+  ros::Time begin;  ///< of the last goal's motion
 
  private:
   ros::NodeHandle node_;
@@ -391,9 +392,11 @@ TEST(TrajectoryDriver, EndsInAbortedIfTheControllerFails) {
   EXPECT_EQ(blind.code, Status::TIMED_OUT + 0);
   EXPECT_NE(blind.message.find("joint_states"), std::string::npos) << blind.message;
   controller.reports_joints = true;
+  const ros::Time before = ros::Time::now();
   const Status refused = failure();
   EXPECT_EQ(refused.code, Status::DEVICE_ERROR + 0);
   EXPECT_NE(refused.message.find("drives are off"), std::string::npos) << refused.message;
+  EXPECT_GE((controller.begin - before).toSec(), 3.0) << "start_delay_s";
   controller.refuses = false;
   EXPECT_EQ(failure().code, Status::DISCONNECTED + 0) << "silent";
   EXPECT_TRUE(waitUntil([&] { return controller.was_cancelled; }));

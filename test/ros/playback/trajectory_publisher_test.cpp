@@ -64,6 +64,7 @@ class Listener {
     };
     const Callback<sensor_msgs::JointState> on_state = [this](const auto& message) {
       states.push_back(message->header.stamp);
+      positions.push_back(*message);
     };
     tf_ = node_.subscribe<tf2_msgs::TFMessage>("tf", 10000, on_tf);
     tf_static_ = node_.subscribe<tf2_msgs::TFMessage>("tf_static", 100, on_tf_static);
@@ -116,6 +117,7 @@ class Listener {
   std::vector<trajectory_msgs::MultiDOFJointTrajectory> nozzles;
   std::vector<lamina_msgs::ProcessTrajectory> processes;
   std::vector<ros::Time> states;  ///< stamps
+  std::vector<sensor_msgs::JointState> positions;
 
  private:
   void keep(const tf2_msgs::TFMessage& message, bool is_static) {
@@ -192,6 +194,14 @@ TEST(TrajectoryPublisher, PlaysTheToolpathToItsEnd) {
   const auto& end = listener.trajectories.back().points.back().positions;
   EXPECT_NEAR(end[2], 0.0004, 1e-9);
   const auto& planned = listener.trajectories.back().points;
+  // Stamps of the layer's corners are as far apart as they are passed, however late a tick is.
+  std::vector<ros::Time> passed;
+  for (const auto& state : listener.positions)
+    if (std::abs(state.position[2] - end[2]) < 1e-9 &&
+        std::hypot(state.position[0] - end[0], state.position[1] - end[1]) > 1e-6)
+      passed.push_back(state.header.stamp);
+  ASSERT_GE(passed.size(), 3U);
+  EXPECT_LT(passed.back() - passed.front(), planned.back().time_from_start * 0.1) << "speed_up";
   for (std::size_t i = 1; i + 1 < planned.size(); ++i)
     EXPECT_NEAR((planned[i].time_from_start - planned[i - 1].time_from_start).toSec(), 1.0 / kRate, 1e-6);
 }

@@ -28,6 +28,7 @@ using test::waitUntil;
 constexpr double kDeadTime = 0.1;  // s, of the laser
 constexpr int kSteps = 500;
 constexpr double kStepS = 0.012;
+constexpr double kStateHz = 20.0;
 
 /// A cell of process_io, a coupler, a topic and a service, in a namespace of its own.
 class ProcessCell {
@@ -69,7 +70,7 @@ class ProcessCell {
     set("too_late_s", 60.0);
     set("standstill_s", 0.0);
     set("connect_wait_s", 0.2);
-    set("state_hz", 100.0);
+    set("state_hz", kStateHz);
     set("devices/coupler/kind", "modbus_tcp");
     set("devices/coupler/address", "127.0.0.1:" + std::to_string(coupler->port()));
     set("devices/coupler/timeout_s", 5.0);
@@ -195,6 +196,9 @@ TEST(ProcessIo, OutputsComeInOrderAndEndSafe) {
   EXPECT_EQ(cell.pins()[1].fun, 1);
   EXPECT_EQ(cell.pins()[1].pin, 4);
   EXPECT_EQ(cell.pins()[2].state, 0.0F);
+  const double states_s = (cell.states.back().header.stamp - cell.states.front().header.stamp).toSec();
+  EXPECT_LE(static_cast<double>(cell.states.size()), 1.2 * kStateHz * states_s + 2.0)
+      << "no oftener than it says";
   const auto lit = std::find_if(cell.states.begin(), cell.states.end(),
                                 [](const auto& state) { return state.laser && state.laser_power > 200.0; });
   ASSERT_NE(lit, cell.states.end());

@@ -6,6 +6,7 @@
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/journal/journal_copies.hpp"
 #include "nodes/cell_controller/cell_settings.hpp"
+#include "nodes/cell_controller/unanswered_order.hpp"
 #include "nodes/height_controller/arrival_hold.hpp"
 #include "nodes/height_controller/height_controller_settings.hpp"
 #include "nodes/layer_height_monitor/monitor_settings.hpp"
@@ -51,6 +52,21 @@ std::string copied(const SettingTexts& set) {
   return text;
 }
 
+/// When an order is told of that an executor does not answer, after one that it has answered.
+std::string unanswered(const SettingTexts& set) {
+  const double patience_s = settingsWith<CellControllerSettings>(set).patience_s;
+  UnansweredOrder order;
+  order.give("pause", 1.0);
+  order.answer("pause");
+  std::string text = order.take(100.0, patience_s);
+  order.give("abort", 101.0);
+  for (double now_s = 101.0; now_s < 200.0; now_s += 0.125) {
+    const std::string told = order.take(now_s, patience_s);
+    if (!told.empty()) text += told + " at " + numbersText({now_s});
+  }
+  return text;
+}
+
 /// Which reactions to an alarm hold the print.
 std::string holding(const SettingTexts& set) {
   std::string text;
@@ -68,6 +84,7 @@ std::vector<SettingProbe> watchProbes() {
   return {{"a scan that shows nothing", "", scanGivenUp, {{"silence_s=3"}}},
           {"what arrives", "", usedAt, {{"arrival_hold_s=1"}}},
           {"an alarm of the loop on heights", "", holding, {{"pauses_print=false"}, {"plans_followed=true"}}},
+          {"an order that is not answered", "", unanswered, {{"executor.patience_s=5"}}},
           {"a journal that is copied", "", copied, {{"journal.copy_hour=12"}, {"journal.copies_kept=2"}}}};
 }
 
