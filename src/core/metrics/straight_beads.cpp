@@ -4,6 +4,7 @@
 
 #include <cstddef>
 
+#include "toolpath/bead_space.hpp"
 #include "toolpath/deposited_segment.hpp"
 
 namespace lamina {
@@ -72,13 +73,9 @@ class Chain {
   Point3 direction_ = Point3::Zero();
 };
 
-Point3 toolAxisAt(const Path& path, std::size_t waypoint) {
-  return path.orientation.at(waypoint) * Point3::UnitZ();
-}
-
 Point3 placeAt(const Path& path, std::size_t waypoint, const Bead& bead, BeadLine line) {
   if (line == BeadLine::Tip) return path.points[waypoint];
-  return path.points[waypoint] + 0.5 * bead.height_mm * toolAxisAt(path, waypoint);
+  return sectionMiddle(path.points[waypoint], bead.height_mm, upAt(path, waypoint));
 }
 
 void addDrop(const Path& path, const DepositedSegment& segment, BeadLine line, Chain& chain) {
@@ -86,7 +83,7 @@ void addDrop(const Path& path, const DepositedSegment& segment, BeadLine line, C
   StraightBead drop;
   drop.bead = segment.bead;
   drop.plan_width_mm = drop.bead.width_mm;
-  drop.tool_axis = toolAxisAt(path, segment.waypoint);
+  drop.tool_axis = -upAt(path, segment.waypoint);
   drop.start = drop.end = placeAt(path, segment.waypoint, drop.bead, line);
   chain.addDrop(drop);
 }
@@ -96,7 +93,7 @@ void addBead(const Path& path, const DepositedSegment& segment, BeadLine line, C
   StraightBead piece;
   piece.bead = segment.bead;
   piece.plan_width_mm = planWidth(piece.bead);
-  piece.tool_axis = toolAxisAt(path, segment.waypoint);
+  piece.tool_axis = -upAt(path, segment.waypoint);
   piece.start = placeAt(path, segment.from, piece.bead, line);
   piece.end = placeAt(path, segment.waypoint, piece.bead, line);
   chain.add(piece);

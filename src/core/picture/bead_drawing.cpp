@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "lamina/base/angle.hpp"
+#include "toolpath/bead_space.hpp"
 
 namespace lamina {
 namespace {
@@ -121,7 +122,7 @@ void drawBeads(Canvas& canvas, const Projection& projection, const Path& path, c
 void drawBead(Canvas& canvas, const Projection& projection, const BeadPiece& piece, const Colour& colour) {
   const Bead& bead = piece.path.bead.at(piece.waypoint);
   const double width_px = std::max(1.2, projection.seenHeight(bead) * canvas.pixelsPerMm());
-  const Point3 upper_side = -(piece.path.orientation.at(piece.waypoint) * Point3::UnitZ());
+  const Point3 upper_side = upAt(piece.path, piece.waypoint);
   canvas.linePx({canvas.toPixels(projection(piece.from)), canvas.toPixels(projection(piece.to))},
                 {shaded(colour, projection.lightOn(upper_side)), width_px});
 }

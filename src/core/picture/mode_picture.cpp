@@ -12,6 +12,7 @@
 #include "lamina/geometry/spatial/nearest_triangle.hpp"
 #include "lamina/picture/annotation.hpp"
 #include "picture/depth_picture.hpp"
+#include "toolpath/bead_space.hpp"
 
 namespace lamina {
 namespace {
@@ -68,10 +69,8 @@ class LayerBands {
  private:
   void add(const Path& path, std::size_t layer) {
     const auto first = static_cast<std::uint32_t>(motions_.vertices.size());
-    // Half a bead below the tip, where the bead is.
     for (std::size_t w = 0; w < path.points.size(); ++w)
-      motions_.vertices.push_back(path.points[w] + 0.5 * path.bead.at(w).height_mm *
-                                                       (path.orientation.at(w) * Point3::UnitZ()));
+      motions_.vertices.push_back(sectionMiddle(path.points[w], path.bead.at(w).height_mm, upAt(path, w)));
     for (std::size_t m = 0; m < path.motionCount(); ++m) {
       const auto from = static_cast<std::uint32_t>(first + m);
       const auto to = static_cast<std::uint32_t>(first + path.motionEnd(m));

@@ -3,24 +3,12 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <algorithm>
 
 #include "lamina/geometry/vector.hpp"
 #include "lamina/sweep/sweep.hpp"
+#include "toolpath/bead_space.hpp"
 
 namespace lamina {
-
-/// The stadium of a bead about its middle.
-struct BeadOutline {
-  double flat_across_mm = 0.0;  ///< half of its level straight lines; 0 if it is higher than wide
-  double flat_up_mm = 0.0;      ///< half of its upright ones
-  double radius_mm = 0.0;
-};
-
-inline BeadOutline outlineOf(const Bead& bead) {
-  const double radius_mm = 0.5 * std::min(bead.width_mm, bead.height_mm);
-  return {0.5 * bead.width_mm - radius_mm, 0.5 * bead.height_mm - radius_mm, radius_mm};
-}
 
 /// Where the profile of one line of a sweep stands.
 struct BeadFrame {
@@ -34,7 +22,7 @@ struct BeadFrame {
 inline BeadFrame frameOfLine(const Sweep& sweep, std::size_t line) {
   const Point3& up = sweep.up[line + 1];
   BeadFrame frame;
-  frame.middle = sweep.points[line] - 0.5 * sweep.bead.height_mm * up;
+  frame.middle = sectionMiddle(sweep.points[line], sweep.bead.height_mm, up);
   frame.way = sweep.points[line + 1] - sweep.points[line];
   frame.side = frame.way.cross(up).normalized();
   frame.up = frame.side.cross(frame.way).normalized();

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "toolpath/bead_space.hpp"
+
 namespace lamina {
 namespace {
 
@@ -77,9 +79,10 @@ BeadSolid BeadSolid::joint(const Point3& middle, const Point3& up, const Bead& b
   solid.up_ = up;
   solid.side_ = up.unitOrthogonal();
   solid.along_ = solid.side_.cross(up);
-  solid.radius_ = 0.5 * std::min(bead.width_mm, bead.height_mm);
-  solid.flat_across_ = 0.5 * bead.width_mm - solid.radius_;
-  solid.flat_up_ = 0.5 * bead.height_mm - solid.radius_;
+  const SectionOutline outline = sectionOutline(bead);
+  solid.radius_ = outline.radius_mm;
+  solid.flat_across_ = outline.flat_across_mm;
+  solid.flat_up_ = outline.flat_up_mm;
   return solid;
 }
 

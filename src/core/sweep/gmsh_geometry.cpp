@@ -41,7 +41,7 @@ ProfileLoop tidied(ProfileLoop loop) {
   return loop;
 }
 
-ProfileLoop wholeProfile(const BeadOutline& outline) {
+ProfileLoop wholeProfile(const SectionOutline& outline) {
   const double a = outline.flat_across_mm, b = outline.flat_up_mm, r = outline.radius_mm;
   return tidied({{a + r, -b},
                  {{{a + r, b}},
@@ -55,7 +55,7 @@ ProfileLoop wholeProfile(const BeadOutline& outline) {
 }
 
 /// One side of the upright.
-ProfileLoop halfProfile(const BeadOutline& outline) {
+ProfileLoop halfProfile(const SectionOutline& outline) {
   const double a = outline.flat_across_mm, b = outline.flat_up_mm, r = outline.radius_mm;
   return tidied({{0.0, -b - r},
                  {{{a, -b - r}},
@@ -74,13 +74,13 @@ class GmshScript {
     add("beads[] = {};\n");
   }
 
-  void addLine(const BeadFrame& frame, const BeadOutline& outline) {
+  void addLine(const BeadFrame& frame, const SectionOutline& outline) {
     addSurface(frame, wholeProfile(outline));
     add("v[] = Extrude {%.9g, %.9g, %.9g} { Surface{n}; };\n", frame.way.x(), frame.way.y(), frame.way.z());
     add("beads[] += v[1];\n");
   }
 
-  void addJoint(const BeadFrame& frame, const BeadOutline& outline) {
+  void addJoint(const BeadFrame& frame, const SectionOutline& outline) {
     addSurface(frame, halfProfile(outline));
     add("v[] = Extrude {{%.9g, %.9g, %.9g}, {%.9g, %.9g, %.9g}, 2*Pi} { Surface{n}; };\n", frame.up.x(),
         frame.up.y(), frame.up.z(), frame.middle.x(), frame.middle.y(), frame.middle.z());
@@ -139,7 +139,7 @@ std::string gmshGeometry(const std::vector<Sweep>& sweeps) {
   if (sweeps.empty()) throw InvalidInput("there is no sweep; expected a toolpath that lays beads");
   GmshScript script;
   for (const Sweep& sweep : sweeps) {
-    const BeadOutline outline = outlineOf(sweep.bead);
+    const SectionOutline outline = sectionOutline(sweep.bead);
     for (std::size_t line = 0; line < sweep.lineCount(); ++line) {
       const BeadFrame frame = frameOfLine(sweep, line);
       if (line > 0 || sweep.is_loop) script.addJoint(frame, outline);

@@ -7,16 +7,13 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/sweep/path_cuts.hpp"
+#include "toolpath/bead_space.hpp"
 #include "toolpath/deposited_segment.hpp"
 
 namespace lamina {
 namespace {
 
 constexpr double kNoLength = 1e-9;  // mm
-
-Point3 upAt(const Path& path, std::size_t waypoint) {
-  return -(path.orientation.at(waypoint) * Point3::UnitZ());
-}
 
 /// One sweep along the whole path, its points without repeats.
 Sweep whole(const Path& path) {

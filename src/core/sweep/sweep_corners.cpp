@@ -35,7 +35,7 @@ class SweepLines {
 
  private:
   Point3 middle(std::size_t point, std::size_t line) const {
-    return sweep_.points[point] - 0.5 * sweep_.bead.height_mm * up(line);
+    return sectionMiddle(sweep_.points[point], sweep_.bead.height_mm, up(line));
   }
 
   const Sweep& sweep_;

@@ -6,24 +6,13 @@
 #include <cmath>
 
 #include "lamina/toolpath/layer_frame.hpp"
+#include "toolpath/bead_space.hpp"
 
 namespace lamina {
 namespace {
 
 constexpr double kWidthsPerPiece = 10.0;
 constexpr double kLeastTop = 0.25;  // of the width: what a bead as high as wide has of a top
-constexpr double kUpright = 1e-6;   // sine of the angle to the normal below which a bead goes along it
-
-/// x along the bead, y across it, z off the layer as far as x allows.
-Eigen::Matrix3d axesOf(const Point3& along, const Point3& normal) {
-  Point3 across = normal.cross(along);
-  if (across.norm() < kUpright * along.norm() || along.isZero()) across = normal.unitOrthogonal();
-  across.normalize();
-  const Point3 x = along.isZero() ? across.cross(normal) : Point3(along.normalized());
-  Eigen::Matrix3d axes;
-  axes << x, across, x.cross(across);
-  return axes;
-}
 
 /// Lays the beads of a toolpath as boxes.
 class BoxLayer {
@@ -43,17 +32,18 @@ class BoxLayer {
     const Point3 along =
         is_drop ? Point3(Point3::Zero()) : Point3(end - bed_from_part_ * path.points[before]);
     const Bead& bead = path.bead.at(at.waypoint);
-    const Eigen::Matrix3d axes = axesOf(along, normalAt(path, at.waypoint));
+    const Eigen::Matrix3d axes = beadAxes(along, normalAt(path, at.waypoint));
     const double width = std::max(topWidth(bead) - 2.0 * tolerance_mm_, tolerance_mm_);
     const double length = is_drop ? width : along.norm() / static_cast<double>(pieces);
     DepositedBox box;
     box.rotation = Eigen::Quaterniond(axes).cast<float>();
     box.size = Point3(length, width, bead.height_mm - tolerance_mm_).cast<float>();
     box.deposited = at;
-    const Point3 down = 0.5 * (bead.height_mm + tolerance_mm_) * axes.col(2);
+    const Point3 up = axes.col(2);
     for (std::size_t i = 0; i < pieces; ++i) {
       const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(pieces);
-      box.middle = end + (share - 1.0) * along - down;
+      // The tolerance lowers its top.
+      box.middle = sectionMiddle(end + (share - 1.0) * along, bead.height_mm + tolerance_mm_, up);
       boxes.push_back(box);
     }
   }
@@ -69,7 +59,7 @@ class BoxLayer {
   /// Layers that are not plane are deposited against the tool axis.
   Point3 normalAt(const Path& path, std::size_t waypoint) const {
     if (has_plane_layers_) return layer_normal_;
-    return bed_from_part_.linear() * (path.orientation.at(waypoint) * -Point3::UnitZ());
+    return bed_from_part_.linear() * upAt(path, waypoint);
   }
 
   Eigen::Isometry3d bed_from_part_;

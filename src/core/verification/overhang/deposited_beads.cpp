@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "toolpath/bead_space.hpp"
+
 namespace lamina {
 
 bool lays(const Path& path) {
@@ -20,9 +22,10 @@ DepositedBeads depositedBeads(const Toolpath& toolpath) {
     deposited.first_of_layer.push_back(deposited.beads.size());
     for (const Path& path : layer.paths)
       forEachBead(path, [&](const DepositedSegment& segment) {
-        const Point3 down(0.0, 0.0, 0.5 * segment.bead.height_mm);
-        deposited.beads.push_back(
-            {layers_from_part * segment.start - down, layers_from_part * segment.end - down, segment.bead});
+        const auto middle = [&](const Point3& tip) {
+          return sectionMiddle(layers_from_part * tip, segment.bead.height_mm, Point3::UnitZ());
+        };
+        deposited.beads.push_back({middle(segment.start), middle(segment.end), segment.bead});
       });
   }
   deposited.first_of_layer.push_back(deposited.beads.size());

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "lamina/base/error.hpp"
+#include "toolpath/bead_space.hpp"
 
 namespace lamina {
 namespace {
@@ -17,8 +18,7 @@ void addMotions(DepositedWalls& walls, const Path& path, double width_mm) {
     const auto from = static_cast<std::uint32_t>(first + m);
     const auto to = static_cast<std::uint32_t>(first + end);
     walls.motions.triangles.push_back({from, to, to});
-    walls.growth.push_back(
-        {-(path.orientation.at(end) * Point3::UnitZ()), {width_mm, path.bead.at(end).height_mm}});
+    walls.growth.push_back({upAt(path, end), {width_mm, path.bead.at(end).height_mm}});
   }
 }
 
