@@ -30,8 +30,8 @@ std::vector<std::size_t> turnColumns(const RecordingTable& table) {
           requireColumn(table, "qz")};
 }
 
-Eigen::Quaterniond rotationOf(const RecordingTable& table, std::size_t row,
-                              const std::vector<std::size_t>& columns) {
+Eigen::Quaterniond turnOf(const RecordingTable& table, std::size_t row,
+                          const std::vector<std::size_t>& columns) {
   if (columns.empty()) return nozzleDown();
   const Eigen::Quaterniond turn(table.at(row, columns[0]), table.at(row, columns[1]),
                                 table.at(row, columns[2]), table.at(row, columns[3]));
@@ -80,7 +80,7 @@ std::vector<RecordedPose> posesFromCsv(std::string_view text, const std::string&
   std::vector<RecordedPose> poses(table.rows());
   for (std::size_t row = 0; row < poses.size(); ++row) {
     poses[row].time_s = table.at(row, time);
-    poses[row].bed_from_nozzle.linear() = rotationOf(table, row, turn).toRotationMatrix();
+    poses[row].bed_from_nozzle.linear() = turnOf(table, row, turn).toRotationMatrix();
     poses[row].bed_from_nozzle.translation() = Point3(table.at(row, x), table.at(row, y), table.at(row, z));
   }
   std::stable_sort(poses.begin(), poses.end(), isEarlierPose);

@@ -23,7 +23,7 @@ Eigen::Affine3d matrixOf(const Call& call) {
   return matrix;
 }
 
-Eigen::Quaterniond rotationOf(const Eigen::Matrix3d& linear, const Point3& normal) {
+Eigen::Quaterniond turnOf(const Eigen::Matrix3d& linear, const Point3& normal) {
   const bool is_rotation = (linear * linear.transpose()).isIdentity(kStraight) && linear.determinant() > 0.0;
   if (is_rotation) return Eigen::Quaterniond(linear);
   const Point3 mapped = linear.inverse().transpose() * normal;  // as normals of planes are mapped
@@ -42,7 +42,7 @@ StatedFrame transformedFrame(const StatedFrame& source, const PointTransform& tr
   if (!transform.keepsLines()) return {};
   const Eigen::Affine3d map = matrixOf([&](const Point3& point) { return transform.map.map(point); });
   const Point3 normal = source.bed_from_layers * Point3::UnitZ();
-  const Eigen::Quaterniond turn = rotationOf(map.linear(), normal);
+  const Eigen::Quaterniond turn = turnOf(map.linear(), normal);
   StatedFrame stated;
   stated.bed_from_layers = unlessStraight((turn * source.bed_from_layers).normalized());
   const Point3 held = tool_axis.value_or(turn * (source.bed_from_nozzle * Point3::UnitZ()));

@@ -104,7 +104,7 @@ Centres centresOf(const LayerChart& chart, const std::vector<double>& weight) {
 }
 
 /// How the parameterization must be turned, a number of length 1.
-Complex rotationOf(const LayerChart& chart, const std::vector<double>& weight, const Centres& centres) {
+Complex turnOf(const LayerChart& chart, const std::vector<double>& weight, const Centres& centres) {
   Complex fit = 0.0, towards_x = 0.0, towards_y = 0.0;
   double size = 0.0;
   for (std::size_t i = 0; i < weight.size(); ++i) {
@@ -154,7 +154,7 @@ bool collide(const Ground& a, const Ground& b) {
 void layOverProjection(LayerChart& chart) {
   const std::vector<double> weight = areaOfVertices(chart.surface.middle);
   const Centres centres = centresOf(chart, weight);
-  const Complex turn = rotationOf(chart, weight, centres);
+  const Complex turn = turnOf(chart, weight, centres);
   for (Point2& place : chart.parameterization) {
     const Complex turned =
         turn * Complex(place.x() - centres.parameters.x(), place.y() - centres.parameters.y());

@@ -52,7 +52,7 @@ TEST(Laying, ReportsWhatHangs) {
 TEST(Laying, TurnsEachFaceDown) {
   const Mesh part = makePart("tetradecahedron");
   for (const Laying& laying : layings(part, {})) {
-    const Mesh placed = transformed(part, standing(part, rotationOf(laying.turn_deg), 1.0));
+    const Mesh placed = transformed(part, standing(part, rotationOfDegrees(laying.turn_deg), 1.0));
     double on_bed_mm2 = 0.0;
     for (const Triangle& t : placed.triangles) {
       const Point3 doubled = (placed.vertices[t[1]] - placed.vertices[t[0]])

@@ -84,7 +84,7 @@ double depositedIn(const Toolpath& toolpath) { return totals(toolpath).deposited
 TEST_F(PlateJobTest, TurnsContoursExactly) {
   for (const double angle_deg : {0.0, 30.0, 45.0, 90.0}) {
     Mesh mesh = test::boxBetween({3, 4, 5}, {23, 24, 7});
-    const Eigen::Affine3d part_from_file = standing(mesh, rotationOf({0, 0, angle_deg}), 1.0);
+    const Eigen::Affine3d part_from_file = standing(mesh, rotationOfDegrees({0, 0, angle_deg}), 1.0);
     mesh = transformed(std::move(mesh), part_from_file);
     NoProgress nobody;
     const std::vector<Section> sections = sliceMesh(mesh, {1.0}, nobody);
@@ -102,7 +102,7 @@ TEST_F(PlateJobTest, TurnsContoursExactly) {
 TEST_F(PlateJobTest, TurnsAboutFixedAxesInOrder) {
   // x to y about z comes last: the box's x edge, up by the turn about y, stays up.
   const Mesh mesh = test::boxBetween({0, 0, 0}, {10, 20, 30});
-  const Box3 box = boundingBox(transformed(mesh, standing(mesh, rotationOf({90, 0, 90}), 2.0)));
+  const Box3 box = boundingBox(transformed(mesh, standing(mesh, rotationOfDegrees({90, 0, 90}), 2.0)));
   EXPECT_LT((box.size() - Point3(60, 20, 40)).norm(), 1e-9);
   EXPECT_LT((box.low - Point3(-30, -10, 0)).norm(), 1e-9);
 }
@@ -116,7 +116,7 @@ TEST_F(PlateJobTest, LaysWhatSinglePartsLay) {
     add(file, Point2(x += 30, 100)).turn_deg.z() = angle_deg;
     const std::string turned = folder_.file("turned" + std::to_string(int(angle_deg)) + ".stl");
     const Mesh mesh = test::boxBetween(Point3::Zero(), {20, 10, 2});
-    writeStl(turned, transformed(mesh, standing(mesh, rotationOf({0, 0, angle_deg}), 1.0)));
+    writeStl(turned, transformed(mesh, standing(mesh, rotationOfDegrees({0, 0, angle_deg}), 1.0)));
     NoProgress nobody;
     singles_mm3 += depositedIn(runSliceJob({turned, "", job_.settings}, nobody).toolpath);
   }

@@ -49,7 +49,7 @@ Plate plateOf(const std::vector<std::string>& files);
 void requirePartSetting(const SettingText& setting, const std::string& part);
 
 /// The rotation about the fixed axes x, y, z, in this order.
-Eigen::Quaterniond rotationOf(const Point3& turn_deg);
+Eigen::Quaterniond rotationOfDegrees(const Point3& turn_deg);
 
 /// The transform part_from_file that scales and rotates a mesh and puts its bottom at z = 0 and the middle of
 /// its bounding box over the origin.

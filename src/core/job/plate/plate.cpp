@@ -135,7 +135,7 @@ void requirePartSetting(const SettingText& setting, const std::string& part) {
                       "'; a part may have " + names + " for itself");
 }
 
-Eigen::Quaterniond rotationOf(const Point3& turn_deg) {
+Eigen::Quaterniond rotationOfDegrees(const Point3& turn_deg) {
   const Point3 angles = turn_deg * kDegree;
   return Eigen::AngleAxisd(angles.z(), Point3::UnitZ()) * Eigen::AngleAxisd(angles.y(), Point3::UnitY()) *
          Eigen::AngleAxisd(angles.x(), Point3::UnitX());

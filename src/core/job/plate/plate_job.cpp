@@ -227,7 +227,7 @@ Box2 roomFor(const std::vector<PlateItem>& items, const Box3& space, const JobSe
 void arrange(std::vector<PlateItem>& items, const Box3& space, const JobSettings& settings) {
   std::vector<Footprint> footprints;
   for (PlateItem& item : items) {
-    item.turn = rotationOf(item.part.turn_deg);
+    item.turn = rotationOfDegrees(item.part.turn_deg);
     stand(item);
     std::optional<Point2> at = item.part.at_mm;
     if (!at && settings.plate.arrangement == PlateArrangement::None) at = placeInFile(item);
@@ -239,7 +239,7 @@ void arrange(std::vector<PlateItem>& items, const Box3& space, const JobSettings
     PlateItem& item = items[i];
     item.place = places[i];
     if (item.place.eighths == 0) continue;
-    item.turn = rotationOf({0.0, 0.0, 45.0 * item.place.eighths}) * item.turn;
+    item.turn = rotationOfDegrees({0.0, 0.0, 45.0 * item.place.eighths}) * item.turn;
     stand(item);
   }
 }
@@ -360,7 +360,7 @@ class PlateSlicer {
   SlicedPart sliceAlongBelt(const SliceJob& of_plate, double read_s, Progress& progress,
                             std::vector<PlatedPart>& reports) {
     for (PlateItem& item : items_) {
-      item.turn = rotationOf(item.part.turn_deg);
+      item.turn = rotationOfDegrees(item.part.turn_deg);
       stand(item);
     }
     planAll(of_plate, progress);

@@ -36,7 +36,7 @@ ArmAxes axesAt(const SerialChain& arm, const ArmValues& values) {
   for (std::size_t j = 0; j < axes.size(); ++j) {
     const Screw& screw = arm.screws[j];
     axes[j] = {turn * screw.direction, turn * screw.point + shift};
-    turn = turn * matrixOf(screw.direction, rotationOf(values[static_cast<Eigen::Index>(j)]));
+    turn = turn * matrixOf(screw.direction, turnOf(values[static_cast<Eigen::Index>(j)]));
     shift = axes[j].point - turn * screw.point;
   }
   return axes;

@@ -60,8 +60,7 @@ struct TurnedBySixth {
 const std::array<Turn, kSamples>& sampledTurns() {
   static const std::array<Turn, kSamples> turns = [] {
     std::array<Turn, kSamples> all;
-    for (int i = 0; i < kSamples; ++i)
-      all[static_cast<std::size_t>(i)] = rotationOf(2.0 * M_PI * i / kSamples);
+    for (int i = 0; i < kSamples; ++i) all[static_cast<std::size_t>(i)] = turnOf(2.0 * M_PI * i / kSamples);
     return all;
   }();
   return turns;
@@ -169,7 +168,7 @@ class OffsetWristSolver {
   }
 
   Sample sampleAt(std::size_t way, double angle) const {
-    const Residuals there = residuals(rotationOf(angle));
+    const Residuals there = residuals(turnOf(angle));
     return {angle, there.f[way], there.excess[way]};
   }
 
@@ -214,7 +213,7 @@ class OffsetWristSolver {
   }
 
   ArmValues valuesAt(std::size_t way, double angle) const {
-    const Turn sixth = rotationOf(angle);
+    const Turn sixth = turnOf(angle);
     const Point3 wrist = on_sixth_ + wrist_.at(sixth);
     const Turn first = arm_.plane.firstTurns(wrist, arm_.wrist).turns[way / 2];
     const auto inner = arm_.plane.waysTo(arm_.plane.turnedBack(wrist, first)).ways[way % 2];

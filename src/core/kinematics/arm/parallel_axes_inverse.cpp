@@ -92,7 +92,7 @@ class ParallelAxesSolver {
       const Turn last = turnBetween(seen, turned(normal, fifth, reversed(turn)), sixth);
       const double size = last.norm();
       const double triple = arm_.fourth_sense * fifth.dot(normal.cross(turned(sixth, fifth, turn)));
-      addElbows({first, turn, size > kInLineWrist ? Turn(last / size) : rotationOf(near_[5]),
+      addElbows({first, turn, size > kInLineWrist ? Turn(last / size) : turnOf(near_[5]),
                  shoulder + (triple < 0.0 ? 1 : 0)});
     }
   }

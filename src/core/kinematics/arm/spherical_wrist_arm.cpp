@@ -40,7 +40,7 @@ class Solver {
     const double distance = std::hypot(x, y);
     if (distance < std::abs(arm_.side_mm) - kOnAxis) return {};
     if (distance < kOnAxis) {
-      const Turn kept = rotationOf(near_[0]);
+      const Turn kept = turnOf(near_[0]);
       addElbows({kept, 0.0}, 0);
       addElbows({kept, 0.0}, 4);
       return found_;
@@ -84,7 +84,7 @@ class Solver {
 
   /// Where a wrist folded onto the shoulder leaves it free, it stays.
   Turn upperArm(const Point2& wrist, double square, const Turn& bent) const {
-    if (square < kOnAxis * kOnAxis) return rotationOf(arm_.zero[1] + arm_.sense[1] * near_[1]);
+    if (square < kOnAxis * kOnAxis) return turnOf(arm_.zero[1] + arm_.sense[1] * near_[1]);
     const Point2 arm(arm_.upper_mm + arm_.fore_mm * bent.x(), arm_.fore_mm * bent.y());
     return difference(wrist, arm).normalized();
   }
@@ -105,7 +105,7 @@ class Solver {
     const Point2 off_line = wrist.block<2, 1>(0, 2);
     const double sine = off_line.norm();
     const bool is_free = sine < kInLine;
-    addWrist(solution, wrist, is_free ? rotationOf(near_[3]) : Turn(off_line / sine));
+    addWrist(solution, wrist, is_free ? turnOf(near_[3]) : Turn(off_line / sine));
     addFlipped(is_free);
   }
 

@@ -14,7 +14,7 @@ namespace lamina {
 /// An angle as its cosine and sine.
 using Turn = Point2;
 
-inline Turn rotationOf(double angle) { return {std::cos(angle), std::sin(angle)}; }
+inline Turn turnOf(double angle) { return {std::cos(angle), std::sin(angle)}; }
 inline double angleOf(const Turn& turn) { return std::atan2(turn.y(), turn.x()); }
 inline Turn sum(const Turn& a, const Turn& b) {
   return {a.x() * b.x() - a.y() * b.y(), a.y() * b.x() + a.x() * b.y()};

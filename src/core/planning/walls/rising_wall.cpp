@@ -38,7 +38,7 @@ struct TurnPoint {
 };
 
 /// The turn that an open loop makes, its motions no longer than a part of the whole.
-std::vector<TurnPoint> rotationOf(const Path& loop) {
+std::vector<TurnPoint> turnOf(const Path& loop) {
   const double whole = length(loop);
   std::vector<TurnPoint> turn = {{loop.points.front().head<2>(), 0.0, 1}};
   double gone = 0.0;
@@ -157,7 +157,7 @@ class WallRaiser {
     const Point2 start = nozzle_ ? Point2(nozzle_->head<2>()) : Point2(loop.firstPoint().head<2>());
     Path own = opened(
         loop, {nearestPlace(loop, {start.x(), start.y(), loop.firstPoint().z()}), LoopSense::AsGiven, 0.0});
-    std::vector<TurnPoint> turn = rotationOf(own);
+    std::vector<TurnPoint> turn = turnOf(own);
     if (below_) {
       drawDown(turn, *below_, own.bead.at(1).width_mm);
       turn.front().point = start;
@@ -209,7 +209,7 @@ class WallRaiser {
 
   void closeTop(ToolpathLayer& layer) {
     const double top = layer.z_mm;
-    lay(rotationOf(last_), last_, {top, top, layer.height_mm, 0.0}, layer.paths.back());
+    lay(turnOf(last_), last_, {top, top, layer.height_mm, 0.0}, layer.paths.back());
   }
 
   std::vector<ToolpathLayer>& layers_;

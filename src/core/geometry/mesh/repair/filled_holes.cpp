@@ -20,7 +20,7 @@ struct Hole {
       normals;  ///< of the triangle across the edge from corner i to i + 1; 0 if it has no area
 };
 
-double rotationOf(const Point2& a, const Point2& b, const Point2& c) {
+double turnOf(const Point2& a, const Point2& b, const Point2& c) {
   return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
 }
 
@@ -72,9 +72,7 @@ class EarClipper {
   }
 
  private:
-  double turnAt(std::size_t i) const {
-    return rotationOf(points_[previous_[i]], points_[i], points_[next_[i]]);
-  }
+  double turnAt(std::size_t i) const { return turnOf(points_[previous_[i]], points_[i], points_[next_[i]]); }
 
   bool isEar(std::size_t i) const {
     if (turnAt(i) <= 0.0) return false;
@@ -82,7 +80,7 @@ class EarClipper {
     return std::none_of(reflex_.begin(), reflex_.end(), [&](std::size_t r) {
       if (r == previous_[i] || r == i || r == next_[i]) return false;
       const Point2& p = points_[r];
-      return rotationOf(a, b, p) >= 0.0 && rotationOf(b, c, p) >= 0.0 && rotationOf(c, a, p) >= 0.0;
+      return turnOf(a, b, p) >= 0.0 && turnOf(b, c, p) >= 0.0 && turnOf(c, a, p) >= 0.0;
     });
   }
 
