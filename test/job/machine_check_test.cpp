@@ -6,6 +6,7 @@
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/job/clear_approach.hpp"
 #include "lamina/job/program_check.hpp"
 #include "support/scratch_folder.hpp"
 #include "support/toolpaths.hpp"
@@ -143,6 +144,20 @@ TEST(PrintableProgram, KeepsToTheBoundedAxesOfABelt) {
   EXPECT_NE(
       printableRefusal(programTo(10.0, 10.0, space.range.low.z() - 1.0), "belt_45").find("line 3 extrudes"),
       std::string::npos);
+}
+
+TEST(ClearApproach, RefusesALiftOfMoreThanAMetre) {
+  const auto model = kinematicModelByName("cartesian_gantry");
+  ApproachDemands demands;
+  demands.way.lift_mm = 1001.0;
+  NoProgress nobody;
+  const JointValues from = JointValues::Zero(3);
+  try {
+    clearApproach(from, JointValues::Constant(3, 10.0), *model, demands, nobody);
+    FAIL();
+  } catch (const InvalidConfig& error) {
+    EXPECT_STREQ(error.what(), "approach.lift_mm is 1001 mm; expected at most 1000 mm");
+  }
 }
 
 }  // namespace
