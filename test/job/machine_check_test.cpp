@@ -4,7 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/job/clear_approach.hpp"
+#include "lamina/job/program_check.hpp"
+#include "support/scratch_folder.hpp"
 #include "support/toolpaths.hpp"
 
 namespace lamina {
@@ -109,6 +113,51 @@ TEST(MachineCheck, CountsCollidingWaypointsAndShowsTheFirstOfEachLayer) {
   EXPECT_EQ(report.first_of_layers[1].at.layer, 1U);
   EXPECT_EQ(report.first_of_layers[0].link, "nozzle");
   EXPECT_EQ(report.first_of_layers[0].obstacle, Obstacle::Bed);
+}
+
+std::string printableRefusal(const std::string& program, const std::string& machine) {
+  const test::ScratchFolder folder;
+  writeFile(folder.file("part.gcode"), program);
+  MachineSettings settings;
+  settings.name = machine;
+  try {
+    requirePrintable(folder.file("part.gcode"), settings);
+  } catch (const Unreachable& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(PrintableProgram, KeepsToTheBoundedAxesOfABelt) {
+  const BuildSpace space = buildSpaceByName("belt_45");
+  ASSERT_TRUE(space.is_endless[2]);
+  const Point3 high = space.range.high;
+  const auto programTo = [](double x, double y, double z) {
+    return "M83\nG1 X10 Y10 Z10 F600\nG1 X" + std::to_string(x) + " Y" + std::to_string(y) + " Z" +
+           std::to_string(z) + " E1\n";
+  };
+  EXPECT_EQ(printableRefusal(programTo(high.x(), high.y(), 1e5), "belt_45"), "") << "the belt has no end";
+  EXPECT_NE(printableRefusal(programTo(high.x() + 1.0, 10.0, 10.0), "belt_45").find("axis x would be at"),
+            std::string::npos);
+  EXPECT_NE(printableRefusal(programTo(10.0, high.y() + 1.0, 10.0), "belt_45").find("axis y would be at"),
+            std::string::npos);
+  EXPECT_NE(
+      printableRefusal(programTo(10.0, 10.0, space.range.low.z() - 1.0), "belt_45").find("line 3 extrudes"),
+      std::string::npos);
+}
+
+TEST(ClearApproach, RefusesALiftOfMoreThanAMetre) {
+  const auto model = kinematicModelByName("cartesian_gantry");
+  ApproachDemands demands;
+  demands.way.lift_mm = 1001.0;
+  NoProgress nobody;
+  const JointValues from = JointValues::Zero(3);
+  try {
+    clearApproach(from, JointValues::Constant(3, 10.0), *model, demands, nobody);
+    FAIL();
+  } catch (const InvalidConfig& error) {
+    EXPECT_STREQ(error.what(), "approach.lift_mm is 1001 mm; expected at most 1000 mm");
+  }
 }
 
 }  // namespace

@@ -95,5 +95,38 @@ TEST(KeptLean, AnUprightToolAxisStays) {
   EXPECT_EQ(lean.raised(), 0U);
 }
 
+/// A closed ring of 20 waypoints, 1 mm apart, that leans by 40 deg everywhere.
+Toolpath leaningRing() {
+  Toolpath toolpath = leaning(40.0);
+  Path ring = toolpath.layers[0].paths[0];
+  ring.is_closed = true;
+  ring.points.clear();
+  const double radius = 0.5 / std::sin(M_PI / 20.0);
+  for (int i = 0; i < 20; ++i)
+    ring.points.emplace_back(radius * std::cos(i * M_PI / 10.0), radius * std::sin(i * M_PI / 10.0), 1.0);
+  toolpath.layers[0].paths = {ring};
+  return toolpath;
+}
+
+TEST(KeptLean, ReachesOverTheStartOfAClosedRun) {
+  const Toolpath wanted = leaningRing();
+  RaiseLimits limits;
+  limits.reach_mm = 2.5;
+  limits.most_deg_per_mm = 20.0;
+  for (const std::size_t at : {0U, 1U, 19U, 10U}) {
+    KeptLean lean(wanted, limits);
+    lean.raiseAt({0, 0, at});
+    const Toolpath raised = lean.toolpath();
+    EXPECT_EQ(lean.raised(), 5U) << at;
+    for (std::size_t n = 0; n < 20; ++n)
+      EXPECT_NEAR(leanAt(raised, 0, (at + n) % 20), n <= 2 || n >= 18 ? 30.0 : 40.0, 1e-9) << at << ", " << n;
+  }
+  limits.reach_mm = 100.0;
+  KeptLean whole(wanted, limits);
+  whole.raiseAt({0, 0, 3});
+  whole.toolpath();
+  EXPECT_EQ(whole.raised(), 20U);
+}
+
 }  // namespace
 }  // namespace lamina

@@ -151,5 +151,17 @@ TEST(ChannelDrive, LimitsToTheBandAndReportsWhatWasAsked) {
   EXPECT_FALSE(drive.isOn());
 }
 
+TEST(ChannelDrive, TellsWhatIsAskedBeyondTheBandWhileItSetsOutEarly) {
+  OutputChannel channel = laser();
+  channel.lag_s = 0.1;
+  ChannelDrive drive(channel, kDriveCycle);
+  const ProcessPlan plan = planOf({{0.0, lit(500.0)}, {1.0, lit(3000.0)}, {2.0, lit(3000.0)}});
+  for (int cycle = 0; cycle < 90; ++cycle) drive.step(plan, kDriveCycle * cycle);
+  EXPECT_EQ(drive.asked(), 500.0);
+  // At full power it is half way up, to 1250 W, after ln 2 of the lag; the step is planned 0.05 s later.
+  EXPECT_EQ(drive.step(plan, 0.95), 2000.0);
+  EXPECT_EQ(drive.asked(), 3000.0);
+}
+
 }  // namespace
 }  // namespace lamina

@@ -252,6 +252,20 @@ TEST(ProcessBridge, WhatIsAskedBeyondTheBandIsLimitedAndAnAlarm) {
   EXPECT_EQ(run.ids(), (std::vector<int>{5101, -5101}));
 }
 
+TEST(ProcessBridge, WhatIsAskedBeyondTheBandIsAnAlarmOfALaggingChannelFromItsFirstCycleOn) {
+  ProcessTables tables = laserAndWire();
+  tables.channels[0].lag_s = 0.2;
+  tables.inputs.clear();
+  BridgeRun run(tables);
+  run.view.measured.clear();
+  const double begin_s = run.now_s + 0.5;
+  const ProcessSignals much = laying(2500.0);
+  run.bridge.accept({{{run.now_s, {}}, {begin_s, much}, {begin_s + 1.0, much}}, begin_s + 1.0}, run.now_s);
+  for (int i = 0; i < 60 && run.last.values[0] == 0.0; ++i) run.run(1);
+  EXPECT_LT(run.now_s, begin_s - 0.1) << "it sets out early";
+  EXPECT_EQ(run.ids(), std::vector<int>{5101});
+}
+
 TEST(ProcessBridge, InputsAreJudged) {
   BridgeRun run;
   run.plan(laying(), 60.0);

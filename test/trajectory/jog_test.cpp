@@ -242,6 +242,24 @@ TEST(Jog, StaysInItsWorkspaceAndWhereTheGuardLetsIt) {
   EXPECT_GT(farthest, 5.0);
 }
 
+/// Where a jog towards a wall at x = 20 mm rests in the end.
+double restInFrontOfAWall(double rate_mm_s) {
+  const TiltingGantry gantry;
+  Jog jog(gantry, testJog(), kRamp, jogStart());
+  const JogGuard wall = [](const std::vector<JointValues>& places) {
+    return places.back()[0] > 20.0 ? std::string("a wall is there") : std::string();
+  };
+  for (int i = 0; i < 400; ++i) jog.order(jointOrder(alongX(rate_mm_s)), 0.1 * i, wall);
+  return jog.at(jog.restTime()).position[0];
+}
+
+TEST(Jog, ComesTheNearerTheSlowerItIs) {
+  // At an eighth of the speed, the least that is tried, it looks ahead by what it goes in 0.1 s.
+  EXPECT_GT(restInFrontOfAWall(16.0), 20.0 - 2.0 * 0.1 * 16.0 / 8.0 - 1.0);
+  EXPECT_GT(restInFrontOfAWall(2.0), 19.8) << "far nearer than jog.clearance_mm";
+  EXPECT_LE(restInFrontOfAWall(2.0), 20.0);
+}
+
 TEST(Jog, ChangesNothingOnceItsFirstPointIsPast) {
   const TiltingGantry gantry;
   Jog jog(gantry, testJog(), kRamp, jogStart());

@@ -11,6 +11,7 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/base/sha256.hpp"
+#include "lamina/web/upload_file.hpp"
 #include "web/raw_client.hpp"
 #include "web/site_of_fakes.hpp"
 
@@ -80,6 +81,32 @@ TEST(WebServer, AnswersSeveralRequestsOfOneConnectionAlsoWhenTheyComeTogether) {
   }
   EXPECT_EQ(all.find("OctoPrint (Lamina"), all.find("OctoPrint"));
   EXPECT_GT(all.rfind("OctoPrint (Lamina"), all.find("Not Found"));
+}
+
+std::string formOfOnePart(const std::string& disposition) {
+  return "--b\r\nContent-Disposition: form-data; " + disposition + "\r\n\r\nG1 X1\n\r\n--b--\r\n";
+}
+
+TEST(WebServer, TakesTheFileOfAnyFieldAndRefusesAFormWithout) {
+  ServerOfFakes fakes;
+  const auto statusFor = [&](const std::string& disposition) {
+    const std::string form = formOfOnePart(disposition);
+    return statusIn(fakes.ask(postForm(form) + form));
+  };
+  EXPECT_EQ(statusFor("name=\"program\"; filename=\"part.gcode\""), 201);
+  EXPECT_EQ(statusFor("name=\"file\""), 400);
+}
+
+TEST(UploadFile, NamesWhatAFormWithoutFileLacks) {
+  const ScratchFolder folder;
+  UploadFile file(folder.path(), "b", 1000, nullptr);
+  file.read(formOfOnePart("name=\"file\""));
+  try {
+    file.finish();
+    FAIL() << "a field without a file name is no file";
+  } catch (const InvalidInput& error) {
+    EXPECT_STREQ(error.what(), "the form has no file; expected a field with a file name");
+  }
 }
 
 // As PrusaSlicer 2.x sends it by libcurl: fields print, path and file, a boundary of dashes, no Expect.

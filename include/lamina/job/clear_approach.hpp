@@ -20,7 +20,7 @@ struct ApproachDemands {
 /// is the one asked for or, if that collides, the first without collision of 2, 4, 8, ... 64 times as much,
 /// at most 1 m. Material that already lies on the bed is not considered.
 /// @throws Unreachable if each of them collides, naming what the lowest one collides with; as `approach`
-/// @throws Cancelled
+/// @throws InvalidConfig if the lift asked for is more than 1 m; Cancelled
 Approach clearApproach(const JointValues& from, const JointValues& to, const KinematicModel& model,
                        const ApproachDemands& demands, Progress& progress);
 

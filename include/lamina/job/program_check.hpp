@@ -10,8 +10,8 @@ namespace lamina {
 
 /// Checks that a G-code program for linear axes extrudes within the reach of a machine: the end of each
 /// motion that extrudes must lie in the bounding box of its build space. Motions without extrusion, as those
-/// of start and end code, are not checked. On a machine with an endless axis (a belt), positions are not
-/// checked.
+/// of start and end code, are not checked. On a machine with an endless axis (a belt), each linear axis must
+/// be within its limits, of which the endless one has only the lower.
 /// @throws FileError if the program cannot be read
 /// @throws InvalidProgram naming the line that cannot be read, or if the program extrudes nothing
 /// @throws Unreachable naming the line, the position [mm, bed frame] and the machine's limits

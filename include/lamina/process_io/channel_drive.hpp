@@ -44,8 +44,7 @@ class ChannelDrive {
   bool isOn() const { return is_on_; }
   /// The effect at the time of the last call, as computed with dead time and lag.
   double expected() const;
-  /// The value that the last step headed for; 0 if it was off. It is limited to the band only if the step set
-  /// out early for it.
+  /// The value that the last step headed for, which may lie beyond the band; 0 if it was off.
   double asked() const { return asked_; }
   /// Time from sending a value to the instant for which it is planned [s].
   double lead() const;

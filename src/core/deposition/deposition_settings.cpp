@@ -13,7 +13,9 @@ void describe(SettingsSchema& schema, DepositionSettings& settings) {
                 "Farthest from the middle of the strand that material goes to find room.");
   schema.number("deposition.bed_z_mm", settings.bed_z_mm, {-1e6, 1e6},
                 "Height below which nothing is deposited.");
-  schema.flag("deposition.skirt", settings.are_build_aids_deposited, "Whether skirts are deposited too.");
+  schema.flag("deposition.skirt", settings.are_build_aids_deposited,
+              "Whether what does not belong to the part is deposited too: skirts, brims, rafts, supports and "
+              "priming.");
   schema.number("deposition.memory_limit_mb", settings.memory_limit_mb, {0.0, 1e9},
                 "Memory the voxels may take; 0 for what is free on the machine.");
 }

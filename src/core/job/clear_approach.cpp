@@ -6,6 +6,7 @@
 #include <string>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/verification/collision/joint_clearance.hpp"
 
 namespace lamina {
@@ -43,6 +44,9 @@ std::string textOf(const Collision& collision) {
 Approach clearApproach(const JointValues& from, const JointValues& to, const KinematicModel& model,
                        const ApproachDemands& demands, Progress& progress) {
   ApproachSettings way = demands.way;
+  if (!(way.lift_mm <= kHighest))
+    throw InvalidConfig("approach.lift_mm is " + numberText(way.lift_mm) + " mm; expected at most " +
+                        numberText(kHighest) + " mm");
   std::optional<Collision> first;
   for (int i = 0; i <= kDoublings && way.lift_mm <= kHighest; ++i, way.lift_mm *= 2.0) {
     Approach tried = approach(from, to, model, way, demands.timing);

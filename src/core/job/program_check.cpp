@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/program/gcode/gcode_reader.hpp"
 
 namespace lamina {
@@ -17,6 +18,33 @@ std::string describeBox(const Box3& box) {
   std::snprintf(text, sizeof text, "(%.1f, %.1f, %.1f) to (%.1f, %.1f, %.1f) mm", box.low.x(), box.low.y(),
                 box.low.z(), box.high.x(), box.high.y(), box.high.z());
   return text;
+}
+
+std::string describePoint(const Point3& point) {
+  char text[96];
+  std::snprintf(text, sizeof text, "(%.3f, %.3f, %.3f) mm", point.x(), point.y(), point.z());
+  return text;
+}
+
+/// Why the tip is beyond the edges of a space of which one is endless; empty if it is not.
+std::string faultAlongEdges(const BuildSpace& space, const Point3& tip) {
+  const Point3 values = space.bed_from_axes.inverse() * tip;
+  for (int i = 0; i < 3; ++i) {
+    const double low = space.range.low[i];
+    const double high = space.range.high[i];
+    const bool is_endless = space.is_endless[static_cast<std::size_t>(i)];
+    if (values[i] >= low - kTolerance && (is_endless || values[i] <= high + kTolerance)) continue;
+    return std::string("axis ") + "xyz"[i] + " would be at " + numberText(values[i]) + " mm; " + space.name +
+           " reaches " + numberText(low) + " mm to " + (is_endless ? "any" : numberText(high) + " mm");
+  }
+  return "";
+}
+
+/// Why the tip is beyond the bounding box of the space; empty if it is not.
+std::string faultByBox(const BuildSpace& space, const Box3& box, const Point3& tip) {
+  const bool is_within = (tip.array() >= box.low.array() - kTolerance).all() &&
+                         (tip.array() <= box.high.array() + kTolerance).all();
+  return is_within ? "" : space.name + " reaches " + describeBox(box);
 }
 
 }  // namespace
@@ -34,13 +62,10 @@ void requirePrintable(const std::string& path, const MachineSettings& machine) {
     if (motion.extrusion_mm <= 0.0 || motion.start == motion.end) return;
     ++extrusions;
     const Point3 tip = bed_from_program * motion.end;
-    const bool is_within = (tip.array() >= box.low.array() - kTolerance).all() &&
-                           (tip.array() <= box.high.array() + kTolerance).all();
-    if (is_within || !is_bounded) return;
-    char place[96];
-    std::snprintf(place, sizeof place, "(%.3f, %.3f, %.3f) mm", tip.x(), tip.y(), tip.z());
-    throw Unreachable("line " + std::to_string(motion.line) + " extrudes to " + place + "; " + space.name +
-                      " reaches " + describeBox(box));
+    const std::string fault = is_bounded ? faultByBox(space, box, tip) : faultAlongEdges(space, tip);
+    if (!fault.empty())
+      throw Unreachable("line " + std::to_string(motion.line) + " extrudes to " + describePoint(tip) + "; " +
+                        fault);
   };
   readGcodeFile(path, {}, handlers);
   if (extrusions == 0)

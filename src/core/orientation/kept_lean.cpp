@@ -65,11 +65,18 @@ void KeptLean::raise(Run& run, std::size_t waypoint) {
   };
   lower(waypoint);
   const std::vector<double> lengths = motionLengths(path);
+  // A closed run goes on over its start.
+  const std::size_t ahead = path.is_closed ? count - 1 : lengths.size() - waypoint;
+  const std::size_t behind = path.is_closed ? count - 1 : waypoint;
   double way_mm = 0.0;
-  for (std::size_t i = waypoint; i < lengths.size() && (way_mm += lengths[i]) <= limits_.reach_mm; ++i)
-    lower((i + 1) % count);
+  for (std::size_t n = 0; n < ahead && (way_mm += lengths[(waypoint + n) % count]) <= limits_.reach_mm; ++n)
+    lower((waypoint + n + 1) % count);
   way_mm = 0.0;
-  for (std::size_t i = waypoint; i > 0 && (way_mm += lengths[i - 1]) <= limits_.reach_mm; --i) lower(i - 1);
+  for (std::size_t n = 1; n <= behind; ++n) {
+    const std::size_t before = (waypoint + count - n) % count;
+    if ((way_mm += lengths[before]) > limits_.reach_mm) break;
+    lower(before);
+  }
 }
 
 void KeptLean::beginRaising(Run& run) const {

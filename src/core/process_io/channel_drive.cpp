@@ -94,10 +94,10 @@ AskedValue ChannelDrive::target(const ProcessPlan& plan, double from_s) const {
   const double look_s = 0.5 * cycle_s_;
   for (double ahead_s = look_s; ahead_s <= farthest_s; ahead_s += look_s) {
     if (from_s + ahead_s > plan.validUntil()) break;
-    AskedValue next = askedAt(plan, from_s + ahead_s);
-    next.value = std::min(next.value, channel_.high);
-    // The nearest cycle to the one that it should set out at.
-    if (earlyBy(next.value) >= ahead_s + 0.5 * (cycle_s_ - look_s)) target = next;
+    const AskedValue next = askedAt(plan, from_s + ahead_s);
+    // The nearest cycle to the one that it should set out at; no effect comes beyond the band.
+    const double reached = std::min(next.value, channel_.high);
+    if (earlyBy(reached) >= ahead_s + 0.5 * (cycle_s_ - look_s)) target = next;
   }
   return target;
 }

@@ -30,7 +30,7 @@ constexpr double kKept = 1.0;            // s of points that are remembered
 constexpr double kOnTheGrid = 1e-6;      // of a step
 constexpr double kMillimetres = 1000.0;  // per metre: tip and turn are weighed in m and rad
 constexpr double kLeastSteps = 2.0;      // of a lease behind the reaction: one may go to the grid of points
-constexpr double kTurnBeyond = 0.1;      // s that a turn in place must be clear beyond its rest
+constexpr double kMostBeyond = 0.1;      // s of motion that must be clear beyond its rest; all of a turn
 constexpr double kShares[] = {1.0, 0.5, 0.25, 0.125};
 
 /// Rates scaled to a limit, in their direction.
@@ -72,7 +72,8 @@ void describe(SettingsSchema& schema, JogSettings& settings) {
   schema.number("jog.least_margin_deg", settings.least_margin_deg, {0.0, 45.0},
                 "Angle from a singularity below which no jog of the nozzle goes.");
   schema.number("jog.clearance_mm", settings.clearance_mm, {0.0, 1e3},
-                "Way of the tip that must be clear beyond where a jog would rest.");
+                "Way of the tip that must be clear beyond where a jog would rest; no more than it goes in "
+                "0.1 s, so that slow jogs come nearer.");
   schema.numbers(
       "jog.workspace_mm", settings.workspace_mm, 6,
       "Where a tip that is jogged may go: lowest x,y,z, highest x,y,z over the bed; empty for anywhere.");
@@ -182,7 +183,7 @@ Jog::Planned Jog::planned(const JogOrder& order, const JointState& from, double 
   plan.points.back().acceleration = none;
   const double tip_mm_s = (model_.jacobian(moving.position).topRows<3>() * moving.velocity).norm();
   const double beyond_s =
-      tip_mm_s > 0.0 ? std::min(kTurnBeyond, settings_.clearance_mm / tip_mm_s) : kTurnBeyond;
+      tip_mm_s > 0.0 ? std::min(kMostBeyond, settings_.clearance_mm / tip_mm_s) : kMostBeyond;
   plan.beyond = plan.points.back().position + beyond_s * moving.velocity;
   return plan;
 }

@@ -93,7 +93,7 @@ void UploadFile::read(std::string_view piece) { reader_.read(piece); }
 
 const ReceivedUpload& UploadFile::finish() {
   reader_.finish();
-  if (descriptor_ < 0) throw InvalidInput("the form has no file; expected one in the field 'file'");
+  if (descriptor_ < 0) throw InvalidInput("the form has no file; expected a field with a file name");
   received_.sha256 = digest_->text();
   return received_;
 }

@@ -118,5 +118,36 @@ TEST(Copies, NeedABelt) {
   }
 }
 
+/// A bead of 10 mm across the belt, y mm along it.
+Toolpath beadAt(double y) {
+  Path bead;
+  bead.role = PathRole::OuterWall;
+  bead.points = {{0, y, 0}, {10, y, 0}};
+  bead.bead = Bead{1.2, 1.0};
+  bead.feed_mm_s = 20.0;
+  return {"bead", {{0.0, 1.0, {bead}}}};
+}
+
+TEST(BeltParts, ThatDepositNothingAreLeftOut) {
+  const BuildSpace space = buildSpaceByName("belt_45");
+  const Toolpath nothing{"nothing", {{0.0, 1.0, {}}}};
+  const Toolpath bead = beadAt(0.0);
+  const std::vector<BeltPart> parts = {
+      {"first", &nothing}, {"second", &bead}, {"third", &nothing}, {"fourth", &bead}};
+  const std::vector<Point3> places = placesAlongBelt(parts, 7.0, space);
+  ASSERT_EQ(places.size(), 4U);
+  for (const std::size_t i : {0U, 1U, 2U}) EXPECT_EQ(places[i], Point3(0, 0, 0)) << i;
+  EXPECT_NEAR(places[3].norm(), 7.0, 1e-9);
+  const Toolpath all = oneAfterAnother(parts, places, space, 100.0);
+  ASSERT_EQ(all.layers.size(), 2U);
+  std::vector<std::string> marks;
+  for (const ToolpathLayer& layer : all.layers)
+    for (const Path& path : layer.paths)
+      for (const PathEvent& event : path.events)
+        if (const auto* mark = std::get_if<PartMark>(&event.event)) marks.push_back(mark->name);
+  EXPECT_EQ(marks, (std::vector<std::string>{"second", "fourth"}));
+  EXPECT_TRUE(oneAfterAnother({parts[0]}, {places[0]}, space, 100.0).layers.empty());
+}
+
 }  // namespace
 }  // namespace lamina

@@ -112,5 +112,19 @@ TEST(UnknownCapabilities, RefuseNothing) {
   EXPECT_EQ(refusalOf({{"program.nozzle_temperature_c", "500"}}), "");
 }
 
+TEST(FirstLayer, IsNoHigherThanTheNozzleIsWide) {
+  const std::vector<SettingText> set = {{"slicing.layer_height_mm", "0.2"},
+                                        {"slicing.first_layer_height_mm", "0.35"}};
+  const auto refusalBy = [&](const char* nozzle_mm) {
+    std::vector<SettingText> all = set;
+    all.push_back({"machine.nozzle_mm", nozzle_mm});
+    return refusalOf(all);
+  };
+  EXPECT_EQ(refusalBy("0.35"), "");
+  EXPECT_EQ(refusalBy("0.3"),
+            "slicing.first_layer_height_mm is 0.35 mm; must be at most machine.nozzle_mm, 0.3 mm: a layer is "
+            "no higher than the nozzle is wide");
+}
+
 }  // namespace
 }  // namespace lamina

@@ -16,6 +16,7 @@
 #include "lamina/geometry/parts/parts.hpp"
 #include "lamina/job/job_settings.hpp"
 #include "lamina/job/study/study_measurement.hpp"
+#include "lamina/kinematics/cartesian/cartesian_machine.hpp"
 #include "lamina/kriging/kriging.hpp"
 #include "lamina/metrics/toolpath_metrics.hpp"
 #include "lamina/optimisation/criteria.hpp"
@@ -388,6 +389,58 @@ TEST(StudyMeasurement, DependsOnTheBaseThatIsLainOn) {
   };
   const std::vector<SettingText> wide = {{"x_mm", "9"}};
   EXPECT_NE(fingerprint(makePart("box", {})), fingerprint(makePart("box", wide)));
+}
+
+/// Each file is written, and the study read with the settings; then another text is written, and the study
+/// read again.
+void expectDependsOn(const test::ScratchFolder& folder, const std::string& yaml, const std::string& file,
+                     const std::pair<std::string, std::string>& texts) {
+  const auto fingerprint = [&](const std::string& text) {
+    writeFile(folder.file(file), text);
+    return StudyMeasurement(readStudy(yaml, "study", "")).fingerprint();
+  };
+  const std::string usual = fingerprint(texts.first);
+  EXPECT_NE(fingerprint(texts.second), usual) << file;
+  EXPECT_EQ(fingerprint(texts.first), usual) << file;
+}
+
+TEST(StudyMeasurement, DependsOnTheContentsOfFilesThatSettingsName) {
+  const test::ScratchFolder folder;
+  const auto withSetting = [&](const std::string& setting) {
+    return changed(kPart, "skirt.count: 0", "skirt.count: 0, " + setting);
+  };
+  const std::string heights =
+      withSetting("slicing.heights: file, slicing.heights_file: " + folder.file("heights.csv"));
+  expectDependsOn(folder, heights, "heights.csv", {"z_mm,height_mm\n0,0.5\n", "z_mm,height_mm\n0,0.4\n"});
+
+  const std::string urdf = std::string(machineByName("cartesian_gantry").urdf);
+  const std::string machine = withSetting("machine.urdf: " + folder.file("machine.urdf"));
+  expectDependsOn(folder, machine, "machine.urdf", {urdf, urdf + "<!-- rebuilt -->"});
+
+  const std::string list = "modifiers:\n  - mesh: region.stl\n    settings: {walls.count: 3}\n";
+  const std::string modified = withSetting("part.modifiers: " + folder.file("regions.yaml"));
+  writeStl(folder.file("region.stl"), makePart("box", {{"x_mm", "2"}}));
+  const std::string region = readFile(folder.file("region.stl"));
+  expectDependsOn(folder, modified, "regions.yaml", {list, changed(list, "count: 3", "count: 4")});
+  writeFile(folder.file("regions.yaml"), list);
+  writeStl(folder.file("region.stl"), makePart("box", {{"x_mm", "3"}}));
+  expectDependsOn(folder, modified, "region.stl", {region, readFile(folder.file("region.stl"))});
+}
+
+TEST(StudyMeasurement, DependsOnFilesThatVariablesAndBaselinesName) {
+  const test::ScratchFolder folder;
+  const std::string one = folder.file("one.csv");
+  const std::string two = folder.file("two.csv");
+  writeFile(one, "z_mm,height_mm\n0,0.5\n");
+  writeFile(two, "z_mm,height_mm\n0,0.4\n");
+  const std::string usual =
+      changed(kPart, "skirt.count: 0", "skirt.count: 0, slicing.heights: file, slicing.heights_file: " + one);
+  const std::string baseline =
+      changed(usual, "{infill.pitch_mm: 0.4}", "{slicing.heights_file: " + two + "}");
+  const std::string varied = changed(
+      usual, "variables:\n", "variables:\n  slicing.heights_file: {choices: [" + one + ", " + two + "]}\n");
+  for (const std::string& yaml : {baseline, varied})
+    expectDependsOn(folder, yaml, "two.csv", {"z_mm,height_mm\n0,0.4\n", "z_mm,height_mm\n0,0.3\n"});
 }
 
 TEST(StudyMeasurement, ConfigurationsOfCommandsCanBeReadBack) {

@@ -296,5 +296,23 @@ TEST(WeaveShapes, LayTheVolumeOfTheLineAndEndOnIt) {
   }));
 }
 
+TEST(RestsOfAWeave, AreRefusedWithoutAWeave) {
+  for (const bool is_left : {true, false}) {
+    BeadRunSettings runs;
+    (is_left ? runs.weave.left_s : runs.weave.right_s) = 0.25;
+    try {
+      requireConsistent(runs);
+      FAIL();
+    } catch (const InvalidConfig& error) {
+      EXPECT_EQ(
+          std::string(error.what()),
+          std::string(is_left ? "weave.left_s" : "weave.right_s") +
+              " is 0.25 s with weave.kind 'none'; expected 0 s, or a weave: the tip rests on its sides");
+    }
+    runs.weave.kind = WeaveKind::Sine;
+    EXPECT_NO_THROW(requireConsistent(runs));
+  }
+}
+
 }  // namespace
 }  // namespace lamina

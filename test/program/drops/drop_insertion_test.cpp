@@ -153,5 +153,15 @@ TEST(DropInsertion, GivesAnyProgramItsDropsAndNoOthers) {
   }));
 }
 
+TEST(DropInsertion, RefusesDropsForLayersThatAreNot) {
+  const std::string text = squareProgram({kNoneMissing, {4, 4}});
+  try {
+    filled(text, {{}, {}, {{5, 5}}});
+    FAIL() << "the program has two layers";
+  } catch (const InvalidInput& error) {
+    EXPECT_STREQ(error.what(), "drops are given for 3 layers; expected at most the 2 of the program");
+  }
+}
+
 }  // namespace
 }  // namespace lamina

@@ -107,5 +107,10 @@ TEST(GcodeDialect, PutsNumbersIntoItsLines) {
             "M73 P12\n");
 }
 
+TEST(GcodeDialect, PutsNumbersIntoEachPlaceOfALine) {
+  EXPECT_EQ(dialectLine("M73 P{percent}\nM117 {percent} {minutes}", {{"percent", 12}, {"minutes", 34}}),
+            "M73 P12\nM117 12 34\n");
+}
+
 }  // namespace
 }  // namespace lamina

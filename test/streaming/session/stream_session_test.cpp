@@ -303,5 +303,34 @@ TEST(EmulatedMachine, RemovesItsLink) {
   EXPECT_NE(::access(linkPath().c_str(), F_OK), 0);
 }
 
+template <class Kind>
+void expectThrownAs(ErrorCode code) {
+  StreamStatus status;
+  status.failure = {code, "why"};
+  try {
+    throwIfFailed(status);
+    FAIL() << toString(code);
+  } catch (const Kind& error) {
+    EXPECT_EQ(error.code(), code);
+    EXPECT_STREQ(error.what(), "why");
+  }
+}
+
+TEST(StreamStatus, IsThrownAsTheErrorThatItsFailureStandsFor) {
+  EXPECT_NO_THROW(throwIfFailed({}));
+  expectThrownAs<Error>(ErrorCode::Internal);
+  expectThrownAs<InvalidInput>(ErrorCode::InvalidInput);
+  expectThrownAs<InvalidMesh>(ErrorCode::InvalidMesh);
+  expectThrownAs<InvalidConfig>(ErrorCode::InvalidConfig);
+  expectThrownAs<InvalidProgram>(ErrorCode::InvalidProgram);
+  expectThrownAs<FileError>(ErrorCode::FileError);
+  expectThrownAs<Unreachable>(ErrorCode::Unreachable);
+  expectThrownAs<DeviceError>(ErrorCode::DeviceError);
+  expectThrownAs<Disconnected>(ErrorCode::Disconnected);
+  expectThrownAs<Rejected>(ErrorCode::Rejected);
+  expectThrownAs<TimedOut>(ErrorCode::TimedOut);
+  expectThrownAs<Cancelled>(ErrorCode::Cancelled);
+}
+
 }  // namespace
 }  // namespace lamina

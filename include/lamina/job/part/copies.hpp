@@ -40,15 +40,15 @@ struct BeltPart {
 
 /// Places the parts one after the other along the belt: the belt has passed all of a part, and `spacing_mm`
 /// more, when the next one begins.
-/// @return translation of each part from its pose at the beginning of the belt; zero for the first [bed
-///   frame]
+/// @return translation of each part from its pose at the beginning of the belt [bed frame]; zero for the
+///   first that deposits, and for parts that deposit nothing, which take no room
 /// @throws InvalidConfig if the build space has no endless edge
 std::vector<Point3> placesAlongBelt(const std::vector<BeltPart>& parts, double spacing_mm,
                                     const BuildSpace& space);
 
 /// Joins the toolpaths of the parts into one, in the frame of the first part. Each part is marked by its name
 /// (`PartMark`); between parts belt and nozzle move as between copies. The layers of all parts must be
-/// parallel.
+/// parallel. Parts that deposit nothing are left out.
 /// @param places            as `placesAlongBelt` returns them
 /// @param travel_feed_mm_s  of the travels between parts
 Toolpath oneAfterAnother(const std::vector<BeltPart>& parts, const std::vector<Point3>& places,

@@ -41,9 +41,11 @@ class StudyMeasurement {
   /// --config` reads; otherwise the variables alone.
   std::string configurationAt(const DesignPoint& point) const;
 
-  /// A hash, as 16 hexadecimal digits, of what responses depend on besides the point: settings, the files of
-  /// the part and of its base, commands, and the version of Lamina. Other files that settings or commands
-  /// name are not read for it.
+  /// A hash, as 16 hexadecimal digits, of what responses depend on besides the point: settings, commands, the
+  /// version of Lamina, and the contents of files: the part, its base, modifiers with their meshes, the table
+  /// of heights, and the machine's description, also of those that variables and baselines name. Meshes that
+  /// the description names, and files that commands name, are not read for it.
+  /// @throws FileError; InvalidConfig as `readModifiersFile` and `readMachineDescription`
   std::string fingerprint() const;
 
  private:

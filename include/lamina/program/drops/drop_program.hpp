@@ -65,7 +65,8 @@ DropProgram parseDropProgram(std::string text, const DropDialect& dialect);
 /// The inserted lines are in the program's own units and coordinates. They state the role of void fill, move
 /// to each new drop and release it, move back to the last drop, and restore the role. Drops are released by
 /// the command of the layer's last infill drop, or of its last drop if it has no infill.
-/// @param added  centres for each layer [mm, machine]
+/// @param added  centres for each layer [mm, machine]; layers behind its last entry get none
+/// @throws InvalidInput if there are more entries than layers
 /// @throws InvalidProgram naming the line if, where drops are to be inserted, coordinates are relative (G91)
 ///   or shifted in an unknown way, or lines of coordinates alone are arcs
 std::string withDrops(const DropProgram& program, const std::vector<std::vector<Point2>>& added,

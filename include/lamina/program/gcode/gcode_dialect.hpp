@@ -50,7 +50,7 @@ struct DialectWord {
   long long value = 0;
 };
 
-/// The command with each placeholder replaced at its first place, and a line break.
+/// The command with each placeholder replaced wherever it stands, and a line break.
 std::string dialectLine(std::string command, const std::vector<DialectWord>& words);
 
 }  // namespace lamina

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -61,6 +62,8 @@ BeltSpan spanOf(const Toolpath& toolpath, const Belt& belt) {
     }
   return span;
 }
+
+bool isEmpty(const BeltSpan& span) { return span.high < span.low; }
 
 /// How far the belt goes while the toolpath deposits [mm].
 double wayOf(const Toolpath& toolpath, const Belt& belt) {
@@ -154,14 +157,14 @@ Toolpath withCopies(Toolpath toolpath, const CopySettings& settings, const Build
 std::vector<Point3> placesAlongBelt(const std::vector<BeltPart>& parts, double spacing_mm,
                                     const BuildSpace& space) {
   std::vector<Point3> places;
-  double end = 0.0;
+  std::optional<double> end;
   for (const BeltPart& part : parts) {
     const Belt belt = beltOf(space, part.bed_from_part, useByPlate());
     const BeltSpan span = spanOf(*part.toolpath, belt);
     const double begin = span.low + belt.offset;
-    const double way = places.empty() ? 0.0 : end + spacing_mm - begin;
+    const double way = end && !isEmpty(span) ? *end + spacing_mm - begin : 0.0;
     places.push_back(way * (part.bed_from_part.linear() * belt.direction));
-    end = span.high + belt.offset + way;
+    if (!isEmpty(span)) end = span.high + belt.offset + way;
   }
   return places;
 }
@@ -176,8 +179,12 @@ Toolpath oneAfterAnother(const std::vector<BeltPart>& parts, const std::vector<P
     const Point3 by = bed_from_first.linear().transpose() *
                       (part.bed_from_part.translation() + places[i] - bed_from_first.translation());
     std::vector<ToolpathLayer> layers = moved(part.toolpath->layers, by, layerNormal(*part.toolpath));
-    if (all.layers.empty()) {
+    if (i == 0) {
       all = *part.toolpath;
+      all.layers.clear();
+    }
+    if (isEmpty(spanOf(*part.toolpath, belt))) continue;
+    if (all.layers.empty()) {
       all.layers = std::move(layers);
       markStart(part.name, all.layers);
       continue;

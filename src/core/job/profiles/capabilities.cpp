@@ -135,8 +135,11 @@ void requireCapable(const JobSettings& settings) {
     throw InvalidConfig("fan.use is true with machine.has_fan false; expected false");
   requireLayerHeight("slicing.layer_height_mm", settings.slicing.layer_height_mm, machine);
   requireLayerHeight("slicing.first_layer_height_mm", settings.slicing.first_layer_height_mm, machine);
-  requireAtMost({"slicing.layer_height_mm", settings.slicing.layer_height_mm, "mm"}, "machine.nozzle_mm",
-                machine.nozzle_mm, ": a layer is no higher than the nozzle is wide");
+  for (const Asked& height :
+       {Asked{"slicing.layer_height_mm", settings.slicing.layer_height_mm, "mm"},
+        Asked{"slicing.first_layer_height_mm", settings.slicing.first_layer_height_mm, "mm"}})
+    requireAtMost(height, "machine.nozzle_mm", machine.nozzle_mm,
+                  ": a layer is no higher than the nozzle is wide");
   requireLayersForTools(settings);
   requireInfillHeight(settings);
 }

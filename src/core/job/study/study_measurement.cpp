@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/job/study/study_measurement.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <utility>
@@ -14,6 +15,8 @@
 #include "lamina/geometry/mesh_io/mesh_writer.hpp"
 #include "lamina/geometry/parts/parts.hpp"
 #include "lamina/job/job_settings.hpp"
+#include "lamina/job/modifiers/modifier.hpp"
+#include "lamina/kinematics/description_files/cell_description.hpp"
 #include "lamina/metrics/toolpath_metrics.hpp"
 #include "lamina/study/command_measurement.hpp"
 
@@ -81,6 +84,36 @@ std::string bytesOf(const std::string& file) {
   return std::filesystem::is_regular_file(file, unreachable) ? readFile(file) : file;
 }
 
+/// Files that the setting names anywhere in the study: for all points, as a variable, and in baselines.
+std::vector<std::string> filesNamedBy(const std::string& key, const std::string& of_all, const Study& study) {
+  std::vector<std::string> texts = {of_all};
+  for (const Variable& variable : study.variables)
+    if (variable.name == key) texts.insert(texts.end(), variable.choices.begin(), variable.choices.end());
+  for (const Baseline& baseline : study.slice->baselines)
+    for (const SettingText& setting : baseline.settings)
+      if (setting.key == key) texts.push_back(setting.text);
+  texts.erase(std::remove(texts.begin(), texts.end(), ""), texts.end());
+  return texts;
+}
+
+/// A list of modifiers and the meshes that it names.
+void addModifiers(std::string& all, const std::string& file) {
+  add(all, bytesOf(file));
+  for (const Modifier& modifier : readModifiersFile(file)) add(all, bytesOf(modifier.mesh));
+}
+
+/// What is read for settings that name files; nothing for those that name none.
+void addNamedFiles(std::string& all, const JobSettings& settings, const Study& study) {
+  for (const std::string& file : filesNamedBy("part.modifiers", settings.modifiers, study))
+    addModifiers(all, file);
+  for (const std::string& file : filesNamedBy("slicing.heights_file", settings.slicing.heights_file, study))
+    add(all, bytesOf(file));
+  for (const std::string& file : filesNamedBy("machine.urdf", settings.machine.urdf, study)) {
+    add(all, bytesOf(file));
+    if (isCellFile(file)) add(all, readMachineDescription(file));
+  }
+}
+
 std::string settingsYaml(const SliceMeasure& slice, const std::vector<SettingText>& overrides) {
   std::vector<SettingText> all = slice.settings;
   all.insert(all.end(), overrides.begin(), overrides.end());
@@ -139,7 +172,9 @@ std::string StudyMeasurement::fingerprint() const {
   if (study_.slice) {
     add(all, settingsYaml(*study_.slice, {}));
     add(all, bytesOf(study_.slice->part));
-    add(all, bytesOf(loadJobSettings(study_.slice->config, study_.slice->settings).conformal.base));
+    const JobSettings settings = loadJobSettings(study_.slice->config, study_.slice->settings);
+    add(all, bytesOf(settings.conformal.base));
+    addNamedFiles(all, settings, study_);
     for (const SettingText& parameter : study_.slice->parameters)
       add(all, parameter.key), add(all, parameter.text);
   }

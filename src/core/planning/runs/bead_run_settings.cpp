@@ -6,6 +6,8 @@
 #include <charconv>
 #include <cmath>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
@@ -193,6 +195,11 @@ void requireConsistent(const BeadRunSettings& settings) {
     throw InvalidConfig(
         "weave.swing_deg is " + numberText(weave.swing_deg) +
         " deg with weave.kind 'none'; expected 0 deg, or a weave: the torch swings with its tip");
+  for (const auto& [key, rest_s] :
+       {std::pair{"weave.left_s", weave.left_s}, std::pair{"weave.right_s", weave.right_s}})
+    if (weave.kind == WeaveKind::None && rest_s > 0.0)
+      throw InvalidConfig(std::string(key) + " is " + numberText(rest_s) +
+                          " s with weave.kind 'none'; expected 0 s, or a weave: the tip rests on its sides");
   if (weave.kind == WeaveKind::None) return;
   if (weave.amplitude_mm > kMostWavesOfSwing * weave.wavelength_mm)
     throw InvalidConfig("weave.amplitude_mm is " + numberText(weave.amplitude_mm) +

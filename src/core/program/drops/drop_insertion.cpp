@@ -63,10 +63,14 @@ class LayerInsertion {
 
 std::string withDrops(const DropProgram& program, const std::vector<std::vector<Point2>>& added,
                       const DropDialect& dialect) {
+  if (added.size() > program.layers.size())
+    throw InvalidInput("drops are given for " + std::to_string(added.size()) +
+                       " layers; expected at most the " + std::to_string(program.layers.size()) +
+                       " of the program");
   const std::string_view text = program.text;
   std::string result;
   std::size_t copied = 0;
-  for (std::size_t l = 0; l < program.layers.size() && l < added.size(); ++l) {
+  for (std::size_t l = 0; l < added.size(); ++l) {
     if (added[l].empty()) continue;
     const DropProgramLayer& layer = program.layers[l];
     const std::string_view before = text.substr(0, layer.end.offset);

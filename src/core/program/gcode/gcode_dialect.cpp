@@ -63,8 +63,10 @@ void writeInDialect(const Toolpath& toolpath, const ProgramFrame& frame, const P
 std::string dialectLine(std::string command, const std::vector<DialectWord>& words) {
   for (const DialectWord& word : words) {
     const std::string placeholder = "{" + word.name + "}";
-    const std::size_t at = command.find(placeholder);
-    if (at != std::string::npos) command.replace(at, placeholder.size(), std::to_string(word.value));
+    const std::string value = std::to_string(word.value);
+    for (std::size_t at = command.find(placeholder); at != std::string::npos;
+         at = command.find(placeholder, at + value.size()))
+      command.replace(at, placeholder.size(), value);
   }
   return command + "\n";
 }

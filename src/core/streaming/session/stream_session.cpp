@@ -350,19 +350,32 @@ void throwIfFailed(const StreamStatus& status) {
   switch (failure.code) {
     case ErrorCode::Ok:
       return;
-    case ErrorCode::Cancelled:
-      throw Cancelled(failure.message);
-    case ErrorCode::Disconnected:
-      throw Disconnected(failure.message);
+    case ErrorCode::InvalidInput:
+      throw InvalidInput(failure.message);
+    case ErrorCode::InvalidMesh:
+      throw InvalidMesh(failure.message);
+    case ErrorCode::InvalidConfig:
+      throw InvalidConfig(failure.message);
     case ErrorCode::InvalidProgram:
       throw InvalidProgram(failure.message);
+    case ErrorCode::FileError:
+      throw FileError(failure.message);
+    case ErrorCode::Unreachable:
+      throw Unreachable(failure.message);
+    case ErrorCode::DeviceError:
+      throw DeviceError(failure.message);
+    case ErrorCode::Disconnected:
+      throw Disconnected(failure.message);
     case ErrorCode::Rejected:
       throw Rejected(failure.message);
     case ErrorCode::TimedOut:
       throw TimedOut(failure.message);
-    default:
-      throw DeviceError(failure.message);
+    case ErrorCode::Cancelled:
+      throw Cancelled(failure.message);
+    case ErrorCode::Internal:
+      break;
   }
+  throw Error(failure.code, failure.message);
 }
 
 }  // namespace lamina
