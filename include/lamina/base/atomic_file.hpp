@@ -27,7 +27,7 @@ class AtomicFile {
 
   /// Closes the file and makes it visible under its name. The file is not forced to the disk, which takes 3
   /// ms to 16 ms where slicing a small part takes 20 ms: after a loss of power it may be missing, empty or
-  /// the earlier one. What must survive that, such as the progress of a job, is not written by this class.
+  /// the earlier one. What must survive that is written by `writeDurably`, or synchronised.
   /// @throws FileError if that fails; an earlier file of that name then stays
   void commit();
 
@@ -43,6 +43,14 @@ class AtomicFile {
 /// Writes a file completely, or leaves an earlier one of that name as it was.
 /// @throws FileError if it cannot be written
 void writeFile(const std::string& path, std::string_view bytes);
+
+/// Forces a file, or the names in a folder, to the disk.
+/// @throws FileError if it cannot be opened, or the disk refuses
+void synchronise(const std::string& path);
+
+/// Writes a file as `writeFile` does, such that it survives a loss of power once this has returned.
+/// @throws FileError if it cannot be written, or be forced to the disk
+void writeDurably(const std::string& path, std::string_view bytes);
 
 /// The whole file as bytes.
 /// @throws FileError, Cancelled as `InputFile::readRest`

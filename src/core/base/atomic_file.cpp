@@ -95,6 +95,21 @@ void writeFile(const std::string& path, std::string_view bytes) {
   file.commit();
 }
 
+void synchronise(const std::string& path) {
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  const bool is_kept = file >= 0 && ::fsync(file) == 0;
+  const int error_number = errno;
+  if (file >= 0) ::close(file);
+  if (!is_kept) fail("force to the disk", path, error_number);
+}
+
+void writeDurably(const std::string& path, std::string_view bytes) {
+  writeFile(path, bytes);
+  synchronise(path);
+  const std::string folder = std::filesystem::path(path).parent_path().string();
+  synchronise(folder.empty() ? "." : folder);
+}
+
 std::string readFile(const std::string& path) { return InputFile(path).readRest(); }
 
 std::string readFile(const std::string& path, std::size_t most_bytes) {

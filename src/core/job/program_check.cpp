@@ -26,6 +26,12 @@ std::string describePoint(const Point3& point) {
   return text;
 }
 
+std::string thousandths(double value_mm) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3f", value_mm);
+  return text;
+}
+
 /// Why the tip is beyond the edges of a space of which one is endless; empty if it is not.
 std::string faultAlongEdges(const BuildSpace& space, const Point3& tip) {
   const Point3 values = space.bed_from_axes.inverse() * tip;
@@ -34,8 +40,8 @@ std::string faultAlongEdges(const BuildSpace& space, const Point3& tip) {
     const double high = space.range.high[i];
     const bool is_endless = space.is_endless[static_cast<std::size_t>(i)];
     if (values[i] >= low - kTolerance && (is_endless || values[i] <= high + kTolerance)) continue;
-    return std::string("axis ") + "xyz"[i] + " would be at " + numberText(values[i]) + " mm; " + space.name +
-           " reaches " + numberText(low) + " mm to " + (is_endless ? "any" : numberText(high) + " mm");
+    return std::string("axis ") + "xyz"[i] + " would be at " + thousandths(values[i]) + " mm; " + space.name +
+           " reaches " + thousandths(low) + (is_endless ? " mm and on" : " to " + thousandths(high) + " mm");
   }
   return "";
 }

@@ -23,14 +23,6 @@
 namespace lamina {
 namespace {
 
-/// Has the disk keep a file or folder, so that no row of the journal outlives what it names.
-void synchronise(const std::string& path) {
-  const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  const bool is_kept = file >= 0 && fsync(file) == 0;
-  if (file >= 0) close(file);
-  if (!is_kept) throw FileError(path + ": cannot be brought to the disk");
-}
-
 void copyInto(const std::string& path, const std::string& target) {
   std::ifstream from(path, std::ios::binary);
   if (!from) throw FileError(path + ": cannot be read");
@@ -44,7 +36,8 @@ void copyInto(const std::string& path, const std::string& target) {
   to.commit();
 }
 
-/// Brings a file that was written into the store to the disk, read-only.
+/// Brings a file that was written into the store to the disk, read-only: no row of the journal outlives what it
+/// names.
 void seal(const std::string& target) {
   synchronise(target);
   synchronise(std::filesystem::path(target).parent_path());

@@ -188,19 +188,19 @@ Constraint constraintFrom(const std::string& name, const StrictYaml& yaml) {
 }
 
 DecisionSettings decisionFrom(const StrictYaml& yaml) {
-  DecisionSettings wishes;
+  DecisionSettings decision;
   for (const auto& [key, value] : yaml.entries({"method", "weights"})) {
-    if (key == "method") wishes.method = value.text();
-    if (wishes.method != "linmap" && wishes.method != "topsis")
-      value.refuse("'" + wishes.method + "'; expected linmap or topsis");
+    if (key == "method") decision.method = value.text();
+    if (decision.method != "linmap" && decision.method != "topsis")
+      value.refuse("'" + decision.method + "'; expected linmap or topsis");
     if (key == "weights") {
       for (const auto& [name, weight] : value.entries()) {
         if (weight.number() < 0.0) weight.refuse("'" + weight.text() + "'; expected at least 0");
-        wishes.weights.push_back({name, weight.text()});
+        decision.weights.push_back({name, weight.text()});
       }
     }
   }
-  return wishes;
+  return decision;
 }
 
 void readPublished(const StrictYaml& yaml, Study& study) {

@@ -33,7 +33,8 @@ DepositFollowing::DepositFollowing(ros::NodeHandle node, const DepositionSimulat
 void DepositFollowing::begin(const lamina_msgs::Toolpath& message) {
   followed_.reset();
   toolpath_id_ = message.id;
-  published_mm3_ = cloud_mm3_ = markers_mm3_ = 0.0;
+  published_mm3_ = 0.0;
+  cloud_mm3_ = markers_mm3_ = kNotPublished;
   try {
     const MachineToolpath read = fromMessage(message);
     followed_ = std::make_unique<FollowedDeposit>(placed(read.toolpath, read.bed_from_part),

@@ -29,13 +29,15 @@ class DepositFollowing {
   void publish();
   void publishState();
 
+  static constexpr double kNotPublished = -1.0;  ///< so that a bed that is empty again is shown
+
   DepositionSimulatorSettings settings_;
   std::unique_ptr<FollowedDeposit> followed_;  ///< empty before the first toolpath
   std::string toolpath_id_;
   double published_mm3_ = 0.0;  ///< as much was extruded at the last state
   bool was_complete_ = false;   ///< at the last state
-  double cloud_mm3_ = 0.0;      ///< and at the last cloud
-  double markers_mm3_ = 0.0;    ///< and at the last markers
+  double cloud_mm3_ = kNotPublished;    ///< and at the last cloud
+  double markers_mm3_ = kNotPublished;  ///< and at the last markers
   ros::Publisher deposited_;
   ros::Publisher markers_;
   ros::Publisher state_;

@@ -129,6 +129,7 @@ void LayerHeightMonitor::onToolpath(const lamina_msgs::ToolpathConstPtr& message
     heights_ =
         std::make_unique<StampedHeights>(std::move(placed.toolpath), placed.bed_from_part, settings_.monitor);
     toolpath_fault_.clear();
+    topics_.outdateMaps();
     const HeightGrid& grid = heights_->monitor().measured().grid();
     ROS_INFO_STREAM("measuring toolpath " << toolpath_id_ << " in " << grid.columns << " x " << grid.rows
                                           << " cells of " << grid.cell_mm << " mm");

@@ -45,7 +45,7 @@ PlcReport goodPlc() {
   return report;
 }
 
-/// What a PLC that has no gas demands of a unit that runs, and its silence from 1 s on.
+/// What is demanded of a unit that runs, by a PLC that has gas from 5 s on and falls silent after 10 s.
 std::string demandsOfPlc(const SettingTexts& set) {
   PlcWatch watch(settingsWith<CellControllerSettings>(set).plc);
   UnitStatus unit;

@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Robots that take a target each cycle.
+#include <chrono>
+#include <thread>
+
 #include "lamina/base/error.hpp"
 #include "lamina/servo/servoj_drive.hpp"
 #include "lamina/servo/servoj_program.hpp"
@@ -53,8 +56,7 @@ std::string programOfRobot(const SettingTexts& set) {
   return servojProgram(drive.servoj, drive.robot.bind, static_cast<std::uint16_t>(drive.robot.port));
 }
 
-/// What is said of a robot that takes its program on a port of this host and does not call back, and the
-/// program that it took.
+/// What is said of a robot that takes its program on a port of this host and does not call back.
 std::string called(const SettingTexts& set) {
   static const TcpSocket scripts = TcpSocket::listeningOn("127.0.0.1", 0);
   ServojDriveSettings settings = settingsWith<ServoBridgeSettings>(set).drive;
@@ -81,8 +83,10 @@ std::string isHeardOf(const SettingTexts& set) {
   const ReportBytes report = reportBytes({ServojState::Following, 1, sixValues(0.1)});
   robot.send({report.data(), report.size()});
   if (!isSoon([&] { return drive.keepConnected().empty(); })) return "";
-  if (settings.robot.report_silence_s > 1.0) return "there";
-  return isSoon([&] { return !drive.state().is_connected; }) ? "lost" : "there";
+  if (settings.robot.report_silence_s < 1.0)
+    return isSoon([&] { return !drive.state().is_connected; }) ? "lost" : "there";
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  return drive.state().is_connected ? "there" : "lost";
 }
 
 }  // namespace

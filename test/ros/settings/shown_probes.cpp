@@ -31,11 +31,6 @@ std::string shownFrames(const SettingTexts& set) {
   return numbersText(numbers);
 }
 
-std::string printed(const SettingTexts& set) {
-  const auto settings = settingsWith<PrintPartSettings>(set);
-  return settings.part + " into " + settings.output_folder + " " + numbersText({settings.patience_s});
-}
-
 }  // namespace
 
 std::vector<SettingProbe> shownProbes() {
@@ -43,8 +38,7 @@ std::vector<SettingProbe> shownProbes() {
           {"frames that are shown",
            "frames.every_mm=5",
            shownFrames,
-           {{"frames.every_mm=20"}, {"frames.length_mm=3"}}},
-          {"what is printed", "", printed, {{"part=box"}, {"output_folder=elsewhere"}, {"patience_s=10"}}}};
+           {{"frames.every_mm=20"}, {"frames.length_mm=3"}}}};
 }
 
 }  // namespace lamina::test

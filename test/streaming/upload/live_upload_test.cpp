@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
+
 #include "streaming/upload/upload_fixture.hpp"
 
 namespace lamina {
@@ -204,15 +206,16 @@ TEST_P(LiveUpload, FollowsNoPrintOfAnotherProgram) {
 
 /// The machine has printed the program of `following` for a while, and what comes then.
 template <class Happens>
-SimulatedHttp linkToAnEarlierPrint(const MakeServer& make, Happens happens) {
-  SimulatedHttp link(following(hotProgram(500)), {}, make());
+std::unique_ptr<SimulatedHttp> linkToAnEarlierPrint(const MakeServer& make, Happens happens) {
+  auto held = std::make_unique<SimulatedHttp>(following(hotProgram(500)), StreamSettings{}, make());
+  SimulatedHttp& link = *held;
   EmulatedPrinter& printer = link.server->printer;
   printer.files["lamina/part-1.gcode"] = hotProgram(500);
   EXPECT_TRUE(printer.print("lamina/part-1.gcode"));
   printer.elapse(2.0);
   link.now = 2.0;
   happens(printer);
-  return link;
+  return held;
 }
 
 void expectLeftAlone(const SimulatedHttp& link) {
@@ -223,25 +226,28 @@ void expectLeftAlone(const SimulatedHttp& link) {
 }
 
 TEST_P(LiveUpload, LeavesAMachineAloneWhosePrintHasEnded) {
-  SimulatedHttp cancelled = linkToAnEarlierPrint(GetParam().make, [](EmulatedPrinter& printer) {
+  const auto held_cancelled = linkToAnEarlierPrint(GetParam().make, [](EmulatedPrinter& printer) {
     printer.cancel();
     printer.nozzle_target_c = 170.0;  // for another job
   });
+  SimulatedHttp& cancelled = *held_cancelled;
   cancelled.run();
   EXPECT_EQ(cancelled.job.status().failure.code, ErrorCode::Cancelled);
   expectLeftAlone(cancelled);
 
-  SimulatedHttp failed = linkToAnEarlierPrint(GetParam().make, [](EmulatedPrinter& printer) {
+  const auto held_failed = linkToAnEarlierPrint(GetParam().make, [](EmulatedPrinter& printer) {
     printer.breakDown();
     printer.nozzle_target_c = 170.0;
   });
+  SimulatedHttp& failed = *held_failed;
   failed.run();
   EXPECT_EQ(failed.job.status().state, PackmlState::Aborted);
   expectLeftAlone(failed);
 }
 
 TEST_P(LiveUpload, LeavesAMachineAloneWhosePrintEndsWhileItIsLookedAt) {
-  SimulatedHttp link = linkToAnEarlierPrint(GetParam().make, [](EmulatedPrinter&) {});
+  const auto held_link = linkToAnEarlierPrint(GetParam().make, [](EmulatedPrinter&) {});
+  SimulatedHttp& link = *held_link;
   link.faults.slow = 1.0;  // 4 s for each answer
   link.server->printer.lines_per_s = 1.0;
   link.start();
@@ -254,10 +260,11 @@ TEST_P(LiveUpload, LeavesAMachineAloneWhosePrintEndsWhileItIsLookedAt) {
 }
 
 TEST_P(LiveUpload, TellsThatAnEarlierPrintIsComplete) {
-  SimulatedHttp link = linkToAnEarlierPrint(GetParam().make, [](EmulatedPrinter& printer) {
+  const auto held_link = linkToAnEarlierPrint(GetParam().make, [](EmulatedPrinter& printer) {
     printer.elapse(100.0);
     printer.nozzle_target_c = 170.0;
   });
+  SimulatedHttp& link = *held_link;
   link.now = 100.0;
   link.run();
   EXPECT_EQ(link.job.status().state, PackmlState::Complete) << link.job.status().failure.message;
@@ -288,11 +295,12 @@ TEST(LiveUploadToADuet, SendsAChangeAgainForWhichItHasNoRoom) {
 
 // Somebody moves it for another job.
 TEST(LiveUploadToMoonraker, StopsNothingWhereAnEarlierPrintIsComplete) {
-  SimulatedHttp link = linkToAnEarlierPrint(makeEmulatedMoonraker, [](EmulatedPrinter& printer) {
+  const auto held_link = linkToAnEarlierPrint(makeEmulatedMoonraker, [](EmulatedPrinter& printer) {
     printer.elapse(100.0);
     printer.nozzle_target_c = 170.0;
     printer.moveFor(50.0);
   });
+  SimulatedHttp& link = *held_link;
   link.now = 100.0;
   link.start();
   link.runUntilState(PackmlState::Completing);
@@ -303,11 +311,12 @@ TEST(LiveUploadToMoonraker, StopsNothingWhereAnEarlierPrintIsComplete) {
 }
 
 /// Klipper that hears nothing while it waits for heat.
-SimulatedHttp stoppedInVain(EmergencyStop emergency,
+std::unique_ptr<SimulatedHttp> stoppedInVain(EmergencyStop emergency,
                             const std::optional<test::TurnedAway>& turned_away = {}) {
   StreamSettings settings;
   settings.emergency_stop = emergency;
-  SimulatedHttp link(orderOf(hotProgram(500)), settings, makeEmulatedMoonraker());
+  auto held = std::make_unique<SimulatedHttp>(orderOf(hotProgram(500)), settings, makeEmulatedMoonraker());
+  SimulatedHttp& link = *held;
   link.faults.late_s = 1000.0;
   link.late_words = {"print/cancel"};
   link.turned_away = turned_away;
@@ -315,11 +324,12 @@ SimulatedHttp stoppedInVain(EmergencyStop emergency,
   link.runUntilState(PackmlState::Execute);
   link.job.abort({ErrorCode::Cancelled, "the user said so"}, link.now);
   link.runUntil(100.0);
-  return link;
+  return held;
 }
 
 TEST(EmergencyStopOfAnUpload, IsOfferedWhereTheStopIsNotConfirmed) {
-  const SimulatedHttp link = stoppedInVain(EmergencyStop::Never);
+  const auto held_link = stoppedInVain(EmergencyStop::Never);
+  SimulatedHttp& link = *held_link;
   const std::string& message = link.job.status().failure.message;
   EXPECT_NE(message.find("has not confirmed within 10 s"), std::string::npos) << message;
   EXPECT_NE(message.find("POST /printer/emergency_stop"), std::string::npos) << message;
@@ -327,7 +337,8 @@ TEST(EmergencyStopOfAnUpload, IsOfferedWhereTheStopIsNotConfirmed) {
 }
 
 TEST(EmergencyStopOfAnUpload, LeavesAColdMachineWhereItIsAskedFor) {
-  const SimulatedHttp link = stoppedInVain(EmergencyStop::Unconfirmed);
+  const auto held_link = stoppedInVain(EmergencyStop::Unconfirmed);
+  SimulatedHttp& link = *held_link;
   const std::string& message = link.job.status().failure.message;
   EXPECT_NE(message.find("was shut down by an emergency stop"), std::string::npos) << message;
   EXPECT_TRUE(link.server->printer.is_halted);
@@ -339,8 +350,9 @@ HttpResponse unavailable() {
 }
 
 TEST(EmergencyStopOfAnUpload, IsAskedForAgainUntilItIsTaken) {
-  const SimulatedHttp link =
+  const auto held_link =
       stoppedInVain(EmergencyStop::Unconfirmed, test::TurnedAway{"emergency_stop", unavailable(), 15.0});
+  SimulatedHttp& link = *held_link;
   EXPECT_TRUE(link.server->printer.is_halted) << link.job.status().failure.message;
   EXPECT_EQ(link.server->printer.nozzle_target_c, 0.0);
   EXPECT_NE(link.job.status().failure.message.find("was shut down by an emergency stop"), std::string::npos);
@@ -360,8 +372,9 @@ TEST(EmergencyStopOfAnUpload, IsAskedForAgainWhereTheServerCannotBeReached) {
 }
 
 TEST(EmergencyStopOfAnUpload, IsToldWhereItWasInVain) {
-  const SimulatedHttp link =
+  const auto held_link =
       stoppedInVain(EmergencyStop::Unconfirmed, test::TurnedAway{"emergency_stop", unavailable()});
+  SimulatedHttp& link = *held_link;
   EXPECT_FALSE(link.server->printer.is_halted);
   const std::string& message = link.job.status().failure.message;
   EXPECT_NE(

@@ -98,7 +98,7 @@ struct SlicingMode {
   AutoTrial auto_trial = AutoTrial::None;
   /// Rank in the order in which `auto` tries modes, the lowest first: modes that are simpler to print have
   /// lower ranks. Those of Lamina are 0 to 3. Modes of equal rank are tried in alphabetical order.
-  int auto_turn = 0;
+  int auto_turn = 4;
 };
 
 /// Value of `slicing.mode` with which the mode is chosen by part and machine. It is not itself a mode.

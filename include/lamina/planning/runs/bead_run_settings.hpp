@@ -132,7 +132,7 @@ std::vector<StatedLevel> statedLevels(const std::string& text);
 
 /// @throws InvalidConfig naming key, value and unit, for a contradiction: a lead that rises and deposits, a
 ///   loop that deposits, a lead that deposits together with an overlap, a weave that is wider than four of
-///   its waves, a swing of the torch without a weave, shares without a length over which they change
+///   its waves, a swing of the torch or rests without a weave, shares without a length over which they change
 void requireConsistent(const BeadRunSettings& settings);
 
 }  // namespace lamina

@@ -14,7 +14,7 @@
 namespace lamina {
 namespace {
 
-SupportCriteria questionOf(const JobSettings& settings) {
+SupportCriteria criteriaOf(const JobSettings& settings) {
   return {settings.automatic.max_overhang_deg, settings.slicing.first_layer_height_mm};
 }
 
@@ -23,7 +23,7 @@ LayerSupport measuredSupport(const Mesh& mesh, const PlannedPart& planned, const
   const bool is_plane = hasPlaneLayers(settings.slicing.mode);
   UnsupportedSurface surface =
       is_plane ? unsupportedInPlanes(mesh, settings)
-               : unsupportedSurface(mesh, planned.plan.toolpath, questionOf(settings), progress);
+               : unsupportedSurface(mesh, planned.plan.toolpath, criteriaOf(settings), progress);
   return {surface.unsupported_mm2, is_plane ? std::size_t{1} : planned.counts.layers,
           std::move(surface.region)};
 }
@@ -65,7 +65,7 @@ std::vector<std::string> modesInTurn(const SliceJob& job, const BuildSpace& spac
 
 UnsupportedSurface unsupportedInPlanes(const Mesh& mesh, const JobSettings& settings) {
   return unsupportedSurface(mesh, partFromLayers(settings.slicing.plane) * Point3::UnitZ(),
-                            questionOf(settings));
+                            criteriaOf(settings));
 }
 
 SliceJob jobBy(const std::string& mode, SliceJob job) {

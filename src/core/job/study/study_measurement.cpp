@@ -96,10 +96,25 @@ std::vector<std::string> filesNamedBy(const std::string& key, const std::string&
   return texts;
 }
 
-/// A list of modifiers and the meshes that it names.
+/// A list of modifiers and the meshes that it names. One that cannot be read stops the points that use it, not
+/// the study.
 void addModifiers(std::string& all, const std::string& file) {
   add(all, bytesOf(file));
-  for (const Modifier& modifier : readModifiersFile(file)) add(all, bytesOf(modifier.mesh));
+  try {
+    for (const Modifier& modifier : readModifiersFile(file)) add(all, bytesOf(modifier.mesh));
+  } catch (const Error&) {
+    return;
+  }
+}
+
+/// The description of a machine, and of a cell what it is put together to.
+void addMachine(std::string& all, const std::string& file) {
+  add(all, bytesOf(file));
+  try {
+    if (isCellFile(file)) add(all, readMachineDescription(file));
+  } catch (const Error&) {
+    return;
+  }
 }
 
 /// What is read for settings that name files; nothing for those that name none.
@@ -108,10 +123,8 @@ void addNamedFiles(std::string& all, const JobSettings& settings, const Study& s
     addModifiers(all, file);
   for (const std::string& file : filesNamedBy("slicing.heights_file", settings.slicing.heights_file, study))
     add(all, bytesOf(file));
-  for (const std::string& file : filesNamedBy("machine.urdf", settings.machine.urdf, study)) {
-    add(all, bytesOf(file));
-    if (isCellFile(file)) add(all, readMachineDescription(file));
-  }
+  for (const std::string& file : filesNamedBy("machine.urdf", settings.machine.urdf, study))
+    addMachine(all, file);
 }
 
 std::string settingsYaml(const SliceMeasure& slice, const std::vector<SettingText>& overrides) {

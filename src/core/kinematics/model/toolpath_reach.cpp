@@ -35,7 +35,9 @@ std::string limitFault(const BuildSpace& space, const Point3& values) {
                                                                          : space.range.high[i];
     if (values[i] >= low_mm - kReachTolerance && values[i] <= high_mm + kReachTolerance) continue;
     return std::string("axis ") + kAxisNames[i] + " would be at " + number(values[i]) + " mm; " + space.name +
-           " reaches " + number(low_mm) + " to " + number(space.range.high[i]) + " mm";
+           " reaches " + number(low_mm) +
+           (space.is_endless[static_cast<std::size_t>(i)] ? " mm and on"
+                                                          : " to " + number(space.range.high[i]) + " mm");
   }
   return "";
 }

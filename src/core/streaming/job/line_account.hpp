@@ -19,6 +19,8 @@ class LineAccount {
  public:
   /// @param line_base  number of the line before the program's first
   LineAccount(StreamStatus& status, std::uint64_t line_base) : status_(status), line_base_(line_base) {}
+  LineAccount(const LineAccount&) = delete;  // it refers to the status of its job
+  LineAccount& operator=(const LineAccount&) = delete;
 
   /// For what is sent to the machine, and for when it stands still.
   StarvationWatch& starvation() { return starvation_; }

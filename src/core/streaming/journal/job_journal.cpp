@@ -174,7 +174,7 @@ void keepUnfinished(const std::string& path) {
   } catch (const FileError&) {
     return;
   }
-  writeFile(path + kBefore, readFile(path));
+  writeDurably(path + kBefore, readFile(path));
 }
 
 JournalledProgress readJournal(const std::string& path) {

@@ -16,6 +16,8 @@ namespace lamina {
 class PrintAccount {
  public:
   PrintAccount(StreamStatus& status, const StreamableProgram& program);
+  PrintAccount(const PrintAccount&) = delete;  // it refers to the status of its job
+  PrintAccount& operator=(const PrintAccount&) = delete;
 
   /// States how many bytes of the program were sent.
   void sent(std::uint64_t bytes);
