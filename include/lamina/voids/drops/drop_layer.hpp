@@ -40,7 +40,8 @@ struct DropContour {
 /// The contours of the layer: its contour chains of three drops at least. A contour round material winds
 /// counter-clockwise and is a border unless the next one around it does too; one round a hole winds clockwise
 /// and is a border unless the next one inside does too. One that lacks so many drops that it has a step of
-/// more than 2.5 diameters is no border of a hole where another one is.
+/// more than 2.5 diameters is no border of a hole where another one is, and is next around a whole one that
+/// it runs across only if no other is around that.
 std::vector<DropContour> contoursOf(const DropLayer& layer);
 
 /// The borders of the material by the even-odd rule: outlines through the centres of the drops of its border
