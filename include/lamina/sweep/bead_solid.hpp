@@ -36,6 +36,8 @@ class BeadSolid {
   double depth(const Point3& point) const;
   /// The part of the line through (0, y, z) along x that is inside.
   std::optional<Stretch> alongX(double y, double z) const;
+  /// From the middle of its start to that of its end; zero for a joint.
+  Point3 length() const { return is_joint_ ? Point3(Point3::Zero()) : Point3(end_.point - start_.point); }
   /// Smallest box.
   Box3 box() const;
   /// Boxes that hold it together, of stretches at most that long.

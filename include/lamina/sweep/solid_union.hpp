@@ -16,9 +16,8 @@ Box3 unionBox(const std::vector<BeadSolid>& solids);
 
 /// Volume [mm³] of the union. At heights between the bottoms and tops of the beads, by Gauss and Legendre's
 /// rule in the angle about their middle, the area is that of stretches of lines 1/20 of the smallest bead
-/// apart, askew to the axes of the part; each stretch is exact. Within 0.02 % for level beads, 0.3 %
-/// where they are higher than wide.
-/// The same whatever the number of threads.
+/// apart, which run as little along beads and their ends as may be; each stretch is exact. Within 0.02 % for
+/// level beads, 0.3 % where they are higher than wide. The same whatever the number of threads.
 /// @throws Cancelled
 double unionVolume(const std::vector<BeadSolid>& solids, Progress& progress);
 
