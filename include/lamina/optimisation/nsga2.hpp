@@ -53,7 +53,7 @@ struct Generation {
   int index = 0;                  ///< 0 is the random one
   int evaluations = 0;            ///< until now, with those that failed
   int failed = 0;                 ///< until now
-  double hypervolume = 0.0;       ///< of all that was tried until now; never falls
+  double hypervolume = 0.0;       ///< of all that was tried until now; never falls but by rounding
   std::vector<Evaluation> front;  ///< feasible points of the population that no other of it dominates
 };
 
