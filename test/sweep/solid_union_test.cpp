@@ -41,7 +41,8 @@ Toolpath single(const std::vector<Point3>& points, const Bead& bead) {
 }
 
 TEST(SolidUnion, StraightSweepIsSectionTimesLength) {
-  for (const double angle : {0.0, 0.3, M_PI / 4, M_PI / 2}) {
+  for (int half_degrees = 0; half_degrees < 360; ++half_degrees) {
+    const double angle = half_degrees * M_PI / 360.0;
     const Point3 end(10 * std::cos(angle), 10 * std::sin(angle), 0.3);
     const Toolpath toolpath = single({{0, 0, 0.3}, end}, {0.48, 0.3});
     EXPECT_NEAR(volumeOf(toolpath, CornerStrategy::Sections), 1.24686, 1e-4 * 1.24686) << angle;

@@ -53,7 +53,7 @@ struct Generation {
   int index = 0;                  ///< 0 is the random one
   int evaluations = 0;            ///< number so far, with those that failed
   int failed = 0;                 ///< number so far
-  double hypervolume = 0.0;       ///< of all points tried so far; never falls
+  double hypervolume = 0.0;       ///< of all points tried so far; never falls but by rounding
   std::vector<Evaluation> front;  ///< feasible points of the population that no other of it dominates
 };
 

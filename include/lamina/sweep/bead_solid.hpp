@@ -39,6 +39,9 @@ class BeadSolid {
   double depth(const Point3& point) const;
   /// The interval of the line through (0, y, z) along x that is inside; nothing if there is none.
   std::optional<Stretch> alongX(double y, double z) const;
+  /// Vector from the middle of the start to that of the end; zero for a joint.
+  Point3 length() const { return is_joint_ ? Point3(Point3::Zero()) : Point3(end_.point - start_.point); }
+
   /// Bounding box.
   Box3 box() const;
   /// Boxes that together contain the solid, each that of a piece of at most a given length.

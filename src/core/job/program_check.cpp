@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "lamina/base/error.hpp"
-#include "lamina/base/number_text.hpp"
+#include "lamina/kinematics/model/toolpath_reach.hpp"
 #include "lamina/program/gcode/gcode_reader.hpp"
 
 namespace lamina {
@@ -24,26 +24,6 @@ std::string describePoint(const Point3& point) {
   char text[96];
   std::snprintf(text, sizeof text, "(%.3f, %.3f, %.3f) mm", point.x(), point.y(), point.z());
   return text;
-}
-
-std::string thousandths(double value_mm) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3f", value_mm);
-  return text;
-}
-
-/// Why the tip is beyond the edges of a space of which one is endless; empty if it is not.
-std::string faultAlongEdges(const BuildSpace& space, const Point3& tip) {
-  const Point3 values = space.bed_from_axes.inverse() * tip;
-  for (int i = 0; i < 3; ++i) {
-    const double low = space.range.low[i];
-    const double high = space.range.high[i];
-    const bool is_endless = space.is_endless[static_cast<std::size_t>(i)];
-    if (values[i] >= low - kTolerance && (is_endless || values[i] <= high + kTolerance)) continue;
-    return std::string("axis ") + "xyz"[i] + " would be at " + thousandths(values[i]) + " mm; " + space.name +
-           " reaches " + thousandths(low) + (is_endless ? " mm and on" : " to " + thousandths(high) + " mm");
-  }
-  return "";
 }
 
 /// Why the tip is beyond the bounding box of the space; empty if it is not.
@@ -68,7 +48,8 @@ void requirePrintable(const std::string& path, const MachineSettings& machine) {
     if (motion.extrusion_mm <= 0.0 || motion.start == motion.end) return;
     ++extrusions;
     const Point3 tip = bed_from_program * motion.end;
-    const std::string fault = is_bounded ? faultByBox(space, box, tip) : faultAlongEdges(space, tip);
+    const std::string fault = is_bounded ? faultByBox(space, box, tip)
+                                         : rangeFault(space, space.bed_from_axes.inverse() * tip, kTolerance);
     if (!fault.empty())
       throw Unreachable("line " + std::to_string(motion.line) + " extrudes to " + describePoint(tip) + "; " +
                         fault);

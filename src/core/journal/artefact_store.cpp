@@ -36,8 +36,8 @@ void copyInto(const std::string& path, const std::string& target) {
   to.commit();
 }
 
-/// Brings a file that was written into the store to the disk, read-only: no row of the journal outlives what it
-/// names.
+/// Brings a file that was written into the store to the disk, read-only: no row of the journal outlives what
+/// it names.
 void seal(const std::string& target) {
   synchronise(target);
   synchronise(std::filesystem::path(target).parent_path());

@@ -9,7 +9,7 @@
 namespace lamina {
 namespace {
 
-constexpr double kAskew = 0.39;         // rad: far from 0 and from 45 degrees, as beads mostly lie
+constexpr int kTurns = 60;              // tried, all round a half turn
 constexpr double kLinesPerBead = 20.0;  // across the smallest bead
 constexpr double kSlabsPerBead = 16.0;  // where tops and bottoms lie close
 // Gauss-Legendre, 8 points on [-1, 1]: the upper half.
@@ -17,21 +17,53 @@ constexpr double kNodes[] = {0.1834346424956498, 0.5255324099163290, 0.796666477
 constexpr double kWeights[] = {0.3626837833783620, 0.3137066458778873, 0.2223810344533745,
                                0.1012285362903763};
 
+/// By how much the lines along x may miss the area of a solid turned like this, in spacings of the lines
+/// squared: of a side along which the length inside changes by the cotangent of its slope from line to line
+/// about that, but a line more or less at most. Its sides are as long as it is, its ends about as high.
+double missedBy(const Point2& length, const Point2& turn, double pitch_mm) {
+  const double along = std::abs(length.dot(turn)),
+               across = std::abs(length.x() * turn.y() - length.y() * turn.x());
+  return std::min(length.norm() / pitch_mm, along / across) + std::min(kLinesPerBead, across / along);
+}
+
+/// The turn about z after which the lines, along x, run least along the sides and ends of solids.
+double turnOf(const std::vector<BeadSolid>& solids, double pitch_mm) {
+  double best = 0.0;
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < kTurns; ++i) {
+    const double angle = M_PI * i / kTurns;
+    const Point2 turn(std::cos(angle), -std::sin(angle));
+    double missed = 0.0;
+    for (const BeadSolid& solid : solids) {
+      const Point2 length = solid.length().head<2>();
+      if (!length.isZero()) missed += missedBy(length, turn, pitch_mm);
+    }
+    if (missed >= least) continue;
+    least = missed;
+    best = angle;
+  }
+  return best;
+}
+
+double thinnestOf(const std::vector<BeadSolid>& solids) {
+  double thinnest = std::numeric_limits<double>::infinity();
+  for (const BeadSolid& solid : solids) thinnest = std::min(thinnest, solid.box().size().z());
+  return thinnest;
+}
+
 /// Solids by their height, to find those at a level.
 class HeightOrder {
  public:
-  explicit HeightOrder(const std::vector<BeadSolid>& solids) {
+  HeightOrder(const std::vector<BeadSolid>& solids, double thinnest) : thinnest_(thinnest) {
+    const double turn = turnOf(solids, thinnest / kLinesPerBead);
     for (const BeadSolid& solid : solids) {
-      const Box3 box = solid.turned(kAskew).box();
-      entries_.push_back({solid.turned(kAskew), box});
-      thickest_ = std::max(thickest_, box.size().z());
-      thinnest_ = std::min(thinnest_, box.size().z());
+      const BeadSolid turned = solid.turned(turn);
+      entries_.push_back({turned, turned.box()});
+      thickest_ = std::max(thickest_, entries_.back().box.size().z());
     }
     std::stable_sort(entries_.begin(), entries_.end(),
                      [](const Entry& a, const Entry& b) { return a.box.low.z() < b.box.low.z(); });
   }
-
-  double thinnest() const { return thinnest_; }
 
   /// Bottoms and tops, rising, nearer ones taken as one.
   std::vector<double> levels() const {
@@ -63,7 +95,7 @@ class HeightOrder {
   };
   std::vector<Entry> entries_;
   double thickest_ = 0.0;
-  double thinnest_ = std::numeric_limits<double>::infinity();
+  double thinnest_;
 };
 
 /// A stretch of one of the lines along x.
@@ -115,9 +147,10 @@ double slabVolume(const HeightOrder& solids, double low, double high, double pit
 
 double unionVolume(const std::vector<BeadSolid>& solids, Progress& progress) {
   if (solids.empty()) return 0.0;
-  const HeightOrder order(solids);
+  const double thinnest = thinnestOf(solids);
+  const HeightOrder order(solids, thinnest);
   const std::vector<double> levels = order.levels();
-  const double pitch_mm = order.thinnest() / kLinesPerBead;
+  const double pitch_mm = thinnest / kLinesPerBead;
   std::vector<double> volumes(levels.size() - 1);
   parallelFor(
       volumes.size(),

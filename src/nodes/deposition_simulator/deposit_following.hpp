@@ -34,8 +34,8 @@ class DepositFollowing {
   DepositionSimulatorSettings settings_;
   std::unique_ptr<FollowedDeposit> followed_;  ///< empty before the first toolpath
   std::string toolpath_id_;
-  double published_mm3_ = 0.0;  ///< as much was extruded at the last state
-  bool was_complete_ = false;   ///< at the last state
+  double published_mm3_ = 0.0;          ///< as much was extruded at the last state
+  bool was_complete_ = false;           ///< at the last state
   double cloud_mm3_ = kNotPublished;    ///< and at the last cloud
   double markers_mm3_ = kNotPublished;  ///< and at the last markers
   ros::Publisher deposited_;

@@ -312,7 +312,7 @@ TEST(LiveUploadToMoonraker, StopsNothingWhereAnEarlierPrintIsComplete) {
 
 /// Klipper that hears nothing while it waits for heat.
 std::unique_ptr<SimulatedHttp> stoppedInVain(EmergencyStop emergency,
-                            const std::optional<test::TurnedAway>& turned_away = {}) {
+                                             const std::optional<test::TurnedAway>& turned_away = {}) {
   StreamSettings settings;
   settings.emergency_stop = emergency;
   auto held = std::make_unique<SimulatedHttp>(orderOf(hotProgram(500)), settings, makeEmulatedMoonraker());

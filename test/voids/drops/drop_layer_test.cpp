@@ -49,24 +49,51 @@ std::vector<Point2> arcOfDrops(double radius, double part) {
   return drops;
 }
 
-TEST(DropContours, ATornOneAroundAHoleIsNoBorder) {
-  // Half of the second contour around the hole lacks its drops: its outline runs through the hole.
+/// The same drops the other way.
+std::vector<Point2> backwards(std::vector<Point2> drops) {
+  std::reverse(drops.begin(), drops.end());
+  return drops;
+}
+
+DropLayer layerOfContours(const std::vector<std::vector<Point2>>& contours) {
   DropLayer layer;
   layer.diameter_mm = 1.0;
-  std::vector<Point2> outer = arcOfDrops(8.0, 1.0);
-  std::reverse(outer.begin(), outer.end());
-  for (const std::vector<Point2>& drops : {outer, arcOfDrops(3.0, 1.0), arcOfDrops(4.0, 0.5)}) {
+  for (const std::vector<Point2>& drops : contours) {
     const std::size_t begin = layer.drops.size();
     layer.drops.insert(layer.drops.end(), drops.begin(), drops.end());
     layer.chains.push_back({DropRole::Contour, begin, layer.drops.size()});
   }
-  const std::vector<DropContour> contours = contoursOf(layer);
+  return layer;
+}
+
+TEST(DropContours, ATornOneAroundAHoleIsNoBorder) {
+  // Half of the second contour around the hole lacks its drops: its outline runs through the hole.
+  const std::vector<DropContour> contours = contoursOf(
+      layerOfContours({backwards(arcOfDrops(8.0, 1.0)), arcOfDrops(3.0, 1.0), arcOfDrops(4.0, 0.5)}));
   ASSERT_EQ(contours.size(), 3U);
   EXPECT_TRUE(contours[0].is_border);
   EXPECT_TRUE(contours[1].is_border);
   EXPECT_FALSE(contours[2].is_border);
   EXPECT_FALSE(contains(borders(contours), Point2(0, 0)));
   EXPECT_TRUE(contains(borders(contours), Point2(5, 0)));
+}
+
+TEST(DropContours, ATornOneAcrossAHoleIsNotBetweenTheContoursOfTheHole) {
+  // The third contour from outside lacks half its drops: its outline runs through the hole, encloses the
+  // first drop of the contour of the hole, and less than the second contour around the hole does.
+  std::vector<Point2> hole = arcOfDrops(3.0, 1.0);
+  std::rotate(hole.begin(), hole.begin() + 4, hole.end());
+  const std::vector<DropContour> contours =
+      contoursOf(layerOfContours({backwards(arcOfDrops(8.0, 1.0)), hole, backwards(arcOfDrops(7.0, 1.0)),
+                                  arcOfDrops(4.0, 1.0), backwards(arcOfDrops(5.0, 0.5))}));
+  ASSERT_EQ(contours.size(), 5U);
+  EXPECT_TRUE(contours[0].is_border);
+  EXPECT_TRUE(contours[1].is_border);
+  EXPECT_FALSE(contours[2].is_border);
+  EXPECT_FALSE(contours[3].is_border);
+  EXPECT_FALSE(contours[4].is_border);
+  EXPECT_FALSE(contains(borders(contours), Point2(0, 0)));
+  EXPECT_TRUE(contains(borders(contours), Point2(3.5, 0)));
 }
 
 TEST(GuessedChains, FindTheContourOfAnInfill) {

@@ -3,11 +3,17 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <string>
 
 #include "lamina/kinematics/model/build_space.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 
 namespace lamina {
+
+/// Why a position is out of the range of a build space: the first axis that is, its value and its limits;
+/// empty if none is. An endless axis has a lower limit only.
+/// @param values  of the axes [mm]
+std::string rangeFault(const BuildSpace& space, const Point3& values, double tolerance_mm);
 
 /// Checks that every position of the tip is in the build space, and that every tool axis is that of the head
 /// at rest. The rotation about the tool axis is free.

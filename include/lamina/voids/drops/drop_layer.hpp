@@ -42,7 +42,8 @@ struct DropContour {
 /// is counter-clockwise, and a border unless the next contour outside of it is counter-clockwise, too. A
 /// contour around a hole is clockwise, and a border unless the next contour inside of it is clockwise, too;
 /// it is no border either if a gap of more than 2.5 diameters shows that it lacks drops, and another contour
-/// is the border of the hole.
+/// is the border of the hole. A contour with such a gap counts as the next one outside of a whole contour
+/// that it runs across only if there is no other outside of that.
 std::vector<DropContour> contoursOf(const DropLayer& layer);
 
 /// The outlines of the border contours, which bound the material by the even-odd rule; empty if there is no

@@ -17,17 +17,13 @@ struct RowChain {
 /// Which rows of the next line lie beside each row.
 std::vector<std::vector<std::size_t>> rowsAbove(const std::vector<RasterRow>& rows, double reach_mm) {
   std::vector<std::vector<std::size_t>> above(rows.size());
-  std::size_t first = 0;  // that may lie beside
+  std::size_t first = 0;  // of the next line
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const RasterRow& row = rows[i];
-    const auto lies_before = [&](const RasterRow& other) {
-      return other.line <= row.line ||
-             (other.line == row.line + 1 && other.right_mm + reach_mm < row.left_mm);
-    };
-    while (first < rows.size() && lies_before(rows[first])) ++first;
-    for (std::size_t j = first;
-         j < rows.size() && rows[j].line == row.line + 1 && rows[j].left_mm <= row.right_mm + reach_mm; ++j)
-      above[i].push_back(j);
+    while (first < rows.size() && rows[first].line <= row.line) ++first;
+    for (std::size_t j = first; j < rows.size() && rows[j].line == row.line + 1; ++j)
+      if (rows[j].left_mm <= row.right_mm + reach_mm && row.left_mm <= rows[j].right_mm + reach_mm)
+        above[i].push_back(j);
   }
   return above;
 }

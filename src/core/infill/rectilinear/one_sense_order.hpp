@@ -32,9 +32,9 @@ struct RowVisit {
 /// An order of the rows in one sense across them: each comes after all the rows of the line below that it
 /// lies beside, so that none is deposited between two earlier ones. Rows that lie one above the other and
 /// beside no others are chains, deposited to and fro; after each goes the nearest of those whose rows below
-/// are all deposited. Time: linear in the rows, quadratic in the chains.
+/// are all deposited. Time: linear in the rows for as many on each line, quadratic in those and the chains.
 ///
-/// @param rows  line by line from below, on each line from left to right, without overlap
+/// @param rows  line by line from below
 /// @param from  where the nozzle comes from [mm, raster frame]
 /// @return every row once
 std::vector<RowVisit> orderInOneSense(const std::vector<RasterRow>& rows, const RowSpacing& spacing,

@@ -118,6 +118,17 @@ std::vector<std::uint32_t> BoustrophedonCells::passes() const {
   return lefts;
 }
 
+/// How far the pass that ends there goes along the raster: beyond the end of its line it fills what lies
+/// between the border that leaves there and the edge of its variable-width line.
+double farthestAt(const RasterWalk& walk, std::uint32_t crossing) {
+  const double outward = walk.isLeftEnd(crossing) ? -1.0 : 1.0;
+  double farthest = walk.pointAt(crossing).x();
+  for (const Vertical side : {Vertical::Up, Vertical::Down})
+    for (const Point2& point : walk.chain(crossing, side))
+      farthest = outward * std::max(outward * farthest, outward * point.x());
+  return farthest;
+}
+
 /// Passes in one sense across, which are those of the odd lines.
 /// @param from  where the nozzle comes from [mm, raster frame]
 PassEntries passesInOneSense(const BoustrophedonCells& sections, const RasterWalk& walk, const Point2& from) {
@@ -125,7 +136,7 @@ PassEntries passesInOneSense(const BoustrophedonCells& sections, const RasterWal
   std::vector<RasterRow> rows;
   rows.reserve(lefts.size());
   for (const std::uint32_t left : lefts)
-    rows.push_back({walk.lineOf(left) / 2, walk.pointAt(left).x(), walk.pointAt(walk.otherEnd(left)).x()});
+    rows.push_back({walk.lineOf(left) / 2, farthestAt(walk, left), farthestAt(walk, walk.otherEnd(left))});
   const double line_width_mm = 2.0 * walk.raster().spacing_mm;
   PassEntries entries;
   entries.reserve(rows.size());

@@ -96,8 +96,8 @@ std::vector<std::string> filesNamedBy(const std::string& key, const std::string&
   return texts;
 }
 
-/// A list of modifiers and the meshes that it names. One that cannot be read stops the points that use it, not
-/// the study.
+/// A list of modifiers and the meshes that it names. One that cannot be read stops the points that use it,
+/// not the study.
 void addModifiers(std::string& all, const std::string& file) {
   add(all, bytesOf(file));
   try {

@@ -27,21 +27,6 @@ std::string number(double value) {
   return text;
 }
 
-/// Why the values along the edges are out of the space; empty if they are not.
-std::string limitFault(const BuildSpace& space, const Point3& values) {
-  for (int i = 0; i < 3; ++i) {
-    const double low_mm = space.range.low[i];
-    const double high_mm = space.is_endless[static_cast<std::size_t>(i)] ? std::numeric_limits<double>::max()
-                                                                         : space.range.high[i];
-    if (values[i] >= low_mm - kReachTolerance && values[i] <= high_mm + kReachTolerance) continue;
-    return std::string("axis ") + kAxisNames[i] + " would be at " + number(values[i]) + " mm; " + space.name +
-           " reaches " + number(low_mm) +
-           (space.is_endless[static_cast<std::size_t>(i)] ? " mm and on"
-                                                          : " to " + number(space.range.high[i]) + " mm");
-  }
-  return "";
-}
-
 /// Why the tool axis is out of reach; empty if it is not.
 std::string toolAxisFault(const BuildSpace& space, const Point3& tool_axis) {
   const Point3 own = toolAxis(space);
@@ -70,13 +55,13 @@ class ReachCheck {
       const Point3 point((corner & 1) != 0 ? box.high.x() : box.low.x(),
                          (corner & 2) != 0 ? box.high.y() : box.low.y(),
                          (corner & 4) != 0 ? box.high.z() : box.low.z());
-      if (!limitFault(space_, valuesAt(point)).empty()) return false;
+      if (!rangeFault(space_, valuesAt(point), kReachTolerance).empty()) return false;
     }
     return true;
   }
 
   std::string fault(const Path& path, std::size_t waypoint) const {
-    std::string found = limitFault(space_, valuesAt(path.points[waypoint]));
+    std::string found = rangeFault(space_, valuesAt(path.points[waypoint]), kReachTolerance);
     if (checked_ == Checked::Pose && found.empty() && (waypoint == 0 || !path.orientation.isCommon()))
       found =
           toolAxisFault(space_, bed_from_part_.linear() * (path.orientation.at(waypoint) * Point3::UnitZ()));
@@ -126,6 +111,20 @@ void requireNoFault(const Toolpath& toolpath, const ReachCheck& check) {
 }
 
 }  // namespace
+
+std::string rangeFault(const BuildSpace& space, const Point3& values, double tolerance_mm) {
+  for (int i = 0; i < 3; ++i) {
+    const double low_mm = space.range.low[i];
+    const double high_mm = space.is_endless[static_cast<std::size_t>(i)] ? std::numeric_limits<double>::max()
+                                                                         : space.range.high[i];
+    if (values[i] >= low_mm - tolerance_mm && values[i] <= high_mm + tolerance_mm) continue;
+    return std::string("axis ") + kAxisNames[i] + " would be at " + number(values[i]) + " mm; " + space.name +
+           " reaches " + number(low_mm) +
+           (space.is_endless[static_cast<std::size_t>(i)] ? " mm and on"
+                                                          : " to " + number(space.range.high[i]) + " mm");
+  }
+  return "";
+}
 
 void requireReachable(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
                       const BuildSpace& space) {
