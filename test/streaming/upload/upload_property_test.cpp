@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <memory>
 
 #include "streaming/upload/upload_fixture.hpp"
 
@@ -20,7 +21,7 @@ std::uint64_t linesToPrint() {
 }
 
 struct RandomRun {
-  SimulatedHttp link;
+  std::unique_ptr<SimulatedHttp> link;
   std::vector<std::string> commands;
   bool has_event = false;
 };
@@ -43,22 +44,23 @@ void addEvent(SimulatedHttp& link, Random& random) {
 RandomRun randomRun(const test::ServerKind& kind, std::uint64_t seed) {
   Random random(seed);
   const std::string text = test::hotProgram(1 + static_cast<int>(random.below(400)));
-  RandomRun run{SimulatedHttp(test::orderOf(text), {}, kind.make(), seed), test::commandsOf(text)};
-  run.link.server->printer.files["other.gcode"] = "G4 S1\n";
-  run.link.server->printer.lines_per_s = random.uniform(20.0, 1000.0);
+  RandomRun run{std::make_unique<SimulatedHttp>(test::orderOf(text), StreamSettings{}, kind.make(), seed),
+                test::commandsOf(text)};
+  run.link->server->printer.files["other.gcode"] = "G4 S1\n";
+  run.link->server->printer.lines_per_s = random.uniform(20.0, 1000.0);
   const double queue_s = random.uniform(0.0, 4.0);  // a Duet ends a print when its motions have ended
-  if (std::string(kind.firmware) == "klipper") run.link.server->printer.queue_s = queue_s;
+  if (std::string(kind.firmware) == "klipper") run.link->server->printer.queue_s = queue_s;
   const double rate = random.below(2) == 0 ? 0.0 : 0.1;
-  for (double* fault : {&run.link.faults.server_error, &run.link.faults.lost_request,
-                        &run.link.faults.lost_response, &run.link.faults.late, &run.link.faults.slow})
+  for (double* fault : {&run.link->faults.server_error, &run.link->faults.lost_request,
+                        &run.link->faults.lost_response, &run.link->faults.late, &run.link->faults.slow})
     if (random.below(2) == 0) *fault = rate;
-  if (random.below(8) == 0) run.link.faults.damaged = 0.5;
+  if (random.below(8) == 0) run.link->faults.damaged = 0.5;
   if (random.below(4) == 0) {
-    run.link.unreachable_from_s = random.uniform(0.0, 10.0);
-    run.link.unreachable_until_s = run.link.unreachable_from_s + random.uniform(0.0, 100.0);
+    run.link->unreachable_from_s = random.uniform(0.0, 10.0);
+    run.link->unreachable_until_s = run.link->unreachable_from_s + random.uniform(0.0, 100.0);
   }
   run.has_event = random.below(4) == 0;
-  if (run.has_event) addEvent(run.link, random);
+  if (run.has_event) addEvent(*run.link, random);
   return run;
 }
 
@@ -77,28 +79,28 @@ TEST_P(UploadProperty, CompleteMeansPrintedOnce) {
   std::uint64_t runs = 0;
   for (std::uint64_t seed = 1; lines < linesToPrint(); ++seed, ++runs) {
     RandomRun run = randomRun(GetParam(), seed);
-    run.link.run(5000.0);
-    const StreamStatus& status = run.link.job.status();
-    const std::vector<std::string> executed = ours(run.link);
+    run.link->run(5000.0);
+    const StreamStatus& status = run.link->job.status();
+    const std::vector<std::string> executed = ours(*run.link);
     lines += run.commands.size();
-    ASSERT_TRUE(isFinal(status.state)) << "seed " << seed << " at " << run.link.now;
-    for (std::size_t i = 1; i < run.link.states.size(); ++i)
-      ASSERT_TRUE(isLegalTransition(run.link.states[i - 1], run.link.states[i])) << "seed " << seed;
+    ASSERT_TRUE(isFinal(status.state)) << "seed " << seed << " at " << run.link->now;
+    for (std::size_t i = 1; i < run.link->states.size(); ++i)
+      ASSERT_TRUE(isLegalTransition(run.link->states[i - 1], run.link->states[i])) << "seed " << seed;
     ASSERT_LE(executed.size(), run.commands.size()) << "seed " << seed;
     ASSERT_TRUE(std::equal(executed.begin(), executed.end(), run.commands.begin())) << "seed " << seed;
     if (status.state == PackmlState::Complete) {
       ++complete;
       ASSERT_EQ(executed, run.commands) << "seed " << seed;
-      ASSERT_FALSE(run.link.server->printer.is_halted && run.link.server->printer.isMoving())
+      ASSERT_FALSE(run.link->server->printer.is_halted && run.link->server->printer.isMoving())
           << "seed " << seed;
     } else {
       ASSERT_NE(status.failure.code, ErrorCode::Ok) << "seed " << seed;
     }
     if (status.failure.message.find("its heaters are off") != std::string::npos) {
-      ASSERT_EQ(run.link.server->printer.state(), EmulatedPrinter::State::Idle) << "seed " << seed;
-      ASSERT_EQ(run.link.server->printer.nozzle_target_c, 0.0) << "seed " << seed;
-      run.link.runOn(run.link.now + 30.0);
-      ASSERT_EQ(ours(run.link), executed) << "seed " << seed;
+      ASSERT_EQ(run.link->server->printer.state(), EmulatedPrinter::State::Idle) << "seed " << seed;
+      ASSERT_EQ(run.link->server->printer.nozzle_target_c, 0.0) << "seed " << seed;
+      run.link->runOn(run.link->now + 30.0);
+      ASSERT_EQ(ours(*run.link), executed) << "seed " << seed;
     }
   }
   RecordProperty("runs", std::to_string(runs));
