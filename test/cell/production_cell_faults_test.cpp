@@ -114,6 +114,17 @@ TEST(ProductionCell, KeepsAJobThatIsStoppedBecauseItCannotBeHeldYet) {
   EXPECT_EQ(cell.journal().job(job).state, JobState::Ended);
 }
 
+TEST(ProductionCell, KeepsTheJobOfAStreamerThatDiedWhetherItsMachineStopsAtOnceOrNot) {
+  for (const int alarm : {2203, 2204}) {
+    Cell cell;
+    const std::int64_t job = bringToExecute(cell);
+    cell.step();
+    cell.run().raise(alarm, 0.0, "the streamer has died", cell.now);
+    ASSERT_TRUE(cell.reaches(UnitState::Aborted)) << alarm;
+    EXPECT_EQ(cell.journal().job(job).state, JobState::Interrupted) << alarm;
+  }
+}
+
 TEST(ProductionCell, OffersTheJobThatAnEmergencyStopHasStopped) {
   Cell cell;
   const std::int64_t job = bringToExecute(cell);

@@ -29,8 +29,8 @@ bool isResumable(int alarm) {
   if (alarm == 0) return false;
   const AlarmCategory category = alarmKind(alarm).category;
   if (category == AlarmCategory::Hold || category == AlarmCategory::Suspend) return true;
-  return alarm == kStuckState || alarm == kEmergencyStop || alarm == 2202 || alarm == 2203 || alarm == 3101 ||
-         alarm == 3105;
+  return alarm == kStuckState || alarm == kEmergencyStop || alarm == 2202 || alarm == 2203 || alarm == 2204 ||
+         alarm == 3101 || alarm == 3105;
 }
 
 UnitState adoptedState(ExecutorPhase phase) {

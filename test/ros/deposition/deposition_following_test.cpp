@@ -6,6 +6,7 @@
 #include <ros/ros.h>
 #include <sensor_msgs/PointCloud2.h>
 #include <tf2_msgs/TFMessage.h>
+#include <visualization_msgs/MarkerArray.h>
 
 #include <memory>
 #include <vector>
@@ -116,6 +117,14 @@ TEST_P(DepositionFollowing, LaysWhatAPlayedMachineHasPassed) {
   EXPECT_EQ(followed.clouds.back()->header.frame_id, names::kBedFrame);
   EXPECT_LT(followed.clouds.front()->width * followed.clouds.front()->height,
             followed.clouds.back()->width * followed.clouds.back()->height);
+  // Nobody has asked for markers so far, and nothing is deposited any more.
+  visualization_msgs::MarkerArray shown;
+  const boost::function<void(const visualization_msgs::MarkerArrayConstPtr&)> on_markers =
+      [&shown](const auto& message) { shown = *message; };
+  const ros::Subscriber late =
+      ros::NodeHandle("/" + name)
+          .subscribe<visualization_msgs::MarkerArray>(names::kDepositedMarkers, 1, on_markers);
+  EXPECT_TRUE(test::waitUntil([&] { return !shown.markers.empty(); }));
 }
 
 INSTANTIATE_TEST_SUITE_P(Machines, DepositionFollowing,

@@ -3,10 +3,15 @@
 // Machines that are stopped in the place of their streamer, over real pseudo-terminals and sockets.
 #include "lamina/streaming/guard/machine_stop.hpp"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
+#include <unistd.h>
 
+#include <chrono>
 #include <fstream>
 #include <string>
+#include <thread>
 
 #include "lamina/base/error.hpp"
 #include "streaming/guard/left_machine.hpp"
@@ -55,6 +60,21 @@ TEST(MachineStop, IsConfirmedByTheMachine) {
   EXPECT_TRUE(report.has_begun);
   EXPECT_EQ(machine->nozzleTarget(), 0.0);
   EXPECT_EQ(machine->bedTarget(), 0.0);
+}
+
+TEST(MachineStop, WaitsForAPortThatTheDeadProcessStillHolds) {
+  const LeftMachine machine("stop_busy");
+  machine.heat();
+  const int held = ::open(machine.pulse().port.name.c_str(), O_RDWR | O_NOCTTY);
+  ASSERT_EQ(::flock(held, LOCK_EX | LOCK_NB), 0);
+  std::thread dying([held] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    ::close(held);
+  });
+  const MachineStopReport report = stopMachine(machine.pulse(), {});
+  dying.join();
+  EXPECT_TRUE(report.is_confirmed) << report.message;
+  EXPECT_EQ(machine->nozzleTarget(), 0.0);
 }
 
 TEST(MachineStop, LeavesHeatersOnThatAreToStayOn) {

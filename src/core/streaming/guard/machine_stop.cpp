@@ -9,6 +9,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <thread>
 #include <vector>
 
 #include "lamina/base/error.hpp"
@@ -25,10 +26,11 @@ using std::chrono::milliseconds;
 
 constexpr milliseconds kPoll{2};
 constexpr milliseconds kLongestSending{1000};
-constexpr milliseconds kAnswers{100};    // to what has no number: none is taken for that of a line
-constexpr milliseconds kSlowDown{1000};  // of grbl's axes before it is reset
-constexpr milliseconds kReboot{3000};    // of a board that greets after it
-constexpr double kLongestStop = 20.0;    // s
+constexpr milliseconds kLongestBusy{500};  // of a port whose process has ended
+constexpr milliseconds kAnswers{100};      // to what has no number: none is taken for that of a line
+constexpr milliseconds kSlowDown{1000};    // of grbl's axes before it is reset
+constexpr milliseconds kReboot{3000};      // of a board that greets after it
+constexpr double kLongestStop = 20.0;      // s
 constexpr const char* kFeedHold = "!";
 constexpr const char* kReset = "\x18";
 constexpr const char* kReport = "M105\n";
@@ -97,8 +99,10 @@ std::vector<std::string> stopCommandsOf(const MachinePulse& machine) {
 /// The port, for what is sent without asking.
 class OpenPort {
  public:
-  explicit OpenPort(const MachinePort& port) : link_(makeTransport(context_, port.name, port.baud)) {
-    link_->open({[this](std::string_view bytes) { heard_.append(bytes); }, [](const std::string&) {}});
+  /// A process is known to be dead before the kernel has closed all that it held open.
+  explicit OpenPort(const MachinePort& port) {
+    const auto give_up = std::chrono::steady_clock::now() + kLongestBusy;
+    while (!isOpened(port, give_up)) std::this_thread::sleep_for(kPoll);
   }
   ~OpenPort() {
     try {
@@ -126,6 +130,17 @@ class OpenPort {
   }
 
  private:
+  /// @return false if it is not to be had yet
+  bool isOpened(const MachinePort& port, std::chrono::steady_clock::time_point give_up) {
+    try {
+      link_ = makeTransport(context_, port.name, port.baud);
+      link_->open({[this](std::string_view bytes) { heard_.append(bytes); }, [](const std::string&) {}});
+      return true;
+    } catch (const DeviceError&) {
+      if (std::chrono::steady_clock::now() >= give_up) throw;
+      return false;
+    }
+  }
   void runFor(milliseconds time) {
     context_.restart();
     context_.run_for(time);
