@@ -24,6 +24,7 @@ double longestStep(const Polygon& outline) {
 
 std::vector<bool> findTorn(const std::vector<DropContour>& contours, double diameter) {
   std::vector<bool> is_torn;
+  is_torn.reserve(contours.size());
   for (const DropContour& contour : contours)
     is_torn.push_back(longestStep(contour.outline) > kTorn * diameter);
   return is_torn;
@@ -68,6 +69,7 @@ std::vector<std::size_t> parentsOf(const std::vector<DropContour>& contours,
 /// one of a hole in its place, is taken for one of those around that.
 void dropTornBorders(std::vector<DropContour>& contours, const std::vector<bool>& is_torn) {
   std::vector<Box2> boxes;
+  boxes.reserve(contours.size());
   for (const DropContour& contour : contours) boxes.push_back(boundingBox({contour.outline}));
   for (std::size_t i = 0; i < contours.size(); ++i)
     for (std::size_t j = 0; is_torn[i] && contours[i].is_hole && j < contours.size(); ++j)
