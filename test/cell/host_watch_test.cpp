@@ -261,7 +261,7 @@ TEST(HostDatagram, AnyBytesAreRefusedOrWrittenBackAsTheyCame) {
     if (bytes[0] % 2 == 0) bytes.replace(0, 6, "LMHW\1\2");
     bytes.replace(6, 2, 2, '\0');
     const auto read = hostDatagramIn(bytes);
-    RC_ASSERT(!read || encoded(*read) == bytes);
+    RC_ASSERT((!read || encoded(*read) == bytes));
   }));
 }
 

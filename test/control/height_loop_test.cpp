@@ -182,7 +182,8 @@ TEST(HeightLoop, StaysWithinItsLimitsWhateverItSees) {
         RC_ASSERT(correction.amount[i] >= settings.least_amount &&
                   correction.amount[i] <= settings.greatest_amount);
         const double step = greatestSlope(settings.feeder_rate_s, 10.0) * 0.5;
-        RC_ASSERT(i == 0 || std::abs(correction.amount[i] - correction.amount[i - 1]) <= step + 1e-12);
+        // In brackets of its own: what RC_ASSERT takes apart is evaluated whole.
+        RC_ASSERT((i == 0 || std::abs(correction.amount[i] - correction.amount[i - 1]) <= step + 1e-12));
       }
       loop.lay(correction);
       seeAnyCloud(loop);
