@@ -28,7 +28,7 @@ double offsetOf(std::size_t layer) { return 0.01 * static_cast<double>(layer + 1
 
 /// What a machine and its sensor report of a print, each in the order of its stamps.
 struct Recording {
-  std::vector<TipPose> poses;
+  std::vector<StampedTip> poses;
   std::vector<StampedProfile> profiles;
 };
 
@@ -74,10 +74,10 @@ class Feed {
  public:
   explicit Feed(StampedHeights& heights) : heights_(heights) {}
 
-  void pose(const TipPose& pose) { keep(heights_.observe(pose)); }
+  void pose(const StampedTip& pose) { keep(heights_.observe(pose)); }
   void profile(const StampedProfile& profile) { keep(heights_.insert(profile)); }
   void all(const Recording& recording) {
-    for (const TipPose& each : recording.poses) pose(each);
+    for (const StampedTip& each : recording.poses) pose(each);
     for (const StampedProfile& each : recording.profiles) profile(each);
   }
   LayerHeightReports end() {
@@ -158,7 +158,7 @@ TEST(StampedHeights, ProfilesWaitForPosesHoweverLateTheseAre) {
   for (const StampedProfile& profile : recording.profiles) feed.profile(profile);
   EXPECT_TRUE(feed.reports().empty());
   EXPECT_EQ(heights.use().waiting.profiles, recording.profiles.size());
-  for (const TipPose& pose : recording.poses) feed.pose(pose);
+  for (const StampedTip& pose : recording.poses) feed.pose(pose);
   EXPECT_EQ(heights.use().waiting.profiles, 0u);
   EXPECT_EQ(bitsOf(feed.end()), bitsOf(reportsOf(recording)));
 }
@@ -275,7 +275,7 @@ TEST(StampedHeights, AProfileThatComesAfterALaterOneIsCountedAndNotUsed) {
 
 TEST(StampedHeights, ProfilesInAGapOfThePosesAreCountedAndNotUsed) {
   Recording recording = wholePrint();
-  const auto is_lost = [](const TipPose& pose) {
+  const auto is_lost = [](const StampedTip& pose) {
     return pose.stamp_ns > 20 * kStep && pose.stamp_ns < 40 * kStep;  // in the middle of the first scan
   };
   recording.poses.erase(std::remove_if(recording.poses.begin(), recording.poses.end(), is_lost),
@@ -302,7 +302,7 @@ TEST(StampedHeights, AScanFallsQuietByTheStampsAlone) {
   recording.poses.pop_back();
   recording.profiles.pop_back();
   // The nozzle stays where the scan ended, and the sensor goes on.
-  const TipPose rest = recording.poses.back();
+  const StampedTip rest = recording.poses.back();
   for (std::int64_t i = 1; i <= 30; ++i) {
     recording.poses.push_back({rest.stamp_ns + i * 100 * kStep, rest.tip});
     recording.profiles.push_back(profileAt(rest.stamp_ns + i * 100 * kStep, 9.05, 0.0));
@@ -326,8 +326,8 @@ TEST(StampedHeights, ARestOfTheMachineInItsScanDoesNotEndIt) {
   Recording recording = recordingOf({0});
   const std::int64_t rest_begin = recording.profiles[29].stamp_ns;
   constexpr std::int64_t kRest = 60'000 * kStep;
-  const TipPose last{rest_begin, Point3(0, 4.05 + 0.1 * 29, scanHeightOf(0))};
-  for (TipPose& pose : recording.poses)
+  const StampedTip last{rest_begin, Point3(0, 4.05 + 0.1 * 29, scanHeightOf(0))};
+  for (StampedTip& pose : recording.poses)
     if (pose.stamp_ns > rest_begin) pose.stamp_ns += kRest;
   recording.poses.push_back(last);
   recording.poses.push_back({last.stamp_ns + kRest, last.tip});
@@ -346,7 +346,7 @@ TEST(StampedHeights, AScanThatIsGivenUpIsCutShort) {
   const Recording recording = recordingOf({0});
   StampedHeights heights = plates();
   for (std::size_t i = 0; i < 30; ++i) heights.insert(recording.profiles[i]);
-  for (const TipPose& pose : recording.poses) EXPECT_TRUE(heights.observe(pose).empty());
+  for (const StampedTip& pose : recording.poses) EXPECT_TRUE(heights.observe(pose).empty());
   const LayerHeightReports reports = heights.cutShort();
   ASSERT_EQ(reports.size(), 1u);
   EXPECT_EQ(reports[0].sight, LayerSight::CutShort);

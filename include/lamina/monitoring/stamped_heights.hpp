@@ -9,14 +9,9 @@
 #include <vector>
 
 #include "lamina/monitoring/height_monitor.hpp"
+#include "lamina/toolpath/stamped_tip.hpp"
 
 namespace lamina {
-
-/// Position of the nozzle tip at an instant. Between two of them the tip moves straight.
-struct TipPose {
-  std::int64_t stamp_ns = 0;
-  Point3 tip = Point3::Zero();  ///< [mm, bed frame]
-};
 
 /// A profile, and when it was taken.
 struct StampedProfile {
@@ -56,9 +51,9 @@ class StampedHeights {
   /// Parameters and errors are those of `HeightMonitor`.
   StampedHeights(Toolpath toolpath, const Eigen::Isometry3d& bed_from_part, const MonitorSettings& settings);
 
-  /// Adds a pose of the nozzle.
+  /// Adds a pose of the nozzle, whose tip moves straight from one pose to the next.
   /// @return reports of layers that are now known to be done
-  LayerHeightReports observe(const TipPose& pose);
+  LayerHeightReports observe(const StampedTip& pose);
   /// Adds a profile; returns reports likewise.
   LayerHeightReports insert(StampedProfile profile);
 
@@ -84,8 +79,8 @@ class StampedHeights {
   HeightMonitor monitor_;
   std::multimap<std::int64_t, Point3> poses_;  ///< those that were not reached
   std::multimap<std::int64_t, std::vector<Point3>> waiting_;
-  std::optional<TipPose> reached_;  ///< end of the straight way that is looked at
-  double way_mm_ = 0.0;             ///< its length
+  std::optional<StampedTip> reached_;  ///< end of the straight way that is looked at
+  double way_mm_ = 0.0;                ///< its length
   std::optional<std::int64_t> worked_off_ns_;
   std::size_t cells_in_scan_ = 0;  ///< when the scan last showed something new
   bool was_moving_ = false;        ///< on the way that is looked at

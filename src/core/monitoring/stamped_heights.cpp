@@ -20,7 +20,7 @@ StampedHeights::StampedHeights(Toolpath toolpath, const Eigen::Isometry3d& bed_f
       quiet_ns_(kNanoseconds * settings.quiet_s),
       monitor_(std::move(toolpath), bed_from_part, settings) {}
 
-LayerHeightReports StampedHeights::observe(const TipPose& pose) {
+LayerHeightReports StampedHeights::observe(const StampedTip& pose) {
   const bool is_passed = reached_ && pose.stamp_ns < reached_->stamp_ns;
   if (is_passed) return {};
   poses_.insert({pose.stamp_ns, pose.tip});
@@ -59,7 +59,7 @@ void StampedHeights::workOff() {
 
 /// On to the next pose.
 void StampedHeights::step() {
-  const TipPose next{poses_.begin()->first, poses_.begin()->second};
+  const StampedTip next{poses_.begin()->first, poses_.begin()->second};
   poses_.erase(poses_.begin());
   way_mm_ = reached_ ? (next.tip - reached_->tip).norm() : 0.0;
   if (reached_ && was_moving_) moved_ns_ += reached_->stamp_ns - way_begin_ns_;

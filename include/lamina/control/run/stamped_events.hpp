@@ -9,15 +9,9 @@
 #include <set>
 #include <vector>
 
-#include "lamina/geometry/vector.hpp"
+#include "lamina/toolpath/stamped_tip.hpp"
 
 namespace lamina {
-
-/// The position of the nozzle tip at an instant.
-struct StampedTip {
-  std::int64_t stamp_ns = 0;
-  Point3 tip = Point3::Zero();  ///< [mm, bed frame]
-};
 
 /// The points that the sensor saw at an instant.
 struct SensedCloud {
