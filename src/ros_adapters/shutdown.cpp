@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "shutdown.hpp"
 
+#include <ros/poll_manager.h>
 #include <ros/ros.h>
 #include <ros/service_manager.h>
 
+#include <atomic>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <memory>
 
 #include "lamina/base/error.hpp"
 #include "network/loopback.hpp"
@@ -17,6 +20,9 @@ namespace lamina {
 namespace {
 
 const ros::WallDuration kSignalPeriod(0.02);
+const ros::WallDuration kDelivery(1.8);  // at most, until messages are on their way
+const ros::WallDuration kDeliveryPeriod(0.002);
+const ros::WallDuration kReading(0.2);  // that subscribers need to read them
 
 // A signal handler can reach nothing but a variable of this kind.
 volatile std::sig_atomic_t was_stop_requested = 0;
@@ -47,6 +53,20 @@ void logFailure(const Failure& failure) {
 }  // namespace
 
 bool isStopRequested() { return was_stop_requested != 0; }
+
+void awaitDelivery() {
+  // What is published waits for the polling thread. One pass may have begun before: the second holds it all.
+  const auto passes = std::make_shared<std::atomic<int>>(0);
+  const ros::PollManagerPtr& polling = ros::PollManager::instance();
+  const auto listener = polling->addPollThreadListener([passes] { ++*passes; });
+  const ros::WallTime end = ros::WallTime::now() + kDelivery;
+  while (ros::ok() && *passes < 2 && ros::WallTime::now() < end) {
+    polling->getPollSet().signal();
+    kDeliveryPeriod.sleep();
+  }
+  polling->removePollThreadListener(listener);
+  if (ros::ok()) kReading.sleep();
+}
 
 void runNode(int argc, char** argv, const NodeRun& run, const std::function<void()>& body) {
   int exit_code = 0;

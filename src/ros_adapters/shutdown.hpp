@@ -22,6 +22,12 @@ struct NodeRun {
 /// Whether one of the signals came.
 bool isStopRequested();
 
+/// Waits until every message published so far is on its way, then 0.2 s: a subscriber that learns that the
+/// node is gone drops what it has not read. A node calls it before its publishers go.
+///
+/// At most 2 s in all. Does nothing once ROS is shut down.
+void awaitDelivery();
+
 /// A node from start to end: joins ROS, on the loopback interface by default (`guardPorts`), loads plug-ins
 /// (`loadNodePlugins`), runs `body`, and leaves ROS. On a signal `body` returns or throws, so that
 /// destructors run.

@@ -4,12 +4,16 @@
 
 #include <gtest/gtest.h>
 #include <ros/ros.h>
+#include <std_msgs/Int32.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <csignal>
+#include <string>
+#include <vector>
 
 #include "lamina/base/error.hpp"
+#include "ros/wait_until.hpp"
 
 namespace {
 
@@ -59,6 +63,34 @@ TEST(RunNode, LeavesItsBodyOnSigint) {
     ros::spin();
   });
   EXPECT_EQ(exit_code, 0);
+}
+
+TEST(RunNode, LosesNoLastMessage) {
+  const pid_t speaker = ::fork();
+  if (speaker == 0) {
+    char program[] = "shutdown_test";
+    char* arguments[] = {program, nullptr};
+    lamina::runNode(1, arguments, {"speaker", lamina::OnSignal::Request}, [] {
+      ros::Publisher words = ros::NodeHandle().advertise<std_msgs::Int32>("last_words", 10);
+      while (words.getNumSubscribers() == 0 && !lamina::isStopRequested()) ros::WallDuration(0.01).sleep();
+      for (std_msgs::Int32 word; word.data < 5; ++word.data) words.publish(word);
+      lamina::awaitDelivery();
+    });
+  }
+  const int listener = exitCodeOfNode({"listener"}, [] {
+    std::vector<int> heard;
+    const boost::function<void(const std_msgs::Int32ConstPtr&)> on_word = [&](const auto& word) {
+      heard.push_back(word->data);
+    };
+    const auto words = ros::NodeHandle().subscribe<std_msgs::Int32>("last_words", 10, on_word);
+    if (!lamina::test::waitUntil([&] { return heard.size() == 5; }))
+      throw lamina::DeviceError("five words were expected, " + std::to_string(heard.size()) + " were heard");
+  });
+  EXPECT_EQ(listener, 0);
+  ::kill(speaker, SIGTERM);
+  int status = 0;
+  ::waitpid(speaker, &status, 0);
+  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << status;
 }
 
 TEST(RunNode, GivesOneIfItsBodyThrows) {

@@ -11,6 +11,7 @@
 #include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
 #include "messages.hpp"
+#include "shutdown.hpp"
 
 namespace lamina {
 namespace {
@@ -102,7 +103,7 @@ class TopicDevice final : public ProcessDevice {
     return {};
   }
 
-  void close() override {}
+  void close() override { awaitDelivery(); }
 
  private:
   static constexpr std::uint32_t kQueue = 100;

@@ -11,6 +11,7 @@
 #include "joint_messages.hpp"
 #include "lamina/base/error.hpp"
 #include "names.hpp"
+#include "shutdown.hpp"
 
 namespace lamina {
 namespace {
@@ -62,7 +63,9 @@ ServoBridge::ServoBridge(ros::NodeHandle node, const ServoBridgeSettings& settin
 
 void ServoBridge::end() {
   timer_.stop();
-  if (server_.isActive()) giveUp(follow::Result::PATH_TOLERANCE_VIOLATED, "the node was ended");
+  if (!server_.isActive()) return;
+  giveUp(follow::Result::PATH_TOLERANCE_VIOLATED, "the node was ended");
+  awaitDelivery();
 }
 
 void ServoBridge::onGoal() {

@@ -22,9 +22,8 @@
 namespace lamina {
 namespace {
 
-constexpr double kStep = 0.02;        // s between looks at what is due
-constexpr double kShowPeriod = 0.1;   // s between reports
-const ros::WallDuration kFlush(0.2);  // that last messages need to leave the node
+constexpr double kStep = 0.02;       // s between looks at what is due
+constexpr double kShowPeriod = 0.1;  // s between reports
 
 /// Nothing to report to but a goal that may be cancelled.
 class GoalProgress final : public Progress {
@@ -130,7 +129,7 @@ MachinePulse TrajectoryDriver::pulse() {
 
 void TrajectoryDriver::awaitRest() const {
   while (is_driving_ && ros::ok()) ros::WallDuration(kStep).sleep();
-  kFlush.sleep();
+  awaitDelivery();
 }
 
 void TrajectoryDriver::onGoal(const lamina_msgs::DriveToolpathGoalConstPtr& goal) {
