@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "front_archive.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
 #include "lamina/base/random.hpp"
@@ -37,16 +38,6 @@ std::vector<double> turned(const Goals& goals, std::vector<double> values) {
   for (std::size_t i = 0; i < values.size(); ++i)
     if (goals.objectives[i].sense == Sense::Maximise) values[i] = -values[i];
   return values;
-}
-
-/// Nowhere worse, and somewhere better.
-bool dominates(const std::vector<double>& one, const std::vector<double>& other) {
-  bool is_better = false;
-  for (std::size_t i = 0; i < one.size(); ++i) {
-    if (one[i] > other[i]) return false;
-    is_better = is_better || one[i] < other[i];
-  }
-  return is_better;
 }
 
 /// One that survived.
@@ -88,14 +79,14 @@ class FrontFinder {
     const std::vector<std::size_t> front = distinct(populationFront());
     for (const std::size_t i : front) generation.front.push_back(found_.evaluations[i]);
     std::vector<std::vector<double>> costs;
-    for (const std::size_t i : archive_) costs.push_back(scores_[i].costs);
+    for (const std::size_t i : archive_.members()) costs.push_back(scores_[i].costs);
     if (!reference_.empty()) generation.hypervolume = hypervolume(costs, reference_);
     found_.generations.push_back(std::move(generation));
     return found_.generations.back();
   }
 
   FrontSearch found() && {
-    for (const std::size_t i : distinct(archive_)) found_.front.push_back(found_.evaluations[i]);
+    for (const std::size_t i : distinct(archive_.members())) found_.front.push_back(found_.evaluations[i]);
     found_.reference = turned(problem_.goals, reference_);
     return std::move(found_);
   }
@@ -122,26 +113,10 @@ class FrontFinder {
       refuseUnusable(evaluation);
       if (!isEvaluated(evaluation)) ++failed_;
       scores_.push_back(scoreOf(problem_.goals, names_, evaluation));
-      archive(found_.evaluations.size());
+      if (isFeasible(scores_.back())) archive_.add(found_.evaluations.size(), scores_.back().costs);
       population_.push_back({found_.evaluations.size(), 0, 0.0});
       found_.evaluations.push_back(std::move(evaluation));
     }
-  }
-
-  /// Keeps an evaluation if no other dominates it, and drops those that it dominates.
-  void archive(std::size_t evaluation) {
-    const Score& score = scores_[evaluation];
-    if (!isFeasible(score)) return;
-    const auto dominatesIt = [&](std::size_t i) { return dominates(scores_[i].costs, score.costs); };
-    const auto better = std::find_if(archive_.begin(), archive_.end(), dominatesIt);
-    if (better != archive_.end()) {
-      // One that dominates much is asked first.
-      std::iter_swap(better, archive_.begin() + (better - archive_.begin()) / 2);
-      return;
-    }
-    const auto isDominated = [&](std::size_t i) { return dominates(score.costs, scores_[i].costs); };
-    archive_.erase(std::remove_if(archive_.begin(), archive_.end(), isDominated), archive_.end());
-    archive_.push_back(evaluation);
   }
 
   /// An objective that is no number cannot be compared.
@@ -227,7 +202,7 @@ class FrontFinder {
   std::vector<double> reference_;  ///< as costs
   std::vector<Score> scores_;      ///< of all evaluations
   std::vector<Individual> population_;
-  std::vector<std::size_t> archive_;  ///< evaluations that no other dominates
+  FrontArchive archive_;
   int failed_ = 0;
   FrontSearch found_;
 };
