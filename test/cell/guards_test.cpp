@@ -21,8 +21,7 @@ StartConditions readyToStart() {
   found.is_checked = true;
   found.plc_need = PlcNeed::Required;
   found.plc = kAllGiven;
-  found.clock_offset_s = 0.001;
-  found.needs_clouds = true;
+  found.needs_loop = true;
   found.free_bytes = 2e9;
   return found;
 }
@@ -35,7 +34,7 @@ TEST(Guards, EachStopsTheStartAlone) {
       {1302, [](StartConditions& found) { found.job.clear(); }},
       {1303, [](StartConditions& found) { found.unready = {"bed is 40 degC; expected 60"}; }},
       {1304, [](StartConditions& found) { found.is_checked = false; }},
-      {1305, [](StartConditions& found) { found.loop_blocked = "not calibrated"; }},
+      {1305, [](StartConditions& found) { found.loop_fault = "not calibrated"; }},
       {1203, [](StartConditions& found) { found.is_part_removed = false; }},
       {2101, [](StartConditions& found) { found.plc.is_alive = false; }},
       {1201, [](StartConditions& found) { found.plc.is_plate_there = false; }},
@@ -44,8 +43,7 @@ TEST(Guards, EachStopsTheStartAlone) {
       {1205, [](StartConditions& found) { found.plc.has_gas = false; }},
       {1206, [](StartConditions& found) { found.plc.is_blocked = true; }},
       {1312, [](StartConditions& found) { found.plc.is_emergency_stop_pressed = true; }},
-      {8003, [](StartConditions& found) { found.clock_offset_s = -0.006; }},
-      {7003, [](StartConditions& found) { found.journal_error = "read-only"; }},
+      {8003, [](StartConditions& found) { found.clock_fault = "the clock of sensor is ahead by 8 ms"; }},
       {7002, [](StartConditions& found) { found.free_bytes = 1e9; }},
       {7002, [](StartConditions& found) { found.free_bytes = std::nullopt; }},
       {7101, [](StartConditions& found) { found.torn = {"bracket.gcode"}; }},
@@ -84,9 +82,9 @@ TEST(Guards, LeaveOutWhatTheCellDoesNotHave) {
   StartConditions found = readyToStart();
   found.plc_need = PlcNeed::None;
   found.plc = {};
-  found.clock_offset_s.reset();
-  found.unready = {"bed is cold"};
-  found.runs_startup = true;
+  found.needs_loop = false;
+  found.loop_fault = "not calibrated";
+  found.clock_fault = "the clock of sensor is ahead by 8 ms";
   EXPECT_TRUE(againstStart(found).empty());
 }
 

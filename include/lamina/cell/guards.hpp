@@ -40,17 +40,14 @@ struct StartConditions {
   std::string job;                   ///< next job in the queue; empty if none is allowed to start
   std::vector<std::string> torn;     ///< files of the job whose hash has changed
   std::vector<std::string> unready;  ///< steps of the start-up that are not satisfied, each with the reason
-  bool runs_startup = false;         ///< whether the state Starting runs the start-up itself
   bool is_checked = false;           ///< whether the program was checked for this machine
   bool is_part_removed = true;       ///< whether the last part was removed
   PlcNeed plc_need = PlcNeed::None;
   PlcInterlocks plc;
-  std::optional<double> clock_offset_s;  ///< to the clock of the sensor's host; nothing if there is one host
-  bool needs_clouds = false;             ///< whether the job measures layers
-  /// Reason why the height loop may not run although the job wants it; empty if it may.
-  std::string loop_blocked;
+  bool needs_loop = false;  ///< whether jobs run with the height loop, and so with the sensor's clock
+  std::string loop_fault;   ///< why the height loop may not run; empty if it may
+  std::string clock_fault;  ///< which clocks of the hosts are apart, and how far; empty if none are
   std::optional<double> free_bytes;  ///< on the disk of the journal; nothing if the system does not report it
-  std::string journal_error;         ///< why the journal cannot be written; empty if it can
 };
 
 /// The reasons against Start, in the order of their codes; empty if there are none. Alarms are not among

@@ -10,7 +10,6 @@
 namespace lamina {
 namespace {
 
-constexpr double kLargestClockOffset = 0.005;  // [s]
 constexpr int kBlocked = 1206;
 constexpr double kSmallestDisk = 1024.0 * 1024 * 1024;  // [bytes]
 
@@ -67,20 +66,15 @@ std::vector<UnmetGuard> againstStart(const StartConditions& found) {
   if (found.mode != kProduction)
     unmet.push_back({1301, "the mode is " + std::to_string(found.mode) + "; expected 1 (Production)"});
   if (found.job.empty()) unmet.push_back({1302, "no job of the queue is allowed to start; release one"});
-  if (!found.unready.empty() && !found.runs_startup)
+  if (!found.unready.empty())
     unmet.push_back({1303, "the start-up is not done: " + listed(found.unready, "; ")});
   if (!found.job.empty() && !found.is_checked)
     unmet.push_back({1304, "the program of '" + found.job + "' was not checked for this machine"});
-  if (!found.loop_blocked.empty())
-    unmet.push_back({1305, "the height loop is blocked: " + found.loop_blocked});
+  if (found.needs_loop && !found.loop_fault.empty())
+    unmet.push_back({1305, "the height loop may not run: " + found.loop_fault});
   if (!found.is_part_removed) unmet.push_back({1203, "the last part was not confirmed as removed"});
   append(unmet, againstPlc(found.plc, found.plc_need));
-  if (found.needs_clouds && found.clock_offset_s && std::abs(*found.clock_offset_s) > kLargestClockOffset)
-    unmet.push_back({8003, "the sensor's clock is off by " +
-                               std::to_string(std::lround(*found.clock_offset_s * 1e3)) +
-                               " ms; expected at most 5 ms"});
-  if (!found.journal_error.empty())
-    unmet.push_back({7003, "the journal cannot be written: " + found.journal_error});
+  if (found.needs_loop && !found.clock_fault.empty()) unmet.push_back({8003, found.clock_fault});
   if (!found.free_bytes.has_value() || *found.free_bytes < kSmallestDisk)
     unmet.push_back({7002, roomLeft(found.free_bytes) + "; expected at least 1024 MiB"});
   if (!found.torn.empty())

@@ -34,6 +34,7 @@ constexpr int kExecutorSilent = 2202;
 constexpr int kJournalDamaged = 7001;
 constexpr int kJournalNotWritable = 7003;
 constexpr int kMasterLost = 8002;
+constexpr int kClocksApart = 8003;
 constexpr int kAnyAuditBroken = 9003;
 
 UnitSettings unitSettings(const CellControllerSettings& settings) {
@@ -105,6 +106,11 @@ CellController::CellController(ros::NodeHandle node, const CellControllerSetting
                node.advertiseService(names::kSetRemoteAccess, &CellController::onRemoteAccess, this)};
   intake_ = std::make_unique<JobIntake>(node, artefacts_, settings_.machine);
   alarm_reports_ = node.subscribe(names::kAlarmReports, 100, &CellController::onAlarmReport, this);
+  const boost::function<void(const lamina_msgs::LoopStateConstPtr&)> on_loop = [this](const auto& state) {
+    loop_ = state;
+  };
+  if (settings_.needs_loop)
+    loop_subscriber_ = node.subscribe<lamina_msgs::LoopState>(names::kLoopState, 10, on_loop);
   const boost::function<void(const ros::WallTimerEvent&)> tick = [this](const auto&) { onTick(); };
   timer_ = node.createWallTimer(ros::WallDuration(kTickInterval), tick);
   ROS_INFO_STREAM("the unit is in " << toString(cell_->status().state));
@@ -137,12 +143,21 @@ CellSurroundings CellController::surroundings() const {
   for (const lamina_msgs::StartupStep& step : executor_.machine().startup)
     if (step.state != lamina_msgs::StartupStep::DONE && step.state != lamina_msgs::StartupStep::SKIPPED)
       found.start.unready.push_back(step.name + " is " + step.state_name + ": " + step.reason);
+  found.start.needs_loop = settings_.needs_loop;
+  found.start.loop_fault = loopFault();
+  for (const ActiveAlarm& alarm : cell_->status().alarms.all())
+    if (alarm.id == kClocksApart) found.start.clock_fault = alarm.message;
   found.start.free_bytes = freeBytesOf(settings_.folder);
   found.go_on.is_position_known = !is_executor_lost_;
   found.go_on.has_master = hasMaster();
   found.start.plc_need = found.go_on.plc_need = settings_.plc.is_required ? PlcNeed::Required : PlcNeed::None;
   found.start.plc = found.go_on.plc = plc_.watch().interlocks(clock_.now());
   return found;
+}
+
+std::string CellController::loopFault() const {
+  if (!loop_ || loop_subscriber_.getNumPublishers() == 0) return "height_controller gives no sign of life";
+  return loop_->state == lamina_msgs::LoopState::BLOCKED ? loop_->reason : "";
 }
 
 std::vector<UnmetGuard> CellController::againstStart(const std::string& source) const {

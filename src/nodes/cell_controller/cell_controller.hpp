@@ -64,6 +64,7 @@ class CellController {
   void demandLocalStart(bool is_due);
 
   CellSurroundings surroundings() const;
+  std::string loopFault() const;
   bool hasMaster() const;
   void onReport(const ExecutorReport& report);
   void onTick();
@@ -92,6 +93,8 @@ class CellController {
   std::unique_ptr<JobIntake> intake_;
   std::vector<ros::ServiceServer> services_;
   ros::Subscriber alarm_reports_;
+  ros::Subscriber loop_subscriber_;
+  lamina_msgs::LoopStateConstPtr loop_;  ///< nothing if it was not heard
   ros::WallTimer timer_;
   std::uint32_t published_sequence_ = 0;
   double published_s_ = 0.0;

@@ -29,6 +29,9 @@ void describe(SettingsSchema& schema, CellControllerSettings& settings) {
       "start.local_after_estop", settings.is_start_local_after_stop,
       "Whether the first Start after the PLC has reported the emergency stop has to come from somebody else "
       "than the PLC.");
+  schema.flag("start.needs_loop", settings.needs_loop,
+              "Whether jobs run with the height loop: Start is refused while height_controller is blocked or "
+              "says nothing, and while the clocks of the hosts are apart (alarm 8003).");
   schema.flag("plc.required", settings.plc.is_required,
               "Whether the unit starts and runs only beside a PLC that gives its interlocks.");
   schema.flag("plc.unsuspends", settings.plc.unsuspends,

@@ -19,7 +19,8 @@ struct CellControllerSettings {
   std::string corrections_folder;  ///< of the streamer; empty for none
   bool is_held_on_the_way = true;  ///< Hold is accepted on the way to and from Execute
   bool is_start_local_after_stop =
-      true;  ///< the first Start after an emergency stop does not come from the PLC
+      true;                 ///< the first Start after an emergency stop does not come from the PLC
+  bool needs_loop = false;  ///< jobs start only with a height loop that may run, and clocks that agree
   PlcWatchSettings plc;
   JournalCareSettings care;
 };

@@ -115,6 +115,45 @@ TEST(CellController, StartsNothingOverAnAuditThatWasChanged) {
   EXPECT_NE(cell.reason.find("row 2 of the audit"), std::string::npos) << cell.reason;
 }
 
+TEST(CellController, StartsNoJobWithoutTheLoopAndTheClocksThatItNeeds) {
+  CellOfNodes cell("looped", 1000.0, {"_start/needs_loop:=true"});
+  ros::NodeHandle node("looped");
+  const std::uint32_t job = cell.enqueue(squareProgram(20));
+  cell.change(job, lamina_msgs::ChangeQueue::Request::RELEASE);
+  cell.bringToIdle();
+  EXPECT_EQ(cell.command(Command::START), 6);
+  EXPECT_NE(cell.reason.find("height_controller gives no sign of life"), std::string::npos) << cell.reason;
+
+  const auto isRefusedFor = [&cell](const std::string& why) {
+    return cell.command(Command::START) == 6 && cell.reason.find(why) != std::string::npos;
+  };
+  auto loop = node.advertise<lamina_msgs::LoopState>(names::kLoopState, 10, true);
+  lamina_msgs::LoopState state;
+  state.state = lamina_msgs::LoopState::BLOCKED;
+  state.reason = "the sensor's pose is not calibrated";
+  loop.publish(state);
+  EXPECT_TRUE(waitUntil([&] { return isRefusedFor(state.reason); })) << cell.reason;
+
+  auto reports = node.advertise<lamina_msgs::AlarmReport>("alarm_reports", 10);
+  EXPECT_TRUE(waitUntil([&] { return reports.getNumSubscribers() > 0; }));
+  lamina_msgs::AlarmReport clocks;
+  clocks.id = 8003;
+  clocks.source = "host_watch";
+  clocks.message = "the clock of sensor is ahead by 8 ms";
+  reports.publish(clocks);
+  EXPECT_TRUE(waitUntil([&] { return cell.hasAlarm(8003); }));
+  state.state = lamina_msgs::LoopState::ACTIVE;
+  loop.publish(state);
+  EXPECT_TRUE(waitUntil([&] { return isRefusedFor(clocks.message) && !isRefusedFor("calibrated"); }))
+      << cell.reason;
+
+  clocks.is_gone = true;
+  reports.publish(clocks);
+  EXPECT_TRUE(waitUntil([&] { return cell.alarms.alarms.empty(); }));
+  EXPECT_EQ(cell.command(Command::START), kAccepted) << cell.reason;
+  EXPECT_TRUE(cell.reaches("Complete"));
+}
+
 TEST(CellController, IsLaunchedAndSaysThatItsExecutorIsMissing) {
   std::string state;
   ros::NodeHandle node;
