@@ -150,8 +150,8 @@ Eigen::Quaterniond nozzleDown();
 /// Length of the path including the return of a closed one [mm].
 double length(const Path& path);
 
-/// Area [mm²] of the stadium a bead fills: a rectangle between two half discs of the smaller side's diameter,
-/// (w - h) h + pi h² / 4 for w >= h; a bead higher than wide is the same stadium upright.
+/// Cross-sectional area of a bead [mm²], a stadium: (w - h) h + pi h² / 4 for width w >= height h, otherwise
+/// (h - w) w + pi w² / 4.
 double crossSection(const Bead& bead);
 
 /// Plan width [mm] that a bead fills: its area over its height. Beads of that pitch fill a layer exactly.
@@ -184,8 +184,9 @@ std::string toolpathId(const Toolpath& toolpath);
 /// well.
 std::string faultOfEvents(const Path& path);
 
-/// Checks a toolpath: finite numbers, two points at least, quantities of one value or one per waypoint,
-/// positive feeds, consecutive paths that join within 1e-6 mm, events at motions that there are.
+/// Checks a toolpath: finite numbers, at least two points per path (one for drops), one value per quantity or
+/// one per waypoint, positive feeds, unit quaternions, distinct names of process values, joins of consecutive
+/// paths within 1e-6 mm, valid events (`faultOfEvents`).
 /// @throws InvalidInput naming layer, path and waypoint
 void validate(const Toolpath& toolpath);
 
