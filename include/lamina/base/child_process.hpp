@@ -26,7 +26,7 @@ struct ProgramEnd {
 
 /// Runs a program without a shell, with empty standard input, and waits for its end. It leads a process group
 /// of its own: processes that it started and left running end with it, and Ctrl-C on the terminal reaches it
-/// only through `progress`. If this process is killed, a shell that watches it ends the group.
+/// only through `progress`. If this process is killed, a watchdog shell kills the group.
 ///
 /// If this function throws, the program has ended: it is sent SIGTERM, and SIGKILL 2 s later.
 /// @throws InvalidConfig if there are no arguments, or one contains a zero byte

@@ -18,16 +18,16 @@ struct CsvTable {
   std::vector<std::size_t> lines;  ///< number of the line of the text where each row begins, from 1
 };
 
-/// The text as a cell that reads back to it: in double quotes if it contains a comma, a double quote, #, a
-/// line end, or white space at its ends. A row of a single empty cell becomes an empty line, which is skipped
-/// when it is read back.
+/// The CSV cell of a text: in double quotes if the text contains a comma, a double quote, #, a line end, or
+/// white space at its ends. A row of a single empty cell becomes an empty line, which is skipped when it is
+/// read back.
 std::string csvCell(const std::string& text);
 
 /// Reads a table whose first line is its header. Empty lines and lines that begin with # are skipped; line
 /// ends between double quotes belong to the cell.
 /// @param source  names the table in errors
-/// @throws InvalidInput naming source and line if there is no header, a column has no name or that of
-///   another, a row has another number of cells than the header, or a quote is not closed
+/// @throws InvalidInput naming source and line if a column name is empty or duplicate, a row has another
+///   number of cells than the header, or a quote is not closed; naming the source if there is no header
 CsvTable parseCsvTable(std::string_view text, const std::string& source);
 
 /// Reads a table from a file.
@@ -35,7 +35,8 @@ CsvTable parseCsvTable(std::string_view text, const std::string& source);
 CsvTable readCsvTable(const std::string& path);
 
 /// The index of a column, from 0.
-/// @throws InvalidInput naming the columns that there are if it is not one of them
+/// @throws InvalidInput if there is none of that name, listing the columns of a table that holds several
+///   columns and a number
 std::size_t columnOf(const CsvTable& table, const std::string& name);
 
 }  // namespace lamina

@@ -28,9 +28,10 @@ struct PlcInterlocks {
 /// Whether a unit runs only together with a PLC.
 enum class PlcNeed : std::uint8_t { None, Required };
 
-/// The reasons against running by the PLC, in the order of their codes. Where a PLC is required, everything
-/// that it does not report as given counts as missing; without a heartbeat the only reason is that one. Where
-/// no PLC is required, only what it forbids counts, and only while its heartbeat comes.
+/// Unmet guards of the PLC's interlocks, in the order of their codes. Prohibitions (occupied zone, parts that
+/// cannot be taken away, emergency stop) count while the heartbeat comes. A missing build plate, clamp or
+/// supply counts only with `PlcNeed::Required`. Without a heartbeat, `Required` gives the missing heartbeat
+/// alone, and `None` gives nothing.
 std::vector<UnmetGuard> againstPlc(const PlcInterlocks& plc, PlcNeed need);
 
 /// The conditions for a start, as they are at present.
@@ -63,7 +64,8 @@ struct ContinueConditions {
   bool has_master = true;  ///< whether the ROS master answers
 };
 
-/// The reasons against Unhold and Unsuspend, in the order of their codes, but for alarms.
+/// The reasons against Unhold and Unsuspend, in the order of their codes. Alarms are not among them, nor is
+/// the interlock `is_blocked`.
 std::vector<UnmetGuard> againstContinuing(const ContinueConditions& found);
 
 }  // namespace lamina

@@ -40,18 +40,18 @@ enum class PartEnd { Complete, Aborted };
 /// u is the map before, 0 for the first part. g is the gain measured at each cell: actual over commanded
 /// growth of this layer alone, so that amounts that only made up for errors of the layers below are not
 /// learnt. F is the low-pass of the loop along the path and across beads. Q averages a layer with the layers
-/// above and below, by weights of 1/2 and 1/4 each, where these have equal numbers of cells. K is
-/// `part_learning`, or 1 over the number of parts if that is greater, so that the map is the mean of the
-/// first parts. Cells that were not seen keep their values, but for the averaging. The result is within the
-/// limits of the loop. If the part was aborted, the result is `before`.
-/// @throws InvalidInput if the identities differ, naming in what; if the part has another number of layers
-///   than the map, or one of its layers another number of cells; if a layer does not have one value per cell
+/// above and below, by weights of 1/2 and 1/4 each, where these have equal numbers of cells. K is the
+/// greater of `part_learning` and 1 over the number of parts, this one included; at first the map is thus a
+/// mean over the parts. Cells that were not seen change only by the smoothing of F and Q. The result is
+/// within the limits of the loop. If the part was aborted, the result is `before`.
+/// @throws InvalidInput naming the difference, if the identities differ; if the part has another number of
+///   layers than the map, or one of its layers another number of cells; if a layer does not have one value
+///   per cell
 PartMap learntFromPart(const PartMap& before, const PartIdentity& identity,
                        const std::vector<DepositedLayer>& part, PartEnd end, const LoopSettings& settings);
 
 /// The map as CSV, a row per cell after comments that state program, machine, material, number of parts and a
-/// digest of all of it. It reads back to the same bits, except that layers without cells at the top are left
-/// out.
+/// digest of all of it. Reading it back gives the same bits, without empty layers at the top of the part.
 std::string partMapCsv(const PartMap& map);
 
 /// Reads a map from text that `partMapCsv` wrote.

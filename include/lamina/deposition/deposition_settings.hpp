@@ -9,7 +9,7 @@ namespace lamina {
 /// Settings by which material is deposited into voxels.
 struct DepositionSettings {
   double voxel_mm = 0.1;   ///< side of a voxel
-  double step = 0.51;      ///< distance of the nozzle from portion to portion, in radii of the strand
+  double step = 0.51;      ///< spacing of the portions of material along a motion, in strand radii
   double reach_mm = 10.0;  ///< greatest distance from the middle of the strand at which material is deposited
   double bed_z_mm = 0.0;   ///< height of the bed, below which nothing is deposited
   /// Whether build aids are deposited too: skirt, brim, raft, supports, priming.

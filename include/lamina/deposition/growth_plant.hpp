@@ -20,12 +20,12 @@ struct PlantSettings {
   double wave_mm = 80.0;   ///< length of that wave
   double random = 0.0;     ///< standard deviation of the random part of growth, in layer heights
   double random_mm = 5.0;  ///< correlation length of the random part
-  /// Relative loss of growth per layer height by which the nozzle is too far away.
+  /// Relative loss of growth per layer height of excess nozzle stand-off.
   double standoff = 0.0;
   double levelling_mm = 0.0;  ///< standard deviation of the Gaussian by which the surface levels itself
   double dead_time_s = 0.0;   ///< dead time of the feeder
   double lag_s = 0.0;         ///< time constant of the feeder's first-order lag
-  double thermal = 0.0;       ///< share of a layer that settles per 100 K
+  double thermal = 0.0;       ///< share of a layer's height lost by settling, per 100 K of residual heat
   double cooling_s = 60.0;    ///< time constant by which the wall cools
   double slump_s = 20.0;      ///< time constant by which a layer settles
   /// Offset of the nozzle from where it should be: x along the bead, y across, z upwards; empty: none.
@@ -54,16 +54,16 @@ struct PlantBead {
   std::vector<double> along_mm;       ///< distance of the cell from the start of the bead, equally spaced
   std::vector<double> planned_mm;     ///< planned height of the layer
   std::vector<double> correction;     ///< relative change of the amount that arrives
-  std::vector<double> nozzle_far_mm;  ///< height of the nozzle above its proper height over the surface
+  std::vector<double> nozzle_far_mm;  ///< excess of the nozzle's stand-off over the planned height
 };
 
 /// A process whose growth differs from the commanded one. It has no state: the same bead over the same
 /// surface gives the same growth.
 ///
-/// growth = planned · gain · stand-off · (1 + correction) + random part. The gain (`gainAt`) wears linearly
-/// over the job, is lost in part from the layer of a clog on, is lower at the ends of open beads, linearly
-/// over `end_mm`, and varies by a wave along the bead. The surface then settles by the heat left in the
-/// layers below, and levels itself by a Gaussian.
+/// growth = planned · gain · stand-off · (1 + correction) + random part. The gain (`gainAt`) falls linearly
+/// over the job by wear, and by a constant share from the layer of a clog on. Its loss at the ends of an open
+/// bead tapers off linearly over `end_mm`. A sine wave modulates it along the bead. The layer then settles by
+/// the residual heat of the layers below, and a Gaussian filter levels the surface.
 class GrowthPlant {
  public:
   explicit GrowthPlant(PlantSettings settings);

@@ -37,18 +37,19 @@ struct DryRunReport {
 
 struct GcodeWordText;
 
-/// Turns a G-code program into one with the same motions but without the process. Removed are words of
-/// extruders, heaters and waits for them, fans, lasers, spindles, coolant, tool changes and retractions by
-/// the firmware. Commands that switch something off stay; those that switch a laser or spindle on are
-/// replaced by one that switches it off. Only commands that are known to switch nothing on are kept; a macro
-/// of unknown effect is removed or refused. Feeds stay, as they are modal, also those of motions of the
-/// extruder alone.
+/// Turns a G-code program into one with the same motions but without the process. Extruder words are removed,
+/// and so are commands for heaters (with their waits), fans, lasers, spindles, coolant, tool changes and
+/// firmware retraction. G and M codes that switch something off stay, but not `M103` and `M127`; those that
+/// switch a laser or spindle on are replaced by one that switches it off. Only commands that are known to
+/// switch nothing on are kept; a macro of unknown effect is removed or refused. Feed words stay, also those
+/// of extruder-only motions, because feeds are modal.
 class DryRun {
  public:
   /// @throws InvalidConfig naming key, value and bound if a setting is out of bounds
   explicit DryRun(const DryRunSettings& settings);
 
-  /// The line to be run instead of a line of the program; nothing if all of it was removed. Comments stay.
+  /// The line to be run instead of a line of the program; nothing if all of it was removed. Comments after a
+  /// semicolon stay.
   /// @param text  lines have to be given in their order
   /// @throws InvalidProgram naming the line if a motion cannot be read; if a G code is not known, as it may
   ///   change how later motions are read; if a motion has an S that may make it a homing motion; or if an

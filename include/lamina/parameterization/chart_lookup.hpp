@@ -12,7 +12,7 @@
 
 namespace lamina {
 
-/// A triangle of one of several charts, by both their indices.
+/// Indices of a chart and of a triangle within it.
 struct ChartTriangle {
   std::uint32_t chart = 0;
   std::uint32_t triangle = 0;
@@ -33,27 +33,27 @@ struct SurfacePoint {
   double height_mm = 0.0;
 };
 
-/// The part of a straight line of the parameter plane that lies in one triangle, from and to a share of the
-/// line's length.
+/// The segment of a straight line of the parameter plane that lies in one triangle, as an interval of
+/// fractions of the line's length.
 struct ChartStretch {
   ChartTriangle in;
   double from = 0.0;  ///< 0 is the line's start
   double to = 0.0;    ///< 1 is the line's end
 };
 
-/// Finds the triangles of a layer's charts by their parameterization, in a time that does not grow with their
-/// number, and brings points of the parameter plane back into space [Guacheta2021, section 2.3.1]. Queries
-/// may be made from several threads.
+/// Grid lookup of triangles by points and lines of the parameter plane, and the mapping of points from that
+/// plane back into space [Guacheta2021, section 2.3.1]. The time of `find` hardly depends on the number of
+/// triangles. Queries may be made from several threads.
 class ChartLookup {
  public:
   /// Distance from a chart within which a point of the parameter plane is moved to the chart's border [mm].
-  /// Plans leave charts a little: outlines are simplified by a tenth of this (`planning.simplification_mm`),
-  /// and thin beads cut corners of notches.
+  /// Planned paths may lie slightly outside: outlines are simplified by `planning.simplification_mm`, whose
+  /// default is a tenth of this, and thin beads cut the corners of notches.
   static constexpr double kSnap = 0.05;
 
   /// @param charts  must outlive the lookup; their parameterizations do not overlap
-  /// @throws InvalidInput if there is no triangle, or a chart does not have one place in the parameter plane,
-  ///   tip, normal and height for each vertex, or one that is not finite
+  /// @throws InvalidInput if there is no triangle, or a vertex of a chart has no finite position, parameter
+  ///   point, tip, normal or height
   explicit ChartLookup(const std::vector<LayerChart>& charts);
 
   /// The place of a point of the parameter plane; nothing if it is farther than `kSnap` from all charts. A
@@ -74,8 +74,9 @@ class ChartLookup {
   double areaRatio(const ChartTriangle& in) const;
 
   /// A straight line of the parameter plane, cut where it crosses sides of triangles, in order and without
-  /// gaps. It lies in one chart if any holds it whole; otherwise it may pass from chart to chart, as level
-  /// charts of one height may touch. Nothing if it leaves the charts by more than `kSnap`.
+  /// gaps. All stretches lie in one chart if one chart holds the whole line. Otherwise they may pass from
+  /// chart to chart, because level charts of equal height may touch. Nothing if the line leaves the charts by
+  /// more than `kSnap`.
   std::optional<std::vector<ChartStretch>> stretches(const Point2& from, const Point2& to) const;
 
  private:
@@ -97,8 +98,8 @@ class ChartLookup {
   const std::vector<LayerChart>& charts_;
   std::vector<ChartTriangle> triangles_;  // of all charts
   HeightGrid grid_;
-  std::vector<std::uint32_t> first_;  // of each cell in items_, and the end
-  std::vector<std::uint32_t> items_;  // triangles_ of the cells
+  std::vector<std::uint32_t> first_;  // index in items_ of the first item of each cell, and the end
+  std::vector<std::uint32_t> items_;  // indices in triangles_, grouped by cell
 };
 
 }  // namespace lamina

@@ -27,8 +27,7 @@ class CyclicSink {
   virtual ~CyclicSink() = default;
 
   virtual double cycle() const = 0;  ///< duration of a cycle [s]
-  /// Time by which `CyclicTarget::ahead` is ahead; for so long the controller can bridge late or lost targets
-  /// [s].
+  /// Lead time of `CyclicTarget::ahead` [s], for which the controller can bridge late or lost targets.
   virtual double ahead() const = 0;
   /// Sends a target. Never blocks, and allocates no memory.
   virtual void send(const CyclicTarget& target) = 0;

@@ -150,8 +150,8 @@ Eigen::Quaterniond nozzleDown();
 /// Length of the path including the return of a closed one [mm].
 double length(const Path& path);
 
-/// Area [mm²] of the stadium a bead fills: a rectangle between two half discs of the smaller side's diameter,
-/// (w - h) h + pi h² / 4 for w >= h; a bead higher than wide is the same stadium upright.
+/// Cross-sectional area of a bead [mm²], a stadium: (w - h) h + pi h² / 4 for width w >= height h, otherwise
+/// (h - w) w + pi w² / 4.
 double crossSection(const Bead& bead);
 
 /// Plan width [mm] that a bead fills: its area over its height. Beads of that pitch fill a layer exactly.
@@ -180,13 +180,14 @@ Box3 depositionBox(const Toolpath& toolpath);
 /// 16 hexadecimal digits that depend on every value of the toolpath and nothing else (FNV-1a).
 std::string toolpathId(const Toolpath& toolpath);
 
-/// What is wrong with the events of a path: their order, or an invalid event (`defectOf`). Empty if all is
-/// well.
+/// The first fault of a path's events: one out of order, at a motion that the path does not have, or invalid
+/// (`defectOf`). Empty if there is none.
 std::string faultOfEvents(const Path& path);
 
-/// Checks a toolpath: finite numbers, two points at least, quantities of one value or one per waypoint,
-/// positive feeds, consecutive paths that join within 1e-6 mm, events at motions that there are.
-/// @throws InvalidInput naming layer, path and waypoint
+/// Checks a toolpath: finite numbers, at least two points per path (one for drops), one value per quantity or
+/// one per waypoint, positive feeds, unit quaternions, distinct names of process values, joins of consecutive
+/// paths within 1e-6 mm, valid events (`faultOfEvents`).
+/// @throws InvalidInput naming layer and path, and the waypoint of a point that is not finite
 void validate(const Toolpath& toolpath);
 
 }  // namespace lamina

@@ -26,10 +26,10 @@ struct LoopMemory {
 /// The state as YAML, which `memoryFromYaml` reads back to the same bits.
 std::string toYaml(const LoopMemory& memory);
 
-/// Reads a state strictly: all keys and no others, numbers within bounds, and each kind of value for the same
-/// number of cells.
+/// Reads a state strictly: exactly the known keys, numbers within bounds, and lists of one value per cell.
 /// @param source  names the text in errors
-/// @throws InvalidConfig naming the source and the key
+/// @throws InvalidConfig naming the source of text that is no YAML, or of lists of unequal lengths; the key
+///   of anything else
 LoopMemory memoryFromYaml(const std::string& yaml, const std::string& source);
 
 /// Reads a state from a file.

@@ -25,14 +25,14 @@ struct CellCalibration {
   double place_error_mm = 0.0;        ///< error of that pose along the path
   double feeder_uncertainty_s = 0.0;  ///< uncertainty of dead time plus lag
   double levelling_mm = 0.0;          ///< standard deviation of the process's own levelling; 0 if not known
-  /// Relative loss of growth per layer height by which the nozzle is too far away.
+  /// Relative loss of growth per layer height of excess nozzle stand-off.
   double standoff = 0.0;
-  double gain_ratio = 1.0;  ///< actual over learnt growth, at worst
+  double gain_ratio = 1.0;  ///< worst-case ratio of actual growth to growth by the learnt gain
   std::string file;         ///< name of the calibration file; empty for none
   std::string machine;      ///< machine that the file names; empty without one
-  /// Pose of the sensor by the file [mm]; without it that of tf is used.
+  /// Sensor pose from the calibration file [mm]; nothing if tf gives the pose, or it is not known.
   std::optional<Eigen::Isometry3d> nozzle_from_sensor;
-  /// Sentences on clock, pose and feeder that state value and origin.
+  /// Values of time offset, sensor pose and feeder delay with their origins, one sentence each.
   std::vector<std::string> sources;
 };
 
@@ -44,13 +44,13 @@ struct LoopRunSettings {
   FollowingSettings following;
   CellCalibration calibration;
   double cell_mm = 0.5;
-  /// Distance by which the nozzle has left a cell behind before the cell is read; 0: a bead's width.
+  /// Length deposited after a cell before the cell is read; 0: the greatest bead width of the layer.
   double settle_mm = 0.0;
   double settle_s = 0.0;           ///< time from then on until the cell is solid and is read
-  double reorder_s = 0.5;          ///< time by which poses and clouds wait for older ones
+  double reorder_s = 0.5;          ///< window of time stamps within which poses and clouds are put in order
   double head_clearance_mm = 5.0;  ///< height of the lowest part of the head above the nozzle tip
   std::string material;            ///< name of the material
-  bool keeps_memory = false;       ///< whether news contain the memory after each layer
+  bool keeps_memory = false;       ///< whether `LoopNews` contains the `LoopMemory` of its last layer
   /// File with a map learnt from previous parts (`readPartMap`); empty for none.
   std::string learned;
 };

@@ -27,8 +27,9 @@ struct HookSettings {
 
 /// Places at which the machine waits for its operator.
 struct PauseSettings {
-  std::vector<double> at_layers;      ///< numbers of layers, from 0, before which it waits
-  std::vector<double> at_heights_mm;  ///< heights reached at which it waits
+  std::vector<double> at_layers;  ///< numbers of layers, from 0, before which it waits
+  /// Heights over the bed [mm]; it waits before the first layer that begins at or above each.
+  std::vector<double> at_heights_mm;
 };
 
 /// Adds the keys hooks.*.

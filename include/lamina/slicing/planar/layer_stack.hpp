@@ -8,7 +8,8 @@
 
 namespace lamina {
 
-/// Heights of one planar layer along its normal [mm]; with level layers z of the part frame.
+/// Bottom and top of one planar layer along its normal [mm]. For horizontal layers these are z in the part
+/// frame.
 struct LayerBounds {
   double bottom_mm = 0.0;
   double top_mm = 0.0;
