@@ -9,7 +9,10 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <iterator>
+#include <regex>
 #include <string>
+#include <vector>
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
@@ -246,6 +249,52 @@ TEST_F(JointProgramTest, RoundedSpeedsAndSplitFilesAreReported) {
   };
   EXPECT_TRUE(reported("0.50 %: 6.7 mm/s is written as 6.667 mm/s"));
   EXPECT_TRUE(reported("files, 'BOX_1.ls' to 'BOX_"));
+}
+
+/// Heights of the poses of a script [m].
+std::vector<double> heightsIn(const std::string& script) {
+  std::vector<double> heights;
+  const std::regex pose("move[lp]\\(p\\[[^,]+,[^,]+,([^,]+),");
+  for (std::sregex_iterator found(script.begin(), script.end(), pose), end; found != end; ++found)
+    heights.push_back(std::stod((*found)[1]));
+  return heights;
+}
+
+// Each is started by hand: the arm waits between two of them, and may have been moved.
+TEST_F(JointProgramTest, ScriptsOfASplitProgramBeginAndEndOffThePart) {
+  job_.settings.program.robot.may_cut = true;
+  job_.settings.program.robot.urscript.max_points = 30;
+  const SlicedPart sliced = slice("irb_4600", "box.script");
+  bed_from_part_ = sliced.bed_from_part;
+  ASSERT_GT(folder_.fileCount(), 5U);
+  const double back_m = 1e-3 * job_.settings.program.robot.approach_mm;
+  for (const char* name : {"box_2.script", "box_3.script"}) {
+    const std::string script = readFile(folder_.file(name));
+    const std::vector<double> heights = heightsIn(script);
+    ASSERT_GT(heights.size(), 3U);
+    EXPECT_LT(script.find("movej("), script.find("movel("));
+    EXPECT_NEAR(heights.back() - heights[heights.size() - 2], back_m, 1e-5);
+  }
+  expectSame(readBack(), sliced, 1e-3);
+}
+
+TEST_F(JointProgramTest, FanucsListingsMoveByCoordOverABedThatTurns) {
+  job_.settings.joints.external = ExternalChoice::Follow;
+  job_.settings.program.robot.fanuc.positioner_frame = 4;
+  const SlicedPart sliced = slice("irb_4600_turntable", "box.ls");
+  bed_from_part_ = sliced.bed_from_part;
+  const std::string listing = readFile(job_.output);
+  const std::regex linear(":L P\\[\\d+\\] .*"), coordinated(":L P\\[\\d+\\] .* (FINE|CNT100) COORD .*");
+  const auto count = [&listing](const std::regex& line) {
+    return std::distance(std::sregex_iterator(listing.begin(), listing.end(), line), std::sregex_iterator());
+  };
+  EXPECT_GT(count(linear), 10);
+  EXPECT_EQ(count(linear), count(coordinated));
+  EXPECT_NE(listing.find("GP2:\n\tUF : 4, UT : 1,"), std::string::npos);
+  expectSame(readBack(), sliced, 2e-3);
+  job_.settings.program.robot.fanuc.is_coordinated = false;
+  slice("irb_4600_turntable", "alone.ls");
+  EXPECT_EQ(readFile(job_.output).find("COORD"), std::string::npos);
 }
 
 TEST_F(JointProgramTest, ATurntableThatFollowsIsReportedAtEachTarget) {

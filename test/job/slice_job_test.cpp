@@ -106,6 +106,19 @@ TEST_F(SliceJobTest, WritesTheToolpathItReturns) {
   EXPECT_DOUBLE_EQ(a.deposited_mm3, sliced.summary.deposited_mm3);
 }
 
+// grbl goes by G28 straight to a stored place, and has no heaters.
+TEST_F(SliceJobTest, BeginsAProgramForGrblWithALiftAlone) {
+  job_.output = folder_.file("box.gcode");
+  job_.settings.program.dialect = "grbl";
+  job_.settings.program.nozzle_temperature_c = job_.settings.program.bed_temperature_c = 0.0;
+  run();
+  const std::string text = readFile(job_.output);
+  for (const char* word : {"G28", "M84", "M104", "M140"})
+    EXPECT_EQ(text.find(word), std::string::npos) << word;
+  EXPECT_NE(text.find("\nG21\nG90\nG0 Z5\n"), std::string::npos) << text.substr(0, 400);
+  EXPECT_NE(text.find("\nG91\nG0 Z5\nG90\n"), std::string::npos);
+}
+
 TEST_F(SliceJobTest, WritesTheSameBytesWithAnyNumberOfThreads) {
   job_.part = "sphere";
   run();

@@ -32,7 +32,8 @@ struct ProgramSettings {
   std::string end_code = "G91\nG0 {lift_axis}5 F600\nG90\nM104 S0\nM140 S0\nM84";
   /// By which arcs (G2, G3) may leave the waypoints that they replace; 0: no arcs.
   double arcs_tolerance_mm = 0.0;
-  std::string pause_code = "M0";  ///< command that waits for the operator; key `pause.code` of jobs
+  /// Command that waits for the operator, "dialect" for that of `dialect`; key `pause.code` of jobs.
+  std::string pause_code = "dialect";
   /// Offset of each tool's nozzle from that of tool 0 [mm], for which the program corrects positions; 0 for
   /// tools beyond the list.
   std::vector<Point3> tool_offsets_mm;

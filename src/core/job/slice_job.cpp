@@ -59,9 +59,14 @@ std::string accelerations(const JobSettings& settings) {
 /// The code that heats a printer and lets it go is none that a machining control takes.
 ProgramSettings codeFor(ProgramSettings program, const std::optional<JointProgram>& joint_program) {
   const ProgramSettings of_printers;
-  if (!joint_program || program.five_axis.dialect == FiveAxisDialect::Generic) return program;
-  if (program.start_code == of_printers.start_code) program.start_code.clear();
-  if (program.end_code == of_printers.end_code) program.end_code.clear();
+  const bool is_five_axis = joint_program && program.five_axis.dialect != FiveAxisDialect::Generic;
+  // By G28 grbl does not home: it goes straight to a stored place.
+  const bool is_linear = !joint_program && !gcodeDialects().find(program.dialect).has_heaters;
+  if (!is_five_axis && !is_linear) return program;
+  if (program.start_code == of_printers.start_code)
+    program.start_code = is_linear ? "G21\nG90\nG0 {lift_axis}5" : "";
+  if (program.end_code == of_printers.end_code)
+    program.end_code = is_linear ? "G91\nG0 {lift_axis}5\nG90" : "";
   return program;
 }
 

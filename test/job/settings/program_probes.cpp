@@ -42,6 +42,8 @@ SettingProbe fiveAxisProbe() {
        {"five_axis.extrusion=V"},
        {"five_axis.tip_control_on=G43.4 H1"},
        {"five_axis.tip_control_off=G49 H0"},
+       {"five_axis.before_tip_control_off=G91 G28 Z0"},
+       {"five_axis.retract_mm=3"},
        {"five_axis.chord_tolerance_mm=0.0005",
         "five_axis.coordinates=joints;orientation.lead_deg=20;joints.max_step_mm=100;"
         "joints.max_step_deg=90"}}};
@@ -155,6 +157,10 @@ std::vector<SettingProbe> robotProbes() {
                       {"fanuc.arc_equipment=2", "robot_program.process=schedules"},
                       {"fanuc.weld_speed=schedule", kAtOneSpeed},
                       {"fanuc.max_lines=100", "robot_program.allow_cut=true"}}),
+          {"a listing over a table that turns",
+           std::string(kSmall) + "machine.name=irb_4600_turntable;joints.external=follow",
+           programOf(kPlate, ".ls"),
+           {{"fanuc.coordinated=false"}, {"fanuc.positioner_frame=2"}, {"fanuc.positioner_tool=2"}}},
           robotProbe("INFORM", ".jbi",
                      {{"inform.speed_unit=cm_min"},
                       {"inform.corner_level=2"},

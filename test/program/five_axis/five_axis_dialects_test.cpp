@@ -181,7 +181,7 @@ std::string leaningLineIn(const ProgramSettings& program) {
   return text;
 }
 
-// By hand. Material: a bead of 0.4 x 0.2 mm is (0.2 * 0.2 + pi 0.1 * 0.1) mm2, 40 mm of it 2.856637 mm3, of
+// By hand. The lift of 10 mm along the tool axis is (0, sin 0.3, cos 0.3) of it. Material: a bead of 0.4 x 0.2 mm is (0.2 * 0.2 + pi 0.1 * 0.1) mm2, 40 mm of it 2.856637 mm3, of
 // filament of 1.75 mm 1.18765 mm. A word without a point would be counted in thousandths.
 constexpr char kFanucListing[] =
     "%\n"
@@ -205,7 +205,10 @@ constexpr char kFanucListing[] =
     "(HEIGHT:0.2)\n"
     "G1 X60. U1.18765 F1800.\n"
     "(END OF THE PART)\n"
+    "G0 Y2.9552 Z9.7534 (RETRACT)\n"
+    "G91 G28 Z0.\n"
     "G49\n"
+    "G90\n"
     "M30\n"
     "%\n";
 

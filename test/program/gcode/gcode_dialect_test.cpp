@@ -100,6 +100,14 @@ TEST(GcodeDialect, OfGrblRefusesWhatItLacks) {
   EXPECT_THROW(writeInDialect(beadAfter(code()), {}, heated, [](std::string_view) {}), InvalidConfig);
 }
 
+TEST(GcodeDialect, PausesByTheCommandOfItsFirmware) {
+  const Toolpath toolpath = beadAfter(OperatorPause{"insert E4 nuts"});
+  for (const auto& [dialect, line] :
+       {std::pair("marlin", "\nM0 insert E4 nuts\n"), std::pair("klipper", "\nPAUSE ; insert E4 nuts\n"),
+        std::pair("reprapfirmware", "\nM226 ; insert E4 nuts\n")})
+    EXPECT_NE(programOf(toolpath, dialect).find(line), std::string::npos) << programOf(toolpath, dialect);
+}
+
 TEST(GcodeDialect, PutsNumbersIntoItsLines) {
   const std::string progress = gcodeDialects().find("marlin").progress;
   EXPECT_EQ(dialectLine(progress, {{"percent", 12}, {"minutes", 34}}), "M73 P12 R34\n");

@@ -293,6 +293,8 @@ TEST(RobotProgram, RefusesWhatControllersCannotHave) {
   EXPECT_TRUE(holds(named(RobotLanguage::UrScript, "a b"), "a letter, then letters"));
   EXPECT_TRUE(holds(named(RobotLanguage::Fanuc, std::string(37, 'a')), "at most 36 in Fanuc TP"));
   EXPECT_TRUE(holds(named(RobotLanguage::Inform, ""), "at most 32 in INFORM"));
+  EXPECT_TRUE(holds(named(RobotLanguage::Krl, "Loop"), "'Loop'"));
+  EXPECT_TRUE(holds(named(RobotLanguage::UrScript, "end"), "a word of URScript itself"));
   RobotProgramSettings old;
   old.fanuc.name_length = 8;
   EXPECT_TRUE(

@@ -33,10 +33,15 @@ struct FiveAxisSettings {
   FiveAxisDialect dialect = FiveAxisDialect::Generic;
   std::string tip_control_on;   ///< empty for that of the dialect
   std::string tip_control_off;  ///< empty for that of the dialect
-  std::string letters;          ///< letters of rotary joints that programs name differently: "b=U,c=V"
-  int program_number = 1;       ///< of a Fanuc program, after its letter O
-  std::string program_name;     ///< of a Fanuc program, instead of its number; empty for none
-  std::string extrusion;        ///< letter of the word that feeds material; empty for that of the dialect
+  /// Line before `tip_control_off`; empty for that of the dialect.
+  std::string before_tip_control_off;
+  /// Distance that the tip is lifted along the tool axis after the last path; less where a joint ends. The
+  /// generic dialect leaves that to `program.end_code`.
+  double retract_mm = 10.0;
+  std::string letters;       ///< letters of rotary joints that programs name differently: "b=U,c=V"
+  int program_number = 1;    ///< of a Fanuc program, after its letter O
+  std::string program_name;  ///< of a Fanuc program, instead of its number; empty for none
+  std::string extrusion;     ///< letter of the word that feeds material; empty for that of the dialect
   /// Greatest distance of the tip from its straight path while joints move from line to line.
   double chord_tolerance_mm = 0.05;
 };
@@ -60,5 +65,8 @@ FeederWord feederWord(const FiveAxisSettings& settings);
 std::string tipControlOn(const FiveAxisSettings& settings);
 /// The line that switches tool-tip coordinates off; empty for none.
 std::string tipControlOff(const FiveAxisSettings& settings);
+/// The line before that; empty for none. A Fanuc control may take the length of the tool back by a motion as
+/// it obeys G49 (parameter 5006#6): the Z axis is at its reference position by then, where no length counts.
+std::string beforeTipControlOff(const FiveAxisSettings& settings);
 
 }  // namespace lamina

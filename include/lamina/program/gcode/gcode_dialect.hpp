@@ -31,6 +31,7 @@ struct GcodeDialect {
   bool has_pause = true;
   bool has_tools = true;
   bool dwells_in_seconds = false;  ///< the unit of P in G4; otherwise it is ms
+  std::string pause = "M0";        ///< command that waits for the operator
   std::string progress;       ///< command that reports {percent} done, {minutes} left; empty if there is none
   std::string accelerations;  ///< command that sets {deposit}, {travel} [mm/s²]; empty if there is none
 };

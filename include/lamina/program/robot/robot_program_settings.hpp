@@ -97,6 +97,9 @@ struct FanucSettings {
   int max_lines = 9000;                       ///< most lines in a file
   int arc_equipment = 1;  ///< number that /APPL names if schedules start arcs; 0 for no /APPL
   FanucWeldSpeed weld_speed = FanucWeldSpeed::Stated;
+  bool is_coordinated = true;  ///< motions over a bed that a positioner turns are COORD
+  int positioner_frame = 1;    ///< number of the frame of group 2, the positioner
+  int positioner_tool = 1;     ///< number of the tool of group 2
 };
 
 enum class InformSpeedUnit : std::uint8_t { MillimetresPerSecond, CentimetresPerMinute };

@@ -25,6 +25,11 @@ void describe(SettingsSchema& schema, FiveAxisSettings& settings) {
               "Line that turns tool-tip coordinates on; empty for that of the dialect.");
   schema.text("five_axis.tip_control_off", settings.tip_control_off,
               "Line that turns tool-tip coordinates off; empty for that of the dialect.");
+  schema.text("five_axis.before_tip_control_off", settings.before_tip_control_off,
+              "Line before the one that turns tool-tip coordinates off; empty for that of the dialect.");
+  schema.number("five_axis.retract_mm", settings.retract_mm, {0.0, 1000.0},
+                "Lift of the tip along the tool axis at the end of a program that is not in the generic "
+                "dialect; less where a joint reaches its end.");
   schema.integer(
       "five_axis.program_number", settings.program_number, {1, 99999999},
       "Number of a program in the fanuc dialect, behind its letter O: four digits, eight beyond 9999.");
@@ -64,6 +69,11 @@ std::string tipControlOff(const FiveAxisSettings& settings) {
   if (settings.dialect == FiveAxisDialect::LinuxCnc) return "M429";
   if (settings.dialect == FiveAxisDialect::Fanuc) return "G49";
   return settings.dialect == FiveAxisDialect::Siemens ? "TRAFOOF" : "";
+}
+
+std::string beforeTipControlOff(const FiveAxisSettings& settings) {
+  if (!settings.before_tip_control_off.empty()) return settings.before_tip_control_off;
+  return settings.dialect == FiveAxisDialect::Fanuc ? "G91 G28 Z0." : "";
 }
 
 }  // namespace lamina

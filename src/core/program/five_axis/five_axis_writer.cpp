@@ -58,6 +58,8 @@ class FiveAxisLines {
   void move(const FiveAxisTarget& target, std::string& text);
   /// Where the rotary joints of the line before are others than these, a turn in place.
   void turn(const JointValues& joints, std::string& text);
+  /// Lifts the tip along the tool axis, as far as the linear joints let it.
+  void leave(double lift_mm, std::string& text);
   /// Filament alone.
   void retract(double length_mm, std::string& text);
   void comment(const char* key, double value, std::string& text);
@@ -198,6 +200,27 @@ void FiveAxisLines::turn(const JointValues& joints, std::string& text) {
   move(target, text);
 }
 
+void FiveAxisLines::leave(double lift_mm, std::string& text) {
+  const Jacobian rates = machine_.jacobian(joints_);
+  Eigen::Matrix3d directions;
+  for (std::size_t i = 0; i < kLinear; ++i)
+    directions.col(static_cast<Eigen::Index>(i)) = rates.col(letters_[i].joint).head<3>();
+  const Eigen::Vector3d up = -machine_.bedFromNozzle(joints_).linear().col(2);
+  const Eigen::Vector3d way_mm = lift_mm * (directions.inverse() * up);
+  double share = 1.0;
+  for (std::size_t i = 0; i < kLinear; ++i) {
+    const DrivenJoint& joint = machine_.joints()[static_cast<std::size_t>(letters_[i].joint)];
+    const double way = way_mm[static_cast<Eigen::Index>(i)];
+    const double room = (way > 0.0 ? joint.high : joint.low) - joints_[letters_[i].joint];
+    if (way != 0.0) share = std::clamp(room / way, 0.0, share);
+  }
+  for (std::size_t i = 0; i < kLinear; ++i)
+    joints_[letters_[i].joint] += share * way_mm[static_cast<Eigen::Index>(i)];
+  tip_ += share * lift_mm * up;
+  const std::string words = changes(0, kLinear, joints_, tip_);
+  if (!words.empty()) text += "G0" + words + " ;retract\n";
+}
+
 void FiveAxisLines::retract(double length_mm, std::string& text) {
   const std::int64_t units = toUnits(length_mm, kFilamentScale);
   if (units == 0) return;
@@ -264,11 +287,19 @@ class FiveAxisProgram {
       writeFiveAxisEvent(event, program_, text);
     text += "; end of the part\n";
     if (has_joints) text += "G94\n";
-    if (!has_joints && !tipControlOff(settings_).empty()) text += tipControlOff(settings_) + "\n";
+    if (settings_.dialect != FiveAxisDialect::Generic) lines.leave(settings_.retract_mm, text);
+    if (!has_joints && !tipControlOff(settings_).empty()) text += tipControlEnd();
     sink(text + end_code_ + programEnd());
   }
 
  private:
+  std::string tipControlEnd() const {
+    const std::string before = beforeTipControlOff(settings_);
+    const std::string off = tipControlOff(settings_) + "\n";
+    // The line before may have left positions relative.
+    return before.empty() ? off : before + "\n" + off + "G90\n";
+  }
+
   std::string head() const {
     StatedFrame stated;
     stated.bed_from_layers =

@@ -24,6 +24,14 @@ GcodeDialect klipper() {
   dialect.write = writeGcode;
   dialect.progress = "M73 P{percent}";
   dialect.accelerations = "SET_VELOCITY_LIMIT ACCEL={deposit}";
+  dialect.pause = "PAUSE";
+  return dialect;
+}
+
+/// M0 ends a program.
+GcodeDialect repRapFirmware() {
+  GcodeDialect dialect = marlin();
+  dialect.pause = "M226";
   return dialect;
 }
 
@@ -49,7 +57,7 @@ GcodeDialect fullControl() {
 Registry<GcodeDialect>& gcodeDialects() {
   static Registry<GcodeDialect> registry("program.dialect", {{"marlin", marlin()},
                                                              {"klipper", klipper()},
-                                                             {"reprapfirmware", marlin()},
+                                                             {"reprapfirmware", repRapFirmware()},
                                                              {"grbl", grbl()},
                                                              {"fullcontrol", fullControl()}});
   return registry;

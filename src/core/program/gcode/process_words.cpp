@@ -37,7 +37,11 @@ struct EventWords {
     text += steps > 0 ? "M106 S" + std::to_string(steps) + "\n" : "M107\n";
   }
   void operator()(const OperatorPause& pause) const {
-    text += settings.pause_code + (pause.message.empty() ? "" : " " + pause.message) + "\n";
+    const std::string command =
+        settings.pause_code == "dialect" ? gcodeDialects().find(settings.dialect).pause : settings.pause_code;
+    // The other commands would read the message as parameters.
+    const char* const before = command == "M0" ? " " : " ; ";
+    text += command + (pause.message.empty() ? "" : before + pause.message) + "\n";
   }
   void operator()(const PartMark& mark) const { text += ";PART:" + mark.name + "\n"; }
   void operator()(const MachineCode& code) const {
@@ -55,7 +59,7 @@ void writeEvent(const ToolpathEvent& event, const ProgramSettings& settings, std
 }
 
 std::optional<ToolpathEvent> readEvent(std::string_view command) {
-  constexpr std::array<std::string_view, 5> kPauses = {"M0", "M1", "M600", "M601", "PAUSE"};
+  constexpr std::array<std::string_view, 6> kPauses = {"M0", "M1", "M226", "M600", "M601", "PAUSE"};
   if (isCommand(command, "M107")) return FanShare{0.0};
   if (isCommand(command, "M106")) {
     if (wordValue(command, 'P').value_or(0.0) != 0.0) return std::nullopt;

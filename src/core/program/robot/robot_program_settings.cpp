@@ -98,6 +98,13 @@ void describeFanuc(SettingsSchema& schema, FanucSettings& settings) {
       "fanuc.weld_speed", settings.weld_speed,
       {{"stated", FanucWeldSpeed::Stated}, {"schedule", FanucWeldSpeed::Schedule}},
       "Whether beads state their speed, or go at WELD_SPEED, that of the schedule on the controller.");
+  schema.flag("fanuc.coordinated", settings.is_coordinated,
+              "Whether motions over a bed that a positioner turns are COORD: their points are where the bed "
+              "is turned to. Without it the controller takes them over a frame that stands still.");
+  schema.integer("fanuc.positioner_frame", settings.positioner_frame, {0, 99},
+                 "Number of the user frame of group 2, the positioner.");
+  schema.integer("fanuc.positioner_tool", settings.positioner_tool, {0, 99},
+                 "Number of the tool of group 2, the positioner.");
 }
 
 void describeInform(SettingsSchema& schema, InformSettings& settings) {

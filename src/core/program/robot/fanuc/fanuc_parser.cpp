@@ -287,6 +287,7 @@ class FanucParser {
     TipMove move = *pose;
     move.feed_mm_s = speed(line);
     move.rests = isRest(line);
+    line.take("COORD");
     return move;
   }
 

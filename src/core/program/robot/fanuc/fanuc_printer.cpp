@@ -146,7 +146,8 @@ class FanucPrinter : public RobotPrinter {
                   " deg";
     closePoint(move.external);
     lines_.push_back("L " + point + " " + speed + " " +
-                     (move.rests ? "FINE" : "CNT" + std::to_string(site_.settings.fanuc.cnt)) + "   ");
+                     (move.rests ? "FINE" : "CNT" + std::to_string(site_.settings.fanuc.cnt)) +
+                     (isOverPositioner() ? " COORD   " : "   "));
   }
 
   /// How the arm stands: flip of the wrist, elbow, front or back, whole turns.
@@ -163,15 +164,21 @@ class FanucPrinter : public RobotPrinter {
     return text;
   }
 
-  std::string frames() const {
-    return "\tUF : " + std::to_string(site_.settings.frame_number) +
-           ", UT : " + std::to_string(site_.settings.tool_number) + ",";
+  bool isOverPositioner() const {
+    const auto& kinds = site_.external;
+    return site_.settings.fanuc.is_coordinated &&
+           std::find(kinds.begin(), kinds.end(), JointKind::Rotary) != kinds.end();
+  }
+
+  static std::string frames(int frame, int tool) {
+    return "\tUF : " + std::to_string(frame) + ", UT : " + std::to_string(tool) + ",";
   }
 
   /// @return how it is named in a line
   std::string openPoint(const std::string& configuration) {
     std::string name = "P[" + std::to_string(++points_) + "]";
-    positions_ += name + "{\n   GP1:\n" + frames() + "\t" + configuration + "\n";
+    positions_ += name + "{\n   GP1:\n" + frames(site_.settings.frame_number, site_.settings.tool_number) +
+                  "\t" + configuration + "\n";
     return name;
   }
 
@@ -187,7 +194,9 @@ class FanucPrinter : public RobotPrinter {
             (turn > 0 ? ",\tJ" : "\tJ") + std::to_string(turn + 1) + "=" + fanucNumber(external[k]) + " deg",
             ++turn;
     }
-    if (turn > 0) positions_ += "\n   GP2:\n" + frames() + "\n" + turns;
+    const FanucSettings& fanuc = site_.settings.fanuc;
+    if (turn > 0)
+      positions_ += "\n   GP2:\n" + frames(fanuc.positioner_frame, fanuc.positioner_tool) + "\n" + turns;
     positions_ += "\n};\n";
   }
 

@@ -53,9 +53,9 @@ class InformPrinter : public RobotPrinter {
     lines.insert(lines.end(), positions_.begin(), positions_.end());
     std::string date = settings.date;
     std::replace(date.begin(), date.end(), '-', '/');
-    lines.insert(lines.end(),
-                 {"//INST", "///DATE " + date + " 00:00",
-                  "///COMM " + plainText(head.part_name).substr(0, kInformCommentWidth), "///ATTR SC,RW,RJ"});
+    lines.insert(lines.end(), {"//INST", "///DATE " + date + " 00:00",
+                               "///COMM " + plainText(head.part_name).substr(0, kInformCommentWidth),
+                               std::string("///ATTR SC,RW") + (points_ > 0 ? ",RJ" : "")});
     if (points_ > 0)
       lines.push_back(std::string(settings.inform.frame_mark == InformFrameMark::Four ? "////" : "///") +
                       "FRAME USER " + std::to_string(settings.frame_number));

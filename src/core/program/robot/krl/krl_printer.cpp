@@ -24,6 +24,19 @@ constexpr double kGreatestKrlLevel = 1.0;  // of $ANOUT, as a share of 10 V
 constexpr double kFarthestKrl = 1e5;       // mm: what the format of positions holds
 constexpr double kMetreOfSpeed = 1e-3;     // m/s in mm/s
 
+/// Keywords, and the program that each program calls first.
+const std::vector<std::string_view> kKrlWords = {
+    "and",       "bas",     "bool",      "brake",      "case",   "channel", "char",    "circ",
+    "circ_rel",  "confirm", "const",     "continue",   "decl",   "def",     "default", "defdat",
+    "deffct",    "delay",   "do",        "else",       "end",    "enddat",  "endfct",  "endfor",
+    "endif",     "endloop", "endswitch", "endwhile",   "enum",   "error",   "exit",    "ext",
+    "extfct",    "false",   "for",       "frame",      "global", "goto",    "halt",    "if",
+    "import",    "int",     "interrupt", "is",         "lin",    "lin_rel", "loop",    "maximum",
+    "minimum",   "not",     "or",        "path",       "pos",    "prio",    "ptp",     "ptp_rel",
+    "public",    "pulse",   "real",      "repeat",     "resume", "return",  "sec",     "sensor_off",
+    "sensor_on", "signal",  "spline",    "spline_lin", "struc",  "switch",  "then",    "to",
+    "trigger",   "true",    "until",     "wait",       "when",   "while",   "with"};
+
 void appendKrlExternal(const std::vector<double>& external, std::string& text) {
   for (std::size_t k = 0; k < external.size(); ++k)
     text += ",E" + std::to_string(k + 1) + " " + decimalText(external[k], kKrlAngleDecimals);
@@ -213,6 +226,7 @@ std::unique_ptr<RobotPrinter> openKrl(const RobotSite& site) { return std::make_
 
 std::string krlName(const std::string& asked, const RobotProgramSettings&) {
   requireProgramName(asked, kLongestKrlName, RobotLanguage::Krl);
+  requireFreeName(asked, kKrlWords, RobotLanguage::Krl);
   return asked;
 }
 

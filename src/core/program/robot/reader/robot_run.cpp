@@ -154,8 +154,8 @@ class RobotRun {
   }
 
   void add(const TipMove& move) {
-    if (passage_ == Passage::Retract) {
-      requireOff("a retract");
+    if (passage_ != Passage::None) {
+      requireOff(passage_ == Passage::Retract ? "a retract" : "an approach");
       passage_ = Passage::None;
       return;
     }

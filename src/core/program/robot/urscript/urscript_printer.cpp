@@ -24,7 +24,72 @@ constexpr double kBlendShare = 0.45;       // of the shorter way: two blends nev
 constexpr double kLeastBlendRoom = 0.05;   // mm: a blend between nearer points fails as it runs
 constexpr double kRoundingOfBlend = 1e-6;  // um: of a product of two decimals
 constexpr int kLastUrOutput = 7;           // of standard digital outputs
-constexpr int kLastUrLevel = 1;            // of standard analogue outputs
+
+/// Keywords, and functions that a program of their name would hide.
+const std::vector<std::string_view> kUrWords = {"abs",
+                                                "acos",
+                                                "and",
+                                                "asin",
+                                                "atan",
+                                                "atan2",
+                                                "break",
+                                                "ceil",
+                                                "continue",
+                                                "cos",
+                                                "def",
+                                                "elif",
+                                                "else",
+                                                "end",
+                                                "false",
+                                                "floor",
+                                                "for",
+                                                "force",
+                                                "freedrive_mode",
+                                                "get_inverse_kin",
+                                                "global",
+                                                "halt",
+                                                "if",
+                                                "in",
+                                                "join",
+                                                "kill",
+                                                "length",
+                                                "local",
+                                                "log",
+                                                "movec",
+                                                "movej",
+                                                "movel",
+                                                "movep",
+                                                "norm",
+                                                "not",
+                                                "or",
+                                                "pass",
+                                                "popup",
+                                                "pose_add",
+                                                "pose_trans",
+                                                "pow",
+                                                "random",
+                                                "return",
+                                                "run",
+                                                "sec",
+                                                "servoj",
+                                                "set_payload",
+                                                "sin",
+                                                "sleep",
+                                                "socket_open",
+                                                "speedj",
+                                                "speedl",
+                                                "sqrt",
+                                                "stopj",
+                                                "stopl",
+                                                "sync",
+                                                "tan",
+                                                "textmsg",
+                                                "then",
+                                                "thread",
+                                                "true",
+                                                "while",
+                                                "xor"};
+constexpr int kLastUrLevel = 1;  // of standard analogue outputs
 
 void requireUrOutput(int output, int last, const char* kind) {
   if (output > last)
@@ -162,6 +227,7 @@ std::unique_ptr<RobotPrinter> openUrScript(const RobotSite& site) {
 
 std::string urScriptName(const std::string& asked, const RobotProgramSettings&) {
   requireProgramName(asked, kLongestUrName, RobotLanguage::UrScript);
+  requireFreeName(asked, kUrWords, RobotLanguage::UrScript);
   return asked;
 }
 

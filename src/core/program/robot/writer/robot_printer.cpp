@@ -46,6 +46,17 @@ void requireProgramName(const std::string& name, std::size_t longest, RobotLangu
                         " in " + toString(language));
 }
 
+void requireFreeName(const std::string& name, const std::vector<std::string_view>& reserved,
+                     RobotLanguage language) {
+  std::string small = name;
+  std::transform(small.begin(), small.end(), small.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  if (std::find(reserved.begin(), reserved.end(), small) != reserved.end())
+    throw InvalidConfig("the program's name is '" + name +
+                        "' (robot_program.name, or that of the file), a word of " + toString(language) +
+                        " itself; expected another");
+}
+
 void requireOutputNumber(int output, RobotLanguage language) {
   if (output < 1)
     throw InvalidInput("found output " + std::to_string(output) + "; expected 1 at least, from which " +

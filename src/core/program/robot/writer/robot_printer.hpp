@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "lamina/kinematics/arm/arm_cell.hpp"
@@ -76,6 +77,12 @@ ControllerMap controllerMap(RobotLanguage language, const RobotProgramSettings& 
 /// Letters, digits and underscores of ASCII, the first of them a letter, so many at most.
 /// @throws InvalidConfig naming robot_program.name
 void requireProgramName(const std::string& name, std::size_t longest, RobotLanguage language);
+
+/// No word that the language has taken for itself, in capitals or not.
+/// @param reserved  in small letters
+/// @throws InvalidConfig naming robot_program.name
+void requireFreeName(const std::string& name, const std::vector<std::string_view>& reserved,
+                     RobotLanguage language);
 
 /// Of a language that numbers outputs from 1.
 /// @throws InvalidInput if it is 0

@@ -142,6 +142,23 @@ std::vector<RobotStatement> RobotScript::retract() const {
   return {NoteLine{std::string(kRetractNote)}, passage(pose, back)};
 }
 
+std::vector<RobotStatement> RobotScript::retractFrom(const ArmPosture& posture) const {
+  if (!stations_ || settings_.approach_mm == 0.0) return {};
+  const KinematicModel& arm = job_.robot->arm;
+  const JointValues end = armJoints(map_, arm, posture.joints);
+  const JointValues back = joinedJoints(arm, end, settings_.approach_mm, "last of a file's");
+  return {NoteLine{std::string(kRetractNote)}, passage(arm.bedFromNozzle(back), back)};
+}
+
+std::vector<RobotStatement> RobotScript::approachTo(const ArmPosture& posture) const {
+  const NoteLine note{std::string(kApproachNote)};
+  if (!stations_ || settings_.approach_mm == 0.0) return {note, JointMove{posture.joints}};
+  const KinematicModel& arm = job_.robot->arm;
+  const JointValues start = armJoints(map_, arm, posture.joints);
+  const JointValues back = joinedJoints(arm, start, settings_.approach_mm, "first of a file's");
+  return {note, JointMove{postureOf(&back)->joints}, note, passage(arm.bedFromNozzle(start), start)};
+}
+
 /// That of the first travel, or of the first path if there is none.
 double RobotScript::feedOfApproach() const {
   for (const RobotPath& path : paths_)

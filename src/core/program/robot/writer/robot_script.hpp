@@ -37,6 +37,11 @@ class RobotScript {
 
   std::vector<RobotStatement> approach() const;
   std::vector<RobotStatement> retract() const;
+  /// Between two files that are started one by one: away from the part along the tool axis, and back, the
+  /// way there by a move of the joints.
+  /// @throws Unreachable if the arm cannot stand back there
+  std::vector<RobotStatement> retractFrom(const ArmPosture& posture) const;
+  std::vector<RobotStatement> approachTo(const ArmPosture& posture) const;
 
   const std::vector<RobotStretch>& stretches() const { return stretches_; }
   std::vector<RobotStatement> statements(const RobotStretch& stretch) const;

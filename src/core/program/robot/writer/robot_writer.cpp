@@ -106,13 +106,24 @@ class RobotFiles {
   void open() { printers_.push_back(dialect_.open(site_)); }
 
   void print(const std::vector<RobotStatement>& statements) {
-    for (const RobotStatement& statement : statements) last().print(statement);
+    for (const RobotStatement& statement : statements) print(statement);
   }
 
-  /// By a move of the joints, where they are known.
+  void print(const RobotStatement& statement) {
+    last().print(statement);
+    if (const auto* move = std::get_if<TipMove>(&statement)) standing_ = move->posture;
+  }
+
+  /// By a move of the joints, where they are known. Files that are started one by one leave the arm off the
+  /// part: it waits there, and somebody may have moved it since.
   void openAt(const std::optional<ArmPosture>& posture) {
+    if (!dialect_.has_calls && standing_) print(script_.retractFrom(*standing_));
     open();
-    if (posture) print({NoteLine{std::string(kApproachNote)}, JointMove{posture->joints}});
+    if (!posture) return;
+    if (dialect_.has_calls)
+      print({NoteLine{std::string(kApproachNote)}, JointMove{posture->joints}});
+    else
+      print(script_.approachTo(*posture));
   }
 
   bool hasRoomFor(const RobotFileSize& size, std::size_t lines, std::size_t points) const {
@@ -148,15 +159,16 @@ class RobotFiles {
       const auto* move = std::get_if<TipMove>(&statements[i]);
       const bool is_full = !hasRoomFor(last().size(), kMoveLines, 1);
       if (move == nullptr || !is_full || i == last_move) {
-        last().print(statements[i]);
+        print(statements[i]);
         continue;
       }
       TipMove end = *move;
       end.rests = true;
-      last().print(end);
+      print(RobotStatement(end));
       print(standing.stop());
       openAt(move->posture);
-      if (move->moves_left > 1) last().print(NoteLine{"resumed " + std::to_string(move->moves_left - 1)});
+      if (move->moves_left > 1)
+        print(RobotStatement(NoteLine{"resumed " + std::to_string(move->moves_left - 1)}));
       print(standing.goOn(site_.settings.process_lead_s));
     }
   }
@@ -165,6 +177,7 @@ class RobotFiles {
   const RobotDialect& dialect_;
   const RobotSite& site_;
   std::vector<std::unique_ptr<RobotPrinter>> printers_;
+  std::optional<ArmPosture> standing_;  ///< of the last move of the tip; nothing without an arm
 };
 
 void requireMemory(const std::vector<RobotFile>& files, const RobotDialect& dialect) {
