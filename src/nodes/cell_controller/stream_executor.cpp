@@ -84,10 +84,12 @@ void StreamExecutor::start(const StartOrder& order) {
   const std::uint64_t number = order.order;
   order_ = number;
   ordered_at_ = ros::WallTime::now();
+  is_taken_up_ = false;
   has_begun_ = false;
   last_ = {};
-  client_.sendGoal(goal,
-                   [this, number](const auto& state, const auto& result) { onDone(number, state, result); });
+  client_.sendGoal(
+      goal, [this, number](const auto& state, const auto& result) { onDone(number, state, result); },
+      [this, number] { is_taken_up_ = is_taken_up_ || order_ == number; });
 }
 
 void StreamExecutor::pause() { call(orders_, pause_, "pause"); }
@@ -137,7 +139,7 @@ std::optional<StreamExecutor::FeedAnswer> StreamExecutor::takeFeedAnswer() {
 
 std::string StreamExecutor::takeUnanswered(double patience_s) {
   const ros::WallTime now = ros::WallTime::now();
-  if (order_ && !has_begun_ && (now - ordered_at_).toSec() > patience_s) {
+  if (order_ && !is_taken_up_ && (now - ordered_at_).toSec() > patience_s) {
     ordered_at_ = now;
     return "start";
   }

@@ -75,7 +75,8 @@ class StreamExecutor final : public Executor {
   lamina_msgs::MachineState machine_;
   bool has_machine_ = false;
   std::optional<std::uint64_t> order_;  ///< under way
-  bool has_begun_ = false;              ///< what was ordered last
+  bool is_taken_up_ = false;            ///< what was ordered last; its program may still be read
+  bool has_begun_ = false;              ///< the same, by the state of the machine
   ExecutorReport last_;                 ///< of it
   ros::WallTime ordered_at_;
   ros::WallTime last_sign_;
