@@ -8,6 +8,8 @@
 
 #include <csignal>
 #include <cstdlib>
+#include <filesystem>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -175,10 +177,16 @@ TEST(CellController, IsLaunchedAndSaysThatItsExecutorIsMissing) {
 
 TEST(CellController, RefusesWhatTheMachineCannotPrint) {
   CellOfNodes cell("refuses", 1000.0);
+  const auto kept = [&cell] {
+    const std::filesystem::directory_iterator files(cell.folder.path() + "/cell/artefacts");
+    return std::distance(begin(files), end(files));
+  };
+  EXPECT_EQ(kept(), 0);
   EXPECT_EQ(cell.enqueue("G1 X99999 Y0 E1 F6000\n"), 0U);
   EXPECT_NE(cell.reason.find("line 1 extrudes to"), std::string::npos) << cell.reason;
   EXPECT_EQ(cell.enqueue("G1 Xa\n"), 0U);
   EXPECT_TRUE(cell.queue.jobs.empty());
+  EXPECT_EQ(kept(), 0) << "nothing of what was refused";
 }
 
 TEST(CellController, HoldsAndGoesOnAndStops) {
