@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <sqlite3.h>
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -123,6 +124,18 @@ TEST(ProductionCell, KeepsTheJobOfAStreamerThatDiedWhetherItsMachineStopsAtOnceO
     ASSERT_TRUE(cell.reaches(UnitState::Aborted)) << alarm;
     EXPECT_EQ(cell.journal().job(job).state, JobState::Interrupted) << alarm;
   }
+}
+
+TEST(ProductionCell, WritesAnAlarmWhoseValueIsNoNumber) {
+  Cell cell;
+  bringToExecute(cell);
+  OtherEnd other(cell.folder());
+  const int before = other.rowsOf("alarm");
+  cell.run().raise(6101, std::numeric_limits<double>::quiet_NaN(), "nothing for 3 s", cell.now);
+  EXPECT_EQ(cell.state(), UnitState::Execute);
+  EXPECT_TRUE(cell.hasAlarm(6101));
+  EXPECT_FALSE(cell.hasAlarm(7003));
+  EXPECT_EQ(other.rowsOf("alarm"), before + 1);
 }
 
 TEST(ProductionCell, OffersTheJobThatAnEmergencyStopHasStopped) {

@@ -32,5 +32,20 @@ TEST(ArtefactStore, FindsAFileThatWasChangedAfterItWasFoundWhole) {
   EXPECT_EQ(store.torn({program}), Names{"a.gcode"});
 }
 
+TEST(ArtefactStore, SaysWhichFileIsNewAndKeepsItAgainAfterItWasRemoved) {
+  const ScratchFolder folder;
+  ArtefactStore store(folder.path() + "/store");
+  const std::string path = folder.path() + "/a.gcode";
+  std::ofstream(path) << "G1 X1\n";
+  const KeptFile first = store.keepFile(path, "program", "a.gcode");
+  EXPECT_TRUE(first.is_new);
+  EXPECT_EQ(first.artefact.bytes, 6U);
+  EXPECT_FALSE(store.keepFile(path, "program", "b.gcode").is_new) << "of the same bytes and suffix";
+  store.remove(first.artefact);
+  EXPECT_FALSE(std::filesystem::exists(store.pathOf(first.artefact)));
+  EXPECT_TRUE(store.keepFile(path, "program", "a.gcode").is_new);
+  EXPECT_EQ(store.torn({first.artefact}), Names{});
+}
+
 }  // namespace
 }  // namespace lamina

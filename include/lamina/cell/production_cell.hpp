@@ -126,7 +126,7 @@ class ProductionCell {
   CommandAnswer changeMode(int mode, const std::string& source, CellTime now);
   CommandAnswer acknowledge(int alarm, const std::string& by, CellTime now);
 
-  /// Raises an alarm, as `UnitMachine::raise`.
+  /// Raises an alarm, as `UnitMachine::raise`. A value that is not finite is written into the journal as 0.
   void raise(int alarm, double value, const std::string& message, CellTime now);
   /// States that the cause of an alarm is gone.
   void end(int alarm, CellTime now);

@@ -10,6 +10,12 @@
 
 namespace lamina {
 
+/// A file that was taken into the store.
+struct KeptFile {
+  Artefact artefact;
+  bool is_new = false;  ///< whether the store had none with these bytes and that suffix
+};
+
 /// Store of files, named by the digest of their bytes and the suffix of their original name, in a folder
 /// beside the journal. They are read-only once they are stored.
 class ArtefactStore {
@@ -28,6 +34,12 @@ class ArtefactStore {
   /// @return the artefact by which it is found again
   /// @throws FileError if the file cannot be read or the store cannot be written
   Artefact keep(const std::string& path, const std::string& kind, const std::string& name);
+
+  /// Stores a file as `keep` does, and states whether it is a new one. What fails leaves no new file.
+  KeptFile keepFile(const std::string& path, const std::string& kind, const std::string& name);
+
+  /// Removes an artefact's file, for one that no row of the journal names.
+  void remove(const Artefact& artefact);
 
   /// Stores bytes from memory, as `keep` does those of a file.
   Artefact keepText(const std::string& bytes, const std::string& kind, const std::string& name);

@@ -3,6 +3,7 @@
 #include "lamina/cell/production_cell.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -259,9 +260,10 @@ void ProductionCell::raise(int alarm, double value, const std::string& message, 
   const AlarmKind& kind = alarmKind(alarm);
   const bool is_to_be_reported = unit_.raise(alarm, value, message, now.steady_s);
   if (kind.category >= AlarmCategory::Stop) settle(now);
+  const double kept = std::isfinite(value) ? value : 0.0;  // the journal takes numbers alone
   if (is_to_be_reported)
     write(now, [&] {
-      journal_.add(AlarmRow{now.utc_s, alarm, value, letterOf(kind.category), message});
+      journal_.add(AlarmRow{now.utc_s, alarm, kept, letterOf(kind.category), message});
       if (kind.cause == AlarmCause::Event) journal_.endAlarm(alarm, now.utc_s);
     });
   settle(now);

@@ -118,16 +118,32 @@ ArtefactStore::ArtefactStore(std::string folder)
 }
 
 Artefact ArtefactStore::keep(const std::string& path, const std::string& kind, const std::string& name) {
-  Artefact artefact{sha256OfFile(path), 0, kind, name};
+  return keepFile(path, kind, name).artefact;
+}
+
+KeptFile ArtefactStore::keepFile(const std::string& path, const std::string& kind, const std::string& name) {
+  KeptFile kept{{sha256OfFile(path), 0, kind, name}, false};
+  Artefact& artefact = kept.artefact;
   const std::string target = pathOf(artefact);
-  if (!std::filesystem::exists(target) || read_->digestOf(target) != artefact.sha256) {
-    copyInto(path, target);
-    seal(target);
+  kept.is_new = !std::filesystem::exists(target);
+  try {
+    if (kept.is_new || read_->digestOf(target) != artefact.sha256) {
+      copyInto(path, target);
+      seal(target);
+    }
+    // The file may have changed between the two times that it was read.
+    if (read_->digestOf(target) != artefact.sha256) throw FileError(path + ": changed while it was kept");
+    artefact.bytes = std::filesystem::file_size(target);
+  } catch (...) {
+    if (kept.is_new) remove(artefact);
+    throw;
   }
-  // The file may have changed between the two times that it was read.
-  if (read_->digestOf(target) != artefact.sha256) throw FileError(path + ": changed while it was kept");
-  artefact.bytes = std::filesystem::file_size(target);
-  return artefact;
+  return kept;
+}
+
+void ArtefactStore::remove(const Artefact& artefact) {
+  std::error_code ignored;
+  std::filesystem::remove(pathOf(artefact), ignored);
 }
 
 Artefact ArtefactStore::keepText(const std::string& bytes, const std::string& kind, const std::string& name) {

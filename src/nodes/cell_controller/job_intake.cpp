@@ -70,12 +70,28 @@ std::int64_t JobIntake::enqueue(const lamina_msgs::EnqueueJob::Request& request)
   const std::string file = path.filename();
   const std::string name = request.name.empty() ? file : request.name;
   // Uploads have no suffix of their own.
-  const Artefact program = artefacts_.keep(request.program, "program", path.has_extension() ? file : name);
-  const std::string kept = artefacts_.pathOf(program);
-  requirePrintable(kept, machine_);
+  const KeptFile program =
+      artefacts_.keepFile(request.program, "program", path.has_extension() ? file : name);
+  try {
+    const std::string kept = artefacts_.pathOf(program.artefact);
+    requirePrintable(kept, machine_);
+    return add({name,
+                request.part,
+                machine_.name,
+                {program.artefact},
+                request.source,
+                layersOf(StreamableProgram::fromFile(kept))});
+  } catch (const Cancelled&) {
+    throw;  // the journal may still have taken it
+  } catch (...) {
+    if (program.is_new) artefacts_.remove(program.artefact);
+    throw;
+  }
+}
+
+std::int64_t JobIntake::add(NewJob job) {
   const auto checked = std::make_shared<Checked>();
-  checked->job = {name,      request.part,   machine_.name,
-                  {program}, request.source, layersOf(StreamableProgram::fromFile(kept))};
+  checked->job = std::move(job);
   std::future<std::int64_t> id = checked->id.get_future();
   {
     const std::lock_guard<std::mutex> lock(mutex_);

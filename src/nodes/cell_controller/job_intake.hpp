@@ -19,7 +19,8 @@
 namespace lamina {
 
 /// Takes programs for the queue in a thread of its own: large ones are kept and read for minutes, and no
-/// command may wait for that. What was found good is added to the journal by the journal's own thread.
+/// command may wait for that. What was found good is added to the journal by the journal's own thread; of
+/// what was refused no file stays in the store.
 class JobIntake {
  public:
   /// `artefacts` outlives it.
@@ -39,6 +40,8 @@ class JobIntake {
   };
   bool onEnqueue(lamina_msgs::EnqueueJob::Request& request, lamina_msgs::EnqueueJob::Response& response);
   std::int64_t enqueue(const lamina_msgs::EnqueueJob::Request& request);
+  /// Returns once the journal's thread has added it.
+  std::int64_t add(NewJob job);
 
   ArtefactStore& artefacts_;
   MachineSettings machine_;

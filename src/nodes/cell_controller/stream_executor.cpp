@@ -73,7 +73,7 @@ StreamExecutor::StreamExecutor(ros::NodeHandle node, std::function<void(const Ex
       state_(node.subscribe(names::kMachineState, 100, &StreamExecutor::onState, this)),
       signs_(
           node.subscribe(std::string(names::kStreamProgram) + "/status", 10, &StreamExecutor::onSign, this)),
-      last_sign_(ros::WallTime::now()) {}
+      last_sign_s_(clock_.now()) {}
 
 void StreamExecutor::start(const StartOrder& order) {
   lamina_msgs::StreamProgramGoal goal;
@@ -83,11 +83,13 @@ void StreamExecutor::start(const StartOrder& order) {
   goal.execution = order.execution;
   const std::uint64_t number = order.order;
   order_ = number;
-  ordered_at_ = ros::WallTime::now();
+  ordered_s_ = clock_.now();
+  is_taken_up_ = false;
   has_begun_ = false;
   last_ = {};
-  client_.sendGoal(goal,
-                   [this, number](const auto& state, const auto& result) { onDone(number, state, result); });
+  client_.sendGoal(
+      goal, [this, number](const auto& state, const auto& result) { onDone(number, state, result); },
+      [this, number] { is_taken_up_ = is_taken_up_ || order_ == number; });
 }
 
 void StreamExecutor::pause() { call(orders_, pause_, "pause"); }
@@ -107,7 +109,7 @@ void StreamExecutor::endJob(const std::string& order) {
 void StreamExecutor::call(OrderThread& thread, ros::ServiceClient& service, const std::string& order) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (!waiting_.give(order, ros::WallTime::now().toSec())) return;
+    if (!waiting_.give(order, clock_.now())) return;
   }
   thread.give([this, &service, order] {
     std_srvs::Trigger request;
@@ -136,13 +138,13 @@ std::optional<StreamExecutor::FeedAnswer> StreamExecutor::takeFeedAnswer() {
 }
 
 std::string StreamExecutor::takeUnanswered(double patience_s) {
-  const ros::WallTime now = ros::WallTime::now();
-  if (order_ && !has_begun_ && (now - ordered_at_).toSec() > patience_s) {
-    ordered_at_ = now;
+  const double now_s = clock_.now();
+  if (order_ && !is_taken_up_ && now_s - ordered_s_ > patience_s) {
+    ordered_s_ = now_s;
     return "start";
   }
   const std::lock_guard<std::mutex> lock(mutex_);
-  return waiting_.take(now.toSec(), patience_s);
+  return waiting_.take(now_s, patience_s);
 }
 
 std::optional<ExecutorReport> StreamExecutor::seen() const {
@@ -152,17 +154,17 @@ std::optional<ExecutorReport> StreamExecutor::seen() const {
 
 bool StreamExecutor::isThere() const {
   // A goal that is sent before both ends know each other is lost without a word.
-  return (ros::WallTime::now() - last_sign_).toSec() < kLongestSilence && client_.isServerConnected();
+  return clock_.now() - last_sign_s_ < kLongestSilence && client_.isServerConnected();
 }
 
 void StreamExecutor::onSign(const actionlib_msgs::GoalStatusArrayConstPtr& /*signs*/) {
-  last_sign_ = ros::WallTime::now();
+  last_sign_s_ = clock_.now();
 }
 
 void StreamExecutor::onState(const lamina_msgs::MachineStateConstPtr& state) {
   machine_ = *state;
   has_machine_ = true;
-  last_sign_ = ros::WallTime::now();
+  last_sign_s_ = clock_.now();
   const ExecutorReport report = reportOf(*state);
   const bool is_job_known = order_ ? has_begun_ : !isAtRest(last_.phase);
   if (is_job_known && state->state == lamina_msgs::MachineState::IDLE) return onRestart(report);

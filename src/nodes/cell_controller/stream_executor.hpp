@@ -12,6 +12,7 @@
 #include <optional>
 #include <string>
 
+#include "lamina/base/clock.hpp"
 #include "lamina/cell/production_cell.hpp"
 #include "messages.hpp"
 #include "order_thread.hpp"
@@ -65,6 +66,7 @@ class StreamExecutor final : public Executor {
   ExecutorReport reportOf(const lamina_msgs::MachineState& state) const;
 
   std::function<void(const ExecutorReport&)> report_;
+  SteadyClock clock_;
   Client client_;
   ros::ServiceClient pause_;
   ros::ServiceClient resume_;
@@ -75,10 +77,11 @@ class StreamExecutor final : public Executor {
   lamina_msgs::MachineState machine_;
   bool has_machine_ = false;
   std::optional<std::uint64_t> order_;  ///< under way
-  bool has_begun_ = false;              ///< what was ordered last
+  bool is_taken_up_ = false;            ///< what was ordered last; its program may still be read
+  bool has_begun_ = false;              ///< the same, by the state of the machine
   ExecutorReport last_;                 ///< of it
-  ros::WallTime ordered_at_;
-  ros::WallTime last_sign_;
+  double ordered_s_ = 0.0;
+  double last_sign_s_;
   std::mutex mutex_;  ///< of the order under way
   UnansweredOrder waiting_;
   std::optional<FeedAnswer> feed_answer_;

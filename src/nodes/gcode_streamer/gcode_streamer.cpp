@@ -8,6 +8,7 @@
 #include "conversions.hpp"
 #include "correction_messages.hpp"
 #include "lamina/base/clock.hpp"
+#include "lamina/base/error.hpp"
 #include "lamina/control/replanned_toolpath.hpp"
 #include "lamina/control/supervision.hpp"
 #include "lamina/program/gcode/gcode_dialect.hpp"
@@ -160,6 +161,7 @@ StreamStatus GcodeStreamer::stream(const lamina_msgs::StreamProgramGoal& goal) {
     if (record == ExecutionRecord::Complete) return completeStatus(program);
     if (record == ExecutionRecord::None) start = JobStart::New;
   }
+  requireWanted();
   beginJob(goal, program);
   StreamStatus status;
   try {
@@ -183,6 +185,12 @@ std::unique_ptr<const DryProgram> GcodeStreamer::dryProgram(const lamina_msgs::S
   auto dry = std::make_unique<const DryProgram>(program, settings, settings_.stream);
   ROS_INFO_STREAM(toText(dry->report()));
   return dry;
+}
+
+/// @throws Cancelled if the goal was cancelled, or the node ended, while the job was prepared
+void GcodeStreamer::requireWanted() {
+  if (action_.isPreemptRequested()) throw Cancelled("the goal was cancelled before the job began");
+  if (!ros::ok()) throw Cancelled("the node was ended before the job began");
 }
 
 /// @throws Rejected if the machine is not started up
@@ -218,6 +226,7 @@ StreamStatus GcodeStreamer::streamProgram(const StreamableProgram& program, JobS
   // Before the machine has anything to do: the program may be gone.
   const bool may_be_replaced = corrected && settings_.corrections.follows_plans;
   startup_.watchJob(program, may_be_replaced ? WatchedLines::MayBeReplaced : WatchedLines::OfTheProgram);
+  requireWanted();
   const auto session = std::make_shared<StreamSession>(
       sent, settings_.stream, settings_.port, [this](const StreamStatus& status) { onStatus(status); },
       SessionOptions{[this](const FirmwareReply& reply) { startup_.heard(reply); }, journal, start,

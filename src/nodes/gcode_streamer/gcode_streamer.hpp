@@ -55,6 +55,7 @@ class GcodeStreamer {
   StreamStatus stream(const lamina_msgs::StreamProgramGoal& goal);
   std::unique_ptr<const DryProgram> dryProgram(const lamina_msgs::StreamProgramGoal& goal,
                                                const StreamableProgram& program);
+  void requireWanted();
   void beginJob(const lamina_msgs::StreamProgramGoal& goal, const StreamableProgram& program);
   StreamStatus streamProgram(const StreamableProgram& program, JobStart start, const std::string& execution);
   ExecutionRecord recordOfExecution(const lamina_msgs::StreamProgramGoal& goal) const;

@@ -14,7 +14,7 @@ OwnerWatch::OwnerWatch(ros::NodeHandle node, double grace_s) : grace_s_(grace_s)
 
 void OwnerWatch::expect() {
   const std::lock_guard<std::mutex> lock(mutex_);
-  heard_ = ros::WallTime::now();
+  heard_s_ = clock_.now();
   is_told_ = false;
 }
 
@@ -23,7 +23,7 @@ void OwnerWatch::onStatus(const lamina_msgs::PackmlStatusConstPtr& /*status*/) {
 bool OwnerWatch::takeLoss() {
   if (grace_s_ <= 0.0) return false;
   const std::lock_guard<std::mutex> lock(mutex_);
-  const bool is_lost = (ros::WallTime::now() - heard_).toSec() > grace_s_;
+  const bool is_lost = clock_.now() - heard_s_ > grace_s_;
   return is_lost && !std::exchange(is_told_, true);
 }
 

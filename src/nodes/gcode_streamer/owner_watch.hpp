@@ -6,6 +6,7 @@
 
 #include <mutex>
 
+#include "lamina/base/clock.hpp"
 #include "messages.hpp"
 
 namespace lamina {
@@ -25,9 +26,10 @@ class OwnerWatch {
  private:
   void onStatus(const lamina_msgs::PackmlStatusConstPtr& status);
 
+  SteadyClock clock_;
   double grace_s_;
   std::mutex mutex_;  ///< of everything below
-  ros::WallTime heard_;
+  double heard_s_ = 0.0;
   bool is_told_ = false;
   ros::Subscriber status_;
 };

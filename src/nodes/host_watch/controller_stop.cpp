@@ -9,7 +9,7 @@
 namespace lamina {
 namespace {
 
-const ros::WallDuration kLongestStop(2.0);
+constexpr double kLongestStop = 2.0;  // [s]
 const ros::WallDuration kLook(0.01);
 
 bool isFollowed(const actionlib_msgs::GoalStatus& goal) {
@@ -35,27 +35,29 @@ void ControllerStop::onStatus(const std::string& action, const actionlib_msgs::G
   Controller& controller = controllers_[action];
   controller.goals = static_cast<std::size_t>(
       std::count_if(status.status_list.begin(), status.status_list.end(), isFollowed));
-  controller.reported = ros::WallTime::now();
+  controller.reported_s = clock_.now();
 }
 
 MachineStopReport ControllerStop::stop(const std::string& action, const std::function<void()>& begun) {
   connect(action);
   Controller& controller = controllers_[action];
-  const ros::WallTime give_up = ros::WallTime::now() + kLongestStop;
-  while (controller.cancel.getNumSubscribers() == 0 && ros::WallTime::now() < give_up) kLook.sleep();
+  const double give_up_s = clock_.now() + kLongestStop;
+  while (controller.cancel.getNumSubscribers() == 0 && clock_.now() < give_up_s) kLook.sleep();
   if (controller.cancel.getNumSubscribers() == 0)
     return {false, "no controller hears its cancellations", false};
   queue_.callAvailable();  // what it said before
-  const ros::WallTime cancelled = ros::WallTime::now();
+  const double cancelled_s = clock_.now();
   controller.cancel.publish(actionlib_msgs::GoalID());  // without a name: all
   if (begun) begun();
-  while (ros::WallTime::now() < give_up) {
+  while (clock_.now() < give_up_s) {
     queue_.callAvailable(kLook);
-    if (controller.reported > cancelled && controller.goals == 0) return {true, "it follows no goal", true};
+    if (controller.reported_s > cancelled_s && controller.goals == 0)
+      return {true, "it follows no goal", true};
   }
   return {false,
-          controller.reported > cancelled ? "it still follows " + std::to_string(controller.goals) + " goals"
-                                          : std::string("it has said nothing since its goals were cancelled"),
+          controller.reported_s > cancelled_s
+              ? "it still follows " + std::to_string(controller.goals) + " goals"
+              : std::string("it has said nothing since its goals were cancelled"),
           true};
 }
 

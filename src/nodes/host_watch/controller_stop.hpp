@@ -10,6 +10,7 @@
 #include <map>
 #include <string>
 
+#include "lamina/base/clock.hpp"
 #include "lamina/streaming/guard/machine_stop.hpp"
 
 namespace lamina {
@@ -32,11 +33,12 @@ class ControllerStop {
   struct Controller {
     ros::Publisher cancel;
     ros::Subscriber status;
-    std::size_t goals = 0;   ///< that it followed by the last status
-    ros::WallTime reported;  ///< when that status came
+    std::size_t goals = 0;    ///< that it followed by the last status
+    double reported_s = 0.0;  ///< when that status came
   };
   void onStatus(const std::string& action, const actionlib_msgs::GoalStatusArray& status);
 
+  SteadyClock clock_;
   ros::CallbackQueue queue_;
   ros::NodeHandle node_;
   std::map<std::string, Controller> controllers_;

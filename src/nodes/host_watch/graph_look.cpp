@@ -152,6 +152,11 @@ void GraphLook::look() {
   }
   for (const std::string& node : nodes_) {
     const auto uri = uriOf(node);
+    if (uri && defect.empty()) {
+      // An answer of the master, too: the nodes that do not answer may keep the next look at it waiting.
+      const std::lock_guard<std::mutex> lock(mutex_);
+      watch_.onMaster("", shiftedNow(0.0));
+    }
     const auto pid = uri ? pidOf(*uri) : std::nullopt;
     const std::lock_guard<std::mutex> lock(mutex_);
     watch_.onNode(node, pid);

@@ -60,14 +60,12 @@ CameraIntake::CameraIntake(ros::NodeHandle node, const std::string& topic,
       compressed_(node.subscribe(topic + "/compressed", 1, &CameraIntake::onCompressed, this)),
       raw_(node.subscribe(topic, 1, &CameraIntake::onRaw, this)) {}
 
-bool CameraIntake::isThere() const {
-  return !taken_.isZero() && (ros::WallTime::now() - taken_).toSec() < kThere;
-}
+bool CameraIntake::isThere() const { return taken_s_ && clock_.now() - *taken_s_ < kThere; }
 
 bool CameraIntake::isDue() {
-  const ros::WallTime now = ros::WallTime::now();
-  if (!taken_.isZero() && (now - taken_).toSec() < kInterval) return false;
-  taken_ = now;
+  const double now_s = clock_.now();
+  if (taken_s_ && now_s - *taken_s_ < kInterval) return false;
+  taken_s_ = now_s;
   return true;
 }
 
@@ -79,13 +77,12 @@ void CameraIntake::onCompressed(const sensor_msgs::CompressedImageConstPtr& imag
     return;
   }
   if (!isDue()) return;
-  compressed_taken_ = taken_;
+  compressed_taken_s_ = taken_s_;
   take_(std::string(image->data.begin(), image->data.end()));
 }
 
 void CameraIntake::onRaw(const sensor_msgs::ImageConstPtr& image) {
-  const bool is_compressed =
-      !compressed_taken_.isZero() && (ros::WallTime::now() - compressed_taken_).toSec() < kThere;
+  const bool is_compressed = compressed_taken_s_ && clock_.now() - *compressed_taken_s_ < kThere;
   if (is_compressed || !isDue()) return;
   try {
     take_(jpegFile(pixelsOf(*image)));

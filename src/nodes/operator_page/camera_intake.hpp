@@ -7,7 +7,10 @@
 #include <sensor_msgs/Image.h>
 
 #include <functional>
+#include <optional>
 #include <string>
+
+#include "lamina/base/clock.hpp"
 
 namespace lamina {
 
@@ -26,11 +29,12 @@ class CameraIntake {
   void onRaw(const sensor_msgs::ImageConstPtr& image);
   bool isDue();
 
+  SteadyClock clock_;
   std::function<void(std::string jpeg)> take_;
   ros::Subscriber compressed_;
   ros::Subscriber raw_;
-  ros::WallTime taken_;
-  ros::WallTime compressed_taken_;
+  std::optional<double> taken_s_;             ///< nothing before the first
+  std::optional<double> compressed_taken_s_;  ///< the same, of those that came compressed
 };
 
 }  // namespace lamina

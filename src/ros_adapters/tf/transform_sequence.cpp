@@ -5,6 +5,7 @@
 #include <ros/console.h>
 #include <tf2/exceptions.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "names.hpp"
@@ -32,7 +33,7 @@ void TransformSequence::add(const geometry_msgs::TransformStamped& transform, co
   waiting_.insert({transform.header.stamp, {transform, authority}});
   while (waiting_.size() > most_waiting_) {
     ++forced_;
-    passed_.insert(waiting_.begin()->first);
+    notePassed(waiting_.begin()->first);
     give(waiting_.begin()->second);
     waiting_.erase(waiting_.begin());
   }
@@ -83,8 +84,16 @@ bool TransformSequence::passNext() {
   const auto [begin, end] = waiting_.equal_range(stamp);
   for (auto it = begin; it != end; ++it) give(it->second);
   waiting_.erase(begin, end);
-  passed_.insert(stamp);
+  notePassed(stamp);
   return true;
+}
+
+void TransformSequence::notePassed(const ros::Time& stamp) {
+  passed_.insert(stamp);
+  // One that is far ahead of all others makes none of them old.
+  const ros::Time lately = std::min(stamp, std::exchange(given_, stamp));
+  const auto remembered = static_cast<std::uint64_t>(ros::Duration(kRemembered).toNSec());
+  while (passed_.begin()->toNSec() + remembered < lately.toNSec()) passed_.erase(passed_.begin());
 }
 
 void TransformSequence::give(const Waiting& waiting) {
@@ -117,6 +126,11 @@ std::vector<StampedNozzle> TransformSequence::takeNozzles() {
     if (bed_from_nozzle) nozzles.push_back({stamp, *bed_from_nozzle});
   }
   return nozzles;
+}
+
+std::size_t TransformSequence::untaken() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return passed_.size();
 }
 
 std::uint64_t TransformSequence::forced() const {

@@ -48,8 +48,11 @@ class TransformSequence {
 
   const tf2::BufferCore& buffer() const { return buffer_; }
   /// Poses of the nozzle at the stamps passed since the last call, ascending over all calls. Those that
-  /// depend on transforms still to come wait; none is given of a stamp older than the last.
+  /// depend on transforms still to come wait, until the buffer has forgotten their stamps; none is given of a
+  /// stamp older than the last.
   std::vector<StampedNozzle> takeNozzles();
+  /// Stamps passed of which the pose was not taken yet: of 30 s at most.
+  std::size_t untaken() const;
   /// Transforms that went to the buffer unasked so far.
   std::uint64_t forced() const;
   /// Transforms received so far.
@@ -64,6 +67,7 @@ class TransformSequence {
   void keepFrames(const geometry_msgs::TransformStamped& transform);
   bool isNextUpTo(const ros::Time& stamp) const;
   void give(const Waiting& waiting);
+  void notePassed(const ros::Time& stamp);
 
   std::size_t most_waiting_;
   tf2::BufferCore buffer_;
@@ -72,6 +76,7 @@ class TransformSequence {
   std::set<std::string> frames_;
   std::set<ros::Time> passed_;  ///< stamps of which the nozzle's pose was not taken
   ros::Time taken_;             ///< the last stamp of which it was
+  ros::Time given_;             ///< the last stamp passed
   std::uint64_t received_ = 0;
   std::uint64_t forced_ = 0;
 };

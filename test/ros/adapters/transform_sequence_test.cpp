@@ -115,6 +115,34 @@ TEST(TransformSequence, WithTooManyWaitingNoPoseOfTheNozzleIsLost) {
   EXPECT_EQ(sequence.forced(), 15U);
 }
 
+TEST(TransformSequence, RemembersNoStampThatTheBufferHasForgotten) {
+  TransformSequence sequence(10);
+  const auto add = [&sequence](int second) {
+    sequence.add(test::stamped(Eigen::Isometry3d::Identity(), "world", names::kBedFrame, ros::Time(second)),
+                 kAuthority);
+  };
+  // No nozzle is reported, so that the pose of none can be taken.
+  for (int i = 1000; i < 11000; ++i) add(i);
+  EXPECT_LE(sequence.untaken(), 40U);
+  while (sequence.passNext()) {
+  }
+  EXPECT_LE(sequence.untaken(), 40U);
+  EXPECT_TRUE(sequence.takeNozzles().empty());
+}
+
+TEST(TransformSequence, AStampFarAheadLosesNoPoseOfTheNozzle) {
+  TransformSequence sequence;
+  addRise(sequence, 1000, 1010);
+  while (sequence.passNext()) {
+  }
+  sequence.add(test::stamped(Eigen::Isometry3d::Identity(), "world", "elsewhere", ros::Time(100000)),
+               kAuthority);
+  addRise(sequence, 1010, 1020);
+  while (sequence.passNext()) {
+  }
+  EXPECT_EQ(sequence.takeNozzles().size(), 20U);
+}
+
 TEST(TransformSequence, WithTooManyWaitingTheOldestGoUnasked) {
   TransformSequence sequence(100);
   withSensor(sequence);

@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The nodes cell_controller and gcode_streamer at an emulated machine that outlives both.
 #include <actionlib/client/simple_action_client.h>
+#include <actionlib_msgs/GoalStatusArray.h>
 #include <gtest/gtest.h>
 #include <ros/ros.h>
 
 #include <csignal>
 #include <cstdlib>
+#include <filesystem>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -174,10 +177,16 @@ TEST(CellController, IsLaunchedAndSaysThatItsExecutorIsMissing) {
 
 TEST(CellController, RefusesWhatTheMachineCannotPrint) {
   CellOfNodes cell("refuses", 1000.0);
+  const auto kept = [&cell] {
+    const std::filesystem::directory_iterator files(cell.folder.path() + "/cell/artefacts");
+    return std::distance(begin(files), end(files));
+  };
+  EXPECT_EQ(kept(), 0);
   EXPECT_EQ(cell.enqueue("G1 X99999 Y0 E1 F6000\n"), 0U);
   EXPECT_NE(cell.reason.find("line 1 extrudes to"), std::string::npos) << cell.reason;
   EXPECT_EQ(cell.enqueue("G1 Xa\n"), 0U);
   EXPECT_TRUE(cell.queue.jobs.empty());
+  EXPECT_EQ(kept(), 0) << "nothing of what was refused";
 }
 
 TEST(CellController, HoldsAndGoesOnAndStops) {
@@ -212,6 +221,31 @@ TEST(CellController, HoldsAJobThatStarts) {
   ASSERT_EQ(cell.command(Command::UNHOLD), kAccepted) << cell.reason;
   ASSERT_TRUE(cell.reaches("Complete"));
   EXPECT_EQ(cell.machine.commands(), commandsOf(program));
+}
+
+TEST(CellController, StartsAJobWhoseProgramIsReadForLongerThanItsPatience) {
+  CellOfNodes cell("reads", 1000.0, {"_executor/patience_s:=1"});
+  bool is_taken_up = false;
+  ros::NodeHandle node;
+  const boost::function<void(const actionlib_msgs::GoalStatusArrayConstPtr&)> on_goals =
+      [&](const auto& goals) {
+        for (const actionlib_msgs::GoalStatus& goal : goals->status_list)
+          is_taken_up = is_taken_up || goal.status == actionlib_msgs::GoalStatus::ACTIVE;
+      };
+  const auto subscriber = node.subscribe<actionlib_msgs::GoalStatusArray>(
+      "/reads/" + std::string(names::kStreamProgram) + "/status", 10, on_goals);
+  cell.bringToIdle();
+  cell.change(cell.enqueue(squareProgram(1000000)), lamina_msgs::ChangeQueue::Request::RELEASE);
+  ASSERT_TRUE(cell.starts());
+  ASSERT_TRUE(waitUntil([&] { return is_taken_up; }));
+  // Amid its reading, for longer than the patience and shorter than what counts as lost.
+  ASSERT_EQ(kill(cell.streamer->id(), SIGSTOP), 0);
+  ros::WallDuration(1.3).sleep();
+  ASSERT_EQ(kill(cell.streamer->id(), SIGCONT), 0);
+  ASSERT_TRUE(cell.reaches("Execute"));
+  EXPECT_FALSE(cell.hasAlarm(2202));
+  EXPECT_EQ(cell.command(Command::ABORT), kAccepted) << cell.reason;
+  EXPECT_TRUE(cell.reaches("Aborted"));
 }
 
 TEST(CellController, HasItsMachineStoppedByTheWatchWhenTheStreamerDies) {

@@ -8,6 +8,7 @@ import os
 import pathlib
 import shutil
 import signal
+import socket
 import sys
 import time
 import unittest
@@ -116,6 +117,22 @@ class HostWatch(TwoHosts):
         self.start_master(ROS_IP=HOST)
         self.await_that(lambda: "started anew" in self.state.master_defect, "it is not seen that the master knows nobody")
         self.assertIsNone(watched.poll())
+
+    def test_nodes_that_do_not_answer_leave_the_master_there(self):
+        silent = socket.create_server((HOST, 0), backlog=100)
+        self.addCleanup(silent.close)
+        master = xmlrpc.client.ServerProxy(f"http://{HOST}:{MASTER_PORT}")
+        names = [f"/silent_{number}" for number in range(4)]
+        for name in names:
+            master.registerSubscriber(name, "/of_silent", "std_msgs/String", f"http://{HOST}:{silent.getsockname()[1]}/")
+        self.both("_nodes:=" + ",".join(names))
+        self.await_that(lambda: self.state and len(self.state.nodes) == len(names), "the silent nodes are not looked at")
+        until = time.monotonic() + 3.0
+        while time.monotonic() < until:
+            self.assertTrue(self.state.has_master)
+            time.sleep(0.1)
+        self.assertFalse(any(node.answers for node in self.state.nodes))
+        self.assertNotIn(8002, self.raised())
 
     def test_a_node_that_was_started_anew_is_reported(self):
         # Without a run_id roslaunch waits for whoever sets one.
