@@ -278,6 +278,26 @@ TEST(PlcLink, LetsOneConnectionWrite) {
   EXPECT_EQ(exceptionOf(link.answer(2, writing(0, {2}), 0.0)), 0);
 }
 
+TEST(PlcLink, LeavesThePlcItsRegistersWhereAnotherStops) {
+  PlcLink link = startedLink();
+  EXPECT_EQ(exceptionOf(link.answer(2, writing(1, {3, 7}), 0.0)), 0) << "Stop, before anybody writes";
+  EXPECT_EQ(link.takeOrders().size(), 1U);
+  EXPECT_EQ(link.registers(0.0)[14], 0) << "not answered yet";
+  EXPECT_EQ(exceptionOf(link.answer(1, writing(0, {1, 5, 50}), 0.0)), 0) << "who stopped does not write";
+  EXPECT_EQ(link.registers(0.0)[14], 10) << "nor does its Stop make the PLC's first command count";
+  link.answer(1, writing(0, {2, 5, 51}), 0.0);
+  EXPECT_EQ(link.takeOrders().size(), 1U);
+  link.answer(2, writing(1, {4, 8}), 0.0);
+  EXPECT_EQ(link.takeOrders().size(), 1U);
+  link.answer(1, writing(0, {3, 5, 51}), 0.0);
+  EXPECT_TRUE(link.takeOrders().empty()) << "what a PLC writes each cycle does not undo the Hold of another";
+  link.answer(2, writing(1, {4, 8}), 0.0);
+  EXPECT_TRUE(link.takeOrders().empty()) << "once";
+  link.close(2);
+  link.answer(2, writing(1, {4, 8}), 0.0);
+  EXPECT_EQ(link.takeOrders().size(), 1U) << "another connection counts for itself";
+}
+
 TEST(PlcLink, WatchesTheHeartbeatOnceItHasComeWithAccess) {
   PlcLink link{PlcLinkSettings{}};
   clearOrders(link);

@@ -4,6 +4,7 @@
 
 #include <bitset>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -42,7 +43,8 @@ enum class UnitPresence : std::uint8_t { Lost, Present };
 /// the first one written to a sequence register may be left over from a link before: a command with it is
 /// answered StaleSequence, other orders are dropped; a Stop, Hold or Abort that is written alone is taken.
 /// Only one connection may write: the first that does, until it is closed or the watchdog is lost. Others are
-/// answered ServerBusy, unless they write a Stop, Hold or Abort alone.
+/// answered ServerBusy, unless they write a Stop, Hold or Abort alone: it is taken, and changes neither the
+/// registers nor which connection writes.
 class PlcLink {
  public:
   explicit PlcLink(const PlcLinkSettings& settings) : settings_(settings) {}
@@ -93,6 +95,7 @@ class PlcLink {
 
  private:
   std::optional<ModbusException> write(int connection, const ModbusRequest& request, double now_s);
+  void takeStop(int connection, const ModbusRequest& request);
   void findOrders(const ModbusRequest& request, const HoldingRegisters& before);
   void order(const PlcOrder& order);
 
@@ -105,6 +108,7 @@ class PlcLink {
   HoldingRegisters holding_{};
   std::bitset<kHoldingRegisters> written_;  ///< which of them the PLC has written
   std::optional<int> writer_;
+  std::map<int, std::uint16_t> stops_;  ///< last sequences of connections that stopped without writing
   PlcHeartbeat watchdog_ = PlcHeartbeat::Unarmed;
   double heard_s_ = 0.0;
   bool was_refused_ = false;

@@ -68,11 +68,12 @@ std::optional<ModbusException> PlcLink::write(int connection, const ModbusReques
     after.at(address) = request.written[i];
   }
   if (!areInRange(after, settings_.word_order)) return ModbusException::IllegalValue;
-  if (writer_.value_or(connection) != connection) {
-    if (!isStopAlone(request)) return ModbusException::ServerBusy;
-  } else {
-    writer_ = connection;
+  if (isStopAlone(request) && writer_ != connection) {
+    takeStop(connection, request);
+    return std::nullopt;
   }
+  if (writer_.value_or(connection) != connection) return ModbusException::ServerBusy;
+  writer_ = connection;
   if (surroundings(after) != surroundings(holding_)) ++news_;
   const HoldingRegisters before = std::exchange(holding_, after);
   if (holding_[kHeartbeatRegister] != before[kHeartbeatRegister]) {
@@ -86,6 +87,13 @@ std::optional<ModbusException> PlcLink::write(int connection, const ModbusReques
   for (std::size_t i = 0; i < request.written.size(); ++i) written_.set(request.write_address + i);
   if (isPlateWritten() != was_plate_written) ++news_;
   return std::nullopt;
+}
+
+/// Leaves the registers as the connection that writes has them: what it writes again is no new command.
+void PlcLink::takeStop(int connection, const ModbusRequest& request) {
+  const std::uint16_t sequence = request.written[1];
+  const std::uint16_t last = std::exchange(stops_[connection], sequence);
+  if (sequence != 0 && sequence != last) order({PlcOrder::Kind::Command, request.written[0], sequence});
 }
 
 void PlcLink::findOrders(const ModbusRequest& request, const HoldingRegisters& before) {
@@ -120,6 +128,7 @@ void PlcLink::order(const PlcOrder& order) {
 
 void PlcLink::close(int connection) {
   if (writer_ == connection) writer_.reset();
+  stops_.erase(connection);
 }
 
 std::vector<PlcOrder> PlcLink::takeOrders() { return std::exchange(orders_, {}); }
