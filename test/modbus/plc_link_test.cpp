@@ -40,10 +40,23 @@ int exceptionOf(const std::string& answer) {
   return (static_cast<unsigned char>(answer[7]) & 0x80) != 0 ? static_cast<unsigned char>(answer[8]) : 0;
 }
 
-PlcLink openLink() {
+/// A link that was just started.
+PlcLink startedLink() {
   PlcLink link{PlcLinkSettings{}};
   link.setRemoteAccess(RemoteAccess::Allowed);
   link.setPresence(UnitPresence::Present, 0.0);
+  return link;
+}
+
+/// Writes zeros to command, mode, job and acknowledgement, so that their next values count.
+void clearOrders(PlcLink& link) {
+  link.answer(1, writing(1, std::vector<std::uint16_t>(7, 0)), 0.0);
+  link.answer(1, writing(14, {0}), 0.0);
+}
+
+PlcLink openLink() {
+  PlcLink link = startedLink();
+  clearOrders(link);
   return link;
 }
 
@@ -178,9 +191,39 @@ TEST(PlcLink, TakesACommandOnceWhenItsSequenceChanges) {
   EXPECT_EQ(found[3] & 0b100, 0b100) << "refused";
 }
 
+TEST(PlcLink, TakesNothingThatMayBeLeftOverFromTheLinkBefore) {
+  PlcLink link = startedLink();
+  link.answer(1, writing(0, {9, 5, 50, 2, 3, 0, 77, 4}), 0.0);
+  link.answer(1, writing(14, {3202}), 0.0);
+  EXPECT_TRUE(link.takeOrders().empty());
+  const InputRegisters found = link.registers(0.0);
+  EXPECT_EQ(found[12], 5);
+  EXPECT_EQ(found[13], 50);
+  EXPECT_EQ(found[14], 10) << "stale";
+  link.answer(1, writing(14, {0}), 0.0);
+  link.answer(1, writing(14, {3202}), 0.0);
+  link.answer(1, writing(0, {10, 5, 51, 2, 4, 0, 77, 5}), 0.0);
+  const std::vector<PlcOrder> orders = link.takeOrders();
+  ASSERT_EQ(orders.size(), 4U);
+  EXPECT_EQ(orders[0].kind, PlcOrder::Kind::Acknowledge);
+  EXPECT_EQ(orders[1].sequence, 4);
+  EXPECT_EQ(orders[2].sequence, 5);
+  EXPECT_EQ(orders[3].sequence, 51);
+}
+
+TEST(PlcLink, TakesAStopThatIsWrittenAloneFromItsStartOn) {
+  PlcLink link = startedLink();
+  link.answer(1, writing(0, {1, 3, 50}), 0.0);
+  EXPECT_TRUE(link.takeOrders().empty()) << "with more, it may be left over";
+  PlcLink another = startedLink();
+  another.answer(1, writing(1, {3, 50}), 0.0);
+  EXPECT_EQ(another.takeOrders().size(), 1U);
+}
+
 TEST(PlcLink, AnswersByItselfWhatCannotBeFollowed) {
   PlcLink link{PlcLinkSettings{}};
   link.setPresence(UnitPresence::Present, 0.0);
+  clearOrders(link);
   link.answer(1, writing(1, {2, 1}), 0.0);
   EXPECT_TRUE(link.takeOrders().empty());
   EXPECT_EQ(link.registers(0.0)[14], 4) << "remote access is locked";
@@ -235,8 +278,29 @@ TEST(PlcLink, LetsOneConnectionWrite) {
   EXPECT_EQ(exceptionOf(link.answer(2, writing(0, {2}), 0.0)), 0);
 }
 
+TEST(PlcLink, LeavesThePlcItsRegistersWhereAnotherStops) {
+  PlcLink link = startedLink();
+  EXPECT_EQ(exceptionOf(link.answer(2, writing(1, {3, 7}), 0.0)), 0) << "Stop, before anybody writes";
+  EXPECT_EQ(link.takeOrders().size(), 1U);
+  EXPECT_EQ(link.registers(0.0)[14], 0) << "not answered yet";
+  EXPECT_EQ(exceptionOf(link.answer(1, writing(0, {1, 5, 50}), 0.0)), 0) << "who stopped does not write";
+  EXPECT_EQ(link.registers(0.0)[14], 10) << "nor does its Stop make the PLC's first command count";
+  link.answer(1, writing(0, {2, 5, 51}), 0.0);
+  EXPECT_EQ(link.takeOrders().size(), 1U);
+  link.answer(2, writing(1, {4, 8}), 0.0);
+  EXPECT_EQ(link.takeOrders().size(), 1U);
+  link.answer(1, writing(0, {3, 5, 51}), 0.0);
+  EXPECT_TRUE(link.takeOrders().empty()) << "what a PLC writes each cycle does not undo the Hold of another";
+  link.answer(2, writing(1, {4, 8}), 0.0);
+  EXPECT_TRUE(link.takeOrders().empty()) << "once";
+  link.close(2);
+  link.answer(2, writing(1, {4, 8}), 0.0);
+  EXPECT_EQ(link.takeOrders().size(), 1U) << "another connection counts for itself";
+}
+
 TEST(PlcLink, WatchesTheHeartbeatOnceItHasComeWithAccess) {
   PlcLink link{PlcLinkSettings{}};
+  clearOrders(link);
   link.answer(1, writing(0, {1}), 0.0);
   EXPECT_EQ(link.watch(100.0), PlcHeartbeat::Unarmed);
   link.setRemoteAccess(RemoteAccess::Allowed);

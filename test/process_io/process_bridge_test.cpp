@@ -288,6 +288,29 @@ TEST(ProcessBridge, InputsAreJudged) {
   EXPECT_EQ(run.last.fault, "");
 }
 
+TEST(ProcessBridge, RowsOfOneNameInSeveralTablesAreJudgedByThemselves) {
+  ProcessTables tables = laserAndWire();
+  tables.inputs[0].name = "laser";         // as its channel
+  tables.inputs[2].name = "laser_source";  // as its device
+  BridgeRun run(tables);
+  run.plan(laying(), 60.0);
+  run.view.measured = {900.0, 0.5, 0.0};
+  run.run(100);
+  EXPECT_EQ(run.ids(), (std::vector<int>{5101, 5102}));
+  EXPECT_EQ(run.alarms[0].source, "laser");
+  EXPECT_EQ(run.alarms[1].source, "laser_source");
+  run.plan(laying(2500.0), 60.0);
+  run.run(1);
+  EXPECT_EQ(run.ids(), (std::vector<int>{5101, 5102, 5101})) << "the channel beside its input";
+  run.view.measured = {2000.0, 0.5, 1.0};
+  run.run(1);
+  EXPECT_EQ(run.ids(), (std::vector<int>{5101, 5102, 5101, -5102})) << "the channel is still asked too much";
+  run.plan(laying(), 60.0);
+  run.view.measured = {1000.0, 0.5, 1.0};
+  run.run(1);
+  EXPECT_EQ(run.ids().back(), -5101);
+}
+
 TEST(ProcessBridge, NothingFlowsIsAnAlarmOfItsOwn) {
   ProcessTables tables = laserAndWire();
   tables.channels[1].quantity = ProcessQuantity::ScrewSpeed;

@@ -135,13 +135,15 @@ TEST(ProcessTables, EveryKeyOfAnInputIsRead) {
   ProcessTableSettings settings;
   settings.devices = {{"plc.kind", "none"}};
   settings.channels = {{"screw.quantity", "screw_rpm"}, {"screw.device", "plc"}, {"screw.high", "90"}};
-  settings.inputs = {{"a.device", "plc"},  {"a.read", "7"},        {"a.scale", "0.5"},
-                     {"a.offset", "-1"},   {"a.check", "present"}, {"a.channel", "screw"},
-                     {"a.tolerance", "3"}, {"a.least", "2"},       {"a.after_s", "0.7"}};
+  settings.inputs = {{"a.device", "plc"},    {"a.read", "7"},      {"a.signed", "true"},
+                     {"a.scale", "0.5"},     {"a.offset", "-1"},   {"a.check", "present"},
+                     {"a.channel", "screw"}, {"a.tolerance", "3"}, {"a.least", "2"},
+                     {"a.after_s", "0.7"}};
   EXPECT_EQ(keysSet(settings.inputs), keysListed("inputs"));
   const InputChannel read = processTables(settings).inputs.at(0);
   EXPECT_EQ(read.device, "plc");
   EXPECT_EQ(read.read, 7);
+  EXPECT_TRUE(read.is_signed);
   EXPECT_EQ(read.check, InputCheck::Present);
   EXPECT_EQ(read.channel, "screw");
   EXPECT_EQ((std::vector<double>{read.scale, read.offset, read.tolerance, read.least, read.after_s}),

@@ -34,6 +34,20 @@ TEST(ServojFollower, WaitsForItsFirstTargetAndFollows) {
   EXPECT_EQ(robot.following().bridged, 0U);
 }
 
+TEST(ServojFollower, FollowsWhereTheNumbersOfCyclesBeginAgain) {
+  ServojFollower robot({}, 0.0, sixValues(0.0));
+  for (int k = 1; k <= 500; ++k) {
+    CyclicTarget target = targetOf(steadily, k, 0.02);
+    target.cycle = (1LL << 31) - 251 + k;
+    robot.hear(lamina::targetOf(targetBytes(target)).target);
+    robot.cycle();
+    ASSERT_EQ(robot.report().state, ServojState::Following) << k;
+    EXPECT_NEAR(robot.position()[0], kServoCycle * k, 2e-6);
+  }
+  EXPECT_EQ(robot.report().cycle, 250);
+  EXPECT_EQ(robot.following().bridged, 0U);
+}
+
 TEST(ServojFollower, LagsAsItsServoDoes) {
   ServojFollower robot({}, 0.02, sixValues(0.0));
   for (int k = 1; k <= 500; ++k) {

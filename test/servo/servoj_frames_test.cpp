@@ -6,6 +6,7 @@
 #include <rapidcheck.h>
 
 #include <cmath>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -67,6 +68,16 @@ TEST(ServojFrames, AreReadAsTheyWereWritten) {
     RC_ASSERT(read->state == report.state && read->cycle == report.cycle);
     RC_ASSERT((read->position - report.position).norm() < 1e-9);
   }));
+}
+
+TEST(ServojFrames, CountCyclesFromOneAgainAfterTheGreatestNumber) {
+  constexpr std::int64_t kGreatest = (1LL << 31) - 1;
+  EXPECT_EQ(targetOf(targetBytes(targetWith({0.1}, kGreatest))).target.cycle, kGreatest);
+  EXPECT_EQ(targetOf(targetBytes(targetWith({0.1}, kGreatest + 1))).target.cycle, 1);
+  EXPECT_EQ(targetOf(targetBytes(targetWith({0.1}, 3 * kGreatest))).target.cycle, kGreatest);
+  const auto report = reportOf(reportBytes({ServojState::Waiting, 0, JointValues::Zero(6)}));
+  ASSERT_TRUE(report);
+  EXPECT_EQ(report->cycle, 0) << "before the first target";
 }
 
 TEST(ReportReader, KnowsTheLastReportHoweverItsBytesCome) {

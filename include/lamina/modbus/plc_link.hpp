@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <bitset>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,9 +39,12 @@ enum class UnitPresence : std::uint8_t { Lost, Present };
 /// The unit as the PLC sees it: answers requests from the registers, and finds orders in them. It takes
 /// requests and times and returns answers and orders, without any network.
 ///
-/// A command is taken once, when its sequence changes to a value other than 0. Only one connection may write:
-/// the first that does, until it is closed or the watchdog is lost. Others are answered ServerBusy, unless
-/// they write a Stop, Hold or Abort alone.
+/// A command is taken once, when its sequence changes to a value other than 0. A value other than 0 that is
+/// the first one written to a sequence register may be left over from a link before: a command with it is
+/// answered StaleSequence, other orders are dropped; a Stop, Hold or Abort that is written alone is taken.
+/// Only one connection may write: the first that does, until it is closed or the watchdog is lost. Others are
+/// answered ServerBusy, unless they write a Stop, Hold or Abort alone: it is taken, and changes neither the
+/// registers nor which connection writes.
 class PlcLink {
  public:
   explicit PlcLink(const PlcLinkSettings& settings) : settings_(settings) {}
@@ -80,7 +85,7 @@ class PlcLink {
   std::uint32_t news() const { return news_; }
 
   /// Whether the PLC has written the register of its plate; before that the register has no meaning.
-  bool isPlateWritten() const { return is_plate_written_; }
+  bool isPlateWritten() const;
 
   /// The values that the PLC has written.
   PlcInputs inputs() const { return plcInputs(holding_, settings_.word_order); }
@@ -90,7 +95,8 @@ class PlcLink {
 
  private:
   std::optional<ModbusException> write(int connection, const ModbusRequest& request, double now_s);
-  void findOrders(const PlcInputs& before);
+  void takeStop(int connection, const ModbusRequest& request);
+  void findOrders(const ModbusRequest& request, const HoldingRegisters& before);
   void order(const PlcOrder& order);
 
   PlcLinkSettings settings_;
@@ -100,11 +106,12 @@ class PlcLink {
   double lost_s_ = 0.0;  ///< when the unit was lost
   LinkFigures figures_;
   HoldingRegisters holding_{};
+  std::bitset<kHoldingRegisters> written_;  ///< which of them the PLC has written
   std::optional<int> writer_;
+  std::map<int, std::uint16_t> stops_;  ///< last sequences of connections that stopped without writing
   PlcHeartbeat watchdog_ = PlcHeartbeat::Unarmed;
   double heard_s_ = 0.0;
   bool was_refused_ = false;
-  bool is_plate_written_ = false;
   std::uint32_t news_ = 0;
   std::vector<PlcOrder> orders_;
 };

@@ -67,7 +67,8 @@ enum class InputCheck : std::uint8_t {
 struct InputChannel {
   std::string name;
   std::string device;
-  int read = 0;  ///< register
+  int read = 0;            ///< register
+  bool is_signed = false;  ///< whether the register is a two's complement
   double scale = 1.0;
   double offset = 0.0;
   InputCheck check = InputCheck::Shown;

@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -22,12 +23,19 @@ struct ProcessAlarm {
   bool is_gone = false;
 };
 
+/// A row of the tables that raises alarms. Rows of different tables may share a name.
+struct AlarmSource {
+  enum class Table : std::uint8_t { Devices, Channels, Inputs };
+  std::string name;
+  Table table = Table::Devices;
+};
+
 /// Holds the alarms that are raised, and reports each change once.
 class RaisedAlarms {
  public:
   /// Raises an alarm of a source, or clears it.
   /// @param wrong  what is wrong now, in words; nothing if all is well
-  void set(std::uint16_t id, const std::string& source, const std::optional<std::string>& wrong,
+  void set(std::uint16_t id, const AlarmSource& source, const std::optional<std::string>& wrong,
            double value);
   /// Alarms raised and cleared since the last call. A cleared alarm is reported once no source raises it any
   /// more.
@@ -37,7 +45,7 @@ class RaisedAlarms {
   std::string first() const { return raised_.empty() ? std::string() : raised_.begin()->second.message; }
 
  private:
-  std::map<std::pair<std::uint16_t, std::string>, ProcessAlarm> raised_;
+  std::map<std::tuple<std::uint16_t, std::string, AlarmSource::Table>, ProcessAlarm> raised_;
   std::vector<ProcessAlarm> changes_;
 };
 

@@ -16,7 +16,7 @@ namespace lamina {
 // as URScript reads and writes them; angles in millionths of a radian.
 constexpr int kServojJoints = 6;
 /// Number of integers of a target frame: number of the cycle, then positions and velocities now, and
-/// positions and velocities ahead. The cycle -1 ends the program.
+/// positions and velocities ahead. Cycle 2^31 - 1 is followed by cycle 1; cycle -1 ends the program.
 constexpr std::size_t kTargetWords = 1 + 4 * kServojJoints;
 /// Number of integers of a report frame: state, cycle of the newest target, positions.
 constexpr std::size_t kReportWords = 2 + kServojJoints;
@@ -40,7 +40,7 @@ struct ServojReport {
 };
 
 /// The frame of a target.
-/// @param target  of six joints, with a cycle from 1 to 2^31 - 1
+/// @param target  of six joints, with a cycle from 1 on
 TargetBytes targetBytes(const CyclicTarget& target);
 /// The frame that ends the program on the robot.
 TargetBytes endBytes();

@@ -10,8 +10,13 @@ namespace lamina {
 namespace {
 
 constexpr double kHeartbeatInterval = 0.5;  // [s]
+constexpr std::size_t kHeartbeatRegister = 0;
 constexpr std::size_t kCommandRegister = 1;
+constexpr std::size_t kCommandSequenceRegister = 2;
+constexpr std::size_t kModeSequenceRegister = 4;
+constexpr std::size_t kJobSequenceRegister = 7;
 constexpr std::size_t kPlateRegister = 11;
+constexpr std::size_t kAcknowledgedRegister = 14;
 
 bool isStopping(std::uint32_t command) {
   const auto known = unitCommand(static_cast<int>(std::min<std::uint32_t>(command, 1000)));
@@ -63,42 +68,51 @@ std::optional<ModbusException> PlcLink::write(int connection, const ModbusReques
     after.at(address) = request.written[i];
   }
   if (!areInRange(after, settings_.word_order)) return ModbusException::IllegalValue;
-  if (writer_.value_or(connection) != connection) {
-    if (!isStopAlone(request)) return ModbusException::ServerBusy;
-  } else {
-    writer_ = connection;
+  if (isStopAlone(request) && writer_ != connection) {
+    takeStop(connection, request);
+    return std::nullopt;
   }
-  const PlcInputs before = inputs();
-  const std::size_t past = request.write_address + request.written.size();
-  if (request.write_address <= kPlateRegister && kPlateRegister < past) {
-    if (!is_plate_written_) ++news_;
-    is_plate_written_ = true;
-  }
+  if (writer_.value_or(connection) != connection) return ModbusException::ServerBusy;
+  writer_ = connection;
   if (surroundings(after) != surroundings(holding_)) ++news_;
-  holding_ = after;
-  if (inputs().heartbeat != before.heartbeat) {
-    figures_.plc_heartbeat = inputs().heartbeat;
+  const HoldingRegisters before = std::exchange(holding_, after);
+  if (holding_[kHeartbeatRegister] != before[kHeartbeatRegister]) {
+    figures_.plc_heartbeat = holding_[kHeartbeatRegister];
     heard_s_ = now_s;
     if (watchdog_ == PlcHeartbeat::Unarmed && access_ == RemoteAccess::Allowed)
       watchdog_ = PlcHeartbeat::Good;
   }
-  findOrders(before);
+  findOrders(request, before);
+  const bool was_plate_written = isPlateWritten();
+  for (std::size_t i = 0; i < request.written.size(); ++i) written_.set(request.write_address + i);
+  if (isPlateWritten() != was_plate_written) ++news_;
   return std::nullopt;
 }
 
-void PlcLink::findOrders(const PlcInputs& before) {
+/// Leaves the registers as the connection that writes has them: what it writes again is no new command.
+void PlcLink::takeStop(int connection, const ModbusRequest& request) {
+  const std::uint16_t sequence = request.written[1];
+  const std::uint16_t last = std::exchange(stops_[connection], sequence);
+  if (sequence != 0 && sequence != last) order({PlcOrder::Kind::Command, request.written[0], sequence});
+}
+
+void PlcLink::findOrders(const ModbusRequest& request, const HoldingRegisters& before) {
   using Kind = PlcOrder::Kind;
   const PlcInputs now = inputs();
-  const auto is_new = [](std::uint16_t sequence, std::uint16_t last) {
-    return sequence != 0 && sequence != last;
+  const bool is_stop = isStopAlone(request);
+  const auto find = [&](std::size_t at, const PlcOrder& found) {
+    if (holding_.at(at) == 0 || holding_.at(at) == before.at(at)) return;
+    // What a PLC writes again to a link that was restarted was carried out by the link before.
+    if (!written_.test(at) && !is_stop) return setResult(found, CommandResult::StaleSequence);
+    order(found);
   };
-  if (is_new(now.mode_sequence, before.mode_sequence)) order({Kind::Mode, now.mode, now.mode_sequence});
-  if (is_new(now.job_sequence, before.job_sequence)) order({Kind::Job, now.job, now.job_sequence});
-  if (is_new(now.acknowledged_alarm, before.acknowledged_alarm))
-    order({Kind::Acknowledge, now.acknowledged_alarm, 0});
-  if (is_new(now.command_sequence, before.command_sequence))
-    order({Kind::Command, now.command, now.command_sequence});
+  find(kModeSequenceRegister, {Kind::Mode, now.mode, now.mode_sequence});
+  find(kJobSequenceRegister, {Kind::Job, now.job, now.job_sequence});
+  find(kAcknowledgedRegister, {Kind::Acknowledge, now.acknowledged_alarm, 0});
+  find(kCommandSequenceRegister, {Kind::Command, now.command, now.command_sequence});
 }
+
+bool PlcLink::isPlateWritten() const { return written_.test(kPlateRegister); }
 
 void PlcLink::order(const PlcOrder& order) {
   const bool is_command = order.kind == PlcOrder::Kind::Command;
@@ -114,6 +128,7 @@ void PlcLink::order(const PlcOrder& order) {
 
 void PlcLink::close(int connection) {
   if (writer_ == connection) writer_.reset();
+  stops_.erase(connection);
 }
 
 std::vector<PlcOrder> PlcLink::takeOrders() { return std::exchange(orders_, {}); }

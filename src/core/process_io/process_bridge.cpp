@@ -88,7 +88,7 @@ void ProcessBridge::lookAtDevices(double now_s, const std::vector<DeviceView>& d
       if (is_expected) wrong = text;
     }
     if (devices[i].is_connected) was_connected_[i] = true;
-    raised_.set(5102, name, wrong, 0.0);
+    raised_.set(5102, {name, AlarmSource::Table::Devices}, wrong, 0.0);
   }
 }
 
@@ -113,7 +113,7 @@ void ProcessBridge::lookAtAsked() {
     if (drive.asked() > kOverBand * channel.high)
       wrong = channel.name + " is asked for " + numberText(drive.asked()) + " (" + nameOf(channel.quantity) +
               "); expected " + numberText(channel.low) + " to " + numberText(channel.high);
-    raised_.set(5101, channel.name, wrong, drive.asked());
+    raised_.set(5101, {channel.name, AlarmSource::Table::Channels}, wrong, drive.asked());
   }
 }
 

@@ -47,6 +47,7 @@ void describeRow(SettingsSchema& schema, OutputChannel& channel) {
 void describeRow(SettingsSchema& schema, InputChannel& input) {
   schema.text("device", input.device, "");
   schema.integer("read", input.read, {0.0, kRegisters}, "");
+  schema.flag("signed", input.is_signed, "");
   schema.number("scale", input.scale, {-kMost, kMost}, "");
   schema.number("offset", input.offset, {-kMost, kMost}, "");
   schema.choice<InputCheck>("check", input.check,
@@ -195,8 +196,9 @@ void describe(SettingsSchema& schema, ProcessTableSettings& settings) {
   schema.table("channels", settings.channels,
                "Outputs by name: quantity, device, write, scale, offset, low, high, safe, nominal, "
                "slew_per_s, dead_time_s, lag_s, wire_diameter_mm, screw, fault_register.");
-  schema.table("inputs", settings.inputs,
-               "Inputs by name: device, read, scale, offset, check, channel, tolerance, least, after_s.");
+  schema.table(
+      "inputs", settings.inputs,
+      "Inputs by name: device, read, signed, scale, offset, check, channel, tolerance, least, after_s.");
 }
 
 ProcessTables processTables(const ProcessTableSettings& settings) {

@@ -50,17 +50,18 @@ std::optional<std::string> defectOf(const Judged& judged) {
 
 }  // namespace
 
-void RaisedAlarms::set(std::uint16_t id, const std::string& source, const std::optional<std::string>& wrong,
+void RaisedAlarms::set(std::uint16_t id, const AlarmSource& source, const std::optional<std::string>& wrong,
                        double value) {
-  const auto key = std::make_pair(id, source);
+  const auto key = std::make_tuple(id, source.name, source.table);
   const auto found = raised_.find(key);
   if (wrong && found == raised_.end()) {
-    raised_.emplace(key, ProcessAlarm{id, source, value, *wrong, false});
-    changes_.push_back({id, source, value, *wrong, false});
+    raised_.emplace(key, ProcessAlarm{id, source.name, value, *wrong, false});
+    changes_.push_back({id, source.name, value, *wrong, false});
   } else if (!wrong && found != raised_.end()) {
     raised_.erase(found);
-    const auto other = raised_.lower_bound({id, std::string()});
-    if (other == raised_.end() || other->first.first != id) changes_.push_back({id, source, value, {}, true});
+    const auto other = raised_.lower_bound({id, std::string(), AlarmSource::Table::Devices});
+    if (other == raised_.end() || other->second.id != id)
+      changes_.push_back({id, source.name, value, {}, true});
   }
 }
 
@@ -83,7 +84,8 @@ void InputWatch::look(const std::vector<double>& measured, const std::vector<Cha
     if (!defect) wrong_since_[i].reset();
     if (defect && !wrong_since_[i]) wrong_since_[i] = now_s;
     const bool is_wrong = defect && now_s - *wrong_since_[i] >= input.after_s;
-    raised.set(alarmOf(judged), input.name, is_wrong ? defect : std::nullopt, measured[i]);
+    raised.set(alarmOf(judged), {input.name, AlarmSource::Table::Inputs}, is_wrong ? defect : std::nullopt,
+               measured[i]);
   }
 }
 

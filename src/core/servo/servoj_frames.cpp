@@ -49,7 +49,8 @@ std::optional<JointValues> jointsOf(const std::array<char, count>& bytes, std::s
 }
 
 std::int32_t cycleWord(std::int64_t cycle) {
-  return static_cast<std::int32_t>(std::min<std::int64_t>(cycle, std::numeric_limits<std::int32_t>::max()));
+  if (cycle <= 0) return 0;
+  return static_cast<std::int32_t>(1 + (cycle - 1) % std::numeric_limits<std::int32_t>::max());
 }
 
 }  // namespace

@@ -183,10 +183,9 @@ ProcessIo::~ProcessIo() {
   const double now_s = clock_.now();
   sendToDevices(bridge_.stop(now_s), now_s);
   kFlush.sleep();
-  // A service that does not answer would be waited for for ever.
-  if (std::any_of(links_.begin(), links_.end(), [](const auto& link) { return link->report().is_hung; }))
-    ros::shutdown();
   for (const std::size_t i : order_) {
+    // A service that does not answer would be waited for for ever.
+    if (!links_[i]->end()) ros::shutdown();
     ROS_INFO_STREAM(tables_.devices[i].name << ": " << textOf(links_[i]->figures()));
     links_[i].reset();
   }

@@ -133,5 +133,32 @@ TEST(DeviceLink, WhatWasNotSentYetIsReplacedAndLate) {
   EXPECT_EQ(link.figures().late.count(), 2U);
 }
 
+TEST(DeviceLink, ADeviceThatHangsAsItIsOpenedIsReported) {
+  CommandedDevice commanded;
+  commanded.hangs = true;
+  const SteadyClock clock;
+  DeviceLink link(std::make_unique<FakeDevice>(commanded), quickSettings(), clock, {-1.0});
+  EXPECT_TRUE(comesTo(link, [](const DeviceReport& report) {
+    return report.is_hung && !report.is_connected && report.reason.rfind("no answer for", 0) == 0;
+  }));
+  EXPECT_FALSE(link.end());
+  commanded.set(commanded.hangs, false);
+  EXPECT_TRUE(comesTo(link, [&link](const DeviceReport&) { return link.end(); }));
+  EXPECT_EQ(commanded.exchanged, (std::vector<Values>{{-1.0}, {-1.0}}));
+  EXPECT_TRUE(commanded.is_closed);
+}
+
+TEST(DeviceLink, DoesNotEndWhileTheLastValuesHang) {
+  CommandedDevice commanded;
+  const SteadyClock clock;
+  DeviceLink link(std::make_unique<FakeDevice>(commanded), quickSettings(), clock, {-1.0});
+  EXPECT_TRUE(comesTo(link, [](const DeviceReport& report) { return report.is_connected; }));
+  commanded.set(commanded.hangs, true);
+  EXPECT_FALSE(link.end());
+  commanded.set(commanded.hangs, false);
+  EXPECT_TRUE(comesTo(link, [&link](const DeviceReport&) { return link.end(); }));
+  EXPECT_TRUE(link.end()) << "for good";
+}
+
 }  // namespace
 }  // namespace lamina

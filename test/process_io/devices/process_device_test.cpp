@@ -187,6 +187,23 @@ TEST(ProcessDevice, InputsAreReadWithTheSameRequest) {
   EXPECT_EQ(device->exchange({11.0, 22.0}), (std::vector<double>{22.0, 11.0}));
 }
 
+TEST(ProcessDevice, InputsAreReadWithTheirSign) {
+  ModbusServerSettings server;
+  server.port = 0;
+  CouplerServer coupler({}, server);
+  DeviceTable table = tableOfTwo(DeviceKind::ModbusTcp, "127.0.0.1:" + std::to_string(coupler.port()));
+  InputChannel input;
+  input.read = kCouplerEffects;
+  table.inputs.push_back(input);
+  input.is_signed = true;
+  table.inputs.push_back(input);
+  input.read = kCouplerEffects + 1;
+  table.inputs.push_back(input);
+  const auto device = makeProcessDevice(table);
+  device->open();
+  EXPECT_EQ(device->exchange({-5.0, 32767.0}), (std::vector<double>{65531.0, -5.0, 32767.0}));
+}
+
 TEST(ProcessDevice, TheWatchdogAndFaultValuesOfACouplerAreReadBack) {
   ModbusServerSettings server;
   server.port = 0;

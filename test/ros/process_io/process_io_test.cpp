@@ -50,12 +50,7 @@ class ProcessCell {
       fans.push_back(message->data);
     };
     const boost::function<bool(lamina_msgs::SetIo::Request&, lamina_msgs::SetIo::Response&)> on_io =
-        [this](auto& request, auto& response) {
-          const std::lock_guard<std::mutex> lock(mutex_);
-          pins_.push_back(request);
-          response.success = true;
-          return true;
-        };
+        [this](auto& request, auto& response) { return setPin(request, response); };
     subscribers_ = {node_.subscribe<lamina_msgs::ProcessReady>(names::kProcessReady, 10, on_ready),
                     node_.subscribe<lamina_msgs::ProcessState>(names::kProcessState, 10000, on_state),
                     node_.subscribe<lamina_msgs::AlarmReport>(names::kAlarmReports, 100, on_alarm),
@@ -150,8 +145,19 @@ class ProcessCell {
   std::vector<lamina_msgs::ProcessState> states;
   std::vector<lamina_msgs::AlarmReport> alarms;
   std::vector<double> fans;
+  std::atomic<bool> is_called{false};  ///< the service
+  std::atomic<bool> hangs{false};      ///< the service, which answers once it no longer does
 
  private:
+  bool setPin(const lamina_msgs::SetIo::Request& request, lamina_msgs::SetIo::Response& response) {
+    is_called = true;
+    while (hangs) ros::WallDuration(0.01).sleep();
+    const std::lock_guard<std::mutex> lock(mutex_);
+    pins_.push_back(request);
+    response.success = true;
+    return true;
+  }
+
   std::string space_;
   ros::NodeHandle node_;
   std::vector<ros::Subscriber> subscribers_;
@@ -251,6 +257,16 @@ TEST(ProcessIo, EndsSafeAndIsSafeByTheDeviceWhenItIsKilled) {
   node->end(SIGKILL);
   ASSERT_TRUE(waitUntil([&] { return !cell.isLit(); }));
   EXPECT_EQ(cell.laserEvents().back().cause, CouplerEvent::Cause::Watchdog);
+}
+
+TEST(ProcessIo, EndsWhileAServiceDoesNotAnswer) {
+  ProcessCell cell("/hung");
+  cell.set("devices/controller/timeout_s", 0.5);
+  cell.hangs = true;
+  const auto node = cell.start();
+  EXPECT_TRUE(waitUntil([&] { return cell.is_called.load(); }));
+  EXPECT_EQ(node->end(SIGTERM), 0);
+  cell.hangs = false;
 }
 
 TEST(ProcessIo, RefusesTablesThatDoNotFit) {

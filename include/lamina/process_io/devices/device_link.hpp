@@ -52,6 +52,12 @@ class DeviceLink {
   DeviceReport report();
   DeviceFigures figures() const;
 
+  /// Sends the safe values for the last time and closes the device. The destructor does so too, but waits for
+  /// the device however long it takes.
+  /// @return false if a call to the device has not returned for twice its time-out: the link has not ended
+  /// yet
+  bool end();
+
  private:
   struct Waiting {
     std::vector<double> raw;
@@ -59,6 +65,8 @@ class DeviceLink {
   };
   void run();
   bool waitForWork(std::unique_lock<std::mutex>& lock);
+  bool isHung() const;
+  void beginCall();
   void tryToOpen();
   void exchange(const Waiting& values);
   void lose(const std::string& why);
@@ -71,11 +79,12 @@ class DeviceLink {
   mutable std::mutex mutex_;  ///< of what follows
   std::condition_variable changed_;
   std::optional<Waiting> waiting_;
-  std::optional<double> busy_since_s_;
+  std::optional<double> busy_since_s_;  ///< begin of the call to the device that has not returned
   DeviceReport report_;
   DeviceFigures figures_;
   double retry_at_s_ = 0.0;
   bool is_ending_ = false;
+  bool has_ended_ = false;
   std::thread thread_;
 };
 

@@ -40,6 +40,14 @@ DeviceLink::~DeviceLink() {
   thread_.join();
 }
 
+bool DeviceLink::end() {
+  std::unique_lock<std::mutex> lock(mutex_);
+  is_ending_ = true;
+  changed_.notify_all();
+  while (!has_ended_ && !isHung()) changed_.wait_for(lock, seconds(settings_.timeout_s));
+  return has_ended_;
+}
+
 void DeviceLink::send(std::vector<double> raw, double due_s) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -54,13 +62,16 @@ DeviceReport DeviceLink::report() {
   DeviceReport report = report_;
   report_.late_s = 0.0;
   report_.note.clear();
-  const double busy_s = busy_since_s_ ? clock_.now() - *busy_since_s_ : 0.0;
-  if (report.is_connected && busy_s > kHung * settings_.timeout_s) {
+  if (isHung()) {
     report.is_hung = true;
     report.is_connected = false;
-    report.reason = "no answer for " + numberText(busy_s) + " s";
+    report.reason = "no answer for " + numberText(clock_.now() - *busy_since_s_) + " s";
   }
   return report;
+}
+
+bool DeviceLink::isHung() const {
+  return busy_since_s_ && clock_.now() - *busy_since_s_ > kHung * settings_.timeout_s;
 }
 
 DeviceFigures DeviceLink::figures() const {
@@ -86,6 +97,9 @@ void DeviceLink::run() {
   lock.unlock();
   if (is_connected) exchange({safe_, clock_.now()});
   device_->close();
+  lock.lock();
+  has_ended_ = true;
+  changed_.notify_all();
 }
 
 /// Until there are values, or it is time to open the device. False if it is neither.
@@ -100,11 +114,19 @@ bool DeviceLink::waitForWork(std::unique_lock<std::mutex>& lock) {
   return false;
 }
 
+void DeviceLink::beginCall() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  busy_since_s_ = clock_.now();
+}
+
 void DeviceLink::tryToOpen() {
   try {
+    beginCall();
     std::string note = device_->open();
+    beginCall();
     device_->exchange(safe_);
     const std::lock_guard<std::mutex> lock(mutex_);
+    busy_since_s_.reset();
     report_.is_connected = true;
     report_.reason.clear();
     report_.note = std::move(note);

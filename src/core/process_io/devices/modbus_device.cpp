@@ -135,8 +135,10 @@ class ModbusDevice final : public ProcessDevice {
     }
     const std::vector<std::uint16_t> read = transfer(written);
     std::vector<double> inputs;
-    for (const InputChannel& input : table_.inputs)
-      inputs.push_back(read[static_cast<std::size_t>(input.read - inputs_.first)]);
+    for (const InputChannel& input : table_.inputs) {
+      const std::uint16_t raw_input = read[static_cast<std::size_t>(input.read - inputs_.first)];
+      inputs.push_back(input.is_signed ? static_cast<std::int16_t>(raw_input) : raw_input);
+    }
     return inputs;
   }
 
