@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The nodes cell_controller and gcode_streamer at an emulated machine that outlives both.
 #include <actionlib/client/simple_action_client.h>
-#include <actionlib_msgs/GoalStatusArray.h>
+#include <actionlib/server/action_server.h>
 #include <gtest/gtest.h>
 #include <ros/ros.h>
 
@@ -16,6 +16,7 @@
 #include "lamina/base/atomic_file.hpp"
 #include "messages.hpp"
 #include "names.hpp"
+#include "nodes/cell_controller/stream_executor.hpp"
 #include "ros/cell/cell_of_nodes.hpp"
 #include "ros/wait_until.hpp"
 
@@ -223,29 +224,21 @@ TEST(CellController, HoldsAJobThatStarts) {
   EXPECT_EQ(cell.machine.commands(), commandsOf(program));
 }
 
-TEST(CellController, StartsAJobWhoseProgramIsReadForLongerThanItsPatience) {
-  CellOfNodes cell("reads", 1000.0, {"_executor/patience_s:=1"});
-  bool is_taken_up = false;
-  ros::NodeHandle node;
-  const boost::function<void(const actionlib_msgs::GoalStatusArrayConstPtr&)> on_goals =
-      [&](const auto& goals) {
-        for (const actionlib_msgs::GoalStatus& goal : goals->status_list)
-          is_taken_up = is_taken_up || goal.status == actionlib_msgs::GoalStatus::ACTIVE;
-      };
-  const auto subscriber = node.subscribe<actionlib_msgs::GoalStatusArray>(
-      "/reads/" + std::string(names::kStreamProgram) + "/status", 10, on_goals);
-  cell.bringToIdle();
-  cell.change(cell.enqueue(squareProgram(1000000)), lamina_msgs::ChangeQueue::Request::RELEASE);
-  ASSERT_TRUE(cell.starts());
-  ASSERT_TRUE(waitUntil([&] { return is_taken_up; }));
-  // Amid its reading, for longer than the patience and shorter than what counts as lost.
-  ASSERT_EQ(kill(cell.streamer->id(), SIGSTOP), 0);
-  ros::WallDuration(1.3).sleep();
-  ASSERT_EQ(kill(cell.streamer->id(), SIGCONT), 0);
-  ASSERT_TRUE(cell.reaches("Execute"));
-  EXPECT_FALSE(cell.hasAlarm(2202));
-  EXPECT_EQ(cell.command(Command::ABORT), kAccepted) << cell.reason;
-  EXPECT_TRUE(cell.reaches("Aborted"));
+// Until the program is read, which may take long, the streamer says nothing of the machine.
+TEST(StreamExecutor, AwaitsAJobThatWasTakenUpAsLongAsItIsPrepared) {
+  ros::NodeHandle node("prepares");
+  actionlib::ActionServer<lamina_msgs::StreamProgramAction>::GoalHandle taken;
+  actionlib::ActionServer<lamina_msgs::StreamProgramAction> streamer(
+      node, names::kStreamProgram, [&taken](auto goal) { taken = goal; }, [](auto) {}, false);
+  streamer.start();
+  StreamExecutor executor(node, [](const ExecutorReport&) {});
+  ASSERT_TRUE(waitUntil([&] { return executor.isThere(); }));
+  executor.start({"/tmp/part.gcode", ExecutionStart::Anew, 1, "first"});
+  ASSERT_TRUE(waitUntil([&] { return taken.getGoal() != nullptr; }));
+  const double none_s = 1e-9;
+  EXPECT_EQ(executor.takeUnanswered(none_s), "start");
+  taken.setAccepted();
+  EXPECT_TRUE(waitUntil([&] { return executor.takeUnanswered(none_s).empty(); }));
 }
 
 TEST(CellController, HasItsMachineStoppedByTheWatchWhenTheStreamerDies) {

@@ -215,15 +215,6 @@ TEST_F(GcodeStreamer, StopsSafelyWhenTheGoalIsCancelled) {
 }
 
 /// There is no machine: if the port were tried, the job would have failed for that.
-TEST_F(GcodeStreamer, OpensNoPortForAGoalThatIsCancelledWhileItsProgramIsRead) {
-  start(write(zigzag(1000000)));
-  ASSERT_TRUE(waitUntil([&] { return client_.getState() == GoalState::ACTIVE; }));
-  client_.cancelGoal();
-  const auto given = result();
-  EXPECT_EQ(client_.getState(), GoalState::PREEMPTED);
-  EXPECT_EQ(given.status.code, Status::CANCELLED) << given.status.message;
-}
-
 TEST_F(GcodeStreamer, ReportsThatNoMachineIsThereAndLivesOn) {
   for (int attempt = 0; attempt < 2; ++attempt) {
     start(write(zigzag(10)));
