@@ -262,6 +262,7 @@ std::vector<double> heightsIn(const std::string& script) {
 
 // Each is started by hand: the arm waits between two of them, and may have been moved.
 TEST_F(JointProgramTest, ScriptsOfASplitProgramBeginAndEndOffThePart) {
+  lean();
   job_.settings.program.robot.may_cut = true;
   job_.settings.program.robot.urscript.max_points = 30;
   const SlicedPart sliced = slice("irb_4600", "box.script");
@@ -279,6 +280,7 @@ TEST_F(JointProgramTest, ScriptsOfASplitProgramBeginAndEndOffThePart) {
 }
 
 TEST_F(JointProgramTest, FanucsListingsMoveByCoordOverABedThatTurns) {
+  lean();
   job_.settings.joints.external = ExternalChoice::Follow;
   job_.settings.program.robot.fanuc.positioner_frame = 4;
   const SlicedPart sliced = slice("irb_4600_turntable", "box.ls");

@@ -27,7 +27,12 @@ class TableMachine : public KinematicModel {
     place.translation() = Point3(values[0], values[1], values[2]);
     return machineFromBed(values[3], values[4]).inverse() * place;
   }
-  Jacobian jacobian(const JointValues& values) const override { return Jacobian::Zero(6, values.size()); }
+  /// Of the linear joints alone.
+  Jacobian jacobian(const JointValues& values) const override {
+    Jacobian columns = Jacobian::Zero(6, values.size());
+    columns.topLeftCorner<3, 3>() = machineFromBed(values[3], values[4]).linear().transpose();
+    return columns;
+  }
 
   InverseSolutions solutions(const Eigen::Isometry3d& pose, const JointValues& near) const override {
     const Point3 up = -pose.linear().col(2);

@@ -181,8 +181,9 @@ std::string leaningLineIn(const ProgramSettings& program) {
   return text;
 }
 
-// By hand. The lift of 10 mm along the tool axis is (0, sin 0.3, cos 0.3) of it. Material: a bead of 0.4 x 0.2 mm is (0.2 * 0.2 + pi 0.1 * 0.1) mm2, 40 mm of it 2.856637 mm3, of
-// filament of 1.75 mm 1.18765 mm. A word without a point would be counted in thousandths.
+// By hand. The lift of 10 mm along the tool axis is (0, sin 0.3, cos 0.3) of it. Material: a bead of 0.4 x
+// 0.2 mm is (0.2 * 0.2 + pi 0.1 * 0.1) mm2, 40 mm of it 2.856637 mm3, of filament of 1.75 mm 1.18765 mm. A
+// word without a point would be counted in thousandths.
 constexpr char kFanucListing[] =
     "%\n"
     "O0042 (LINE -1-)\n"

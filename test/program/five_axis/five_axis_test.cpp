@@ -119,8 +119,11 @@ TEST(FiveAxis, WritesTipCoordinatesBetweenTheCodesOfTheDialect) {
   EXPECT_NE(text.find("; start of the part\nG0 A17.18873 C0\nTRAORI\nG0 X20 Y0\nG0 Z0.2\nG94\n"),
             std::string::npos)
       << text;
-  // 10 mm of a bead of 0.4 x 0.2 mm: (0.04 + pi 0.01) mm² of a filament of pi 0.875² mm².
-  EXPECT_NE(text.find("\nG1 X30 C30 U0.29691 F1800\n; end of the part\nTRAFOOF\n"), std::string::npos)
+  // The lift: 10 mm along (sin 0.3 sin 30°, sin 0.3 cos 30°, cos 0.3). 10 mm of a bead of 0.4 x 0.2 mm: (0.04
+  // + pi 0.01) mm² of a filament of pi 0.875² mm².
+  EXPECT_NE(text.find("\nG1 X30 C30 U0.29691 F1800\n; end of the part\n"
+                      "G0 X31.4776 Y2.5593 Z9.7534 ;retract\nTRAFOOF\n"),
+            std::string::npos)
       << text;
 }
 

@@ -147,6 +147,7 @@ const std::vector<TestedElsewhere>& nodeTests() {
       {"rate_hz", "ros/playback/trajectory_publisher.test", "rate_hz"},
       {"report_hz", "ros/drive/simulated_controller.test", "report_hz"},
       {"speed_up", "ros/playback/trajectory_publisher.test", "trajectory_publisher/speed_up"},
+      {"start.needs_loop", "ros/cell/cell_controller_test.cpp", "_start/needs_loop:=true"},
       {"start_delay_s", "ros/drive/trajectory_driver.test", "start_delay_s"},
       {"view.largest_program_mb", "ros/slicing/gcode_incliner_test.cpp", "view.largest_program_mb"}};
   return all;

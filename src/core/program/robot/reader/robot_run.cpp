@@ -154,7 +154,8 @@ class RobotRun {
   }
 
   void add(const TipMove& move) {
-    if (passage_ != Passage::None) {
+    const bool is_way_back = passage_ == Passage::Approach && running_.start;
+    if (passage_ == Passage::Retract || is_way_back) {
       requireOff(passage_ == Passage::Retract ? "a retract" : "an approach");
       passage_ = Passage::None;
       return;
