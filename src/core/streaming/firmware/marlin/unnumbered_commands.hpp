@@ -9,6 +9,8 @@
 #include <string>
 #include <utility>
 
+#include "streaming/job/change_commands.hpp"
+
 namespace lamina {
 
 /// Commands that go out between the lines of a program, without a number of theirs: changes and questions of
@@ -48,7 +50,7 @@ class UnnumberedCommands {
     commands_.erase(std::remove_if(commands_.begin(), commands_.end(),
                                    [](const Command& command) { return command.kind == Kind::Question; }),
                     commands_.end());
-    return "no answer to " + lost.text + ", which may not have been done";
+    return noAnswerTo(lost.text);
   }
 
  private:
