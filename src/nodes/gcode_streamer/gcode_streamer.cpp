@@ -66,6 +66,7 @@ GcodeStreamer::GcodeStreamer(ros::NodeHandle node, const GcodeStreamerSettings& 
       bed_from_program_(programFromBed(machine_).inverse()),
       state_(node.advertise<lamina_msgs::MachineState>(names::kMachineState, 100, true)),
       heaters_(node.advertise<lamina_msgs::HeaterState>(names::kHeaterState, 100, true)),
+      report_([this](const auto& state, const auto& heaters) { publishState(state, heaters); }),
       pause_(advertiseForOwner(node, names::kPause, owner_,
                                [this](auto& request, auto& response) { return onPause(request, response); })),
       resume_(
@@ -129,7 +130,7 @@ void GcodeStreamer::onGoal(const lamina_msgs::StreamProgramGoalConstPtr& goal) {
     // Nothing was sent: the program was refused or the port could not be opened.
     status.failure = currentFailure();
     status.state = PackmlState::Aborted;
-    publishState(status);
+    report_.take(status);
   }
   finish(status, clock.now() - start_s);
 }
@@ -146,9 +147,9 @@ ExecutionRecord GcodeStreamer::recordOfExecution(const lamina_msgs::StreamProgra
 }
 
 StreamStatus GcodeStreamer::stream(const lamina_msgs::StreamProgramGoal& goal) {
+  report_.begin(goal.program.empty() ? goal.toolpath_id : goal.program);
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    job_ = goal.program.empty() ? goal.toolpath_id : goal.program;
     is_of_toolpath_ = goal.program.empty();
     is_preparing_ = true;
     is_hold_due_ = false;
@@ -158,7 +159,11 @@ StreamStatus GcodeStreamer::stream(const lamina_msgs::StreamProgramGoal& goal) {
   JobStart start = goal.resume ? JobStart::Resume : JobStart::New;
   if (goal.resume && !goal.execution.empty()) {
     const ExecutionRecord record = recordOfExecution(goal);
-    if (record == ExecutionRecord::Complete) return completeStatus(program);
+    if (record == ExecutionRecord::Complete) {
+      const StreamStatus complete = completeStatus(program);
+      report_.take(complete);
+      return complete;
+    }
     if (record == ExecutionRecord::None) start = JobStart::New;
   }
   requireWanted();
@@ -280,12 +285,13 @@ StreamStatus GcodeStreamer::follow(StreamSession& session,
     const StreamStatus status = session.status();
     action_.publishFeedback(toFeedback(status));
     onSteps(startup_.steps());
-    publishState(status);
+    report_.publish();
     look(status);
     if (action_.isPreemptRequested()) session.abort({ErrorCode::Cancelled, "the goal was cancelled"});
     if (!ros::ok()) session.abort({ErrorCode::Cancelled, "the node was ended"});
   }
   StreamStatus status = session.status();
+  report_.take(status);
   look(status);
   return status;
 }
@@ -362,7 +368,7 @@ std::string GcodeStreamer::goOverTo(const lamina_msgs::Toolpath& message, Correc
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (session_ != job) return "the job has ended";
-    job_ = plan.id;
+    report_.rename(plan.id);
   }
   ROS_WARN("going on with the layers left as planned anew: %s", plan.id.c_str());
   publishLatched(toolpath_publisher_, stamped(plan, ros::Time::now()));
@@ -388,10 +394,8 @@ void GcodeStreamer::onCorrection(const lamina_msgs::CorrectionMap& message) {
 }
 
 void GcodeStreamer::finish(const StreamStatus& status, double duration_s) {
-  std::string job;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    job = job_;
     corrected_.reset();
     first_layer_map_.reset();
     is_preparing_ = false;
@@ -404,7 +408,7 @@ void GcodeStreamer::finish(const StreamStatus& status, double duration_s) {
     action_.setSucceeded(result);
     return;
   }
-  ROS_ERROR_STREAM(refusalText({"stream", job, ""}, status.failure));
+  ROS_ERROR_STREAM(refusalText({"stream", report_.job(), ""}, status.failure));
   if (action_.isPreemptRequested()) {
     action_.setPreempted(result, status.failure.message);
   } else {
@@ -483,57 +487,33 @@ bool GcodeStreamer::onChange(lamina_msgs::ChangeJob::Request& request,
 
 MachinePulse GcodeStreamer::pulse() const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  MachinePulse pulse = pulseOf(settings_, session_ ? status_.state : PackmlState::Idle, status_, steps_);
-  if (!is_of_toolpath_) pulse.program = job_;
+  const StreamStatus status = report_.status();
+  MachinePulse pulse =
+      pulseOf(settings_, session_ ? status.state : PackmlState::Idle, status, report_.steps());
+  if (!is_of_toolpath_) pulse.program = report_.job();
   return pulse;
 }
 
 void GcodeStreamer::onStatus(const StreamStatus& status) {
-  bool has_changed = false;
-  bool has_moved = false;
-  bool is_warned = false;
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    has_changed = status.state != status_.state;
-    is_warned = !status.warning.empty() && status.warning != status_.warning;
-    has_moved = status.position && (!status_.position || *status.position != *status_.position);
-    status_ = status;
-  }
-  if (is_warned) ROS_WARN_STREAM(status.warning);
-  if (has_changed) pulses_.send();
-  if (has_changed) publishState(status);
-  if (position_ && has_moved) publishPosition(*status.position);
+  const StatusNews news = report_.take(status);
+  if (news.is_warning) ROS_WARN_STREAM(status.warning);
+  if (news.is_state) pulses_.send();
+  if (position_ && news.is_position) publishPosition(*status.position);
 }
 
-void GcodeStreamer::publishState(const StreamStatus& status) {
-  lamina_msgs::MachineState message;
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    status_ = status;
-    message = toMachineState(status, job_);
-    message.startup = steps_;
-  }
-  message.header.stamp = ros::Time::now();
-  message.header.frame_id = names::kBedFrame;
-
-  publishLatched(state_, message);
-  lamina_msgs::HeaterState heaters = toHeaterState(status);
-  heaters.header.stamp = message.header.stamp;
+void GcodeStreamer::publishState(lamina_msgs::MachineState state, lamina_msgs::HeaterState heaters) const {
+  state.header.stamp = ros::Time::now();
+  state.header.frame_id = names::kBedFrame;
+  heaters.header.stamp = state.header.stamp;
+  publishLatched(state_, state);
   publishLatched(heaters_, heaters);
 }
 
 /// Between jobs: the state is that in which the last one ended.
 void GcodeStreamer::onSteps(const std::vector<StartupStatus>& steps) {
-  StreamStatus status;
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    auto messages = toMessages(steps);
-    logChanges(steps_, messages);
-    steps_ = std::move(messages);
-    if (session_) return;
-    status = status_;
-  }
-  publishState(status);
+  const auto messages = toMessages(steps);
+  logChanges(report_.takeSteps(messages), messages);
+  if (!session()) report_.publish();
 }
 
 void GcodeStreamer::publishPosition(const ReportedPosition& position) {
@@ -544,9 +524,8 @@ void GcodeStreamer::publishPosition(const ReportedPosition& position) {
 }
 
 void GcodeStreamer::diagnose(diagnostic_updater::DiagnosticStatusWrapper& diagnostics) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  fillDiagnostics(status_, diagnostics);
-  for (const auto& step : steps_) diagnostics.add("start-up: " + step.name, step.state_name);
+  fillDiagnostics(report_.status(), diagnostics);
+  for (const auto& step : report_.steps()) diagnostics.add("start-up: " + step.name, step.state_name);
 }
 
 }  // namespace lamina

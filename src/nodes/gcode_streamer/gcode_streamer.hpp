@@ -28,6 +28,7 @@
 #include "owner_watch.hpp"
 #include "recorded_program.hpp"
 #include "startup_service.hpp"
+#include "stream_report.hpp"
 #include "streamer_settings.hpp"
 #include "toolpath_programs.hpp"
 
@@ -87,7 +88,7 @@ class GcodeStreamer {
   MachinePulse pulse() const;
 
   void onStatus(const StreamStatus& status);
-  void publishState(const StreamStatus& status);
+  void publishState(lamina_msgs::MachineState state, lamina_msgs::HeaterState heaters) const;
 
   void onSteps(const std::vector<StartupStatus>& steps);
   void publishPosition(const ReportedPosition& position);
@@ -101,6 +102,7 @@ class GcodeStreamer {
   ros::Publisher state_;
   ros::Publisher heaters_;
   ros::Publisher position_;
+  StreamReport report_;
   CorrectionReports reports_;
   ros::Subscriber toolpath_subscriber_;
   ros::Subscriber correction_;
@@ -126,9 +128,6 @@ class GcodeStreamer {
   bool is_preparing_ = false;                     ///< a goal, whose session is not there yet
   bool is_hold_due_ = false;                      ///< of it
   lamina_msgs::ToolpathConstPtr toolpath_;
-  StreamStatus status_;
-  std::string job_;
-  std::vector<lamina_msgs::StartupStep> steps_;
 
   PulseSender pulses_;  ///< until job and start-up have left the machine safe
   StartupSession startup_;
