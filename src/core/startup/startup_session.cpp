@@ -32,7 +32,7 @@ class StartupSession::Impl {
   void transferred(const ProgramIdentity& program);
   void abort();
   bool isBusy() const;
-  void beginJob(const ProgramIdentity& program);
+  void beginJob(const ProgramIdentity& program, const MayGoOn& mayGoOn);
   void watchJob(const StreamableProgram& program, WatchedLines lines);
   std::vector<JobLoss> losses(const StreamStatus& status);
   std::string questions() const;
@@ -41,7 +41,6 @@ class StartupSession::Impl {
 
  private:
   using Lock = std::unique_lock<std::mutex>;
-  using MayGoOn = std::function<bool()>;
 
   /// What the session's own thread has to do.
   enum class Task { None, Step, AllSteps, Abort };
@@ -53,7 +52,8 @@ class StartupSession::Impl {
   void requireIdle() const;
   void notify(Lock& lock);
 
-  void lookBeforeJob(Lock& lock);
+  void awaitPort(Lock& lock, const MayGoOn& mayGoOn);
+  void lookBeforeJob(Lock& lock, const MayGoOn& mayGoOn);
   void work();
   void drive(Lock& lock, StartupStep step);
   void onFailure(Lock& lock, StartupStep step, const Error& error);
@@ -223,17 +223,17 @@ void StartupSession::Impl::abort() {
   wake_.notify_all();
 }
 
-void StartupSession::Impl::beginJob(const ProgramIdentity& program) {
+void StartupSession::Impl::beginJob(const ProgramIdentity& program, const MayGoOn& mayGoOn) {
   Lock lock(mutex_);
   requireIdle();
   if (isEmpty()) return;
   startup_.elapse(now());
   startup_.requireReadyFor(program);
-  wake_.wait(lock, [this] { return port_user_ != PortUser::Session; });
+  awaitPort(lock, mayGoOn);
   requireIdle();
   port_user_ = PortUser::Job;
   try {
-    lookBeforeJob(lock);
+    lookBeforeJob(lock, mayGoOn);
     startup_.requireReadyFor(program);
   } catch (const Error&) {
     port_user_ = PortUser::Nobody;
@@ -241,12 +241,23 @@ void StartupSession::Impl::beginJob(const ProgramIdentity& program) {
   }
 }
 
-void StartupSession::Impl::lookBeforeJob(Lock& lock) {
+void StartupSession::Impl::awaitPort(Lock& lock, const MayGoOn& mayGoOn) {
+  constexpr std::chrono::duration<double> kInterval(kPoll);
+  for (;;) {
+    {
+      const Unlocked unlocked(lock);
+      if (!mayGoOn()) throw Cancelled("the job is not to begin any more");
+    }
+    if (wake_.wait_for(lock, kInterval, [this] { return port_user_ != PortUser::Session; })) return;
+  }
+}
+
+void StartupSession::Impl::lookBeforeJob(Lock& lock, const MayGoOn& mayGoOn) {
   if (!startup_.hasMachineAtWork()) return;
   try {
-    stream(lock, settings_.check_code, [] { return true; });
+    stream(lock, settings_.check_code, mayGoOn);
   } catch (const Error& error) {
-    startup_.forgetMachine(error.what());
+    if (error.code() != ErrorCode::Cancelled) startup_.forgetMachine(error.what());
     throw;
   }
 }
@@ -316,7 +327,9 @@ void StartupSession::confirm(StartupStep step) { impl_->confirm(step); }
 void StartupSession::transferred(const ProgramIdentity& program) { impl_->transferred(program); }
 void StartupSession::abort() { impl_->abort(); }
 bool StartupSession::isBusy() const { return impl_->isBusy(); }
-void StartupSession::beginJob(const ProgramIdentity& program) { impl_->beginJob(program); }
+void StartupSession::beginJob(const ProgramIdentity& program, const MayGoOn& mayGoOn) {
+  impl_->beginJob(program, mayGoOn);
+}
 void StartupSession::watchJob(const StreamableProgram& program, WatchedLines lines) {
   impl_->watchJob(program, lines);
 }

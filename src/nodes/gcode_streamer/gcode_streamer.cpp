@@ -153,6 +153,7 @@ StreamStatus GcodeStreamer::stream(const lamina_msgs::StreamProgramGoal& goal) {
     is_of_toolpath_ = goal.program.empty();
     is_preparing_ = true;
     is_hold_due_ = false;
+    is_abort_due_ = false;
   }
   const StreamableProgram program = programFor(goal);
   const std::unique_ptr<const DryProgram> dry = dryProgram(goal, program);
@@ -171,8 +172,9 @@ StreamStatus GcodeStreamer::stream(const lamina_msgs::StreamProgramGoal& goal) {
   StreamStatus status;
   try {
     status = streamProgram(dry ? dry->program() : program, start, goal.execution);
-  } catch (const Error&) {
-    status.failure = currentFailure();
+  } catch (const Error& error) {
+    // One that was given up has sent nothing, and found nothing out about the machine.
+    if (error.code() != ErrorCode::Cancelled) status.failure = currentFailure();
     startup_.endJob(program, status);
     throw;
   }
@@ -192,13 +194,7 @@ std::unique_ptr<const DryProgram> GcodeStreamer::dryProgram(const lamina_msgs::S
   return dry;
 }
 
-/// @throws Cancelled if the goal was cancelled, or the node ended, while the job was prepared
-void GcodeStreamer::requireWanted() {
-  if (action_.isPreemptRequested()) throw Cancelled("the goal was cancelled before the job began");
-  if (!ros::ok()) throw Cancelled("the node was ended before the job began");
-}
-
-/// @throws Rejected if the machine is not started up
+/// @throws Rejected if the machine is not started up; Cancelled if the goal is to end
 void GcodeStreamer::beginJob(const lamina_msgs::StreamProgramGoal& goal, const StreamableProgram& program) {
   ProgramIdentity identity{program.name(), 0, 0};
   if (startup_.awaits(StartupStep::TransferProgram)) {
@@ -208,7 +204,12 @@ void GcodeStreamer::beginJob(const lamina_msgs::StreamProgramGoal& goal, const S
     else
       identity = identityOfFile(goal.program);
   }
-  startup_.beginJob(identity);
+  try {
+    startup_.beginJob(identity, [this] { return !cancellation(); });
+  } catch (const Cancelled&) {
+    requireWanted();  // in the words of the goal
+    throw;
+  }
 }
 
 /// A job that is gone on with lays by maps what its record says, and the rest as planned.
@@ -242,6 +243,7 @@ StreamStatus GcodeStreamer::streamProgram(const StreamableProgram& program, JobS
     is_preparing_ = false;
     if (is_hold_due_) session->pause();
   }
+  if (const auto why = cancellation()) session->abort(*why);
   ROS_INFO("streaming %s, %lu lines, to %s", program.name().c_str(), static_cast<unsigned long>(sent.lines()),
            settings_.port.name.c_str());
   owner_watch_.expect();
@@ -287,8 +289,7 @@ StreamStatus GcodeStreamer::follow(StreamSession& session,
     onSteps(startup_.steps());
     report_.publish();
     look(status);
-    if (action_.isPreemptRequested()) session.abort({ErrorCode::Cancelled, "the goal was cancelled"});
-    if (!ros::ok()) session.abort({ErrorCode::Cancelled, "the node was ended"});
+    if (const auto why = cancellation()) session.abort(*why);
   }
   StreamStatus status = session.status();
   report_.take(status);
@@ -427,6 +428,26 @@ bool GcodeStreamer::holdPrepared(bool is_held) {
   return is_preparing_;
 }
 
+bool GcodeStreamer::giveUpPrepared() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (is_preparing_) is_abort_due_ = true;
+  return is_preparing_;
+}
+
+std::optional<Failure> GcodeStreamer::cancellation() {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (is_abort_due_) return Failure{ErrorCode::Cancelled, "aborted on request"};
+  }
+  if (action_.isPreemptRequested()) return Failure{ErrorCode::Cancelled, "the goal was cancelled"};
+  if (!ros::ok()) return Failure{ErrorCode::Cancelled, "the node was ended"};
+  return std::nullopt;
+}
+
+void GcodeStreamer::requireWanted() {
+  if (const auto why = cancellation()) throw Cancelled(why->message);
+}
+
 bool GcodeStreamer::onPause(Trigger::Request&, Trigger::Response& response) {
   const bool is_prepared = holdPrepared(true);
   const auto job = session();
@@ -454,17 +475,19 @@ bool GcodeStreamer::onResume(Trigger::Request&, Trigger::Response& response) {
 }
 
 bool GcodeStreamer::onAbort(Trigger::Request&, Trigger::Response& response) {
+  const bool is_prepared = giveUpPrepared();
   const auto job = session();
   const bool is_starting_up = !job && startup_.isBusy();
-  response.success = job != nullptr || is_starting_up;
+  response.success = is_prepared || job != nullptr || is_starting_up;
   response.message = response.success ? "stopping the machine" : "no job is under way";
+  if (is_prepared && !job && !is_starting_up) response.message = "nothing is begun";
   if (job) job->abort({ErrorCode::Cancelled, "aborted on request"});
   if (!is_starting_up) return true;
   try {
     startup_.abort();
   } catch (const Error& error) {
-    response.success = false;
-    response.message = error.what();
+    response.success = is_prepared;
+    response.message = is_prepared ? "nothing is begun" : error.what();
   }
   return true;
 }

@@ -56,7 +56,6 @@ class GcodeStreamer {
   StreamStatus stream(const lamina_msgs::StreamProgramGoal& goal);
   std::unique_ptr<const DryProgram> dryProgram(const lamina_msgs::StreamProgramGoal& goal,
                                                const StreamableProgram& program);
-  void requireWanted();
   void beginJob(const lamina_msgs::StreamProgramGoal& goal, const StreamableProgram& program);
   StreamStatus streamProgram(const StreamableProgram& program, JobStart start, const std::string& execution);
   ExecutionRecord recordOfExecution(const lamina_msgs::StreamProgramGoal& goal) const;
@@ -83,6 +82,12 @@ class GcodeStreamer {
   std::shared_ptr<StreamSession> session() const;
   /// Has the goal whose session is not there yet hold or not hold. @return false if there is none
   bool holdPrepared(bool is_held);
+  /// Has the goal whose session is not there yet end. @return false if there is none
+  bool giveUpPrepared();
+  /// Why the goal is to end; nothing if it is not.
+  std::optional<Failure> cancellation();
+  /// @throws Cancelled if the goal is to end
+  void requireWanted();
 
   /// What a watch needs to stop the machine in this node's place.
   MachinePulse pulse() const;
@@ -127,6 +132,7 @@ class GcodeStreamer {
   bool is_of_toolpath_ = false;                   ///< the job under way, and not of a file
   bool is_preparing_ = false;                     ///< a goal, whose session is not there yet
   bool is_hold_due_ = false;                      ///< of it
+  bool is_abort_due_ = false;                     ///< of it
   lamina_msgs::ToolpathConstPtr toolpath_;
 
   PulseSender pulses_;  ///< until job and start-up have left the machine safe
