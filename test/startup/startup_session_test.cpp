@@ -207,6 +207,20 @@ TEST_F(StartupSessionTest, LeavesTheMachineSafeWhenItEnds) {
   }
 }
 
+TEST_F(StartupSessionTest, TakesNothingOnceItIsEnded) {
+  plugIn();
+  startSession();
+  run(StartupSessionStep::HeatBed);
+  expectState(StartupSessionStep::HeatBed, State::Done);
+  session_->end();
+  EXPECT_DOUBLE_EQ(machine_->bedTarget(), 0.0) << "the machine is left safe by then";
+  EXPECT_EQ(statusOf(StartupSessionStep::HeatBed).state, State::Pending);
+  EXPECT_EQ(codeOf([&] { session_->run(StartupSessionStep::HeatBed); }), ErrorCode::Rejected);
+  EXPECT_EQ(codeOf([&] { session_->abort(); }), ErrorCode::Rejected);
+  EXPECT_EQ(codeOf([&] { stream("G1 X1"); }), ErrorCode::Rejected);
+  EXPECT_FALSE(session_->isBusy());
+}
+
 TEST_F(StartupSessionTest, SaysThatABedIsHotThatItMayNotSwitchOff) {
   settings_.abort_code.clear();
   plugIn();

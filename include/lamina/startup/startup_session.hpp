@@ -80,6 +80,10 @@ class StartupSession {
   /// vacuum, homing and height map are Pending again.
   void endJob(const StreamableProgram& program, const StreamStatus& status);
 
+  /// Ends the session as the destructor does, and returns once the machine is left safe. To be called by one
+  /// thread, while no job has the port. Steps and jobs are Rejected from then on.
+  void end();
+
  private:
   class Impl;
   std::unique_ptr<Impl> impl_;

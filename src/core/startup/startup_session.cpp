@@ -22,7 +22,7 @@ namespace lamina {
 class StartupSession::Impl {
  public:
   Impl(const StartupSettings& settings, const StreamSettings& stream, MachinePort port, Observer changed);
-  ~Impl();
+  ~Impl() { end(); }
 
   bool isEmpty() const { return startup_.isEmpty(); }
   bool awaits(StartupStep step) const;
@@ -38,6 +38,7 @@ class StartupSession::Impl {
   std::string questions() const;
   void heard(const FirmwareReply& reply);
   void endJob(const StreamableProgram& program, const StreamStatus& status);
+  void end();
 
  private:
   using Lock = std::unique_lock<std::mutex>;
@@ -141,14 +142,13 @@ StartupSession::Impl::Impl(const StartupSettings& settings, const StreamSettings
   thread_ = std::thread([this] { work(); });
 }
 
-StartupSession::Impl::~Impl() {
-  if (!thread_.joinable()) return;
+void StartupSession::Impl::end() {
   {
     const Lock lock(mutex_);
     is_ending_ = true;
     wake_.notify_all();
   }
-  thread_.join();
+  if (thread_.joinable()) thread_.join();
 }
 
 bool StartupSession::Impl::awaits(StartupStep step) const {
@@ -167,6 +167,7 @@ bool StartupSession::Impl::isBusy() const {
 }
 
 void StartupSession::Impl::requireNoJob() const {
+  if (is_ending_) throw Rejected(kEnded);
   if (port_user_ == PortUser::Job) throw Rejected("a job is under way; expected the machine to be free");
 }
 
@@ -339,6 +340,7 @@ void StartupSession::heard(const FirmwareReply& reply) { impl_->heard(reply); }
 void StartupSession::endJob(const StreamableProgram& program, const StreamStatus& status) {
   impl_->endJob(program, status);
 }
+void StartupSession::end() { impl_->end(); }
 
 // What the thread of a start-up session does.
 

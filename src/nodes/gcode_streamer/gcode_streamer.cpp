@@ -16,6 +16,7 @@
 #include "latched.hpp"
 #include "names.hpp"
 #include "refusal_text.hpp"
+#include "shutdown.hpp"
 #include "startup_messages.hpp"
 #include "status.hpp"
 #include "stream_messages.hpp"
@@ -25,7 +26,7 @@ namespace lamina {
 namespace {
 
 constexpr double kFeedbackPeriod = 0.1;  // s
-constexpr double kHoldStep = 0.01;       // s between looks whether the job holds
+constexpr double kHoldStep = 0.01;       // s between looks whether the job holds, or has ended
 constexpr int kHoldSteps = 100;          // a session takes what is asked of it far sooner
 
 /// Of a job that was done before anybody heard of it.
@@ -120,7 +121,14 @@ GcodeStreamer::GcodeStreamer(ros::NodeHandle node, const GcodeStreamerSettings& 
   action_.start();
 }
 
+void GcodeStreamer::awaitRest() {
+  while (has_goal_) ros::WallDuration(kHoldStep).sleep();
+  startup_.end();
+  awaitDelivery();
+}
+
 void GcodeStreamer::onGoal(const lamina_msgs::StreamProgramGoalConstPtr& goal) {
+  has_goal_ = true;
   const SteadyClock clock;
   const double start_s = clock.now();
   StreamStatus status;
@@ -133,6 +141,7 @@ void GcodeStreamer::onGoal(const lamina_msgs::StreamProgramGoalConstPtr& goal) {
     report_.take(status);
   }
   finish(status, clock.now() - start_s);
+  has_goal_ = false;
 }
 
 /// A job that was cut off goes on, begins or was complete, as its progress file knows.
@@ -147,7 +156,6 @@ ExecutionRecord GcodeStreamer::recordOfExecution(const lamina_msgs::StreamProgra
 }
 
 StreamStatus GcodeStreamer::stream(const lamina_msgs::StreamProgramGoal& goal) {
-  report_.begin(goal.program.empty() ? goal.toolpath_id : goal.program);
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     is_of_toolpath_ = goal.program.empty();
@@ -155,6 +163,8 @@ StreamStatus GcodeStreamer::stream(const lamina_msgs::StreamProgramGoal& goal) {
     is_hold_due_ = false;
     is_abort_due_ = false;
   }
+  report_.begin(goal.program.empty() ? goal.toolpath_id : goal.program);
+  requireWanted();
   const StreamableProgram program = programFor(goal);
   const std::unique_ptr<const DryProgram> dry = dryProgram(goal, program);
   JobStart start = goal.resume ? JobStart::Resume : JobStart::New;
@@ -440,7 +450,7 @@ std::optional<Failure> GcodeStreamer::cancellation() {
     if (is_abort_due_) return Failure{ErrorCode::Cancelled, "aborted on request"};
   }
   if (action_.isPreemptRequested()) return Failure{ErrorCode::Cancelled, "the goal was cancelled"};
-  if (!ros::ok()) return Failure{ErrorCode::Cancelled, "the node was ended"};
+  if (isStopRequested() || !ros::ok()) return Failure{ErrorCode::Cancelled, "the node was ended"};
   return std::nullopt;
 }
 

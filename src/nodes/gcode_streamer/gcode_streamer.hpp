@@ -7,6 +7,7 @@
 #include <ros/node_handle.h>
 #include <std_srvs/Trigger.h>
 
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -43,11 +44,14 @@ namespace lamina {
 ///
 /// A machine with a start-up sequence (`startup.*`) takes a job only when every step is satisfied.
 ///
-/// One job at a time: a new goal aborts the one under way. SIGINT, SIGTERM and SIGHUP stop the machine safely
-/// first.
+/// One job at a time: a new goal aborts the one under way.
 class GcodeStreamer {
  public:
   GcodeStreamer(ros::NodeHandle node, const GcodeStreamerSettings& settings);
+
+  /// Returns once the machine is left safe, by the job under way, which `isStopRequested` aborts, and by the
+  /// start-up, and both have been reported.
+  void awaitRest();
 
  private:
   using Trigger = std_srvs::Trigger;
@@ -124,6 +128,7 @@ class GcodeStreamer {
   ros::Timer diagnostics_timer_;
 
   bool is_dry_ = false;  ///< the job under way; of the action's thread alone
+  std::atomic<bool> has_goal_{false};
 
   mutable std::mutex mutex_;  ///< of everything below
   std::shared_ptr<StreamSession> session_;

@@ -336,10 +336,13 @@ TEST_F(GcodeStreamer, StopsTheMachineSafelyOnSigterm) {
   }
   Client client("/terminated/stream_program", true);
   ASSERT_TRUE(client.waitForServer(ros::Duration(kPatience)));
+  MachineState::ConstPtr state;
+  const ros::Subscriber states = node_.subscribe<MachineState>(
+      "/terminated/machine_state", 1000, [&](const MachineState::ConstPtr& message) { state = message; });
   lamina_msgs::StreamProgramGoal goal;
   goal.program = write(zigzag(3000));
   client.sendGoal(goal);
-  EXPECT_TRUE(waitUntil([&] { return machine->counts().lines_run > 20; }));
+  EXPECT_TRUE(waitUntil([&] { return state && machine->counts().lines_run > 20; }));
   EXPECT_GT(machine->nozzleTarget(), 0.0);
   EXPECT_EQ(baudOf(port), 57600U);
   ::kill(child, SIGTERM);
@@ -347,6 +350,11 @@ TEST_F(GcodeStreamer, StopsTheMachineSafelyOnSigterm) {
   EXPECT_EQ(::waitpid(child, &status, 0), child);
   EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << status;
   EXPECT_DOUBLE_EQ(machine->nozzleTarget(), 0.0);
+  EXPECT_TRUE(waitUntil([&] { return client.getState().isDone(); }));
+  EXPECT_EQ(client.getState(), GoalState::ABORTED);
+  ASSERT_TRUE(client.getResult());
+  EXPECT_EQ(client.getResult()->status.code, Status::CANCELLED) << client.getResult()->status.message;
+  EXPECT_TRUE(waitUntil([&] { return state->state == MachineState::ABORTED; })) << state->state_name;
 }
 
 /// Three layers of two beads each.
