@@ -95,7 +95,7 @@ class StartupSessionTest : public testing::Test {
   /// A job as the node runs it.
   StreamStatus stream(const std::string& text) {
     const auto program = StreamableProgram::fromText("part", text);
-    session_->beginJob({program.name(), 0, 0});
+    session_->beginJob({program.name(), 0, 0}, [] { return true; });
     StreamSession job(program, stream_, {port(), 115200}, {},
                       {[this](const FirmwareReply& reply) { session_->heard(reply); }, {}});
     EXPECT_TRUE(job.waitFor(60.0));
@@ -123,6 +123,30 @@ TEST_F(StartupSessionTest, RunsAllStepsAndLendsThePortToJobs) {
   EXPECT_EQ(stream("G1 X20\nM84").state, PackmlState::Complete);
   EXPECT_EQ(statusOf(StartupSessionStep::HomeX).state, State::Pending);
   EXPECT_EQ(codeOf([&] { stream("G1 X1"); }), ErrorCode::Rejected);
+}
+
+TEST_F(StartupSessionTest, LosesNothingToAJobThatDoesNotBegin) {
+  plugIn();
+  startSession();
+  runAll();
+  EXPECT_EQ(codeOf([&] { session_->beginJob({"part", 0, 0}, [] { return false; }); }), ErrorCode::Cancelled);
+  EXPECT_EQ(statusOf(StartupSessionStep::HomeX).state, State::Done);
+  EXPECT_EQ(stream("G90\nG1 X10 F6000").state, PackmlState::Complete) << "the port is free";
+}
+
+TEST_F(StartupSessionTest, StopsTheCheckBeforeAJobThatIsNotToBegin) {
+  settings_.skip += " heat_bed place_sheet draw_vacuum home_z_again map_heights";
+  settings_.check_code += "\nG4 S300";  // 0.3 s
+  plugIn();
+  startSession();
+  run();
+  expectState(StartupSessionStep::HomeZ, State::Done);
+  EXPECT_TRUE(waitUntil([&] { return !session_->isBusy(); }));
+  int asked = 0;
+  EXPECT_EQ(codeOf([&] {
+              session_->beginJob({"part", 0, 0}, [&] { return ++asked < 2; });
+            }),
+            ErrorCode::Cancelled);
 }
 
 TEST_F(StartupSessionTest, SeesMotorsThatSomebodyElseSwitchedOff) {
@@ -181,6 +205,20 @@ TEST_F(StartupSessionTest, LeavesTheMachineSafeWhenItEnds) {
     EXPECT_NE(status.state, State::Done) << toString(status.step);
     EXPECT_NE(status.state, State::Running) << toString(status.step);
   }
+}
+
+TEST_F(StartupSessionTest, TakesNothingOnceItIsEnded) {
+  plugIn();
+  startSession();
+  run(StartupSessionStep::HeatBed);
+  expectState(StartupSessionStep::HeatBed, State::Done);
+  session_->end();
+  EXPECT_DOUBLE_EQ(machine_->bedTarget(), 0.0) << "the machine is left safe by then";
+  EXPECT_EQ(statusOf(StartupSessionStep::HeatBed).state, State::Pending);
+  EXPECT_EQ(codeOf([&] { session_->run(StartupSessionStep::HeatBed); }), ErrorCode::Rejected);
+  EXPECT_EQ(codeOf([&] { session_->abort(); }), ErrorCode::Rejected);
+  EXPECT_EQ(codeOf([&] { stream("G1 X1"); }), ErrorCode::Rejected);
+  EXPECT_FALSE(session_->isBusy());
 }
 
 TEST_F(StartupSessionTest, SaysThatABedIsHotThatItMayNotSwitchOff) {

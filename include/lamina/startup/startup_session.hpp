@@ -24,6 +24,8 @@ class StartupSession {
   /// Called with the status of all steps when they may have changed; from any thread, and possibly before the
   /// constructor has returned.
   using Observer = std::function<void(const std::vector<StartupStatus>&)>;
+  /// Whether a job is still to begin; called from the thread that asks for it, now and then.
+  using MayGoOn = std::function<bool()>;
 
   /// @throws InvalidConfig as `makeStartupSequence`, or if a code of the settings cannot be streamed
   StartupSession(const StartupSettings& settings, const StreamSettings& stream, const MachinePort& port,
@@ -54,11 +56,13 @@ class StartupSession {
   /// Whether a step is running, or `abort` is under way.
   bool isBusy() const;
 
-  /// Checks the machine and lends its port to a job until `endJob`.
+  /// Checks the machine and lends its port to a job until `endJob`. Gives up, and stops a check under way, as
+  /// soon as the job is not to begin any more.
   /// @throws Rejected naming the first step that is neither Done nor Skipped, and the reason; also if a step
   ///   is running, or the program is not the one that was transferred
   /// @throws DeviceError if the machine cannot be reached
-  void beginJob(const ProgramIdentity& program);
+  /// @throws Cancelled if the job is not to begin any more
+  void beginJob(const ProgramIdentity& program, const MayGoOn& mayGoOn);
   /// States that the job begins to send a program, and watches the machine from now on (`JobWatch`). If lines
   /// may be replaced, the program's commands are taken for sent somewhat too early.
   void watchJob(const StreamableProgram& program, WatchedLines lines);
@@ -75,6 +79,10 @@ class StartupSession {
   /// are Pending again. After a failure other than a cancellation the machine counts as unknown: power, bed,
   /// vacuum, homing and height map are Pending again.
   void endJob(const StreamableProgram& program, const StreamStatus& status);
+
+  /// Ends the session as the destructor does, and returns once the machine is left safe. To be called by one
+  /// thread, while no job has the port. Steps and jobs are Rejected from then on.
+  void end();
 
  private:
   class Impl;

@@ -22,7 +22,7 @@ namespace lamina {
 class StartupSession::Impl {
  public:
   Impl(const StartupSettings& settings, const StreamSettings& stream, MachinePort port, Observer changed);
-  ~Impl();
+  ~Impl() { end(); }
 
   bool isEmpty() const { return startup_.isEmpty(); }
   bool awaits(StartupStep step) const;
@@ -32,16 +32,16 @@ class StartupSession::Impl {
   void transferred(const ProgramIdentity& program);
   void abort();
   bool isBusy() const;
-  void beginJob(const ProgramIdentity& program);
+  void beginJob(const ProgramIdentity& program, const MayGoOn& mayGoOn);
   void watchJob(const StreamableProgram& program, WatchedLines lines);
   std::vector<JobLoss> losses(const StreamStatus& status);
   std::string questions() const;
   void heard(const FirmwareReply& reply);
   void endJob(const StreamableProgram& program, const StreamStatus& status);
+  void end();
 
  private:
   using Lock = std::unique_lock<std::mutex>;
-  using MayGoOn = std::function<bool()>;
 
   /// What the session's own thread has to do.
   enum class Task { None, Step, AllSteps, Abort };
@@ -53,7 +53,8 @@ class StartupSession::Impl {
   void requireIdle() const;
   void notify(Lock& lock);
 
-  void lookBeforeJob(Lock& lock);
+  void awaitPort(Lock& lock, const MayGoOn& mayGoOn);
+  void lookBeforeJob(Lock& lock, const MayGoOn& mayGoOn);
   void work();
   void drive(Lock& lock, StartupStep step);
   void onFailure(Lock& lock, StartupStep step, const Error& error);
@@ -141,14 +142,13 @@ StartupSession::Impl::Impl(const StartupSettings& settings, const StreamSettings
   thread_ = std::thread([this] { work(); });
 }
 
-StartupSession::Impl::~Impl() {
-  if (!thread_.joinable()) return;
+void StartupSession::Impl::end() {
   {
     const Lock lock(mutex_);
     is_ending_ = true;
     wake_.notify_all();
   }
-  thread_.join();
+  if (thread_.joinable()) thread_.join();
 }
 
 bool StartupSession::Impl::awaits(StartupStep step) const {
@@ -167,6 +167,7 @@ bool StartupSession::Impl::isBusy() const {
 }
 
 void StartupSession::Impl::requireNoJob() const {
+  if (is_ending_) throw Rejected(kEnded);
   if (port_user_ == PortUser::Job) throw Rejected("a job is under way; expected the machine to be free");
 }
 
@@ -223,17 +224,17 @@ void StartupSession::Impl::abort() {
   wake_.notify_all();
 }
 
-void StartupSession::Impl::beginJob(const ProgramIdentity& program) {
+void StartupSession::Impl::beginJob(const ProgramIdentity& program, const MayGoOn& mayGoOn) {
   Lock lock(mutex_);
   requireIdle();
   if (isEmpty()) return;
   startup_.elapse(now());
   startup_.requireReadyFor(program);
-  wake_.wait(lock, [this] { return port_user_ != PortUser::Session; });
+  awaitPort(lock, mayGoOn);
   requireIdle();
   port_user_ = PortUser::Job;
   try {
-    lookBeforeJob(lock);
+    lookBeforeJob(lock, mayGoOn);
     startup_.requireReadyFor(program);
   } catch (const Error&) {
     port_user_ = PortUser::Nobody;
@@ -241,12 +242,23 @@ void StartupSession::Impl::beginJob(const ProgramIdentity& program) {
   }
 }
 
-void StartupSession::Impl::lookBeforeJob(Lock& lock) {
+void StartupSession::Impl::awaitPort(Lock& lock, const MayGoOn& mayGoOn) {
+  constexpr std::chrono::duration<double> kInterval(kPoll);
+  for (;;) {
+    {
+      const Unlocked unlocked(lock);
+      if (!mayGoOn()) throw Cancelled("the job is not to begin any more");
+    }
+    if (wake_.wait_for(lock, kInterval, [this] { return port_user_ != PortUser::Session; })) return;
+  }
+}
+
+void StartupSession::Impl::lookBeforeJob(Lock& lock, const MayGoOn& mayGoOn) {
   if (!startup_.hasMachineAtWork()) return;
   try {
-    stream(lock, settings_.check_code, [] { return true; });
+    stream(lock, settings_.check_code, mayGoOn);
   } catch (const Error& error) {
-    startup_.forgetMachine(error.what());
+    if (error.code() != ErrorCode::Cancelled) startup_.forgetMachine(error.what());
     throw;
   }
 }
@@ -316,7 +328,9 @@ void StartupSession::confirm(StartupStep step) { impl_->confirm(step); }
 void StartupSession::transferred(const ProgramIdentity& program) { impl_->transferred(program); }
 void StartupSession::abort() { impl_->abort(); }
 bool StartupSession::isBusy() const { return impl_->isBusy(); }
-void StartupSession::beginJob(const ProgramIdentity& program) { impl_->beginJob(program); }
+void StartupSession::beginJob(const ProgramIdentity& program, const MayGoOn& mayGoOn) {
+  impl_->beginJob(program, mayGoOn);
+}
 void StartupSession::watchJob(const StreamableProgram& program, WatchedLines lines) {
   impl_->watchJob(program, lines);
 }
@@ -326,6 +340,7 @@ void StartupSession::heard(const FirmwareReply& reply) { impl_->heard(reply); }
 void StartupSession::endJob(const StreamableProgram& program, const StreamStatus& status) {
   impl_->endJob(program, status);
 }
+void StartupSession::end() { impl_->end(); }
 
 // What the thread of a start-up session does.
 

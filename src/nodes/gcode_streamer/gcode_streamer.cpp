@@ -16,6 +16,7 @@
 #include "latched.hpp"
 #include "names.hpp"
 #include "refusal_text.hpp"
+#include "shutdown.hpp"
 #include "startup_messages.hpp"
 #include "status.hpp"
 #include "stream_messages.hpp"
@@ -25,7 +26,7 @@ namespace lamina {
 namespace {
 
 constexpr double kFeedbackPeriod = 0.1;  // s
-constexpr double kHoldStep = 0.01;       // s between looks whether the job holds
+constexpr double kHoldStep = 0.01;       // s between looks whether the job holds, or has ended
 constexpr int kHoldSteps = 100;          // a session takes what is asked of it far sooner
 
 /// Of a job that was done before anybody heard of it.
@@ -66,6 +67,7 @@ GcodeStreamer::GcodeStreamer(ros::NodeHandle node, const GcodeStreamerSettings& 
       bed_from_program_(programFromBed(machine_).inverse()),
       state_(node.advertise<lamina_msgs::MachineState>(names::kMachineState, 100, true)),
       heaters_(node.advertise<lamina_msgs::HeaterState>(names::kHeaterState, 100, true)),
+      report_([this](const auto& state, const auto& heaters) { publishState(state, heaters); }),
       pause_(advertiseForOwner(node, names::kPause, owner_,
                                [this](auto& request, auto& response) { return onPause(request, response); })),
       resume_(
@@ -119,7 +121,14 @@ GcodeStreamer::GcodeStreamer(ros::NodeHandle node, const GcodeStreamerSettings& 
   action_.start();
 }
 
+void GcodeStreamer::awaitRest() {
+  while (has_goal_) ros::WallDuration(kHoldStep).sleep();
+  startup_.end();
+  awaitDelivery();
+}
+
 void GcodeStreamer::onGoal(const lamina_msgs::StreamProgramGoalConstPtr& goal) {
+  has_goal_ = true;
   const SteadyClock clock;
   const double start_s = clock.now();
   StreamStatus status;
@@ -129,9 +138,10 @@ void GcodeStreamer::onGoal(const lamina_msgs::StreamProgramGoalConstPtr& goal) {
     // Nothing was sent: the program was refused or the port could not be opened.
     status.failure = currentFailure();
     status.state = PackmlState::Aborted;
-    publishState(status);
+    report_.take(status);
   }
   finish(status, clock.now() - start_s);
+  has_goal_ = false;
 }
 
 /// A job that was cut off goes on, begins or was complete, as its progress file knows.
@@ -148,17 +158,23 @@ ExecutionRecord GcodeStreamer::recordOfExecution(const lamina_msgs::StreamProgra
 StreamStatus GcodeStreamer::stream(const lamina_msgs::StreamProgramGoal& goal) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    job_ = goal.program.empty() ? goal.toolpath_id : goal.program;
     is_of_toolpath_ = goal.program.empty();
     is_preparing_ = true;
     is_hold_due_ = false;
+    is_abort_due_ = false;
   }
+  report_.begin(goal.program.empty() ? goal.toolpath_id : goal.program);
+  requireWanted();
   const StreamableProgram program = programFor(goal);
   const std::unique_ptr<const DryProgram> dry = dryProgram(goal, program);
   JobStart start = goal.resume ? JobStart::Resume : JobStart::New;
   if (goal.resume && !goal.execution.empty()) {
     const ExecutionRecord record = recordOfExecution(goal);
-    if (record == ExecutionRecord::Complete) return completeStatus(program);
+    if (record == ExecutionRecord::Complete) {
+      const StreamStatus complete = completeStatus(program);
+      report_.take(complete);
+      return complete;
+    }
     if (record == ExecutionRecord::None) start = JobStart::New;
   }
   requireWanted();
@@ -166,8 +182,9 @@ StreamStatus GcodeStreamer::stream(const lamina_msgs::StreamProgramGoal& goal) {
   StreamStatus status;
   try {
     status = streamProgram(dry ? dry->program() : program, start, goal.execution);
-  } catch (const Error&) {
-    status.failure = currentFailure();
+  } catch (const Error& error) {
+    // One that was given up has sent nothing, and found nothing out about the machine.
+    if (error.code() != ErrorCode::Cancelled) status.failure = currentFailure();
     startup_.endJob(program, status);
     throw;
   }
@@ -187,13 +204,7 @@ std::unique_ptr<const DryProgram> GcodeStreamer::dryProgram(const lamina_msgs::S
   return dry;
 }
 
-/// @throws Cancelled if the goal was cancelled, or the node ended, while the job was prepared
-void GcodeStreamer::requireWanted() {
-  if (action_.isPreemptRequested()) throw Cancelled("the goal was cancelled before the job began");
-  if (!ros::ok()) throw Cancelled("the node was ended before the job began");
-}
-
-/// @throws Rejected if the machine is not started up
+/// @throws Rejected if the machine is not started up; Cancelled if the goal is to end
 void GcodeStreamer::beginJob(const lamina_msgs::StreamProgramGoal& goal, const StreamableProgram& program) {
   ProgramIdentity identity{program.name(), 0, 0};
   if (startup_.awaits(StartupStep::TransferProgram)) {
@@ -203,7 +214,12 @@ void GcodeStreamer::beginJob(const lamina_msgs::StreamProgramGoal& goal, const S
     else
       identity = identityOfFile(goal.program);
   }
-  startup_.beginJob(identity);
+  try {
+    startup_.beginJob(identity, [this] { return !cancellation(); });
+  } catch (const Cancelled&) {
+    requireWanted();  // in the words of the goal
+    throw;
+  }
 }
 
 /// A job that is gone on with lays by maps what its record says, and the rest as planned.
@@ -237,6 +253,7 @@ StreamStatus GcodeStreamer::streamProgram(const StreamableProgram& program, JobS
     is_preparing_ = false;
     if (is_hold_due_) session->pause();
   }
+  if (const auto why = cancellation()) session->abort(*why);
   ROS_INFO("streaming %s, %lu lines, to %s", program.name().c_str(), static_cast<unsigned long>(sent.lines()),
            settings_.port.name.c_str());
   owner_watch_.expect();
@@ -280,12 +297,12 @@ StreamStatus GcodeStreamer::follow(StreamSession& session,
     const StreamStatus status = session.status();
     action_.publishFeedback(toFeedback(status));
     onSteps(startup_.steps());
-    publishState(status);
+    report_.publish();
     look(status);
-    if (action_.isPreemptRequested()) session.abort({ErrorCode::Cancelled, "the goal was cancelled"});
-    if (!ros::ok()) session.abort({ErrorCode::Cancelled, "the node was ended"});
+    if (const auto why = cancellation()) session.abort(*why);
   }
   StreamStatus status = session.status();
+  report_.take(status);
   look(status);
   return status;
 }
@@ -362,7 +379,7 @@ std::string GcodeStreamer::goOverTo(const lamina_msgs::Toolpath& message, Correc
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (session_ != job) return "the job has ended";
-    job_ = plan.id;
+    report_.rename(plan.id);
   }
   ROS_WARN("going on with the layers left as planned anew: %s", plan.id.c_str());
   publishLatched(toolpath_publisher_, stamped(plan, ros::Time::now()));
@@ -388,10 +405,8 @@ void GcodeStreamer::onCorrection(const lamina_msgs::CorrectionMap& message) {
 }
 
 void GcodeStreamer::finish(const StreamStatus& status, double duration_s) {
-  std::string job;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    job = job_;
     corrected_.reset();
     first_layer_map_.reset();
     is_preparing_ = false;
@@ -404,7 +419,7 @@ void GcodeStreamer::finish(const StreamStatus& status, double duration_s) {
     action_.setSucceeded(result);
     return;
   }
-  ROS_ERROR_STREAM(refusalText({"stream", job, ""}, status.failure));
+  ROS_ERROR_STREAM(refusalText({"stream", report_.job(), ""}, status.failure));
   if (action_.isPreemptRequested()) {
     action_.setPreempted(result, status.failure.message);
   } else {
@@ -421,6 +436,26 @@ bool GcodeStreamer::holdPrepared(bool is_held) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (is_preparing_) is_hold_due_ = is_held;
   return is_preparing_;
+}
+
+bool GcodeStreamer::giveUpPrepared() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (is_preparing_) is_abort_due_ = true;
+  return is_preparing_;
+}
+
+std::optional<Failure> GcodeStreamer::cancellation() {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (is_abort_due_) return Failure{ErrorCode::Cancelled, "aborted on request"};
+  }
+  if (action_.isPreemptRequested()) return Failure{ErrorCode::Cancelled, "the goal was cancelled"};
+  if (isStopRequested() || !ros::ok()) return Failure{ErrorCode::Cancelled, "the node was ended"};
+  return std::nullopt;
+}
+
+void GcodeStreamer::requireWanted() {
+  if (const auto why = cancellation()) throw Cancelled(why->message);
 }
 
 bool GcodeStreamer::onPause(Trigger::Request&, Trigger::Response& response) {
@@ -450,17 +485,19 @@ bool GcodeStreamer::onResume(Trigger::Request&, Trigger::Response& response) {
 }
 
 bool GcodeStreamer::onAbort(Trigger::Request&, Trigger::Response& response) {
+  const bool is_prepared = giveUpPrepared();
   const auto job = session();
   const bool is_starting_up = !job && startup_.isBusy();
-  response.success = job != nullptr || is_starting_up;
+  response.success = is_prepared || job != nullptr || is_starting_up;
   response.message = response.success ? "stopping the machine" : "no job is under way";
+  if (is_prepared && !job && !is_starting_up) response.message = "nothing is begun";
   if (job) job->abort({ErrorCode::Cancelled, "aborted on request"});
   if (!is_starting_up) return true;
   try {
     startup_.abort();
   } catch (const Error& error) {
-    response.success = false;
-    response.message = error.what();
+    response.success = is_prepared;
+    response.message = is_prepared ? "nothing is begun" : error.what();
   }
   return true;
 }
@@ -483,57 +520,33 @@ bool GcodeStreamer::onChange(lamina_msgs::ChangeJob::Request& request,
 
 MachinePulse GcodeStreamer::pulse() const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  MachinePulse pulse = pulseOf(settings_, session_ ? status_.state : PackmlState::Idle, status_, steps_);
-  if (!is_of_toolpath_) pulse.program = job_;
+  const StreamStatus status = report_.status();
+  MachinePulse pulse =
+      pulseOf(settings_, session_ ? status.state : PackmlState::Idle, status, report_.steps());
+  if (!is_of_toolpath_) pulse.program = report_.job();
   return pulse;
 }
 
 void GcodeStreamer::onStatus(const StreamStatus& status) {
-  bool has_changed = false;
-  bool has_moved = false;
-  bool is_warned = false;
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    has_changed = status.state != status_.state;
-    is_warned = !status.warning.empty() && status.warning != status_.warning;
-    has_moved = status.position && (!status_.position || *status.position != *status_.position);
-    status_ = status;
-  }
-  if (is_warned) ROS_WARN_STREAM(status.warning);
-  if (has_changed) pulses_.send();
-  if (has_changed) publishState(status);
-  if (position_ && has_moved) publishPosition(*status.position);
+  const StatusNews news = report_.take(status);
+  if (news.is_warning) ROS_WARN_STREAM(status.warning);
+  if (news.is_state) pulses_.send();
+  if (position_ && news.is_position) publishPosition(*status.position);
 }
 
-void GcodeStreamer::publishState(const StreamStatus& status) {
-  lamina_msgs::MachineState message;
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    status_ = status;
-    message = toMachineState(status, job_);
-    message.startup = steps_;
-  }
-  message.header.stamp = ros::Time::now();
-  message.header.frame_id = names::kBedFrame;
-
-  publishLatched(state_, message);
-  lamina_msgs::HeaterState heaters = toHeaterState(status);
-  heaters.header.stamp = message.header.stamp;
+void GcodeStreamer::publishState(lamina_msgs::MachineState state, lamina_msgs::HeaterState heaters) const {
+  state.header.stamp = ros::Time::now();
+  state.header.frame_id = names::kBedFrame;
+  heaters.header.stamp = state.header.stamp;
+  publishLatched(state_, state);
   publishLatched(heaters_, heaters);
 }
 
 /// Between jobs: the state is that in which the last one ended.
 void GcodeStreamer::onSteps(const std::vector<StartupStatus>& steps) {
-  StreamStatus status;
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    auto messages = toMessages(steps);
-    logChanges(steps_, messages);
-    steps_ = std::move(messages);
-    if (session_) return;
-    status = status_;
-  }
-  publishState(status);
+  const auto messages = toMessages(steps);
+  logChanges(report_.takeSteps(messages), messages);
+  if (!session()) report_.publish();
 }
 
 void GcodeStreamer::publishPosition(const ReportedPosition& position) {
@@ -544,9 +557,8 @@ void GcodeStreamer::publishPosition(const ReportedPosition& position) {
 }
 
 void GcodeStreamer::diagnose(diagnostic_updater::DiagnosticStatusWrapper& diagnostics) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  fillDiagnostics(status_, diagnostics);
-  for (const auto& step : steps_) diagnostics.add("start-up: " + step.name, step.state_name);
+  fillDiagnostics(report_.status(), diagnostics);
+  for (const auto& step : report_.steps()) diagnostics.add("start-up: " + step.name, step.state_name);
 }
 
 }  // namespace lamina

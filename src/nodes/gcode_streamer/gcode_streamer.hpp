@@ -7,6 +7,7 @@
 #include <ros/node_handle.h>
 #include <std_srvs/Trigger.h>
 
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -28,6 +29,7 @@
 #include "owner_watch.hpp"
 #include "recorded_program.hpp"
 #include "startup_service.hpp"
+#include "stream_report.hpp"
 #include "streamer_settings.hpp"
 #include "toolpath_programs.hpp"
 
@@ -42,11 +44,14 @@ namespace lamina {
 ///
 /// A machine with a start-up sequence (`startup.*`) takes a job only when every step is satisfied.
 ///
-/// One job at a time: a new goal aborts the one under way. SIGINT, SIGTERM and SIGHUP stop the machine safely
-/// first.
+/// One job at a time: a new goal aborts the one under way.
 class GcodeStreamer {
  public:
   GcodeStreamer(ros::NodeHandle node, const GcodeStreamerSettings& settings);
+
+  /// Returns once the machine is left safe, by the job under way, which `isStopRequested` aborts, and by the
+  /// start-up, and both have been reported.
+  void awaitRest();
 
  private:
   using Trigger = std_srvs::Trigger;
@@ -55,7 +60,6 @@ class GcodeStreamer {
   StreamStatus stream(const lamina_msgs::StreamProgramGoal& goal);
   std::unique_ptr<const DryProgram> dryProgram(const lamina_msgs::StreamProgramGoal& goal,
                                                const StreamableProgram& program);
-  void requireWanted();
   void beginJob(const lamina_msgs::StreamProgramGoal& goal, const StreamableProgram& program);
   StreamStatus streamProgram(const StreamableProgram& program, JobStart start, const std::string& execution);
   ExecutionRecord recordOfExecution(const lamina_msgs::StreamProgramGoal& goal) const;
@@ -82,12 +86,18 @@ class GcodeStreamer {
   std::shared_ptr<StreamSession> session() const;
   /// Has the goal whose session is not there yet hold or not hold. @return false if there is none
   bool holdPrepared(bool is_held);
+  /// Has the goal whose session is not there yet end. @return false if there is none
+  bool giveUpPrepared();
+  /// Why the goal is to end; nothing if it is not.
+  std::optional<Failure> cancellation();
+  /// @throws Cancelled if the goal is to end
+  void requireWanted();
 
   /// What a watch needs to stop the machine in this node's place.
   MachinePulse pulse() const;
 
   void onStatus(const StreamStatus& status);
-  void publishState(const StreamStatus& status);
+  void publishState(lamina_msgs::MachineState state, lamina_msgs::HeaterState heaters) const;
 
   void onSteps(const std::vector<StartupStatus>& steps);
   void publishPosition(const ReportedPosition& position);
@@ -101,6 +111,7 @@ class GcodeStreamer {
   ros::Publisher state_;
   ros::Publisher heaters_;
   ros::Publisher position_;
+  StreamReport report_;
   CorrectionReports reports_;
   ros::Subscriber toolpath_subscriber_;
   ros::Subscriber correction_;
@@ -117,6 +128,7 @@ class GcodeStreamer {
   ros::Timer diagnostics_timer_;
 
   bool is_dry_ = false;  ///< the job under way; of the action's thread alone
+  std::atomic<bool> has_goal_{false};
 
   mutable std::mutex mutex_;  ///< of everything below
   std::shared_ptr<StreamSession> session_;
@@ -125,10 +137,8 @@ class GcodeStreamer {
   bool is_of_toolpath_ = false;                   ///< the job under way, and not of a file
   bool is_preparing_ = false;                     ///< a goal, whose session is not there yet
   bool is_hold_due_ = false;                      ///< of it
+  bool is_abort_due_ = false;                     ///< of it
   lamina_msgs::ToolpathConstPtr toolpath_;
-  StreamStatus status_;
-  std::string job_;
-  std::vector<lamina_msgs::StartupStep> steps_;
 
   PulseSender pulses_;  ///< until job and start-up have left the machine safe
   StartupSession startup_;

@@ -7,8 +7,14 @@
 #include "parameters.hpp"
 #include "shutdown.hpp"
 
+namespace {
+
+const ros::WallDuration kLookPeriod(0.02);
+
+}  // namespace
+
 int main(int argc, char** argv) {
-  lamina::runNode(argc, argv, {"gcode_streamer"}, [] {
+  lamina::runNode(argc, argv, {"gcode_streamer", lamina::OnSignal::Request}, [] {
     lamina::GcodeStreamerSettings settings;
     lamina::SettingsSchema schema;
     describe(schema, settings);
@@ -19,9 +25,11 @@ int main(int argc, char** argv) {
     settings.corrections.loop = feeding.loop;
     ROS_INFO_STREAM("settings:" << lamina::describeSettings(schema));
     if (settings.corrections.is_used) ROS_INFO_STREAM(feeding.source);
-    const lamina::GcodeStreamer streamer(ros::NodeHandle(), settings);
+    lamina::GcodeStreamer streamer(ros::NodeHandle(), settings);
     // What is asked of a job is answered while a plan is written.
-    ros::MultiThreadedSpinner spinner(2);
-    spinner.spin();
+    ros::AsyncSpinner spinner(2);
+    spinner.start();
+    while (ros::ok() && !lamina::isStopRequested()) kLookPeriod.sleep();
+    streamer.awaitRest();
   });
 }

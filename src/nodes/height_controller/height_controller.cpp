@@ -112,6 +112,7 @@ bool HeightController::isFollowedPlan(const std::string& toolpath_id) const {
 
 void HeightController::beginPrint(const lamina_msgs::Toolpath& toolpath) {
   digests_.clear();
+  has_run_ = false;
   is_learnt_saved_ = false;
   try {
     const bool goes_on = feed_.add(toolpath);
@@ -171,18 +172,26 @@ void HeightController::onMachineState(const lamina_msgs::MachineStateConstPtr& m
   beginAgainIfOver(*message);
   const bool is_over = message->state == State::COMPLETE || message->state == State::ABORTED ||
                        message->state == State::STOPPED;
+  has_run_ = has_run_ || !is_over;
   if (!is_over || feed_.run() == nullptr) return;
-  hold_.releaseAll();
-  feed_.pass();
-  if (message->state == State::COMPLETE) feed_.finish();
-  publishNews();
-  save();
-  if (message->state == State::COMPLETE) saveLearnt();
   const bool was_resumed = memory_.resumedAfter().has_value();
+  // An executor repeats how the print before has ended.
+  if (!has_run_ && !was_resumed) return;
+  if (has_run_) endPrint(message->state);
   memory_.forget();
   if (!was_resumed) return;
   beginPrint(*announced_toolpath_);
   publishNews();
+}
+
+void HeightController::endPrint(std::uint8_t state) {
+  const bool is_complete = state == lamina_msgs::MachineState::COMPLETE;
+  hold_.releaseAll();
+  feed_.pass();
+  if (is_complete) feed_.finish();
+  publishNews();
+  save();
+  if (is_complete) saveLearnt();
 }
 
 /// The machine may be ahead of what tf has said of it so far.
@@ -321,12 +330,12 @@ void HeightController::save() {
 /// Only of parts that are complete, once: what is learnt is used when an operator asks for it.
 void HeightController::saveLearnt() {
   if (is_learnt_saved_ || settings_.output_folder.empty()) return;
-  is_learnt_saved_ = true;
   try {
     const auto map = feed_.run()->learnt(PartEnd::Complete);
     if (!map) return;
     const std::string path = settings_.output_folder + "/learnt_part.csv";
     writeFile(path, partMapCsv(*map));
+    is_learnt_saved_ = true;
     ROS_INFO("what %zu parts have taught is in %s: the next one is deposited by it with loop/learned",
              map->parts, path.c_str());
   } catch (const Error& error) {

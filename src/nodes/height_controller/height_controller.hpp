@@ -8,6 +8,7 @@
 #include <std_srvs/Trigger.h>
 #include <tf2_msgs/TFMessage.h>
 
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <string>
@@ -55,6 +56,8 @@ class HeightController {
   bool isFollowedPlan(const std::string& toolpath_id) const;
   void beginPrint(const lamina_msgs::Toolpath& toolpath);
   void beginAgainIfOver(const lamina_msgs::MachineState& machine);
+  /// @param state  of the machine, in which the job has ended
+  void endPrint(std::uint8_t state);
   void know(const LoopRunSettings& settings);
   void recalibrate();
   void publishNews();
@@ -81,6 +84,7 @@ class HeightController {
   double last_arrival_s_ = 0.0;
   bool is_quiet_ = true;  ///< all that came was worked off
   bool is_saved_ = true;
+  bool has_run_ = false;          ///< since the print began the machine was seen in a state that is no end
   bool is_learnt_saved_ = false;  ///< of the print under way
   diagnostic_updater::Updater diagnostics_;
   ros::Subscriber toolpath_;

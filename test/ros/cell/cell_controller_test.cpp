@@ -224,7 +224,7 @@ TEST(CellController, HoldsAJobThatStarts) {
   EXPECT_EQ(cell.machine.commands(), commandsOf(program));
 }
 
-// Until the program is read, which may take long, the streamer says nothing of the machine.
+// However long its program is read, and whatever is said of the machine meanwhile.
 TEST(StreamExecutor, AwaitsAJobThatWasTakenUpAsLongAsItIsPrepared) {
   ros::NodeHandle node("prepares");
   actionlib::ActionServer<lamina_msgs::StreamProgramAction>::GoalHandle taken;

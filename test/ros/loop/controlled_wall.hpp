@@ -132,7 +132,7 @@ class LiveWall {
 /// What the machine says of its job.
 class ReportedMachine {
  public:
-  ReportedMachine() { state_ = node_.advertise<lamina_msgs::MachineState>(names::kMachineState, 1, true); }
+  ReportedMachine() { state_ = node_.advertise<lamina_msgs::MachineState>(names::kMachineState, 100, true); }
   void say(std::uint8_t state, std::int32_t layer) {
     lamina_msgs::MachineState message;
     message.state = state;

@@ -496,37 +496,6 @@ TEST(HeightController, BeginsAgainWhenTheMachineDoes) {
   EXPECT_FALSE(std::filesystem::exists(folder.file("memory.yaml")));
 }
 
-/// A part that grows by nine tenths teaches the next one 1 / 0.9 - 1, from its first layer on; one that was
-/// not complete teaches nothing.
-TEST(HeightController, TeachesTheNextPart) {
-  const test::ScratchFolder folder;
-  const SensedWallCase wall = shortWall(3);
-  const SensedWall printed = sensedWall(wall);
-  test::writeBag(folder.file("wall.bag"), printed);
-  const std::string file = folder.file("report/learnt_part.csv");
-  const std::string material = "_process/material:=steel";
-  {
-    Controller first({material, "_output_folder:=" + folder.file("report")});
-    const test::BagPlayer player(folder.file("wall.bag"), {"--rate=10"});
-    ASSERT_TRUE(waitUntil([&] { return first.layers.size() >= wall.layers; }));
-    ReportedMachine machine;
-    machine.say(lamina_msgs::MachineState::STOPPED, 2);
-    ros::WallDuration(0.5).sleep();
-    EXPECT_FALSE(std::filesystem::exists(file));
-    machine.say(lamina_msgs::MachineState::COMPLETE, 2);
-    ASSERT_TRUE(waitUntil([&] { return std::filesystem::exists(file); }));
-  }
-  Controller next({material, "_loop/learned:=" + file});
-  ros::NodeHandle node;
-  auto toolpath = node.advertise<lamina_msgs::Toolpath>(names::kToolpath, 1, true);
-  publishLatched(toolpath, test::toolpathMessage(printed));
-  ASSERT_TRUE(waitUntil([&] { return !next.maps.empty(); }));
-  const CorrectionMap map = toCore(next.maps.front());
-  EXPECT_EQ(map.layer, 0U);
-  ASSERT_EQ(map.paths.size(), 1U);
-  EXPECT_NEAR(correctionAt(map.paths[0], 10.0).amount, 1.0 / 0.9 - 1.0, 0.01);
-}
-
 /// A feeder that brings a little more than half: the layers left are planned anew, the print is held, and the
 /// loop goes on with the plan once that is what the machine drives.
 TEST(HeightController, PlansTheLayersLeftAnewAndGoesOnWithThat) {

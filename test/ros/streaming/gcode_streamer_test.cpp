@@ -203,6 +203,36 @@ TEST_F(GcodeStreamer, StopsSafelyOnAbort) {
   EXPECT_FALSE(call(lamina::names::kAbort).success);
 }
 
+/// The program comes through a pipe of the node: it is prepared for as long as the test writes nothing.
+TEST_F(GcodeStreamer, BeginsNothingThatIsAbortedWhileItIsPrepared) {
+  const std::string port = kPort + "_prepared";
+  const TestMachine machine(0.0, {}, port);
+  int ends[2] = {-1, -1};
+  ASSERT_EQ(::pipe(ends), 0);
+  ASSERT_EQ(::fcntl(ends[1], F_SETFD, FD_CLOEXEC), 0);
+  const lamina::test::NodeProcess node(LAMINA_NODE, {"__ns:=/prepared", "_port:=" + port});
+  Client client("/prepared/stream_program", true);
+  ASSERT_TRUE(client.waitForServer(ros::Duration(kPatience)));
+  MachineState::ConstPtr state;
+  const ros::Subscriber states = node_.subscribe<MachineState>(
+      "/prepared/machine_state", 100, [&](const MachineState::ConstPtr& message) { state = message; });
+  lamina_msgs::StreamProgramGoal goal;
+  goal.program = "/proc/self/fd/" + std::to_string(ends[0]);
+  client.sendGoal(goal);
+  EXPECT_TRUE(waitUntil([&] { return state && state->state == MachineState::STARTING; }));
+  EXPECT_EQ(state->job, goal.program);
+  const std_srvs::Trigger::Response answer = call("/prepared/abort");
+  EXPECT_TRUE(answer.success);
+  EXPECT_EQ(answer.message, "nothing is begun");
+  EXPECT_EQ(::write(ends[1], "G1 X1\n", 6), 6);
+  for (const int end : ends) ::close(end);
+  EXPECT_TRUE(waitUntil([&] { return client.getState().isDone(); }));
+  EXPECT_EQ(client.getState(), GoalState::ABORTED);
+  ASSERT_TRUE(client.getResult());
+  EXPECT_EQ(client.getResult()->status.code, Status::CANCELLED) << client.getResult()->status.message;
+  EXPECT_TRUE(machine.commands().empty());
+}
+
 TEST_F(GcodeStreamer, StopsSafelyWhenTheGoalIsCancelled) {
   const TestMachine machine(2.0);
   start(write(zigzag(3000)));
@@ -306,10 +336,13 @@ TEST_F(GcodeStreamer, StopsTheMachineSafelyOnSigterm) {
   }
   Client client("/terminated/stream_program", true);
   ASSERT_TRUE(client.waitForServer(ros::Duration(kPatience)));
+  MachineState::ConstPtr state;
+  const ros::Subscriber states = node_.subscribe<MachineState>(
+      "/terminated/machine_state", 1000, [&](const MachineState::ConstPtr& message) { state = message; });
   lamina_msgs::StreamProgramGoal goal;
   goal.program = write(zigzag(3000));
   client.sendGoal(goal);
-  EXPECT_TRUE(waitUntil([&] { return machine->counts().lines_run > 20; }));
+  EXPECT_TRUE(waitUntil([&] { return state && machine->counts().lines_run > 20; }));
   EXPECT_GT(machine->nozzleTarget(), 0.0);
   EXPECT_EQ(baudOf(port), 57600U);
   ::kill(child, SIGTERM);
@@ -317,6 +350,11 @@ TEST_F(GcodeStreamer, StopsTheMachineSafelyOnSigterm) {
   EXPECT_EQ(::waitpid(child, &status, 0), child);
   EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << status;
   EXPECT_DOUBLE_EQ(machine->nozzleTarget(), 0.0);
+  EXPECT_TRUE(waitUntil([&] { return client.getState().isDone(); }));
+  EXPECT_EQ(client.getState(), GoalState::ABORTED);
+  ASSERT_TRUE(client.getResult());
+  EXPECT_EQ(client.getResult()->status.code, Status::CANCELLED) << client.getResult()->status.message;
+  EXPECT_TRUE(waitUntil([&] { return state->state == MachineState::ABORTED; })) << state->state_name;
 }
 
 /// Three layers of two beads each.

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "streaming/firmware/marlin/unnumbered_commands.hpp"
 #include "streaming/session/scripted_peer.hpp"
 
 namespace lamina {
@@ -47,6 +48,40 @@ TEST_F(ScriptedPeer, AsksWhichLineTheMachineHasWhereAChangeIsNotAnswered) {
   EXPECT_EQ(streamer.status().message, "no answer to M486 P2, which may not have been done");
   streamer.receive("Resend: 9\nok\n", 3.0);
   EXPECT_EQ(streamer.takeOutput(), line(9) + line(10));
+}
+
+TEST_F(ScriptedPeer, MakesTheChangesBehindOneThatIsNotAnswered) {
+  Streamer streamer(program_, settings());
+  begin(streamer);
+  streamer.takeOutput();
+  EXPECT_EQ(streamer.change({LiveSetting::CancelPart, 2.0}, 0.1), "");
+  EXPECT_TRUE(streamer.ask("M119", 0.1));
+  EXPECT_EQ(streamer.change({LiveSetting::Feed, 50.0}, 0.1), "");
+  EXPECT_EQ(streamer.change({LiveSetting::Babystep, -0.05}, 0.1), "");
+  streamer.receive("ok\nok\nok\nok\n", 0.2);
+  EXPECT_EQ(streamer.takeOutput(), "M486 P2\n");
+  streamer.elapse(2.8);
+  EXPECT_EQ(streamer.takeOutput(), frameLine(6, "M105"));
+  EXPECT_EQ(streamer.status().message, "no answer to M486 P2, which may not have been done");
+  streamer.receive("Resend: 5\nok\n", 2.9);
+  EXPECT_EQ(streamer.takeOutput(), "M220 S50\n") << "nobody waits for the question any more";
+  streamer.receive("ok\n", 3.0);
+  EXPECT_EQ(streamer.takeOutput(), "M290 Z-0.05\n");
+  streamer.receive("ok\n", 3.1);
+  EXPECT_EQ(streamer.takeOutput(), line(5) + line(6) + line(7) + line(8));
+}
+
+TEST(UnnumberedCommands, AskForRestAgainWhereItsAnswerIsLost) {
+  UnnumberedCommands commands;
+  EXPECT_TRUE(commands.addRest("M400"));
+  commands.addChange("M220 S50");
+  EXPECT_FALSE(commands.addRest("M400"));
+  EXPECT_EQ(commands.lose(), "no answer to M400, which may not have been done");
+  EXPECT_EQ(commands.front(), "M220 S50");
+  EXPECT_TRUE(commands.addRest("M400"));
+  commands.lose();
+  EXPECT_EQ(commands.front(), "M400");
+  EXPECT_FALSE(commands.addRest("M400")) << "it waits still";
 }
 
 TEST_F(ScriptedPeer, PausesOnceInFrontOfALayer) {

@@ -25,6 +25,11 @@ inline std::optional<std::string> cancelCommand(const LiveChange& change) {
   return std::nullopt;
 }
 
+/// The message on a command whose answer did not come.
+inline std::string noAnswerTo(const std::string& command) {
+  return "no answer to " + command + ", which may not have been done";
+}
+
 /// The command for a change, or why it is refused: one of the two is empty.
 struct ChangeCommand {
   std::string command;

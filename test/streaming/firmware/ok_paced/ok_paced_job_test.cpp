@@ -336,6 +336,27 @@ TEST_F(PlayedByHand, AnErrorOfKlipperEndsTheJobByASafeStop) {
   EXPECT_EQ(status().failure.message.find("confirm"), std::string::npos);
 }
 
+TEST_F(PlayedByHand, AChangeThatKlipperRefusesIsToldAndTheJobGoesOn) {
+  beginKlipper();
+  EXPECT_EQ(streamer_->change({LiveSetting::Babystep, -0.05}, 0.5), "");
+  EXPECT_EQ(streamer_->takeOutput(), "SET_GCODE_OFFSET Z_ADJUST=-0.05 MOVE=1\n");
+  EXPECT_EQ(answer("ok\n", 1.0), "") << "an error is the change's as long as no line is under way";
+  EXPECT_EQ(answer("!! Must home axis first\nok\n", 1.1), "G1 X1\n");
+  EXPECT_EQ(status().state, PackmlState::Execute);
+  EXPECT_EQ(status().message,
+            "change SET_GCODE_OFFSET Z_ADJUST=-0.05 MOVE=1 was refused: \"!! Must home axis first\"");
+  answer("!! Move out of range\nok\n", 1.2);
+  EXPECT_EQ(status().failure.code, ErrorCode::Rejected);
+  EXPECT_NE(status().failure.message.find("line 2, 'G1 X1'"), std::string::npos) << status().failure.message;
+}
+
+TEST_F(PlayedByHand, AnErrorToALineInFrontOfAChangeEndsTheJob) {
+  beginKlipper();
+  EXPECT_EQ(streamer_->change({LiveSetting::Feed, 50.0}, 0.5), "");
+  answer("!! Must home axis first\nok\n", 1.0);
+  EXPECT_NE(status().failure.message.find("line 1, 'G28'"), std::string::npos) << status().failure.message;
+}
+
 TEST_F(PlayedByHand, AHotNozzleIsNotConfirmed) {
   beginKlipper();
   streamer_->abort({ErrorCode::Cancelled, "enough"}, 1.0);
@@ -406,6 +427,27 @@ TEST(OkPacedJob, EndsWhereItCannotBeToldWhetherALineRan) {
   EXPECT_NE(streamer.status().failure.message.find("is not known whether the machine ran line 1"),
             std::string::npos);
   EXPECT_EQ(std::count(ran.begin(), ran.end(), "M98 P\"x.g\""), 0);
+}
+
+TEST(OkPacedJob, GoesOnWhereAChangeIsLost) {
+  const StreamSettings settings = pacedSettings("reprapfirmware", LinkKind::Lossy);
+  const std::vector<std::string> commands = {"G90", "M83", "G1 X1 E1", "G1 X2 E1"};
+  Streamer streamer(StreamableProgram::fromText("four", "G90\nM83\nG1 X1 E1\nG1 X2 E1\n", settings),
+                    settings);
+  std::vector<std::string> ran;
+  EmulatedRepRap firmware({}, EmulatedRepRap::Checks::RequiresCrc,
+                          [&](const std::string& command) { ran.push_back(command); });
+  test::PacedLink link(streamer, firmware);
+  link.run([&] { return streamer.status().state == PackmlState::Execute; });
+  EXPECT_TRUE(streamer.pause(link.now));
+  link.run([&] { return streamer.status().state == PackmlState::Held; });
+  EXPECT_EQ(streamer.change({LiveSetting::Feed, 50.0}, link.now), "");
+  streamer.takeOutput();  // the change is lost
+  EXPECT_TRUE(streamer.resume(link.now));
+  link.run();
+  EXPECT_EQ(streamer.status().state, PackmlState::Complete) << streamer.status().failure.message;
+  EXPECT_EQ(streamer.status().message, "no answer to M220 S50, which may not have been done");
+  EXPECT_EQ(ran, commands);
 }
 
 TEST(RepRapProtocol, ChecksLinesByTheCrcOfTheFirmware) {

@@ -197,7 +197,7 @@ std::string MarlinJob::change(const LiveChange& change, double now) {
   if (layer_pause_.take(change)) return {};
   const auto command = firmware_->changed(change);
   if (!command) return notOf("this firmware", change.setting);
-  unnumbered_.add(*command);
+  unnumbered_.addChange(*command);
   if (phase_ == Phase::Feeding) proceed(now);
   return {};
 }

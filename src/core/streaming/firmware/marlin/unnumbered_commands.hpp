@@ -2,10 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <deque>
 #include <string>
 #include <utility>
+
+#include "streaming/job/change_commands.hpp"
 
 namespace lamina {
 
@@ -14,38 +18,49 @@ namespace lamina {
 class UnnumberedCommands {
  public:
   bool empty() const { return commands_.empty(); }
-  const std::string& front() const { return commands_.front(); }
-  void add(std::string command) { commands_.push_back(std::move(command)); }
+  const std::string& front() const { return commands_.front().text; }
+  void addChange(std::string command) { commands_.push_back({std::move(command), Kind::Change}); }
 
   /// Adds a question. Questions wait for nobody: more than a few would stop the lines.
   /// @return whether it was added
   bool addQuestion(const std::string& question) {
     constexpr std::size_t kMostWaiting = 16;
     if (commands_.size() >= kMostWaiting) return false;
-    add(question);
+    commands_.push_back({question, Kind::Question});
     return true;
   }
   /// Adds a wait for rest, once until a line is sent.
   /// @return whether it was added
   bool addRest(const std::string& command) {
     if (std::exchange(is_rest_added_, true)) return false;
-    add(command);
+    commands_.push_back({command, Kind::Rest});
     return true;
   }
   void lineSent() { is_rest_added_ = false; }
 
   /// States that the first one was answered.
   void answered() { commands_.pop_front(); }
-  /// States that the first one has no answer. None of them is sent any more.
+  /// States that the first one has no answer. The questions behind it are dropped; a wait for rest may be
+  /// added again.
   /// @return what is to be said of it
   std::string lose() {
-    const std::string lost = commands_.front();
-    commands_.clear();
-    return "no answer to " + lost + ", which may not have been done";
+    const Command lost = commands_.front();
+    commands_.pop_front();
+    if (lost.kind == Kind::Rest) is_rest_added_ = false;
+    commands_.erase(std::remove_if(commands_.begin(), commands_.end(),
+                                   [](const Command& command) { return command.kind == Kind::Question; }),
+                    commands_.end());
+    return noAnswerTo(lost.text);
   }
 
  private:
-  std::deque<std::string> commands_;
+  enum class Kind : std::uint8_t { Change, Question, Rest };
+  struct Command {
+    std::string text;
+    Kind kind = Kind::Change;
+  };
+
+  std::deque<Command> commands_;
   bool is_rest_added_ = false;
 };
 

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <deque>
 #include <optional>
+#include <string>
 
 namespace lamina {
 
@@ -14,6 +15,7 @@ namespace lamina {
 struct PacedCommand {
   std::uint64_t line = 0;      ///< of the program; 0 for any other command
   std::uint64_t question = 0;  ///< its identity; 0 if it is no question
+  std::string change;          ///< that of a change of the job, as it is said; empty for any other command
   std::size_t bytes = 0;
   bool is_blocking = false;  ///< may take the machine long
 };
@@ -36,6 +38,10 @@ class LinesUnderWay {
                                                   [](const auto& command) { return command.line > 0; }));
   }
   bool hasOthers() const { return lines() < commands_.size(); }
+  bool hasChange() const {
+    return std::any_of(commands_.begin(), commands_.end(),
+                       [](const auto& command) { return !command.change.empty(); });
+  }
   bool hasBlocking() const {
     return std::any_of(commands_.begin(), commands_.end(),
                        [](const auto& command) { return command.is_blocking; });
@@ -48,6 +54,8 @@ class LinesUnderWay {
   }
   /// Whether the next answer is that to a line of the program.
   bool isLineNext() const { return !commands_.empty() && commands_.front().line > 0; }
+  /// The change to which the next answer belongs; empty if it belongs to anything else.
+  std::string changeNext() const { return commands_.empty() ? std::string() : commands_.front().change; }
 
   /// Removes the oldest one, which was answered.
   std::optional<PacedCommand> takeOldest() {
@@ -55,6 +63,12 @@ class LinesUnderWay {
     const PacedCommand oldest = commands_.front();
     commands_.pop_front();
     return oldest;
+  }
+  /// Removes the oldest line of the program, and whatever was sent before it; nothing if there is no line.
+  std::optional<PacedCommand> takeOldestLine() {
+    if (lines() == 0) return std::nullopt;
+    while (!isLineNext()) commands_.pop_front();
+    return takeOldest();
   }
   /// Whether a question is under way; its answer shows that all before it were read, if nothing is lost.
   bool hasQuestion(std::uint64_t question) const {

@@ -153,14 +153,19 @@ void OkPacedJob::onLocated(double now) {
 
 /// Whether the line under way ran, and goes on from there; or nobody knows, and the job ends.
 void OkPacedJob::decide(double now) {
-  const auto line = under_way_.takeOldest();
+  // Among the oks heard may be that of a change.
+  const bool is_ok_of_line = questions_.isLineAnswered() && !under_way_.hasChange();
+  const std::string change = under_way_.changeNext();
+  const auto line = under_way_.takeOldestLine();
   const auto position = questions_.answer()->position;
   RunEvidence evidence = RunEvidence::None;
   if (position) evidence = tracker_.evidence(*position);
-  if (questions_.isLineAnswered()) evidence = RunEvidence::Ran;
+  if (is_ok_of_line) evidence = RunEvidence::Ran;
   if (evidence == RunEvidence::None && tracker_.isRepeatable()) evidence = RunEvidence::DidNotRun;
   under_way_.clear();
   beginPhase(Phase::Feeding, now);
+  if (!change.empty()) record_.status.message = noAnswerTo(change);
+  if (!line) return;
   if (evidence == RunEvidence::None) {
     feed_.rewind(line->line);
     return fail(ErrorCode::DeviceError,
@@ -222,7 +227,9 @@ void OkPacedJob::pump(double now) {
 
 /// @return whether a line was sent
 bool OkPacedJob::sendNext(double now) {
-  const ProgramLine* line = feed_.isNextKnown() ? feed_.peek() : nullptr;
+  // Behind a change there is no line: a refusal could be of either where an ok is lost.
+  const bool may_send = feed_.isNextKnown() && !under_way_.hasChange();
+  const ProgramLine* line = may_send ? feed_.peek() : nullptr;
   if (line == nullptr) return false;
   layer_wait_.end();
   const std::size_t lines = under_way_.lines();
@@ -348,7 +355,9 @@ std::string OkPacedJob::change(const LiveChange& change, double) {
     return "the machine waits, and has " + std::to_string(unanswered_.count()) +
            " commands to answer; expected fewer, so that it hears a stop";
   }
-  send(changed.command, {});
+  PacedCommand as;
+  as.change = changed.command;
+  send(changed.command, as);
   return {};
 }
 
@@ -528,6 +537,11 @@ void OkPacedJob::onRefusal(const FirmwareReply& reply, double now) {
   record_.status.message = reply.text;
   // One that comes while nothing is under way is another sender's.
   if (record_.isStarting() || isStopping() || (under_way_.empty() && phase_ == Phase::Feeding)) return;
+  const std::string change = phase_ == Phase::Feeding ? under_way_.changeNext() : std::string();
+  if (!change.empty()) {
+    record_.status.message = "change " + change + " was refused: \"" + reply.text + "\"";
+    return;
+  }
   const std::uint64_t line = under_way_.oldestLine();
   const std::string what = line == 0 || !feed_.rewind(line)
                                ? "a line"

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What a print teaches the next one, and which end of a job is that of the print.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "correction_messages.hpp"
+#include "latched.hpp"
+#include "ros/bag_player.hpp"
+#include "ros/loop/controlled_wall.hpp"
+#include "ros/loop/wall_messages.hpp"
+#include "ros/wait_until.hpp"
+#include "support/scratch_folder.hpp"
+
+namespace lamina {
+namespace {
+
+using test::Controller;
+using test::ReportedMachine;
+using test::SensedWall;
+using test::sensedWall;
+using test::SensedWallCase;
+using test::waitUntil;
+
+SensedWallCase wallOfThreeLayers() {
+  SensedWallCase wall;
+  wall.settings = test::calibratedLoop();
+  wall.length_mm = 20.0;
+  wall.layers = 3;
+  return wall;
+}
+
+/// A part that grows by nine tenths teaches the next one 1 / 0.9 - 1, from its first layer on; one that was
+/// not complete teaches nothing.
+TEST(HeightController, TeachesTheNextPart) {
+  const test::ScratchFolder folder;
+  const SensedWallCase wall = wallOfThreeLayers();
+  const SensedWall printed = sensedWall(wall);
+  test::writeBag(folder.file("wall.bag"), printed);
+  const std::string file = folder.file("report/learnt_part.csv");
+  const std::string material = "_process/material:=steel";
+  {
+    Controller first({material, "_output_folder:=" + folder.file("report")});
+    const test::BagPlayer player(folder.file("wall.bag"), {"--rate=10"});
+    ASSERT_TRUE(waitUntil([&] { return first.layers.size() >= wall.layers; }));
+    ReportedMachine machine;
+    machine.say(lamina_msgs::MachineState::EXECUTE, 2);
+    machine.say(lamina_msgs::MachineState::STOPPED, 2);
+    ros::WallDuration(0.5).sleep();
+    EXPECT_FALSE(std::filesystem::exists(file));
+    machine.say(lamina_msgs::MachineState::COMPLETE, 2);
+    ASSERT_TRUE(waitUntil([&] { return std::filesystem::exists(file); }));
+  }
+  Controller next({material, "_loop/learned:=" + file});
+  ros::NodeHandle node;
+  auto toolpath = node.advertise<lamina_msgs::Toolpath>(names::kToolpath, 1, true);
+  publishLatched(toolpath, test::toolpathMessage(printed));
+  ASSERT_TRUE(waitUntil([&] { return !next.maps.empty(); }));
+  const CorrectionMap map = toCore(next.maps.front());
+  EXPECT_EQ(map.layer, 0U);
+  ASSERT_EQ(map.paths.size(), 1U);
+  EXPECT_NEAR(correctionAt(map.paths[0], 10.0).amount, 1.0 / 0.9 - 1.0, 0.01);
+}
+
+/// The end of the print before, which an executor repeats, is none of the print that has begun.
+TEST(HeightController, LearnsFromAPrintThatBeginsWithTheEndOfTheOneBefore) {
+  const test::ScratchFolder folder;
+  const SensedWallCase wall = wallOfThreeLayers();
+  test::writeBag(folder.file("wall.bag"), sensedWall(wall));
+  const std::string file = folder.file("report/learnt_part.csv");
+  Controller controller({"_process/material:=steel", "_output_folder:=" + folder.file("report")});
+  ReportedMachine machine;
+  const test::BagPlayer player(folder.file("wall.bag"), {"--rate=10"});
+  ASSERT_TRUE(waitUntil([&] { return !controller.maps.empty(); }));
+  machine.say(lamina_msgs::MachineState::COMPLETE, 2);
+  ASSERT_TRUE(waitUntil([&] { return controller.layers.size() >= wall.layers; }));
+  EXPECT_FALSE(std::filesystem::exists(file));
+  machine.say(lamina_msgs::MachineState::EXECUTE, 2);
+  machine.say(lamina_msgs::MachineState::COMPLETE, 2);
+  EXPECT_TRUE(waitUntil([&] { return std::filesystem::exists(file); }));
+}
+
+}  // namespace
+}  // namespace lamina
