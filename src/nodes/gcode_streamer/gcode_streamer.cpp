@@ -43,15 +43,13 @@ void hold(StreamSession& job) {
 }
 
 /// Reports of steps that are no longer in the state they were in.
-void logChanges(const std::vector<lamina_msgs::StartupStep>& before,
-                const std::vector<lamina_msgs::StartupStep>& now) {
+void logChanges(const std::vector<StartupStatus>& before, const std::vector<StartupStatus>& now) {
   for (std::size_t i = 0; i < before.size() && i < now.size(); ++i) {
     if (before[i].state == now[i].state) continue;
-    const ros::console::Level level = now[i].state == lamina_msgs::StartupStep::FAILED
-                                          ? ros::console::levels::Error
-                                          : ros::console::levels::Info;
-    ROS_LOG(level, ROSCONSOLE_DEFAULT_NAME, "start-up: %s is %s: %s", now[i].name.c_str(),
-            now[i].state_name.c_str(), now[i].reason.c_str());
+    const ros::console::Level level =
+        now[i].state == StartupState::Failed ? ros::console::levels::Error : ros::console::levels::Info;
+    ROS_LOG(level, ROSCONSOLE_DEFAULT_NAME, "start-up: %s is %s: %s", toString(now[i].step),
+            toString(now[i].state), now[i].reason.c_str());
   }
 }
 
@@ -77,7 +75,7 @@ GcodeStreamer::GcodeStreamer(ros::NodeHandle node, const GcodeStreamerSettings& 
       job_alarms_(node),
       pulses_(settings.guard_socket, [this] { return pulse(); }),
       startup_(settings.startup, settings.stream, settings.port,
-               [this](const auto& steps) { onSteps(steps); }),
+               [this](const StartupReport& report) { onStartup(report); }),
       startup_service_(node, startup_),
       action_(
           node, ActionGate<lamina_msgs::StreamProgramAction>::inner(names::kStreamProgram, owner_),
@@ -114,7 +112,7 @@ GcodeStreamer::GcodeStreamer(ros::NodeHandle node, const GcodeStreamerSettings& 
     updater_.update();
   };
   diagnostics_timer_ = node.createTimer(ros::Duration(1.0), update);
-  onSteps(startup_.steps());
+  onStartup(startup_.report());
   action_.start();
 }
 
@@ -270,7 +268,7 @@ StreamStatus GcodeStreamer::follow(StreamSession& session,
   while (!session.waitFor(kFeedbackPeriod)) {
     const StreamStatus status = session.status();
     action_.publishFeedback(toFeedback(status));
-    onSteps(startup_.steps());
+    onStartup(startup_.report());
     publishState(status);
     look(status);
     if (action_.isPreemptRequested()) session.abort({ErrorCode::Cancelled, "the goal was cancelled"});
@@ -474,7 +472,7 @@ bool GcodeStreamer::onChange(lamina_msgs::ChangeJob::Request& request,
 
 MachinePulse GcodeStreamer::pulse() const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  MachinePulse pulse = pulseOf(settings_, session_ ? status_.state : PackmlState::Idle, status_, steps_);
+  MachinePulse pulse = pulseOf(settings_, session_ ? status_.state : PackmlState::Idle, status_, reported_);
   if (!is_of_toolpath_) pulse.program = job_;
   return pulse;
 }
@@ -502,7 +500,7 @@ void GcodeStreamer::publishState(const StreamStatus& status) {
     const std::lock_guard<std::mutex> lock(mutex_);
     status_ = status;
     message = toMachineState(status, job_);
-    message.startup = steps_;
+    message.startup = toMessages(reported_.steps);
   }
   message.header.stamp = ros::Time::now();
   message.header.frame_id = names::kBedFrame;
@@ -514,13 +512,12 @@ void GcodeStreamer::publishState(const StreamStatus& status) {
 }
 
 /// Between jobs: the state is that in which the last one ended.
-void GcodeStreamer::onSteps(const std::vector<StartupStatus>& steps) {
+void GcodeStreamer::onStartup(const StartupReport& report) {
   StreamStatus status;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    auto messages = toMessages(steps);
-    logChanges(steps_, messages);
-    steps_ = std::move(messages);
+    logChanges(reported_.steps, report.steps);
+    reported_ = report;
     if (session_) return;
     status = status_;
   }
@@ -537,7 +534,8 @@ void GcodeStreamer::publishPosition(const ReportedPosition& position) {
 void GcodeStreamer::diagnose(diagnostic_updater::DiagnosticStatusWrapper& diagnostics) {
   const std::lock_guard<std::mutex> lock(mutex_);
   fillDiagnostics(status_, diagnostics);
-  for (const auto& step : steps_) diagnostics.add("start-up: " + step.name, step.state_name);
+  for (const StartupStatus& status : reported_.steps)
+    diagnostics.add(std::string("start-up: ") + toString(status.step), toString(status.state));
 }
 
 }  // namespace lamina

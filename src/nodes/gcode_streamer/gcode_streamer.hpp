@@ -88,7 +88,7 @@ class GcodeStreamer {
   void onStatus(const StreamStatus& status);
   void publishState(const StreamStatus& status);
 
-  void onSteps(const std::vector<StartupStatus>& steps);
+  void onStartup(const StartupReport& report);
   void publishPosition(const ReportedPosition& position);
   void diagnose(diagnostic_updater::DiagnosticStatusWrapper& diagnostics);
 
@@ -127,7 +127,7 @@ class GcodeStreamer {
   lamina_msgs::ToolpathConstPtr toolpath_;
   StreamStatus status_;
   std::string job_;
-  std::vector<lamina_msgs::StartupStep> steps_;
+  StartupReport reported_;  ///< of the start-up
 
   PulseSender pulses_;  ///< until job and start-up have left the machine safe
   StartupSession startup_;

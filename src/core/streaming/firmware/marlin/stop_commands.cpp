@@ -33,10 +33,13 @@ std::vector<std::string> safeStop(const MarlinFirmware& firmware, const UsedOutp
   return commands;
 }
 
-bool isSafe(const ReportedTemperatures& temperatures, const StreamSettings& settings) {
-  if (settings.keep_heaters_on) return true;
+bool heatsNothing(const ReportedTemperatures& temperatures) {
   const bool is_bed_off = !temperatures.bed_c || temperatures.bed_target_c == 0.0;
   return temperatures.nozzle_target_c == 0.0 && is_bed_off && temperatures.highest_target_c == 0.0;
+}
+
+bool isSafe(const ReportedTemperatures& temperatures, const StreamSettings& settings) {
+  return settings.keep_heaters_on || heatsNothing(temperatures);
 }
 
 std::vector<std::string> reportsOn(const MarlinFirmware& firmware, const StreamSettings& settings) {

@@ -20,6 +20,9 @@ std::string urgentStop(const MarlinFirmware& firmware, const UsedOutputs& output
 std::vector<std::string> safeStop(const MarlinFirmware& firmware, const UsedOutputs& outputs,
                                   const StreamSettings& settings);
 
+/// Whether no heater has a target, by a report that states the targets.
+bool heatsNothing(const ReportedTemperatures& temperatures);
+
 /// Whether a machine has ended a safe stop, by the temperatures that it reports after the lines of the stop.
 bool isSafe(const ReportedTemperatures& temperatures, const StreamSettings& settings);
 
