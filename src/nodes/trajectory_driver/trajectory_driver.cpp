@@ -22,7 +22,7 @@
 namespace lamina {
 namespace {
 
-constexpr double kStep = 0.02;       // s between looks at what is due
+constexpr double kStep = 0.02;       // s between looks at what is due; for waits of wall time
 constexpr double kShowPeriod = 0.1;  // s between reports
 
 /// Nothing to report to but a goal that may be cancelled.
@@ -49,6 +49,14 @@ DriveStatus joined(const DriveStatus& before, DriveStatus after) {
   after.feeding.starvations += before.feeding.starvations;
   after.feeding.least_queued_s = std::min(before.feeding.least_queued_s, after.feeding.least_queued_s);
   return after;
+}
+
+/// Nothing but a complete motion has succeeded.
+DriveStatus judged(DriveStatus status) {
+  if (status.failure.code == ErrorCode::Ok && status.state != PackmlState::Complete)
+    status.failure = {ErrorCode::DeviceError,
+                      std::string("the motion ended as ") + toString(status.state) + "; expected Complete"};
+  return status;
 }
 
 }  // namespace
@@ -142,7 +150,7 @@ void TrajectoryDriver::onGoal(const lamina_msgs::DriveToolpathGoalConstPtr& goal
   jog_.block();
   job_ = goal->toolpath_id;
   publishState(DriveStatus());
-  const DriveStatus status = drive(*goal);
+  const DriveStatus status = judged(drive(*goal));
   publishState(status);
   const lamina_msgs::DriveToolpathResult result = toResult(status);
   if (status.failure.code == ErrorCode::Ok) {
@@ -242,7 +250,7 @@ void TrajectoryDriver::awaitFirstMap(ChunkCorrection& correction) const {
     const double waited_s = (ros::Time::now() - begin).toSec();
     if (correction.isKnown(0)) return;
     if (waited_s >= settings_.loop.wait_s) return correction.giveUp(0, waited_s);
-    ros::Duration(kStep).sleep();
+    ros::WallDuration(kStep).sleep();
   }
 }
 
@@ -303,7 +311,7 @@ MachineToolpath TrajectoryDriver::toolpath(const std::string& id) {
     if (is_abort_requested_) throw Cancelled("aborted on request");
     if (action_.isPreemptRequested()) throw Cancelled("the goal was cancelled");
     if (isStopRequested() || !ros::ok()) throw Cancelled("the node was ended");
-    ros::Duration(kStep).sleep();
+    ros::WallDuration(kStep).sleep();
   }
   if (!message) throw InvalidInput("toolpath " + id + " is asked for, but none was published");
   if (message->id != id)
@@ -344,8 +352,11 @@ TrajectoryDriver::Driven TrajectoryDriver::run(const DriveMotion& motion) {
       tell(session->takeLayers());
       return {session->status(), std::move(next)};
     }
-    if (!ros::Duration(kStep).sleep()) break;
+    // What it returns says nothing of the job: ROS time may have passed its end before it began.
+    ros::Duration(kStep).sleep();
+    if (!ros::ok()) break;
   }
+  session->leave(ros::Time::now(), {ErrorCode::Cancelled, "the node was ended"});
   tell(session->takeLayers());
   return {session->status(), std::nullopt};
 }
@@ -367,7 +378,7 @@ void TrajectoryDriver::awaitProcessIo() const {
     if (fault.empty()) return;
     if (isCancelled()) throw Cancelled("cancelled while process_io was waited for");
     if ((now - begin).toSec() >= settings_.controller_wait_s) throw DeviceError(fault);
-    ros::Duration(kStep).sleep();
+    ros::WallDuration(kStep).sleep();
   }
 }
 
