@@ -67,7 +67,7 @@ TrajectoryDriver::TrajectoryDriver(ros::NodeHandle node, const DriverSettings& s
       model_(kinematicModelOf(settings.machine)),
       state_(node.advertise<lamina_msgs::MachineState>(names::kMachineState, 100, true)),
       tracking_(node.advertise<lamina_msgs::TrackingError>(names::kTrackingError, 100)),
-      deposited_(node.advertise<visualization_msgs::MarkerArray>(names::kPartMarkers, 100, true)),
+      part_markers_(node),
       findings_(node.advertise<visualization_msgs::MarkerArray>(names::kCheckMarkers, 1, true)),
       pause_(advertiseForOwner(node, names::kPause, owner_,
                                [this](auto& request, auto& response) { return onPause(request, response); })),
@@ -210,7 +210,9 @@ TrajectoryDriver::PreparedJob TrajectoryDriver::prepared(const MachineToolpath& 
 TrajectoryDriver::Driven TrajectoryDriver::drive(const PreparedJob& prepared, MapOfFirstLayer first_map) {
   const DriveJob& job = prepared.job;
   const std::string& id = job.placed.id;
-  growing_ = std::make_unique<GrowingPart>(job.timed.run.toolpath(), names::kPartFrame);
+  if (!isDry()) part_markers_.begin(job.timed.run.toolpath());
+  // However it ends, for the toolpath goes with the job.
+  const std::shared_ptr<void> part_end(nullptr, [this](void*) { part_markers_.end(); });
   if (prepared.way) {
     const TimedPath& way = *prepared.way->motion;
     ROS_INFO("going to the start of %s: %.1f s", id.c_str(), way.duration());
@@ -223,8 +225,8 @@ TrajectoryDriver::Driven TrajectoryDriver::drive(const PreparedJob& prepared, Ma
   ROS_INFO("driving %s%s: %.1f s on %s", id.c_str(), isDry() ? " dry" : "", path.duration(),
            model_->name().c_str());
   Driven driven = run({path, id, PackmlState::Execute, correction, dry_.process()});
-  if (driven.status.state == PackmlState::Complete && !isDry()) publishLatched(deposited_, growing_->whole());
   show(driven.status);
+  if (driven.status.state == PackmlState::Complete) part_markers_.complete();
   return driven;
 }
 
@@ -437,9 +439,7 @@ void TrajectoryDriver::show(const DriveStatus& status) {
   lamina_msgs::TrackingError tracking = toTrackingError(status, *model_);
   tracking.header.stamp = ros::Time::now();
   tracking_.publish(tracking);
-  if (isDry()) return;
-  const visualization_msgs::MarkerArray deposited = growing_->upTo(status.heading_for);
-  if (!deposited.markers.empty()) publishLatched(deposited_, deposited);
+  part_markers_.growTo(status.heading_for);
 }
 
 void TrajectoryDriver::publishState(const DriveStatus& status) {

@@ -93,6 +93,23 @@ TEST_P(DrivenMachine, DrivesAPartToItsEndAndDepositsOnBeadsOnly) {
   EXPECT_GT(deposited, 30U);
 }
 
+TEST_P(DrivenMachine, ShowsTheWholePartToWhoSubscribesOnceItIsDone) {
+  cell.drive(twoBeads());
+  expectDriven(cell);
+  double shown_m = 0.0;
+  const boost::function<void(const visualization_msgs::MarkerArrayConstPtr&)> on_part =
+      [&](const auto& message) {
+        for (const auto& marker : message->markers)
+          for (std::size_t i = 1; i < marker.points.size(); i += 2)
+            shown_m += std::abs(marker.points[i].x - marker.points[i - 1].x);
+      };
+  ros::NodeHandle node(GetParam().first);
+  const ros::Subscriber late =
+      node.subscribe<visualization_msgs::MarkerArray>(names::kPartMarkers, 10, on_part);
+  EXPECT_TRUE(waitUntil([&] { return shown_m > 0.0; }));
+  EXPECT_NEAR(shown_m, 2.0 * 2.0 * kHalf / 1000.0, 1e-6);
+}
+
 TEST_P(DrivenMachine, PausesOnBeadAndTravelAndCompletesOnceResumed) {
   cell.drive(twoBeads());
   EXPECT_FALSE(cell.calls("pause")) << "on the way to the start";
