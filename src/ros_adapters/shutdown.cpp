@@ -5,12 +5,15 @@
 #include <ros/poll_manager.h>
 #include <ros/ros.h>
 #include <ros/service_manager.h>
+#include <ros/xmlrpc_manager.h>
+#include <xmlrpcpp/XmlRpcValue.h>
 
 #include <atomic>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
+#include <string>
 
 #include "lamina/base/error.hpp"
 #include "network/loopback.hpp"
@@ -24,17 +27,37 @@ const ros::WallDuration kDelivery(1.8);  // at most, until messages are on their
 const ros::WallDuration kDeliveryPeriod(0.002);
 const ros::WallDuration kReading(0.2);  // that subscribers need to read them
 
-// A signal handler can reach nothing but a variable of this kind.
-volatile std::sig_atomic_t was_stop_requested = 0;
+// A signal handler can reach nothing but a variable of this kind, and threads no variable of another.
+std::atomic<bool> was_stop_requested{false};
+static_assert(std::atomic<bool>::is_always_lock_free);
 
-void stop(int) { was_stop_requested = 1; }
+void stop(int) { was_stop_requested = true; }
 
 // roscpp's own handler shuts down from its polling thread, which then logs through loggers that are gone; and
 // it knows SIGINT alone. Here the thread that spins shuts down, on SIGTERM and SIGHUP too.
 ros::WallTimer shutdownOnSignal(const ros::NodeHandle& node) {
   return node.createWallTimer(kSignalPeriod, [](const ros::WallTimerEvent&) {
-    if (was_stop_requested != 0) ros::shutdown();
+    if (was_stop_requested) ros::shutdown();
   });
+}
+
+// Who asks, and why: what has no reason is no request, as in roscpp.
+void onShutdownCall(XmlRpc::XmlRpcValue& request, XmlRpc::XmlRpcValue& answer) {
+  answer = ros::xmlrpc::responseInt(1, "", 0);
+  if (request.getType() != XmlRpc::XmlRpcValue::TypeArray || request.size() < 2) return;
+  const bool is_text = request[1].getType() == XmlRpc::XmlRpcValue::TypeString;
+  const std::string reason = is_text ? static_cast<std::string&>(request[1]) : "";
+  ROS_WARN("asked to end: '%s'", reason.c_str());
+  was_stop_requested = true;
+}
+
+// Of rosnode kill, and of the master where another node takes this one's name. roscpp's own handler cuts the
+// node off from ROS before it has said anything, with the machine running.
+void stopOnShutdownCall() {
+  constexpr char kCall[] = "shutdown";
+  const ros::XMLRPCManagerPtr& calls = ros::XMLRPCManager::instance();
+  calls->unbind(kCall);
+  calls->bind(kCall, onShutdownCall);
 }
 
 // In Debian's rosconsole, to list the loggers gives them away: the node would crash at its next new one, with
@@ -52,7 +75,7 @@ void logFailure(const Failure& failure) {
 
 }  // namespace
 
-bool isStopRequested() { return was_stop_requested != 0; }
+bool isStopRequested() { return was_stop_requested; }
 
 void awaitDelivery() {
   // What is published waits for the polling thread. One pass may have begun before: the second holds it all.
@@ -76,6 +99,7 @@ void runNode(int argc, char** argv, const NodeRun& run, const std::function<void
     const ros::NodeHandle node;
     guardPorts();
     withdrawLoggerList();
+    stopOnShutdownCall();
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, stop);
     const ros::WallTimer timer =
         run.on_signal == OnSignal::ShutDown ? shutdownOnSignal(node) : ros::WallTimer();

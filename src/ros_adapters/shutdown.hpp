@@ -7,7 +7,7 @@
 
 namespace lamina {
 
-/// What SIGINT, SIGTERM and SIGHUP do to a node.
+/// What SIGINT, SIGTERM, SIGHUP and `rosnode kill` do to a node.
 enum class OnSignal {
   ShutDown,  ///< request a shutdown: `ros::ok()` becomes false, ros::spin() returns
   Request,   ///< nothing but `isStopRequested`: the node still has something to say to others before it goes
@@ -19,7 +19,7 @@ struct NodeRun {
   OnSignal on_signal = OnSignal::ShutDown;
 };
 
-/// Whether one of the signals came.
+/// Whether one of the signals or `rosnode kill` came.
 bool isStopRequested();
 
 /// Waits until every message published so far is on its way, then 0.2 s: a subscriber that learns that the
@@ -29,8 +29,8 @@ bool isStopRequested();
 void awaitDelivery();
 
 /// A node from start to end: joins ROS, on the loopback interface by default (`guardPorts`), loads plug-ins
-/// (`loadNodePlugins`), runs `body`, and leaves ROS. On a signal `body` returns or throws, so that
-/// destructors run.
+/// (`loadNodePlugins`), runs `body`, and leaves ROS. On a signal or `rosnode kill` `body` returns or throws,
+/// so that destructors run.
 ///
 /// Does not return: the process ends with exit code 0, or 1 if `body` threw; then the message was logged.
 [[noreturn]] void runNode(int argc, char** argv, const NodeRun& run, const std::function<void()>& body);

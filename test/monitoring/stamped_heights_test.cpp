@@ -80,6 +80,7 @@ class Feed {
     for (const StampedTip& each : recording.poses) pose(each);
     for (const StampedProfile& each : recording.profiles) profile(each);
   }
+  void restartClock() { keep(heights_.restartClock()); }
   LayerHeightReports end() {
     keep(heights_.finish());
     return reports_;
@@ -271,6 +272,23 @@ TEST(StampedHeights, AProfileThatComesAfterALaterOneIsCountedAndNotUsed) {
   ASSERT_EQ(reports.size(), kLayers);
   for (const LayerHeightReport& report : reports)
     EXPECT_NEAR(report.statistics.worst_mm, offsetOf(report.layer), 1e-12);
+}
+
+TEST(StampedHeights, GoesOnWhenTheClockOfTheStampsGoesBack) {
+  Recording after = recordingOf({2, 3, 4});
+  for (StampedTip& pose : after.poses) pose.stamp_ns -= 2 * kScan;
+  for (StampedProfile& profile : after.profiles) profile.stamp_ns -= 2 * kScan;
+  StampedHeights heights = plates();
+  Feed feed(heights);
+  feed.all(recordingOf({0, 1}));
+  feed.profile(profileAt(10 * kScan, 4.05, 0.0));  // of which no pose comes any more
+  feed.restartClock();
+  feed.all(after);
+  const LayerHeightReports reports = feed.end();
+  expectAccounted(heights.use());
+  EXPECT_EQ(heights.use().late.profiles, 1u);
+  ASSERT_EQ(reports.size(), kLayers);
+  for (const LayerHeightReport& report : reports) expectOffset(report);
 }
 
 TEST(StampedHeights, ProfilesInAGapOfThePosesAreCountedAndNotUsed) {

@@ -4,9 +4,12 @@
 
 #include <gtest/gtest.h>
 #include <ros/ros.h>
+#include <ros/xmlrpc_manager.h>
 #include <std_msgs/Int32.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <xmlrpcpp/XmlRpcClient.h>
+#include <xmlrpcpp/XmlRpcValue.h>
 
 #include <csignal>
 #include <string>
@@ -28,6 +31,38 @@ int exitCodeOfNode(const lamina::NodeRun& run, const std::function<void()>& body
   int status = 0;
   ::waitpid(child, &status, 0);
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+/// What `rosnode kill` does to the node that calls this.
+void killThisNode() {
+  XmlRpc::XmlRpcClient client("127.0.0.1", static_cast<int>(ros::XMLRPCManager::instance()->getServerPort()));
+  XmlRpc::XmlRpcValue request;
+  XmlRpc::XmlRpcValue answer;
+  request[0] = "/rosnode";
+  request[1] = "user request";
+  const bool is_answered = client.execute("shutdown", request, answer) && !client.isFault();
+  client.close();
+  if (!is_answered || answer.size() != 3 || static_cast<int&>(answer[0]) != 1)
+    throw lamina::DeviceError("an answer of three values with the code 1 was expected");
+}
+
+TEST(RunNode, OnlyReportsOfRosnodeKillIfAskedTo) {
+  const int exit_code = exitCodeOfNode({"killed", lamina::OnSignal::Request}, [] {
+    killThisNode();
+    ros::WallDuration(0.3).sleep();
+    if (!lamina::isStopRequested() || !ros::ok())
+      throw lamina::DeviceError("reported, and still there, was expected");
+  });
+  EXPECT_EQ(exit_code, 0);
+}
+
+TEST(RunNode, LeavesItsBodyOnRosnodeKill) {
+  const int exit_code = exitCodeOfNode({"killed_spinning"}, [] {
+    killThisNode();
+    ros::spin();
+    if (!lamina::isStopRequested()) throw lamina::DeviceError("an end as by a signal was expected");
+  });
+  EXPECT_EQ(exit_code, 0);
 }
 
 TEST(RunNode, OnlyReportsOfASignalIfAskedTo) {

@@ -130,6 +130,14 @@ TEST(StartupSequence, IsRefusedIfTheBedCouldNotHeatAsItIsAskedTo) {
   expectRefused(settings, "startup.bed_target_c is '151'");
 }
 
+TEST(StartupSequence, IsRefusedIfTheMachineIsAskedNothing) {
+  StartupSettings settings = withSequence("home_x");
+  settings.check_code.clear();
+  expectRefused(settings, "startup.check_code is empty");
+  settings.sequence.clear();
+  EXPECT_EQ(refusalOf(settings), "");
+}
+
 TEST(StartupSequence, IsRefusedIfTheVacuumCannotBeChecked) {
   StartupSettings settings = withSequence("draw_vacuum");
   settings.vacuum_on_code = "M42 P{zone} S255";

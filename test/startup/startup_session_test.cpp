@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <memory>
 #include <mutex>
 #include <thread>
@@ -47,9 +48,9 @@ class StartupSessionTest : public testing::Test {
   }
   void startSession() {
     session_ = std::make_unique<StartupSession>(settings_, stream_, MachinePort{port(), 115200},
-                                                [this](const auto& steps) {
+                                                [this](const StartupReport& report) {
                                                   const std::lock_guard<std::mutex> lock(mutex_);
-                                                  reported_ = steps;
+                                                  reported_ = report;
                                                 });
   }
   std::string port() const { return folder_.file("machine"); }
@@ -109,7 +110,7 @@ class StartupSessionTest : public testing::Test {
   StreamSettings stream_;
   mutable std::mutex mutex_;
   std::vector<std::string> commands_;
-  std::vector<StartupStatus> reported_;  ///< to the observer, last
+  StartupReport reported_;  ///< to the observer, last
   std::unique_ptr<EmulatedMachine> machine_;
   std::unique_ptr<StartupSession> session_;
 };
@@ -200,11 +201,40 @@ TEST_F(StartupSessionTest, LeavesTheMachineSafeWhenItEnds) {
   EXPECT_DOUBLE_EQ(machine_->bedTarget(), 40.0);
   session_.reset();
   EXPECT_DOUBLE_EQ(machine_->bedTarget(), 0.0);
-  ASSERT_FALSE(reported_.empty());
-  for (const StartupStatus& status : reported_) {
+  ASSERT_FALSE(reported_.steps.empty());
+  for (const StartupStatus& status : reported_.steps) {
     EXPECT_NE(status.state, State::Done) << toString(status.step);
     EXPECT_NE(status.state, State::Running) << toString(status.step);
   }
+  EXPECT_FALSE(reported_.may_be_on);
+}
+
+TEST_F(StartupSessionTest, LeavesTheMachineSafeWhenItEndsAfterTheLinkWasLost) {
+  plugIn();
+  startSession();
+  run(StartupSessionStep::HeatBed);
+  expectState(StartupSessionStep::HeatBed, State::Done);
+  std::filesystem::rename(port(), folder_.file("unplugged"));
+  expectState(StartupSessionStep::HeatBed, State::Pending);
+  EXPECT_TRUE(session_->report().may_be_on);
+  EXPECT_DOUBLE_EQ(machine_->bedTarget(), 40.0);
+  std::filesystem::rename(folder_.file("unplugged"), port());
+  session_.reset();
+  EXPECT_DOUBLE_EQ(machine_->bedTarget(), 0.0);
+  EXPECT_FALSE(reported_.may_be_on);
+}
+
+TEST_F(StartupSessionTest, AsksALostMachineUntilItSaysThatNothingIsOn) {
+  plugIn();
+  startSession();
+  EXPECT_FALSE(session_->report().may_be_on);
+  run(StartupSessionStep::HeatBed);
+  expectState(StartupSessionStep::HeatBed, State::Done);
+  machine_.reset();
+  expectState(StartupSessionStep::HeatBed, State::Pending);
+  EXPECT_TRUE(session_->report().may_be_on);
+  plugIn();
+  EXPECT_TRUE(waitUntil([&] { return !session_->report().may_be_on; })) << "its heaters are off";
 }
 
 TEST_F(StartupSessionTest, TakesNothingOnceItIsEnded) {
@@ -229,9 +259,10 @@ TEST_F(StartupSessionTest, SaysThatABedIsHotThatItMayNotSwitchOff) {
   expectState(StartupSessionStep::HeatBed, State::Done);
   session_.reset();
   EXPECT_DOUBLE_EQ(machine_->bedTarget(), 40.0);
-  EXPECT_TRUE(std::any_of(reported_.begin(), reported_.end(), [](const StartupStatus& status) {
+  EXPECT_TRUE(std::any_of(reported_.steps.begin(), reported_.steps.end(), [](const StartupStatus& status) {
     return status.step == StartupSessionStep::HeatBed && status.state == State::Done;
   }));
+  EXPECT_TRUE(reported_.may_be_on);
 }
 
 TEST_F(StartupSessionTest, ReportsThatNoMachineIsThere) {

@@ -57,6 +57,11 @@ class StampedHeights {
   /// Adds a profile; returns reports likewise.
   LayerHeightReports insert(StampedProfile profile);
 
+  /// States that the clock of the time stamps has gone back. Profiles that wait for poses count as late; of
+  /// the poses and profiles that arrive from now on none is late for the sake of the ones before. What was
+  /// measured remains.
+  LayerHeightReports restartClock();
+
   /// Gives up the scan under way: its layer is reported as cut short.
   LayerHeightReports cutShort();
 

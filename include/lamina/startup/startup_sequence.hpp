@@ -33,7 +33,8 @@ struct SequencedStep {
 ///
 /// @throws InvalidConfig naming key and reason if a name is unknown or given twice, a step is not after all
 ///   that it needs or that `startup.after_*` names for it, a step needs one that is missing, a setting is out
-///   of its bounds, or a machine that switches the vacuum does not report it
+///   of its bounds, the machine is not asked for its state, or a machine that switches the vacuum does not
+///   report it
 std::vector<SequencedStep> makeStartupSequence(const StartupSettings& settings);
 
 }  // namespace lamina

@@ -13,17 +13,28 @@
 
 namespace lamina {
 
+/// What a start-up session reports.
+struct StartupReport {
+  std::vector<StartupStatus> steps;  ///< in the order of the sequence
+  /// Whether a heater that a step has switched on may still be on; independent of the states of the steps.
+  bool may_be_on = false;
+};
+
 /// Runs a machine's start-up sequence at its port, in a thread of its own. It runs steps, checks the machine
-/// periodically as long as a step that it runs or reports is running or done, and lends the port to jobs. All
-/// functions may be called from any thread. Without a sequence it does nothing and lets every job start.
+/// periodically as long as a step that it runs or reports is running or done, or something may still be on,
+/// and lends the port to jobs. All functions may be called from any thread. Without a sequence it does
+/// nothing and lets every job start.
 ///
 /// It sends `startup.abort_code` if the sequence is aborted, the bed does not heat as it should, or the
 /// machine stops answering; also when the session ends and a step has acted on the machine.
+///
+/// Once the code of a step was sent, something may be on, even after the step was lost, until the machine has
+/// confirmed `startup.abort_code`, reports that it heats nothing, or has restarted or halted.
 class StartupSession {
  public:
-  /// Called with the status of all steps when they may have changed; from any thread, and possibly before the
-  /// constructor has returned.
-  using Observer = std::function<void(const std::vector<StartupStatus>&)>;
+  /// Called with the report when it may have changed; from any thread, and possibly before the constructor
+  /// has returned.
+  using Observer = std::function<void(const StartupReport&)>;
   /// Whether a job is still to begin; called from the thread that asks for it, now and then.
   using MayGoOn = std::function<bool()>;
 
@@ -35,7 +46,8 @@ class StartupSession {
   StartupSession& operator=(const StartupSession&) = delete;
 
   bool isEmpty() const;
-  std::vector<StartupStatus> steps() const;
+  StartupReport report() const;
+  std::vector<StartupStatus> steps() const { return report().steps; }
   /// Whether a step is in the sequence and not skipped.
   bool awaits(StartupStep step) const;
 

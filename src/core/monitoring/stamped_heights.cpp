@@ -94,6 +94,17 @@ std::int64_t StampedHeights::passedUntil(std::int64_t stamp_ns) {
   return moving_ns + std::min(resting_ns, kLongestRest);
 }
 
+LayerHeightReports StampedHeights::restartClock() {
+  while (!poses_.empty()) step();
+  for (const auto& [stamp_ns, points] : waiting_) use_.late.add(points.size());
+  waiting_.clear();
+  reached_.reset();
+  worked_off_ns_.reset();
+  was_moving_ = false;
+  way_begin_ns_ = moved_ns_ = moved_at_profile_ns_ = last_profile_ns_ = 0;
+  return std::exchange(done_, {});
+}
+
 LayerHeightReports StampedHeights::cutShort() { return monitor_.closeScan(LayerSight::CutShort); }
 
 LayerHeightReports StampedHeights::finish() {

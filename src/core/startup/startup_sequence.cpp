@@ -117,6 +117,10 @@ void requireBounds(const StartupSettings& settings) {
 }
 
 void requireCheckable(const std::vector<Step>& order, const StartupSettings& settings) {
+  if (!order.empty() && settings.check_code.empty())
+    throw InvalidConfig(
+        "startup.check_code is empty; expected a command that makes the machine report its state, since "
+        "startup.sequence has steps");
   if (has(order, Step::HomeZAgain) && !has(order, Step::HomeZ))
     throw InvalidConfig(
         "startup.sequence has home_z_again without home_z; expected home_z before it: Z cannot "

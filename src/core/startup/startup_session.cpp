@@ -14,6 +14,7 @@
 #include "lamina/base/clock.hpp"
 #include "lamina/base/error.hpp"
 #include "startup/startup_code.hpp"
+#include "streaming/firmware/marlin/stop_commands.hpp"
 
 namespace lamina {
 
@@ -26,7 +27,7 @@ class StartupSession::Impl {
 
   bool isEmpty() const { return startup_.isEmpty(); }
   bool awaits(StartupStep step) const;
-  std::vector<StartupStatus> steps() const;
+  StartupReport report() const;
   void run(std::optional<StartupStep> step);
   void confirm(StartupStep step);
   void transferred(const ProgramIdentity& program);
@@ -52,6 +53,8 @@ class StartupSession::Impl {
   void requireNoJob() const;
   void requireIdle() const;
   void notify(Lock& lock);
+  StartupReport known() const;
+  bool isToBeWatched() const { return startup_.hasMachineAtWork() || may_be_on_; }
 
   void awaitPort(Lock& lock, const MayGoOn& mayGoOn);
   void lookBeforeJob(Lock& lock, const MayGoOn& mayGoOn);
@@ -63,6 +66,8 @@ class StartupSession::Impl {
   void giveUpAll(Lock& lock);
   std::string leaveSafe(Lock& lock);
   void stream(Lock& lock, const std::string& code, const MayGoOn& mayGoOn);
+  void streamStep(Lock& lock, const std::string& code, const MayGoOn& mayGoOn);
+  StreamStatus send(Lock& lock, const std::string& code, const MayGoOn& mayGoOn);
   StreamStatus runSession(const StreamableProgram& program, const MayGoOn& mayGoOn);
   void noteSent(const StreamableProgram& program, const StreamStatus& status);
   bool isWanted(StartupStep step) const;
@@ -79,6 +84,7 @@ class StartupSession::Impl {
   Task task_ = Task::None;
   StartupStep step_ = StartupStep::PowerOn;  ///< of Task::Step
   PortUser port_user_ = PortUser::Nobody;
+  bool may_be_on_ = false;  ///< whether what a step has switched on is not known to be off
   struct WatchedJob {
     JobWatch watch;
     ProgramCursor cursor;
@@ -111,6 +117,12 @@ void requireStreamable(const StartupSettings& settings, const StreamSettings& st
       throw InvalidConfig(error.what());
     }
   }
+}
+
+/// A machine that has started anew or halted has switched its heaters off.
+bool saysThatAllIsOff(const FirmwareReply& reply) {
+  if (reply.kind == ReplyKind::Start || reply.kind == ReplyKind::Fatal) return true;
+  return reply.temperatures && heatsNothing(*reply.temperatures);
 }
 
 constexpr double kPoll = 0.1;  // s
@@ -156,9 +168,15 @@ bool StartupSession::Impl::awaits(StartupStep step) const {
   return startup_.awaits(step);
 }
 
-std::vector<StartupStatus> StartupSession::Impl::steps() const {
+StartupReport StartupSession::Impl::report() const {
   const Lock lock(mutex_);
-  return startup_.steps();
+  return known();
+}
+
+/// The report, to be called while the session is locked. A bed that the operator heats is switched off at the
+/// end, too.
+StartupReport StartupSession::Impl::known() const {
+  return {startup_.steps(), may_be_on_ || startup_.stateOf(StartupStep::HeatBed) == StartupState::Done};
 }
 
 bool StartupSession::Impl::isBusy() const {
@@ -180,9 +198,9 @@ void StartupSession::Impl::requireIdle() const {
 /// Reports the observer, which must not find the session locked.
 void StartupSession::Impl::notify(Lock& lock) {
   if (!changed_) return;
-  const std::vector<StartupStatus> steps = startup_.steps();
+  const StartupReport report = known();
   lock.unlock();
-  changed_(steps);
+  changed_(report);
   lock.lock();
 }
 
@@ -254,7 +272,7 @@ void StartupSession::Impl::awaitPort(Lock& lock, const MayGoOn& mayGoOn) {
 }
 
 void StartupSession::Impl::lookBeforeJob(Lock& lock, const MayGoOn& mayGoOn) {
-  if (!startup_.hasMachineAtWork()) return;
+  if (!isToBeWatched()) return;
   try {
     stream(lock, settings_.check_code, mayGoOn);
   } catch (const Error& error) {
@@ -266,6 +284,7 @@ void StartupSession::Impl::lookBeforeJob(Lock& lock, const MayGoOn& mayGoOn) {
 void StartupSession::Impl::heard(const FirmwareReply& reply) {
   const Lock lock(mutex_);
   startup_.onReply(reply, now());
+  if (saysThatAllIsOff(reply)) may_be_on_ = false;
   if (job_) job_->watch.onReply(reply, now());
 }
 
@@ -321,7 +340,7 @@ StartupSession::StartupSession(const StartupSettings& settings, const StreamSett
 StartupSession::~StartupSession() = default;
 
 bool StartupSession::isEmpty() const { return impl_->isEmpty(); }
-std::vector<StartupStatus> StartupSession::steps() const { return impl_->steps(); }
+StartupReport StartupSession::report() const { return impl_->report(); }
 bool StartupSession::awaits(StartupStep step) const { return impl_->awaits(step); }
 void StartupSession::run(std::optional<StartupStep> step) { impl_->run(step); }
 void StartupSession::confirm(StartupStep step) { impl_->confirm(step); }
@@ -359,7 +378,7 @@ void StartupSession::Impl::work() {
     if (task_ == task) task_ = Task::None;
     notify(lock);
   }
-  if (!startup_.hasMachineAtWork()) return;
+  if (!isToBeWatched()) return;
   const bool is_safe = leaveSafe(lock).empty() && !settings_.abort_code.empty();
   if (is_safe) startup_.forgetMachine(kEnded);
   for (const StartupStep step : allStartupSteps())
@@ -380,7 +399,7 @@ void StartupSession::Impl::drive(Lock& lock, StartupStep step) {
     while (!isInterrupted()) {
       const auto code = startup_.nextCode(step);
       if (!code) break;
-      stream(lock, *code, [this, step] { return isWanted(step); });
+      streamStep(lock, *code, [this, step] { return isWanted(step); });
       startup_.onCodeFinished(step, now());
       notify(lock);
     }
@@ -410,10 +429,10 @@ void StartupSession::Impl::driveAll(Lock& lock) {
   }
 }
 
-/// Asks the machine how it is, as long as it does anything.
+/// Asks the machine how it is, as long as it does anything or may have something on.
 void StartupSession::Impl::look(Lock& lock) {
   startup_.elapse(now());
-  if (port_user_ != PortUser::Nobody || !startup_.hasMachineAtWork()) return;
+  if (port_user_ != PortUser::Nobody || !isToBeWatched()) return;
   port_user_ = PortUser::Session;
   try {
     stream(lock, settings_.check_code, [this] {
@@ -439,6 +458,7 @@ std::string StartupSession::Impl::leaveSafe(Lock& lock) {
   if (settings_.abort_code.empty()) return {};
   try {
     stream(lock, settings_.abort_code, [] { return true; });
+    may_be_on_ = false;
     return {};
   } catch (const Error& error) {
     startup_.forgetMachine(error.what());
@@ -447,6 +467,17 @@ std::string StartupSession::Impl::leaveSafe(Lock& lock) {
 }
 
 void StartupSession::Impl::stream(Lock& lock, const std::string& code, const MayGoOn& mayGoOn) {
+  throwIfFailed(send(lock, code, mayGoOn));
+}
+
+/// What was sent may have been run, also if the link was lost over it.
+void StartupSession::Impl::streamStep(Lock& lock, const std::string& code, const MayGoOn& mayGoOn) {
+  const StreamStatus status = send(lock, code, mayGoOn);
+  may_be_on_ = may_be_on_ || status.lines_sent > 0;
+  throwIfFailed(status);
+}
+
+StreamStatus StartupSession::Impl::send(Lock& lock, const std::string& code, const MayGoOn& mayGoOn) {
   const auto program = StreamableProgram::fromText("start-up", code, stream_);
   StreamStatus status;
   {
@@ -454,14 +485,14 @@ void StartupSession::Impl::stream(Lock& lock, const std::string& code, const May
     status = runSession(program, mayGoOn);
   }
   noteSent(program, status);
-  throwIfFailed(status);
+  return status;
 }
 
 StreamStatus StartupSession::Impl::runSession(const StreamableProgram& program, const MayGoOn& mayGoOn) {
   StreamSession session(program, stream_, port_, {},
                         {[this](const FirmwareReply& reply) { heard(reply); }, {}});
   while (!session.waitFor(kPoll)) {
-    if (changed_) changed_(steps());
+    if (changed_) changed_(report());
     if (!mayGoOn()) session.abort({ErrorCode::Cancelled, "the start-up was aborted"});
   }
   return session.status();

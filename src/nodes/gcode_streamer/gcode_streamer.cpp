@@ -80,7 +80,7 @@ GcodeStreamer::GcodeStreamer(ros::NodeHandle node, const GcodeStreamerSettings& 
       job_alarms_(node),
       pulses_(settings.guard_socket, [this] { return pulse(); }),
       startup_(settings.startup, settings.stream, settings.port,
-               [this](const auto& steps) { onSteps(steps); }),
+               [this](const StartupReport& report) { onStartup(report); }),
       startup_service_(node, startup_),
       action_(
           node, ActionGate<lamina_msgs::StreamProgramAction>::inner(names::kStreamProgram, owner_),
@@ -117,7 +117,7 @@ GcodeStreamer::GcodeStreamer(ros::NodeHandle node, const GcodeStreamerSettings& 
     updater_.update();
   };
   diagnostics_timer_ = node.createTimer(ros::Duration(1.0), update);
-  onSteps(startup_.steps());
+  onStartup(startup_.report());
   action_.start();
 }
 
@@ -296,7 +296,7 @@ StreamStatus GcodeStreamer::follow(StreamSession& session,
   while (!session.waitFor(kFeedbackPeriod)) {
     const StreamStatus status = session.status();
     action_.publishFeedback(toFeedback(status));
-    onSteps(startup_.steps());
+    onStartup(startup_.report());
     report_.publish();
     look(status);
     if (const auto why = cancellation()) session.abort(*why);
@@ -521,8 +521,7 @@ bool GcodeStreamer::onChange(lamina_msgs::ChangeJob::Request& request,
 MachinePulse GcodeStreamer::pulse() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   const StreamStatus status = report_.status();
-  MachinePulse pulse =
-      pulseOf(settings_, session_ ? status.state : PackmlState::Idle, status, report_.steps());
+  MachinePulse pulse = pulseOf(settings_, session_ ? status.state : PackmlState::Idle, status, startup_report_);
   if (!is_of_toolpath_) pulse.program = report_.job();
   return pulse;
 }
@@ -543,8 +542,12 @@ void GcodeStreamer::publishState(lamina_msgs::MachineState state, lamina_msgs::H
 }
 
 /// Between jobs: the state is that in which the last one ended.
-void GcodeStreamer::onSteps(const std::vector<StartupStatus>& steps) {
-  const auto messages = toMessages(steps);
+void GcodeStreamer::onStartup(const StartupReport& report) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    startup_report_ = report;
+  }
+  const auto messages = toMessages(report.steps);
   logChanges(report_.takeSteps(messages), messages);
   if (!session()) report_.publish();
 }

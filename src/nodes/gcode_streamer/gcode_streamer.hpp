@@ -99,7 +99,7 @@ class GcodeStreamer {
   void onStatus(const StreamStatus& status);
   void publishState(lamina_msgs::MachineState state, lamina_msgs::HeaterState heaters) const;
 
-  void onSteps(const std::vector<StartupStatus>& steps);
+  void onStartup(const StartupReport& report);
   void publishPosition(const ReportedPosition& position);
   void diagnose(diagnostic_updater::DiagnosticStatusWrapper& diagnostics);
 
@@ -139,6 +139,7 @@ class GcodeStreamer {
   bool is_hold_due_ = false;                      ///< of it
   bool is_abort_due_ = false;                     ///< of it
   lamina_msgs::ToolpathConstPtr toolpath_;
+  StartupReport startup_report_;
 
   PulseSender pulses_;  ///< until job and start-up have left the machine safe
   StartupSession startup_;

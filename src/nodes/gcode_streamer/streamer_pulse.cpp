@@ -12,22 +12,26 @@ bool isAtWork(PackmlState state) {
   return state != PackmlState::Idle && state != PackmlState::Starting && !isFinal(state);
 }
 
-/// What a start-up has heated stays hot between jobs. A dryer that the operator switched on is not this
-/// node's.
-bool isAtWork(const lamina_msgs::StartupStep& step, const StartupSettings& settings) {
-  using Step = lamina_msgs::StartupStep;
-  if (step.name == "dry_pellets" && settings.dry_code.empty()) return false;
-  return step.state == Step::RUNNING || (step.state == Step::DONE && step.name == "heat_bed");
+/// A dryer that the operator switched on is not this node's.
+bool isAtWork(const StartupStatus& status, const StartupSettings& settings) {
+  if (status.step == StartupStep::DryPellets && settings.dry_code.empty()) return false;
+  return status.state == StartupState::Running;
+}
+
+/// What a start-up has heated stays hot between jobs, also after its step was lost.
+bool isAtWork(const StartupReport& startup, const StartupSettings& settings) {
+  return startup.may_be_on ||
+         std::any_of(startup.steps.begin(), startup.steps.end(),
+                     [&](const StartupStatus& status) { return isAtWork(status, settings); });
 }
 
 }  // namespace
 
 MachinePulse pulseOf(const GcodeStreamerSettings& settings, PackmlState job, const StreamStatus& status,
-                     const std::vector<lamina_msgs::StartupStep>& steps) {
+                     const StartupReport& startup) {
   MachinePulse pulse;
   const bool is_streaming = isAtWork(job);
-  const bool is_started_up = std::any_of(steps.begin(), steps.end(),
-                                         [&](const auto& step) { return isAtWork(step, settings.startup); });
+  const bool is_started_up = isAtWork(startup, settings.startup);
   // A print server prints on by itself.
   pulse.is_at_work = (is_streaming || is_started_up) && settings.port.name.rfind("http", 0) != 0;
   pulse.has_job = is_streaming;

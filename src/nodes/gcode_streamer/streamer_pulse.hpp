@@ -2,18 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <vector>
-
+#include "lamina/startup/startup_session.hpp"
 #include "lamina/streaming/guard/machine_pulse.hpp"
-#include "messages.hpp"
 #include "streamer_settings.hpp"
 
 namespace lamina {
 
 /// What a watch needs to stop the machine in the node's place, but for the file of the job.
-/// @param job    state of the job under way; Idle if there is none
-/// @param steps  of the start-up
+/// @param job  state of the job under way; Idle if there is none
 MachinePulse pulseOf(const GcodeStreamerSettings& settings, PackmlState job, const StreamStatus& status,
-                     const std::vector<lamina_msgs::StartupStep>& steps);
+                     const StartupReport& startup);
 
 }  // namespace lamina

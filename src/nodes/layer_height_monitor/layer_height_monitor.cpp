@@ -89,7 +89,7 @@ LayerHeightMonitor::LayerHeightMonitor(ros::NodeHandle node, const LayerHeightMo
       calibration_(settings.calibration.empty() ? Calibration() : readCalibration(settings.calibration)),
       intake_(node, settings.queue_mb, sensorOf(calibration_),
               {[this](const PlacedProfile& profile) { onProfile(profile); },
-               [this](const StampedNozzle& nozzle) { onNozzle(nozzle); }}) {
+               [this](const StampedNozzle& nozzle) { onNozzle(nozzle); }, [this] { onRestart(); }}) {
   diagnostics_.setHardwareID("none");
   diagnostics_.add("layer heights",
                    [this](diagnostic_updater::DiagnosticStatusWrapper& status) { diagnose(status); });
@@ -153,6 +153,11 @@ void LayerHeightMonitor::onNozzle(const StampedNozzle& nozzle) {
   if (!heights_) return;
   report(heights_->observe(
       {static_cast<std::int64_t>(nozzle.stamp.toNSec()), nozzle.bed_from_nozzle.translation()}));
+}
+
+/// By stamps of before, whatever comes now would be late.
+void LayerHeightMonitor::onRestart() {
+  if (heights_) report(heights_->restartClock());
 }
 
 void LayerHeightMonitor::report(const LayerHeightReports& layers) {

@@ -38,6 +38,7 @@ class LayerHeightMonitor {
   void onToolpath(const lamina_msgs::ToolpathConstPtr& message);
   void onProfile(const PlacedProfile& profile);
   void onNozzle(const StampedNozzle& nozzle);
+  void onRestart();
   void onTimer();
   bool onFinish(lamina_msgs::FinishMeasuring::Request& request,
                 lamina_msgs::FinishMeasuring::Response& response);

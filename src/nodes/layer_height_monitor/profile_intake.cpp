@@ -113,11 +113,24 @@ IntakeCounts ProfileIntake::counts() const {
   return counts;
 }
 
-void ProfileIntake::startOver() {
+void ProfileIntake::leaveOutWaiting(CloudTally& as) {
   for (auto& [frame, clouds] : waiting_) {
-    for (const auto& [stamp, cloud] : clouds) settle(*cloud, counts_.of_former_print);
+    for (const auto& [stamp, cloud] : clouds) settle(*cloud, as);
     clouds.clear();
   }
+}
+
+/// Clouds of before ROS time went back have lost their transforms.
+void ProfileIntake::followTime() {
+  const std::uint64_t restarts = sequence_.restarts();
+  if (std::exchange(restarts_, restarts) == restarts) return;
+  leaveOutWaiting(counts_.pushed_out);
+  last_cloud_ = ros::Time();
+  receivers_.restarted();
+}
+
+void ProfileIntake::startOver() {
+  leaveOutWaiting(counts_.of_former_print);
   while (sequence_.passNext()) {
   }
   sequence_.takeNozzles();
@@ -142,6 +155,7 @@ void ProfileIntake::settle(const sensor_msgs::PointCloud2& cloud, CloudTally& as
 }
 
 void ProfileIntake::passDue() {
+  followTime();
   addNozzles();  // of transforms that went on unasked
   std::set<std::string> passed_over;
   for (;;) {

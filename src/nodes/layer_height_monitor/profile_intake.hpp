@@ -53,7 +53,7 @@ struct IntakeCounts {
   CloudTally malformed;                 ///< without the fields or bytes a cloud needs
   CloudTally without_transform;         ///< older than what tf reported first
   CloudTally without_nozzle;            ///< tf places the cloud, but not the nozzle
-  CloudTally pushed_out;                ///< of the queue, while waiting for tf
+  CloudTally pushed_out;                ///< of the queue, also as ROS time went back, while waiting for tf
   CloudTally of_former_print;           ///< still waiting when the next toolpath came
   std::uint64_t waiting_bytes = 0;      ///< of memory, of those waiting
   std::uint64_t lost = 0;               ///< missing in the publisher's sequence; not received
@@ -71,6 +71,7 @@ class ProfileIntake {
   struct Receivers {
     std::function<void(const PlacedProfile&)> profile;
     std::function<void(const StampedNozzle&)> nozzle;
+    std::function<void()> restarted;  ///< ROS time went back: the stamps that follow are of the new time
   };
 
   /// Subscribes to `profile` and to tf.
@@ -104,6 +105,8 @@ class ProfileIntake {
   void onCloud(const CloudEvent& event);
   Cloud taken(const Cloud& cloud) const;
   bool isHeldUp(const ros::Time& until) const;
+  void leaveOutWaiting(CloudTally& as);
+  void followTime();
   void countLost(const CloudEvent& event);
   void wait(const Cloud& cloud);
   bool isTooFull() const;
@@ -124,6 +127,7 @@ class ProfileIntake {
   std::map<std::string, Clouds> waiting_;  ///< by frame
   IntakeCounts counts_;
   ros::Time last_cloud_;                                ///< latest stamp of all clouds received
+  std::uint64_t restarts_ = 0;                          ///< of the sequence that the receivers know of
   std::map<std::string, std::uint32_t> last_sequence_;  ///< by publisher
   ros::WallTimer timer_;
   ros::Subscriber subscriber_;

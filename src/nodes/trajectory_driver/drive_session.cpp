@@ -46,6 +46,7 @@ bool DriveSession::step(const ros::Time& now) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (isFinal(status_.state)) return false;
   begin(now);
+  followTime(now);
   watch(now);
   awaitMap(now);
   feed(now);
@@ -58,6 +59,15 @@ void DriveSession::begin(const ros::Time& now) {
   if (!begin_.isZero()) return;
   begin_ = now + ros::Duration(settings_.start_delay_s);
   expectReports(begin_);
+}
+
+/// The times of all points are those of a clock that only goes on.
+void DriveSession::followTime(const ros::Time& now) {
+  const ros::Time before = std::exchange(stepped_, now);
+  if (now >= before) return;
+  giveUp(now,
+         {ErrorCode::DeviceError, "ROS time went back by " + numberText((before - now).toSec()) +
+                                      " s; expected it to go on, for the controller follows points by it"});
 }
 
 /// The controller's clock: by stamps that of its last report, which a slow host does not drive on [s].
@@ -350,6 +360,13 @@ void DriveSession::giveUp(const ros::Time& now, const Failure& why) {
   given_up_at_ = now;
   links_.process.makeSafe(now);
   links_.controller.cancel();
+}
+
+void DriveSession::leave(const ros::Time& now, const Failure& why) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (isFinal(status_.state) || is_left_) return;
+  giveUp(now, why);
+  status_.state = PackmlState::Aborted;
 }
 
 DriveStatus DriveSession::status() const {

@@ -68,7 +68,8 @@ class DriveSession {
   DriveSession(const DriveMotion& motion, const KinematicModel& model, const DriverSettings& settings,
                const DriveLinks& links);
 
-  /// Hands over what is due. False once the motion has ended and everything is at rest.
+  /// Hands over what is due. False once the motion has ended and everything is at rest. Gives the motion up
+  /// if ROS time has gone back since the last call.
   bool step(const ros::Time& now);
   void hear(const ControllerReport& report, const ros::Time& now);
 
@@ -109,6 +110,9 @@ class DriveSession {
   /// Brakes along the path, everything of the process off at once. Does nothing if it has ended or is
   /// aborted.
   void abort(const ros::Time& now, const Failure& why);
+  /// Ends in Aborted what has not ended, for the caller no longer follows it; the controller is to stop by
+  /// itself. Does nothing if a plan is gone over to.
+  void leave(const ros::Time& now, const Failure& why);
 
   DriveStatus status() const;
 
@@ -117,6 +121,7 @@ class DriveSession {
 
   bool isByStamps() const { return settings_.tracking.silence_by == SilenceBy::Stamps; }
   void begin(const ros::Time& now);
+  void followTime(const ros::Time& now);
   bool setSpeed(double share);
   double jobTime(const ros::Time& now) const { return (now - begin_).toSec(); }
   double controllerTime(const ros::Time& now) const;
@@ -148,6 +153,7 @@ class DriveSession {
   std::optional<MapWait> wait_;  ///< none if it is driven as planned
   bool is_left_ = false;         ///< for a plan
   std::optional<ros::Time> given_up_at_;
+  ros::Time stepped_;  ///< the last step; zero before the first
   DriveStatus status_;
   std::uint64_t speed_orders_ = 0;  ///< given so far
 

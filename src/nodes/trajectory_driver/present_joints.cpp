@@ -15,7 +15,7 @@
 namespace lamina {
 namespace {
 
-constexpr double kJointLookPeriod = 0.02;  // s
+constexpr double kJointLookPeriod = 0.02;  // s of wall time: that of ROS may stand still
 constexpr double kStill = 1e-3;            // mm or rad: what encoders of a joint at rest may report
 
 }  // namespace
@@ -35,7 +35,8 @@ void PresentJoints::hear(const sensor_msgs::JointState& state) {
       if (joint.name != state.name[i] || !std::isfinite(state.position[i])) continue;
       Heard& heard = heard_[joint.name];
       heard.value = joint.kind == JointKind::Linear ? toMillimetres(state.position[i]) : state.position[i];
-      if (heard.at.isZero() || std::abs(heard.value - heard.mark) > kStill) {
+      // Of a time to come, as before ROS time went back, nothing can be said.
+      if (heard.at.isZero() || heard.at > now || std::abs(heard.value - heard.mark) > kStill) {
         heard.mark = heard.value;
         heard.moved_at = now;
       }
@@ -73,7 +74,7 @@ JointValues PresentJoints::fresh(double age_s, double wait_s) const {
       throw TimedOut("'" + std::string(names::kJointStates) + "' reports nothing of joint '" + missing +
                      "' in " + numberText(wait_s) + " s; expected all driven joints of " + model_.name() +
                      ", to know where it stands");
-    ros::Duration(kJointLookPeriod).sleep();
+    ros::WallDuration(kJointLookPeriod).sleep();
   }
 }
 

@@ -22,7 +22,7 @@
 namespace lamina {
 namespace {
 
-constexpr double kStep = 0.02;       // s between looks at what is due
+constexpr double kStep = 0.02;       // s between looks at what is due; for waits of wall time
 constexpr double kShowPeriod = 0.1;  // s between reports
 
 /// Nothing to report to but a goal that may be cancelled.
@@ -51,6 +51,14 @@ DriveStatus joined(const DriveStatus& before, DriveStatus after) {
   return after;
 }
 
+/// Nothing but a complete motion has succeeded.
+DriveStatus judged(DriveStatus status) {
+  if (status.failure.code == ErrorCode::Ok && status.state != PackmlState::Complete)
+    status.failure = {ErrorCode::DeviceError,
+                      std::string("the motion ended as ") + toString(status.state) + "; expected Complete"};
+  return status;
+}
+
 }  // namespace
 
 TrajectoryDriver::TrajectoryDriver(ros::NodeHandle node, const DriverSettings& settings)
@@ -59,7 +67,7 @@ TrajectoryDriver::TrajectoryDriver(ros::NodeHandle node, const DriverSettings& s
       model_(kinematicModelOf(settings.machine)),
       state_(node.advertise<lamina_msgs::MachineState>(names::kMachineState, 100, true)),
       tracking_(node.advertise<lamina_msgs::TrackingError>(names::kTrackingError, 100)),
-      deposited_(node.advertise<visualization_msgs::MarkerArray>(names::kPartMarkers, 100, true)),
+      part_markers_(node),
       findings_(node.advertise<visualization_msgs::MarkerArray>(names::kCheckMarkers, 1, true)),
       pause_(advertiseForOwner(node, names::kPause, owner_,
                                [this](auto& request, auto& response) { return onPause(request, response); })),
@@ -142,7 +150,7 @@ void TrajectoryDriver::onGoal(const lamina_msgs::DriveToolpathGoalConstPtr& goal
   jog_.block();
   job_ = goal->toolpath_id;
   publishState(DriveStatus());
-  const DriveStatus status = drive(*goal);
+  const DriveStatus status = judged(drive(*goal));
   publishState(status);
   const lamina_msgs::DriveToolpathResult result = toResult(status);
   if (status.failure.code == ErrorCode::Ok) {
@@ -202,7 +210,9 @@ TrajectoryDriver::PreparedJob TrajectoryDriver::prepared(const MachineToolpath& 
 TrajectoryDriver::Driven TrajectoryDriver::drive(const PreparedJob& prepared, MapOfFirstLayer first_map) {
   const DriveJob& job = prepared.job;
   const std::string& id = job.placed.id;
-  growing_ = std::make_unique<GrowingPart>(job.timed.run.toolpath(), names::kPartFrame);
+  if (!isDry()) part_markers_.begin(job.timed.run.toolpath());
+  // However it ends, for the toolpath goes with the job.
+  const std::shared_ptr<void> part_end(nullptr, [this](void*) { part_markers_.end(); });
   if (prepared.way) {
     const TimedPath& way = *prepared.way->motion;
     ROS_INFO("going to the start of %s: %.1f s", id.c_str(), way.duration());
@@ -215,8 +225,8 @@ TrajectoryDriver::Driven TrajectoryDriver::drive(const PreparedJob& prepared, Ma
   ROS_INFO("driving %s%s: %.1f s on %s", id.c_str(), isDry() ? " dry" : "", path.duration(),
            model_->name().c_str());
   Driven driven = run({path, id, PackmlState::Execute, correction, dry_.process()});
-  if (driven.status.state == PackmlState::Complete && !isDry()) publishLatched(deposited_, growing_->whole());
   show(driven.status);
+  if (driven.status.state == PackmlState::Complete) part_markers_.complete();
   return driven;
 }
 
@@ -242,7 +252,7 @@ void TrajectoryDriver::awaitFirstMap(ChunkCorrection& correction) const {
     const double waited_s = (ros::Time::now() - begin).toSec();
     if (correction.isKnown(0)) return;
     if (waited_s >= settings_.loop.wait_s) return correction.giveUp(0, waited_s);
-    ros::Duration(kStep).sleep();
+    ros::WallDuration(kStep).sleep();
   }
 }
 
@@ -303,7 +313,7 @@ MachineToolpath TrajectoryDriver::toolpath(const std::string& id) {
     if (is_abort_requested_) throw Cancelled("aborted on request");
     if (action_.isPreemptRequested()) throw Cancelled("the goal was cancelled");
     if (isStopRequested() || !ros::ok()) throw Cancelled("the node was ended");
-    ros::Duration(kStep).sleep();
+    ros::WallDuration(kStep).sleep();
   }
   if (!message) throw InvalidInput("toolpath " + id + " is asked for, but none was published");
   if (message->id != id)
@@ -344,8 +354,11 @@ TrajectoryDriver::Driven TrajectoryDriver::run(const DriveMotion& motion) {
       tell(session->takeLayers());
       return {session->status(), std::move(next)};
     }
-    if (!ros::Duration(kStep).sleep()) break;
+    // What it returns says nothing of the job: ROS time may have passed its end before it began.
+    ros::Duration(kStep).sleep();
+    if (!ros::ok()) break;
   }
+  session->leave(ros::Time::now(), {ErrorCode::Cancelled, "the node was ended"});
   tell(session->takeLayers());
   return {session->status(), std::nullopt};
 }
@@ -367,7 +380,7 @@ void TrajectoryDriver::awaitProcessIo() const {
     if (fault.empty()) return;
     if (isCancelled()) throw Cancelled("cancelled while process_io was waited for");
     if ((now - begin).toSec() >= settings_.controller_wait_s) throw DeviceError(fault);
-    ros::Duration(kStep).sleep();
+    ros::WallDuration(kStep).sleep();
   }
 }
 
@@ -426,9 +439,7 @@ void TrajectoryDriver::show(const DriveStatus& status) {
   lamina_msgs::TrackingError tracking = toTrackingError(status, *model_);
   tracking.header.stamp = ros::Time::now();
   tracking_.publish(tracking);
-  if (isDry()) return;
-  const visualization_msgs::MarkerArray deposited = growing_->upTo(status.heading_for);
-  if (!deposited.markers.empty()) publishLatched(deposited_, deposited);
+  part_markers_.growTo(status.heading_for);
 }
 
 void TrajectoryDriver::publishState(const DriveStatus& status) {

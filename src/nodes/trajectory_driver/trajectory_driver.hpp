@@ -21,10 +21,10 @@
 #include "job_overrides.hpp"
 #include "jog_driver.hpp"
 #include "lamina/streaming/guard/pulse_link.hpp"
-#include "markers/growing_part.hpp"
 #include "messages.hpp"
 #include "owner/action_gate.hpp"
 #include "owner/executor_owner.hpp"
+#include "part_markers.hpp"
 #include "present_joints.hpp"
 #include "process_io_watch.hpp"
 #include "process_publisher.hpp"
@@ -109,7 +109,7 @@ class TrajectoryDriver {
   std::unique_ptr<const KinematicModel> model_;
   ros::Publisher state_;
   ros::Publisher tracking_;
-  ros::Publisher deposited_;
+  PartMarkers part_markers_;
   ros::Publisher findings_;
   ros::Publisher applied_;
   ros::Subscriber toolpath_subscriber_;
@@ -135,7 +135,6 @@ class TrajectoryDriver {
   std::atomic<bool> is_abort_requested_{false};  ///< of the goal
   std::string job_;
   DryOrder dry_;  ///< of the goal under way
-  std::unique_ptr<GrowingPart> growing_;
   JobOverrides overrides_;
   ControllerClient controller_;
   JogDriver jog_;

@@ -262,8 +262,16 @@ void TrajectoryPublisher::publishWaypoints(const ros::Time& until) {
   }
 }
 
+/// Ticks and waypoints since the last one are never so much older than it.
+bool TrajectoryPublisher::wentBack(const ros::Time& stamp) const {
+  return stamp + ros::Duration(1.0 / settings_.rate_hz) < last_stamp_;
+}
+
 void TrajectoryPublisher::publishPlayed(const JointPositions& positions, const ros::Time& stamp) {
-  if (stamp <= last_stamp_) return;  // tf takes one transform at a time
+  if (wentBack(stamp))
+    ROS_WARN("ROS time went back by %.3f s: it is played on by the new time", (last_stamp_ - stamp).toSec());
+  else if (stamp <= last_stamp_)
+    return;  // tf takes one transform at a time
   last_stamp_ = stamp;
   sensor_msgs::JointState state;
   state.header.stamp = stamp;

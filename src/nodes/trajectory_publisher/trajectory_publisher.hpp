@@ -51,6 +51,7 @@ class TrajectoryPublisher {
   void announceLayer(const ros::Time& stamp);
   void announceNozzle(const TimeSpan& span, const ros::Time& stamp);
   void publishWaypoints(const ros::Time& until);
+  bool wentBack(const ros::Time& stamp) const;
   void publishPlayed(const JointPositions& positions, const ros::Time& stamp);
   void publishPosition(const JointPositions& positions, const sensor_msgs::JointState& state);
 

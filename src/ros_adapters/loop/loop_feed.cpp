@@ -32,10 +32,7 @@ LoopFeed::LoopFeed(const LoopRunSettings& settings, double queue_mb)
 
 bool LoopFeed::add(const lamina_msgs::Toolpath& toolpath) {
   if (run_) {
-    counts_.of_former_print += waiting_.size();
-    counts_.waiting -= waiting_.size();
-    waiting_.clear();
-    waiting_bytes_ = 0.0;
+    counts_.of_former_print += leaveOutWaiting();
     while (sequence_.passNext()) {
     }
     sequence_.takeNozzles();
@@ -92,6 +89,24 @@ void LoopFeed::settle(const sensor_msgs::PointCloud2& cloud) {
   waiting_bytes_ -= bytesOfCloud(cloud);
 }
 
+/// @return the number of clouds
+std::size_t LoopFeed::leaveOutWaiting() {
+  const std::size_t clouds = waiting_.size();
+  counts_.waiting -= clouds;
+  waiting_.clear();
+  waiting_bytes_ = 0.0;
+  return clouds;
+}
+
+/// Clouds of before ROS time went back have lost their transforms.
+void LoopFeed::followTime() {
+  const std::uint64_t restarts = sequence_.restarts();
+  if (std::exchange(restarts_, restarts) == restarts) return;
+  counts_.pushed_out += leaveOutWaiting();
+  heard_.reset();
+  if (run_) run_->restartClock();
+}
+
 void LoopFeed::hear(const ros::Time& stamp) {
   if (const auto taken = takenAt(stamp)) heard_ = *taken;
 }
@@ -110,6 +125,7 @@ bool LoopFeed::add(const lamina_msgs::AppliedCorrection& applied) {
 }
 
 void LoopFeed::pass() {
+  followTime();
   if (!run_) return;  // the first toolpath may come after its clouds
   do {
     placeClouds();

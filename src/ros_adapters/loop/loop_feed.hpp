@@ -24,14 +24,14 @@ struct FeedCounts {
   std::uint64_t without_frame = 0;      ///< or without a stamp
   std::uint64_t malformed = 0;          ///< without the fields or bytes a cloud needs
   std::uint64_t without_transform = 0;  ///< older than what tf reported first
-  std::uint64_t pushed_out = 0;         ///< of memory, while waiting for tf
+  std::uint64_t pushed_out = 0;         ///< of memory, or as ROS time went back, while waiting for tf
   std::uint64_t of_former_print = 0;
   std::string last_fault;  ///< what was wrong with the last malformed one
 };
 
 /// Gives one print after the other to the loop, from messages in the order in which they come: of a node, or
 /// of a bag. The same for both, so that both give the same maps to the last bit. tf may be behind the clouds
-/// by any time, and ahead of them by 30 s.
+/// by any time, and ahead of them by 30 s. Where ROS time goes back, the print goes on by the new time.
 class LoopFeed {
  public:
   /// @param queue_mb  memory of the clouds that may wait for tf [1e6 bytes]
@@ -82,6 +82,8 @@ class LoopFeed {
   void placeClouds();
   void pushOutOldest();
   void settle(const sensor_msgs::PointCloud2& cloud);
+  std::size_t leaveOutWaiting();
+  void followTime();
 
   LoopRunSettings settings_;
   double queue_bytes_;
@@ -89,6 +91,7 @@ class LoopFeed {
   std::multimap<ros::Time, Cloud> waiting_;  ///< by the time at which they were taken
   double waiting_bytes_ = 0.0;
   std::optional<ros::Time> heard_;  ///< to be reported once the transforms are passed on
+  std::uint64_t restarts_ = 0;      ///< of the sequence that the loop knows of
   std::unique_ptr<LoopRun> run_;
   FeedCounts counts_;
 };

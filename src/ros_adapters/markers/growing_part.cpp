@@ -53,15 +53,24 @@ MarkerArray GrowingPart::upTo(const WaypointIndex& heading_for) {
 }
 
 MarkerArray GrowingPart::whole() {
-  MarkerArray changed;
-  if (!has_begun_) begin(changed);
-  lay({toolpath_.layers.size(), 0, 0}, changed);
-  return changed;
+  MarkerArray all;
+  begin(all);
+  lay({toolpath_.layers.size(), 0, 0}, all);
+  return all;
+}
+
+MarkerArray GrowingPart::soFar() const {
+  GrowingPart anew(toolpath_, frame_);
+  MarkerArray all;
+  anew.begin(all);
+  anew.lay(next_, all);
+  return all;
 }
 
 void GrowingPart::begin(MarkerArray& markers) {
   next_ = {};
   layer_.markers.clear();
+  has_changed_ = false;
   markers.markers.push_back(emptyMarker(frame_, 0, PathRole::Skirt));
   markers.markers.back().action = Marker::DELETEALL;
   has_begun_ = true;

@@ -22,8 +22,10 @@ class GrowingPart {
   /// The markers that change until all motions before the one to this waypoint are done; going back to an
   /// earlier one begins anew. The first markers of all, and of a new beginning, delete what was shown.
   visualization_msgs::MarkerArray upTo(const WaypointIndex& heading_for);
-  /// The markers that change until everything is deposited.
+  /// All markers with everything deposited; the first deletes what was shown.
   visualization_msgs::MarkerArray whole();
+  /// All markers as they are by now, for who has seen none before; the first deletes what was shown.
+  visualization_msgs::MarkerArray soFar() const;
 
  private:
   void begin(visualization_msgs::MarkerArray& markers);

@@ -15,6 +15,8 @@ namespace {
 
 constexpr double kRemembered = 30.0;  // s, by the stamps, that the buffer looks back
 constexpr double kQuiet = 10.0;       // s between complaints
+// By which ROS time goes back so that all begins anew: less is made up for at once.
+const ros::Duration kBack(0.5);
 
 /// As tf2 does: frames were once named with a slash in front.
 std::string bare(const std::string& frame) {
@@ -28,6 +30,7 @@ TransformSequence::TransformSequence(std::size_t most_waiting)
 
 void TransformSequence::add(const geometry_msgs::TransformStamped& transform, const std::string& authority) {
   const std::lock_guard<std::mutex> lock(mutex_);
+  if (isOfTimeBefore(transform.header.stamp)) return;
   ++received_;
   keepFrames(transform);
   waiting_.insert({transform.header.stamp, {transform, authority}});
@@ -37,6 +40,24 @@ void TransformSequence::add(const geometry_msgs::TransformStamped& transform, co
     give(waiting_.begin()->second);
     waiting_.erase(waiting_.begin());
   }
+}
+
+/// Whether a stamp is of the time from which ROS time has gone back; all that was received is, when it does.
+bool TransformSequence::isOfTimeBefore(const ros::Time& stamp) {
+  if (!ros::Time::isValid()) return false;  // of a bag, read without a clock
+  const ros::Time now = ros::Time::now();
+  if (now + kBack < now_) {
+    ROS_WARN("ROS time went back by %.3f s: the transforms received so far are forgotten",
+             (now_ - now).toSec());
+    went_back_ = now_;
+    waiting_.clear();
+    passed_.clear();
+    taken_ = ros::Time();
+    buffer_.clear();
+    ++restarts_;
+  }
+  now_ = now;
+  return now < went_back_ && stamp > now + kBack;
 }
 
 void TransformSequence::addFixed(const geometry_msgs::TransformStamped& transform,
@@ -136,6 +157,11 @@ std::size_t TransformSequence::untaken() const {
 std::uint64_t TransformSequence::forced() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return forced_;
+}
+
+std::uint64_t TransformSequence::restarts() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return restarts_;
 }
 
 std::uint64_t TransformSequence::received() const {

@@ -33,6 +33,8 @@ class TransformSequence {
   explicit TransformSequence(std::size_t most_waiting = 500000);
 
   /// A transform that moves. One that is older than what the buffer was given goes there at the next call.
+  /// Begins anew if ROS time has gone back since the last one, by a clock that was set or a simulation that
+  /// was reset; what was stamped before that and comes late is left out.
   void add(const geometry_msgs::TransformStamped& transform, const std::string& authority);
   /// One that holds for all times.
   void addFixed(const geometry_msgs::TransformStamped& transform, const std::string& authority);
@@ -57,6 +59,8 @@ class TransformSequence {
   std::uint64_t forced() const;
   /// Transforms received so far.
   std::uint64_t received() const;
+  /// How often ROS time has gone back so far, which leaves nothing of before but what holds for all times.
+  std::uint64_t restarts() const;
 
  private:
   struct Waiting {
@@ -64,6 +68,7 @@ class TransformSequence {
     std::string authority;
   };
 
+  bool isOfTimeBefore(const ros::Time& stamp);
   void keepFrames(const geometry_msgs::TransformStamped& transform);
   bool isNextUpTo(const ros::Time& stamp) const;
   void give(const Waiting& waiting);
@@ -79,6 +84,9 @@ class TransformSequence {
   ros::Time given_;             ///< the last stamp passed
   std::uint64_t received_ = 0;
   std::uint64_t forced_ = 0;
+  std::uint64_t restarts_ = 0;
+  ros::Time now_;        ///< ROS time at the last transform
+  ros::Time went_back_;  ///< ROS time from which it went back last
 };
 
 }  // namespace lamina

@@ -242,6 +242,35 @@ void feedFrom(LoopRun& run, const SensedWall& printed, std::size_t first) {
   run.finish();
 }
 
+TEST(LoopRun, GoesOnWhenTheClockOfTheStampsGoesBack) {
+  const SensedWallCase wall = wallCase();
+  SensedWall printed = sensedWall(wall);
+  constexpr std::int64_t kBack = 900'000'000'000;  // ns
+  LoopRun run(printed.part, wall.settings);
+  std::size_t cloud = 0;
+  const auto feed = [&](std::size_t from, std::size_t until) {
+    for (std::size_t i = from; i < until; ++i) {
+      const std::int64_t stamp_ns = printed.tips[i].stamp_ns;
+      for (; cloud < printed.clouds.size() && printed.clouds[cloud].stamp_ns <= stamp_ns; ++cloud)
+        run.see(printed.clouds[cloud]);
+      run.observe(printed.tips[i]);
+    }
+  };
+  const std::size_t half = tipsUntil(printed, 3);
+  feed(0, half);
+  run.restartClock();
+  for (StampedTip& tip : printed.tips) tip.stamp_ns -= kBack;
+  for (SensedCloud& each : printed.clouds) each.stamp_ns -= kBack;
+  feed(half, printed.tips.size());
+  run.finish();
+  EXPECT_EQ(run.counts().poses_late, 0U);
+  EXPECT_EQ(run.counts().clouds_late, 0U);
+  const LoopNews news = run.takeNews();
+  ASSERT_EQ(news.layers.size(), wall.layers);
+  for (const LayerOutcome& layer : news.layers)
+    EXPECT_GT(layer.figures.coverage, 0.95) << layer.figures.layer;
+}
+
 /// What the loop knew when a layer was done.
 LoopMemory memoryAfter(const SensedWall& printed, const LoopRunSettings& settings, std::size_t layer) {
   LoopRun run(printed.part, settings);

@@ -71,6 +71,27 @@ TEST(GrowingPart, WholeHasAllThatIsDeposited) {
   EXPECT_EQ(segments(part.whole()), 10U);
 }
 
+TEST(GrowingPart, WholeIsWholeWhateverWasShownBefore) {
+  const Toolpath toolpath = twoLayers();
+  GrowingPart part(toolpath, "part");
+  part.upTo({1, 0, 2});
+  const MarkerArray whole = part.whole();
+  EXPECT_EQ(whole.markers.at(0).action, Marker::DELETEALL);
+  EXPECT_EQ(segments(whole), 10U);
+  EXPECT_EQ(segments(part.soFar()), 10U);
+}
+
+TEST(GrowingPart, HasAllLayersSoFarForWhoComesLate) {
+  const Toolpath toolpath = twoLayers();
+  GrowingPart part(toolpath, "part");
+  EXPECT_EQ(segments(part.soFar()), 0U);
+  part.upTo({1, 0, 2});
+  const MarkerArray late = part.soFar();
+  EXPECT_EQ(late.markers.at(0).action, Marker::DELETEALL);
+  EXPECT_EQ(segments(late), 6U) << "five of the first layer, one of the second";
+  EXPECT_EQ(segments(part.upTo({1, 0, 3})), 2U) << "others go on with the second layer alone";
+}
+
 TEST(GrowingPart, LiesHalfABeadBelowTheTipAndGoesWithTheTable) {
   const Toolpath toolpath = twoLayers();
   GrowingPart part(toolpath, "part");

@@ -6,6 +6,7 @@
 
 #include "names.hpp"
 #include "ros/monitor/plate_scan.hpp"
+#include "ros/set_time.hpp"
 
 namespace lamina {
 namespace {
@@ -152,6 +153,45 @@ TEST(TransformSequence, WithTooManyWaitingTheOldestGoUnasked) {
   EXPECT_EQ(latest.header.stamp, ros::Time(1099));
   EXPECT_EQ(sequence.passTo(names::kSensorFrame, ros::Time(1050)), Readiness::Never);
   EXPECT_EQ(sequence.passTo(names::kSensorFrame, ros::Time(1150)), Readiness::Ready);
+}
+
+TEST(TransformSequence, BeginsAnewWhenRosTimeGoesBack) {
+  const test::SetTime time;
+  TransformSequence sequence;
+  withSensor(sequence);
+  for (int i = 1000; i < 1010; ++i) {
+    time.set(i);
+    sequence.add(nozzleAt(i, i), kAuthority);
+  }
+  EXPECT_EQ(sequence.passTo(names::kSensorFrame, ros::Time(1005)), Readiness::Ready);
+  EXPECT_FALSE(sequence.takeNozzles().empty());
+  EXPECT_EQ(sequence.restarts(), 0U);
+  time.set(500.0);
+  sequence.add(nozzleAt(1010, 1010), kAuthority);  // that was under way
+  for (int i = 501; i < 510; ++i) {
+    time.set(i);
+    sequence.add(nozzleAt(i, i), kAuthority);
+  }
+  EXPECT_EQ(sequence.restarts(), 1U);
+  EXPECT_EQ(sequence.passTo(names::kSensorFrame, ros::Time(505.5)), Readiness::Ready);
+  const auto nozzles = sequence.takeNozzles();
+  ASSERT_EQ(nozzles.size(), 6U);
+  EXPECT_EQ(nozzles.front().stamp, ros::Time(501.0));
+  EXPECT_NEAR(nozzles.back().bed_from_nozzle.translation().z(), 506.0, 1e-9);
+  EXPECT_EQ(sequence.passTo(names::kSensorFrame, ros::Time(1005)), Readiness::NotYet);
+}
+
+TEST(TransformSequence, GoesOnWhenRosTimeGoesBackALittle) {
+  const test::SetTime time;
+  TransformSequence sequence;
+  withSensor(sequence);
+  time.set(1000.0);
+  sequence.add(nozzleAt(1000.0, 1.0), kAuthority);
+  time.set(999.9);
+  sequence.add(nozzleAt(1000.1, 2.0), kAuthority);
+  EXPECT_EQ(sequence.restarts(), 0U);
+  EXPECT_EQ(sequence.received(), 3U);
+  EXPECT_EQ(sequence.passTo(names::kSensorFrame, ros::Time(1000.0)), Readiness::Ready);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "ros/drive/drive_cell.hpp"
 #include "ros/drive/two_beads.hpp"
 #include "ros/node_process.hpp"
+#include "ros/test_clock.hpp"
 
 namespace lamina {
 namespace {
@@ -90,6 +91,23 @@ TEST_P(DrivenMachine, DrivesAPartToItsEndAndDepositsOnBeadsOnly) {
     }
   }
   EXPECT_GT(deposited, 30U);
+}
+
+TEST_P(DrivenMachine, ShowsTheWholePartToWhoSubscribesOnceItIsDone) {
+  cell.drive(twoBeads());
+  expectDriven(cell);
+  double shown_m = 0.0;
+  const boost::function<void(const visualization_msgs::MarkerArrayConstPtr&)> on_part =
+      [&](const auto& message) {
+        for (const auto& marker : message->markers)
+          for (std::size_t i = 1; i < marker.points.size(); i += 2)
+            shown_m += std::abs(marker.points[i].x - marker.points[i - 1].x);
+      };
+  ros::NodeHandle node(GetParam().first);
+  const ros::Subscriber late =
+      node.subscribe<visualization_msgs::MarkerArray>(names::kPartMarkers, 10, on_part);
+  EXPECT_TRUE(waitUntil([&] { return shown_m > 0.0; }));
+  EXPECT_NEAR(shown_m, 2.0 * 2.0 * kHalf / 1000.0, 1e-6);
 }
 
 TEST_P(DrivenMachine, PausesOnBeadAndTravelAndCompletesOnceResumed) {
@@ -267,8 +285,8 @@ class FaultyController {
  public:
   using Server = actionlib::SimpleActionServer<follow::Action>;
 
-  explicit FaultyController(const KinematicModel& model)
-      : node_("faulty"),
+  FaultyController(const KinematicModel& model, const std::string& space)
+      : node_(space),
         states_(node_.advertise<sensor_msgs::JointState>(names::kJointStates, 10)),
         server_(node_, names::kFollowJointTrajectory, false) {
     for (const DrivenJoint& joint : model.joints()) {
@@ -383,7 +401,7 @@ TEST(TrajectoryDriver, EndsInAbortedIfTheControllerFails) {
   cell.ask("0000000000000000");
   EXPECT_EQ(ended().code, Status::INVALID_INPUT + 0);
   EXPECT_EQ(failure().code, Status::TIMED_OUT + 0) << "no controller";
-  FaultyController controller(*cell.model);
+  FaultyController controller(*cell.model, "faulty");
   Status blind;
   ASSERT_TRUE(waitUntil([&] {
     blind = failure();
@@ -399,6 +417,28 @@ TEST(TrajectoryDriver, EndsInAbortedIfTheControllerFails) {
   EXPECT_GE((controller.begin - before).toSec(), 3.0) << "start_delay_s";
   controller.refuses = false;
   EXPECT_EQ(failure().code, Status::DISCONNECTED + 0) << "silent";
+  EXPECT_TRUE(waitUntil([&] { return controller.was_cancelled; }));
+}
+
+TEST(TrajectoryDriver, EndsInAbortedIfRosTimeGoesBack) {
+  test::TestClock clock("/clocked");
+  DriveCell cell("clocked", "five_axis_head_table");
+  FaultyController controller(*cell.model, "clocked");
+  controller.reports_joints = true;
+  controller.refuses = false;
+  const test::NodeProcess driver(
+      LAMINA_NODE,
+      clock.followedBy({"_machine/name:=five_axis_head_table", "_check_clearance:=false",
+                        "_tracking/silence_s:=60", "_approach/lift_mm:=5", "_approach/joint_speed:=1.0"}));
+  cell.drive(twoBeads(kUnderBed));
+  ASSERT_TRUE(waitUntil([&] { return !controller.begin.isZero() || cell.isDone(); }));
+  ASSERT_FALSE(cell.isDone()) << cell.result().status.message;
+  clock.goBack(10.0);
+  ASSERT_TRUE(cell.ends());
+  const Status status = cell.result().status;
+  EXPECT_EQ(status.code, Status::DEVICE_ERROR + 0);
+  EXPECT_NE(status.message.find("ROS time went back by"), std::string::npos) << status.message;
+  EXPECT_TRUE(cell.comesTo("Aborted")) << cell.state;
   EXPECT_TRUE(waitUntil([&] { return controller.was_cancelled; }));
 }
 

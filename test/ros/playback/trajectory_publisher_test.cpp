@@ -17,6 +17,8 @@
 #include "conversions.hpp"
 #include "latched.hpp"
 #include "names.hpp"
+#include "ros/node_process.hpp"
+#include "ros/test_clock.hpp"
 #include "ros/wait_until.hpp"
 
 namespace lamina {
@@ -268,6 +270,20 @@ TEST(TrajectoryPublisher, PublishesPositionsAtItsRate) {
   EXPECT_GE((states[kPeriods + 1] - states[1]).toSec(), (kPeriods - 1) / kRate);
   std_srvs::Trigger play;
   EXPECT_TRUE(listener.node().serviceClient<std_srvs::Trigger>("trajectory_publisher/play").call(play));
+}
+
+TEST(TrajectoryPublisher, PlaysOnWhenRosTimeGoesBack) {
+  test::TestClock clock("/clocked");
+  Listener listener("clocked");
+  const test::NodeProcess player(
+      LAMINA_NODE, clock.followedBy({"/tf:=/clocked/tf", "/tf_static:=/clocked/tf_static", "_speed_up:=50"}));
+  ASSERT_TRUE(await([&] { return listener.isConnected(); }));
+  listener.send(toMessage(square()));
+  ASSERT_TRUE(await([&] { return !listener.states.empty(); }));
+  const ros::Time before = listener.states.back();
+  clock.goBack(500.0);
+  EXPECT_TRUE(await([&] { return listener.states.back() < before - ros::Duration(400.0); }))
+      << "the last is of " << listener.states.back();
 }
 
 TEST(TrajectoryPublisher, PausesRewindsAndPlaysOnRequest) {

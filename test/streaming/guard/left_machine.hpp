@@ -38,8 +38,7 @@ bool comesTrue(Condition condition) {
 /// An emulated machine that somebody has left hot, and what it has run.
 class LeftMachine {
  public:
-  explicit LeftMachine(const std::string& name) {
-    EmulatedSettings settings;
+  explicit LeftMachine(const std::string& name, EmulatedSettings settings = {}) {
     settings.speed_up = 0.0;
     EmulatedObserver observer;
     observer.line = [this](const ExecutedLine& line) {
@@ -51,11 +50,12 @@ class LeftMachine {
   }
 
   /// Sets nozzle and bed to 200 and 60, as whoever has the port does.
-  void heat() const {
+  /// @param first  commands that are run before
+  void heat(const std::string& first = "") const {
     const int port = ::open(machine_->pty().c_str(), O_RDWR | O_NOCTTY);
     ASSERT_GE(port, 0);
-    constexpr char kHeat[] = "M104 S200\nM140 S60\n";
-    ASSERT_EQ(::write(port, kHeat, sizeof kHeat - 1), static_cast<ssize_t>(sizeof kHeat - 1));
+    const std::string heat = first + "M104 S200\nM140 S60\n";
+    ASSERT_EQ(::write(port, heat.data(), heat.size()), static_cast<ssize_t>(heat.size()));
     EXPECT_TRUE(
         comesTrue([this] { return machine_->nozzleTarget() == 200.0 && machine_->bedTarget() == 60.0; }));
     ::close(port);

@@ -12,8 +12,10 @@
 #include <fstream>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "lamina/base/error.hpp"
+#include "streaming/firmware/marlin/stop_commands.hpp"
 #include "streaming/guard/left_machine.hpp"
 
 namespace lamina {
@@ -97,6 +99,23 @@ TEST(MachineStop, SwitchesOffWhatTheProgramHasUsed) {
   const std::string ran = machine.ran();
   for (const char* command : {"M106 P2 S0", "M141 S0", "M104 T1 S0"})
     EXPECT_NE(ran.find(command), std::string::npos) << command << " in " << ran;
+}
+
+TEST(MachineStop, SwitchesOffWhatIsReportedAsOnWithoutAProgram) {
+  EmulatedSettings settings;
+  settings.has_dryer = true;
+  const LeftMachine machine("stop_reported", settings);
+  machine.heat("M141 S60\n");
+  const MachineStopReport report = stopMachine(machine.pulse(), {});
+  EXPECT_TRUE(report.is_confirmed) << report.message;
+  EXPECT_NE(machine.ran().find("M141 S0"), std::string::npos) << machine.ran();
+}
+
+TEST(MachineStop, SwitchesOffTheToolsThatAReportNames) {
+  using Commands = std::vector<std::string>;
+  EXPECT_EQ(reportedHeatersOff("ok T:200.0 /200.0 B:60.0 /60.0 T0:200.0 /200.0 T1:190.0 /190.0 @:127 B@:0"),
+            (Commands{"M104 T0 S0", "M104 T1 S0", "M141 S0"}));
+  EXPECT_EQ(reportedHeatersOff("T:200.0 /200.0 B:60.0 /60.0"), Commands{"M141 S0"});
 }
 
 TEST(MachineStop, SaysThatNobodyIsThere) {

@@ -137,6 +137,10 @@ class LoopRun {
   void see(SensedCloud cloud);
   /// States that a cloud with that time stamp has arrived for which no pose of the nozzle is known yet.
   void hear(std::int64_t stamp_ns);
+  /// States that the clock of the time stamps has gone back. All poses and clouds that wait are processed; of
+  /// those that arrive from now on none is late for the sake of the ones before. What was measured and learnt
+  /// remains.
+  void restartClock();
   /// States that the machine deposits a layer, or the beginning of it, as planned instead of by its map. The
   /// estimate takes that into account if the layer is under way or still to come; for a layer that is done
   /// there is no effect. Alarm 6116 is raised if the whole layer is deposited as planned although its map has

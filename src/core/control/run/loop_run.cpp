@@ -162,6 +162,16 @@ void LoopRun::hear(std::int64_t stamp_ns) {
   watch(blind_s);
 }
 
+void LoopRun::restartClock() {
+  passAll();
+  events_ = StampedEvents();
+  tip_ns_.reset();
+  cloud_ns_.reset();
+  silent_s_ = 0.0;
+  motion_ = SensorMotion();
+  solid_.begin();  // what is left behind becomes solid by the new stamps
+}
+
 void LoopRun::missMap(const MissedMap& missed) {
   if (!layer_ || missed.layer < *layer_ || missed.layer >= part_.toolpath.layers.size()) return;
   if (missed.layer > *layer_) {

@@ -167,21 +167,25 @@ class LastReport {
     return [this](const FirmwareReply& reply) {
       if (!reply.temperatures) return;
       const std::lock_guard<std::mutex> lock(mutex_);
-      last_ = reply.temperatures;
+      last_ = reply;
     };
   }
-  /// Of all heaters that report one; nothing without a report.
-  std::optional<double> highestTarget() const {
+  /// Nothing without a report.
+  std::optional<FirmwareReply> last() const {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (!last_) return std::nullopt;
-    return std::max(
-        {last_->highest_target_c, last_->nozzle_target_c.value_or(0.0), last_->bed_target_c.value_or(0.0)});
+    return last_;
   }
 
  private:
   mutable std::mutex mutex_;
-  std::optional<ReportedTemperatures> last_;
+  std::optional<FirmwareReply> last_;
 };
+
+/// Of all heaters that report one.
+double highestTarget(const ReportedTemperatures& last) {
+  return std::max(
+      {last.highest_target_c, last.nozzle_target_c.value_or(0.0), last.bed_target_c.value_or(0.0)});
+}
 
 std::string programOf(const std::vector<std::string>& commands) {
   std::string text;
@@ -189,23 +193,42 @@ std::string programOf(const std::vector<std::string>& commands) {
   return text + kReport;
 }
 
-/// The machine takes each line by its number, and reports what it still heats.
-MachineStopReport confirmed(const MachinePulse& machine) {
+/// Commands for heaters that the machine reports as still on: of a job without a file nothing is known.
+std::vector<std::string> heatersOffBy(const std::string& report, const MachinePulse& machine) {
+  const auto paced = std::dynamic_pointer_cast<const OkPacedFirmware>(protocolOf(machine.firmware));
+  return paced ? paced->switchOff(report) : reportedHeatersOff(report);
+}
+
+/// Sends commands, each of which the machine takes by its number.
+/// @return the last report of temperatures, if there is one
+/// @throws DeviceError if it does not take them
+std::optional<FirmwareReply> reportAfter(const std::vector<std::string>& commands,
+                                         const MachinePulse& machine) {
   LastReport report;
   const StreamSettings settings = settingsFor(machine);
-  const auto program = StreamableProgram::fromText("safe stop", programOf(stopCommandsOf(machine)), settings);
+  const auto program = StreamableProgram::fromText("safe stop", programOf(commands), settings);
   SessionOptions options;
   options.heard = report.listener();
   const StreamSession session(program, settings, machine.port, {}, options);
   if (!session.waitFor(kLongestStop))
-    return {false,
-            "it has not confirmed the stop within " + std::to_string(static_cast<int>(kLongestStop)) + " s"};
+    throw DeviceError("it has not confirmed the stop within " +
+                      std::to_string(static_cast<int>(kLongestStop)) + " s");
   const StreamStatus status = session.status();
-  if (status.state != PackmlState::Complete) return {false, status.failure.message};
+  if (status.state != PackmlState::Complete) throw DeviceError(status.failure.message);
+  return report.last();
+}
+
+/// The machine reports what it still heats.
+/// @throws DeviceError if it does not take the stop
+MachineStopReport confirmed(const MachinePulse& machine) {
+  std::optional<FirmwareReply> last = reportAfter(stopCommandsOf(machine), machine);
   if (machine.keeps_heaters_on) return {true, "it is at rest, its heaters as they were"};
-  const auto target = report.highestTarget();
-  if (!target) return {false, "it has taken the stop, and reports no temperatures"};
-  if (*target > 0.0) return {false, "it still heats to " + std::to_string(static_cast<int>(*target)) + " C"};
+  if (last && highestTarget(*last->temperatures) > 0.0)
+    last = reportAfter(heatersOffBy(last->text, machine), machine);
+  if (!last) return {false, "it has taken the stop, and reports no temperatures"};
+  const double target_c = highestTarget(*last->temperatures);
+  if (target_c > 0.0)
+    return {false, "it still heats to " + std::to_string(static_cast<int>(target_c)) + " C"};
   return {true, "it is at rest, its heaters are off"};
 }
 

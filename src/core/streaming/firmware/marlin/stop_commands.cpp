@@ -33,10 +33,24 @@ std::vector<std::string> safeStop(const MarlinFirmware& firmware, const UsedOutp
   return commands;
 }
 
-bool isSafe(const ReportedTemperatures& temperatures, const StreamSettings& settings) {
-  if (settings.keep_heaters_on) return true;
+std::vector<std::string> reportedHeatersOff(const std::string& report) {
+  std::vector<std::string> commands;
+  for (std::size_t at = report.find(" T"); at != std::string::npos; at = report.find(" T", at + 1)) {
+    const std::size_t end = report.find_first_not_of("0123456789", at + 2);
+    if (end == std::string::npos || end == at + 2 || report[end] != ':') continue;
+    commands.push_back("M104 T" + report.substr(at + 2, end - at - 2) + " S0");
+  }
+  commands.emplace_back("M141 S0");
+  return commands;
+}
+
+bool heatsNothing(const ReportedTemperatures& temperatures) {
   const bool is_bed_off = !temperatures.bed_c || temperatures.bed_target_c == 0.0;
   return temperatures.nozzle_target_c == 0.0 && is_bed_off && temperatures.highest_target_c == 0.0;
+}
+
+bool isSafe(const ReportedTemperatures& temperatures, const StreamSettings& settings) {
+  return settings.keep_heaters_on || heatsNothing(temperatures);
 }
 
 std::vector<std::string> reportsOn(const MarlinFirmware& firmware, const StreamSettings& settings) {

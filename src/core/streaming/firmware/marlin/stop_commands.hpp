@@ -20,6 +20,13 @@ std::string urgentStop(const MarlinFirmware& firmware, const UsedOutputs& output
 std::vector<std::string> safeStop(const MarlinFirmware& firmware, const UsedOutputs& outputs,
                                   const StreamSettings& settings);
 
+/// Commands that switch off the chamber and each tool that a report of temperatures names, for a machine of
+/// which it is not known what its program has used.
+std::vector<std::string> reportedHeatersOff(const std::string& report);
+
+/// Whether no heater has a target, by a report that states the targets.
+bool heatsNothing(const ReportedTemperatures& temperatures);
+
 /// Whether a machine has ended a safe stop, by the temperatures that it reports after the lines of the stop.
 bool isSafe(const ReportedTemperatures& temperatures, const StreamSettings& settings);
 

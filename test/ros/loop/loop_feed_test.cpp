@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "loop/loop_feed.hpp"
+
+#include <gtest/gtest.h>
+#include <boost/make_shared.hpp>
+
+#include "ros/loop/wall_messages.hpp"
+#include "ros/set_time.hpp"
+
+namespace lamina {
+namespace {
+
+using test::SensedWall;
+
+constexpr std::int64_t kWentBack = 900'000'000'000;  // ns
+
+/// Poses of the nozzle and the clouds up to each, in ROS time.
+void feedWall(LoopFeed& feed, const SensedWall& wall, const test::SetTime& time) {
+  std::size_t cloud = 0;
+  for (const StampedTip& tip : wall.tips) {
+    time.set(test::timeOf(tip.stamp_ns));
+    feed.add(test::nozzleMessage(tip).transforms[0], "test");
+    feed.pass();
+    for (; cloud < wall.clouds.size() && wall.clouds[cloud].stamp_ns <= tip.stamp_ns; ++cloud)
+      feed.add(boost::make_shared<sensor_msgs::PointCloud2>(test::cloudMessage(wall.clouds[cloud])));
+    feed.pass();
+  }
+}
+
+/// Its first layers, or those after them by a clock that was set.
+SensedWall partOf(const SensedWall& wall, std::int64_t from_ns, std::int64_t until_ns, std::int64_t back_ns) {
+  SensedWall part;
+  for (StampedTip tip : wall.tips) {
+    if (tip.stamp_ns < from_ns || tip.stamp_ns >= until_ns) continue;
+    tip.stamp_ns -= back_ns;
+    part.tips.push_back(tip);
+  }
+  for (SensedCloud cloud : wall.clouds) {
+    if (cloud.stamp_ns < from_ns || cloud.stamp_ns >= until_ns) continue;
+    cloud.stamp_ns -= back_ns;
+    part.clouds.push_back(std::move(cloud));
+  }
+  return part;
+}
+
+TEST(LoopFeed, GoesOnWithThePrintWhenRosTimeGoesBack) {
+  test::SensedWallCase wall;
+  wall.settings = test::calibratedLoop();
+  const SensedWall printed = test::sensedWall(wall);
+  const std::int64_t half_ns = printed.tips[printed.tips.size() / 2].stamp_ns;
+  const std::int64_t end_ns = printed.tips.back().stamp_ns + 1;
+  const test::SetTime time;
+  LoopFeed feed(wall.settings, 100.0);
+  feed.add(test::toolpathMessage(printed));
+  feed.addFixed(test::sensorMessage().transforms[0], "test");
+  feedWall(feed, partOf(printed, 0, half_ns, 0), time);
+  feedWall(feed, partOf(printed, half_ns, end_ns, kWentBack), time);
+  feed.finish();
+  const LoopCounts& counts = feed.run()->counts();
+  EXPECT_GT(10 * counts.poses, 9 * printed.tips.size());
+  EXPECT_EQ(counts.poses_late, 0U);
+  EXPECT_EQ(counts.clouds_late, 0U);
+  EXPECT_EQ(feed.run()->takeNews().layers.size(), wall.layers);
+}
+
+}  // namespace
+}  // namespace lamina
