@@ -15,6 +15,7 @@
 #include <memory>
 #include <string>
 
+#include "lamina/base/clock.hpp"
 #include "lamina/base/error.hpp"
 #include "network/loopback.hpp"
 #include "node_plugins.hpp"
@@ -23,9 +24,9 @@ namespace lamina {
 namespace {
 
 const ros::WallDuration kSignalPeriod(0.02);
-const ros::WallDuration kDelivery(1.8);  // at most, until messages are on their way
+constexpr double kDelivery = 1.5;  // [s] at most, until messages are on their way
 const ros::WallDuration kDeliveryPeriod(0.002);
-const ros::WallDuration kReading(0.2);  // that subscribers need to read them
+const ros::WallDuration kReading(0.5);  // that subscribers need to read them, also on a loaded host
 
 // A signal handler can reach nothing but a variable of this kind, and threads no variable of another.
 std::atomic<bool> was_stop_requested{false};
@@ -82,8 +83,9 @@ void awaitDelivery() {
   const auto passes = std::make_shared<std::atomic<int>>(0);
   const ros::PollManagerPtr& polling = ros::PollManager::instance();
   const auto listener = polling->addPollThreadListener([passes] { ++*passes; });
-  const ros::WallTime end = ros::WallTime::now() + kDelivery;
-  while (ros::ok() && *passes < 2 && ros::WallTime::now() < end) {
+  const SteadyClock clock;
+  const double end_s = clock.now() + kDelivery;
+  while (ros::ok() && *passes < 2 && clock.now() < end_s) {
     polling->getPollSet().signal();
     kDeliveryPeriod.sleep();
   }

@@ -22,7 +22,7 @@ struct NodeRun {
 /// Whether one of the signals or `rosnode kill` came.
 bool isStopRequested();
 
-/// Waits until every message published so far is on its way, then 0.2 s: a subscriber that learns that the
+/// Waits until every message published so far is on its way, then 0.5 s: a subscriber that learns that the
 /// node is gone drops what it has not read. A node calls it before its publishers go.
 ///
 /// At most 2 s in all. Does nothing once ROS is shut down.

@@ -298,6 +298,17 @@ TEST(PlcLink, LeavesThePlcItsRegistersWhereAnotherStops) {
   EXPECT_EQ(link.takeOrders().size(), 1U) << "another connection counts for itself";
 }
 
+TEST(PlcLink, TakesAStopOnceThatAPlcRepeatsAsTheOneThatWrites) {
+  PlcLink link = startedLink();
+  link.answer(1, writing(1, {3, 7}), 0.0);
+  EXPECT_EQ(link.takeOrders().size(), 1U);
+  link.answer(1, writing(0, {1}), 0.0);
+  link.answer(1, writing(1, {3, 7}), 0.0);
+  EXPECT_TRUE(link.takeOrders().empty());
+  link.answer(1, writing(1, {1, 8}), 0.0);
+  EXPECT_EQ(link.takeOrders().size(), 1U) << "Reset, which is another command";
+}
+
 TEST(PlcLink, WatchesTheHeartbeatOnceItHasComeWithAccess) {
   PlcLink link{PlcLinkSettings{}};
   clearOrders(link);

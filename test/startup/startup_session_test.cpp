@@ -137,15 +137,20 @@ TEST_F(StartupSessionTest, LosesNothingToAJobThatDoesNotBegin) {
 
 TEST_F(StartupSessionTest, StopsTheCheckBeforeAJobThatIsNotToBegin) {
   settings_.skip += " heat_bed place_sheet draw_vacuum home_z_again map_heights";
-  settings_.check_code += "\nG4 S300";  // 0.3 s
+  settings_.check_code += "\nG4 S3000";  // 3 s
+  settings_.check_interval_s = 1000.0;    // nobody else asks
   plugIn();
   startSession();
   run();
   expectState(StartupSessionStep::HomeZ, State::Done);
   EXPECT_TRUE(waitUntil([&] { return !session_->isBusy(); }));
-  int asked = 0;
+  const auto waits = [this] {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return std::count(commands_.begin(), commands_.end(), "G4 S3000");
+  };
+  const auto before = waits();
   EXPECT_EQ(codeOf([&] {
-              session_->beginJob({"part", 0, 0}, [&] { return ++asked < 2; });
+              session_->beginJob({"part", 0, 0}, [&] { return waits() == before; });
             }),
             ErrorCode::Cancelled);
 }

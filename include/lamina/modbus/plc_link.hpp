@@ -96,7 +96,7 @@ class PlcLink {
  private:
   std::optional<ModbusException> write(int connection, const ModbusRequest& request, double now_s);
   void takeStop(int connection, const ModbusRequest& request);
-  void findOrders(const ModbusRequest& request, const HoldingRegisters& before);
+  void findOrders(int connection, const ModbusRequest& request, const HoldingRegisters& before);
   void order(const PlcOrder& order);
 
   PlcLinkSettings settings_;

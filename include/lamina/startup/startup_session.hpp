@@ -93,7 +93,7 @@ class StartupSession {
   void endJob(const StreamableProgram& program, const StreamStatus& status);
 
   /// Ends the session as the destructor does, and returns once the machine is left safe. To be called by one
-  /// thread, while no job has the port. Steps and jobs are Rejected from then on.
+  /// thread. Steps and jobs are Rejected from then on; a job that has the port has to end first.
   void end();
 
  private:

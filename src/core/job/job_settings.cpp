@@ -246,7 +246,8 @@ void describe(SettingsSchema& schema, JobSettings& settings) {
   describe(schema, settings.fan);
   describe(schema, settings.hooks);
   describe(schema, settings.pauses);
-  schema.choice("pause.code", settings.program.pause_code, {"dialect", "M0", "M226", "M600", "M601", "PAUSE"},
+  schema.choice("pause.code", settings.program.pause_code,
+                {"dialect", "M0", "M226", "M291", "M600", "M601", "PAUSE"},
                 "Command that waits for the operator; dialect for that of program.dialect.");
   describe(schema, settings.drop_voids);
   describe(schema, settings.overhang);

@@ -82,7 +82,7 @@ std::optional<ModbusException> PlcLink::write(int connection, const ModbusReques
     if (watchdog_ == PlcHeartbeat::Unarmed && access_ == RemoteAccess::Allowed)
       watchdog_ = PlcHeartbeat::Good;
   }
-  findOrders(request, before);
+  findOrders(connection, request, before);
   const bool was_plate_written = isPlateWritten();
   for (std::size_t i = 0; i < request.written.size(); ++i) written_.set(request.write_address + i);
   if (isPlateWritten() != was_plate_written) ++news_;
@@ -96,7 +96,7 @@ void PlcLink::takeStop(int connection, const ModbusRequest& request) {
   if (sequence != 0 && sequence != last) order({PlcOrder::Kind::Command, request.written[0], sequence});
 }
 
-void PlcLink::findOrders(const ModbusRequest& request, const HoldingRegisters& before) {
+void PlcLink::findOrders(int connection, const ModbusRequest& request, const HoldingRegisters& before) {
   using Kind = PlcOrder::Kind;
   const PlcInputs now = inputs();
   const bool is_stop = isStopAlone(request);
@@ -109,6 +109,9 @@ void PlcLink::findOrders(const ModbusRequest& request, const HoldingRegisters& b
   find(kModeSequenceRegister, {Kind::Mode, now.mode, now.mode_sequence});
   find(kJobSequenceRegister, {Kind::Job, now.job, now.job_sequence});
   find(kAcknowledgedRegister, {Kind::Acknowledge, now.acknowledged_alarm, 0});
+  // A stop that it wrote before it was the one that writes was carried out then.
+  const auto stop = stops_.find(connection);
+  if (stop != stops_.end() && stop->second == now.command_sequence) return;
   find(kCommandSequenceRegister, {Kind::Command, now.command, now.command_sequence});
 }
 

@@ -23,7 +23,13 @@ namespace lamina {
 class StartupSession::Impl {
  public:
   Impl(const StartupSettings& settings, const StreamSettings& stream, MachinePort port, Observer changed);
-  ~Impl() { end(); }
+  ~Impl() {
+    {
+      const Lock lock(mutex_);
+      port_user_ = PortUser::Nobody;  // nobody is left who would say that a job has ended
+    }
+    end();
+  }
 
   bool isEmpty() const { return startup_.isEmpty(); }
   bool awaits(StartupStep step) const;
@@ -256,6 +262,7 @@ void StartupSession::Impl::beginJob(const ProgramIdentity& program, const MayGoO
     startup_.requireReadyFor(program);
   } catch (const Error&) {
     port_user_ = PortUser::Nobody;
+    wake_.notify_all();
     throw;
   }
 }
@@ -378,6 +385,7 @@ void StartupSession::Impl::work() {
     if (task_ == task) task_ = Task::None;
     notify(lock);
   }
+  wake_.wait(lock, [this] { return port_user_ != PortUser::Job; });
   if (!isToBeWatched()) return;
   const bool is_safe = leaveSafe(lock).empty() && !settings_.abort_code.empty();
   if (is_safe) startup_.forgetMachine(kEnded);

@@ -122,8 +122,9 @@ GcodeStreamer::GcodeStreamer(ros::NodeHandle node, const GcodeStreamerSettings& 
 }
 
 void GcodeStreamer::awaitRest() {
-  while (has_goal_) ros::WallDuration(kHoldStep).sleep();
+  // First: a goal may still be read for long, while the machine is hot.
   startup_.end();
+  while (has_goal_) ros::WallDuration(kHoldStep).sleep();
   awaitDelivery();
 }
 
@@ -521,7 +522,8 @@ bool GcodeStreamer::onChange(lamina_msgs::ChangeJob::Request& request,
 MachinePulse GcodeStreamer::pulse() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   const StreamStatus status = report_.status();
-  MachinePulse pulse = pulseOf(settings_, session_ ? status.state : PackmlState::Idle, status, startup_report_);
+  MachinePulse pulse =
+      pulseOf(settings_, session_ ? status.state : PackmlState::Idle, status, startup_report_);
   if (!is_of_toolpath_) pulse.program = report_.job();
   return pulse;
 }

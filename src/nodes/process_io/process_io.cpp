@@ -20,6 +20,7 @@
 #include "messages.hpp"
 #include "names.hpp"
 #include "ros_devices.hpp"
+#include "shutdown.hpp"
 
 namespace lamina {
 namespace {
@@ -183,9 +184,12 @@ ProcessIo::~ProcessIo() {
   const double now_s = clock_.now();
   sendToDevices(bridge_.stop(now_s), now_s);
   kFlush.sleep();
+  bool have_ended = true;
+  for (const std::size_t i : order_) have_ended = links_[i]->end() && have_ended;
+  awaitDelivery();
+  // A service that does not answer would be waited for for ever.
+  if (!have_ended) ros::shutdown();
   for (const std::size_t i : order_) {
-    // A service that does not answer would be waited for for ever.
-    if (!links_[i]->end()) ros::shutdown();
     ROS_INFO_STREAM(tables_.devices[i].name << ": " << textOf(links_[i]->figures()));
     links_[i].reset();
   }

@@ -11,7 +11,6 @@
 #include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
 #include "messages.hpp"
-#include "shutdown.hpp"
 
 namespace lamina {
 namespace {
@@ -103,7 +102,7 @@ class TopicDevice final : public ProcessDevice {
     return {};
   }
 
-  void close() override { awaitDelivery(); }
+  void close() override {}
 
  private:
   static constexpr std::uint32_t kQueue = 100;

@@ -12,6 +12,7 @@
 namespace lamina {
 namespace {
 
+constexpr double kSetBack = 0.05;   // s by which a clock may be corrected
 constexpr double kSettling = 0.2;   // s for which joints must be still
 constexpr double kCoarser = 10.0;   // tolerance on the tip on the way to the start, that is run fast
 constexpr double kShortOf = 0.995;  // of a share, that is reported
@@ -42,11 +43,11 @@ DriveSession::DriveSession(const DriveMotion& motion, const KinematicModel& mode
   if (motion_.correction) wait_.emplace(feeder_, *motion_.correction, settings_.loop.wait_s);
 }
 
-bool DriveSession::step(const ros::Time& now) {
+bool DriveSession::step(const ros::Time& present) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (isFinal(status_.state)) return false;
+  const ros::Time now = followTime(present);
   begin(now);
-  followTime(now);
   watch(now);
   awaitMap(now);
   feed(now);
@@ -61,13 +62,16 @@ void DriveSession::begin(const ros::Time& now) {
   expectReports(begin_);
 }
 
-/// The times of all points are those of a clock that only goes on.
-void DriveSession::followTime(const ros::Time& now) {
-  const ros::Time before = std::exchange(stepped_, now);
-  if (now >= before) return;
-  giveUp(now,
-         {ErrorCode::DeviceError, "ROS time went back by " + numberText((before - now).toSec()) +
-                                      " s; expected it to go on, for the controller follows points by it"});
+/// The times of all points are those of a clock that only goes on; where it is set back by little it stands.
+ros::Time DriveSession::followTime(const ros::Time& now) {
+  const ros::Time before = stepped_;
+  if (now < before && (before - now).toSec() <= kSetBack) return before;
+  stepped_ = now;
+  if (now < before)
+    giveUp(now,
+           {ErrorCode::DeviceError, "ROS time went back by " + numberText((before - now).toSec()) +
+                                        " s; expected it to go on, for the controller follows points by it"});
+  return now;
 }
 
 /// The controller's clock: by stamps that of its last report, which a slow host does not drive on [s].

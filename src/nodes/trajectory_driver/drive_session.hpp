@@ -69,8 +69,8 @@ class DriveSession {
                const DriveLinks& links);
 
   /// Hands over what is due. False once the motion has ended and everything is at rest. Gives the motion up
-  /// if ROS time has gone back since the last call.
-  bool step(const ros::Time& now);
+  /// if ROS time has gone back by more than 0.05 s since the last call.
+  bool step(const ros::Time& present);
   void hear(const ControllerReport& report, const ros::Time& now);
 
   /// A map for what is not handed over yet. In front of each layer but the first the motion rests until its
@@ -121,7 +121,7 @@ class DriveSession {
 
   bool isByStamps() const { return settings_.tracking.silence_by == SilenceBy::Stamps; }
   void begin(const ros::Time& now);
-  void followTime(const ros::Time& now);
+  ros::Time followTime(const ros::Time& now);
   bool setSpeed(double share);
   double jobTime(const ros::Time& now) const { return (now - begin_).toSec(); }
   double controllerTime(const ros::Time& now) const;

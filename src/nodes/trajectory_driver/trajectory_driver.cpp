@@ -12,6 +12,7 @@
 #include "correction_messages.hpp"
 #include "drive_messages.hpp"
 #include "joint_messages.hpp"
+#include "lamina/base/clock.hpp"
 #include "latched.hpp"
 #include "markers/check_markers.hpp"
 #include "names.hpp"
@@ -23,6 +24,8 @@ namespace lamina {
 namespace {
 
 constexpr double kStep = 0.02;       // s between looks at what is due; for waits of wall time
+constexpr double kStandstill = 2.0;  // s of simulated time that does not go on
+const ros::WallDuration kSimulatedLook(0.001);
 constexpr double kShowPeriod = 0.1;  // s between reports
 
 /// Nothing to report to but a goal that may be cancelled.
@@ -354,13 +357,30 @@ TrajectoryDriver::Driven TrajectoryDriver::run(const DriveMotion& motion) {
       tell(session->takeLayers());
       return {session->status(), std::move(next)};
     }
-    // What it returns says nothing of the job: ROS time may have passed its end before it began.
-    ros::Duration(kStep).sleep();
-    if (!ros::ok()) break;
+    if (!awaitStep()) break;
   }
   session->leave(ros::Time::now(), {ErrorCode::Cancelled, "the node was ended"});
   tell(session->takeLayers());
   return {session->status(), std::nullopt};
+}
+
+/// The next step in ROS time. False if there is none: ROS is shut down, or simulated time stands still while
+/// the node is to end.
+bool TrajectoryDriver::awaitStep() const {
+  if (!ros::Time::isSimTime()) {
+    ros::WallDuration(kStep).sleep();
+    return ros::ok();
+  }
+  const SteadyClock clock;
+  const ros::Time before = ros::Time::now();
+  const double begin_s = clock.now();
+  while (ros::ok()) {
+    kSimulatedLook.sleep();
+    const ros::Time now = ros::Time::now();
+    if (now < before || now >= before + ros::Duration(kStep)) return true;
+    if (isStopRequested() && clock.now() - begin_s > kStandstill) return false;
+  }
+  return false;
 }
 
 void TrajectoryDriver::abortIfCancelled(DriveSession& session) const {

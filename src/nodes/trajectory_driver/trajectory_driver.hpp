@@ -83,6 +83,7 @@ class TrajectoryDriver {
   Driven run(const DriveMotion& motion);
   std::shared_ptr<ChunkCorrection> correctionOf(const DriveJob& job) const;
   std::optional<PreparedJob> plannedAnew(DriveSession& session, std::optional<PlanInWork>& work);
+  bool awaitStep() const;
   void abortIfCancelled(DriveSession& session) const;
   void awaitProcessIo() const;
   void holdIfProcessFails(DriveSession& session) const;

@@ -24,6 +24,7 @@ struct CommandedDevice {
   bool is_closed = false;
   bool is_well = true;
   bool hangs = false;
+  bool hangs_at_its_end = false;
 
   template <class Condition>
   bool waitFor(Condition condition) {
@@ -55,7 +56,8 @@ class FakeDevice final : public ProcessDevice {
     return {2.0 * raw[0]};
   }
   void close() override {
-    const std::lock_guard<std::mutex> lock(commanded_.mutex);
+    std::unique_lock<std::mutex> lock(commanded_.mutex);
+    commanded_.changed.wait(lock, [this] { return !commanded_.hangs_at_its_end; });
     commanded_.is_closed = true;
   }
 
@@ -111,6 +113,20 @@ TEST(DeviceLink, ALostDeviceIsOpenedAgainAndGetsNoOldValue) {
   link.send({7.0}, clock.now());
   ASSERT_TRUE(commanded.waitFor([&] { return commanded.exchanged.size() == 3; }));
   EXPECT_EQ(commanded.exchanged, (std::vector<Values>{{-1.0}, {-1.0}, {7.0}}));
+}
+
+TEST(DeviceLink, ALostDeviceIsReportedBeforeItIsClosed) {
+  CommandedDevice commanded;
+  const SteadyClock clock;
+  DeviceLink link(std::make_unique<FakeDevice>(commanded), quickSettings(), clock, {-1.0});
+  ASSERT_TRUE(comesTo(link, [](const DeviceReport& report) { return report.is_connected; }));
+  commanded.set(commanded.hangs_at_its_end, true);
+  commanded.set(commanded.is_well, false);
+  link.send({5.0}, clock.now());
+  EXPECT_TRUE(comesTo(link, [](const DeviceReport& report) { return report.reason == "gone"; }));
+  EXPECT_FALSE(link.report().is_connected);
+  EXPECT_FALSE(link.report().is_hung);
+  commanded.set(commanded.hangs_at_its_end, false);
 }
 
 TEST(DeviceLink, WhatWasNotSentYetIsReplacedAndLate) {

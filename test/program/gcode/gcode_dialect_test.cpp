@@ -104,7 +104,7 @@ TEST(GcodeDialect, PausesByTheCommandOfItsFirmware) {
   const Toolpath toolpath = beadAfter(OperatorPause{"insert E4 nuts"});
   for (const auto& [dialect, line] :
        {std::pair("marlin", "\nM0 insert E4 nuts\n"), std::pair("klipper", "\nPAUSE ; insert E4 nuts\n"),
-        std::pair("reprapfirmware", "\nM226 ; insert E4 nuts\n")})
+        std::pair("reprapfirmware", "\nM291 P\"insert E4 nuts\" S2\n")})
     EXPECT_NE(programOf(toolpath, dialect).find(line), std::string::npos) << programOf(toolpath, dialect);
 }
 

@@ -155,14 +155,18 @@ void DeviceLink::exchange(const Waiting& values) {
   }
 }
 
+/// Reported first: to close a device may take long.
 void DeviceLink::lose(const std::string& why) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    busy_since_s_.reset();
+    report_.is_connected = false;
+    report_.reason = why;
+    report_.inputs.clear();
+    waiting_.reset();
+  }
   device_->close();
   const std::lock_guard<std::mutex> lock(mutex_);
-  busy_since_s_.reset();
-  report_.is_connected = false;
-  report_.reason = why;
-  report_.inputs.clear();
-  waiting_.reset();
   retry_at_s_ = clock_.now() + settings_.retry_s;
 }
 

@@ -28,10 +28,10 @@ GcodeDialect klipper() {
   return dialect;
 }
 
-/// M0 ends a program.
+/// M0 ends a program, and M226 is known in files on the card alone.
 GcodeDialect repRapFirmware() {
   GcodeDialect dialect = marlin();
-  dialect.pause = "M226";
+  dialect.pause = "M291";
   return dialect;
 }
 

@@ -17,6 +17,28 @@ namespace lamina {
 namespace {
 
 constexpr double kFanSteps = 255.0;
+constexpr std::string_view kBox = "M291";  // a message that waits to be acknowledged
+
+std::string pauseLine(std::string message, const ProgramSettings& settings) {
+  const std::string command =
+      settings.pause_code == "dialect" ? gcodeDialects().find(settings.dialect).pause : settings.pause_code;
+  if (command == kBox) {
+    std::replace(message.begin(), message.end(), '"', '\'');
+    return command + " P\"" + (message.empty() ? "Continue?" : message) + "\" S2";
+  }
+  if (message.empty()) return command;
+  // The other commands would read the message as parameters.
+  return command + (command == "M0" ? " " : " ; ") + message;
+}
+
+/// The text of a box that waits; nothing if the command is none.
+std::optional<OperatorPause> readBox(std::string_view command) {
+  const std::size_t begin = command.find('"');
+  const std::size_t end = command.rfind('"');
+  if (!isCommand(command, kBox) || begin == end || command.find("S2", end) == std::string_view::npos)
+    return std::nullopt;
+  return OperatorPause{std::string(command.substr(begin + 1, end - begin - 1))};
+}
 
 /// Appends each kind of event.
 struct EventWords {
@@ -36,13 +58,7 @@ struct EventWords {
     const auto steps = std::llround(fan.share * kFanSteps);
     text += steps > 0 ? "M106 S" + std::to_string(steps) + "\n" : "M107\n";
   }
-  void operator()(const OperatorPause& pause) const {
-    const std::string command =
-        settings.pause_code == "dialect" ? gcodeDialects().find(settings.dialect).pause : settings.pause_code;
-    // The other commands would read the message as parameters.
-    const char* const before = command == "M0" ? " " : " ; ";
-    text += command + (pause.message.empty() ? "" : before + pause.message) + "\n";
-  }
+  void operator()(const OperatorPause& pause) const { text += pauseLine(pause.message, settings) + "\n"; }
   void operator()(const PartMark& mark) const { text += ";PART:" + mark.name + "\n"; }
   void operator()(const MachineCode& code) const {
     text += code.text;
@@ -65,6 +81,7 @@ std::optional<ToolpathEvent> readEvent(std::string_view command) {
     if (wordValue(command, 'P').value_or(0.0) != 0.0) return std::nullopt;
     return FanShare{std::clamp(wordValue(command, 'S').value_or(kFanSteps) / kFanSteps, 0.0, 1.0)};
   }
+  if (const auto box = readBox(command)) return *box;
   if (!isAnyCommand(command, kPauses)) return std::nullopt;
   return OperatorPause{std::string(trimmed(command.substr(std::min(command.find(' '), command.size()))))};
 }

@@ -16,8 +16,8 @@ namespace lamina {
 /// `pause.code` with the message, `;PART:` with the name; code as it is.
 void writeEvent(const ToolpathEvent& event, const ProgramSettings& settings, std::string& text);
 
-/// The event of a command that is no motion: `M106`, `M107`, `M0`, `M1`, `M226`, `M600`, `M601`, `PAUSE`. Fans other
-/// than the first (P) are none.
+/// The event of a command that is no motion: `M106`, `M107`, `M0`, `M1`, `M226`, `M291` with S2, `M600`,
+/// `M601`, `PAUSE`. Fans other than the first (P) are none.
 std::optional<ToolpathEvent> readEvent(std::string_view command);
 
 /// The mark of a comment `PART:name`.
