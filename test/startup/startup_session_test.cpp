@@ -138,7 +138,7 @@ TEST_F(StartupSessionTest, LosesNothingToAJobThatDoesNotBegin) {
 TEST_F(StartupSessionTest, StopsTheCheckBeforeAJobThatIsNotToBegin) {
   settings_.skip += " heat_bed place_sheet draw_vacuum home_z_again map_heights";
   settings_.check_code += "\nG4 S3000";  // 3 s
-  settings_.check_interval_s = 1000.0;    // nobody else asks
+  settings_.check_interval_s = 1000.0;   // nobody else asks
   plugIn();
   startSession();
   run();
