@@ -97,9 +97,11 @@ int runCommandLine(int argc, char** argv, const std::vector<Subcommand>& subcomm
   addSubcommands(app, chosen, subcommands, standsFirst(called, argc, argv) ? called : std::string());
   const std::vector<std::string> names = namesOf(app);
   if (!called.empty() && std::find(names.begin(), names.end(), called) == names.end()) {
-    printFailure({ErrorCode::InvalidConfig, "there is no subcommand '" + called + "'" +
-                                                suggestionFor(names, called) + " lamina --help lists them"},
-                 {}, chosen.format);
+    const std::string suggestion = suggestionFor(names, called);
+    printFailure(
+        {ErrorCode::InvalidConfig, "there is no subcommand '" + called + "'" +
+                                       (suggestion.empty() ? ";" : suggestion) + " lamina --help lists them"},
+        {}, chosen.format);
     return static_cast<int>(CLI::ExitCodes::ExtrasError);
   }
   std::vector<std::string> plugins;

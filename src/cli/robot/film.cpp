@@ -191,13 +191,17 @@ std::string frameFile(const std::string& folder, int number) {
 }
 
 void film(const FilmArguments& arguments, OutputFormat format) {
+  std::error_code fault;
+  std::filesystem::create_directories(arguments.folder, fault);
+  if (fault)
+    throw FileError("'" + arguments.folder + "' cannot be made a folder: " + fault.message() +
+                    "; expected a folder for the pictures");
   const JobSettings settings = settingsOnMachine(arguments.settings, arguments.run);
   const auto model = kinematicModelOf(settings.machine);
   TerminalProgress progress;
   const TimedRun timed = inTime(runOfInput(*model, arguments.run.input, settings, progress), *model,
                                 runSettings(settings).timing);
   const Film film(timed, *model, std::filesystem::path(arguments.run.input).filename().string());
-  std::filesystem::create_directories(arguments.folder);
   nlohmann::ordered_json frames = nlohmann::json::array();
   for (int number = 1; number <= arguments.frames; ++number) {
     const Frame frame{frameFile(arguments.folder, number),

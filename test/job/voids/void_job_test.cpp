@@ -131,6 +131,30 @@ TEST_F(VoidJobTest, FindsLayersThatAreMissingBetweenOthers) {
   EXPECT_EQ(run(program).part.missing.size(), 2U);
 }
 
+// The part begins above the raft and its gap, narrower at the top: a section that is too low is too large.
+TEST_F(VoidJobTest, FindsThePartAboveItsRaft) {
+  writeStl(job_.part,
+           test::joined(test::boxBetween({-5, 0, 0}, {5, 10, 1}), test::boxBetween({-3, 0, 1}, {3, 10, 2})));
+  job_.offset = Point2::Zero();
+  Toolpath program = linesFrom(-5, 10, 4);
+  const VoidReport plain = run(program);
+  for (ToolpathLayer& layer : program.layers) {
+    layer.z_mm += 1.25;
+    for (Path& path : layer.paths)
+      for (Point3& point : path.points) point.z() += 1.25;
+  }
+  ToolpathLayer raft = linesFrom(-5, 10, 1).layers[0];
+  for (Path& path : raft.paths) path.role = PathRole::Raft;
+  program.layers.insert(program.layers.begin(), {raft, raft});
+  program.layers[1].z_mm += kHeight;
+  const VoidReport raised = run(program);
+  EXPECT_EQ(raised.part.missing.size(), plain.part.missing.size());
+  for (std::size_t l = 0; l < plain.layers.size(); ++l) {
+    EXPECT_NEAR(raised.layers[l + 2].area_mm2, plain.layers[l].area_mm2, 1e-6);
+    EXPECT_NEAR(raised.layers[l + 2].overfill_mm2, plain.layers[l].overfill_mm2, 1e-6);
+  }
+}
+
 TEST_F(VoidJobTest, MissesNoLayerWhereThePartHasNoMaterial) {
   writeStl(job_.part, test::joined(test::boxBetween({0, 0, 0}, {10, 10, 0.5}),
                                    test::boxBetween({0, 0, 1.5}, {10, 10, 2})));

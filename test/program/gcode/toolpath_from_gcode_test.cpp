@@ -92,6 +92,16 @@ TEST(ToolpathFromGcode, FindsTheWidthOfABead) {
   EXPECT_EQ(beadWidth(0.0, 0.2), 0.0);
 }
 
+// The gap below an overhang leaves the top of a support beside the layer's.
+TEST(ToolpathFromGcode, TakesTheHeightOfALayerFromThePart) {
+  const Toolpath read = toolpathFromGcode(
+      "M83\n;LAYER:0\n;TYPE:SUPPORT-INTERFACE\nG0 X0 Y0 Z0.12 F600\nG1 X5 E1\n"
+      ";TYPE:WALL-OUTER\nG0 X0 Y5 Z0.2\nG1 X5 E1\n",
+      ProgramSettings{}, "supported");
+  ASSERT_EQ(read.layers.size(), 1U);
+  EXPECT_DOUBLE_EQ(read.layers[0].z_mm, 0.2);
+}
+
 TEST(ToolpathFromGcode, FindsLayersByHeightWithoutComments) {
   const Toolpath toolpath =
       toolpathFromGcode("G28\nM83\nG1 X5 Z0.2 F3000\nG1 X10 E1\nG1 Z0.5\nG1 X20\nG1 X30 E1\nG1 Y5 E1\n",

@@ -87,8 +87,8 @@ std::size_t countToRead(std::string_view bytes, const std::string& name) {
       bytes.find_first_not_of(std::string_view("\0\r\n ", 4), bytes.size() - rest) == bytes.npos)
     return held;
   if (rest != 0)
-    throw InvalidMesh(name + ": truncated or no binary STL: " + std::to_string(bytes.size()) + " bytes; " +
-                      std::to_string(stated) + " triangles need " +
+    throw InvalidMesh(name + ": neither text nor a whole binary STL: " + std::to_string(bytes.size()) +
+                      " bytes; " + std::to_string(stated) + " triangles need " +
                       std::to_string(kStart + kReadRecord * stated));
   return held;
 }

@@ -41,29 +41,40 @@ void addLayers(double from_mm, double to_mm, double height_mm, std::vector<Toolp
   }
 }
 
+/// The first layer that holds a path of the part: what lies below it is a raft.
+std::size_t firstOfPart(const Toolpath& program) {
+  const auto holdsPart = [](const ToolpathLayer& layer) {
+    return std::any_of(layer.paths.begin(), layer.paths.end(), isPartOfPart);
+  };
+  const auto first = std::find_if(program.layers.begin(), program.layers.end(), holdsPart);
+  return first == program.layers.end() ? 0 : static_cast<std::size_t>(first - program.layers.begin());
+}
+
 /// Layers that would have to be there and are not, without paths [frame of the program], ascending: between
 /// layers as many as are as high as the one above them, and above the last one as many as that up to the top
 /// of the part. A rest of half a layer is none. Whether the part has
 /// material there is not looked at.
-/// @param part_height_mm  of its box, from the bottom of the first layer
+/// @param part_height_mm  of its box, from the bottom of the part's first layer
 /// @throws InvalidInput if there would be more than a million
 std::vector<ToolpathLayer> layersBetween(const Toolpath& program, double part_height_mm) {
   std::vector<ToolpathLayer> missing;
   if (program.layers.empty()) return missing;
-  for (std::size_t i = 1; i < program.layers.size(); ++i) {
+  const std::size_t begin = firstOfPart(program);
+  for (std::size_t i = begin + 1; i < program.layers.size(); ++i) {
     const ToolpathLayer& layer = program.layers[i];
     addLayers(program.layers[i - 1].z_mm, layer.z_mm - layer.height_mm, layer.height_mm, missing);
   }
-  const ToolpathLayer& first = program.layers.front();
+  const ToolpathLayer& first = program.layers[begin];
   const ToolpathLayer& last = program.layers.back();
   addLayers(last.z_mm, first.z_mm - first.height_mm + part_height_mm, last.height_mm, missing);
   return missing;
 }
 
-/// Of the part above the program: its bottom lies at that of the first layer.
+/// Of the part above the program: its bottom lies at that of its first layer.
 double riseOf(const Toolpath& program, double bottom_mm) {
   if (program.layers.empty()) return 0.0;
-  return bottom_mm - (program.layers.front().z_mm - program.layers.front().height_mm);
+  const ToolpathLayer& first = program.layers[firstOfPart(program)];
+  return bottom_mm - (first.z_mm - first.height_mm);
 }
 
 std::vector<double> cutHeights(const Toolpath& program, double rise_mm) {

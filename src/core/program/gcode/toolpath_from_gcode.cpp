@@ -33,6 +33,11 @@ class PathBuilder {
   PathBuilder(const GcodeMotion& motion, bool is_retracted);
 
   bool deposits() const { return deposits_; }
+  /// Whether what it deposits is of the part; supports may end at another height than the layer.
+  bool isOfPart() const {
+    const RoleKind kind = kindOf(role());
+    return kind == RoleKind::Wall || kind == RoleKind::Infill;
+  }
   /// Whether the motion continues the run.
   bool accepts(const GcodeMotion& motion, bool is_retracted) const;
   void add(const GcodeMotion& motion);
@@ -49,6 +54,7 @@ class PathBuilder {
   Path build(double layer_height_mm, double volume_per_filament) const;
 
  private:
+  PathRole role() const { return deposits_ ? role_.value_or(PathRole::Infill) : PathRole::Travel; }
   bool isClosed() const;
   AlongPath<Bead> beads(double layer_height_mm, double volume_per_filament) const;
 
@@ -123,7 +129,7 @@ AlongPath<Bead> PathBuilder::beads(double layer_height_mm, double volume_per_fil
 
 Path PathBuilder::build(double layer_height_mm, double volume_per_filament) const {
   Path path;
-  path.role = deposits_ ? role_.value_or(PathRole::Infill) : PathRole::Travel;
+  path.role = role();
   path.is_closed = isClosed();
   path.process.is_retracted = is_retracted_;
   path.tool = tool_;
@@ -300,12 +306,19 @@ class ToolpathBuilder::State {
     if (kept > 0 && std::abs(runs_[kept - 1].lastZ() - z) > kSameHeight) closeLayer(kept);
   }
 
+  /// Of the first run of the part, else of the first that deposits, among so many.
+  double topOf(std::size_t count) const {
+    const auto end = runs_.begin() + static_cast<std::ptrdiff_t>(count);
+    auto found = std::find_if(runs_.begin(), end, [](const PathBuilder& run) { return run.isOfPart(); });
+    if (found == end)
+      found = std::find_if(runs_.begin(), end, [](const PathBuilder& run) { return run.deposits(); });
+    return found == end ? runs_[count - 1].lastZ() : found->lastZ();
+  }
+
   void closeLayer(std::size_t count) {
     if (count == 0) return;
     ToolpathLayer layer;
-    layer.z_mm = runs_[count - 1].lastZ();
-    for (std::size_t i = count; i-- > 0;)
-      if (runs_[i].deposits()) layer.z_mm = runs_[i].lastZ();
+    layer.z_mm = topOf(count);
     const double below_mm = toolpath_.layers.empty() ? 0.0 : toolpath_.layers.back().z_mm;
     const double step_mm = layer.z_mm - below_mm;
     layer.height_mm =
