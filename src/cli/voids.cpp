@@ -50,23 +50,39 @@ nlohmann::ordered_json classCounts(const std::vector<LayerVoids>& layers) {
   return counts;
 }
 
-void addShare(nlohmann::ordered_json& json, const std::string& name, const AreaShare& share) {
+/// Missing layers are counted behind those of the program, and have no number of it.
+bool isMissing(std::size_t layer, const VoidReport& report) {
+  return layer >= report.layers.size() && layer - report.layers.size() < report.part.missing.size();
+}
+
+void addShare(nlohmann::ordered_json& json, const std::string& name, const AreaShare& share,
+              const VoidReport& report) {
   json[name + "_percent_mean"] = share.mean_percent;
   json[name + "_percent_total"] = share.total_percent;
   json[name + "_percent_worst"] = share.worst_percent;
   json[name + "_worst_layer"] = share.worst_layer;
+  if (isMissing(share.worst_layer, report)) json[name + "_worst_layer"] = nullptr;
 }
 
-void printShare(const char* name, const AreaShare& share) {
-  std::printf("%-11s %.3f %% of a layer in the mean, %.3f %% of all, at worst %.3f %% in layer %zu\n", name,
-              share.mean_percent, share.total_percent, share.worst_percent, share.worst_layer);
+std::string placeOf(std::size_t layer, const VoidReport& report) {
+  if (!isMissing(layer, report)) return "layer " + std::to_string(layer);
+  char text[64];
+  std::snprintf(text, sizeof text, "the missing layer at z %.3f mm",
+                report.part.missing[layer - report.layers.size()].z_mm);
+  return text;
+}
+
+void printShare(const char* name, const AreaShare& share, const VoidReport& report) {
+  std::printf("%-11s %.3f %% of a layer in the mean, %.3f %% of all, at worst %.3f %% in %s\n", name,
+              share.mean_percent, share.total_percent, share.worst_percent,
+              placeOf(share.worst_layer, report).c_str());
 }
 
 void printJson(const VoidReport& report, const VoidArguments& arguments) {
   const VoidTotals sums = totals(report);
   nlohmann::ordered_json json = {{"layers", sums.layers}, {"layers_missing", report.part.missing.size()}};
-  addShare(json, "uncovered", sums.uncovered);
-  addShare(json, "overfill", sums.overfill);
+  addShare(json, "uncovered", sums.uncovered, report);
+  addShare(json, "overfill", sums.overfill, report);
   json.update({{"material_percent", sums.material_percent},
                {"runs_per_layer_mean", sums.runs_per_layer_mean},
                {"voids", sums.voids},
@@ -83,8 +99,8 @@ void printText(const VoidReport& report, const VoidArguments& arguments) {
   std::printf("layers      %zu, %.1f runs each\n", sums.layers, sums.runs_per_layer_mean);
   if (!report.part.missing.empty())
     std::printf("missing     %zu layers of the part, counted as uncovered\n", report.part.missing.size());
-  printShare("uncovered", sums.uncovered);
-  printShare("overfill", sums.overfill);
+  printShare("uncovered", sums.uncovered, report);
+  printShare("overfill", sums.overfill, report);
   std::printf("material    %.2f %% of what fills the layers\n", sums.material_percent);
   std::printf("voids       %zu\n", sums.voids);
   if (arguments.part.empty()) return;

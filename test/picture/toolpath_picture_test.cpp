@@ -94,6 +94,27 @@ TEST(ToolpathPicture, NamesEveryRoleInItsLegend) {
   }
 }
 
+TEST(ToolpathPicture, NamesAllRolesInSeveralRows) {
+  const test::ScratchFolder folder;
+  const std::string file = folder.file("part.png");
+  const ToolpathPictureSettings settings;
+  Toolpath toolpath = broadLine();
+  const Path line = toolpath.layers[0].paths[1];
+  for (const PathRole role : depositingRoles()) {
+    toolpath.layers[0].paths.push_back(line);
+    toolpath.layers[0].paths.back().role = role;
+  }
+  drawToolpath(toolpath, settings, file);
+  const test::PngImage image(file);
+  for (const PathRole role : depositingRoles()) {
+    int legend = 0;
+    for (int row = settings.height_px - 100; row < settings.height_px; ++row)
+      for (int column = 0; column < settings.width_px; ++column)
+        legend += isNear(image.at(column, row), roleColour(role)) ? 1 : 0;
+    EXPECT_GT(legend, 50) << toString(role);
+  }
+}
+
 TEST(ToolpathPicture, GivesNoTwoRolesTheSameColour) {
   const auto roles = depositingRoles();
   for (std::size_t i = 0; i < roles.size(); ++i)

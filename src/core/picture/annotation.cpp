@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <sstream>
+#include <vector>
 
 namespace lamina {
 namespace {
@@ -52,14 +53,26 @@ void drawScaleBar(Canvas& canvas, const Point2& at) {
 void drawLegend(Canvas& canvas, const Point2& at, const std::vector<LegendEntry>& entries) {
   constexpr double kSquare = 14.0;
   constexpr double kPerCharacter = 8.2;  // px, at the size of the labels
-  Point2 place = at;
+  constexpr double kRow = 21.0;
+  const double right = canvas.width() - 8.0;
+  std::vector<Point2> places;
+  Point2 next = at;
   for (const LegendEntry& entry : entries) {
+    const double label_px = kPerCharacter * static_cast<double>(entry.label.size());
+    if (next.x() > at.x() && next.x() + kSquare + 7.0 + label_px > right) next = {at.x(), next.y() + kRow};
+    places.push_back(next);
+    next.x() += kSquare + 28.0 + label_px;
+  }
+  // Rows are added above: the last one stands where it is asked for.
+  const Point2 up(0.0, next.y() - at.y());
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const LegendEntry& entry = entries[i];
+    const Point2 place = places[i] - up;
     Box2 square;
     square.include(place - Point2(0.0, kSquare - 2.0));
     square.include(place + Point2(kSquare, 2.0));
     canvas.rectanglePx(square, entry.colour);
     canvas.text(place + Point2(kSquare + 7.0, 0.0), entry.label, {14.0, kInk});
-    place.x() += kSquare + 28.0 + kPerCharacter * static_cast<double>(entry.label.size());
   }
 }
 
