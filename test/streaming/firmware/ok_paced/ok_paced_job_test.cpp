@@ -429,6 +429,24 @@ TEST(OkPacedJob, EndsWhereItCannotBeToldWhetherALineRan) {
   EXPECT_EQ(std::count(ran.begin(), ran.end(), "M98 P\"x.g\""), 0);
 }
 
+TEST(OkPacedJob, MakesAChangeOnceNothingElseIsUnderWayWhereAnswersMayBeLost) {
+  const StreamSettings settings = pacedSettings("reprapfirmware", LinkKind::Lossy);
+  Streamer streamer(StreamableProgram::fromText("two", "G90\nG1 X1 E1\n", settings), settings);
+  std::vector<std::string> ran;
+  EmulatedRepRap firmware({}, EmulatedRepRap::Checks::RequiresCrc,
+                          [&](const std::string& command) { ran.push_back(command); });
+  test::PacedLink link(streamer, firmware);
+  link.run([&] { return streamer.status().state == PackmlState::Execute; });
+  for (const double feed_percent : {50.0, 70.0})
+    EXPECT_EQ(streamer.change({LiveSetting::Feed, feed_percent}, link.now), "");
+  const std::string sent = streamer.takeOutput();  // and lost
+  EXPECT_NE(sent.find("G90"), std::string::npos);
+  EXPECT_EQ(sent.find("M220"), std::string::npos) << sent;
+  link.run();
+  EXPECT_EQ(streamer.status().state, PackmlState::Complete) << streamer.status().failure.message;
+  EXPECT_EQ(ran, (std::vector<std::string>{"M220 S50", "M220 S70", "G90", "G1 X1 E1"}));
+}
+
 TEST(OkPacedJob, GoesOnWhereAChangeIsLost) {
   const StreamSettings settings = pacedSettings("reprapfirmware", LinkKind::Lossy);
   const std::vector<std::string> commands = {"G90", "M83", "G1 X1 E1", "G1 X2 E1"};

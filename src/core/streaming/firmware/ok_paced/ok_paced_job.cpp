@@ -193,6 +193,7 @@ void OkPacedJob::acknowledge(const PacedCommand& command, double now) {
 /// Sends what may be sent, and takes the step that is due when nothing is under way any more.
 void OkPacedJob::proceed(double now) {
   if (phase_ != Phase::Feeding) return;
+  sendChanges();
   const PackmlState state = record_.status.state;
   if (state == PackmlState::Execute || state == PackmlState::Completing) pump(now);
   if (phase_ != Phase::Feeding || under_way_.lines() > 0) return;
@@ -228,7 +229,7 @@ void OkPacedJob::pump(double now) {
 /// @return whether a line was sent
 bool OkPacedJob::sendNext(double now) {
   // Behind a change there is no line: a refusal could be of either where an ok is lost.
-  const bool may_send = feed_.isNextKnown() && !under_way_.hasChange();
+  const bool may_send = feed_.isNextKnown() && !under_way_.hasChange() && waiting_changes_.empty();
   const ProgramLine* line = may_send ? feed_.peek() : nullptr;
   if (line == nullptr) return false;
   layer_wait_.end();
@@ -355,10 +356,19 @@ std::string OkPacedJob::change(const LiveChange& change, double) {
     return "the machine waits, and has " + std::to_string(unanswered_.count()) +
            " commands to answer; expected fewer, so that it hears a stop";
   }
-  PacedCommand as;
-  as.change = changed.command;
-  send(changed.command, as);
+  waiting_changes_.push_back(changed.command);
+  sendChanges();
   return {};
+}
+
+/// Where an ok may be lost, nothing else is under way with a change: what is answered would not be known.
+void OkPacedJob::sendChanges() {
+  while (!waiting_changes_.empty() && (!isLossy() || under_way_.empty())) {
+    PacedCommand as;
+    as.change = waiting_changes_.front();
+    waiting_changes_.pop_front();
+    send(as.change, as);
+  }
 }
 
 void OkPacedJob::abort(const Failure& why, double now) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
@@ -95,6 +96,7 @@ class OkPacedJob final : public StreamJob {
   void locate(Aim aim, double now);
   void onLocated(double now);
   void decide(double now);
+  void sendChanges();
   void proceed(double now);
   void pump(double now);
   bool sendNext(double now);
@@ -133,6 +135,7 @@ class OkPacedJob final : public StreamJob {
   LineFeed feed_;
   LineAccount account_;
   LinesUnderWay under_way_;
+  std::deque<std::string> waiting_changes_;  ///< commands that were accepted, on a lossy link
   UnansweredCommands unanswered_;
   UsedOutputs outputs_;
   LayerPause layer_pause_;
