@@ -8,6 +8,7 @@
 
 #include "lamina/streaming/job/packml.hpp"
 #include "names.hpp"
+#include "service_call.hpp"
 
 namespace lamina {
 namespace {
@@ -114,7 +115,7 @@ void StreamExecutor::call(OrderThread& thread, ros::ServiceClient& service, cons
   thread.give([this, &service, order] {
     std_srvs::Trigger request;
     // What is refused shows in the state, which then does not change in time.
-    if (service.call(request) && !request.response.success)
+    if (callService(service.getService(), request) && !request.response.success)
       ROS_WARN_STREAM("gcode_streamer refuses the order to " << order << ": " << request.response.message);
     const std::lock_guard<std::mutex> lock(mutex_);
     waiting_.answer(order);
@@ -126,7 +127,7 @@ void StreamExecutor::changeFeed(double feed) {
     lamina_msgs::ChangeJob call;
     call.request.setting = "feed";
     call.request.value = feed;
-    const bool is_answered = change_.call(call);
+    const bool is_answered = callService(change_.getService(), call);
     const std::lock_guard<std::mutex> lock(mutex_);
     feed_answer_ = {feed, is_answered ? call.response.status.message : "gcode_streamer does not answer"};
   });

@@ -172,7 +172,7 @@ StreamStatus GcodeStreamer::stream(const lamina_msgs::StreamProgramGoal& goal) {
   if (goal.resume && !goal.execution.empty()) {
     const ExecutionRecord record = recordOfExecution(goal);
     if (record == ExecutionRecord::Complete) {
-      const StreamStatus complete = completeStatus(program);
+      StreamStatus complete = completeStatus(program);
       report_.take(complete);
       return complete;
     }

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "print_hold.hpp"
 
-#include <ros/service.h>
 #include <std_srvs/Trigger.h>
 
 #include <chrono>
 
 #include "messages.hpp"
 #include "names.hpp"
+#include "service_call.hpp"
 
 namespace lamina {
 namespace {
@@ -18,7 +18,7 @@ std::string holdUnit() {
   hold.request.command = lamina_msgs::PackmlCommand::Request::HOLD;
   hold.request.source = "height_controller";
   hold.request.expected_sequence = -1;
-  if (!ros::service::call(names::kPackmlCommand, hold)) return "the unit did not answer to Hold";
+  if (!callService(names::kPackmlCommand, hold)) return "the unit did not answer to Hold";
   if (hold.response.message.empty()) return "the unit holds the print";
   return "the print is not held: " + hold.response.message;
 }
@@ -34,7 +34,7 @@ std::string PrintHold::hold() {
     if (ros::service::exists(names::kPackmlCommand, false)) return holdUnit();
     std_srvs::Trigger pause;
     if (!ros::service::exists(names::kPause, false)) return std::string("nobody offers to pause the print");
-    if (!ros::service::call(names::kPause, pause)) return std::string("the print did not answer to pause");
+    if (!callService(names::kPause, pause)) return std::string("the print did not answer to pause");
     return pause.response.success ? std::string("the print is held")
                                   : "the print is not held: " + pause.response.message;
   });

@@ -13,6 +13,7 @@
 
 #include "call_source.hpp"
 #include "names.hpp"
+#include "service_call.hpp"
 
 namespace lamina {
 namespace {
@@ -229,7 +230,7 @@ DeskAnswer RosDesk::give(LaneOrder order) {
 template <class Service>
 DeskAnswer RosDesk::callUnit(const Label& label, const char* name, const Service& call) {
   const auto ask = [node = node_, name, call = call]() mutable {
-    if (!ros::service::call(node.resolveName(name), call)) return silent(name);
+    if (!callService(node.resolveName(name), call)) return silent(name);
     DeskAnswer answer;
     answer.code = call.response.result;
     answer.message = call.response.message;
@@ -247,7 +248,7 @@ DeskAnswer RosDesk::callUnit(const Label& label, const char* name, const Service
 template <class Service>
 DeskAnswer RosDesk::callForStatus(const Label& label, const char* name, const Service& call) {
   const auto ask = [node = node_, name, call = call]() mutable {
-    if (!ros::service::call(node.resolveName(name), call)) return silent(name);
+    if (!callService(node.resolveName(name), call)) return silent(name);
     return answerOf(call.response.status);
   };
   return give({label.kind, label.effect, name, patience_s_, ask});
@@ -278,7 +279,7 @@ DeskAnswer RosDesk::enqueue(const DeskProgram& program) {
   call.request.part = program.part;
   call.request.source = program.source;
   const auto ask = [node = node_, call]() mutable {
-    if (!ros::service::call(node.resolveName(names::kEnqueueJob), call)) return silent(names::kEnqueueJob);
+    if (!callService(node.resolveName(names::kEnqueueJob), call)) return silent(names::kEnqueueJob);
     DeskAnswer answer = answerOf(call.response.status);
     answer.job = call.response.job;
     return answer;
@@ -317,8 +318,8 @@ DeskAnswer RosDesk::confirmRemoval(const std::string& source) {
     std_srvs::Trigger call;
     // A Trigger has no place for who asks: it goes with the connection.
     auto client =
-        node.serviceClient<std_srvs::Trigger>(names::kConfirmRemoval, false, {{kSourceOfCall, source}});
-    if (!client.call(call)) return silent(names::kConfirmRemoval);
+        node.serviceClient<std_srvs::Trigger>(names::kConfirmRemoval, true, {{kSourceOfCall, source}});
+    if (!client.isValid() || !client.call(call)) return silent(names::kConfirmRemoval);
     DeskAnswer answer;
     answer.message = call.response.message;
     if (!call.response.success) answer.outcome = DeskAnswer::Outcome::Refused;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "names.hpp"
+#include "service_call.hpp"
 
 namespace lamina {
 namespace {
@@ -92,7 +93,7 @@ OrderDesk::Answer OrderDesk::pass(const WrittenOrder& written) {
       lamina_msgs::SetUnitMode call;
       call.request.mode = static_cast<std::uint8_t>(std::min<std::uint32_t>(255, written.order.value));
       call.request.source = source;
-      if (!node_.serviceClient<lamina_msgs::SetUnitMode>(names::kSetUnitMode).call(call)) return {};
+      if (!callService(node_.resolveName(names::kSetUnitMode), call)) return {};
       return {static_cast<CommandResult>(call.response.result), call.response.message};
     }
     case PlcOrder::Kind::Job: {
@@ -100,7 +101,7 @@ OrderDesk::Answer OrderDesk::pass(const WrittenOrder& written) {
       call.request.change = lamina_msgs::ChangeQueue::Request::MOVE_TO_FRONT;
       call.request.job = written.order.value;
       call.request.source = source;
-      if (!node_.serviceClient<lamina_msgs::ChangeQueue>(names::kChangeQueue).call(call)) return {};
+      if (!callService(node_.resolveName(names::kChangeQueue), call)) return {};
       const bool is_moved = call.response.status.code == lamina_msgs::Status::OK;
       return {is_moved ? CommandResult::Accepted : CommandResult::NoSuchJob, call.response.status.message};
     }
@@ -108,7 +109,7 @@ OrderDesk::Answer OrderDesk::pass(const WrittenOrder& written) {
       lamina_msgs::AcknowledgeAlarm call;
       call.request.id = static_cast<std::uint16_t>(written.order.value);
       call.request.source = source;
-      if (!node_.serviceClient<lamina_msgs::AcknowledgeAlarm>(names::kAcknowledgeAlarm).call(call)) return {};
+      if (!callService(node_.resolveName(names::kAcknowledgeAlarm), call)) return {};
       return {static_cast<CommandResult>(call.response.result), call.response.message};
     }
   }

@@ -13,6 +13,7 @@
 #include "lamina/base/error.hpp"
 #include "lamina/picture/toolpath_picture.hpp"
 #include "names.hpp"
+#include "service_call.hpp"
 #include "shutdown.hpp"
 #include "status.hpp"
 #include "tf/transform_intake.hpp"
@@ -181,7 +182,7 @@ bool PrintPart::isMeasured() {
 /// Whether the machine says that it rests.
 bool PrintPart::askRest() {
   lamina_msgs::MachineRest rest;
-  if (!machine_rest_.call(rest)) return false;
+  if (!callService(machine_rest_.getService(), rest)) return false;
   if (rest.response.last_position != rest_.last_position) noteAdvance();
   rest_ = rest.response;
   return rest_.is_resting;
@@ -193,7 +194,8 @@ bool PrintPart::askFinish(const ros::Time& last_position, const ros::Time& last_
   finish.request.toolpath_id = toolpath_->id;
   finish.request.last_position = last_position;
   finish.request.last_profile = last_profile;
-  if (!finish_measuring_.call(finish)) throw Disconnected("layer_height_monitor does not answer");
+  if (!callService(finish_measuring_.getService(), finish))
+    throw Disconnected("layer_height_monitor does not answer");
   throwIfFailed(finish.response.status);
   if (finish.response.counts != finish_.counts) noteAdvance();
   finish_ = finish.response;
@@ -211,7 +213,8 @@ std::vector<std::size_t> PrintPart::unreported() const {
 
 void PrintPart::saveHeightMap() {
   std_srvs::Trigger request;
-  if (!save_height_map_.call(request)) throw Disconnected("layer_height_monitor does not answer");
+  if (!callService(save_height_map_.getService(), request))
+    throw Disconnected("layer_height_monitor does not answer");
   if (!request.response.success) throw FileError("height map not saved: " + request.response.message);
 }
 

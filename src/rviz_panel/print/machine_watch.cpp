@@ -13,6 +13,7 @@
 
 #include "messages.hpp"
 #include "names.hpp"
+#include "service_call.hpp"
 
 namespace lamina {
 namespace {
@@ -66,7 +67,7 @@ void MachineWatch::call(const std::string& service) {
     std::string refusal;
     if (!ros::service::exists(name, false))
       refusal = "no node offers the service " + name;
-    else if (!ros::service::call(name, trigger))
+    else if (!callService(name, trigger))
       refusal = "the service " + name + " gave no answer";
     else if (!trigger.response.success)
       refusal = trigger.response.message;

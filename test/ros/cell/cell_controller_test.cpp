@@ -19,6 +19,7 @@
 #include "nodes/cell_controller/stream_executor.hpp"
 #include "ros/cell/cell_of_nodes.hpp"
 #include "ros/wait_until.hpp"
+#include "service_call.hpp"
 
 namespace lamina {
 namespace {
@@ -169,10 +170,10 @@ TEST(CellController, IsLaunchedAndSaysThatItsExecutorIsMissing) {
   lamina_msgs::PackmlCommand call;
   call.request.command = Command::RESET;
   call.request.expected_sequence = -1;
-  EXPECT_TRUE(ros::service::call("/launched/packml_command", call));
+  EXPECT_TRUE(callService("/launched/packml_command", call));
   EXPECT_TRUE(waitUntil([&] { return state == "Idle"; }));
   call.request.command = Command::START;
-  EXPECT_TRUE(ros::service::call("/launched/packml_command", call));
+  EXPECT_TRUE(callService("/launched/packml_command", call));
   EXPECT_NE(call.response.message.find("no sign of life"), std::string::npos) << call.response.message;
 }
 
@@ -271,7 +272,7 @@ TEST(CellController, OwnsItsExecutor) {
   ASSERT_TRUE(cell.reaches("Execute"));
   for (const char* service : {names::kPause, names::kResume, names::kAbort}) {
     std_srvs::Trigger call;
-    EXPECT_TRUE(ros::service::call("/owns/" + std::string(service), call));
+    EXPECT_TRUE(callService("/owns/" + std::string(service), call));
     EXPECT_FALSE(call.response.success);
     EXPECT_EQ(
         call.response.message,

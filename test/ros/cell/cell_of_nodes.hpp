@@ -24,6 +24,7 @@
 #include "ros/node_process.hpp"
 #include "ros/ros_home.hpp"
 #include "ros/wait_until.hpp"
+#include "service_call.hpp"
 
 namespace lamina::test {
 
@@ -116,7 +117,7 @@ class CellOfNodes {
     call.request.source = "test";
     call.request.cut_off = cut_off;
     call.request.expected_sequence = expected;
-    if (!ros::service::call(space_ + '/' + names::kPackmlCommand, call)) return 0;
+    if (!callService(space_ + '/' + names::kPackmlCommand, call)) return 0;
     reason = call.response.message;
     return call.response.result;
   }
@@ -126,8 +127,7 @@ class CellOfNodes {
     call.request.command = command;
     call.request.source = source;
     call.request.expected_sequence = -1;
-    return ros::service::call(space_ + '/' + names::kPackmlCommand, call) ? call.response.message
-                                                                          : "no answer";
+    return callService(space_ + '/' + names::kPackmlCommand, call) ? call.response.message : "no answer";
   }
   /// Why a command that nobody waits for any more is refused.
   std::string refusalOfExpired(std::uint8_t command) {
@@ -136,8 +136,7 @@ class CellOfNodes {
     call.request.source = "test";
     call.request.expected_sequence = -1;
     call.request.expires = ros::Time(ros::WallTime::now().toSec() - 10.0);
-    return ros::service::call(space_ + '/' + names::kPackmlCommand, call) ? call.response.message
-                                                                          : "no answer";
+    return callService(space_ + '/' + names::kPackmlCommand, call) ? call.response.message : "no answer";
   }
   /// Starts as soon as the executor is known to be there.
   bool starts(std::uint8_t cut_off = Command::UNDECIDED) {
@@ -167,7 +166,7 @@ class CellOfNodes {
     call.request.name = "square";
     call.request.part = "square.stl";
     call.request.source = "test";
-    EXPECT_TRUE(ros::service::call(space_ + '/' + names::kEnqueueJob, call));
+    EXPECT_TRUE(callService(space_ + '/' + names::kEnqueueJob, call));
     reason = call.response.status.message;
     return call.response.job;
   }
@@ -176,7 +175,7 @@ class CellOfNodes {
     call.request.job = job;
     call.request.change = change;
     call.request.source = "test";
-    EXPECT_TRUE(ros::service::call(space_ + '/' + names::kChangeQueue, call));
+    EXPECT_TRUE(callService(space_ + '/' + names::kChangeQueue, call));
     return call.response.status.message;
   }
   bool hasAlarm(int id) const {
@@ -188,19 +187,19 @@ class CellOfNodes {
       lamina_msgs::AcknowledgeAlarm call;
       call.request.id = alarm.id;
       call.request.source = "test";
-      ros::service::call(space_ + '/' + names::kAcknowledgeAlarm, call);
+      callService(space_ + '/' + names::kAcknowledgeAlarm, call);
     }
   }
   bool setMode(std::uint8_t mode) {
     lamina_msgs::SetUnitMode call;
     call.request.mode = mode;
     call.request.source = "test";
-    EXPECT_TRUE(ros::service::call(space_ + '/' + names::kSetUnitMode, call));
+    EXPECT_TRUE(callService(space_ + '/' + names::kSetUnitMode, call));
     return call.response.result == kAccepted;
   }
   bool confirmRemoval(const std::string& source) {
     std_srvs::Trigger call;
-    auto client = node_.serviceClient<std_srvs::Trigger>(space_ + '/' + names::kConfirmRemoval, false,
+    auto client = node_.serviceClient<std_srvs::Trigger>(space_ + '/' + names::kConfirmRemoval, true,
                                                          {{"lamina_source", source}});
     return client.call(call) && call.response.success;
   }

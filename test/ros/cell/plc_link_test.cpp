@@ -16,6 +16,7 @@
 #include "names.hpp"
 #include "ros/cell/cell_of_nodes.hpp"
 #include "ros/cell/plc_client.hpp"
+#include "service_call.hpp"
 
 namespace lamina {
 namespace {
@@ -65,7 +66,7 @@ class LinkedCell {
     lamina_msgs::SetRemoteAccess call;
     call.request.is_allowed = is_allowed;
     call.request.source = "test";
-    EXPECT_TRUE(ros::service::call(space_ + '/' + names::kSetRemoteAccess, call));
+    EXPECT_TRUE(callService(space_ + '/' + names::kSetRemoteAccess, call));
     return call.response.status.message;
   }
 

@@ -100,7 +100,7 @@ class DriveCell {
   lamina_msgs::DriveToolpathResult result() const { return *client_.getResult(); }
   bool calls(const std::string& service) {
     std_srvs::Trigger trigger;
-    return node_.serviceClient<std_srvs::Trigger>(service).call(trigger) && trigger.response.success;
+    return node_.serviceClient<std_srvs::Trigger>(service, true).call(trigger) && trigger.response.success;
   }
 
   /// The status with which a change of the job under way is answered.
@@ -108,7 +108,7 @@ class DriveCell {
     lamina_msgs::ChangeJob asked;
     asked.request.setting = setting;
     asked.request.value = value;
-    if (!node_.serviceClient<lamina_msgs::ChangeJob>(names::kChangeJob).call(asked))
+    if (!node_.serviceClient<lamina_msgs::ChangeJob>(names::kChangeJob, true).call(asked))
       asked.response.status.message = "the node does not answer";
     return asked.response.status;
   }

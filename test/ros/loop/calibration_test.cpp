@@ -30,6 +30,7 @@
 #include "ros/playback/tf_recording.hpp"
 #include "ros/ros_home.hpp"
 #include "ros/wait_until.hpp"
+#include "service_call.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace lamina {
@@ -111,7 +112,7 @@ void recordPlan(const std::string& kind, const std::string& bag) {
   const StreamSession session(StreamableProgram::fromText(kind, readFile(program)), {}, {kPty, 115200}, {});
   lamina_msgs::MachineRest rest;
   ASSERT_TRUE(test::waitUntil([&] {
-    return session.isOver() && ros::service::call(names::kMachineRest, rest) && rest.response.is_resting;
+    return session.isOver() && callService(names::kMachineRest, rest) && rest.response.is_resting;
   }));
   ASSERT_TRUE(test::waitUntil([&] { return recorder.lastProfile() >= rest.response.last_profile; }));
   recorder.write(bag);
@@ -125,7 +126,7 @@ typename Service::Response step(const std::string& name, std::uint8_t step, cons
   call.request.machine = "cartesian_gantry";
   if constexpr (!std::is_same_v<Service, lamina_msgs::CalibrateFeeder>) call.request.method = method;
   for (const auto& [key, value] : kBrisk) call.request.settings.push_back(settingMessage(key, value));
-  EXPECT_TRUE(ros::service::call(name, call)) << name;
+  EXPECT_TRUE(callService(name, call)) << name;
   return call.response;
 }
 
@@ -270,7 +271,7 @@ TEST(CalibrationTest, RefusesByName) {
   expectRefused(step<CalibrateTime>(names::kCalibrateTime, 7).status, Status::INVALID_INPUT, "7");
   CalibrateSensor other;
   other.request.machine = "irb_4600";
-  ASSERT_TRUE(ros::service::call(names::kCalibrateSensor, other));
+  ASSERT_TRUE(callService(names::kCalibrateSensor, other));
   expectRefused(other.response.status, Status::INVALID_CONFIG, "irb_4600");
   expectRefused(other.response.status, Status::INVALID_CONFIG, "cartesian_gantry");
   begin<CalibrateSensor>(names::kCalibrateSensor);
@@ -287,7 +288,7 @@ TEST(CalibrationTest, RefusesByName) {
   unknown.request.touched = {0.1, 0.1};
   unknown.request.top = {0.01};
   unknown.request.settings = {settingMessage("calibrate.bobs", "1")};
-  ASSERT_TRUE(ros::service::call(names::kCalibrateSensor, unknown));
+  ASSERT_TRUE(callService(names::kCalibrateSensor, unknown));
   expectRefused(unknown.response.status, Status::INVALID_CONFIG, "calibrate.bobs");
   EXPECT_EQ(step<CalibrateSensor>(names::kCalibrateSensor, kDrop).status.code, Status::OK + 0);
   EXPECT_EQ(readFile(calibration_file), before);
@@ -312,11 +313,11 @@ TEST(CalibrationTest, RefusesAtTheBeginning) {
   CalibrateSensor pyramid;
   pyramid.request.method = "pyramid";
   pyramid.request.top = {std::nan("")};
-  ASSERT_TRUE(ros::service::call(names::kCalibrateSensor, pyramid));
+  ASSERT_TRUE(callService(names::kCalibrateSensor, pyramid));
   expectRefused(pyramid.response.status, "expected a finite one");
   CalibrateTime unknown;
   unknown.request.settings = {settingMessage("calibrate.bobs", "1")};
-  ASSERT_TRUE(ros::service::call(names::kCalibrateTime, unknown));
+  ASSERT_TRUE(callService(names::kCalibrateTime, unknown));
   expectRefused(unknown.response.status, "calibrate.bobs");
   // Nothing has begun.
   begin<CalibrateSensor>(names::kCalibrateSensor);

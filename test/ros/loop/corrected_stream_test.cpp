@@ -26,6 +26,7 @@
 #include "ros/node_process.hpp"
 #include "ros/ros_home.hpp"
 #include "ros/wait_until.hpp"
+#include "service_call.hpp"
 #include "streamed_machine.hpp"
 #include "support/control_layers.hpp"
 #include "support/corrected_programs.hpp"
@@ -107,7 +108,7 @@ class CorrectedCell {
   }
   bool isAnswered(const std::string& service) {
     std_srvs::Trigger trigger;
-    return ros::service::call(space_ + "/" + service, trigger) && trigger.response.success != 0;
+    return callService(space_ + "/" + service, trigger) && trigger.response.success != 0;
   }
   /// A plan is tried once the machine waits for its layer, and refused before: it is offered until then.
   bool offer(const MachineToolpath& planned, const std::function<bool()>& is_taken) {

@@ -23,6 +23,7 @@
 #include "ros/loop/estimated_bag.hpp"
 #include "ros/loop/wall_messages.hpp"
 #include "ros/wait_until.hpp"
+#include "service_call.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace lamina {
@@ -307,7 +308,7 @@ TEST(HeightController, ReportsAMapThatTheMachineMissed) {
 lamina_msgs::SetLoop::Response setLoop(std::uint8_t request) {
   lamina_msgs::SetLoop call;
   call.request.request = request;
-  EXPECT_TRUE(ros::service::call(names::kSetLoop, call));
+  EXPECT_TRUE(callService(names::kSetLoop, call));
   return call.response;
 }
 
@@ -377,11 +378,11 @@ TEST(HeightController, ReadsACalibrationThatComesLater) {
   ASSERT_TRUE(waitUntil([&] { return controller.isIn(StateMessage::BLOCKED); }));
   std_srvs::Trigger read;
   writeFile(cell, "a: 1");
-  ASSERT_TRUE(ros::service::call(names::kReadCalibration, read));
+  ASSERT_TRUE(callService(names::kReadCalibration, read));
   EXPECT_EQ(read.response.success, 0U);
   EXPECT_NE(read.response.message.find("cell.yaml"), std::string::npos) << read.response.message;
   writeCalibration(cell, later);
-  ASSERT_TRUE(ros::service::call(names::kReadCalibration, read));
+  ASSERT_TRUE(callService(names::kReadCalibration, read));
   EXPECT_EQ(read.response.success, 1U) << read.response.message;
   ASSERT_TRUE(waitUntil([&] { return controller.isIn(StateMessage::ACTIVE); }));
   live.say([&] { return !controller.layers.empty(); });
@@ -547,7 +548,7 @@ TEST(HeightController, LeavesNothingHangingWhenItIsKilled) {
   }
   lamina_msgs::SetLoop call;
   const ros::WallTime asked = ros::WallTime::now();
-  EXPECT_FALSE(ros::service::call(names::kSetLoop, call));
+  EXPECT_FALSE(callService(names::kSetLoop, call));
   EXPECT_LT((ros::WallTime::now() - asked).toSec(), 5.0);
   EXPECT_EQ(replayed(folder.file("wall.bag"), wall.layers, "10").size(), wall.layers)
       << "another takes its place";

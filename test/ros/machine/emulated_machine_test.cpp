@@ -15,6 +15,7 @@
 #include "point_cloud.hpp"
 #include "ros/ros_home.hpp"
 #include "ros/wait_until.hpp"
+#include "service_call.hpp"
 
 namespace {
 
@@ -133,7 +134,7 @@ TEST_F(EmulatedMachineNode, RestsOnceAllMotionsArePublishedAndStatesTheirLastSta
   lamina_msgs::MachineRest rest;
   stream("G28\nG90\nG1 X50 Y50 Z5 F6000\nG1 X60 F600\n");
   ASSERT_TRUE(waitUntil(
-      [&] { return ros::service::call(lamina::names::kMachineRest, rest) && rest.response.is_resting; }));
+      [&] { return lamina::callService(lamina::names::kMachineRest, rest) && rest.response.is_resting; }));
   const ros::Time last = rest.response.last_position;
   ASSERT_TRUE(waitUntil([&] { return positions_.back()->header.stamp >= last; }));
   EXPECT_EQ(positions_.back()->header.stamp, last);

@@ -15,6 +15,7 @@
 #include "latched.hpp"
 #include "ros/monitor/plate_scan.hpp"
 #include "ros/wait_until.hpp"
+#include "service_call.hpp"
 
 namespace lamina {
 namespace {
@@ -69,7 +70,7 @@ class BoundedMonitor : public ::testing::Test {
   void awaitLog() {
     std_srvs::Trigger refused;  // without an output folder
     ASSERT_TRUE(test::waitUntil([&] {
-      return ros::service::call("bounded/" + std::string(names::kSaveHeightMap), refused) && !logged_.empty();
+      return callService("bounded/" + std::string(names::kSaveHeightMap), refused) && !logged_.empty();
     }));
   }
 

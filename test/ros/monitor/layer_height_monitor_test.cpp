@@ -23,6 +23,7 @@
 #include "ros/monitor/plate_scan.hpp"
 #include "ros/ros_home.hpp"
 #include "ros/wait_until.hpp"
+#include "service_call.hpp"
 
 namespace lamina {
 namespace {
@@ -127,7 +128,7 @@ class LayerHeightMonitorNode : public ::testing::Test {
     call.request.toolpath_id = test::twoPlates().id;
     call.request.last_position = position;
     call.request.last_profile = profile;
-    EXPECT_TRUE(ros::service::call(names::kFinishMeasuring, call));
+    EXPECT_TRUE(callService(names::kFinishMeasuring, call));
     EXPECT_EQ(call.response.status.message, "");
     return call.response;
   }
@@ -250,7 +251,7 @@ TEST_F(LayerHeightMonitorNode, PublishesTheMapAsAnOctree) {
 
 TEST_F(LayerHeightMonitorNode, SavesItsFilesOnRequest) {
   std_srvs::Trigger request;
-  ASSERT_TRUE(ros::service::call(names::kSaveHeightMap, request));
+  ASSERT_TRUE(callService(names::kSaveHeightMap, request));
   EXPECT_TRUE(request.response.success) << request.response.message;
   for (const char* name : {"height_map.png", "deviation.png", "height_map.bt", "layer_heights.csv"})
     EXPECT_TRUE(std::filesystem::exists(kFolder + "/" + name)) << name;
@@ -275,7 +276,7 @@ TEST_F(LayerHeightMonitorNode, FinishesOnceTransformsAndProfilesHaveComeSoFar) {
 TEST_F(LayerHeightMonitorNode, FinishesNoOtherToolpath) {
   lamina_msgs::FinishMeasuring call;
   call.request.toolpath_id = "another";
-  ASSERT_TRUE(ros::service::call(names::kFinishMeasuring, call));
+  ASSERT_TRUE(callService(names::kFinishMeasuring, call));
   EXPECT_EQ(call.response.status.code, lamina_msgs::Status::REJECTED + 0);
   EXPECT_FALSE(call.response.is_finished);
 }
@@ -289,7 +290,7 @@ TEST_F(LayerHeightMonitorNode, LogsWhichRequestFailed) {
   EXPECT_TRUE(test::waitUntil([&] {
     lamina_msgs::FinishMeasuring call;
     call.request.toolpath_id = "another";
-    ros::service::call(names::kFinishMeasuring, call);
+    callService(names::kFinishMeasuring, call);
     return std::any_of(lines.begin(), lines.end(), [](const std::string& line) {
       return line.rfind("cannot finish measuring toolpath 'another': Rejected: ", 0) == 0;
     });

@@ -18,6 +18,7 @@
 #include "ros/bag_player.hpp"
 #include "ros/playback/tf_recording.hpp"
 #include "ros/wait_until.hpp"
+#include "service_call.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace lamina {
@@ -109,7 +110,7 @@ lamina_msgs::LoadProgram::Response load(const std::string& machine, const std::s
   service.request.program = program;
   const std::string name = "/" + machine + "/trajectory_publisher/load_program";
   EXPECT_TRUE(ros::service::waitForService(name, ros::Duration(test::kPatience)));
-  EXPECT_TRUE(ros::service::call(name, service));
+  EXPECT_TRUE(callService(name, service));
   return service.response;
 }
 

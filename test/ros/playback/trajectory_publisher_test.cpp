@@ -261,7 +261,8 @@ TEST(TrajectoryPublisher, PublishesPositionsAtItsRate) {
   ASSERT_TRUE(await([&] { return listener.isConnected(); }));
   listener.send(toMessage(square()));
   std_srvs::Trigger pause;  // so that waypoints add none
-  ASSERT_TRUE(listener.node().serviceClient<std_srvs::Trigger>("trajectory_publisher/pause").call(pause));
+  ASSERT_TRUE(
+      listener.node().serviceClient<std_srvs::Trigger>("trajectory_publisher/pause", true).call(pause));
   listener.states.clear();
   constexpr std::size_t kPeriods = 20;
   ASSERT_TRUE(await([&] { return listener.states.size() > kPeriods + 1; }));
@@ -269,7 +270,7 @@ TEST(TrajectoryPublisher, PublishesPositionsAtItsRate) {
   const auto& states = listener.states;
   EXPECT_GE((states[kPeriods + 1] - states[1]).toSec(), (kPeriods - 1) / kRate);
   std_srvs::Trigger play;
-  EXPECT_TRUE(listener.node().serviceClient<std_srvs::Trigger>("trajectory_publisher/play").call(play));
+  EXPECT_TRUE(listener.node().serviceClient<std_srvs::Trigger>("trajectory_publisher/play", true).call(play));
 }
 
 TEST(TrajectoryPublisher, PlaysOnWhenRosTimeGoesBack) {
@@ -290,7 +291,9 @@ TEST(TrajectoryPublisher, PausesRewindsAndPlaysOnRequest) {
   Listener listener("player");
   std_srvs::Trigger trigger;
   const auto call = [&](const std::string& name) {
-    return listener.node().serviceClient<std_srvs::Trigger>("trajectory_publisher/" + name).call(trigger);
+    return listener.node()
+        .serviceClient<std_srvs::Trigger>("trajectory_publisher/" + name, true)
+        .call(trigger);
   };
   ASSERT_TRUE(
       ros::service::waitForService("/player/trajectory_publisher/pause", ros::Duration(test::kPatience)));

@@ -16,6 +16,7 @@
 #include "names.hpp"
 #include "request_settings.hpp"
 #include "ros/wait_until.hpp"
+#include "service_call.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace {
@@ -57,7 +58,7 @@ class GcodeIncliner : public testing::Test {
     service.request.program = program;
     service.request.output = output;
     service.request.settings = settings;
-    EXPECT_TRUE(client_.call(service)) << "the node does not answer";
+    EXPECT_TRUE(lamina::callService(client_.getService(), service)) << "the node does not answer";
     return service.response;
   }
 

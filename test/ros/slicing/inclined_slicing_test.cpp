@@ -12,6 +12,7 @@
 #include "names.hpp"
 #include "request_settings.hpp"
 #include "ros/wait_until.hpp"
+#include "service_call.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace lamina {
@@ -24,7 +25,7 @@ lamina_msgs::SliceMesh::Response slice(const std::vector<std::pair<std::string, 
   service.request.output = output;
   for (const auto& [key, value] : settings) service.request.settings.push_back(settingMessage(key, value));
   EXPECT_TRUE(ros::service::waitForService(names::kSliceMesh, ros::Duration(test::kPatience)));
-  EXPECT_TRUE(ros::service::call(names::kSliceMesh, service));
+  EXPECT_TRUE(callService(names::kSliceMesh, service));
   return service.response;
 }
 

@@ -16,6 +16,7 @@
 #include "names.hpp"
 #include "request_settings.hpp"
 #include "ros/wait_until.hpp"
+#include "service_call.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace {
@@ -38,7 +39,7 @@ class SlicingService : public testing::Test {
     service.request.part = part;
     service.request.settings = settings;
     service.request.output = output;
-    EXPECT_TRUE(client_.call(service)) << "the node does not answer";
+    EXPECT_TRUE(lamina::callService(client_.getService(), service)) << "the node does not answer";
     return service.response;
   }
 

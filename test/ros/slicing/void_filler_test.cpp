@@ -15,6 +15,7 @@
 #include "messages.hpp"
 #include "names.hpp"
 #include "request_settings.hpp"
+#include "service_call.hpp"
 #include "support/drop_programs.hpp"
 #include "support/plain_job.hpp"
 #include "support/scratch_folder.hpp"
@@ -37,7 +38,7 @@ class VoidFiller : public testing::Test {
     service.request.output = output_;
     service.request.part = part;
     service.request.settings = settings;
-    EXPECT_TRUE(client_.call(service)) << "the node does not answer";
+    EXPECT_TRUE(lamina::callService(client_.getService(), service)) << "the node does not answer";
     return service.response;
   }
 

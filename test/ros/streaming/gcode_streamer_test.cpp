@@ -25,6 +25,7 @@
 #include "ros/node_process.hpp"
 #include "ros/ros_home.hpp"
 #include "ros/wait_until.hpp"
+#include "service_call.hpp"
 #include "support/control_layers.hpp"
 #include "support/scratch_folder.hpp"
 
@@ -98,14 +99,14 @@ class GcodeStreamer : public testing::Test {
   }
   std_srvs::Trigger::Response call(const std::string& service) {
     std_srvs::Trigger trigger;
-    EXPECT_TRUE(ros::service::call(service, trigger)) << "the node does not answer";
+    EXPECT_TRUE(lamina::callService(service, trigger)) << "the node does not answer";
     return trigger.response;
   }
   std::int32_t change(const std::string& setting, double value) {
     lamina_msgs::ChangeJob asked;
     asked.request.setting = setting;
     asked.request.value = value;
-    EXPECT_TRUE(ros::service::call(lamina::names::kChangeJob, asked)) << "the node does not answer";
+    EXPECT_TRUE(lamina::callService(lamina::names::kChangeJob, asked)) << "the node does not answer";
     return asked.response.status.code;
   }
   bool waitForState(std::uint8_t state) {

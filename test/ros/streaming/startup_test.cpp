@@ -12,6 +12,7 @@
 #include "messages.hpp"
 #include "names.hpp"
 #include "ros/wait_until.hpp"
+#include "service_call.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace {
@@ -48,7 +49,7 @@ class Cell {
   Status call(RunStartup::Request request) {
     RunStartup service;
     service.request = std::move(request);
-    EXPECT_TRUE(ros::service::call(node_.resolveName(lamina::names::kRunStartup), service));
+    EXPECT_TRUE(lamina::callService(node_.resolveName(lamina::names::kRunStartup), service));
     return service.response.status;
   }
   Status call(std::uint8_t command, const std::string& name = "") {

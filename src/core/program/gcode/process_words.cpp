@@ -20,7 +20,7 @@ constexpr double kFanSteps = 255.0;
 constexpr std::string_view kBox = "M291";  // a message that waits to be acknowledged
 
 std::string pauseLine(std::string message, const ProgramSettings& settings) {
-  const std::string command =
+  std::string command =
       settings.pause_code == "dialect" ? gcodeDialects().find(settings.dialect).pause : settings.pause_code;
   if (command == kBox) {
     std::replace(message.begin(), message.end(), '"', '\'');
