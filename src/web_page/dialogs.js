@@ -20,8 +20,11 @@ export function ask({ title, text, answers, secret = "", back = texts.go_back })
   return new Promise((resolve) => {
     dialog.addEventListener("close", () => {
       byId("dialog-secret").textContent = "";
-      if (opener && opener.isConnected) opener.focus();
-      else focusOn(byId("commands"));
+      // The browser has given it back at once; it may be elsewhere by now.
+      if (document.activeElement === document.body) {
+        if (opener && opener.isConnected) opener.focus();
+        else focusOn(byId("commands"));
+      }
       resolve(dialog.returnValue);
     }, { once: true });
   });
