@@ -10,11 +10,6 @@
 #include "streaming/job/job_failures.hpp"
 
 namespace lamina {
-namespace {
-
-constexpr double kForever = std::numeric_limits<double>::infinity();
-
-}  // namespace
 
 std::unique_ptr<StreamJob> OkPacedFirmware::begin(StreamOrder order) const {
   if (order.settings.link == LinkKind::Lossy && !detectsDamage()) order.settings.link = LinkKind::Reliable;
@@ -67,7 +62,7 @@ double OkPacedJob::silenceLimit() const {
 }
 
 double OkPacedJob::nextDeadline() const {
-  if (!isWaiting()) return kForever;
+  if (!isWaiting()) return std::numeric_limits<double>::infinity();
   if (phase_ == Phase::Offline) return stop_.giveUpAt();
   if (isAwaitingLayer()) return layer_wait_.nextLook();
   const double give_up = isStopping() ? stop_.giveUpAt() : timer_.quietSince() + silenceLimit();
@@ -363,12 +358,8 @@ std::string OkPacedJob::change(const LiveChange& change, double) {
 
 /// Where an ok may be lost, nothing else is under way with a change: what is answered would not be known.
 void OkPacedJob::sendChanges() {
-  while (!waiting_changes_.empty() && (!isLossy() || under_way_.empty())) {
-    PacedCommand as;
-    as.change = waiting_changes_.front();
-    waiting_changes_.pop_front();
-    send(as.change, as);
-  }
+  for (; !waiting_changes_.empty() && (!isLossy() || under_way_.empty()); waiting_changes_.pop_front())
+    send(waiting_changes_.front(), {0, 0, waiting_changes_.front()});
 }
 
 void OkPacedJob::abort(const Failure& why, double now) {
