@@ -48,6 +48,16 @@ DeviceTable tableOfTwo(DeviceKind kind, const std::string& address) {
   return table;
 }
 
+ModbusServerSettings anyPort() {
+  ModbusServerSettings server;
+  server.port = 0;
+  return server;
+}
+
+DeviceTable tableOfTwo(const CouplerServer& coupler) {
+  return tableOfTwo(DeviceKind::ModbusTcp, "127.0.0.1:" + std::to_string(coupler.port()));
+}
+
 class TcpEnd final : public DeviceEnd {
  public:
   TcpEnd() {
@@ -173,10 +183,8 @@ TEST(ProcessDeviceContract, WhatIsNoDeviceTakesEverything) {
 }
 
 TEST(ProcessDevice, InputsAreReadWithTheSameRequest) {
-  ModbusServerSettings server;
-  server.port = 0;
-  CouplerServer coupler({}, server);
-  DeviceTable table = tableOfTwo(DeviceKind::ModbusTcp, "127.0.0.1:" + std::to_string(coupler.port()));
+  CouplerServer coupler({}, anyPort());
+  DeviceTable table = tableOfTwo(coupler);
   InputChannel input;
   input.read = kCouplerEffects + 1;
   table.inputs.push_back(input);
@@ -188,10 +196,8 @@ TEST(ProcessDevice, InputsAreReadWithTheSameRequest) {
 }
 
 TEST(ProcessDevice, InputsAreReadWithTheirSign) {
-  ModbusServerSettings server;
-  server.port = 0;
-  CouplerServer coupler({}, server);
-  DeviceTable table = tableOfTwo(DeviceKind::ModbusTcp, "127.0.0.1:" + std::to_string(coupler.port()));
+  CouplerServer coupler({}, anyPort());
+  DeviceTable table = tableOfTwo(coupler);
   InputChannel input;
   input.read = kCouplerEffects;
   table.inputs.push_back(input);
@@ -205,12 +211,10 @@ TEST(ProcessDevice, InputsAreReadWithTheirSign) {
 }
 
 TEST(ProcessDevice, TheWatchdogAndFaultValuesOfACouplerAreReadBack) {
-  ModbusServerSettings server;
-  server.port = 0;
   CouplerSettings settings;
   settings.watchdog_s = 0.4;
-  CouplerServer coupler(settings, server);
-  DeviceTable table = tableOfTwo(DeviceKind::ModbusTcp, "127.0.0.1:" + std::to_string(coupler.port()));
+  CouplerServer coupler(settings, anyPort());
+  DeviceTable table = tableOfTwo(coupler);
   EXPECT_EQ(makeProcessDevice(table)->open(),
             "device cannot report its watchdog: whether it goes safe by itself is not known");
   table.device.watchdog_register = kCouplerWatchdog;
