@@ -64,6 +64,32 @@ TEST(ToolpathFromGcode, ReadsBackWhatWasWritten) {
       }));
 }
 
+/// 0.05 mm of filament per mm, there and back between -0.0005 and 0.1005 mm, and on to 0.1995 mm: read as
+/// motions of 0.1 mm.
+TEST(ToolpathFromGcode, RoundingThatStretchesOneOfManyShortMotionsMakesNoOtherWidth) {
+  std::string program = "M83\n;LAYER:0\n;TYPE:FILL\nG0 X0 Y0 Z0.2 F600\n";
+  for (int i = 0; i < 19; ++i) program += i % 2 == 0 ? "G1 X0.1 E0.00505\n" : "G1 X0 E0.00505\n";
+  program += "G1 X0.2 E0.00495\n";
+  program += ";TYPE:WALL-INNER\nG1 X1.2 E0.05\nG1 X1.3 E0.0054\n";
+  const Toolpath read = toolpathFromGcode(program, {}, "part");
+  const auto& paths = read.layers.at(0).paths;
+  ASSERT_EQ(paths.size(), 3U);
+  EXPECT_TRUE(paths[1].bead.isCommon());
+  EXPECT_FALSE(paths[2].bead.isCommon()) << "0.054 mm per mm is another bead";
+}
+
+TEST(ToolpathFromGcode, ReadsBackAShortMotionBesideOthersThatWereShortened) {
+  for (const std::uint64_t seed : {56883109U, 13621U, 16538U, 17000U, 19361U}) {
+    const Toolpath original = test::randomToolpath(seed);
+    const ProgramSettings settings;
+    const Toolpath read = toolpathFromGcode(toolpathFromGcodeWritten(original, settings), settings, "part");
+    for (std::size_t l = 0; l < read.layers.size(); ++l)
+      for (std::size_t p = 0; p < read.layers[l].paths.size(); ++p)
+        if (original.layers[l].paths[p].bead.isCommon())
+          EXPECT_TRUE(read.layers[l].paths[p].bead.isCommon()) << seed;
+  }
+}
+
 TEST(ToolpathFromGcode, ReadsEventsAndToolsOfThePart) {
   const Toolpath read = toolpathFromGcode(
       "M106 S10\nG4 S9\nM83\n;LAYER:0\nM106 S51\nG0 X1 Y1 Z0.2 F600\nT2\n;TYPE:SKIN\nG1 X2 E1\nG4 P1500\nG1 "
