@@ -16,6 +16,9 @@ namespace lamina {
 /// Builds the toolpath that a program prints, in coordinates of the bed, from its motions. Coordinates of the
 /// program are those of the bed unless comments state another frame.
 ///
+/// A toolpath begins where the program first states a place, or deposits: travels from elsewhere
+/// (`GcodeMotion::is_start_stated`) are left out.
+///
 /// A motion that pushes filament forth deposits; every other is travel, which is retracted if filament was
 /// pulled back and not yet pushed forth again. A path ends where kind, role or tool change, where a comment
 /// opens a path or layer, and where filament moves alone; deposition that ends where it started is closed.

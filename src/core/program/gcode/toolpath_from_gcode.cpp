@@ -243,6 +243,7 @@ class ToolpathBuilder::State {
     }
     if (motion.extrusion_mm != 0.0) is_retracted_ = motion.extrusion_mm < 0.0;
     if (has_comments_ && !layer_) return;  // before the first layer or after the part
+    if (!reached_ && !motion.is_start_stated && !deposits(motion)) return;  // from anywhere
     if (!has_comments_ && motion.extrusion_mm > 0.0) beginLayerByHeight(motion);
     if (!runs_.empty() && !is_interrupted_ && runs_.back().accepts(motion, is_retracted_))
       runs_.back().add(motion);
