@@ -166,6 +166,27 @@ TEST_F(StatedCheck, ATurntableIsTheMechanicalUnitOfTheWorkObject) {
   EXPECT_TRUE(checked().isClear());
 }
 
+/// A controller leads the nozzle straight also where the joints at both ends of a move are far apart.
+TEST_F(StatedCheck, MovesOfAnArmsProgramAreCheckedOnTheirStraightWay) {
+  for (const char* file : {"box.mod", "box.src"}) {
+    slice("irb_4600", file);
+    const auto model = kinematicModelOf(job_.settings.machine);
+    const KinematicModelRun run =
+        runAsStated(*model, *readStatedMotion(job_.output, job_.settings.program, *model), {});
+    ASSERT_TRUE(run.path.isRunnable()) << file;
+    ASSERT_EQ(run.lines.size(), run.path.at.size());
+    for (std::size_t i = 1; i < run.path.at.size(); ++i) {
+      if (run.path.at[i].path != run.path.at[i - 1].path) continue;
+      const Point3 from = model->bedFromNozzle(run.path.values[i - 1]).translation();
+      const Point3 to = model->bedFromNozzle(run.path.values[i]).translation();
+      const JointValues half = 0.5 * (run.path.values[i - 1] + run.path.values[i]);
+      EXPECT_LE((model->bedFromNozzle(half).translation() - 0.5 * (from + to)).norm(), 0.02) << file;
+      EXPECT_LE((to - from).norm(), 5.001) << file;
+      EXPECT_LE(run.lines[i - 1], run.lines[i]) << file;
+    }
+  }
+}
+
 TEST_F(StatedCheck, AConfigurationThatReachesNothingIsFoundByItsLine) {
   job_.settings.program.rapid.configuration = RapidConfiguration::Joints;
   slice("irb_4600", "box.mod");

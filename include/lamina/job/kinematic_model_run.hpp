@@ -60,7 +60,9 @@ KinematicModelRun runOn(const KinematicModel& model, const ToolpathExcerpt& exce
                         const Eigen::Isometry3d& bed_from_part, const JointPathSettings& settings,
                         Progress& progress);
 
-/// The run of a program that states its joint values: these are checked (`judged`), not planned.
+/// The run of a program that states its joint values: these are checked (`judged`), not planned. Where a
+/// controller leads the nozzle straight, as that of an arm does, motions are divided
+/// (`alongStraightMoves`).
 KinematicModelRun runAsStated(const KinematicModel& model, StatedMotion motion,
                               const JointPathSettings& settings);
 

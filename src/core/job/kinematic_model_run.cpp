@@ -10,6 +10,7 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/kinematics/joint_path/stated_joints.hpp"
+#include "lamina/kinematics/joint_path/straight_moves.hpp"
 #include "lamina/kinematics/model/link_bodies.hpp"
 #include "lamina/toolpath/waypoint_text.hpp"
 #include "lamina/trajectory/kept_feed.hpp"
@@ -47,6 +48,21 @@ KinematicModelRun joined(KinematicModelRun run, DividedJointPath led, const Laye
   return run;
 }
 
+/// Lines of the waypoints of a run, each that of the motion that it is on.
+/// @param stated  waypoints before they were divided, and their lines
+std::vector<std::size_t> linesAlong(const KinematicModelRun& run, const std::vector<WaypointIndex>& stated,
+                                    const std::vector<std::size_t>& lines) {
+  std::vector<std::size_t> along;
+  along.reserve(run.path.at.size());
+  std::size_t next = 0;
+  for (const WaypointIndex& at : run.path.at) {
+    const WaypointIndex original = run.divided.originalOf(at);
+    while (next + 1 < stated.size() && stated[next] != original) ++next;
+    along.push_back(lines[next]);
+  }
+  return along;
+}
+
 }  // namespace
 
 KinematicModelRun runOn(const KinematicModel& model, Toolpath toolpath,
@@ -75,8 +91,16 @@ KinematicModelRun runAsStated(const KinematicModel& model, StatedMotion motion,
                               const JointPathSettings& settings) {
   KinematicModelRun run;
   run.path = judged(std::move(motion.joints), motion.toolpath, model, settings);
-  run.divided = undivided(std::move(motion.toolpath));
-  run.lines = std::move(motion.lines);
+  if (motion.between == StatedMove::Joints) {
+    run.divided = undivided(std::move(motion.toolpath));
+    run.lines = std::move(motion.lines);
+    return run;
+  }
+  const std::vector<WaypointIndex> stated = run.path.at;
+  DividedJointPath led = alongStraightMoves(std::move(motion.toolpath), std::move(run.path), model, settings);
+  run.divided = std::move(led.divided);
+  run.path = std::move(led.joints);
+  run.lines = linesAlong(run, stated, motion.lines);
   return run;
 }
 

@@ -64,9 +64,36 @@ TEST(ToolpathFromGcode, ReadsBackWhatWasWritten) {
       }));
 }
 
+/// 0.05 mm of filament per mm, there and back between -0.0005 and 0.1005 mm, and on to 0.1995 mm: read as
+/// motions of 0.1 mm.
+TEST(ToolpathFromGcode, RoundingThatStretchesOneOfManyShortMotionsMakesNoOtherWidth) {
+  std::string program = "G28\nM83\n;LAYER:0\n;TYPE:FILL\nG0 X0 Y0 Z0.2 F600\n";
+  for (int i = 0; i < 19; ++i) program += i % 2 == 0 ? "G1 X0.1 E0.00505\n" : "G1 X0 E0.00505\n";
+  program += "G1 X0.2 E0.00495\n";
+  program += ";TYPE:WALL-INNER\nG1 X1.2 E0.05\nG1 X1.3 E0.0054\n";
+  const Toolpath read = toolpathFromGcode(program, {}, "part");
+  const auto& paths = read.layers.at(0).paths;
+  ASSERT_EQ(paths.size(), 3U);
+  EXPECT_TRUE(paths[1].bead.isCommon());
+  EXPECT_FALSE(paths[2].bead.isCommon()) << "0.054 mm per mm is another bead";
+}
+
+TEST(ToolpathFromGcode, ReadsBackAShortMotionBesideOthersThatWereShortened) {
+  for (const std::uint64_t seed : {56883109U, 13621U, 16538U, 17000U, 19361U}) {
+    const Toolpath original = test::randomToolpath(seed);
+    const ProgramSettings settings;
+    const Toolpath read = toolpathFromGcode(toolpathFromGcodeWritten(original, settings), settings, "part");
+    for (std::size_t l = 0; l < read.layers.size(); ++l)
+      for (std::size_t p = 0; p < read.layers[l].paths.size(); ++p)
+        EXPECT_TRUE(read.layers[l].paths[p].bead.isCommon() || !original.layers[l].paths[p].bead.isCommon())
+            << seed;
+  }
+}
+
 TEST(ToolpathFromGcode, ReadsEventsAndToolsOfThePart) {
   const Toolpath read = toolpathFromGcode(
-      "M106 S10\nG4 S9\nM83\n;LAYER:0\nM106 S51\nG0 X1 Y1 Z0.2 F600\nT2\n;TYPE:SKIN\nG1 X2 E1\nG4 P1500\nG1 "
+      "G28\nM106 S10\nG4 S9\nM83\n;LAYER:0\nM106 S51\nG0 X1 Y1 Z0.2 F600\nT2\n;TYPE:SKIN\nG1 X2 E1\nG4 "
+      "P1500\nG1 "
       "X3 E1\n"
       "M106 P1 S255\nM0 insert nuts\nG1 X4 E1\nM107\n; end of the part\nM106 S255\nG4 S7\nT0\n",
       {}, "part");
@@ -116,7 +143,7 @@ TEST(ToolpathFromGcode, FindsLayersByHeightWithoutComments) {
 
 TEST(ToolpathFromGcode, ReadsTheCommentsOfCura) {
   const Toolpath toolpath = toolpathFromGcode(
-      ";Layer height: 0.3\nG1 Z15 F6000\n;LAYER:0\nG0 F3600 X1 Z0.3\n;TYPE:WALL-OUTER\nG1 F1800 X9 E1\n"
+      "G28\n;Layer height: 0.3\nG1 Z15 F6000\n;LAYER:0\nG0 F3600 X1 Z0.3\n;TYPE:WALL-OUTER\nG1 F1800 X9 E1\n"
       "G1 E-5\nG0 X20\nG1 E1\n;TYPE:FILL\nG1 X30 E2\n",
       ProgramSettings{}, "cura");
   ASSERT_EQ(toolpath.layers.size(), 1U);
@@ -158,6 +185,23 @@ TEST(ToolpathFromGcode, JoinsLayersAcrossWhatIsLeftOut) {
   EXPECT_NO_THROW(validate(toolpath));
   ASSERT_EQ(toolpath.layers.size(), 2U);
   EXPECT_EQ(toolpath.layers[1].paths[0].role, PathRole::Travel);
+}
+
+/// Where a machine that has not homed comes from, nobody knows.
+TEST(ToolpathFromGcode, BeginsWhereTheProgramFirstStatesAPlace) {
+  const std::string print = "G0 X200 Y180\nG0 Z0.2\nG1 X210 E1\nG0 X220\nG1 Y190 E1\n";
+  const Toolpath unhomed = toolpathFromGcode("M83\n" + print, {}, "print");
+  ASSERT_EQ(unhomed.layers.size(), 1U);
+  const auto& paths = unhomed.layers[0].paths;
+  ASSERT_EQ(paths.size(), 3U);
+  EXPECT_NE(paths[0].role, PathRole::Travel);
+  EXPECT_EQ(paths[0].points.front(), Point3(200, 180, 0.2));
+  EXPECT_EQ(paths[1].role, PathRole::Travel);
+  for (const char* start : {"G28\n", "G92 X0 Y0 Z0\n", "G0 X0 Y0 Z0\n"}) {
+    const Toolpath stated = toolpathFromGcode(std::string(start) + "M83\n" + print, {}, "print");
+    EXPECT_EQ(stated.layers.at(0).paths.size(), 4U) << start;
+    EXPECT_EQ(stated.layers.at(0).paths.at(0).points.front(), Point3(0, 0, 0)) << start;
+  }
 }
 
 TEST(ToolpathFromGcode, RefusesAProgramWithoutMotion) {

@@ -42,7 +42,10 @@ ComparedPart readComparedPart(const std::string& part, const InputSettings& sett
 /// and y follow from the contours; otherwise from the middle of the bounding box of what is deposited for the
 /// part. In z the bottom of the part is put at the bottom of the deposit.
 /// @param given  program_from_part [mm], which is returned; empty to find it
-/// @throws InvalidInput if nothing is deposited for the part, or `given` is not finite; as `placeContours`
+/// @throws InvalidInput if nothing is deposited for the part, or `given` is not finite; if layers are not
+/// level
+///   and the box deposited is larger than the part's by more than three of its widest beads in any direction;
+///   as `placeContours`
 /// @throws Cancelled
 PartInProgram findPart(const Toolpath& program, const ComparedPart& part, const std::optional<Point3>& given,
                        const JobSettings& settings, Progress& progress);

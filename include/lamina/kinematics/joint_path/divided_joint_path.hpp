@@ -21,6 +21,10 @@ struct MotionDeviation {
 std::vector<MotionDeviation> motionDeviations(const JointPath& path, const Toolpath& toolpath,
                                               const KinematicModel& model, const JointPathSettings& settings);
 
+/// Numbers of steps of each motion, as `divided` takes them, for the deviations to come within the
+/// tolerances.
+std::vector<int> stepsAgainst(const std::vector<MotionDeviation>& deviations, const MotionDivision& division);
+
 /// A toolpath divided finely enough that joints at constant speed lead the nozzle along it, and its joint
 /// values.
 struct DividedJointPath {

@@ -48,6 +48,9 @@ DividedToolpath undivided(Toolpath toolpath);
 ///   of the first waypoint of a path is not used
 DividedToolpath divided(const DividedToolpath& from, const std::vector<int>& steps);
 
+/// Numbers of steps of each motion, as `divided` takes them, for none to exceed the greatest steps.
+std::vector<int> stepsWithin(const Toolpath& toolpath, const MotionDivision& division);
+
 /// Divides the motions that are longer, or rotate the nozzle further, than the greatest steps.
 DividedToolpath divideMotions(Toolpath toolpath, const MotionDivision& division);
 

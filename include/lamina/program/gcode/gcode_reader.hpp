@@ -25,6 +25,9 @@ struct GcodeMotion {
   std::optional<double> height_mm;        ///< of the bead, as the slicer's comments report
   std::optional<double> layer_height_mm;  ///< first `height_mm` of the layer, or that of the layer before
   std::size_t section = 0;                ///< number of comments so far that open a layer or a path
+  /// Whether the program states the start by then, along the axes that move: by absolute coordinates, by
+  /// homing or by G92. Where it does not, the machine may come from anywhere.
+  bool is_start_stated = true;
 };
 
 /// Functions that are called for what a program does, in the order of the program. One that is empty is not
@@ -46,7 +49,7 @@ struct GcodeReaderSettings {
 ///
 /// Understood: G0, G1, arcs G2 and G3 by I J K or R in the planes of G17 G18 G19 (helices too), G4, G20, G21,
 /// G28 (homes to 0), G90 and G91 (which set extrusion too, as in Marlin), G92, M82, M83, lines of coordinates
-/// alone, N, *, and comments. Positions start at 0, absolute, in mm.
+/// alone, N, *, and comments. Positions are taken to be 0 until they are stated; they are absolute, in mm.
 class GcodeReader {
  public:
   GcodeReader(GcodeReaderSettings settings, GcodeHandlers handlers);

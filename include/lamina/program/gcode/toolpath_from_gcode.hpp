@@ -16,6 +16,9 @@ namespace lamina {
 /// Builds the toolpath that a program prints, in coordinates of the bed, from its motions. Coordinates of the
 /// program are those of the bed unless comments state another frame.
 ///
+/// A toolpath begins where the program first states a place, or deposits: travels from elsewhere
+/// (`GcodeMotion::is_start_stated`) are left out.
+///
 /// A motion that pushes filament forth deposits; every other is travel, which is retracted if filament was
 /// pulled back and not yet pushed forth again. A path ends where kind, role or tool change, where a comment
 /// opens a path or layer, and where filament moves alone; deposition that ends where it started is closed.
@@ -24,8 +27,8 @@ namespace lamina {
 /// a bead is that of the last comment before its motion, or else the thickness of the layer. In a program
 /// with FullControl's marks, what lies between them belongs to the part, and nothing else. Bead width is that
 /// of the stadium which holds the volume deposited per length. A path gets one width if that explains all its
-/// motions within the rounding of a program (1e-5 mm of filament, 1.5e-3 mm of length). Dwells, pauses, names
-/// of parts and shares of the first fan (P0) within the part become events; other codes are left out. A
+/// motions within the rounding of a program (1e-5 mm of filament, 1.75e-3 mm of length). Dwells, pauses,
+/// names of parts and shares of the first fan (P0) within the part become events; other codes are left out. A
 /// filament diameter that comments state takes precedence over that of the settings.
 class ToolpathBuilder {
  public:

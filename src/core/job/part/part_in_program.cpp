@@ -2,8 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/job/part/part_in_program.hpp"
 
+#include <algorithm>
+#include <cstdio>
+
 #include "job/part/part_reading.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/job/voids/void_job.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
 #include "toolpath/deposited_segment.hpp"
@@ -25,6 +29,35 @@ Box3 boxOfPart(const Toolpath& program) {
       }
     }
   return box;
+}
+
+double widestBeadOfPart(const Toolpath& program) {
+  double widest_mm = 0.0;
+  for (const ToolpathLayer& layer : program.layers)
+    for (const Path& path : layer.paths)
+      if (isPartOfPart(path))
+        for (const Bead& bead : path.bead.values()) widest_mm = std::max(widest_mm, bead.width_mm);
+  return widest_mm;
+}
+
+std::string sizeText(const Box3& box) {
+  const Point3 size = box.size();
+  char text[96];
+  std::snprintf(text, sizeof text, "%.4g x %.4g x %.4g mm", size.x(), size.y(), size.z());
+  return text;
+}
+
+constexpr double kMostBeadsBeyond = 3.0;  // by which what is deposited for a part may be larger than it
+
+/// A program that does not reach the end of its part deposits less.
+void requireWithin(const Box3& part, const Box3& deposited, const Toolpath& program,
+                   const std::string& part_name) {
+  const double most_mm = kMostBeadsBeyond * widestBeadOfPart(program);
+  if ((deposited.size() - part.size()).maxCoeff() <= most_mm) return;
+  throw InvalidInput("'" + program.part_name + "' is no program of the part '" + part_name +
+                     "': it deposits " + sizeText(deposited) + ", and the part has " + sizeText(part) +
+                     "; expected at most " + numberText(most_mm) +
+                     " mm more, three beads, in each direction");
 }
 
 Point3 byBox(const Box3& deposited, const Box3& part) {
@@ -54,8 +87,12 @@ PartInProgram findPart(const Toolpath& program, const ComparedPart& part, const 
   }
   const Box3 deposited = boxOfPart(program);
   if (deposited.isEmpty()) throw InvalidInput("'" + program.part_name + "' lays nothing for a part");
-  const Point3 by_box = byBox(deposited, boundingBox(part.mesh));
-  if (!hasLevelLayers(program)) return {by_box, PartFinding::Box};
+  const Box3 box = boundingBox(part.mesh);
+  const Point3 by_box = byBox(deposited, box);
+  if (!hasLevelLayers(program)) {
+    requireWithin(box, deposited, program, part.name);
+    return {by_box, PartFinding::Box};
+  }
   const Point2 offset = placeContours(program, {part.name, settings, {}, std::nullopt}, progress).offset;
   return {{offset.x(), offset.y(), by_box.z()}, PartFinding::Contours};
 }

@@ -93,6 +93,14 @@ std::vector<MotionDeviation> motionDeviations(const JointPath& path, const Toolp
   return deviations;
 }
 
+std::vector<int> stepsAgainst(const std::vector<MotionDeviation>& deviations,
+                              const MotionDivision& division) {
+  std::vector<int> steps;
+  steps.reserve(deviations.size());
+  for (const MotionDeviation& one : deviations) steps.push_back(stepsFor(one, division));
+  return steps;
+}
+
 DividedJointPath planDividedJointPath(Toolpath toolpath, const Eigen::Isometry3d& bed_from_part,
                                       const KinematicModel& model, const JointPathSettings& settings,
                                       Progress& progress) {
@@ -110,9 +118,7 @@ DividedJointPath planDividedJointPath(Toolpath toolpath, const Eigen::Isometry3d
     const std::vector<MotionDeviation> deviations =
         motionDeviations(result.joints, result.divided.toolpath, guarded.model, settings);
     result.greatest = greatestOf(deviations);
-    std::vector<int> steps;
-    steps.reserve(deviations.size());
-    for (const MotionDeviation& one : deviations) steps.push_back(stepsFor(one, settings.division));
+    const std::vector<int> steps = stepsAgainst(deviations, settings.division);
     const bool is_close = std::all_of(steps.begin(), steps.end(), [](int count) { return count == 1; });
     if (is_close || division == kMostDivisions) return result;
     result.divided = divided(result.divided, steps);

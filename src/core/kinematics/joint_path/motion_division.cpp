@@ -165,10 +165,15 @@ DividedToolpath divided(const DividedToolpath& from, const std::vector<int>& ste
   return result;
 }
 
-DividedToolpath divideMotions(Toolpath toolpath, const MotionDivision& division) {
+std::vector<int> stepsWithin(const Toolpath& toolpath, const MotionDivision& division) {
   std::vector<int> steps;
   for (const ToolpathLayer& layer : toolpath.layers)
     for (const Path& path : layer.paths) addSteps(path, division, steps);
+  return steps;
+}
+
+DividedToolpath divideMotions(Toolpath toolpath, const MotionDivision& division) {
+  const std::vector<int> steps = stepsWithin(toolpath, division);
   return divided(undivided(std::move(toolpath)), steps);
 }
 

@@ -133,6 +133,8 @@ void GcodeInterpreter::move(int command, const WordTable& words) {
     moveStraight(target, extrusion_mm);
   else
     moveAlongArc(command, target, extrusion_mm, words);
+  for (std::size_t axis = 0; axis < kAxes.size(); ++axis)
+    is_stated_[axis] |= position_mode_ == Mode::Absolute && words.has(kAxes[axis]);
 }
 
 void GcodeInterpreter::moveStraight(const Point3& target, double extrusion_mm) {
@@ -199,8 +201,9 @@ void GcodeInterpreter::setPosition(const WordTable& words) {
   const bool sets_all = !words.hasAny("XYZE");
   for (int axis = 0; axis < 3; ++axis) {
     const char letter = kAxes[static_cast<std::size_t>(axis)];
-    if (sets_all || words.has(letter))
-      machine_from_program_[axis] = position_[axis] - words.valueOr(letter, 0.0) * unit_mm_;
+    if (!sets_all && !words.has(letter)) continue;
+    machine_from_program_[axis] = position_[axis] - words.valueOr(letter, 0.0) * unit_mm_;
+    is_stated_[static_cast<std::size_t>(axis)] = true;
   }
   if (sets_all || words.has('E')) filament_mm_ = words.valueOr('E', 0.0) * unit_mm_;
 }
@@ -211,6 +214,7 @@ void GcodeInterpreter::home(const WordTable& words) {
     if (!homes_all && !words.has(kAxes[static_cast<std::size_t>(axis)])) continue;
     position_[axis] = 0.0;
     machine_from_program_[axis] = 0.0;
+    is_stated_[static_cast<std::size_t>(axis)] = true;
   }
   if (handlers_.other) handlers_.other(line_, "G28");
 }
@@ -229,6 +233,8 @@ void GcodeInterpreter::emit(const Point3& end, double extrusion_mm) {
     motion.extrusion_mm = extrusion_mm;
     motion.feed_mm_s = feed_mm_s_;
     motion.line = line_;
+    for (int axis = 0; axis < 3; ++axis)
+      motion.is_start_stated &= is_stated_[static_cast<std::size_t>(axis)] || end[axis] == position_[axis];
     handlers_.motion(motion);
   }
   position_ = end;

@@ -65,6 +65,7 @@ class GcodeInterpreter {
   std::size_t line_ = 0;
 
   Point3 position_ = Point3::Zero();              ///< [mm, machine]
+  std::array<bool, 3> is_stated_{};               ///< position, by axis
   Point3 machine_from_program_ = Point3::Zero();  ///< shift set by G92 [mm]
   double filament_mm_ = 0.0;                      ///< E as the program counts it
   double feed_mm_s_;

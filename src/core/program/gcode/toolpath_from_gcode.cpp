@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -71,9 +73,21 @@ class PathBuilder {
   std::vector<PathEvent> events_;
 };
 
-constexpr double kSamePoint = 1e-6;         // mm: below what programs resolve
-constexpr double kFilamentRounding = 1e-5;  // mm: last decimal of E
-constexpr double kLengthRounding = 1.5e-3;  // mm: diagonal of the last decimals of X and Y at both ends
+constexpr double kSamePoint = 1e-6;          // mm: below what programs resolve
+constexpr double kFilamentRounding = 1e-5;   // mm: last decimal of E
+constexpr double kLengthRounding = 1.75e-3;  // mm: diagonal of half the last decimals at both ends
+
+/// Whether one amount of filament per length, before it was rounded, explains what all motions push forth.
+bool isSteady(const std::vector<double>& filament_mm, const std::vector<double>& length_mm) {
+  double least = 0.0;
+  double most = std::numeric_limits<double>::infinity();
+  for (std::size_t m = 0; m < length_mm.size(); ++m) {
+    least = std::max(least, (filament_mm[m] - kFilamentRounding) / (length_mm[m] + kLengthRounding));
+    if (length_mm[m] > kLengthRounding)
+      most = std::min(most, (filament_mm[m] + kFilamentRounding) / (length_mm[m] - kLengthRounding));
+  }
+  return least <= most;
+}
 
 bool deposits(const GcodeMotion& motion) { return motion.extrusion_mm > 0.0 && motion.start != motion.end; }
 
@@ -117,11 +131,10 @@ AlongPath<Bead> PathBuilder::beads(double layer_height_mm, double volume_per_fil
     const double height_mm = height_mm_[motion].value_or(layer_height_mm);
     return Bead{beadWidth(filament_per_length * volume_per_filament, height_mm), height_mm};
   };
-  bool is_common = true;
-  for (std::size_t m = 0; m < lengths.size(); ++m)
-    is_common &= height_mm_[m] == height_mm_.front() &&
-                 std::abs(filament_mm_[m] - mean * lengths[m]) <= kFilamentRounding + mean * kLengthRounding;
-  if (is_common) return bead(mean, 0);
+  const bool is_level = std::all_of(height_mm_.begin(), height_mm_.end(), [this](const auto& height_mm) {
+    return height_mm == height_mm_.front();
+  });
+  if (is_level && isSteady(filament_mm_, lengths)) return bead(mean, 0);
   std::vector<Bead> each(lengths.size());
   for (std::size_t m = 0; m < lengths.size(); ++m) each[m] = bead(filament_mm_[m] / lengths[m], m);
   return perWaypoint(each, isClosed() ? PathClosure::Closed : PathClosure::Open);
@@ -230,6 +243,7 @@ class ToolpathBuilder::State {
     }
     if (motion.extrusion_mm != 0.0) is_retracted_ = motion.extrusion_mm < 0.0;
     if (has_comments_ && !layer_) return;  // before the first layer or after the part
+    if (!reached_ && !motion.is_start_stated && !deposits(motion)) return;  // from anywhere
     if (!has_comments_ && motion.extrusion_mm > 0.0) beginLayerByHeight(motion);
     if (!runs_.empty() && !is_interrupted_ && runs_.back().accepts(motion, is_retracted_))
       runs_.back().add(motion);

@@ -109,6 +109,7 @@ class RapidFollower {
 StatedMotion rapidMotionOf(const RapidSource& source, RapidRunning running, const KinematicModel& arm) {
   requireCell(source, arm);
   StatedMotion motion;
+  motion.between = StatedMove::Nozzle;
   RapidFollower follower(arm, running.start);
   for (const RapidStation& station : running.stations) follower.add(station, motion);
   motion.toolpath = std::move(running.toolpath);

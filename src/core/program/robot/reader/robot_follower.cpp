@@ -37,6 +37,7 @@ StatedMotion robotMotionOf(RobotRunning running, const KinematicModel& arm) {
         "no move of the joints comes to the part; expected one behind a note of an approach");
   JointValues last = armJoints(running.head.map, arm, *running.start);
   StatedMotion motion;
+  motion.between = StatedMove::Nozzle;
   for (const AssembledStation& station : running.program.stations) {
     const RunMove& move = running.moves[station.move.index];
     const auto near = withExternalAxes(arm, last, move.external);
