@@ -7,6 +7,7 @@
 import json
 import os
 import pty
+import re
 import select
 import signal
 import subprocess
@@ -63,6 +64,21 @@ class CommandLine(unittest.TestCase):
             done = run(subcommand, "--help")
             self.assertEqual(done.returncode, 0)
             self.assertIn("--json", done.stdout)
+
+    def test_help_by_the_word_is_that_by_the_option(self):
+        for asked in (["slice"], ["calibrate", "time"], ["optimise"], []):
+            by_word, by_option = run("help", *asked), run(*asked, "--help")
+            self.assertEqual(by_word.returncode, 0, by_word.stderr)
+            self.assertEqual(by_word.stdout, by_option.stdout)
+        self.assertIn("lamina help SUBCOMMAND", run("help").stdout)
+        self.assertIn("there is no subcommand 'slise'; did you mean 'slice'", run("help", "slise").stderr)
+
+    def test_the_version_is_that_of_the_package(self):
+        package = os.path.join(os.path.dirname(__file__), "..", "..", "package.xml")
+        with open(package, encoding="utf-8") as file:
+            version = re.search(r"<version>(.*)</version>", file.read()).group(1)
+        done = run("--version")
+        self.assertEqual((done.returncode, done.stdout), (0, f"lamina {version}\n"))
 
     def test_configuration_is_printed_in_both_formats(self):
         self.assertIn("layer_height_mm: 0.2", run("slice", "--print-config").stdout)
