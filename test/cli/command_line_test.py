@@ -80,6 +80,15 @@ class CommandLine(unittest.TestCase):
         done = run("--version")
         self.assertEqual((done.returncode, done.stdout), (0, f"lamina {version}\n"))
 
+    def test_a_program_that_is_none_is_named_and_not_quoted(self):
+        path = self.path("noise.gcode")
+        with open(path, "wb") as file:
+            file.write(b"\n\n?secret\xff\x80\n")
+        message = self.assert_fails_with("InvalidProgram", "check", path)["error"]["message"]
+        self.assertIn(f"'{path}' line 3: a letter is expected, as in X10.5", message)
+        self.assertIn("not quoted", message)
+        self.assertNotIn("secret", message)
+
     def test_configuration_is_printed_in_both_formats(self):
         self.assertIn("layer_height_mm: 0.2", run("slice", "--print-config").stdout)
         configuration = json.loads(run("slice", "--print-config", "--json").stdout)
