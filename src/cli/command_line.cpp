@@ -28,11 +28,21 @@ void printFailure(const Failure& failure, const Counts& counts, OutputFormat for
   std::printf("%s\n", json.dump().c_str());
 }
 
+/// What the parser says, in words for people where it has none.
+std::string messageOf(const CLI::Error& error) {
+  const std::string message = error.what();
+  const std::string too_many = ": At Most 1 required but received ";
+  const std::size_t at = message.find(too_many);
+  if (at == std::string::npos) return message;
+  return message.substr(0, at) + " is given " + message.substr(at + too_many.size()) +
+         " times; expected once";
+}
+
 /// Help that was asked for is a ParseError too.
 int refuse(const CLI::App& app, const CLI::ParseError& error, OutputFormat format) {
   const bool is_failure = error.get_exit_code() != 0;
   if (!is_failure || format == OutputFormat::Text) return app.exit(error);
-  printFailure({ErrorCode::InvalidConfig, error.what()}, {}, format);
+  printFailure({ErrorCode::InvalidConfig, messageOf(error)}, {}, format);
   return error.get_exit_code();
 }
 
@@ -99,6 +109,9 @@ std::string subcommandOf(int argc, char** argv) {
 int runCommandLine(int argc, char** argv, const std::vector<Subcommand>& subcommands) {
   CLI::App app{"Lamina: from mesh to deposited layers on printers and robots", "lamina"};
   app.require_subcommand(1);
+  app.failure_message([](const CLI::App*, const CLI::Error& error) {
+    return messageOf(error) + "\nRun with --help for more information.\n";
+  });
   app.set_version_flag("--version", "lamina " + laminaVersion(), "Print the version and exit");
   Chosen chosen;
   chosen.format = formatAskedFor({argv + 1, argv + argc});

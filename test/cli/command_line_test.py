@@ -89,6 +89,15 @@ class CommandLine(unittest.TestCase):
         self.assertIn("not quoted", message)
         self.assertNotIn("secret", message)
 
+    def test_options_given_twice_are_refused_and_settings_taken_by_the_last(self):
+        done = run("slice", "box", "-o", self.path("a.gcode"), "-o", self.path("b.gcode"))
+        self.assertNotEqual(done.returncode, 0)
+        self.assertIn("--output is given 2 times; expected once", done.stderr)
+        self.assertEqual(os.listdir(self.path("")), [])
+        printed = run("slice", "--set", "infill.density=0.1", "--set", "infill.density=0.3", "--print-config", "--json")
+        self.assertEqual(json.loads(printed.stdout)["infill.density"], 0.3)
+        self.assertIn("the last counts", run("slice", "--help").stdout)
+
     def test_configuration_is_printed_in_both_formats(self):
         self.assertIn("layer_height_mm: 0.2", run("slice", "--print-config").stdout)
         configuration = json.loads(run("slice", "--print-config", "--json").stdout)
