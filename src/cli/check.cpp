@@ -11,6 +11,7 @@
 #include "arguments/setting_options.hpp"
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/job/annotations/program_annotations.hpp"
 #include "lamina/job/machine_check.hpp"
 #include "lamina/job/output_files.hpp"
 #include "lamina/kinematics/cartesian/cartesian_machine_settings.hpp"
@@ -39,6 +40,7 @@ struct Checked {
   MachineCheck check;
   SingularBeads singular;
   std::optional<TimedRun> timed;
+  RunTime time;  ///< of that run
 };
 
 std::vector<Finding> findingsOf(const MachineCheck& check) {
@@ -74,8 +76,8 @@ void printJson(const Checked& checked, const std::string& machine) {
                                  {"findings", nlohmann::ordered_json::array()}};
   json["time_s"] = json["slow_bead_share"] = nlohmann::ordered_json();
   if (checked.timed) {
-    json["time_s"] = checked.timed->figures.total_s;
-    json["slow_bead_share"] = checked.timed->figures.slow_bead_share;
+    json["time_s"] = checked.time.total_s;
+    json["slow_bead_share"] = checked.time.slow_bead_share;
   }
   json["singular_bead_share"] = checked.singular.share();
   json["least_singular_deg"] = checked.singular.least_deg;
@@ -110,8 +112,8 @@ void printText(const Checked& checked, const std::string& machine) {
   std::printf("rewinds     %zu\n", check.rewinds);
   printSingular(checked);
   if (checked.timed)
-    std::printf("print time  %.1f s\nbelow feed  %.1f %% of the bead, at less than 95 %% of its feed\n",
-                checked.timed->figures.total_s, 100.0 * checked.timed->figures.slow_bead_share);
+    std::printf("print time  %s\nbelow feed  %.1f %% of the bead, at less than 95 %% of its feed\n",
+                durationText(checked.time.total_s).c_str(), 100.0 * checked.time.slow_bead_share);
   std::printf("%s\n", check.isClear() ? "the machine can run it" : "the machine cannot run it");
 }
 
@@ -137,7 +139,9 @@ Checked checkedOn(const KinematicModel& model, const std::string& input, const J
   Checked checked;
   checked.check = checkRun(run, model, settings.clearance, progress);
   checked.singular = singularBeads(run, model, settings.joints.singular_margin_deg);
-  if (run.path.isRunnable()) checked.timed = inTime(std::move(run), model, runSettings(settings).timing);
+  if (!run.path.isRunnable()) return checked;
+  checked.timed = inTime(std::move(run), model, runSettings(settings).timing);
+  checked.time = plannedTime(*checked.timed, model, settings.motion);
   return checked;
 }
 

@@ -9,6 +9,7 @@
 #include "lamina/base/edit_distance.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/plugin.hpp"
+#include "lamina/base/version.hpp"
 
 namespace lamina::cli {
 namespace {
@@ -27,11 +28,21 @@ void printFailure(const Failure& failure, const Counts& counts, OutputFormat for
   std::printf("%s\n", json.dump().c_str());
 }
 
+/// What the parser says, in words for people where it has none.
+std::string messageOf(const CLI::Error& error) {
+  const std::string message = error.what();
+  const std::string too_many = ": At Most 1 required but received ";
+  const std::size_t at = message.find(too_many);
+  if (at == std::string::npos) return message;
+  return message.substr(0, at) + " is given " + message.substr(at + too_many.size()) +
+         " times; expected once";
+}
+
 /// Help that was asked for is a ParseError too.
 int refuse(const CLI::App& app, const CLI::ParseError& error, OutputFormat format) {
   const bool is_failure = error.get_exit_code() != 0;
   if (!is_failure || format == OutputFormat::Text) return app.exit(error);
-  printFailure({ErrorCode::InvalidConfig, error.what()}, {}, format);
+  printFailure({ErrorCode::InvalidConfig, messageOf(error)}, {}, format);
   return error.get_exit_code();
 }
 
@@ -77,6 +88,13 @@ std::vector<std::string> namesOf(const CLI::App& app) {
 
 }  // namespace
 
+std::vector<std::string> withHelpAsOption(std::vector<std::string> arguments) {
+  if (arguments.size() < 2 || arguments[1] != "help") return arguments;
+  arguments.erase(arguments.begin() + 1);
+  arguments.emplace_back("--help");
+  return arguments;
+}
+
 std::string subcommandOf(int argc, char** argv) {
   for (int i = 1; i < argc; ++i) {
     std::string argument = argv[i];
@@ -91,10 +109,16 @@ std::string subcommandOf(int argc, char** argv) {
 int runCommandLine(int argc, char** argv, const std::vector<Subcommand>& subcommands) {
   CLI::App app{"Lamina: from mesh to deposited layers on printers and robots", "lamina"};
   app.require_subcommand(1);
+  app.failure_message([](const CLI::App*, const CLI::Error& error) {
+    return messageOf(error) + "\nRun with --help for more information.\n";
+  });
+  app.set_version_flag("--version", "lamina " + laminaVersion(), "Print the version and exit");
   Chosen chosen;
   chosen.format = formatAskedFor({argv + 1, argv + argc});
   const std::string called = subcommandOf(argc, argv);
   addSubcommands(app, chosen, subcommands, standsFirst(called, argc, argv) ? called : std::string());
+  // Of the command alone: subcommands that were added after it would have it too.
+  app.footer("Options of a subcommand: lamina SUBCOMMAND --help, or lamina help SUBCOMMAND");
   const std::vector<std::string> names = namesOf(app);
   if (!called.empty() && std::find(names.begin(), names.end(), called) == names.end()) {
     const std::string suggestion = suggestionFor(names, called);

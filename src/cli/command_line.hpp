@@ -15,6 +15,9 @@ struct Subcommand {
   void (*add)(CLI::App& app, Chosen& chosen);
 };
 
+/// The arguments, `lamina help slice` read as `lamina slice --help`.
+std::vector<std::string> withHelpAsOption(std::vector<std::string> arguments);
+
 /// The first argument that is neither an option before the subcommand nor its value; empty if there is none.
 std::string subcommandOf(int argc, char** argv);
 

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cstdio>
+#include <string>
+#include <vector>
 
 #include "command_line.hpp"
 #include "lamina/base/error.hpp"
@@ -9,8 +11,14 @@
 int main(int argc, char** argv) {
   using namespace lamina::cli;
   try {
-    runSeparateCommand(argc, argv);
-    return runCommandLine(argc, argv,
+    std::vector<std::string> arguments = withHelpAsOption({argv, argv + argc});
+    std::vector<char*> words;
+    words.reserve(arguments.size() + 1);
+    for (std::string& argument : arguments) words.push_back(argument.data());
+    const auto count = static_cast<int>(words.size());
+    words.push_back(nullptr);
+    runSeparateCommand(count, words.data());
+    return runCommandLine(count, words.data(),
                           {{"calibrate", addCalibrate},
                            {"check", addCheck},
                            {"compare", addCompare},

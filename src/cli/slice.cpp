@@ -13,6 +13,7 @@
 #include "lamina/base/error.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/base/resident_pages.hpp"
+#include "lamina/job/annotations/program_annotations.hpp"
 #include "lamina/job/output_files.hpp"
 #include "lamina/job/plate/plate_job.hpp"
 #include "lamina/job/slice_job.hpp"
@@ -259,7 +260,7 @@ void printText(const SliceSummary& s, const std::string& output) {
   printSupports(s.supports);
   if (s.refilling.runs > 0)
     std::printf("refilled    %.3f mm3 of voids by %zu runs\n", s.refilling.deposited_mm3, s.refilling.runs);
-  std::printf("print time  %.0f min%s\n", s.estimated_time_s / 60.0,
+  std::printf("print time  %s%s\n", durationText(s.estimated_time_s).c_str(),
               s.slow_bead_share < 0.0 ? "" : ", within the limits of the joints");
   if (s.slow_bead_share >= 0.0)
     std::printf("below feed  %.1f %% of the bead, at less than 95 %% of its feed\n",

@@ -131,6 +131,13 @@ TEST(AtomicFile, CannotReplaceAFolder) {
   std::filesystem::create_directory(folder.file("a"));
   EXPECT_THROW(writeWhole(folder.file("a"), "x"), FileError);
   EXPECT_TRUE(std::filesystem::is_directory(folder.file("a")));
+  try {
+    writeFile(folder.file("a"), "text");
+    ADD_FAILURE() << "written over a folder";
+  } catch (const FileError& error) {
+    EXPECT_EQ(std::string(error.what()),
+              "cannot write '" + folder.file("a") + "': it is a folder; expected the name of a file");
+  }
   EXPECT_EQ(folder.fileCount(), 1U);
 }
 

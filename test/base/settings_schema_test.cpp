@@ -244,6 +244,21 @@ TEST(SettingsFromYaml, RefusesWhatIsNoMapOfValuesNamingTheLine) {
   }
 }
 
+TEST(SettingsFromYaml, QuotesNothingOfWhatIsNoYaml) {
+  for (const std::string bad :
+       {"a: \"\\secret\"\n", "{\"secret\" b: 1", "a: 1\n- secret: \x80\n", "!<tag:secret a: 1"}) {
+    try {
+      settingsFromYaml(bad, "some.yaml");
+      ADD_FAILURE() << "accepted: " << bad;
+    } catch (const InvalidConfig& error) {
+      const std::string what = error.what();
+      EXPECT_EQ(what.find("secret"), std::string::npos) << what;
+      EXPECT_EQ(what.find("some.yaml:"), 0U) << what;
+      EXPECT_LT(what.size(), 120U) << what;
+    }
+  }
+}
+
 TEST(SettingFromAssignment, SplitsAtTheFirstEquals) {
   EXPECT_EQ(settingFromAssignment("a.b=c=d").key, "a.b");
   EXPECT_EQ(settingFromAssignment("a.b=c=d").text, "c=d");

@@ -7,6 +7,7 @@
 import json
 import os
 import pty
+import re
 import select
 import signal
 import subprocess
@@ -63,6 +64,39 @@ class CommandLine(unittest.TestCase):
             done = run(subcommand, "--help")
             self.assertEqual(done.returncode, 0)
             self.assertIn("--json", done.stdout)
+
+    def test_help_by_the_word_is_that_by_the_option(self):
+        for asked in (["slice"], ["calibrate", "time"], ["optimise"], []):
+            by_word, by_option = run("help", *asked), run(*asked, "--help")
+            self.assertEqual(by_word.returncode, 0, by_word.stderr)
+            self.assertEqual(by_word.stdout, by_option.stdout)
+        self.assertIn("lamina help SUBCOMMAND", run("help").stdout)
+        self.assertIn("there is no subcommand 'slise'; did you mean 'slice'", run("help", "slise").stderr)
+
+    def test_the_version_is_that_of_the_package(self):
+        package = os.path.join(os.path.dirname(__file__), "..", "..", "package.xml")
+        with open(package, encoding="utf-8") as file:
+            version = re.search(r"<version>(.*)</version>", file.read()).group(1)
+        done = run("--version")
+        self.assertEqual((done.returncode, done.stdout), (0, f"lamina {version}\n"))
+
+    def test_a_program_that_is_none_is_named_and_not_quoted(self):
+        path = self.path("noise.gcode")
+        with open(path, "wb") as file:
+            file.write(b"\n\n?secret\xff\x80\n")
+        message = self.assert_fails_with("InvalidProgram", "check", path)["error"]["message"]
+        self.assertIn(f"'{path}' line 3: a letter is expected, as in X10.5", message)
+        self.assertIn("not quoted", message)
+        self.assertNotIn("secret", message)
+
+    def test_options_given_twice_are_refused_and_settings_taken_by_the_last(self):
+        done = run("slice", "box", "-o", self.path("a.gcode"), "-o", self.path("b.gcode"))
+        self.assertNotEqual(done.returncode, 0)
+        self.assertIn("--output is given 2 times; expected once", done.stderr)
+        self.assertEqual(os.listdir(self.path("")), [])
+        printed = run("slice", "--set", "infill.density=0.1", "--set", "infill.density=0.3", "--print-config", "--json")
+        self.assertEqual(json.loads(printed.stdout)["infill.density"], 0.3)
+        self.assertIn("the last counts", run("slice", "--help").stdout)
 
     def test_configuration_is_printed_in_both_formats(self):
         self.assertIn("layer_height_mm: 0.2", run("slice", "--print-config").stdout)

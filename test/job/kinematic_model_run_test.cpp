@@ -43,6 +43,41 @@ TEST(KinematicModelRun, TakesTheTimeOfItsMotionFromRestToRest) {
   EXPECT_NEAR(timed.trajectory->duration(), timed.time.total_s, 1e-12);
 }
 
+TEST(KinematicModelRun, IsPlannedByFirmwareWhereLinearAxesAloneMove) {
+  TimingSettings settings;
+  settings.motion.acceleration_mm_s2 = 300.0;
+  settings.trajectory.joint_ramp_s = 20.0;  // joints would take much longer
+  for (const char* const name : {"cartesian_gantry", "five_axis_head_ac"}) {
+    const auto machine = kinematicModelByName(name);
+    const TimedRun timed = inTime(runOver(*machine, {100, 100, 0}), *machine, settings);
+    const RunTime planned = plannedTime(timed, *machine, settings.motion);
+    // 100 mm at 30 mm/s, up to it and down from it within 0.1 s; 95 % of it after 0.9025 * 1.5 mm.
+    EXPECT_NEAR(planned.total_s, 100.0 / 30.0 + 0.1, 1e-9) << name;
+    EXPECT_NEAR(planned.slow_bead_share, 2.0 * 0.9025 * 1.5 / 100.0, 1e-9) << name;
+    EXPECT_GT(timed.figures.total_s, planned.total_s + 0.5) << name;
+  }
+}
+
+TEST(KinematicModelRun, IsPlannedWithinTheLimitsOfJointsWhereTheseTurnOrAreStated) {
+  const auto machine = kinematicModelByName("five_axis_head_ac");
+  KinematicModelRun stated = runOver(*machine, {100, 100, 0});
+  stated.lines.assign(stated.path.at.size(), 7);
+  Toolpath leaning = longBead();
+  leaning.layers[0].paths[0].orientation =
+      Eigen::Quaterniond(Eigen::AngleAxisd(0.2, Point3::UnitY())) * nozzleDown();
+  NoProgress nobody;
+  KinematicModelRun turned =
+      runOn(*machine, leaning, Isometry3d(Eigen::Translation3d(100, 100, 0)), {}, nobody);
+  TimingSettings settings;
+  settings.trajectory.joint_ramp_s = 2.0;
+  for (KinematicModelRun* const run : {&stated, &turned}) {
+    const TimedRun timed = inTime(std::move(*run), *machine, settings);
+    const RunTime planned = plannedTime(timed, *machine, settings.motion);
+    EXPECT_DOUBLE_EQ(planned.total_s, timed.figures.total_s);
+    EXPECT_DOUBLE_EQ(planned.slow_bead_share, timed.figures.slow_bead_share);
+  }
+}
+
 /// Squares of 30 mm over each other, with travels up.
 Toolpath tower(std::size_t layers) {
   Toolpath toolpath;

@@ -68,6 +68,39 @@ TEST(ScenePicture, EachPanelHasAScaleOfItsOwn) {
   EXPECT_NEAR(two, 5 * one, 0.05 * one);
 }
 
+TEST(ScenePicture, GlassTintsWhatItHides) {
+  const test::ScratchFolder folder;
+  ScenePicture picture = twoBoxes(-0.5 * M_PI);
+  picture.solids[0].may_be_glass = true;
+  drawScene(picture, folder.file("solid.png"));
+  picture.panels[0].is_of_glass = true;
+  drawScene(picture, folder.file("glass.png"));
+  EXPECT_EQ(pixelsThatAre(test::PngImage(folder.file("solid.png")), isOfBack), 0);
+  const test::PngImage glass(folder.file("glass.png"));
+  EXPECT_NEAR(pixelsThatAre(glass, isOfBack), 124 * 124, 600);
+  EXPECT_EQ(pixelsThatAre(glass, isOfFront), 0);
+  // Seen from the other side, what is before the glass has its own colour.
+  picture.panels[0].heading_rad = 0.5 * M_PI;
+  drawScene(picture, folder.file("behind.png"));
+  const Colour before = test::PngImage(folder.file("behind.png")).at(322, 414);
+  const Colour behind = glass.at(322, 414);
+  EXPECT_GT(behind.red, before.red + 0.1);
+}
+
+TEST(ScenePicture, TheScaleBarStandsOutFromADarkGround) {
+  const test::ScratchFolder folder;
+  ScenePicture picture = twoBoxes(-0.5 * M_PI);
+  picture.solids = {{boxAt({0, 0, 0}), Colour{0.15, 0.16, 0.18}}};
+  picture.panels[0].span_mm = 15.0;  // nothing but the box
+  drawScene(picture, folder.file("dark.png"));
+  const test::PngImage image(folder.file("dark.png"));
+  // The bar of 2 mm, 83 px, begins at (24, 708): white around it, dark itself, and dark beyond.
+  EXPECT_LT(image.at(30, 708).red, 0.3);
+  EXPECT_GT(image.at(30, 703).red, 0.9);
+  EXPECT_GT(image.at(30, 713).red, 0.9);
+  EXPECT_LT(image.at(400, 708).red, 0.3);
+}
+
 TEST(ScenePicture, PicturesOfNothingAreRefused) {
   const test::ScratchFolder folder;
   ScenePicture picture = twoBoxes(0.0);

@@ -42,6 +42,25 @@ TEST(KeptFeed, IsMissedAllAlongWhereAJointIsTooSlow) {
   EXPECT_DOUBLE_EQ(shareOf(beadAt(220.0, PathRole::Infill)), 1.0);
 }
 
+/// The share where a firmware plans with 300 mm/s2.
+double shareByFirmware(const Toolpath& toolpath) {
+  MotionLimits limits;
+  limits.acceleration_mm_s2 = limits.travel_acceleration_mm_s2 = 300.0;
+  return slowBeadShare(toolpath, limits);
+}
+
+TEST(KeptFeed, OfAFirmwareIsMissedOnTheSameRamps) {
+  EXPECT_NEAR(shareByFirmware(beadAt(30.0, PathRole::Infill)), 2.0 * 0.9025 * 1.5 / 100.0, 1e-9);
+}
+
+TEST(KeptFeed, OfAFirmwareKnowsNothingOfJoints) {
+  // Of 220 mm/s at most sqrt(300 * 100) = 173 are reached, within 100 mm. 150 mm/s are: 95 % of them after
+  // 0.9025 * 37.5 mm, though joint x is not asked.
+  EXPECT_DOUBLE_EQ(shareByFirmware(beadAt(220.0, PathRole::Infill)), 1.0);
+  EXPECT_NEAR(shareByFirmware(beadAt(150.0, PathRole::Infill)), 2.0 * 0.9025 * 37.5 / 100.0, 1e-9);
+  EXPECT_DOUBLE_EQ(shareByFirmware(beadAt(220.0, PathRole::Travel)), 0.0);
+}
+
 TEST(KeptFeed, IsAskedOfBeadsAlone) { EXPECT_DOUBLE_EQ(shareOf(beadAt(220.0, PathRole::Travel)), 0.0); }
 
 }  // namespace

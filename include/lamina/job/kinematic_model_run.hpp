@@ -90,4 +90,9 @@ struct TimedRun {
 /// @throws Unreachable as `requireRunnable`; as `TimedPath`
 TimedRun inTime(KinematicModelRun run, const KinematicModel& model, const TimingSettings& settings);
 
+/// Figures of a timed run by what will plan its speeds: the figures that `lamina slice` states as well. Where
+/// linear axes alone move and no program states joints, that is a firmware, which knows `motion.*` and
+/// nothing of joints (`estimateTime`). Otherwise they are those within the limits of the joints.
+RunTime plannedTime(const TimedRun& timed, const KinematicModel& model, const MotionLimits& limits);
+
 }  // namespace lamina

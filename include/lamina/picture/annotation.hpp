@@ -17,6 +17,9 @@ void drawTitle(Canvas& canvas, const std::string& title, const std::string& subt
 /// @param at  its left end [px]
 void drawScaleBar(Canvas& canvas, const Point2& at);
 
+/// The space that this bar and its label take, with a margin, for a ground of one colour [px].
+Box2 scaleBarBox(const Canvas& canvas, const Point2& at);
+
 struct LegendEntry {
   std::string label;
   Colour colour;

@@ -14,6 +14,7 @@ namespace lamina {
 struct SceneSolid {
   Mesh mesh;  ///< [mm, frame of the scene, z up]; faces are seen from outside only
   Colour colour;
+  bool may_be_glass = false;  ///< seen through in panels of glass
 };
 
 /// A view of a scene, in parallel projection.
@@ -22,7 +23,8 @@ struct ScenePanel {
   double heading_rad = 0.0;    ///< direction from the centre to the viewer, about z from x
   double elevation_rad = 0.0;  ///< of the viewer over the horizon; less than pi / 2
   Point3 centre = Point3::Zero();
-  double span_mm = 1000.0;  ///< height of the part of the scene that is shown
+  double span_mm = 1000.0;   ///< height of the part of the scene that is shown
+  bool is_of_glass = false;  ///< solids that may be glass hide nothing
 };
 
 struct ScenePicture {
@@ -32,7 +34,8 @@ struct ScenePicture {
   std::vector<ScenePanel> panels;
 };
 
-/// Draws a scene as a PNG, its panels side by side at scales of their own, each with a scale bar.
+/// Draws a scene as a PNG, its panels side by side at scales of their own, each with a scale bar that stands
+/// out from whatever is behind it.
 /// @throws InvalidInput if there are no panels, or more than 4, or one shows nothing; FileError
 void drawScene(const ScenePicture& picture, const std::string& png_path);
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "lamina/kinematics/joint_path/joint_path.hpp"
+#include "lamina/toolpath/motion_limits.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 #include "lamina/trajectory/joint_trajectory.hpp"
 
@@ -17,5 +18,9 @@ constexpr double kKeptFeed = 0.95;
 /// @param trajectory  timed from the joint path
 /// @param path        joint path of the toolpath
 double slowBeadShare(const JointTrajectory& trajectory, const JointPath& path, const Toolpath& toolpath);
+
+/// The same share where a firmware plans the speeds of the tip, as `estimateTime` takes it to.
+/// @throws InvalidInput if a feed is not positive
+double slowBeadShare(const Toolpath& toolpath, const MotionLimits& limits);
 
 }  // namespace lamina

@@ -6,7 +6,9 @@ namespace lamina::cli {
 
 void addSettingOptions(CLI::App& subcommand, SettingOptions& options, const std::string& meaning) {
   subcommand.add_option("--config", options.config, meaning);
-  subcommand.add_option("--set", options.assignments, "One setting as key=value; may be repeated")
+  subcommand
+      .add_option("--set", options.assignments,
+                  "One setting as key=value; may be repeated, of one key the last counts")
       ->allow_extra_args(false);
 }
 

@@ -6,6 +6,9 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+#include <utility>
 
 #include "arguments/machine_run.hpp"
 #include "lamina/base/angle.hpp"
@@ -13,6 +16,7 @@
 #include "lamina/kinematics/cartesian/cartesian_machine_settings.hpp"
 #include "lamina/kinematics/model/link_bodies.hpp"
 #include "lamina/kinematics/model/seen_bodies.hpp"
+#include "lamina/picture/bead_solid.hpp"
 #include "lamina/picture/scene_picture.hpp"
 #include "output/terminal_progress.hpp"
 #include "subcommand.hpp"
@@ -53,24 +57,13 @@ std::string frameValue(const DrivenJoint& joint, double value) {
   return std::string(text) + " after " + std::to_string(whole) + (std::abs(whole) == 1 ? " turn" : " turns");
 }
 
-/// The bead of one motion, from corner to corner of its section.
-void addBead(Mesh& mesh, const Point3& from, const Point3& to, const Path& path, std::size_t waypoint) {
-  const Point3 along = to - from;
-  if (!(along.norm() > 0.0)) return;
-  const Point3 down = path.orientation.at(waypoint) * Point3::UnitZ();
-  const Point3 side = 0.5 * path.bead.at(waypoint).width_mm * along.cross(down).normalized();
-  const Point3 low = path.bead.at(waypoint).height_mm * down;
-  const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-  for (const Point3& end : {from, to})
-    mesh.vertices.insert(mesh.vertices.end(), {end - side, end + side, end + side + low, end - side + low});
-  for (std::uint32_t k = 0; k < 4; ++k) {
-    const std::uint32_t next = (k + 1) % 4;
-    mesh.triangles.push_back({first + k, first + next, first + 4 + next});
-    mesh.triangles.push_back({first + k, first + 4 + next, first + 4 + k});
+/// The links that carry the bed, those that go with it, and the root: all others belong to the head.
+std::set<std::string> linksBelowPart(const LinkBodies& bodies) {
+  std::set<std::string> below;
+  for (std::size_t group = bodies.bed;; group = bodies.groups[group].parent) {
+    below.insert(bodies.groups[group].links.begin(), bodies.groups[group].links.end());
+    if (bodies.groups[group].joint.empty()) return below;
   }
-  for (const std::array<std::uint32_t, 3>& corner :
-       {std::array<std::uint32_t, 3>{0, 2, 1}, {0, 3, 2}, {4, 5, 6}, {4, 6, 7}})
-    mesh.triangles.push_back({first + corner[0], first + corner[1], first + corner[2]});
 }
 
 /// The machine with what it has deposited, at any instant of a run.
@@ -81,7 +74,8 @@ class Film {
         model_(model),
         source_(std::move(source)),
         bodies_(displayBodies(model.urdf())),
-        root_(linkBodies(model.urdf()).groups.front().links.front()) {
+        root_(linkBodies(model.urdf()).groups.front().links.front()),
+        below_part_(linksBelowPart(linkBodies(model.urdf()))) {
     const auto& at = timed_.run.path.at;
     for (std::size_t i = 0; i < at.size(); ++i) {
       const Path& path = pathOf(at[i]);
@@ -102,18 +96,20 @@ class Film {
     const Eigen::Isometry3d root_from_bed = links.at(root_).inverse();
     ScenePicture picture{model_.name() + " lays " + source_, subtitleOf(frame.state), {}, {}};
     addFloor(picture);
-    for (const DisplayBody& body : bodies_)
+    for (const DisplayBody& body : bodies_) {
       addMoved(picture, body.mesh, root_from_bed * links.at(body.link),
                {body.colour[0], body.colour[1], body.colour[2]});
+      picture.solids.back().may_be_glass = below_part_.count(body.link) == 0;
+    }
     addBeads(picture, root_from_bed, frame.state.time_s);
     const Point3 size = machine_.high - machine_.low;
     picture.panels.push_back({"the cell", toRadians(-62.0), toRadians(22.0),
                               0.5 * (machine_.low + machine_.high),
                               (1.0 + kMargin) * std::max(size.head<2>().norm(), size.z())});
     const double close = kCloseSpan * std::max((part_.high - part_.low).maxCoeff(), 20.0);
-    picture.panels.push_back({"the part as it grows; what was deposited last glows", toRadians(-62.0),
-                              toRadians(22.0), root_from_bed * Point3(0.5 * (part_.low + part_.high)),
-                              close});
+    picture.panels.push_back({"the part, through the head; what was deposited last glows", toRadians(-62.0),
+                              toRadians(22.0), root_from_bed * Point3(0.5 * (part_.low + part_.high)), close,
+                              true});
     drawScene(picture, frame.file);
   }
 
@@ -167,7 +163,10 @@ class Film {
       const double taken = times[i] - times[i - 1];
       const double share = taken > 0.0 ? std::min(1.0, (now - times[i - 1]) / taken) : 1.0;
       const Point3 to = from + share * (path.points[at[i].waypoint] - from);
-      addBead(now - times[i] < kGlowing ? hot : cold[at[i].layer % 2], from, to, path, at[i].waypoint);
+      Mesh& laid = now - times[i] < kGlowing ? hot : cold[at[i].layer % 2];
+      laid =
+          joined(std::move(laid), beadSolid({from, to, path.orientation.at(at[i].waypoint) * Point3::UnitZ(),
+                                             path.bead.at(at[i].waypoint)}));
     }
     const Eigen::Isometry3d root_from_part = root_from_bed * timed_.run.bed_from_part;
     addMoved(picture, std::move(cold[0]), root_from_part, kCold);
@@ -180,6 +179,7 @@ class Film {
   std::string source_;
   std::vector<DisplayBody> bodies_;
   std::string root_;
+  std::set<std::string> below_part_;
   Box3 part_;     // on the bed
   Box3 machine_;  // in the frame of its root, as it begins
 };

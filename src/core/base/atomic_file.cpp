@@ -27,6 +27,8 @@ namespace {
   std::error_code unknown;
   const bool is_folder_missing =
       error_number == ENOENT && !folder.empty() && !std::filesystem::exists(folder, unknown);
+  if (error_number == EISDIR)
+    throw FileError("cannot " + what + " '" + path + "': it is a folder; expected the name of a file");
   throw FileError(
       "cannot " + what + " '" + path + "': " +
       (is_folder_missing ? "there is no folder '" + folder.string() + "'" : std::strerror(error_number)));

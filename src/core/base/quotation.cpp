@@ -6,8 +6,7 @@ namespace lamina {
 
 std::string Quotation::of(std::string_view text) const {
   constexpr std::size_t kLongest = 40;
-  if (!is_recognised_)
-    return "something else (not quoted, because nothing in the file so far is of this format)";
+  if (!is_recognised_) return "text that is not quoted, as nothing before it in the file is of this format";
   std::string shown;
   for (const char c : text.substr(0, kLongest)) shown += c >= ' ' && c <= '~' ? c : '?';
   return "'" + shown + (text.size() > kLongest ? "...'" : "'");

@@ -67,6 +67,9 @@ class Flattener {
   std::vector<PlacedSetting> found_;
 };
 
+/// Messages of the parser quote what they could not read, up to the whole file, which `Quotation` forbids.
+std::string withoutQuote(const std::string& message) { return message.substr(0, message.find(": ")); }
+
 std::string group(const std::string& key) { return key.substr(0, key.find('.')); }
 
 }  // namespace
@@ -87,7 +90,8 @@ std::vector<PlacedSetting> placedSettingsFromYaml(const std::string& yaml, const
     flattener.visit("", document, 1);
     return std::move(flattener).found();
   } catch (const YAML::Exception& error) {
-    throw InvalidConfig(source_name + ":" + std::to_string(error.mark.line + 1) + ": " + error.msg);
+    throw InvalidConfig(source_name + ":" + std::to_string(error.mark.line + 1) +
+                        ": no YAML: " + withoutQuote(error.msg) + "; expected a map of settings");
   }
 }
 

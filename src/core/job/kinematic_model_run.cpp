@@ -3,6 +3,7 @@
 #include "lamina/job/kinematic_model_run.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <string>
@@ -12,6 +13,7 @@
 #include "lamina/kinematics/joint_path/stated_joints.hpp"
 #include "lamina/kinematics/joint_path/straight_moves.hpp"
 #include "lamina/kinematics/model/link_bodies.hpp"
+#include "lamina/toolpath/timing.hpp"
 #include "lamina/toolpath/waypoint_text.hpp"
 #include "lamina/trajectory/kept_feed.hpp"
 #include "lamina/verification/collision/self_collision_guard.hpp"
@@ -61,6 +63,21 @@ std::vector<std::size_t> linesAlong(const KinematicModelRun& run, const std::vec
     along.push_back(lines[next]);
   }
   return along;
+}
+
+constexpr double kAtZero = 1e-6;  // rad of a rotary joint
+
+/// Whether a run moves linear axes alone, with all rotary joints at zero.
+bool movesLinearAxesAlone(const KinematicModelRun& run, const KinematicModel& model) {
+  const std::vector<DrivenJoint>& joints = model.joints();
+  for (std::size_t j = 0; j < joints.size(); ++j) {
+    if (joints[j].kind == JointKind::Linear) continue;
+    const auto isAtZero = [j](const JointValues& values) {
+      return std::abs(values[static_cast<Eigen::Index>(j)]) <= kAtZero;
+    };
+    if (!std::all_of(run.path.values.begin(), run.path.values.end(), isAtZero)) return false;
+  }
+  return true;
 }
 
 }  // namespace
@@ -120,6 +137,12 @@ TimedRun inTime(KinematicModelRun run, const KinematicModel& model, const Timing
   timed.figures = {timed.time.total_s, slowBeadShare(*timed.trajectory, run.path, run.toolpath())};
   timed.run = std::move(run);
   return timed;
+}
+
+RunTime plannedTime(const TimedRun& timed, const KinematicModel& model, const MotionLimits& limits) {
+  const KinematicModelRun& run = timed.run;
+  if (!run.lines.empty() || !movesLinearAxesAlone(run, model)) return timed.figures;
+  return {estimateTime(run.toolpath(), limits).total_s, slowBeadShare(run.toolpath(), limits)};
 }
 
 }  // namespace lamina

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/picture/annotation.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <sstream>
@@ -13,6 +14,7 @@ namespace {
 constexpr Colour kInk{0.15, 0.16, 0.18};
 constexpr Colour kFaintInk{0.42, 0.44, 0.47};
 constexpr double kLongestBar = 200.0;  // px
+constexpr double kWidestLabel = 70.0;  // px, of a bar
 
 std::string formatted(const char* format, double value) {
   char text[32];
@@ -28,6 +30,8 @@ double roundLength(double limit) {
   return decade;
 }
 
+double barLength(const Canvas& canvas) { return roundLength(kLongestBar / canvas.pixelsPerMm()); }
+
 }  // namespace
 
 void drawTitle(Canvas& canvas, const std::string& title, const std::string& subtitle) {
@@ -38,8 +42,19 @@ void drawTitle(Canvas& canvas, const std::string& title, const std::string& subt
     canvas.text({28.0, base}, line, {15.0, kFaintInk, TextAnchor::Left, TextWeight::Normal});
 }
 
+Box2 scaleBarBox(const Canvas& canvas, const Point2& at) {
+  const double length_px = barLength(canvas) * canvas.pixelsPerMm();
+  constexpr double kAround = 8.0;  // px, beside the bar
+  constexpr double kLabel = 28.0;  // px, of the label above it
+  const double over = std::max(0.0, 0.5 * (kWidestLabel - length_px));
+  Box2 box;
+  box.include(at - Point2(kAround + over, kLabel));
+  box.include(at + Point2(length_px + kAround + over, kAround));
+  return box;
+}
+
 void drawScaleBar(Canvas& canvas, const Point2& at) {
-  const double length_mm = roundLength(kLongestBar / canvas.pixelsPerMm());
+  const double length_mm = barLength(canvas);
   const Point2 end = at + Point2(length_mm * canvas.pixelsPerMm(), 0.0);
   const Stroke stroke{kInk, 2.0};
   constexpr double kTick = 5.0;

@@ -13,8 +13,15 @@ namespace lamina {
 namespace {
 
 constexpr double kShineThrough = 0.22;
+constexpr double kGlassTint = 0.2;
 constexpr Colour kPartColour{0.72, 0.74, 0.78};
 constexpr Colour kRegionColour{0.85, 0.10, 0.10};
+
+Colour tinted(const Colour& own, const Colour& tint, double share) {
+  const double kept = 1.0 - share;
+  return {kept * own.red + share * tint.red, kept * own.green + share * tint.green,
+          kept * own.blue + share * tint.blue};
+}
 
 }  // namespace
 
@@ -40,6 +47,14 @@ void DepthPicture::addPart(const Mesh& mesh) { addSolid(mesh, kPartColour); }
 void DepthPicture::addSolid(const Mesh& mesh, const Colour& colour) {
   Pixel pixel;
   pixel.colour = colour;
+  addFaces(mesh, 0.0, pixel);
+}
+
+void DepthPicture::addGlass(const Mesh& mesh, const Colour& colour) {
+  glass_.resize(pixels_.size());
+  Pixel pixel;
+  pixel.colour = colour;
+  pixel.is_glass = true;
   addFaces(mesh, 0.0, pixel);
 }
 
@@ -69,17 +84,19 @@ void DepthPicture::paintPart(const std::function<Colour(const Point3&)>& colour_
 CellColours DepthPicture::raster() const {
   CellColours raster{columns_, rows_, {}};
   raster.cells.reserve(pixels_.size());
-  for (const Pixel& pixel : pixels_) raster.cells.push_back(colourOf(pixel));
+  for (std::size_t pixel = 0; pixel < pixels_.size(); ++pixel) raster.cells.push_back(colourAt(pixel));
   return raster;
 }
 
 Colour DepthPicture::colourOf(const Pixel& pixel) {
   const Colour own = shaded(pixel.colour, pixel.light);
-  if (pixel.is_region || !pixel.has_region) return own;
-  const double kept = 1.0 - kShineThrough;
-  return {kept * own.red + kShineThrough * kRegionColour.red,
-          kept * own.green + kShineThrough * kRegionColour.green,
-          kept * own.blue + kShineThrough * kRegionColour.blue};
+  return pixel.is_region || !pixel.has_region ? own : tinted(own, kRegionColour, kShineThrough);
+}
+
+Colour DepthPicture::colourAt(std::size_t pixel) const {
+  const Colour own = colourOf(pixels_[pixel]);
+  if (glass_.empty() || glass_[pixel].depth <= pixels_[pixel].depth) return own;
+  return tinted(own, shaded(glass_[pixel].colour, glass_[pixel].light), kGlassTint);
 }
 
 void DepthPicture::addFaces(const Mesh& mesh, double nearer, Pixel pixel) {
@@ -126,8 +143,9 @@ void DepthPicture::fill(const std::array<Point3, 3>& corner, const Pixel& face) 
 }
 
 void DepthPicture::put(int row, int column, double depth, const Pixel& face) {
-  Pixel& pixel = pixels_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
-                         static_cast<std::size_t>(column)];
+  Pixel& pixel =
+      (face.is_glass ? glass_ : pixels_)[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+                                         static_cast<std::size_t>(column)];
   pixel.has_region = pixel.has_region || face.is_region;
   if (depth <= pixel.depth) return;
   const bool has_region = pixel.has_region;

@@ -34,6 +34,8 @@ class DepthPicture {
   void addPart(const Mesh& mesh);
   /// In a colour of its own.
   void addSolid(const Mesh& mesh, const Colour& colour);
+  /// Tints what it would hide. Of several such faces over each other, the nearest does.
+  void addGlass(const Mesh& mesh, const Colour& colour);
   /// Shines through what hides it.
   /// @param nearer  how far it is held to lie before the part's own face in the same place [mm]
   void addRegion(const Mesh& mesh, double nearer);
@@ -49,9 +51,11 @@ class DepthPicture {
     double light = 1.0;
     bool is_region = false;
     bool has_region = false;
+    bool is_glass = false;  ///< of a face; glass is kept apart from what is seen through it
   };
 
   static Colour colourOf(const Pixel& pixel);
+  Colour colourAt(std::size_t pixel) const;
   void addFaces(const Mesh& mesh, double nearer, Pixel pixel);
   Point3 inPixels(const Point3& point, double nearer) const;
   void fill(const std::array<Point3, 3>& corner, const Pixel& face);
@@ -63,6 +67,7 @@ class DepthPicture {
   int columns_;
   int rows_;
   std::vector<Pixel> pixels_;
+  std::vector<Pixel> glass_;  ///< the nearest glass of each pixel; empty without any
 };
 
 }  // namespace lamina

@@ -14,6 +14,7 @@ constexpr std::size_t kMostScenePanels = 4;
 constexpr int kSceneSide = 620;  // px, of a panel
 constexpr int kSceneTop = 104;   // px, above the panels
 constexpr double kSceneGap = 12.0;
+constexpr Colour kPlate{1.0, 1.0, 1.0};  // below the scale bar
 
 void drawScenePanel(Canvas& canvas, const ScenePicture& picture, const ScenePanel& panel, double left) {
   const View view = viewFrom(panel.heading_rad, panel.elevation_rad);
@@ -22,12 +23,18 @@ void drawScenePanel(Canvas& canvas, const ScenePicture& picture, const ScenePane
   const Box2 world{middle - half, middle + half};
   canvas.show(world, {{left, kSceneTop}, {left + kSceneSide, kSceneTop + kSceneSide}});
   DepthPicture pixels(view, world, canvas.pixelsPerMm());
-  for (const SceneSolid& solid : picture.solids) pixels.addSolid(solid.mesh, solid.colour);
+  for (const SceneSolid& solid : picture.solids)
+    if (panel.is_of_glass && solid.may_be_glass)
+      pixels.addGlass(solid.mesh, solid.colour);
+    else
+      pixels.addSolid(solid.mesh, solid.colour);
   canvas.raster(world, pixels.raster());
   TextStyle style;
   style.weight = TextWeight::Bold;
   canvas.text({left, kSceneTop - 10.0}, panel.title, style);
-  drawScaleBar(canvas, {left + kSceneGap, kSceneTop + kSceneSide - 16.0});
+  const Point2 bar(left + kSceneGap, kSceneTop + kSceneSide - 16.0);
+  canvas.rectanglePx(scaleBarBox(canvas, bar), kPlate);
+  drawScaleBar(canvas, bar);
 }
 
 }  // namespace

@@ -88,6 +88,24 @@ TEST_P(EverySoundPart, IsWeldedFromSeparateTriangles) {
 
 INSTANTIATE_TEST_SUITE_P(Parts, EverySoundPart, testing::ValuesIn(partNames()));
 
+TEST(MeshRepair, SaysWhatBecameOfTrianglesOfWhichNoneIsLeft) {
+  const Mesh needles{{{0, 0, 0}, {1, 1, 1}}, {{0, 1, 1}, {1, 0, 0}, {0, 0, 1}}};
+  const Mesh sheet{{{0, 0, 0}, {10, 0, 0}, {0, 10, 0}}, {{0, 1, 2}, {0, 2, 1}}};
+  const auto refusalOf = [](const Mesh& mesh) -> std::string {
+    try {
+      repairMesh(mesh);
+    } catch (const InvalidMesh& error) {
+      return error.what();
+    }
+    return "repaired";
+  };
+  EXPECT_NE(refusalOf(needles).find("of 3 triangles none is left, 3 degenerate triangles dropped near"),
+            std::string::npos)
+      << refusalOf(needles);
+  EXPECT_NE(refusalOf(sheet).find("of 2 triangles none is left"), std::string::npos) << refusalOf(sheet);
+  EXPECT_NE(refusalOf(sheet).find("expected faces around a volume"), std::string::npos);
+}
+
 TEST(MeshRepair, ClosesAMissingSideOfABox) { expectSolid(without(cube("10"), 0, 2), 1000.0, 1e-9); }
 
 TEST(MeshRepair, ClosesALargePlanarHole) {

@@ -150,7 +150,7 @@ TEST(GcodeReader, ReadsTheSameInPiecesOfAnySize) {
 }
 
 TEST(GcodeReader, NamesTheLineOfWhatItRefuses) {
-  EXPECT_EQ(gcodeReaderRefusal("G1 X1\nG1 X1.2.3\n"), "line 2: unexpected character at '.3'");
+  EXPECT_EQ(gcodeReaderRefusal("G1 X1\nG1 X1.2.3\n"), "line 2: a letter is expected, as in X10.5, at '.3'");
   EXPECT_EQ(gcodeReaderRefusal("G1 X\n"), "line 1: X has no value");
   EXPECT_EQ(gcodeReaderRefusal("G1 X1 X2\n"), "line 1: X stands twice");
   EXPECT_EQ(gcodeReaderRefusal("G28\nG1 X-\n"), "line 2: bad number at '-'");

@@ -30,4 +30,7 @@ double volume(const Mesh& mesh);
 /// Sum of the triangles' areas [mm²].
 double surfaceArea(const Mesh& mesh);
 
+/// Both as one mesh; equal corners stay apart.
+Mesh joined(Mesh mesh, const Mesh& further);
+
 }  // namespace lamina

@@ -36,4 +36,12 @@ double surfaceArea(const Mesh& mesh) {
   return 0.5 * two_areas;
 }
 
+Mesh joined(Mesh mesh, const Mesh& further) {
+  const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+  mesh.vertices.insert(mesh.vertices.end(), further.vertices.begin(), further.vertices.end());
+  for (const Triangle& corner : further.triangles)
+    mesh.triangles.push_back({first + corner[0], first + corner[1], first + corner[2]});
+  return mesh;
+}
+
 }  // namespace lamina

@@ -105,6 +105,12 @@ class Repair {
   std::vector<RepairChange> changes_;
 };
 
+std::string noneLeft(std::size_t given, const std::vector<RepairChange>& changes) {
+  std::string text = "the mesh encloses nothing: of " + std::to_string(given) + " triangles none is left";
+  for (const RepairChange& change : changes) text += ", " + toText(change);
+  return text + "; expected faces around a volume";
+}
+
 }  // namespace
 
 std::string toText(const RepairChange& change) {
@@ -112,9 +118,11 @@ std::string toText(const RepairChange& change) {
 }
 
 RepairResult repairMesh(Mesh mesh, const RepairSettings& settings) {
+  const std::size_t given = mesh.triangles.size();
   Repair repair(std::move(mesh));
   if (!repair.defect()) return std::move(repair).result();
   repair.rebuild(std::min(settings.stitch_tolerance_mm, 1e-4 * boundingBox(repair.mesh()).size().norm()));
+  if (repair.mesh().triangles.empty()) throw InvalidMesh(noneLeft(given, std::move(repair).result().changes));
   if (const auto defect = repair.defect()) throw InvalidMesh("the mesh cannot be repaired: " + *defect);
   return std::move(repair).result();
 }

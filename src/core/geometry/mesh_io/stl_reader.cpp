@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
 #include <string>
 #include <vector>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "mesh_formats.hpp"
 #include "vertex_welder.hpp"
 
@@ -70,8 +72,15 @@ class RecordWelder {
     std::size_t t = 0;
     const auto is_finite = [&](std::uint32_t v) { return mesh_.vertices[v].allFinite(); };
     while (std::all_of(mesh_.triangles[t].begin(), mesh_.triangles[t].end(), is_finite)) ++t;
+    const Triangle& corners = mesh_.triangles[t];
+    const auto corner = std::find_if_not(corners.begin(), corners.end(), is_finite);
+    const Point3& vertex = mesh_.vertices[*corner];
+    const auto axis =
+        std::find_if_not(vertex.begin(), vertex.end(), [](double c) { return std::isfinite(c); });
     throw InvalidMesh(name + ": triangle " + std::to_string(t) + " at byte " +
-                      std::to_string(kStart + t * kReadRecord) + " has a coordinate that is not finite");
+                      std::to_string(kStart + t * kReadRecord) + ": " + "xyz"[axis - vertex.begin()] +
+                      " of corner " + std::to_string(corner - corners.begin()) + " is " + numberText(*axis) +
+                      "; expected a finite number");
   }
 
   Welder welder_;
@@ -87,9 +96,10 @@ std::size_t countToRead(std::string_view bytes, const std::string& name) {
       bytes.find_first_not_of(std::string_view("\0\r\n ", 4), bytes.size() - rest) == bytes.npos)
     return held;
   if (rest != 0)
-    throw InvalidMesh(name + ": neither text nor a whole binary STL: " + std::to_string(bytes.size()) +
-                      " bytes; " + std::to_string(stated) + " triangles need " +
-                      std::to_string(kStart + kReadRecord * stated));
+    throw InvalidMesh(
+        name + ": neither an STL of text (solid, facet, ... endsolid) nor a whole binary one: " +
+        std::to_string(bytes.size()) + " bytes; the " + std::to_string(stated) +
+        " triangles that its header states need " + std::to_string(kStart + kReadRecord * stated));
   return held;
 }
 

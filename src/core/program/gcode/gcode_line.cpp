@@ -108,7 +108,7 @@ void GcodeLineParser::parseWords(std::string_view text) {
       text.remove_prefix(close + 1);
       continue;
     }
-    if (!isLetter(text.front())) refuse("unexpected character", text);
+    if (!isLetter(text.front())) refuse("a letter is expected, as in X10.5,", text);
     const char letter = upper(text.front());
     text = trimmed(text.substr(1));
     line_.words.push_back({letter, takeNumber(text)});

@@ -393,7 +393,11 @@ Toolpath toolpathFromGcode(std::string_view program, const ProgramSettings& sett
 Toolpath toolpathFromGcodeFile(const std::string& path, const ProgramSettings& settings) {
   ToolpathBuilder builder(settings);
   bool has_drops = false;
-  readGcodeFile(path, {}, handlersFor(builder, settings, has_drops));
+  try {
+    readGcodeFile(path, {}, handlersFor(builder, settings, has_drops));
+  } catch (const InvalidProgram& refusal) {
+    throw InvalidProgram("'" + path + "' " + refusal.what());
+  }
   const std::string file_name = path.substr(path.find_last_of('/') + 1);
   const std::string part_name = file_name.substr(0, file_name.find_last_of('.'));
   if (has_drops) return toolpathOf(parseDropProgram(readFile(path), settings.drops), part_name);

@@ -92,23 +92,16 @@ std::vector<DirectedPiece> piecesOf(const CutSequence& sequence, double rest_mm2
   return pieces;
 }
 
-void append(Mesh& mesh, const Mesh& further) {
-  const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-  mesh.vertices.insert(mesh.vertices.end(), further.vertices.begin(), further.vertices.end());
-  for (const Triangle& corner : further.triangles)
-    mesh.triangles.push_back({first + corner[0], first + corner[1], first + corner[2]});
-}
-
 /// What overhangs in the pieces that are cut off and in what stays.
 Mesh hangingIn(const CutSequence& sequence, const CutQuestion& question) {
   Mesh hanging;
   FacePolygons left = question.faces;
   for (const CuttingPlane& cut : sequence.cuts) {
     const FacePolygons piece = left.below({-cut.up, -cut.from_mm});
-    append(hanging, piece.meshOf(facesHangingAlong(piece, cut.up, question)));
+    hanging = joined(std::move(hanging), piece.meshOf(facesHangingAlong(piece, cut.up, question)));
     left = left.below(cut);
   }
-  append(hanging, left.meshOf(hangingFaces(left, question).faces));
+  hanging = joined(std::move(hanging), left.meshOf(hangingFaces(left, question).faces));
   return hanging;
 }
 
