@@ -3,8 +3,8 @@
 #include "program/five_axis/fanuc_text.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cstdio>
-#include <cstdlib>
 
 #include "base/decimals.hpp"
 #include "lamina/base/characters.hpp"
@@ -43,7 +43,9 @@ std::string withinDigits(std::string_view word) {
   if (digits(text) <= kMostFanucDigits) return text;
   const std::ptrdiff_t whole = digits(text.substr(0, text.find('.')));
   const std::ptrdiff_t decimals = std::max<std::ptrdiff_t>(kMostFanucDigits - whole, 0);
-  return text.front() + trimmedDecimals(std::strtod(text.c_str() + 1, nullptr), static_cast<int>(decimals));
+  double value = 0.0;
+  std::from_chars(text.data() + 1, text.data() + text.size(), value);
+  return text.front() + trimmedDecimals(value, static_cast<int>(decimals));
 }
 
 std::string pointed(std::string_view words) {
