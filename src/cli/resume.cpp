@@ -8,6 +8,7 @@
 #include "arguments/setting_options.hpp"
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/job/robot_files.hpp"
 #include "lamina/streaming/journal/job_journal.hpp"
 #include "lamina/streaming/resume/remaining_program.hpp"
 #include "lamina/streaming/resume/resume_point.hpp"
@@ -71,6 +72,11 @@ void showOffer(const ResumeArguments& arguments, OutputFormat format) {
 
 void runResume(const ResumeArguments& arguments, OutputFormat format) {
   if (!arguments.port.empty()) return showOffer(arguments, format);
+  if (isRobotFile(arguments.program))
+    throw InvalidInput(
+        arguments.program + " is a program in " + robotLanguageName(arguments.program) +
+        "; expected G-code: a robot's program is gone on with from its controller, at a point where "
+        "the process starts");
   if (arguments.output.empty()) throw InvalidInput("--output is not given; expected a file for the rest");
   if (!arguments.nozzle_height_mm)
     throw InvalidInput(

@@ -14,6 +14,7 @@
 #include "lamina/kinematics/joint_path/joint_path_planner.hpp"
 #include "lamina/program/five_axis/five_axis_reader.hpp"
 #include "lamina/program/five_axis/five_axis_writer.hpp"
+#include "program/five_axis/fanuc_text.hpp"
 #include "support/table_machine.hpp"
 #include "support/toolpaths.hpp"
 
@@ -243,6 +244,13 @@ TEST(FiveAxisDialects, FanucProgramsAreReadBackWithTurnsAndClosedPaths) {
     EXPECT_EQ(std::get<Dwell>(events.at(0).event).duration_s, 0.25);
     EXPECT_TRUE(read.layers[0].paths[1].process.is_retracted);
   }
+}
+
+// More digits than eight in a word are alarm 003; material and turns of a table add up to such.
+TEST(FiveAxisDialects, FanucWordsHaveEightDigitsAtMost) {
+  EXPECT_EQ(fanucText("G1 X-18.6093 C-140.41564 U1418.49524 F1200\nG1 C-1852.58109 U99999.99951 ;via\n"),
+            "G1 X-18.6093 C-140.41564 U1418.4952 F1200.\nG1 C-1852.5811 U100000. (VIA)\n");
+  EXPECT_EQ(fanucText("G1 C-185241.58102\n"), "G1 C-185241.58\n");
 }
 
 TEST(FiveAxisDialects, FanucProgramsHaveANumberOrAName) {

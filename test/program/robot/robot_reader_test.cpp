@@ -295,5 +295,35 @@ TEST(RobotReaderOfInform, RefusesCountsThatAreNotTrueAndPointsUsedTwice) {
             std::string::npos);
 }
 
+/// A job that goes to the part by its joints, and lays a bead of 10 mm.
+std::string jobBy(const std::string& type, const std::string& approach, const std::string& note) {
+  return "/JOB\n//NAME A\n//POS\n///NPOS 3,0,0,0,0,0\n///USER 1\n///TOOL 1\n" + type + "C00000=" + approach +
+         "\n///USER 1\n///POSTYPE USER\n///RECTAN\n///RCONF 0,0,0,0,0,0,0,0\n"
+         "C00001=0,0,0.2,180,0,0\nC00002=10,0,0.2,180,0,0\n//INST\n///ATTR SC,RW,RJ\n///GROUP1 RB1\nNOP\n"
+         "'# process 1\n'# approach\n" +
+         note +
+         "MOVJ C00000 VJ=10.00\n'# layer 0.2 0.2\n'# path infill open turned 2\n'# bead 0.4 0.2 1\n"
+         "MOVL C00001 V=30.0 PL=0\nDOUT OT#(1) ON\nMOVL C00002 V=30.0 PL=0\nDOUT OT#(1) OFF\nEND\n";
+}
+
+TEST(RobotReaderOfInform, TakesThePoseOfTheApproachWithANoteOfItsJointsAndJointsAsBefore) {
+  const std::string pose = "///POSTYPE USER\n///RECTAN\n";
+  const std::string at = "0,0,50.2,180,0,0";
+  const std::string note = "'# stands 10.0000 -20.0000\n'#+ 30.0000 -40.0000 50.0000\n'#+ -60.0000\n";
+  for (const std::string& job :
+       {jobBy(pose, at, note), jobBy("///POSTYPE ANGLE\n///ANGLE\n", "10,-20,30,-40,50,-60", "")}) {
+    const Toolpath read = readRobotProgram({{"a.jbi", job}}, "part");
+    ASSERT_EQ(read.layers.size(), 1U);
+    EXPECT_EQ(totals(read).waypoints, 2U);
+  }
+  try {
+    readRobotProgram({{"a.jbi", jobBy(pose, at, "")}}, "part");
+    ADD_FAILURE() << "read without the joints";
+  } catch (const InvalidProgram& error) {
+    EXPECT_NE(std::string(error.what()).find("expected a note of these joints before it"), std::string::npos)
+        << error.what();
+  }
+}
+
 }  // namespace
 }  // namespace lamina

@@ -202,6 +202,22 @@ TEST(RobotProgram, InformStatesPulsesWhereTheyAreKnownAndThePosture) {
   EXPECT_TRUE(holds(printed(RobotLanguage::Inform, {move}, settings), "///RCONF 1,1,0,1,0,0\r\n"));
 }
 
+// Yaskawa's manuals list PULSE, BASE, ROBOT, TOOL, USER and MTOOL as types of points, but no degrees.
+TEST(RobotProgram, InformStatesThePoseOfAMoveOfTheJointsWherePulsesAreNotKnown) {
+  TipMove pose = poseAt({1, 2, 3}, Eigen::Quaterniond::Identity(), 8.0);
+  pose.posture = ArmPosture{{{10, -20, 30, 200, -50, 0}, {}}, 2 + 4};
+  const ControllerJoints joints{{10, -20, 30, 200, -50, 0}, {}};
+  const std::string text = printed(RobotLanguage::Inform, {JointMove{joints, pose}});
+  EXPECT_TRUE(holds(text,
+                    "///NPOS 1,0,0,0,0,0\r\n///USER 1\r\n///TOOL 1\r\n///POSTYPE USER\r\n///RECTAN\r\n"
+                    "///RCONF 1,1,1,1,0,0,0,0\r\nC00000=1.000,2.000,3.000,0.0000,0.0000,0.0000\r\n"))
+      << text;
+  EXPECT_TRUE(holds(text, "'# stands 10.0000 -20.0000\r\n'#+ 30.0000 200.0000 -50.0000\r\n")) << text;
+  EXPECT_TRUE(holds(text, "MOVJ C00000 VJ=10.00\r\n")) << text;
+  EXPECT_TRUE(holds(refusalOf([&] { printed(RobotLanguage::Inform, {JointMove{joints}}); }),
+                    "expected one, or inform.pulses_per_deg"));
+}
+
 /// Lines of Fanuc's statements, or of all of KRL.
 std::size_t linesIn(const RobotFile& file) {
   if (file.name.find(".ls") == std::string::npos) return countIn(file.text, "\n");

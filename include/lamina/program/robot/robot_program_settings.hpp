@@ -115,7 +115,7 @@ struct InformSettings {
   InformSpeedUnit speed_unit =
       InformSpeedUnit::MillimetresPerSecond;  ///< unit of V, as a parameter of the controller sets it
   int corner_level = 1;                       ///< value of PL, for points that may be rounded
-  /// Pulses in a degree of each joint; empty: joints are stated in degrees.
+  /// Pulses in a degree of each joint; empty: joint moves state poses.
   std::vector<double> pulses_per_deg;
   JointSign flip = JointSign::Positive;  ///< sign of joint 5 if RCONF states flip
   InformRconfOrder rconf_order = InformRconfOrder::FlipElbowFront;

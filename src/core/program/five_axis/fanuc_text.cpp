@@ -3,8 +3,10 @@
 #include "program/five_axis/fanuc_text.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cstdio>
 
+#include "base/decimals.hpp"
 #include "lamina/base/characters.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/text.hpp"
@@ -17,6 +19,7 @@ constexpr std::string_view kOfNames = "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789+-_."
 constexpr std::string_view kOfComments = "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789 .,:=_-+*/#<>";
 constexpr std::size_t kLongestFanucName = 32;
 constexpr int kMostOfFourDigits = 9999;
+constexpr std::ptrdiff_t kMostFanucDigits = 8;  // of a word, before and behind its point
 
 std::string smallText(std::string_view text) {
   std::string lowered(text);
@@ -33,14 +36,27 @@ std::string bracketed(std::string_view comment) {
   return text + ")";
 }
 
+/// The word as it is, or its number with as many decimals as there is room for.
+std::string withinDigits(std::string_view word) {
+  const std::string text(word);
+  const auto digits = [](const std::string& of) { return std::count_if(of.begin(), of.end(), isDigit); };
+  if (digits(text) <= kMostFanucDigits) return text;
+  const std::ptrdiff_t whole = digits(text.substr(0, text.find('.')));
+  const std::ptrdiff_t decimals = std::max<std::ptrdiff_t>(kMostFanucDigits - whole, 0);
+  double value = 0.0;
+  std::from_chars(text.data() + 1, text.data() + text.size(), value);
+  return text.front() + trimmedDecimals(value, static_cast<int>(decimals));
+}
+
 std::string pointed(std::string_view words) {
   std::string text;
   while (!words.empty()) {
     const std::size_t blank = std::min(words.find(' '), words.size());
     const std::string_view word = words.substr(0, blank);
-    text += word;
     const bool is_length = word.size() > 1 && kPointed.find(word.front()) != std::string_view::npos;
-    if (is_length && word.find('.') == std::string_view::npos) text += '.';
+    const std::string written = is_length ? withinDigits(word) : std::string(word);
+    text += written;
+    if (is_length && written.find('.') == std::string::npos) text += '.';
     if (blank < words.size()) text += ' ';
     words.remove_prefix(std::min(blank + 1, words.size()));
   }

@@ -115,8 +115,7 @@ void describeInform(SettingsSchema& schema, InformSettings& settings) {
   schema.integer("inform.corner_level", settings.corner_level, {0, 8}, "PL of points that may be rounded.");
   schema.numbers(
       "inform.pulses_per_deg", settings.pulses_per_deg, 6,
-      "Pulses of each joint in a degree, from the controller's parameters; empty: joints are stated in "
-      "degrees.");
+      "Pulses of each joint in a degree, from the controller's parameters; empty: joint moves go to poses.");
   schema.choice<JointSign>("inform.flip", settings.flip, jointSigns(),
                            "Sign of joint 5 with which RCONF says flip, 0.");
   schema.choice<InformRconfOrder>("inform.rconf_order", settings.rconf_order,

@@ -25,11 +25,6 @@ struct ControllerJoints {
   std::vector<double> external;  ///< [mm, deg]
 };
 
-/// A move of all joints.
-struct JointMove {
-  ControllerJoints joints;
-};
-
 /// How an arm stands at a pose.
 struct ArmPosture {
   ControllerJoints joints;
@@ -49,6 +44,12 @@ struct TipMove {
   bool lays = false;           ///< material
   double room_mm = 0.0;        ///< to the nearer of the points before and after; 0 where the tip rests
   std::size_t moves_left = 0;  ///< of its path, this one included
+};
+
+/// A move of all joints.
+struct JointMove {
+  ControllerJoints joints;
+  std::optional<TipMove> pose = std::nullopt;  ///< where they take the tip, for who cannot state joints
 };
 
 struct OutputSwitch {

@@ -65,6 +65,21 @@ TEST(RapidReader, ReadsBackWhatWasWrittenOfEachVariant) {
     }));
 }
 
+// Of the same time, whether a program states it in its head or, as before, by the triggers themselves.
+TEST(RapidReader, KnowsHowLongBeforeTheEndTheWireStops) {
+  RapidSettings settings;
+  settings.variant = RapidVariant::Wire3Axes;
+  settings.wire_stop_s = 0.25;
+  std::string text = test::rapidModules(test::twoLayers(), settings)[0];
+  EXPECT_EQ(readEquippedRapid({{"now.mod", text}}, "part").equipment.process.count("trigger of 0.25 s"), 1U);
+  const std::string note = "!# wire_stop 0.25\n";
+  text.erase(text.find(note), note.size());
+  const std::string distance = "7.500\\DOp";
+  for (std::size_t at = text.find(distance); at != std::string::npos; at = text.find(distance))
+    text.replace(at, distance.size(), "0.25\\Time\\DOp");
+  EXPECT_EQ(readEquippedRapid({{"old.mod", text}}, "part").equipment.process.count("trigger of 0.25 s"), 1U);
+}
+
 TEST(RapidReader, JoinsTheModulesOfASplitProgram) {
   EXPECT_TRUE(rc::check([](std::uint64_t seed) {
     const Toolpath toolpath = test::tilted(test::randomToolpath(seed), seed);

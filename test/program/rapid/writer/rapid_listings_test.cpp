@@ -64,6 +64,7 @@ TEST(RapidListings, OfPowderWithThreeAxesAreWrittenByteForByte) {
 TEST(RapidListings, OfWireWithThreeAxesAreWrittenByteForByte) {
   RapidSettings settings;
   settings.variant = RapidVariant::Wire3Axes;
+  settings.wire_stop_s = 0.02;  // 0.6 mm, on the way of the last move as printed
   expectListed("rapid_wire_3_axes.txt", threeAxes(), settings);
 }
 

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <utility>
+
 #include "lamina/base/error.hpp"
 #include "support/rapid_programs.hpp"
 #include "support/toolpaths.hpp"
@@ -118,10 +120,59 @@ TEST(RapidProgram, StopsTheWireBeforeTheEndOfEachRun) {
     const Toolpath toolpath = test::randomToolpath(seed);
     const auto lines = pointLines(rapidModules(toolpath, rapidProgramSettingsOf(RapidVariant::Wire3Axes)));
     RC_ASSERT(countOf(lines, "TriggL ") == runCount(toolpath));
-    for (std::size_t i = 0; i + 1 < lines.size(); i += 2)
-      RC_ASSERT((lines[i].substr(0, 6) == "TriggL") ==
-                (lines[i + 1] == "Reset SolicitudLaser;WaitTime t_capas;"));
+    RC_ASSERT(countOf(lines, "TriggIO ") == runCount(toolpath));
+    std::size_t stops = 0;
+    for (std::size_t i = 0; i + 1 < lines.size(); i += 2) {
+      if (lines[i].substr(0, 6) == "TriggL") {
+        RC_ASSERT(lines[i - 1].find("TriggIO TimeHilo_OFF,") != std::string::npos);
+        ++stops;
+      }
+      const bool ends = lines[i + 1].find("Reset SolicitudLaser;WaitTime t_capas;") == 0;
+      if (ends) RC_ASSERT(std::exchange(stops, 0U) == 1U);
+    }
   }));
+}
+
+/// A run along x through these points at 30 mm/s, as wire is laid.
+std::vector<std::string> wireLines(const std::vector<double>& x_mm) {
+  Path run = test::straightPath({0, 0, 0.4}, {1, 0, 0.4});
+  run.feed_mm_s = 30.0;
+  run.points.clear();
+  for (const double x : x_mm) run.points.emplace_back(x, 0, 0.4);
+  return pointLines(
+      rapidModules({"run", {{0.4, 0.4, {run}}}}, rapidProgramSettingsOf(RapidVariant::Wire3Axes)));
+}
+
+// By ABB's manual a time counts no further back than the tip brakes, some milliseconds at such feeds: 0.2 s
+// at 30 mm/s are the 6 mm before the end, wherever moves begin.
+TEST(RapidProgram, StopsTheWireSoFarBeforeTheEndAsTheTipGoesInThatTime) {
+  const auto one = wireLines({0, 40});
+  EXPECT_EQ(countOf(one, "TriggIO TimeHilo_OFF,6.000\\DOp:=SolicitudDevHilo,0;"), 1U);
+  EXPECT_EQ(one[2].substr(0, 6), "TriggL");
+  const auto several = wireLines({0, 30, 37, 39, 40});
+  EXPECT_EQ(several[3], "TriggIO TimeHilo_OFF,3.000\\DOp:=SolicitudDevHilo,0;");
+  EXPECT_EQ(several[4].substr(0, 34), "TriggL Offs(Pinicial,off_x+37.0000");
+  EXPECT_NE(several[4].find(", TimeHilo_OFF, z0,"), std::string::npos) << several[4];
+  EXPECT_EQ(several[8].substr(0, 5), "MoveL");
+  EXPECT_EQ(several[9], "Reset SolicitudLaser;WaitTime t_capas;");
+}
+
+TEST(RapidProgram, StopsTheWireOfARunThatIsTooShortWhereItBegins) {
+  const auto lines = wireLines({0, 2, 5});
+  EXPECT_EQ(lines[1],
+            "WaitDI LaserON,high;Set SolicitudDevHilo;WaitTime waiting1;Set SolicitudLaser;WaitTime waiting2;"
+            "TriggIO TimeHilo_OFF,2.000\\DOp:=SolicitudDevHilo,0;");
+  EXPECT_EQ(lines[2].substr(0, 6), "TriggL");
+  EXPECT_EQ(lines[4].substr(0, 5), "MoveL");
+}
+
+TEST(RapidProgram, StopsTheWireBeforeTheArmGoesToThePart) {
+  const std::string text =
+      rapidModules(test::twoLayers(), rapidProgramSettingsOf(RapidVariant::Wire3Axes))[0];
+  EXPECT_NE(text.find("    Reset SolicitudLaser;\n    Reset SolicitudDevHilo;\n    deposit_1;\n"),
+            std::string::npos);
+  EXPECT_NE(text.find("!# wire_stop 0.2\n"), std::string::npos);
+  EXPECT_EQ(text.find("\\Time"), std::string::npos);
 }
 
 TEST(RapidProgram, WritesTwoLinesForEachPoint) {

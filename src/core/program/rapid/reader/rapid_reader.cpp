@@ -67,6 +67,20 @@ bool moves(const RapidProcedure& procedure) {
       });
 }
 
+/// How long before the end of a run its wire stops [s], from the comments at its head.
+void readWireStopNotes(RapidSource& source) {
+  for (const RapidComment& comment : source.head) {
+    const auto text = noteText(comment);
+    if (!text) continue;
+    NoteWords words(*text, comment.line, source.files.front());
+    if (!words.take(kRapidWireStop)) continue;
+    std::string trigger = "trigger of ";
+    appendShortest(trigger, words.number<double>("how long before the end of a run the wire stops in s"));
+    words.expectEnd();
+    source.process.insert(trigger + " s");
+  }
+}
+
 /// Whether a procedure leads to the part or away from it, which its comments say.
 bool isPassage(const RapidProcedure& procedure) {
   return std::any_of(procedure.comments.begin(), procedure.comments.end(), [](const RapidComment& comment) {
@@ -209,6 +223,7 @@ void addModule(const std::string& file, std::string_view text, RapidSource& sour
   source.files.push_back(file);
   RapidCursor cursor(text, source.files.back());
   readRapidModule(cursor, source);
+  readWireStopNotes(source);
 }
 
 RapidRunning runningOf(const RapidSource& source, const std::string& part_name) {

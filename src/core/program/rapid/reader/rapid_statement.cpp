@@ -176,10 +176,12 @@ bool skipPreparation(RapidCursor& cursor, RapidSource& source, const std::string
   } else if (word == "triggio") {
     cursor.takeName("the name of a trigger");
     cursor.expect(",");
-    addTimed("trigger", takeSum(cursor, source), source);
+    const double lead = takeSum(cursor, source);
     cursor.expect("\\");
-    cursor.expectWord("time");
-    cursor.expect("\\");
+    if (cursor.takeWord("time")) {
+      addTimed("trigger", lead, source);
+      cursor.expect("\\");
+    }
     cursor.expectWord("dop");
     cursor.expect(":=");
     cursor.takeName("the name of a signal");

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "program/rapid/writer/rapid_lines.hpp"
 
+#include <algorithm>
+#include <utility>
+
 #include "lamina/base/angle.hpp"
 #include "program/external_axes.hpp"
 #include "program/rapid/rapid_words.hpp"
@@ -12,7 +15,8 @@ namespace {
 constexpr int kPositionDecimals = 4;
 constexpr int kOrientationDecimals = 7;
 constexpr int kAxisDecimals = 3;
-constexpr int kWaitDecimals = 3;  // s
+constexpr int kWaitDecimals = 3;      // s
+constexpr int kDistanceDecimals = 3;  // mm
 
 std::string startOfProcess(const RapidSettings& settings) {
   if (settings.variant != RapidVariant::Wire3Axes) return settings.laser_on + ";";
@@ -92,6 +96,8 @@ RapidLines::RapidLines(const Toolpath& toolpath, const RapidPlan& plan, const Ra
     const Point3 start(settings.start_point_mm[0], settings.start_point_mm[1], settings.start_point_mm[2]);
     bed_from_part_.pretranslate(-start);
   }
+  if (settings.variant == RapidVariant::Wire3Axes)
+    wire_stops_ = rapidWireStops(plan.paths, settings.wire_stop_s);
   if (settings.process == RapidProcess::Arc)
     arc_ = settings.seam_data + "," + settings.weld_data +
            (settings.weave_data.empty() ? "" : "\\Weave:=" + settings.weave_data) + ",";
@@ -151,7 +157,18 @@ bool RapidLines::isArc(const RapidPlace& place) const {
 
 const char* RapidLines::instruction(const RapidPlace& place) const {
   if (isArc(place)) return startsAfter(place) ? "ArcLStart " : isRunEnd(place) ? "ArcLEnd " : "ArcL ";
-  return settings_.variant == RapidVariant::Wire3Axes && isRunEnd(place) ? "TriggL " : "MoveL ";
+  return wireStopOn(place) != nullptr ? "TriggL " : "MoveL ";
+}
+
+/// Null if the wire does not stop on the way of the move.
+const RapidWireStop* RapidLines::wireStopOn(const RapidPlace& place) const {
+  const auto found = std::lower_bound(
+      wire_stops_.begin(), wire_stops_.end(), place, [](const RapidWireStop& stop, const RapidPlace& wanted) {
+        return std::pair(stop.move.path, stop.move.move) < std::pair(wanted.path, wanted.move);
+      });
+  const bool is_there =
+      found != wire_stops_.end() && found->move.path == place.path && found->move.move == place.move;
+  return is_there ? &*found : nullptr;
 }
 
 /// What stands between two moves, but for arcs, whose moves switch the process.
@@ -165,15 +182,20 @@ void RapidLines::appendProcess(const RapidPlace& place, std::string& text) const
     text += ';';
   }
   if (by_outputs && !isRunEnd(place) && startsAfter(place)) text += on_;
+  const RapidPlace next =
+      isLastMove(place) ? RapidPlace{place.path + 1, 0} : RapidPlace{place.path, place.move + 1};
+  if (const RapidWireStop* stop = wireStopOn(next)) {
+    text += "TriggIO " + settings_.wire_trigger + ",";
+    appendDecimals(text, stop->distance_mm, kDistanceDecimals);
+    text += "\\DOp:=" + settings_.wire_signal + ",0;";
+  }
 }
 
 void RapidLines::appendTail(const RapidPlace& place, const std::string& speed, std::string& text) const {
   const std::string& zone = isFine(place) ? settings_.end_zone : settings_.zone;
-  const bool is_run_end = isRunEnd(place);
   const char* comma = settings_.variant == RapidVariant::Powder5Axes ? "," : ", ";
   text.append(comma).append(speed).append(comma);
-  if (settings_.variant == RapidVariant::Wire3Axes && is_run_end)
-    text.append(settings_.wire_trigger).append(comma);
+  if (wireStopOn(place) != nullptr) text.append(settings_.wire_trigger).append(comma);
   if (isArc(place)) text.append(arc_);
   text.append(zone).append(settings_.variant == RapidVariant::Powder3Axes ? ", " : ",").append(tail_);
 }

@@ -12,6 +12,7 @@
 #include "program/program_stations.hpp"
 #include "program/rapid/writer/rapid_plan.hpp"
 #include "program/rapid/writer/rapid_speeds.hpp"
+#include "program/rapid/writer/rapid_wire_stops.hpp"
 
 namespace lamina {
 
@@ -53,6 +54,7 @@ class RapidLines {
 
   bool isArc(const RapidPlace& place) const;
   const char* instruction(const RapidPlace& place) const;
+  const RapidWireStop* wireStopOn(const RapidPlace& place) const;
   void appendProcess(const RapidPlace& place, std::string& text) const;
 
   const Toolpath& toolpath_;
@@ -66,6 +68,7 @@ class RapidLines {
   std::string arc_;  ///< data of arc moves
   std::string on_;
   std::string off_;
+  std::vector<RapidWireStop> wire_stops_;  ///< in the order of their moves
   const KinematicModel* arm_ = nullptr;
   const ProgramStations* stations_ = nullptr;
 };

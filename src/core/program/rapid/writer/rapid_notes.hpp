@@ -17,6 +17,9 @@ constexpr std::string_view kRapidNote = "!# ";
 constexpr std::string_view kRapidApproach = "approach";
 constexpr std::string_view kRapidRetract = "retract";
 
+/// Begins the note at a program's head of how long before the end of a run its wire stops [s].
+constexpr std::string_view kRapidWireStop = "wire_stop";
+
 /// Comments before a procedure: for each of its paths the layer where a new one begins, role, whether it is
 /// closed, retracted or begins with a move of its own, the number of its moves in this procedure, and runs of
 /// motions with one bead.

@@ -241,14 +241,15 @@ class InformParser {
 
   JointMove jointMove(LineCursor& line) {
     const InformPoint& point = pointNamed(line);
-    if (point.kind == InformPointKind::Pose) line.refuse("a point that states pulses or angles");
     JointMove move;
+    if (point.kind == InformPointKind::Pose) move.pose = poseOf(point);
     for (std::size_t j = 0; j < 6; ++j) {
       const double pulses = units_.pulses_per_deg[j];
       if (point.kind == InformPointKind::Pulses && pulses == 0.0)
         line.refuse("a note of the pulses in a degree, for a point in pulses");
-      move.joints.arm_deg[j] =
-          point.kind == InformPointKind::Pulses ? point.numbers[j] / pulses : point.numbers[j];
+      if (!move.pose)
+        move.joints.arm_deg[j] =
+            point.kind == InformPointKind::Pulses ? point.numbers[j] / pulses : point.numbers[j];
     }
     line.expect("VJ");
     line.expect("=");
@@ -256,12 +257,17 @@ class InformParser {
     return move;
   }
 
-  TipMove linearMove(LineCursor& line) {
-    const InformPoint& point = pointNamed(line);
-    if (point.kind != InformPointKind::Pose) line.refuse("a point that states a pose");
+  static TipMove poseOf(const InformPoint& point) {
     TipMove move;
     move.point = Point3(point.numbers[0], point.numbers[1], point.numbers[2]);
     move.orientation = rotationOfAngles(RobotAngles{point.numbers[3], point.numbers[4], point.numbers[5]});
+    return move;
+  }
+
+  TipMove linearMove(LineCursor& line) {
+    const InformPoint& point = pointNamed(line);
+    if (point.kind != InformPointKind::Pose) line.refuse("a point that states a pose");
+    TipMove move = poseOf(point);
     line.expect("V");
     line.expect("=");
     move.feed_mm_s = units_.mm_s * line.number(0.1, kGreatestInformSpeed, "a speed, 0.1 at least");

@@ -104,25 +104,47 @@ class InformPrinter : public RobotPrinter {
   }
 
   void add(const JointMove& move) {
-    const std::vector<double>& pulses = site_.settings.inform.pulses_per_deg;
-    std::string values;
-    for (std::size_t j = 0; j < 6; ++j) {
-      const double scaled = move.joints.arm_deg[j] * (pulses.empty() ? 1.0 : pulses[j]);
-      if (!(std::abs(scaled) < kMostPulses))
-        throw InvalidInput("joint " + std::to_string(j + 1) + " stands at " + numberText(scaled) +
-                           " pulses; must be a whole number of 32 bits (inform.pulses_per_deg)");
-      values += (j > 0 ? "," : "") + decimalText(scaled, pulses.empty() ? kInformAngleDecimals : 0);
-    }
-    if (pulses.empty())
-      state("ANGLE", {tool(), "///POSTYPE ANGLE", "///ANGLE"});
+    if (site_.settings.inform.pulses_per_deg.empty())
+      addPose(move);
     else
-      state("PULSE", {tool(), "///POSTYPE PULSE", "///PULSE"});
-    const std::string name = informPoint(points_++);
-    positions_.push_back(name + "=" + values);
+      addPulses(move);
+    const std::string name = informPoint(points_ - 1);
     instructions_.push_back("MOVJ " + name + " VJ=" + decimalText(site_.settings.joint_speed_percent, 2));
   }
 
+  void addPulses(const JointMove& move) {
+    const std::vector<double>& pulses = site_.settings.inform.pulses_per_deg;
+    std::string values;
+    for (std::size_t j = 0; j < 6; ++j) {
+      const double scaled = move.joints.arm_deg[j] * pulses[j];
+      if (!(std::abs(scaled) < kMostPulses))
+        throw InvalidInput("joint " + std::to_string(j + 1) + " stands at " + numberText(scaled) +
+                           " pulses; must be a whole number of 32 bits (inform.pulses_per_deg)");
+      values += (j > 0 ? "," : "") + decimalText(scaled, 0);
+    }
+    state("PULSE", {tool(), "///POSTYPE PULSE", "///PULSE"});
+    positions_.push_back(informPoint(points_++) + "=" + values);
+  }
+
+  /// Manuals list no points in degrees; a pose and how the arm stands there are as good.
+  void addPose(const JointMove& move) {
+    if (!move.pose)
+      throw InvalidInput("a move of the joints states no pose; expected one, or inform.pulses_per_deg");
+    std::string joints(kJointsNote);
+    for (const double each : move.joints.arm_deg) joints += ' ' + decimalText(each, kInformAngleDecimals);
+    add(NoteLine{joints});
+    addPose(*move.pose);
+  }
+
   void add(const TipMove& move) {
+    addPose(move);
+    const RoundedSpeed speed =
+        roundedSpeed(move.feed_mm_s, speedUnits(RobotLanguage::Inform, site_.settings));
+    instructions_.push_back("MOVL " + informPoint(points_ - 1) + " V=" + decimalText(speed.value, 1) +
+                            " PL=" + std::to_string(move.rests ? 0 : site_.settings.inform.corner_level));
+  }
+
+  void addPose(const TipMove& move) {
     if (!(move.point.cwiseAbs().maxCoeff() < kFarthestInform))
       throw InvalidInput("a point is at " + numberText(move.point.cwiseAbs().maxCoeff()) +
                          " mm; must be within 99 999 mm in INFORM");
@@ -136,14 +158,10 @@ class InformPrinter : public RobotPrinter {
     std::string values;
     for (int axis = 0; axis < 3; ++axis)
       values += decimalText(move.point[axis], kInformPositionDecimals) + ",";
-    const std::string name = informPoint(points_++);
-    positions_.push_back(name + "=" + values + decimalText(angles.x_deg, kInformAngleDecimals) + "," +
+    positions_.push_back(informPoint(points_++) + "=" + values +
+                         decimalText(angles.x_deg, kInformAngleDecimals) + "," +
                          decimalText(angles.y_deg, kInformAngleDecimals) + "," +
                          decimalText(angles.z_deg, kInformAngleDecimals));
-    const RoundedSpeed speed =
-        roundedSpeed(move.feed_mm_s, speedUnits(RobotLanguage::Inform, site_.settings));
-    instructions_.push_back("MOVL " + name + " V=" + decimalText(speed.value, 1) +
-                            " PL=" + std::to_string(move.rests ? 0 : site_.settings.inform.corner_level));
   }
 
   /// Flip, elbow, front or rear, and whether joints 4, 6 and 1 are beyond half a turn.

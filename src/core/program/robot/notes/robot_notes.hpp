@@ -17,6 +17,9 @@ namespace lamina {
 constexpr std::string_view kApproachNote = "approach";
 constexpr std::string_view kRetractNote = "retract";
 
+/// Begins the joints of a move of them that states but the pose to which they take the tip [deg].
+constexpr std::string_view kJointsNote = "stands";
+
 /// Begins a wait that is the toolpath's, not the process's.
 constexpr std::string_view kDwellNote = "dwell";
 

@@ -18,6 +18,7 @@ namespace {
 
 constexpr double kFarthestFrame = 1e6;  // mm
 constexpr double kUnitTurn = 1e-6;      // by which a quaternion may be off its length
+constexpr double kGreatestJoint = 1e5;  // deg
 constexpr int kLastOutput = 99999;
 
 double boundedNumber(NoteWords& words, double limit, const char* expected) {
@@ -53,6 +54,13 @@ ControllerMap notedMap(NoteWords& words) {
   for (double& zero : map.zeros_deg) zero = boundedNumber(words, 1e4, "the zero of each joint in deg");
   map.joint_3_from_2 = boundedNumber(words, 1.0, "the share of joint 2 in joint 3, -1 to 1");
   return map;
+}
+
+ControllerJoints notedJoints(NoteWords& words) {
+  ControllerJoints joints;
+  for (double& each : joints.arm_deg)
+    each = boundedNumber(words, kGreatestJoint, "the angle of each joint in deg");
+  return joints;
 }
 
 int notedOutput(NoteWords& words) {
@@ -111,6 +119,10 @@ class RobotRun {
       running_.equipment.process.insert(note.text);
       return;
     }
+    if (words.take(kJointsNote)) {
+      joints_ = notedJoints(words);
+      return words.expectEnd();
+    }
     is_dwelling_ = words.take(kDwellNote);
     if (is_dwelling_) return words.expectEnd();
     if (words.take(kApproachNote)) {
@@ -150,7 +162,10 @@ class RobotRun {
       refuseAt(line_, "found a move of the joints amid the part; expected a note of an approach before it");
     requireOff("an approach");
     passage_ = Passage::None;
-    if (!running_.start) running_.start = move.joints;
+    const std::optional<ControllerJoints> noted = std::exchange(joints_, std::nullopt);
+    if (move.pose && !noted)
+      refuseAt(line_, "found a move of the joints to a pose; expected a note of these joints before it");
+    if (!running_.start) running_.start = move.pose ? *noted : move.joints;
   }
 
   void add(const TipMove& move) {
@@ -229,9 +244,10 @@ class RobotRun {
   std::size_t line_ = 0;
   Passage passage_ = Passage::None;
   ProcessState process_ = ProcessState::Off;
-  bool is_dwelling_ = false;      ///< a note of a dwell comes right before
-  bool has_arc_texts_ = false;    ///< notes hold the statements of the arc package
-  std::map<int, double> levels_;  ///< as they stand
+  bool is_dwelling_ = false;                ///< a note of a dwell comes right before
+  bool has_arc_texts_ = false;              ///< notes hold the statements of the arc package
+  std::map<int, double> levels_;            ///< as they stand
+  std::optional<ControllerJoints> joints_;  ///< of a note
 };
 
 }  // namespace

@@ -126,11 +126,21 @@ TipMove RobotScript::passage(const Eigen::Isometry3d& pose, const JointValues& j
   return move;
 }
 
+JointMove RobotScript::jointMove(const JointValues& joints) const {
+  TipMove pose = passage(job_.robot->arm.bedFromNozzle(joints), joints);
+  ControllerJoints stated = pose.posture->joints;
+  return {std::move(stated), std::move(pose)};
+}
+
+JointMove RobotScript::jointMoveTo(const ArmPosture& posture) const {
+  return jointMove(armJoints(map_, job_.robot->arm, posture.joints));
+}
+
 std::vector<RobotStatement> RobotScript::approach() const {
   if (!stations_) return {};
   const JointValues start =
       joinedJoints(job_.robot->arm, stations_->begin(0), settings_.approach_mm, "first");
-  return {NoteLine{std::string(kApproachNote)}, JointMove{postureOf(&start)->joints}};
+  return {NoteLine{std::string(kApproachNote)}, jointMove(start)};
 }
 
 std::vector<RobotStatement> RobotScript::retract() const {
@@ -152,11 +162,11 @@ std::vector<RobotStatement> RobotScript::retractFrom(const ArmPosture& posture) 
 
 std::vector<RobotStatement> RobotScript::approachTo(const ArmPosture& posture) const {
   const NoteLine note{std::string(kApproachNote)};
-  if (!stations_ || settings_.approach_mm == 0.0) return {note, JointMove{posture.joints}};
+  if (settings_.approach_mm == 0.0) return {note, jointMoveTo(posture)};
   const KinematicModel& arm = job_.robot->arm;
   const JointValues start = armJoints(map_, arm, posture.joints);
   const JointValues back = joinedJoints(arm, start, settings_.approach_mm, "first of a file's");
-  return {note, JointMove{postureOf(&back)->joints}, note, passage(arm.bedFromNozzle(start), start)};
+  return {note, jointMove(back), note, passage(arm.bedFromNozzle(start), start)};
 }
 
 /// That of the first travel, or of the first path if there is none.

@@ -43,6 +43,9 @@ class RobotScript {
   std::vector<RobotStatement> retractFrom(const ArmPosture& posture) const;
   std::vector<RobotStatement> approachTo(const ArmPosture& posture) const;
 
+  /// By the joints to where the arm stands so. Needs an arm.
+  JointMove jointMoveTo(const ArmPosture& posture) const;
+
   const std::vector<RobotStretch>& stretches() const { return stretches_; }
   std::vector<RobotStatement> statements(const RobotStretch& stretch) const;
   /// "layer 3, path 0" where a stretch begins.
@@ -62,6 +65,7 @@ class RobotScript {
   bool restsAfter(std::size_t path, std::size_t move) const;
   const JointValues* jointsAt(std::size_t path, std::size_t move) const;
   std::optional<ArmPosture> postureOf(const JointValues* joints) const;
+  JointMove jointMove(const JointValues& joints) const;
   TipMove passage(const Eigen::Isometry3d& pose, const JointValues& joints) const;
 
   RobotJob job_;

@@ -121,7 +121,7 @@ class RobotFiles {
     open();
     if (!posture) return;
     if (dialect_.has_calls)
-      print({NoteLine{std::string(kApproachNote)}, JointMove{posture->joints}});
+      print({NoteLine{std::string(kApproachNote)}, script_.jointMoveTo(*posture)});
     else
       print(script_.approachTo(*posture));
   }
