@@ -549,7 +549,10 @@ void MarlinJob::onProbeAnswer(std::uint64_t wanted, double now) {
   if (wanted < feed_.end()) ++record_.status.resends;
   beginPhase(Phase::Feeding, now);
   const bool may_feed = record_.status.state == PackmlState::Execute || isStopping();
-  if (may_feed && feed_.isNextKnown() && feed_.peek() == nullptr) onAllTaken(now);
+  if (!may_feed || !feed_.isNextKnown() || feed_.peek() != nullptr) return;
+  // Motions are still to be run, so that a change that waits has its effect: it goes out first.
+  const bool is_change_due = !unnumbered_.empty() && !isStopping();
+  if (!is_change_due) onAllTaken(now);
 }
 
 void MarlinJob::acknowledgedUpTo(std::uint64_t line, const FirmwareReply& reply, double now) {
