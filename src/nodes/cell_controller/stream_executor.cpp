@@ -6,6 +6,7 @@
 
 #include <utility>
 
+#include "lamina/base/text_search.hpp"
 #include "lamina/streaming/job/packml.hpp"
 #include "names.hpp"
 #include "service_call.hpp"
@@ -15,13 +16,14 @@ namespace {
 
 constexpr double kLongestSilence = 2.0;  // [s] of an executor that says five times a second that it is there
 
-/// The alarm that a job's failure raises.
+/// The alarm that a job's failure raises. Nobody has given up a job whose node was ended.
 int alarmOf(const lamina_msgs::Status& status) {
   using Status = lamina_msgs::Status;
   switch (status.code) {
     case Status::OK:
-    case Status::CANCELLED:
       return 0;
+    case Status::CANCELLED:
+      return startsWith(status.message, names::kNodeEnded) ? 2202 : 0;
     case Status::DISCONNECTED:
       return 3101;
     case Status::TIMED_OUT:

@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <iterator>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "lamina/base/atomic_file.hpp"
@@ -240,6 +241,44 @@ TEST(StreamExecutor, AwaitsAJobThatWasTakenUpAsLongAsItIsPrepared) {
   EXPECT_EQ(executor.takeUnanswered(none_s), "start");
   taken.setAccepted();
   EXPECT_TRUE(waitUntil([&] { return executor.takeUnanswered(none_s).empty(); }));
+}
+
+// Who cancels a job has given it up; whose process is ended has not.
+TEST(StreamExecutor, TellsAnEndOfItsNodeFromACancelledJob) {
+  for (const auto& [message, alarm] :
+       {std::pair(std::string(names::kNodeEnded) + "; the machine did not confirm the safe stop", 2202),
+        std::pair(std::string("aborted on request"), 0)}) {
+    ros::NodeHandle node("ends_" + std::to_string(alarm));
+    actionlib::ActionServer<lamina_msgs::StreamProgramAction>::GoalHandle taken;
+    actionlib::ActionServer<lamina_msgs::StreamProgramAction> streamer(
+        node, names::kStreamProgram, [&taken](auto goal) { taken = goal; }, [](auto) {}, false);
+    streamer.start();
+    std::vector<ExecutorReport> reports;
+    StreamExecutor executor(node, [&reports](const ExecutorReport& report) { reports.push_back(report); });
+    ASSERT_TRUE(waitUntil([&] { return executor.isThere(); }));
+    executor.start({"/tmp/part.gcode", ExecutionStart::Anew, 1, "first"});
+    ASSERT_TRUE(waitUntil([&] { return taken.getGoal() != nullptr; }));
+    taken.setAccepted();
+    lamina_msgs::StreamProgramResult result;
+    result.status.code = lamina_msgs::Status::CANCELLED;
+    result.status.message = message;
+    taken.setAborted(result);
+    ASSERT_TRUE(waitUntil([&] { return !reports.empty(); }));
+    EXPECT_EQ(reports.back().alarm, alarm) << message;
+    EXPECT_EQ(reports.back().failure, message);
+  }
+}
+
+TEST(CellController, AbortsAndOffersTheJobOfAStreamerThatIsEnded) {
+  CellOfNodes cell("ended", 20.0);
+  cell.bringToIdle();
+  cell.change(cell.enqueue(squareProgram(4000)), lamina_msgs::ChangeQueue::Request::RELEASE);
+  ASSERT_TRUE(cell.starts());
+  EXPECT_TRUE(waitUntil([&] { return cell.status.lines_acknowledged > 100; }));
+  EXPECT_EQ(cell.streamer->end(SIGTERM), 0);
+  ASSERT_TRUE(cell.reaches("Aborted"));
+  EXPECT_EQ(cell.status.stop_reason, 2202);
+  EXPECT_TRUE(cell.status.resume_waits);
 }
 
 TEST(CellController, HasItsMachineStoppedByTheWatchWhenTheStreamerDies) {
