@@ -385,6 +385,16 @@ TEST_F(PlayedByHand, CommandsThatKlipperDoesNotKnowAreCounted) {
   EXPECT_EQ(status().commands_not_done, 1U);
 }
 
+TEST_F(PlayedByHand, AChangeThatKlipperDoesNotKnowIsNoLineThatWasNotDone) {
+  beginKlipper();
+  EXPECT_EQ(streamer_->change({LiveSetting::Babystep, -0.05}, 0.5), "");
+  answer("ok\n", 1.0);
+  EXPECT_EQ(answer("// Unknown command:\"SET_GCODE_OFFSET\"\nok\n", 1.1), "G1 X1\n");
+  answer("ok\n", 1.2);
+  EXPECT_EQ(status().commands_not_done, 0U);
+  EXPECT_EQ(status().message, "// Unknown command:\"SET_GCODE_OFFSET\"");
+}
+
 TEST_F(PlayedByHand, KlipperPausesAndCancels) {
   beginKlipper();
   EXPECT_EQ(answer("// action:pause\nok\n", 1.0), "");

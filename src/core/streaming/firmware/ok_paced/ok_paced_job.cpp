@@ -591,8 +591,8 @@ void OkPacedJob::onRestart(const FirmwareReply& reply, double now) {
 
 void OkPacedJob::onNotDone(const FirmwareReply& reply) {
   record_.status.message = reply.text;
-  if (isStopping() || phase_ == Phase::Opening) return;
-  account_.notDone(reply.text);
+  const bool is_change = !under_way_.changeNext().empty();
+  if (!isStopping() && phase_ != Phase::Opening && !is_change) account_.notDone(reply.text);
 }
 
 }  // namespace lamina
