@@ -4,6 +4,10 @@
 
 #include <std_srvs/Trigger.h>
 
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <string_view>
 #include <utility>
 
 #include "lamina/base/text_search.hpp"
@@ -15,6 +19,23 @@ namespace lamina {
 namespace {
 
 constexpr double kLongestSilence = 2.0;  // [s] of an executor that says five times a second that it is there
+
+/// In the words of Marlin, RepRapFirmware and Klipper.
+bool isHeaterFault(std::string message) {
+  constexpr std::array<std::string_view, 8> kSigns = {
+      "thermal runaway", "heating failed", "mintemp",          "maxtemp",
+      "heater fault",    "not heating",    "adc out of range", "temperature excursion"};
+  std::transform(message.begin(), message.end(), message.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return std::any_of(kSigns.begin(), kSigns.end(),
+                     [&message](std::string_view sign) { return contains(message, sign); });
+}
+
+int alarmOfRejection(const std::string& message) {
+  if (isHeaterFault(message)) return 3104;
+  return contains(message, "the machine halted: ") || contains(message, "the machine has halted: ") ? 3103
+                                                                                                    : 3106;
+}
 
 /// The alarm that a job's failure raises. Nobody has given up a job whose node was ended.
 int alarmOf(const lamina_msgs::Status& status) {
@@ -28,6 +49,10 @@ int alarmOf(const lamina_msgs::Status& status) {
       return 3101;
     case Status::TIMED_OUT:
       return 3105;
+    case Status::DEVICE_ERROR:
+      return contains(status.message, "was reset") ? 3102 : 3106;
+    case Status::REJECTED:
+      return alarmOfRejection(status.message);
     default:
       return 3106;
   }
