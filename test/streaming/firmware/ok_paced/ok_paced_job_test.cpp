@@ -404,6 +404,21 @@ TEST_F(PlayedByHand, KlipperPausesAndCancels) {
   EXPECT_EQ(status().failure.code, ErrorCode::Cancelled);
 }
 
+// PAUSE does nothing more in Klipper until RESUME has come: the next pause of the program would be passed
+// over.
+TEST_F(PlayedByHand, APauseOfKlipperIsEndedByItsOwnCommand) {
+  beginKlipper("PAUSE\nG1 X1\n");
+  EXPECT_EQ(answer("// action:paused\nok\n", 1.0), "");
+  EXPECT_EQ(status().state, PackmlState::Held);
+  EXPECT_TRUE(streamer_->resume(2.0));
+  EXPECT_EQ(streamer_->takeOutput(), "RESUME\n");
+  EXPECT_EQ(answer("// action:resumed\nok\n", 2.5), "G1 X1\n");
+  EXPECT_TRUE(streamer_->pause(2.6));
+  answer("ok\n", 2.7);
+  EXPECT_TRUE(streamer_->resume(3.0));
+  EXPECT_EQ(streamer_->takeOutput(), "M400\n") << "a pause of Lamina's own is none of Klipper's";
+}
+
 TEST_F(PlayedByHand, AMachineThatPrintsFromItsCardIsLeftAlone) {
   begin("reprapfirmware");
   EXPECT_NE(answer("FIRMWARE_NAME: RepRapFirmware for Duet 3 MB6HC FIRMWARE_VERSION: 3.5.3\nok\n", 0.1)

@@ -336,7 +336,7 @@ bool OkPacedJob::resume(double now) {
   if (layer_pause_.takeBack(record_)) return true;
   if (!record_.isPaused()) return false;
   layer_wait_.end();  // the time to wait for a layer begins anew
-  is_paused_by_machine_ = false;
+  endPauseOfMachine();
   record_.goOn();
   proceed(now);
   return true;
@@ -496,7 +496,7 @@ void OkPacedJob::onKind(const FirmwareReply& reply, double now) {
       if (pause(now)) is_paused_by_machine_ = true;
       break;
     case ReplyKind::Resume:
-      if (is_paused_by_machine_) resume(now);
+      if (std::exchange(is_paused_by_machine_, false)) resume(now);
       break;
     case ReplyKind::Cancel:
       fail(ErrorCode::Cancelled, "the machine ends the job: \"" + reply.text + "\"", now);
