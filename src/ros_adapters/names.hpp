@@ -108,6 +108,10 @@ inline constexpr char kFollowJointTrajectory[] =
     "follow_joint_trajectory";                              ///< of control_msgs, or of the same fields
 inline constexpr char kStreamProgram[] = "stream_program";  ///< lamina/StreamProgram
 
+// Results.
+inline constexpr char kNodeEnded[] =
+    "the node was ended";  ///< begins the message of a job that is CANCELLED by the end of its own node
+
 // Parameters.
 inline constexpr char kPluginsParameter[] = "plugins";  ///< private: paths of plug-ins, colons between
 

@@ -4,8 +4,13 @@
 
 #include <std_srvs/Trigger.h>
 
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <string_view>
 #include <utility>
 
+#include "lamina/base/text_search.hpp"
 #include "lamina/streaming/job/packml.hpp"
 #include "names.hpp"
 #include "service_call.hpp"
@@ -15,17 +20,39 @@ namespace {
 
 constexpr double kLongestSilence = 2.0;  // [s] of an executor that says five times a second that it is there
 
-/// The alarm that a job's failure raises.
+/// In the words of Marlin, RepRapFirmware and Klipper.
+bool isHeaterFault(std::string message) {
+  constexpr std::array<std::string_view, 8> kSigns = {
+      "thermal runaway", "heating failed", "mintemp",          "maxtemp",
+      "heater fault",    "not heating",    "adc out of range", "temperature excursion"};
+  std::transform(message.begin(), message.end(), message.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return std::any_of(kSigns.begin(), kSigns.end(),
+                     [&message](std::string_view sign) { return contains(message, sign); });
+}
+
+int alarmOfRejection(const std::string& message) {
+  if (isHeaterFault(message)) return 3104;
+  return contains(message, "the machine halted: ") || contains(message, "the machine has halted: ") ? 3103
+                                                                                                    : 3106;
+}
+
+/// The alarm that a job's failure raises. Nobody has given up a job whose node was ended.
 int alarmOf(const lamina_msgs::Status& status) {
   using Status = lamina_msgs::Status;
   switch (status.code) {
     case Status::OK:
-    case Status::CANCELLED:
       return 0;
+    case Status::CANCELLED:
+      return startsWith(status.message, names::kNodeEnded) ? 2202 : 0;
     case Status::DISCONNECTED:
       return 3101;
     case Status::TIMED_OUT:
       return 3105;
+    case Status::DEVICE_ERROR:
+      return contains(status.message, "was reset") ? 3102 : 3106;
+    case Status::REJECTED:
+      return alarmOfRejection(status.message);
     default:
       return 3106;
   }

@@ -451,7 +451,7 @@ std::optional<Failure> GcodeStreamer::cancellation() {
     if (is_abort_due_) return Failure{ErrorCode::Cancelled, "aborted on request"};
   }
   if (action_.isPreemptRequested()) return Failure{ErrorCode::Cancelled, "the goal was cancelled"};
-  if (isStopRequested() || !ros::ok()) return Failure{ErrorCode::Cancelled, "the node was ended"};
+  if (isStopRequested() || !ros::ok()) return Failure{ErrorCode::Cancelled, names::kNodeEnded};
   return std::nullopt;
 }
 

@@ -116,8 +116,6 @@ constexpr double kReadyHz = 10.0;
 constexpr double kUnserved = 0.35;  // s without a cycle: more than three of the slowest
 constexpr double kQuiet = 1.0;      // s between two messages of the same kind in the log
 
-const ros::WallDuration kFlush(0.1);  // that last values need to leave the node
-
 double milliseconds(double time_s) { return 1e3 * time_s; }
 
 /// Of jitter and round trips, in one line.
@@ -182,8 +180,8 @@ ProcessIo::ProcessIo(ros::NodeHandle node, const ProcessIoSettings& settings)
 ProcessIo::~ProcessIo() {
   cycle_.reset();
   const double now_s = clock_.now();
+  // All at once; the end of each link waits until its device has them.
   sendToDevices(bridge_.stop(now_s), now_s);
-  kFlush.sleep();
   bool have_ended = true;
   for (const std::size_t i : order_) have_ended = links_[i]->end() && have_ended;
   awaitDelivery();

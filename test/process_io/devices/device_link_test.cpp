@@ -98,6 +98,18 @@ TEST(DeviceLink, FirstAndLastValuesAreSafe) {
   EXPECT_TRUE(commanded.is_closed);
 }
 
+TEST(DeviceLink, IsEndedOnlyOnceTheDeviceHasTheSafeValues) {
+  CommandedDevice commanded;
+  const SteadyClock clock;
+  DeviceLink link(std::make_unique<FakeDevice>(commanded), quickSettings(), clock, {-1.0});
+  ASSERT_TRUE(comesTo(link, [](const DeviceReport& report) { return report.is_connected; }));
+  link.send({5.0}, clock.now());
+  link.send({-1.0}, clock.now());
+  ASSERT_TRUE(comesTo(link, [&link](const DeviceReport&) { return link.end(); }));
+  EXPECT_EQ(commanded.exchanged.back(), Values{-1.0});
+  EXPECT_TRUE(commanded.is_closed);
+}
+
 TEST(DeviceLink, ALostDeviceIsOpenedAgainAndGetsNoOldValue) {
   CommandedDevice commanded;
   const SteadyClock clock;

@@ -83,6 +83,19 @@ TEST(GcodeDialect, OfKlipperAndRepRapFirmwareIsThatOfMarlinWithinAPart) {
   EXPECT_EQ(programOf(beadAfter(FanShare{0.5}), "reprapfirmware"), marlin);
 }
 
+// RepRapFirmware takes S up to 1 for a share: S1 is all of the fan.
+TEST(GcodeDialect, OfRepRapFirmwareHasNoFanThatIsTakenForAShare) {
+  const auto fanOf = [](double share, const char* dialect) {
+    const std::string text = programOf(beadAfter(FanShare{share}), dialect);
+    const std::size_t at = text.find("G4 P1500\n") + 9;
+    return text.substr(at, text.find('\n', at) - at);
+  };
+  EXPECT_EQ(fanOf(1.0 / 255.0, "reprapfirmware"), "M106 S2");
+  EXPECT_EQ(fanOf(1.0 / 255.0, "marlin"), "M106 S1");
+  EXPECT_EQ(fanOf(3.0 / 255.0, "reprapfirmware"), "M106 S3");
+  EXPECT_EQ(fanOf(0.001, "reprapfirmware"), "M107");
+}
+
 TEST(GcodeDialect, OfGrblHasSecondsAndNoExtruder) {
   const std::string grbl = programOf(beadAfter(code()), "grbl");
   EXPECT_NE(grbl.find("G4 P1.5\nM3 S100\nG1 X"), std::string::npos) << grbl;

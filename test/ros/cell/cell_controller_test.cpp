@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <iterator>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "lamina/base/atomic_file.hpp"
@@ -240,6 +241,68 @@ TEST(StreamExecutor, AwaitsAJobThatWasTakenUpAsLongAsItIsPrepared) {
   EXPECT_EQ(executor.takeUnanswered(none_s), "start");
   taken.setAccepted();
   EXPECT_TRUE(waitUntil([&] { return executor.takeUnanswered(none_s).empty(); }));
+}
+
+/// What is said of a job that ends with this status.
+ExecutorReport reportOf(const lamina_msgs::Status& status, const std::string& name) {
+  ros::NodeHandle node(name);
+  actionlib::ActionServer<lamina_msgs::StreamProgramAction>::GoalHandle taken;
+  actionlib::ActionServer<lamina_msgs::StreamProgramAction> streamer(
+      node, names::kStreamProgram, [&taken](auto goal) { taken = goal; }, [](auto) {}, false);
+  streamer.start();
+  std::vector<ExecutorReport> reports;
+  StreamExecutor executor(node, [&reports](const ExecutorReport& report) { reports.push_back(report); });
+  EXPECT_TRUE(waitUntil([&] { return executor.isThere(); }));
+  executor.start({"/tmp/part.gcode", ExecutionStart::Anew, 1, "first"});
+  EXPECT_TRUE(waitUntil([&] { return taken.getGoal() != nullptr; }));
+  taken.setAccepted();
+  lamina_msgs::StreamProgramResult result;
+  result.status = status;
+  taken.setAborted(result);
+  EXPECT_TRUE(waitUntil([&] { return !reports.empty(); }));
+  return reports.empty() ? ExecutorReport() : reports.back();
+}
+
+// Who cancels a job has given it up; whose process is ended has not.
+TEST(StreamExecutor, RaisesTheAlarmOfWhatHasEndedAJob) {
+  using Status = lamina_msgs::Status;
+  struct End {
+    std::uint8_t code;
+    std::string message;
+    int alarm;
+  };
+  const std::string halted = "the machine halted: ";
+  const std::vector<End> ends = {
+      {Status::CANCELLED, std::string(names::kNodeEnded) + "; the machine did not confirm the safe stop",
+       2202},
+      {Status::CANCELLED, "aborted on request", 0},
+      {Status::DEVICE_ERROR, "the machine was reset; line 3 of 9 was the last acknowledged", 3102},
+      {Status::DEVICE_ERROR, "a line was answered that was not sent", 3106},
+      {Status::REJECTED, halted + "\"Error:Printer halted. kill() called!\"", 3103},
+      {Status::REJECTED, halted + "\"Error:Thermal Runaway, system stopped! Heater_ID: 0\"", 3104},
+      {Status::REJECTED, halted + "\"// Klipper state: Shutdown\"; Heater bed not heating at expected rate",
+       3104},
+      {Status::REJECTED, "the machine refused line 3 'G5' (error:20)", 3106}};
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    Status status;
+    status.code = ends[i].code;
+    status.message = ends[i].message;
+    const ExecutorReport report = reportOf(status, "ends_" + std::to_string(i));
+    EXPECT_EQ(report.alarm, ends[i].alarm) << status.message;
+    EXPECT_EQ(report.failure, status.message);
+  }
+}
+
+TEST(CellController, AbortsAndOffersTheJobOfAStreamerThatIsEnded) {
+  CellOfNodes cell("ended", 20.0);
+  cell.bringToIdle();
+  cell.change(cell.enqueue(squareProgram(4000)), lamina_msgs::ChangeQueue::Request::RELEASE);
+  ASSERT_TRUE(cell.starts());
+  EXPECT_TRUE(waitUntil([&] { return cell.status.lines_acknowledged > 100; }));
+  EXPECT_EQ(cell.streamer->end(SIGTERM), 0);
+  ASSERT_TRUE(cell.reaches("Aborted"));
+  EXPECT_EQ(cell.status.stop_reason, 2202);
+  EXPECT_TRUE(cell.status.resume_waits);
 }
 
 TEST(CellController, HasItsMachineStoppedByTheWatchWhenTheStreamerDies) {

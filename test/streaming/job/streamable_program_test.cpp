@@ -82,6 +82,11 @@ TEST(StreamableProgram, RefusesWhatFirmwareWouldMisread) {
   EXPECT_NE(refusalOf("; nothing\n").find("no command"), std::string::npos);
 }
 
+TEST(StreamableProgram, TakesTheToolThatAMultiMaterialUnitAsksFor) {
+  EXPECT_EQ(program("Tx\nTc\nT?\nT2\n").lines(), 4U);
+  EXPECT_NE(refusalOf("TOOL=2\n").find("is a macro's name"), std::string::npos);
+}
+
 TEST(StreamableProgram, QuotesNothingBeforeAPlainCommand) {
   EXPECT_EQ(refusalOf("root:$6$SECRET*\n").find("SECRET"), std::string::npos);
   EXPECT_EQ(refusalOf("M117 SECRET\n12 SECRET\n").find("SECRET"), std::string::npos);

@@ -71,6 +71,54 @@ TEST_F(ScriptedPeer, MakesTheChangesBehindOneThatIsNotAnswered) {
   EXPECT_EQ(streamer.takeOutput(), line(5) + line(6) + line(7) + line(8));
 }
 
+/// Answers until the last two of ten lines are under way.
+void beginTheEnd(Streamer& streamer) {
+  streamer.takeOutput();
+  streamer.receive("ok\nok\nok\nok\n", 0.1);
+  streamer.takeOutput();
+  streamer.receive("ok\nok\nok\nok\n", 0.2);
+}
+
+TEST_F(ScriptedPeer, MakesAChangeThatWaitsWhenTheLastLineIsProvenTaken) {
+  Streamer streamer(program_, settings());
+  begin(streamer);
+  beginTheEnd(streamer);
+  EXPECT_EQ(streamer.takeOutput(), line(9) + line(10));
+  EXPECT_EQ(streamer.change({LiveSetting::Feed, 50.0}, 0.3), "");
+  streamer.receive("ok\n", 0.4);  // that to the last line is lost
+  streamer.elapse(3.0);
+  EXPECT_EQ(streamer.takeOutput(), frameLine(12, "M105"));
+  streamer.receive("Resend: 11\nok\n", 3.1);
+  EXPECT_EQ(streamer.takeOutput(), "M220 S50\n") << "motions are still to be run";
+  streamer.receive("ok\n", 3.2);
+  EXPECT_EQ(streamer.takeOutput(), frameLine(12, "M105"));
+  streamer.receive("Resend: 11\nok\n", 3.3);
+  EXPECT_EQ(streamer.takeOutput(), "M400\n");
+  EXPECT_EQ(streamer.change({LiveSetting::Feed, 60.0}, 3.4), kNoJobToChange);
+}
+
+TEST_F(ScriptedPeer, MakesAChangeThatComesWhileTheLastLineIsBeingProven) {
+  Streamer streamer(program_, settings());
+  begin(streamer);
+  beginTheEnd(streamer);
+  streamer.takeOutput();
+  streamer.receive("ok\nok\n", 0.3);
+  EXPECT_EQ(streamer.takeOutput(), frameLine(12, "M105"));
+  EXPECT_EQ(streamer.change({LiveSetting::Feed, 50.0}, 0.4), "");
+  EXPECT_EQ(streamer.change({LiveSetting::Flow, 90.0}, 0.4), "");
+  streamer.receive("Resend: 11\nok\n", 0.5);
+  EXPECT_EQ(streamer.takeOutput(), "M220 S50\n");
+  streamer.elapse(3.2);  // its answer is lost
+  EXPECT_EQ(streamer.takeOutput(), frameLine(12, "M105"));
+  EXPECT_EQ(streamer.status().message, "no answer to M220 S50, which may not have been done");
+  streamer.receive("Resend: 11\nok\n", 3.3);
+  EXPECT_EQ(streamer.takeOutput(), "M221 S90\n");
+  streamer.receive("ok\n", 3.4);
+  streamer.receive("Resend: 11\nok\n", 3.5);
+  streamer.takeOutput();
+  EXPECT_EQ(streamer.status().state, PackmlState::Completing);
+}
+
 TEST(UnnumberedCommands, AskForRestAgainWhereItsAnswerIsLost) {
   UnnumberedCommands commands;
   EXPECT_TRUE(commands.addRest("M400"));

@@ -360,6 +360,36 @@ TEST_F(ScriptedPeer, CountsCommandsThatWereNotDone) {
   EXPECT_EQ(streamer.status().commands_not_done, 1U);
 }
 
+// Boards without AUTO_REPORT_TEMPERATURES, or with BABYSTEPPING off.
+TEST_F(ScriptedPeer, CountsNoCommandOfItsOwnThatTheMachineDoesNotKnow) {
+  StreamSettings reporting;
+  reporting.link = LinkKind::Reliable;
+  Streamer streamer(program_, reporting);
+  streamer.start(0.0);
+  streamer.receive(kMarlin, 0.0);
+  streamer.receive("ok\nError:Line Number is not Last Number+1, Last Line: 0\nResend: 1\nok\n", 0.0);
+  streamer.takeOutput();
+  streamer.receive("echo:Unknown command: \"M155 S1\"\nok\n", 0.1);
+  EXPECT_EQ(streamer.takeOutput(), line(1) + line(2) + line(3) + line(4));
+  streamer.change({LiveSetting::Babystep, 0.02}, 0.2);
+  streamer.receive("ok\nok\nok\nok\n", 0.3);
+  EXPECT_EQ(streamer.takeOutput(), "M290 Z0.02\n");
+  streamer.receive("echo:Unknown command: \"M290 Z0.02\"\nok\n", 0.4);
+  EXPECT_EQ(streamer.status().message, "echo:Unknown command: \"M290 Z0.02\"");
+  streamer.receive("ok\nok\nok\nok\n", 0.5);
+  EXPECT_EQ(streamer.status().lines_acknowledged, 8U);
+  EXPECT_EQ(streamer.status().commands_not_done, 0U);
+}
+
+TEST_F(ScriptedPeer, SaysThatTheMachineWaitsForAPerson) {
+  Streamer streamer(program_, settings());
+  begin(streamer);
+  streamer.receive("echo:busy: processing\n", 0.1);
+  EXPECT_EQ(streamer.status().message, "");
+  streamer.receive("echo:busy: paused for user\n", 2.1);
+  EXPECT_EQ(streamer.status().message, "the machine waits for a person: \"echo:busy: paused for user\"");
+}
+
 TEST_F(ScriptedPeer, PausesAndResumesWhenTheMachineAsksForIt) {
   Streamer streamer(program_, settings());
   begin(streamer);
@@ -382,13 +412,17 @@ TEST_F(ScriptedPeer, GoesOnOnlyWhereTheMachineItselfHadPaused) {
 }
 
 TEST_F(ScriptedPeer, EndsWhenTheMachineAsksForItOrHalts) {
-  for (const std::string message : {"// action:cancel", "//action:kill", "fatal: heater 1 disconnected"}) {
+  for (const std::string message :
+       {"// action:cancel", "//action:kill", "//action:poweroff", "fatal: heater 1 disconnected"}) {
     Streamer streamer(program_, settings());
     begin(streamer);
     streamer.takeOutput();
     streamer.receive(message + "\n", 1.0);
     EXPECT_EQ(streamer.status().state, PackmlState::Aborting) << message;
     EXPECT_NE(streamer.status().failure.message.find(message), std::string::npos);
+    const bool is_asked = message == "// action:cancel";  // all others are halts
+    EXPECT_EQ(streamer.status().failure.code, is_asked ? ErrorCode::Cancelled : ErrorCode::Rejected)
+        << message;
   }
 }
 

@@ -34,6 +34,7 @@ struct GcodeDialect {
   std::string pause = "M0";        ///< command that waits for the operator
   std::string progress;       ///< command that reports {percent} done, {minutes} left; empty if there is none
   std::string accelerations;  ///< command that sets {deposit}, {travel} [mm/s²]; empty if there is none
+  int least_fan = 1;          ///< least S of M106 that the firmware takes for one of 255, not for a share
 };
 
 /// All dialects by name, those of plug-ins too: "marlin", "klipper", "reprapfirmware", "grbl" (`writeGcode`),

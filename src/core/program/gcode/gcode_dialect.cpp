@@ -28,10 +28,12 @@ GcodeDialect klipper() {
   return dialect;
 }
 
-/// M0 ends a program, and M226 is known in files on the card alone.
+/// M0 ends a program, and M226 is known in files on the card alone. S of M106 is a share up to 1, which is
+/// all of the fan.
 GcodeDialect repRapFirmware() {
   GcodeDialect dialect = marlin();
   dialect.pause = "M291";
+  dialect.least_fan = 2;
   return dialect;
 }
 

@@ -55,8 +55,9 @@ struct EventWords {
     text.append("G4 P").append(digits, end).append("\n");
   }
   void operator()(const FanShare& fan) const {
-    const auto steps = std::llround(fan.share * kFanSteps);
-    text += steps > 0 ? "M106 S" + std::to_string(steps) + "\n" : "M107\n";
+    const long long steps = std::llround(fan.share * kFanSteps);
+    const long long least = gcodeDialects().find(settings.dialect).least_fan;
+    text += steps > 0 ? "M106 S" + std::to_string(std::max(steps, least)) + "\n" : "M107\n";
   }
   void operator()(const OperatorPause& pause) const { text += pauseLine(pause.message, settings) + "\n"; }
   void operator()(const PartMark& mark) const { text += ";PART:" + mark.name + "\n"; }

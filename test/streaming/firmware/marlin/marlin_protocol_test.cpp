@@ -95,12 +95,15 @@ TEST(MarlinProtocol, ReadsTheActionsAMachineAsksOfItsHost) {
   EXPECT_EQ(parseReply("//action:out_of_filament T0").kind, ReplyKind::Pause);
   EXPECT_EQ(parseReply("//action:resumed").kind, ReplyKind::Resume);
   EXPECT_EQ(parseReply("//action:cancel").kind, ReplyKind::Cancel);
+  EXPECT_EQ(parseReply("//action:poweroff").kind, ReplyKind::Cancel);
   EXPECT_EQ(parseReply("//action:prompt_begin Nozzle clogged?").kind, ReplyKind::Information);
   EXPECT_EQ(parseReply("// Klipper state: Ready").kind, ReplyKind::Information);
 }
 
 TEST(MarlinProtocol, TellsCommandsThatWereNotDoneFromOthers) {
   EXPECT_EQ(parseReply("echo:Unknown command: \"G5\"").kind, ReplyKind::NotDone);
+  EXPECT_EQ(parseReply("Unknown M code: M290 Z-0.05").kind, ReplyKind::NotDone) << "Prusa's firmware";
+  EXPECT_EQ(parseReply("Unknown G code: G5").kind, ReplyKind::NotDone);
   EXPECT_EQ(parseReply("echo: cold extrusion prevented").kind, ReplyKind::NotDone);
   EXPECT_EQ(parseReply("echo:SD card ok").kind, ReplyKind::Information);
   EXPECT_EQ(parseReply("Re\023end: 12").kind, ReplyKind::Unreadable);

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "lamina/streaming/firmware/marlin/marlin_protocol.hpp"
+
 namespace lamina {
 namespace {
 
@@ -86,6 +88,17 @@ TEST(MarlinResend, ContradictionIsFollowedUpOnce) {
   EXPECT_EQ(resend.contradictionOf(5, 4), Contradiction::None);
   EXPECT_EQ(resend.contradictionOf(1, 4), Contradiction::First);
   EXPECT_EQ(resend.contradictionOf(1, 4), Contradiction::Repeated);
+}
+
+// A machine that is held says so each second; it is no answer that could have been lost.
+TEST(MarlinResend, KnowsAResetBehindWhatAMachineSaysUnasked) {
+  MarlinResend resend(settings());
+  resend.beginAt(1);
+  for (int i = 0; i < 30; ++i) {
+    resend.hear(parseReply("wait"), 0.0);
+    resend.hear(parseReply("//action:notification Layer 3"), 0.0);
+  }
+  EXPECT_EQ(resend.contradictionOf(2, 20), Contradiction::First);
 }
 
 TEST(MarlinResend, GivesUpALineThatIsAlwaysRefused) {

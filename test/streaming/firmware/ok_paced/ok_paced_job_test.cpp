@@ -385,6 +385,16 @@ TEST_F(PlayedByHand, CommandsThatKlipperDoesNotKnowAreCounted) {
   EXPECT_EQ(status().commands_not_done, 1U);
 }
 
+TEST_F(PlayedByHand, AChangeThatKlipperDoesNotKnowIsNoLineThatWasNotDone) {
+  beginKlipper();
+  EXPECT_EQ(streamer_->change({LiveSetting::Babystep, -0.05}, 0.5), "");
+  answer("ok\n", 1.0);
+  EXPECT_EQ(answer("// Unknown command:\"SET_GCODE_OFFSET\"\nok\n", 1.1), "G1 X1\n");
+  answer("ok\n", 1.2);
+  EXPECT_EQ(status().commands_not_done, 0U);
+  EXPECT_EQ(status().message, "// Unknown command:\"SET_GCODE_OFFSET\"");
+}
+
 TEST_F(PlayedByHand, KlipperPausesAndCancels) {
   beginKlipper();
   EXPECT_EQ(answer("// action:pause\nok\n", 1.0), "");
@@ -392,6 +402,21 @@ TEST_F(PlayedByHand, KlipperPausesAndCancels) {
   EXPECT_EQ(answer("// action:resume\n", 2.0), "G1 X1\n");
   answer("// action:cancel\n", 3.0);
   EXPECT_EQ(status().failure.code, ErrorCode::Cancelled);
+}
+
+// PAUSE does nothing more in Klipper until RESUME has come: the next pause of the program would be passed
+// over.
+TEST_F(PlayedByHand, APauseOfKlipperIsEndedByItsOwnCommand) {
+  beginKlipper("PAUSE\nG1 X1\n");
+  EXPECT_EQ(answer("// action:paused\nok\n", 1.0), "");
+  EXPECT_EQ(status().state, PackmlState::Held);
+  EXPECT_TRUE(streamer_->resume(2.0));
+  EXPECT_EQ(streamer_->takeOutput(), "RESUME\n");
+  EXPECT_EQ(answer("// action:resumed\nok\n", 2.5), "G1 X1\n");
+  EXPECT_TRUE(streamer_->pause(2.6));
+  answer("ok\n", 2.7);
+  EXPECT_TRUE(streamer_->resume(3.0));
+  EXPECT_EQ(streamer_->takeOutput(), "M400\n") << "a pause of Lamina's own is none of Klipper's";
 }
 
 TEST_F(PlayedByHand, AMachineThatPrintsFromItsCardIsLeftAlone) {

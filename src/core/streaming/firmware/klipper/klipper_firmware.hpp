@@ -25,6 +25,7 @@ class KlipperFirmware final : public OkPacedFirmware {
   ChangeCommand changed(const LiveChange& change, const StreamableProgram& program) const override;
   bool isBlocking(std::string_view command) const override;
   bool detectsDamage() const override { return false; }
+  std::string resumption() const override { return "RESUME"; }
   std::vector<std::string> switchOff(const std::string& temperatures) const override;
   std::string emergencyStop() const override { return "M112"; }
   std::size_t mostUnanswered() const override;

@@ -3,9 +3,13 @@
 #include "streaming/firmware/marlin/line_proof.hpp"
 
 #include <algorithm>
+#include <string_view>
 
 namespace lamina {
 namespace {
+
+/// Whether a machine says so by itself: that it has nothing to do, or what its host is to show.
+bool isUnasked(std::string_view text) { return text == "wait" || text.substr(0, 2) == "//"; }
 
 bool isStrange(const FirmwareReply& reply) {
   switch (reply.kind) {
@@ -17,7 +21,8 @@ bool isStrange(const FirmwareReply& reply) {
       return !reply.line;
     case ReplyKind::Information:
       return !reply.text.empty() && !reply.temperatures && !reply.position && reply.firmware_name.empty() &&
-             reply.text.compare(0, 5, "echo:") != 0 && reply.text.compare(0, 4, "Cap:") != 0;
+             reply.text.compare(0, 5, "echo:") != 0 && reply.text.compare(0, 4, "Cap:") != 0 &&
+             !isUnasked(reply.text);
     default:
       return false;
   }

@@ -75,7 +75,8 @@ std::string MarlinFirmware::defectOf(std::string_view command, const StreamSetti
   if (command.find('*') != std::string_view::npos)
     return "has a '*', which marks a checksum; checksums are added here";
   if (!isLetter(command[0])) return "starts with no letter; expected a command letter";
-  if (command.size() > 1 && (isLetter(command[1]) || command[1] == '_'))
+  const bool is_tool_of_user = command == "Tx" || command == "Tc";  // asked for at a multi-material unit
+  if (!is_tool_of_user && command.size() > 1 && (isLetter(command[1]) || command[1] == '_'))
     return "is a macro's name, which Marlin does not know; expected a letter and a number";
   if (isCommand(command, "M110")) return "sets the line number, which belongs to the streamer";
   if (command.find("M110") != std::string_view::npos)

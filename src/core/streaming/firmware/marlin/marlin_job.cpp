@@ -426,7 +426,8 @@ void MarlinJob::onKind(const FirmwareReply& reply, double now) {
       break;
     case ReplyKind::NotDone:
       record_.status.message = reply.text;
-      if (!isStopping()) account_.notDone(reply.text);
+      // What is asked for besides the program's lines may be unknown.
+      if (isAnsweringLines()) account_.notDone(reply.text);
       break;
     case ReplyKind::Pause:
       record_.status.message = reply.text;
@@ -436,9 +437,11 @@ void MarlinJob::onKind(const FirmwareReply& reply, double now) {
       if (is_paused_by_machine_) resume(now);
       break;
     case ReplyKind::Cancel:
-      fail(ErrorCode::Cancelled, "the machine ends the job: \"" + reply.text + "\"", now);
+      onEnded(reply, now);
       break;
     case ReplyKind::Busy:
+      if (reply.text.find("paused for") != std::string::npos)
+        record_.status.message = "the machine waits for a person: \"" + reply.text + "\"";
       account_.starvation().busy(now);
       safe_stop_by_ = std::min(now + settings_.safe_stop_timeout_s, safe_stop_latest_);
       break;
@@ -447,6 +450,14 @@ void MarlinJob::onKind(const FirmwareReply& reply, double now) {
     case ReplyKind::Information:
       break;
   }
+}
+
+/// Marlin's kill() asks for no power, behind an error that may have been lost: nobody has cancelled that job.
+void MarlinJob::onEnded(const FirmwareReply& reply, double now) {
+  if (reply.text.find("cancel") != std::string::npos)
+    fail(ErrorCode::Cancelled, "the machine ends the job: \"" + reply.text + "\"", now);
+  else
+    fail(ErrorCode::Rejected, "the machine halted: \"" + reply.text + "\"", now);
 }
 
 void MarlinJob::onOk(const FirmwareReply& reply, double now) {
@@ -549,7 +560,10 @@ void MarlinJob::onProbeAnswer(std::uint64_t wanted, double now) {
   if (wanted < feed_.end()) ++record_.status.resends;
   beginPhase(Phase::Feeding, now);
   const bool may_feed = record_.status.state == PackmlState::Execute || isStopping();
-  if (may_feed && feed_.isNextKnown() && feed_.peek() == nullptr) onAllTaken(now);
+  if (!may_feed || !feed_.isNextKnown() || feed_.peek() != nullptr) return;
+  // Changes outlive the job: those that wait go out before its end.
+  const bool is_change_due = !unnumbered_.empty() && !isStopping();
+  if (!is_change_due) onAllTaken(now);
 }
 
 void MarlinJob::acknowledgedUpTo(std::uint64_t line, const FirmwareReply& reply, double now) {

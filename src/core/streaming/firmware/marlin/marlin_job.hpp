@@ -70,6 +70,7 @@ class MarlinJob final : public StreamJob {
   void onReply(const FirmwareReply& reply, double now);
   void onKind(const FirmwareReply& reply, double now);
   void onIdentity(const FirmwareReply& reply, double now);
+  void onEnded(const FirmwareReply& reply, double now);
   void onOk(const FirmwareReply& reply, double now);
   void acknowledgedUpTo(std::uint64_t line, const FirmwareReply& reply, double now);
   void onResend(const FirmwareReply& reply, double now);
@@ -106,6 +107,10 @@ class MarlinJob final : public StreamJob {
   void timeOut(double now);
 
   bool isStopping() const { return record_.isStopping(); }
+  /// Whether what the machine says may be of a line of the program.
+  bool isAnsweringLines() const {
+    return !isStopping() && (phase_ == Phase::Feeding || phase_ == Phase::Probing);
+  }
   void fail(ErrorCode code, const std::string& what, double now) {
     abort({code, what + record_.whereItStands()}, now);
   }

@@ -115,9 +115,10 @@ bool isGreeting(std::string_view text) {
   return containsAny(text, kSigns);
 }
 
+/// In the words of Marlin and of Prusa's firmware.
 bool isNotDone(std::string_view text) {
-  constexpr std::array<std::string_view, 3> kSigns = {"unknown command", "cold extrusion prevented",
-                                                      "long extrusion prevented"};
+  constexpr std::array<std::string_view, 5> kSigns = {"unknown command", "unknown g code", "unknown m code",
+                                                      "cold extrusion prevented", "long extrusion prevented"};
   return containsAny(text, kSigns);
 }
 

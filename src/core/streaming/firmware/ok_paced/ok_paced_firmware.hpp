@@ -70,6 +70,9 @@ class OkPacedFirmware : public FirmwareProtocol, public std::enable_shared_from_
   /// The command for a change of the running job.
   virtual ChangeCommand changed(const LiveChange& change, const StreamableProgram& program) const = 0;
 
+  /// The command that ends a pause which the machine has begun by itself; empty if it needs none.
+  virtual std::string resumption() const { return {}; }
+
   /// Commands that switch off all that heats or turns.
   /// @param temperatures  the last report of these, which names the tools; may be empty
   virtual std::vector<std::string> switchOff(const std::string& temperatures) const = 0;

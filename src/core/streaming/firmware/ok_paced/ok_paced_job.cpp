@@ -336,7 +336,7 @@ bool OkPacedJob::resume(double now) {
   if (layer_pause_.takeBack(record_)) return true;
   if (!record_.isPaused()) return false;
   layer_wait_.end();  // the time to wait for a layer begins anew
-  is_paused_by_machine_ = false;
+  endPauseOfMachine();
   record_.goOn();
   proceed(now);
   return true;
@@ -496,7 +496,7 @@ void OkPacedJob::onKind(const FirmwareReply& reply, double now) {
       if (pause(now)) is_paused_by_machine_ = true;
       break;
     case ReplyKind::Resume:
-      if (is_paused_by_machine_) resume(now);
+      if (std::exchange(is_paused_by_machine_, false)) resume(now);
       break;
     case ReplyKind::Cancel:
       fail(ErrorCode::Cancelled, "the machine ends the job: \"" + reply.text + "\"", now);
@@ -591,8 +591,8 @@ void OkPacedJob::onRestart(const FirmwareReply& reply, double now) {
 
 void OkPacedJob::onNotDone(const FirmwareReply& reply) {
   record_.status.message = reply.text;
-  if (isStopping() || phase_ == Phase::Opening) return;
-  account_.notDone(reply.text);
+  const bool is_change = !under_way_.changeNext().empty();
+  if (!isStopping() && phase_ != Phase::Opening && !is_change) account_.notDone(reply.text);
 }
 
 }  // namespace lamina

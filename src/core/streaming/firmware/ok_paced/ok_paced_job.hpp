@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "streaming/firmware/ok_paced/lines_under_way.hpp"
@@ -97,6 +98,11 @@ class OkPacedJob final : public StreamJob {
   void onLocated(double now);
   void decide(double now);
   void sendChanges();
+  /// Klipper that has not ended its pause would not pause again.
+  void endPauseOfMachine() {
+    const std::string command = firmware_->resumption();
+    if (std::exchange(is_paused_by_machine_, false) && !command.empty()) waiting_changes_.push_back(command);
+  }
   void proceed(double now);
   void pump(double now);
   bool sendNext(double now);
