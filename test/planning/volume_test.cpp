@@ -52,5 +52,22 @@ TEST(DepositedVolume, OfInfillFollowsTheDensityPlusTheLinksOverHalfTheOutline) {
   }
 }
 
+/// Two walls from either side leave slots of 0.13 to 0.33 mm, over which no line of a sparse infill leads.
+TEST(DepositedVolume, OfAThinRingIsSolidForASparseInfill) {
+  PlanSettings settings;
+  settings.skirt.count = 0;
+  settings.infill.density = 0.15;
+  const double beyond = (1.0 - M_PI / 4.0) * kVolumeHeight;  // beads reach so far past what they fill
+  for (const double thick : {1.6, 1.7, 1.8}) {
+    const double inner = 60.0 - thick;
+    const Polygon hole = test::reversed(test::rectangle(thick, thick, inner, inner));
+    const std::vector<Layer> layers = {{{0.0, kVolumeHeight}, {{test::rectangle(0, 0, 60, 60), hole}, {}}}};
+    NoProgress progress;
+    const double deposited = totals(planToolpath("ring", layers, settings, progress)).deposited_mm3;
+    const double section = 60.0 * 60.0 - (inner - thick) * (inner - thick);
+    EXPECT_NEAR(deposited / (section * kVolumeHeight), 1.0 - beyond / thick, 0.01) << thick;
+  }
+}
+
 }  // namespace
 }  // namespace lamina

@@ -15,7 +15,6 @@
 #include "infill/contour/corner_smoothing.hpp"
 #include "infill/drops/drop_fill.hpp"
 #include "lamina/base/angle.hpp"
-#include "lamina/base/error.hpp"
 #include "lamina/base/layer_error.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
 #include "lamina/geometry/polygon/simplify.hpp"
@@ -300,16 +299,14 @@ class LayerPlanner {
   void addInnerWalls(const Region& island, const Regions& piece, std::size_t first) {
     if (static_cast<std::size_t>(settings_.walls.count) <= first) return;
     Walls walls = makeWalls({island}, settings_, pitch_, contact());
-    std::vector<FillPath> runs;
+    std::vector<FillPath> whole;
     for (std::size_t k = first; k < walls.walls.size(); ++k) {
-      std::vector<FillPath> whole = std::move(walls.walls[k].thin);
+      for (FillPath& thin : walls.walls[k].thin) whole.push_back(std::move(thin));
       const PathRole role = k == 0 ? PathRole::OuterWall : PathRole::InnerWall;
       for (Polygon& loop : outlines(walls.walls[k].centre_lines))
         whole.push_back({std::move(loop), true, role, Deposit::Bead, {}});
-      for (const FillPath& run : whole)
-        for (FillPath& part : clipped(run, piece)) runs.push_back(std::move(part));
     }
-    addFills(std::move(runs), {});
+    addFills(clipped(whole, piece), {});
   }
 
   /// Skins and infill, up to the walls of the island and to the border of the piece.
@@ -323,29 +320,38 @@ class LayerPlanner {
     if (inside.empty()) return;
     do_sparse_overlap_ = overlap_mm > 0.0;
     if (has_skins) return addSkinsAndInfill(inside);
-    std::vector<FillPath> narrow;
-    for (const FillPath& run : walls.narrow_infill)
-      for (FillPath& part : clipped(run, piece)) narrow.push_back(std::move(part));
-    addInfillAlone(inside, std::move(narrow));
+    addInfillAlone(inside, clipped(walls.narrow_infill, piece));
   }
 
   /// Inside walls.
   /// @param narrow  runs where the infill has no room
   void addInfillAlone(const Regions& inside, std::vector<FillPath> narrow) {
+    const Regions open = closeSlots(inside, inside, overlap());
     const std::size_t before = result_.paths.size();
-    if (infill_.spacing_mm > 0.0) addInfill(infillArea(inside));
+    if (infill_.spacing_mm > 0.0) addInfill(infillArea(open));
     keepSeen(inside);
-    starts_ += startsOf(inside, fillsSince(result_.paths, before), pitch_);
+    starts_ += startsOf(open, fillsSince(result_.paths, before), pitch_);
     addFills(std::move(narrow), {});
     if (!isSolid(infill_)) appendTo(sparse_, inside);
+  }
+
+  /// Lays beads in slots between walls, where a sparse fill would lay nothing.
+  /// @return the rest of what is sparse
+  Regions closeSlots(const Regions& inside, Regions sparse, double overlap_mm) {
+    if (isSolid(infill_) || infill_.spacing_mm == 0.0 || context_.strategy.contact != WallContact::Fitted)
+      return sparse;
+    FittedArea parts = withoutSlots(inside, std::move(sparse), overlap_mm, settings_, pitch_);
+    addFills(std::move(parts.narrow), {});
+    return std::move(parts.wide);
   }
 
   /// Bottom skins first and top skins last, so that nothing is deposited over what is seen. A solid infill
   /// gets their roles and stays what it is.
   /// @param inside  walls
   void addSkinsAndInfill(const Regions& inside) {
-    const std::size_t before = result_.paths.size();
     SkinAreas areas = skinAreas(inside, *cover_, skinMeasures(settings_, pitch_));
+    if (!areas.sparse.empty()) areas.sparse = closeSlots(inside, std::move(areas.sparse), 0.0);
+    const std::size_t before = result_.paths.size();
     const auto lay = [&](const Regions& area, PathRole role) {
       if (!isSolid(infill_)) return addSkin(area, role);
       InfillRequest request = infillRequest();
@@ -368,8 +374,7 @@ class LayerPlanner {
     if (!isSolid(infill_)) appendTo(sparse_, areas.sparse);
   }
 
-  /// Lays the lowest skin over a sparse infill across its lines, if that is asked for.
-  /// @return the other skins
+  /// The other skins; lays the lowest over a sparse infill across its lines, if that is asked for.
   Regions withoutLowest(Regions skin, const Regions& inside) {
     if (!bridgesInfill() || infill_.spacing_mm == 0.0 || isSolid(infill_)) return skin;
     const SkinAreas areas_below = skinAreas(inside, *cover_below_, skinMeasures(settings_, pitch_));
@@ -484,8 +489,7 @@ class LayerPlanner {
   /// What a sparse infill leaves open stays so.
   void refillVoids(const Regions& material) {
     if (do_sparse_overlap_) sparse_ = unite(outlines(sparse_));
-    RefillSettings settings;
-    settings.least_area = settings_.voids.least_area;
+    const RefillSettings settings{settings_.voids.least_area};
     const Regions solid = isSolid(infill_) && sparse_.empty() ? material : difference(material, sparse_);
     const std::size_t before = result_.paths.size();
     addFills(refill(findVoids(solid, withoutFlow(result_, settings_.bead.flow), {}), settings), material);

@@ -2,9 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <cstdio>
+
 #include "lamina/base/error.hpp"
 #include "lamina/job/profiles/layered_settings.hpp"
 #include "lamina/job/slice_job.hpp"
+#include "lamina/kinematics/cartesian/cartesian_machine_settings.hpp"
+#include "lamina/kinematics/model/build_space.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace lamina {
@@ -45,6 +49,27 @@ TEST(ShippedProfiles, EveryMaterialAndProcessCanBeLoaded) {
   for (const std::string process : {"standard", "fine", "draft"})
     validate(loadShipped("prusa_mk3s", "petg", process));
   validate(loadShipped("bigrep_class", "pla", "large"));
+}
+
+/// Hot, it would drip on the part below.
+TEST(ShippedProfiles, TheNozzleLeavesThePartRetracted) {
+  for (const std::string machine :
+       {"creality_ender_3", "prusa_mk3s", "prusa_mk4", "voron_2_4_250", "voron_2_4_300", "voron_2_4_350"}) {
+    const JobSettings settings = loadShipped(machine, "pla", "").settings;
+    const std::string& code = settings.program.end_code;
+    const std::size_t retracted = code.find("\nM83\nG1 E-1 ");
+    const std::size_t lifted = code.find("\nG0 Z5 ");
+    const std::size_t aside = code.find("\nG90\nG0 X");
+    ASSERT_NE(aside, std::string::npos) << machine;
+    EXPECT_LT(retracted, lifted) << machine;
+    EXPECT_LT(lifted, aside) << machine;
+    Point2 at = Point2::Zero();
+    ASSERT_EQ(std::sscanf(code.c_str() + aside, "\nG90\nG0 X%lf Y%lf", &at.x(), &at.y()), 2) << code;
+    const Box3 reach = boundingBox(buildSpaceOf(settings.machine));
+    EXPECT_TRUE((at.array() >= reach.low.head<2>().array()).all() &&
+                (at.array() <= reach.high.head<2>().array()).all())
+        << machine << ' ' << at.transpose();
+  }
 }
 
 TEST(ShippedProfiles, TheNozzleOfAnEnder3CannotMeltPaCf) {

@@ -86,6 +86,36 @@ TEST(FanByRole, IsOffWithTheFirstLayers) {
   expectCommanded(commandedOf(toolpath, settings), {});
 }
 
+/// Share of the fan while each layer's first path is run.
+std::vector<double> fanInLayers(const Toolpath& toolpath) {
+  std::vector<double> shares;
+  double share = 0.0;
+  for (const ToolpathLayer& layer : toolpath.layers) {
+    for (const PathEvent& each : layer.paths.front().events) share = std::get<FanShare>(each.event).share;
+    shares.push_back(share);
+  }
+  return shares;
+}
+
+TEST(Fan, IsOffInTheFirstLayersOfEachPartThatFollowsAnother) {
+  FanSettings settings = fanOfBridges();
+  settings.by_role = "outer_wall=0.7";
+  settings.off_layers = 1;
+  Toolpath toolpath;
+  for (const double z_mm : {0.3, 0.5, 0.7, 0.2, 0.4, 0.3, 0.5})
+    toolpath.layers.push_back({z_mm,
+                               z_mm == 0.3 ? 0.3 : 0.2,
+                               {stretch(z_mm < 0.6 ? PathRole::Infill : PathRole::OuterWall, 0, 20)}});
+  addFan(toolpath, settings, withoutInertia());
+  EXPECT_EQ(fanInLayers(toolpath), (std::vector<double>{0.0, 0.2, 0.7, 0.0, 0.2, 0.0, 0.2}));
+  // Levels that lie lower but not on the bed belong to the part.
+  toolpath.layers.resize(4);
+  for (ToolpathLayer& layer : toolpath.layers) layer.paths = {stretch(PathRole::Infill, 0, 20)};
+  toolpath.layers[3].z_mm = 0.6;
+  addFan(toolpath, settings, withoutInertia());
+  EXPECT_EQ(fanInLayers(toolpath), (std::vector<double>{0.0, 0.2, 0.2, 0.2}));
+}
+
 TEST(FanByRole, IsRefusedWhereItIsNoListOfRolesAndShares) {
   for (const char* list :
        {"top_skin", "top_skn=1", "top_skin=1.2", "top_skin=-1", "top_skin=x", "bridge=1", "travel=0"}) {

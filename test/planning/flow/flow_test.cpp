@@ -239,6 +239,28 @@ TEST(PressureAdvance, IsStatedWhereItChangesWithTheRole) {
   EXPECT_EQ(stated, "M900 K0.05;-;M900 K0.04;M900 K0.06;-;M900 K0.05;");
 }
 
+/// Firmwares keep an advance for each tool: one that was never told has none.
+TEST(PressureAdvance, IsStatedForEachToolThatIsTaken) {
+  const auto statedIn = [](AdvanceWord word) {
+    FlowSettings settings;
+    settings.advance_s = 0.05;
+    settings.advance_word = word;
+    std::vector<Path> paths;
+    for (const std::uint32_t tool : {0U, 1U, 1U, 0U}) {
+      paths.push_back(beadLine({{0, 0, 0.2}, {50, 0, 0.2}}, {0.4, 0.2}, 60.0));
+      paths.back().tool = tool;
+    }
+    Toolpath toolpath = of(paths);
+    addAdvance(toolpath, settings);
+    std::string stated;
+    for (const Path& path : toolpath.layers[0].paths)
+      stated += path.events.empty() ? "-;" : std::get<MachineCode>(path.events[0].event).text + ";";
+    return stated;
+  };
+  EXPECT_EQ(statedIn(AdvanceWord::Marlin), "M900 K0.05;M900 K0.05;-;M900 K0.05;");
+  EXPECT_EQ(statedIn(AdvanceWord::RepRapFirmware), "M572 D0 S0.05;M572 D1 S0.05;-;M572 D0 S0.05;");
+}
+
 TEST(PressureAdvance, RefusesWhatIsNoAdvanceOfARole) {
   for (const char* const text :
        {"outer_wall", "roof=0.1", "infill=", "infill=-1", "infill=0.1 s", "infill=11"}) {

@@ -5,6 +5,9 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "lamina/geometry/polygon/offset.hpp"
 #include "support/shapes.hpp"
 
@@ -122,6 +125,38 @@ TEST(Walls, LeaveBeadsAlongNarrowPlacesInsteadOfASolidInfill) {
   const Walls sparse = makeWalls(slot, settings, kWallsPitch, WallContact::Overlapping);
   EXPECT_TRUE(sparse.narrow_infill.empty());
   EXPECT_GT(area(sparse.infill), 19.2 * 0.6);  // it overlaps the wall
+}
+
+/// What a ring of a square of 40 mm leaves, so wide, for two walls.
+FittedArea slotsOfRing(double width_mm, double overlap_mm) {
+  const Regions ring = {
+      {rectangle(0, 0, 40, 40), {reversed(rectangle(width_mm, width_mm, 40 - width_mm, 40 - width_mm))}}};
+  return withoutSlots(ring, ring, overlap_mm, wallsOf(2), kWallsPitch);
+}
+
+TEST(Walls, AreJoinedByBeadsWhereASparseInfillHasNoRoom) {
+  for (const double overlap : {0.0, 0.06}) {
+    // The infill reaches into the walls on both sides; 0.3 mm are between them.
+    const FittedArea slot = slotsOfRing(0.3 + 2.0 * overlap, overlap);
+    EXPECT_LT(area(slot.wide), 1e-3);
+    ASSERT_EQ(slot.narrow.size(), 1U);
+    EXPECT_EQ(slot.narrow[0].role, PathRole::GapFill);
+    EXPECT_TRUE(slot.narrow[0].is_closed);
+    const auto widths = std::minmax_element(slot.narrow[0].width_mm.begin(), slot.narrow[0].width_mm.end());
+    EXPECT_NEAR(*widths.first, 0.3, 0.01);
+    EXPECT_LT(*widths.second, 0.3 * M_SQRT2 + 0.01) << "at the corners";
+    EXPECT_NEAR(perimeter(slot.narrow[0].points), 4.0 * (40.0 - 0.3 - 2.0 * overlap), 1.0);
+  }
+}
+
+TEST(Walls, LeaveWhatIsWiderThanABeadToASparseInfill) {
+  const FittedArea wide = slotsOfRing(0.45, 0.0);
+  EXPECT_TRUE(wide.narrow.empty());
+  EXPECT_NEAR(area(wide.wide), 40 * 40 - 39.1 * 39.1, 1e-3);
+  // No bead where there are no walls to be joined, or where others fill the slot.
+  const Regions slot = {{rectangle(0, 0, 40, 0.3), {}}};
+  EXPECT_TRUE(withoutSlots(slot, slot, 0.0, wallsOf(0), kWallsPitch).narrow.empty());
+  EXPECT_TRUE(withoutSlots(slot, {}, 0.0, wallsOf(2), kWallsPitch).narrow.empty());
 }
 
 TEST(Walls, CountWhatIsTooThinToBePrinted) {

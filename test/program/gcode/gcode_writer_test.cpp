@@ -62,6 +62,18 @@ TEST(GcodeWriter, LetsTheNextMotionTakeAlongWhatIsTooLittleToExtrude) {
   EXPECT_NEAR(extruded(text), 0.29692, 1.5e-5);
 }
 
+TEST(GcodeWriter, LetsTheNextBeadTakeAlongWhatATravelWouldFollow) {
+  // 0.0004 mm of the bead are 0.000012 mm of filament, but no step of the axes.
+  Toolpath toolpath = line();
+  std::vector<Path>& paths = toolpath.layers[0].paths;
+  paths[1].points = {{5, 0, 0.2}, {15, 0, 0.2}, {15.0004, 0, 0.2}};
+  paths.push_back(path(PathRole::Travel, {{15.0004, 0, 0.2}, {16, 0, 0.2}}, 150.0));
+  paths.push_back(path(PathRole::OuterWall, {{16, 0, 0.2}, {26, 0, 0.2}}, 30.0));
+  const std::string text = gcodeWriterWritten(toolpath, plainSettings());
+  EXPECT_NE(text.find("\nG0 X16 F9000\n"), std::string::npos) << text;
+  EXPECT_NEAR(extruded(text), 2 * 0.296915, 2.5e-5);
+}
+
 TEST(GcodeWriter, WritesALineWithOnlyTheWordsThatChange) {
   // 10 mm of a stadium of 0.4 x 0.2 mm: 10 (0.2 * 0.2 + pi 0.01) mm³ of 1.75 mm filament are 0.29691 mm.
   const std::string text = gcodeWriterWritten(line(), plainSettings());

@@ -48,7 +48,8 @@ struct FeedForward {
 FeedForward feedForward(Toolpath& toolpath, const FlowSettings& settings, const MotionLimits& limits,
                         double flow_factor);
 
-/// Adds events that set the firmware's pressure advance: at the first path that deposits, and at each change.
+/// Adds events that set the firmware's pressure advance: at the first path that deposits, at each change, and
+/// after each change of the tool, as firmwares keep one for each.
 /// An advance of 0 for all roles changes nothing.
 void addAdvance(Toolpath& toolpath, const FlowSettings& settings);
 

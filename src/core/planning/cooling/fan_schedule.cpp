@@ -67,18 +67,18 @@ std::array<std::optional<double>, kPathRoles> roleSharesOf(const FanSettings& se
   return shares;
 }
 
-void FanSchedule::add(const std::vector<Path>& paths, std::size_t layer, double share) {
+void FanSchedule::add(const std::vector<Path>& paths, const FanLayer& layer) {
   const auto first = std::find_if(paths.begin(), paths.end(),
                                   [](const Path& path) { return path.role != PathRole::Travel; });
-  change({layer, 0, 0}, first == paths.end() ? share : shareOf(first->role, layer, share));
+  change({layer.index, 0, 0}, first == paths.end() ? layer.share : shareOf(first->role, layer));
   for (std::size_t p = 0; p < paths.size(); ++p)
     if (paths[p].role != PathRole::Travel)
-      addPath(paths[p], {layer, p, 0}, shareOf(paths[p].role, layer, share));
+      addPath(paths[p], {layer.index, p, 0}, shareOf(paths[p].role, layer));
 }
 
-double FanSchedule::shareOf(PathRole role, std::size_t layer, double layer_share) const {
-  if (layer < static_cast<std::size_t>(settings_.off_layers)) return layer_share;
-  return by_role_[static_cast<std::size_t>(role)].value_or(layer_share);
+double FanSchedule::shareOf(PathRole role, const FanLayer& layer) const {
+  if (layer.from_bed < static_cast<std::size_t>(settings_.off_layers)) return layer.share;
+  return by_role_[static_cast<std::size_t>(role)].value_or(layer.share);
 }
 
 void FanSchedule::addPath(const Path& path, const WaypointIndex& begin, double share) {

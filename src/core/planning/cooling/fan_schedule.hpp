@@ -24,6 +24,13 @@ struct FanChange {
   double share = 0.0;
 };
 
+/// A layer as the fan takes it.
+struct FanLayer {
+  std::size_t index = 0;     ///< in the toolpath
+  std::size_t from_bed = 0;  ///< number from 0, of its part where parts are printed one after the other
+  double share = 0.0;        ///< where no role has another one
+};
+
 /// Finds the changes of the fan's share by 1/255 or more.
 class FanSchedule {
  public:
@@ -33,15 +40,14 @@ class FanSchedule {
   /// Adds the changes of the next layer: at its start, at roles with shares of their own, and before and
   /// after unsupported stretches. Stretches, and gaps between them, that are shorter than 2 mm are ignored,
   /// since no fan follows them.
-  /// @param share  of the layer
-  void add(const std::vector<Path>& paths, std::size_t layer, double share);
+  void add(const std::vector<Path>& paths, const FanLayer& layer);
 
   bool isOn() const { return steps_ != 0; }
   /// The changes in the order of motion.
   const std::vector<FanChange>& changes() const { return changes_; }
 
  private:
-  double shareOf(PathRole role, std::size_t layer, double layer_share) const;
+  double shareOf(PathRole role, const FanLayer& layer) const;
   void addPath(const Path& path, const WaypointIndex& begin, double share);
   void change(const WaypointIndex& before, double share);
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <array>
+#include <cstdint>
 #include <string>
 #include <utility>
 
@@ -11,13 +12,24 @@
 namespace lamina {
 namespace {
 
-std::string advanceLine(AdvanceWord word, double advance_s) {
-  const std::string value = numberText(advance_s);
+/// What the firmware is told last.
+struct StatedAdvance {
+  std::uint32_t tool = 0;
+  double advance_s = -1.0;
+};
+
+bool operator==(const StatedAdvance& a, const StatedAdvance& b) {
+  return a.tool == b.tool && a.advance_s == b.advance_s;
+}
+
+/// Marlin and Klipper set that of the tool in use.
+std::string advanceLine(AdvanceWord word, const StatedAdvance& stated) {
+  const std::string value = numberText(stated.advance_s);
   switch (word) {
     case AdvanceWord::Klipper:
       return "SET_PRESSURE_ADVANCE ADVANCE=" + value;
     case AdvanceWord::RepRapFirmware:
-      return "M572 D0 S" + value;
+      return "M572 D" + std::to_string(stated.tool) + " S" + value;
     case AdvanceWord::Marlin:
       break;
   }
@@ -29,14 +41,14 @@ std::string advanceLine(AdvanceWord word, double advance_s) {
 void addAdvance(Toolpath& toolpath, const FlowSettings& settings) {
   if (!hasAdvance(settings)) return;
   const std::array<double, kPathRoles> advances = advancesOf(settings);
-  double last_s = -1.0;
+  StatedAdvance last;
   for (ToolpathLayer& layer : toolpath.layers)
     for (Path& path : layer.paths) {
       if (path.role == PathRole::Travel) continue;
-      const double advance_s = advances[static_cast<std::size_t>(path.role)];
-      if (std::exchange(last_s, advance_s) == advance_s) continue;
+      const StatedAdvance next{path.tool, advances[static_cast<std::size_t>(path.role)]};
+      if (std::exchange(last, next) == next) continue;
       PathEvent change;
-      change.event.emplace<MachineCode>(MachineCode{advanceLine(settings.advance_word, advance_s), false});
+      change.event.emplace<MachineCode>(MachineCode{advanceLine(settings.advance_word, next), false});
       path.events.insert(path.events.begin(), std::move(change));
     }
 }

@@ -109,4 +109,11 @@ std::vector<FillPath> clipped(const FillPath& run, const Regions& area) {
   return std::move(pieces).finish();
 }
 
+std::vector<FillPath> clipped(const std::vector<FillPath>& runs, const Regions& area) {
+  std::vector<FillPath> parts;
+  for (const FillPath& run : runs)
+    for (FillPath& part : clipped(run, area)) parts.push_back(std::move(part));
+  return parts;
+}
+
 }  // namespace lamina

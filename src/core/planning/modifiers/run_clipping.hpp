@@ -17,4 +17,7 @@ std::vector<double> crossings(const Point2& from, const Point2& to, const std::v
 /// other is not cut at its start. Pieces shorter than 1e-3 mm are left out.
 std::vector<FillPath> clipped(const FillPath& run, const Regions& area);
 
+/// The pieces of several runs, in their order.
+std::vector<FillPath> clipped(const std::vector<FillPath>& runs, const Regions& area);
+
 }  // namespace lamina

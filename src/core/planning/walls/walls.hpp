@@ -32,7 +32,7 @@ struct Walls {
   double unprinted_mm2 = 0.0;
 };
 
-/// An area of a solid fill, divided by its width.
+/// An area of a fill, divided by its width.
 struct FittedArea {
   Regions wide;                  ///< where lines of the fill fit
   std::vector<FillPath> narrow;  ///< beads along the middle of places too narrow for lines
@@ -40,6 +40,15 @@ struct FittedArea {
 
 /// Divides an area that a solid fill covers from border to border.
 FittedArea fitted(Regions area, const PlanSettings& settings, double pitch_mm);
+
+/// Takes slots out of the area of a sparse fill: places between walls that are narrower than a bead, where
+/// the fill would lay nothing over the height of the part, so that its walls did not hold together. Without
+/// walls there are none.
+/// @param inside      all that the walls leave, reaching into them by the overlap
+/// @param sparse      of it, what the fill covers; beside other fills it may be narrow
+/// @param overlap_mm  of both areas with the walls
+FittedArea withoutSlots(const Regions& inside, Regions sparse, double overlap_mm,
+                        const PlanSettings& settings, double pitch_mm);
 
 /// Plans the walls of an area.
 /// @param material  the area [mm]

@@ -155,6 +155,7 @@ void LayerWriter::writePath(const Path& path, Modal& modal, std::string& text) c
 void LayerWriter::writeWipe(const Path& path, double retraction_mm, Modal& modal, std::string& text) const {
   const double before_mm = modal.filament_mm;
   const double whole_mm = length(path);
+  modal.is_depositing = true;  // the wipe states its E, which pulls back
   double way_mm = 0.0;
   for (std::size_t m = 0; m < path.motionCount(); ++m) {
     writeEvents(path, m, modal, text);
@@ -206,7 +207,8 @@ void LayerWriter::writeMotion(const Point3& end, double feed_mm_s, Modal& modal,
   const std::int64_t filament = toUnits(modal.filament_mm, kFilamentScale);
   line[0] = 'G';
   line[1] = modal.is_depositing && !dialect_.has_extruder ? '1' : '0';
-  if (filament != modal.filament) {
+  // What the last motion of a bead was too short for goes to the next bead: a travel by it would read as one.
+  if (filament != modal.filament && modal.is_depositing) {
     line[1] = '1';
     *out++ = ' ';
     *out++ = 'E';

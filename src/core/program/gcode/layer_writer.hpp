@@ -45,7 +45,7 @@ class LayerWriter {
     std::int64_t filament = 0;       ///< sum of all E so far
     double filament_mm = 0.0;        ///< the same before rounding
     Point3 shift = Point3::Zero();   ///< of the axes, for the tool at work
-    bool is_depositing = false;      ///< which E does not say where there is none
+    bool is_depositing = false;      ///< or pulling back: which E does not say where there is none
   };
 
   void writeDrops(const Path& path, Modal& modal, std::string& text) const;
