@@ -188,6 +188,21 @@ TEST_F(SlicingModes, PiecesAlongTheirDirectionsMakeThePart) {
   EXPECT_EQ(toolpathId(slice("multi_direction").toolpath), id);
 }
 
+TEST_F(SlicingModes, APieceThatEndsInACornerLeavesNoLayerEmpty) {
+  usePart("tee", {{"stem_mm", "12"},
+                  {"stem_height_mm", "25"},
+                  {"bar_mm", "50"},
+                  {"bar_height_mm", "8"},
+                  {"width_mm", "12"}});
+  job_.settings.machine.name = "five_axis_head_table";
+  job_.settings.slicing.layer_height_mm = 0.4;
+  job_.settings.slicing.first_layer_height_mm = 0.4;
+  const SlicedPart sliced = slice("multi_direction");
+  EXPECT_GT(greatestLeanDeg(sliced.toolpath), 45.0);
+  EXPECT_EQ(sliced.summary.empty_layers, 0U) << "no piece hangs in the air";
+  EXPECT_EQ(sliced.summary.layers, sliced.toolpath.layers.size());
+}
+
 TEST_F(SlicingModes, PiecesOfABoxAreThatOfPlanar) {
   usePart("box", {{"x_mm", "8"}, {"y_mm", "6"}, {"z_mm", "4.2"}});
   job_.settings.planning.skirt.count = 0;
