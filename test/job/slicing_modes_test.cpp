@@ -354,6 +354,28 @@ TEST_F(SlicingModes, AnUnknownOneIsRefusedNamingThoseThereAre) {
   }
 }
 
+/// Of 25 layers of a box, four from below and four from above are solid.
+TEST_F(SlicingModes, VolumetricLayersTellWhereSkinsLeaveInfillOpen) {
+  usePart("box", {{"x_mm", "8"}, {"y_mm", "6"}, {"z_mm", "12.5"}});
+  const auto skinNotes = [&] {
+    std::vector<std::string> found;
+    for (const std::string& note : slice("volumetric").summary.notes)
+      if (note.find("skins close") != std::string::npos) found.push_back(note);
+    return found;
+  };
+  job_.settings.planning.skins.top_layers = job_.settings.planning.skins.bottom_layers = 4;
+  EXPECT_TRUE(skinNotes().empty()) << "the infill is solid";
+  job_.settings.planning.infill.density = 0.2;
+  const std::vector<std::string> told = skinNotes();
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_NE(told[0].find("the first 4 and the last 4 layers only"), std::string::npos) << told[0];
+  EXPECT_NE(told[0].find("density 0.2 stays open"), std::string::npos) << told[0];
+  job_.settings.planning.skins.top_layers = 25;
+  EXPECT_TRUE(skinNotes().empty()) << "each layer is a skin";
+  job_.settings.planning.skins.top_layers = job_.settings.planning.skins.bottom_layers = 0;
+  EXPECT_TRUE(skinNotes().empty()) << "none is asked for";
+}
+
 /// The plate of a bridge grows from both pillars, and the fronts meet in a fold that the nozzle's cone does
 /// not enter: what lies there is left out, if so much may be, and the machine then runs the rest.
 TEST_F(SlicingModes, VolumetricLayersLeaveOutWhatTheHeadHasNoRoomFor) {
