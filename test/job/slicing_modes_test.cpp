@@ -188,6 +188,21 @@ TEST_F(SlicingModes, PiecesAlongTheirDirectionsMakeThePart) {
   EXPECT_EQ(toolpathId(slice("multi_direction").toolpath), id);
 }
 
+TEST_F(SlicingModes, APieceThatEndsInACornerLeavesNoLayerEmpty) {
+  usePart("tee", {{"stem_mm", "12"},
+                  {"stem_height_mm", "25"},
+                  {"bar_mm", "50"},
+                  {"bar_height_mm", "8"},
+                  {"width_mm", "12"}});
+  job_.settings.machine.name = "five_axis_head_table";
+  job_.settings.slicing.layer_height_mm = 0.4;
+  job_.settings.slicing.first_layer_height_mm = 0.4;
+  const SlicedPart sliced = slice("multi_direction");
+  EXPECT_GT(greatestLeanDeg(sliced.toolpath), 45.0);
+  EXPECT_EQ(sliced.summary.empty_layers, 0U) << "no piece hangs in the air";
+  EXPECT_EQ(sliced.summary.layers, sliced.toolpath.layers.size());
+}
+
 TEST_F(SlicingModes, PiecesOfABoxAreThatOfPlanar) {
   usePart("box", {{"x_mm", "8"}, {"y_mm", "6"}, {"z_mm", "4.2"}});
   job_.settings.planning.skirt.count = 0;
@@ -337,6 +352,28 @@ TEST_F(SlicingModes, AnUnknownOneIsRefusedNamingThoseThereAre) {
     for (const std::string& name : slicingModeNames())
       EXPECT_NE(std::string(error.what()).find(name), std::string::npos) << error.what();
   }
+}
+
+/// Of 25 layers of a box, four from below and four from above are solid.
+TEST_F(SlicingModes, VolumetricLayersTellWhereSkinsLeaveInfillOpen) {
+  usePart("box", {{"x_mm", "8"}, {"y_mm", "6"}, {"z_mm", "12.5"}});
+  const auto skinNotes = [&] {
+    std::vector<std::string> found;
+    for (const std::string& note : slice("volumetric").summary.notes)
+      if (note.find("skins close") != std::string::npos) found.push_back(note);
+    return found;
+  };
+  job_.settings.planning.skins.top_layers = job_.settings.planning.skins.bottom_layers = 4;
+  EXPECT_TRUE(skinNotes().empty()) << "the infill is solid";
+  job_.settings.planning.infill.density = 0.2;
+  const std::vector<std::string> told = skinNotes();
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_NE(told[0].find("the first 4 and the last 4 layers only"), std::string::npos) << told[0];
+  EXPECT_NE(told[0].find("density 0.2 stays open"), std::string::npos) << told[0];
+  job_.settings.planning.skins.top_layers = 25;
+  EXPECT_TRUE(skinNotes().empty()) << "each layer is a skin";
+  job_.settings.planning.skins.top_layers = job_.settings.planning.skins.bottom_layers = 0;
+  EXPECT_TRUE(skinNotes().empty()) << "none is asked for";
 }
 
 /// The plate of a bridge grows from both pillars, and the fronts meet in a fold that the nozzle's cone does

@@ -171,6 +171,52 @@ TEST(FiveAxis, ReadsBackTheInverseTimeOfTheShortestMotionThatIsWritten) {
   EXPECT_EQ(readBack(text).layers[0].paths.size(), 2U);
 }
 
+/// A line of 10 mm and a travel on from it, at whose beginning the nozzle is leant from 0.3 to 1.1 rad in
+/// eight steps.
+Toolpath turningInPlace() {
+  const auto lean = [](double rad) {
+    return Eigen::Quaterniond(Eigen::AngleAxisd(-rad, Point3::UnitX())) * nozzleDown();
+  };
+  Path line = test::straightPath({20, 0, 0.2}, {30, 0, 0.2});
+  line.orientation = lean(0.3);
+  Path travel = test::straightPath({30, 0, 0.2}, {40, 0, 10});
+  travel.role = PathRole::Travel;
+  travel.bead = Bead{};
+  travel.points.insert(travel.points.begin(), 8, Point3(30, 0, 0.2));
+  std::vector<Eigen::Quaterniond> each;
+  each.reserve(travel.points.size());
+  for (std::size_t w = 0; w < travel.points.size(); ++w)
+    each.push_back(lean(0.3 + 0.1 * static_cast<double>(std::min<std::size_t>(w, 8))));
+  travel.orientation = AlongPath<Eigen::Quaterniond>(std::move(each));
+  return {"turn", {{0.2, 0.2, {line, travel}}}};
+}
+
+TEST(FiveAxis, StatesTheJointsOfEachLineOfATurnInPlace) {
+  for (const auto coordinates : {FiveAxisCoordinates::ToolTip, FiveAxisCoordinates::Joints}) {
+    const std::string text = fiveAxisWritten(turningInPlace(), settingsOf(coordinates));
+    const StatedMotion stated = readFiveAxisMotion(text, kTable, {}, {}, "turn");
+    validate(stated.toolpath);
+    const std::vector<Path>& paths = stated.toolpath.layers.at(0).paths;
+    ASSERT_EQ(paths.size(), 3U);
+    EXPECT_EQ(paths[1].role, PathRole::Travel);
+    ASSERT_EQ(paths[1].points.size(), 9U) << "before the turn, and after each of its lines";
+    for (std::size_t w = 0; w < 9; ++w) {
+      EXPECT_LT((paths[1].points[w] - Point3(30, 0, 0.2)).norm(), 1e-3);
+      const std::size_t i = w + 2;
+      const WaypointIndex expected{0, 1, w};
+      EXPECT_TRUE(stated.joints.at.at(i) == expected);
+      EXPECT_NEAR(std::abs(stated.joints.values.at(i)[3]), 0.3 + 0.1 * static_cast<double>(w), 1e-6);
+      EXPECT_LT((kTable.bedFromNozzle(stated.joints.values[i]).translation() - paths[1].points[w]).norm(),
+                1e-3);
+      if (w > 0) {
+        EXPECT_EQ(stated.lines.at(i), stated.lines.at(i - 1) + 1);
+      }
+    }
+    EXPECT_EQ(stated.joints.at.back().path, 2U);
+    EXPECT_EQ(stated.joints.at.size(), stated.lines.size());
+  }
+}
+
 TEST(FiveAxis, RefusesJointsThatCannotBeRunBeforeTheFirstPiece) {
   const Toolpath toolpath = turningLine();
   const JointPath joints = test::jointsAlong(toolpath, kTable);

@@ -29,9 +29,10 @@ Toolpath readFiveAxis(std::string_view program, const KinematicModel& machine,
                       const std::string& part_name);
 
 /// Reads a program likewise, and also returns the joints of the machine at each line that moves; `;via` lines
-/// give waypoints, too. Rotary joints are as written. Linear joints are as written, or, in a program of tip
-/// positions, where tip control moves them for the rotary joints as written. Limits and collisions are not
-/// checked: there are no faults.
+/// give waypoints, too, and `;turn` lines in succession give a travel whose waypoints all lie at the tip.
+/// Rotary joints are as written. Linear joints are as written, or, in a program of tip positions, where tip
+/// control moves them for the rotary joints as written. Limits and collisions are not checked: there are no
+/// faults.
 /// @throws InvalidProgram as above
 StatedMotion readFiveAxisMotion(std::string_view program, const KinematicModel& machine,
                                 const FiveAxisSettings& settings, const ProgramSettings& filament,

@@ -85,6 +85,7 @@ class PieceByPiece {
 
   void add(std::size_t piece, const std::vector<Layer>& layers, Progress& progress) {
     const DirectedPiece& directed = found_.pieces[piece];
+    leaveOutEmptyTop();
     addCounts(planned_.counts, countsOf(layers));
     const LayerIncline incline{{Point3::UnitZ(), directed.from_mm}, Eigen::Quaterniond::Identity()};
     Plan plan = planPart(request_.partName(), layers, settingsFor(piece, request_.job.settings.planning),
@@ -102,6 +103,19 @@ class PieceByPiece {
   PlannedPart& planned() { return planned_; }
 
  private:
+  /// Layers in which a piece is too thin for a bead, as at a corner in which it ends: the next piece does not
+  /// lie on them.
+  void leaveOutEmptyTop() {
+    std::vector<ToolpathLayer>& layers = planned_.plan.toolpath.layers;
+    const auto deposits = [](const Path& path) { return path.role != PathRole::Travel; };
+    while (!layers.empty() &&
+           std::none_of(layers.back().paths.begin(), layers.back().paths.end(), deposits)) {
+      layers.pop_back();
+      growth_mm_.pop_back();
+      --planned_.counts.layers;
+    }
+  }
+
   void append(Toolpath further) {
     Toolpath& toolpath = planned_.plan.toolpath;
     for (ToolpathLayer& layer : further.layers) {

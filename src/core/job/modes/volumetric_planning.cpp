@@ -93,6 +93,23 @@ std::string noteOnFit(const MachineFit& fit, double deposited_mm3) {
 }
 
 /// Fitted to the machine if its head tilts and is to be clear; else the travels are led, and that is all.
+/// Skins are found from neighbouring layers in parallel planes alone: others are told where they are open.
+void addNoteOnSkins(std::size_t layers, const JobSettings& settings, std::vector<std::string>& notes) {
+  const PlanSettings& planning = settings.planning;
+  if (isSolid(planning.infill) || !hasSkins(planning.skins)) return;
+  const std::vector<bool> is_skin = skinsOfStack(layers, planning.skins, settings.slicing.layer_height_mm);
+  const auto first_open = std::find(is_skin.begin(), is_skin.end(), false);
+  if (first_open == is_skin.end()) return;
+  const auto last_open = std::find(is_skin.rbegin(), is_skin.rend(), false);
+  char text[300];
+  std::snprintf(text, sizeof text,
+                "skins close the first %td and the last %td layers only: wherever else the part is seen from "
+                "above or below within its walls, infill of density %.4g stays open; infill.density 1 closes "
+                "it",
+                first_open - is_skin.begin(), last_open - is_skin.rbegin(), planning.infill.density);
+  notes.emplace_back(text);
+}
+
 MachineFit fitToHead(Toolpath toolpath, const PlanningRequest& request, const LeadTravels& lead,
                      Progress& progress) {
   if (canTurnToolAxis(request.space) && request.job.settings.clearance.need != ClearanceNeed::Never)
@@ -157,6 +174,7 @@ PlannedPart planVolumetric(SourcePart source, const PlanningRequest& request, Pr
   planned.notes.push_back(noteOnHead(measures, fit.travels));
   if (fit.hindered > 0) planned.notes.push_back(noteOnFit(fit, deposited_mm3));
   addNotesOnLeftOut(measures, planned.notes);
+  addNoteOnSkins(tops_mm.size(), settings, planned.notes);
   return planned;
 }
 

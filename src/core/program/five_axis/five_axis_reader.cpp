@@ -40,6 +40,27 @@ struct Turned {
   Held end;
 };
 
+/// A place at which the nozzle is turned while its tip stays.
+struct TurnInPlace {
+  std::size_t before = 0;  ///< the motion of the nozzle that follows
+  std::vector<Held> held;  ///< before it turns, and after each line
+};
+
+/// As a travel whose waypoints all lie at the tip.
+Path pathOf(const TurnInPlace& turn, const Path& following) {
+  Path path;
+  path.role = PathRole::Travel;
+  path.process.is_retracted = following.process.is_retracted;
+  path.tool = following.tool;
+  path.points.assign(turn.held.size(), following.firstPoint());
+  std::vector<Eigen::Quaterniond> each;
+  each.reserve(turn.held.size());
+  for (const Held& held : turn.held) each.push_back(held.turn);
+  path.orientation = AlongPath<Eigen::Quaterniond>(std::move(each));
+  path.feed_mm_s = following.feed_mm_s.at(following.motionEnd(0));
+  return path;
+}
+
 /// Which lines become waypoints.
 enum class LinesTaken : std::uint8_t {
   Waypoints,  ///< those of the toolpath that was written
@@ -99,18 +120,31 @@ class FiveAxisInterpreter {
   StatedMotion stated(Toolpath toolpath) {
     StatedMotion motion;
     std::size_t next = 0;
+    auto in_place = in_place_.begin();
     const auto add = [&](const WaypointIndex& at, Held& held) {
       motion.joints.at.push_back(at);
       motion.joints.values.push_back(std::move(held.joints));
       motion.lines.push_back(held.line);
     };
-    for (std::size_t l = 0; l < toolpath.layers.size(); ++l)
-      for (std::size_t p = 0; p < toolpath.layers[l].paths.size(); ++p) {
-        const Path& path = toolpath.layers[l].paths[p];
+    for (std::size_t l = 0; l < toolpath.layers.size(); ++l) {
+      std::vector<Path> paths;
+      paths.reserve(toolpath.layers[l].paths.size());
+      for (Path& path : toolpath.layers[l].paths) {
+        // After a turn in place, a path begins.
+        if (in_place != in_place_.end() && in_place->before == next) {
+          paths.push_back(pathOf(*in_place, path));
+          for (std::size_t w = 0; w < in_place->held.size(); ++w)
+            add({l, paths.size() - 1, w}, in_place->held[w]);
+          ++in_place;
+        }
+        const std::size_t p = paths.size();
         add({l, p, 0}, turns_[next].begin);
         for (std::size_t m = 0; m < path.motionCount(); ++m)
           add({l, p, path.motionEnd(m)}, turns_[next++].end);
+        paths.push_back(std::move(path));
       }
+      toolpath.layers[l].paths = std::move(paths);
+    }
     motion.toolpath = std::move(toolpath);
     return motion;
   }
@@ -253,10 +287,7 @@ class FiveAxisInterpreter {
     if (!words.f && (has_inverse_time_ || !feed_)) refuse("a motion has no F; expected one");
     if (!words.has_axis) return readFilament(words);
     if (!is_placed_) refuse("a motion before any position; expected an approach by G0");
-    if (remark_ == "turn") {
-      held_ = held();
-      return addMotion(nozzle_, 0.0, 1.0);
-    }
+    if (remark_ == "turn") return turnInPlace();
     filament_mm_ += words.e.value_or(0.0);
     Point3 tip = pose().translation();
     time_s_ += has_inverse_time_ ? 60.0 / *feed_ : (tip - between_).norm() / (*feed_ / 60.0);
@@ -270,6 +301,14 @@ class FiveAxisInterpreter {
     held_ = turned.end;
     addMotion(tip, filament_mm_, feed_mm_s);
     filament_mm_ = time_s_ = way_mm_ = 0.0;
+  }
+
+  void turnInPlace() {
+    if (in_place_.empty() || in_place_.back().before != turns_.size())
+      in_place_.push_back({turns_.size(), {held_}});
+    held_ = held();
+    in_place_.back().held.push_back(held_);
+    addMotion(nozzle_, 0.0, 1.0);
   }
 
   /// The last of its lines, before which no layer is reported, gives the place that the first motion starts
@@ -337,6 +376,7 @@ class FiveAxisInterpreter {
   SlicerContext context_;
   std::vector<double> values_;  ///< of the words [mm, deg]
   std::vector<Turned> turns_;   ///< of each motion of the nozzle
+  std::vector<TurnInPlace> in_place_;
   std::size_t line_ = 0;
   std::string_view remark_;
   bool has_axes_ = false;
