@@ -73,6 +73,16 @@ TEST(TimeOffset, ByBobbingNeedsNoPoseOfTheSensor) {
   EXPECT_NEAR(found.offset_s, 0.1, 0.001);
 }
 
+TEST(TimeOffset, ByBobbingIsFoundWithoutThePointsThatTheSensorMissed) {
+  SensorRecording recording = test::record(spoilt(0.1, 3), bobbing({}));
+  std::size_t every_ninth = 0;
+  for (RecordedProfile& profile : recording.profiles)
+    for (Point3& point : profile.points)
+      if (++every_ninth % 9 == 0 && every_ninth % 4000 < 2000) point.setZero();
+  recording.profiles = profilesFromCsv(toCsv(recording.profiles), "profiles.csv");
+  EXPECT_NEAR(offsetByBobbing(recording, 0.6).offset_s, 0.1, 0.001);
+}
+
 TEST(TimeOffset, ThatDriftsIsReportedAsDrift) {
   SensorRecording recording = test::record(spoilt(0.0, 5), bobbing({}));
   for (RecordedProfile& profile : recording.profiles)
