@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "loop/loop_feed.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -104,11 +105,16 @@ void LoopFeed::followTime() {
   if (std::exchange(restarts_, restarts) == restarts) return;
   counts_.pushed_out += leaveOutWaiting();
   heard_.reset();
+  heard_before_.reset();
   if (run_) run_->restartClock();
 }
 
 void LoopFeed::hear(const ros::Time& stamp) {
-  if (const auto taken = takenAt(stamp)) heard_ = *taken;
+  const auto taken = takenAt(stamp);
+  if (!taken) return;
+  // A single stamp far ahead, of a clock that is set or garbled, says nothing of tf.
+  if (heard_before_) heard_ = std::min(*heard_before_, *taken);
+  heard_before_ = taken;
 }
 
 bool LoopFeed::add(const lamina_msgs::AppliedCorrection& applied) {

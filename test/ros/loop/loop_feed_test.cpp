@@ -3,6 +3,8 @@
 #include "loop/loop_feed.hpp"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
 #include <boost/make_shared.hpp>
 
 #include "ros/loop/wall_messages.hpp"
@@ -62,6 +64,43 @@ TEST(LoopFeed, GoesOnWithThePrintWhenRosTimeGoesBack) {
   EXPECT_EQ(counts.poses_late, 0U);
   EXPECT_EQ(counts.clouds_late, 0U);
   EXPECT_EQ(feed.run()->takeNews().layers.size(), wall.layers);
+}
+
+bool isWithoutTransforms(LoopFeed& feed) {
+  const LoopNews news = feed.run()->takeNews();
+  return std::any_of(news.alarms.begin(), news.alarms.end(),
+                     [](const RaisedAlarm& alarm) { return alarm.alarm == LoopAlarm::NoTransform; });
+}
+
+TEST(LoopFeed, ASingleStampFarAheadSaysNothingOfTf) {
+  test::SensedWallCase wall;
+  wall.settings = test::calibratedLoop();
+  const SensedWall printed = test::sensedWall(wall);
+  const test::SetTime time;
+  LoopFeed feed(wall.settings, 100.0);
+  feed.add(test::toolpathMessage(printed));
+  feed.addFixed(test::sensorMessage().transforms[0], "test");
+  feed.request(LoopRequest::Active);
+  for (const StampedTip& tip : printed.tips) {
+    const ros::Time now = test::timeOf(tip.stamp_ns);
+    time.set(now);
+    feed.add(test::nozzleMessage(tip).transforms[0], "test");
+    feed.hear(now);
+    feed.pass();
+    if (feed.run()->place().is_scanning) break;
+  }
+  ASSERT_TRUE(feed.run()->place().is_scanning);
+  const ros::Time ahead = ros::Time::now() + ros::Duration(100.0);
+  feed.hear(ahead);
+  feed.hear(ros::Time::now());
+  feed.pass();
+  EXPECT_FALSE(isWithoutTransforms(feed));
+  feed.hear(ahead);
+  feed.pass();
+  EXPECT_FALSE(isWithoutTransforms(feed));
+  feed.hear(ahead + ros::Duration(0.02));
+  feed.pass();
+  EXPECT_TRUE(isWithoutTransforms(feed));
 }
 
 }  // namespace
