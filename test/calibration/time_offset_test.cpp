@@ -83,6 +83,22 @@ TEST(TimeOffset, ByBobbingIsFoundWithoutThePointsThatTheSensorMissed) {
   EXPECT_NEAR(offsetByBobbing(recording, 0.6).offset_s, 0.1, 0.001);
 }
 
+TEST(TimeOffset, ByBobbingIsFoundBesideProfilesOfOtherTimes) {
+  SensorRecording recording = test::record(spoilt(0.1, 3), bobbing({}));
+  const std::size_t profiles = recording.profiles.size();
+  recording.profiles.insert(recording.profiles.begin(), {0.0, {Point3(0, 0, 60)}});
+  recording.profiles.push_back({9e8, {Point3(0, 0, 60)}});
+  const TimeOffset found = offsetByBobbing(recording, 0.6);
+  EXPECT_NEAR(found.offset_s, 0.1, 0.001);
+  EXPECT_EQ(found.profiles, profiles);
+  try {
+    offsetByBobbing({recording.poses, {recording.profiles.back()}}, 0.6);
+    FAIL();
+  } catch (const InvalidInput& error) {
+    EXPECT_NE(std::string(error.what()).find("one clock"), std::string::npos) << error.what();
+  }
+}
+
 TEST(TimeOffset, ThatDriftsIsReportedAsDrift) {
   SensorRecording recording = test::record(spoilt(0.0, 5), bobbing({}));
   for (RecordedProfile& profile : recording.profiles)
