@@ -81,6 +81,7 @@ class LoopFeed {
   std::string placedBy(const sensor_msgs::PointCloud2& cloud) const;
   bool place(const ros::Time& taken, const sensor_msgs::PointCloud2& cloud);
   void placeClouds();
+  std::size_t framesToPlace() const;
   void pushOutOldest();
   void settle(const sensor_msgs::PointCloud2& cloud);
   std::size_t leaveOutWaiting();
@@ -89,7 +90,8 @@ class LoopFeed {
   LoopRunSettings settings_;
   double queue_bytes_;
   TransformSequence sequence_;
-  std::multimap<ros::Time, Cloud> waiting_;  ///< by the time at which they were taken
+  std::multimap<ros::Time, Cloud> waiting_;        ///< by the time at which they were taken
+  std::map<std::string, std::size_t> waiting_of_;  ///< number of those, by frame
   double waiting_bytes_ = 0.0;
   std::optional<ros::Time> heard_;         ///< to be reported once the transforms are passed on
   std::optional<ros::Time> heard_before_;  ///< of the last cloud

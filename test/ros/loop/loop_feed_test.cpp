@@ -66,6 +66,33 @@ TEST(LoopFeed, GoesOnWithThePrintWhenRosTimeGoesBack) {
   EXPECT_EQ(feed.run()->takeNews().layers.size(), wall.layers);
 }
 
+/// All of a print comes before its toolpath, and clouds of a sensor that tf does not know among them.
+TEST(LoopFeed, PlacesWhatCameBeforeTheToolpath) {
+  test::SensedWallCase wall;
+  wall.settings = test::calibratedLoop();
+  const SensedWall printed = test::sensedWall(wall);
+  const test::SetTime time;
+  time.set(test::timeOf(printed.tips.back().stamp_ns));
+  LoopFeed feed(wall.settings, 1000.0);
+  feed.addFixed(test::sensorMessage().transforms[0], "test");
+  for (const SensedCloud& cloud : printed.clouds) {
+    auto known = boost::make_shared<sensor_msgs::PointCloud2>(test::cloudMessage(cloud));
+    auto unknown = boost::make_shared<sensor_msgs::PointCloud2>(*known);
+    unknown->header.frame_id = "nowhere";
+    feed.add(unknown);
+    feed.add(known);
+  }
+  for (const StampedTip& tip : printed.tips) feed.add(test::nozzleMessage(tip).transforms[0], "test");
+  feed.pass();
+  EXPECT_EQ(feed.counts().waiting, 2 * printed.clouds.size());
+  feed.add(test::toolpathMessage(printed));
+  feed.finish();
+  EXPECT_EQ(feed.counts().waiting, printed.clouds.size());
+  EXPECT_EQ(feed.counts().placed + feed.counts().without_transform, printed.clouds.size());
+  EXPECT_GT(10 * feed.counts().placed, 9 * printed.clouds.size());
+  EXPECT_EQ(feed.run()->takeNews().layers.size(), wall.layers);
+}
+
 bool isWithoutTransforms(LoopFeed& feed) {
   const LoopNews news = feed.run()->takeNews();
   return std::any_of(news.alarms.begin(), news.alarms.end(),
