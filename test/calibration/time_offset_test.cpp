@@ -99,6 +99,21 @@ TEST(TimeOffset, ByBobbingIsFoundBesideProfilesOfOtherTimes) {
   }
 }
 
+TEST(TimeOffset, ByBobbingIsRefusedInAnotherUnit) {
+  for (const double unit : {1e-3, 1e3}) {
+    SensorRecording recording = test::record(spoilt(0.1, 3), bobbing({}));
+    for (RecordedProfile& profile : recording.profiles)
+      for (Point3& point : profile.points) point *= unit;
+    try {
+      offsetByBobbing(recording, 0.6);
+      FAIL() << unit;
+    } catch (const InvalidInput& error) {
+      EXPECT_NE(std::string(error.what()).find("are the clouds in metres"), std::string::npos)
+          << error.what();
+    }
+  }
+}
+
 TEST(TimeOffset, ThatDriftsIsReportedAsDrift) {
   SensorRecording recording = test::record(spoilt(0.0, 5), bobbing({}));
   for (RecordedProfile& profile : recording.profiles)

@@ -21,7 +21,9 @@ constexpr double kShortestS = 4.0;
 constexpr double kLongestS = 600.0;
 constexpr double kLeastMotionMm = 0.05;
 constexpr double kLeastCorrelation = 0.8;
-constexpr double kAsGood = 0.95;  // of the greatest correlation
+constexpr double kAsGood = 0.95;        // of the greatest correlation
+constexpr double kLeastRatio = 0.5;     // of depths to heights
+constexpr double kGreatestRatio = 2.5;  // a sensor that leans by 66 deg
 
 /// A quantity every `kStepS`; value i belongs to the time (first + i) steps.
 struct Steps {
@@ -158,6 +160,25 @@ void requireOneBest(const std::vector<double>& found, std::size_t best) {
   }
 }
 
+/// By a correlation any unit would do: here depths follow heights one to one, or somewhat more where the
+/// sensor leans.
+/// @throws InvalidInput if they do not
+void requireUnit(const Steps& heights, const Steps& depths, long lag) {
+  const Span span = shared(heights, depths, lag, {heights.first, heights.end()});
+  double both = 0.0;
+  double squared_height = 0.0;
+  for (long step = span.begin; step < span.end; ++step) {
+    both += heights.at(step) * depths.at(step + lag);
+    squared_height += heights.at(step) * heights.at(step);
+  }
+  const double ratio = both / squared_height;
+  if (ratio < kLeastRatio || ratio > kGreatestRatio)
+    throw InvalidInput("depths change by " + numberText(ratio) +
+                       " mm for each mm of the nozzle's height; expected 1, or up to " +
+                       numberText(kGreatestRatio) +
+                       " of a sensor that leans: are the clouds in metres, or tables in mm?");
+}
+
 /// Root mean square of heights, and of their rate.
 struct Motion {
   double height_mm = 0.0;
@@ -236,6 +257,7 @@ TimeOffset offsetByBobbing(const SensorRecording& recording, double search_s) {
   offset.agreement = found[best];
   offset.profiles = profiles.size();
   const long lag = static_cast<long>(best) - search;
+  requireUnit(heights, depths, lag);
   offset.offset_s = refinedLag(heights, depths, lag, {heights.first, heights.end()});
   addPieces(offset, heights, depths, lag);
   const double noise_mm = motion.height_mm * std::sqrt(std::max(0.0, 1.0 - found[best] * found[best]));
