@@ -24,8 +24,8 @@ int main(int argc, char** argv) {
     std::filesystem::create_directories(folder);
     lamina::writeRecording(folder, read.recording);
     std::printf(
-        "%zu poses, %zu profiles; left out: %llu malformed clouds, %llu points that are not finite, %llu "
-        "stamps without a pose of the nozzle\n",
+        "%zu poses, %zu profiles; left out: %llu malformed clouds, %llu points that are not finite or "
+        "zero, %llu stamps without a pose of the nozzle\n",
         read.recording.poses.size(), read.recording.profiles.size(),
         static_cast<unsigned long long>(read.malformed),
         static_cast<unsigned long long>(read.points_not_finite),

@@ -107,7 +107,8 @@ CloudPoints fromMessage(const sensor_msgs::PointCloud2& cloud, const Eigen::Isom
     const std::uint8_t* at = cloud.data.data() + std::size_t(row) * cloud.row_step;
     for (std::uint32_t i = 0; i < cloud.width; ++i, at += cloud.point_step) {
       const Point3 metres(floatAt(at + x), floatAt(at + y), floatAt(at + z));
-      if (metres.allFinite())
+      // Drivers send zeros in place of points that they miss: at the origin a sensor sees nothing but itself.
+      if (metres.allFinite() && !metres.isZero(0.0))
         result.points.push_back(target_from_cloud * Point3(metres * kMillimetresPerMetre));
       else
         ++result.not_finite;

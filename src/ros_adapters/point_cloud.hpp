@@ -16,7 +16,7 @@ namespace lamina {
 /// The points of a cloud.
 struct CloudPoints {
   std::vector<Point3> points;  ///< [mm]
-  std::size_t not_finite = 0;  ///< points with a NaN or infinite coordinate, left out
+  std::size_t not_finite = 0;  ///< points with a NaN or infinite coordinate, or exactly zero, left out
 };
 
 /// Reads the fields x, y and z (float32), whatever other fields there are.
@@ -25,8 +25,8 @@ struct CloudPoints {
 ///   bytes than the layout asks for
 CloudPoints fromMessage(const sensor_msgs::PointCloud2& cloud, const Eigen::Isometry3d& target_from_cloud);
 
-/// The rows of a cloud in its own frame [mm], all points of each, not finite ones too: a profile sensor's
-/// lines.
+/// The rows of a cloud in its own frame [mm], all points of each, not finite ones and zeros too: a profile
+/// sensor's lines.
 /// @throws InvalidInput as the other
 std::vector<std::vector<Point3>> profilesFromMessage(const sensor_msgs::PointCloud2& cloud);
 

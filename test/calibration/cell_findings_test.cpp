@@ -134,6 +134,20 @@ TEST(CellFindings, TellThePlaceOfASensorThatIsLate) {
   EXPECT_GT(without_offset.fit.rms_mm, 5.0 * found.fit.rms_mm) << "the offset counts";
 }
 
+/// The bare bed, seen from a head that does not tilt: nothing is found of x, y and the turn about z.
+TEST(CellFindings, KnowWhatTheyKeepAsWellAsItWasKnown) {
+  FoundPose found;
+  found.fit.is_kept = {true, true, false, false, false, true};
+  found.pose.spread = {0.0, 0.0, 0.002, 0.01, 0.02, 0.0};
+  found.pose.not_found = "x, y, turn about z";
+  EXPECT_EQ(withFormer(found, std::nullopt).not_found, "x, y, turn about z");
+  CalibratedPose cross;
+  cross.spread = {0.03, 0.04, 0.05, 0.3, 0.3, 0.0};
+  const CalibratedPose both = withFormer(found, cross);
+  EXPECT_EQ(both.spread, std::vector<double>({0.03, 0.04, 0.002, 0.01, 0.02, 0.0}));
+  EXPECT_EQ(both.not_found, "turn about z");
+}
+
 TEST(CellFindings, TellTheDeadTimeOfAFeeder) {
   constexpr double kDead = 0.6;
   const CalibrationSettings settings;

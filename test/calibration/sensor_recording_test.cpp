@@ -45,6 +45,16 @@ TEST(SensorRecording, OfAnUprightNozzleNeedsNoTurn) {
   EXPECT_LT((poses[1].bed_from_nozzle.linear() * Point3::UnitZ() + Point3::UnitZ()).norm(), 1e-12);
 }
 
+TEST(SensorRecording, HasNoPointsWhereSensorsSendZeros) {
+  const auto profiles =
+      profilesFromCsv("time_s,x_mm,z_mm\n1,0,0\n1,0,60\n1,-0,0.0\n2,0,0\n3,5,0\n3,0,0\n", "profiles.csv");
+  ASSERT_EQ(profiles.size(), 2u);
+  EXPECT_EQ(profiles[0].points, std::vector<Point3>({Point3(0, 0, 60)}));
+  EXPECT_EQ(profiles[1].time_s, 3.0);
+  EXPECT_EQ(profiles[1].points, std::vector<Point3>({Point3(5, 0, 0)}));
+  EXPECT_THROW(profilesFromCsv("time_s,x_mm,z_mm\n1,0,0\n", "profiles.csv"), InvalidInput);
+}
+
 TEST(SensorRecording, IsRefusedByName) {
   EXPECT_NE(refusalOf("time_s,x_mm,y_mm,z_mm\n1,2,3,4\n2,3,4\n").find("line 3"), std::string::npos);
   EXPECT_NE(refusalOf("time_s,x_mm,y_mm,z_mm\n1,2,nan,4\n").find("cell 3"), std::string::npos);

@@ -73,6 +73,47 @@ TEST(TimeOffset, ByBobbingNeedsNoPoseOfTheSensor) {
   EXPECT_NEAR(found.offset_s, 0.1, 0.001);
 }
 
+TEST(TimeOffset, ByBobbingIsFoundWithoutThePointsThatTheSensorMissed) {
+  SensorRecording recording = test::record(spoilt(0.1, 3), bobbing({}));
+  std::size_t every_ninth = 0;
+  for (RecordedProfile& profile : recording.profiles)
+    for (Point3& point : profile.points)
+      if (++every_ninth % 9 == 0 && every_ninth % 4000 < 2000) point.setZero();
+  recording.profiles = profilesFromCsv(toCsv(recording.profiles), "profiles.csv");
+  EXPECT_NEAR(offsetByBobbing(recording, 0.6).offset_s, 0.1, 0.001);
+}
+
+TEST(TimeOffset, ByBobbingIsFoundBesideProfilesOfOtherTimes) {
+  SensorRecording recording = test::record(spoilt(0.1, 3), bobbing({}));
+  const std::size_t profiles = recording.profiles.size();
+  recording.profiles.insert(recording.profiles.begin(), {0.0, {Point3(0, 0, 60)}});
+  recording.profiles.push_back({9e8, {Point3(0, 0, 60)}});
+  const TimeOffset found = offsetByBobbing(recording, 0.6);
+  EXPECT_NEAR(found.offset_s, 0.1, 0.001);
+  EXPECT_EQ(found.profiles, profiles);
+  try {
+    offsetByBobbing({recording.poses, {recording.profiles.back()}}, 0.6);
+    FAIL();
+  } catch (const InvalidInput& error) {
+    EXPECT_NE(std::string(error.what()).find("one clock"), std::string::npos) << error.what();
+  }
+}
+
+TEST(TimeOffset, ByBobbingIsRefusedInAnotherUnit) {
+  for (const double unit : {1e-3, 1e3}) {
+    SensorRecording recording = test::record(spoilt(0.1, 3), bobbing({}));
+    for (RecordedProfile& profile : recording.profiles)
+      for (Point3& point : profile.points) point *= unit;
+    try {
+      offsetByBobbing(recording, 0.6);
+      FAIL() << unit;
+    } catch (const InvalidInput& error) {
+      EXPECT_NE(std::string(error.what()).find("are the clouds in metres"), std::string::npos)
+          << error.what();
+    }
+  }
+}
+
 TEST(TimeOffset, ThatDriftsIsReportedAsDrift) {
   SensorRecording recording = test::record(spoilt(0.0, 5), bobbing({}));
   for (RecordedProfile& profile : recording.profiles)

@@ -30,9 +30,9 @@ struct CalibratedTime {
 struct CalibratedPose {
   Eigen::Isometry3d nozzle_from_sensor = Eigen::Isometry3d::Identity();  ///< [mm]
   /// Six standard deviations: along x, y, z of the nozzle [mm] and of rotations about these [deg]; 0 for what
-  /// was not determined and kept its former value.
+  /// was never determined, and kept its former value.
   std::vector<double> spread = std::vector<double>(6, 0.0);
-  /// What kept its former value, with commas between: "z, turn about x"; empty if all was found.
+  /// What was never determined, with commas between: "z, turn about x"; empty if all was.
   std::string not_found;
   CalibrationOrigin origin;
 };

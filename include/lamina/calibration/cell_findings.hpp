@@ -63,6 +63,10 @@ struct FoundPose {
 FoundPose findPose(const std::vector<SensorView>& views, const Eigen::Isometry3d& about, double time_offset_s,
                    const CalibrationSettings& settings, const CalibrationOrigin& origin);
 
+/// The pose that is found, beside the one found before: what keeps its value of that is known as well as it
+/// was then, and is not named any more as not found.
+CalibratedPose withFormer(const FoundPose& found, const std::optional<CalibratedPose>& former);
+
 /// Dead time and lag of the feeder by a scan of its beads.
 struct FoundFeeder {
   CalibratedFeeder feeder;

@@ -76,8 +76,9 @@ void calibrateSensor(const SensorArguments& arguments, OutputFormat format) {
                     settings.calibration),
        recordingFrom(arguments.common.recording)}};
   for (const std::string& plane : arguments.planes) views.push_back({PlaneTarget{}, recordingFrom(plane)});
-  const FoundPose found = findPose(views, knownSensorPose(cell, settings.machine), timeOffsetOf(cell),
-                                   settings.calibration, foundNow(arguments.method));
+  FoundPose found = findPose(views, knownSensorPose(cell, settings.machine), timeOffsetOf(cell),
+                             settings.calibration, foundNow(arguments.method));
+  found.pose = withFormer(found, cell.pose);
   cell.pose = found.pose;
   keepCell(arguments.common, cell);
   printPose(

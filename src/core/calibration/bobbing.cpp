@@ -21,7 +21,9 @@ constexpr double kShortestS = 4.0;
 constexpr double kLongestS = 600.0;
 constexpr double kLeastMotionMm = 0.05;
 constexpr double kLeastCorrelation = 0.8;
-constexpr double kAsGood = 0.95;  // of the greatest correlation
+constexpr double kAsGood = 0.95;        // of the greatest correlation
+constexpr double kLeastRatio = 0.5;     // of depths to heights
+constexpr double kGreatestRatio = 2.5;  // a sensor that leans by 66 deg
 
 /// A quantity every `kStepS`; value i belongs to the time (first + i) steps.
 struct Steps {
@@ -47,9 +49,6 @@ Steps everyStep(const std::vector<double>& time_s, const std::vector<double>& va
   if (!(length_s >= kShortestS && length_s <= kLongestS))
     throw InvalidInput("the recording is " + inSeconds(length_s) + " long; expected " +
                        inSeconds(kShortestS) + " to " + inSeconds(kLongestS) + " of bobbing");
-  if (!(std::abs(time_s.front()) <= kLongestS))
-    throw InvalidInput("profiles begin " + inSeconds(time_s.front()) +
-                       " after the poses of the nozzle; expected stamps of one clock");
   Steps steps;
   steps.first = static_cast<long>(std::ceil(time_s.front() / kStepS));
   const long end = static_cast<long>(std::floor(time_s.back() / kStepS)) + 1;
@@ -85,15 +84,29 @@ Steps heightsOf(const SensorRecording& recording, double zero_s) {
   return withoutMean(everyStep(times, heights));
 }
 
-Steps depthsOf(const SensorRecording& recording, double zero_s) {
+/// The profiles with points that any lag within the search leads to a pose.
+std::vector<const RecordedProfile*> profilesBeside(const SensorRecording& recording, double search_s) {
+  const double begin_s = recording.poses.front().time_s - search_s;
+  const double end_s = recording.poses.back().time_s + search_s;
+  std::vector<const RecordedProfile*> beside;
+  beside.reserve(recording.profiles.size());
+  for (const RecordedProfile& profile : recording.profiles)
+    if (!profile.points.empty() && profile.time_s >= begin_s && profile.time_s <= end_s)
+      beside.push_back(&profile);
+  if (beside.empty() && !recording.profiles.empty())
+    throw InvalidInput("profiles begin " + inSeconds(recording.profiles.front().time_s - begin_s - search_s) +
+                       " after the poses of the nozzle; expected stamps of one clock");
+  return beside;
+}
+
+Steps depthsOf(const std::vector<const RecordedProfile*>& profiles, double zero_s) {
   std::vector<double> times;
   std::vector<double> depths;
-  for (const RecordedProfile& profile : recording.profiles) {
-    if (profile.points.empty()) continue;
+  for (const RecordedProfile* profile : profiles) {
     double sum = 0.0;
-    for (const Point3& point : profile.points) sum += point.z();
-    times.push_back(profile.time_s - zero_s);
-    depths.push_back(sum / static_cast<double>(profile.points.size()));
+    for (const Point3& point : profile->points) sum += point.z();
+    times.push_back(profile->time_s - zero_s);
+    depths.push_back(sum / static_cast<double>(profile->points.size()));
   }
   if (times.size() < 2)
     throw InvalidInput("there are " + std::to_string(times.size()) + " profiles; expected at least 2");
@@ -145,6 +158,25 @@ void requireOneBest(const std::vector<double>& found, std::size_t best) {
                          " from the best one agrees as well: the motion repeats itself; expected bobbing of "
                          "a frequency that changes, or a narrower search");
   }
+}
+
+/// By a correlation any unit would do: here depths follow heights one to one, or somewhat more where the
+/// sensor leans.
+/// @throws InvalidInput if they do not
+void requireUnit(const Steps& heights, const Steps& depths, long lag) {
+  const Span span = shared(heights, depths, lag, {heights.first, heights.end()});
+  double both = 0.0;
+  double squared_height = 0.0;
+  for (long step = span.begin; step < span.end; ++step) {
+    both += heights.at(step) * depths.at(step + lag);
+    squared_height += heights.at(step) * heights.at(step);
+  }
+  const double ratio = both / squared_height;
+  if (ratio < kLeastRatio || ratio > kGreatestRatio)
+    throw InvalidInput("depths change by " + numberText(ratio) +
+                       " mm for each mm of the nozzle's height; expected 1, or up to " +
+                       numberText(kGreatestRatio) +
+                       " of a sensor that leans: are the clouds in metres, or tables in mm?");
 }
 
 /// Root mean square of heights, and of their rate.
@@ -203,7 +235,8 @@ TimeOffset offsetByBobbing(const SensorRecording& recording, double search_s) {
                        " poses of the nozzle; expected at least 2");
   const double zero_s = recording.poses.front().time_s;
   const Steps heights = heightsOf(recording, zero_s);
-  const Steps depths = depthsOf(recording, zero_s);
+  const std::vector<const RecordedProfile*> profiles = profilesBeside(recording, search_s);
+  const Steps depths = depthsOf(profiles, zero_s);
   const Motion motion = motionOf(heights, {heights.first, heights.end()});
   if (motion.height_mm < kLeastMotionMm)
     throw InvalidInput("the nozzle's height changes by " + numberText(motion.height_mm) +
@@ -222,8 +255,9 @@ TimeOffset offsetByBobbing(const SensorRecording& recording, double search_s) {
   requireOneBest(found, best);
   TimeOffset offset;
   offset.agreement = found[best];
-  offset.profiles = recording.profiles.size();
+  offset.profiles = profiles.size();
   const long lag = static_cast<long>(best) - search;
+  requireUnit(heights, depths, lag);
   offset.offset_s = refinedLag(heights, depths, lag, {heights.first, heights.end()});
   addPieces(offset, heights, depths, lag);
   const double noise_mm = motion.height_mm * std::sqrt(std::max(0.0, 1.0 - found[best] * found[best]));

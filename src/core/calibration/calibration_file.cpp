@@ -54,8 +54,8 @@ void describe(SettingsSchema& schema, StatedCalibration& stated) {
   schema.numbers("sensor.pose_rpy_deg", stated.turn_deg, 3,
                  "Its turn from the nozzle's frame: roll, pitch, yaw as in URDF.");
   schema.numbers("sensor.pose_spread", stated.pose.spread, 6,
-                 "Standard deviations: x, y, z [mm], turns about them [deg]; 0 for what was kept.");
-  schema.text("sensor.pose_kept", stated.pose.not_found, "What was not found and kept its former value.");
+                 "Standard deviations: x, y, z [mm], turns about them [deg]; 0 for what was never found.");
+  schema.text("sensor.pose_kept", stated.pose.not_found, "What was never found and kept its former value.");
   describeOrigin(schema, kPoseKeys, stated.pose.origin);
   schema.number("feeder.delay_dead_time_s", stated.feeder.dead_time_s, spread,
                 "Dead time of feeder and link.");

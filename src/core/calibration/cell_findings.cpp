@@ -112,6 +112,19 @@ FoundPose findPose(const std::vector<SensorView>& views, const Eigen::Isometry3d
   return found;
 }
 
+CalibratedPose withFormer(const FoundPose& found, const std::optional<CalibratedPose>& former) {
+  CalibratedPose pose = found.pose;
+  if (!former) return pose;
+  SensorPoseFit both = found.fit;
+  for (std::size_t i = 0; i < both.is_kept.size(); ++i) {
+    if (!both.is_kept[i] || former->spread[i] == 0.0) continue;
+    both.is_kept[i] = false;
+    pose.spread[i] = former->spread[i];
+  }
+  pose.not_found = directionsNotFound(both);
+  return pose;
+}
+
 FoundFeeder findFeeder(const SensorRecording& scan, const Eigen::Isometry3d& about, double time_offset_s,
                        const CalibrationSettings& settings, const std::string& date) {
   const FeederSteps steps = feederSteps(settings);

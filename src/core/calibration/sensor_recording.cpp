@@ -104,9 +104,11 @@ std::vector<RecordedProfile> profilesFromCsv(std::string_view text, const std::s
   std::vector<RecordedProfile> profiles;
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const double stamp = table.at(row, time);
-    if (profiles.empty() || profiles.back().time_s != stamp) profiles.push_back({stamp, {}});
     const double off_plane = y == table.columns.size() ? 0.0 : table.at(row, y);
-    profiles.back().points.emplace_back(table.at(row, x), off_plane, table.at(row, z));
+    const Point3 point(table.at(row, x), off_plane, table.at(row, z));
+    if (point.isZero(0.0)) continue;  // sensors send zeros in place of points that they miss
+    if (profiles.empty() || profiles.back().time_s != stamp) profiles.push_back({stamp, {}});
+    profiles.back().points.push_back(point);
   }
   std::stable_sort(profiles.begin(), profiles.end(), isEarlierProfile);
   if (profiles.empty()) throw InvalidInput("'" + source + "' holds no point; expected profiles");

@@ -267,9 +267,10 @@ bool CellCalibrator::onSensor(lamina_msgs::CalibrateSensor::Request& request,
   };
   const auto evaluate = [&](Evidence& by) {
     const std::string method = request.method.empty() ? "cross" : request.method;
-    const FoundPose found =
+    FoundPose found =
         findPose({{target(by.settings), by.recording}}, knownPlace(by.cell, by.nozzle_from_sensor),
                  timeOffsetOf(by.cell), by.settings, {method, by.date});
+    found.pose = withFormer(found, by.cell.pose);
     by.cell.pose = found.pose;
     response.nozzle_from_sensor = toMessage(found.pose.nozzle_from_sensor);
     for (std::size_t i = 0; i < found.pose.spread.size(); ++i)

@@ -96,6 +96,7 @@ void HeightController::onToolpath(const lamina_msgs::ToolpathConstPtr& message) 
   }
   const bool is_first = !announced_toolpath_;
   announced_toolpath_ = message;
+  if (!firstLayerOf(message->id)) part_toolpath_ = message;
   calibrator_.setMachine(message->machine);
   beginPrint(*message);
   // What was kept is of the print that a node before this one was over.
@@ -114,6 +115,7 @@ void HeightController::beginPrint(const lamina_msgs::Toolpath& toolpath) {
   digests_.clear();
   has_run_ = false;
   is_learnt_saved_ = false;
+  ended_in_.reset();
   try {
     const bool goes_on = feed_.add(toolpath);
     const PlacedPart& part = feed_.run()->part();
@@ -139,6 +141,26 @@ void HeightController::beginAgainIfOver(const lamina_msgs::MachineState& machine
   ROS_WARN("the machine is at layer %d: what was kept after layer %zu is of a print before", machine.layer,
            *resumed);
   memory_.forget();
+  beginPrint(*announced_toolpath_);
+  publishNews();
+}
+
+/// Executors print a toolpath as often as they are asked to, and nobody announces it again. A job that was
+/// cut off may go on where it was: one at a layer well below does not.
+void HeightController::beginNextPart(const lamina_msgs::MachineState& machine) {
+  using State = lamina_msgs::MachineState;
+  const bool is_under_way = machine.state == State::STARTING || machine.state == State::EXECUTE;
+  if (!ended_in_ || !is_under_way || feed_.run() == nullptr || !part_toolpath_) return;
+  const bool is_of_plan = feed_.run()->part().toolpath_id != part_toolpath_->id;
+  // The loop may be at the next layer before the machine says so.
+  const bool is_below = !is_of_plan && machine.layer >= 0 &&
+                        static_cast<std::size_t>(machine.layer) + 1 < feed_.run()->place().layer;
+  if (*ended_in_ != State::COMPLETE && !is_below) {
+    if (machine.layer >= 0) ended_in_.reset();  // it goes on
+    return;
+  }
+  ROS_INFO("the machine begins another part of toolpath %s", part_toolpath_->id.c_str());
+  announced_toolpath_ = part_toolpath_;
   beginPrint(*announced_toolpath_);
   publishNews();
 }
@@ -170,6 +192,7 @@ void HeightController::onFixedTransforms(const TfEvent& event) {
 void HeightController::onMachineState(const lamina_msgs::MachineStateConstPtr& message) {
   using State = lamina_msgs::MachineState;
   beginAgainIfOver(*message);
+  beginNextPart(*message);
   const bool is_over = message->state == State::COMPLETE || message->state == State::ABORTED ||
                        message->state == State::STOPPED;
   has_run_ = has_run_ || !is_over;
@@ -186,6 +209,7 @@ void HeightController::onMachineState(const lamina_msgs::MachineStateConstPtr& m
 
 void HeightController::endPrint(std::uint8_t state) {
   const bool is_complete = state == lamina_msgs::MachineState::COMPLETE;
+  ended_in_ = state;
   hold_.releaseAll();
   feed_.pass();
   if (is_complete) feed_.finish();

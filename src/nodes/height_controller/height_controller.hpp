@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -56,6 +57,7 @@ class HeightController {
   bool isFollowedPlan(const std::string& toolpath_id) const;
   void beginPrint(const lamina_msgs::Toolpath& toolpath);
   void beginAgainIfOver(const lamina_msgs::MachineState& machine);
+  void beginNextPart(const lamina_msgs::MachineState& machine);
   /// @param state  of the machine, in which the job has ended
   void endPrint(std::uint8_t state);
   void know(const LoopRunSettings& settings);
@@ -78,6 +80,7 @@ class HeightController {
   PrintMemory memory_;
   CellCalibrator calibrator_;
   lamina_msgs::ToolpathConstPtr announced_toolpath_;  ///< the last one
+  lamina_msgs::ToolpathConstPtr part_toolpath_;       ///< the last one that is no plan
   LoopRecord record_;
   std::map<std::size_t, std::string> digests_;  ///< of the maps published last, by layer
   std::string toolpath_fault_;                  ///< why the last toolpath could not be used
@@ -86,6 +89,7 @@ class HeightController {
   bool is_saved_ = true;
   bool has_run_ = false;          ///< since the print began the machine was seen in a state that is no end
   bool is_learnt_saved_ = false;  ///< of the print under way
+  std::optional<std::uint8_t> ended_in_;  ///< state of the machine, once the print is over
   diagnostic_updater::Updater diagnostics_;
   ros::Subscriber toolpath_;
   ros::Subscriber profile_;

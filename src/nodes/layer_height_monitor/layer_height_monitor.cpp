@@ -66,7 +66,7 @@ void fillIntake(const IntakeCounts& counts, diagnostic_updater::DiagnosticStatus
   status.add("clouds without nozzle pose", counts.without_nozzle.clouds);
   status.add("clouds pushed out", counts.pushed_out.clouds);
   status.add("clouds of the print before", counts.of_former_print.clouds);
-  status.add("clouds without frame", counts.without_frame.clouds);
+  status.add("clouds without frame or stamp", counts.without_frame.clouds);
   status.add("clouds malformed", counts.malformed.clouds);
   status.add("last malformed cloud", counts.last_fault);
   status.add("points not finite", counts.points_not_finite);

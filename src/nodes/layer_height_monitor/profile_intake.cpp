@@ -55,7 +55,9 @@ void ProfileIntake::onCloud(const CloudEvent& event) {
 }
 
 /// The cloud at the time at which it was taken, in the frame that tf has to place; null without such a time.
+/// To tf a stamp of zero is the latest time there is, at which no cloud was taken.
 ProfileIntake::Cloud ProfileIntake::taken(const Cloud& cloud) const {
+  if (cloud->header.stamp.isZero()) return nullptr;
   if (sensor_.time_offset_s == 0.0 && !sensor_.nozzle_from_sensor) return cloud;
   const double time_s = cloud->header.stamp.toSec() - sensor_.time_offset_s;
   if (!(time_s > 0.0) || time_s > std::numeric_limits<std::int32_t>::max()) return nullptr;

@@ -48,8 +48,8 @@ struct CloudTally {
 struct IntakeCounts {
   CloudTally received;
   CloudTally placed;
-  CloudTally waiting;  ///< for tf
-  CloudTally without_frame;
+  CloudTally waiting;                   ///< for tf
+  CloudTally without_frame;             ///< or without a stamp
   CloudTally malformed;                 ///< without the fields or bytes a cloud needs
   CloudTally without_transform;         ///< older than what tf reported first
   CloudTally without_nozzle;            ///< tf places the cloud, but not the nozzle
@@ -76,7 +76,7 @@ class ProfileIntake {
 
   /// Subscribes to `profile` and to tf.
   /// @param queue_mb  memory of the clouds that may wait for tf [1e6 bytes]
-  /// @param sensor    as calibrated; stamps that it takes before 1970 count as without frame
+  /// @param sensor    as calibrated; stamps of zero, or that it takes before 1970, count as without frame
   ProfileIntake(ros::NodeHandle node, double queue_mb, CalibratedSensor sensor, Receivers receivers);
 
   IntakeCounts counts() const;

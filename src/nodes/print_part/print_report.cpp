@@ -98,7 +98,7 @@ std::string measurementFault(const PrintReport& report) {
 
 std::string unplacedText(const lamina_msgs::ProfileCounts& counts) {
   const std::pair<std::uint64_t, const char*> causes[] = {{counts.lost, "lost on the way"},
-                                                          {counts.without_frame, "without frame"},
+                                                          {counts.without_frame, "without frame or stamp"},
                                                           {counts.malformed, "malformed"},
                                                           {counts.without_transform, "without transform"},
                                                           {counts.without_nozzle, "without nozzle pose"},

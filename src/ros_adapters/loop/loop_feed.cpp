@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "loop/loop_feed.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -72,6 +73,7 @@ void LoopFeed::add(const sensor_msgs::PointCloud2ConstPtr& cloud) {
     return;
   }
   ++counts_.waiting;
+  ++waiting_of_[cloud->header.frame_id];
   waiting_bytes_ += bytesOfCloud(*cloud);
   waiting_.insert({*taken, cloud});
   while (waiting_bytes_ > queue_bytes_ && !waiting_.empty()) pushOutOldest();
@@ -87,6 +89,8 @@ void LoopFeed::pushOutOldest() {
 void LoopFeed::settle(const sensor_msgs::PointCloud2& cloud) {
   --counts_.waiting;
   waiting_bytes_ -= bytesOfCloud(cloud);
+  const auto of_frame = waiting_of_.find(cloud.header.frame_id);
+  if (--of_frame->second == 0) waiting_of_.erase(of_frame);
 }
 
 /// @return the number of clouds
@@ -94,6 +98,7 @@ std::size_t LoopFeed::leaveOutWaiting() {
   const std::size_t clouds = waiting_.size();
   counts_.waiting -= clouds;
   waiting_.clear();
+  waiting_of_.clear();
   waiting_bytes_ = 0.0;
   return clouds;
 }
@@ -104,11 +109,16 @@ void LoopFeed::followTime() {
   if (std::exchange(restarts_, restarts) == restarts) return;
   counts_.pushed_out += leaveOutWaiting();
   heard_.reset();
+  heard_before_.reset();
   if (run_) run_->restartClock();
 }
 
 void LoopFeed::hear(const ros::Time& stamp) {
-  if (const auto taken = takenAt(stamp)) heard_ = *taken;
+  const auto taken = takenAt(stamp);
+  if (!taken) return;
+  // A single stamp far ahead, of a clock that is set or garbled, says nothing of tf.
+  if (heard_before_) heard_ = std::min(*heard_before_, *taken);
+  heard_before_ = taken;
 }
 
 bool LoopFeed::add(const lamina_msgs::AppliedCorrection& applied) {
@@ -163,7 +173,8 @@ void LoopFeed::recalibrate(const LoopRunSettings& settings) {
 
 void LoopFeed::placeClouds() {
   std::set<std::string> ahead;  // frames that tf has not come up to
-  for (auto cloud = waiting_.begin(); cloud != waiting_.end();) {
+  // Of thousands of clouds that wait only the first of each frame is looked at.
+  for (auto cloud = waiting_.begin(); cloud != waiting_.end() && ahead.size() < framesToPlace();) {
     const std::string frame = placedBy(*cloud->second);
     if (ahead.count(frame) > 0 || !place(cloud->first, *cloud->second)) {
       ahead.insert(frame);
@@ -172,6 +183,12 @@ void LoopFeed::placeClouds() {
     }
     cloud = waiting_.erase(cloud);
   }
+}
+
+/// The number of frames that tf has to place.
+std::size_t LoopFeed::framesToPlace() const {
+  return settings_.calibration.nozzle_from_sensor ? std::min<std::size_t>(1, waiting_of_.size())
+                                                  : waiting_of_.size();
 }
 
 /// The frame that tf has to place: the nozzle's where the sensor's place at it was calibrated.

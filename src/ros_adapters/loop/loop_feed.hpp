@@ -46,7 +46,8 @@ class LoopFeed {
   /// One that holds for all times.
   void addFixed(const geometry_msgs::TransformStamped& transform, const std::string& authority);
   void add(const sensor_msgs::PointCloud2ConstPtr& cloud);
-  /// That a cloud of that stamp has come; to be said with the transforms that came with it.
+  /// That a cloud of that stamp has come; to be said with the transforms that came with it. Of two clouds in
+  /// turn the earlier stamp counts.
   void hear(const ros::Time& stamp);
   /// What a machine made of a map of the print under way, or of a plan of it.
   /// @return whether it is of that print
@@ -80,6 +81,7 @@ class LoopFeed {
   std::string placedBy(const sensor_msgs::PointCloud2& cloud) const;
   bool place(const ros::Time& taken, const sensor_msgs::PointCloud2& cloud);
   void placeClouds();
+  std::size_t framesToPlace() const;
   void pushOutOldest();
   void settle(const sensor_msgs::PointCloud2& cloud);
   std::size_t leaveOutWaiting();
@@ -88,10 +90,12 @@ class LoopFeed {
   LoopRunSettings settings_;
   double queue_bytes_;
   TransformSequence sequence_;
-  std::multimap<ros::Time, Cloud> waiting_;  ///< by the time at which they were taken
+  std::multimap<ros::Time, Cloud> waiting_;        ///< by the time at which they were taken
+  std::map<std::string, std::size_t> waiting_of_;  ///< number of those, by frame
   double waiting_bytes_ = 0.0;
-  std::optional<ros::Time> heard_;  ///< to be reported once the transforms are passed on
-  std::uint64_t restarts_ = 0;      ///< of the sequence that the loop knows of
+  std::optional<ros::Time> heard_;         ///< to be reported once the transforms are passed on
+  std::optional<ros::Time> heard_before_;  ///< of the last cloud
+  std::uint64_t restarts_ = 0;             ///< of the sequence that the loop knows of
   std::unique_ptr<LoopRun> run_;
   FeedCounts counts_;
 };

@@ -87,6 +87,19 @@ TEST(RunCalibration, ASpreadThatIsStatedWinsBesideAnOffsetThatIsNot) {
   EXPECT_DOUBLE_EQ(withCalibration(stated, found()).calibration.time_offset_sigma_s, 0.01);
 }
 
+TEST(RunCalibration, DoesNotTrustAPoseThatDoesNotSayWhereOnTheBedTheSensorSees) {
+  for (const char* missed : {"x, y, turn about z", "y", "x"}) {
+    Calibration calibration = found();
+    calibration.pose->not_found = missed;
+    const LoopRunSettings settings = withCalibration(named("cell.yaml"), calibration);
+    EXPECT_FALSE(settings.calibration.is_place_trusted) << missed;
+    EXPECT_TRUE(says(settings.calibration.sources, 1, "expected x and y to be found")) << missed;
+  }
+  Calibration tilts = found();
+  tilts.pose->not_found = "turn about x, turn about y";
+  EXPECT_TRUE(withCalibration(named("cell.yaml"), tilts).calibration.is_place_trusted);
+}
+
 TEST(RunCalibration, KnowsNothingWithoutEither) {
   const LoopRunSettings settings = withCalibrationFile(named(""));
   EXPECT_FALSE(settings.calibration.is_time_offset_trusted);

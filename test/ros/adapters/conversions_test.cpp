@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "lamina/base/error.hpp"
+#include "point_cloud.hpp"
 
 namespace {
 
@@ -160,6 +161,19 @@ TEST(Conversions, CarryAnyPointThereAndBack) {
     const Point3 point(coordinate(), coordinate(), coordinate());
     RC_ASSERT((lamina::fromMessage(lamina::toMessage(point)) - point).norm() <= kRelative * point.norm());
   }));
+}
+
+TEST(Conversions, LeaveOutWhatASensorSendsInPlaceOfPoints) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  const Eigen::Isometry3d bed_from_sensor(Eigen::Translation3d(10.0, 20.0, 60.0) *
+                                          Eigen::AngleAxisd(M_PI, Point3::UnitX()));
+  const auto cloud = lamina::toCloudMessage(
+      {Point3(0, 0, 0), Point3(1, 0, 59), Point3(kNone, 0, 60), Point3(-0.0, 0, 0), Point3(0, 0, 58)});
+  const lamina::CloudPoints read = lamina::fromMessage(cloud, bed_from_sensor);
+  EXPECT_EQ(read.not_finite, 3u);
+  ASSERT_EQ(read.points.size(), 2u);
+  EXPECT_LT((read.points[0] - Point3(11, 20, 1)).norm(), 1e-4);  // single precision of metres
+  EXPECT_LT((read.points[1] - Point3(10, 20, 2)).norm(), 1e-4);
 }
 
 TEST(Conversions, RefuseAToolpathThatBreaksItsPromises) {

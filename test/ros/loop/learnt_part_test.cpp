@@ -17,6 +17,7 @@ namespace lamina {
 namespace {
 
 using test::Controller;
+using test::LiveWall;
 using test::ReportedMachine;
 using test::SensedWall;
 using test::sensedWall;
@@ -79,6 +80,47 @@ TEST(HeightController, LearnsFromAPrintThatBeginsWithTheEndOfTheOneBefore) {
   machine.say(lamina_msgs::MachineState::EXECUTE, 2);
   machine.say(lamina_msgs::MachineState::COMPLETE, 2);
   EXPECT_TRUE(waitUntil([&] { return std::filesystem::exists(file); }));
+}
+
+/// A toolpath is driven once more without being announced again.
+TEST(HeightController, BeginsTheNextPartOfTheSameToolpath) {
+  Controller controller;
+  LiveWall live(wallOfThreeLayers());
+  ReportedMachine machine;
+  machine.say(lamina_msgs::MachineState::EXECUTE, 0);
+  live.say([&] { return controller.layers.size() >= 3; });
+  ASSERT_TRUE(waitUntil([&] { return controller.layers.size() == 3 && controller.maps.size() == 3; }));
+  machine.say(lamina_msgs::MachineState::COMPLETE, 2);
+  machine.say(lamina_msgs::MachineState::COMPLETE, 2);
+  machine.say(lamina_msgs::MachineState::STARTING, -1);
+  machine.say(lamina_msgs::MachineState::EXECUTE, 0);
+  ASSERT_TRUE(waitUntil([&] { return controller.maps.size() > 3; }));
+  EXPECT_EQ(controller.maps.back().layer, 0U);
+  EXPECT_TRUE(controller.maps.back().paths.empty()) << "nothing is known of the first layer";
+  ASSERT_TRUE(waitUntil([&] { return controller.states.back().layer == 0; }));
+  EXPECT_EQ(controller.states.back().state, lamina_msgs::LoopState::ACTIVE + 0);
+}
+
+/// A job that was cut off at its third layer is gone on with there; then the part is begun anew.
+TEST(HeightController, TellsAJobThatGoesOnFromTheNextPart) {
+  SensedWallCase wall = wallOfThreeLayers();
+  wall.layers = 4;
+  Controller controller;
+  LiveWall live(wall);
+  ReportedMachine machine;
+  machine.say(lamina_msgs::MachineState::EXECUTE, 0);
+  live.say([&] { return controller.layers.size() >= 2 && controller.states.back().layer == 2; });
+  ASSERT_TRUE(waitUntil([&] { return controller.maps.size() == 3; }));
+  machine.say(lamina_msgs::MachineState::STOPPED, 2);
+  machine.say(lamina_msgs::MachineState::STARTING, -1);
+  machine.say(lamina_msgs::MachineState::EXECUTE, 2);
+  live.say([&] { return controller.maps.size() >= 4; });
+  ASSERT_TRUE(waitUntil([&] { return controller.maps.size() == 4; }));
+  EXPECT_EQ(controller.maps.back().layer, 3U) << "it goes on";
+  machine.say(lamina_msgs::MachineState::STOPPED, 3);
+  machine.say(lamina_msgs::MachineState::EXECUTE, 0);
+  ASSERT_TRUE(waitUntil([&] { return controller.maps.size() > 4; }));
+  EXPECT_EQ(controller.maps.back().layer, 0U);
 }
 
 }  // namespace

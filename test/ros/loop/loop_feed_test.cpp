@@ -3,6 +3,8 @@
 #include "loop/loop_feed.hpp"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
 #include <boost/make_shared.hpp>
 
 #include "ros/loop/wall_messages.hpp"
@@ -62,6 +64,70 @@ TEST(LoopFeed, GoesOnWithThePrintWhenRosTimeGoesBack) {
   EXPECT_EQ(counts.poses_late, 0U);
   EXPECT_EQ(counts.clouds_late, 0U);
   EXPECT_EQ(feed.run()->takeNews().layers.size(), wall.layers);
+}
+
+/// All of a print comes before its toolpath, and clouds of a sensor that tf does not know among them.
+TEST(LoopFeed, PlacesWhatCameBeforeTheToolpath) {
+  test::SensedWallCase wall;
+  wall.settings = test::calibratedLoop();
+  const SensedWall printed = test::sensedWall(wall);
+  const test::SetTime time;
+  time.set(test::timeOf(printed.tips.back().stamp_ns));
+  LoopFeed feed(wall.settings, 1000.0);
+  feed.addFixed(test::sensorMessage().transforms[0], "test");
+  for (const SensedCloud& cloud : printed.clouds) {
+    auto known = boost::make_shared<sensor_msgs::PointCloud2>(test::cloudMessage(cloud));
+    auto unknown = boost::make_shared<sensor_msgs::PointCloud2>(*known);
+    unknown->header.frame_id = "nowhere";
+    feed.add(unknown);
+    feed.add(known);
+  }
+  for (const StampedTip& tip : printed.tips) feed.add(test::nozzleMessage(tip).transforms[0], "test");
+  feed.pass();
+  EXPECT_EQ(feed.counts().waiting, 2 * printed.clouds.size());
+  feed.add(test::toolpathMessage(printed));
+  feed.finish();
+  EXPECT_EQ(feed.counts().waiting, printed.clouds.size());
+  EXPECT_EQ(feed.counts().placed + feed.counts().without_transform, printed.clouds.size());
+  EXPECT_GT(10 * feed.counts().placed, 9 * printed.clouds.size());
+  EXPECT_EQ(feed.run()->takeNews().layers.size(), wall.layers);
+}
+
+bool isWithoutTransforms(LoopFeed& feed) {
+  const LoopNews news = feed.run()->takeNews();
+  return std::any_of(news.alarms.begin(), news.alarms.end(),
+                     [](const RaisedAlarm& alarm) { return alarm.alarm == LoopAlarm::NoTransform; });
+}
+
+TEST(LoopFeed, ASingleStampFarAheadSaysNothingOfTf) {
+  test::SensedWallCase wall;
+  wall.settings = test::calibratedLoop();
+  const SensedWall printed = test::sensedWall(wall);
+  const test::SetTime time;
+  LoopFeed feed(wall.settings, 100.0);
+  feed.add(test::toolpathMessage(printed));
+  feed.addFixed(test::sensorMessage().transforms[0], "test");
+  feed.request(LoopRequest::Active);
+  for (const StampedTip& tip : printed.tips) {
+    const ros::Time now = test::timeOf(tip.stamp_ns);
+    time.set(now);
+    feed.add(test::nozzleMessage(tip).transforms[0], "test");
+    feed.hear(now);
+    feed.pass();
+    if (feed.run()->place().is_scanning) break;
+  }
+  ASSERT_TRUE(feed.run()->place().is_scanning);
+  const ros::Time ahead = ros::Time::now() + ros::Duration(100.0);
+  feed.hear(ahead);
+  feed.hear(ros::Time::now());
+  feed.pass();
+  EXPECT_FALSE(isWithoutTransforms(feed));
+  feed.hear(ahead);
+  feed.pass();
+  EXPECT_FALSE(isWithoutTransforms(feed));
+  feed.hear(ahead + ros::Duration(0.02));
+  feed.pass();
+  EXPECT_TRUE(isWithoutTransforms(feed));
 }
 
 }  // namespace

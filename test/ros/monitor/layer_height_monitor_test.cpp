@@ -149,6 +149,9 @@ class LayerHeightMonitorNode : public ::testing::Test {
     cloud.header.frame_id = "nowhere";
     profile.publish(cloud);
     cloud.header.frame_id = names::kSensorFrame;
+    cloud.header.stamp = ros::Time();
+    profile.publish(cloud);  // of no time
+    cloud.header.stamp = stamp;
     cloud.fields.pop_back();
     profile.publish(cloud);  // without z
   }
@@ -201,7 +204,7 @@ TEST_F(LayerHeightMonitorNode, AnUnseenQuarterLowersTheCoverage) {
 }
 
 TEST_F(LayerHeightMonitorNode, CountsBadCloudsAndLivesOn) {
-  EXPECT_EQ(counted("clouds without frame"), "1");
+  EXPECT_EQ(counted("clouds without frame or stamp"), "2");
   EXPECT_EQ(counted("clouds malformed"), "1");
   EXPECT_EQ(counted("clouds waiting"), "1");  // for a frame nobody knows
   EXPECT_EQ(counted("clouds lost on the way"), "0");
@@ -219,7 +222,7 @@ TEST_F(LayerHeightMonitorNode, AccountsForEveryProfileAndPoint) {
                                     of.points_dropped + of.points_waiting);
   EXPECT_EQ(of.of_layers, layers_[0].profiles + layers_[1].profiles);
   EXPECT_EQ(of.malformed, 1u);
-  EXPECT_EQ(of.without_frame, 1u);
+  EXPECT_EQ(of.without_frame, 2u);
   EXPECT_EQ(of.late + of.in_gap + of.lost, 0u);
 }
 

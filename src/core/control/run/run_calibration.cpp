@@ -66,6 +66,13 @@ double placeErrorOfPose(const CalibratedPose& pose) {
   return std::hypot(pose.spread[0], pose.spread[1], distance_mm * turn);
 }
 
+/// Whether the recordings say where on the bed the sensor sees: a pose of which only height and tilts were
+/// found corrects the wrong cells.
+bool isPlaceFound(const CalibratedPose& pose) {
+  const std::string names = ", " + pose.not_found + ",";
+  return names.find(", x,") == std::string::npos && names.find(", y,") == std::string::npos;
+}
+
 std::string takePose(LoopRunSettings& settings, const std::optional<CalibratedPose>& pose) {
   CellCalibration& known = settings.calibration;
   if (known.is_place_trusted) {
@@ -74,12 +81,16 @@ std::string takePose(LoopRunSettings& settings, const std::optional<CalibratedPo
   }
   if (!pose) return "place of the sensor not known: " + nowhere(known.file);
   known.nozzle_from_sensor = pose->nozzle_from_sensor;
-  known.is_place_trusted = true;
+  known.is_place_trusted = isPlaceFound(*pose);
   fill(known.place_error_mm, placeErrorOfPose(*pose));
   fill(settings.sight.pose_sigma_mm, pose->spread[2]);
   const std::string kept = pose->not_found.empty() ? "" : "; " + pose->not_found + " not found, as before";
-  return "sensor at " + inWords(pose->nozzle_from_sensor.translation()) + ", off along the path by " +
-         millimetres(known.place_error_mm) + ", " + foundBy(pose->origin, known.file) + kept;
+  const std::string off =
+      known.is_place_trusted
+          ? ", off along the path by " + millimetres(known.place_error_mm) + ", "
+          : ", which does not say where on the bed it sees: expected x and y to be found, ";
+  return "sensor at " + inWords(pose->nozzle_from_sensor.translation()) + off +
+         foundBy(pose->origin, known.file) + kept;
 }
 
 std::string takeFeeder(LoopRunSettings& settings, const std::optional<CalibratedFeeder>& feeder) {
