@@ -38,7 +38,7 @@ class NoteGathering {
   bool add(std::string_view comment, std::size_t line);
   bool isEmpty() const { return text_.empty(); }
   /// Whether the comment continues the note before.
-  static bool goesOn(std::string_view comment);
+  static bool continuesNote(std::string_view comment);
   std::size_t line() const { return line_; }
   std::string take();
 

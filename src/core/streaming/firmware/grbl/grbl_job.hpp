@@ -73,8 +73,8 @@ class GrblJob final : public StreamJob {
   void beginChecking(double now);
   void check(double now);
   void beginLocating(double now);
-  void goOn(double now);
-  void goOnAt(const GrblAxes& work, double now);
+  void continueOncePlaced(double now);
+  void continueAt(const GrblAxes& work, double now);
   void execute(double now);
 
   void proceed(double now);

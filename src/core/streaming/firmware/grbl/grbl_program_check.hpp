@@ -17,7 +17,7 @@ class GrblProgramCheck {
   GrblProgramCheck(const StreamableProgram& program, const GrblMachine& machine);
 
   /// Checks some more lines, up to the first that the machine does not accept.
-  void goOn();
+  void checkMoreLines();
 
   /// Whether all lines were checked.
   bool isDone() const { return is_done_; }
