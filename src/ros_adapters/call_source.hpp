@@ -4,8 +4,8 @@
 
 namespace lamina {
 
-/// The entry of a service's connection header that names who asks, "page: anna", for services whose requests
-/// have no place for it. Without one the calling node is named.
+/// Key in a service's connection header by which a caller states its name, as "page: anna", for services
+/// whose requests have no field for it. Without this key the caller is named by its node.
 inline constexpr char kSourceOfCall[] = "lamina_source";
 
 }  // namespace lamina

@@ -17,8 +17,8 @@
 
 namespace lamina {
 
-// The only place where the core's millimetres and the messages' metres meet. `toMessage` and `fromMessage`
-// are inverse to each other within rounding (1e-12 of the value).
+// The only place where the core's millimetres are converted to the messages' metres and back. `toMessage` and
+// `fromMessage` are inverse to each other within rounding (1e-12 of the value).
 
 inline constexpr double kMetresPerMillimetre = 1e-3;
 inline constexpr double kMillimetresPerMetre = 1e3;
@@ -49,14 +49,14 @@ Eigen::Isometry3d fromMessage(const geometry_msgs::Pose& pose);
 lamina_msgs::Bead toMessage(const Bead& bead);
 Bead fromMessage(const lamina_msgs::Bead& bead);
 
-/// Times other than the estimated and the whole one, and the memory, stay behind.
+/// The message of a summary. Of the times only the estimated and the total one are included; the memory is
+/// not.
 lamina_msgs::SliceSummary toMessage(const SliceSummary& summary);
 
-/// Axis positions as a message [m], without stamp.
+/// Axis positions as a message [m], without time stamp.
 sensor_msgs::JointState jointState(const CartesianMachine& machine, const AxisValues& values_mm);
 
-/// A toolpath with its identity, and with where on which machine it is to be run: what travels as one
-/// message.
+/// A toolpath with its identity, its position, and the machine that it is for, as sent in one message.
 struct MachineToolpath {
   std::string id;       ///< of the toolpath as it was planned
   std::string machine;  ///< name of the machine it was planned for
@@ -64,18 +64,21 @@ struct MachineToolpath {
   Toolpath toolpath;
 };
 
-/// The message with an empty header: stamp and frame belong to the publisher.
+/// The message of a toolpath, with an empty header: time stamp and frame are set by the publisher.
 lamina_msgs::Toolpath toMessage(const MachineToolpath& placed);
-/// The message as it is published: in the frame of the part.
+/// The message of a toolpath with the header with which it is published: the part frame, and a time stamp.
 lamina_msgs::Toolpath stamped(const MachineToolpath& placed, const ros::Time& stamp);
-/// The id is taken as it stands in the message: the values were rounded on the way through metres.
-/// @throws InvalidInput if the toolpath does not satisfy `validate`, has an unknown role, or its pose is none
+/// The toolpath of a message. The id is that of the message, as values are rounded by the conversion from
+/// metres.
+/// @throws InvalidInput if the toolpath does not satisfy `validate`, has an unknown role, or its pose is
+///   invalid
 MachineToolpath fromMessage(const lamina_msgs::Toolpath& message);
 
-/// @throws InvalidInput if the toolpath was planned for another machine than the one of that name (one
-/// without a name is for any)
+/// Refuses a toolpath that was planned for another machine.
+/// @throws InvalidInput unless the toolpath's machine has that name, or the toolpath names none
 void requirePlannedFor(const MachineToolpath& placed, const std::string& machine);
 
+/// Refuses a toolpath that the machine cannot run.
 /// @throws InvalidInput as `requirePlannedFor`
 /// @throws Unreachable naming the first waypoint out of reach
 void requireRunsOn(const MachineToolpath& placed, const CartesianMachine& machine);

@@ -11,30 +11,31 @@
 
 namespace lamina {
 
-/// The message with an empty header: the stamp belongs to the publisher. Lengths keep 40 bits of their
-/// mantissa, so that they are the same after the way through metres; the digest is that of the map so
-/// rounded.
+/// The message of a map, with an empty header: the publisher sets the time stamp. Lengths are rounded to 40
+/// bits of their mantissa, so that conversion to metres and back does not change them; the digest is that of
+/// the rounded map.
 lamina_msgs::CorrectionMap toMessage(const CorrectionMap& map);
 
-/// The map of a message, of which `digestOf` is the message's digest.
-/// @throws InvalidInput as `validate`; if a path has not as many speeds or heights as amounts, or the digest
-///   is not that of the values
+/// The map of a message; its `digestOf` is the message's digest.
+/// @throws InvalidInput as `validate`; if a path does not have as many speeds or heights as amounts, or the
+///   digest does not fit the values
 CorrectionMap toCore(const lamina_msgs::CorrectionMap& message);
 
-/// What became of the map of a layer, with an empty header.
-/// @param digest  of the map that the layer is deposited by, from `missed.held_from` on; empty where by none
+/// The message on how the map of a layer was applied, with an empty header.
+/// @param digest  digest of the map by which the layer is deposited from `missed.held_from` on; empty if by
+///   none
 lamina_msgs::AppliedCorrection toMessage(const MissedMap& missed, const std::string& toolpath_id,
                                          const std::string& digest);
 
-/// What the machine did not have of a layer's map: of one that it had all of, it holds from the beginning.
-/// Nothing where a later map of the layer is not used.
+/// What the machine missed of a layer's map. If it missed nothing, the map holds from the beginning. Nothing
+/// if a later map of the layer is not used.
 std::optional<MissedMap> missedOf(const lamina_msgs::AppliedCorrection& message);
 
-/// What is reported of the first layer of a plan that is not gone on with, under the plan's identity.
+/// The report on the first layer of a plan that is refused, to be sent under the plan's identity.
 MissedMap refusedPlan(const std::string& reason);
 
-/// Whether a message of a plan says that the plan is not gone on with: as planned, without a wait, from its
-/// first layer on.
+/// Whether a message on a plan's layer reports that the plan is refused: the layer is deposited as planned,
+/// without a wait, from the plan's first layer on.
 bool isRefusalOfPlan(const lamina_msgs::AppliedCorrection& message);
 
 }  // namespace lamina

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// The action that controllers of joints are driven by: that of control_msgs where it is installed, else
-// Lamina's own of the same fields.
+// The action that drives joint controllers: that of control_msgs if it is installed, otherwise Lamina's own
+// with the same fields.
 
 #ifdef LAMINA_HAS_CONTROL_MSGS
 #include <control_msgs/FollowJointTrajectoryAction.h>

@@ -12,7 +12,7 @@
 
 namespace lamina {
 
-/// A goal that is refused or given up, with the action's code for it.
+/// A fault by which a goal is refused or given up, with the action's error code.
 class GoalFault final : public InvalidInput {
  public:
   GoalFault(std::int32_t code, const std::string& message) : InvalidInput(message), code_(code) {}
@@ -22,29 +22,30 @@ class GoalFault final : public InvalidInput {
   std::int32_t code_;
 };
 
-/// How far joints may be from where a goal wants them, on the way and at its end.
+/// Tolerances of a goal: how far joints may deviate on the way and at the end.
 class GoalTolerances {
  public:
   GoalTolerances() = default;
-  /// @param own  of the controller for positions on the way, of goals that state none; 0 for any [mm, rad]
-  /// @throws GoalFault as INVALID_JOINTS, naming a joint that the model has not
+  /// @param own  the controller's tolerance on the way for goals that state none; 0 for no limit [mm, rad]
+  /// @throws GoalFault as INVALID_JOINTS, naming a joint that the model does not have
   GoalTolerances(const follow::Goal& goal, const KinematicModel& model, double own);
 
-  /// What is asked of joints and what they do.
+  /// Requested and actual state of the joints.
   struct Motion {
     const JointValues& wanted;
     const JointValues& position;
     const JointValues& velocity;
   };
-  /// The joint that is too far off on the way, in words; empty if there is none.
+  /// The joint that deviates too much on the way, in words; empty if there is none.
   std::string faultOnTheWay(const Motion& motion, const KinematicModel& model) const;
-  /// The same at the end, where a joint that is to rest also may still be too fast.
+  /// The joint that deviates too much at the end, or should rest and is still too fast, in words; empty if
+  /// there is none.
   std::string faultAtTheEnd(const Motion& motion, const KinematicModel& model) const;
-  /// How long after the goal's time joints may still come to its end [s].
+  /// Time after the goal's end within which joints may still reach it [s].
   double patience() const { return patience_s_; }
 
  private:
-  /// Of a joint; infinite where none is asked.
+  /// Tolerance of a joint; infinite if there is none.
   struct Most {
     double position;
     double velocity;
@@ -54,6 +55,7 @@ class GoalTolerances {
   double patience_s_ = 0.0;
 };
 
+/// Refuses names that are not exactly those of the model's joints.
 /// @throws GoalFault as INVALID_JOINTS, naming a joint that is missing, unknown or named twice
 void requireJoints(const std::vector<std::string>& names, const KinematicModel& model);
 

@@ -6,10 +6,10 @@
 
 namespace lamina {
 
-/// Publishes a message of a latched topic for every subscriber, also for one that connects in the same
-/// moment: roscpp keeps the message for later ones only after it was handed to those that were there, and one
-/// in between gets none. Where one does, all of them get it twice. Publisher is a ros::Publisher that
-/// latches.
+/// Publishes a message on a latched topic so that every subscriber gets it, also one that connects at that
+/// moment. roscpp stores the message for later subscribers only after it was handed to the present ones, so
+/// that a subscriber connecting in between would get none. If one connects then, all subscribers get the
+/// message twice. Publisher is a latching ros::Publisher.
 template <class Publisher, class Message>
 void publishLatched(const Publisher& publisher, const Message& message) {
   const auto subscribers = publisher.getNumSubscribers();

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// Lamina's generated messages, in namespace lamina_msgs: roscpp would put them into `lamina`, where the
-// core's own Toolpath, Bead and Setting live. Only C++ sees the other name; on the wire they are
-// lamina/Toolpath and so on. Include this instead of <lamina/Toolpath.h>.
+// Lamina's generated messages, in namespace lamina_msgs: roscpp would put them into `lamina`, where the core
+// has its own Toolpath, Bead and Setting. Only C++ uses this name; the ROS types are lamina/Toolpath and so
+// on. Include this header instead of <lamina/Toolpath.h>.
 
 #define lamina lamina_msgs
 #include <lamina/AcknowledgeAlarm.h>

@@ -4,7 +4,8 @@
 
 #include "tf/frames.hpp"
 
-/// Names of everything the nodes share, relative to the namespace they run in.
+/// Names of all topics, services, actions and parameters that nodes share, relative to the namespace in which
+/// they run.
 namespace lamina::names {
 
 // Topics.

@@ -17,8 +17,8 @@ namespace lamina {
 /// @throws FileError, InvalidInput as `loadPlugin`; FileError naming a class that pluginlib cannot make
 std::vector<std::string> loadNodePlugins(const ros::NodeHandle& own);
 
-/// Those classes only; none where ROS_PACKAGE_PATH does not lead to lamina.
-/// @throws FileError naming the class
+/// Loads only the classes that packages export; none if ROS_PACKAGE_PATH does not lead to lamina.
+/// @throws FileError naming a class that pluginlib cannot make
 std::vector<std::string> loadPluginClasses();
 
 }  // namespace lamina

@@ -25,35 +25,35 @@ struct CloudPoints {
 ///   bytes than the layout asks for
 CloudPoints fromMessage(const sensor_msgs::PointCloud2& cloud, const Eigen::Isometry3d& target_from_cloud);
 
-/// The rows of a cloud in its own frame [mm], all points of each, not finite ones and zeros too: a profile
-/// sensor's lines.
-/// @throws InvalidInput as the other
+/// The rows of a cloud in its own frame [mm], each with all of its points, also those that are not finite,
+/// and zeros. For the lines of a profile sensor.
+/// @throws InvalidInput as `fromMessage`
 std::vector<std::vector<Point3>> profilesFromMessage(const sensor_msgs::PointCloud2& cloud);
 
-/// A cloud with the fields x, y and z (float32). Header: the publisher's.
+/// A cloud with the fields x, y and z (float32); the publisher sets the header.
 /// @param points  [mm]
 sensor_msgs::PointCloud2 toCloudMessage(const std::vector<Point3>& points);
 
-/// A value of each point of a cloud, in SI units.
+/// A field of a cloud with a value for each point, in SI units.
 struct CloudField {
   std::string name;
   std::vector<float> values;
 };
 
-/// A cloud with the fields x, y and z and others (float32). Header: the publisher's.
+/// A cloud with the fields x, y, z and further ones (float32); the publisher sets the header.
 /// @param points  [mm]
 /// @param fields  as many values each as there are points
 sensor_msgs::PointCloud2 toCloudMessage(const std::vector<Point3>& points,
                                         const std::vector<CloudField>& fields);
 
-/// One point per known cell, with the fields x, y, z and `deviation` (float32) [m], the last NaN where
-/// unknown.
-/// @param deviation  of the same grid as `heights`
+/// A cloud with one point for each known cell, with the fields x, y, z and `deviation` (float32) [m]; the
+/// deviation is NaN where it is not known.
+/// @param deviation  map on the same grid as `heights`
 sensor_msgs::PointCloud2 toCloudMessage(
     const HeightMap& heights, const HeightMap& deviation,
     const Eigen::Isometry3d& bed_from_maps = Eigen::Isometry3d::Identity());
 
-/// The map as seen from above: 32FC1 [m], rows from the highest y down, NaN where unknown.
+/// The map as an image seen from above: 32FC1 [m], rows from the highest y downwards, NaN where unknown.
 sensor_msgs::Image toImageMessage(const HeightMap& map);
 
 }  // namespace lamina

@@ -8,15 +8,15 @@
 
 namespace lamina {
 
-/// What a request asks a node for, as its log names it.
+/// The wording by which a node's log names a request.
 struct RequestName {
   std::string verb;     ///< "slice"
   std::string subject;  ///< part, program, toolpath id or study
-  std::string output;   ///< file that would have been written; empty for none
+  std::string output;   ///< file that the request would have written; empty for none
 };
 
-/// The line that a node logs where a request fails: "cannot slice 'cube.stl' into 'cube.gcode':
-/// InvalidConfig: ...". An empty subject is named so.
+/// The line that a node logs if a request fails: "cannot slice 'cube.stl' into 'cube.gcode': InvalidConfig:
+/// ...". An empty subject is written as such.
 std::string refusalText(const RequestName& request, const Failure& failure);
 
 }  // namespace lamina

@@ -8,10 +8,11 @@
 
 namespace lamina {
 
-/// Calls a service once, over a connection that the client closes. Where the server closes it, as for calls
-/// that are not persistent, roscpp may drop the answer that it has received (ros_comm, issue 1976).
-/// @param name  resolved in the namespace of the node
-/// @return whether an answer came
+/// Calls a service once, over a connection that the client closes. With calls that are not persistent the
+/// server closes the connection, and roscpp may then drop an answer that it has received (ros_comm, issue
+/// 1976).
+/// @param name  resolved in the node's namespace
+/// @return whether an answer was received
 template <class Service>
 bool callService(const std::string& name, Service& call) {
   ros::NodeHandle node;

@@ -7,32 +7,32 @@
 
 namespace lamina {
 
-/// What SIGINT, SIGTERM, SIGHUP and `rosnode kill` do to a node.
+/// Effect of SIGINT, SIGTERM, SIGHUP and `rosnode kill` on a node.
 enum class OnSignal {
-  ShutDown,  ///< request a shutdown: `ros::ok()` becomes false, ros::spin() returns
-  Request,   ///< nothing but `isStopRequested`: the node still has something to say to others before it goes
+  ShutDown,  ///< ROS shuts down: `ros::ok()` becomes false, ros::spin() returns
+  Request,   ///< only `isStopRequested` becomes true, as the node still has messages to send before it ends
 };
 
-/// How a node runs.
+/// Name of a node, and how it reacts to signals.
 struct NodeRun {
-  std::string name;  ///< under which it joins ROS, remappable
+  std::string name;  ///< name in ROS, remappable
   OnSignal on_signal = OnSignal::ShutDown;
 };
 
-/// Whether one of the signals or `rosnode kill` came.
+/// Whether one of these signals or `rosnode kill` was received.
 bool isStopRequested();
 
-/// Waits until every message published so far is on its way, then 0.5 s: a subscriber that learns that the
-/// node is gone drops what it has not read. A node calls it before its publishers go.
+/// Waits until every message published so far is sent, and then 0.5 s, because a subscriber that learns of
+/// the node's end drops messages that it has not read. To be called before the publishers are destroyed.
 ///
-/// At most 2 s in all. Does nothing once ROS is shut down.
+/// Takes at most 2 s. Does nothing once ROS is shut down.
 void awaitDelivery();
 
-/// A node from start to end: joins ROS, on the loopback interface by default (`guardPorts`), loads plug-ins
-/// (`loadNodePlugins`), runs `body`, and leaves ROS. On a signal or `rosnode kill` `body` returns or throws,
-/// so that destructors run.
+/// Runs a node from start to end: joins ROS, by default on the loopback interface (`guardPorts`), loads
+/// plug-ins (`loadNodePlugins`), runs `body`, and leaves ROS. On a signal or `rosnode kill`, `body` must
+/// return or throw, so that destructors run.
 ///
-/// Does not return: the process ends with exit code 0, or 1 if `body` threw; then the message was logged.
+/// Does not return: the process ends with exit code 0, or with 1, after logging the message, if `body` threw.
 [[noreturn]] void runNode(int argc, char** argv, const NodeRun& run, const std::function<void()>& body);
 
 }  // namespace lamina

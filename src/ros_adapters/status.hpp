@@ -7,10 +7,11 @@
 
 namespace lamina {
 
-/// The failure as an answer; code and message empty stand for success.
+/// The failure as a status message; code and message are empty for success.
 lamina_msgs::Status toMessage(const Failure& failure);
 
-/// @throws InvalidInput if the code is none of Status.msg
+/// The failure of a status message.
+/// @throws InvalidInput if the code is none of those in Status.msg
 Failure fromMessage(const lamina_msgs::Status& status);
 
 /// Does nothing if the status is OK.

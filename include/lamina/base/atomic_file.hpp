@@ -9,11 +9,11 @@
 
 namespace lamina {
 
-/// A file that appears under its name completely or not at all. It is written under a temporary name in the
-/// same folder, which nobody can guess, and renamed by `commit`. Destroyed without `commit`, it leaves
-/// nothing behind, and an existing file unchanged. If the name is a symbolic link of this user or of root,
-/// the link stays and the file that it leads to is replaced. A link of another user is replaced itself, since
-/// that user may have made it lead to a file of ours.
+/// A file that appears under its name completely or not at all. It is written under an unpredictable
+/// temporary name in the same folder, and renamed by `commit`. Destroyed without `commit`, it leaves no file,
+/// and an existing file unchanged. If the name is a symbolic link of this user or of root, the link is kept
+/// and the file that it leads to is replaced. A link of another user is itself replaced, since that user may
+/// have made it lead to one of our files.
 class AtomicFile {
  public:
   /// @throws FileError if the folder cannot be written to
@@ -25,10 +25,10 @@ class AtomicFile {
   /// @throws FileError if the disk is full or gone
   void write(std::string_view bytes);
 
-  /// Closes the file and makes it visible under its name. The file is not forced to the disk, which takes 3
-  /// ms to 16 ms where slicing a small part takes 20 ms: after a loss of power it may be missing, empty or
-  /// the earlier one. What must survive that is written by `writeDurably`, or synchronised.
-  /// @throws FileError if that fails; an earlier file of that name then stays
+  /// Closes the file and makes it visible under its name. The file is not forced to the disk, which would
+  /// take 3 ms to 16 ms, while slicing a small part takes 20 ms. So after a loss of power it may be missing,
+  /// empty or the earlier one. Files that must survive that are written by `writeDurably`, or synchronised.
+  /// @throws FileError if that fails; an earlier file of that name is then unchanged
   void commit();
 
   /// The temporary name, for libraries that have to open the file themselves.

@@ -24,9 +24,9 @@ struct ProgramEnd {
   std::string errors;  ///< what it wrote on standard error
 };
 
-/// Runs a program without a shell, with empty standard input, and waits for its end. It leads a process group
-/// of its own: processes that it started and left running end with it, and Ctrl-C on the terminal reaches it
-/// only through `progress`. If this process is killed, a watchdog shell kills the group.
+/// Runs a program without a shell, with empty standard input, and waits for its end. The program leads a
+/// process group of its own: processes that it has started and left running end with it, and Ctrl-C on the
+/// terminal reaches it only through `progress`. If this process is killed, a watchdog shell kills the group.
 ///
 /// If this function throws, the program has ended: it is sent SIGTERM, and SIGKILL 2 s later.
 /// @throws InvalidConfig if there are no arguments, or one contains a zero byte

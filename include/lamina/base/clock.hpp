@@ -10,7 +10,7 @@ namespace lamina {
 class Clock {
  public:
   virtual ~Clock() = default;
-  /// Time [s] since an arbitrary start; never goes back.
+  /// Time [s] since an arbitrary time; never decreases.
   virtual double now() const = 0;
 };
 

@@ -7,9 +7,9 @@
 
 namespace lamina {
 
-/// What messages quote of a file that is being read. A user who has a file read by a service need not be
-/// allowed to read it, but sees the messages about it. Therefore a file is quoted only after something was
-/// read in it that only a file of the expected kind contains. Every reader of files has such a quotation.
+/// Text of a file being read that messages may quote. A user who lets a service read a file may have no right
+/// to read it, but sees the messages about it. Therefore a file is quoted only after something was read in it
+/// that only a file of the expected kind contains. Every reader of files has such an object.
 class Quotation {
  public:
   /// States that something was read that only a file of the expected kind contains.

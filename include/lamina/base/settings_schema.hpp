@@ -30,7 +30,7 @@ struct Setting {
   std::string bounds;   ///< written as an interval: "(0, 10]"; empty if the type has none
   std::string meaning;  ///< one sentence
   std::function<void(const std::string& text)> set;  ///< throws InvalidConfig naming key, value and bound
-  std::function<std::string()> get;                  ///< the field's value as text that `set` takes
+  std::function<std::string()> get;                  ///< the field's value as text that `set` accepts
   /// Sets one entry of a table. Empty for every other type.
   std::function<void(const std::string& entry, const std::string& text)> set_entry = {};
 };

@@ -9,7 +9,7 @@
 
 namespace lamina {
 
-/// By what and when something was calibrated.
+/// Method and date of a calibration.
 struct CalibrationOrigin {
   /// As `--method` of `lamina calibrate` names it: "bobbing", "edge" or "overlap" for the time offset,
   /// "cross", "bed", "plane", "pyramid" or "pairs" for the sensor's pose, "bead" for the feeder.
@@ -19,20 +19,20 @@ struct CalibrationOrigin {
 
 /// How late the sensor's time stamps are; see `TimeOffset`.
 struct CalibratedTime {
-  double offset_s = 0.0;         ///< true time is the stamp less this
+  double offset_s = 0.0;         ///< by which time stamps are late: true time = time stamp - offset
   double spread_s = 0.0;         ///< standard deviation
   double scatter_s = 0.0;        ///< standard deviation from piece to piece of the recording
   double drift_s_per_min = 0.0;  ///< slope of the offset over the recording
   CalibrationOrigin origin;
 };
 
-/// Where the sensor sits.
+/// Pose of the sensor at the nozzle.
 struct CalibratedPose {
   Eigen::Isometry3d nozzle_from_sensor = Eigen::Isometry3d::Identity();  ///< [mm]
   /// Six standard deviations: along x, y, z of the nozzle [mm] and of rotations about these [deg]; 0 for what
   /// was never determined, and kept its former value.
   std::vector<double> spread = std::vector<double>(6, 0.0);
-  /// What was never determined, with commas between: "z, turn about x"; empty if all was.
+  /// Components that were never determined, separated by commas: "z, turn about x"; empty if all were found.
   std::string not_found;
   CalibrationOrigin origin;
 };
@@ -46,16 +46,16 @@ struct CalibratedFeeder {
   CalibrationOrigin origin;
 };
 
-/// What is known of a cell's sensor and feeder; each part may be missing.
+/// Calibration data of a cell's sensor and feeder; each part may be missing.
 struct Calibration {
-  std::string machine;  ///< its name
+  std::string machine;  ///< name of the machine
   std::string sensor;   ///< name or serial number; empty if none was given
   std::optional<CalibratedTime> time;
   std::optional<CalibratedPose> pose;
   std::optional<CalibratedFeeder> feeder;
 };
 
-/// The calibration as YAML. `calibrationFromYaml` reads back the same values to the bit, but for the sensor's
+/// The calibration as YAML. `calibrationFromYaml` reads back exactly the same values, except for the sensor's
 /// orientation, which may differ by rounding.
 std::string toYaml(const Calibration& calibration);
 
@@ -65,14 +65,16 @@ std::string toYaml(const Calibration& calibration);
 /// @throws InvalidConfig naming the key
 Calibration calibrationFromYaml(const std::string& yaml, const std::string& source);
 
-/// @throws FileError; InvalidConfig as above
+/// Reads a calibration from a file.
+/// @throws FileError; InvalidConfig as `calibrationFromYaml`
 Calibration readCalibration(const std::string& path);
 
-/// Writes the file whole, or leaves what was there.
+/// Writes a calibration to a file; on failure an existing file is unchanged.
 /// @throws FileError
 void writeCalibration(const std::string& path, const Calibration& calibration);
 
-/// @throws InvalidConfig if the calibration is that of another machine, naming both
+/// Checks that a calibration belongs to a machine.
+/// @throws InvalidConfig naming both machines if it does not
 void requireCalibrationOf(const Calibration& calibration, const std::string& machine);
 
 /// A time as files state it: "2026-11-23T12:00:00Z".

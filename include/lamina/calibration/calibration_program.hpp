@@ -10,9 +10,9 @@
 
 namespace lamina {
 
-// What a machine runs to be calibrated: toolpaths in coordinates of the bed, which any program writer
-// accepts. The nozzle points straight down, and the sensor's line is parallel to x. `sensor_offset` is the
-// position of the middle of the sensor's line on the bed relative to the nozzle, as far as it is known [mm].
+// Toolpaths that a machine runs for calibration, in coordinates of the bed, which any program writer accepts.
+// The nozzle points straight down, and the sensor's line is parallel to x. `sensor_offset` is the position of
+// the middle of the sensor's line on the bed relative to the nozzle, as far as it is known [mm].
 
 /// A straight bead: the nozzle runs from `start` to `end` [mm, bed].
 struct CalibrationBead {

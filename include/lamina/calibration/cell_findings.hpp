@@ -15,7 +15,7 @@
 
 namespace lamina {
 
-/// The time offset of the sensor by a recording.
+/// The time offset of the sensor as found in a recording.
 struct FoundTime {
   CalibratedTime time;
   TimeOffset fit;
@@ -34,7 +34,7 @@ FoundTime findTime(const SensorRecording& recording, const std::string& method,
                    const Eigen::Isometry3d& about, const CalibrationSettings& settings,
                    const std::string& date);
 
-/// What is known beforehand of a truncated pyramid [mm].
+/// Known dimensions and position of a truncated pyramid [mm].
 struct KnownPyramid {
   std::vector<double> size_mm;     ///< width of base, width of top, height; empty: those of `PyramidTarget`
   std::vector<double> touched_mm;  ///< x and y of its middle, as touched by the nozzle; empty: not known
@@ -49,7 +49,7 @@ struct KnownPyramid {
 SensorTarget sensorTarget(const std::string& method, const KnownPyramid& pyramid,
                           const CalibrationSettings& settings);
 
-/// The sensor's pose by recordings of targets.
+/// The sensor's pose as found in recordings of targets.
 struct FoundPose {
   CalibratedPose pose;
   SensorPoseFit fit;
@@ -63,11 +63,11 @@ struct FoundPose {
 FoundPose findPose(const std::vector<SensorView>& views, const Eigen::Isometry3d& about, double time_offset_s,
                    const CalibrationSettings& settings, const CalibrationOrigin& origin);
 
-/// The pose that is found, beside the one found before: what keeps its value of that is known as well as it
-/// was then, and is not named any more as not found.
+/// Completes a pose that is found by the one found before. Components that keep their value from there keep
+/// its spread, and are not named as not found any more.
 CalibratedPose withFormer(const FoundPose& found, const std::optional<CalibratedPose>& former);
 
-/// Dead time and lag of the feeder by a scan of its beads.
+/// Dead time and lag of the feeder as found in a scan of its beads.
 struct FoundFeeder {
   CalibratedFeeder feeder;
   FeederFit fit;
@@ -82,7 +82,7 @@ FoundFeeder findFeeder(const SensorRecording& scan, const Eigen::Isometry3d& abo
 /// The time offset of a calibration [s]; 0 if it has none.
 double timeOffsetOf(const Calibration& cell);
 
-/// What was found, as sentences for the operator.
+/// The result as sentences for the operator.
 std::vector<std::string> inWords(const FoundTime& found);
 std::vector<std::string> inWords(const FoundPose& found);
 std::vector<std::string> inWords(const FoundFeeder& found);

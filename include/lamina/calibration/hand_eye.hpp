@@ -15,7 +15,7 @@ struct BodySight {
   Eigen::Isometry3d sensor_from_body = Eigen::Isometry3d::Identity();
 };
 
-/// The pose of a sensor by a body measured from several poses.
+/// The pose of a sensor as found from a body that was measured from several poses.
 struct HandEyeFit {
   Eigen::Isometry3d nozzle_from_sensor = Eigen::Isometry3d::Identity();
   double rms_mm = 0.0;   ///< scatter of the body's position on the bed, which should be one

@@ -11,7 +11,7 @@
 
 namespace lamina {
 
-/// What the PLC reports of the surroundings, as it stands in its registers.
+/// State of the unit's surroundings as the PLC reports it in its registers.
 struct PlcInterlocks {
   bool is_alive = false;  ///< whether its heartbeat came in time
   bool has_material = false;
@@ -34,7 +34,7 @@ enum class PlcNeed : std::uint8_t { None, Required };
 /// alone, and `None` gives nothing.
 std::vector<UnmetGuard> againstPlc(const PlcInterlocks& plc, PlcNeed need);
 
-/// The conditions for a start, as they are at present.
+/// The present conditions for a start.
 struct StartConditions {
   int mode = kProduction;
   std::string machine;               ///< machine of the cell, for which programs have to be checked
@@ -47,15 +47,16 @@ struct StartConditions {
   PlcInterlocks plc;
   bool needs_loop = false;  ///< whether jobs run with the height loop, and so with the sensor's clock
   std::string loop_fault;   ///< why the height loop may not run; empty if it may
-  std::string clock_fault;  ///< which clocks of the hosts are apart, and how far; empty if none are
-  std::optional<double> free_bytes;  ///< on the disk of the journal; nothing if the system does not report it
+  std::string clock_fault;  ///< which clocks of the hosts differ, and by how much; empty if none do
+  /// Free space on the disk of the journal; nothing if the system does not report it.
+  std::optional<double> free_bytes;
 };
 
 /// The reasons against Start, in the order of their codes; empty if there are none. Alarms are not among
 /// them: the unit checks these itself.
 std::vector<UnmetGuard> againstStart(const StartConditions& found);
 
-/// The conditions for going on after Held or Suspended, as they are at present.
+/// The present conditions for continuing after Held or Suspended.
 struct ContinueConditions {
   bool is_position_known = false;
   std::vector<std::string> out_of_band;  ///< temperatures outside their bands, each with value and band

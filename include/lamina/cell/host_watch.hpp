@@ -31,7 +31,7 @@ struct HostWatchSettings {
   double least_free_bytes = 2.0 * 1024 * 1024 * 1024;  ///< least free space on the disk of the watched folder
 };
 
-/// An alarm of the table that is to be raised, or that has gone.
+/// An alarm of the table that is to be raised, or whose cause is gone.
 struct HostAlarm {
   int id = 0;
   double value = 0.0;
@@ -39,7 +39,7 @@ struct HostAlarm {
   bool is_gone = false;
 };
 
-/// The state of another host as it is known here.
+/// The state of another host as far as this host knows it.
 struct PeerStatus {
   PeerHost host;
   double heard_at_s = 0.0;  ///< time of its last message, by the steady clock
@@ -56,12 +56,12 @@ struct NodeStatus {
   int restarts = 0;
 };
 
-/// Watches what one host of a cell can see: the other hosts and their clocks, steps of its own clock, the ROS
-/// master, its disk, and the nodes. Events are given with the time of their arrival, alarms are returned; the
-/// class itself neither sends nor asks anything.
+/// Watches what one host of a cell can observe: the other hosts and their clocks, steps of its own clock, the
+/// ROS master, its disk, and the nodes. Events are passed in at the time of their arrival, and alarms are
+/// returned; the class itself sends no messages.
 ///
-/// Hosts and clocks are reported only if there is another host. A clock counts as off only as far as the
-/// round trip does not explain its offset; but a round trip so long that the uncertainty exceeds
+/// Hosts and clocks are reported only if there is another host. A clock counts as deviating only as far as
+/// the round trip does not explain its offset; but a round trip so long that the uncertainty exceeds
 /// `hold_offset_s` is reported too. A step of this host's clock is reported for 10 s.
 class HostWatch {
  public:
@@ -83,8 +83,8 @@ class HostWatch {
   /// @param pid  of the node's process; nothing if it did not answer
   void onNode(const std::string& name, std::optional<int> pid);
 
-  /// The alarms that are new or gone since the last call; to be called regularly. The first call also states
-  /// of each condition that is absent that it is gone.
+  /// The alarms that are new or gone since the last call; to be called regularly. The first call also returns
+  /// every absent condition as gone.
   std::vector<HostAlarm> tick(CellTime now);
 
   /// All conditions at the last `tick`, the absent ones as gone, for a listener that has just connected.

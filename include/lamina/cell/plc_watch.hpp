@@ -38,7 +38,7 @@ struct PlcReport {
 /// Settings of the watch of the PLC.
 struct PlcWatchSettings {
   bool is_required = false;  ///< the unit runs only with a PLC, whose interlocks it needs
-  bool unsuspends = true;    ///< what the PLC has suspended goes on when its reason is gone
+  bool unsuspends = true;  ///< whether the unit continues by itself when the PLC's reason to suspend is gone
   /// Time for which a link or PLC that is expected may be silent while the unit runs.
   double patience_s = 10.0;
   /// Whether the PLC's reasons to suspend also count in the states on the way to Execute, where they hold the
@@ -68,7 +68,7 @@ class PlcWatch {
  public:
   explicit PlcWatch(const PlcWatchSettings& settings) : settings_(settings) {}
 
-  /// Takes a report of the link.
+  /// Evaluates a report of the link.
   void hear(const PlcReport& report, double now_s);
 
   /// States that remote access was locked, so that a silent PLC is not missed unless it is required.

@@ -17,7 +17,7 @@
 
 namespace lamina {
 
-/// What an executor is doing.
+/// Phase of an executor.
 enum class ExecutorPhase : std::uint8_t {
   Resting,  ///< no job, or one that was stopped or aborted
   Starting,
@@ -80,14 +80,14 @@ class Executor {
 /// What Start does with a job that was cut off.
 enum class CutOffJob : std::uint8_t { Undecided, Resume, Discard };
 
-/// The conditions of the guards that the caller has to find out. `ProductionCell` fills in job, files, mode
-/// and journal.
+/// The conditions of the guards that the caller must determine. `ProductionCell` adds job, files, mode and
+/// journal.
 struct CellSurroundings {
   StartConditions start;
   ContinueConditions go_on;
 };
 
-/// What a cell works with; all of it must outlive the cell.
+/// The objects that a cell uses; all of them must outlive the cell.
 struct CellParts {
   CellJournal& journal;
   ArtefactStore& artefacts;
@@ -96,8 +96,8 @@ struct CellParts {
   std::function<std::vector<Artefact>(const QueuedJob&, const ExecutionRow&)> corrections = {};
 };
 
-/// A cell at work: the unit, its journal and one executor. Commands, reports and times are given to it; it
-/// gives orders to the executor, writes rows of the journal, and offers the status of the unit.
+/// A cell at work: the unit, its journal and one executor. Commands, reports and times are passed to it; it
+/// gives orders to the executor, writes rows of the journal, and provides the status of the unit.
 ///
 /// A change is written into the journal before it is acted upon, except for commands that stop, which are
 /// acted upon first. A journal that cannot be written raises alarm 7003; a job that is done stays in
@@ -131,10 +131,10 @@ class ProductionCell {
   /// States that the cause of an alarm is gone.
   void end(int alarm, CellTime now);
 
-  /// Takes a report of the executor.
+  /// Evaluates a report of the executor.
   void onReport(const ExecutorReport& report, CellTime now);
 
-  /// Lets time pass; to be called at least ten times a second.
+  /// Advances the time; to be called at least ten times a second.
   void tick(CellTime now);
 
   /// States that the last part was taken away.

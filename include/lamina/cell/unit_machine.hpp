@@ -131,8 +131,8 @@ class UnitMachine {
   /// @param by  name of the user
   CommandAnswer acknowledge(int alarm, const std::string& by, double now_s);
 
-  /// Lets time pass. An acting state that lasts longer than `longest_s` raises alarm 1010; Aborting then ends
-  /// in Aborted, even if nobody has confirmed that the unit is at rest.
+  /// Advances the time. An acting state that lasts longer than `longest_s` raises alarm 1010; Aborting then
+  /// ends in Aborted, even without a confirmation that the unit is at rest.
   void tick(double now_s);
 
   /// Counts a finished part and its material.

@@ -13,7 +13,7 @@ namespace lamina {
 
 class CellSheet;
 
-/// A point on a cell, in coordinates of the cell.
+/// A point that lies on a cell, in coordinates of the cell.
 struct CellSight {
   std::size_t layer = 0;
   std::size_t cell = 0;
@@ -26,8 +26,8 @@ struct CellSight {
 
 /// The cells of deposited beads on which a point may lie.
 struct PointSights {
-  std::optional<CellSight> newest;  ///< of the newest layer that has a cell there
-  std::optional<CellSight> below;   ///< of the next layer below that has a cell there
+  std::optional<CellSight> newest;  ///< cell of the newest layer that has one there
+  std::optional<CellSight> below;   ///< cell of the next layer below that has one there
 };
 
 /// Finds the cell of the deposited layers on which a point lies [mm, frame of the toolpath], for layers of
@@ -53,7 +53,7 @@ class CellAtlas {
   CellAtlas& operator=(CellAtlas&&) noexcept;
   ~CellAtlas();
 
-  /// Adds a layer, all of its cells deposited. It replaces a layer of the same number.
+  /// Adds a layer with all of its cells deposited. A layer of the same number is replaced.
   /// @throws InvalidInput if the pointer is null
   void add(std::shared_ptr<const LayerCells> cells);
 
@@ -68,7 +68,7 @@ class CellAtlas {
   PointSights look(const Point3& point) const;
   /// `PointSights::newest` alone, at less cost.
   std::optional<CellSight> newestAt(const Point3& point) const;
-  /// The same for many points, one entry each, in a fraction of the time that single calls take.
+  /// `newestAt` of many points, one entry each, in a fraction of the time that single calls take.
   std::vector<std::optional<CellSight>> newestAt(const std::vector<Point3>& points) const;
   /// The cell at a point in the next layer below `layer` that has a cell there.
   std::optional<CellSight> belowAt(const Point3& point, std::size_t layer) const;

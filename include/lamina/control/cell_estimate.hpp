@@ -9,35 +9,35 @@
 
 namespace lamina {
 
-/// A layer at one cell, as it is deposited: planned height and what differs from the plan.
+/// The deposition of a layer at one cell: planned height and differences from the plan.
 struct DepositedGrowth {
   double planned_mm = 0.0;     ///< planned height of the layer there
   double correction = 0.0;     ///< relative change of the amount deposited
   double nozzle_error_mm = 0;  ///< planned less actual height of the nozzle; used by pressed processes only
 };
 
-/// A measurement of a cell by one profile: the mean of those of the profile's points that lie on the cell.
+/// A measurement of a cell by one profile: the mean over those points of the profile that lie on the cell.
 struct CellReading {
   double error_mm = 0.0;  ///< planned less measured height along the growth direction
   int points = 1;
   double sigma_mm = 0.02;  ///< standard deviation of one point, not of the mean
 };
 
-/// What was done with a reading.
+/// How a reading was used.
 enum class ReadingUse : std::uint8_t {
   Used,
   Contested,  ///< too far from the expected value: not used, but compared with the readings that follow
   Believed    ///< contested, but the third in a row to agree: its value replaces the estimate
 };
 
-/// What was done with a reading, and its squared innovation (reading less expected value) over the expected
-/// variance of the innovation, which is 1 in the mean where the model holds.
+/// How a reading was used, and its squared innovation (reading less expected value) divided by the expected
+/// variance of the innovation. The mean of this quotient is 1 where the model holds.
 struct ReadingOutcome {
   ReadingUse use = ReadingUse::Used;
   double surprise = 0.0;
 };
 
-/// The gain of a cell as measured over one or more layers.
+/// The gain of a cell, measured over one or more layers.
 struct MeasuredGain {
   double gain = 1.0;          ///< measured over commanded growth
   double commanded_mm = 0.0;  ///< growth commanded since the measurement before
@@ -69,7 +69,7 @@ class CellEstimate {
   static constexpr double kGreatestGain = 2.5;
 
   CellEstimate() = default;
-  /// A cell of known error, such as one of the bed.
+  /// A cell of known error, for instance one of the bed.
   CellEstimate(double error_mm, double sigma_mm, double gain);
 
   /// Restores a stored estimate.
@@ -82,18 +82,19 @@ class CellEstimate {
   /// Clamps the gain to its range and rounds it to 1/16384.
   void setGain(double gain);
 
-  /// Predicts the error after a layer of a free process: it grows by the planned less the expected growth.
+  /// Predicts the error after a layer of a free process: the error grows by the planned less the expected
+  /// growth.
   /// @param spread  relative standard deviation of growth
   void lay(const DepositedGrowth& growth, double spread);
-  /// Predicts the error after a layer of a pressed process: it becomes that of the nozzle's height.
+  /// Predicts the error after a layer of a pressed process: the error becomes that of the nozzle's height.
   /// @param spread  relative standard deviation of growth
   void press(const DepositedGrowth& growth, double spread);
-  /// Amends the last `lay`: the layer of height `planned_mm` was deposited with `correction`, not with
-  /// `assumed`, the correction that `lay` was given. The expected error is amended only if the cell was not
-  /// seen since.
+  /// Corrects the last `lay`: the layer of height `planned_mm` was deposited with `correction`, not with
+  /// `assumed`, the correction that was given to `lay`. The expected error is corrected only if the cell was
+  /// not seen since.
   void relay(double planned_mm, double assumed, double correction);
 
-  /// Refers the estimate to a new plan, which is higher by `raised_mm` at this cell and deposits `flow` times
+  /// Refers the estimate to a new plan that is higher by `raised_mm` at this cell and deposits `flow` times
   /// the volume.
   void replan(double raised_mm, double flow);
 
@@ -101,10 +102,10 @@ class CellEstimate {
   /// deviations (of the estimate and one point together) is used. Any other is contested, until three in a
   /// row agree; the third is believed. A reading that is not finite, has no points or no positive sigma is
   /// contested, and does not count towards the three.
-  /// @param correlation  of neighbouring points of a profile
+  /// @param correlation  correlation of neighbouring points of a profile
   ReadingOutcome see(const CellReading& reading, double correlation);
-  /// Takes the contested error for the estimate, as neighbouring cells agree with it. Without a contested
-  /// error it has no effect.
+  /// Replaces the estimate by the contested error; to be called if neighbouring cells agree with that error.
+  /// Without a contested error it has no effect.
   void believe();
   /// The error of the last contested reading [mm]; none if a reading was used or believed since.
   std::optional<double> contested() const;
@@ -113,14 +114,14 @@ class CellEstimate {
   /// Whether the height derives from a reading or a known surface; otherwise it is a guess.
   bool isKnown() const { return (flags_ & kKnown) != 0; }
 
-  /// The error [mm] by readings that were not expected: the estimate if it was believed since the gain was
-  /// last measured, otherwise the contested error. For comparison with neighbouring cells; none if there is
-  /// neither.
+  /// The error [mm] that unexpected readings gave, for comparison with neighbouring cells. This is the
+  /// estimate if a reading was believed since the gain was last measured, otherwise the contested error; none
+  /// if there is neither.
   std::optional<double> claimed() const;
 
-  /// The gain since it was last measured, which may be several layers ago; the next measurement starts here.
-  /// None if the cell was not seen since the last layer was deposited, if no growth was commanded, or if a
-  /// believed height would mean a gain out of range.
+  /// The gain since the last measurement of the gain, which may be several layers ago; the next measurement
+  /// starts here. None if the cell was not seen since the last layer was deposited, if no growth was
+  /// commanded, or if a believed height would mean a gain out of range.
   std::optional<MeasuredGain> takeMeasuredGain();
 
  private:

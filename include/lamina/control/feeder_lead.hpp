@@ -35,9 +35,9 @@ FeederCommands feederCommands(const LayerCells& cells, const std::vector<double>
                               const FeederDelay& feeder, const LoopSettings& settings);
 
 /// The commands of `feederCommands` by place instead of time, for programs: for each cell the amount that is
-/// commanded while the nozzle passes it. What is commanded in the last dead time of a layer is meant for the
-/// start of the next layer, which is assumed to have the corrections of the start of this one. Without delay
-/// the result is `amount`.
+/// commanded while the nozzle passes it. Commands in the last dead time of a layer act at the start of the
+/// next layer, which is assumed to have the corrections of the start of this one. Without delay the result is
+/// `amount`.
 std::vector<double> ledCorrection(const LayerCells& cells, const std::vector<double>& amount,
                                   const FeederDelay& feeder, const LoopSettings& settings);
 

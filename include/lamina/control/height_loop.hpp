@@ -13,8 +13,8 @@
 
 namespace lamina {
 
-/// The result of a layer, by the estimates of its cells. Shares and means are over the cells, by length,
-/// unless stated otherwise.
+/// Figures of a layer from the estimates of its cells. Shares and means are over the cells, weighted by
+/// length, unless stated otherwise.
 struct LayerFigures {
   std::size_t layer = 0;
   double height_mm = 0.0;  ///< mean planned height
@@ -30,8 +30,8 @@ struct LayerFigures {
   double gain_mean = 1.0;
   double gain_least = 1.0;
   double gain_greatest = 1.0;
-  /// Measured growth over that expected by the gain, after learning from this layer; 1 if none was measured.
-  double gain_ratio = 1.0;  ///< measured growth over that expected by the gain learnt; 1 if none was measured
+  /// Quotient of measured growth and the growth expected by the gain, after learning from this layer.
+  double gain_ratio = 1.0;  ///< 1 if no growth was measured
   /// Means of squared innovations over their expected variances; 1 without readings. `consistency` is that of
   /// the first reading of each cell and shows whether the spread of growth is right; `repeatability` is that
   /// of further readings and shows whether the noise of the sensor is right.
@@ -43,8 +43,8 @@ struct LayerFigures {
 /// The state of a `HeightLoop` after a layer, for storage. Vectors have one value per cell.
 struct StoredHeights {
   std::vector<StoredEstimate> estimates;
-  std::vector<double> deficit;         ///< lack of cross-section, as in `SectionKnowledge`
-  LayerKnowledge before_clouds;        ///< what would be known if no cloud had shown the layer
+  std::vector<double> deficit;         ///< missing cross-section, as in `SectionKnowledge`
+  LayerKnowledge before_clouds;        ///< the knowledge that there would be if no cloud had shown the layer
   std::vector<double> before_deficit;  ///< `deficit` if no cloud had shown the layer
   double spread = 0.0;                 ///< relative standard deviation of growth
   std::size_t layers_begun = 0;

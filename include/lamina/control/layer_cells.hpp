@@ -21,8 +21,9 @@ struct CellRun {
   double cellLength() const { return length_mm / static_cast<double>(count); }  ///< [mm]
 };
 
-/// Where on its path a cell lies, since growth differs: within `kRegionReach` of an end of an open path,
-/// within it of a corner (a change of direction by more than 30 deg), or elsewhere.
+/// Region of its path in which a cell lies, since growth differs between them: within `kRegionReach` of an
+/// end of an open path, within that distance of a corner (a change of direction by more than 30 deg), or
+/// elsewhere.
 enum class CellRegion : std::uint8_t { Straight, End, Corner };
 
 /// The neighbours of a cell across the beads: on each side, seen against growth, the nearest cell of a
@@ -41,11 +42,11 @@ struct CellsBeside {
 struct LayerCells {
   std::size_t layer = 0;
   std::vector<CellRun> runs;
-  std::vector<Point3> middle;      ///< of the bead's top [mm, frame of the toolpath]
+  std::vector<Point3> middle;      ///< middle of the bead's top [mm, frame of the toolpath]
   std::vector<double> along_mm;    ///< distance of the middle from the start of the path
   std::vector<double> height_mm;   ///< planned height of the layer
-  std::vector<double> width_mm;    ///< of the bead
-  std::vector<double> speed_mm_s;  ///< planned
+  std::vector<double> width_mm;    ///< width of the bead
+  std::vector<double> speed_mm_s;  ///< planned speed of travel
   std::vector<CellRegion> region;
   std::vector<Eigen::Vector3d> tangent;  ///< from start to end of the cell; unit
   /// Direction away from the surface below; unit. It is perpendicular to the tangent, except in plane layers.
@@ -59,8 +60,8 @@ struct LayerCells {
 /// Divides a layer into cells. Travels, drops and build aids (skirt, supports and the like) have none.
 ///
 /// A layer whose paths lie within its own height of one another along the normal counts as plane, and grows
-/// along the normal. Any other layer grows against the tool axis, by that component which is perpendicular to
-/// the path.
+/// along the normal. In any other layer the growth direction is the component, perpendicular to the path, of
+/// the direction against the tool axis.
 /// @param index  number of the layer
 /// @param cell_mm  greatest length of a cell; positive
 /// @param normal  of the layers, in the frame of the toolpath; unit
@@ -80,8 +81,8 @@ constexpr std::uint32_t kNoCellBelow = 0xFFFFFFFFU;
 std::vector<std::uint32_t> cellsBelow(const LayerCells& layer, const LayerCells& below,
                                       const Eigen::Vector3d& normal);
 
-/// Number of cells of a layer, from its first one on, that the nozzle has left behind by at least
-/// `settle_mm`: the length that it has deposited since the end of the cell, on later paths too.
+/// Number of cells of a layer, from its first one on, that the nozzle has left behind. A cell is left behind
+/// if the nozzle has deposited at least `settle_mm` since the end of the cell, on later paths too.
 /// @param path       number in the layer of the path on which the nozzle is, travels included
 /// @param along_mm   distance of the nozzle from the start of that path
 /// @param settle_mm  not negative

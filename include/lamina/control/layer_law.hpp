@@ -10,7 +10,7 @@
 
 namespace lamina {
 
-/// What is known of the cells of a layer before it is deposited, one value per cell.
+/// The known state of a layer's cells before the layer is deposited, one value per cell.
 struct LayerKnowledge {
   std::vector<double> error_mm;  ///< planned less actual height of the surface below; positive if too low
   std::vector<double> gain;      ///< actual over commanded growth
@@ -31,7 +31,7 @@ struct LayerCorrection {
 LayerCorrection freeCorrection(const LayerCells& cells, const LayerKnowledge& known,
                                const LoopSettings& settings);
 
-/// The correction by the gain learnt alone, without the error term: 1 / g - 1, within the same limits.
+/// The correction from the learnt gain alone, without the error term: 1 / g - 1, within the same limits.
 LayerCorrection learntCorrection(const LayerCells& cells, const std::vector<double>& gain,
                                  const LoopSettings& settings);
 
@@ -43,9 +43,9 @@ LayerCorrection limitedCorrection(const LayerCells& cells, const std::vector<dou
 /// 0.
 double greatestSlope(double feeder_rate_s, double speed_mm_s);
 
-/// The amounts of a layer whose map is replaced while it is deposited, one per cell. Cells before `begin`
-/// keep the amounts `from`. From there on the amount changes from that of the cell before to those of `to`,
-/// no faster than the feeder follows, along this run and the ones after it.
+/// The amounts of a layer whose map is replaced while the layer is deposited, one per cell. Cells before
+/// `begin` keep the amounts `from`. From there on the amount changes from that of the cell before to those of
+/// `to`, no faster than the feeder follows, along the current run and the later ones.
 /// @param from   amounts of the map that is in force
 /// @param to     amounts of the map that replaces it
 /// @param begin  first cell that the new map may change

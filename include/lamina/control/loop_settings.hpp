@@ -8,7 +8,7 @@
 
 namespace lamina {
 
-/// What determines the height of a bead's top.
+/// The quantity that determines the height of a bead's top.
 enum class LoopProcess : std::uint8_t {
   Free,    ///< volume per length: wire, powder, paste deposited from above; errors of layers add up
   Pressed  ///< the plane of the nozzle: filament, pellets; errors do not carry over to the next layer
@@ -23,20 +23,20 @@ enum class NozzleHeight : std::uint8_t {
 
 /// What is done when corrections have reached their limits.
 enum class Replanning : std::uint8_t {
-  Off,    ///< a warning is raised, and the print goes on
+  Off,    ///< a warning is raised, and the print continues
   Hold,   ///< the operator is asked
   Scale,  ///< heights of the layers left are scaled
   Add     ///< whole layers are added or left out, dips are filled
 };
 
-/// What is done when three layers in a row are unmeasured: the operator is asked, or the loop goes open.
+/// Reaction to three unmeasured layers in a row: the operator is asked, or the loop goes to state Open.
 enum class LossOfSight : std::uint8_t { Hold, Open };
 
-/// What is done if the low-pass is too narrow for stability: the loop does not start, or the low-pass is
+/// Reaction to a low-pass that is too narrow for stability: the loop does not start, or the low-pass is
 /// widened.
 enum class NarrowLowPass : std::uint8_t { Refused, Raised };
 
-/// Settings of the loop, which corrects what is deposited next by what was measured. Amounts are relative
+/// Settings of the loop, which corrects the next deposits by the measured heights. Amounts are relative
 /// changes of the volume per length.
 struct LoopSettings {
   LoopProcess process = LoopProcess::Free;
@@ -49,8 +49,9 @@ struct LoopSettings {
   NarrowLowPass narrow_low_pass = NarrowLowPass::Refused;
   double feeder_rate_s = 0.5;  ///< greatest change of the relative amount that the feeder follows [1/s]
   double layer_volume = 0.2;   ///< greatest relative change of a layer's volume
-  int first_layers = 2;        ///< number of layers, from the first, that are not corrected, only learnt from
-  double min_coverage = 0.5;   ///< share of cells seen, below which a layer is unmeasured
+  /// Number of layers, from the first, that are measured and learnt from, but not corrected.
+  int first_layers = 2;
+  double min_coverage = 0.5;  ///< share of cells seen, below which a layer is unmeasured
   NozzleHeight z = NozzleHeight::Plan;
   double growth_spread = 0.1;        ///< relative standard deviation of growth, initially
   double reading_correlation = 0.2;  ///< correlation of neighbouring points of one profile
@@ -61,10 +62,11 @@ struct LoopSettings {
   double trim_lead_mm = 0.0;      ///< distance ahead of the nozzle from which on a trim acts
   Replanning replan = Replanning::Hold;
   LossOfSight on_loss = LossOfSight::Hold;
-  double silence_s = 2.0;       ///< longest time without a cloud during a scan
-  double wait_s = 2.0;          ///< longest wait for the map at the start of a layer
-  double alarm_layers = 1.0;    ///< height error that counts as deviating, in layer heights
-  double speed_exponent = 0.0;  ///< growth goes with speed to this power; 0: speed stays as planned
+  double silence_s = 2.0;     ///< longest time without a cloud during a scan
+  double wait_s = 2.0;        ///< longest wait for the map at the start of a layer
+  double alarm_layers = 1.0;  ///< height error that counts as deviating, in layer heights
+  /// Exponent of the travel speed to which growth is proportional; 0: speed stays as planned.
+  double speed_exponent = 0.0;
   double least_speed_mm_s = 3.0;
   double greatest_speed_mm_s = 17.0;
   double heat = 0.15;          ///< greatest relative change of the heat per length, power over speed

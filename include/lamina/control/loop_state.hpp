@@ -9,11 +9,11 @@ namespace lamina {
 /// State of the loop.
 enum class LoopState : std::uint8_t {
   Off,
-  Identifying,  ///< learns, corrects nothing
+  Identifying,  ///< learns, but corrects nothing
   Active,
   Coasting,  ///< no usable measurement: corrects by the gain learnt, not by the error
-  Open,      ///< given up: corrects nothing
-  Blocked    ///< may not start: not calibrated, or settings that are not stable
+  Open,      ///< the loop has given up: it corrects nothing
+  Blocked    ///< the loop may not start: it is not calibrated, or its settings are not stable
 };
 
 /// Name of a state: `off`, `identifying`, `active`, `coasting`, `open`, `blocked`.

@@ -20,7 +20,7 @@ struct PartIdentity {
 /// Relative amounts learnt from previous parts, with which the same part is to be deposited again.
 struct PartMap {
   PartIdentity identity;
-  std::size_t parts = 0;                    ///< number learnt from
+  std::size_t parts = 0;                    ///< number of parts from which it was learnt
   std::vector<std::vector<double>> amount;  ///< by layer and cell
 };
 
@@ -28,22 +28,22 @@ struct PartMap {
 struct DepositedLayer {
   LayerCells cells;
   std::vector<double> amount;  ///< relative change with which the layer was deposited
-  /// Planned less actual growth of this layer alone [mm]; not finite where it was not seen.
+  /// Planned less actual growth of this layer alone [mm]; not finite for cells that were not seen.
   std::vector<double> growth_error_mm;
 };
 
-/// How a part ended. From an aborted one nothing is learnt.
+/// How a part ended. Nothing is learnt from an aborted part.
 enum class PartEnd { Complete, Aborted };
 
 /// The map for the next part by iterative learning [Bristow2006]: Q (u + K F (1 / g - 1 - u)).
 ///
-/// u is the map before, 0 for the first part. g is the gain measured at each cell: actual over commanded
-/// growth of this layer alone, so that amounts that only made up for errors of the layers below are not
-/// learnt. F is the low-pass of the loop along the path and across beads. Q averages a layer with the layers
-/// above and below, by weights of 1/2 and 1/4 each, where these have equal numbers of cells. K is the
-/// greater of `part_learning` and 1 over the number of parts, this one included; at first the map is thus a
-/// mean over the parts. Cells that were not seen change only by the smoothing of F and Q. The result is
-/// within the limits of the loop. If the part was aborted, the result is `before`.
+/// u is the previous map, 0 for the first part. g is the gain measured at each cell: actual over commanded
+/// growth of this layer alone, so that amounts are not learnt that only compensated for errors of the layers
+/// below. F is the low-pass of the loop along the path and across beads. Q averages a layer with the layers
+/// above and below, by weights of 1/2 and 1/4 each, where these have equal numbers of cells. K is the greater
+/// of `part_learning` and 1 over the number of parts, this one included; thus the map is at first a mean over
+/// the parts. Cells that were not seen change only by the smoothing of F and Q. The result is within the
+/// limits of the loop. If the part was aborted, the result is `before`.
 /// @throws InvalidInput naming the difference, if the identities differ; if the part has another number of
 ///   layers than the map, or one of its layers another number of cells; if a layer does not have one value
 ///   per cell

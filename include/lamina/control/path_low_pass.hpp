@@ -8,14 +8,14 @@
 
 namespace lamina {
 
-/// How a low-pass continues values beyond the ends of a path: mirrored, or, on a closed path, by those at the
-/// other end.
+/// How a low-pass continues values beyond the ends of a path: by mirrored values, or, on a closed path, by
+/// the values at the other end.
 enum class PathEnds { Reflected, Joined };
 
 /// Positions along a path at which values are given.
 struct Stations {
-  std::vector<double> along_mm;  ///< ascending, within the path; need not be equally spaced
-  double length_mm = 0.0;        ///< of the path
+  std::vector<double> along_mm;  ///< ascending, within the path; spacing may vary
+  double length_mm = 0.0;        ///< length of the path
   PathEnds ends = PathEnds::Reflected;
 };
 
@@ -26,8 +26,9 @@ struct Stations {
 /// @throws InvalidInput if the stations do not ascend within the length, or there is not one for each value
 std::vector<double> lowPassed(const std::vector<double>& values, const Stations& stations, double sigma_mm);
 
-/// Low-pass of one value per cell of a layer: first along each path as above, then across the beads, where
-/// the cells on neighbouring beads (`CellsBeside`) are weighted by the same Gaussian of their distance.
+/// Low-pass of one value per cell of a layer. First the values along each path are filtered as above, then
+/// those across the beads, where the cells on neighbouring beads (`CellsBeside`) are weighted by the same
+/// Gaussian of their distance.
 std::vector<double> lowPassed(const std::vector<double>& values, const LayerCells& cells, double sigma_mm);
 
 /// The middles of a run's cells, as stations.

@@ -13,24 +13,24 @@ namespace lamina {
 /// be ploughed up by the nozzle.
 constexpr double kPressedAmount = 0.15;
 
-/// What is known of the cross-section of the layer below a pressed layer, one value per cell.
+/// Known cross-section of the layer below a pressed layer, one value per cell.
 struct SectionKnowledge {
   std::vector<double> deficit;  ///< planned less measured cross-section, over planned
   std::vector<double> gain;     ///< actual over commanded cross-section
 };
 
-/// The law of a pressed process. As the nozzle determines the height, the amount follows from the lack of
-/// cross-section, which is measured between the valleys on both sides of a bead: (1 + K F[deficit]) / gain -
-/// 1, within `kPressedAmount` either way and within the limits of the loop. K and F are the gain and low-pass
-/// of the loop, as in `freeCorrection`.
+/// The correction of a pressed process. The nozzle determines the height, so the amount follows from the
+/// missing cross-section, which is measured between the valleys on both sides of a bead: (1 + K F[deficit]) /
+/// gain - 1, within `kPressedAmount` either way and within the limits of the loop. K and F are the gain and
+/// low-pass of the loop, as in `freeCorrection`.
 LayerCorrection pressedCorrection(const LayerCells& cells, const SectionKnowledge& known,
                                   const LoopSettings& settings);
 
-/// What is done where a drop is planned: it is deposited, left out, or doubled.
+/// Number of drops where one is planned: one, none or two.
 enum class DropDecision { Lay, Leave, LayTwo };
 
-/// The decision for a drop, by which drops are corrected in number, not in size: it is left out where the
-/// surface is too high by more than half a drop, and doubled where it is too low by more than half a drop.
+/// Corrects drops in number, not in size: a drop is left out where the surface is too high by more than half
+/// a drop, and doubled where it is too low by more than half a drop.
 /// @param error_mm  planned less actual height of the surface below
 /// @param drop_mm   height of a drop
 DropDecision dropDecision(double error_mm, double drop_mm);

@@ -13,7 +13,7 @@
 
 namespace lamina {
 
-/// Settings by which the points of a profile sensor are read.
+/// How the points of a profile sensor are read.
 struct SightSettings {
   /// Distance along the growth direction within which a point lies on a cell, in layer heights.
   double window_layers = 1.5;
@@ -47,14 +47,15 @@ struct SensorProfile {
 struct PointCounts {
   std::uint64_t received = 0;
   std::uint64_t used = 0;
-  std::uint64_t trimmed = 0;         ///< left out at the ends of the profile
-  std::uint64_t not_finite = 0;      ///< or exactly zero, which drivers send in place of a missing point
+  std::uint64_t trimmed = 0;  ///< left out at the ends of the profile
+  /// Not finite, or exactly zero, which drivers send in place of a missing point.
+  std::uint64_t not_finite = 0;
   std::uint64_t outside_window = 0;  ///< outside the measuring range
   std::uint64_t spray = 0;           ///< single points off their neighbours
-  std::uint64_t off_path = 0;        ///< on no deposited cell
-  std::uint64_t grazing = 0;         ///< seen at an angle above the greatest
-  std::uint64_t beside_crown = 0;    ///< on the flank of a bead
-  /// Not the one, of several points on one ray, that agrees best with the prediction.
+  std::uint64_t off_path = 0;        ///< points on no deposited cell
+  std::uint64_t grazing = 0;         ///< points seen at an angle above the greatest
+  std::uint64_t beside_crown = 0;    ///< points on the flank of a bead
+  /// Points of a ray with several, except the one that agrees best with the prediction.
   std::uint64_t mirrored = 0;
 
   std::uint64_t accounted() const;  ///< sum of all numbers but `received`; equal to `received`
@@ -77,7 +78,7 @@ struct ProfileReadings {
 /// The predicted heights of the cells of a layer.
 struct LayerPrediction {
   std::size_t layer = 0;
-  /// One per cell of the layer; must live as long as it is used.
+  /// One per cell of the layer; must outlive the prediction.
   const std::vector<CellEstimate>* estimates = nullptr;
 };
 
@@ -103,7 +104,7 @@ ProfileReadings readProfile(const SensorProfile& profile, const CellAtlas& atlas
 
 /// Standard deviation of a point along the growth direction [mm]. It combines the standard deviations of the
 /// depth, of the position along the surface (by the spacing of points) and of the sensor's position.
-/// @param cosine  of the angle between beam and growth direction; positive
+/// @param cosine  cosine of the angle between beam and growth direction; positive
 double pointSigma(double cosine, const SightSettings& settings);
 
 }  // namespace lamina

@@ -11,26 +11,26 @@
 
 namespace lamina {
 
-/// Which layers of a part are still to be deposited, and the height error of what is below them.
+/// The layers of a part that are still to be deposited, and the height error of the surface below them.
 struct LayersLeft {
   std::size_t first = 0;  ///< first layer that is not deposited yet
   /// Mean of planned less actual height of the surface below that layer; positive if too low.
   double error_mm = 0.0;
 };
 
-/// The part as the functions of `replanning.hpp` need it.
+/// The part in the form that the functions of `replanning.hpp` take.
 /// @param growth  gain learnt, actual over commanded growth; positive
 /// @throws InvalidInput if no layer is left; naming the layer, if its height differs from its distance from
 ///   the one below, it is not plane, or it deposits drops
 PartUnderWay partUnderWay(const Toolpath& toolpath, const LayersLeft& left, double growth);
 
-/// The layers left, at new heights. The first one lies on the actual surface, the others on one another.
-/// Paths are moved along the layers' normal; the height of their beads changes as that of the layer, and
-/// beads have `flow` times the volume. A new layer has the paths of the planned layer at the same share of
-/// the number of layers left, so that on inclined walls its contours may be those of up to half a layer
-/// higher or lower. Travels from layer to layer lead to the new heights.
+/// The layers left, at new heights. The first one lies on the actual surface, each other one on the layer
+/// below it. Paths are moved along the layers' normal. The height of their beads changes by the same factor
+/// as that of the layer, and beads have `flow` times the volume. A new layer has the paths of the planned
+/// layer at the same share of the number of layers left; on inclined walls its contours may therefore be
+/// those of up to half a layer higher or lower. Travels from layer to layer lead to the new heights.
 ///
-/// @throws InvalidInput as `partUnderWay`; naming the new layer, if no travel leads to it
+/// @throws InvalidInput as `partUnderWay`; naming the new layer if no travel leads to it
 Toolpath replannedToolpath(const Toolpath& toolpath, const LayersLeft& left, const NewHeights& heights);
 
 /// The identity of a plan: that of its toolpath, `-from-`, the number of the parent's layer that its first

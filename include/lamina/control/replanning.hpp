@@ -23,10 +23,11 @@ struct PartUnderWay {
 struct LayerWindow {
   double least_mm = 0.0;
   double greatest_mm = 1e9;
-  double greatest_flow = 2.5;  ///< greatest factor on the volume of the program; 1 over it is the least
+  /// Greatest factor on the volume of the program; the least factor is 1 over it.
+  double greatest_flow = 2.5;
 };
 
-/// The layers that replace those left: their heights, and a factor on the flow.
+/// The layers that replace the layers left: their heights, and a factor on the flow.
 struct NewHeights {
   std::vector<double> heights_mm;
   double flow = 1.0;  ///< factor on the volume of each bead, which compensates for the gain learnt
@@ -36,13 +37,13 @@ struct NewHeights {
 /// deposited with that gain and amounts of at most the greatest one.
 double expectedTopError(const PartUnderWay& part, double greatest_amount);
 
-/// Whether corrections alone are not enough: the mean error, either way, is above the height of a layer, or
-/// the top would be off by more than half of it.
+/// Whether corrections alone are not enough: the mean error, too high or too low, exceeds the height of a
+/// layer, or the error at the top would exceed half of that height.
 bool needsReplanning(const PartUnderWay& part, double layer_mm, double greatest_amount);
 
-/// The heights left, scaled by one factor so that the part ends at its planned top. If that factor is outside
-/// 0.7 to 1.3, or a height outside the window of the process, there are more or fewer layers instead, all of
-/// one height, which may differ from the planned mean by the same factors.
+/// The heights of the layers left, scaled by one factor so that the part ends at its planned top. If that
+/// factor is outside 0.7 to 1.3, or a height outside the window of the process, the number of layers changes
+/// instead. All layers then have one height, which may differ from the planned mean by the same factors.
 /// @return none if nothing is left, or no such number of layers fits the window
 std::optional<NewHeights> scaledHeights(const PartUnderWay& part, const LayerWindow& window);
 
@@ -57,22 +58,21 @@ std::optional<NewHeights> addedHeights(const PartUnderWay& part, const LayerWind
 std::optional<NewHeights> newHeights(const PartUnderWay& part, Replanning replan,
                                      const LayerWindow& window = {});
 
-/// What is done in a region of a layer.
+/// The action in a region of a layer.
 enum class RegionStep { None, AddLayer, SkipLayer, FillBeads };
 
-/// The decision on a stretch: cells in a row whose error is above 0.75 layer heights, all too low or all too
-/// high.
+/// The decision on a stretch: consecutive cells with an error above 0.75 layer heights, all too low or all
+/// too high.
 struct RegionDecision {
   RegionStep step = RegionStep::None;
   std::size_t run = 0;    ///< number in `LayerCells::runs`
-  std::size_t first = 0;  ///< number of its first cell in the layer
-  /// Number of cells; on a closed run they continue after its last cell with its first.
+  std::size_t first = 0;  ///< number of the stretch's first cell in the layer
+  /// Number of cells; on a closed run the stretch may continue from the run's last cell to its first.
   std::size_t count = 0;
 };
 
-/// The decisions on all stretches for which something is done. On a stretch of at least three bead widths a
-/// whole layer is added or left out. A shorter dip is filled by beads of its own; for a shorter bump nothing
-/// is done.
+/// The decisions on all stretches on which something changes. On a stretch of at least three bead widths a
+/// whole layer is added or left out. A shorter dip is filled by beads of its own; a shorter bump stays.
 std::vector<RegionDecision> regionDecisions(const LayerCells& cells, const std::vector<double>& error_mm);
 
 }  // namespace lamina

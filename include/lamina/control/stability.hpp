@@ -13,7 +13,8 @@ namespace lamina {
 /// prediction: 2 cos(D pi / (2 D + 1)) [Levin1976]; 2 without lag.
 double greatestStableGain(int lag_layers);
 
-/// Greatest gain at which that loop does not overshoot: D^D / (D + 1)^(D + 1); 1 without lag.
+/// Greatest gain at which a loop as in `greatestStableGain` does not overshoot: D^D / (D + 1)^(D + 1); 1
+/// without lag.
 double greatestCalmGain(int lag_layers);
 
 /// A trim by a sensor behind the nozzle is stable if its gain times the distance of the sensor is at most

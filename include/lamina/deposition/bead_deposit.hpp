@@ -15,8 +15,8 @@ struct DepositedMotion {
   double volume_mm3 = 0.0;
 };
 
-/// Deposits executed motions, one after the other, into a height map. The model is simple: it shows what a
-/// machine did, and does not predict pores.
+/// Deposits executed motions, one after the other, into a height map. The model is simple: it shows the
+/// result of executed motions, and does not predict pores.
 ///
 /// The cross-section of a bead is a stadium. Its top is at the height of the nozzle, its underside at the
 /// highest ground below its centre line, its edges are half discs, and its width follows from its volume:

@@ -17,8 +17,7 @@ namespace lamina {
 struct ToolAxisMotion {
   Point3 start = Point3::Zero();  ///< nozzle tip [mm, frame of the voxels]
   Point3 end = Point3::Zero();
-  /// Direction of the tool axis (z of the nozzle), of unit length.
-  /// Direction of the tool axis (z of the nozzle), of unit length.
+  /// Direction of the tool axis (z of the nozzle) at start and end, of unit length.
   Eigen::Vector3d start_tool_axis{0, 0, -1};
   Eigen::Vector3d end_tool_axis{0, 0, -1};
   double volume_mm3 = 0.0;

@@ -14,7 +14,7 @@
 
 namespace lamina {
 
-/// What a dry run does with a command that it does not know, such as a macro.
+/// How a dry run treats a command that it does not know, such as a macro.
 enum class UnknownCommand : std::uint8_t { LeaveOut, Refuse };
 
 /// Settings of a dry run.

@@ -9,7 +9,7 @@
 
 namespace lamina {
 
-/// What a transformation has done.
+/// Result of a transformation.
 struct RewriteReport {
   std::string slicer;                ///< name, as the comments state it; empty if they do not
   std::size_t lines = 0;             ///< number of lines of the source
@@ -23,20 +23,21 @@ struct RewriteReport {
   std::size_t aids_dropped = 0;
   double layer_height_mm = 0.0;   ///< as set or as the comments state it; 0 if neither
   Point3 shift = Point3::Zero();  ///< shift after the map [mm]
-  /// Box of what the part stands on: of the ends of deposition that are at most a layer higher than the
-  /// lowest one [mm]. It is only an edge if the mesh was not tilted before it was sliced.
+  /// Box of the surface on which the part stands: of the ends of deposition at most a layer height above the
+  /// lowest one [mm]. If the mesh was not tilted before it was sliced, the part stands on an edge, and this
+  /// box is narrow.
   Box3 footprint;
   Box3 part;                              ///< box of the ends of deposition, over the bed [mm]
   double tool_axis_off_normal_deg = 0.0;  ///< angle between the nozzle and the normal of the layers
   Box3 nozzle;  ///< box of all positions of the nozzle in the part, over the bed [mm]
 };
 
-/// Whether the part is more than ten times as wide as its footprint, in x or in y. It is so if the mesh was
-/// not tilted by the opposite angle before it was sliced. Always false in the mode `Listing`, which finds no
-/// footprint.
+/// Whether the part is more than ten times as wide as its footprint, in x or in y. This is the case if the
+/// mesh was not tilted by the opposite angle before it was sliced. Always false in the mode `Listing`, which
+/// finds no footprint.
 bool standsOnEdge(const RewriteReport& report);
 
-/// Greatest angle between tool axis and normal of the layers that counts as none [deg]; heads are built far
+/// Greatest angle between tool axis and normal of the layers that is neglected [deg]; heads are built far
 /// less accurately.
 inline constexpr double kToolAxisToleranceDeg = 0.01;
 

@@ -25,9 +25,9 @@ enum class ToolAxisRule {
 };
 /// Whether G28 becomes a comment.
 enum class Homing { Annulled, Kept };
-/// What is done with skirt, brim, raft, support and priming tower.
+/// Whether the motions of skirt, brim, raft, support and priming tower stay.
 enum class BuildAids { Kept, Dropped };
-/// How E changes if the map is not an isometry.
+/// The rule by which E changes if the map is not an isometry.
 enum class ExtrusionRule {
   ByVolume,  ///< by the volume ratio: the part is deformed, and filled as before
   ByLength,  ///< by the length ratio: beads keep their cross-section

@@ -14,7 +14,7 @@ enum class LineLink {
 /// How lines of a sparse fill are joined.
 struct LineLinks {
   LineLink link = LineLink::Border;
-  double longest_mm = 10.0;  ///< for `UpTo`
+  double longest_mm = 10.0;  ///< greatest length of a link, used with `UpTo`
 };
 
 }  // namespace lamina

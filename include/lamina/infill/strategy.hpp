@@ -23,14 +23,16 @@ enum class LineAdvance {
   OneSense,
 };
 
-/// What an infill strategy is asked to fill, besides the regions.
+/// Input of an infill strategy besides the regions.
 struct InfillRequest {
-  double spacing_mm = 0.4;  ///< between neighbouring lines, centre to centre; the pitch if the fill is solid
-  double pitch_mm = 0.4;    ///< plan width that a bead of nominal cross-section fills
-  double angle_rad = 0.0;   ///< of the raster, from x counter-clockwise
-  double turn_rad = 0.0;    ///< share of `angle_rad` by which this layer is rotated relative to the first one
+  /// Distance of the centre lines of neighbouring lines; equal to the pitch if the fill is solid.
+  double spacing_mm = 0.4;
+  double pitch_mm = 0.4;   ///< plan width that a bead of nominal cross-section fills
+  double angle_rad = 0.0;  ///< direction of the raster, from x counter-clockwise
+  double turn_rad = 0.0;   ///< share of `angle_rad` by which this layer is rotated relative to the first one
   Point2 start = Point2::Zero();  ///< position from which the nozzle comes
-  std::size_t layer = 0;   ///< index, from 0: for random seeds, and for what changes from layer to layer
+  /// Index of the layer, from 0; for random seeds, and for fills that change from layer to layer.
+  std::size_t layer = 0;
   std::size_t island = 0;  ///< index within the layer, from 0: for random seeds
   /// Pose in the part of the plane z = 0 in which the regions lie [mm], for patterns in space. Layers that
   /// were laid out flat keep the height and the directions of their plan.
@@ -40,7 +42,7 @@ struct InfillRequest {
   /// Branches in this layer of a fill that grows from the layers above (`FillGrowth`); null if they are not
   /// known.
   const std::vector<Polyline>* branches = nullptr;
-  FillSettings settings;  ///< of the single strategies
+  FillSettings settings;  ///< settings of the single strategies
 };
 
 /// Whether the fill is solid: the spacing of the lines is the pitch.
@@ -86,7 +88,7 @@ enum class WallContact {
   Beside,       ///< they do not
 };
 
-/// An infill strategy, and what the planner has to know about it.
+/// An infill strategy, with the properties that the planner needs to know.
 struct InfillStrategy {
   FillFunction fill;
   RunOrder order = RunOrder::Shortest;

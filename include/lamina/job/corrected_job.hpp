@@ -22,9 +22,9 @@ struct CorrectionFiles {
 PlannedCorrection correctionFrom(const CorrectionFiles& files, const LoopSettings& feeding,
                                  const std::string& program_sha256);
 
-/// The program as the maps correct it while it is streamed; it states what it was made from
-/// (`ProgramOrigin`). If it is the program of a recorded job, its lines are those that were sent, as far as
-/// the record goes, and those planned from there on.
+/// The program as corrected by the maps while it is streamed; it states its origin (`ProgramOrigin`). If it
+/// is the program of a recorded job, its lines are those that were sent, as far as the record goes, followed
+/// by the planned ones.
 /// @param correction  as `correctionFrom` reads it from those files
 /// @throws as `correctedByMaps`; as `StreamableProgram::fromText` of the corrected program
 StreamableProgram programByMaps(const StreamableProgram& planned, const CorrectionFiles& files,

@@ -12,16 +12,16 @@
 
 namespace lamina {
 
-/// Which map a program is inclined by.
+/// Kind of the map by which a program is inclined.
 enum class InclineMap { Rotation, Shear, Scale, Matrix };
 
 /// Mode of the E words before the first M82 or M83.
 enum class InclineExtrusion { AsStated, Absolute, Relative };
 
-/// How a program is inclined, as configuration, command line and ROS requests give it. Empty lists are not
-/// given.
+/// Settings by which a program is inclined, as configuration, command line and ROS requests state them. An
+/// empty list means that the setting is not given.
 struct InclineSettings {
-  /// Machine of which limits and axes are used; "none" without URDF for no machine.
+  /// Machine whose limits and axes are used; "none" without a URDF for no machine.
   MachineSettings machine{"none", ""};
   InclineMap map = InclineMap::Rotation;
   double angle_deg = 45.0;      ///< of the rotation, right-handed
@@ -31,9 +31,9 @@ struct InclineSettings {
   std::vector<double> matrix;   ///< affine map by its three rows: three factors and a translation [mm] each
   double belt_deg = 0.0;  ///< angle at which a belt printer's gantry leans, 15 to 90; 0 for no such printer
   std::vector<double> table_position_mm;  ///< x and y to which the middle of the part is moved
-  std::vector<double> offset_mm;          ///< x, y and z by which the part is moved after the lift
-  std::vector<double> final_position_mm;  ///< x, y and z where the nozzle goes at the end
-  std::vector<double> limits_mm;          ///< of the nozzle: lowest x, y, z, then highest x, y, z
+  std::vector<double> offset_mm;  ///< x, y and z by which the part is moved after it was put on the bed
+  std::vector<double> final_position_mm;  ///< x, y and z to which the nozzle moves at the end
+  std::vector<double> limits_mm;          ///< limits of the nozzle: lowest x, y, z, then highest x, y, z
   double layer_height_mm = 0.0;  ///< height of the lowest deposition; 0 for that which the program states
   int decimals = -1;             ///< of coordinates; -1 for the number that the mode prescribes
   InclineExtrusion extrusion = InclineExtrusion::AsStated;

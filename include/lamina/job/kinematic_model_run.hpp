@@ -30,9 +30,9 @@ struct KinematicModelRun {
   const Toolpath& toolpath() const { return divided.toolpath; }
 };
 
-/// Plans the joint values of a toolpath such that links do not collide with each other, as far as
-/// `SelfCollisionGuard` finds. Motions are divided to keep the nozzle within the tolerances; where that does
-/// not suffice, `inTime` divides further.
+/// Plans the joint values of a toolpath such that, as far as `SelfCollisionGuard` finds, links do not collide
+/// with each other. Motions are divided to keep the nozzle within the tolerances; `inTime` divides further
+/// where that is not enough.
 /// @param progress  stage "joints"
 /// @throws as `planJointPath`; InvalidConfig as `linkBodies`
 KinematicModelRun runOn(const KinematicModel& model, Toolpath toolpath,

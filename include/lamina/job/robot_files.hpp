@@ -40,10 +40,10 @@ struct RobotWriting {
   SpeedRounding speeds;
 };
 
-/// Names of files beside a program whose numbers continue those of its own files, as left behind by a longer
-/// program of the same name.
-/// @param path   of the file that is loaded first
-/// @param names  of all files of the program
+/// Names of files beside a program whose numbers follow those of its own files. They were left by a longer
+/// program with the same name.
+/// @param path   path of the file that is loaded first
+/// @param names  names of all files of the program
 /// @return names in the order of their numbers
 std::vector<std::string> filesOfLongerProgram(const std::string& path, const std::vector<std::string>& names);
 
@@ -53,8 +53,8 @@ std::vector<std::string> filesOfLongerProgram(const std::string& path, const std
 RobotWriting writeRobotFiles(const std::string& path, const PlacedToolpath& placed,
                              const RobotProgramSettings& settings);
 
-/// Writes a toolpath in coordinates of the bed whose joint values are not known, likewise, but without
-/// approach and retract.
+/// Writes a toolpath in coordinates of the bed whose joint values are not known, into one or more files as
+/// above, but without approach and retract.
 /// @throws as above; InvalidInput also if the language is URScript, whose poses are relative to the robot's
 ///   base
 RobotWriting writeRobotFiles(const std::string& path, const Toolpath& over_bed,

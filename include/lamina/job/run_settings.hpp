@@ -9,7 +9,7 @@
 
 namespace lamina {
 
-/// How a machine or robot runs a toolpath.
+/// Settings by which a machine or robot runs a toolpath.
 struct RunSettings {
   JointPathSettings joints;
   TimingSettings timing;

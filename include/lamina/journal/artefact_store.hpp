@@ -35,7 +35,8 @@ class ArtefactStore {
   /// @throws FileError if the file cannot be read or the store cannot be written
   Artefact keep(const std::string& path, const std::string& kind, const std::string& name);
 
-  /// Stores a file as `keep` does, and states whether it is a new one. What fails leaves no new file.
+  /// Stores a file as `keep` does, and also returns whether it is a new one. If it throws, no new file is
+  /// left.
   KeptFile keepFile(const std::string& path, const std::string& kind, const std::string& name);
 
   /// Removes an artefact's file, for one that no row of the journal names.

@@ -56,7 +56,7 @@ struct QueuedJob {
   std::string machine;
   std::string digest;
   JobState state = JobState::NotAllowedToStart;
-  std::int64_t position = 0;  ///< in the queue, the lowest first
+  std::int64_t position = 0;  ///< position in the queue, the lowest first
   std::string created_by;
   std::string released_by;
   std::vector<Artefact> artefacts;

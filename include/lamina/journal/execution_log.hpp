@@ -84,7 +84,8 @@ class ExecutionLog {
 
   /// The last execution of a job; nothing if none was begun.
   std::optional<ExecutionRow> ofJob(std::int64_t job) const;
-  /// @throws InvalidInput if there is none of that number
+  /// The execution of that number.
+  /// @throws InvalidInput if there is none
   ExecutionRow execution(std::int64_t id) const;
 
   /// The last execution that has ended, if it has no part yet; nothing if no execution has ended since the

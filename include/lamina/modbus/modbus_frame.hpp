@@ -45,22 +45,22 @@ enum class ModbusException : std::uint8_t {
 struct RefusedRequest {
   std::uint16_t transaction = 0;
   std::uint8_t unit = 1;
-  std::uint8_t function = 0;  ///< as it came
+  std::uint8_t function = 0;  ///< number of the function as received
   ModbusException exception = ModbusException::IllegalFunction;
 };
 
-/// A frame after which the rest of the byte stream cannot be trusted, so that the connection has to be
-/// closed.
+/// A frame after which frames can no longer be told apart in the byte stream, so that the connection has to
+/// be closed.
 struct BrokenFrame {
   std::string reason;
 };
 
 using ModbusFrame = std::variant<ModbusRequest, RefusedRequest, BrokenFrame>;
 
-/// Takes the bytes of a connection as they come and gives frames. The header of a frame states its length,
-/// which must be what its function asks for: a frame that holds more, behind which a second one could hide,
-/// is broken, as is one for another protocol, or a unit other than 1 and 255. After a broken frame nothing
-/// more is read.
+/// Splits the bytes of a connection into frames as they arrive. The header of a frame states its length,
+/// which must be the one that its function requires: a longer frame, in which a second one could hide, is
+/// broken. So is a frame for another protocol, or for a unit other than 1 and 255. After a broken frame
+/// nothing more is read.
 class FrameReader {
  public:
   void add(std::string_view bytes, double now_s);
@@ -71,13 +71,13 @@ class FrameReader {
   /// True if a frame has begun that is not whole.
   bool isWithin() const { return !bytes_.empty(); }
 
-  /// [s] that the oldest byte of a frame that is not whole has waited; 0 if there is none.
+  /// Time [s] for which the oldest byte of an incomplete frame has waited; 0 if there is none.
   double waited(double now_s) const;
 
  private:
   std::string bytes_;
-  double since_s_ = 0.0;  ///< when the first of the bytes came
-  double last_s_ = 0.0;   ///< and the last
+  double since_s_ = 0.0;  ///< time of arrival of the first of the bytes
+  double last_s_ = 0.0;   ///< time of arrival of the last of the bytes
   bool is_broken_ = false;
 };
 

@@ -36,15 +36,15 @@ struct PlcOrder {
 /// Whether the cell reports the state of the unit.
 enum class UnitPresence : std::uint8_t { Lost, Present };
 
-/// The unit as the PLC sees it: answers requests from the registers, and finds orders in them. It takes
-/// requests and times and returns answers and orders, without any network.
+/// The unit as seen by the PLC: answers requests from the registers, and finds orders in them. Requests and
+/// times are passed in, answers and orders are returned; it has no network of its own.
 ///
-/// A command is taken once, when its sequence changes to a value other than 0. A value other than 0 that is
-/// the first one written to a sequence register may be left over from a link before: a command with it is
-/// answered StaleSequence, other orders are dropped; a Stop, Hold or Abort that is written alone is taken.
-/// Only one connection may write: the first that does, until it is closed or the watchdog is lost. Others are
-/// answered ServerBusy, unless they write a Stop, Hold or Abort alone: it is taken, and changes neither the
-/// registers nor which connection writes.
+/// A command is carried out once, when its sequence number changes to a value other than 0. If the first
+/// value written to a sequence register is not 0, it may be left over from an earlier link: a command with it
+/// is answered StaleSequence, and other orders are dropped; only a Stop, Hold or Abort that is written alone
+/// is carried out. Only one connection may write: the first one that does, until it is closed or the watchdog
+/// is lost. All others are answered ServerBusy, unless they write a Stop, Hold or Abort alone: this is
+/// carried out, without changing the registers or the connection that may write.
 class PlcLink {
  public:
   explicit PlcLink(const PlcLinkSettings& settings) : settings_(settings) {}

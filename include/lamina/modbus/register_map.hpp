@@ -47,7 +47,7 @@ enum class StatusFlag : std::uint8_t {
   ResumeWaits,
 };
 
-/// The job as the PLC reads it.
+/// The job as shown to the PLC.
 struct JobStatus {
   std::uint32_t id = 0;  ///< 0 for none
   std::uint16_t state =
@@ -64,7 +64,7 @@ struct JobStatus {
   std::string name;  ///< only the first 64 bytes are shown, in whole characters
 };
 
-/// Figures of the process as the PLC reads them; 0 where they are not measured.
+/// Figures of the process as shown to the PLC; 0 where they are not measured.
 struct ProcessFigures {
   float nozzle_c = 0.0F;
   float bed_c = 0.0F;
@@ -78,12 +78,12 @@ struct ProcessFigures {
   float mean_correction = 0.0F;
 };
 
-/// Contents of the input registers, except for what the link itself adds (`LinkFigures`).
+/// Contents of the input registers, except for those that the link itself adds (`LinkFigures`).
 struct PlcStatus {
   std::vector<StatusFlag> flags;  ///< those that are set, without those that the link sets itself
   int mode = kProduction;
   int mode_requested = kProduction;
-  UnitState state = UnitState::Aborted;  ///< until the unit reports one: the state that promises nothing
+  UnitState state = UnitState::Aborted;  ///< Aborted, which allows least, until the unit reports its state
   UnitState state_requested = UnitState::Aborted;
   std::uint16_t stop_reason = 0;  ///< number of the alarm; 0 for none
   std::int32_t stop_value = 0;
@@ -97,7 +97,7 @@ struct PlcStatus {
   bool is_clock_synchronised = false;
 };
 
-/// What the link itself adds to the input registers.
+/// Contents of the input registers that the link itself adds.
 struct LinkFigures {
   std::uint16_t heartbeat = 0;
   std::uint16_t plc_heartbeat = 0;

@@ -26,8 +26,9 @@ class ExpectedSurface {
   const HeightMap& heights() const { return heights_; }
 
   /// Cells of the latest layer, without the skirt, that should be as high as the nozzle ran: their centres
-  /// lie on the flat top of a bead. That reaches on either side of the centre line to where the rounded edges
-  /// begin, at (width - height) / 2, and by half a cell at least. In no particular order, each once.
+  /// lie on the flat top of a bead. The flat top extends on either side of the centre line by (width -
+  /// height) / 2, where the rounded edges begin, and by half a cell at least. In no particular order, each
+  /// once.
   const std::vector<std::size_t>& topCells() const { return top_cells_; }
 
  private:

@@ -22,24 +22,24 @@ struct MonitorSettings {
   double scan_clearance_mm = 1.0;  ///< with which the toolpath's scan passes were planned
   /// Profiles between two poses of the nozzle that are farther apart than this are not used.
   double pose_gap_mm = 10.0;
-  /// A scan that shows nothing new of its layer for that long, by time stamps, has ended.
+  /// Time, by time stamps, after which a scan that shows nothing new of its layer has ended.
   double quiet_s = 2.0;
 };
 
 /// Adds the keys monitor.*, scan.clearance_mm, pose_gap_mm and quiet_s.
 void describe(SettingsSchema& schema, MonitorSettings& settings);
 
-/// How the scan of a reported layer went.
+/// How complete the scan of a reported layer was.
 enum class LayerSight : std::uint8_t {
   Seen,      ///< its scan came to an end
-  CutShort,  ///< its scan was given up before that; profiles that came later do not count
-  NotSeen,   ///< its scan showed nothing of it; there are no statistics
+  CutShort,  ///< its scan was ended early; profiles that came later do not count
+  NotSeen,   ///< its scan showed nothing of the layer; there are no statistics
 };
 
 /// `seen`, `cut_short` or `not_seen`.
 const char* toString(LayerSight sight);
 
-/// What was measured of a layer.
+/// Result of measuring a layer.
 struct LayerHeightReport {
   std::size_t layer = 0;
   double expected_height_mm = 0.0;  ///< top of the layer, along its normal
@@ -51,11 +51,12 @@ struct LayerHeightReport {
 /// Reports of layers that turn out to be done at the same time, in the order of the layers.
 using LayerHeightReports = std::vector<LayerHeightReport>;
 
-/// Follows one print: fuses profiles into a surface, attributes those of scan passes to layers, and compares
-/// each scanned layer with what the toolpath should have given. A layer whose scan was missed is reported as
-/// not seen, once a later one is scanned. Time and memory do not grow with the number of profiles.
+/// Follows one print: fuses profiles into a surface, assigns the profiles of scan passes to layers, and
+/// compares each scanned layer with the surface that the toolpath should have given. A layer whose scan was
+/// missed is reported as not seen once a later layer is scanned. Time per profile and memory do not grow with
+/// the number of profiles.
 ///
-/// Calls must be made in the order of time; `StampedHeights` takes care of that.
+/// Calls must be made in the order of time; `StampedHeights` puts them in that order.
 class HeightMonitor {
  public:
   /// Maps and heights are those of `heightsFromPart`.
@@ -69,8 +70,8 @@ class HeightMonitor {
   /// Where the maps lie on the bed: the identity for layers that are level on it.
   Eigen::Isometry3d bedFromHeights() const { return heights_from_bed_.inverse(); }
 
-  /// To be called when the nozzle tip has moved straight to a height [mm, along the layers' normal].
-  /// @return the report of the layer whose scan this motion shows to have ended, if it does
+  /// Gives the height of the nozzle tip at the end of a straight motion [mm, along the layers' normal].
+  /// @return the report of the layer whose scan has ended by this motion; empty if none has
   LayerHeightReports move(double nozzle_height);
 
   /// Adds a profile that was taken during that motion.
@@ -78,10 +79,10 @@ class HeightMonitor {
   /// @return reports of layers that are now known to have been missed
   LayerHeightReports add(const std::vector<Point3>& points);
 
-  /// Both calls: `move` to the height where the nozzle tip was, then `add` the profile.
+  /// Calls `move` with the height where the nozzle tip was, then `add` with the profile.
   LayerHeightReports insert(const std::vector<Point3>& points, double nozzle_height);
 
-  /// Ends the scan under way, if there is one, though the nozzle may still be at its height.
+  /// Ends the scan under way, if there is one, even if the nozzle is still at its height.
   LayerHeightReports closeScan(LayerSight sight);
 
   /// Ends the print: ends the scan under way, and reports printed layers without a report as missed.
@@ -92,8 +93,8 @@ class HeightMonitor {
   const HeightMap& deviation() const { return deviation_; }
   const Toolpath& toolpath() const { return toolpath_; }
 
-  /// Cells seen in the scan under way; 0 if there is none. A scan in which this number no longer grows has
-  /// come to its end.
+  /// Number of cells seen in the scan under way; 0 if there is none. When this number no longer grows, the
+  /// scan has ended.
   std::size_t cellsInScan() const { return cells_in_scan_; }
   bool isScanning() const { return scanned_.has_value(); }
 
@@ -106,7 +107,7 @@ class HeightMonitor {
 
  private:
   void begin(std::size_t layer);
-  /// Those with a scan pass below `layer` that were not reported.
+  /// Reports of layers below `layer` that have a scan pass and were not reported.
   LayerHeightReports missedBelow(std::size_t layer);
   LayerHeightReport close(LayerSight sight);
   LayerHeightReport reportOf(std::size_t layer) const;
@@ -115,15 +116,16 @@ class HeightMonitor {
   Toolpath toolpath_;
   Eigen::Isometry3d heights_from_part_;
   Eigen::Isometry3d heights_from_bed_;
-  bool is_bed_frame_;  ///< that of the heights
+  bool is_bed_frame_;  ///< whether the frame of the heights is that of the bed
   LayerClock clock_;
   MeasuredSurface measured_;
   ExpectedSurface expected_;
   HeightMap deviation_;
-  std::size_t layers_expected_ = 0;        ///< added to the expected surface
-  std::vector<std::size_t> to_report_;     ///< layers with a scan pass, ascending
-  std::size_t reported_ = 0;               ///< of those
-  std::optional<std::size_t> at_scan_of_;  ///< the nozzle, though nothing may have been seen yet
+  std::size_t layers_expected_ = 0;     ///< number of layers added to the expected surface
+  std::vector<std::size_t> to_report_;  ///< layers with a scan pass, ascending
+  std::size_t reported_ = 0;            ///< number of the layers of `to_report_` that were reported
+  /// Layer at whose scan height the nozzle is, even if nothing was seen yet.
+  std::optional<std::size_t> at_scan_of_;
   std::optional<std::size_t> scanned_;
   std::size_t cells_in_scan_ = 0;
   std::size_t profiles_in_scan_ = 0;

@@ -11,14 +11,14 @@
 
 namespace lamina {
 
-/// Frame in which the heights of a toolpath's layers are measured: that of the bed where they are level on
-/// it; else that of the layers, whose z is their normal and whose origin is the part's. A belt is no
-/// exception, since the bed moves along with it.
+/// Frame in which the heights of a toolpath's layers are measured. If the layers are level on the bed, this
+/// is the frame of the bed. Otherwise it is that of the layers: z is their normal, and the origin is the
+/// part's. The rule also holds for belts, since the frame of the bed moves with the belt.
 /// @param bed_from_part  translation [mm]
 Eigen::Isometry3d heightsFromPart(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part);
 
-/// Finds the layer that is being scanned from the heights that the nozzle passes through. Only layers of the
-/// toolpath that have a scan pass count, each once and in ascending order.
+/// Finds the layer that is being scanned from the heights of the nozzle. Only layers of the toolpath that
+/// have a scan pass count, each once and in ascending order.
 class LayerClock {
  public:
   /// @param heights_from_part  frame whose z is the layers' normal (`heightsFromPart`); translation [mm]
@@ -26,17 +26,17 @@ class LayerClock {
   LayerClock(const Toolpath& toolpath, const Eigen::Isometry3d& heights_from_part, double clearance_mm);
 
   /// The layer being scanned while the nozzle is at that height [mm, along the layers' normal]; nothing if
-  /// there is none. The nozzle must be at the layer's scan height within a quarter of its layer height, and
+  /// there is none. The nozzle must be within a quarter of the layer height of the layer's scan height, and
   /// at the same height as at the observation before. The layer must be the next one to be scanned, or the
-  /// one that the nozzle was last seen to print. So a nozzle on its way through other heights, or parked at
-  /// one of them, scans nothing. Once the nozzle has left the scan height of a layer that was seen, that
-  /// layer is finished.
+  /// one that the nozzle was last seen to print. Therefore a nozzle that passes through other heights, or is
+  /// parked at one of them, scans nothing. Once the nozzle has left the scan height of a layer that was seen,
+  /// that layer is finished.
   std::optional<std::size_t> observe(double nozzle_height_mm);
 
   /// Records that a profile shows the layer being scanned. Does nothing if none is being scanned.
   void see() { is_seen_ = scanned_.has_value(); }
 
-  /// Makes the layer being scanned count as finished if it was seen, though the nozzle may still be at its
+  /// Makes the layer being scanned count as finished if it was seen, even if the nozzle is still at its scan
   /// height.
   void finish();
 
@@ -58,9 +58,9 @@ class LayerClock {
 
   std::vector<Mark> scans_;     ///< ascending
   std::vector<Mark> prints_;    ///< ascending
-  std::size_t first_open_ = 0;  ///< layers below are done with
+  std::size_t first_open_ = 0;  ///< number of the first layer that is not finished; all below are
   std::optional<std::size_t> scanned_;
-  bool is_seen_ = false;  ///< the layer being scanned
+  bool is_seen_ = false;  ///< whether a profile shows the layer being scanned
   std::optional<std::size_t> printed_;
   std::optional<double> last_height_mm_;
 };

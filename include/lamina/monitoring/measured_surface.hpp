@@ -9,10 +9,10 @@
 
 namespace lamina {
 
-/// Measured points fused into one height per cell. The rule: within a pass (one sweep of the sensor, in which
-/// the surface stands still) a cell holds the mean of its points; the first point of a later pass replaces
-/// what was there, as the surface has grown since. Memory, and the time that a point takes, do not grow with
-/// the number of points.
+/// Measured points fused into one height per cell. In a pass (one sweep of the sensor, in which the surface
+/// does not change) a cell holds the mean of its points. The first point of a later pass replaces the earlier
+/// height, as the surface has grown since. Memory, and the time for a point, do not grow with the number of
+/// points.
 class MeasuredSurface {
  public:
   explicit MeasuredSurface(const HeightGrid& grid);
@@ -27,8 +27,8 @@ class MeasuredSurface {
   /// Whether a point was the first of its cell in this pass, a further one, or beyond the grid.
   enum class Fused { First, Further, Outside };
 
-  /// @param point [mm, frame of the grid]; one that is beyond the grid or not finite changes nothing and is
-  /// Outside
+  /// Adds a point. A point that is beyond the grid or not finite changes nothing and is Outside.
+  /// @param point  [mm, frame of the grid]
   Fused insert(const Point3& point) {
     const std::size_t index = grid_.cellAt(point.head<2>());
     if (index == HeightGrid::kNoCell || !std::isfinite(point.z())) return Fused::Outside;

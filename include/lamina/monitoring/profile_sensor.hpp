@@ -42,15 +42,15 @@ class ProfileSensor {
   /// @throws InvalidConfig unless the measuring range begins in front of the sensor
   explicit ProfileSensor(const ProfileSensorSettings& settings);
 
-  /// What the sensor sees: where each ray first meets the surface [mm, sensor frame], in the order of the
-  /// fan. Rays that meet nothing known within the range give no point. The cells of the surface are columns
-  /// up to their height, which hide what is behind them.
+  /// The points where each ray first meets the surface [mm, sensor frame], in the order of the fan. A ray
+  /// that meets no known cell within the range gives no point. The cells of the surface are columns up to
+  /// their height, which hide the cells behind them.
   ///
   /// A ray with a second return (`mirror_rate`) gives two points, the nearer one first. Defects have random
-  /// numbers of their own: with some set, the noise is that of a sensor without.
+  /// numbers of their own, so that they do not change the noise.
   ///
-  /// @param highest  height above which the surface has nothing [mm]: spares the search there
-  /// @param now_s    since drift began
+  /// @param highest  height above which the surface has no cells [mm]; shortens the search
+  /// @param now_s    time since drift began [s]
   std::vector<Point3> measure(const HeightSource& surface, const Eigen::Isometry3d& bed_from_sensor,
                               double highest = std::numeric_limits<double>::infinity(), double now_s = 0.0);
   std::vector<Point3> measure(const HeightMap& surface, const Eigen::Isometry3d& bed_from_sensor,
@@ -67,7 +67,7 @@ class ProfileSensor {
   ProfileSensorSettings settings_;
   Random random_;
   Random defects_;
-  std::optional<double> last_noise_mm_;  ///< of the profile
+  std::optional<double> last_noise_mm_;  ///< noise of the profile's last point
 };
 
 }  // namespace lamina

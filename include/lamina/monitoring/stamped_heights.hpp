@@ -42,10 +42,10 @@ struct ProfileUse {
 };
 
 /// Follows one print by time stamps alone. Poses of the nozzle and profiles may arrive in any order relative
-/// to each other, and with any delay: profiles are processed in the order of their time stamps, each once a
-/// pose of its time stamp or a later one is known. A profile belongs to a layer if the nozzle moves level at
-/// the layer's scan height from the last pose before the profile to the next one. So the same poses and
-/// profiles give the same reports, however they are delayed.
+/// to each other, and with any delay. Profiles are processed in the order of their time stamps, each once a
+/// pose of the same or a later time stamp is known. A profile belongs to a layer if the nozzle moves level at
+/// the layer's scan height from the last pose before the profile to the next one. Therefore the same poses
+/// and profiles give the same reports, whatever their delays.
 class StampedHeights {
  public:
   /// Parameters and errors are those of `HeightMonitor`.
@@ -54,18 +54,19 @@ class StampedHeights {
   /// Adds a pose of the nozzle, whose tip moves straight from one pose to the next.
   /// @return reports of layers that are now known to be done
   LayerHeightReports observe(const StampedTip& pose);
-  /// Adds a profile; returns reports likewise.
+  /// Adds a profile.
+  /// @return reports of layers that are now known to be done
   LayerHeightReports insert(StampedProfile profile);
 
-  /// States that the clock of the time stamps has gone back. Profiles that wait for poses count as late; of
-  /// the poses and profiles that arrive from now on none is late for the sake of the ones before. What was
-  /// measured remains.
+  /// States that the clock of the time stamps has gone back. Profiles that wait for poses count as late.
+  /// Poses and profiles that arrive from now on are not compared with the earlier time stamps, so that none
+  /// of them counts as late for that reason. The measured surface remains.
   LayerHeightReports restartClock();
 
-  /// Gives up the scan under way: its layer is reported as cut short.
+  /// Ends the scan under way early: its layer is reported as cut short.
   LayerHeightReports cutShort();
 
-  /// Ends the print: processes what is left, and reports layers that were printed and never seen.
+  /// Ends the print: processes the profiles that wait, and reports printed layers that were never seen.
   LayerHeightReports finish();
 
   const HeightMonitor& monitor() const { return monitor_; }
@@ -82,20 +83,20 @@ class StampedHeights {
   double pose_gap_mm_;
   double quiet_ns_;
   HeightMonitor monitor_;
-  std::multimap<std::int64_t, Point3> poses_;  ///< those that were not reached
+  std::multimap<std::int64_t, Point3> poses_;  ///< poses of the nozzle that are not processed yet
   std::multimap<std::int64_t, std::vector<Point3>> waiting_;
-  std::optional<StampedTip> reached_;  ///< end of the straight way that is looked at
-  double way_mm_ = 0.0;                ///< its length
+  std::optional<StampedTip> reached_;  ///< end of the straight motion under consideration
+  double way_mm_ = 0.0;                ///< length of that motion
   std::optional<std::int64_t> worked_off_ns_;
-  std::size_t cells_in_scan_ = 0;  ///< when the scan last showed something new
-  bool was_moving_ = false;        ///< on the way that is looked at
-  std::int64_t way_begin_ns_ = 0;  ///< of it
-  std::int64_t moved_ns_ = 0;      ///< until it began, all times of motion together
+  std::size_t cells_in_scan_ = 0;  ///< number of cells seen when the scan last showed something new
+  bool was_moving_ = false;        ///< whether the nozzle moved in the motion under consideration
+  std::int64_t way_begin_ns_ = 0;  ///< begin of that motion
+  std::int64_t moved_ns_ = 0;      ///< sum of all times of motion until it began
   std::int64_t moved_at_profile_ns_ = 0;
-  std::int64_t last_profile_ns_ = 0;  ///< of the scan
-  std::int64_t quiet_for_ns_ = 0;     ///< since the scan last showed something new
+  std::int64_t last_profile_ns_ = 0;  ///< time stamp of the scan's last profile
+  std::int64_t quiet_for_ns_ = 0;     ///< time of motion since the scan last showed something new
   ProfileUse use_;
-  LayerHeightReports done_;  ///< not yet given out
+  LayerHeightReports done_;  ///< reports not yet returned
 };
 
 }  // namespace lamina

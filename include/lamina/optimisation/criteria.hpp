@@ -11,7 +11,7 @@
 
 namespace lamina {
 
-/// How much a response counts in a decision, and whether less or more of it is better.
+/// The weight of a response in a decision, and whether less or more of the response is better.
 struct Criterion {
   std::string response;
   double weight = 1.0;  ///< 0: the response is ignored
@@ -32,8 +32,8 @@ std::vector<Criterion> criteriaOf(const std::vector<std::string>& response_names
 /// Chooses among alternatives by their responses, as `decide` of `decision.hpp` does by costs. Responses of
 /// weight 0 are left out, and those to be maximised enter with their sign changed.
 /// @param responses  for each alternative, in the order of the criteria
-/// @throws InvalidInput naming alternative and response if one whose weight is not 0 is not finite; as
-///   `decide`
+/// @throws InvalidInput naming alternative and response if a response is not finite whose weight is not 0;
+///   otherwise as `decide` of `decision.hpp`
 Decision decide(const std::vector<Criterion>& criteria, const std::vector<std::vector<double>>& responses,
                 DecisionMethod method);
 

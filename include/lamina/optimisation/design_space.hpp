@@ -17,7 +17,7 @@ enum class VariableKind {
   Categorical,  ///< one of several texts, without order
 };
 
-/// What a search may change.
+/// A setting or argument that a search may change.
 struct Variable {
   std::string name;  ///< a key of the configuration, or a name in the arguments of a command
   VariableKind kind = VariableKind::Continuous;
@@ -38,12 +38,14 @@ double lowOf(const Variable& variable);
 /// Greatest value of a variable; Categorical: the last index.
 double highOf(const Variable& variable);
 
-/// @throws InvalidConfig if there is no variable; naming the variable, if it has no name or that of another,
-///   if bounds are not finite or not in order, if integer bounds are not whole, if there are fewer than two
-///   levels or choices, if levels are not finite or do not ascend, or if a choice stands twice
+/// Checks the variables of a search.
+/// @throws InvalidConfig if there is no variable; naming the variable if it has no name or that of another
+///   one, if bounds are not finite or not in order, if integer bounds are not whole, if there are fewer than
+///   two levels or choices, if levels are not finite or do not ascend, or if a choice stands twice
 void validate(const DesignSpace& space);
 
-/// @throws InvalidInput if the point does not have one value for each variable; naming variable and value, if
+/// Checks that a point lies in the space.
+/// @throws InvalidInput if the point does not have one value for each variable; naming variable and value if
 ///   the variable cannot take that value
 void requireWithin(const DesignSpace& space, const DesignPoint& point);
 

@@ -32,7 +32,8 @@ class Evaluator {
   /// Names of the responses that are measured at each point.
   virtual const std::vector<std::string>& responseNames() const = 0;
 
-  /// Tries all points, as many at a time as it likes; the result does not depend on that number.
+  /// Tries all points. The evaluator chooses how many it tries at a time; the result does not depend on that
+  /// number.
   /// @param done  is called with each evaluation; may be empty
   /// @return one evaluation for each point, in the order of the points; that of a point that cannot be tried
   ///   holds the error

@@ -15,13 +15,13 @@ namespace lamina {
 enum class EarlierJournal {
   GoOn,         ///< points that it holds are not tried again
   RetryFailed,  ///< of the points that it holds, only those that failed are tried again
-  BeginAnew,    ///< it is emptied, whatever study it is of
+  BeginAnew,    ///< the journal is emptied, even if it is of another study
 };
 
-/// Where evaluations are recorded.
+/// The file in which evaluations are recorded.
 struct JournalSettings {
   std::string path;  ///< empty: only in memory
-  /// Text that differs if anything differs that responses depend on besides the point.
+  /// Text that changes whenever anything changes that responses depend on, apart from the point.
   std::string fingerprint;
   EarlierJournal earlier = EarlierJournal::GoOn;
 };

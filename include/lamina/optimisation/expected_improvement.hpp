@@ -7,11 +7,12 @@
 
 namespace lamina {
 
-/// Expected value of max(0, best_cost - cost) for a normally distributed cost [Jones1998, eq. 15]; without
-/// variance, max(0, best_cost - cost.value).
+/// Expected value of max(0, best_cost - cost) for a normally distributed cost [Jones1998, eq. 15]. If the
+/// cost has no variance, this is max(0, best_cost - cost.value).
 double expectedImprovement(const Prediction& cost, double best_cost);
 
-/// Probability that a normally distributed response lies in an interval. Without variance, 0 or 1.
+/// Probability that a normally distributed response lies in the interval of a constraint. If the response has
+/// no variance, this is 0 or 1.
 double probabilityWithin(const Constraint& constraint, const Prediction& prediction);
 
 }  // namespace lamina

@@ -39,8 +39,8 @@ bool isNear(const DesignSpace& space, const DesignPoint& a, const DesignPoint& b
 /// without a row, or whose row lacks a response, fails: it has yet to be measured.
 class TableEvaluator final : public Evaluator {
  public:
-  /// @param nearness  by which continuous variables of a row may differ from those of the point, as a share
-  ///   of their ranges, as machines are set to rounded values. The nearest row is returned, each row only
+  /// @param nearness  greatest difference of continuous variables between a row and the point, as a share of
+  ///   their ranges, since machines are set to rounded values. The nearest row is returned, each row only
   ///   once; the evaluation has the point of the row.
   TableEvaluator(DesignSpace space, std::vector<std::string> response_names, std::vector<Evaluation> rows,
                  double nearness);

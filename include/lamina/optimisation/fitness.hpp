@@ -40,7 +40,7 @@ class Fitness {
  private:
   struct Term {
     std::size_t response;
-    double factor;  ///< of the response in the cost
+    double factor;  ///< factor on the response in the cost
   };
 
   Sense sense_ = Sense::Minimise;
@@ -51,8 +51,8 @@ class Fitness {
 /// that have a value. Failed evaluations are left out; so are those without any response.
 std::vector<Evaluation> withoutReplicates(const std::vector<Evaluation>& samples);
 
-/// The index of the evaluation of least cost among those that meet all constraints and lack no response that
-/// counts, the first of several. None if there is no such evaluation.
+/// The index of the evaluation of least cost among those that meet all constraints and have all responses
+/// that count; the first one if several have that cost. None if there is no such evaluation.
 std::optional<std::size_t> bestFeasible(const std::vector<Evaluation>& samples, const Goals& goals,
                                         const std::vector<std::string>& response_names,
                                         const Fitness& fitness);

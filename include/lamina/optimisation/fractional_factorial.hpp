@@ -13,8 +13,8 @@ namespace lamina {
 struct FractionalFactorial {
   std::vector<DesignPoint> points;
   /// Length of the shortest word of the defining relation. At III, main effects are confounded with
-  /// interactions of two variables; at IV, only such interactions with each other; at V, not even these. 0 if
-  /// nothing is confounded.
+  /// interactions of two variables; at IV, interactions of two variables only with each other; at V, no two
+  /// of these effects are confounded. 0 if nothing is confounded.
   int resolution = 0;
   std::vector<std::string> defining_words;  ///< the whole relation: "abcd", "-abe"
 };

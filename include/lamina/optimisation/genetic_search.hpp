@@ -22,8 +22,8 @@ struct GeneticSettings {
 /// Adds the keys genetic.*.
 void describe(SettingsSchema& schema, GeneticSettings& settings);
 
-/// How good a point is: that of less violation is better, whatever the cost; of equal violation, that of less
-/// cost.
+/// How good a point is. The point with less violation is better, whatever its cost; of two points with equal
+/// violation, the one with less cost is better.
 struct Merit {
   double violation = 0.0;  ///< 0 if all constraints hold
   double cost = 0.0;

@@ -31,12 +31,13 @@ struct Goals {
   std::vector<Constraint> constraints;
 };
 
-/// @throws InvalidConfig naming the response if there is no objective, a weight is negative or not finite,
-///   an interval is empty, or a name is none of the responses
+/// Checks the goals of a search.
+/// @throws InvalidConfig naming the response if there is no objective, a weight is negative or not finite, an
+///   interval is empty, or a name is none of the responses
 void validate(const Goals& goals, const std::vector<std::string>& response_names);
 
 /// The index of a response.
-/// @throws InvalidConfig naming those that there are, if it is none of them
+/// @throws InvalidConfig naming the responses that exist if `response` is none of them
 std::size_t responseIndex(const std::vector<std::string>& response_names, const std::string& response);
 
 /// The objectives as costs, which are to be minimised: those to be maximised change their sign.

@@ -64,7 +64,7 @@ using GenerationListener = std::function<void(const Generation&)>;
 struct FrontSearch {
   /// Feasible evaluations that no other one dominates, of all generations; each point once, by its responses.
   std::vector<Evaluation> front;
-  std::vector<Evaluation> evaluations;  ///< all, in the order they were asked for
+  std::vector<Evaluation> evaluations;  ///< all evaluations, in the order in which they were requested
   std::vector<Generation> generations;
   std::vector<double> reference;  ///< of the hypervolume, as responses; empty if no point was ever feasible
 };
@@ -72,6 +72,7 @@ struct FrontSearch {
 /// Number of evaluations a search asks for.
 std::int64_t evaluationsOf(const Nsga2Settings& settings);
 
+/// Checks a problem and the settings with which it is to be searched.
 /// @throws InvalidConfig naming the setting, variable or response; InvalidInput if a first point is outside
 ///   the space
 void validate(const SearchProblem& problem, const Nsga2Settings& settings);

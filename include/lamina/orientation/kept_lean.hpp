@@ -21,8 +21,8 @@ struct RaiseLimits {
   double most_deg_per_mm = 10.0;  ///< greatest change of the kept lean along a run
 };
 
-/// The lean of a toolpath's tool axes, of which less and less is kept, waypoint by waypoint. Raising a tool
-/// axis lowers the share of its lean that is kept.
+/// The lean of a toolpath's tool axes, and the share of it that is kept at each waypoint. Raising a tool axis
+/// lowers that share.
 class KeptLean {
  public:
   /// @param wanted  must outlive this
@@ -51,8 +51,8 @@ class KeptLean {
   struct Run {
     std::size_t layer = 0;
     std::size_t path = 0;
-    std::vector<double> kept;   ///< by waypoint; empty while all of it is kept everywhere
-    std::vector<double> least;  ///< that may be kept
+    std::vector<double> kept;   ///< share that is kept, by waypoint; empty while all of it is kept everywhere
+    std::vector<double> least;  ///< least share that may be kept, by waypoint
   };
 
   const Path& pathOf(const Run& run) const { return wanted_.layers[run.layer].paths[run.path]; }
@@ -62,8 +62,9 @@ class KeptLean {
 
   const Toolpath& wanted_;
   RaiseLimits limits_;
-  std::vector<Run> runs_;                            ///< in the order of the motion
-  std::vector<std::vector<std::size_t>> first_run_;  ///< by layer and path: that run, or the next one
+  std::vector<Run> runs_;  ///< in the order of the motion
+  /// By layer and path: the first run of the path, or the next one.
+  std::vector<std::vector<std::size_t>> first_run_;
   bool is_changed_ = false;
 };
 

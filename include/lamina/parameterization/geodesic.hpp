@@ -40,8 +40,8 @@ class GeodesicDistances {
   /// @throws InvalidInput if there is no such vertex, or a start is negative or not finite
   std::vector<double> from(const std::vector<GeodesicSource>& sources) const;
 
-  /// The vertices of the path along edges on which `distance` falls most steeply, from a vertex to where it
-  /// falls no more.
+  /// The vertices of a path along edges on which `distance` falls most steeply, from a vertex to one where it
+  /// no longer falls.
   /// @param distance  one value for each vertex
   std::vector<std::uint32_t> descend(const std::vector<double>& distance, std::uint32_t vertex) const;
 

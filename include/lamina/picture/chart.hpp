@@ -32,7 +32,8 @@ struct Chart {
 /// @throws InvalidInput if a side is not within 200 and 16384 pixels
 std::string chartPng(const Chart& chart, int width_px, int height_px);
 
-/// Round values (1, 2 or 5 times a power of ten apart) within an interval: two to about `most` of them.
+/// Round values (1, 2 or 5 times a power of ten apart) within an interval, at most `most` + 1. If fewer than
+/// two lie in it, the ends of the interval instead.
 /// @param low, high  finite, low less than high
 std::vector<double> roundTicks(double low, double high, int most);
 

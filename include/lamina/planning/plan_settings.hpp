@@ -21,9 +21,10 @@ namespace lamina {
 /// Cross-section of the beads.
 struct BeadSettings {
   double width_mm = 0.4;
-  /// Centre distance of neighbouring beads in a solid fill; 0: that at which they fill the layer exactly.
+  /// Centre distance of neighbouring beads in a solid fill; 0: the distance at which they fill the layer
+  /// exactly.
   double pitch_mm = 0.0;
-  double flow = 1.0;  ///< factor on the volume of the part's beads; positions stay
+  double flow = 1.0;  ///< factor on the volume of the part's beads; their positions do not change
 };
 
 enum class WallOrder { OutsideIn, InsideOut };
@@ -33,19 +34,19 @@ struct WallSettings {
   int count = 2;
   WallOrder order = WallOrder::InsideOut;
   double narrowest =
-      0.3;  ///< least width of a bead where no loop fits, in pitches; thinner places stay empty
+      0.3;  ///< least width of a bead where no loop fits, in pitches; narrower places stay empty
 };
 
 /// How the area inside the walls is filled.
 struct InfillSettings {
   std::string strategy = "zigzag";
   double density = 0.2;         ///< 1 is solid, 0 is none
-  double bead_width_mm = 0.0;   ///< 0: that of walls, in proportion to the nozzles of their tools
-  double pitch_mm = 0.0;        ///< distance of neighbouring lines; 0: by the density
+  double bead_width_mm = 0.0;   ///< 0: the width of walls, in proportion to the nozzles of their tools
+  double pitch_mm = 0.0;        ///< distance of neighbouring lines; 0: it follows from the density
   int outer_layers = 0;         ///< number of first and of last layers with a pitch of their own
-  double outer_pitch_mm = 0.0;  ///< of those; 0 is solid
+  double outer_pitch_mm = 0.0;  ///< pitch in these layers; 0 is solid
   double angle_deg = 45.0;
-  double alternation_deg = 90.0;  ///< added from one layer to the next
+  double alternation_deg = 90.0;  ///< angle added from one layer to the next
   double wall_overlap = 0.15;     ///< overlap of infill with the innermost wall, in bead widths
   int every_layers = 1;  ///< sparse infill is deposited in one of this number of layers, at their height
   LineLinks links;       ///< of sparse infill
@@ -58,9 +59,9 @@ struct SkinSettings {
   int bottom_layers = 0;       ///< number; 0 with `bottom_mm` 0: none
   double top_mm = 0.0;         ///< least thickness, in whole layers
   double bottom_mm = 0.0;      ///< least thickness, in whole layers
-  double bead_width_mm = 0.0;  ///< 0: that of walls, in proportion to the nozzles of their tools
+  double bead_width_mm = 0.0;  ///< 0: the width of walls, in proportion to the nozzles of their tools
   std::string strategy = "zigzag";
-  double angle_deg = 45.0;         ///< of the first layer; turned by 90 deg from layer to layer
+  double angle_deg = 45.0;         ///< angle of the first layer; turned by 90 deg from layer to layer
   double narrowest = 1.0;          ///< least width of a skin, in bead widths
   double anchor_mm = -1.0;         ///< by which skins extend into the infill; -1: the thickness of the walls
   double least_infill_mm2 = 15.0;  ///< smaller areas of infill become skin
@@ -103,9 +104,10 @@ struct VoidSettings {
 
 struct SkirtSettings {
   int count = 1;
-  double distance_mm = 4.0;      ///< from part, brim, raft and supports
-  int layers = 1;                ///< number of layers with a skirt: all of them for a wind shield
-  double least_length_mm = 0.0;  ///< of its loops in the first layer; loops are added until it is reached
+  double distance_mm = 4.0;  ///< from part, brim, raft and supports
+  int layers = 1;            ///< number of layers with a skirt: all of them for a wind shield
+  /// Least total length of the loops in the first layer; loops are added until it is reached.
+  double least_length_mm = 0.0;
 };
 
 /// Walls of `AdaptedLayers`, which follow the walls of the part.
@@ -117,7 +119,7 @@ enum class SeamPlacement { Nearest, Aligned, Rear, Random };
 
 struct SeamSettings {
   SeamPlacement placement = SeamPlacement::Aligned;
-  int seed = 1;  ///< of random placement
+  int seed = 1;  ///< seed of random placement
 };
 
 /// Where travels run.
@@ -139,8 +141,9 @@ struct TravelSettings {
   double keep_off_mm = 0.2;       ///< distance of combed travels from the outline, besides half a bead width
   double comb_longest_mm = 30.0;  ///< longer combed travels are retracted
   double comb_detour =
-      3.0;               ///< longest combed travel over the straight one; others are straight and retracted
-  double wipe_mm = 0.0;  ///< length of a wipe along the run before; 0 for none
+      /// Greatest length of a combed travel over that of the straight one; others are straight and retracted.
+      3.0;
+  double wipe_mm = 0.0;     ///< length of a wipe along the run before; 0 for none
   double wipe_share = 0.7;  ///< share of the retraction that happens during the wipe
 };
 

@@ -46,7 +46,8 @@ struct Plan {
   FillStarts starts;        ///< of all layers
   AnchoredStarts anchored;  ///< of all layers
   Bridging bridging;        ///< of all layers
-  /// Volume without bead or drop: too thin, left out whole by a solid fill, or without room on its layer.
+  /// Volume that no bead or drop fills: too thin, left out whole by a solid fill, or without room on its
+  /// layer.
   double unprinted_mm3 = 0.0;
   SupportTotals supports;
   double raft_mm = 0.0;  ///< height of the raft, which lies below the part; the part keeps its coordinates
@@ -59,7 +60,7 @@ struct VariedBed {
   const SupportMarks* marks = nullptr;  ///< null for none
 };
 
-/// Where inclined layers lie.
+/// The place of inclined layers: bed and rotation.
 struct LayerIncline {
   BedPlane bed;
   Eigen::Quaterniond part_from_layers = Eigen::Quaterniond::Identity();
@@ -70,7 +71,7 @@ struct LayerLifting {
   LayerLift lift;
   /// For each layer, whether `skins.strategy` fills it solid, whatever the infill; empty: none.
   std::vector<bool> is_skin = {};
-  /// Highest z of what stands on the bed before the first layer [mm, part frame].
+  /// Highest z on the bed before the first layer, of anything that stands there [mm, part frame].
   double standing_mm = -std::numeric_limits<double>::infinity();
 };
 

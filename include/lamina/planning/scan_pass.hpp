@@ -28,8 +28,9 @@ void describe(SettingsSchema& schema, ScanSettings& settings);
 /// the nozzle.
 ///
 /// @param toolpath  in the frame of its layers, which are plane; satisfies `validate`, and so does the result
-/// @param sensor_offset  of the line's middle from the nozzle, in the layers' x and y [mm]
-/// @throws InvalidConfig if the swath is not longer than 0; InvalidInput if layers are to be scanned that are
+/// @param sensor_offset  offset of the middle of the sensor's line from the nozzle, in the layers' x and y
+///   [mm]
+/// @throws InvalidConfig if the swath is not longer than 0; InvalidInput if layers are to be scanned and are
 ///   inclined
 Toolpath withScanPasses(Toolpath toolpath, const ScanSettings& settings, const Point2& sensor_offset);
 

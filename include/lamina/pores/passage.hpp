@@ -14,7 +14,7 @@ namespace lamina {
 struct Passage {
   double epci_forward_percent = 0.0;   ///< share of the high face that is reached from the low one
   double epci_backward_percent = 0.0;  ///< share of the low face that is reached from the high one
-  /// Share of a layer that is reached from both faces, in the layer where it is least.
+  /// Share of a layer that is reached from both faces; the least value over all layers.
   double mecsi_percent = 0.0;
 };
 
@@ -27,7 +27,7 @@ struct Passages {
 };
 
 /// The passage along one axis.
-/// @param pores  solid where there is a pore; beyond its frame there are none
+/// @param pores  solid where there is a pore; beyond the frame of the grid there are no pores
 /// @param axis  0 to 2
 Passage passageAlong(const VoxelGrid& pores, int axis);
 

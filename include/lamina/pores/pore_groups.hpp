@@ -29,11 +29,11 @@ struct PoreGroup {
   /// each.
   std::array<double, 3> axes{};
 
-  /// Whether it touches both faces of an axis.
+  /// Whether the group touches both faces of the frame along an axis.
   bool joinsAlong(int axis) const;
-  /// Whether it touches both faces of some axis.
+  /// Whether the group touches both faces of the frame along at least one axis.
   bool joinsOpposite() const;
-  /// Whether it touches two or more of the six faces.
+  /// Whether the group touches two or more of the six faces of the frame.
   bool joinsTwoFaces() const;
   /// Diameter of the sphere of equal volume [voxels].
   double equivalentDiameter() const;

@@ -21,7 +21,7 @@ struct Spread {
 struct PoreSizes {
   std::int64_t groups = 0;
   std::int64_t voxels = 0;
-  double volume_percent = 0.0;           ///< of the whole frame
+  double volume_percent = 0.0;           ///< share of the volume of the whole frame
   double mean_diameter_mm = 0.0;         ///< of spheres of equal volume; 0 if there is no group
   std::array<Spread, 3> ellipsoid_mm{};  ///< axes of ellipsoids of equal second moments, longest first
 };
@@ -36,7 +36,8 @@ struct PoreReport {
   PoreSizes joining_two;  ///< groups that touch two faces; `volume_percent` is CVI_2, the interconnectivity
 };
 
-/// @param solid  cropped to the box that is to be examined, which counts as a whole
+/// Examines the pores of a grid.
+/// @param solid  cropped to the box that is to be examined; the whole of it counts
 /// @throws InvalidInput as `labelPores`; Cancelled if `progress` is cancelled
 PoreReport reportPores(const VoxelGrid& solid, Progress& progress);
 

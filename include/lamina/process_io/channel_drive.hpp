@@ -11,7 +11,7 @@
 
 namespace lamina {
 
-/// The value that a plan requires of a channel.
+/// The value that the plan requires of a channel.
 struct AskedValue {
   double value = 0.0;  ///< [unit of its quantity]; the safe value while the channel is off
   bool is_on = false;
@@ -28,7 +28,7 @@ AskedValue askedOf(const OutputChannel& channel, const ProcessSignals& signals);
 /// Off is sent at once, whatever the greatest slew is.
 class ChannelDrive {
  public:
-  /// @param cycle_s  from one call of `step` to the next
+  /// @param cycle_s  time from one call of `step` to the next
   ChannelDrive(OutputChannel channel, double cycle_s) : channel_(std::move(channel)), cycle_s_(cycle_s) {}
 
   const OutputChannel& channel() const { return channel_; }
@@ -60,8 +60,8 @@ class ChannelDrive {
   bool is_on_ = false;
   double sent_ = 0.0;
   double asked_ = 0.0;
-  std::optional<double> at_s_;                     ///< of the last call
-  std::optional<double> effect_;                   ///< once the dead time is over
+  std::optional<double> at_s_;    ///< time of the last call
+  std::optional<double> effect_;  ///< effect at that time; nothing before the dead time is over
   std::deque<std::pair<double, double>> effects_;  ///< [time, effect], kept for the dead time
 };
 

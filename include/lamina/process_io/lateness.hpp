@@ -8,12 +8,12 @@
 
 namespace lamina {
 
-/// Statistics of how late something repeatedly was. Memory does not grow: delays are counted in steps of a
-/// tenth of a millisecond up to a tenth of a second, and longer ones together.
+/// Statistics of repeated delays, in a fixed amount of memory: delays are counted in steps of a tenth of a
+/// millisecond up to a tenth of a second; longer ones are counted together.
 class Lateness {
  public:
-  static constexpr double kLate = 0.01;  ///< [s] beyond this, delays are reported
-  /// [s] beyond this, the process is no longer in step with the motion.
+  static constexpr double kLate = 0.01;  ///< [s] delays above this are reported
+  /// [s] With delays above this, the process is no longer in step with the motion.
   static constexpr double kTooLate = 0.05;
 
   /// @param late_s  negative counts as 0
@@ -29,7 +29,8 @@ class Lateness {
 
  private:
   static constexpr double kStep = 1e-4;
-  std::array<std::uint64_t, 1001> counts_{};  ///< the last: more
+  /// Number of delays by step; the last entry counts all longer ones.
+  std::array<std::uint64_t, 1001> counts_{};
   std::uint64_t count_ = 0;
   std::uint64_t late_ = 0;
   std::uint64_t too_late_ = 0;

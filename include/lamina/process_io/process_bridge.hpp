@@ -19,8 +19,9 @@ struct ProcessBridgeSettings {
   double rate_hz = 100.0;
   double late_s = Lateness::kLate;         ///< lateness of an output above which alarm 5103 is raised
   double too_late_s = Lateness::kTooLate;  ///< lateness of an output above which 5104 is raised
-  double standstill_s = 0.3;               ///< for which the beam may be on without motion; 0 for no limit
-  double connect_wait_s = 5.0;  ///< from the start, after which a device that was never connected is an alarm
+  double standstill_s = 0.3;  ///< longest time for which the beam may be on without motion; 0 for no limit
+  /// Time from the start after which a device that was never connected raises an alarm.
+  double connect_wait_s = 5.0;
 };
 
 /// Adds the keys rate_hz, late_s, too_late_s, standstill_s and connect_wait_s.
@@ -29,10 +30,10 @@ void describe(SettingsSchema& schema, ProcessBridgeSettings& settings);
 /// State of a device at a cycle.
 struct DeviceView {
   bool is_connected = false;
-  std::string reason;  ///< why it is not connected
+  std::string reason;  ///< why the device is not connected
 };
 
-/// What a cycle is given besides the plan.
+/// Input of a cycle besides the plan.
 struct CycleView {
   std::vector<DeviceView> devices;  ///< in the order of the tables
   std::vector<double> measured;     ///< of each input [unit of its quantity]; NaN if it is not read
@@ -41,7 +42,7 @@ struct CycleView {
 
 /// Result of a cycle.
 struct BridgeCycle {
-  /// To be sent to each channel, in the order of the tables [unit of its quantity].
+  /// Values to be sent to the channels, in the order of the tables [unit of the channel's quantity].
   std::vector<double> values;
   std::vector<ProcessAlarm> alarms;
   std::string fault;  ///< why the process cannot be run; empty if it can
@@ -61,21 +62,21 @@ class ProcessBridge {
   /// Adds a chunk to the plan.
   /// @throws InvalidInput as `ProcessPlan::accept`
   void accept(const ProcessChunk& chunk, double now_s);
-  /// Positions of all joints [m, rad].
+  /// Gives the positions of all joints [m, rad].
   void updatePositions(const std::vector<double>& positions, double now_s) { motion_.hear(positions, now_s); }
 
-  /// To be called once per cycle; times must not go back.
+  /// Computes one cycle; to be called at the rate of the settings. Times must not go back.
   BridgeCycle cycle(double now_s, const CycleView& view);
-  /// Safe values for all channels; the plan is dropped.
+  /// Drops the plan. Returns safe values for all channels.
   std::vector<double> stop(double now_s);
 
   const std::vector<ChannelDrive>& drives() const { return drives_; }
-  /// What is planned for an instant; safe signals if that is not known.
+  /// The signals that are planned for a time; safe signals if they are not known.
   ProcessSignals planned(double now_s) const { return plan_.at(now_s).value_or(safeSignals()); }
   /// Alarms that are raised now.
   std::vector<ProcessAlarm> raised() const { return raised_.all(); }
   bool isTripped() const { return !trip_.empty(); }
-  /// Number of chunks that changed what had already been sent, as values are sent ahead by the dead time.
+  /// Number of chunks that changed values already sent; values are sent ahead of time by the dead time.
   std::uint64_t overtaken() const { return overtaken_; }
   /// Number of chunks that came after their first values should have been sent.
   std::uint64_t lateChunks() const { return late_chunks_; }
@@ -101,10 +102,10 @@ class ProcessBridge {
   std::vector<ProcessAlarm> events_;
   std::vector<bool> was_connected_;
   bool are_all_connected_ = false;
-  std::string trip_;  ///< why; empty if it is not
+  std::string trip_;  ///< why the bridge has tripped; empty if it has not
   std::optional<double> off_since_s_;
   std::optional<double> beam_since_s_;
-  double chunk_late_s_ = 0.0;  ///< since the last cycle
+  double chunk_late_s_ = 0.0;  ///< greatest lateness of a chunk since the last cycle
   double late_reported_s_;
   std::uint64_t overtaken_ = 0;
   std::uint64_t late_chunks_ = 0;

@@ -12,19 +12,19 @@
 
 namespace lamina {
 
-/// Signals of the process at an instant; linear in between.
+/// Signals of the process at a time; linear from one entry to the next.
 struct PlannedProcess {
   double time_s = 0.0;
   ProcessSignals signals;
 };
 
-/// A piece of the process over time.
+/// A piece of the planned process.
 struct ProcessChunk {
   std::vector<PlannedProcess> points;  ///< in order of time
-  double valid_until_s = 0.0;          ///< after it nothing is known
+  double valid_until_s = 0.0;          ///< time after which the chunk states nothing
 };
 
-/// The planned process over absolute time, as far as it is known. From its first point on, a chunk replaces
+/// The planned process over absolute time, as far as it is known. A chunk replaces, from its first point on,
 /// what was planned before. Between the end of one chunk and the begin of the next nothing is known.
 class ProcessPlan {
  public:
@@ -38,16 +38,16 @@ class ProcessPlan {
   /// The signals planned for a time; nothing if they are not known. In logarithmic time.
   std::optional<ProcessSignals> at(double time_s) const;
 
-  /// When the last chunk ends [s]; -infinity before the first.
+  /// End of the last chunk [s]; -infinity if there is none.
   double validUntil() const { return valid_until_s_; }
 
-  /// Drops what lies before a time.
+  /// Drops all points before a time.
   void forget(double time_s);
 
  private:
   struct Point {
     double time_s = 0.0;
-    std::optional<ProcessSignals> signals;  ///< nothing: unknown until the next
+    std::optional<ProcessSignals> signals;  ///< nothing if the signals are unknown until the next point
   };
   std::deque<Point> points_;
   double valid_until_s_ = -std::numeric_limits<double>::infinity();

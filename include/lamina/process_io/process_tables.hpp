@@ -42,15 +42,16 @@ struct OutputChannel {
   std::string write;  ///< place in the device: a register, a text with {value}, a pin, a topic
   double scale = 1.0;
   double offset = 0.0;
-  double low = 0.0;          ///< lower bound of values that are sent while it is on [unit of the quantity]
-  double high = 0.0;         ///< upper bound; must be above `low`
-  double safe = 0.0;         ///< sent while it is off, and whenever anything is wrong; may lie below `low`
+  double low = 0.0;   ///< lower bound of values that are sent while the channel is on [unit of the quantity]
+  double high = 0.0;  ///< upper bound; must be above `low`
+  double safe = 0.0;  ///< sent while the channel is off, and whenever there is a fault; may lie below `low`
   double nominal = 0.0;      ///< sent while the process is on and no value is stated; 0 is off
   double slew_per_s = 0.0;   ///< greatest change in a second between `low` and `high`; 0 for no limit
-  double dead_time_s = 0.0;  ///< from sending a value to the begin of its effect
+  double dead_time_s = 0.0;  ///< time from sending a value to the begin of its effect
   double lag_s = 0.0;        ///< time constant of the effect after the dead time
-  double wire_diameter_mm = 0.0;  ///< by which a wire speed follows from the flow; 0 if it does not
-  /// By which a screw's speed follows from the flow: rpm, mm³ per revolution, rpm, mm³ ...
+  /// Diameter of the wire from which the wire's speed follows by the flow; 0 if it does not follow.
+  double wire_diameter_mm = 0.0;
+  /// Table from which a screw's speed follows by the flow: rpm, mm³ per revolution, rpm, mm³ ...
   std::vector<double> screw;
   int fault_register = -1;  ///< register of a Modbus device's own value for a lost link; -1 for none
 };
@@ -67,15 +68,15 @@ enum class InputCheck : std::uint8_t {
 struct InputChannel {
   std::string name;
   std::string device;
-  int read = 0;            ///< register
+  int read = 0;            ///< number of the register
   bool is_signed = false;  ///< whether the register is a two's complement
   double scale = 1.0;
   double offset = 0.0;
   InputCheck check = InputCheck::Shown;
-  std::string channel;     ///< for Follows and Present
+  std::string channel;     ///< name of the channel that Follows and Present refer to
   double tolerance = 0.0;  ///< [unit of the channel's quantity]
   double least = 0.5;
-  double after_s = 0.5;  ///< for which it must be wrong before an alarm is raised
+  double after_s = 0.5;  ///< time for which the input must be wrong before an alarm is raised
 };
 
 enum class DeviceKind : std::uint8_t { ModbusTcp, ModbusRtu, SerialText, SetIo, Topic, None };
@@ -89,9 +90,9 @@ struct DeviceSettings {
   int baud = 19200;
   Parity parity = Parity::Even;   ///< of Modbus RTU
   int unit = 1;                   ///< unit number of Modbus
-  double timeout_s = 0.2;         ///< for an answer; after that the link is lost
-  double retry_s = 1.0;           ///< from the loss of a link to the next attempt
-  std::string answer;             ///< that a serial device gives to each line; empty if it gives none
+  double timeout_s = 0.2;         ///< longest wait for an answer; after that the link counts as lost
+  double retry_s = 1.0;           ///< time from the loss of a link to the next attempt
+  std::string answer;             ///< answer of a serial device to each line; empty if it gives none
   int watchdog_register = -1;     ///< register that holds the device's watchdog time; -1 if it cannot be read
   double watchdog_unit_s = 1e-3;  ///< unit of that register
   double watchdog_most_s = 0.5;   ///< longest watchdog time that is accepted
@@ -114,6 +115,7 @@ struct ProcessTableSettings {
 /// Adds the keys devices, channels and inputs.
 void describe(SettingsSchema& schema, ProcessTableSettings& settings);
 
+/// Reads the tables from the settings.
 /// @throws InvalidConfig naming row, key, value and bound; also if a band is empty, a device or channel is
 ///   unknown, or a table of a screw does not rise
 ProcessTables processTables(const ProcessTableSettings& settings);

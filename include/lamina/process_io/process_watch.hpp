@@ -14,12 +14,12 @@
 
 namespace lamina {
 
-/// An alarm of the unit (docs/cell/cell.md): that it is raised, or that its cause is gone.
+/// A change of an alarm (docs/cell/cell.md): the alarm is raised, or its cause has gone.
 struct ProcessAlarm {
   std::uint16_t id = 0;
   std::string source;
   double value = 0.0;
-  std::string message;  ///< empty if the cause is gone
+  std::string message;  ///< empty if the cause has gone
   bool is_gone = false;
 };
 

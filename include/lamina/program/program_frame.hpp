@@ -10,7 +10,7 @@
 
 namespace lamina {
 
-/// Where the part of a program stands on the bed, and in which coordinates the program is written.
+/// Pose of a program's part on the bed, and the coordinates in which the program is written.
 struct ProgramFrame {
   ProgramFrame() = default;
   ProgramFrame(const Eigen::Isometry3d& placed)  // NOLINT: a place on the bed is a frame of most programs
@@ -22,7 +22,7 @@ struct ProgramFrame {
   Eigen::Affine3d program_from_bed = Eigen::Affine3d::Identity();
 };
 
-/// What a program's header states about layers, nozzle and axes that differ from the usual ones.
+/// What a program's header states about layers, nozzle and axes if they are not the usual ones.
 struct StatedFrame {
   Eigen::Quaterniond bed_from_layers = Eigen::Quaterniond::Identity();
   Eigen::Quaterniond bed_from_nozzle = nozzleDown();
@@ -34,12 +34,12 @@ struct StatedFrame {
 /// stated: level layers, a nozzle that points straight down, axes that are those of the bed.
 std::string frameComments(const StatedFrame& frame);
 
-/// Whether a comment, without its semicolon, is one that `frameComments` writes.
+/// Whether a comment, given without its semicolon, is one of those that `frameComments` writes.
 bool isFrameComment(std::string_view comment);
 
 /// Reads a comment, without its semicolon, into the frame if it is one that `frameComments` writes.
 /// @return whether it is; other comments change nothing
-/// @throws InvalidProgram if such a comment does not hold a rotation, or an invertible map
+/// @throws InvalidProgram if such a comment states no rotation, or no invertible map
 bool readFrameComment(std::string_view comment, StatedFrame& frame);
 
 }  // namespace lamina

@@ -10,10 +10,10 @@
 
 namespace lamina {
 
-/// What a robot's program states besides its toolpath: by what the process is switched, and external axes.
+/// What a robot's program states besides its toolpath: how the process is switched, and external axes.
 struct StatedEquipment {
   /// Outputs, schedules or data of arcs, weaves of the controller, process values with their outputs, and
-  /// waits for the process; each once, in words: "output 1".
+  /// waits for the process; each once, as text: "output 1".
   std::set<std::string> process;
   /// Values of the external axes at the first move of the part [mm, deg]; empty for none.
   std::vector<double> external;
@@ -27,11 +27,11 @@ struct EquippedToolpath {
   StatedEquipment equipment;
 };
 
-/// Refuses a program that is written anew with other equipment than it was read with.
+/// Checks that a program to be written has the equipment of the program from which it was read.
 /// @param program  name of the program that was read, for errors
 /// @param keys  settings by which it is written: "robot_program.*"
-/// @throws InvalidInput naming what was found and what would be written: external axes, what carries the bed,
-///   how the process is switched
+/// @throws InvalidInput naming what was found and what would be written, if external axes, the carrier of the
+///   bed, or the way in which the process is switched differ
 void requireSameEquipment(const StatedEquipment& read, const StatedEquipment& written,
                           const std::string& program, const std::string& keys);
 

@@ -17,8 +17,8 @@ enum class StatedMove : std::uint8_t {
   Nozzle,  ///< the nozzle: its tip on a straight line, its orientation at constant angular speed
 };
 
-/// The motion that a program commands of a machine or robot: joints as the file states them, not as planning
-/// would choose them.
+/// The motion that a program commands of a machine or robot, with joint values as the program states them
+/// instead of planned ones.
 struct StatedMotion {
   Toolpath toolpath;  ///< in coordinates of the bed; each line that moves is a waypoint
   JointPath joints;   ///< at the waypoints; faults are those of waypoints without joints

@@ -7,7 +7,7 @@
 
 namespace lamina {
 
-/// Receives a text piece by piece, in order. The pieces together are the text; a piece may end amid a line.
+/// Receives a text piece by piece, in order. Pieces may end within a line.
 using TextSink = std::function<void(std::string_view piece)>;
 
 }  // namespace lamina

@@ -21,7 +21,7 @@ struct PlaneSettings {
   ToolAxis tool_axis = ToolAxis::Normal;
 };
 
-/// What determines the heights of plane layers.
+/// How the heights of plane layers are determined.
 enum class LayerHeights {
   Equal,     ///< `layer_height_mm`, the same for all but the first
   Adaptive,  ///< the slopes of the part (`adaptiveLayers`)

@@ -40,10 +40,12 @@ class Startup {
   bool hasMachineAtWork() const;
   /// Whether every step is Done or Skipped.
   bool isReady() const;
-  /// @throws Rejected naming the first step that is neither Done nor Skipped, and the reason
+  /// Requires that every step is Done or Skipped.
+  /// @throws Rejected naming the first step that is not, and the reason
   void requireReady() const;
-  /// @throws Rejected as `requireReady`; also if the program is not the one that was transferred, where that
-  ///   step is in the sequence
+  /// Requires that every step is Done or Skipped, and that the program is the one that was transferred. The
+  /// program is not checked if the step TransferProgram is Skipped or not in the sequence.
+  /// @throws Rejected naming the step or the program, and the reason
   void requireReadyFor(const ProgramIdentity& program) const;
   /// The state of a step; Skipped if it is not in the sequence.
   StartupState stateOf(StartupStep step) const;

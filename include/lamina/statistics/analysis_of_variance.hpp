@@ -34,10 +34,9 @@ struct AnalysisOfVariance {
 /// III, with contrasts that sum to zero: each source is compared with the model of all other sources. If all
 /// cells have equal numbers of observations, all types of sums are equal.
 /// @param response  one value per observation
-/// @throws InvalidInput if there is no factor, one has fewer than two levels or another number of
-/// observations
-///   than the response, a value is not finite, a pair of levels was never observed (so that their interaction
-///   cannot be estimated), or no degree of freedom is left for the error
+/// @throws InvalidInput if there is no factor, a factor has fewer than two levels or another number of
+///   observations than the response, a value is not finite, a pair of levels was never observed (so that
+///   their interaction cannot be estimated), or no degree of freedom is left for the error
 AnalysisOfVariance analyseVariance(const std::vector<double>& response, const std::vector<Factor>& factors);
 
 }  // namespace lamina

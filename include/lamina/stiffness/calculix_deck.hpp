@@ -8,10 +8,10 @@
 
 namespace lamina {
 
-/// Writes the elements, the material and the given displacements of a result as an input deck for CalculiX
-/// (`ccx`), for comparison. CalculiX then prints the displacements of all nodes and the reactions of the
-/// nodes at rest. Nodes and elements are numbered from 1 in the order of the lattice.
-/// @throws FileError if it cannot be written; an existing file then remains
+/// Writes the elements, the material and the prescribed displacements of a result as an input deck for
+/// CalculiX (`ccx`), for comparison. CalculiX then prints the displacements of all nodes and the reactions of
+/// the fixed nodes. Nodes and elements are numbered from 1 in the order of the lattice.
+/// @throws FileError if it cannot be written; an existing file is then unchanged
 void writeCalculixDeck(const StiffnessResult& result, const ElasticMaterial& material,
                        const std::string& path);
 

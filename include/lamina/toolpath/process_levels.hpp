@@ -13,7 +13,7 @@
 
 namespace lamina {
 
-/// A quantity of the process that a toolpath can set, besides flow and what is only switched.
+/// A quantity of the process that a toolpath can set, besides flow and on-off signals.
 enum class ProcessLevel : std::uint8_t { LaserPower, WireSpeed, ScrewSpeed, Powder, Gas, Fan };
 
 inline constexpr std::size_t kProcessLevels = 6;

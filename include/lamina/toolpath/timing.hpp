@@ -61,8 +61,8 @@ class ToolpathPlayer {
   /// The nozzle at a time: before 0 at the first waypoint, after the end at the last.
   /// @throws InvalidInput if the toolpath has no motion, or a feed is not positive
   NozzleSample at(double time_s);
-  /// Time at which the nozzle reaches the next waypoint after the time of the last call of `at`; who passes
-  /// it to `at` misses no waypoint. Infinite after the end, and before the first call of `at`.
+  /// Time at which the nozzle reaches the next waypoint after the time of the last call of `at`; a caller
+  /// that passes it to `at` misses no waypoint. Infinite after the end, and before the first call of `at`.
   double nextWaypointTime() const;
   /// Whether the time of the last call of `at` was at or after the end.
   bool isFinished() const;

@@ -13,7 +13,7 @@
 
 namespace lamina {
 
-/// What a path is for.
+/// Purpose of a path.
 enum class PathRole : std::uint8_t {
   Skirt = 0,
   OuterWall = 1,
@@ -21,11 +21,11 @@ enum class PathRole : std::uint8_t {
   Infill = 3,
   GapFill = 4,
   Travel = 5,
-  TopSkin = 6,            ///< solid, seen from above
+  TopSkin = 6,            ///< solid, visible from above
   Skin = 7,               ///< solid, hidden
-  BottomSkin = 8,         ///< solid, seen from below
-  Bridge = 9,             ///< spans what is open below
-  Support = 10,           ///< holds up the part, and is taken away
+  BottomSkin = 8,         ///< solid, visible from below
+  Bridge = 9,             ///< spans a gap in the layer below
+  Support = 10,           ///< holds up the part, and is removed afterwards
   SupportInterface = 11,  ///< between support and part
   Brim = 12,
   Raft = 13,
@@ -33,7 +33,7 @@ enum class PathRole : std::uint8_t {
   Ironing = 15  ///< passes over a top skin again
 };
 
-/// Kinds of roles, by what becomes of the material.
+/// Kinds of roles, by whether and where the deposited material stays.
 enum class RoleKind : std::uint8_t {
   Travel,   ///< none
   Wall,     ///< stays, along the part's surface
@@ -49,7 +49,7 @@ const char* toString(PathRole role);
 /// @throws InvalidInput if the name is unknown
 PathRole pathRoleFromString(const std::string& name);
 
-/// Cross-section of what is deposited [mm]. A width of 0 deposits nothing.
+/// Cross-section of deposited material [mm]. A width of 0 deposits nothing.
 struct Bead {
   double width_mm = 0.0;
   double height_mm = 0.0;
@@ -87,9 +87,9 @@ class AlongPath {
   std::vector<Value> values_;
 };
 
-/// What the process does along a path besides depositing.
+/// State of the process along a path besides depositing.
 struct ProcessFlags {
-  /// Material is pulled back before the first motion of this path and pushed forth after the last one.
+  /// Material is retracted before the first motion of this path and extruded again after the last one.
   bool is_retracted = false;
 };
 
@@ -121,27 +121,27 @@ struct Path {
   /// Waypoint index at which motion m (0 based) ends. Motion m starts at waypoint m.
   std::size_t motionEnd(std::size_t motion) const { return motion + 1 == points.size() ? 0 : motion + 1; }
   const Point3& firstPoint() const { return points.front(); }
-  /// Where the nozzle is when the path is done: the first point if closed.
+  /// Position of the nozzle at the end of the path: the first point if it is closed.
   const Point3& lastPoint() const { return is_closed ? points.front() : points.back(); }
 };
 
-/// Paths of one layer in the order they are run. Consecutive paths join end to start: where nothing is
-/// deposited in between, a Travel path stands between them.
+/// Paths of one layer in the order in which they are run. Each path begins where the one before ends; where
+/// nothing is deposited in between, there is a Travel path.
 struct ToolpathLayer {
   double z_mm = 0.0;       ///< height of the nozzle tip [frame of the layers]: the top of the layer
   double height_mm = 0.0;  ///< thickness of the layer
   std::vector<Path> paths;
 };
 
-/// Everything the nozzle does for one part, in the part frame: the value that slicers and planners make, that
-/// programs are written from and that simulators and metrics read.
+/// All motions of the nozzle for one part, in the part frame: made by slicers and planners, and read by
+/// program writers, simulators and metrics.
 struct Toolpath {
   std::string part_name;
   std::vector<ToolpathLayer> layers;
   /// Rotation of the frame of the layers about the part's origin; in that frame a layer lies at the height
   /// `z_mm`. Waypoints are nevertheless in the part frame.
   Eigen::Quaterniond part_from_layers = Eigen::Quaterniond::Identity();
-  std::vector<ToolpathEvent> events_at_end = {};  ///< once all paths are run
+  std::vector<ToolpathEvent> events_at_end = {};  ///< events after all paths
 };
 
 /// Nozzle pointing straight down: its z (the tool axis) along -z of the part, its x along x of the part.
@@ -160,7 +160,7 @@ double planWidth(const Bead& bead);
 /// The bead of that area [mm²] and height. An area of 0 gives a width of 0.
 Bead beadOfArea(double area_mm2, double height_mm);
 
-/// Material deposited along the path [mm³].
+/// Volume of the material deposited along the path [mm³].
 double depositedVolume(const Path& path);
 
 /// Lengths and counts of a toolpath.

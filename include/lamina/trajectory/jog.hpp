@@ -40,7 +40,7 @@ struct JogOrder {
       Eigen::Vector3d::Zero();  ///< angular velocity about the tip [bed frame]
 };
 
-/// How far an order is obeyed.
+/// How far an order is carried out.
 struct JogAnswer {
   double scale = 1.0;  ///< speed at the end of the lease, as a share of the one ordered
   std::string reason;  ///< why `scale` is less than 1; empty otherwise
@@ -65,11 +65,11 @@ class Jog {
   Jog(const KinematicModel& model, const JogSettings& settings, double ramp_s, const JointValues& start);
 
   /// Plans the motion anew from the first point that can still change. If limits do not allow an order as a
-  /// whole, it is obeyed at a lower speed, in the same direction. The motion brakes in time for the limits of
-  /// joints, for singularities, for the workspace and for the guard. If an order cannot be obeyed at all, the
-  /// motion brakes. If planning takes so long that the first point has passed, the order has no effect, and
-  /// the running motion goes on to its rest.
-  /// @param clock  tells how long planning takes; empty if that does not matter
+  /// whole, it is carried out at a lower speed, in the same direction. The motion brakes in time for the
+  /// limits of joints, for singularities, for the workspace and for the guard. If an order cannot be carried
+  /// out at all, the motion brakes. If planning takes so long that the first point has passed, the order has
+  /// no effect, and the running motion continues to its rest.
+  /// @param clock  used to measure how long planning takes; empty if that does not matter
   /// @throws InvalidInput if values are not finite or not those of the model, or the machine cannot move its
   ///   nozzle in this way; the motion then brakes
   JogAnswer order(const JogOrder& order, double now_s, const JogGuard& guard = {},

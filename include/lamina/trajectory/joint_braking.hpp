@@ -12,8 +12,8 @@ namespace lamina {
 /// @param brake_s  time in which a joint comes to rest from its greatest speed
 double brakeTime(const JointValues& velocity, const std::vector<DrivenJoint>& joints, double brake_s);
 
-/// Greatest time in which they may come to rest together, at constant decelerations, so that none of them
-/// passes its limits [s]; infinite if all are at rest.
+/// Greatest time in which all joints may come to rest together, each at constant deceleration, without any of
+/// them passing its limits [s]; infinite if all are at rest.
 double brakeRoom(const JointValues& position, const JointValues& velocity,
                  const std::vector<DrivenJoint>& joints);
 

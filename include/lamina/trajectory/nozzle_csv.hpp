@@ -18,6 +18,7 @@ struct NozzleTable {
 /// The process values that at least one path of a toolpath states, in the order of `kAllProcessLevels`.
 std::vector<ProcessLevel> levelsIn(const Toolpath& toolpath);
 
+/// Checks a rate.
 /// @throws InvalidConfig naming the rate if it is out of `kNozzleRates`
 void requireNozzleRate(double rate_hz);
 

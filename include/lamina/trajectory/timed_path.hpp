@@ -24,6 +24,7 @@ struct TimingSettings {
   ProcessSettings process;
 };
 
+/// Checks the settings.
 /// @throws InvalidConfig naming key, value and bound
 void validate(const TimingSettings& settings);
 

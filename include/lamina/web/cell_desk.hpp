@@ -17,7 +17,7 @@ namespace lamina {
 /// Value of figures that were not measured.
 constexpr double kNotMeasured = std::numeric_limits<double>::quiet_NaN();
 
-/// A job as the page shows it.
+/// A job as shown on the page.
 struct ShownJob {
   std::int64_t id = 0;
   std::string name;
@@ -89,7 +89,7 @@ struct ShownLoop {
   int alarm = 0;
 };
 
-/// Errors of a layer's height: measured less expected.
+/// Errors of a layer's height: measured minus expected.
 struct ShownLayer {
   std::uint32_t layer = 0;
   double mean_error_m = 0.0;
@@ -98,12 +98,12 @@ struct ShownLayer {
   double coverage = 0.0;
 };
 
-/// Errors of height over the layer measured last, in rows from the back of the bed to its front.
+/// Errors of height over the layer that was measured last, in rows from the back of the bed to its front.
 struct ShownDeviation {
   std::uint64_t number = 0;  ///< number of this picture, from 1; 0 if there is none yet
   std::uint32_t columns = 0;
   std::uint32_t rows = 0;
-  std::vector<float> errors_m;  ///< measured less expected, row by row; NaN where nothing was measured
+  std::vector<float> errors_m;  ///< measured minus expected, row by row; NaN where nothing was measured
 };
 
 /// All that is known of the cell at one instant.

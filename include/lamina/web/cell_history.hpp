@@ -34,7 +34,7 @@ struct CellEvent {
 /// events, and an estimate of the time that the job still takes.
 class CellHistory {
  public:
-  /// Takes a snapshot; ignored before the unit's first report.
+  /// Adds a snapshot; ignored before the unit's first report.
   void observe(const CellSnapshot& seen, const CellTime& now);
 
   const std::deque<HistorySample>& samples() const { return samples_; }

@@ -34,7 +34,7 @@ class MultipartReader {
  public:
   MultipartReader(const std::string& boundary, MultipartHandlers handlers);
 
-  /// Takes the next piece of the body.
+  /// Reads the next piece of the body.
   /// @throws InvalidInput if it is no valid form: a part without name, a head of more than 8 KiB, more than
   ///   16 parts
   void read(std::string_view piece);

@@ -42,7 +42,7 @@ struct SiteSettings {
   std::vector<std::string> notices = {};  ///< shown on the page as long as the site runs
 };
 
-/// How the body of a request is received, or how the connection goes on.
+/// How the body of a request is received, or how the connection is used afterwards.
 enum class RouteBody : std::uint8_t {
   None,
   Small,   ///< at most 64 KiB
@@ -61,8 +61,8 @@ struct RouteRow {
 
 constexpr std::uint64_t kMostSmallBody = 65536;
 
-/// The operator's page and its HTTP interface: takes requests, returns answers, and gives orders to the cell.
-/// It does not deal with sockets.
+/// The operator's page and its HTTP interface: receives requests, returns answers, and gives orders to the
+/// cell. It does not handle sockets.
 ///
 /// A request is first admitted by its head, then answered with its body. The audit has an entry for every
 /// request that is to change something, and for refused requests, of which it takes a limited number per

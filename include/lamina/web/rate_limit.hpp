@@ -8,22 +8,24 @@
 
 namespace lamina {
 
-/// How many of something may happen: `burst` at once, and `per_second` in the long run.
+/// Greatest frequency of an event: `burst` at once, and `per_second` in the long run.
 struct Rate {
   double per_second = 20.0;
   double burst = 40.0;
 };
 
-/// Holds each of several sources, such as addresses of clients, to the same rate, each by itself (token
-/// bucket). At most 1024 sources are kept: the ones that took nothing for long are forgotten first.
+/// Limits events of several sources, such as addresses of clients, to the same rate, each source by itself
+/// (token bucket). At most 1024 sources are remembered; the ones without events for the longest time are
+/// forgotten first.
 class RateLimit {
  public:
   explicit RateLimit(Rate rate) : rate_(rate) {}
 
-  /// Takes one. @return false if there is none left
+  /// Counts an event, if the rate allows it.
+  /// @return false if it does not
   bool take(const std::string& source, double now_s);
 
-  /// True if one is left.
+  /// Whether the rate allows an event now.
   bool hasLeft(const std::string& source, double now_s) const;
 
  private:

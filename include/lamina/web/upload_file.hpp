@@ -39,7 +39,7 @@ class UploadFile {
   UploadFile(const UploadFile&) = delete;
   UploadFile& operator=(const UploadFile&) = delete;
 
-  /// Takes the next piece of the body.
+  /// Reads the next piece of the body.
   /// @throws InvalidInput if it is no valid form, has two files, or has a field of more than 4 KiB
   /// @throws UploadTooLarge; FileError if the file cannot be made
   void read(std::string_view piece);

@@ -17,7 +17,7 @@
 
 namespace lamina {
 
-/// Settings of access: who is let in, and at which rate.
+/// Settings of access: which clients are admitted, and at which rate.
 struct WebAccessSettings {
   bool is_loopback_open = true;         ///< clients on this host need no token and have the role maintenance
   std::vector<std::string> hosts;       ///< names allowed in `Host`, besides those of the loopback interface
@@ -39,7 +39,7 @@ struct WebIdentity {
   std::string csrf;             ///< value that requests without a token must state in `X-CSRF-Token`
 };
 
-/// Why a client is not let in.
+/// Reason why a client is not admitted.
 struct WebRefusal {
   int status = 403;
   std::string code;     ///< "wrong_host"
@@ -58,7 +58,7 @@ struct KeyRequest {
   std::string from;  ///< address of the application
 };
 
-/// Identifies clients and decides whether they are let in. Times are passed in; may be called from several
+/// Identifies clients and decides whether they are admitted. Times are passed in; may be called from several
 /// threads.
 class WebAccess {
  public:

@@ -6,22 +6,22 @@
 
 namespace lamina {
 
-/// Appends the value with that many decimals, all of them; never -0.
+/// Appends a value with exactly that many decimals; never -0.
 void appendDecimals(std::string& text, double value, int decimals);
 
-/// Appends the shortest digits that give the value back.
+/// Appends the shortest decimal text that reads back as the same value.
 void appendShortest(std::string& text, double value);
 
-/// The shortest digits that give the value back, without an exponent.
+/// The shortest decimal text without an exponent that reads back as the same value.
 std::string shortestText(double value);
 
-/// The value to that many significant digits, without zeros at the end: 0.125, 1.2e-05.
+/// A value with at most that many significant digits, without trailing zeros: 0.125, 1.2e-05.
 std::string significantText(double value, int digits);
 
-/// The value with that many decimals, all of them; never -0.
+/// A value with exactly that many decimals; never -0.
 std::string decimalText(double value, int decimals);
 
-/// The value with that many decimals at most, without zeros at the end: 0.15.
+/// A value with at most that many decimals, without trailing zeros: 0.15.
 std::string trimmedDecimals(double value, int decimals);
 
 }  // namespace lamina

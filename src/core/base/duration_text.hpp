@@ -8,17 +8,17 @@
 
 namespace lamina {
 
-/// A duration in a message, to the nearest tenth: "2.5 s".
+/// A duration for messages, rounded to tenths of a second: "2.5 s".
 inline std::string nearestTenths(double duration_s) { return decimalText(duration_s, 1) + " s"; }
 
-/// Cut to tenths.
+/// A duration for messages, rounded down to tenths of a second.
 inline std::string fullTenths(double duration_s) {
   std::string text = decimalText(duration_s, 6);
   text.erase(text.find('.') + 2);
   return text + " s";
 }
 
-/// Cut to whole seconds: "12 s".
+/// A duration for messages, rounded down to whole seconds: "12 s".
 inline std::string wholeSeconds(double duration_s) {
   return std::to_string(static_cast<int>(duration_s)) + " s";
 }

@@ -6,17 +6,17 @@
 
 namespace lamina {
 
-/// What a module offers: a library beside the core that is loaded when it is first needed, so that commands
-/// without need for it start without what it links to. Each module defines one table of functions, and
-/// `extern "C" const void* lamina_module()` that returns its address.
+/// The functions of a module: a library beside the core that is loaded when it is first needed, so that
+/// commands that do not need it start without the libraries it links to. Each module defines one table of
+/// functions, and `extern "C" const void* lamina_module()` that returns the address of this table.
 ///
-/// @param name  of the module; its file is `liblamina_<name>.so` in the folder of the core library
-/// @return the module's table; the same for every call, from any thread; stays loaded
+/// @param name  name of the module; its file is `liblamina_<name>.so` in the folder of the core library
+/// @return the module's table; the same one at every call, from any thread; valid until the process ends
 /// @throws FileError if the file cannot be loaded or is no module
 const void* moduleTable(const std::string& name);
 
-/// Folder of the core library with its slash at the end; empty for the one the process runs in.
-/// @throws FileError if it is not known
+/// Folder of the core library, with a slash at its end; empty if it is the working directory.
+/// @throws FileError if the folder is not known
 std::string folderOfTheCore();
 
 }  // namespace lamina

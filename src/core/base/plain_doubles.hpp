@@ -6,8 +6,8 @@
 
 namespace lamina {
 
-/// Policy of distributions that are computed as doubles. The `long double` that Boost takes by itself makes
-/// every program that loads the core compute constants for it as it starts.
+/// Policy by which Boost computes distributions as doubles. With its default, `long double`, every program
+/// that loads the core would compute constants at its start.
 using PlainDoubles = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
 
 }  // namespace lamina

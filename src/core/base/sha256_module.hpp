@@ -6,7 +6,8 @@
 
 namespace lamina {
 
-/// What the module `sha256` offers: OpenSSL's digest, which only kept or uploaded programs and cells need.
+/// Functions of the module `sha256`: OpenSSL's digest, which is needed only for programs that are kept or
+/// uploaded, and for cells.
 struct Sha256Module {
   std::string (*digest_of)(const ByteSource& source) = nullptr;
 };

@@ -13,15 +13,16 @@
 
 namespace lamina {
 
-/// A piece of a YAML document that knows where it stands, and refuses what does not fit by source, line and
+/// A node of a YAML document with its position. Reading refuses anything unexpected, naming source, line and
 /// key.
 class StrictYaml {
  public:
   using Entries = std::vector<std::pair<std::string, StrictYaml>>;
 
-  /// @param key  by which a person finds the piece; empty for the document
+  /// @param key  dotted key that leads to the node, for messages; empty for the whole document
   StrictYaml(const YAML::Node& node, std::string source_name, std::string key);
 
+  /// Refuses the node.
   /// @throws InvalidConfig always
   [[noreturn]] void refuse(const std::string& what) const;
 
@@ -30,28 +31,32 @@ class StrictYaml {
   bool isScalar() const { return node_.IsScalar(); }
 
   /// The entries of a map, in order.
-  /// @throws InvalidConfig if it is none, or a key stands twice
+  /// @throws InvalidConfig if the node is no map, or has a key twice
   Entries entries() const;
-  /// The same, of a map that may have these keys only.
-  /// @throws InvalidConfig naming those it may have
+  /// The entries of a map that may have these keys only.
+  /// @throws InvalidConfig as `entries()`; naming the allowed keys if it has another one
   Entries entries(const std::vector<std::string>& allowed) const;
-  /// The pieces of a list.
-  /// @throws InvalidConfig if it is none
+  /// The elements of a list.
+  /// @throws InvalidConfig if the node is no list
   std::vector<StrictYaml> pieces() const;
 
-  /// @throws InvalidConfig if it is no single value
+  /// The text of a scalar.
+  /// @throws InvalidConfig if the node is no scalar
   std::string text() const;
   std::vector<std::string> texts() const;
-  /// @throws InvalidConfig if it is no finite number
+  /// A finite number.
+  /// @throws InvalidConfig if the node is none
   double number() const;
   std::vector<double> numbers() const;
-  /// @throws InvalidConfig if it is no whole number within the bounds
+  /// A whole number.
+  /// @throws InvalidConfig if the node is none, or lies outside the bounds
   int whole(int low, int high) const;
-  /// @throws InvalidConfig if it is neither true nor false
+  /// True or false.
+  /// @throws InvalidConfig if the node is neither
   bool flag() const;
 
-  /// Single values by dotted keys.
-  /// @throws InvalidConfig if keys are nested more than ten deep, as those of an alias to itself are
+  /// All scalars below the node, with dotted keys.
+  /// @throws InvalidConfig if keys are nested more than ten deep, as in an alias that contains itself
   std::vector<SettingText> settings() const;
 
  private:

@@ -8,26 +8,26 @@
 
 namespace lamina {
 
-/// A short piece of a bead as one pass saw it: the mean of its points, weighted by their height over the bed,
-/// lies on the bead's middle line, whatever the shape of its section.
+/// A short piece of a bead in one pass of the sensor. The mean of its points, weighted by their height over
+/// the bed, lies on the centre line of the bead, whatever the shape of its cross-section.
 struct Crest {
-  std::vector<std::size_t> points;  ///< of the view
-  std::vector<double> weights;      ///< of sum 1
-  Point2 normal = Point2::UnitX();  ///< across the bead
-  double offset_mm = 0.0;           ///< of the middle line along the normal
+  std::vector<std::size_t> points;  ///< indices of its points among those of the view
+  std::vector<double> weights;      ///< weight of each point; their sum is 1
+  Point2 normal = Point2::UnitX();  ///< direction across the bead
+  double offset_mm = 0.0;           ///< position of the centre line along that normal
 };
 
-/// Distance of a crest from its bead, across it [mm].
+/// Distance of a crest from its bead, measured across the bead [mm].
 double crestDistance(const Crest& crest, const ViewPoints& view, const Eigen::Isometry3d& nozzle_from_sensor);
 
-/// The crests of a cross, with the sensor's pose known within a bead's width.
+/// The crests of a cross, with the sensor's pose known to within a bead's width.
 std::vector<Crest> crestsOf(const CrossTarget& target, const ViewPoints& view,
                             const Eigen::Isometry3d& nozzle_from_sensor);
 
-/// Shifts the sensor by up to 12 mm and turns it by up to 5 deg about the bed's normal so that what is higher
-/// than the bed lies on the beads.
-/// @param nozzle_from_sensor  by which the bed is level and at height 0 about
-/// @throws InvalidInput if less than 60 % of that does
+/// The sensor's pose, shifted by up to 12 mm and turned by up to 5 deg about the bed's normal so that points
+/// above the bed lie on the beads.
+/// @param nozzle_from_sensor  pose with which the bed comes out level and near height 0
+/// @throws InvalidInput if less than 60 % of the points above the bed lie on beads
 Eigen::Isometry3d placedOverCross(const CrossTarget& target, const ViewPoints& view,
                                   const Eigen::Isometry3d& nozzle_from_sensor);
 

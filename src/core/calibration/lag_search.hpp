@@ -7,15 +7,15 @@
 
 namespace lamina {
 
-/// Place of the extremum of the parabola through three equally spaced values, in spacings from the middle
-/// one; 0 where they lie on a line.
+/// Position of the vertex of the parabola through three equally spaced values, in spacings from the middle
+/// one; 0 if the values lie on a line.
 double vertexOfParabola(double before, double middle, double after);
 
-/// Mean, deviation and slope of values.
+/// Mean, standard deviation and slope of a sequence of values.
 struct LineOfValues {
   double mean = 0.0;
-  double deviation = 0.0;  ///< of a sample; 0 of a single value
-  double slope = 0.0;      ///< over the places; 0 of fewer than three values
+  double deviation = 0.0;  ///< standard deviation of the sample; 0 for a single value
+  double slope = 0.0;      ///< slope over the positions of the values; 0 for fewer than three values
 };
 LineOfValues lineOfValues(const std::vector<double>& places, const std::vector<double>& values);
 

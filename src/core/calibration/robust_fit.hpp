@@ -8,31 +8,35 @@
 
 namespace lamina {
 
-/// Unknowns to be found so that residuals become small.
+/// A problem of weighted least squares: unknowns to be found so that residuals become small.
 struct FitProblem {
-  /// As many residuals at any values, each in units of its own standard deviation.
+  /// Residuals at given values of the unknowns, always the same number of them, each divided by its standard
+  /// deviation.
   std::function<Eigen::VectorXd(const Eigen::VectorXd& values)> residuals;
   Eigen::VectorXd start;
-  Eigen::VectorXd steps;  ///< of numeric derivatives, one for each unknown; positive
-  double huber = 2.0;     ///< residuals beyond count by their magnitude, not by their square [Huber1964]
+  Eigen::VectorXd steps;  ///< step of numeric differentiation for each unknown; positive
+  double huber = 2.0;     ///< residuals beyond this count linearly instead of by their square [Huber1964]
 };
 
-/// What was found.
+/// Result of a robust fit.
 struct RobustFit {
   Eigen::VectorXd values;
-  Eigen::MatrixXd information;  ///< inverse of the values' covariance, singular if one is undetermined
-  double rms = 0.0;             ///< of the residuals, weighted
-  bool is_settled = false;      ///< whether the steps became small
+  /// Inverse of the covariance of the values; singular if an unknown is undetermined.
+  Eigen::MatrixXd information;
+  double rms = 0.0;         ///< root mean square of the weighted residuals
+  bool is_settled = false;  ///< whether the fit converged
 };
 
-/// Fits by Levenberg and Marquardt [Marquardt1963] from the start, by central differences. Unknowns that
-/// nothing determines stay where they are. No unknowns give the residuals alone.
+/// Fits by the method of Levenberg and Marquardt [Marquardt1963] from the start values, with central
+/// differences. Unknowns that the residuals do not determine keep their start values. Without unknowns only
+/// the residuals are computed.
 RobustFit fitRobustly(const FitProblem& problem);
 
-/// The information at the start, without fitting.
+/// The information matrix at the start values, without a fit.
 Eigen::MatrixXd informationAt(const FitProblem& problem);
 
-/// 1.4826 times the median magnitude: the standard deviation of what is mostly normal about 0; 0 of nothing.
+/// Robust standard deviation: 1.4826 times the median magnitude, which is the standard deviation of values
+/// that are mostly normal about 0. 0 if there are no values.
 double robustDeviation(std::vector<double> values);
 
 }  // namespace lamina

@@ -10,7 +10,7 @@
 
 namespace lamina {
 
-/// A target's surface, with what is not known of where it stands.
+/// Surface of a target whose position is not exactly known.
 class SurfaceModel {
  public:
   SurfaceModel() = default;
@@ -18,18 +18,18 @@ class SurfaceModel {
   SurfaceModel& operator=(const SurfaceModel&) = delete;
   virtual ~SurfaceModel() = default;
 
-  /// Number of unknowns: shifts [mm] and turns [rad], small about where the target is thought to be.
+  /// Number of unknowns: shifts [mm] and rotations [rad] from the assumed position, all small.
   virtual Eigen::Index unknowns() const = 0;
-  /// Steps of derivatives by them.
+  /// Step of numeric differentiation for each unknown.
   virtual Eigen::VectorXd steps() const = 0;
-  /// The face nearest to a point [mm, bed]; negative for a point of none.
+  /// Index of the face nearest to a point [mm, bed frame]; negative if the point belongs to no face.
   virtual int faceOf(const Point3& point, const Eigen::VectorXd& unknowns) const = 0;
-  /// Distance from a face [mm].
+  /// Signed distance of a point from a face [mm].
   virtual double distance(int face, const Point3& point, const Eigen::VectorXd& unknowns) const = 0;
 };
 
-/// The model of a target.
-/// @param points  as seen so far [mm, bed]; a plane begins where they lie
+/// Makes the model of a target.
+/// @param points  measured so far [mm, bed frame]; the model of a plane starts at these
 std::unique_ptr<SurfaceModel> surfaceModelOf(const SensorTarget& target, const std::vector<Point3>& points);
 
 }  // namespace lamina

@@ -10,16 +10,16 @@
 
 namespace lamina {
 
-/// A point of a view: which profile saw it, and where.
+/// A point that the sensor measured, with the index of its profile.
 struct SeenPoint {
   std::size_t profile = 0;
   Point3 in_sensor = Point3::Zero();  ///< [mm]
 };
 
-/// What of a recording can be placed on the bed but for the sensor's pose.
+/// Points of a recording, ready to be placed on the bed once the sensor's pose is known.
 struct ViewPoints {
-  std::vector<Eigen::Isometry3d> bed_from_nozzle;  ///< by profile
-  std::vector<int> pass;                           ///< by profile: which it was seen in; -1 for none
+  std::vector<Eigen::Isometry3d> bed_from_nozzle;  ///< pose of the nozzle at each profile
+  std::vector<int> pass;                           ///< index of the pass of each profile; -1 for none
   std::vector<SeenPoint> points;
 
   Point3 onBed(const SeenPoint& point, const Eigen::Isometry3d& nozzle_from_sensor) const {
@@ -28,11 +28,11 @@ struct ViewPoints {
   std::vector<Point3> onBed(const Eigen::Isometry3d& nozzle_from_sensor) const;
 };
 
-/// All points of profiles at whose time the nozzle's pose is known.
-/// @throws InvalidInput if there are fewer than 100
+/// All points of those profiles for whose time the pose of the nozzle is known.
+/// @throws InvalidInput if there are fewer than 100 points
 ViewPoints viewPoints(const SensorRecording& recording, double time_offset_s);
 
-/// Up to `most` of them, evenly chosen.
+/// At most `most` of the indices, evenly spread.
 std::vector<std::size_t> evenlyChosen(const std::vector<std::size_t>& from, std::size_t most);
 
 }  // namespace lamina

@@ -12,15 +12,15 @@
 
 namespace lamina {
 
-/// One layer of an atlas. A few bytes per cell, stored together, decide most look-ups without the cell's
-/// other values.
+/// The cells of one layer of an atlas. Most look-ups are decided by a few bytes of each cell, which are
+/// stored together, apart from its other values.
 class CellSheet {
  public:
   CellSheet(std::shared_ptr<const LayerCells> cells, double window_layers);
 
-  /// The cell of the first `deposited` ones on which a point lies.
+  /// The cell that a point lies on, among the first `deposited` cells; nothing if there is none.
   std::optional<CellSight> look(const Point3& point) const;
-  /// The same for many points, whose cells are fetched from memory in advance.
+  /// `look` for many points, with the memory of their cells fetched in advance.
   std::vector<std::optional<CellSight>> look(const std::vector<Point3>& points) const;
 
   const std::shared_ptr<const LayerCells>& cells() const { return cells_; }
@@ -39,7 +39,7 @@ class CellSheet {
   struct PlaneStation {
     float u, v;
     float tangent_u, tangent_v;
-    float half;  ///< length
+    float half;  ///< half the cell's length
     float width;
     float lift;  ///< height of the top above that of the first cell
     float left;  ///< curvature along the path, positive to the left [1/mm]
@@ -55,12 +55,12 @@ class CellSheet {
     float half, width;
     float up, left;  ///< curvature along the path [1/mm]; up is negative over a crest
 
-    double along(const Point3& off) const;                      ///< [mm] of a point off the middle
+    double along(const Point3& off) const;  ///< of a point, given relative to the cell's middle
     float across(const Point3& off, double along_mm) const;     ///< [mm]
     double heightAt(const Point3& off, double along_mm) const;  ///< [mm] above the planned top
   };
-  /// A point in the frame of a cell: `along` in half lengths of it, `across` in widths. Off the cell, unless
-  /// set.
+  /// Coordinates of a point in the frame of a cell: `along` in half lengths, `across` in widths. Their
+  /// default lies off the cell.
   struct LocalCoordinates {
     float along = std::numeric_limits<float>::infinity();
     float across = std::numeric_limits<float>::infinity();
@@ -84,7 +84,7 @@ class CellSheet {
   double heightOnPlane(const PlaneStation& station, const PlanePlace& place) const;
   template <class CoordinatesOf>
   Found best(const BoxCells::Numbers& near, CoordinatesOf coordinates) const;
-  /// @param at  in the axes of the index
+  /// @param at  point in the axes of the index
   std::optional<CellSight> lookOnPlane(const Point3& at, const BoxCells::Numbers& near) const;
   std::optional<CellSight> lookOnBent(const Point3& point, const BoxCells::Numbers& near) const;
   void fetch(std::uint32_t cell) const;
@@ -92,8 +92,8 @@ class CellSheet {
   std::shared_ptr<const LayerCells> cells_;
   StationIndex index_;
   bool is_plane_;
-  double first_top_ = 0.0;        ///< along the normal, of a plane layer
-  std::vector<float> window_mm_;  ///< of each cell, or of all
+  double first_top_ = 0.0;        ///< top of the first cell along the normal, of a plane layer
+  std::vector<float> window_mm_;  ///< one for each cell, or one for all
   std::vector<PlaneStation> plane_;
   std::vector<BentStation> bent_;
 };

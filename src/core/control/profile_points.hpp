@@ -14,7 +14,7 @@ struct SoundPoints {
   std::vector<Point3> points;        ///< [mm, frame of the sensor]
   std::vector<std::size_t> columns;  ///< first point of each column, and the number of points; a column has
                                      ///< all returns along one ray
-  PointCounts counts;                ///< of points left out
+  PointCounts counts;                ///< number of points left out, by reason
 };
 
 /// Leaves out the ends of a profile, points that are not finite or outside the sensor's window, and spray.

@@ -9,9 +9,9 @@
 
 namespace lamina {
 
-/// Neighbouring cells of a run that belong together.
+/// Consecutive cells of a run that belong together.
 struct CellStretch {
-  std::size_t first = 0;  ///< number of its first cell in the layer
+  std::size_t first = 0;  ///< number of the first cell in the layer
   std::size_t count = 0;
 };
 
@@ -20,8 +20,8 @@ inline std::size_t cellOf(const CellRun& run, const CellStretch& stretch, std::s
   return run.first + (stretch.first - run.first + i) % run.count;
 }
 
-/// Divides a run where belongs(cell, next) is false. On a closed run that holds for its last and first cell
-/// too.
+/// Divides a run between cells for which belongs(cell, next) is false. On a closed run the last and the first
+/// cell are tested too.
 template <class Belongs>
 std::vector<CellStretch> stretchesOf(const CellRun& run, Belongs belongs) {
   std::vector<CellStretch> stretches;

@@ -4,23 +4,24 @@
 
 namespace lamina {
 
-/// Cross-section of a bead as a height map sees it.
+/// Cross-section of a bead, sampled by a height map.
 struct BeadSection {
   double width_mm = 0.0;
   double height_mm = 0.0;
-  double cell_mm = 0.0;  ///< of the map: over this length the edge falls to the ground beyond the width
+  /// Cell size of the map; beyond the width, the edge falls to the ground over this length.
+  double cell_mm = 0.0;
 };
 
-/// Height of the bead's top above its underside at a distance from its centre line [mm]: a stadium, whose
-/// flat top is as wide as a cell of the map where the bead is twice as wide, so that some cell is as high as
-/// the bead. Grows steadily with the width.
+/// Height of the bead's top above its underside at a distance from the centre line [mm]. The section is a
+/// stadium, whose flat top is at least as wide as a cell of the map if the bead is twice as wide, so that
+/// some cell has the height of the bead. Grows continuously with the width.
 double topAbove(const BeadSection& section, double distance);
 
-/// Width of the bead of that cross-sectional area [mm²] between flat ground and a nozzle `thickness` above
-/// it.
+/// Width of a bead with that cross-sectional area [mm²] between flat ground and a nozzle `thickness` above it
+/// [mm].
 double widthOnFlatGround(double area, double thickness);
 
-/// Diameter of a free strand of that cross-sectional area [mm²].
+/// Diameter of a free strand with that cross-sectional area [mm²].
 double discDiameter(double area);
 
 }  // namespace lamina

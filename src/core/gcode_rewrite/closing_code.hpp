@@ -10,19 +10,19 @@
 
 namespace lamina {
 
-/// Keeps the nozzle clear of the part once it is printed, and writes the final move and the user's end code
-/// once each, as late as they still do what they are for: the move before motors or program end, the end code
-/// before the program ends.
+/// Keeps the nozzle away from the part once it is printed, and writes the final move and the user's end code
+/// once each. Each is written as late as it still has its effect: the move before motors are switched off or
+/// the program ends, the end code before the program ends.
 class ClosingCode {
  public:
-  /// @param clear_z  no lower than anything deposited [mm]; nothing where z is not up
+  /// @param clear_z  height at or above everything deposited [mm]; nothing if z is not up
   ClosingCode(const RewriteSettings& settings, std::optional<double> clear_z, int decimals);
 
-  /// Call where the part ends.
-  /// @param z  of the nozzle there, over the bed [mm]
+  /// To be called where the part ends.
+  /// @param z  height of the nozzle over the bed at that point [mm]
   void leavePartAt(double z);
-  /// Call before each line after the last deposition is written.
-  /// @throws InvalidProgram naming the line where the program's own end code goes down into the part
+  /// To be called before each line after the last deposition is written.
+  /// @throws InvalidProgram naming the line if the program's own end code moves down into the part
   void beforeLine(const ProgramTracker& tracker, std::string& out);
   void atEnd(const ProgramTracker& tracker, std::string& out);
 
@@ -32,12 +32,13 @@ class ClosingCode {
   void appendEndCode(std::string& out);
 
   std::optional<double> clear_z_;
-  std::string lift_;  ///< before the end code moves: layers that lean end anywhere beside the part
+  /// Before the first motion of the end code, as leaning layers may end anywhere beside the part.
+  std::string lift_;
   std::string move_;
   std::string end_code_;
 };
 
-/// The code, ended by a line feed unless it is empty.
+/// The code with a line feed at its end; empty if the code is empty.
 std::string wholeLines(std::string code);
 
 }  // namespace lamina

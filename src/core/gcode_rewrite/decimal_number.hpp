@@ -10,19 +10,21 @@
 
 namespace lamina {
 
-/// A number read from the front of a text.
+/// A number read from the beginning of a text.
 struct DecimalNumber {
   double value = 0.0;
-  std::size_t length = 0;  ///< characters read; 0 if the text does not start with a number
+  std::size_t length = 0;  ///< number of characters read; 0 if the text does not begin with a number
 };
 
 inline constexpr std::array<double, 16> kPowersOfTen = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                                         1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
 
-/// Reads [+-]digits[.digits], or .digits, of any length; nearest double, infinite beyond the greatest.
+/// Reads a number [+-]digits[.digits] or .digits of any length, as the nearest double; infinite beyond the
+/// greatest double.
 DecimalNumber readLongDecimal(std::string_view text);
 
-/// Reads [+-]digits[.digits], or .digits; nearest double. No exponent: E is a letter of its own.
+/// Reads a number [+-]digits[.digits] or .digits, as the nearest double. Exponents are not read, as E is a
+/// letter of G-code.
 inline DecimalNumber readDecimal(std::string_view text) {
   constexpr std::ptrdiff_t kExactDigits =
       15;  // below 2^53: the quotient of two exact doubles is the nearest one
@@ -55,16 +57,16 @@ inline DecimalNumber readDecimal(std::string_view text) {
   return {is_negative ? -value : value, static_cast<std::size_t>(at - text.data())};
 }
 
-/// Characters that `writeFixed` needs room for.
+/// Number of characters for which `writeFixed` needs room.
 inline constexpr std::size_t kMostFixed = 32;
 
-/// Writes the number with exactly so many decimals, rounded to nearest by its exact digits, never as -0.
+/// Writes a number with exactly that many decimals, rounded to nearest by its exact value; never -0.
 /// @param decimals  0 to 6
 /// @return one past the last character written
-/// @throws InvalidInput if it has more than 15 digits, or is no number
+/// @throws InvalidInput if the number has more than 15 digits, or is not finite
 char* writeFixed(char* out, double value, int decimals);
 
-/// As `writeFixed`.
+/// Appends a number as `writeFixed` writes it.
 void appendFixed(std::string& out, double value, int decimals);
 
 }  // namespace lamina

@@ -12,7 +12,7 @@
 
 namespace lamina {
 
-/// A letter, its number and where both stand in the line.
+/// A word, with the positions of its letter and its number in the line.
 struct PlacedWord {
   char letter = 0;  ///< upper case
   bool has_value = false;
@@ -21,44 +21,44 @@ struct PlacedWord {
   std::size_t end = 0;
 };
 
-/// What a line begins with.
+/// What comes first in a line.
 enum class LineStart {
   Blank,
   Comment,
   G,
   M,
-  Coordinate,  ///< a word of a motion without its command
+  Coordinate,  ///< a coordinate without a motion command
   Other,
 };
 
-/// A block, as a line of G-code is called, taken apart in place: cheap enough for files of many millions of
-/// lines. Words are read of the commands that move or set positions (G0 to G3, G10, G28, G92); of others only
-/// letter and number.
+/// A block (line) of G-code, parsed in place and fast enough for files of many millions of lines. Words are
+/// parsed of the commands that move or set positions (G0 to G3, G10, G28, G92); of others only letter and
+/// number.
 class GcodeBlock {
  public:
   /// @param line  without its line feed; must outlive the next calls
-  /// @throws InvalidProgram naming the line if a word of such a command is malformed, stands twice, or the
-  ///   line has a checksum, which could not stand after the line is rewritten
+  /// @throws InvalidProgram naming the line if a word of such a command is malformed or occurs twice, or if
+  ///   the line has a checksum, which would be wrong once the line is rewritten
   LineStart read(std::string_view line, std::size_t number);
 
   LineStart start() const { return start_; }
   std::string_view text() const { return text_; }
   std::size_t number() const { return number_; }
-  int code() const { return code_; }  ///< of G or M; -1 if it has no number or a fraction
-  /// What follows the first semicolon of a comment line, or of a line whose words are read.
+  int code() const { return code_; }  ///< number of G or M; -1 if it has none, or one with a fraction
+  /// Text after the first semicolon, of a comment line or a line whose words are parsed.
   std::string_view comment() const { return comment_; }
   std::size_t wordsEnd() const { return words_end_; }  ///< one past the last word
 
   const PlacedWord* begin() const { return words_.data(); }
   const PlacedWord* end() const { return words_.data() + count_; }
-  /// The word of a letter, nothing if there is none.
+  /// The word with this letter; null if there is none.
   const PlacedWord* find(char letter) const {
     const std::uint8_t index = index_[static_cast<std::size_t>(letter - 'A')];
     return index == kNoWord ? nullptr : &words_[index];
   }
   bool hasAny(std::string_view letters) const;
 
-  /// The line as a message quotes it, if a line before it was plain G-code.
+  /// The line as a message may quote it: empty unless a line before it was plain G-code.
   std::string quoted() const { return quotation_.of(text_); }
 
  private:

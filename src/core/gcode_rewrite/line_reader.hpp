@@ -12,17 +12,17 @@
 
 namespace lamina {
 
-/// The lines of a file, block by block in constant memory.
+/// Reads the lines of a file, block by block in constant memory.
 class LineReader {
  public:
-  /// @throws FileError if it cannot be read
+  /// @throws FileError if the file cannot be read
   explicit LineReader(const std::string& path);
 
   /// The next line without its line feed, valid until the next call; nothing at the end.
-  /// @throws InvalidProgram if it is longer than 1 MiB
+  /// @throws InvalidProgram if the line is longer than 1 MiB
   std::optional<std::string_view> next();
 
-  std::size_t number() const { return number_; }  ///< of the line given last, 1 based
+  std::size_t number() const { return number_; }  ///< number of the line returned last, from 1
   std::size_t bytesRead() const { return bytes_read_; }
   std::size_t size() const { return file_.size(); }  ///< [bytes]
 

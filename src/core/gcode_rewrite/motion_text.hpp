@@ -10,25 +10,25 @@
 
 namespace lamina {
 
-/// What a line holds anew; what is nothing stays as it is.
+/// New values for words of a line; a word without a new value keeps its text.
 struct NewWords {
   const Point3* coordinates = nullptr;
-  std::optional<double> extrusion;  ///< in place of E
-  std::optional<double> feed;       ///< in place of F, or added
+  std::optional<double> extrusion;  ///< replaces E
+  std::optional<double> feed;       ///< replaces F, or is added
 };
 
-/// Appends the line with its X, Y and Z, which come together where the first of them stood, and keeps every
-/// other byte.
-/// @param command  must hold one of X, Y, Z at least, if there are new coordinates
+/// Appends the line with new X, Y and Z, written together at the position of the first of them; every other
+/// byte is kept.
+/// @param command  must have at least one of X, Y, Z if there are new coordinates
 void appendRewritten(std::string& out, const GcodeBlock& command, const NewWords& words, int decimals);
 
-/// Appends the line without X, Y and Z; as a comment if nothing is left but the command.
+/// Appends the line without X, Y and Z; if only the command is left, as a comment.
 void appendWithoutCoordinates(std::string& out, const GcodeBlock& command);
 
 /// Appends "X.. Y.. Z..".
 void appendCoordinates(std::string& out, const Point3& point, int decimals);
 
-/// Decimals of E and of F where they are computed.
+/// Decimals of computed values of E and F.
 constexpr int kExtrusionDecimals = 5;
 constexpr int kFeedDecimals = 2;
 

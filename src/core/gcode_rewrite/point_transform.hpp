@@ -8,11 +8,12 @@
 
 namespace lamina {
 
-/// Where points of the sliced program come on the machine.
+/// Transformation of the points of a sliced program to points on the machine.
 struct PointTransform {
   const SpaceMap& map;
-  const SpaceMap* axes = nullptr;  ///< from places over the bed to the machine's coordinates, if they differ
-  Point3 shift = Point3::Zero();   ///< after the map [mm]
+  /// Map from positions over the bed to the machine's coordinates, if these differ.
+  const SpaceMap* axes = nullptr;
+  Point3 shift = Point3::Zero();  ///< shift added after the map [mm]
 
   Point3 overBed(const Point3& point) const { return map.map(point) + shift; }
   Point3 coordinates(const Point3& over_bed) const {
@@ -26,10 +27,10 @@ struct PointTransform {
   }
 };
 
-/// Divides each straight motion so finely that no chord is further off its mapped line than the tolerance at
-/// the quarter points.
-/// @param ends  of motions one after the other from the start, as sliced
-/// @return the ends and the points between
+/// Divides straight motions so finely that at the quarter points no chord is farther from its mapped line
+/// than the tolerance.
+/// @param ends  ends of successive motions, as sliced
+/// @return these ends, and the points in between
 std::vector<Point3> divided(const Point3& start, const std::vector<Point3>& ends,
                             const PointTransform& transform, double tolerance_mm);
 

@@ -13,7 +13,7 @@
 
 namespace lamina {
 
-/// E and F of a motion where the map is no isometry, given what was written before.
+/// Computes E and F of motions under a map that changes lengths, from what was written before.
 class FilamentWords {
  public:
   FilamentWords(const PointTransform& transform, ExtrusionRule rule)
@@ -25,17 +25,17 @@ class FilamentWords {
   bool scalesFeed() const { return scales_feed_; }
   bool scalesExtrusion() const { return scales_extrusion_; }
 
-  /// Value of E for a chord, in the mode of the program.
-  /// @param pushed  filament of this chord, as sliced
+  /// Value of E for a chord, absolute or relative as in the program.
+  /// @param pushed  filament of the chord, as sliced
   double extrusion(const ProgramTracker& tracker, double pushed, const Point3& from, const Point3& to);
-  /// Value of E of a line that moves the filament alone.
+  /// Value of E for a line that moves only the filament.
   double extrusionAlone(const ProgramTracker& tracker, double pushed);
-  /// After G92.
+  /// States that G92 has set the value of E.
   void setFilament(double value) { written_filament_ = value; }
 
-  /// F for a chord; nothing if the machine has that feed already and the line does not state it.
+  /// Value of F for a chord; nothing if the machine already has this feed and the line does not state F.
   std::optional<double> feed(const ProgramTracker& tracker, const Point3& from, const Point3& to);
-  /// F where the feed is not scaled; likewise.
+  /// Value of F where the feed is not scaled; nothing as in `feed`.
   std::optional<double> feedAlone(const ProgramTracker& tracker);
 
  private:
@@ -50,33 +50,34 @@ class FilamentWords {
   double written_feed_ = 0.0;
 };
 
-/// What the second pass did.
+/// Number of changes that the second pass made.
 struct RewriteCounts {
   std::size_t deferred = 0;
   std::size_t homings_annulled = 0;
   std::size_t aids_dropped = 0;
 };
 
-/// Second pass over a program: appends each rewritten line to a text.
+/// The second pass over a program: appends each line, rewritten, to a text.
 class ProgramRewriter {
  public:
-  /// @param transform  with its shift; all three must outlive this
+  /// @param transform  including its shift; all three arguments must outlive the object
   ProgramRewriter(const PointTransform& transform, const Survey& survey, const RewriteSettings& settings);
 
   void read(std::string_view line, std::size_t number, std::string& out);
   void finish(std::string& out);
   const RewriteCounts& counts() const { return counts_; }
   const Box3& footprint() const { return footprint_; }  ///< as in the report [mm]
-  const Extremes& nozzle() const { return nozzle_; }    ///< places it goes to in the part, over the bed [mm]
+  /// Positions in the part that the nozzle moves to, over the bed [mm].
+  const Extremes& nozzle() const { return nozzle_; }
 
  private:
-  /// One of the chords that follow a motion.
+  /// One of the chords that replace a motion.
   struct Chord {
     Point3 from = Point3::Zero();
-    double length = 0.0;   ///< of all chords [mm]
-    double done = 0.0;     ///< of this and those before [mm]
-    double pushed = 0.0;   ///< filament of this and those before, as sliced
-    double written = 0.0;  ///< sum of E written
+    double length = 0.0;   ///< length of all chords of the motion [mm]
+    double done = 0.0;     ///< length up to the end of this chord [mm]
+    double pushed = 0.0;   ///< filament up to the end of this chord, as sliced
+    double written = 0.0;  ///< sum of E written so far
   };
 
   void appendBeginCode(std::string& out);
@@ -106,11 +107,11 @@ class ProgramRewriter {
   std::string begin_code_;
   RewriteCounts counts_;
   Extremes nozzle_;
-  double last_z_ = 0.0;  ///< of the nozzle, over the bed
+  double last_z_ = 0.0;  ///< last height of the nozzle over the bed
   Box3 footprint_;
   double footprint_top_;
-  bool is_elsewhere_ = false;        ///< motions were dropped since the nozzle moved last
-  bool is_filament_behind_ = false;  ///< deposits were dropped since E was written last
+  bool is_elsewhere_ = false;        ///< whether motions were dropped since the last motion of the nozzle
+  bool is_filament_behind_ = false;  ///< whether depositing motions were dropped since E was written last
 };
 
 }  // namespace lamina

@@ -14,8 +14,8 @@
 
 namespace lamina {
 
-/// Whether E is absolute. G90 and G91 set this in Marlin, but not in RepRapFirmware and Klipper; a mode that
-/// firmwares read differently is disputed.
+/// Whether E is absolute. In Marlin G90 and G91 change this, in RepRapFirmware and Klipper they do not; a
+/// mode that would depend on the firmware is disputed.
 class ExtrusionModeState {
  public:
   explicit ExtrusionModeState(std::optional<ExtrusionMode> initial)
@@ -31,11 +31,11 @@ class ExtrusionModeState {
   void positionMode(ExtrusionMode mode) {
     if (!is_declared_) marlin_ = mode;
   }
-  /// What was said on the command line holds whatever G90 and G91 mean.
+  /// States that the mode given on the command line holds whatever G90 and G91 mean.
   void declare() { is_declared_ = is_known_; }
 
   bool isDisputed() const { return stated_ != marlin_; }
-  bool isKnown() const { return is_known_; }  ///< said by M82, M83 or the user
+  bool isKnown() const { return is_known_; }  ///< whether M82, M83 or the user has stated it
   ExtrusionMode mode() const { return stated_; }
 
  private:
@@ -51,48 +51,48 @@ enum class ProgramSection { Start, Part, End };
 enum class LineRole {
   Copied,
   Blank,
-  Homing,    ///< G28 that is to be annulled
+  Homing,    ///< a G28 that is to be removed
   Filament,  ///< G0 or G1 without coordinates
   Motion,    ///< of the part, straight or along an arc
-  Deferred,  ///< of the part, before all coordinates are known
+  Deferred,  ///< a motion of the part before all coordinates are known
 };
 
 /// A motion of the part [mm, as the slicer wrote it].
 struct TrackedMotion {
   Point3 start = Point3::Zero();
   bool is_start_known = false;
-  std::vector<Point3> ends;    ///< one, or the chords of an arc
-  double extrusion_mm = 0.0;   ///< filament pushed forth
-  double filament_from = 0.0;  ///< value of E before, where it is absolute
+  std::vector<Point3> ends;    ///< one end, or those of the chords of an arc
+  double extrusion_mm = 0.0;   ///< filament extruded
+  double filament_from = 0.0;  ///< value of E before the motion, if E is absolute
 
   const Point3& end() const { return ends.back(); }
   bool deposits() const;
 };
 
-/// Follows the modal state of a program line by line, and refuses what cannot be transformed.
+/// Follows the modal state of a program line by line, and refuses lines that cannot be transformed.
 class ProgramTracker {
  public:
-  /// Reads the begin code first, for its modes hold in what follows.
+  /// Reads the begin code first, as its modes hold for the lines that follow.
   explicit ProgramTracker(const RewriteSettings& settings);
 
-  /// @throws InvalidProgram naming the line: G91, G20, an origin moved by G92, a command that moves and is
-  ///   none of G0 to G3, coordinates without a command, a deposition from an unknown place, E that firmwares
-  ///   read differently
+  /// @throws InvalidProgram naming the line: for G91, G20, an origin moved by G92, a moving command other
+  ///   than G0 to G3, coordinates without a command, a deposition from an unknown position, or an E that
+  ///   firmwares read differently
   LineRole read(std::string_view line, std::size_t number);
-  /// What follows is the end code.
+  /// States that the end code follows.
   void leavePart() { section_ = ProgramSection::End; }
 
   ProgramSection section() const { return section_; }
-  SectionMark mark() const { return mark_; }  ///< of the line read last
+  SectionMark mark() const { return mark_; }  ///< mark of the line read last
   const SectionMarks& marks() const { return marks_; }
   const GcodeBlock& command() const { return command_; }
-  const TrackedMotion& motion() const { return motion_; }  ///< after LineRole::Motion
+  const TrackedMotion& motion() const { return motion_; }  ///< valid after LineRole::Motion
   bool isExtrusionRelative() const { return extrusion_.mode() == ExtrusionMode::Relative; }
   bool isExtrusionStated() const { return extrusion_.isKnown(); }
   bool isPositionRelative() const { return is_relative_; }
   bool isInInches() const { return unit_mm_ != 1.0; }
-  double filament() const { return filament_; }  ///< value of E, where it is absolute
-  double feed() const { return feed_; }          ///< [mm/min], 0 until stated
+  double filament() const { return filament_; }  ///< value of E, if E is absolute
+  double feed() const { return feed_; }          ///< [mm/min]; 0 until one is stated
 
  private:
   void readBeginCode(std::string_view code);

@@ -10,14 +10,14 @@
 
 namespace lamina {
 
-/// What a comment says of the section of a program that holds the part.
+/// What a comment states about the sections of a program.
 enum class SectionMark {
   None,
   PartStart,
-  Layer,    ///< a layer begins, and with the first of them the part
-  Type,     ///< what follows is of the part
-  Custom,   ///< what follows is code of the user: the end code, unless a layer or a type comes after it
-  PartEnd,  ///< likewise
+  Layer,    ///< a layer begins; with the first layer the part begins
+  Type,     ///< the lines that follow belong to the part
+  Custom,   ///< code of the user follows: the end code, unless a layer or a type comes after it
+  PartEnd,  ///< the part ends, unless a layer or a type comes after it
 };
 
 /// Reads the comments of Cura, PrusaSlicer, Simplify3D, Slic3r (verbose) and Lamina.
@@ -25,12 +25,12 @@ class SectionMarks {
  public:
   SectionMark read(std::string_view comment);
 
-  /// Whether what is deposited now is skirt, brim, raft, support or priming tower.
+  /// Whether skirt, brim, raft, support or priming tower is being deposited.
   bool isBuildAid() const;
-  /// Of a comment that reports the type of what follows by a name not known; empty if there is none.
+  /// The comment that states a type of unknown name; empty if there is none.
   const std::string& unknownType() const { return unknown_type_; }
-  std::optional<double> layerHeight() const { return layer_height_mm_; }  ///< reported first [mm]
-  const std::string& slicer() const { return slicer_; }                   ///< empty if not reported
+  std::optional<double> layerHeight() const { return layer_height_mm_; }  ///< the first one stated [mm]
+  const std::string& slicer() const { return slicer_; }                   ///< empty if not stated
 
  private:
   void readHead(std::string_view comment);

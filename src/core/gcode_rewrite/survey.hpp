@@ -14,7 +14,7 @@
 
 namespace lamina {
 
-/// A box, and the lines of the program that reach furthest.
+/// A bounding box, and the lines of the program that reach its sides.
 struct Extremes {
   Box3 box;
   std::array<std::size_t, 3> low_line{};
@@ -23,32 +23,32 @@ struct Extremes {
   void include(const Point3& point, std::size_t line);
 };
 
-/// What the part of a program amounts to; boxes are after the map and before the shift [mm].
+/// Totals of the part of a program. Boxes are after the map and before the shift [mm].
 struct SurveyTotals {
-  Extremes part;    ///< both ends of what is deposited, aids left out
-  Extremes aids;    ///< both ends of what is deposited as skirt, brim, raft, support, priming tower
-  Extremes nozzle;  ///< ends of all motions, those of dropped aids left out
+  Extremes part;    ///< both ends of depositing motions, without build aids
+  Extremes aids;    ///< both ends of motions that deposit skirt, brim, raft, support or priming tower
+  Extremes nozzle;  ///< ends of all motions except those of dropped build aids
   std::size_t layers = 0;
   std::size_t motions = 0;
   std::size_t depositions = 0;
   std::size_t arcs = 0;
-  std::size_t last_deposition = 0;          ///< line
-  std::size_t motion_after_deposition = 0;  ///< line of the first since; 0 if none
-  std::size_t pushing = 0;                  ///< motions with E that deposit
-  std::size_t not_pushing = 0;              ///< motions with E that do not
+  std::size_t last_deposition = 0;          ///< line number
+  std::size_t motion_after_deposition = 0;  ///< line of the first motion after it; 0 if there is none
+  std::size_t pushing = 0;                  ///< number of motions with E that deposit
+  std::size_t not_pushing = 0;              ///< number of motions with E that do not deposit
 };
 
 struct Survey {
   SurveyTotals totals;
-  std::size_t end_line = 0;  ///< first line of the end code; 0 if the part goes on to the end of the file
+  std::size_t end_line = 0;  ///< first line of the end code; 0 if the part continues to the end of the file
   std::size_t lines = 0;
   std::string slicer;
-  std::optional<double> layer_height_mm;  ///< as the comments report
-  StatedFrame frame;                      ///< likewise
+  std::optional<double> layer_height_mm;  ///< as comments state it
+  StatedFrame frame;                      ///< as comments state it
 };
 
-/// First pass over a program: finds where its part ends and how far it reaches, and refuses what cannot be
-/// transformed.
+/// The first pass over a program: finds where its part ends and how far the part extends, and refuses what
+/// cannot be transformed.
 class Surveyor {
  public:
   Surveyor(const PointTransform& transform, const RewriteSettings& settings);
@@ -56,8 +56,9 @@ class Surveyor {
   /// @throws InvalidProgram naming the line, as `ProgramTracker::read`
   void read(std::string_view line, std::size_t number);
 
-  /// @throws InvalidProgram if there is no comment that opens a layer, nothing is deposited, motions after
-  ///   the last deposition may be of the part or of the end code, or E looks relative without being said so
+  /// @throws InvalidProgram if no comment opens a layer, nothing is deposited, motions after the last
+  ///   deposition may belong to the part or to the end code, or E looks relative without any statement of
+  ///   that
   Survey finish();
 
  private:
@@ -71,9 +72,9 @@ class Surveyor {
   double chord_tolerance_mm_;
   ProgramTracker tracker_;
   Survey survey_;
-  SurveyTotals live_;  ///< as if the part had not ended
+  SurveyTotals live_;  ///< totals as if the part had not ended
   std::optional<std::string>
-      refusal_;  ///< of the first line that cannot be transformed since the part may have ended
+      refusal_;  ///< refusal of the first line that cannot be transformed after the part may have ended
 };
 
 }  // namespace lamina

@@ -12,7 +12,7 @@ bool areOverlapping(const Box<Point>& a, const Box<Point>& b) {
   return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
 }
 
-/// Whether a point lies in the box or on its border.
+/// Whether a point lies in a box or on its border.
 inline bool isInBox(const Box3& box, const Point3& point) {
   return (point.array() >= box.low.array()).all() && (point.array() <= box.high.array()).all();
 }

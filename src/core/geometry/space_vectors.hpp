@@ -10,12 +10,12 @@
 
 namespace lamina {
 
-/// Between two directions of any lengths [rad], 0 to pi; 0 where one has none.
+/// Angle between two directions of any lengths [rad], 0 to pi; 0 if one of them has no length.
 inline double angleBetween(const Point3& a, const Point3& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-/// From a point to the nearest one of the way from a to b.
+/// Distance of a point from the segment from a to b.
 inline double distanceToSegment(const Point3& point, const Point3& a, const Point3& b) {
   const Point3 along = b - a;
   const double squared = along.squaredNorm();

@@ -9,8 +9,8 @@
 
 namespace lamina {
 
-/// Numbers of their own for each layer, each island of it and each region that is filled there.
-/// @param seed  as the settings report
+/// Random numbers that differ for each layer, each island in it and each region of that island.
+/// @param seed  as in the settings
 inline Random randomOf(int seed, const InfillRequest& request, std::size_t region) {
   Random random(static_cast<std::uint64_t>(seed));
   for (const std::size_t index : {request.layer, request.island, region})

@@ -8,10 +8,11 @@
 
 namespace lamina {
 
-/// Gives layers their least times and controls the fan, as far as the job's output can carry it; drops have
-/// neither. Where the machine does not reach beside the part, the nozzle waits over it. What is changed, and
-/// what is left out, is noted in the summary.
-/// @throws what `cool` throws; Cancelled
+/// Cools a sliced part (`cool`): slows layers down to their least times and controls the fan, as far as the
+/// format of the job's output can express waits and fan speeds. Drops are left as they are. If the machine
+/// does not reach the places beside the part, the nozzle waits over the part instead. The summary notes what
+/// was changed and what could not be.
+/// @throws as `cool`; Cancelled
 void coolPart(SlicedPart& sliced, const SliceJob& job, const BuildSpace& space, Progress& progress);
 
 }  // namespace lamina

@@ -8,9 +8,9 @@
 
 namespace lamina {
 
-/// The path of a file that is named by another one, in the folder of that one. Where there is none, what was
-/// named: a parametric part, or a file that is found from elsewhere.
-/// @param folder  of the file that names the other one; empty for that of the process
+/// Path of a file that another file names: in the folder of that other file if such a file exists there,
+/// otherwise the name unchanged, as it may be a parametric part or a path from the working directory.
+/// @param folder  of the file that holds the name; empty for the working directory
 inline std::string fileBeside(const std::string& folder, const std::string& named) {
   if (folder.empty()) return named;
   const std::string beside = (std::filesystem::path(folder) / named).lexically_normal().string();

@@ -8,12 +8,13 @@
 
 namespace lamina {
 
-/// The program's settings with the temperatures that the first layer starts at.
-/// @throws InvalidConfig if one is set that the start code has no place for
+/// The program's settings with the first layer's temperatures in place of its own, where the first layer has
+/// any (0: none).
+/// @throws InvalidConfig if the first layer has a temperature whose placeholder is missing in the start code
 ProgramSettings startedFor(const FirstLayerSettings& first_layer, ProgramSettings settings);
 
-/// Sets the program's temperatures before the second layer that has paths, without waiting, where the first
-/// layer has others.
+/// Adds commands for the program's temperatures, without a wait, before the second layer that has paths, if
+/// those of the first layer differ.
 void addHeatAfterFirstLayer(Toolpath& toolpath, const FirstLayerSettings& first_layer,
                             const ProgramSettings& settings);
 

@@ -8,12 +8,13 @@
 
 namespace lamina {
 
-/// Keeps the flow within its limits, with a note of what is slowed down. Before layers are cooled, which
-/// slows them further.
+/// Slows down paths whose volume flow exceeds the limit, and notes in the summary what was slowed down. Must
+/// precede cooling, which slows layers down further.
 void limitFlowOf(SlicedPart& sliced, const JobSettings& settings, Progress& progress);
 
-/// Leaves the ends of runs to the pressure, makes up for a lag, with notes, or gives the firmware its
-/// advance. Once feeds are final. Totals of the summary are those of what is left.
+/// Compensates pressure and lag of the extruder: stops the flow before the ends of runs (coasting), shifts
+/// the flow for a lag, or passes the advance on to the firmware, as the settings ask; with notes in the
+/// summary. Must follow all changes of feeds. Totals of the summary are computed anew.
 void finishFlowOf(SlicedPart& sliced, const JobSettings& settings, Progress& progress);
 
 }  // namespace lamina

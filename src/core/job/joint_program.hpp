@@ -14,32 +14,32 @@
 
 namespace lamina {
 
-/// A toolpath with the joints that run it, for programs that state them.
+/// A toolpath with the joint values of the machine along it, for programs that state joints.
 struct JointProgram {
   std::unique_ptr<KinematicModel> model;
-  Toolpath toolpath;            ///< divided as `runOn` does; of an arm as in `toolpathAsRun`
-  JointPath joints;             ///< of it
-  std::optional<RunTime> time;  ///< within the limits of the joints; nothing where it cannot be known
+  Toolpath toolpath;            ///< with waypoints inserted as `runOn` does; for an arm as in `toolpathAsRun`
+  JointPath joints;             ///< joint path of the toolpath
+  std::optional<RunTime> time;  ///< of the run within the limits of the joints; nothing if a limit is unknown
 };
 
-/// @throws InvalidInput if the job asks for G-code of a robot
+/// Refuses a job that asks for G-code of a robot.
+/// @throws InvalidInput
 void requireProgramFor(const SliceJob& job, const BuildSpace& space);
 
-/// Whether the job writes five-axis G-code: head or table can turn the tool axis, and the toolpath tilts the
-/// nozzle off how the head at rest holds it, or `five_axis.use` says so.
+/// Whether the job writes five-axis G-code: the head or the table can change the tool axis, and either the
+/// toolpath tilts the nozzle from its direction in the head at rest, or `five_axis.use` asks for it.
 bool writesFiveAxis(const SliceJob& job, const BuildSpace& space, const SlicedPart& sliced);
 
-/// Leads the joints of a five-axis machine where it writes five-axis G-code, and those of an arm where it
-/// writes RAPID. An arm's program reports joints where `rapid.configuration` asks for them or the arm has
-/// external axes: its targets then turn about the tool axis as the joints do. Otherwise the arm is led
-/// through the very targets of the toolpath, which are written as they are.
-///
-/// Where it would run into something the tool axis is raised (`clearance.raise_tool_axis`), which changes the
-/// part's toolpath and is noted in its summary; what `clearance.need` asks for is checked.
-///
+/// Plans the joints of a five-axis machine that writes five-axis G-code, or of an arm that writes RAPID;
+/// nothing for all other jobs. The program of an arm states joints if `rapid.configuration` asks for them or
+/// the arm has external axes; its targets then turn about the tool axis as the joints do. Otherwise the
+/// joints are planned for the targets of the toolpath, and these are written unchanged.
+/// Where a collision is found, the tool axis is raised (`clearance.raise_tool_axis`), which changes the
+/// toolpath in `sliced` and is noted in its summary. What `clearance.need` requires is checked.
 /// @param progress  stages "joints" and "clearance"
-/// @throws Unreachable if the machine cannot run it: the first waypoint, and how many; InvalidConfig if
-///   `joints.external` is to follow, but the variant of the program cannot report external axes
+/// @throws Unreachable if the machine cannot run the toolpath, with the first waypoint and the number of them
+/// @throws InvalidConfig if `joints.external` is to follow, but the dialect of the program cannot state
+///   external axes
 std::optional<JointProgram> planJointProgram(const SliceJob& job, const BuildSpace& space, SlicedPart& sliced,
                                              Progress& progress);
 

@@ -8,9 +8,9 @@
 
 namespace lamina {
 
-/// Spreads the starts of runs, overlaps their ends, adds leads and entries, weaves, with notes of what was
-/// changed. Before layers are cooled, so that times are those of what is run. Totals of the
-/// summary are those of what comes out.
+/// Changes runs as the settings ask: spreads their starts, overlaps their ends, adds leads and entries,
+/// weaves; with notes in the summary. Must precede cooling, so that it counts the times of the changed
+/// layers. Totals of the summary are computed anew.
 /// @throws InvalidInput as `overlapEnds`
 /// @throws Unreachable if the machine does not reach what was added
 void changeRunsOf(SlicedPart& sliced, const JobSettings& settings, const BuildSpace& space);

@@ -10,13 +10,13 @@
 
 namespace lamina {
 
-/// What stands between a job and its toolpath: reads, slices and plans. Of the times in the summary it sets
-/// those of reading and slicing.
+/// Makes the toolpath of a job: reads, slices and plans. Of the times in the summary it sets those of reading
+/// and of slicing.
 using SliceFunction =
     std::function<SlicedPart(const SliceJob& job, const BuildSpace& space, Progress& progress)>;
 
-/// Everything around it: checks the job, cools, leads joints, estimates the time, writes. In the build space,
-/// whatever head the settings' machine has.
+/// Runs a job in a build space, whatever head the settings' machine has: checks the job, calls `slice`,
+/// cools, plans joints, estimates the time and writes the output.
 /// @throws as `runSliceJob`
 SlicedPart runIn(const BuildSpace& space, const SliceJob& job, const SliceFunction& slice,
                  Progress& progress);

@@ -13,7 +13,7 @@
 
 namespace lamina {
 
-/// The file is no database, or not a whole one.
+/// Thrown if a file is no database, or a damaged one.
 class DamagedDatabase : public FileError {
  public:
   using FileError::FileError;
@@ -32,16 +32,17 @@ class Statement {
   Statement& bind(const std::optional<double>& value);
   Statement& bind(const std::optional<std::string>& value);
 
+  /// Runs the statement up to its next row.
   /// @return true if there is a row to read
-  /// @throws FileError as SQLite says: locked for too long, disk full, damaged
+  /// @throws FileError with SQLite's reason: locked for too long, disk full, damaged
   bool step();
 
-  /// For statements without rows.
+  /// Runs a statement that has no rows.
   void run() { step(); }
 
   std::int64_t integer(int column) const;
   double number(int column) const;
-  /// Nothing where the column is null.
+  /// The number in a column; nothing if the column is null.
   std::optional<double> optionalNumber(int column) const;
   std::string text(int column) const;
   bool isNull(int column) const;
@@ -57,14 +58,14 @@ class Statement {
   int bound_ = 0;
 };
 
-/// A database file, for one thread.
+/// A database file, to be used by one thread.
 class Database {
  public:
   /// Opens the file, and makes it if it is missing.
   /// @throws FileError with path and reason
   explicit Database(const std::string& path);
 
-  /// Opens a file that is there, for reading alone.
+  /// Opens an existing file read-only.
   static Database toRead(const std::string& path);
 
   /// Runs statements without parameters or rows.
@@ -73,7 +74,7 @@ class Database {
   std::int64_t lastId() const { return sqlite3_last_insert_rowid(database_.get()); }
   bool isInTransaction() const { return sqlite3_get_autocommit(database_.get()) == 0; }
   std::int64_t changes() const { return sqlite3_changes(database_.get()); }
-  /// Copies everything into another file, by SQLite's backup interface.
+  /// Copies the whole database into another file, by SQLite's backup interface.
   void copyTo(const std::string& path) const;
 
  private:
@@ -84,8 +85,8 @@ class Database {
   std::unique_ptr<sqlite3, Close> database_;
 };
 
-/// Statements that are kept together or not at all: rolled back unless committed. One within another is kept
-/// with the outer one.
+/// A transaction: its statements are kept together, or rolled back unless committed. A transaction within
+/// another one is kept when the outer one is.
 class Transaction {
  public:
   explicit Transaction(Database& database);
@@ -96,7 +97,7 @@ class Transaction {
 
  private:
   Database& database_;
-  bool is_open_;  ///< begun here, and not committed
+  bool is_open_;  ///< whether this object began the transaction, and has not committed it
 };
 
 }  // namespace lamina

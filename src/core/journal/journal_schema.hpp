@@ -8,11 +8,12 @@
 
 namespace lamina {
 
-/// Gives a journal the tables of this version: all of them, or those that an older one lacks.
+/// Creates the tables of this version in a journal, or those that an older version lacks.
 /// @throws FileError if a newer version has written it
 void bringUpToDate(Database& database, const std::string& path);
 
-/// @throws FileError if the journal is not of this version
+/// Refuses a journal of another version.
+/// @throws FileError
 void requireUpToDate(const Database& database, const std::string& path);
 
 }  // namespace lamina

@@ -12,7 +12,7 @@
 
 namespace lamina {
 
-/// The database behind a journal, and what several of its statements share.
+/// The database of a journal, with what several of its statements share.
 struct CellJournal::Store {
   mutable Database database;
 

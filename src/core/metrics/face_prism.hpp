@@ -10,7 +10,7 @@
 
 namespace lamina {
 
-/// Keeps a half of the plane: where normal . p <= offset. A normal of 0 keeps all of it.
+/// The half plane normal . p <= offset; the whole plane if the normal is 0.
 struct HalfPlane {
   Point2 normal = Point2::Zero();
   double offset = 0.0;
@@ -18,38 +18,39 @@ struct HalfPlane {
 
 /// A band with round ends on a face.
 struct Band {
-  Point2 start = Point2::Zero();  ///< of the middle line [mm, face frame]
+  Point2 start = Point2::Zero();  ///< start of the centre line [mm, face frame]
   Point2 end = Point2::Zero();
   double radius = 0.0;  ///< half the width [mm]
-  /// Where it meets the bands that it is joined to.
+  /// Half planes that cut it off where it meets the bands that it is joined to.
   HalfPlane from_before, to_after;
 };
 
-/// What a piece is to a face.
+/// How a piece of bead is projected onto a face.
 struct Imprint {
-  double radius_mm = 0.0;  ///< half the width of the band it lays
-  double depth_mm = 0.0;   ///< below the face within which its middle counts
-  double margin_mm = 0.0;  ///< beside the face within which it counts
+  double radius_mm = 0.0;  ///< half the width of its band
+  double depth_mm = 0.0;   ///< depth below the face down to which the middle of the piece counts
+  double margin_mm = 0.0;  ///< distance beside the face within which the piece counts
   double beyond_mm =
-      0.0;  ///< by which the band goes on beyond its own ends: a bead is rounder than its height
+      0.0;  ///< by which the band extends beyond the piece's ends, as a bead is rounder than its height
 };
 
-/// A triangle with a frame of its own, whose x lies askew to its edges, and the prism below it.
+/// A triangle with a frame of its own, whose x is oblique to its edges, and the prism below it.
 class FacePrism {
  public:
-  /// @param corners  counter-clockwise seen from outside; must have an area
+  /// @param corners  counter-clockwise seen from outside; with an area above 0
   explicit FacePrism(const std::array<Point3, 3>& corners);
 
   const Point3& normal() const { return normal_; }
   double area() const { return area_; }
-  /// Counter-clockwise [mm, face frame].
+  /// The corners, counter-clockwise [mm, face frame].
   const std::array<Point2, 3>& corners() const { return corners_; }
   Point2 onFace(const Point3& point) const;
 
-  /// Around a prism so deep, widened to the sides.
+  /// Bounding box of the prism of that depth, widened to the sides by the margin.
   Box3 box(double depth_mm, double margin_mm) const;
 
-  /// The band that a piece lays on the face: what of it lies in the prism, widened to the sides by a margin.
+  /// The band of a piece on the face: of the part of the piece that lies in the prism, widened to the sides
+  /// by a margin. Nothing if no part does.
   std::optional<Band> band(const StraightBead& piece, const Imprint& imprint) const;
 
  private:
@@ -61,9 +62,9 @@ class FacePrism {
   double area_ = 0.0;
 };
 
-/// Cuts two joined bands where they meet: at the bisector of their directions. Nothing is cut where a path
-/// turns back by more than 120 deg.
-/// @param direction, next  of the bands [face frame], of any length
+/// The half plane at which two joined bands are cut: bounded by the bisector of their directions through
+/// their joint. Nothing is cut if the path turns by more than 120 deg.
+/// @param direction, next  directions of the bands [face frame], of any length
 HalfPlane bisector(const Point2& direction, const Point2& next, const Point2& joint);
 
 }  // namespace lamina

@@ -9,20 +9,21 @@
 
 namespace lamina {
 
-/// A straight piece of a bead, as long as it stays straight; of a drop a point.
+/// A straight piece of a bead, as long as the bead is straight; for a drop a point.
 struct StraightBead {
-  Point3 start = Point3::Zero();  ///< of the line that is followed [mm, part frame]
+  Point3 start = Point3::Zero();  ///< start of the line that the piece follows [mm, part frame]
   Point3 end = Point3::Zero();
   Point3 tool_axis = -Point3::UnitZ();  ///< unit vector at the end [part frame]
   Bead bead;
-  double plan_width_mm = 0.0;  ///< that it fills seen along the tool axis; of a drop its diameter
-  /// Unit vectors of the pieces that this one is joined to; zero if there is none.
+  double plan_width_mm = 0.0;  ///< plan width seen along the tool axis; of a drop its diameter
+  /// Directions of the pieces to which this one is joined, of unit length; zero if there is none.
   Point3 before = Point3::Zero();
   Point3 after = Point3::Zero();
 };
 
-/// All that a toolpath lays, in order. Motions that go on straight with the same bead are one piece; pieces
-/// are joined where nothing lies between them, also from path to path. Motions shorter than 1e-9 mm are none.
+/// All deposited pieces of a toolpath, in order. Motions that continue straight with the same bead are one
+/// piece. Pieces are joined if nothing lies between them, also across paths. Motions shorter than 1e-9 mm are
+/// left out.
 std::vector<StraightBead> straightBeads(const Toolpath& toolpath, BeadLine line);
 
 }  // namespace lamina

@@ -11,23 +11,23 @@
 
 namespace lamina {
 
-/// One of a population that new points are made of.
+/// A member of the population from which new points are made.
 struct Parent {
   const DesignPoint* point = nullptr;
-  std::size_t rank = 0;  ///< of its front; 0 is the best
+  std::size_t rank = 0;  ///< rank of its front; 0 is the best
   double crowding = 0.0;
 };
 
-/// Number of points `vary` makes.
+/// Number of points that `vary` makes.
 std::size_t offspringOf(const Nsga2Settings& settings);
 
-/// New points within the space, by the variation the settings ask for.
+/// Makes new points in the space, by the variation that the settings ask for.
 std::vector<DesignPoint> vary(const DesignSpace& space, const Nsga2Settings& settings,
                               const std::vector<Parent>& population, Random& random);
 
-/// Corners of the space, at most that many, opposite ones one after the other: lows and highs first. A box
-/// that two opposite corners span is the whole space, which blends of other points cannot leave. Categorical
-/// variables take random choices.
+/// Corners of the space, at most `most`; opposite ones follow each other, beginning with all lows and all
+/// highs. The box spanned by two opposite corners is the whole space, so that blends of points are not
+/// confined to a smaller one. Categorical variables get random values.
 std::vector<DesignPoint> cornersOf(const DesignSpace& space, std::size_t most, Random& random);
 
 }  // namespace lamina

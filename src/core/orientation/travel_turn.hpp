@@ -8,9 +8,9 @@
 
 namespace lamina {
 
-/// The toolpath with quaternions of one sign from run to run, and travels that turn from the end of one run
-/// to the start of the next: by their own tool axes where these lead from one to the other, else in
-/// proportion to their length.
+/// The toolpath with orientations made continuous: the signs of quaternions are consistent from run to run,
+/// and travels turn from the end of one run to the start of the next, along their own tool axes if these lead
+/// from one to the other, otherwise in proportion to length.
 Toolpath withTravelsOriented(Toolpath toolpath);
 
 }  // namespace lamina

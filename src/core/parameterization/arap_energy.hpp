@@ -10,18 +10,19 @@
 
 namespace lamina {
 
-/// How far the triangles of a parameterization are from keeping their shape: the sum over the sides of
-/// (difference from the side as it is when the triangle is turned at best)² times the cotangent of the angle
-/// across it ("as rigid as possible" [Liu2008]). Slivers count as if they were a hundredth as high as long.
+/// Measure of how much the triangles of a parameterization are distorted: the sum over all sides of the
+/// squared difference from the undistorted side, with the triangle rotated at best, times the cotangent of
+/// the opposite angle ("as rigid as possible" [Liu2008]). Slivers count as if their height were a hundredth
+/// of their length.
 class ArapEnergy {
  public:
-  /// A triangle laid flat by itself: its sides as vectors from corner to corner, and how much each counts.
+  /// A triangle laid flat on its own: its sides as vectors from corner to corner, and the weight of each.
   struct FlatTriangle {
     std::array<std::complex<double>, 3> side;
     std::array<double, 3> weight{};
   };
 
-  /// The sum, and half of minus its gradient with the turns held.
+  /// The sum, and half of its negative gradient with the rotations held fixed.
   struct Pull {
     double energy = 0.0;
     std::vector<Point2> at_vertex;

@@ -10,21 +10,21 @@
 
 namespace lamina {
 
-/// A surface divided along its creases: edges at which it bends by 30 degrees or more. What unrolls together
-/// stays together: parts that meet in a straight crease, as the sides of a prism do, but never all around;
-/// if the whole surface seems to, all parts are apart: it is asked about since it does not lie flat. A crease
-/// that ends inside a part divides nothing.
+/// A surface divided into parts along its creases: edges at which it bends by 30 degrees or more. Parts that
+/// meet in a straight crease, such as the sides of a prism, can be unrolled together and stay together, but
+/// never all the way around. If the whole surface seems to unroll, all parts are separated, as the function
+/// is only called for surfaces that cannot be laid flat. A crease that ends inside a part divides nothing.
 struct Creases {
-  std::vector<std::uint32_t> part;  ///< of each triangle; numbered in the order of their first triangles
+  std::vector<std::uint32_t> part;  ///< part of each triangle; numbered in the order of first triangles
   std::uint32_t parts = 0;
   /// Absolute Gaussian curvature at the vertices between parts, without the surface's border [rad].
   double curvature = 0.0;
-  /// The same inside the parts: 0 if they unroll.
+  /// Absolute Gaussian curvature at the vertices inside the parts [rad]: 0 if all parts unroll.
   double inside = 0.0;
 };
 
-/// @param least_area  smaller parts are counted to the neighbour with which they share the longest border
-///                    [mm²]
+/// @param least_area  parts smaller than this are merged with the neighbour that shares the longest border
+///   with them [mm²]
 Creases findCreases(const Mesh& surface, const MeshTopology& topology, double least_area);
 
 }  // namespace lamina

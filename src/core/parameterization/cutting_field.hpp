@@ -8,13 +8,13 @@
 
 namespace lamina {
 
-/// A field whose zero line cuts a connected piece in two, one value per vertex [mm].
+/// A field, one value for each vertex [mm], along whose zero line a connected piece is cut in two.
 ///
-/// A piece around which one can run, between two long borders, is cut into the places nearer to a way that
-/// joins them and those nearer to a way on the other side. Any other one is cut midway between two vertices
-/// far from each other. If the surface has a peak or a saddle point that lies flat in no parameterization,
-/// the line is shifted to run through it. The line keeps clear of vertices that it nearly meets by running
-/// through them.
+/// A ring-shaped piece, with two long borders, is cut into the area nearer to a line that joins the borders
+/// on one side, and the area nearer to such a line on the other side. Any other piece is cut midway between
+/// two vertices that are far from each other. If the surface has a peak or a saddle point that cannot be laid
+/// flat, the line is shifted to pass through it. Where the line nearly meets a vertex it is led through the
+/// vertex.
 std::vector<double> cuttingField(const Mesh& piece);
 
 }  // namespace lamina

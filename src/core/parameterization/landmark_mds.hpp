@@ -16,14 +16,14 @@ struct Landmarks {
   std::vector<std::vector<double>> distance;  ///< [landmark][vertex] [mm]
 };
 
-/// Each landmark is the vertex farthest from those before it; the first is the one farthest from vertex 0.
-/// @param count  at least 1; all vertices if there are no more
+/// Chooses landmarks: each is the vertex farthest from those before; the first one is farthest from vertex 0.
+/// @param count  at least 1; all vertices are landmarks if there are not more
 /// @throws InvalidMesh if a vertex cannot be reached
 Landmarks spreadLandmarks(const GeodesicDistances& geodesics, std::size_t vertices, std::size_t count);
 
-/// Classical multidimensional scaling: the parameterization whose distances between landmarks come nearest to
-/// the given ones, W = -1/2 J D² J, and each vertex where its distances to the landmarks put it
-/// [DeSilva2004]. With all vertices as landmarks this is scaling without landmarks.
+/// Classical multidimensional scaling: the parameterization whose distances between landmarks are closest to
+/// the given ones, W = -1/2 J D² J; other vertices are placed by their distances to the landmarks
+/// [DeSilva2004]. If all vertices are landmarks this is ordinary classical scaling.
 std::vector<Point2> landmarkMds(const Landmarks& landmarks);
 
 }  // namespace lamina

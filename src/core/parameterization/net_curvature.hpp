@@ -9,17 +9,17 @@
 
 namespace lamina {
 
-/// Gaussian curvature at each vertex [rad]: what the angles around it lack of a full turn; 0 on the border.
+/// Gaussian curvature at each vertex [rad]: 2 pi less the sum of the angles around it; 0 on the border.
 std::vector<double> insideCurvature(const Mesh& mesh, const MeshTopology& topology);
 
-/// Gaussian curvature of a surface summed over its inside [rad]: what the angles around each vertex that is
-/// not on the border lack of a full turn. A cap of a sphere that reaches t from its pole has 2 pi (1 - cos
-/// t), whatever its mesh; a surface that unrolls has 0, a saddle less.
+/// Total Gaussian curvature inside a surface [rad]: the sum, over all vertices not on the border, of 2 pi
+/// less the angles around the vertex. A cap of a unit sphere that extends an angle t from its pole has 2 pi
+/// (1 - cos t), whatever its mesh; a surface that unrolls has 0, a saddle less.
 double netCurvature(const Mesh& mesh, const MeshTopology& topology);
 
-/// The greatest net curvature [rad] with which a surface that is as round as a cap can lie flat with all
-/// lengths true within a tolerance. Of all maps of a cap the azimuthal equidistant one stretches least, by t
-/// / sin t [Milnor1969].
+/// The greatest net curvature [rad] with which a surface like a spherical cap can be laid flat with all
+/// lengths true within a tolerance. Of all maps of a cap of angle t the azimuthal equidistant one stretches
+/// least, by t / sin t [Milnor1969].
 /// @param tolerance  relative, from 0 to less than 1; 0 gives 0
 double greatestFlatCurvature(double tolerance);
 

@@ -9,14 +9,14 @@
 
 namespace lamina {
 
-/// Sum over the sides of triangles and over the ways from vertices to landmarks of (length in the parameter
-/// plane / length on the surface - 1)². Sides count as often as they have triangles, landmarks together as
-/// one side.
+/// Stress of a parameterization: the sum, over the sides of triangles and over the geodesics from vertices to
+/// landmarks, of (length in the plane / length on the surface - 1)². A side counts once for each of its
+/// triangles; all landmarks of a vertex together count as much as one side.
 double stressOf(const std::vector<Point2>& parameterization, const TriangleFans& fans,
                 const Landmarks& landmarks);
 
-/// Lessens the stress of a parameterization by majorisation (SMACOF): one vertex after the other moves to the
-/// mean of the places that its sides and landmarks would have it at [Gansner2004].
+/// Reduces the stress of a parameterization by majorisation (SMACOF): one vertex after the other is moved to
+/// the mean of the positions that its sides and landmarks ask for [Gansner2004].
 std::vector<Point2> lessenStress(std::vector<Point2> parameterization, const TriangleFans& fans,
                                  const Landmarks& landmarks);
 

@@ -7,19 +7,19 @@
 
 namespace lamina {
 
-/// Looks at the part along a direction, without perspective.
+/// A parallel projection of the part along a viewing direction.
 class Projection {
  public:
   explicit Projection(PictureView view);
 
-  /// In the plane of the picture [mm].
+  /// Projects a point to the plane of the picture [mm].
   Point2 operator()(const Point3& point) const { return plane_from_part_ * point; }
   Point3 towardsViewer() const;
-  /// Height of a bead as it is seen [mm].
+  /// Height of a bead as seen in the picture [mm].
   double seenHeight(const Bead& bead) const;
-  /// Light on the side of a bead that runs in this direction, about 0.6 to 1.
+  /// Brightness of the side of a bead that runs in this direction, about 0.6 to 1.
   double light(const Point3& direction) const;
-  /// Light on a surface of that normal, about 0.6 to 1.
+  /// Brightness of a surface with this normal, about 0.6 to 1.
   double lightOn(const Point3& normal) const;
 
  private:
@@ -29,18 +29,18 @@ class Projection {
   double elevation_;
 };
 
-/// Draws a path's beads or drops as they are seen from outside, lit from the left.
+/// Draws the visible sides of a path's beads or drops, lit from the left.
 void drawBeads(Canvas& canvas, const Projection& projection, const Path& path, const Colour& colour);
 
 /// A piece of a path's bead, or a drop.
 struct BeadPiece {
   const Path& path;
-  std::size_t waypoint = 0;  ///< to which it is deposited
+  std::size_t waypoint = 0;  ///< waypoint at which it ends
   Point3 from = Point3::Zero();
   Point3 to = Point3::Zero();
 };
 
-/// Draws it, lit as its upper side along the nozzle is.
+/// Draws a piece, lit as its upper side, towards the nozzle, is.
 void drawBead(Canvas& canvas, const Projection& projection, const BeadPiece& piece, const Colour& colour);
 
 /// Draws a path's beads or drops at their width from above, each with a darker edge.

@@ -11,7 +11,7 @@
 
 namespace lamina {
 
-/// Pixels that are drawn on; all coordinates in pixels, y down.
+/// A raster of pixels to draw on; all coordinates are in pixels, y downwards.
 class PixelSurface {
  public:
   virtual ~PixelSurface() = default;
@@ -19,7 +19,7 @@ class PixelSurface {
   virtual void area(const std::vector<Point2>& corners, const Colour& colour) = 0;
   virtual void rectangle(const Box2& box, const Colour& colour) = 0;
   virtual void dot(const Point2& centre, double radius, const Colour& colour) = 0;
-  /// @param corner  the raster's upper left one
+  /// @param corner  upper left corner of the raster
   /// @param cell    width and height of a cell
   virtual void raster(const Point2& corner, const Point2& cell, const CellColours& cells) = 0;
   virtual void text(const Point2& at, const std::string& text, const TextStyle& style) = 0;
@@ -27,9 +27,9 @@ class PixelSurface {
   virtual std::string png() const = 0;
 };
 
-/// What the module `cairo` offers: cairo and its fonts stay out of commands that draw nothing.
+/// Functions of the module `cairo`, which keeps cairo and its fonts out of commands that draw nothing.
 struct CairoModule {
-  std::unique_ptr<PixelSurface> (*surface)(int width, int height);  ///< white
+  std::unique_ptr<PixelSurface> (*surface)(int width, int height);  ///< makes a white surface
 };
 
 }  // namespace lamina

@@ -12,7 +12,7 @@
 
 namespace lamina {
 
-/// Looks along a direction, without perspective.
+/// A parallel projection along a viewing direction.
 struct View {
   Point3 right;
   Point3 up;
@@ -23,23 +23,24 @@ struct View {
 
 View viewFrom(double heading_rad, double elevation_rad);
 
-/// Of a region that a picture points at.
+/// Colour of a region that a picture points out.
 Colour regionColour();
 
-/// What is seen in each pixel of a view: of all faces turned to the viewer the nearest.
+/// A picture by depth buffer: each pixel shows the nearest of the faces turned to the viewer.
 class DepthPicture {
  public:
   DepthPicture(const View& view, const Box2& world, double pixels_per_mm);
 
   void addPart(const Mesh& mesh);
-  /// In a colour of its own.
+  /// Adds a mesh in a colour of its own.
   void addSolid(const Mesh& mesh, const Colour& colour);
   /// Tints what it would hide. Of several such faces over each other, the nearest does.
   void addGlass(const Mesh& mesh, const Colour& colour);
-  /// Shines through what hides it.
-  /// @param nearer  how far it is held to lie before the part's own face in the same place [mm]
+  /// Adds a region of the part's surface, which shines through what hides it.
+  /// @param nearer  distance by which the region counts as nearer to the viewer than the part's face at the
+  ///   same place [mm]
   void addRegion(const Mesh& mesh, double nearer);
-  /// Gives the part other colours, by the place that is seen. May be called from any thread.
+  /// Colours the part by the position of each visible point. `colour_at` may be called from any thread.
   void paintPart(const std::function<Colour(const Point3&)>& colour_at);
 
   CellColours raster() const;

@@ -8,33 +8,33 @@
 
 namespace lamina {
 
-/// Text such that a browser shows it as it is, inside and outside of attributes. What is no UTF-8 and what
-/// cannot be shown becomes a question mark.
+/// A text with HTML's special characters escaped, for use inside and outside of attributes. Bytes that are
+/// not UTF-8 and characters that cannot be shown become question marks.
 std::string escapedHtml(std::string_view text);
 
 /// Rows of a table.
 struct HtmlTable {
   std::vector<std::string> head;
-  std::vector<std::vector<std::string>> rows;  ///< plain text; each as long as the head
-  std::size_t marked_rows = 0;                 ///< so many from the first stand out
+  std::vector<std::vector<std::string>> rows;  ///< plain text; each row has as many cells as the head
+  std::size_t marked_rows = 0;                 ///< number of rows, from the first, that are highlighted
 };
 
-/// A page that stands in one file, without scripts.
+/// A self-contained HTML page without scripts.
 class HtmlPage {
  public:
   explicit HtmlPage(std::string title) : title_(std::move(title)) {}
 
   void heading(const std::string& text);
   void paragraph(const std::string& text);
-  /// Numbers stand to the right. Nothing for a table without rows.
+  /// Adds a table, with numbers aligned to the right; adds nothing if the table has no rows.
   void table(const HtmlTable& table);
-  /// A row of pictures, as many beside each other as fit.
+  /// Adds a row of pictures, as many side by side as fit.
   void pictures(const std::vector<std::string>& pngs, const std::vector<std::string>& descriptions);
 
-  /// A drawing in SVG, as it stands.
+  /// Adds a drawing in SVG, unchanged.
   void drawing(const std::string& svg);
 
-  /// The file.
+  /// The text of the whole file.
   std::string text() const;
 
  private:

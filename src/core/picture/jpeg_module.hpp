@@ -8,7 +8,7 @@
 
 namespace lamina {
 
-/// What the module `jpeg` offers: libjpeg stays out of commands that write no JPEG.
+/// Functions of the module `jpeg`, which keeps libjpeg out of commands that write no JPEG.
 struct JpegModule {
   std::string (*encode)(const PixelImage& image);  ///< as `jpegFile`
 };

@@ -8,8 +8,8 @@
 
 namespace lamina {
 
-/// Draws all that is deposited, the farthest first.
-/// @param box  of what is deposited, from the bottom of the first layer
+/// Draws all deposited beads and drops, the farthest first.
+/// @param box  bounding box of the deposition, from the bottom of the first layer
 void drawDeposition(Canvas& canvas, const Projection& projection, const Toolpath& toolpath, const Box3& box,
                     PictureColour colouring);
 

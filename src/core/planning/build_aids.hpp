@@ -29,7 +29,7 @@ using LayerAids = std::vector<AidRuns>;
 /// The aids, moved in the plane of the layers [mm].
 LayerAids moved(LayerAids aids, const Point2& by);
 
-/// Volume that they deposit [mm³].
+/// Volume that the runs deposit [mm³].
 double depositedVolume(const AidRuns& aids);
 
 }  // namespace lamina

@@ -34,7 +34,8 @@ struct GroupedInfill {
   Regions alone;     ///< deposited in this layer alone, without places narrower than a bead
 };
 
-/// @param area  of sparse infill in one layer
+/// Divides an area of sparse infill in one layer.
+/// @param area  area of sparse infill in the layer
 GroupedInfill groupedInfill(const Regions& area, const InfillGroup& group, double bead_width_mm);
 
 /// The group of each layer of a stack. An incomplete one at the top is a group too. Empty if each layer has

@@ -30,18 +30,19 @@ struct PlanContext {
   Point2 anchor = Point2::Zero();  ///< of aligned seams; start of each layer's ordering [mm]
   std::optional<BedPlane> bed;     ///< below inclined layers
   std::optional<Box2> level_bed;   ///< area of the nozzle over the bed of level layers, if known
-  /// Identity except for inclined layers.
+  /// Pose of the layers' frame; the identity except for inclined layers.
   Eigen::Isometry3d part_from_layers = Eigen::Isometry3d::Identity();
-  LayerLift lift;             ///< of layers that are planned flat; empty for others
-  std::vector<bool> is_skin;  ///< of lifted layers, by layer: solid, whatever the infill; empty: none
-  /// Highest z of what stands on the bed before the first layer [mm, part frame].
+  LayerLift lift;  ///< of layers that are planned flat; empty for others
+  /// Of lifted layers: whether each one is solid, whatever the infill; empty if none is.
+  std::vector<bool> is_skin;
+  /// Highest z of solid material on the bed before the first layer [mm, part frame].
   double standing_mm = -std::numeric_limits<double>::infinity();
 };
 
 /// The settings and the area of a variant of the plan in one layer (`PlanVariant`).
 struct LayerVariant {
   const PlanContext* context = nullptr;
-  const LayerCover* cover = nullptr;  ///< as those of `StackedLayer`
+  const LayerCover* cover = nullptr;  ///< as the one of `StackedLayer`
   const LayerCover* cover_below = nullptr;
   const std::vector<Polyline>* branches = nullptr;
   const Regions* area = nullptr;
@@ -51,7 +52,7 @@ struct LayerVariant {
 struct StackedLayer {
   const Layer* layer = nullptr;
   const Layer* below = nullptr;
-  const LayerCover* cover = nullptr;        ///< null without skins, bridges and overhanging walls
+  const LayerCover* cover = nullptr;        ///< null unless skins, bridges or overhanging walls are used
   const LayerCover* cover_below = nullptr;  ///< of the layer below
   /// Branches of a fill that grows from the layers above; null for other fills.
   const std::vector<Polyline>* branches = nullptr;

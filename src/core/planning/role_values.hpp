@@ -10,7 +10,7 @@
 
 namespace lamina {
 
-/// The format of a setting with values by role, for messages.
+/// How a setting with values by role is described in error messages.
 struct RoleValueFormat {
   std::string key;
   double greatest = 1.0;

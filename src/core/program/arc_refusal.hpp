@@ -8,7 +8,9 @@
 
 namespace lamina {
 
-/// @throws InvalidConfig naming what has no arcs
+/// Refuses `program.arcs_tolerance_mm` in a program that cannot have arcs.
+/// @param where  the dialect or language, for the message
+/// @throws InvalidConfig
 [[noreturn]] void refuseArcs(const ProgramSettings& settings, const std::string& where);
 
 }  // namespace lamina

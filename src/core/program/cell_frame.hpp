@@ -7,11 +7,11 @@
 
 namespace lamina {
 
-/// Whether a frame of a tool or bed that a program states is that of the cell: within 0.01 mm and 1e-5 rad,
-/// beyond the decimals of what somebody has typed.
+/// Whether a frame of tool or bed that a program states equals that of the cell, within 0.01 mm and 1e-5 rad,
+/// which is more than the rounding of typed numbers.
 bool isSameCellFrame(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b);
 
-/// The frame for people: "(x, y, z) mm, w x y z ...".
+/// The frame as text for messages: "(x, y, z) mm, w x y z ...".
 std::string shownCellFrame(const Eigen::Isometry3d& frame);
 
 }  // namespace lamina

@@ -14,8 +14,8 @@ std::vector<double> externalAxes(const KinematicModel& arm, const JointValues& v
 
 std::vector<JointKind> externalAxisKinds(const KinematicModel& arm);
 
-/// The values with those of the external axes replaced, as far as there are any.
-/// @return nothing if one is missing
+/// Joint values with those of the external axes replaced. Surplus values in `external` are ignored.
+/// @return nothing if the value of an external axis is missing
 std::optional<JointValues> withExternalAxes(const KinematicModel& arm, JointValues values,
                                             const std::vector<double>& external);
 

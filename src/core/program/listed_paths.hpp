@@ -10,21 +10,22 @@
 
 namespace lamina {
 
-/// A path and where it stands in its toolpath, which must outlive it.
+/// A path and its position in its toolpath, which must outlive this object.
 struct ListedPath {
   const Path* path = nullptr;
   std::size_t layer = 0;
-  std::size_t index = 0;  ///< in its layer
+  std::size_t index = 0;  ///< index of the path in its layer
 };
 
-/// All paths, in the order they are run.
-/// @throws InvalidInput if there are none
+/// All paths of a toolpath, in the order in which they are run.
+/// @throws InvalidInput if there are no paths
 std::vector<ListedPath> listedPaths(const Toolpath& toolpath);
 
-/// @throws InvalidInput naming the waypoint and what is wrong with it
+/// Refuses a waypoint of a path.
+/// @throws InvalidInput naming the waypoint and the fault
 [[noreturn]] void refuseWaypoint(const ListedPath& at, std::size_t waypoint, const std::string& what);
 
-/// @throws InvalidInput naming the first feed that is not from 0.001 mm/s to 100 m/s
+/// Refuses feeds outside 0.001 mm/s to 100 m/s.
 void requireWritableFeeds(const ListedPath& at);
 
 }  // namespace lamina

@@ -11,8 +11,9 @@ namespace lamina {
 
 enum class PathClosure : std::uint8_t { Open, Closed };
 
-/// The values of a path's motions as those of the waypoints at which they end; one value if all are the same.
-/// @param of_motions  one at least
+/// Values of a path's motions, converted to values of the waypoints at which the motions end; a single value
+/// if all are equal.
+/// @param of_motions  not empty
 template <class Value>
 AlongPath<Value> perWaypoint(const std::vector<Value>& of_motions, PathClosure ends) {
   const bool is_common = std::all_of(of_motions.begin(), of_motions.end(),

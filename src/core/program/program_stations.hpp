@@ -11,17 +11,17 @@
 
 namespace lamina {
 
-/// The stations of a joint path by the toolpath's paths: that where a path begins, and one at the end of each
-/// of its motions.
+/// Stations of a joint path, found by path of its toolpath: the station at which a path begins, and the one
+/// at the end of each of its motions.
 class ProgramStations {
  public:
-  /// Checks that the kinematic model can run it.
+  /// Checks that the kinematic model can run the joint path.
   /// @throws Unreachable  if the joint path has faults, or a joint is outside its limits
-  /// @throws InvalidInput if the joint path is not of this toolpath where it stands
+  /// @throws InvalidInput if the joint path does not belong to this toolpath at this position
   ProgramStations(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
                   const KinematicModel& model, const JointPath& joints);
 
-  /// @param path  counted through all layers
+  /// @param path  index, counted through all layers
   const JointValues& begin(std::size_t path) const { return joints_.values[first_[path]]; }
   const JointValues& end(std::size_t path, std::size_t motion) const {
     return joints_.values[first_[path] + 1 + motion];

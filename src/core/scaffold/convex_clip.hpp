@@ -8,7 +8,7 @@
 
 namespace lamina {
 
-/// The pieces of a line inside a convex outline, in order ([Cyrus1978], segment by segment).
+/// The pieces of a polyline inside a convex outline, in order ([Cyrus1978], segment by segment).
 /// @param outline  counter-clockwise
 std::vector<Polyline> clippedToConvex(const Polyline& line, const Polygon& outline);
 

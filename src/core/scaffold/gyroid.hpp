@@ -8,14 +8,14 @@
 
 namespace lamina {
 
-/// A level cut through the gyroid sin x cos y + sin y cos z + sin z cos x = 0.
+/// A level section of the gyroid sin x cos y + sin y cos z + sin z cos x = 0.
 struct GyroidSlice {
   double period_mm = 1.0;
   double z_mm = 0.0;
-  double angle_rad = 0.0;  ///< by which it is turned about z
+  double angle_rad = 0.0;  ///< rotation about z
 };
 
-/// The curves of the cut inside a convex outline, one after the other across it, to and fro.
+/// The curves of the section inside a convex outline, ordered across it, alternating in direction.
 /// @param outline  counter-clockwise
 std::vector<Polyline> gyroidLines(const GyroidSlice& slice, const Polygon& outline);
 

@@ -10,7 +10,8 @@
 
 namespace lamina {
 
-/// @throws InvalidConfig naming the key unless the length is positive and finite
+/// Refuses a length that is not positive and finite.
+/// @throws InvalidConfig naming the key
 inline void requirePositive(const std::string& key, double length_mm) {
   if (length_mm > 0.0 && std::isfinite(length_mm)) return;
   throw InvalidConfig(key + " is " + numberText(length_mm) + " mm; must be positive");

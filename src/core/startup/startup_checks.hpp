@@ -11,31 +11,32 @@ namespace lamina {
 
 enum class Verdict : std::uint8_t {
   Met,
-  NotMet,   ///< what was measured is out of its bounds
-  Unknown,  ///< nothing was measured
+  NotMet,   ///< the measured value is outside its bounds
+  Unknown,  ///< no value was measured
 };
 
-/// What was measured of a step against what is expected.
+/// Result of comparing a measurement of a step with what is expected.
 struct StartupCheck {
   Verdict verdict = Verdict::Unknown;
-  std::string reason;  ///< with actual value, unit and expected
+  std::string reason;  ///< states actual value, unit and expected value
   std::optional<double> value;
   std::string unit;
   std::string expected;
 };
 
-/// How strictly a temperature is looked at: one that was reached may waver about its target.
+/// How strictly a temperature is checked: once reached, it may vary about its target.
 enum class Strictness : std::uint8_t { Reaching, Keeping };
 
 StartupCheck checkBed(const MachineReports& reports, const StartupSettings& settings, Strictness strictness);
-/// Whether the bed heats no faster than it may.
+/// Checks that the bed heats no faster than allowed.
 StartupCheck checkBedRate(const MachineReports& reports, const StartupSettings& settings);
+/// Checks the time of drying.
 /// @param dried_s  time at the temperature so far
 StartupCheck checkDrying(double dried_s, const StartupSettings& settings);
-/// Whether the dryer is hot enough.
+/// Checks that the dryer is hot enough.
 StartupCheck checkDryer(const MachineReports& reports, const StartupSettings& settings);
 StartupCheck checkHomed(char axis, const MachineReports& reports);
-/// Names the first zone that does not hold, or was not reported.
+/// Checks that all zones hold their vacuum; names the first that does not, or was not reported.
 StartupCheck checkVacuum(const MachineReports& reports, const StartupSettings& settings);
 StartupCheck checkHeights(const MachineReports& reports, const StartupSettings& settings);
 

@@ -8,17 +8,17 @@
 
 namespace lamina {
 
-/// A file that is written whole or not at all, a mebibyte at a time.
+/// A file that is written completely or not at all, through a buffer of one mebibyte.
 class BufferedFile {
  public:
-  /// @throws FileError if it cannot be written, as the other calls
+  /// @throws FileError if the file cannot be written; so do the other calls
   explicit BufferedFile(const std::string& path) : file_(path) {}
 
   void append(const std::string& bytes) {
     buffer_ += bytes;
     if (buffer_.size() > kFlush) flush();
   }
-  /// Ends the file, which takes the place of what was there.
+  /// Finishes the file, which then replaces the one that was there.
   void commit() {
     flush();
     file_.commit();

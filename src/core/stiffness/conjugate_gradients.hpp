@@ -8,29 +8,28 @@
 
 namespace lamina {
 
-/// Elements and which displacements of their nodes are given.
+/// Elements, and which displacements of their nodes are prescribed.
 struct ElasticProblem {
   ElasticElements elements;
   GivenNodes given;
 };
 
-/// When to stop.
+/// When the iteration stops.
 struct IterationLimits {
-  double residual = 1e-6;  ///< length of the unbalanced forces over that at the start
+  double residual = 1e-6;  ///< greatest norm of the unbalanced forces, relative to that at the start
   int iterations = 500;
 };
 
-/// How it went.
+/// Outcome of the iteration.
 struct Iteration {
   int count = 0;
-  double residual = 0.0;  ///< as in IterationLimits, reached
+  double residual = 0.0;  ///< relative residual reached, as in IterationLimits
 };
 
-/// Moves the nodes that are not given until forces balance, by conjugate gradients with the multigrid as
-/// preconditioner, in double precision.
-///
-/// @param displacement  holds the given displacements; the others are where the search begins
-/// @return what was reached, which may be short of the limit
+/// Solves for the displacements that are not prescribed, so that forces balance: conjugate gradients with
+/// multigrid as preconditioner, in double precision.
+/// @param displacement  in: prescribed displacements, and start values of the others; out: the solution
+/// @return the residual reached, which may be above the limit
 /// @throws Cancelled
 Iteration balance(const ElasticProblem& problem, const IterationLimits& limits,
                   NodeField<double>& displacement, Progress& progress);

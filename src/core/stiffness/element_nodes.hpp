@@ -20,7 +20,7 @@ void forNodes(const ElementLattice& lattice, const Body& body) {
     }
 }
 
-/// Calls body(run, i) for each element of a lattice, in order: element i of the run.
+/// Calls body(run, i) for each element of a lattice, in order; the element has index i in the run.
 template <class Body>
 void forElements(const ElementLattice& lattice, const Body& body) {
   const int rows = lattice.count()[1] * lattice.count()[2];
@@ -28,14 +28,14 @@ void forElements(const ElementLattice& lattice, const Body& body) {
     for (std::int32_t i = 0; i < run->count; ++i) body(*run, i);
 }
 
-/// The nodes of an element, round its low face counter-clockwise seen from above, then round its high face:
-/// the order of VTK and Abaqus.
+/// The nodes of an element in the order of VTK and Abaqus: around its lower face counter-clockwise seen from
+/// above, then around its upper face.
 inline std::array<std::int32_t, 8> nodesAround(const ElementRun& run, std::int32_t i) {
   const std::array<std::int32_t, 4>& n = run.node;
   return {n[0] + i, n[0] + i + 1, n[1] + i + 1, n[1] + i, n[2] + i, n[2] + i + 1, n[3] + i + 1, n[3] + i};
 }
 
-/// Place of a node [mm].
+/// Position of a node [mm].
 inline Point3 placeOf(const ElementModel& model, int i, int j, int k) {
   return model.corner + model.element_mm * Point3(i, j, k);
 }

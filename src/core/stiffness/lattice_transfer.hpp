@@ -7,16 +7,15 @@
 
 namespace lamina {
 
-/// Adds to the nodes of the fine lattice what the coarse one holds, linearly along each axis between its
-/// nodes.
+/// Adds the values at the nodes of a coarse lattice to the nodes of a fine one, interpolated trilinearly.
 void addInterpolated(const ElementLattice& coarse_lattice, const NodeField<float>& coarse,
                      const ElementLattice& fine_lattice, NodeField<float>& fine);
 
-/// The transpose of that: forces on the nodes of the fine lattice gathered on those of the coarse one.
+/// Adds forces at the nodes of a fine lattice to those of a coarse one: the transpose of `addInterpolated`.
 void gatherForces(const ElementLattice& fine_lattice, const NodeField<float>& fine,
                   const ElementLattice& coarse_lattice, NodeField<float>& coarse);
 
-/// The coarse nodes on which a node depends that is given on the fine lattice.
+/// The coarse nodes whose values influence a prescribed node of the fine lattice.
 GivenNodes givenOnCoarse(const ElementLattice& fine_lattice, const GivenNodes& given,
                          const ElementLattice& coarse_lattice);
 

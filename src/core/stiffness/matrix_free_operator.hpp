@@ -8,28 +8,29 @@
 
 namespace lamina {
 
-/// Elements and what they are made of.
+/// Elements and their material.
 struct ElasticElements {
   const ElementLattice& lattice;
   ElasticMaterial material;
-  double element_mm = 0.0;  ///< side of an element
+  double element_mm = 0.0;  ///< edge length of an element
 };
 
-/// Adds `factor` times the forces [N] that hold the displacements [mm] of the nodes: the product with the
-/// stiffness of all elements, none of which is ever held. The stiffness of a cube with eight nodes,
-/// integrated exactly, is almost diagonal in the products of 1, x, y and z that its displacements are made of
+/// Adds `factor` times the forces [N] that belong to the displacements [mm] of the nodes: the product with
+/// the stiffness matrix of all elements, which is never stored. The stiffness of a cube with eight nodes,
+/// integrated exactly, is almost diagonal in the products of 1, x, y and z of which its displacements consist
 /// (the Hadamard transform of its corners), and neighbours along x share half of that transform.
 ///
-/// The sum comes out the same whatever the number of threads.
+/// The sum does not depend on the number of threads.
 template <class Real>
 void addForces(const ElasticElements& elements, double factor, const NodeField<Real>& displacement,
                NodeField<Real>& force);
 
-/// Every number on the diagonal of the stiffness [N/mm] of an element of density 1.
+/// The diagonal entry of the stiffness matrix [N/mm] of an element of density 1; all its diagonal entries are
+/// equal.
 double diagonalOfElement(const ElasticMaterial& material, double element_mm);
 
-/// Sum of the densities of the elements around each node: the diagonal of the stiffness of all of them, along
-/// x, y and z alike, over that of one.
+/// Sum of the densities of the elements around each node: the diagonal of the stiffness matrix of all
+/// elements, for each of x, y and z, divided by the diagonal entry of one element.
 std::vector<float> densityAround(const ElementLattice& lattice);
 
 }  // namespace lamina

@@ -10,12 +10,12 @@
 
 namespace lamina {
 
-/// Where the profile of one line of a sweep stands.
+/// Frame of the profile of one line of a sweep.
 struct BeadFrame {
-  Point3 middle;  ///< of the profile at the start of the line [mm]
-  Point3 way;     ///< to the end of the line [mm]
-  Point3 side;    ///< unit, across the line
-  Point3 up;      ///< unit, across both
+  Point3 middle;  ///< middle of the profile at the start of the line [mm]
+  Point3 way;     ///< vector to the end of the line [mm]
+  Point3 side;    ///< horizontal direction across the line, of unit length
+  Point3 up;      ///< direction across line and side, of unit length
 };
 
 /// @param line  of the sweep, from 0

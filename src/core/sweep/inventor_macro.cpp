@@ -146,7 +146,7 @@ class InventorScript {
 };
 
 /// Whether a sweep goes on from one line to the next [Vega2023, section 3.1].
-bool goesOn(const BeadFrame& before, const BeadFrame& after) {
+bool continuesSweep(const BeadFrame& before, const BeadFrame& after) {
   return before.way.dot(after.way) >= 0.0 && before.way.norm() >= kShortLine &&
          after.way.norm() >= kShortLine;
 }
@@ -159,7 +159,7 @@ std::string inventorMacro(const std::vector<Sweep>& sweeps) {
   for (const Sweep& sweep : sweeps) {
     for (std::size_t line = 0; line < sweep.lineCount(); ++line) {
       const BeadFrame frame = frameOfLine(sweep, line);
-      const bool begins = line == 0 || !goesOn(frameOfLine(sweep, line - 1), frame);
+      const bool begins = line == 0 || !continuesSweep(frameOfLine(sweep, line - 1), frame);
       if (begins && line > 0) script.finish();
       if (begins) script.begin(frame, sweep.bead);
       script.go(frame.middle + frame.way);

@@ -9,24 +9,25 @@
 
 namespace lamina {
 
-/// The direction away from what is deposited at a waypoint, against the tool axis; of unit length [part
-/// frame].
+/// The direction away from the layer below at a waypoint, against the tool axis; of unit length [part frame].
 inline Point3 upAt(const Path& path, std::size_t waypoint) {
   return -(path.orientation.at(waypoint) * Point3::UnitZ());
 }
 
-/// The middle of a bead's section: the nozzle tip goes along its top, so that it lies half its height below.
+/// The middle of a bead's cross-section. The nozzle tip moves along the top of the bead, so that it lies half
+/// the height below the tip.
 /// @param tip  in any frame [mm]
 /// @param up   away from the layer below, of unit length, in the same frame
 inline Point3 sectionMiddle(const Point3& tip, double height_mm, const Point3& up) {
   return tip - 0.5 * height_mm * up;
 }
 
-/// The outline of a bead's section: straight lines and half circles; the circles are at the sides of a wide
-/// bead, at bottom and top of one that is higher than wide.
+/// The outline of a bead's cross-section: straight lines and half circles. The circles are at the sides of a
+/// bead that is wider than high, otherwise at its bottom and top.
 struct SectionOutline {
-  double flat_across_mm = 0.0;  ///< half of its level straight lines; 0 if it is higher than wide
-  double flat_up_mm = 0.0;      ///< half of its upright ones
+  /// Half the length of its horizontal lines; 0 if the bead is higher than wide.
+  double flat_across_mm = 0.0;
+  double flat_up_mm = 0.0;  ///< half the length of its vertical lines; 0 if the bead is wider than high
   double radius_mm = 0.0;
 };
 
@@ -35,8 +36,8 @@ inline SectionOutline sectionOutline(const Bead& bead) {
   return {0.5 * bead.width_mm - radius_mm, 0.5 * bead.height_mm - radius_mm, radius_mm};
 }
 
-/// Axes of a bead as columns: along it, across it, and off the layer as far as the first allows. Of a drop,
-/// which goes nowhere, the last is the normal.
+/// Axes of a bead as columns: along it, across it, and away from the layer, as far as this is perpendicular
+/// to the first. The last axis of a drop, which has no direction along, is the normal.
 inline Eigen::Matrix3d beadAxes(const Point3& along, const Point3& normal) {
   constexpr double kUpright = 1e-6;  // sine of the angle to the normal below which a bead goes along it
   Point3 across = normal.cross(along);

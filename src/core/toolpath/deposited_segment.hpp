@@ -8,7 +8,7 @@
 
 namespace lamina {
 
-/// Whether a path is part of the part: it deposits, and what it deposits stays.
+/// Whether a path belongs to the part: it deposits, and not as a build aid.
 inline bool isPartOfPart(const Path& path) {
   const RoleKind kind = kindOf(path.role);
   return kind == RoleKind::Wall || kind == RoleKind::Infill;
@@ -19,23 +19,23 @@ inline bool laysBeads(const Path& path) {
   return path.role != PathRole::Travel && path.deposit == Deposit::Bead;
 }
 
-/// What is deposited in one go: a bead along a motion, or a drop, which ends where it starts. The path must
-/// outlive it.
+/// A segment that is deposited: a bead along one motion, or a drop, which starts and ends at the same
+/// waypoint. The path must outlive the segment.
 struct DepositedSegment {
   std::size_t from = 0;      ///< waypoint at which it starts
   std::size_t waypoint = 0;  ///< waypoint at which it ends, whose bead and orientation it has
-  const Point3& start;       ///< of the nozzle tip [mm, part frame]
+  const Point3& start;       ///< position of the nozzle tip at the start [mm, part frame]
   const Point3& end;
   const Bead& bead;
 
   double length() const { return (end - start).norm(); }
-  /// Whether its section has no area, so that nothing is deposited.
+  /// Whether its cross-section has no area, so that nothing is deposited.
   bool isEmpty() const { return !(bead.width_mm > 0.0 && bead.height_mm > 0.0); }
 };
 
-/// Calls visit(segment) for each motion of a path of beads and each drop of one of drops, in the order in
-/// which they are deposited, empty ones too; for nothing of a travel. A closed path of beads ends with its
-/// return.
+/// Calls visit(segment) for each motion of a path of beads, or each drop of a path of drops, in order of
+/// deposition, including empty ones. A travel has no segments. A closed path of beads ends with the segment
+/// back to its start.
 template <class Visit>
 void forEachDepositedSegment(const Path& path, const Visit& visit) {
   if (path.role == PathRole::Travel) return;

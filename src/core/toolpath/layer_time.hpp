@@ -6,7 +6,7 @@
 
 namespace lamina {
 
-/// Time of one layer from rest to rest, as `estimateTime` has that of a toolpath without any other [s].
+/// Time of one layer from rest to rest [s]: as `estimateTime` of a toolpath with this layer alone.
 double layerTime(const ToolpathLayer& layer, const MotionLimits& limits);
 
 }  // namespace lamina

@@ -6,18 +6,17 @@
 
 namespace lamina {
 
-/// Walks through the motions of a toolpath that go somewhere, in order. Motions shorter than any machine
-/// resolves are passed over.
+/// Steps through the motions of a toolpath, in order. Motions shorter than any machine resolves are skipped.
 class MotionCursor {
  public:
   explicit MotionCursor(const Toolpath& toolpath)
       : MotionCursor(toolpath.layers.data(), toolpath.layers.size()) {}
   MotionCursor(const ToolpathLayer* first, std::size_t count) : layers_(first), count_(count) {}
 
-  /// Steps to the next motion; the first call to the first one. False after the last.
+  /// Moves to the next motion; at the first call, to the first one. Returns false after the last one.
   bool step();
 
-  /// The motion it stands at.
+  /// The path of the current motion.
   const Path& path() const { return layers_[layer_].paths[path_]; }
   const Point3& start() const { return path().points[motion_]; }
   const Point3& end() const { return path().points[path().motionEnd(motion_)]; }
@@ -25,7 +24,7 @@ class MotionCursor {
   std::size_t startWaypoint() const { return motion_; }
   WaypointIndex endWaypoint() const { return {layer_, path_, path().motionEnd(motion_)}; }
   MotionSegment segment(const MotionLimits& limits) const;
-  /// How long the nozzle waits before this motion [s].
+  /// Time for which the nozzle waits before this motion [s].
   double dwell() const { return dwell_s_; }
 
  private:

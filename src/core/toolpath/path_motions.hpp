@@ -21,8 +21,8 @@ inline const Eigen::Quaterniond& endOrientation(const Path& path) {
   return path.orientation.at(path.is_closed ? 0 : path.points.size() - 1);
 }
 
-/// A quantity along a path that is made of the waypoints of another one.
-/// @param from  the waypoint of the other path for each of the new one
+/// The values of a quantity along a path, for a path made of waypoints of this one.
+/// @param from  for each waypoint of the new path, the one of the old path
 template <class Value>
 AlongPath<Value> picked(const AlongPath<Value>& quantity, const std::vector<std::size_t>& from) {
   if (quantity.isCommon()) return quantity;

@@ -78,8 +78,8 @@ void setMotion(JointStation& station, const Path& path, std::size_t from, const 
   station.levels = levelsTo(path, to);
 }
 
-/// Whether tip and tool axis go on as they came.
-bool goesOn(const JointStation& before, const JointStation& here, const JointStation& after) {
+/// Whether tip and tool axis keep their direction and rate per length.
+bool keepsDirection(const JointStation& before, const JointStation& here, const JointStation& after) {
   if (here.length_mm == 0.0 || after.length_mm == 0.0) return false;
   const auto rate = [](const JointStation& from, const JointStation& to) {
     Eigen::Matrix<double, 6, 1> value;
@@ -131,7 +131,7 @@ JointStations jointStations(const Toolpath& toolpath, const JointPath& path, con
     if (const auto* const dwell = std::get_if<Dwell>(&event))
       stations.each.back().dwell_s += dwell->duration_s;
   for (std::size_t i = 1; i + 1 < stations.each.size(); ++i)
-    stations.each[i].is_smooth = goesOn(stations.each[i - 1], stations.each[i], stations.each[i + 1]);
+    stations.each[i].is_smooth = keepsDirection(stations.each[i - 1], stations.each[i], stations.each[i + 1]);
   return stations;
 }
 

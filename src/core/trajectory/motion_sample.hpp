@@ -7,9 +7,9 @@
 
 namespace lamina {
 
-/// The joints at a time, averaged over the `averaging_s` before it (not at all if 0), and the flow; nothing
-/// of the process is on. Averages keep every limit on speed and acceleration, and bound the jerk of a joint
-/// by twice its acceleration over `averaging_s`.
+/// Joints at a time, averaged over the `averaging_s` before it (not averaged if 0), and the flow; all process
+/// signals are off. Averages keep every limit on speed and acceleration, and bound the jerk of a joint by
+/// twice its acceleration over `averaging_s`.
 JointState motionSample(const Timeline& timeline, double averaging_s, double time_s);
 
 }  // namespace lamina

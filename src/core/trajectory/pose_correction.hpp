@@ -9,22 +9,22 @@
 
 namespace lamina {
 
-/// Brings joints near a pose to it: Newton's method with the least motion of the joints, each in proportion
-/// to its greatest speed. The turn about the tool axis is free.
+/// Moves joint values near a pose to that pose, by Newton's method with the least joint motion, in which each
+/// joint is weighted by its greatest speed. Rotation about the tool axis is free.
 class PoseCorrection {
  public:
   enum class Keep : std::uint8_t { Tip, TipAndToolAxis };
 
   PoseCorrection(const KinematicModel& model, const TrajectorySettings& settings);
 
-  /// Whether tip and tool axis are as asked within half the tolerance on lines.
+  /// Whether tip and tool axis deviate from the requested ones by at most half the tolerance on lines.
   bool isWithin(const Eigen::Isometry3d& is, const Eigen::Isometry3d& asked) const;
 
-  /// Joint values with tip, or tip and tool axis, as asked within a hundredth of that; nothing if there are
-  /// none.
+  /// Joint values whose tip, or tip and tool axis, are as requested to within a hundredth of the tolerance;
+  /// nothing if there are none.
   std::optional<JointValues> near(JointValues values, const Eigen::Isometry3d& asked, Keep keep) const;
 
-  /// Time that joints need from one to the other, as a root of squares [s].
+  /// Root of the sum of the squared times that the joints need from one set of values to the other [s].
   double distance(const JointValues& from, const JointValues& to) const {
     return (to - from).cwiseQuotient(speeds_).norm();
   }

@@ -12,21 +12,22 @@
 
 namespace lamina {
 
-/// When what is on along a timeline.
+/// Times along a timeline at which process outputs are on.
 class ProcessSchedule {
  public:
-  /// A bead that leads and lags leave no time for has no laser or wire: an error of the settings for a whole
-  /// bead, but what may be left of one where it is paused.
+  /// How a bead for which lead and lag times leave no time is treated. Laser or wire are not switched on for
+  /// it. That is an error of the settings if the bead is whole, but may happen for the rest of a bead that
+  /// was cut by a pause.
   enum class Beads : std::uint8_t { Whole, Cut };
 
   ProcessSchedule() = default;
-  /// @throws InvalidInput if a whole bead has no time
+  /// @throws InvalidInput if leads and lags leave no time for a whole bead
   ProcessSchedule(const Timeline& timeline, double averaging_s, const ProcessSettings& settings, Beads beads);
 
-  /// Everything is off from then on.
+  /// Switches everything off from this time on.
   void makeSafeFrom(double time_s) { safe_from_s_ = std::min(safe_from_s_, time_s); }
 
-  /// @param motion  flow and levels of the motion at that time, of which levels are 0 that are switched off
+  /// @param motion  flow and levels of the motion at that time; levels of switched-off outputs are set to 0
   ProcessSignals signalsAt(double time_s, const ProcessSignals& motion) const;
   /// In order of time; at one instant in the order laser, wire, powder, gas.
   std::vector<ProcessEvent> events() const;

@@ -4,11 +4,11 @@
 
 namespace lamina {
 
-/// From 0 to 1 as u goes from 0 to 1, level at both ends.
+/// Smooth step: rises from 0 to 1 as u goes from 0 to 1, with zero slope at both ends.
 constexpr double smoothRise(double u) { return u * u * (3.0 - 2.0 * u); }
-/// Its derivative.
+/// Derivative of `smoothRise`.
 constexpr double smoothRiseRate(double u) { return 6.0 * u * (1.0 - u); }
-/// Its integral from 0.
+/// Integral of `smoothRise` from 0 to u.
 constexpr double smoothRiseSum(double u) { return u * u * u * (1.0 - 0.5 * u); }
 
 }  // namespace lamina

@@ -10,74 +10,79 @@
 
 namespace lamina {
 
-/// A piece of a span along which speeds are planned: the straight part of it, or a part of the rounding of
-/// one of its ends.
+/// A piece of a span for which speeds are planned: its straight part, or part of the rounding at one of its
+/// ends.
 struct CurveCell {
-  double start = 0.0;  ///< along the span
+  double start = 0.0;  ///< position in the span
   double end = 0.0;
   std::uint32_t span = 0;
-  std::int8_t part = 0;  ///< 0 straight; else of the rounding at the start (negative) or end (positive)
+  /// 0 for the straight part; negative in the rounding at the start, positive in that at the end.
+  std::int8_t part = 0;
 };
 
-/// What joints and path allow in a cell. The squared speed x is linear along a cell, its rate of change
+/// Limits of joints and path in a cell. The squared speed x = s'² is linear along a cell, with a slope of
 /// twice the acceleration s'' along the curve.
 struct CellLimits {
   JointValues tangent;             ///< greatest first derivative of each joint
   JointValues bend;                ///< greatest second derivative
-  JointValues acceleration;        ///< of the joints [mm/s², rad/s²]
+  JointValues acceleration;        ///< greatest acceleration of each joint [mm/s², rad/s²]
   double path_acceleration = 0.0;  ///< along the curve
   double speed2 = 0.0;             ///< greatest x
 
-  /// Greatest x at one end of a stretch of a cell, from that at the other: tangent |s''| + bend x must not
-  /// exceed the acceleration of any joint at the faster end.
+  /// Greatest x at one end of a stretch of a cell, from that at its other end, such that tangent |s''| + bend
+  /// x does not exceed the acceleration limit of any joint at the faster end.
   double reachable(double x, double length) const;
-  /// Greatest |s''| with which to brake from x.
+  /// Greatest deceleration |s''| possible at x.
   double braking(double x) const;
 };
 
-/// What speeds are planned for.
+/// Requirements on the speeds.
 struct SpeedsAsked {
-  double averaging_s = 0.0;  ///< over which the motion will be averaged to limit jerk; 0 for not at all
-  double feed_share = 1.0;   ///< of the toolpath's feeds
+  /// Time over which the motion will later be averaged to limit jerk; 0 for no averaging.
+  double averaging_s = 0.0;
+  double feed_share = 1.0;  ///< factor on the toolpath's feeds
 };
 
 CellLimits cellLimits(const JointCurve& curve, const CurveCell& cell, const SpeedsAsked& asked);
 
-/// At rest before and after beads [s].
+/// Times of rest before and after beads [s].
 struct Waits {
   double at_start = 0.0;
   double before_bead = 0.0;
   double after_bead = 0.0;
-  double averaging_s = 0.0;  ///< rest at every stop at least this long
+  double averaging_s = 0.0;  ///< least duration of every stop
 };
 
-/// What a motion that goes on from a place makes of the plan's rest there.
+/// Whether the rest that the plan has at a position is still to come or is over, for a motion that continues
+/// from there.
 enum class RestThere : std::uint8_t { Due, Over };
 
 class SpeedPlan;
 
-/// A plan's speeds, slower by one factor everywhere: what takes longer so keeps all limits.
+/// The speeds of a plan, reduced everywhere by a common factor, which keeps all limits.
 struct SharedSpeeds {
-  const SpeedPlan& plan;  ///< along the same curve, nowhere faster than the plan that it is gone over from
-  double share = 1.0;     ///< (0, 1]
+  /// Along the same curve, and nowhere faster than the plan from which the motion changes to it.
+  const SpeedPlan& plan;
+  double share = 1.0;  ///< (0, 1]
 };
 
-/// The greatest speeds along a curve that all limits allow: one pass back from rest at the end, one forth
-/// from rest at the start over its cells (time-optimal path parametrisation by reachability, with the
-/// greatest tangent and bend of each cell in place of those at its ends, so that limits hold inside as well).
+/// The greatest speeds along a curve that keep all limits: one pass backwards from rest at the end, and one
+/// forwards from rest at the start, over its cells (time-optimal path parametrisation by reachability). Each
+/// cell uses its greatest tangent and bend instead of those at its ends, so that limits also hold inside it.
 class SpeedPlan {
  public:
-  /// @param feed_share  of the toolpath's feeds, (0, inf): more than 1 is run where all else allows it
+  /// @param feed_share  factor on the toolpath's feeds, (0, inf); above 1 the motion is faster where all
+  ///   other limits allow it
   SpeedPlan(const JointCurve& curve, const Waits& waits, double feed_share = 1.0);
 
   /// The motion from rest at the start to rest at the end.
   const Timeline& timeline() const { return timeline_; }
 
-  /// Adds the way from a place to rest, braking as hard as the limits allow.
+  /// Adds the motion from a position to rest, with the greatest deceleration that the limits allow.
   void appendStop(Timeline& out, MotionPlace from) const;
-  /// Adds the way from a place, at its speed, to the end: at the speeds of a plan as soon as the limits
-  /// allow.
-  /// @param from  no faster than this plan is there
+  /// Adds the motion from a position, at its speed, to the end; it takes on the speeds of another plan as
+  /// soon as the limits allow.
+  /// @param from  position and speed, which must not exceed this plan's
   void appendFrom(Timeline& out, MotionPlace from, const SharedSpeeds& speeds, RestThere rest) const;
 
  private:
@@ -92,7 +97,7 @@ class SpeedPlan {
   const JointCurve* curve_;
   SpeedsAsked asked_;
   std::vector<CurveCell> cells_;
-  std::vector<double> speed2_;  ///< at the start of each cell; one more for the end
+  std::vector<double> speed2_;  ///< squared speed at the start of each cell, and one more at the end
   Timeline timeline_;
 };
 

@@ -10,14 +10,15 @@
 
 namespace lamina {
 
-/// The tool lifted straight against its tool axis, the tool axis held.
+/// Joint values by which the tool is lifted straight against its tool axis, with constant orientation.
 struct StraightLift {
-  std::vector<JointValues> values;  ///< from where it starts, in equal steps
+  std::vector<JointValues> values;  ///< in equal steps, the first at the start
   double step_mm = 0.0;
-  std::string stopped_by;  ///< why it does not reach its height; empty if it does
+  std::string stopped_by;  ///< why the height is not reached; empty if it is
 };
 
-/// @param height_mm  0 or more; in steps of 1 mm at most
+/// Plans a lift.
+/// @param height_mm  0 or more; steps are at most 1 mm
 StraightLift straightLift(const JointValues& from, double height_mm, const KinematicModel& model,
                           const TrajectorySettings& settings);
 

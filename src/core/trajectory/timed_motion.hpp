@@ -10,7 +10,7 @@
 
 namespace lamina {
 
-/// A curve and the speeds along it, which refer to it.
+/// A curve with speeds along it; the speeds refer to the curve.
 class TimedMotion {
  public:
   TimedMotion(JointStations stations, const KinematicModel& model, const TimingSettings& settings);
@@ -21,10 +21,10 @@ class TimedMotion {
   const JointCurve& curve() const { return curve_; }
   const SpeedPlan& plan() const { return plan_; }
   const ProcessSchedule& schedule() const { return schedule_; }
-  /// The speeds that are the greatest where the toolpath's feeds are greater by a factor. Linear time.
+  /// The greatest speeds if the toolpath's feeds are multiplied by a factor. Takes linear time.
   /// @param feed_share  (0, inf)
   std::unique_ptr<const SpeedPlan> planAt(double feed_share) const;
-  /// Over which the motion is averaged to limit jerk.
+  /// Time over which the motion is averaged to limit jerk [s].
   double averaging() const;
 
  private:

@@ -11,13 +11,13 @@ namespace lamina {
 
 enum class PhaseKind : std::uint8_t {
   Move,
-  Wait,  ///< at rest within the job
-  Halt,  ///< at rest, paused: the process is safe
+  Wait,  ///< at rest, for a wait of the job
+  Halt,  ///< at rest, paused, with the process switched off
 };
 
 /// A stretch of time with constant acceleration along one span of a curve.
 struct Phase {
-  double time_s = 0.0;  ///< of its start
+  double time_s = 0.0;  ///< start of the phase
   const JointCurve* curve = nullptr;
   double along = 0.0;
   double speed = 0.0;
@@ -29,7 +29,7 @@ struct Phase {
   double speedAfter(double local_s) const { return speed + acceleration * local_s; }
 };
 
-/// Where a motion is on its curve.
+/// Position and speed of a motion on its curve.
 struct MotionPlace {
   const JointCurve* curve = nullptr;
   std::uint32_t span = 0;
@@ -39,17 +39,18 @@ struct MotionPlace {
   PhaseKind kind = PhaseKind::Move;
 };
 
-/// Phases one after the other from time 0.
+/// A sequence of phases without gaps, beginning at time 0.
 class Timeline {
  public:
-  /// Adds a phase of that duration; none if it is 0.
+  /// Adds a phase of that duration, unless it is 0.
   void append(Phase phase, double duration_s);
-  /// Adds phases of another timeline from one of them on, its motions at a share of their speeds.
-  /// @param share  (0, 1]
+  /// Adds the phases of another timeline from index `from` on, with their motions slowed down.
+  /// @param share  factor on their speeds, (0, 1]
   void append(const Timeline& other, std::size_t from, double share);
-  /// Adds a stretch from place to place of a span at constant acceleration between squared speeds.
+  /// Adds a motion at constant acceleration between two positions of a span, from squared speed to squared
+  /// speed.
   void appendStretch(const MotionPlace& start, double length, double exit2);
-  /// Forgets what is at or after a time.
+  /// Removes everything at or after a time.
   void cut(double time_s);
 
   bool isEmpty() const { return phases_.empty(); }
@@ -58,9 +59,9 @@ class Timeline {
   double endOf(std::size_t phase) const {
     return phase + 1 < phases_.size() ? phases_[phase + 1].time_s : end_s_;
   }
-  /// The phase that runs at a time, the first before 0, the last after the end.
+  /// Index of the phase at a time; the first one before time 0, the last one after the end.
   std::size_t phaseAt(double time_s) const;
-  /// At rest before 0 and after the end.
+  /// Position and speed at a time; at rest before time 0 and after the end.
   MotionPlace placeAt(double time_s) const;
 
  private:

@@ -175,7 +175,7 @@ class TrajectoryFeeder::State {
   void release(double now_s) {
     if (state_ != TrajectoryFeederState::Running || !isHeld()) return;
     held_layer_.reset();
-    goOn(now_s);
+    continueMotion(now_s);
   }
 
   void resume(double now_s) {
@@ -183,10 +183,10 @@ class TrajectoryFeeder::State {
     if (isHeld())
       state_ = TrajectoryFeederState::Running;
     else
-      goOn(now_s);
+      continueMotion(now_s);
   }
 
-  void goOn(double now_s) {
+  void continueMotion(double now_s) {
     // Averages of the way to rest and of that from it must not meet.
     const double start_s = std::max(timeOf(stepAfter(now_s + settings_.reaction_s)), restTime());
     if (sent_ >= lastStep()) sent_ = std::max(sent_, stepAfter(start_s) - 1);

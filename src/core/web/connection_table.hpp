@@ -10,7 +10,7 @@
 
 namespace lamina {
 
-/// What a connection is at.
+/// What a connection is used for at present.
 enum class ConnectionUse : std::uint8_t {
   Waiting,  ///< for a request
   Answering,
@@ -18,37 +18,37 @@ enum class ConnectionUse : std::uint8_t {
   Stream  ///< WebSocket or pictures
 };
 
-/// How fast a client takes what is sent to it.
+/// How fast a client reads what is sent to it.
 enum class ConnectionPace : std::uint8_t { Usual, Slow };
 
-/// The connections that are open: how many, whose, and which gives way to another. Several threads call at a
-/// time.
+/// The open connections: their number, their clients, and which one is closed in favour of a new one. May be
+/// called from several threads.
 class ConnectionTable {
  public:
   ConnectionTable(std::size_t most, std::size_t most_of_client)
       : most_(most), most_of_client_(most_of_client) {}
 
-  /// Adds a connection. Where there are too many, one that waits for a request is shut down for it,
-  /// or one whose client takes its answer slowly.
-  /// @return its number; 0 if there is no place
+  /// Adds a connection. If there are too many, a connection that waits for a request is shut down for it, or
+  /// one whose client reads its answer slowly.
+  /// @return number of the connection; 0 if it could not be added
   std::uint64_t add(int descriptor, const std::string& client);
 
-  /// Notes what it is at from now on.
-  /// @return false if there are too many of that use; then nothing has changed
+  /// Sets the use of a connection.
+  /// @return false, without effect, if there are too many with that use
   bool use(std::uint64_t number, ConnectionUse use);
 
-  /// Notes how fast its client takes what is sent to it.
+  /// Sets how fast its client reads what is sent to it.
   void setPace(std::uint64_t number, ConnectionPace pace);
 
-  /// Forgets a connection; its descriptor may be closed afterwards.
+  /// Removes a connection; afterwards its descriptor may be closed.
   void remove(std::uint64_t number);
 
-  /// Shuts all down, so that their threads end.
+  /// Shuts down all connections, so that their threads end.
   void shutDownAll();
 
   std::size_t size() const;
 
-  /// So many connections that gave way have not ended yet that no other finds a place.
+  /// Whether so many connections that were shut down have not ended yet that no further one can be added.
   bool isCrowded() const { return size() >= 2 * most_; }
 
  private:
@@ -57,7 +57,7 @@ class ConnectionTable {
     std::string client;
     ConnectionUse use = ConnectionUse::Waiting;
     std::uint64_t since = 0;  ///< order in which uses began
-    bool is_shut = false;     ///< and counts no more
+    bool is_shut = false;     ///< whether it was shut down and so is not counted any more
     ConnectionPace pace = ConnectionPace::Usual;
   };
   bool isFull(const std::string& client) const;

@@ -18,24 +18,24 @@ struct FreeTlsContext {
 };
 using TlsContext = std::unique_ptr<SSL_CTX, FreeTlsContext>;
 
-/// A context of TLS 1.2 and up.
+/// A context for TLS 1.2 and later.
 /// @throws FileError if certificate or key cannot be used
 TlsContext tlsContext(const std::string& certificate, const std::string& key);
 
-/// What became of reading or writing.
+/// Outcome of reading or writing.
 enum class PeerResult : std::uint8_t { Done, Closed, Late };
 
-/// One end of a connection, plain or encrypted, that never waits longer than it is allowed to.
+/// One end of a connection, plain or encrypted, with a time limit for every operation.
 class PeerSocket {
  public:
-  /// Takes the descriptor over; it does not block any more.
+  /// Takes ownership of the descriptor, and makes it non-blocking.
   /// @param context  of TLS; null for a plain connection
   PeerSocket(int descriptor, SSL_CTX* context);
   ~PeerSocket();
   PeerSocket(const PeerSocket&) = delete;
   PeerSocket& operator=(const PeerSocket&) = delete;
 
-  /// Reading and writing end at that time from now on.
+  /// Sets the time, from now, at which reading and writing give up.
   void allow(double seconds);
 
   PeerResult shakeHands();
@@ -46,13 +46,15 @@ class PeerSocket {
   Transfer read(void* buffer, std::size_t size);
   Transfer write(const void* bytes, std::size_t size);
 
-  /// Waits for bytes to read. @return false if there are none within that time
+  /// Waits until there are bytes to read.
+  /// @return false if there are none within that time
   bool waitForBytes(double seconds);
 
-  /// Bytes that were written and not taken by the other host yet.
+  /// Number of bytes written that the other host has not received yet.
   std::size_t unsent() const;
 
-  /// Says that nothing more comes. Bytes that the other end still sends do not tear the answer away.
+  /// Ends the connection in the direction of the client. Bytes that the client still sends are read, as
+  /// otherwise they would make it lose the answer.
   void close();
 
   int descriptor() const { return descriptor_; }

@@ -8,11 +8,11 @@
 
 namespace lamina {
 
-/// The head of an answer as it is sent, to the empty line, with the headers that all answers have.
+/// The head of an answer as it is sent, up to the empty line, including the headers that all answers have.
 /// @param is_kept  whether another request may follow on the connection
 std::string headText(const WebResponse& response, bool is_kept);
 
-/// The answer to a request that no route sees.
+/// The answer to a request that is not passed to any route.
 WebResponse plainError(int status, const std::string& code, const std::string& message);
 
 }  // namespace lamina

@@ -12,7 +12,7 @@
 
 namespace lamina {
 
-/// What all routes work with.
+/// Objects that all routes use.
 struct SiteParts {
   SiteParts(SiteSettings given, CellDesk& cell_desk, WebStore& web_store, std::vector<PageFile> page)
       : settings(std::move(given)),
@@ -29,7 +29,7 @@ struct SiteParts {
   CellHistory history;
 };
 
-/// A request on its way to a route.
+/// A request with what routes need to answer it.
 struct SiteCall {
   SiteParts& parts;
   const WebRequest& request;
@@ -37,7 +37,7 @@ struct SiteCall {
   CellTime now;
 
   const WebIdentity& who() const { return admitted.who; }
-  /// Who asks, as reported to the cell: "page: anna".
+  /// Name under which the request is reported to the cell: "page: anna".
   std::string source() const { return "page: " + admitted.who.name; }
   const std::string& value(std::size_t place) const { return admitted.values.at(place); }
 };
@@ -52,31 +52,31 @@ struct SiteRoute {
 std::vector<SiteRoute> pageRoutes();       ///< files of the page, sessions, tokens, keys, audit
 std::vector<SiteRoute> cellRoutes();       ///< the cell by /api/v1
 std::vector<SiteRoute> partRoutes();       ///< records of parts that were made
-std::vector<SiteRoute> octoprintRoutes();  ///< what slicers ask for
+std::vector<SiteRoute> octoprintRoutes();  ///< OctoPrint's interface, as slicers use it
 
 // Answers.
 
 WebResponse jsonAnswer(int status, const nlohmann::json& value);
 /// {code, message}
 WebResponse errorAnswer(int status, const std::string& code, const std::string& message);
-/// The answer to an order, with what the unit would accept where it was refused.
+/// The answer to a command; if the unit refused it, with the commands that it would accept.
 WebResponse orderAnswer(const SiteCall& call, const DeskAnswer& answer);
 /// The body as a JSON object.
 /// @throws InvalidInput if it is none
 nlohmann::json bodyObject(const SiteCall& call);
-/// A number of an alarm or token in the path.
+/// Number of an alarm or token, from the path.
 /// @throws InvalidInput if it is no whole number from 0 to 2^53
 std::int64_t wholeNumber(const std::string& text);
-/// A number of a job in the path.
+/// Number of a job, from the path.
 /// @throws InvalidInput if it is no whole number from 0 to 2^32 - 1, as messages carry it
 std::int64_t jobNumber(const std::string& text);
 /// A text of a JSON object; empty if it is missing.
-/// @throws InvalidInput if it is something else than a text
+/// @throws InvalidInput if it is not a text
 std::string textOf(const nlohmann::json& object, const std::string& key);
 
 // The cell as JSON.
 
-/// Whether the unit was heard of in the last three seconds.
+/// Whether the unit has been heard from within the last three seconds.
 bool isFresh(const CellSnapshot& seen, const CellTime& now);
 
 nlohmann::json stateJson(SiteParts& parts, WebRole role, const CellTime& now);
@@ -85,7 +85,7 @@ nlohmann::json alarmsJson(const CellSnapshot& seen);
 nlohmann::json startupJson(const CellSnapshot& seen);
 nlohmann::json layersJson(const CellSnapshot& seen);
 
-/// Queues an upload.
+/// Adds an uploaded program to the queue.
 DeskAnswer enqueueUpload(SiteCall& call, const std::string& source);
 
 }  // namespace lamina

@@ -11,21 +11,23 @@
 
 namespace lamina {
 
-/// The status with an empty header: the stamp belongs to the publisher.
+/// The state of a loop as a message with an empty header: the publisher sets the time stamp.
 /// @param run  null before the first toolpath
 lamina_msgs::LoopState toMessage(const LoopRun* run);
 
-/// A layer with an empty header.
-/// @param map_digest  of the last map of the layer, as it was published
+/// The figures of a layer as a message with an empty header.
+/// @param map_digest  digest of the layer's last map, as published
 lamina_msgs::LoopFigures toMessage(const LayerOutcome& layer, const std::string& toolpath_id,
                                    const std::string& map_digest);
 
-/// A point for each cell where it should be, with the error `e` and its standard deviation `sigma` [m] and
-/// the correction `m` (all float32). Of cells that were not seen `e` is what the loop expects.
+/// A cloud with a point for each cell at its planned position, with the error `e` and its standard deviation
+/// `sigma` [m], and the correction `m` (all float32). For cells that were not measured, `e` is the loop's
+/// prediction.
 /// @param bed_from_part  translation [mm]
 sensor_msgs::PointCloud2 toCloudMessage(const LayerOutcome& layer, const Eigen::Isometry3d& bed_from_part);
 
-/// @throws InvalidInput if it is none of SetLoop.srv
+/// The request of a service call.
+/// @throws InvalidInput if it is none of those in SetLoop.srv
 LoopRequest loopRequestOf(const lamina_msgs::SetLoop::Request& request);
 
 }  // namespace lamina

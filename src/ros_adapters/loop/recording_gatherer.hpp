@@ -17,28 +17,29 @@
 
 namespace lamina {
 
-/// A machine that moves and what its sensor sees, from messages of a node or of a bag: poses of the nozzle at
-/// each stamp reported on tf, and profiles as clouds in their own frame. Memory for tf is bounded; that
-/// of the recording is not.
+/// Records the motion of a machine and what its sensor measures, from messages of a node or of a bag: poses
+/// of the nozzle at each time stamp of tf, and profiles as clouds in their own frame. The memory for tf is
+/// bounded; that for the recording is not.
 class RecordingGatherer {
  public:
-  /// @param bed, nozzle  frames
+  /// @param bed, nozzle  names of the frames
   RecordingGatherer(std::string bed, std::string nozzle);
 
   void add(const geometry_msgs::TransformStamped& transform);
-  /// One that holds for all times.
+  /// Adds a transform that holds for all times.
   void addFixed(const geometry_msgs::TransformStamped& transform);
   void add(const sensor_msgs::PointCloud2& cloud);
 
-  /// What came so far, ascending in time.
+  /// The recording so far, ascending in time.
   SensorRecording recording() const;
 
-  /// Where tf has the frame of the last cloud at the nozzle [mm]; nothing if it does not connect them.
+  /// Pose of the last cloud's frame at the nozzle, from tf [mm]; nothing if tf does not connect the two.
   std::optional<Eigen::Isometry3d> nozzleFromSensor() const;
 
-  std::uint64_t malformed() const { return malformed_; }                ///< clouds, left out
-  std::uint64_t pointsNotFinite() const { return points_not_finite_; }  ///< left out
-  /// Of tf, at which it does not place the nozzle.
+  std::uint64_t malformed() const { return malformed_; }  ///< number of malformed clouds, left out
+  /// Number of points that are not finite, left out.
+  std::uint64_t pointsNotFinite() const { return points_not_finite_; }
+  /// Number of time stamps of tf at which the pose of the nozzle is not known.
   std::uint64_t stampsWithoutPose() const { return given_up_ + waiting_.size(); }
 
  private:

@@ -8,10 +8,10 @@
 
 namespace lamina {
 
-/// All waypoints that a machine or robot cannot run as RViz shows them: spheres in namespace `faulty` for
-/// those out of reach or limits, singular, or that cannot be come to, orange; in namespace `colliding` for
-/// collisions, red; in `first_finding` a text at the first of all. The first marker deletes those of an
-/// earlier check; a clear one gives that alone.
+/// Markers of all waypoints that a machine or robot cannot run: orange spheres in namespace `faulty` for
+/// those out of reach or limits, singular, or not reachable from the one before; red spheres in `colliding`
+/// for collisions; and in `first_finding` a text at the first of all. The first marker deletes those of an
+/// earlier check; a check without findings has this one only.
 visualization_msgs::MarkerArray checkMarkers(const MachineCheck& check);
 
 }  // namespace lamina

@@ -10,11 +10,11 @@
 
 namespace lamina {
 
-/// The first collision of each layer as RViz shows it: in the namespace `collision` an arrow from the nozzle
-/// tip to the material it is about, or to the bed, red; in `first_collision` the text of the first of all.
-/// The first marker deletes those of an earlier report; one without collisions gives that alone.
+/// Markers of the first collision of each layer: in namespace `collision` a red arrow from the nozzle tip to
+/// the material or the bed involved, and in `first_collision` a text at the first of all. The first marker
+/// deletes those of an earlier report; a report without collisions has this one only.
 ///
-/// @param frame  that the markers are given in: the frame of the bed
+/// @param frame  frame of the markers: that of the bed
 visualization_msgs::MarkerArray collisionMarkers(const ClearanceReport& report, const std::string& frame);
 
 }  // namespace lamina

@@ -13,16 +13,16 @@
 
 namespace lamina {
 
-/// How the nozzle is held, as RViz shows it: at the first waypoint of each deposition path and then about
-/// every so many millimetres a frame, its x blue, y red and z, the tool axis, green, in the namespaces
-/// `nozzle_x`, `nozzle_y` and `nozzle_z`. The first marker deletes those of an earlier toolpath. The colours
-/// are those of [Flores2018, figure 43].
+/// Markers of the nozzle's orientation: a frame at the first waypoint of each depositing path, and then about
+/// every so many millimetres. x is blue, y red, and z, the tool axis, green, in namespaces `nozzle_x`,
+/// `nozzle_y` and `nozzle_z`; the colours are those of [Flores2018, figure 43]. The first marker deletes
+/// those of an earlier toolpath.
 ///
-/// @param frame  that the markers are given in: the part frame
+/// @param frame  frame of the markers: that of the part
 visualization_msgs::MarkerArray frameMarkers(const Toolpath& toolpath, const FrameSettings& settings,
                                              const std::string& frame);
 
-/// The same frames, without the marker that deletes, for a viewer that shows some of the layers.
+/// The markers of `frameMarkers` without the deleting one, for a viewer that shows some of the layers.
 std::vector<MarkerChunk> frameMarkerChunks(const Toolpath& toolpath, const FrameSettings& settings,
                                            const std::string& frame);
 

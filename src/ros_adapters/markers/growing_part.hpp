@@ -11,20 +11,22 @@
 
 namespace lamina {
 
-/// A part as RViz shows it while it is deposited: lines as wide as the beads, coloured by role, a marker for
-/// each layer and role in namespace `deposited`, so that only what changed is sent. The toolpath must outlive
-/// the value.
+/// Markers of a part while it is deposited: lines as wide as the beads, coloured by role. There is one marker
+/// for each layer and role in namespace `deposited`, so that only changed ones need to be sent. The toolpath
+/// must outlive the object.
 class GrowingPart {
  public:
-  /// @param frame  that the markers are given in: the part frame
+  /// @param frame  frame of the markers: that of the part
   GrowingPart(const Toolpath& toolpath, std::string frame);
 
-  /// The markers that change until all motions before the one to this waypoint are done; going back to an
-  /// earlier one begins anew. The first markers of all, and of a new beginning, delete what was shown.
+  /// The markers that change until all motions before the one to this waypoint are done. If the waypoint is
+  /// an earlier one than before, everything begins anew. The first markers ever, and those of a new
+  /// beginning, are preceded by one that deletes what was shown.
   visualization_msgs::MarkerArray upTo(const WaypointIndex& heading_for);
   /// All markers with everything deposited; the first deletes what was shown.
   visualization_msgs::MarkerArray whole();
-  /// All markers as they are by now, for who has seen none before; the first deletes what was shown.
+  /// All markers in their present state, for a viewer that has not seen any; the first deletes what was
+  /// shown.
   visualization_msgs::MarkerArray soFar() const;
 
  private:
@@ -37,8 +39,8 @@ class GrowingPart {
   const Toolpath& toolpath_;
   std::string frame_;
   bool has_begun_ = false;
-  WaypointIndex next_;                     ///< layer, path and motion that is not deposited yet
-  visualization_msgs::MarkerArray layer_;  ///< of the layer being deposited, by role
+  WaypointIndex next_;                     ///< layer, path and motion that is deposited next
+  visualization_msgs::MarkerArray layer_;  ///< markers of the layer being deposited, by role
   bool has_changed_ = false;
 };
 

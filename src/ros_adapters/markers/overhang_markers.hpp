@@ -10,12 +10,12 @@
 
 namespace lamina {
 
-/// What is deposited with nothing below it, as RViz shows it: lines as wide as the beads in the namespaces
-/// `overhang` (red) and `bridge` (yellow), and a sphere where a run begins in the air, in `start_in_air`
-/// (magenta). A marker holds some thousand segments. The first one deletes those of an earlier report; a
-/// report without stretches gives that alone.
+/// Markers of material deposited with nothing below it: lines as wide as the beads in namespaces `overhang`
+/// (red) and `bridge` (yellow), and in `start_in_air` a magenta sphere where a run begins in the air. A
+/// marker holds some thousand segments. The first one deletes those of an earlier report; a report without
+/// such material has this one only.
 ///
-/// @param frame  that the markers are given in: the part frame
+/// @param frame  frame of the markers: that of the part
 visualization_msgs::MarkerArray overhangMarkers(const OverhangReport& report, const std::string& frame);
 
 }  // namespace lamina

@@ -10,14 +10,14 @@
 
 namespace lamina {
 
-/// Why a part was refused, as RViz shows it: the region in red in the namespace `region`, the part behind it
-/// half transparent in `part`, the reason over it in `reason`, a marker a line. The first marker deletes
-/// those of an earlier refusal.
+/// Markers of the reason why a part was refused: the region in red in namespace `region`, the
+/// half-transparent part in `part`, and the reason above it in `reason`, one marker for each line. The first
+/// marker deletes those of an earlier refusal.
 ///
-/// @param frame  that the markers are given in: the part frame
+/// @param frame  frame of the markers: that of the part
 visualization_msgs::MarkerArray regionMarkers(const Unsliceable& refusal, const std::string& frame);
 
-/// Deletes the markers of an earlier refusal.
+/// A marker that deletes those of an earlier refusal.
 visualization_msgs::MarkerArray noRegionMarkers(const std::string& frame);
 
 }  // namespace lamina

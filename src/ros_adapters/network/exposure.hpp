@@ -11,15 +11,15 @@
 
 namespace lamina {
 
-/// How a node is announced, and which ports are there.
+/// The addresses that a node announces, and the ports that are open on its host.
 struct Exposure {
-  std::string host;                      ///< that the node announces
-  std::string master_uri;                ///< where its master is
-  std::vector<std::uint16_t> own_ports;  ///< of the node, reachable from other hosts
-  std::vector<ListeningPort> all_ports;  ///< of the node's host
+  std::string host;                      ///< host that the node announces
+  std::string master_uri;                ///< address of its master
+  std::vector<std::uint16_t> own_ports;  ///< ports of the node that other hosts can reach
+  std::vector<ListeningPort> all_ports;  ///< all ports of the node's host
 };
 
-/// What a user should know at the start of a node, a sentence each; none if other hosts reach nothing.
+/// Warnings for the user at the start of a node, one sentence each; none if other hosts can reach nothing.
 std::vector<std::string> exposureWarnings(const Exposure& exposure);
 
 /// The host in the address of a ROS master: "robot" in "http://robot:11311/".

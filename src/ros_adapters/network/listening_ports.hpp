@@ -8,15 +8,15 @@
 
 namespace lamina {
 
-/// A TCP port on which some program of this host waits for connections.
+/// A TCP port on which a program of this host waits for connections.
 struct ListeningPort {
   std::uint16_t port = 0;
-  bool is_on_loopback = false;  ///< bound to 127.0.0.0/8 or ::1: no other host gets through
-  std::uint64_t inode = 0;      ///< of its socket, as /proc/self/fd names it
+  /// Whether it is bound to 127.0.0.0/8 or ::1, so that no other host can reach it.
+  bool is_on_loopback = false;
+  std::uint64_t inode = 0;  ///< inode of its socket, as in /proc/self/fd
 };
 
-/// The listening ones among the sockets in the text of /proc/net/tcp or /proc/net/tcp6. Lines that are not of
-/// their form are left out.
+/// The listening sockets in the text of /proc/net/tcp or /proc/net/tcp6. Lines of any other form are skipped.
 std::vector<ListeningPort> listeningPorts(std::string_view table);
 
 }  // namespace lamina

@@ -7,17 +7,17 @@
 
 namespace lamina {
 
-// ROS has no authentication: whoever reaches a node's ports commands it. So a node is reached from its own
-// host alone unless ROS_IP, ROS_HOSTNAME, `__ip` or `__hostname` says otherwise (docs/cell/security.md).
+// ROS has no authentication: whoever reaches a node's ports can command it. So a node can be reached from its
+// own host only, unless ROS_IP, ROS_HOSTNAME, `__ip` or `__hostname` says otherwise (docs/cell/security.md).
 
 /// Makes the node announce 127.0.0.1 if neither ROS_IP nor ROS_HOSTNAME is set and its master is on this
 /// host. To be called before ros::init.
 void stayOnLoopback(int argc, char** argv);
 
-/// Makes the kernel drop what other hosts send to listening sockets of this process: roscpp binds its XML-RPC
-/// server to all interfaces whatever ROS_IP is. Sockets on the loopback interface are left alone. Needs no
-/// privilege.
-/// @return ports that stay open because a socket takes no filter
+/// Makes the kernel drop what other hosts send to the listening sockets of this process, as roscpp binds its
+/// XML-RPC server to all interfaces, whatever ROS_IP is. Sockets on the loopback interface are not changed.
+/// Needs no privilege.
+/// @return ports that stay open because their socket accepts no filter
 std::vector<std::uint16_t> closeToOtherHosts();
 
 /// Closes the ports of a node that has joined ROS, if it announces the loopback interface, and logs what is

@@ -14,11 +14,12 @@
 
 namespace lamina {
 
-/// Stands in front of an action server and lets through what its owner sends: a server of actionlib does not
-/// know who has sent a goal, and ends the job under way for any. Goals of others are answered as rejected,
-/// with the reason; their cancels are left out, with a warning. Without an owner there is no gate.
+/// A gate before an action server, which lets only messages of the server's owner through. A server of
+/// actionlib does not know who has sent a goal, and ends the current job for any new goal. Goals of other
+/// nodes are rejected with the reason; their cancel requests are ignored, with a warning. Without an owner
+/// there is no gate.
 ///
-/// The server stands behind it under the name `inner(name, owner)`.
+/// The server itself runs under the name `inner(name, owner)`.
 template <class Action>
 class ActionGate {
  public:

@@ -10,23 +10,23 @@
 
 namespace lamina {
 
-/// The node that alone may order an executor about. Nodes say their own names, and nobody proves them: this
-/// keeps orders from being given by mistake, and nobody out who means harm.
+/// The only node that may command an executor. Nodes state their own names, without proof: this prevents
+/// commands by mistake, not by intent.
 class ExecutorOwner {
  public:
-  /// @param name  of a node, relative to this node's namespace; empty for anybody
+  /// @param name  name of a node, relative to this node's namespace; empty if any node may
   explicit ExecutorOwner(const std::string& name);
 
   bool isAnybody() const { return name_.empty(); }
 
-  /// Why an order of that node is not followed; empty if it is.
+  /// Why a command of that node is refused; empty if it is not.
   std::string refusal(const std::string& caller) const;
 
  private:
   std::string name_;
 };
 
-/// A service of an executor, which others than its owner are refused with the reason.
+/// Advertises a service of an executor that refuses all callers but the owner, with the reason.
 ros::ServiceServer advertiseForOwner(
     ros::NodeHandle& node, const std::string& name, const ExecutorOwner& owner,
     const std::function<bool(std_srvs::Trigger::Request&, std_srvs::Trigger::Response&)>& serve);

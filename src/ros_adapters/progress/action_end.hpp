@@ -8,8 +8,8 @@
 
 namespace lamina {
 
-/// Ends the current goal as the status of its result says: succeeded, preempted if it was cancelled, or
-/// aborted, with the status's message.
+/// Ends the current goal of an action server by the status of the result: succeeded; preempted if it was
+/// cancelled; or aborted, with the status's message.
 /// @tparam Result  has a `status`
 template <class Action, class Result>
 void endGoal(actionlib::SimpleActionServer<Action>& server, const Result& result) {

@@ -13,13 +13,13 @@
 
 namespace lamina {
 
-/// Progress as the feedback of the action's current goal, at most 20 times a second; cancelled by the goal's
-/// cancel, by a newer goal, and when ROS shuts down.
+/// Progress that is published as feedback of the action's current goal, at most 20 times a second. It is
+/// cancelled by a cancel request, by a newer goal, and when ROS shuts down.
 /// @tparam Action  its feedback has `stage` and `fraction`
 template <class Action>
 class ActionProgress final : public Progress {
  public:
-  /// @param server  must outlive this
+  /// @param server  must outlive the object
   explicit ActionProgress(actionlib::SimpleActionServer<Action>& server) : server_(server) {}
 
   void report(const std::string& stage, double fraction) override {

@@ -8,7 +8,7 @@
 
 namespace lamina {
 
-/// Progress of a service call: nobody watches; cancelled when ROS shuts down.
+/// Progress of a service call: it is not shown, and is cancelled when ROS shuts down.
 class ServiceProgress final : public Progress {
  public:
   void report(const std::string&, double) override {}

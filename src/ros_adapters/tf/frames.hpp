@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-/// Frames on tf, in the namespace that the nodes run in. `machine_transforms` computes how they stand to each
-/// other, `trajectory_publisher` sends that.
+/// Frames on tf, in the namespace in which the nodes run. `machine_transforms` computes the transforms
+/// between them, and `trajectory_publisher` publishes these.
 namespace lamina::names {
 
 inline constexpr char kWorldFrame[] = "world";
-inline constexpr char kBaseFrame[] = "base_link";  ///< of the machine
-inline constexpr char kBedFrame[] = "bed";         ///< or table: what the part stands on
-inline constexpr char kPartFrame[] = "part";       ///< of the toolpath
-inline constexpr char kNozzleFrame[] = "nozzle";   ///< at its tip
+inline constexpr char kBaseFrame[] = "base_link";  ///< frame of the machine
+inline constexpr char kBedFrame[] = "bed";         ///< frame of the bed or table on which the part stands
+inline constexpr char kPartFrame[] = "part";       ///< frame of the toolpath
+inline constexpr char kNozzleFrame[] = "nozzle";   ///< frame at the tip of the nozzle
 inline constexpr char kSensorFrame[] = "sensor";
 
 }  // namespace lamina::names

@@ -15,20 +15,20 @@ namespace lamina {
 /// Axis positions by joint name [m, rad].
 using JointPositions = std::map<std::string, double>;
 
-/// The transforms between a machine's links. robot_state_publisher computes the same, but its queue of 100
-/// transforms loses some where a machine reports thousands a second.
+/// Computes the transforms between a machine's links. robot_state_publisher does this too, but its queue of
+/// 100 transforms loses some if a machine reports thousands a second.
 class MachineTransforms {
  public:
-  /// @throws InvalidConfig if it is no URDF
+  /// @throws InvalidConfig if the text is no URDF
   explicit MachineTransforms(const std::string& urdf);
 
   const std::string& rootLink() const { return root_; }
-  /// Values of joints in SI; joints that move no link stay behind.
+  /// Converts joint values to SI units; joints that move no link are left out.
   /// @param values  by name [mm, rad] (`KinematicModel::urdfJoints`)
   JointPositions positions(const std::map<std::string, double>& values) const;
-  /// Of the links that never move against their parents.
+  /// Transforms of the links that never move relative to their parents.
   std::vector<geometry_msgs::TransformStamped> fixed(const ros::Time& stamp) const;
-  /// Of the links that do.
+  /// Transforms of all other links.
   /// @throws InvalidInput if a joint has no position or one that is not finite
   std::vector<geometry_msgs::TransformStamped> moving(const JointPositions& positions,
                                                       const ros::Time& stamp) const;

@@ -12,15 +12,15 @@
 
 namespace lamina {
 
-/// Receives every pose of the nozzle over the bed that tf reports, in the order of their stamps: a look at tf
-/// now and then misses the corners of a machine in accelerated time. Poses at stamps of other transforms come
-/// in between.
+/// Receives every pose of the nozzle over the bed that tf reports, in the order of time stamps. Looking at tf
+/// from time to time would miss corners of a machine in accelerated time. Between them come poses at the time
+/// stamps of other transforms.
 class NozzleIntake {
  public:
   /// @param bed_from_nozzle  translation [mm]
   using Receiver = std::function<void(const Eigen::Isometry3d& bed_from_nozzle)>;
 
-  /// Subscribes to tf. The receiver is called in callbacks of the node's queue.
+  /// Subscribes to tf. The receiver is called from callbacks of the node's queue.
   NozzleIntake(const ros::NodeHandle& node, Receiver receiver);
 
  private:

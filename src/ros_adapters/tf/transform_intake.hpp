@@ -14,18 +14,18 @@
 
 namespace lamina {
 
-/// Feeds a buffer or a sequence from tf while it lives, on a thread of its own. tf2_ros::TransformListener
-/// does the same, but its queue of 100 messages loses transforms where a machine in accelerated time reports
-/// thousands a second; a pose interpolated over the gap is wrong by the width of a corner. Here nothing is
-/// lost: the queue has no bound, and what is received is only stored.
+/// Feeds a buffer or a sequence from tf as long as it exists, in a thread of its own.
+/// tf2_ros::TransformListener does this too, but its queue of 100 messages loses transforms if a machine in
+/// accelerated time reports thousands a second, and a pose interpolated over such a gap is wrong by the size
+/// of a corner. Here nothing is lost: the queue is not bounded, and transforms are only stored.
 class TransformIntake {
  public:
-  /// @param buffer  must outlive this
+  /// @param buffer  must outlive the object
   TransformIntake(tf2::BufferCore& buffer, const ros::NodeHandle& node);
-  /// @param sequence  must outlive this
+  /// @param sequence  must outlive the object
   TransformIntake(TransformSequence& sequence, const ros::NodeHandle& node);
 
-  /// Whether somebody publishes transforms that move.
+  /// Whether any node publishes moving transforms.
   bool isConnected() const { return moving_.getNumPublishers() > 0; }
 
  private:

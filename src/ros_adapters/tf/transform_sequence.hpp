@@ -17,49 +17,53 @@
 
 namespace lamina {
 
-/// A pose of the nozzle over the bed at the stamp of a transform.
+/// A pose of the nozzle over the bed at the time stamp of a transform.
 struct StampedNozzle {
   ros::Time stamp;
   Eigen::Isometry3d bed_from_nozzle;  ///< translation [mm]
 };
 
-/// Keeps transforms in the order of their stamps and gives them to a tf buffer no further than is asked for.
-/// So how far what is asked for lags behind tf does not matter: a tf buffer forgets what is older than its
-/// memory, and takes the longer the further back it has to look. Transforms may come on another thread.
+/// Stores transforms in the order of their time stamps, and passes them to a tf buffer only as far as they
+/// are asked for. So it does not matter how far requests lag behind tf, whereas a tf buffer forgets
+/// transforms older than its memory, and searches longer the further back it must look. Transforms may be
+/// added from another thread.
 class TransformSequence {
  public:
-  /// @param most_waiting  transforms; beyond this, the oldest go to the buffer unasked, which may then forget
-  ///   the poses of frames that are asked for later; `forced` counts them
+  /// @param most_waiting  greatest number of transforms stored; beyond this, the oldest are passed to the
+  ///   buffer without being asked for (`forced` counts them), and the buffer may then forget poses that are
+  ///   asked for later
   explicit TransformSequence(std::size_t most_waiting = 500000);
 
-  /// A transform that moves. One that is older than what the buffer was given goes there at the next call.
-  /// Begins anew if ROS time has gone back since the last one, by a clock that was set or a simulation that
-  /// was reset; what was stamped before that and comes late is left out.
+  /// Adds a moving transform. One that is older than those the buffer has is passed to it at the next call.
+  /// If ROS time has gone back since the last transform, because a clock was set or a simulation was reset,
+  /// everything begins anew; transforms from before that arrive late are dropped.
   void add(const geometry_msgs::TransformStamped& transform, const std::string& authority);
-  /// One that holds for all times.
+  /// Adds a transform that holds for all times.
   void addFixed(const geometry_msgs::TransformStamped& transform, const std::string& authority);
 
   /// Whether any transform names the frame.
   bool knows(const std::string& frame) const;
 
-  /// Whether the pose of a frame over the bed is known at that stamp, after as many transforms have been
-  /// given to the buffer as that needs, and there are.
+  /// Passes on as many transforms as are needed, if they are there, to know the pose of a frame over the bed
+  /// at a time stamp.
+  /// @return whether it is known now
   Readiness passTo(const std::string& frame, const ros::Time& stamp);
-  /// Gives the transforms of the next stamp to the buffer. False if there are none.
+  /// Passes the transforms of the next time stamp to the buffer; returns false if there are none.
   bool passNext();
 
   const tf2::BufferCore& buffer() const { return buffer_; }
-  /// Poses of the nozzle at the stamps passed since the last call, ascending over all calls. Those that
-  /// depend on transforms still to come wait, until the buffer has forgotten their stamps; none is given of a
-  /// stamp older than the last.
+  /// Poses of the nozzle at the time stamps passed since the last call, ascending over all calls. Poses that
+  /// depend on transforms still to come are returned later, unless the buffer has forgotten their time stamps
+  /// by then; no pose is older than the last one returned.
   std::vector<StampedNozzle> takeNozzles();
-  /// Stamps passed of which the pose was not taken yet: of 30 s at most.
+  /// Number of time stamps passed whose pose was not returned yet; they span at most 30 s.
   std::size_t untaken() const;
-  /// Transforms that went to the buffer unasked so far.
+  /// Number of transforms passed to the buffer without being asked for.
   std::uint64_t forced() const;
-  /// Transforms received so far.
+  /// Number of transforms received.
   std::uint64_t received() const;
-  /// How often ROS time has gone back so far, which leaves nothing of before but what holds for all times.
+  /// Number of times that ROS time has gone back; each time everything but transforms for all times is
+  /// dropped.
   std::uint64_t restarts() const;
 
  private:
@@ -76,17 +80,17 @@ class TransformSequence {
 
   std::size_t most_waiting_;
   tf2::BufferCore buffer_;
-  mutable std::mutex mutex_;  ///< of what follows
+  mutable std::mutex mutex_;  ///< guards everything below
   std::multimap<ros::Time, Waiting> waiting_;
   std::set<std::string> frames_;
-  std::set<ros::Time> passed_;  ///< stamps of which the nozzle's pose was not taken
-  ros::Time taken_;             ///< the last stamp of which it was
-  ros::Time given_;             ///< the last stamp passed
+  std::set<ros::Time> passed_;  ///< time stamps whose pose was not returned yet
+  ros::Time taken_;             ///< last time stamp whose pose was returned
+  ros::Time given_;             ///< last time stamp passed
   std::uint64_t received_ = 0;
   std::uint64_t forced_ = 0;
   std::uint64_t restarts_ = 0;
   ros::Time now_;        ///< ROS time at the last transform
-  ros::Time went_back_;  ///< ROS time from which it went back last
+  ros::Time went_back_;  ///< ROS time before it went back last
 };
 
 }  // namespace lamina

@@ -11,8 +11,10 @@
 
 namespace lamina {
 
+/// The transform of a message.
 /// @return translation [mm]
 Eigen::Isometry3d fromMessage(const geometry_msgs::Transform& transform);
+/// The message of a transform.
 /// @param transform  translation [mm]
 geometry_msgs::Transform toTransformMessage(const Eigen::Isometry3d& transform);
 

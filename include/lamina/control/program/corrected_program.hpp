@@ -40,8 +40,7 @@ struct CorrectionReport {
 /// unless E is absolute and was changed before, or a changed feed or height has to be restored.
 class ProgramCorrector {
  public:
-  /// @param toolpath  of which the program was written, in coordinates of the program; must outlive this
-  ///   object
+  /// @param toolpath  the toolpath of the program, in coordinates of the program; must outlive this object
   /// @param maps      at most one per layer
   /// @throws InvalidInput as `validate` of a map; if a map is of another toolpath, two are of one layer, or
   ///   one shifts the nozzle by more than its layer's height; if `split_change` is not positive
@@ -59,12 +58,12 @@ class ProgramCorrector {
   /// @throws InvalidInput as the constructor, for the map
   void trim(const CorrectionMap& map);
 
-  /// Appends to `out` the line or lines that replace a line of the program, with a line feed after each but
-  /// the last.
+  /// Reads a line of the program, and appends to `out` the line or lines that replace it, with a line feed
+  /// after each but the last.
   /// @param line    without its line feed
-  /// @param number  of the line, for errors
+  /// @param number  number of the line, for errors
   /// @throws InvalidProgram naming the line if it cannot be corrected: G91 or G20 within the part, an E that
-  ///   firmwares interpret differently, a checksum, which would no longer be right
+  ///   firmwares interpret differently, or a checksum, which would become wrong
   void read(std::string_view line, std::size_t number, std::string& out);
 
   const CorrectionReport& report() const;
@@ -74,7 +73,7 @@ class ProgramCorrector {
   std::unique_ptr<Writer> writer_;
 };
 
-/// A map that replaces that of its layer from a line of the program on.
+/// A map that replaces another map of its layer from a line of the program on.
 struct LaterMap {
   std::size_t from_line = 0;  ///< number of the line, from 1
   CorrectionMap map;
@@ -86,7 +85,7 @@ struct CorrectedProgram {
   CorrectionReport report;
 };
 /// Corrects a whole program. Without corrections in the maps the text stays the same to the byte.
-/// @param trims  ascending by line; of several that begin with one line the last is valid
+/// @param trims  ascending by line; if several begin with the same line, the last one is valid
 /// @throws InvalidInput, InvalidProgram as `ProgramCorrector`
 CorrectedProgram correctedProgram(std::string_view program, const Toolpath& toolpath,
                                   const std::vector<CorrectionMap>& maps, const CorrectionWriting& writing,

@@ -27,10 +27,10 @@ namespace lamina {
 Toolpath correctedToolpath(const Toolpath& toolpath, const std::vector<CorrectionMap>& maps,
                            double split_change);
 
-/// Checks that the toolpath read from a program is the one that was planned. Between the waypoints of that
-/// one it may have further ones, on the straight line.
-/// @throws InvalidInput naming the first layer, path or waypoint that differs, positions by more than
-///   `tolerance_mm`
+/// Checks that the toolpath read from a program is the planned one. Between the waypoints of the planned one
+/// it may have further waypoints, on the straight line.
+/// @throws InvalidInput naming the first layer, path or waypoint that differs, with positions compared to
+///   within `tolerance_mm`
 void requireSamePaths(const Toolpath& read, const Toolpath& planned, double tolerance_mm);
 
 }  // namespace lamina

@@ -47,7 +47,7 @@ struct FiledMap {
 struct AppliedRow {
   std::size_t layer = 0;
   std::uint64_t sequence = 0;
-  std::string digest;         ///< of the map; empty if the layer is deposited as planned
+  std::string digest;         ///< digest of the map; empty if the layer is deposited as planned
   std::size_t from_line = 0;  ///< as in `FiledMap`
   bool is_later = false;      ///< whether the map replaces the one with which the layer began
 };
@@ -62,8 +62,8 @@ struct RecordedJob {
 /// The content of `kAppliedMapsFile` for a job.
 std::string appliedRecordCsv(const RecordedJob& of, const std::vector<AppliedRow>& rows);
 
-/// The job to which the record in a folder belongs; what the record does not state is empty. None if there is
-/// no record.
+/// The job to which the record in a folder belongs; members that the record does not state are empty. None if
+/// there is no record.
 /// @throws FileError if the record cannot be read
 std::optional<RecordedJob> recordedJob(const std::string& folder);
 
@@ -81,9 +81,9 @@ std::string appliedMapFile(const AppliedRow& row);
 ///   its digest is not the recorded one
 std::vector<FiledMap> readCorrectionFiles(const std::string& path);
 
-/// The reason why a map cannot belong to a toolpath, as the rest of a sentence that begins with "the map":
-/// another toolpath, a missing layer or path, a shift of more than the layer's height. Empty if there is
-/// none.
+/// The reason why a map cannot belong to a toolpath: another toolpath, a missing layer or path, or a shift of
+/// more than the layer's height. It is the rest of a sentence that begins with "the map"; empty if there is
+/// no such reason.
 std::string defectOf(const CorrectionMap& map, const std::string& toolpath_id, const Toolpath& toolpath);
 std::string defectOf(const CorrectionMap& map, const ProgrammedToolpath& planned);
 

@@ -27,8 +27,8 @@ struct PlannedCorrection {
 /// @throws InvalidInput naming the file of the first map with a defect (`defectOf`)
 void requireOfProgram(const PlannedCorrection& correction);
 
-/// The maps as they are written into a program, in the same order: with the amounts led for the feeder, and
-/// naming the toolpath by its id in coordinates of the program.
+/// The maps as they are written into a program, in the same order. Their amounts are led for the feeder, and
+/// they name the toolpath by its id in coordinates of the program.
 /// @throws InvalidInput as `ledMap`
 std::vector<CorrectionMap> ledMaps(const PlannedCorrection& correction);
 
@@ -37,13 +37,13 @@ std::string feedingText(const LoopSettings& feeding);
 
 /// Checks that a program deposits on a toolpath. It reads the whole program, so that lines that cannot be
 /// corrected are refused before any of them is run.
-/// @param name  of the program in errors
-/// @throws InvalidProgram if nothing that it deposits lies on the toolpath; as `ProgramCorrector`
+/// @param name  name of the program, for errors
+/// @throws InvalidProgram if the program deposits nothing on the toolpath; as `ProgramCorrector`
 void requireLaysToolpath(const std::string& name, std::istream& program, const Toolpath& toolpath);
 
 /// Corrects each layer of a G-code program by its map. The result is what the streamer sends if the same maps
 /// reach it in time. Without corrections in the maps the text stays the same to the byte.
-/// @param name  of the program in errors
+/// @param name  name of the program, for errors
 /// @throws InvalidInput as `requireOfProgram` and `ledMaps`; naming the file, if two maps are of one layer
 /// @throws InvalidProgram as `requireLaysToolpath`
 CorrectedProgram correctedByMaps(const std::string& name, const std::string& program,

@@ -11,14 +11,14 @@
 
 namespace lamina {
 
-/// The record of a layer. Its size does not depend on the number of cells, but for the alarms.
+/// The record of a layer. Apart from the alarms, its size does not depend on the number of cells.
 struct LayerRecord {
   /// Number of equal shares of the cells, in the order of deposition.
   static constexpr std::size_t kPieces = 200;
 
   LayerFigures figures;
   LoopState state = LoopState::Off;
-  std::string map_digest;  ///< of the map with which the layer was deposited
+  std::string map_digest;  ///< digest of the map with which the layer was deposited
   std::vector<RaisedAlarm> alarms;
   std::array<float, kPieces> error_mm{};  ///< mean height error of each piece
 };

@@ -11,8 +11,8 @@
 
 namespace lamina {
 
-/// The state of the loop after a layer. A loop that resumes with it goes on as if it had not been
-/// interrupted, to the bit.
+/// The state of the loop after a layer. A loop that resumes with it gives the same results as one that was
+/// not interrupted, to the last bit.
 struct LoopMemory {
   PartIdentity identity;  ///< of the print; its `program` is the id of the toolpath
   std::size_t layer = 0;  ///< number of the last layer that is done

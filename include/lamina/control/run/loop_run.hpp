@@ -131,15 +131,15 @@ class LoopRun {
   /// starts as requested. A running loop that does not pass the check is blocked.
   void recalibrate(const CellCalibration& known, LoopRequest request);
 
-  /// Gives a pose of the nozzle.
+  /// Adds a pose of the nozzle.
   void observe(const StampedTip& pose);
-  /// Gives a cloud.
+  /// Adds a cloud.
   void see(SensedCloud cloud);
   /// States that a cloud with that time stamp has arrived for which no pose of the nozzle is known yet.
   void hear(std::int64_t stamp_ns);
-  /// States that the clock of the time stamps has gone back. All poses and clouds that wait are processed; of
-  /// those that arrive from now on none is late for the sake of the ones before. What was measured and learnt
-  /// remains.
+  /// States that the clock of the time stamps has gone back. All poses and clouds that wait are processed.
+  /// Those that arrive from now on are not compared with the earlier time stamps, so that none of them counts
+  /// as late for that reason. All that was measured and learnt remains.
   void restartClock();
   /// States that the machine deposits a layer, or the beginning of it, as planned instead of by its map. The
   /// estimate takes that into account if the layer is under way or still to come; for a layer that is done
@@ -151,13 +151,13 @@ class LoopRun {
   /// deposited by that map. For a layer that the toolpath does not have there is no effect.
   void refuseTrim(std::size_t layer, const std::string& reason);
 
-  /// States that the machine goes on with the plan of that identity, from its first layer on. All poses and
-  /// clouds that wait are processed; then the loop goes on with that plan, with all that it has learnt.
+  /// States that the machine continues with the plan of that identity, from its first layer on. All poses and
+  /// clouds that wait are processed; then the loop continues with that plan, with all that it has learnt.
   /// @return whether that is the plan offered last; if not, the loop stays with the present toolpath
   bool follow(const std::string& toolpath_id);
-  /// States that the machine does not go on with the plan of that identity. Alarm 6113 is raised as a warning
-  /// with the reason, and the map of the layer that the plan was to replace first is issued again, since it
-  /// may have been withheld.
+  /// States that the machine does not continue with the plan of that identity. Alarm 6113 is raised as a
+  /// warning with the reason. The map of the first layer that the plan was to replace is issued again, since
+  /// it may have been withheld.
   /// @return whether that is the plan offered last; if not, nothing changes
   bool refusePlan(const std::string& toolpath_id, const std::string& reason);
 
@@ -228,7 +228,7 @@ class LoopRun {
   LoopStatus status_;
   double short_mm_ = 0.0;                ///< by which the plan under way ends below the first one's top
   std::optional<PrintPlan> plan_;        ///< plan that was offered last
-  std::optional<HeightLoop> plan_loop_;  ///< the loop as it goes on if that plan is followed
+  std::optional<HeightLoop> plan_loop_;  ///< the loop as it continues if that plan is followed
   /// Layer under way; none before the first and after the last one with cells.
   std::optional<std::size_t> layer_;
   LoopState deposited_in_ = LoopState::Off;
@@ -262,7 +262,7 @@ class LoopRun {
   std::optional<std::int64_t> cloud_ns_;
   StuckWatch stuck_;
   OffsetWatch offset_;
-  OffsetLeft offset_left_;  ///< as the last layer that shows it has it
+  OffsetLeft offset_left_;  ///< by the last layer that shows an offset
   LumpWatch lump_;          ///< highest lump above the layer under way, as scanned
   Box3 ground_;             ///< of that layer, without its height
   SensorMotion motion_;     ///< [toolpath]

@@ -19,12 +19,13 @@ class LumpWatch {
   /// Forgets all profiles.
   void reset() { *this = LumpWatch(); }
 
-  /// Greatest height [mm] that was reached in that way; `kNone` if there is none.
+  /// Greatest height [mm] that has counted; `kNone` if there is none.
   double height() const { return height_mm_; }
   static constexpr double kNone = -1e9;
 
  private:
-  std::array<double, 2> before_mm_ = {kNone, kNone};  ///< of the two profiles before
+  /// Greatest counting heights of the two profiles before.
+  std::array<double, 2> before_mm_ = {kNone, kNone};
   double height_mm_ = kNone;
 };
 

@@ -10,12 +10,13 @@
 
 namespace lamina {
 
-/// Measures how fast the sensor moves, from one cloud to the next.
+/// Measures the velocity of the sensor from one cloud to the next.
 class SensorMotion {
  public:
-  /// Takes the position of the sensor at a cloud [mm].
+  /// Adds the position of the sensor at a cloud [mm].
   void see(std::int64_t stamp_ns, const Point3& at);
-  /// [mm/s]; zero if the clouds are more than half a second apart, in which the sensor may have turned.
+  /// Velocity between the last two clouds [mm/s]; zero if these are more than half a second apart, since the
+  /// sensor may have turned in between.
   const Eigen::Vector3d& velocity() const { return velocity_; }
 
  private:

@@ -21,28 +21,28 @@ struct SensedCloud {
   std::vector<std::vector<Point3>> profiles;
 };
 
-/// A pose, or a cloud if there is one.
+/// A cloud, or a pose if there is no cloud.
 struct StampedEvent {
   std::int64_t stamp_ns = 0;
   Point3 tip = Point3::Zero();
   std::shared_ptr<const SensedCloud> cloud;
 };
 
-/// Poses and clouds that wait, in an order that does not depend on that of their arrival: by stamp, poses
+/// Poses and clouds that wait, in an order that does not depend on when they arrive: by time stamp, poses
 /// before clouds, then by content.
 class StampedEvents {
  public:
-  /// Whether an event of that stamp comes too late, since a later one was taken.
+  /// Whether an event of that time stamp comes too late, since a later one was already removed.
   bool isLate(std::int64_t stamp_ns) const { return taken_ns_ && stamp_ns < *taken_ns_; }
   void add(const StampedTip& pose);
   void add(SensedCloud cloud);
 
-  /// Takes the first event, unless it is later than that stamp.
+  /// Removes and returns the first event; nothing if its time stamp is later than that one.
   std::optional<StampedEvent> takeUntil(std::int64_t stamp_ns);
   /// Forgets the events that wait.
   void clear() { waiting_.clear(); }
 
-  /// The latest stamp of an event, and of a pose; nothing before the first one.
+  /// The latest time stamp of all events, and of poses alone; nothing before the first one.
   const std::optional<std::int64_t>& latest() const { return latest_ns_; }
   const std::optional<std::int64_t>& latestTip() const { return latest_tip_ns_; }
 

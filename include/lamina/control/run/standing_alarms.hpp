@@ -10,11 +10,12 @@
 
 namespace lamina {
 
-/// The alarms of a watch that are up. One that stays up is raised once.
+/// The alarms of a watch that hold at present. An alarm is reported once for as long as it holds without a
+/// break.
 class StandingAlarms {
  public:
-  /// Takes the alarms that are up now.
-  /// @return those that were not up before
+  /// States which alarms hold now.
+  /// @return the alarms that did not hold at the call before
   std::vector<RaisedAlarm> risen(std::vector<RaisedAlarm> now) {
     std::set<LoopAlarm> up;
     std::vector<RaisedAlarm> risen;

@@ -52,8 +52,8 @@ struct AxisPruning {
 /// into one branch. Each connected axis keeps at least a point.
 MedialAxis pruned(const MedialAxis& axis, const AxisPruning& pruning);
 
-/// The path through a connected axis from one tip to the tip farthest from it, as its only branch: a diameter
-/// of a disc, a diagonal of a square. An axis without tips stays as it is.
+/// The path through a connected axis from one tip to the tip farthest from it, as the only branch of the
+/// result: a diameter of a disc, a diagonal of a square. An axis without tips is returned unchanged.
 MedialAxis farthestWay(const MedialAxis& axis);
 
 }  // namespace lamina

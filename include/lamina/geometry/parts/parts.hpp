@@ -10,7 +10,7 @@
 
 namespace lamina {
 
-/// A parameter of a part. Its key ends in its unit where it has one: "height_mm", "twist_deg", "segments".
+/// A parameter of a part. Its key ends in its unit if it has one: "height_mm", "twist_deg", "segments".
 struct PartParameter {
   std::string key;
   std::string default_value;
@@ -29,6 +29,7 @@ bool isPartName(const std::string& name);
 /// @throws InvalidConfig if there is no such part; names those there are
 std::string partMeaning(const std::string& name);
 
+/// The parameters of a part.
 /// @throws InvalidConfig if there is no such part; names those there are
 std::vector<PartParameter> partParameters(const std::string& name);
 

@@ -27,7 +27,7 @@ enum class PerimeterSeam {
 
 /// Settings of the strategy of N perimeters. Lengths are in pitches.
 struct PerimetersSettings {
-  int count = 0;  ///< 0 for as many as fit, with beads in the narrow rest
+  int count = 0;  ///< number of perimeters; 0 for as many as fit, with beads in the narrow areas left over
   PerimeterOffset offset = PerimeterOffset::Robust;
   PerimeterOrder order = PerimeterOrder::OutsideIn;
   double first_inset = 0.5;  ///< distance of the outermost centre line from the border

@@ -31,7 +31,7 @@ struct HybridSettings {
   double delete_below = 1.2;  ///< the outermost line is replaced by the curve where it is nearer than this
   double approach = 1.0;      ///< distance of the curve, and of ends of lines, from the perimeter
   int curve_points = 20;      ///< number of points of the curve
-  double end_margin = 0.5;    ///< by which the curve ends short of the line beside it
+  double end_margin = 0.5;    ///< distance between the end of the curve and the line beside it
   int extra_perimeter_every = 0;  ///< every so many layers there is one more perimeter; 0 for never
 };
 

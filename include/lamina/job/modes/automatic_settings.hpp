@@ -6,7 +6,7 @@
 
 namespace lamina {
 
-/// How `slicing.mode: auto` chooses among modes. Percentages are shares of the part's surface.
+/// Settings by which `slicing.mode: auto` chooses a mode. Percentages are shares of the part's surface.
 struct AutomaticSettings {
   double good_unsupported_percent = 1.0;  ///< unsupported share up to which a mode is good enough
   double alike_percent = 0.5;  ///< unsupported shares that differ by no more than this count as equal

@@ -19,12 +19,12 @@
 
 namespace lamina {
 
-/// What a mode is asked to plan: job, machine, and where the part stands.
+/// Input for the planning by a mode: job, machine, and the part's pose on the bed.
 struct PlanningRequest {
   const SliceJob& job;
   const BuildSpace& space;
   Eigen::Isometry3d bed_from_part = Eigen::Isometry3d::Identity();
-  /// Modes of which an earlier choice of `auto` found that the machine cannot run them.
+  /// Modes whose layers the machine cannot run, as earlier choices of `auto` have found.
   std::vector<ModeCandidate> refused = {};
 
   /// Name of the part: that of its file without folder and suffix.
@@ -40,7 +40,7 @@ struct LayerCounts {
   double slice_s = 0.0;  ///< time that the cutting took
 };
 
-/// What a mode itself measures of the support that its layers give each other.
+/// Measures of how well a mode's layers support each other.
 struct LayerSupport {
   /// Surface that overhangs the mode's own layers by more than its settings allow.
   double unsupported_mm2 = 0.0;
@@ -64,7 +64,7 @@ struct PlannedPart {
 using PlanFunction =
     std::function<PlannedPart(SourcePart source, const PlanningRequest& request, Progress& progress)>;
 
-/// How the layers of a mode lie.
+/// Geometry of the layers of a mode.
 enum class LayerShape {
   Plane,  ///< parallel planes: level, or as `slicing.plane` inclines them
   Bent,   ///< any other surfaces, on which skirt, scan passes, copies and drop voids are not supported
@@ -82,14 +82,14 @@ enum class DepositedOn {
   Base,  ///< `conformal.base`, if it is set
 };
 
-/// On which machines `auto` tries a mode.
+/// Machines on which `auto` tries a mode.
 enum class AutoTrial {
   None,         ///< never: the mode has to be named
   AnyHead,      ///< on all machines
   TiltingHead,  ///< on machines that can tilt the nozzle
 };
 
-/// A slicing mode: how a part is cut into layers, and what a job has to know about it.
+/// A slicing mode: how a part is cut into layers, with the properties of these that a job needs.
 struct SlicingMode {
   PlanFunction plan;
   LayerShape shape = LayerShape::Bent;

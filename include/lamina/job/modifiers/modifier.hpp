@@ -16,7 +16,7 @@
 
 namespace lamina {
 
-/// What a modifier does.
+/// Effect of a modifier in its region.
 enum class ModifierKind : std::uint8_t {
   Settings,        ///< other settings hold in the region
   Negative,        ///< the part has no material in the region

@@ -21,12 +21,11 @@ struct CopySettings {
 /// Adds the keys part.copies and part.spacing_mm.
 void describe(SettingsSchema& schema, CopySettings& settings);
 
-/// Repeats a toolpath for several copies of its part. Each copy is moved by the same distance along the
-/// endless edge of the build space (the belt), so that the belt has passed all of a copy when the next one
-/// begins. Between copies the belt moves first, which takes the copy out of the nozzle's reach, then the
-/// nozzle moves across. The layers of one copy are all before those of the next. One copy is the toolpath
-/// unchanged.
-/// @param travel_feed_mm_s  of the travels between copies
+/// Repeats a toolpath for several copies of its part along the endless edge of the build space (the belt).
+/// The distance from copy to copy is such that the belt has passed all of a copy when the next one begins.
+/// Between copies first the belt moves, which takes the copy out of the nozzle's reach, then the nozzle moves
+/// across. All layers of a copy precede those of the next. For one copy the toolpath is unchanged.
+/// @param travel_feed_mm_s  feed of the travels between copies
 /// @throws InvalidConfig if several copies are asked for and the build space has no endless edge
 Toolpath withCopies(Toolpath toolpath, const CopySettings& settings, const BuildSpace& space,
                     const Eigen::Isometry3d& bed_from_part, double travel_feed_mm_s);

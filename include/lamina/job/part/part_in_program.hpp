@@ -28,7 +28,7 @@ struct PartInProgram {
   PartFinding finding = PartFinding::Given;
 };
 
-/// The part that programs are compared with.
+/// The part with which programs are compared.
 struct ComparedPart {
   std::string name;  ///< path of a mesh file, or the name of a parametric part
   Mesh mesh;         ///< repaired

@@ -10,7 +10,7 @@
 
 namespace lamina {
 
-/// Where a part stands on the bed.
+/// How a part is placed on the bed.
 enum class Placement {
   Centre,  ///< middle of its bounding box over the middle of the bed, bottom on the bed
   AsIs,    ///< coordinates of the file are those of the bed

@@ -19,7 +19,7 @@ namespace lamina {
 struct StudyJob {
   Study study;
   std::string output;                             ///< folder; made if it does not exist
-  EarlierJournal earlier = EarlierJournal::GoOn;  ///< what becomes of the journal of an earlier run
+  EarlierJournal earlier = EarlierJournal::GoOn;  ///< what is done with the journal of an earlier run
 };
 
 /// Progress of a study after a generation or an iteration.

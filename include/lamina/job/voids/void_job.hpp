@@ -33,13 +33,13 @@ struct PlacedContours {
   std::vector<LayerVoids> missing;
 };
 
-/// Cuts the part at half the height of each layer of the program, its bottom at that of the first layer, and
-/// moves the contours to where the program deposits. Tried are the position that slicing with the job's
-/// settings would choose, the part's own coordinates, and those in which the bounding boxes of contours and
-/// deposit agree in their middle or on either side, or their centroids agree. Near each of these, positions
-/// that put the middle of the part on multiples of half a millimetre, as slicers do, are tried too. The one
-/// with the least uncovered and overfilled area on a few layers is used. Without a part, the contour of each
-/// layer is what its closed outer walls enclose.
+/// Cuts the part at half the height of each layer of the program, with its bottom at that of the first layer,
+/// and moves the contours to the position at which the program deposits them. Candidates are the position
+/// that slicing with the job's settings would choose, the part's own coordinates, and positions at which the
+/// bounding boxes of contours and deposit agree in their middle or on one side, or their centroids agree.
+/// Near each of these, positions that put the middle of the part on multiples of half a millimetre, as
+/// slicers do, are tried too. The candidate with the least uncovered and overfilled area on a few layers is
+/// used. Without a part, the contour of each layer is the area that its closed outer walls enclose.
 /// @throws InvalidMesh, FileError
 /// @throws InvalidInput if the bounding boxes of deposit and contour differ in size in most layers, as those
 ///   of another part or scale; if the offset is not finite, the layers are inclined, or the program's layers

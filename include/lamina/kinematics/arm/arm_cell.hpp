@@ -8,7 +8,7 @@
 
 namespace lamina {
 
-/// Frames that a controller needs of an arm's cell: that of the tool on the flange, and that of the bed.
+/// Frames of an arm's cell that a controller needs: that of the tool on the flange, and that of the bed.
 struct ArmCell {
   /// From link tool0 to link nozzle [mm].
   Eigen::Isometry3d flange_from_nozzle = Eigen::Isometry3d::Identity();

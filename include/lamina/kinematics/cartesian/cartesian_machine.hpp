@@ -16,7 +16,7 @@ namespace lamina {
 /// A linear axis of a machine.
 struct MachineAxis {
   std::string name;  ///< of the URDF's joint
-  /// In which the nozzle moves relative to the bed, of unit length [bed frame].
+  /// Direction in which the nozzle moves relative to the bed, of unit length [bed frame].
   Point3 direction = Point3::Zero();
   double low_mm = 0.0;
   double high_mm = 0.0;
@@ -68,13 +68,13 @@ Eigen::Isometry3d bedFromNozzle(const CartesianMachine& machine, const AxisValue
 AxisValues axisValues(const CartesianMachine& machine, const Point3& position);
 
 /// The affine map from positions of the nozzle tip [mm, bed frame] to axis values. On a belt printer inclined
-/// by a it is a shear: z / sin a goes up the incline, and the belt goes by -y + z cot a, which is the same
-/// for a whole layer.
+/// by a it is a shear: the nozzle moves z / sin a up the incline, and the belt moves by -y + z cot a, which
+/// is the same for a whole layer.
 Eigen::Affine3d axesFromBed(const CartesianMachine& machine);
 
 /// The affine map from the bed frame to the coordinates of programs. It is exactly the identity if the axes
-/// are at right angles, as firmware then counts in coordinates of the bed, whether bed or nozzle moves;
-/// otherwise it gives axis values, as firmware of belt printers takes them.
+/// are at right angles: firmware then counts in coordinates of the bed, whether the bed or the nozzle moves.
+/// Otherwise it gives axis values, as firmware of belt printers expects them.
 Eigen::Affine3d programFromBed(const CartesianMachine& machine);
 
 }  // namespace lamina

@@ -16,7 +16,7 @@ namespace lamina {
 enum class JointFault : std::uint8_t {
   OutOfReach,      ///< there is no inverse solution
   OutOfLimits,     ///< there is none within the joints' limits
-  SelfCollision,   ///< there are only solutions that a guard forbids, as links collide (joint_guard.hpp)
+  SelfCollision,   ///< a guard forbids all solutions, as links collide (joint_guard.hpp)
   Singular,        ///< nearer to a singularity than the settings allow
   Jump,            ///< joints cannot move there continuously from the waypoint before
   JointUnwinding,  ///< a rotary joint has to be wound back while depositing

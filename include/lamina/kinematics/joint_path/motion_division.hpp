@@ -41,7 +41,7 @@ struct DividedToolpath {
 DividedToolpath undivided(Toolpath toolpath);
 
 /// Divides each motion into equal steps: points on the straight line, orientations at constant angular speed,
-/// feed, bead and process values of the motion. Drops stay where they are: the waypoints in between have
+/// and feed, bead and process values of the motion. Drops are kept where they are; the new waypoints have
 /// none. What is deposited does not change.
 /// @param steps  number of steps of each motion, at least 1, at the index of the waypoint where it ends;
 ///   waypoints count in the order of the motion, in which a closed path has its waypoint 0 twice. The entry

@@ -31,7 +31,7 @@ struct BuildSpace {
 
   /// Orientation of the nozzle with its head at rest; z is the tool axis.
   Eigen::Matrix3d bed_from_nozzle = nozzleDown().toRotationMatrix();
-  /// Those that can turn the tool axis relative to the bed; empty for a fixed head.
+  /// Rotary joints that can turn the tool axis relative to the bed; empty for a fixed head.
   std::vector<std::string> rotary_joints;
 
   /// Map to the coordinates of programs [mm]: those of the bed (the identity), or axis values on a belt

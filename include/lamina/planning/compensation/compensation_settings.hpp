@@ -12,10 +12,10 @@ struct FirstLayerSettings {
   double width_factor = 1.0;          ///< factor on the width of its beads
   double feed_factor = 1.0;           ///< factor on its feeds, except those of travels
   double flow = 1.0;                  ///< factor on the volume deposited
-  double nozzle_temperature_c = 0.0;  ///< 0 for that of the program
-  double bed_temperature_c = 0.0;     ///< 0 for that of the program
-  double inset_mm = 0.0;              ///< by which its outlines are shrunk, as the bed squeezes its beads out
-  int inset_layers = 1;               ///< number of layers over which the inset tapers to 0
+  double nozzle_temperature_c = 0.0;  ///< 0: the temperature of the program
+  double bed_temperature_c = 0.0;     ///< 0: the temperature of the program
+  double inset_mm = 0.0;  ///< distance by which its outlines are shrunk, as the bed squeezes its beads out
+  int inset_layers = 1;   ///< number of layers over which the inset tapers to 0
 };
 
 /// Compensation of the changes in size that the process causes, before walls are planned.

@@ -14,7 +14,7 @@ namespace lamina {
 /// What was done for the cooling of layers.
 struct CoolingSummary {
   std::size_t slowed_layers = 0;
-  /// Number of layers after which the nozzle waits; with `CoolingInterval::Place`, of islands.
+  /// Number of layers, or with `CoolingInterval::Place` of islands, after which the nozzle waits.
   std::size_t dwells = 0;
   double dwell_s = 0.0;              ///< sum of these waits
   std::size_t too_fast_layers = 0;   ///< layers that are too short even at the least feed
@@ -38,8 +38,8 @@ double fanShare(double layer_time_s, std::size_t layer, const FanSettings& setti
 /// Adds an event at each change of the fan by 1/255 or more: at the start of a layer, by its time with waits;
 /// where a role has a share of its own; and before and after bridges and paths with the process value
 /// `unsupported`. Events that raise the power come earlier by the fan's spin-up time; motions are divided
-/// there. The fan is switched off at the end. A fan that is not used gets no event. The process value is
-/// removed from the paths, since programs have no word for it.
+/// there. The fan is switched off at the end. A fan that is not used gets no event. The process value is then
+/// removed from the paths, since no command of a program states it.
 void addFan(Toolpath& toolpath, const FanSettings& settings, const MotionLimits& limits);
 
 }  // namespace lamina

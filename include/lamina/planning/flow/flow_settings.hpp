@@ -9,7 +9,7 @@
 
 namespace lamina {
 
-/// The firmware whose command sets the pressure advance.
+/// The firmware for which the command of the pressure advance is written.
 enum class AdvanceWord : std::uint8_t { Marlin, Klipper, RepRapFirmware };
 
 /// Limits and lag of the flow through a nozzle.
@@ -19,16 +19,17 @@ struct FlowSettings {
   double coast_mm3 = 0.0;         ///< volume at the end of each run that is left to the pressure; 0 for none
   double coast_longest_mm = 2.0;  ///< greatest length that is left to the pressure
   double advance_s = 0.0;         ///< pressure advance of the firmware; 0 leaves it alone
-  std::string advance_by_role;    ///< [s], as "outer_wall=0.04, infill=0.06"; other roles have `advance_s`
+  std::string advance_by_role;    ///< [s], as "outer_wall=0.04, infill=0.06"; `advance_s` for other roles
   AdvanceWord advance_word = AdvanceWord::Marlin;
   double lag_s = 0.0;        ///< time constant of the flow, which the program compensates; 0 for none
-  double dead_time_s = 0.0;  ///< of the flow, which the program compensates
+  double dead_time_s = 0.0;  ///< dead time of the flow, which the program compensates; 0 for none
 };
 
 /// Adds the keys flow.*.
 void describe(SettingsSchema& schema, FlowSettings& settings);
 
-/// @throws InvalidConfig if firmware and program are both to make up for the lag, or `advance_by_role` is not
+/// Checks the settings for contradictions.
+/// @throws InvalidConfig if both firmware and program are to compensate the lag, or `advance_by_role` is not
 ///   valid
 void requireConsistent(const FlowSettings& settings);
 

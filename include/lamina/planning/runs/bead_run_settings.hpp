@@ -10,7 +10,7 @@
 
 namespace lamina {
 
-/// Where closed runs start, from layer to layer.
+/// Rule by which the starts of closed runs move from layer to layer.
 enum class StartRule : std::uint8_t {
   Keep,      ///< where they were planned
   Golden,    ///< moved on by 0.618034 of their length from each layer to the next
@@ -20,7 +20,7 @@ enum class StartRule : std::uint8_t {
 /// How closed runs start in successive layers.
 struct StartSettings {
   StartRule rule = StartRule::Keep;
-  double first_share = 0.0;  ///< of the length, by which the start in the first layer is moved on
+  double first_share = 0.0;  ///< share of the length by which the start in the first layer is moved on
 };
 
 /// Shape of a lead: the motion that leads to the beads of a run, or away from them.
@@ -42,14 +42,14 @@ enum class LeadDeposit : std::uint8_t {
 struct LeadSettings {
   LeadShape in = LeadShape::None;
   LeadShape out = LeadShape::None;
-  double length_mm = 10.0;  ///< of a line
-  double angle_deg = 0.0;   ///< of a line, from the tangent, in the layer
+  double length_mm = 10.0;  ///< length of a line
+  double angle_deg = 0.0;   ///< angle of a line from the tangent, in the layer
   double rise_deg = 0.0;    ///< angle of a lead out of the layer
-  double radius_mm = 5.0;   ///< of an arc or a loop
-  double sweep_deg = 90.0;  ///< of an arc
+  double radius_mm = 5.0;   ///< radius of an arc or a loop
+  double sweep_deg = 90.0;  ///< angle of an arc
   double least_mm = 1.0;    ///< leads that are shorter are left out
   LeadDeposit deposit = LeadDeposit::Dry;
-  double overlap_mm = 0.0;  ///< by which a closed run goes on over its start; 0 for none
+  double overlap_mm = 0.0;  ///< length by which a closed run extends over its own start; 0 for none
 };
 
 /// Direction along which a tool approaches a run and leaves it.
@@ -70,9 +70,9 @@ struct EntrySettings {
 struct LevelSettings {
   std::string values;             ///< "laser_power_w=1200, wire_speed_mm_s=from_bead"; empty for none
   double wire_diameter_mm = 1.2;  ///< diameter of the wire, for `from_bead`
-  double start_share = 1.0;       ///< of the value, where a run starts
+  double start_share = 1.0;       ///< share of the value where a run starts
   double start_mm = 0.0;          ///< length over which it becomes the whole value
-  double end_share = 1.0;         ///< of the value, where a run ends
+  double end_share = 1.0;         ///< share of the value where a run ends
   double end_mm = 0.0;            ///< length over which it becomes that share
 };
 
@@ -86,10 +86,10 @@ enum class WeaveKind : std::uint8_t {
   Eight,   ///< figures of eight with a loop on each side; half as far ahead and back as aside
 };
 
-/// Which speed the feed is while a tip weaves.
+/// The speed that the feed states while a tip weaves.
 enum class WeaveFeed : std::uint8_t {
-  Advance,  ///< along the centre line
-  Tip,      ///< of the tip itself
+  Advance,  ///< speed along the centre line
+  Tip,      ///< speed of the tip itself
 };
 
 /// Weaving of the tip across the centre line of beads.
@@ -103,7 +103,9 @@ struct WeaveSettings {
   WeaveFeed feed = WeaveFeed::Advance;
   double tolerance_mm = 0.05;  ///< greatest distance of chords from the curve
   double swing_deg =
-      0.0;  ///< of the tool axis about the way, to the side on which the tip is; at the amplitude
+      /// Angle of the tool axis about the direction of travel, at the amplitude, to the side on which the tip
+      /// is.
+      0.0;
 };
 
 /// What is done to runs of beads after they are planned.

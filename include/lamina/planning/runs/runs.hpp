@@ -10,26 +10,26 @@
 
 namespace lamina {
 
-/// Lets closed runs start elsewhere from layer to layer, so that starts do not stand above each other. The
-/// start of a run that is one closed path moves along the run, in layer i by a share of its length:
-/// frac(first + 0.618034 i) (golden) or frac(first + i / 2) (opposite). Travels lead to the new starts, with
-/// the nozzle turned as it is there. Runs that follow others without a travel, and paths with events within
+/// Moves the starts of closed runs from layer to layer, so that they do not stand above each other. The start
+/// of a run that is one closed path moves along the run, in layer i by a share of its length: frac(first +
+/// 0.618034 i) (golden) or frac(first + i / 2) (opposite). Travels lead to the new starts, with the
+/// orientation of the nozzle there. Runs that follow others without a travel, and paths with events within
 /// them, keep their starts.
-/// @return number of runs that start elsewhere
+/// @return number of runs whose start was moved
 std::size_t spreadStarts(Toolpath& toolpath, const StartSettings& settings);
 
-/// Lets runs that are one closed path go on over their start by `overlap_mm`. There the bead grows from
-/// nothing on the first pass and fades to nothing on the second one, in 16 steps each. Both passes together
-/// make up the planned bead everywhere.
-/// @return number of runs that do
+/// Extends runs that are one closed path over their own start by `overlap_mm`. On the overlap the bead grows
+/// from nothing in the first pass and fades to nothing in the second one, in 16 steps each. Both passes
+/// together deposit the planned bead everywhere.
+/// @return number of runs that were extended
 /// @throws InvalidInput naming layer and path if the overlap is as long as the run
 std::size_t overlapEnds(Toolpath& toolpath, const LeadSettings& settings);
 
 /// Numbers of leads of a toolpath.
 struct LeadCount {
   std::size_t added = 0;
-  std::size_t shortened = 0;  ///< of those added, shortened for lack of room
-  std::size_t left_out = 0;   ///< for which there is less room than `least_mm`
+  std::size_t shortened = 0;  ///< number of the added leads that were shortened for lack of room
+  std::size_t left_out = 0;   ///< number of leads for which there is less room than `least_mm`
 };
 
 /// Numbers of what is added at the ends of runs.
@@ -37,7 +37,7 @@ struct EndCount {
   LeadCount leads;
   std::size_t entries = 0;
   std::size_t without_tangent =
-      0;  ///< of the entries: along the tool axis, as there is no room along the run
+      0;  ///< number of entries along the tool axis, as there is no room along the run
 };
 
 /// Adds a lead before and after each run of the part: a travel at the run's feed, or a path of role Prime if
@@ -55,13 +55,13 @@ struct EndCount {
 EndCount addEnds(Toolpath& toolpath, const LeadSettings& lead, const EntrySettings& entry);
 
 /// Lets the tip swing across the beads of the part, by additional waypoints. Each path is woven by itself,
-/// about its own line, in a whole number of half waves, or of whole waves if it is closed. Left is that of
-/// the direction of travel, seen against the tool axis. The volume along the line stays, and so do the ends
-/// of open paths. A path shorter than a quarter of a wave stays.
-/// @param limits  by which the machine can swing
+/// about its own line, in a whole number of half waves, or of whole waves if it is closed. Left is left of
+/// the direction of travel, seen against the tool axis. The volume along the line and the ends of open paths
+/// do not change. A path shorter than a quarter of a wave is not woven.
+/// @param limits  of the machine, which bound the swing
 /// @return number of paths that are woven
-/// @throws InvalidInput naming layer, path and values: a swing wider than the bead, or one that needs more
-///   acceleration than the machine has; an event amid a path
+/// @throws InvalidInput naming layer, path and values if the swing is wider than the bead, or needs more
+///   acceleration than the machine has; if an event stands amid a path
 std::size_t weave(Toolpath& toolpath, const WeaveSettings& settings, const MotionLimits& limits);
 
 /// States process values on all paths that deposit beads. At the ends of runs they rise and fall in eight

@@ -21,9 +21,9 @@ struct SupportSettings {
   SupportFoot foot = SupportFoot::Everywhere;
   bool under_bridges = false;  ///< whether bridges are supported too
   double angle_deg = 50.0;     ///< greatest lean of a wall from the layers' normal without support
-  double bead_width_mm = 0.0;  ///< 0: that of walls, in proportion to the nozzles of their tools
+  double bead_width_mm = 0.0;  ///< 0: the width of walls, in proportion to the nozzles of their tools
   double density = 0.15;
-  double raster_angle_deg = 0.0;  ///< of the lines, in all layers; interfaces lie across
+  double raster_angle_deg = 0.0;  ///< angle of the lines, in all layers; the lines of interfaces lie across
   int walls = 0;                  ///< loops round each column
   double top_gap_mm = 0.2;        ///< between support and overhang
   double bottom_gap_mm = 0.2;     ///< between a support and the part on which it stands
@@ -33,13 +33,13 @@ struct SupportSettings {
   double least_width_mm = 0.4;     ///< narrower overhangs and columns are left out
   double join_mm = 2.0;            ///< narrower gaps between columns are closed
   double expand_mm = 0.0;          ///< by which the supported area extends beyond the overhang
-  double tip_mm = 0.8;             ///< diameter of the support of a point, and of tips of branches
+  double tip_mm = 0.8;             ///< diameter of the support of a single point, and of the tips of branches
   double tip_spacing_mm = 2.0;     ///< distance of neighbouring tips
   double branch_angle_deg = 40.0;  ///< greatest lean of a branch
   double branch_taper_deg = 5.0;   ///< angle by which each side of a branch widens downwards
   double branch_mm = 6.0;          ///< greatest diameter of a branch
-  int tool = -1;                   ///< -1: that of the part
-  int interface_tool = -1;         ///< -1: that of the part
+  int tool = -1;                   ///< -1: the tool of the part
+  int interface_tool = -1;         ///< -1: the tool of the part
 };
 
 /// Adds the keys supports.*.

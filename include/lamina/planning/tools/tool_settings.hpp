@@ -18,9 +18,9 @@ struct Tool {
   Point3 offset_mm = Point3::Zero();  ///< of its nozzle relative to that of tool 0
   double nozzle_mm = 0.0;             ///< 0 if not known
   std::string material;
-  double temperature_c = 0.0;  ///< while it works; 0: that of the program
-  double standby_c = 0.0;      ///< while it waits; 0: unchanged
-  double heat_s = 0.0;         ///< time before its use at which it is heated again
+  double temperature_c = 0.0;  ///< while the tool works; 0: the temperature of the program
+  double standby_c = 0.0;      ///< while the tool waits; 0: unchanged
+  double heat_s = 0.0;         ///< time before its next use at which the tool is heated again
 };
 
 /// The tools of a machine, their assignment to roles, and the purge at changes.
@@ -29,8 +29,8 @@ struct ToolSettings {
   int walls = 0;
   int infill = 0;
   int skin = 0;
-  int support = -1;    ///< -1 is that of walls
-  int interface = -1;  ///< -1 is that of supports
+  int support = -1;    ///< -1: the tool of walls
+  int interface = -1;  ///< -1: the tool of supports
 
   /// Volume of a purge: one for all changes, or one per pair, row by row from each tool; empty: no tower.
   std::vector<double> purge_mm3;

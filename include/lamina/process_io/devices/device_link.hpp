@@ -20,21 +20,21 @@ namespace lamina {
 struct DeviceReport {
   bool is_connected = false;
   bool is_hung = false;        ///< a call to the device has not returned for twice its time-out
-  std::string reason;          ///< why it is not connected
+  std::string reason;          ///< why the device is not connected
   std::string note;            ///< warning from opening the device; in one report only
-  std::vector<double> inputs;  ///< raw, of the last exchange; empty while there is none
+  std::vector<double> inputs;  ///< raw values of the last exchange; empty if there is none
   double late_s = 0.0;         ///< greatest delay of an exchange's begin since the last report
 };
 
 /// Delays and durations of the exchanges with a device.
 struct DeviceFigures {
-  Lateness late;        ///< from when an exchange was due to its begin
+  Lateness late;        ///< time from when an exchange was due to its begin
   Lateness round_trip;  ///< from the begin of an exchange to its end
 };
 
-/// Exchanges values with a device in a thread of its own, so that callers never wait. A device that is lost
-/// is opened again. The first values that it is sent after opening, and the last ones before the link ends,
-/// are the safe ones.
+/// Exchanges values with a device in a thread of its own, so that callers never wait. If the connection is
+/// lost, the device is opened again. The first values sent after opening, and the last ones before the link
+/// ends, are the safe values.
 class DeviceLink {
  public:
   /// @param clock  must outlive the link
@@ -45,7 +45,7 @@ class DeviceLink {
   DeviceLink(const DeviceLink&) = delete;
   DeviceLink& operator=(const DeviceLink&) = delete;
 
-  /// Hands over values to be sent, in place of those that were not sent yet.
+  /// Gives values to be sent; they replace those that were not sent yet.
   /// @param raw  in the order of the device's table
   /// @param due_s  time by the clock at which they should be sent
   void send(std::vector<double> raw, double due_s);
@@ -76,7 +76,7 @@ class DeviceLink {
   const Clock& clock_;
   std::vector<double> safe_;
 
-  mutable std::mutex mutex_;  ///< of what follows
+  mutable std::mutex mutex_;  ///< guards the members below
   std::condition_variable changed_;
   std::optional<Waiting> waiting_;
   std::optional<double> busy_since_s_;  ///< begin of the call to the device that has not returned

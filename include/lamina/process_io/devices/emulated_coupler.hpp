@@ -31,7 +31,7 @@ inline constexpr std::uint16_t kCouplerRegisters = 96;
 struct CouplerSettings {
   /// Time without a write to an output after which outputs take their fault values; 0 for none.
   double watchdog_s = 0.5;
-  double dead_time_s = 0.0;  ///< of every output
+  double dead_time_s = 0.0;  ///< dead time of every output
   double lag_s = 0.0;        ///< time constant of every output
 };
 
@@ -55,7 +55,7 @@ class EmulatedCoupler {
 
   /// The answer to a request, as bytes.
   std::string answer(const ModbusRequest& request, double now_s);
-  /// Advances to a time: the watchdog acts if it has expired.
+  /// Advances to a time. If the watchdog has expired by then, outputs take their fault values.
   void advance(double now_s);
 
   /// The value of a register.

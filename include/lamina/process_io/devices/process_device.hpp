@@ -27,7 +27,7 @@ inline double rawOf(const OutputChannel& channel, double value) {
   return channel.scale * value + channel.offset;
 }
 
-/// The value of an input of which a device reads the raw value.
+/// The value of an input, from the raw value that a device reads.
 inline double valueOf(const InputChannel& input, double raw) { return (raw - input.offset) / input.scale; }
 
 /// Interface to a device. Calls come from one thread, and may wait for the device's `timeout_s`.
@@ -35,14 +35,15 @@ class ProcessDevice {
  public:
   virtual ~ProcessDevice() = default;
 
-  /// Connects, and checks what the device does if the link is lost, as far as it can report that.
+  /// Connects to the device, and checks as far as the device reports it what it does if the link is lost.
   /// @return a warning in words; empty if there is none
   /// @throws Disconnected if the device does not answer
-  /// @throws DeviceError, with what the device reports, if it would not go to safe values by itself
+  /// @throws DeviceError, with the report of the device, if the device would not go to safe values by itself
+  ///   when the link is lost
   virtual std::string open() = 0;
 
   /// Writes all channels and reads all inputs, raw, in the order of the device's table.
-  /// @throws Disconnected if that fails; it must be opened again
+  /// @throws Disconnected if that fails; the device must then be opened again
   virtual std::vector<double> exchange(const std::vector<double>& raw) = 0;
 
   virtual void close() = 0;

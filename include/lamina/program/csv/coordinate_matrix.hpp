@@ -32,7 +32,8 @@ inline constexpr double kMatrixCorner = 2.0;
 /// from its first point on; a closed one ends with its first point again. Skirts, supports and travels are
 /// left out. Points are moved in x and y so that their lowest coordinates are `kMatrixCorner`; z stays. Empty
 /// if nothing is deposited.
-/// @param filament_diameter_mm  positive; by it column E follows from the beads
+/// @param filament_diameter_mm  positive; column E is the length of such filament that holds the beads'
+///   volume
 /// @throws InvalidInput if the diameter is not positive, or the toolpath is one of drops
 std::vector<CoordinateRow> coordinateMatrix(const Toolpath& toolpath, double filament_diameter_mm);
 

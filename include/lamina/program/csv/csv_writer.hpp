@@ -14,8 +14,8 @@ constexpr const char* kCsvHeader =
 /// Writes the toolpath as comma-separated values in the part frame: the header, then one row for each motion
 /// target, in order. The first row of a path states where it starts; a closed path ends with a row that
 /// repeats that position. Layers and the paths of each layer count from 0; `closed` is 1 or 0; the quaternion
-/// is part_from_nozzle; a travel has bead width 0. Bead and feed stand in the row of the waypoint they lead
-/// to. Numbers are the shortest that read back to the same double.
+/// is part_from_nozzle; a travel has bead width 0. Bead and feed are in the row of the waypoint to which they
+/// lead. Numbers are the shortest that read back to the same double.
 ///
 /// Further columns follow in this order, each only if the toolpath needs it:
 /// - `deposit`: `bead`, or `drops` if the path deposits a drop of that width and height at the position of

@@ -11,12 +11,12 @@
 
 namespace lamina {
 
-/// The words of programs that deposit drops: a command, comments and keys of the header. [Sobreviela2014,
-/// section 4.2] describes such programs, but its sample is not available, so each word is a setting.
+/// The words of programs that deposit drops: a command, comments and keys of the header. They are settings,
+/// because [Sobreviela2014, section 4.2] describes such programs, but its sample is not available.
 struct DropDialect {
   std::string discharge = "M780";      ///< command that releases one drop; parameters may follow it
   std::string layer_mark = "LAYER:";   ///< comment that opens a layer
-  std::string role_mark = "TYPE:";     ///< comment that reports the role of the drops that follow
+  std::string role_mark = "TYPE:";     ///< comment that states the role of the drops that follow
   std::string contour = "CONTOUR";     ///< role of drops along contours
   std::string infill = "INFILL";       ///< role of drops inside contours
   std::string void_fill = "VOIDFILL";  ///< role of drops that fill voids
@@ -33,10 +33,12 @@ void describe(SettingsSchema& schema, DropDialect& dialect);
 /// Whether the command, given without its comment, releases a drop.
 bool isDischarge(std::string_view command, const DropDialect& dialect);
 
-/// The role as the dialect writes it: walls are contours, a gap fill is a void fill, all others are infill.
+/// The name of a role in the dialect: that of a contour for walls, of a void fill for a gap fill, of infill
+/// for all others.
 const std::string& roleName(PathRole role, const DropDialect& dialect);
 
-/// The path role of a name that the dialect writes: outer wall, infill or gap fill; none for any other name.
+/// The path role that has this name in the dialect: outer wall, infill or gap fill; nothing for any other
+/// name.
 std::optional<PathRole> roleOf(std::string_view name, const DropDialect& dialect);
 
 }  // namespace lamina

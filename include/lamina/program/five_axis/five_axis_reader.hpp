@@ -13,26 +13,26 @@
 
 namespace lamina {
 
-/// Whether the header is that of a program that `writeFiveAxis` wrote.
+/// Whether a program has the header that `writeFiveAxis` writes.
 bool isFiveAxisProgram(std::string_view program);
 
-/// Reads a program that `writeFiveAxis` wrote for the machine, in coordinates of the bed: poses come from the
-/// machine's forward kinematics, everything else as in `toolpathFromGcode`. Start and end code are left out.
-/// A line that ends in `;via` lies between two waypoints and gives none; one that ends in `;turn` rotates the
-/// tool in place and gives no motion; one that ends in `;close` returns to where its path began.
+/// Reads a program that `writeFiveAxis` wrote for this machine, into coordinates of the bed. Poses come from
+/// the machine's forward kinematics, everything else as in `toolpathFromGcode`. Start and end code are left
+/// out. A line that ends in `;via` is between two waypoints and adds none; one that ends in `;turn` rotates
+/// the tool in place and adds no motion; one that ends in `;close` returns to the start of its path.
 ///
-/// @throws InvalidProgram naming the line, what was found and what was expected: axes that are not those of
-///   the machine, instructions that are not known, an axis that has no value yet, a feed that is missing or
-///   not positive; also if nothing in it moves
+/// @throws InvalidProgram naming the line, what was found and what was expected: for axes that the machine
+///   does not have, unknown instructions, an axis without a value yet, a feed that is missing or not
+///   positive, and a program without motion
 Toolpath readFiveAxis(std::string_view program, const KinematicModel& machine,
                       const FiveAxisSettings& settings, const ProgramSettings& filament,
                       const std::string& part_name);
 
-/// Reads a program likewise, and also returns the joints of the machine at each line that moves; `;via` lines
-/// give waypoints, too, and `;turn` lines in succession give a travel whose waypoints all lie at the tip.
-/// Rotary joints are as written. Linear joints are as written, or, in a program of tip positions, where tip
-/// control moves them for the rotary joints as written. Limits and collisions are not checked: there are no
-/// faults.
+/// Reads a program as `readFiveAxis` does, and also returns the joint values of the machine at each line that
+/// moves; here `;via` lines add waypoints, too, and successive `;turn` lines add a travel whose waypoints all
+/// lie at the tip. Rotary joints have the values in the program. So do linear joints, but in a program of tip
+/// positions they have the values to which tip control moves them with these rotary joints. Limits and
+/// collisions are not checked, so that there are no faults.
 /// @throws InvalidProgram as above
 StatedMotion readFiveAxisMotion(std::string_view program, const KinematicModel& machine,
                                 const FiveAxisSettings& settings, const ProgramSettings& filament,

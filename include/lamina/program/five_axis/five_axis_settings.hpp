@@ -9,15 +9,16 @@
 
 namespace lamina {
 
-/// What the words of a five-axis program mean.
+/// Meaning of the axis words in a five-axis program.
 enum class FiveAxisCoordinates : std::uint8_t {
-  /// Position of the tip over the bed, and rotary joints; the controller moves the linear joints (RTCP).
+  /// Position of the tip over the bed, and values of rotary joints; the controller moves the linear joints
+  /// (RTCP).
   ToolTip,
-  Joints,  ///< all joints, with inverse-time feed (G93)
+  Joints,  ///< values of all joints, with inverse-time feed (G93)
 };
 
-/// Controller for which a program is written: its words for tool-tip coordinates, feed of material, waits and
-/// the end.
+/// Controller for which a program is written. It decides the commands for tool-tip coordinates, material
+/// feed, waits and the end of the program.
 enum class FiveAxisDialect : std::uint8_t { Generic, LinuxCnc, Fanuc, Siemens };
 
 /// Which toolpaths are written as five-axis G-code.
@@ -31,12 +32,12 @@ struct FiveAxisSettings {
   FiveAxisUse use = FiveAxisUse::Tilted;
   FiveAxisCoordinates coordinates = FiveAxisCoordinates::ToolTip;
   FiveAxisDialect dialect = FiveAxisDialect::Generic;
-  std::string tip_control_on;   ///< empty for that of the dialect
-  std::string tip_control_off;  ///< empty for that of the dialect
+  std::string tip_control_on;   ///< command that switches it on; empty for that of the dialect
+  std::string tip_control_off;  ///< command that switches it off; empty for that of the dialect
   /// Line before `tip_control_off`; empty for that of the dialect.
   std::string before_tip_control_off;
-  /// Distance that the tip is lifted along the tool axis after the last path; less where a joint ends. The
-  /// generic dialect leaves that to `program.end_code`.
+  /// Distance by which the tip is lifted along the tool axis after the last path; less if a joint reaches its
+  /// limit. In the generic dialect `program.end_code` does that instead.
   double retract_mm = 10.0;
   std::string letters;       ///< letters of rotary joints that programs name differently: "b=U,c=V"
   int program_number = 1;    ///< of a Fanuc program, after its letter O
@@ -52,11 +53,12 @@ void describe(SettingsSchema& schema, FiveAxisSettings& settings);
 /// The word that feeds material.
 struct FeederWord {
   char letter = 'E';
-  /// A position of an axis, counted from the start of the part; else the amount of a motion.
+  /// Whether the word is a position of an axis, counted from the start of the part; otherwise it is the
+  /// amount of a motion.
   bool is_absolute = false;
 };
-/// The word of the dialect: E, relative, if it is the generic one; else U, absolute, as the others know no E.
-/// `five_axis.extrusion` replaces the letter; any letter but E is absolute.
+/// The word that feeds material: in the generic dialect E, relative; in all others U, absolute, as these do
+/// not know E. `five_axis.extrusion` replaces the letter; any letter but E is absolute.
 /// @throws InvalidConfig if that letter is none of E, A, B, C, U, V, W, or is E in a dialect that does not
 ///   know it
 FeederWord feederWord(const FiveAxisSettings& settings);
@@ -65,8 +67,9 @@ FeederWord feederWord(const FiveAxisSettings& settings);
 std::string tipControlOn(const FiveAxisSettings& settings);
 /// The line that switches tool-tip coordinates off; empty for none.
 std::string tipControlOff(const FiveAxisSettings& settings);
-/// The line before that; empty for none. A Fanuc control may take the length of the tool back by a motion as
-/// it obeys G49 (parameter 5006#6): the Z axis is at its reference position by then, where no length counts.
+/// The line before the one that switches tool-tip coordinates off; empty for none. It moves the Z axis to its
+/// reference position, because with parameter 5006#6 a Fanuc control may compensate the length of the tool by
+/// a motion when it executes G49.
 std::string beforeTipControlOff(const FiveAxisSettings& settings);
 
 }  // namespace lamina

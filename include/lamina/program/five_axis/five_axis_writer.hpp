@@ -13,7 +13,7 @@
 
 namespace lamina {
 
-/// A toolpath, where its part stands, and the joints of the machine that runs it.
+/// A toolpath, its part's pose on the bed, and the joint path of the machine that runs it.
 struct FiveAxisMotion {
   const Toolpath& toolpath;
   Eigen::Isometry3d bed_from_part = Eigen::Isometry3d::Identity();  ///< [mm]
@@ -28,8 +28,8 @@ struct FiveAxisMotion {
 /// inserted between waypoints wherever the tip would otherwise leave its straight path by more than
 /// `chord_tolerance_mm`.
 ///
-/// @throws InvalidConfig if a joint is not named by a letter x, y, z, a, b or c, as the joints of an arm; or
-///   as `writeGcode`
+/// @throws InvalidConfig as `writeGcode`; if a joint, as those of an arm, has a name other than the letters
+///   x, y, z, a, b, c
 /// @throws Unreachable  if the joint path has faults or a joint is outside its limits, or no joints are found
 ///   between two waypoints; names the waypoint
 /// @throws InvalidInput  if the joints are not those of the toolpath, if it holds drops, process values or

@@ -20,8 +20,8 @@ namespace lamina {
 using GcodeDialectWriter = std::function<void(const Toolpath& toolpath, const ProgramFrame& frame,
                                               const ProgramSettings& settings, const TextSink& sink)>;
 
-/// A dialect of G-code: its writer, and what its firmware understands besides motions; what it does not
-/// understand is not planned. Placeholders in braces are replaced by `dialectLine`.
+/// A dialect of G-code: its writer, and which commands its firmware has besides motions; functions without a
+/// command are not planned. Placeholders in braces are replaced by `dialectLine`.
 struct GcodeDialect {
   GcodeDialectWriter write;
   bool has_waits = true;     ///< dwells (G4), by which short layers cool
@@ -30,15 +30,16 @@ struct GcodeDialect {
   bool has_fan = true;
   bool has_pause = true;
   bool has_tools = true;
-  bool dwells_in_seconds = false;  ///< the unit of P in G4; otherwise it is ms
+  bool dwells_in_seconds = false;  ///< whether P in G4 is in seconds; otherwise in ms
   std::string pause = "M0";        ///< command that waits for the operator
   std::string progress;       ///< command that reports {percent} done, {minutes} left; empty if there is none
   std::string accelerations;  ///< command that sets {deposit}, {travel} [mm/s²]; empty if there is none
   int least_fan = 1;          ///< least S of M106 that the firmware takes for one of 255, not for a share
 };
 
-/// All dialects by name, those of plug-ins too: "marlin", "klipper", "reprapfirmware", "grbl" (`writeGcode`),
-/// "fullcontrol" (`writeFullControl`). Whoever adds one calls `gcodeDialects().add("name", {write})`.
+/// All dialects by name, those of plug-ins included: "marlin", "klipper", "reprapfirmware", "grbl"
+/// (`writeGcode`), "fullcontrol" (`writeFullControl`). A plug-in adds one by `gcodeDialects().add("name",
+/// {write})`.
 Registry<GcodeDialect>& gcodeDialects();
 
 /// Writes in the dialect that `program.dialect` names.
@@ -52,7 +53,7 @@ struct DialectWord {
   long long value = 0;
 };
 
-/// The command with each placeholder replaced wherever it stands, and a line break.
+/// The command with every occurrence of each placeholder replaced, and with a line feed at its end.
 std::string dialectLine(std::string command, const std::vector<DialectWord>& words);
 
 }  // namespace lamina

@@ -25,14 +25,15 @@ struct GcodeLine {
   std::vector<GcodeWord> words;            ///< without N and checksum; empty if the line is `is_other`
   std::vector<std::string_view> comments;  ///< after ; or within ( ), trimmed
   std::string_view command;                ///< the line without N, checksum and the comment after ;
-  bool is_other = false;  ///< a command whose arguments are not words, or that Lamina does not know
+  /// Whether the line has a command whose arguments are not words, or that Lamina does not know.
+  bool is_other = false;
 };
 
 /// Splits lines of G-code into words and comments. Its memory is reused from line to line.
 ///
-/// Words are read only in commands that move or change how motions are read: G0 to G6, G17 to G21, G28, G90
-/// to G92, M82, M83, and lines of coordinates alone. Everything else may carry free text and is `is_other`,
-/// kept whole.
+/// Words are parsed only for commands that move or change how motions are read: G0 to G6, G17 to G21, G28,
+/// G90 to G92, M82, M83, and lines with coordinates alone. All other commands may have free text; such a line
+/// is `is_other` and kept whole.
 class GcodeLineParser {
  public:
   /// @param text  one line without its line break
@@ -49,7 +50,7 @@ class GcodeLineParser {
   std::string_view withoutSequence(std::string_view text);
   void parseWords(std::string_view text);
   bool startsOther(std::string_view text) const;
-  /// Takes a number from the front of the text, if it starts with one.
+  /// Removes a number from the beginning of the text, if there is one, and returns it.
   std::optional<double> takeNumber(std::string_view& text) const;
   [[noreturn]] void refuse(std::string_view what, std::string_view at) const;
 

@@ -17,12 +17,12 @@ namespace lamina {
 struct GcodeMotion {
   Point3 start = Point3::Zero();  ///< [mm]
   Point3 end = Point3::Zero();    ///< [mm]; equal to the start for a motion of the filament alone
-  double extrusion_mm = 0.0;      ///< filament pushed forth; negative pulls back
+  double extrusion_mm = 0.0;      ///< length of filament extruded; negative if it is retracted
   double feed_mm_s = 0.0;
   std::size_t line = 0;                   ///< 1 based
-  std::optional<int> layer;               ///< as the slicer's comments report; none before the first layer
-  std::optional<PathRole> role;           ///< as the slicer's comments report
-  std::optional<double> height_mm;        ///< of the bead, as the slicer's comments report
+  std::optional<int> layer;               ///< as the slicer's comments state; nothing before the first layer
+  std::optional<PathRole> role;           ///< as the slicer's comments state
+  std::optional<double> height_mm;        ///< height of the bead, as the slicer's comments state
   std::optional<double> layer_height_mm;  ///< first `height_mm` of the layer, or that of the layer before
   std::size_t section = 0;                ///< number of comments so far that open a layer or a path
   /// Whether the program states the start by then, along the axes that move: by absolute coordinates, by
@@ -36,16 +36,17 @@ struct GcodeHandlers {
   std::function<void(const GcodeMotion&)> motion;
   std::function<void(std::size_t line, double seconds)> dwell;  ///< G4
   std::function<void(std::size_t line, std::string_view command)>
-      other;                                           ///< heaters, fans, tools, homing, unknown
-  std::function<void(std::string_view)> comment = {};  ///< without its semicolon or brackets
+      other;  ///< called for heaters, fans, tools, homing, and unknown commands
+  std::function<void(std::string_view)> comment = {};  ///< called without its semicolon or brackets
 };
 
 struct GcodeReaderSettings {
-  double chord_tolerance_mm = 0.01;  ///< how far the motions of an arc may be off it
+  double chord_tolerance_mm = 0.01;  ///< greatest distance of the motions that replace an arc from the arc
   double initial_feed_mm_s = 25.0;   ///< until the first F word, as in Marlin
 };
 
-/// Reads a program as a modal interpreter (Marlin's dialect of RS-274), piece by piece, in constant memory.
+/// Reads a program by interpreting its modal state (Marlin's dialect of RS-274), piece by piece, in constant
+/// memory.
 ///
 /// Understood: G0, G1, arcs G2 and G3 by I J K or R in the planes of G17 G18 G19 (helices too), G4, G20, G21,
 /// G28 (homes to 0), G90 and G91 (which set extrusion too, as in Marlin), G92, M82, M83, lines of coordinates
@@ -57,12 +58,12 @@ class GcodeReader {
   GcodeReader(GcodeReader&&) noexcept;
   GcodeReader& operator=(GcodeReader&&) noexcept;
 
-  /// Takes the next piece, which may end amid a line.
-  /// @throws InvalidProgram naming the line: a number that is bad, not finite or too large, a word without
-  ///   its value or given twice, a feed that is not positive, an arc without centre or off its circle, two
-  ///   motions in one line, a spline (G5, G6), a rotary axis, a line longer than 1 MiB
+  /// Reads the next piece, which may end within a line.
+  /// @throws InvalidProgram naming the line: for a number that is malformed, not finite or too large, a word
+  ///   without a value or given twice, a feed that is not positive, an arc without centre or off its circle,
+  ///   two motions in one line, a spline (G5, G6), a rotary axis, or a line longer than 1 MiB
   void read(std::string_view piece);
-  /// Takes what is left of the last line.
+  /// Reads what remains of the last line.
   void finish();
 
  private:

@@ -29,19 +29,19 @@ namespace lamina {
 /// own Z. Whatever the axes are, extrusion follows from lengths over the bed; a feed is the speed in axis
 /// values at which the nozzle has the feed of the toolpath over the bed.
 ///
-/// The nozzle travels to the first waypoint height first, then across. Filament is pulled back before a
-/// retracted path and pushed forth after it; consecutive retracted paths share one retraction. Layers are
-/// written by all threads in bounded memory; the bytes are the same whatever their number.
+/// The nozzle first travels to the height of the first waypoint, then across. Filament is retracted before a
+/// retracted path and extruded again after it; consecutive retracted paths share one retraction. Layers are
+/// written by all threads in bounded memory; the text does not depend on their number.
 ///
-/// @param frame  where the part stands on the bed [mm]
-/// @throws InvalidInput naming layer, path and waypoint, if the toolpath holds no motion, both beads and
-///   drops, drops of several diameters, or events or process values that the dialect has no word for; if a
-///   number is not finite or beyond 10 km, a feed is not positive, or the nozzle would have to rotate. All of
-///   it is checked before the first piece is written.
-/// @throws InvalidConfig if start or end code hold a placeholder other than {nozzle_temperature_c},
-///   {bed_temperature_c} and {lift_axis}, if a temperature is set that the dialect has no heater for, or if
-///   arcs are set for drops or for layers that do not lie in a plane of two axes. A line whose placeholder
-///   stands for 0 °C is left out.
+/// @param frame  pose of the part on the bed [mm]
+/// @throws InvalidInput naming layer, path and waypoint, if the toolpath has no motion, has both beads and
+///   drops, drops of several diameters, or events or process values for which the dialect has no command; if
+///   a number is not finite or beyond 10 km, a feed is not positive, or the nozzle would have to rotate.
+///   Everything is checked before the first piece is written.
+/// @throws InvalidConfig if start or end code have a placeholder other than {nozzle_temperature_c},
+///   {bed_temperature_c} and {lift_axis}, if a temperature is set for which the dialect has no heater, or if
+///   arcs are set for drops or for layers that are not in a plane of two axes. A line whose placeholder has
+///   the value 0 °C is left out.
 void writeGcode(const Toolpath& toolpath, const ProgramFrame& frame, const ProgramSettings& settings,
                 const TextSink& sink);
 

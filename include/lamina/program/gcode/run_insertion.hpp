@@ -15,17 +15,17 @@ namespace lamina {
 struct InsertionSettings {
   ProgramSettings program;
   double travel_feed_mm_s = 150.0;
-  double retraction_threshold_mm = 2.0;  ///< above this length, a travel retracts filament and hops
-  double hop_mm = 0.0;                   ///< by which the nozzle is lifted in such a travel
+  double retraction_threshold_mm = 2.0;  ///< length above which a travel is retracted and hops
+  double hop_mm = 0.0;                   ///< height by which the nozzle is lifted in such a travel
 };
 
-/// The program with runs added at the end of its layers, right after the last line that deposits there. Every
-/// line of the program stays as it is, byte for byte and in its order, and does what it did: inserted lines
-/// start where the nozzle stands, return it there, and restore role, feed, mode and position of the filament.
+/// The program with runs added at the end of its layers, directly after the last line that deposits there.
+/// Every line of the program is kept byte for byte, in its order and with its effect: inserted lines start at
+/// the present position of the nozzle, return it there, and restore role, feed, mode and filament position.
 /// The first line inserted in a layer is `;void fill`, the last `;end of void fill`. A layer without runs, or
-/// in which the program deposits nothing, is left alone; without any run the result is the program.
+/// in which the program deposits nothing, is not changed; without any runs the result is the program itself.
 ///
-/// @param toolpath  that `toolpathFromGcode` returned for the program
+/// @param toolpath  result of `toolpathFromGcode` for this program
 /// @param runs  for each layer of `toolpath`, in its frame
 /// @throws InvalidInput if there are not as many layers, or they are inclined
 /// @throws InvalidProgram if the program uses inches, relative positions while it deposits, or moves its

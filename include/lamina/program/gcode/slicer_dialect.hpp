@@ -9,7 +9,7 @@
 
 namespace lamina {
 
-/// The software whose comments a G-code program carries.
+/// The slicer that wrote a G-code program, recognised by its comments.
 enum class SlicerDialect : std::uint8_t {
   Unknown = 0,
   Lamina = 1,
@@ -23,9 +23,9 @@ enum class SlicerDialect : std::uint8_t {
 /// The name in files and messages: "simplify3d".
 const char* toString(SlicerDialect dialect);
 
-/// The dialect that is known after a comment. A slicer names itself in the header; a program that names none,
-/// but has a FLAVOR line or the mark `kStartCodeEnds`, is FullControl's.
-/// @param known  dialect that was known before the comment
+/// The slicer as far as it is known after a comment. A slicer names itself in the header; a program without
+/// such a name, but with a FLAVOR line or the mark `kStartCodeEnds`, is FullControl's.
+/// @param known  slicer as known before the comment
 SlicerDialect dialectAfter(SlicerDialect known, std::string_view comment);
 
 /// What the comments of a program state about the whole program.
@@ -37,7 +37,7 @@ struct ProgramNotes {
 /// Reads all comments of a program to its end, where some slicers state the filament.
 ProgramNotes notesOf(std::string_view program);
 
-/// Comments with which FullControl closes its start code and opens its end code.
+/// Comments by which FullControl marks the end of its start code and the beginning of its end code.
 inline constexpr std::string_view kStartCodeEnds = "END OF THE START GCODE";
 inline constexpr std::string_view kEndCodeBegins = "START OF THE END GCODE";
 

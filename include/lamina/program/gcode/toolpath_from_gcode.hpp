@@ -16,29 +16,29 @@ namespace lamina {
 /// Builds the toolpath that a program prints, in coordinates of the bed, from its motions. Coordinates of the
 /// program are those of the bed unless comments state another frame.
 ///
-/// A toolpath begins where the program first states a place, or deposits: travels from elsewhere
+/// A toolpath begins where the program first states a position, or deposits: travels from elsewhere
 /// (`GcodeMotion::is_start_stated`) are left out.
 ///
-/// A motion that pushes filament forth deposits; every other is travel, which is retracted if filament was
-/// pulled back and not yet pushed forth again. A path ends where kind, role or tool change, where a comment
-/// opens a path or layer, and where filament moves alone; deposition that ends where it started is closed.
-/// Layers are those of the slicer's comments, and what comes before the first and after the last of them is
-/// left out; without comments a layer begins wherever material is deposited at another height. The height of
-/// a bead is that of the last comment before its motion, or else the thickness of the layer. In a program
-/// with FullControl's marks, what lies between them belongs to the part, and nothing else. Bead width is that
-/// of the stadium which holds the volume deposited per length. A path gets one width if that explains all its
-/// motions within the rounding of a program (1e-5 mm of filament, 1.75e-3 mm of length). Dwells, pauses,
-/// names of parts and shares of the first fan (P0) within the part become events; other codes are left out. A
-/// filament diameter that comments state takes precedence over that of the settings.
+/// A motion that extrudes deposits; every other one is a travel, which is retracted if filament was retracted
+/// and not extruded again yet. A path ends where kind, role or tool change, where a comment opens a path or
+/// layer, and where filament moves alone; a deposition that ends where it started is closed. Layers are those
+/// of the slicer's comments, and everything before the first and after the last of them is left out. Without
+/// comments, a layer begins wherever material is deposited at another height. The height of a bead is that of
+/// the last comment before its motion, otherwise the thickness of the layer. In a program with FullControl's
+/// marks, exactly what is between them belongs to the part. Bead width is that of the stadium that has the
+/// volume deposited per length. A path gets a single width if that explains all its motions within the
+/// rounding of a program (1e-5 mm of filament, 1.75e-3 mm of length). Dwells, pauses, names of parts and
+/// shares of the first fan (P0) within the part become events; other codes are left out. A filament diameter
+/// stated by comments takes precedence over that of the settings.
 class ToolpathBuilder {
  public:
-  /// Of the settings, filament diameter and flow are used.
+  /// @param settings  only filament diameter and flow are used
   explicit ToolpathBuilder(const ProgramSettings& settings);
   ~ToolpathBuilder();
 
-  /// Takes in a comment. Used are those that state the program's frame (`readFrameComment`), which must come
-  /// before the motions, the filament, a tool's offset or the name of a part, and those that mark the end of
-  /// the start code and the begin of the end code.
+  /// Reads a comment. Used are comments that state the program's frame (`readFrameComment`), which must
+  /// precede the motions; those that state the filament, a tool's offset or the name of a part; and those
+  /// that mark the end of the start code and the beginning of the end code.
   void readComment(std::string_view comment);
   void add(const GcodeMotion& motion);
   /// Adds an event before the next motion; after the last motion it becomes an event at the end.

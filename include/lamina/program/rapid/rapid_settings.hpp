@@ -16,17 +16,17 @@ enum class RapidVariant : std::uint8_t { Powder3Axes, Powder5Axes, Wire3Axes };
 /// "powder_3_axes", "powder_5_axes", "wire_3_axes".
 const char* toString(RapidVariant variant);
 
-/// Configuration of the arm in the targets: `fixed_configuration` in all of them, or that of the joints at
-/// each.
+/// Configuration of the arm in the targets: `fixed_configuration` in all of them, or at each target that of
+/// its joint values.
 enum class RapidConfiguration : std::uint8_t { Fixed, Joints };
 
-/// By what a module starts and stops the process.
+/// How a module starts and stops the process.
 enum class RapidProcess : std::uint8_t {
-  Outputs,  ///< as in the listings
+  Outputs,  ///< by outputs, as in the listings
   Arc,      ///< ArcLStart, ArcL, ArcLEnd of the controller's arc package
 };
 
-/// How the modules of a program that is split are loaded.
+/// How the modules are loaded if a program is divided into several.
 enum class RapidLoading : std::uint8_t {
   Together,  ///< all of them are loaded beforehand
   InTurn,    ///< main loads each from the controller's home folder, runs it and unloads it
@@ -36,39 +36,40 @@ enum class RapidLoading : std::uint8_t {
 /// [Flores2018, figures 66 to 71]; lengths [mm], orientations w x y z.
 struct RapidSettings {
   RapidVariant variant = RapidVariant::Powder5Axes;
-  std::string module;                    ///< empty for that of the file, or Lamina
+  std::string module;                    ///< name of the module; empty for that of the file, or Lamina
   std::string procedure = "deposit";     ///< prefix of the names of procedures that deposit
-  std::string tool;                      ///< empty for that of the variant's listing
-  std::string work_object;               ///< empty for that of the variant's listing
+  std::string tool;                      ///< name; empty for that of the variant's listing
+  std::string work_object;               ///< name; empty for that of the variant's listing
   std::string start_point = "Pinicial";  ///< origin of the offsets in 3-axis variants
   std::string offset = "off_";           ///< prefix of the names of the three offsets
   std::string deposition_speed = "speed_prueba";
   std::string air_speed = "speed_aire";
-  std::string zone = "z0";          ///< of points where the process neither starts nor ends
-  std::string end_zone = "fine";    ///< of points where the process starts or ends
-  double zone_mm = 0.3;             ///< radius of `zone` if its name is not one of RAPID's own
+  std::string zone = "z0";          ///< name of the zone at points where the process neither starts nor ends
+  std::string end_zone = "fine";    ///< name of the zone at points where the process starts or ends
+  double zone_mm = 0.3;             ///< radius of `zone` if that is not the name of a predefined zone
   double turn_speed_deg_s = 500.0;  ///< speed at which the tool rotates, in each declared speed
 
-  bool declares_cell = true;  ///< whether the module holds tool, work object and start point
-  /// Pose of the tip in the flange's frame: x y z [mm], w x y z. Empty for that of the arm's description, or,
-  /// without an arm, for the flange itself.
+  bool declares_cell = true;  ///< whether the module declares tool, work object and start point
+  /// Pose of the tip in the flange's frame: x y z [mm], w x y z. If it is empty, the pose of the arm's
+  /// description, or, without an arm, the flange itself.
   std::vector<double> tool_frame;
   std::vector<double> tool_centre_of_gravity_mm = {0, 0, 1};  ///< in the flange's frame
   double tool_mass_kg = 1.0;
-  /// Mechanical unit that carries the bed; empty if it stands still, or for STN1 where an external axis of
-  /// the arm's description carries it.
+  /// Mechanical unit that carries the bed. If it is empty, the bed is fixed, unless an external axis of the
+  /// arm's description carries it: then the unit is STN1.
   std::string positioner;
-  /// Pose of the bed in the world, or in the user frame of its positioner: x y z [mm], w x y z. Empty for
-  /// that of the arm's description, or, without an arm, for the world itself.
+  /// Pose of the bed in the world, or in the user frame of its positioner: x y z [mm], w x y z. If it is
+  /// empty, the pose of the arm's description, or, without an arm, the identity.
   std::vector<double> work_object_frame;
   /// Distance from the part, back along the tool axis, at which an arm's program starts and ends.
   double approach_mm = 50.0;
-  /// Position of `start_point` in the work object as declared, until it is taught anew.
+  /// Position of `start_point` in the work object as declared; it holds until the point is taught anew.
   std::vector<double> start_point_mm = {0, 0, 0};
 
   RapidConfiguration configuration = RapidConfiguration::Fixed;
   std::vector<double> fixed_configuration = {-1, 0, 0, 2};  ///< cf1, cf4, cf6, cfx
-  double external_axis = 0.0;  ///< value of the first external axis [mm, deg] if no joint states it
+  /// Value of the first external axis [mm, deg] where joint values do not state it.
+  double external_axis = 0.0;
   /// Targets have five external axes as printed in [Flores2018]; RAPID has six.
   bool is_thesis_compatible = false;
 
@@ -85,17 +86,17 @@ struct RapidSettings {
 
   RapidProcess process = RapidProcess::Outputs;
   std::string seam_data = "seam1";  ///< name of the seam data of arc moves, on the controller
-  std::string weld_data = "weld1";  ///< name of their weld data
-  std::string weave_data;           ///< name of their weave data; empty for none
+  std::string weld_data = "weld1";  ///< name of the weld data of arc moves
+  std::string weave_data;           ///< name of the weave data of arc moves; empty for none
 
-  double powder_wait_s = 0.0;     ///< from powder and gas on to the first move
-  double laser_off_wait_s = 1.2;  ///< after laser off, in the powder variants
-  double wire_lead_s = 0.5;       ///< waiting1, from wire on to laser on
-  double laser_lead_s = 0.5;      ///< waiting2, from laser on to the move
-  double layer_wait_s = 1.0;      ///< t_capas, after laser off, in the wire variant
-  double wire_stop_s = 0.2;       ///< how long before the end of a run the wire stops
+  double powder_wait_s = 0.0;     ///< wait from powder and gas on to the first move
+  double laser_off_wait_s = 1.2;  ///< wait after laser off, in the powder variants
+  double wire_lead_s = 0.5;       ///< waiting1: wait from wire on to laser on
+  double laser_lead_s = 0.5;      ///< waiting2: wait from laser on to the move
+  double layer_wait_s = 1.0;      ///< t_capas: wait after laser off, in the wire variant
+  double wire_stop_s = 0.2;       ///< time before the end of a run at which the wire stops
 
-  int max_points = 0;  ///< most points in a module; 0 for all in one
+  int max_points = 0;  ///< greatest number of points in a module; 0 for all in one
   RapidLoading loading = RapidLoading::Together;
 };
 
@@ -104,8 +105,9 @@ void describe(SettingsSchema& schema, RapidSettings& settings);
 
 /// The settings with empty names filled in from the variant's listing.
 /// @throws InvalidConfig if a name is no identifier of RAPID (a letter, then letters, digits and underscores,
-///   32 at most), a reserved word, or is used for two things; if a list has not its length; if an orientation
-///   is not of length 1; if an alias names no signal; if arc moves are asked for with the wire variant
+///   at most 32 characters), is a reserved word, or is used for two things; if a list has the wrong length;
+///   if an orientation is not of length 1; if an alias names no signal; if arc moves are asked for with the
+///   wire variant
 RapidSettings checkedRapidSettings(RapidSettings settings);
 
 /// A signal and its name on the controller.

@@ -32,13 +32,13 @@ const char* suffixOf(RobotLanguage language);
 /// The language of a file by its suffix; nothing if no language has it.
 std::optional<RobotLanguage> robotLanguageOf(const std::string& path);
 
-/// Where the points of a program in KRL stand.
+/// Where the points of a program in KRL are written.
 enum class KrlPoints : std::uint8_t {
   Inline,  ///< in its moves
   Dat,     ///< in the data file beside the program; moves name them
 };
 
-/// By what a program starts and stops the process.
+/// How a program starts and stops the process.
 enum class RobotProcess : std::uint8_t {
   Outputs,    ///< digital and analogue outputs
   Schedules,  ///< statements of the controller's arc package, which name schedules kept there
@@ -52,16 +52,16 @@ struct ArcSettings {
   int weave_schedule = 0;  ///< number of the schedule by which it weaves; 0 for none
 };
 
-/// How KRL is written.
+/// Settings of programs in KRL.
 struct KrlSettings {
   KrlPoints points = KrlPoints::Inline;
-  int advance = 5;                  ///< $ADVANCE: moves that the controller looks ahead
+  int advance = 5;                  ///< $ADVANCE: number of moves by which the controller looks ahead
   double turn_speed_deg_s = 200.0;  ///< speed at which the tool rotates: $VEL.ORI1, $VEL.ORI2
   double acceleration_m_s2 = 2.3;   ///< $ACC.CP
   std::string arc_on;    ///< statement that starts the arc; {schedule} and {weave} are replaced by numbers
-  std::string arc_off;   ///< statement that ends the arc, likewise
-  int max_lines = 5000;  ///< most lines in a file
-  double max_mb = 4.0;   ///< most for all files of a program together [10^6 bytes]
+  std::string arc_off;   ///< statement that ends the arc; with the same placeholders
+  int max_lines = 5000;  ///< greatest number of lines in a file
+  double max_mb = 4.0;   ///< greatest size of all files of a program together [10^6 bytes]
 };
 
 /// The statement by which a script deposits beads.
@@ -70,34 +70,34 @@ enum class UrBeadMove : std::uint8_t {
   MoveL,
 };
 
-/// How URScript is written.
+/// Settings of programs in URScript.
 struct UrScriptSettings {
   UrBeadMove bead_move = UrBeadMove::MoveP;
   double acceleration_m_s2 = 1.2;
   double joint_acceleration_rad_s2 = 1.4;
-  int max_points = 900;  ///< most points in a file
+  int max_points = 900;  ///< greatest number of points in a file
 };
 
 /// Sign of an angle.
 enum class JointSign : std::uint8_t { Positive, Negative };
 
-/// By what a listing states the speed of its welds.
+/// How a listing states the speed of its welds.
 enum class FanucWeldSpeed : std::uint8_t {
   Stated,    ///< in each move
   Schedule,  ///< WELD_SPEED: the speed of the schedule on the controller
 };
 
-/// How Fanuc's listings are written.
+/// Settings of Fanuc's listings.
 struct FanucSettings {
   int cnt = 100;                              ///< value of CNT, for points that may be rounded
   double joint_3_from_2 = -1.0;               ///< share of joint 2 that the controller adds to joint 3
   JointSign flip = JointSign::Positive;       ///< sign of joint 5 if the wrist is flipped, F
   std::vector<double> turn_axes = {1, 4, 6};  ///< joints whose whole turns a configuration counts
-  int name_length = 36;                       ///< most characters of a program's name
-  int max_lines = 9000;                       ///< most lines in a file
+  int name_length = 36;                       ///< greatest number of characters of a program's name
+  int max_lines = 9000;                       ///< greatest number of lines in a file
   int arc_equipment = 1;  ///< number that /APPL names if schedules start arcs; 0 for no /APPL
   FanucWeldSpeed weld_speed = FanucWeldSpeed::Stated;
-  bool is_coordinated = true;  ///< motions over a bed that a positioner turns are COORD
+  bool is_coordinated = true;  ///< whether motions over a bed that a positioner turns are written as COORD
   int positioner_frame = 1;    ///< number of the frame of group 2, the positioner
   int positioner_tool = 1;     ///< number of the tool of group 2
 };
@@ -110,45 +110,47 @@ enum class InformRconfOrder : std::uint8_t { FlipElbowFront, FrontElbowFlip };
 /// How many slashes stand before FRAME.
 enum class InformFrameMark : std::uint8_t { Three, Four };
 
-/// How jobs in INFORM are written.
+/// Settings of jobs in INFORM.
 struct InformSettings {
   InformSpeedUnit speed_unit =
       InformSpeedUnit::MillimetresPerSecond;  ///< unit of V, as a parameter of the controller sets it
   int corner_level = 1;                       ///< value of PL, for points that may be rounded
-  /// Pulses in a degree of each joint; empty: joint moves state poses.
+  /// Pulses per degree of each joint; empty if joint moves state poses.
   std::vector<double> pulses_per_deg;
   JointSign flip = JointSign::Positive;  ///< sign of joint 5 if RCONF states flip
   InformRconfOrder rconf_order = InformRconfOrder::FlipElbowFront;
-  int rconf_length = 8;  ///< numbers in RCONF: 6, 8 or 24
+  int rconf_length = 8;  ///< number of values in RCONF: 6, 8 or 24
   InformFrameMark frame_mark = InformFrameMark::Four;
-  int name_length = 32;   ///< most characters of a job's name
-  int max_points = 2000;  ///< most points in a job
+  int name_length = 32;   ///< greatest number of characters of a job's name
+  int max_points = 2000;  ///< greatest number of points in a job
 };
 
 /// How a toolpath is written as a program for a robot whose language is not RAPID: settings for all
 /// languages, and those of each.
 struct RobotProgramSettings {
-  std::string name;      ///< of the program; empty for that of the file
+  std::string name;      ///< name of the program; empty for that of the file
   int tool_number = 1;   ///< number of the tool on the controller
   int frame_number = 1;  ///< number of the frame on the controller that is the bed
   /// Distance from the part, back along the tool axis, at which a program starts and ends.
   double approach_mm = 50.0;
-  double corner_mm = 0.5;  ///< by which points may be rounded where the process neither starts nor ends
-  double joint_speed_percent = 10.0;  ///< of the joint move that begins a file, in percent of the fastest
-  int process_output = 1;             ///< number of the digital output that is on while material is deposited
-  double process_lead_s = 0.0;        ///< wait between process on and the move
-  double process_end_s = 0.0;         ///< wait between process off and the next move
+  /// Distance by which the controller may round points where the process neither starts nor ends.
+  double corner_mm = 0.5;
+  /// Speed of the joint move that begins a file, in percent of the greatest.
+  double joint_speed_percent = 10.0;
+  int process_output = 1;       ///< number of the digital output that is on while material is deposited
+  double process_lead_s = 0.0;  ///< wait between process on and the move
+  double process_end_s = 0.0;   ///< wait between process off and the next move
   ArcSettings arc;
   std::string levels;  ///< analogue outputs of process values: "name=output*per, ..."
   /// For each joint 1, or -1 if the controller counts it in the opposite direction to the description; empty
-  /// for 1.
+  /// for 1 at all joints.
   std::vector<double> joint_signs;
-  /// What the controller shows of each joint at the description's zero; empty for 0.
+  /// Value that the controller shows for each joint at the description's zero; empty for 0 at all joints.
   std::vector<double> joint_zeros_deg;
   /// Whether a run that is too long for a file is cut, with the process stopped at the cut; otherwise it is
   /// refused.
   bool may_cut = false;
-  /// Date that files state: a setting instead of the clock, so that files are the same every time.
+  /// Date that files state. It is a setting, so that files are the same every time.
   std::string date = "2000-01-01";
   KrlSettings krl;
   UrScriptSettings urscript;
@@ -159,19 +161,21 @@ struct RobotProgramSettings {
 /// Adds the keys robot_program.*, krl.*, urscript.*, fanuc.*, inform.*.
 void describe(SettingsSchema& schema, RobotProgramSettings& settings);
 
-/// An analogue output that is set by a process value.
+/// An analogue output whose value follows a process value.
 struct RobotLevel {
-  std::string name;  ///< of the process value: "laser_power_w"
+  std::string name;  ///< name of the process value: "laser_power_w"
   int output = 0;
   double per = 1.0;  ///< value of the output for each unit of the process value
 };
 
 /// The outputs in a list "name=output*per, ...", in its order.
-/// @throws InvalidConfig if an entry is not of that form, or a name or output stands twice
+/// @throws InvalidConfig if an entry is not of that form, or a name or output occurs twice
 std::vector<RobotLevel> robotLevels(const std::string& text);
 
-/// @throws InvalidConfig naming key and value: signs other than 1 and -1; joints other than 1 to 6; no
-///   pulses; schedules while outputs switch the process; a date or a list of outputs that is malformed
+/// Checks the settings.
+/// @throws InvalidConfig naming key and value: for signs other than 1 and -1; joints other than 1 to 6;
+///   numbers of pulses that are 0; schedules although outputs switch the process; a malformed date or list of
+///   outputs
 void requireConsistent(const RobotProgramSettings& settings);
 
 }  // namespace lamina

@@ -13,9 +13,9 @@
 
 namespace lamina {
 
-/// Reads a program in the subset of its language that `robotProgram` writes, in coordinates of the bed.
-/// Roles, beads, layers and where paths begin come from the comments. Moves deposit while the process is
-/// switched on. The language follows from the first file's suffix.
+/// Reads a program in the subset of its language that `robotProgram` writes, into coordinates of the bed.
+/// Comments state roles, beads, layers and the beginnings of paths. Moves deposit while the process is
+/// switched on. The language follows from the suffix of the first file.
 ///
 /// @param files  first the one that is loaded first; then, in any order, those that it runs, and data files
 /// @throws InvalidProgram naming file and line, what was found and what was expected: statements that are not
@@ -28,16 +28,18 @@ Toolpath readRobotProgram(const std::vector<RobotFile>& files, const std::string
 /// @throws InvalidProgram as above
 Toolpath readRobotProgramFile(const std::string& path);
 
-/// Reads a program likewise, and also returns what it states besides the toolpath: outputs, external axes.
+/// Reads a program as `readRobotProgram` does, and also returns what it states besides the toolpath: outputs
+/// and external axes.
 EquippedToolpath readEquippedRobotProgram(const std::vector<RobotFile>& files, const std::string& part_name);
 EquippedToolpath readEquippedRobotProgramFile(const std::string& path);
 
-/// Reads a program likewise, and also returns the joints at which an arm reaches each pose: the nearest to
-/// those at the pose before, beginning with the joints of the move that approaches the part. External axes
-/// stand as in the moves. A pose without such joints is listed as a fault, `out_of_reach`; limits, collisions
-/// and singularities are not checked.
-/// @throws InvalidProgram as above; also if the tool or bed that the program states is another than that of
-///   the arm's description, a move lacks one of its external axes, or no joint move approaches the part
+/// Reads a program as `readRobotProgram` does, and also returns the joint values at which an arm reaches each
+/// pose: the ones nearest to those at the pose before, beginning with those of the joint move that approaches
+/// the part. External axes have the values of the moves. A pose without such joint values is listed as a
+/// fault, `out_of_reach`; limits, collisions and singularities are not checked.
+/// @throws InvalidProgram as `readRobotProgram`; if tool or bed that the program states differ from those of
+///   the arm's description, a move does not state one of the arm's external axes, or no joint move approaches
+///   the part
 /// @throws InvalidConfig if the kinematic model is no six-axis arm
 StatedMotion readRobotMotion(const std::vector<RobotFile>& files, const std::string& part_name,
                              const KinematicModel& arm);

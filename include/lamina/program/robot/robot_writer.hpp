@@ -21,19 +21,19 @@ struct RobotFile {
 /// Name, language and settings of a program.
 struct RobotProgramRequest {
   RobotLanguage language = RobotLanguage::Krl;
-  std::string name = "lamina";  ///< unless `robot_program.name` says otherwise
+  std::string name = "lamina";  ///< used unless `robot_program.name` is set
   RobotProgramSettings settings;
 };
 
-/// A toolpath as a program for a robot whose language is not RAPID (docs/programs/robot-programs.md): the
-/// file that is loaded first, then those that it runs, each within the limits of the controller. The program
-/// is split where the process is off; within a run only if `may_cut` allows it.
+/// A toolpath as a program for a robot whose language is not RAPID (docs/programs/robot-programs.md): first
+/// the file to be loaded, then the files that it runs, each within the limits of the controller. The program
+/// is divided where the process is off; within a run only if `may_cut` allows it.
 ///
 /// If an arm is given, each file begins with a joint move to its first pose. All other moves are straight,
-/// between poses over the bed [mm]; roles, beads and layers are reported in comments before the moves of each
-/// path. Without an arm the first move is straight.
+/// between poses over the bed [mm]. Comments before the moves of each path state roles, beads and layers.
+/// Without an arm the first move is straight, too.
 ///
-/// @param bed_from_part  where the part stands on the bed [mm]
+/// @param bed_from_part  pose of the part on the bed [mm]
 /// @param robot  its arm and joints; may be null
 /// @throws InvalidInput naming layer, path and waypoint, if the toolpath holds no motion, if it holds drops,
 ///   events other than dwells, or process values without an output, or if the language cannot state a

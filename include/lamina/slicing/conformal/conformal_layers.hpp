@@ -23,10 +23,10 @@ struct ConformalLayers {
   double hidden_mm2 = 0.0;
 };
 
-/// The layers of a coat on a mesh. Coated are the faces whose normal is within `conformal.max_tilt_deg` of
+/// The layers of a coat on a mesh. Those faces are coated whose normal is within `conformal.max_tilt_deg` of
 /// the direction of the settings and that no other face hides from a viewer in that direction. Layers are
-/// stacked outwards and end where they meet the mesh or each other. There are as few layers of equal height
-/// as give the thickness exactly with at most `layer_height_mm` each.
+/// stacked outwards and end where they meet the mesh or each other. All have the same height: the thickness
+/// divided by the least number of layers for which this is at most `layer_height_mm`.
 ///
 /// @param mesh  facing outwards [mm, part frame]; may be open
 /// @throws Unsliceable if no face looks in that direction, or all that do are hidden; InvalidConfig if a

@@ -48,14 +48,14 @@ class ShellPropagation {
   ShellPropagation(const ShellPropagation&) = delete;
   ShellPropagation& operator=(const ShellPropagation&) = delete;
 
-  /// The shell at an offset, without triangles if nothing is left of it. Left out is what has collapsed, lies
-  /// outside of the part or beyond the bound. Vertices that have collapsed (passed the medial axis) are
-  /// merged into others nearby that have not, so that the shell stays connected along the creases that arise.
-  /// The shell is cut along the line where it leaves the part or crosses the bound.
+  /// The shell at an offset; without triangles if nothing is left of it. Parts that have collapsed, or lie
+  /// outside of the part or beyond the bound, are left out. Vertices that have collapsed (passed the medial
+  /// axis) are merged into others nearby that have not, so that the shell stays connected along the creases
+  /// that arise. The shell is cut along the line where it leaves the part or crosses the bound.
   ///
-  /// Triangles and normals face as the surface does with the nozzle ahead, and the other way with the nozzle
-  /// behind. The height of the shell is that of `at`, less where the bound or the part's surface is ahead by
-  /// less than half of that height.
+  /// With the nozzle ahead, triangles and normals face as the surface does; with the nozzle behind, they face
+  /// the other way. The height of the shell is that of `at`, or less where the bound or the part's surface is
+  /// ahead by less than half of that height.
   LayerSurface shell(const ShellAt& at) const;
 
   /// The shells at the offsets `height_mm` / 2, 3 `height_mm` / 2 and so on, up to the last one before the

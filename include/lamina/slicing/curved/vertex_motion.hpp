@@ -38,13 +38,12 @@ struct VertexMotion {
 };
 
 /// The motions of vertices by which the plane of every triangle advances by the distance of propagation, as
-/// far as that can be solved [Guacheta2021, listing A.6]. A motion is the shortest solution s of N s = 1,
-/// with the normals of the triangles at the vertex as the rows of N, weighted by their angles. Directions in
-/// which the normals differ by less than a tenth of what they have in common (about 12 degrees between two
-/// faces) do not bend the path, and no path is longer than four times the distance. If the conditions can
-/// still be solved, a vertex in the bound's plane moves within that plane (spec `Planar == 1`), and a vertex
-/// of the rim moves within the walls beside it. Walls that continue the surface within 40 degrees are
-/// ignored.
+/// far as a solution exists [Guacheta2021, listing A.6]. A motion is the shortest solution s of N s = 1, with
+/// the normals of the triangles at the vertex as the rows of N, weighted by their angles. Directions in which
+/// the normals differ by less than a tenth of their common direction (about 12 degrees between two faces) do
+/// not bend the path, and no path is longer than four times the distance. If the conditions can still be
+/// solved, a vertex in the bound's plane moves within that plane (spec `Planar == 1`), and a vertex of the
+/// rim moves within the walls beside it. Walls that continue the surface within 40 degrees are ignored.
 ///
 /// @return a motion for each vertex of the subdivision of `source.surface`. Vertices that the subdivision has
 ///         added move as the middles of their edges do, so that facets stay plane.

@@ -20,9 +20,10 @@ struct HeightFieldReport {
   /// Least vertical thickness of the layers where there is material; the first layer is not considered.
   double least_thickness_mm = 0.0;
   double greatest_thickness_mm = 0.0;  ///< greatest one
-  double share = 1.0;         ///< share of the bend that the surface asks for which is left within the limits
-  double upper_mm2 = 0.0;     ///< area of the part's upper side, seen from above
-  double followed_mm2 = 0.0;  ///< area of it that is followed, being neither too steep nor too low
+  double share = 1.0;      ///< share of the bend to follow the surface that remains within the limits
+  double upper_mm2 = 0.0;  ///< area of the part's upper side, seen from above
+  /// Area of the upper side that is followed, as it is neither too steep nor too low.
+  double followed_mm2 = 0.0;
   /// Mean number of stair-steps, at the edges of layers, per mm in the direction of steepest slope, seen from
   /// above, on the surface that is followed: with level layers of the same settings, and with bent ones.
   double level_steps_per_mm = 0.0;

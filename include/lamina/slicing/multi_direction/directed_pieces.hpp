@@ -21,25 +21,26 @@ namespace lamina {
 /// own plane and below the planes of all later pieces.
 struct DirectedPiece {
   Point3 up = Point3::UnitZ();   ///< direction in which its layers are stacked, of unit length [part frame]
-  double from_mm = 0.0;          ///< place of its plane along `up`; the bed's for the first piece
-  double to_mm = 0.0;            ///< its highest place
+  double from_mm = 0.0;          ///< position of its plane along `up`; that of the bed for the first piece
+  double to_mm = 0.0;            ///< position of its highest point along `up`
   double unsupported_mm2 = 0.0;  ///< surface that overhangs, against `up`, by more than is allowed
 
   double height() const { return to_mm - from_mm; }
-  /// The turn from +z to `up`.
+  /// The rotation from +z to `up`.
   Eigen::Quaterniond partFromPiece() const;
 };
 
-/// A part in pieces, in the order in which they are printed. All that is printed before a piece lies below
-/// its plane, so that it is clear of a head of which no part reaches beyond the nozzle tip.
+/// A part in pieces, in the order in which they are printed. Everything printed before a piece lies below its
+/// plane, so that a head without any part beyond the nozzle tip cannot collide with it.
 struct DirectedPieces {
   std::vector<DirectedPiece> pieces;  ///< the first stands on the bed, its direction is +z
   double cell_mm = 0.0;               ///< side of the voxels in which cuts are searched
   double surface_mm2 = 0.0;
-  double unsupported_level_mm2 = 0.0;    ///< of the whole part in level layers, without any cut
-  Mesh hanging;                          ///< triangles of what is left unsupported
+  /// Unsupported surface of the whole part in level layers, without any cut.
+  double unsupported_level_mm2 = 0.0;
+  Mesh hanging;                          ///< triangles of the surface that is left unsupported
   double cut_mm2 = 0.0;                  ///< area of all cuts
-  std::shared_ptr<const HeadRoom> room;  ///< whether the head is clear of what is printed before
+  std::shared_ptr<const HeadRoom> room;  ///< collision check of the head against what is printed before
 
   /// Sum of the heights of the pieces before a piece [mm]: its growth, as in `HeadRoom`, where the piece
   /// begins.
@@ -51,7 +52,7 @@ struct DirectedPieces {
 struct DirectionRequest {
   DirectionSettings settings;
   SlicingSettings slicing;
-  double bead_mm = 0.4;              ///< width
+  double bead_mm = 0.4;              ///< width of beads
   std::vector<HeadStage> head = {};  ///< stages of the head that prints; none: collisions are not checked
 };
 
@@ -63,7 +64,7 @@ struct DirectionRequest {
 /// widths, and the head stays clear of the bed while it prints the piece. A part that can be printed in level
 /// layers is one piece. The result is the same for any number of threads.
 ///
-/// @param mesh  closed, facing outwards [mm, part frame]; stands on the bed by its lowest place
+/// @param mesh  closed, facing outwards [mm, part frame]; its lowest point is on the bed
 /// @throws Unsliceable with the surface left unsupported, if it is more than
 ///         `directions.largest_unsupported_percent`
 /// @throws InvalidMesh if the mesh is open or holds no volume; Cancelled

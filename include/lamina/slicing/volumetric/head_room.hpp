@@ -32,9 +32,9 @@ class HeadRoom {
   /// @param bed_mm  z of the bed [part frame]
   HeadRoom(std::shared_ptr<const Growth> growth, const std::vector<HeadStage>& stages, double bed_mm);
 
-  /// Whether the head collides neither with the bed nor with material deposited before a growth; the latter
-  /// is tested at points of its hull at most 4 mm apart. Only what is 3 to 120 mm from the tip along the axis
-  /// is tested.
+  /// Whether the head collides neither with the bed nor with material deposited before a given growth.
+  /// Collisions with material are tested at points of the head's hull that are at most 4 mm apart, and only
+  /// between 3 and 120 mm from the tip along the axis.
   /// @param tip   of the nozzle [mm, part frame]
   /// @param axis  opposite of the tool axis, of unit length
   bool isClear(const Point3& tip, const Point3& axis, double growth_mm) const;

@@ -84,8 +84,7 @@ struct VolumetricRequest {
 /// condition. The tool axis is opposite to the normal of the layer, but leans from there towards the vertical
 /// where the head would otherwise collide with the bed or the part.
 ///
-/// @param mesh  closed, facing outwards [mm, part frame]; the bed is at its lowest point, or above that by
-///              `sink_mm`
+/// @param mesh  closed, facing outwards [mm, part frame]; the bed is `sink_mm` above its lowest point
 /// @throws Unsliceable naming value, limit and place, if the contact with the bed is smaller than a bead's
 ///         width squared, pendants or unsupported surface exceed their limits, or less than half of a piece
 ///         rests on earlier material; the region is the surface there

@@ -17,8 +17,9 @@ inline constexpr char kFollowsTrajectories[] = "follow_joint_trajectory";
 /// The state of a process that moves a machine. The process sends it periodically (its pulse), so that
 /// another process can stop the machine on its behalf if it is lost.
 struct MachinePulse {
-  bool is_at_work = false;  ///< whether it has moved or switched on anything that it would yet stop itself
-  MachinePort port;         ///< port of the machine; its name may be that of the controller's action
+  /// Whether it has moved or switched on anything and would still have to stop that itself.
+  bool is_at_work = false;
+  MachinePort port;  ///< port of the machine; its name may be that of the controller's action
   /// Name of the protocol, `auto` until it is known; or `kFollowsTrajectories`.
   std::string firmware = kAnyFirmware;
   std::string program;            ///< path of the program of the running job; empty for none

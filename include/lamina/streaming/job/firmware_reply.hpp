@@ -19,7 +19,7 @@ enum class ReplyKind : std::uint8_t {
   Start,        ///< the firmware has restarted, and has lost its state
   NotDone,      ///< a command was not run: it is unknown, or the nozzle is too cold to extrude
   Pause,        ///< the machine asks its host to pause, for example since filament has run out
-  Resume,       ///< the machine goes on after such a pause
+  Resume,       ///< the machine continues after such a pause
   Cancel,       ///< the machine asks its host to end the job
   Unreadable,   ///< bytes that no firmware sends: noise on the link
   Information,  ///< reports and everything else

@@ -23,8 +23,8 @@ class ProgramRevision {
   /// Decides how a layer is revised by what is known at present; called after the longest wait.
   virtual void decide(std::int32_t layer) = 0;
   /// A program that replaces the present one from a layer on that is not decided yet; nothing if the present
-  /// one goes on. Once it is returned, the revision is that of the new program, by whose lines and layers all
-  /// later calls count.
+  /// one continues. Once it is returned, this object revises the new program, and all later calls refer to
+  /// its lines and layers.
   virtual std::optional<StreamableProgram> successor(std::int32_t /*layer*/) { return std::nullopt; }
   /// The record from which all lines returned so far can be made again; nothing if there is none, or it does
   /// not cover every line.

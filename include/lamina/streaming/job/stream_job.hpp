@@ -48,8 +48,8 @@ struct StreamStatus {
   std::optional<ReportedTemperatures> temperatures;
   std::optional<ReportedPosition> position;
   std::string message;  ///< last warning of the firmware, or its last echo of an unknown command
-  /// Found before the first line: in what this machine may run the program otherwise than it was meant; empty
-  /// if in nothing.
+  /// Warning from before the first line: in what this machine may run the program differently from what was
+  /// intended; empty if there is none.
   std::string warning;
   Failure failure;  ///< reason why the job was aborted
 };
@@ -91,8 +91,8 @@ class StreamJob {
   virtual std::string change(const LiveChange& change, double /*now*/) {
     return notOf("this firmware", change.setting);
   }
-  /// Sends the machine a question between two lines of the running job, without a line number. The job goes
-  /// on if no answer comes.
+  /// Sends the machine a question between two lines of the running job, without a line number. The job
+  /// continues even if no answer comes.
   /// @param command  one that changes nothing and is answered by `ok`
   /// @return false if this protocol has no questions, the job is neither in Execute nor held, or the question
   ///   before is not answered yet

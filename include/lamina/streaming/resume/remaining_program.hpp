@@ -12,7 +12,7 @@
 
 namespace lamina {
 
-/// How a program begins that continues another one (`writeRemaining`).
+/// Settings for a program that continues another one (`writeRemaining`).
 struct ResumeSettings {
   double purge_mm3 = 30.0;                    ///< volume that is purged beside the part
   std::vector<double> purge_at_mm{0.0, 0.0};  ///< position of the purge, x and y

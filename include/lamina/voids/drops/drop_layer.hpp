@@ -38,12 +38,13 @@ struct DropContour {
   bool is_innermost = false;  ///< whether no other contour is inside of it
 };
 
-/// The contours of a layer: its chains of role Contour with at least three drops. A contour around material
-/// is counter-clockwise, and a border unless the next contour outside of it is counter-clockwise, too. A
-/// contour around a hole is clockwise, and a border unless the next contour inside of it is clockwise, too;
-/// it is no border either if a gap of more than 2.5 diameters shows that it lacks drops, and another contour
-/// is the border of the hole. A contour with such a gap counts as the next one outside of a whole contour
-/// that it runs across only if there is no other outside of that.
+/// The contours of a layer: its chains of role Contour with at least three drops. Contours around material
+/// are counter-clockwise, those around holes clockwise. A contour around material is a border unless the next
+/// contour outside of it is also counter-clockwise. A contour around a hole is a border unless the next
+/// contour inside of it is also clockwise. A contour around a hole is no border either if a gap of more than
+/// 2.5 diameters shows that drops are missing, and another contour is the border of the hole. If a contour
+/// with such a gap crosses a whole contour, it counts as the next one outside of that only if there is no
+/// other.
 std::vector<DropContour> contoursOf(const DropLayer& layer);
 
 /// The outlines of the border contours, which bound the material by the even-odd rule; empty if there is no

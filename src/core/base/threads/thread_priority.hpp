@@ -4,10 +4,10 @@
 
 namespace lamina {
 
-/// Raises the priority of the calling thread above ordinary ones: to real time if the user may (`ulimit -r`),
-/// else to a better nice value if that is allowed (`ulimit -e`), with the shortest time slices of the kernel
-/// (Linux 6.12), which let it wake up sooner. Without these rights it has no effect.
-/// @return whether it runs in real time
+/// Raises the priority of the calling thread: to real time if the user may do so (`ulimit -r`), otherwise to
+/// a better nice value if that is allowed (`ulimit -e`), together with the shortest time slices of the kernel
+/// (Linux 6.12), which let the thread wake up sooner. Without these rights it has no effect.
+/// @return whether the thread has real-time priority
 bool preferThisThread();
 
 }  // namespace lamina

@@ -12,7 +12,7 @@ namespace lamina {
 
 /// A piece of a motion that is deposited with one correction.
 struct CorrectedPiece {
-  double share = 1.0;  ///< of the motion's length
+  double share = 1.0;  ///< share of the motion's length
   PointCorrection mean;
   double end_dz_mm = 0.0;
 };
@@ -34,8 +34,8 @@ class CorrectionsByPath {
   std::map<std::size_t, CorrectionMap> maps_;  ///< by layer
 };
 
-/// Divides a stretch of a path into pieces in which the amount changes by at most `split_change`. Their means
-/// are exact, for corrections that are linear between stations.
+/// Divides a stretch of a path into pieces within which the amount changes by at most `split_change`. The
+/// mean of each piece is exact for corrections that are linear between stations.
 std::vector<CorrectedPiece> correctedPieces(const PathCorrection& correction, const DepositedStretch& stretch,
                                             double split_change);
 

@@ -10,11 +10,11 @@
 
 namespace lamina {
 
-/// The piece of a depositing path that a motion of the program lays.
+/// The piece of a depositing path that a motion of the program deposits.
 struct DepositedStretch {
   std::size_t layer = 0;
   std::size_t path = 0;  ///< number in the layer
-  double from_mm = 0.0;  ///< from the start of the path
+  double from_mm = 0.0;  ///< distance of its beginning from the start of the path
   double to_mm = 0.0;
 };
 
@@ -24,10 +24,11 @@ class DepositCursor {
  public:
   DepositCursor(const Toolpath& toolpath, double tolerance_mm);
 
-  /// The piece that a straight depositing motion lays. None if it is off the toolpath; the cursor then stays.
+  /// The piece that a straight depositing motion deposits. Nothing if the motion is not on the toolpath, in
+  /// which case the cursor does not move.
   std::optional<DepositedStretch> follow(const Point3& start, const Point3& end);
 
-  /// The start of the next path that starts at that point, if there is one.
+  /// The beginning of the next path that starts at a point; nothing if no path does.
   std::optional<DepositedStretch> startingAt(const Point3& point) const;
   /// Whether any part of a layer, or of one above it, is deposited.
   bool hasBegun(std::size_t layer) const;
@@ -43,8 +44,8 @@ class DepositCursor {
   struct Place {
     std::size_t run = 0;
     std::size_t motion = 0;
-    double into_mm = 0.0;   ///< the motion
-    double along_mm = 0.0;  ///< the path
+    double into_mm = 0.0;   ///< distance from the start of the motion
+    double along_mm = 0.0;  ///< distance from the start of the path
   };
   bool isAt(const Place& place, const Point3& point) const;
   Point3 pointAt(const Place& place) const;
@@ -53,7 +54,7 @@ class DepositCursor {
   double tolerance_mm_;
   std::vector<Run> runs_;
   Place place_;
-  double last_length_mm_ = 0.0;  ///< of the last run
+  double last_length_mm_ = 0.0;  ///< length of the last run
 };
 
 }  // namespace lamina

@@ -12,15 +12,15 @@ namespace lamina {
 
 bool isAllZero(const std::vector<double>& values);
 
-/// What the machine is given so that a layer grows as corrected. With an exponent of the speed, amounts
-/// become speeds too.
-/// @param amount    relative, one per cell
-/// @param shift_mm  of the nozzle, one per cell
+/// Corrections for the machine by which a layer grows as the loop has decided. If a speed exponent is set,
+/// part of an amount is realised by speed.
+/// @param amount    relative, one for each cell
+/// @param shift_mm  shift of the nozzle, one for each cell
 CellCorrections cellCorrections(const LayerCells& cells, const std::vector<double>& amount,
                                 const std::vector<double>& shift_mm, const LoopSettings& settings);
 
-/// Asks once for all layers what `metalSplit` refuses of their speeds.
-/// @throws InvalidInput as that
+/// Checks for all layers at once that `metalSplit` accepts their speeds.
+/// @throws InvalidInput as `metalSplit`
 void requireSpeeds(const Toolpath& toolpath, const LoopRunSettings& settings);
 
 }  // namespace lamina

@@ -6,8 +6,8 @@
 
 namespace lamina {
 
-/// Compares clouds by the bits of their content, without their stamps: negative, zero or positive if the
-/// first comes before, equals or comes after the second.
+/// Order of clouds by the bits of their content, without regard to their time stamps: negative, zero or
+/// positive if `a` comes before, equals or comes after `b`.
 int compared(const SensedCloud& a, const SensedCloud& b);
 
 }  // namespace lamina

@@ -13,12 +13,12 @@ namespace lamina {
 /// Width of a layer's widest bead [mm]; 0 without cells.
 double widestBead(const LayerCells& cells);
 
-/// The area that a layer covers, widened by the width of its beads [mm]: the box of its cells' middles,
-/// projected along the layers' normal onto the plane through the origin.
+/// The area over which a layer lies, widened by the width of its beads [mm]: the bounding box of its cells'
+/// middles, projected along the layers' normal onto the plane through the origin.
 Box3 groundOf(const LayerCells& cells, const Eigen::Vector3d& normal);
 
-/// Heights of the points of a profile over the plane through the origin [mm]; not finite where a point is
-/// missing or outside that area.
+/// Heights of the points of a profile over the plane through the origin [mm]; not finite for a missing point,
+/// or one outside that area.
 /// @param points  [mm, frame of the sensor]
 std::vector<double> heightsOver(const Box3& ground, const Eigen::Vector3d& normal,
                                 const std::vector<Point3>& points,

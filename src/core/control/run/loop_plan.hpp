@@ -8,16 +8,16 @@
 
 namespace lamina {
 
-/// Why the layers left of a part should be planned anew after a layer, since amounts alone will not do; empty
-/// where they will.
-/// @param figures  of that layer
-/// @param raised   alarms since the layer before was done
+/// Why the remaining layers of a part should be planned anew after a layer, because changes of amounts are
+/// not enough; empty if they are.
+/// @param figures  figures of that layer
+/// @param raised   alarms raised since the layer before was finished
 std::string reasonToPlan(const Toolpath& toolpath, const LayerFigures& figures,
                          const std::vector<RaisedAlarm>& raised, const LoopSettings& settings);
 
-/// A new plan of the layers left of a part after a layer.
+/// A new plan of the remaining layers of a part, after a layer.
 /// @param short_mm  distance by which the top of the part lies below that of the first toolpath
-/// @throws InvalidInput if there is none, naming why
+/// @throws InvalidInput with the reason if there is no such plan
 PrintPlan planOfLayersLeft(const PlacedPart& part, const LayerFigures& figures, double short_mm,
                            const LoopSettings& settings);
 

@@ -7,12 +7,12 @@
 
 namespace lamina {
 
-/// Time from one stamp to another [s].
+/// Time from one time stamp to another [s].
 inline double secondsFrom(std::int64_t begin_ns, std::int64_t end_ns) {
   return static_cast<double>(end_ns - begin_ns) / 1e9;
 }
 
-/// A duration as the difference of stamps, to the nearest nanosecond.
+/// A duration as a difference of time stamps, rounded to whole nanoseconds.
 inline std::int64_t nanoseconds(double duration_s) { return std::llround(1e9 * duration_s); }
 
 }  // namespace lamina

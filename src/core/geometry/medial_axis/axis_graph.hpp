@@ -9,26 +9,28 @@
 
 namespace lamina {
 
-/// Pieces of a medial axis between numbered vertices, and how they hang together.
+/// Pieces of a medial axis as the edges of a graph with numbered vertices.
 class AxisGraph {
  public:
   explicit AxisGraph(std::size_t vertices) : ends_(vertices) {}
-  /// The pieces of an axis; its nodes are the vertices.
+  /// Makes the graph of an axis, with its nodes as vertices.
   explicit AxisGraph(const MedialAxis& axis);
 
-  /// A vertex without pieces; its number.
+  /// Adds a vertex without pieces.
+  /// @return number of the vertex
   std::size_t addVertex();
-  /// @param points  from the one vertex to the other
+  /// Adds a piece.
+  /// @param points  from vertex `from` to vertex `to`
   void add(std::size_t from, std::size_t to, std::vector<AxisPoint> points);
   void remove(std::size_t piece);
 
-  /// Takes the first points of a piece away, counted from one of its vertices, where another vertex takes the
-  /// place of that one.
+  /// Removes the first `count` points of a piece, counted from one of its end vertices; `vertex` becomes its
+  /// end in place of that vertex.
   void cutFront(std::size_t piece, std::size_t vertex, std::size_t count);
 
   std::size_t pieceCount() const { return pieces_.size(); }
   const AxisBranch& piece(std::size_t index) const { return pieces_[index]; }
-  /// Number of pieces' ends at the vertex.
+  /// Number of ends of pieces at the vertex.
   std::size_t degree(std::size_t vertex) const { return ends_[vertex].size(); }
   const std::vector<std::size_t>& piecesAt(std::size_t vertex) const { return ends_[vertex]; }
   /// The first piece at the vertex that is not `other`; `other` if there is none.
@@ -36,17 +38,18 @@ class AxisGraph {
   std::size_t otherEnd(std::size_t piece, std::size_t vertex) const {
     return pieces_[piece].from == vertex ? pieces_[piece].to : pieces_[piece].from;
   }
-  /// In the direction that starts at that vertex.
+  /// The points of a piece, from this end vertex to the other.
   std::vector<AxisPoint> pointsFrom(std::size_t piece, std::size_t vertex) const;
 
-  /// All that is left, joined wherever two ends meet alone.
+  /// All remaining pieces as an axis, joined wherever exactly two ends meet.
   MedialAxis joined() &&;
 
  private:
   class Walk;
 
   std::vector<AxisBranch> pieces_;
-  std::vector<std::vector<std::size_t>> ends_;  ///< pieces at each vertex; twice if it closes there
+  /// Pieces at each vertex; twice if a piece begins and ends there.
+  std::vector<std::vector<std::size_t>> ends_;
 };
 
 }  // namespace lamina

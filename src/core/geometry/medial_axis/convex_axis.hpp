@@ -8,9 +8,9 @@
 
 namespace lamina {
 
-/// The medial axis of a convex region of few corners, exact: its edges move inwards together, and the axis is
-/// what their ends leave until each edge has shrunk to a point. Nothing for other regions. Saves small rests,
-/// of which there are thousands in a part, the Voronoi diagram.
+/// The exact medial axis of a convex region with few corners, from moving its edges inwards together: the
+/// axis is the trace of their ends until each edge has shrunk to a point. Nothing for other regions. It is
+/// faster than the Voronoi diagram for small rests, of which a part has thousands.
 std::optional<MedialAxis> convexAxis(const Region& region);
 
 }  // namespace lamina

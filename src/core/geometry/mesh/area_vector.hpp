@@ -6,7 +6,7 @@
 
 namespace lamina {
 
-/// Along the normal of a triangle of the mesh, twice as long as its area.
+/// Normal of a triangle of the mesh, with twice the triangle's area as its length.
 inline Point3 areaVector(const Mesh& mesh, const Triangle& corner) {
   const Point3& a = mesh.vertices[corner[0]];
   return (mesh.vertices[corner[1]] - a).cross(mesh.vertices[corner[2]] - a);

@@ -8,8 +8,8 @@
 
 namespace lamina {
 
-/// The single half-edges of a mesh, chained into closed loops that follow the surface along its borders. A
-/// loop may pass a vertex more than once. The mesh must have no triangle that names a vertex twice.
+/// The unpaired half-edges of a mesh, chained into closed loops along its borders, in the direction of their
+/// triangles. A loop may pass a vertex more than once. No triangle of the mesh may have a vertex twice.
 std::vector<std::vector<HalfEdge>> findBorderLoops(const MeshTopology& topology);
 
 }  // namespace lamina

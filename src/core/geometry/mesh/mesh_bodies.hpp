@@ -10,18 +10,19 @@
 
 namespace lamina {
 
-/// The triangles of a mesh grouped by what hangs together across paired half-edges.
+/// The triangles of a mesh, grouped into bodies that are connected across paired half-edges.
 struct MeshBodies {
-  std::vector<std::uint32_t> body_of;  ///< per triangle; numbered in order of their first triangle
-  std::vector<double> volumes;         ///< per body [mm³], signed; about one common origin
+  std::vector<std::uint32_t> body_of;  ///< body of each triangle; numbered in the order of first triangles
+  std::vector<double> volumes;         ///< signed volume of each body [mm³]
 };
 
 MeshBodies findBodies(const Mesh& mesh, const MeshTopology& topology);
 
-/// The bodies that enclose no volume: less than rounding leaves of their area.
+/// For each body whether it encloses no volume, to within rounding.
 std::vector<bool> findSheets(const Mesh& mesh, const MeshBodies& bodies);
 
-/// The bodies that face inwards although they lie inside an even number of others, that is, are no cavities.
+/// For each body whether it faces inwards although it lies inside an even number of others and so is no
+/// cavity.
 std::vector<bool> findInwardBodies(const Mesh& mesh, const MeshBodies& bodies);
 
 }  // namespace lamina

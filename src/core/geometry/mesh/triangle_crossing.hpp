@@ -10,8 +10,9 @@
 
 namespace lamina {
 
-/// A point where one triangle of the mesh passes through another, if they do (see `findSelfIntersections`).
-/// The topology is the mesh's; it distinguishes passing through an edge from touching it.
+/// A point where triangle `a` passes through triangle `b`; nothing if they do not cross (see
+/// `findSelfIntersections`). The topology of the mesh is used to tell passing through an edge from touching
+/// it.
 std::optional<Point3> findCrossing(const Mesh& mesh, const MeshTopology& topology, std::uint32_t a,
                                    std::uint32_t b);
 

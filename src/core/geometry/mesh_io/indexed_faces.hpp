@@ -12,21 +12,21 @@
 
 namespace lamina {
 
-/// Of what a file may become.
+/// Greatest number of triangles that a file may have.
 inline constexpr std::size_t kMostTriangles = 200'000'000;
 
-/// Triangles as an indexed format stores them: positions may repeat or go unused, indices are not yet
-/// checked.
+/// Triangles as an indexed format stores them: positions may be repeated or unused, and indices are not
+/// checked yet.
 struct IndexedFaces {
   std::vector<std::array<double, 3>> positions;
   std::vector<Triangle> triangles;
 };
 
-/// Adds a polygon as a fan about its first corner.
+/// Adds a polygon as a fan of triangles about its first corner.
 void addFan(IndexedFaces& faces, const std::vector<std::uint32_t>& polygon);
 
-/// Gives equal positions one index and leaves out those that no triangle uses.
-/// @throws InvalidMesh if a triangle names a position that is not there
+/// Gives equal positions a common index, and omits unused ones.
+/// @throws InvalidMesh if a triangle has an index beyond the positions
 Mesh weld(const IndexedFaces& faces, const std::string& name);
 
 }  // namespace lamina

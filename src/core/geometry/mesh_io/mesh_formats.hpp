@@ -10,34 +10,36 @@
 
 namespace lamina {
 
-// One reader a format: bytes in, welded triangles in the file's own unit out. `name` is for error messages.
-// All throw InvalidMesh.
+// One reader for each format: it takes bytes and returns welded triangles in the unit of the file. `name` is
+// for error messages. All throw InvalidMesh.
 
-/// Whether the triangles have no border and enclose something: then none is missing, whatever a header says.
+/// Whether the triangles have no border and enclose a volume; then none is missing, whatever the header
+/// states.
 bool isClosedSurface(const Mesh& mesh);
 
-/// What a binary STL has before its triangles [bytes].
+/// Number of bytes of a binary STL before its triangles.
 constexpr std::size_t kBinaryStlStart = 84;
-/// Whether a file that starts with these bytes has exactly the size that the triangle count of a binary STL
-/// asks for.
+/// Whether a file that begins with these bytes has exactly the size that follows from the triangle count of a
+/// binary STL.
 bool isExactBinaryStl(std::string_view start, std::size_t size);
-/// Whether the bytes are text with facets, or a solid that ends without any.
+/// Whether the bytes are an STL in text: with facets, or with a solid that ends without any.
 bool isAsciiStl(std::string_view bytes);
 bool isPly(std::string_view bytes);
 /// Whether the bytes are a ZIP archive, as every 3MF file is.
 bool isThreemf(std::string_view bytes);
-/// Whether the bytes start as STEP files do.
+/// Whether the bytes begin as a STEP file does.
 bool isStep(std::string_view bytes);
 /// Whether the bytes are text with lines that start with the letter v.
 bool isObj(std::string_view bytes);
 
 Mesh readBinaryStl(std::string_view bytes, const std::string& name);
-/// The same of an exact one, piece by piece without holding it whole, from behind its start.
+/// Reads a binary STL of exact size piece by piece, without holding all of it in memory, from the end of
+/// `start` on.
 Mesh readExactBinaryStl(InputFile& file, std::string_view start, const std::string& name);
 Mesh readAsciiStl(std::string_view bytes, const std::string& name);
 Mesh readPly(std::string_view bytes, const std::string& name);
 Mesh readObj(std::string_view bytes, const std::string& name);
-/// In millimetres: the format states its unit.
+/// Reads a 3MF file; the result is in mm, as the format states its unit.
 Mesh readThreemf(std::string_view bytes, const std::string& name);
 
 }  // namespace lamina

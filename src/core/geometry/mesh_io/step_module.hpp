@@ -12,10 +12,10 @@
 
 namespace lamina {
 
-/// What the module `step` offers: Open CASCADE stays out of commands that read no STEP, and of builds without
-/// it.
+/// Functions of the module `step`, which keeps Open CASCADE out of commands that read no STEP file, and out
+/// of builds without it.
 struct StepModule {
-  /// The solids of a STEP file [ISO10303-21], each where the file places it [mm].
+  /// Reads the solids of a STEP file [ISO10303-21], each at its position in the file [mm].
   std::vector<MeshObject> (*read_solids)(std::string_view bytes, const std::string& name,
                                          const Tessellation& tessellation, Progress& progress);
 };

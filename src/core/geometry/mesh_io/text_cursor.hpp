@@ -9,25 +9,25 @@
 
 namespace lamina {
 
-/// Walks through the words of a text mesh file. Lines are counted only when an error needs one.
+/// Reads a mesh file in text word by word. Lines are counted only if an error message needs the number.
 class TextCursor {
  public:
   TextCursor(std::string_view text, const std::string& name) : text_(text), name_(name) {}
 
-  /// The next word, across lines; empty at the end.
+  /// The next word, on any line; empty at the end.
   std::string_view word();
-  /// The next word of this line; empty at its end, where the cursor stays.
+  /// The next word on this line; empty at its end, which is not passed.
   std::string_view wordInLine();
   void skipLine();
   bool isAtEnd() const { return position_ >= text_.size(); }
   std::size_t position() const { return position_; }
 
-  /// The next word as a finite number, across lines.
+  /// The next word, on any line, as a finite number.
   double number();
-  /// The next word as a finite number, in this line.
+  /// The next word on this line, as a finite number.
   double numberInLine();
 
-  /// The file is a mesh: from now on messages quote it.
+  /// States that the file has proved to be a mesh, so that messages may quote it.
   void recognise() { quotation_.recognise(); }
   /// A word of the file, for messages.
   std::string quoted(std::string_view word) const { return quotation_.of(word); }
@@ -44,7 +44,7 @@ class TextCursor {
   std::size_t position_ = 0;
 };
 
-/// Whether the word is `lower_case`, whatever its case.
+/// Whether a word equals `lower_case` if case is ignored.
 bool equalsIgnoringCase(std::string_view word, std::string_view lower_case);
 
 }  // namespace lamina

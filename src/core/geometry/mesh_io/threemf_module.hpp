@@ -11,12 +11,12 @@
 
 namespace lamina {
 
-/// What the module `threemf` offers: lib3mf stays out of commands that read no 3MF.
+/// Functions of the module `threemf`, which keeps lib3mf out of commands that read no 3MF file.
 struct ThreemfModule {
   Mesh (*read)(std::string_view bytes, const std::string& name);  ///< as `readThreemf`
-  /// The same by items of the build list.
+  /// Reads the items of the build list one by one.
   std::vector<MeshObject> (*read_objects)(std::string_view bytes, const std::string& name);
-  /// Volumes of all items that say how the part is printed. Costs little where there are none.
+  /// Reads the volumes of all items that state how the part is printed. Takes little time if there are none.
   std::vector<MeshVolume> (*read_volumes)(std::string_view bytes, const std::string& name);
 };
 

@@ -12,41 +12,41 @@
 
 namespace lamina {
 
-/// Triangles of an object that are no part of the part, or have settings of their own.
+/// A range of an object's triangles that is not material of the part, or has settings of its own.
 struct VolumeRange {
   VolumeKind kind = VolumeKind::Modifier;
-  std::size_t first = 0;                   ///< triangle
-  std::size_t last = 0;                    ///< triangle, that one too
-  std::vector<SettingText> settings = {};  ///< all that is said of it, but for where it came from
+  std::size_t first = 0;                   ///< index of the first triangle
+  std::size_t last = 0;                    ///< index of the last triangle, included
+  std::vector<SettingText> settings = {};  ///< all metadata of the range, except those on its origin
 };
 
-/// What is said of an object.
+/// Metadata of an object.
 struct ObjectWords {
   std::vector<VolumeRange> volumes;
-  std::vector<SettingText> settings;  ///< of all of it
+  std::vector<SettingText> settings;  ///< settings of the whole object
 };
 
-/// Heights of an object with settings of their own.
+/// A range of heights of an object with settings of its own.
 struct RangeOfHeights {
   double from_mm = 0.0;  ///< above the object's lowest point
   double to_mm = 0.0;
   std::vector<SettingText> settings;
 };
 
-/// What slicers write beside the model of a 3MF file of how a part is printed.
+/// Metadata of slicers in a 3MF file, beside the model, on how the part is printed.
 struct SlicerWords {
-  /// By the place of the object among those of the model, from 0.
+  /// By index of the object among those of the model, from 0.
   std::map<std::size_t, ObjectWords> objects;
-  /// By the place of the object among those that are built, from 0.
+  /// By index of the object among those that are built, from 0.
   std::map<std::size_t, std::vector<RangeOfHeights>> heights;
 };
 
-/// Settings of volumes and objects: `Metadata/Slic3r_PE_model.config` gives ranges of triangles,
-/// `Metadata/model_settings.config` whole objects, and for Cura's objects the model itself. Settings of
-/// heights: `Metadata/Prusa_Slicer_layer_config_ranges.xml` and `Metadata/layer_config_ranges.xml`. Empty
-/// where there is none of them.
-/// @throws InvalidMesh if one of them cannot be read, has heights that are none, lists a part twice, or an
-///   object with volumes that are no material which the model does not have
+/// Reads the settings of volumes, objects and heights. `Metadata/Slic3r_PE_model.config` has ranges of
+/// triangles, `Metadata/model_settings.config` whole objects; for Cura the model itself has the settings of
+/// objects. Heights are in `Metadata/Prusa_Slicer_layer_config_ranges.xml` and
+/// `Metadata/layer_config_ranges.xml`. Empty if there is none of these.
+/// @throws InvalidMesh if one of these files cannot be parsed, has invalid heights, lists a part twice, or
+///   refers to an object that the model does not have and gives it volumes that are not material
 SlicerWords slicerWords(std::string_view archive, const std::string& name);
 
 }  // namespace lamina

@@ -13,14 +13,15 @@
 
 namespace lamina {
 
-/// Gives exactly equal coordinates the same index (-0 equals +0), in order of first appearance. Open
-/// addressing over indices: the slots stay small, and the coordinates of neighbours lie side by side.
+/// Gives exactly equal coordinates the same index, in order of first appearance; -0 equals +0. A hash table
+/// with open addressing that holds indices only, so that it stays small.
 template <class Scalar>
 class VertexWelder {
  public:
   using Coordinates = std::array<Scalar, 3>;
   using Bits = std::conditional_t<sizeof(Scalar) == 4, std::uint32_t, std::uint64_t>;
-  /// Coordinates by their bits, without negative zeros: equal if and only if they are welded.
+  /// The bits of the coordinates with negative zeros made positive: equal if and only if the coordinates are
+  /// welded.
   using Key = std::array<Bits, 3>;
 
   explicit VertexWelder(std::size_t expected_vertices) {
@@ -46,7 +47,7 @@ class VertexWelder {
 
   void prefetch(std::uint64_t hash) const { __builtin_prefetch(&slots_[hash & mask_]); }
 
-  /// The index of the coordinates whose key and hash these are.
+  /// The index of coordinates, from their key and hash.
   std::uint32_t add(const Key& key, std::uint64_t hash) {
     std::size_t i = hash & mask_;
     for (; slots_[i] != kFree; i = (i + 1) & mask_)

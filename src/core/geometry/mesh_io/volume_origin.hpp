@@ -8,10 +8,10 @@
 
 namespace lamina {
 
-/// Whether a key that slicers write beside a model says where a volume or object came from, and nothing of
-/// how it is printed.
+/// Whether a metadata key of a slicer states where a volume or object came from, and so nothing on how it is
+/// printed.
 inline bool saysOrigin(std::string_view key) {
-  // Those that end with _ begin others.
+  // Keys that end with _ are prefixes.
   constexpr std::array<std::string_view, 8> kOrigins = {
       "name",      "matrix",      "modifier",  "source_",
       "text_info", "volume_type", "mesh_stat", "cura:drop_to_buildplate"};

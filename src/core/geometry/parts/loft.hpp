@@ -9,15 +9,15 @@
 
 namespace lamina {
 
-/// The closed surface through rings of equally many points, bottom first, counter-clockwise seen from above.
-/// Bottom and top are closed by strips that pair each ring's first half with its second half backwards, which
-/// suits convex rings and bands that start and end at the same end.
+/// The closed surface through rings with equally many points, bottom first, counter-clockwise seen from
+/// above. Bottom and top are closed by strips that pair the first half of a ring with its second half in
+/// reverse. This suits convex rings, and bands whose points start and end at the same end of the band.
 Mesh loft(const std::vector<std::vector<Point3>>& rings);
 
-/// A prism on z = 0 over a counter-clockwise outline that `loft` can close.
+/// A prism on z = 0 over a counter-clockwise outline of a kind that `loft` can close.
 Mesh prism(const Polygon& outline, double height);
 
-/// A pyramid on z = 0 over a counter-clockwise outline that `loft` can close.
+/// A pyramid on z = 0 over a counter-clockwise outline of a kind that `loft` can close.
 Mesh pyramidOver(const Polygon& outline, const Point3& apex);
 
 }  // namespace lamina

@@ -7,9 +7,9 @@
 
 namespace lamina {
 
-// The parametric parts: a struct of parameters each, `describe` that binds them to keys, and `build` that
-// makes the mesh. Lengths in mm, angles in degrees. `build` throws InvalidConfig if parameters contradict
-// each other.
+// The parametric parts: for each a struct of parameters, a `describe` that binds these to keys, and a `build`
+// that makes the mesh. Lengths are in mm, angles in degrees. `build` throws InvalidConfig if parameters
+// contradict each other.
 
 struct CuboidShape {
   double x_mm = 20.0;
@@ -34,8 +34,8 @@ struct Tetradecahedron {
   double edge_mm = 8.0;
 };
 
-/// A cube without its upper and lower edges: seen from any side its outline is a regular octagon, seen from
-/// above a square (the tetradecahedron of [Guacheta2021, table 5-3]).
+/// A cube with its upper and lower edges bevelled: its outline is a regular octagon from each side and a
+/// square from above (the tetradecahedron of [Guacheta2021, table 5-3]).
 struct BevelledCube {
   double size_mm = 10.0;
 };
@@ -65,7 +65,7 @@ struct Tube {
   int segments = 128;
 };
 
-/// A round part whose side stands upright at the foot and leans out along an arc, the more the higher.
+/// A round part whose side is vertical at the foot and leans outwards along an arc, increasingly with height.
 struct Flare {
   double radius_mm = 50.0;
   double height_mm = 24.0;
@@ -110,7 +110,7 @@ struct BridgeShape {
   double plate_mm = 4.0;
 };
 
-/// A bar on top of a stem, alike on both sides of it.
+/// A bar on top of a stem, symmetrical about it.
 struct TeeShape {
   double stem_mm = 12.0;
   double stem_height_mm = 40.0;
@@ -184,7 +184,7 @@ Mesh build(const Elbow& shape);
 Mesh build(const ThroughHolePlate& shape);
 Mesh build(const BlindHolePlate& shape);
 
-/// Bounds of a length that must be there [mm].
+/// Bounds of a length that must be positive [mm].
 constexpr Bounds kLength = Bounds::above(0.0, 10000.0);
 /// Bounds of a number of flat segments around a full circle.
 constexpr Bounds kSegments = {3.0, 100000.0};

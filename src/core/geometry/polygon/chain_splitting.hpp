@@ -8,9 +8,11 @@
 
 namespace lamina {
 
-/// The points of a chain that stay when it is simplified [Douglas1973]: its ends, and those at
-/// which it and its parts are split. Keeps its own stack: recursion would go as deep as the chain is long.
-/// @param split  (from, to): an index between them, or `from` where nothing in between has to stay
+/// Indices of the points of a chain that remain when it is simplified [Douglas1973]: its ends, and the points
+/// at which it and its parts are split. Uses a stack of its own, as recursion would be as deep as the chain
+/// is long.
+/// @param split  (from, to): an index between the two at which to split, or `from` if no point between them
+///   needs to remain
 /// @return ascending indices from first to last, both included
 template <class Split>
 std::vector<std::size_t> keptOfChain(std::size_t first, std::size_t last, Split split) {
@@ -31,9 +33,9 @@ std::vector<std::size_t> keptOfChain(std::size_t first, std::size_t last, Split 
   return kept;
 }
 
-/// The point between two of a chain that is farthest from the segment between these; `from` if none is
-/// farther than the tolerance.
-/// @param at  index to point, of any dimension
+/// Index of the point between two others of a chain that is farthest from the segment joining them; `from` if
+/// none is farther than the tolerance.
+/// @param at  returns the point of an index, of any dimension
 template <class At>
 std::size_t farthestBetween(std::size_t from, std::size_t to, double tolerance, At at) {
   const auto start = at(from);

@@ -14,10 +14,11 @@
 namespace lamina {
 
 inline constexpr double kUnitsPerMm = 1e5;
-/// Within this, Clipper stays with 64-bit integers.
+/// Greatest coordinate for which Clipper computes with 64-bit integers.
 inline constexpr double kFarthestMm = 10000.0;
 
-/// @throws InvalidInput if a point is farther than Clipper reaches
+/// Refuses points beyond that coordinate.
+/// @throws InvalidInput
 inline void requireWithinReach(const Polygon& polygon) {
   for (const Point2& point : polygon)
     if (!(point.cwiseAbs().maxCoeff() <= kFarthestMm))
@@ -25,7 +26,7 @@ inline void requireWithinReach(const Polygon& polygon) {
                          ") mm; must be within 10 m of the origin");
 }
 
-/// On the grid of Clipper.
+/// The polygon in the integer units of Clipper.
 inline ClipperLib::Path toUnits(const Polygon& polygon) {
   ClipperLib::Path path;
   path.reserve(polygon.size());
@@ -43,7 +44,7 @@ inline Polygon fromUnits(const ClipperLib::Path& path) {
   return polygon;
 }
 
-/// Clipper's tree alternates outer outlines and holes level by level.
+/// The regions of Clipper's tree, in which outer outlines and holes alternate level by level.
 inline Regions fromTree(const ClipperLib::PolyTree& tree) {
   Regions regions;
   for (const ClipperLib::PolyNode* node = tree.GetFirst(); node != nullptr; node = node->GetNext()) {

@@ -9,22 +9,22 @@
 
 namespace lamina {
 
-/// Edges of an outline, one after the other, that all move to their left by the same distance, the inner ones
-/// until each has shrunk to a point.
+/// Successive edges of an outline that all move to their left by the same distance, each inner one until it
+/// has shrunk to a point.
 class CollapsingChain {
  public:
-  /// @param direction  of the first edge; unit
+  /// @param direction  of the first edge, of unit length
   explicit CollapsingChain(const Point2& direction);
-  /// The next edge, from a point on.
+  /// Adds the next edge, which begins at `start`.
   void add(const Point2& start, const Point2& direction);
 
-  /// Whether all but the first and the last edge vanish, one by one, within that distance, and where each
-  /// does, what its neighbours sweep hides it. Beside a corner that opens, one neighbour turns away; the
-  /// other one sweeps all that lies behind its line only up to its own end.
+  /// Whether, within that distance, all edges but the first and the last vanish one after the other, each
+  /// hidden by the area that its neighbours sweep. At a corner that opens, one neighbour turns away; the
+  /// other one then sweeps all area behind its line only up to its own end.
   bool collapsesWithin(double distance_mm);
 
  private:
-  /// The inner edge that vanishes next, and where.
+  /// The inner edge that vanishes next, and where it does.
   struct Next {
     std::size_t edge = 0;
     EdgeCollapseEvent vanishing;

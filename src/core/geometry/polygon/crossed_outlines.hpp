@@ -12,24 +12,24 @@
 
 namespace lamina {
 
-/// Two areas whose outlines are spliced where they cross: far less work than a sweep that also knows what to
-/// do where outlines touch, run along each other or meet in a point.
+/// Intersection and difference of two areas by splicing their outlines where they cross. This takes far less
+/// work than a sweep, which must also handle outlines that touch, coincide or meet in a point.
 class CrossedOutlines {
  public:
-  /// @param a, b  no outline crosses itself or one of its own region; must outlive this
+  /// @param a, b  outlines do not cross themselves or others of their region; both must outlive the object
   CrossedOutlines(const Regions& a, const Regions& b);
 
-  /// Where both are. None unless the outlines of the one stay clear of those of the other wherever they do
-  /// not plainly cross, or where regions of one of them meet; corners lie within 1e-5 mm of
-  /// the exact ones, and what is narrower is left out.
+  /// The intersection of the two areas. Nothing if outlines of one are close to those of the other without
+  /// plainly crossing them, or if regions of one area meet. Corners lie within 1e-5 mm of the exact ones;
+  /// anything narrower is left out.
   std::optional<Regions> common() const;
-  /// Where `a` is and `b` is not; none as above.
+  /// `a` without `b`; nothing as for `common`.
   std::optional<Regions> rest() const;
 
  private:
   struct Outline {
     const Polygon* points = nullptr;
-    std::uint32_t first = 0;  ///< number of its first edge among all of its area
+    std::uint32_t first = 0;  ///< index of its first edge among all edges of its area
     std::uint32_t region = 0;
     bool is_hole = false;
     Box2 box;
@@ -38,7 +38,7 @@ class CrossedOutlines {
   struct Edge {
     const Polygon* points = nullptr;
     std::uint32_t outline = 0;
-    std::uint32_t from = 0;  ///< point of the outline
+    std::uint32_t from = 0;  ///< point of the outline at which it begins
     const Point2& begin() const { return (*points)[from]; }
     const Point2& end() const { return (*points)[from + 1 < points->size() ? from + 1 : 0]; }
   };
@@ -47,15 +47,15 @@ class CrossedOutlines {
     std::vector<Outline> outlines;
     std::vector<Edge> edges;
     Box2 box;
-    std::vector<std::uint32_t> next;      ///< crossing after each, round its outline
-    std::vector<std::uint32_t> previous;  ///< and the one before
+    std::vector<std::uint32_t> next;      ///< for each crossing the next one along its outline
+    std::vector<std::uint32_t> previous;  ///< for each crossing the previous one along its outline
     bool encloses(const Point2& point) const;
   };
   struct Crossing {
-    std::array<std::uint32_t, 2> edge;  ///< of a and b
-    std::array<double, 2> along;        ///< 0 to 1
+    std::array<std::uint32_t, 2> edge;  ///< indices of the edges of a and b
+    std::array<double, 2> along;        ///< position on either edge, 0 to 1
     Point2 at;
-    bool enters = false;  ///< whether the outline of a enters b
+    bool enters = false;  ///< whether the outline of a enters b there
   };
   struct SweptEdge {
     double low_y = 0.0, high_y = 0.0, low_x = 0.0, high_x = 0.0;

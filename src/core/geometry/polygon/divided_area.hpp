@@ -6,13 +6,13 @@
 
 namespace lamina {
 
-/// An area shared out by another one.
+/// An area divided by another one.
 struct DividedArea {
-  Regions common;  ///< where the other is
-  Regions rest;    ///< where it is not
+  Regions common;  ///< inside the other area
+  Regions rest;    ///< outside the other area
 };
 
-/// The same as `intersection` and `difference`, for little more than one of them.
+/// `intersection` and `difference` of two areas together, in little more time than one of them takes.
 DividedArea divided(const Regions& area, const Regions& by);
 
 }  // namespace lamina

@@ -8,21 +8,22 @@
 
 namespace lamina {
 
-/// The region shrunk by `distance_mm` with mitred reflex corners, by moving each edge inwards by itself: many
-/// times as fast as clipping, but it does not see where parts of the outline meet. None where that happens or
-/// might happen, and where a corner would need more than a mitre of twice the distance.
+/// The region shrunk by `distance_mm` with mitred reflex corners, by moving each edge inwards on its own.
+/// This is many times as fast as clipping, but does not detect where parts of the outline meet. Nothing if
+/// they do or might, and if a corner would need a mitre of more than twice the distance.
 ///
-/// Why the result is right where there is one: each edge sweeps a cell, between where it was and where it
-/// arrives, and all cells are wound as the region is. So the moved outlines wind round a point once less than
-/// the region for each cell that covers it: exactly the points of the region in no cell are wound round once,
-/// and they bound a region if they are simple, do not meet, and nest. An edge that vanishes between two
-/// others has a triangle to where those meet for its cell, which must lie at least `distance_mm` from it; or
-/// nearer, if one of the two turns away from it: then it vanishes behind what that one sweeps. None where
-/// that one has become too short to hide it: a corner would lie nearer than `distance_mm` to a moved edge.
-/// The mitre of a corner beside a vanished edge ends with that edge. Mitres of clipping do not: it takes away
-/// slivers that stay here, farther than `distance_mm` from the outline.
+/// Why a result is correct: each edge sweeps a cell, between its old and its new position, and all cells are
+/// wound as the region is. So the winding number of the moved outlines at a point is that of the region less
+/// the number of cells that cover it. Only points of the region in no cell have winding number one. These
+/// form a region if the moved outlines are simple, do not meet, and nest. The cell of an edge that vanishes
+/// between two others is the triangle up to the point at which those meet. This point must lie at least
+/// `distance_mm` from the edge; it may be nearer if one of the two turns away, as the edge then vanishes
+/// behind the area that this one sweeps. There is no result if that one has become too short to hide it, as a
+/// corner would then lie nearer than `distance_mm` to a moved edge. The mitre at a corner beside a vanished
+/// edge ends with that edge. Mitres of clipping do not end there, so that clipping removes slivers farther
+/// than `distance_mm` from the outline, which remain here.
 ///
-/// @param region  winds round each point once or not at all, as all functions of `offset.hpp` return them
+/// @param region  with winding number one or zero at every point, as all functions of `offset.hpp` return it
 std::optional<Region> insetByEdgeCollapse(const Region& region, double distance_mm);
 
 }  // namespace lamina

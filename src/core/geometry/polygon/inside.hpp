@@ -8,21 +8,22 @@
 
 namespace lamina {
 
-/// Whether the straight line from one point to the other stays in the regions. Its ends may lie on an
-/// outline, within 1e-4 mm; a line along an outline may go either way.
+/// Whether the straight line between two points stays in the regions. Its ends may lie on an outline, within
+/// 1e-4 mm. For a line along an outline the result may be either.
 bool staysInside(const Regions& regions, const Point2& from, const Point2& to);
 
-/// The same of many lines in the same regions: regions apart from where a line begins are not looked at.
+/// Tests many lines in the same regions (`staysInside`). Only regions in whose bounding box a line begins are
+/// examined.
 class InsideTest {
  public:
-  /// `regions` must outlive the test.
+  /// @param regions  must outlive the object
   explicit InsideTest(const Regions& regions);
 
   bool staysInside(const Point2& from, const Point2& to) const;
 
  private:
   const Regions& regions_;
-  std::vector<Box2> boxes_;  ///< round each region
+  std::vector<Box2> boxes_;  ///< bounding box of each region
 };
 
 }  // namespace lamina

@@ -9,9 +9,9 @@
 
 namespace lamina {
 
-/// The regions that outlines bound which are simple and do not meet: each counter-clockwise one with the
-/// clockwise ones directly inside it. None if they wind round some point more than once or less than not at
-/// all, or if there are so many that comparing each with each would take long.
+/// The regions bounded by outlines that are simple and do not meet: each counter-clockwise outline with the
+/// clockwise ones directly inside it. Nothing if the winding number of a point is neither zero nor one, or if
+/// outlines are so many that comparing all pairs would take long.
 std::optional<Regions> nest(std::vector<Polygon> outlines);
 
 }  // namespace lamina

@@ -8,9 +8,8 @@
 
 namespace lamina {
 
-/// Whether no two edges of all the outlines meet, but neighbours in their common point. False also where that
-/// is in doubt: within rounding, at a point that stands twice, or when finding out takes more than about
-/// linear time.
+/// Whether no two edges of all outlines meet, except neighbours in their common point. False also if this is
+/// in doubt: within rounding, at a point that occurs twice, or if deciding takes more than about linear time.
 bool areSurelyApart(const std::vector<Polygon>& outlines);
 
 }  // namespace lamina

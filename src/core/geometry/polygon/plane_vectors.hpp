@@ -9,20 +9,21 @@
 
 namespace lamina {
 
-/// Positive if b is to the left of a.
+/// Cross product of two vectors; positive if b is to the left of a.
 inline double cross(const Point2& a, const Point2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-/// Positive if the point is to the left of the way from a to b: twice the area of the triangle.
+/// Twice the signed area of the triangle of three points; positive if the point is to the left of the line
+/// from a to b.
 inline double side(const Point2& a, const Point2& b, const Point2& point) { return cross(b - a, point - a); }
 
-/// As long as the direction; where material lies, beside the way round a region.
+/// The vector turned left by a right angle. Along the outline of a region it points to the material.
 inline Point2 leftOf(const Point2& direction) { return {-direction.y(), direction.x()}; }
 inline Point2 rightOf(const Point2& direction) { return {direction.y(), -direction.x()}; }
 
-/// From one direction to the other [rad], positive to the left.
+/// Angle from one direction to the other [rad], positive to the left.
 inline double turn(const Point2& from, const Point2& to) { return std::atan2(cross(from, to), from.dot(to)); }
 
-/// The point of the way from a to b that is nearest to another; a where both are one.
+/// The point of the segment from a to b that is nearest to another point; a if the segment has no length.
 inline Point2 nearestOnSegment(const Point2& a, const Point2& b, const Point2& point) {
   const Point2 along = b - a;
   const double squared = along.squaredNorm();
@@ -30,7 +31,7 @@ inline Point2 nearestOnSegment(const Point2& a, const Point2& b, const Point2& p
   return a + share * along;
 }
 
-/// Whether the line from a to b crosses that from c to d.
+/// Whether the segment from a to b crosses that from c to d.
 inline bool areCrossing(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
   return (side(a, b, c) > 0.0) != (side(a, b, d) > 0.0) && (side(c, d, a) > 0.0) != (side(c, d, b) > 0.0);
 }

@@ -12,12 +12,12 @@ namespace lamina {
 
 using PointDiagram = boost::polygon::voronoi_diagram<double>;
 
-/// Fills the empty Voronoi diagram of points, taken to a grid as fine as it can be. It reports which points
-/// are neighbours; where its vertices are has to be computed from the points themselves.
-/// @param points  no two the same within a billionth of their extent
+/// Computes the Voronoi diagram of points, rounded to the finest possible grid, into an empty diagram. The
+/// diagram shows which points are neighbours; its vertices must be computed from the points themselves.
+/// @param points  no two equal within a billionth of their extent
 void construct(PointDiagram& diagram, const std::vector<Point2>& points);
 
-/// Numbers of the points around a vertex of the diagram, counter-clockwise; three or more.
+/// Indices of the points around a vertex of the diagram, counter-clockwise; at least three.
 std::vector<std::size_t> pointsAround(const PointDiagram::vertex_type& vertex);
 
 }  // namespace lamina

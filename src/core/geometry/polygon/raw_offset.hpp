@@ -6,12 +6,12 @@
 
 namespace lamina {
 
-/// The outline with each edge moved by `delta` to its right (outwards, for material on the left), before what
-/// overlaps is cleared away: the area wound round at least once is the offset area. Corners that open are
-/// mitred, and cut off square where the tip would lie farther than twice the offset. Corners that close are
-/// cut where the moved edges meet if both edges are long enough for that; where they are not, the outline
-/// doubles back over the old corner, which winds backwards round what it must not enclose.
-/// Fewer than three distinct points give nothing.
+/// The outline with each edge moved by `delta` to its right (outwards, as material is on the left), before
+/// overlaps are removed: the offset area has winding numbers of at least one. Corners that open are mitred,
+/// or cut off square if the tip would lie farther than twice the offset. Corners that close are cut at the
+/// point where the moved edges meet, if both are long enough; otherwise the outline doubles back over the old
+/// corner, so that area which must not be enclosed is wound in reverse. Fewer than three distinct points give
+/// an empty polygon.
 Polygon rawOffset(const Polygon& polygon, double delta);
 
 }  // namespace lamina

@@ -14,23 +14,23 @@
 
 namespace lamina {
 
-/// Squares of x and y, whatever z, each of which takes memory; or cubes, of which only those that hold boxes
-/// do.
+/// Squares in x and y, regardless of z, which all take memory; or cubes, of which only those with boxes take
+/// memory.
 enum class CellKind : std::uint8_t { Squares, Cubes };
 
-/// Where cells lie.
+/// The space that is divided into cells.
 struct CellSpace {
   CellKind kind = CellKind::Cubes;
-  Box3 box;              ///< not empty; boxes beyond it count to the cells at its border
-  double cell_mm = 1.0;  ///< positive, and at least a millionth of the box
+  Box3 box;              ///< not empty; boxes beyond it are assigned to the cells at its border
+  double cell_mm = 1.0;  ///< positive, and at least a millionth of the size of the box
 };
 
-/// Numbered boxes in cells, to find those that may hold a place at once.
+/// Numbered boxes, assigned to cells so that those that may contain a point are found at once.
 class BoxCells {
  public:
   static constexpr std::uint32_t kNone = 0xFFFFFFFFU;
 
-  /// Numbers of boxes, ascending.
+  /// Numbers of the boxes of a cell, ascending.
   struct Numbers {
     const std::uint32_t* first = nullptr;
     const std::uint32_t* last = nullptr;
@@ -38,25 +38,25 @@ class BoxCells {
     const std::uint32_t* end() const { return last; }
   };
 
-  /// Without any box.
+  /// Makes an empty set.
   BoxCells() = default;
-  /// @param for_each_box  calls its argument with a number and a box for each box, the numbers ascending, of
-  ///   which several may be the same; called twice
+  /// @param for_each_box  calls its argument with a number and a box, for all boxes; numbers ascend, and
+  ///   several may be equal. It is called twice
   template <class ForEachBox>
   BoxCells(const CellSpace& space, const ForEachBox& for_each_box);
 
-  /// Of the boxes that reach the cell of a place; none if that is not in the space.
+  /// Numbers of the boxes that reach the cell of a point; none if the point is not in the space.
   Numbers near(const Point3& place) const { return in(cellAt(place)); }
 
-  /// The same in two steps, so that the memory of many places can be fetched at once: the cell of a place,
-  /// kNone if it holds no box, and its boxes.
+  /// The two steps of `near`, so that the memory for many points can be fetched in advance: the cell of a
+  /// point (kNone if it has no boxes), and the boxes of that cell.
   std::uint32_t cellAt(const Point3& place) const;
   Numbers in(std::uint32_t cell) const;
   void fetch(std::uint32_t cell) const {
     if (cell != kNone) __builtin_prefetch(begin_.data() + cell);
   }
 
-  /// Of cells with a number, from 0.
+  /// Number of cells that have numbers; these count from 0.
   std::size_t size() const { return begin_.size() - 1; }
   std::size_t bytes() const {
     return sizeof(std::uint32_t) * (begin_.capacity() + numbers_.capacity()) +
@@ -64,7 +64,7 @@ class BoxCells {
   }
 
  private:
-  /// A cube that holds boxes; `number` is kNone in a free slot of the table.
+  /// A cube with boxes; `number` is kNone in a free slot of the hash table.
   struct Cube {
     std::uint64_t key = 0;
     std::uint32_t number = kNone;
@@ -88,13 +88,14 @@ class BoxCells {
   Point3 low_ = Point3::Zero();
   double per_mm_ = 1.0;
   Place count_{};
-  std::vector<std::uint32_t> begin_{0};  ///< first number of each cell, and how many there are
+  /// Index of the first number of each cell, and the number of all at the end.
+  std::vector<std::uint32_t> begin_{0};
   std::vector<std::uint32_t> numbers_;
-  std::vector<Cube> table_;  ///< a power of two long; empty for squares
+  std::vector<Cube> table_;  ///< hash table whose size is a power of two; empty for squares
   std::uint32_t cubes_ = 0;
 };
 
-// Asked once a point: to be compiled in where that is done.
+// Called once for each point, so it should be inlined.
 
 inline std::uint32_t BoxCells::numberOf(std::uint64_t key) const {
   if (kind_ == CellKind::Squares) return static_cast<std::uint32_t>(key);

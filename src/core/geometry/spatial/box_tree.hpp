@@ -10,7 +10,7 @@
 
 namespace lamina {
 
-/// Boxes in a balanced tree, to find those that overlap another box in logarithmic time.
+/// Boxes in a balanced tree, in which those that overlap another box are found in logarithmic time.
 class BoxTree {
  public:
   explicit BoxTree(std::vector<Box3> boxes);
@@ -24,7 +24,7 @@ class BoxTree {
  private:
   struct Node {
     Box3 box;
-    std::uint32_t first = 0;  // of its items if it is a leaf, otherwise the number of its right child
+    std::uint32_t first = 0;  // index of its first item if it is a leaf, otherwise number of its right child
     std::uint32_t count = 0;  // 0 for an inner node, whose left child follows it
   };
 

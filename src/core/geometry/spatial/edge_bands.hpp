@@ -28,31 +28,32 @@ void forEachEdge(const Region& region, const Visit& visit) {
   for (const Polygon& hole : region.holes) walk(hole);
 }
 
-/// Edges of regions by level bands, so many that each edge lies in three of them on average at most:
-/// questions of one place look at the edges about as high only.
+/// Edges of regions sorted into bands of equal y, in number such that an edge lies in at most three bands on
+/// average. Queries at a point examine only the edges at about the same y.
 class EdgeBands {
  public:
-  /// Without any edge.
+  /// Makes an empty set.
   EdgeBands() = default;
   explicit EdgeBands(const Regions& regions);
 
   const Box2& box() const { return box_; }
 
-  /// Whether none of the edges meets it, beyond doubt.
+  /// Whether certainly none of the edges meets this one.
   bool areApartFrom(const BorderEdge& edge) const;
 
-  /// By the even-odd rule; on a border either way.
+  /// Whether a point lies inside, by the even-odd rule; on a border the result may be either.
   bool enclose(const Point2& point) const;
 
-  /// Where edges cross the level line at that y, from left to right: inside begins and ends in turn.
+  /// The x at which edges cross the line at a given y, from left to right: inside begins and ends
+  /// alternately.
   std::vector<double> crossings(double y) const;
 
-  /// Where a line crosses edges, in order: parts of its length, between 0 and 1.
+  /// Positions at which a segment crosses edges, ascending, as shares of its length between 0 and 1.
   std::vector<double> cuts(const Point2& from, const Point2& to) const;
 
-  /// Calls visit(edge, index) for the edges that come within `reach_mm` of the height of a point, and for
-  /// some others; for one that lies in several bands more than once. The index gives the place of an edge in
-  /// the order of all.
+  /// Calls visit(edge, index) for all edges that come within `reach_mm` of the y of a point, and for some
+  /// others; an edge in several bands may be visited more than once. The index is that of the edge among all
+  /// edges.
   template <class Visit>
   void visitNear(const Point2& point, double reach_mm, const Visit& visit) const {
     visitBetween(point.y() - reach_mm, point.y() + reach_mm, visit);
@@ -76,7 +77,7 @@ class EdgeBands {
   double per_mm_ = 0.0;
   std::vector<BorderEdge> edges_;
   std::vector<std::uint32_t>
-      begin_;  ///< of each band in in_band_, and the end of the last; empty without edges
+      begin_;  ///< for each band the position in in_band_, and the end of the last one; empty without edges
   std::vector<std::uint32_t> in_band_;  ///< indices of edges
 };
 

@@ -14,24 +14,25 @@
 
 namespace lamina {
 
-/// Finds edges near a line: a grid of about as many cells as edges, each with the edges that cross it.
+/// Finds edges near a line by a grid with about as many cells as edges; each cell holds the edges that cross
+/// it.
 class EdgeGrid {
  public:
   EdgeGrid() = default;
-  /// @param edges          by their ends [mm]
-  /// @param fewest_across  cells along the longer side, where the edges alone would give fewer
+  /// @param edges          pairs of end points [mm]
+  /// @param fewest_across  least number of cells along the longer side
   explicit EdgeGrid(const std::vector<std::pair<Point2, Point2>>& edges, double fewest_across = 0.0);
-  /// Of cells of a given size over a box that holds the edges and is not empty.
+  /// Makes a grid with cells of a given size over a box that contains the edges and is not empty.
   EdgeGrid(const std::vector<std::pair<Point2, Point2>>& edges, const Box2& box, double cell_mm);
 
   bool isEmpty() const { return first_.size() < 2; }
   std::size_t columns() const { return columns_; }
   std::size_t rows() const { return rows_; }
-  /// Column of a position; positions outside belong to the border.
+  /// Column of a position; positions outside the grid belong to the outermost columns.
   std::size_t columnOf(double x) const { return index(x, low_.x(), columns_); }
   std::size_t rowOf(double y) const { return index(y, low_.y(), rows_); }
 
-  /// Calls `visit(edge)` for the edges of a cell, by their index in the list, until it returns false.
+  /// Calls `visit(edge)` with the index of each edge of a cell, until it returns false.
   /// @return whether all were visited
   template <class Visit>
   bool forEdgesIn(std::size_t column, std::size_t row, const Visit& visit) const {
@@ -59,9 +60,10 @@ class EdgeGrid {
     return low_ + cell_mm_ * Point2(static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5);
   }
 
-  /// The cell of a point if no edge passes through it: between two points of one such cell there is none.
+  /// The cell of a point if no edge passes through it; nothing otherwise. Between two points of such a cell
+  /// there is no edge.
   std::optional<std::size_t> clearCell(const Point2& point) const;
-  /// Whether no edge passes through a cell and those around it.
+  /// Whether no edge passes through a cell and its eight neighbours.
   bool isClearAround(std::size_t cell) const;
   /// Whether two cells are the same or touch.
   bool areNeighbours(std::size_t cell, std::size_t next) const;
@@ -104,7 +106,7 @@ class EdgeGrid {
   double cell_mm_ = 1.0;
   std::size_t columns_ = 1;
   std::size_t rows_ = 1;
-  std::vector<std::uint32_t> first_;  ///< of each cell's edges, and the end of the last
+  std::vector<std::uint32_t> first_;  ///< index of the first edge of each cell, and the end of the last one
   std::vector<std::uint32_t> edges_;
 };
 

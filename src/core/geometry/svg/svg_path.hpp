@@ -18,7 +18,7 @@ struct SvgEllipse {
   double turn_rad = 0.0;
 };
 
-/// Draws outlines through a map, curves as points that lie within 0.005 mm of them.
+/// Draws outlines through a map, with curves as points such that the chords lie within 0.005 mm of them.
 class SvgPen {
  public:
   explicit SvgPen(const Eigen::Affine2d& mm_from_user) : map_(mm_from_user) {}
@@ -27,12 +27,12 @@ class SvgPen {
   void lineTo(const Point2& point);
   void quadraticTo(const Point2& control, const Point2& end);
   void cubicTo(const Point2& first, const Point2& second, const Point2& end);
-  /// Along an ellipse, from one angle in its parameter to another.
+  /// Draws along an ellipse, from one value of its angle parameter to another.
   void ellipticTo(const SvgEllipse& ellipse, double begin_rad, double end_rad);
   void close();
 
   Point2 at() const { return at_; }
-  /// What was drawn so far [mm]; outlines of fewer than three points are left out.
+  /// The outlines drawn so far [mm]; outlines of fewer than three points are left out.
   std::vector<Polygon> finish() &&;
 
  private:
@@ -45,7 +45,7 @@ class SvgPen {
   std::vector<Polygon> outlines_;
 };
 
-/// The outlines of path data (attribute `d`) [mm]; nothing if it is none. Open ones count as closed.
+/// The outlines of path data (attribute `d`) [mm]; nothing if the data are invalid. Open outlines are closed.
 std::optional<std::vector<Polygon>> svgPath(std::string_view data, const Eigen::Affine2d& mm_from_user);
 
 }  // namespace lamina

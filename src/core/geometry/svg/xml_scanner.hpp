@@ -10,28 +10,29 @@ namespace lamina {
 
 /// The start or end of an element.
 struct XmlTag {
-  std::string name;  ///< without the prefix of its name space
+  std::string name;  ///< without the prefix of its namespace
   std::map<std::string, std::string> attributes;
-  bool is_end = false;    ///< </name>
-  bool is_empty = false;  ///< <name/>, which has no end of its own
+  bool is_end = false;    ///< whether it is </name>
+  bool is_empty = false;  ///< whether it is <name/>, which has no end tag of its own
   int line = 1;
 
-  /// An attribute, empty if there is none.
+  /// The value of an attribute; empty if there is none.
   std::string attribute(const std::string& key) const;
 };
 
-/// Walks through the tags of an XML document; text, comments and declarations are passed over.
+/// Reads the tags of an XML document one after the other; text, comments and declarations are skipped.
 class XmlScanner {
  public:
   XmlScanner(std::string_view text, std::string name) : text_(text), name_(std::move(name)) {}
 
-  /// Steps to the next tag; false at the end.
+  /// Reads the next tag; returns false at the end.
   /// @throws InvalidMesh naming file and line if a tag, comment or attribute is not closed
   bool next(XmlTag& tag);
 
-  /// What stands from the last tag to the next.
+  /// Text between the last tag and the next one.
   std::string textBehind() const;
 
+  /// Refuses the document.
   /// @throws InvalidMesh "name:line: what"
   [[noreturn]] void refuse(int line, const std::string& what) const;
 

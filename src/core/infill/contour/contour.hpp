@@ -6,8 +6,8 @@
 
 namespace lamina {
 
-/// Contours parallel to the border, joined into one closed run per connected region: neighbouring
-/// contours are cut open by a gap nearly as wide as they are apart, and joined by two links across it.
+/// Contours parallel to the border, joined into one closed run for each connected region. Neighbouring
+/// contours are cut open by a gap nearly as wide as their distance, and joined by two links across it.
 /// @throws InvalidInput if the spacing is not positive, or too small for the region
 std::vector<FillPath> contour(const Regions& regions, const InfillRequest& request);
 

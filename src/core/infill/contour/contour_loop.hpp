@@ -9,11 +9,11 @@
 
 namespace lamina {
 
-/// A closed centre line that fills its part of a region.
+/// A closed centre line, whose bead fills a strip of a region.
 struct ContourLoop {
   Polygon points;
-  std::vector<double> width_mm;  ///< plan width on the way to each point
-  std::size_t node = 0;          ///< of the tree it belongs to
+  std::vector<double> width_mm;  ///< plan width of the bead on the motion to each point
+  std::size_t node = 0;          ///< index of its node in the contour tree
 };
 
 }  // namespace lamina

@@ -11,34 +11,37 @@
 
 namespace lamina {
 
-/// The contours that fill one connected region, parallel to its border and to each other. A node holds the
-/// loops that lie side by side between those of its parent and its children; the root holds none.
+/// The contours that fill one connected region, parallel to its border and to each other, as a tree. A node
+/// holds the loops side by side that lie between those of its parent and those of its children; the root
+/// holds none.
 struct ContourTree {
-  std::vector<std::size_t> parents;  ///< of each node; 0 for the root, which is the first
-  std::vector<ContourLoop> loops;    ///< from the outside in: those of a node after those of its parent
+  std::vector<std::size_t> parents;  ///< parent of each node; 0 for the root, which is node 0
+  std::vector<ContourLoop> loops;    ///< from the outside inwards: loops of a node after those of its parent
   std::vector<Polygon> border;       ///< of the region that the loops fill
 };
 
-/// What contours of a solid fill leave: too narrow for a further one with a bead's room inside.
+/// A region that the contours of a solid fill leave over, too narrow for a further contour with room for its
+/// bead.
 struct NarrowRest {
   Region area;
-  std::size_t parent = 0;  ///< node whose loops lie round it, or the root
+  std::size_t parent = 0;  ///< node whose loops surround it, or the root
 };
 
-/// A tree of which the narrow rests are not filled yet.
+/// A contour tree whose narrow rests are not filled yet.
 struct OpenContourTree {
   ContourTree tree;
   std::vector<NarrowRest> rests;
 };
 
-/// @throws InvalidInput if the spacing of contours is not positive, or so small that there would be more than
-/// 100000
+/// Refuses a spacing of contours that is not positive, or so small that there would be more than 100000 of
+/// them.
+/// @throws InvalidInput
 void requireContourSpacing(const Region& region, double spacing_mm);
 
-/// Contours half a pitch inside the border and then a spacing apart from each other.
+/// Contours half a pitch inside the border, and further ones at the given spacing inside each other.
 OpenContourTree openContourTree(const Region& region, const InfillRequest& request);
 
-/// The same, with loops in the narrow rests as well (`narrowLoops`).
+/// `openContourTree` with loops in the narrow rests too (`narrowLoops`).
 ContourTree contourTree(const Region& region, const InfillRequest& request);
 
 }  // namespace lamina

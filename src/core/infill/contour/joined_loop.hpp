@@ -8,12 +8,12 @@
 
 namespace lamina {
 
-/// The loops of a tree as a graph, nothing cut yet; the indices are those of `ContourTree::loops`.
+/// The loops of a tree as a graph without cuts; indices are those of `ContourTree::loops`.
 LoopGraph loopsOf(const ContourTree& tree);
 
-/// Joins all loops that do not hang together yet: neighbours are cut open by a gap nearly as wide as they are
-/// apart, and joined by two links across. Loops that have no neighbour near enough stay separate.
-/// @param region  its index among those that are filled, for the seed
+/// Joins all loops that are not connected yet: neighbours are cut open by a gap nearly as wide as their
+/// distance, and joined by two links across it. Loops without a neighbour near enough stay separate.
+/// @param region  index of the region among those that are filled, for the seed
 void joinLoops(LoopGraph& net, const ContourTree& tree, const InfillRequest& request, std::size_t region);
 
 }  // namespace lamina

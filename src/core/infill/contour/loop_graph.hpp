@@ -15,43 +15,44 @@ namespace lamina {
 /// A place on a loop.
 struct LoopPlace {
   double position_mm = 0.0;  ///< along the loop, from its first point
-  double distance_mm = 0.0;  ///< of what was asked for
+  double distance_mm = 0.0;  ///< from the point whose nearest place was asked for
 };
 
-/// A stretch of a loop around a place.
+/// A stretch of a loop, centred at a position.
 struct LoopStretch {
   double middle_mm = 0.0;
-  double reach_mm = 0.0;  ///< to either side
+  double reach_mm = 0.0;  ///< length of the stretch to either side
 };
 
-/// A closed line measured by arc length. Positions along it [mm] may be any number: they go round.
+/// A closed line parameterized by arc length. Positions [mm] may be any number, as they are taken modulo the
+/// length.
 class Loop {
  public:
   /// @param points    at least three, no two neighbours the same
-  /// @param width_mm  plan width on the way to each point
+  /// @param width_mm  plan width of the bead on the motion to each point
   Loop(Polygon points, std::vector<double> width_mm);
 
   double length() const { return at_.back(); }
   const Box2& box() const { return box_; }
   const Polygon& points() const { return points_; }
-  /// Within [0, length).
+  /// The position modulo the length, in [0, length).
   double wrapped(double position) const;
   Point2 pointAt(double position) const;
   double widthAt(double position) const;
 
-  /// The nearest place to a point.
+  /// The place of the loop that is nearest to a point.
   LoopPlace nearest(const Point2& point) const;
-  /// The nearest place to a point on a stretch.
+  /// The place of a stretch that is nearest to a point.
   LoopPlace nearest(const Point2& point, const LoopStretch& stretch) const;
-  /// Where a ray first hits a stretch; the distance along it, which has unit length.
+  /// Where a ray first meets a stretch; its distance is measured along the ray. `direction` has unit length.
   std::optional<LoopPlace> hit(const Point2& from, const Point2& direction, const LoopStretch& stretch) const;
-  /// Whether the open line from one point to the other crosses the loop; touching at its ends does not count.
+  /// Whether the segment between two points crosses the loop; touching at the ends does not count.
   bool isCrossedBy(const Point2& from, const Point2& to) const;
 
   /// Index of the point at or before a position within [0, length).
   std::size_t edgeAt(double position) const;
   double positionOf(std::size_t point) const { return at_[point]; }
-  /// Plan width on the edge that starts at that point.
+  /// Plan width on the edge that starts at this point.
   double edgeWidth(std::size_t point) const { return width_[point + 1 < points_.size() ? point + 1 : 0]; }
   std::size_t size() const { return points_.size(); }
 
@@ -62,11 +63,12 @@ class Loop {
 
   Polygon points_;
   std::vector<double> width_;
-  std::vector<double> at_;  ///< of each point, and the length
+  std::vector<double> at_;  ///< position of each point, and the length of the loop
   Box2 box_;
 };
 
-/// A piece of a loop to be taken out [mm along it]: from one position forward to the other.
+/// A piece of a loop that is cut out [mm along the loop], in the direction of the loop from one position to
+/// the other.
 struct LoopGap {
   std::size_t loop = 0;
   double from_mm = 0.0;  ///< within [0, length)
@@ -77,44 +79,44 @@ struct LoopGap {
 
 /// Which ends of two gaps a link joins.
 enum class LinkEnds {
-  Alike,     ///< both starts, and both ends
-  Opposite,  ///< the start of each to the end of the other
+  Alike,     ///< start with start, and end with end
+  Opposite,  ///< the start of each gap with the end of the other
 };
 
-/// Rings that are cut open and joined by links. Joining two that hang together through no others makes one
-/// closed line of both.
+/// Loops that are cut open and joined by links. Joining two loops that are not connected yet makes one closed
+/// line of them.
 class LoopGraph {
  public:
   explicit LoopGraph(std::vector<Loop> loops);
 
   const std::vector<Loop>& loops() const { return loops_; }
-  /// Rings with the same number hang together.
+  /// Number of the group of connected loops to which a loop belongs.
   std::size_t groupOf(std::size_t loop) const;
   /// Gaps made so far in a loop.
   const std::vector<LoopGap>& gapsOf(std::size_t loop) const { return gaps_[loop]; }
-  /// Whether a gap keeps a margin from those made so far [mm].
+  /// Whether a gap keeps a distance from those made so far [mm].
   bool isFree(const LoopGap& gap, double margin_mm) const;
 
-  /// Whether the line from one point to the other crosses a link made so far.
+  /// Whether the segment between two points crosses a link made so far.
   bool isLinkCrossedBy(const Point2& from, const Point2& to) const;
 
-  /// Cuts both and joins them by two links.
+  /// Cuts both gaps and joins them by two links.
   void join(const LoopGap& a, const LoopGap& b, LinkEnds ends);
-  /// Cuts each loop and leads from the start of each gap to the end of the next one: the first gap's end and
-  /// the last one's start stay open.
+  /// Cuts all gaps and links the start of each to the end of the next one. The end of the first gap and the
+  /// start of the last one stay open.
   void chain(const std::vector<LoopGap>& gaps);
 
-  /// One line for each group, in the order of their first loops: closed, or open from the first open end.
+  /// One line for each group, in the order of first loops; closed, or open from its first open end.
   std::vector<FillPath> lines() const;
 
  private:
   struct End {
     std::size_t loop;
     std::size_t gap;
-    int side;  ///< 0 is where the gap starts
+    int side;  ///< 0 for the start of the gap, 1 for its end
   };
   struct Joints {
-    std::array<std::optional<End>, 2> to;  ///< of each side
+    std::array<std::optional<End>, 2> to;  ///< what each side of a gap is linked to
   };
   class Walk;
 
@@ -125,7 +127,7 @@ class LoopGraph {
 
   std::vector<Loop> loops_;
   std::vector<std::vector<LoopGap>> gaps_;   ///< loop by loop
-  std::vector<std::vector<Joints>> joints_;  ///< of each gap
+  std::vector<std::vector<Joints>> joints_;  ///< for each gap
   std::vector<std::array<Point2, 2>> links_;
   std::vector<std::size_t> parent_;  ///< union-find
 };

@@ -11,15 +11,15 @@
 
 namespace lamina {
 
-/// Chooses where the perimeters of one layer start. Progressive: `perimeters.seam_step` farther along from
-/// the leftmost point of the loop for each layer below and each perimeter outside. Random: anywhere, by
-/// seed, layer and island.
+/// Chooses where the perimeters of one layer start. Progressive: from the leftmost point of the loop,
+/// `perimeters.seam_step` farther for each layer below and each perimeter outside. Random: anywhere, by seed,
+/// layer and island.
 class LoopSeam {
  public:
   explicit LoopSeam(const InfillRequest& request);
 
-  /// Along the loop from its first point, within [0, its length) [mm].
-  /// @param level  number of perimeters outside
+  /// Position of the start of a loop, along it from its first point, in [0, its length) [mm].
+  /// @param level  number of perimeters outside the loop
   double startOn(const Polygon& loop, std::size_t level);
 
  private:
@@ -29,9 +29,9 @@ class LoopSeam {
   Random random_;
 };
 
-/// The loop from a place on, ending a gap short of it; closed if there is no gap, or if the loop is not at
-/// least twice as long.
-/// @param start_mm  along the loop from its first point, within [0, its length)
+/// The loop as a run that starts at a position and ends a gap before it. The run is closed if the gap is 0,
+/// or if the loop is shorter than two gaps.
+/// @param start_mm  along the loop from its first point, in [0, its length)
 FillPath openedLoop(const Polygon& loop, double start_mm, double gap_mm);
 
 }  // namespace lamina

@@ -6,20 +6,20 @@
 
 namespace lamina {
 
-/// A closed line of which each point knows where its inside lies.
+/// A closed line with the inward normal at each point.
 struct NormalLoop {
   Polygon points;
   std::vector<Point2> inward;  ///< unit vector at each point, towards the material
 };
 
-/// The outline with the fewest points more, evenly between those it has, so that no two neighbours are
-/// farther apart than `longest_step_mm` [Flores2018, figures 40 and 41]. The normal of its own points is the
-/// mean of those of both edges, of those in between it goes over from one to the other. Points nearer to the
-/// one before than 1e-9 mm are left out.
+/// The outline with additional points, as few as possible and evenly spaced between its own, so that
+/// neighbours are at most `longest_step_mm` apart [Flores2018, figures 40 and 41]. The normal at an own point
+/// is the mean of those of its two edges; at points between, it changes evenly from one end to the other.
+/// Points closer than 1e-9 mm to the one before are left out.
 NormalLoop withNormals(const Polygon& outline, double longest_step_mm);
 
-/// Each point moved along its normal, as for several perimeters in [Flores2018, section 6.2.1]. Crosses
-/// itself where the outline bends more sharply than that.
+/// The outline with each point moved along its normal, as for several perimeters in [Flores2018, section
+/// 6.2.1]. The result crosses itself where the radius of the outline is less than the distance.
 Polygon movedInwards(const NormalLoop& loop, double distance_mm);
 
 }  // namespace lamina

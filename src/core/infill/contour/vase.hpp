@@ -6,8 +6,8 @@
 
 namespace lamina {
 
-/// One bead along each outline, counter-clockwise round regions and clockwise round holes; what it surrounds
-/// stays empty. Which regions make a vase is for the planner to say, which knows the other layers.
+/// One bead along each outline, counter-clockwise around regions and clockwise around holes; the area inside
+/// stays empty. The planner, which knows the other layers, decides which regions are printed so.
 std::vector<FillPath> vase(const Regions& regions, const InfillRequest& request);
 
 }  // namespace lamina

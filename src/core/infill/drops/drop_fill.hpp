@@ -12,39 +12,41 @@
 namespace lamina {
 
 /// Drops along a closed outline: one at each corner (a turn by more than 50 degrees), and between corners as
-/// many, evenly, as keep the pitch along the outline. Corners nearer to the one before than the pitch have
-/// none of their own. An outline shorter than the pitch has one drop. Where drops would stand more than a
-/// quarter of the pitch too far apart there is one more, if `least_mm` is kept then.
+/// many, evenly spaced, as are at least the pitch apart along the outline. A corner closer to the one before
+/// than the pitch has no drop of its own. An outline shorter than the pitch has one drop. Where drops would
+/// be more than a quarter of the pitch farther apart than the pitch, one more is placed if they are still at
+/// least `least_mm` apart.
 Polyline dropsAlong(const Polygon& outline, double pitch_mm, double least_mm);
 
-/// @throws InvalidInput if these regions of a layer have room for more than 5 million drops
+/// Refuses regions of a layer that have room for more than 5 million drops.
+/// @throws InvalidInput
 void requireFewDrops(const Regions& regions, const DropSettings& settings);
 
-/// Drops of one line of a raster, from left to right [raster frame].
+/// Positions of the drops on one line of a raster, from left to right [raster frame].
 using DropLine = std::function<std::vector<double>(std::int64_t line, double left, double right)>;
 
-/// Lays the drops of a layer in order and leaves out those too near to one that lies already.
+/// Places the drops of a layer in order, and leaves out those too close to one that was placed already.
 class DropFill {
  public:
   /// @throws InvalidInput if diameter, pitch or line spacing are not positive or too small for the regions
   DropFill(const Regions& regions, const DropSettings& settings);
 
-  /// Contours round the regions, from outside: the first at half a diameter from the border, the next a line
-  /// spacing further inside, until `most` are deposited or none fits. Each starts beside where the one before
-  /// ended. Those of the border are outer walls, the others inner ones. Where the first would run back beside
-  /// itself too near for two rows there is one row instead, as infill.
+  /// Adds contours around the regions, from the outside: the first half a diameter inside the border, the
+  /// next ones a line spacing further inside, until there are `most` or no further one fits. Each starts near
+  /// the end of the one before. Contours along the border are outer walls, the others inner walls. Where the
+  /// first one would run back beside itself too closely for two rows, there is one row instead, as infill.
   void addContours(const Regions& regions, std::size_t most);
 
-  /// What is left inside the contours for centres of drops, a line spacing off the innermost one.
+  /// Area inside the contours for the centres of further drops, a line spacing from the innermost contour.
   Regions inside(const Regions& regions, std::size_t contours) const;
 
-  /// Lines of drops to and fro, in runs that go from line to line.
+  /// Adds lines of drops, to and fro, in runs that continue from line to line.
   void addLines(const Raster& raster, const RasterFrame& frame, const DropLine& line);
 
   std::vector<FillPath> take() && { return std::move(paths_); }
 
  private:
-  /// Loops that show on the part's surface have no wide gap.
+  /// Adds loops that are visible on the part's surface and so must not have a wide gap.
   void addLoops(const Regions& regions, PathRole role);
   void add(const Polyline& drops, PathRole role);
   Polyline startedNear(Polyline loop) const;
@@ -55,7 +57,7 @@ class DropFill {
   std::vector<FillPath> paths_;
 };
 
-/// A layer of drops: contours (`drops.contours`), then lines `row_mm` apart at the request's angle.
+/// Fills a layer by drops: contours (`drops.contours`), then lines `row_mm` apart at the request's angle.
 std::vector<FillPath> contoursAndLines(const Regions& regions, const InfillRequest& request, double row_mm,
                                        const DropLine& line);
 

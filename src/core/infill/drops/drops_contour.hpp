@@ -8,7 +8,7 @@
 
 namespace lamina {
 
-/// Contours of drops inside each other until nothing is left.
+/// Contours of drops, one inside the other until the regions are filled.
 /// @throws InvalidInput if a distance is not positive or too small for the regions
 std::vector<FillPath> dropsContour(const Regions& regions, const InfillRequest& request);
 

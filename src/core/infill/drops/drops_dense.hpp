@@ -8,8 +8,8 @@
 
 namespace lamina {
 
-/// Contours of drops, and inside them the drops of a hexagonal lattice with an edge of a pitch: rows of the
-/// raster's direction, every other one shifted by half a pitch. One drop of the lattice lies at the origin.
+/// Contours of drops, and inside them the points of a hexagonal lattice whose edge is a pitch: rows in the
+/// direction of the raster, every other one shifted by half a pitch. The origin is a point of the lattice.
 /// @throws InvalidInput if a distance is not positive or too small for the regions
 std::vector<FillPath> dropsDense(const Regions& regions, const InfillRequest& request);
 

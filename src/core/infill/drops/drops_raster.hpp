@@ -8,8 +8,9 @@
 
 namespace lamina {
 
-/// Contours of drops, and inside them parallel lines a line spacing apart, to and fro. Along each line drops
-/// lie evenly from end to end, as many as keep the pitch. One line passes through the origin.
+/// Contours of drops, and inside them parallel lines a line spacing apart, to and fro. The drops of a line
+/// are evenly spaced from end to end, in the greatest number that is at least the pitch apart. One line
+/// passes through the origin.
 /// @throws InvalidInput if a distance is not positive or too small for the regions
 std::vector<FillPath> dropsRaster(const Regions& regions, const InfillRequest& request);
 

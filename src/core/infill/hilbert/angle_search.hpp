@@ -12,15 +12,14 @@ namespace lamina {
 /// A region's fill at one angle.
 struct FillAtAngle {
   std::vector<FillPath> paths;
-  double covered = 0.0;  ///< any measure of how much it covers
+  double covered = 0.0;  ///< any measure of the area covered; greater is better
 };
 
 using FillRegionAtAngle =
     std::function<FillAtAngle(const Region& centre_lines, const InfillRequest& request, double angle_rad)>;
 
-/// Fills each region at `request.angle_rad` and `hilbert.angles` - 1 further angles, evenly spread over a
-/// right angle, and keeps the fill of the fewest runs; of several the one that covers most, of these the
-/// first.
+/// Fills each region at `request.angle_rad` and at `hilbert.angles` - 1 further angles, evenly spaced within
+/// a right angle. The fill with the fewest runs is kept; of several the one that covers most, then the first.
 std::vector<FillPath> fillAtBestAngle(const Regions& centre_lines, const InfillRequest& request,
                                       const FillRegionAtAngle& fill);
 

@@ -6,12 +6,11 @@
 
 namespace lamina {
 
-/// A Hilbert curve over the box of each region, turned by the requested angle and cut off at the region's
-/// border. Where the curve leaves the region and comes back, or another piece of it begins, no farther than
-/// `longestLink` along the border, the pieces are joined along it; the rest are runs of their own.
+/// A Hilbert curve over the bounding box of each region, turned by the requested angle and clipped at the
+/// region's border. Pieces are joined along the border if the curve leaves the region and returns, or another
+/// piece begins, at most `longestLink` along the border away; the others are separate runs.
 ///
-/// With `hilbert.angles` above 1 the curve is turned by that many angles within a right angle, for the fewest
-/// runs.
+/// If `hilbert.angles` is above 1, that many angles within a right angle are tried, for the fewest runs.
 std::vector<FillPath> hilbert(const Regions& regions, const InfillRequest& request);
 
 }  // namespace lamina

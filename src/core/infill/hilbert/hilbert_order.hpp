@@ -16,14 +16,14 @@ struct Cell {
 };
 
 /// Cells of `columns` x `rows` in the order in which a Hilbert curve that starts at (0, 0) visits them. The
-/// curve covers the least square of 2^n cells that holds the lattice; of it, the cells outside the lattice
-/// are left out, so that two cells that follow each other here need not be neighbours.
+/// curve covers the smallest square of 2^n x 2^n cells that contains the lattice. Cells outside the lattice
+/// are left out, so that two successive cells need not be neighbours.
 std::vector<Cell> hilbertOrder(int columns, int rows);
 
-/// Place of a cell along the Hilbert curve over 2^level x 2^level cells.
+/// Index of a cell along the Hilbert curve over 2^level x 2^level cells.
 std::uint64_t hilbertPlace(const Cell& cell, int level);
 
-/// The least level whose curve covers that many columns and rows.
+/// The lowest level whose curve covers that many columns and rows.
 int hilbertLevel(int columns, int rows);
 
 }  // namespace lamina

@@ -6,13 +6,13 @@
 
 namespace lamina {
 
-/// One closed curve per region that follows a Hilbert curve wherever the region allows it: the cells of a
-/// lattice fitted to each region's box, joined by a Hamiltonian tour (`makeTours`). Necks one cell wide, and
-/// single cells at the border, are run there and back, each time with half the bead. A region whose lattice
-/// falls apart gives one run per part.
+/// One closed curve for each region that follows a Hilbert curve wherever the region allows it: a Hamiltonian
+/// tour (`makeTours`) over the cells of a lattice fitted to the region's bounding box. Necks one cell wide,
+/// and single cells at the border, are traversed in both directions, each time with half the bead. If the
+/// lattice of a region is not connected, each connected part is a run.
 ///
-/// With `hilbert.angles` above 1 the curve is turned by that many angles within a right angle, for the fewest
-/// runs and, among those, the most cells.
+/// If `hilbert.angles` is above 1, that many angles within a right angle are tried, for the fewest runs and,
+/// among those, the most cells.
 std::vector<FillPath> hilbertQuadtree(const Regions& regions, const InfillRequest& request);
 
 }  // namespace lamina

@@ -13,26 +13,27 @@ namespace lamina {
 /// A place on one of several outlines.
 struct OutlinePoint {
   std::uint32_t outline = 0;
-  std::uint32_t edge = 0;    ///< starts at the outline's point of that index
-  double distance_mm = 0.0;  ///< from there
+  std::uint32_t edge = 0;    ///< index of the outline's point at which the edge starts
+  double distance_mm = 0.0;  ///< distance from that point
 };
 
-/// An open run and where its ends lie on outlines, if they do.
+/// An open run, with the place of each end on the outlines if it lies on one.
 struct RunOnOutlines {
   Polyline points;
   std::optional<OutlinePoint> first;
   std::optional<OutlinePoint> last;
 };
 
-/// Which of two links that share an end is made.
+/// Which of two links that share an end is chosen.
 enum class LinkChoice {
   ShortestFirst,
-  EveryOther,  ///< along each outline, from the place that joins more; then the shortest of the rest
+  /// Along each outline every other link, beginning such that more are made; then the shortest of the rest.
+  EveryOther,
 };
 
-/// Joins runs by links along the outlines: an end with the next one along its outline, if they belong to
-/// different runs and the way is at most `longest_mm`. No run is closed. Links never pass an end of another
-/// run, so that they meet no other link.
+/// Joins runs by links along outlines: an end is linked to the next end along its outline if they belong to
+/// different runs and are at most `longest_mm` apart along it. Runs are never closed. Links do not pass an
+/// end of another run, so that they do not meet each other.
 std::vector<Polyline> joinAlongOutlines(const std::vector<RunOnOutlines>& runs,
                                         const std::vector<Polygon>& outlines, double longest_mm,
                                         LinkChoice choice = LinkChoice::ShortestFirst);

@@ -12,12 +12,13 @@
 
 namespace lamina {
 
-/// Where the cells of a lattice lie: turned by an angle, with a corner and steps of its own along both axes.
+/// The frame of a lattice of cells: turned by an angle, with an origin at a corner, and a step along each
+/// axis.
 class LatticeFrame {
  public:
-  /// Fits a lattice into the region's box in the turned frame: its outermost rows and columns run just
-  /// inside the box, the steps come as near to the spacing as a whole number of them allows. A side shorter
-  /// than half a spacing has one row in its middle.
+  /// Fits a lattice to the region's bounding box in the turned frame: the outermost rows and columns are just
+  /// inside the box, and steps are as close to the spacing as a whole number of them allows. A side shorter
+  /// than half a spacing has one row, in its middle.
   LatticeFrame(const Region& region, double spacing_mm, double angle_rad);
 
   Point2 intoLattice(const Point2& point) const;
@@ -30,16 +31,18 @@ class LatticeFrame {
 
  private:
   RasterFrame turn_;
-  Point2 corner_ = Point2::Zero();  ///< cell (0, 0), in the turned frame
+  Point2 corner_ = Point2::Zero();  ///< middle of cell (0, 0), in the turned frame
   Point2 step_ = Point2::Ones();
   int columns_ = 0;
   int rows_ = 0;
 };
 
-/// Plan width [mm]: the pitch times the area of a cell over that of one of the requested spacing.
+/// Plan width of a bead [mm]: the pitch, times the area of a cell over that of a cell of the requested
+/// spacing.
 double beadWidth(const LatticeFrame& frame, const InfillRequest& request);
 
-/// The cells of a lattice whose centres lie in a region, and the steps between neighbours that stay in it.
+/// The cells of a lattice whose centres are in a region, and the steps between neighbours that stay in the
+/// region.
 struct Lattice {
   LatticeFrame frame;
   Raster rows;     ///< the region cut along the rows, in lattice coordinates
@@ -47,7 +50,7 @@ struct Lattice {
 
   Lattice(const Region& centre_lines, double spacing_mm, double angle_rad);
 
-  /// Finds the steps from corner to corner, too; until then there are none.
+  /// Finds diagonal steps too; before this call there are none.
   void findDiagonals();
 
   std::size_t indexOf(const Cell& cell) const {
@@ -56,10 +59,10 @@ struct Lattice {
   }
   std::size_t size() const { return bits_.size(); }
   bool isInside(std::size_t cell) const { return (bits_[cell] & kInside) != 0; }
-  /// Whether the step to the next column, or row, stays in the region.
+  /// Whether the step to the next column (or row) stays in the region.
   bool leadsRight(std::size_t cell) const { return (bits_[cell] & kRight) != 0; }
   bool leadsUp(std::size_t cell) const { return (bits_[cell] & kUp) != 0; }
-  /// Whether the step to the next row and the next, or the previous, column stays in the region.
+  /// Whether the step to the next row and the next (or previous) column stays in the region.
   bool leadsUpRight(std::size_t cell) const { return (bits_[cell] & kUpRight) != 0; }
   bool leadsUpLeft(std::size_t cell) const { return (bits_[cell] & kUpLeft) != 0; }
 

@@ -14,16 +14,16 @@ namespace lamina {
 struct LatticeTours {
   static constexpr std::uint32_t kNone = 0xFFFFFFFF;
 
-  /// Of each cell the two neighbours along its tour; kNone twice for a cell that no tour visits.
+  /// For each cell its two neighbours along its tour; kNone twice for a cell in no tour.
   std::vector<std::array<std::uint32_t, 2>> neighbours;
 
   bool visits(std::uint32_t cell) const { return neighbours[cell][0] != kNone; }
 };
 
-/// Few tours over nearly all cells: 2 x 2 cells make a tour each; tours side by side become one where two of
-/// their steps face each other, those first that lie close to each other along the Hilbert curve, so that the
-/// whole follows that curve wherever the region allows it. Pairs of cells left over are taken in by a tour
-/// beside them. What remains are single cells at the border and places one cell wide.
+/// Makes few tours over nearly all cells. First every 2 x 2 cells form a tour. Then tours side by side are
+/// merged where two of their steps face each other, beginning with those closest along the Hilbert curve, so
+/// that the result follows that curve wherever the region allows it. Remaining pairs of cells are added to a
+/// tour beside them. Single cells at the border and places one cell wide remain outside all tours.
 LatticeTours makeTours(const Lattice& lattice);
 
 }  // namespace lamina

@@ -13,13 +13,13 @@ namespace lamina {
 /// A walk from cell to neighbouring cell.
 struct LatticeWalk {
   std::vector<std::uint32_t> cells;
-  std::vector<bool> is_doubled;  ///< of each cell: the step to it is walked twice, there and back
+  std::vector<bool> is_doubled;  ///< for each cell whether the step to it is walked in both directions
   bool is_closed = false;
 };
 
-/// One walk over each connected part of the lattice, diagonals counted if they were found, over all of its
-/// cells. Tours and the cells that no tour visits hang together by steps that are walked there and back.
-/// Parts that are a row of single cells are walked once, from end to end. Parts of a single cell give none.
+/// One walk over all cells of each connected part of the lattice, diagonals included if they were found.
+/// Tours and cells outside tours are connected by steps that are walked in both directions. Parts that are a
+/// row of single cells are walked once, from end to end. A part of a single cell has no walk.
 std::vector<LatticeWalk> walkLattice(const Lattice& lattice, const LatticeTours& tours);
 
 }  // namespace lamina

@@ -9,25 +9,25 @@
 
 namespace lamina {
 
-/// What a layer of branches is given.
+/// A layer as input for the branches in it.
 struct BranchLayer {
-  Regions inside;         ///< where branches may run: within the walls [mm]
-  Regions roof;           ///< the part of it that solid material of the next layer lies on
-  double reach_mm = 0.0;  ///< by which a bead of the next layer may stand out over one of this layer
+  Regions inside;         ///< area within the walls, where branches may be [mm]
+  Regions roof;           ///< part of that area on which solid material of the next layer lies
+  double reach_mm = 0.0;  ///< by which a bead of the next layer may overhang one of this layer
 };
 
-/// How branches stand.
+/// Density and overlap of branches.
 struct BranchSettings {
-  double spacing_mm = 2.0;  ///< no place of a roof is farther than half of it from a branch or a wall
-  double overrun_mm = 0.0;  ///< by which branches run into the walls they grow from
+  double spacing_mm = 2.0;  ///< no point of a roof is farther than half of this from a branch or a wall
+  double overrun_mm = 0.0;  ///< by which branches extend into the walls from which they grow
 };
 
-/// Branches that hold up roofs and nothing else. From the top layer down, tips under each roof are joined to
-/// the nearest wall or branch, places near to those first; in each layer below, branches are shorter at their
-/// tips by the reach, straightened by no more than that, and joined to the wall where that has moved away. So
-/// every bead of a branch lies on one of the layer below, or stands out over it by the reach at most.
+/// Branches that support roofs and nothing else, made from the top layer down. Tips under each roof are
+/// joined to the nearest wall or branch, the nearest ones first. In each layer below, branches are shortened
+/// at their tips by the reach, straightened by at most the reach, and extended to the wall where it has moved
+/// away. So every bead of a branch lies on one of the layer below, or overhangs it by at most the reach.
 /// @param layers  from the bottom
-/// @return as many as layers: the branches of each, from the tip to the wall or to another branch
+/// @return the branches of each layer, each from its tip to the wall or another branch
 std::vector<std::vector<Polyline>> branchesUnderRoofs(const std::vector<BranchLayer>& layers,
                                                       const BranchSettings& settings, Progress& progress);
 

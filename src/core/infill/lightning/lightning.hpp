@@ -6,9 +6,9 @@
 
 namespace lamina {
 
-/// Branches that hold up the skins above, and nothing else: those of `InfillRequest::branches` as far as they
-/// run inside the regions. Without any given, those under a roof over the whole of the regions. A solid fill
-/// is a zigzag.
+/// Branches that support the skins above, and nothing else: those of `InfillRequest::branches`, clipped to
+/// the regions. If the request has none, branches under a roof over all of the regions. A solid fill is a
+/// zigzag.
 std::vector<FillPath> lightning(const Regions& regions, const InfillRequest& request);
 
 }  // namespace lamina

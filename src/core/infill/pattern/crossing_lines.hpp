@@ -6,13 +6,13 @@
 
 namespace lamina {
 
-/// Straight lines in several directions in each layer, at the same density together as the lines of a zigzag.
+/// Straight lines in several directions in each layer, with the same total density as the lines of a zigzag.
 /// Lines that end beside each other are joined along the border. A solid fill is a zigzag.
 ///
 /// `gridFill`: two directions at right angles, each at twice the spacing.
 /// `trianglesFill`: three directions 60 degrees apart, each at three times the spacing, that meet in points.
-/// `cubicFill`: the same, moved from layer to layer so that each line lies in one of three planes at right
-/// angles to each other: cubes that stand on a corner.
+/// `cubicFill`: as `trianglesFill`, but shifted from layer to layer so that each line lies in one of three
+/// families of planes at right angles to each other. The cells are cubes that stand on a corner.
 std::vector<FillPath> gridFill(const Regions& regions, const InfillRequest& request);
 std::vector<FillPath> trianglesFill(const Regions& regions, const InfillRequest& request);
 std::vector<FillPath> cubicFill(const Regions& regions, const InfillRequest& request);

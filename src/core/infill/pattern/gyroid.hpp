@@ -6,12 +6,12 @@
 
 namespace lamina {
 
-/// Size of the gyroid's cubic cell [mm] at which level cuts have on average that length of curves in an area
-/// [1/mm]. Single cuts have 6 % less to 17 % more.
+/// Size of the gyroid's cubic cell [mm] for which level sections have, on average over heights, a given
+/// length of curves per area [1/mm]. Single sections have 6 % less to 17 % more.
 double gyroidCell(double length_per_area);
 
-/// Level cuts through one gyroid that stands in the part, `InfillRequest::part_from_plan`, whatever the plane
-/// of the layer; at the length of curves in an area, on the mean of heights, that a zigzag's lines have.
+/// Sections of a gyroid that is fixed in the part (`InfillRequest::part_from_plan`), whatever the planes of
+/// the layers. On average over heights it has the same length of curves per area as the lines of a zigzag.
 /// Curves are exact within 0.01 mm. A solid fill is a zigzag.
 std::vector<FillPath> gyroid(const Regions& regions, const InfillRequest& request);
 

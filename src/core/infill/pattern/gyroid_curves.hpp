@@ -7,11 +7,11 @@
 
 namespace lamina {
 
-/// The curves of a section across a box: marching squares over a grid that goes a little beyond it, in time
-/// linear in its area, then motions divided until they leave the surface by no more than the chord error.
-/// Curves do not meet. Where the plane nearly touches the surface and two curves come together, they may turn
-/// the other way, within a tenth of a step.
-/// @param step_mm  of the grid; a sixteenth of the cell is fine enough
+/// The curves of a section in a box, by marching squares over a grid slightly larger than the box, in time
+/// linear in its area; then motions are divided until they are within the chord error of the surface. Curves
+/// do not cross. Where the plane nearly touches the surface, so that two curves approach each other within a
+/// tenth of a step, they may be connected the other way.
+/// @param step_mm  step of the grid; a sixteenth of the cell is fine enough
 PatternCurves gyroidCurves(const GyroidSection& section, const Box2& box, double step_mm,
                            double chord_error_mm);
 

@@ -4,19 +4,19 @@
 
 namespace lamina {
 
-/// The level cut through sin x cos y + sin y cos z + sin z cos x = 0 as graphs of two branches, each repeated
-/// every 2 pi. Solved for one coordinate, the equation reads a cos v + b sin v + c = 0, and v = atan2(b, a)
-/// +- acos(-c / sqrt(a² + b²)). For v = y this holds at every x where |sin z| <= |cos z|; at other heights
-/// for v = x at every y.
+/// A level section of sin x cos y + sin y cos z + sin z cos x = 0 as the graphs of two functions (branches),
+/// each repeated every 2 pi. Solved for one coordinate v, the equation is a cos v + b sin v + c = 0, so that
+/// v = atan2(b, a) +- acos(-c / sqrt(a² + b²)). With v = y this has a solution at every x if |sin z| <= |cos
+/// z|; at other heights v = x has one at every y.
 class GyroidGraphs {
  public:
-  /// @param z  in phases: 2 pi over a cell
+  /// @param z  height as a phase: 2 pi for each cell
   explicit GyroidGraphs(double z);
 
   /// Whether the graphs are y over x; otherwise they are x over y.
   bool isOverX() const;
 
-  /// Continuous, and the same after 2 pi.
+  /// Value of a branch at t; continuous, with period 2 pi.
   /// @param branch  -1 or 1
   double at(double t, int branch) const;
 

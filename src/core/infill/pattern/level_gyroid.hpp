@@ -7,9 +7,9 @@
 
 namespace lamina {
 
-/// The curves of a level section across a box: one period of each of two graphs, followed by chords, repeated
-/// as often as it takes.
-/// @param section  a level one
+/// The curves of a level section in a box: one period of each of the two graphs, approximated by chords and
+/// repeated as often as the box needs.
+/// @param section  must be level
 PatternCurves levelGyroidCurves(const GyroidSection& section, const Box2& box, double chord_error_mm);
 
 }  // namespace lamina

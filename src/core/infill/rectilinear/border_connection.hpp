@@ -10,20 +10,21 @@ namespace lamina {
 
 /// How runs are connected along a border.
 struct BorderConnection {
-  double width_mm = 0.1;    ///< plan width of the bead deposited on the way
-  double reach_mm = 0.8;    ///< how far from the border the ends of runs may be
-  double longest_mm = 0.0;  ///< way along the border
-  double most_mm2 = 0.0;    ///< plan area of all connections together, from end to end of the runs
+  double width_mm = 0.1;    ///< plan width of the bead of a connection
+  double reach_mm = 0.8;    ///< greatest distance of the ends of runs from the border
+  double longest_mm = 0.0;  ///< greatest length of a connection along the border
+  /// Greatest plan area of a connection in all, from the end of one run to the start of the other.
+  double most_mm2 = 0.0;
 };
 
-/// Joins runs where the ends of two lie near the same outline and the way along that outline is short enough:
-/// the shorter way round, as a bead of its own width. A thin bead along the border costs hardly any material
-/// and saves a stop and a start of the process. From the end of each run the nearest end of those still to be
-/// deposited is taken, turned round if need be; where there is none, the next run in the given order begins
-/// anew.
+/// Joins runs if the end of one and the start of another are near the same outline and close along it, by a
+/// bead of a width of its own along the shorter way around the outline. A thin bead along the border needs
+/// hardly any material and saves a stop and a start of the process. From the end of a run, the nearest end of
+/// the runs still to be deposited is chosen, and that run is reversed if need be. If there is none within
+/// reach, the next run in the given order follows without connection.
 ///
-/// @param runs    in the order they are deposited; closed runs, and those without widths, stay by themselves
-/// @param border  along whose outlines the connections run
+/// @param runs    in the order of deposition; closed runs, and those without widths, are not connected
+/// @param border  regions along whose outlines connections run
 std::vector<FillPath> connectAlongBorder(std::vector<FillPath> runs, const Regions& border,
                                          const BorderConnection& connection);
 

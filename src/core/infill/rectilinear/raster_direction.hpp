@@ -6,19 +6,22 @@
 
 namespace lamina {
 
-/// The number of passes of a raster times its spacing, on the average over where its lines lie: half the way
-/// that the outlines go across the lines. For a convex region its width across them [mm].
+/// The number of passes of a raster times its spacing [mm], averaged over positions of the lines: half the
+/// total length of the outlines as projected across the lines. For a convex region this is its width across
+/// the lines.
 double extentAcross(const Regions& regions, double angle_rad);
 
-/// The direction in which `extentAcross` is least, within [0, pi), and with it the number of passes and of
-/// turns. Between the directions of two edges it has no minimum, so that one of the edges has the direction
-/// (for a convex region as by rotating calipers). `angle_rad` itself if no other is better. n log n time.
+/// The direction in [0, pi) for which `extentAcross` is least, and so the number of passes and turns. Between
+/// the directions of two edges it has no minimum, so that the result is the direction of an edge (for a
+/// convex region as by rotating calipers), or `angle_rad` itself if none is better. Takes time of order n log
+/// n.
 double angleOfFewestTurns(const Regions& regions, double angle_rad);
 
-/// The fill in the direction that `raster.direction` asks for. Fewest turns: as above. Least travel: of the
-/// direction of fewest turns, 12 that are evenly spread from the one given, and then steps from the best one
-/// that halve four times, that with the shortest way from `request.start` to the runs and between them, in
-/// whole spacings; of several the one of fewer turns.
+/// The fill in the direction that `raster.direction` asks for. Fewest turns: `angleOfFewestTurns`. Least
+/// travel: the direction, of several that are tried, with the shortest way from `request.start` to the runs
+/// and between them, in whole spacings; of equal ones the one with fewer turns. Tried are the direction of
+/// fewest turns, 12 evenly spaced from the given one, and then steps from the best one that are halved four
+/// times.
 std::vector<FillPath> inBestDirection(const Regions& regions, const InfillRequest& request,
                                       const FillFunction& fill);
 

@@ -13,7 +13,7 @@ constexpr std::uint32_t kNoCrossing = 0xFFFFFFFF;
 
 enum class Vertical { Up, Down };
 
-/// The outlines of a raster, walked from crossing to crossing. The raster must outlive it.
+/// The outlines of a raster, to be followed from crossing to crossing. The raster must outlive the object.
 class RasterWalk {
  public:
   explicit RasterWalk(const Raster& raster);
@@ -22,25 +22,25 @@ class RasterWalk {
   Point2 pointAt(std::uint32_t crossing) const;
   std::int64_t lineOf(std::uint32_t crossing) const { return raster_.crossings[crossing].line; }
 
-  /// The other end of the line inside that ends at this crossing.
+  /// The other end of the segment inside that has an end at this crossing.
   std::uint32_t otherEnd(std::uint32_t crossing) const { return raster_.sorted[position_[crossing] ^ 1U]; }
-  /// Whether a line inside begins here, to the right.
+  /// Whether this crossing is the left end of a segment inside.
   bool isLeftEnd(std::uint32_t crossing) const { return position_[crossing] % 2 == 0; }
-  /// Number of the line inside that ends here, from below and from the left.
+  /// Number of the segment inside that has an end at this crossing, counted from below and from the left.
   std::size_t insideLine(std::uint32_t crossing) const { return position_[crossing] / 2; }
   std::size_t insideLines() const { return raster_.sorted.size() / 2; }
   std::uint32_t leftEnd(std::size_t inside_line) const { return raster_.sorted[2 * inside_line]; }
   std::uint32_t rightEnd(std::size_t inside_line) const { return raster_.sorted[2 * inside_line + 1]; }
 
-  /// The next crossing of the outline that leads up, or down, from this one: on the neighbouring line, or on
-  /// the same where the outline turns back.
+  /// The next crossing along the outline that leads up (or down) from this one: on the neighbouring line, or
+  /// on the same line if the outline turns back.
   std::uint32_t next(std::uint32_t crossing, Vertical direction) const;
-  /// The outline from this crossing to the next one up, or down, both ends included.
+  /// The part of the outline from this crossing to the next one up (or down), both included.
   Polyline chain(std::uint32_t crossing, Vertical direction) const;
 
-  /// The line inside on raster line `line` that holds x, if any.
+  /// Number of the segment inside on raster line `line` that contains x; nothing if there is none.
   std::optional<std::size_t> insideLineAt(std::int64_t line, double x) const;
-  /// Whether raster line `line` is inside from one x to the other.
+  /// Whether raster line `line` is inside all the way from one x to the other.
   bool isInside(std::int64_t line, double from_x, double to_x) const;
 
  private:
@@ -50,8 +50,8 @@ class RasterWalk {
   void appendBetween(std::uint32_t from, std::uint32_t to, Polyline& points) const;
 
   const Raster& raster_;
-  std::vector<std::uint32_t> position_;       ///< of a crossing among the sorted ones
-  std::vector<std::uint32_t> outline_begin_;  ///< first crossing of each outline, and an end
+  std::vector<std::uint32_t> position_;       ///< position of each crossing in the sorted list
+  std::vector<std::uint32_t> outline_begin_;  ///< first crossing of each outline, and the end of the last one
 };
 
 }  // namespace lamina

@@ -11,15 +11,15 @@
 
 namespace lamina {
 
-/// What matters of a section of a raster for the travel between sections: lines deposited to and fro, one
-/// after the other, without a jump.
+/// The ends of a section of a raster, which decide the travel between sections. A section is deposited line
+/// by line, to and fro, without a jump.
 struct BoustrophedonCell {
   std::array<Point2, 2> first;  ///< left and right end of its first line
-  std::array<Point2, 2> last;   ///< the same of its last line
+  std::array<Point2, 2> last;   ///< left and right end of its last line
   std::size_t lines = 1;
 };
 
-/// Where a section is entered. The lines between fix where it is left.
+/// The end at which a section is entered; the number of its lines then fixes the end at which it is left.
 enum class SectionEntry { FirstLeft = 0, FirstRight = 1, LastLeft = 2, LastRight = 3 };
 
 struct SectionVisit {
@@ -32,27 +32,27 @@ using SectionTour = std::vector<SectionVisit>;
 
 Point2 entryPoint(const BoustrophedonCell& section, SectionEntry entry);
 
-/// The entry that is left at: entering there runs the section backwards.
+/// The end at which a section is left after entering at `entry`. Entering there traverses it in reverse.
 SectionEntry exitOf(const BoustrophedonCell& section, SectionEntry entry);
 
-/// Length of the jumps between sections [mm]; the way to the first one does not count.
+/// Length of the jumps between sections [mm], without the way to the first one.
 double travelLength(const std::vector<BoustrophedonCell>& sections, const SectionTour& tour);
 
 /// The sections as given, each entered at the left end of its first line.
 SectionTour tourAsGiven(const std::vector<BoustrophedonCell>& sections);
 
-/// Greedy by midpoints [Flores2018, figures 52 and 53]: starts with the first section given; from the
-/// midpoint of the line just deposited it goes on to the section whose first or last line has the nearest
-/// midpoint, run backwards if that is its last. Quadratic time.
+/// Greedy tour by midpoints [Flores2018, figures 52 and 53]. It starts with the first section given. From the
+/// midpoint of the line just deposited it continues with the section whose first or last line has the nearest
+/// midpoint; the section is reversed if that is its last line. Takes quadratic time.
 SectionTour tourByMidpoints(const std::vector<BoustrophedonCell>& sections);
 
-/// Greedy by ends: goes on at whichever end of a first or last line is nearest, from `start` on. Quadratic
-/// time.
+/// Greedy tour by ends: from `start` on, it always continues at the nearest end of a first or last line.
+/// Takes quadratic time.
 SectionTour tourByEnds(const std::vector<BoustrophedonCell>& sections, const Point2& start);
 
-/// `tourByEnds`, improved as long as a move shortens the way that begins at `start`: turning a stretch round
-/// (2-opt), moving a section (or-opt), both within a window of 64 places, and entering elsewhere. Never
-/// longer than it, the way to the first section included.
+/// `tourByEnds`, improved as long as a move shortens the way from `start`: reversing a stretch (2-opt) or
+/// moving a section (or-opt), both within a window of 64 places, or entering a section at another end. Never
+/// longer than `tourByEnds`, the way to the first section included.
 SectionTour improvedTour(const std::vector<BoustrophedonCell>& sections, const Point2& start);
 
 /// The shortest tour from `start`, by dynamic programming over subsets.
@@ -61,8 +61,7 @@ SectionTour shortestTour(const std::vector<BoustrophedonCell>& sections, const P
 
 SectionTour tourOf(const std::vector<BoustrophedonCell>& sections, const Point2& start, SectionOrder order);
 
-/// Travel of the orders, to report how far each is from the others [mm], the way to the first section not
-/// included.
+/// Travel of each of the orders, for comparison in reports [mm], without the way to the first section.
 struct SectionTravels {
   double as_given = 0.0;
   double midpoints = 0.0;

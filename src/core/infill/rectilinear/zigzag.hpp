@@ -6,11 +6,10 @@
 
 namespace lamina {
 
-/// Parallel lines at the requested angle and spacing, joined along the outline into runs that go to and fro.
-/// One line passes through the origin, so that the lines of two layers with the same angle lie above each
-/// other. Neighbouring lines are joined where the outline leads from one to the other within
-/// `longestLink`.
-/// Parts of a region that lie between two lines get none.
+/// Parallel lines at the requested angle and spacing, joined along the outline into runs to and fro. One line
+/// passes through the origin, so that lines of layers with the same angle lie above each other. Neighbouring
+/// lines are joined if the outline leads from one to the other within `longestLink`. Parts of a region that
+/// lie between two lines get none.
 std::vector<FillPath> rasterRuns(const Regions& centre_lines, const InfillRequest& request);
 
 /// `variableWidthRuns` if the fill is solid, otherwise `rasterRuns` where centre lines may run.

@@ -9,9 +9,10 @@
 
 namespace lamina {
 
-/// Closed runs along both sides of an axis, halfway to the border and half the thickness wide: round the
-/// outside of each connected axis, and inside of each hole that it closes round. Round a tip the run turns by
-/// a half circle, or as far into the corners beside it as its bead finds room in the region.
+/// Closed runs along both sides of an axis, halfway to the border and half the local thickness wide: around
+/// the outside of each connected axis, and along the inside of each hole that it encloses. At a tip the run
+/// turns in a half circle, or extends into the corners beside the tip as far as its bead has room in the
+/// region.
 std::vector<FillPath> axisLoops(const MedialAxis& axis, const Region& region);
 
 }  // namespace lamina

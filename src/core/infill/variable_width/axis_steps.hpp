@@ -8,11 +8,11 @@
 
 namespace lamina {
 
-/// The point a part `t` of the way from one point of an axis to the other, its radius likewise.
+/// The point at share `t` of the way between two points of an axis, with its radius interpolated too.
 AxisPoint between(const AxisPoint& from, const AxisPoint& to, double t);
 
-/// The axis with more points, so that the radius changes by `step_mm` at most from one to the next.
-/// @param points  one at least
+/// The axis with additional points, so that the radius changes by at most `step_mm` from one to the next.
+/// @param points  not empty
 std::vector<AxisPoint> inRadiusSteps(const std::vector<AxisPoint>& points, double step_mm);
 
 }  // namespace lamina

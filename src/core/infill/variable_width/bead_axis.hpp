@@ -7,11 +7,12 @@
 
 namespace lamina {
 
-/// The medial axis of a region as far as beads follow it: without what the round end of a bead covers anyway,
-/// and without what is thinner than the least width.
+/// The medial axis of a region without the parts that beads do not follow: those covered by the round end of
+/// a bead anyway, and those where the region is thinner than the least width.
 MedialAxis beadAxis(const Region& region, const MedialBeadSettings& settings);
 
-/// @throws InvalidInput if the pitch is not positive
+/// Refuses a pitch that is not positive.
+/// @throws InvalidInput
 void requirePitch(const MedialBeadSettings& settings);
 
 }  // namespace lamina

@@ -9,8 +9,8 @@
 
 namespace lamina {
 
-/// The beads along one skeleton path of a medial axis: one or more side by side, as thick as the region
-/// there.
+/// The beads along one skeleton path of a medial axis: one or several side by side, which together are as
+/// wide as the region at each point.
 std::vector<FillPath> skeletonBeads(const SkeletonPath& skeleton_path, const MedialBeadSettings& settings);
 
 }  // namespace lamina

@@ -10,20 +10,21 @@ namespace lamina {
 
 /// How a skeleton path ends.
 enum class SkeletonPathEnd {
-  Tip,     ///< where the axis does
-  Branch,  ///< beside a skeleton path that it branches off
+  Tip,     ///< where the axis ends
+  Branch,  ///< beside another skeleton path, from which it branches off
 };
 
-/// Branches of an axis that go straight on into each other.
+/// A sequence of branches of an axis that continue each other straight on.
 struct SkeletonPath {
-  std::vector<AxisPoint> points;  ///< without the first again if closed; one alone if the axis is a point
+  /// Of a closed path without the first point again; a single one if the axis is a point.
+  std::vector<AxisPoint> points;
   bool is_closed = false;
   SkeletonPathEnd start = SkeletonPathEnd::Tip;
   SkeletonPathEnd end = SkeletonPathEnd::Tip;
 };
 
-/// Every branch of the axis in one skeleton path: at each node the branches that turn least are joined in
-/// pairs, and of an odd number one ends there.
+/// Divides all branches of the axis among skeleton paths: at each node, branches that continue each other
+/// most straightly are joined in pairs; if their number is odd, one ends there.
 std::vector<SkeletonPath> skeletonPathsOf(const MedialAxis& axis);
 
 }  // namespace lamina

@@ -11,34 +11,35 @@
 
 namespace lamina {
 
-/// Slices by the mode that suits the part. What the settings already say decides first: a base to deposit on,
-/// an inclined plane, skins to be followed. Otherwise the modes are tried from the simplest on, until one
-/// leaves little enough unsupported (`chosenMode`); those that the request knows to be refused are not. A
-/// head that cannot tilt gets level layers. The mode, the reason, what was tried and what was refused stand
-/// in the summary.
-/// @throws InvalidMesh with all reasons if several modes were tried, and all refuse the part (`Unsliceable`
-/// if one of them shows what stands in the way; Unreachable if the machine cannot run the layers of one); the
-/// error of the mode itself if one was tried; as `PlanFunction`
+/// Slices by the mode that suits the part. Settings decide first: a base to deposit on, an inclined plane, or
+/// skins to be followed. Otherwise modes are tried, the simplest first, until one leaves little enough
+/// unsupported (`chosenMode`). Modes that the request lists as refused are not tried. A head that cannot tilt
+/// gets level layers. The summary states the mode, the reason, and what was tried and refused.
+/// @throws InvalidMesh with all reasons if several modes were tried and all refuse the part: Unsliceable if
+///   one of them has a region to show, Unreachable if the machine cannot run the layers of one
+/// @throws the error of the mode itself if only one was tried; as `PlanFunction`
 PlannedPart planAutomatically(const SourcePart& source, const PlanningRequest& request, SliceSummary& summary,
                               Progress& progress);
 
-/// The machine cannot run the layers that `auto` took. The message names the mode.
+/// Thrown if the machine cannot run the layers of the mode that `auto` chose. The message names the mode.
 class ChoiceRefused final : public Unreachable {
  public:
   /// @param summary  of the layers, with what `auto` tried
   ChoiceRefused(const Unreachable& refusal, const SliceSummary& summary);
 
-  /// What is not to be had, that mode too: a further choice need not try it (`PlanningRequest::refused`).
+  /// Modes that were refused, the chosen one included, so that a further choice need not try them
+  /// (`PlanningRequest::refused`).
   const std::vector<ModeCandidate>& refused() const { return refused_; }
 
  private:
   std::vector<ModeCandidate> refused_;
 };
 
-/// @throws ChoiceRefused if `auto` chose the layers among modes that it tried; `refusal` otherwise
+/// Throws `refusal` again, as ChoiceRefused if `auto` chose the layers among several modes that it tried.
 [[noreturn]] void rethrowForChoice(const Unreachable& refusal, const SliceSummary& summary);
 
-/// The plane across which a head that holds its nozzle inclined prints; level for all others.
+/// The plane across which a head with a nozzle fixed at an inclination prints; the level plane for all other
+/// heads.
 PlaneSettings planeOfHead(const BuildSpace& space);
 
 }  // namespace lamina

@@ -10,8 +10,8 @@
 
 namespace lamina {
 
-/// The pieces of a machine's or robot's head that turn with the nozzle, as rounds about the tool axis that
-/// hold them. None if the nozzle has no body.
+/// The pieces of a machine's or robot's head that turn with the nozzle, as solids of revolution about the
+/// tool axis that enclose them. None if the nozzle has no body.
 /// @throws FileError, InvalidConfig as `kinematicModelOf`
 std::vector<HeadStage> headStages(const MachineSettings& machine);
 

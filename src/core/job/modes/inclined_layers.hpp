@@ -11,16 +11,16 @@
 
 namespace lamina {
 
-/// The bed in the frame of the layers.
+/// The plane of the bed in the frame of the layers.
 BedPlane bedBelow(const PlaneSettings& plane, const Eigen::Isometry3d& bed_from_part);
 
-/// A toolpath that was planned in the frame of its layers, in the part frame: it lies in its inclined planes,
-/// with the nozzle as `slicing.plane.tool_axis` says. Level layers stay as they are.
+/// The toolpath transformed from the frame of its layers to the part frame, where it lies in the inclined
+/// planes, with the nozzle as `slicing.plane.tool_axis` says. Level layers are returned unchanged.
 Toolpath inPartFrame(Toolpath planned, const PlaneSettings& plane);
 
-/// Refuses early what a fixed head cannot lay.
-/// @throws Unreachable if the nozzle would be held at another angle than the head holds it at rest; names the
-/// plane that its angle is for
+/// Refuses inclined layers that a fixed head cannot deposit, before slicing.
+/// @throws Unreachable naming the plane that the head is made for, if its nozzle at rest has another angle
+///   than the layers need
 void requireToolAxis(const PlaneSettings& plane, const BuildSpace& space);
 
 }  // namespace lamina

@@ -12,26 +12,27 @@
 
 namespace lamina {
 
-/// A layer of a part, whether plane or not.
+/// A layer of a part, plane or curved.
 struct StackedSurface {
-  Layer plane;           ///< its section is empty if the layer is not plane
-  LayerSurface surface;  ///< without triangles if it is
+  Layer plane;           ///< with an empty section if the layer is curved
+  LayerSurface surface;  ///< without triangles if the layer is plane
 };
 
 /// Layers in the order they are deposited.
 struct SurfaceStack {
   std::vector<StackedSurface> layers;
-  /// Highest z of what stands on the bed before the first layer [mm, part frame].
+  /// Highest z of solid material on the bed before the first layer, such as a base [mm, part frame].
   double standing_mm = -std::numeric_limits<double>::infinity();
 };
 
-/// Plans plane layers in their plane, others on their charts, from which they are lifted back. Surfaces are
-/// gone when they are flattened. The first and last layers are skins (`skinsOfStack`).
-/// @throws Unsliceable with the region, if a piece of a layer does not lie flat; as `planPart`
+/// Plans plane layers in their plane, and curved layers on flat charts from which the paths are lifted back.
+/// The surface of a layer is freed once it is flattened. The first and the last layers are skins
+/// (`skinsOfStack`).
+/// @throws Unsliceable with the region if a piece of a layer cannot be flattened; as `planPart`
 PlannedPart planStack(SurfaceStack stack, const PlanningRequest& request, Progress& progress);
 
-/// Which layers of a stack are skins: as many of the first and of the last ones as `skins` asks for, by
-/// number or by thickness in layers of that height.
+/// For each layer of a stack whether it is a skin: as many of the first and of the last layers as `skins`
+/// asks for, by number, or by thickness divided by `layer_height_mm`.
 std::vector<bool> skinsOfStack(std::size_t layers, const SkinSettings& skins, double layer_height_mm);
 
 }  // namespace lamina

@@ -12,36 +12,36 @@
 
 namespace lamina {
 
-/// The first that leaves little enough unsupported, and takes at most `longest_time` times as long as the
-/// quickest of those up to it: what comes later changes nothing, so that it need not be tried. If there is
-/// none, of those that take at most `longest_time` times as long as the quickest of all, the one with the
-/// fewest steps of those that leave as little as the best, or alike; of several of these the quickest, then
-/// the first. Refused ones count for nothing.
+/// Index of the mode that `auto` takes; nothing if all candidates are refused. It is the first one that
+/// leaves little enough unsupported and takes at most `longest_time` times as long as the quickest candidate
+/// so far; candidates after it need not be tried. If there is no such candidate, only those count that take
+/// at most `longest_time` times as long as the quickest of all. Among them, those that leave as little as the
+/// best, or alike, are compared by the number of steps, then by time, then by order. Refused candidates never
+/// count.
 /// @param candidates  the simplest first
-/// @return its place; nothing if all are refused
 std::optional<std::size_t> chosenMode(const std::vector<ModeCandidate>& candidates,
                                       const AutomaticSettings& settings);
 
 /// Whether the last candidate is good enough beside those before it, so that no further one has to be tried.
 bool isLastGoodEnough(const std::vector<ModeCandidate>& candidates, const AutomaticSettings& settings);
 
-/// Whether one of them is never chosen, whatever else is tried: it is refused, or another, preferred where
-/// both are alike, leaves no more unsupported in no more steps and no more time.
-/// @param candidates  none of them tried behind one that is good enough
+/// Whether a candidate can never be chosen, whatever else is tried: it is refused, or another candidate is no
+/// worse in unsupported surface, steps and time, and is preferred between equals.
+/// @param candidates  of which none was tried after one that is good enough
 bool isOutdone(const std::vector<ModeCandidate>& candidates, std::size_t which);
 
-/// Why one of them was chosen, with the numbers: a sentence without full stop.
+/// Why the candidate with index `chosen` was chosen, with the numbers: a sentence without full stop.
 std::string reasonFor(const std::vector<ModeCandidate>& candidates, std::size_t chosen,
                       const AutomaticSettings& settings);
 
-/// Whether a mode takes the part, but the machine cannot run its layers.
+/// Whether the part can be sliced by the mode, but the machine cannot run the layers.
 bool isRefusedByMachine(const ModeCandidate& candidate);
 
-/// What each mode would give whose layers the machine cannot run, and why it cannot, to be added to the
-/// reason; empty if there is none.
+/// For each mode whose layers the machine cannot run, what it would give and why it cannot be run, to be
+/// added to the reason; empty if there is none.
 std::string machineRefusals(const std::vector<ModeCandidate>& candidates);
 
-/// What one of them would give, or why it was passed over: a sentence without full stop.
+/// What the candidate with index `which` would give, or why it was passed over: a sentence without full stop.
 std::string noteOn(const std::vector<ModeCandidate>& candidates, std::size_t which,
                    const AutomaticSettings& settings);
 

@@ -14,33 +14,35 @@
 
 namespace lamina {
 
-/// A part planned by one mode, and what that gives.
+/// A part planned by one mode, and the result of measuring it.
 struct ModeTrial {
   ModeCandidate candidate;
   std::optional<PlannedPart> planned;  ///< with its support; nothing if the mode refuses the part
-  std::exception_ptr refused_by;       ///< the error that the refusal is the text of
-  Mesh in_the_way;                     ///< of an `Unsliceable`: its region
+  std::exception_ptr refused_by;       ///< the error whose message the candidate's refusal is
+  Mesh in_the_way;                     ///< region of the error if it is an Unsliceable
 };
 
 /// Whether the machine, and the program for it, may tilt the nozzle.
 Nozzle nozzleFor(const SliceJob& job, const BuildSpace& space);
 
-/// The registered modes that `auto` tries until one is good enough, by their turn, where it is the support
-/// that decides (`AutoTrial`).
+/// Names of the registered modes that `auto` tries one after the other until one is good enough, sorted by
+/// the turn in their `AutoTrial`; for parts whose mode the unsupported surface decides.
 std::vector<std::string> modesInTurn(const SliceJob& job, const BuildSpace& space);
 
-/// Of a part in plane layers as the settings incline them.
+/// Unsupported surface of a part in plane layers, inclined as the settings say.
 UnsupportedSurface unsupportedInPlanes(const Mesh& mesh, const JobSettings& settings);
 
-/// The job by one mode, all modes taking the same overhang.
+/// The job with the mode replaced, and the overhang that all modes are compared at.
 SliceJob jobBy(const std::string& mode, SliceJob job);
 
-/// Slices by a named mode. A refusal gets the part that its region is shown on.
+/// Slices by a named mode. An Unsliceable is thrown on with the mesh of the part, on which its region is
+/// shown.
 /// @throws as `PlanFunction`
 PlannedPart planShown(SourcePart source, const std::string& mode, const PlanningRequest& request,
                       Progress& progress);
 
-/// Plans a part by a mode, and measures what it leaves unsupported. Refusals stand in the trial.
+/// Plans a part by a mode and measures the surface left unsupported. If the mode refuses the part, the trial
+/// holds the error.
 /// @throws Cancelled; as `unsupportedSurface`
 ModeTrial tryMode(const std::string& mode, const SourcePart& source, const PlanningRequest& request,
                   Progress& progress);

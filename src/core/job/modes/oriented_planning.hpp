@@ -7,15 +7,15 @@
 
 namespace lamina {
 
-/// Plans a part by its mode, the best one if that is `Auto`, and holds the nozzle as the settings say. What
-/// there is to report stands in the summary.
+/// Plans a part by its mode, which `auto` chooses first, and then orients the nozzle as the settings say.
+/// Notes go to the summary.
 /// @throws as `planByMode`; InvalidInput if the nozzle would be held too far off the layers' normal
 Toolpath planOriented(SourcePart source, const PlanningRequest& request, SliceSummary& summary,
                       Progress& progress);
 
-/// A program must be one for the machine: every pose is checked. Of poses in a file, or nowhere, only the
-/// tips are, if the layers or the orientation settings tilt the nozzle; the summary notes what head they
-/// need. Five-axis G-code is left to `planJointProgram`.
+/// Checks that the machine reaches every pose of the toolpath. If the job's output is no program for the
+/// machine and the layers or the orientation settings tilt the nozzle, only the tips are checked, and the
+/// summary notes what head the poses need. Five-axis G-code is checked by `planJointProgram` instead.
 /// @throws Unreachable
 void requireWithin(const BuildSpace& space, const SliceJob& job, SlicedPart& sliced);
 

@@ -11,28 +11,29 @@
 
 namespace lamina {
 
-/// What the toolpath itself says of a summary: lengths, counts, empty layers.
+/// Sets the entries of a summary that follow from the toolpath alone: lengths, counts, empty layers.
 void addToolpath(SliceSummary& summary, const Toolpath& toolpath);
 
-/// Plane layers need the tool axis of the build space.
+/// Checks that the build space allows the tool axis that plane layers need.
 /// @throws Unreachable
 void requireToolAxisFor(const SliceJob& job, const BuildSpace& space);
 
-/// Reads what a job prints, and what it is deposited on where its mode asks for that.
+/// Reads the part that a job prints, and the base it is deposited on if the mode asks for one.
 /// @throws InvalidMesh, FileError, Cancelled as `readPart`
 SourcePart readSource(const SliceJob& job, Progress& progress);
 
-/// What is sliced: as large as it must be before it shrinks, and where it stands.
+/// The part as it is sliced: scaled for shrinkage, and placed on the bed.
 struct PartOnBed {
   SourcePart source;
   Eigen::Isometry3d bed_from_part = Eigen::Isometry3d::Identity();
 };
 
+/// Scales and places a part.
 /// @throws Unreachable if the part, with what it is deposited on, is larger than the build space
 PartOnBed partOnBed(SourcePart read, const SliceJob& job, const BuildSpace& space);
 
-/// Everything between mesh and program: places, slices and plans what was read, and checks it against the
-/// build space. Of the times in the summary only that of slicing is set.
+/// Makes the toolpath from a part that was read: places, slices and plans it, and checks it against the build
+/// space. Of the times in the summary only that of slicing is set.
 /// @throws as `runSliceJob`
 SlicedPart sliceSource(SourcePart source, const SliceJob& job, const BuildSpace& space, Progress& progress,
                        const std::vector<ModeCandidate>& refused = {});

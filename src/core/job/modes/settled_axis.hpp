@@ -7,14 +7,16 @@
 
 namespace lamina {
 
-/// Keeps tool axes away from what is nearly upright, where a table or a head has to follow their azimuth the
-/// faster the nearer they are: what leans less than an angle is put exactly upright, where that joint is free
-/// to turn on the way, and what leans up to twice that is drawn in so that nothing jumps.
+/// Keeps tool axes away from nearly upright ones. Near upright, the joint of a table or head that follows the
+/// azimuth of the axis would have to turn very fast. An axis that leans less than `half_rad` is made exactly
+/// upright, where that joint may turn freely. One that leans up to twice as much is turned towards upright,
+/// so that the result changes continuously with the axis.
 /// @param axis      opposite to the tool axis, of unit length [bed frame, z up]
-/// @param half_rad  positive; no axis is turned by more
+/// @param half_rad  positive; also the most by which an axis is turned
 Point3 settledAxis(const Point3& axis, double half_rad);
 
-/// The same of all waypoints of a toolpath; orientations of axes that stay are kept to the bit.
+/// Applies `settledAxis` to all waypoints of a toolpath. Orientations whose axis does not change keep their
+/// exact values.
 void settleAxes(Toolpath& toolpath, double half_rad);
 
 }  // namespace lamina

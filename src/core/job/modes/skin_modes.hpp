@@ -10,18 +10,18 @@
 
 namespace lamina {
 
-/// A mode and why it suits a part, a sentence without full stop.
+/// A mode, and why it suits a part as a sentence without full stop.
 struct ModeChoice {
   std::string mode = "planar";
   std::string reason;
 };
 
-/// Whether the nozzle stays as the head holds it, or may be tilted.
+/// Whether the nozzle keeps its direction in the head at rest, or may be tilted.
 enum class Nozzle { Held, Tilting };
 
-/// The modes whose layers follow the part's skins, the best first; none if little of its surface slopes
-/// gently, between 1 and 45 deg from level, where level layers leave steps. A nozzle that may tilt gets
-/// curved layers, if they do not begin in the air; one that is held gets layers that bend.
+/// The modes whose layers follow the part's skins, the best first. None if little of the surface slopes
+/// between 1 and 45 deg from level, where level layers leave steps. A nozzle that may tilt gets curved
+/// layers, provided that they do not begin in the air; one that keeps its direction gets layers that bend.
 std::vector<ModeChoice> modesForSkins(const Mesh& mesh, const JobSettings& settings, Nozzle nozzle);
 
 }  // namespace lamina

@@ -11,19 +11,20 @@
 
 namespace lamina {
 
-/// Travels of a part over what was deposited before.
+/// Number of a part's travels that were changed to pass over what is deposited, and of those that could not
+/// be.
 struct TravelsOverPart {
   std::size_t travels = 0;
-  std::size_t led_round = 0;  ///< that would have gone through the part, or the bed
-  std::size_t shut = 0;       ///< of those, for which no way was found: they stay as they were
+  std::size_t led_round = 0;  ///< travels that would have passed through the part or the bed
+  std::size_t shut = 0;       ///< those of them for which no way was found; they are left unchanged
 };
 
-/// Leads travels on which the head would be in bed or part another way: out along the tool axis as far as it
-/// takes to turn upright and go up clear of everything, over all of it, and down and in likewise.
-///
-/// @param toolpath   its travels are changed
-/// @param growth_mm  deposited once each of its layers is
-/// @param hop_mm     above what is highest
+/// Replaces travels on which the head would be in the bed or the part: the nozzle goes out along the tool
+/// axis until it can turn upright and rise without collision, passes over everything, and comes down and in
+/// the same way.
+/// @param toolpath   whose travels are changed
+/// @param growth_mm  for each layer, the growth deposited once the layer is
+/// @param hop_mm     height of the passage above the highest material
 /// @throws Cancelled
 TravelsOverPart leadTravels(Toolpath& toolpath, const std::vector<double>& growth_mm, const HeadRoom& room,
                             double hop_mm, Progress& progress);

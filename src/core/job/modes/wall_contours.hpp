@@ -9,10 +9,10 @@
 
 namespace lamina {
 
-/// The contour of each layer as the outer-wall loops of a program show it: what lies inside of an odd
-/// number of them, grown by half a bead. A wall whose ends are within a bead width of each other is a loop. A
-/// layer without any has none.
-/// @throws InvalidInput if no layer has any
+/// The contour of each layer, from the outer-wall loops of a program: the area inside an odd number of loops,
+/// grown by half a bead. An outer wall whose ends are within a bead width of each other counts as a loop. The
+/// contour of a layer without loops is empty.
+/// @throws InvalidInput if no layer has a loop
 std::vector<Regions> wallContours(const Toolpath& program);
 
 }  // namespace lamina

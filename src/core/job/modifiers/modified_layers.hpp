@@ -14,22 +14,22 @@
 
 namespace lamina {
 
-/// Level layers of a part, and where other settings hold in them.
+/// Level layers of a part, and the areas in which other settings hold.
 struct ModifiedLayers {
   std::vector<Layer> layers;
   std::vector<PlanVariant> variants;
   SupportMarks marks;
-  std::vector<std::string> notes;  ///< what of the volumes of the part's file is left out
+  std::vector<std::string> notes;  ///< which of the volumes in the part's file are ignored, and why
 };
 
-/// Whether a region asks for supports, be it by a mark or by settings.
+/// Whether supports are asked for anywhere in the layers, by a mark or by settings.
 bool asksForSupports(const ModifiedLayers& modified);
 
-/// Cuts negative modifiers out of the layers of a part, and lays the others over each other: where several
-/// meet, the settings of all hold, of the same key that of the last; of a blocker and an enforcer of supports
-/// the last holds. Modifiers are cut by the planes of the
-/// layers; one holds in a layer where it holds at its middle. Without `part.modifiers` nothing changes.
-/// @param source  whose layers they are
+/// Cuts negative modifiers out of the layers of a part, and finds the areas of the others. Where several
+/// overlap, the settings of all hold; if two set the same key, or one blocks and one enforces supports, the
+/// last one wins. A modifier is cut by the planes at the middles of the layers. Without `part.modifiers` the
+/// layers are returned unchanged.
+/// @param source  the part that was cut into these layers
 /// @throws InvalidConfig, InvalidMesh, FileError naming the modifier: also if it encloses nothing or is not
 ///   sound; Cancelled
 ModifiedLayers withModifiers(std::vector<Layer> layers, const SourcePart& source, const JobSettings& settings,

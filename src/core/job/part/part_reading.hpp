@@ -11,7 +11,7 @@
 
 namespace lamina {
 
-/// Reads a part and makes it fit to be sliced.
+/// Reads a part and prepares its mesh for slicing, with repairs as the settings allow.
 /// @param part  name of a parametric part, otherwise path of a mesh file
 /// @throws InvalidMesh if the mesh cannot be read or repaired, or is not sound and the policy is strict;
 /// FileError; Cancelled as `readMesh`
@@ -23,8 +23,8 @@ struct SourceObject {
   SourcePart source;
 };
 
-/// The objects that a file distinguishes (`readMeshObjects`), each as `readPart` makes it; of a parametric
-/// part itself.
+/// The objects that a mesh file distinguishes (`readMeshObjects`), each prepared as by `readPart`. A
+/// parametric part is a single object.
 std::vector<SourceObject> readParts(const std::string& part, const InputSettings& settings,
                                     Progress& progress);
 

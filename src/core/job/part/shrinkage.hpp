@@ -9,14 +9,14 @@
 
 namespace lamina {
 
-/// Whether a part is to be made larger than it is drawn, or smaller.
+/// Whether the settings scale a part before it is sliced.
 bool changesSize(const CompensationSettings& settings);
 
-/// The part as large as it must be deposited to have its size once it has shrunk: scaled about the middle of
-/// its underside, in the frame of the layers.
+/// The part scaled so that it has its nominal size after it has shrunk, about the middle of its underside,
+/// along the axes of the layers' frame.
 SourcePart grownForShrinkage(SourcePart source, const JobSettings& settings);
 
-/// What to know of the sizes [mm] as drawn and as deposited.
+/// A sentence on the sizes [mm] as drawn and as deposited.
 std::string sizeNote(const Point3& drawn, const Point3& deposited);
 
 }  // namespace lamina

@@ -11,31 +11,31 @@
 
 namespace lamina {
 
-/// What a part covers of the bed.
+/// Area of the bed that a part covers.
 struct Footprint {
   std::string name;             ///< for messages
-  Polygon hull;                 ///< convex, the middle of its box at the origin
-  std::optional<Point2> at_mm;  ///< where it has to stand
+  Polygon hull;                 ///< convex, with the middle of its bounding box at the origin
+  std::optional<Point2> at_mm;  ///< position the part has to have; nothing if it is free
 };
 
 /// Where a part stands.
 struct PlatePlace {
-  Point2 at_mm = Point2::Zero();  ///< of the middle of the box of the part as it is turned [bed frame]
-  int eighths = 0;                ///< of a turn about z, by which the part is turned besides
+  Point2 at_mm = Point2::Zero();  ///< middle of the bounding box of the turned part [bed frame]
+  int eighths = 0;  ///< rotation about z in eighths of a full turn, besides that of its settings
 };
 
-/// Places of parts on a bed. Those that have to stand somewhere stand there, and the others keep
-/// `plate.spacing_mm` from them and from each other. Without any of the former the middle of all comes over
-/// that of the bed. Deterministic.
+/// Positions of parts on a bed. Parts with a position of their own keep it, and the others keep
+/// `plate.spacing_mm` from them and from each other. If none has one, the middle of all is put over the
+/// middle of the bed. Deterministic.
+/// Rows: bounding boxes from left to right in the order given; each row begins beyond the deepest part of the
+/// row before. Pack: the largest part first, each as far down, then as far to the left as possible, in the
+/// one of eight rotations in which it ends lowest. For this a footprint is replaced by the smallest polygon
+/// around it whose edges have 16 fixed directions, for which the distances along these directions decide
+/// whether two overlap.
 ///
-/// Rows: boxes from left to right in the order given; a row begins where the deepest part of the row before
-/// ends. Pack: the largest first, each as far down, then as far to the left as it goes, in that of eight
-/// turns in which it ends lowest. A footprint is there the smallest polygon around it whose edges have 16
-/// fixed directions, so that the distances of two along these decide whether they overlap.
-///
-/// @param bed  room for the footprints
-/// @return as many as footprints
-/// @throws Unreachable naming the first that finds no room
+/// @param bed  area available to the footprints
+/// @return one for each footprint
+/// @throws Unreachable naming the first that does not fit
 std::vector<PlatePlace> arranged(const std::vector<Footprint>& footprints, const Box2& bed,
                                  const PlateSettings& settings);
 

@@ -10,23 +10,23 @@
 
 namespace lamina {
 
-/// A part where it stands.
+/// A part at its position on the bed.
 struct StandingPart {
   std::string name;
-  const Mesh* mesh = nullptr;  ///< its middle over the origin, bottom at z = 0
+  const Mesh* mesh = nullptr;  ///< its middle over the origin, its bottom at z = 0
   Box3 box;                    ///< of the mesh
-  Point2 at = Point2::Zero();  ///< of the origin [bed frame]
+  Point2 at = Point2::Zero();  ///< position of the mesh's origin [bed frame]
 
   Box3 boxOnBed() const;
 };
 
-/// Refuses parts that are in each other: sections of two parts whose boxes meet are compared every
-/// `step_mm` of height. Parts may touch: 1e-3 mm² are no overlap.
-/// @throws InvalidInput naming both, and where
+/// Refuses parts that intersect: sections of two parts whose boxes overlap are compared every `step_mm` of
+/// height. Parts may touch: an overlap of up to 1e-3 mm² is allowed.
+/// @throws InvalidInput naming both parts and the place
 void requireNoOverlap(const std::vector<StandingPart>& parts, double step_mm, Progress& progress);
 
-/// Refuses parts that are not over the bed, or higher than the build space.
-/// @param space  box of all tips [bed frame]
+/// Refuses parts that are not wholly over the bed, or higher than the build space.
+/// @param space  bounding box of all positions of the tip [bed frame]
 /// @throws Unreachable naming the first
 void requireOnBed(const std::vector<StandingPart>& parts, const Box3& space, const std::string& machine);
 

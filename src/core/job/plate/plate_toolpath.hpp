@@ -13,25 +13,25 @@
 
 namespace lamina {
 
-/// The toolpath of a part, and where on the plate it stands.
+/// The toolpath of a part, and its position on the plate.
 struct PlateToolpath {
   std::string name;
   const Toolpath* toolpath = nullptr;  ///< [frame of the part's layers]
-  Point3 at = Point3::Zero();          ///< of the part's origin [bed, turned as the layers are]
+  Point3 at = Point3::Zero();  ///< position of the part's origin [bed frame, turned as the layers are]
 };
 
-/// The parts layer by layer, in the frame of the bed, turned as their layers are: layers of one height are
-/// one layer, others follow each other by the height of their tops. Within a layer the tool at work comes
-/// first, then the others by their numbers, and with each the nozzle goes on to the nearest part. The travels
-/// that led from layer to layer of a part are made anew. Where another part begins, the path before ends with
-/// its `PartMark`, so that the retraction on the way there is of the part to come.
+/// The toolpaths of all parts, layer by layer [bed frame, turned as the layers are]. Layers of the same
+/// height become one layer; others are sorted by the height of their tops. Within a layer the tool in use
+/// comes first, then the others by number, and with each tool the nozzle continues at the nearest part.
+/// Travels between the layers of a part are made anew. Before another part begins, the last path ends with
+/// the `PartMark` of that part, so that the retraction before the travel to it counts as its own.
 Toolpath mergedByLayer(const std::vector<PlateToolpath>& parts, const TravelSettings& travel);
 
-/// One part after the other, in that order of indices; in between the nozzle rises above all parts.
+/// The parts one after the other, in the order of these indices; in between the nozzle rises above all parts.
 Toolpath partAfterPart(const std::vector<PlateToolpath>& parts, const std::vector<std::size_t>& order,
                        const TravelSettings& travel);
 
-/// Lays loops round all that lies in the first layer of any part, before it.
+/// Adds a skirt before the first layer: loops around the first layers of all parts.
 void addSkirt(Toolpath& plate, const std::vector<PlateToolpath>& parts, const PlanSettings& settings);
 
 /// A part as it is reported to hosts.
@@ -40,8 +40,8 @@ struct LabelledPart {
   Polygon outline;  ///< [bed frame]
 };
 
-/// Adds the commands by which a host or firmware leaves out a part, where the marks are: which parts there
-/// are before all, and the end after all.
+/// Adds the commands by which a host or firmware can leave out a part, at the part marks: a list of the parts
+/// at the start, and the end of the last part at the end.
 void addLabels(Toolpath& plate, const std::vector<LabelledPart>& parts, ObjectLabels labels);
 
 }  // namespace lamina

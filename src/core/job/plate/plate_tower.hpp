@@ -17,13 +17,14 @@ struct TowerNeighbour {
   const JobSettings* settings = nullptr;  ///< its own
 };
 
-/// What the tower takes beside the parts [mm], with its distance from them: as wide as most changes in a
-/// layer may need. 0 without one, and where it has a place of its own.
+/// Width of the area that the prime tower takes beside the parts, with its distance from them [mm]: enough
+/// for as many tool changes as a layer may need. 0 if there is no tower, or if its position is set.
 double roomForTower(const JobSettings& plate, const std::vector<TowerNeighbour>& parts);
 
-/// Adds the prime tower of a plate that is deposited layer by layer, with the purges that `tools.*` asks for;
-/// it is of no part. Ways to another tool and from layer to layer are made anew, without wipes.
-/// @param plate  tool by tool in each layer, with the marks of its parts [bed frame]
+/// Adds the prime tower of a plate that is deposited layer by layer, with the purges that `tools.*` asks for.
+/// The tower belongs to no part. Travels to another tool and from layer to layer are made anew, without
+/// wipes.
+/// @param plate  sorted by tool within each layer, with part marks [bed frame]
 /// @throws as `arrangeTools`
 Toolpath withTower(Toolpath plate, const PlanSettings& settings);
 

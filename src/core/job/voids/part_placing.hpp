@@ -8,17 +8,18 @@
 
 namespace lamina {
 
-/// program_from_part in x and y [mm]: where a program has put its part. Tried are the place that slicing with
-/// the job's settings would choose, the part's own origin, and places where boxes or centroids of layers and
-/// deposit agree (by their middle or by either side, a part may have features that are not printed), these
-/// also rounded to where slicers put the middle of parts. What leaves least uncovered and overfilled is
-/// taken, of equal ones the first.
+/// Position of a part in a program: the shift program_from_part in x and y [mm]. Candidates are the position
+/// that slicing with the job's settings would choose, the part's own origin, and shifts that match bounding
+/// boxes or centroids of layers and deposit. Boxes are matched by their middles and by each side, as a part
+/// may have features that are not printed. Each match is also tried rounded to the positions to which slicers
+/// round the middle of parts. The candidate that leaves the least area uncovered and overfilled is chosen, of
+/// equal ones the first.
 /// @param contours  of the program's layers, in the part's frame
 /// @param box       of the part
 Point2 findPlace(const Toolpath& program, const std::vector<Regions>& contours, const Box3& box,
                  const VoidJob& job);
 
-/// Box of the edges of all beads but skirts; empty if there are none.
+/// Bounding box of the edges of all beads but those of skirts; empty if there are none.
 Box2 depositedBox(const ToolpathLayer& layer);
 
 }  // namespace lamina

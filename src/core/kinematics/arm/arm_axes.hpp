@@ -9,62 +9,66 @@
 
 namespace lamina {
 
-/// Axes of an arm [bed frame].
+/// The six axes of an arm [bed frame].
 using ArmAxes = std::array<Screw, 6>;
 
 ArmAxes axesAtZero(const SerialChain& arm);
 ArmAxes axesAt(const SerialChain& arm, const ArmValues& values);
 
-/// Whether axes have one direction, or opposite ones, within 1e-3 rad: more than the rounding of any
-/// description.
+/// Whether two axes have the same or opposite directions within 1e-3 rad, which is more than the rounding in
+/// any description.
 bool areParallel(const Screw& a, const Screw& b);
 bool areAtRightAngle(const Screw& a, const Screw& b);
 
-/// The point of an axis nearest to another, which is no parallel.
+/// The point of axis `on` that is nearest to axis `to` [mm]; the two must not be parallel.
 Point3 nearest(const Screw& on, const Screw& to);
 
-/// How far apart axes are that are no parallels [mm].
+/// Distance between two axes that are not parallel [mm].
 double gapBetween(const Screw& a, const Screw& b);
 
-/// Sine of a point off axis 1, seen from the height of axis 2, to the front; 1 if axis 2 is a parallel of 1.
+/// Sine of the angle at axis 2 between the direction of axis 1 and the wrist centre, seen along axis 2:
+/// positive if the wrist is in front of axis 1. 1 if axes 1 and 2 are parallel.
 double shoulderSine(const ArmAxes& axes, const Point3& wrist);
 
-/// Sines of an arm of any geometry; 1 where one is not defined:
-/// shoulder if axis 2 is no parallel of axis 1, by the point of axis 5 that is nearest to axis 6;
-/// elbow if axes 2 and 3 are parallel, by axis 4, or where it is nearest to axis 5 if it is no parallel of 3;
-/// wrist as the triple product of axes 4, 5 and 6.
+/// Sines that vanish at the singularities of an arm of any geometry; 1 for one that is not defined. The
+/// shoulder's is defined if axes 1 and 2 are not parallel, and refers to the point of axis 5 nearest to axis
+/// 6. The elbow's is defined if axes 2 and 3 are parallel, and refers to axis 4, or, if axis 4 is parallel to
+/// neither axis 3 nor axis 5, to the point of axis 4 nearest to axis 5. The wrist's is the triple product of
+/// axes 4, 5 and 6.
 ArmSines generalSines(const ArmAxes& axes);
 
-/// The first three joints of an arm whose axis 2 is at a right angle to 1, and 3 a parallel of 2: axis 1
-/// turns a plane in which axes 2 and 3 carry two links.
+/// The first three joints of an arm whose axis 2 is at a right angle to axis 1, and whose axis 3 is parallel
+/// to axis 2. Axis 1 turns a plane in which axes 2 and 3 move two links.
 class ArmPlane {
  public:
-  /// @param end  of the second link, all joints at zero [mm, bed frame]
+  /// @param end  end of the second link with all joints at zero [mm, bed frame]
   ArmPlane(const ArmAxes& axes, const Point3& end);
 
   const Point3& first() const { return axis_; }
   const Point3& normal() const { return normal_; }
 
-  /// Turns of axis 1 with which a point, carried by it, has a place along the plane's normal that another has
-  /// with all joints at zero.
+  /// The two rotations of axis 1 by which `point`, carried by that axis, gets the same coordinate along the
+  /// plane's normal as `at_zero` has with all joints at zero.
   TwoTurns firstTurns(const Point3& point, const Point3& at_zero) const;
 
-  /// A point turned back by axis 1.
+  /// A point rotated by the inverse of a rotation of axis 1.
   Point3 turnedBack(const Point3& point, const Turn& first) const;
 
-  /// The two ways to bring the end to a point of the plane. Out of reach, both are the one that comes
-  /// nearest.
+  /// The two postures (elbow on either side) that bring the end of the second link to a point of the plane.
+  /// If the point is out of reach, both are the posture that comes nearest to it.
   struct Way {
     Turn second;  ///< of axis 2 about the normal
     Turn third;   ///< of axis 3 about the normal, over axis 2
   };
   struct Ways {
     std::array<Way, 2> ways;
-    double excess = 0.0;  ///< of the cosine between the links over 1
+    /// Excess over 1 of the absolute cosine that the angle between the links would need; positive if out of
+    /// reach.
+    double excess = 0.0;
   };
   Ways waysTo(const Point3& point) const;
 
-  /// Value of axis 2 or 3, counted about its own direction.
+  /// Value of joint 2 or 3 in a posture [rad], counted about the joint's own direction.
   double secondValue(const Way& way) const { return angleOf(way.second); }
   double thirdValue(const Way& way) const { return sense_ * angleOf(way.third); }
 

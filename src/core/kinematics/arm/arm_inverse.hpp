@@ -11,50 +11,54 @@
 
 namespace lamina {
 
-/// Of one pose: what arms of six joints have at most.
+/// Greatest number of solutions that an arm of six joints has for one pose.
 inline constexpr std::size_t kMostArmSolutions = 16;
 
-/// Signs of a configuration as bits: 4 wrist behind axis 1, 2 wrist behind the upper arm, 1 axis 5 negative,
-/// counted from where axes 4 and 6 are in line. It is the controllers' cfx. Where a pose has several
-/// solutions of the same signs, those after the first have 8, 16, ... more, by joint 6.
+/// One solution of the inverse kinematics. `branch` holds the signs of its configuration as bits: 4 if the
+/// wrist is behind axis 1, 2 if the wrist is behind the upper arm, 1 if axis 5 is negative, counted from
+/// where axes 4 and 6 are in line. This number is the cfx of the controllers. If a pose has several solutions
+/// with the same signs, 8, 16, ... are added to those after the first, in the order of joint 6.
 struct ArmSolution {
   int branch = 0;
   ArmValues values;  ///< in (-pi, pi]
 };
 using ArmSolutions = boost::container::static_vector<ArmSolution, kMostArmSolutions>;
 
-/// What vanishes at an arm's singularities, signed.
+/// Signed sines that vanish at an arm's singularities.
 struct ArmSines {
-  double shoulder = 1.0;  ///< of the wrist off axis 1, seen from the height of axis 2; to the front
-  double elbow = 1.0;     ///< of the forearm from the upper arm; to the front
-  double wrist = 1.0;     ///< of axis 6 from axis 4, about axis 5
+  /// Sine of the wrist's angle from axis 1, as in `shoulderSine`; positive to the front.
+  double shoulder = 1.0;
+  double elbow = 1.0;  ///< sine of the angle from the upper arm to the forearm; positive to the front
+  double wrist = 1.0;  ///< sine of the angle from axis 4 to axis 6, about axis 5
 };
 
 int branchOf(const ArmSines& sines);
 
-/// Inverse kinematics of an arm of six rotary joints. Values that never change.
+/// Inverse kinematics of an arm of six rotary joints. Objects are immutable.
 class ArmInverse {
  public:
   virtual ~ArmInverse() = default;
-  /// One per branch, by branch.
+  /// All solutions for a pose, one for each branch, in the order of branches.
   virtual ArmSolutions solutions(const Eigen::Isometry3d& bed_from_nozzle, const ArmValues& near) const = 0;
   virtual ArmSines sines(const ArmValues& values) const = 0;
   /// As `KinematicModel::singularityMargin`.
   virtual double singularityMargin(const ArmValues& values) const = 0;
 };
 
-/// In closed form, if the wrist is spherical (`sphericalWristArm`); nothing if not.
+/// Inverse kinematics in closed form of an arm with a spherical wrist (`sphericalWristArm`); null of any
+/// other.
 std::unique_ptr<const ArmInverse> closedFormInverse(const SerialChain& arm);
 
-/// In closed form, if axes 2, 3 and 4 are parallel and at a right angle to 1, and axes 5 and 6 meet within
-/// 0.5 mm; nothing if not.
+/// Inverse kinematics in closed form of an arm whose axes 2, 3 and 4 are parallel and at a right angle to
+/// axis 1, and whose axes 5 and 6 meet within 0.5 mm; null of any other.
 std::unique_ptr<const ArmInverse> parallelAxesInverse(const SerialChain& arm);
 
-/// By a search along joint 6, if axes 4 and 5 meet within 0.5 mm, axis 2 is at a right angle to 1 and 3
-/// parallel to 2; nothing if not.
+/// Inverse kinematics, by a search along joint 6, of an arm whose axes 4 and 5 meet within 0.5 mm, with axis
+/// 2 at a right angle to axis 1, and axis 3 parallel to axis 2; null of any other.
 std::unique_ptr<const ArmInverse> offsetWristInverse(const SerialChain& arm);
 
-/// By iteration from several starts, for any geometry: it takes milliseconds and may miss a branch.
+/// Inverse kinematics of an arm of any geometry, by iteration from several starts. A call takes milliseconds
+/// and may miss a branch.
 std::unique_ptr<const ArmInverse> iteratedInverse(const SerialChain& arm);
 
 }  // namespace lamina

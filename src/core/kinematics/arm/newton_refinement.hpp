@@ -8,15 +8,15 @@
 
 namespace lamina {
 
-/// Joint values that bring the nozzle to the pose within 1e-7 mm and 1e-10 rad, by Newton's method from
-/// values near them, in (-pi, pi]. None if it does not get there.
+/// Joint values in (-pi, pi] that bring the nozzle to a pose within 1e-7 mm and 1e-10 rad, by Newton's method
+/// from the given values. Nothing if it does not converge.
 std::optional<ArmValues> refined(const SerialChain& arm, const Eigen::Isometry3d& bed_from_nozzle,
                                  ArmValues values);
 
-/// Those solutions that get there, refined.
+/// The solutions refined by Newton's method, without those for which it does not converge.
 ArmSolutions refined(const SerialChain& arm, const Eigen::Isometry3d& bed_from_nozzle, ArmSolutions found);
 
-/// With values in (-pi, pi].
+/// The solutions with joint values wrapped into (-pi, pi].
 ArmSolutions wrappedValues(ArmSolutions found);
 
 }  // namespace lamina

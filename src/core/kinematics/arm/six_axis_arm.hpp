@@ -38,9 +38,11 @@ class SixAxisArm : public KinematicModel {
   std::unique_ptr<const ArmInverse> inverse_;
 };
 
-/// @throws InvalidConfig if the kinematic model is none; names it
+/// The kinematic model as a six-axis arm.
+/// @throws InvalidConfig naming the model if it is no such arm
 const SixAxisArm& requireSixAxisArm(const KinematicModel& model);
 
+/// Makes the kinematic model of a six-axis arm from its URDF.
 /// @throws InvalidConfig as `serialChain` and `armChain`
 std::unique_ptr<KinematicModel> sixAxisArm(const urdf::ModelInterface& model, const std::string& text);
 

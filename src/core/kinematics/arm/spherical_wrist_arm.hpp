@@ -11,37 +11,41 @@
 
 namespace lamina {
 
-/// An arm of six rotary axes: 2 at a right angle to 1, 3 parallel to 2, and 4, 5 and 6 through one point, the
-/// wrist, each at a right angle to the one before. Nearly all industrial arms are of this kind.
+/// Geometry of an arm with six rotary axes and a spherical wrist: axis 2 is at a right angle to axis 1, axis
+/// 3 is parallel to axis 2, and axes 4, 5 and 6 pass through one point, the wrist, each at a right angle to
+/// the one before. Nearly all industrial arms are of this kind.
 ///
-/// Its plane holds the directions of axis 1 (z) and x, at a right angle to axis 2; x is to the front: where
-/// axis 2 is over the base, or the wrist with all joints at zero if axes 1 and 2 cross. Angles in the plane
-/// count from z to x.
+/// The plane of the arm contains the direction of axis 1 (z) and the direction x, at a right angle to axis 2.
+/// x points to the front: to where axis 2 is, or, if axes 1 and 2 intersect, to where the wrist is with all
+/// joints at zero. Angles in the plane are counted from z to x.
 struct SphericalWristArm {
   Eigen::Isometry3d base_from_bed = Eigen::Isometry3d::Identity();      ///< origin: axis 1, at axis 2 [mm]
   Eigen::Isometry3d nozzle_from_wrist = Eigen::Isometry3d::Identity();  ///< z of the wrist is axis 6 [mm]
   double shoulder_mm = 0.0;                                             ///< x of axis 2
-  double side_mm = 0.0;   ///< of the wrist to the plane through axis 1, along y
-  double upper_mm = 0.0;  ///< axis 2 to axis 3
-  double fore_mm = 0.0;   ///< axis 3 to the wrist
-  /// Axes 4 (z) and 5 (y), seen from the forearm: z from axis 3 to the wrist, y of the base.
+  double side_mm = 0.0;   ///< distance of the wrist from the plane through axis 1, along y
+  double upper_mm = 0.0;  ///< distance from axis 2 to axis 3
+  double fore_mm = 0.0;   ///< distance from axis 3 to the wrist
+  /// Rotation of axes 4 (z) and 5 (y) against the forearm, whose z points from axis 3 to the wrist, and whose
+  /// y is that of the base.
   Eigen::Matrix3d fore_from_wrist4 = Eigen::Matrix3d::Identity();
-  /// Of axis 1, of the upper arm from z, of the forearm from the upper arm, of axes 4, 5 and 6 from where 4
-  /// and 6 are in line and as at zero: the angle is zero + sense * value of the joint.
+  /// Angles of the joints at value 0; the angle of a joint is zero + sense * value. They are counted: for
+  /// axis 1 from the base, for the upper arm from z, for the forearm from the upper arm, for axes 4, 5 and 6
+  /// from the position in which axes 4 and 6 are in line.
   ArmValues zero = ArmValues::Zero();
   ArmValues sense = ArmValues::Ones();
-  /// How far the joints of the URDF are from this: tilt of axes [rad] and distance [mm], the greatest of all.
+  /// Greatest deviation of the URDF's axes from this geometry, of tilts [rad] and of distances [mm].
   double deviation = 0.0;
 };
 
-/// The arm with these axes, all joints at zero. None if an axis stands off by more than 1e-3 rad or 0.1 mm.
+/// The geometry of an arm with these axes at all joints zero. Nothing if an axis deviates by more than 1e-3
+/// rad or 0.1 mm.
 std::optional<SphericalWristArm> sphericalWristArm(const std::array<Screw, 6>& axes,
                                                    const Eigen::Isometry3d& bed_from_nozzle_at_zero);
 
-/// All joint values that bring the nozzle to a pose; none if it is out of reach. At a singularity branches
-/// that meet there have the same values. Takes no memory from the heap.
-/// @param near  where axis 1 goes through the wrist its value is kept, where axes 4 and 6 are in line that of
-/// axis 4
+/// All joint values that bring the nozzle to a pose; none if the pose is out of reach. At a singularity,
+/// branches that meet there have equal values. Does not allocate memory.
+/// @param near  values from which joint 1 is kept if axis 1 passes through the wrist, and joint 4 if axes 4
+///   and 6 are in line
 ArmSolutions solutions(const SphericalWristArm& arm, const Eigen::Isometry3d& bed_from_nozzle,
                        const ArmValues& near);
 

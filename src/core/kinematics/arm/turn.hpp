@@ -32,8 +32,8 @@ inline Eigen::Matrix3d matrixOf(const Point3& axis, const Turn& turn) {
   return matrix;
 }
 
-/// The turns with a cos + b sin = d, the one that is ahead of (a, b) first. Where there are none, both are
-/// the one that comes nearest.
+/// The two rotations by an angle t with a cos t + b sin t = d; first the one counter-clockwise of the
+/// direction (a, b). If there is no solution, both are the rotation that comes nearest.
 struct TwoTurns {
   std::array<Turn, 2> turns;
   double excess =
@@ -49,8 +49,8 @@ inline TwoTurns turnsWith(double a, double b, double d) {
   return {{sum(middle, {cosine, sine}), sum(middle, {cosine, -sine})}, std::abs(d) / most - 1.0};
 }
 
-/// The turn about an axis that brings one direction to another, both seen along the axis; not normalised:
-/// zero where one of them lies along it.
+/// The rotation about an axis that brings one direction to another, both seen along the axis. It is not
+/// normalised, and zero if one of the directions is along the axis.
 inline Turn turnBetween(const Point3& from, const Point3& to, const Point3& axis) {
   const double along = axis.dot(from) * axis.dot(to);
   return {from.dot(to) - along, axis.dot(from.cross(to))};

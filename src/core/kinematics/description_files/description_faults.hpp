@@ -11,8 +11,8 @@
 
 namespace lamina {
 
-/// What keeps a description from being read, all of it, in the order of the file: "joint 'x' (line 12) has
-/// ...". None if it can be.
+/// All faults by which a description cannot be read, in the order of the file: "joint 'x' (line 12) has ...".
+/// Empty if it can be read.
 std::vector<std::string> descriptionFaults(const TiXmlElement& robot, const PackagePath& packages);
 
 /// Value of an attribute; empty if there is none.

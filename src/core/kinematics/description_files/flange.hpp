@@ -8,13 +8,14 @@
 
 namespace lamina {
 
-/// The link at the end of an arm: the one named, else tool0, flange, or the tip of the longest chain.
+/// Name of the link at the end of an arm: the given one, else tool0, else flange, else the tip of the longest
+/// chain.
 /// @param named  empty for none
 /// @throws InvalidConfig if there is no link of that name
 std::string flangeOf(const urdf::ModelInterface& model, const std::string& named);
 
-/// Cosine of the flange's z to the axis of the last joint that moves it.
-/// @throws InvalidConfig if nothing moves it
+/// Cosine of the angle between the flange's z and the axis of the last joint that moves the flange.
+/// @throws InvalidConfig if no joint moves it
 double flangeCosine(const urdf::ModelInterface& model, const std::string& flange);
 
 }  // namespace lamina

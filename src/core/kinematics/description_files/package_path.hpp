@@ -8,7 +8,7 @@
 
 namespace lamina {
 
-/// Where the packages of a description are looked for.
+/// The folders in which the packages of a description are searched.
 class PackagePath {
  public:
   /// @param packages     folders that are searched first
@@ -18,8 +18,9 @@ class PackagePath {
   /// Folder of a package, absolute; nothing if there is none of that name.
   std::optional<std::string> package(const std::string& name) const;
 
-  /// Absolute path of what `package://`, `file://`, an absolute or a relative name stands for.
-  /// @return nothing if its package is not found; whether there is such a file is not looked at
+  /// Absolute path of the file that a name with `package://` or `file://`, an absolute path or a relative
+  /// path denotes.
+  /// @return nothing if the package is not found; whether the file exists is not checked
   std::optional<std::string> resolved(const std::string& name) const;
 
   /// The folders searched.

@@ -11,25 +11,25 @@
 
 namespace lamina {
 
-/// What an expression of xacro may be.
+/// Value of a xacro expression: a number, a text, or a tree from YAML.
 using XacroValue = std::variant<double, std::string, YAML::Node>;
 
-/// As it stands in XML: numbers by as many digits as bring them back.
+/// The value as text in XML; numbers have as many digits as reading back the same number needs.
 std::string textOf(const XacroValue& value);
 
-/// A number if the text is one as a whole, else the text.
+/// A number if the whole text is one, otherwise the text.
 XacroValue valueOfText(const std::string& text);
 
 bool isTrue(const XacroValue& value);
 
-/// What the names in an expression stand for.
+/// Values of the names that an expression may use.
 struct XacroScope {
   std::function<std::optional<XacroValue>(const std::string& name)> property;
-  std::function<YAML::Node(const std::string& path)> load;  ///< of load_yaml
+  std::function<YAML::Node(const std::string& path)> load;  ///< loads the file of a load_yaml
 };
 
-/// The value of what stands between `${` and `}`.
-/// @throws InvalidConfig if it is not understood
+/// The value of an expression, given as the text between `${` and `}`.
+/// @throws InvalidConfig if it cannot be parsed or evaluated
 XacroValue evaluated(const std::string& expression, const XacroScope& scope);
 
 }  // namespace lamina

@@ -16,43 +16,46 @@ namespace lamina {
 
 /// A rotary axis of a table.
 struct TableAxis {
-  Eigen::Index in_chain = 0;   ///< in the chain of the external axes
-  std::size_t in_station = 0;  ///< among the external axes of a station
+  Eigen::Index in_chain = 0;   ///< index in the chain of the external axes
+  std::size_t in_station = 0;  ///< index among the external axes of a station
 };
 
-/// A positioner of two rotary axes under the bed of an arm, as it turns what is up over the bed.
+/// A positioner with two rotary axes under the bed of an arm, described by how it turns the direction that is
+/// up over the bed.
 struct GravityTable {
   std::string arm;    ///< name of the kinematic model
-  ToolAxisTurner up;  ///< the axis that turns the plate first, then the one that tilts it
+  ToolAxisTurner up;  ///< first the axis that turns the plate, then the axis that tilts it
   TableAxis turn;
   TableAxis tilt;
   JointRange tilt_range;
-  SerialChain external;  ///< the chain of the external axes
-  Screw axis_1;          ///< of the arm, all external axes at zero [mm, bed frame]
+  SerialChain external;  ///< chain of the external axes
+  Screw axis_1;          ///< axis 1 of the arm, with all external axes at zero [mm, bed frame]
 };
 
-/// Up is z of the root of the description.
-/// @throws InvalidConfig if the kinematic model is no six-axis arm, has other rotary external axes than two,
-///   or these are parallel, or the one that tilts turns about the vertical
+/// The positioner of a kinematic model. Up is z of the description's root.
+/// @throws InvalidConfig if the kinematic model is no six-axis arm or does not have exactly two rotary
+///   external axes, or if these are parallel or the tilting one is vertical
 GravityTable gravityTable(const KinematicModel& model);
 
-/// How a table is led.
+/// Settings by which a table is moved with gravity.
 struct GravityRule {
-  double cone = 0.0;   ///< how far a tool axis may point off straight down [rad]
-  double start = 0.0;  ///< where the turn stands while tool axes leave it free at first [rad]
+  double cone = 0.0;  ///< greatest angle of a tool axis from straight down [rad]
+  /// Value of the turning axis as long as tool axes at the beginning leave it free [rad].
+  double start = 0.0;
 };
 
 struct TableValues {
-  double turn = 0.0;  ///< [rad]; goes on over whole turns
+  double turn = 0.0;  ///< [rad]; continues beyond whole turns
   double tilt = 0.0;  ///< [rad]
 };
 
-/// Values of a table under which all tool axes point down within the cone, for each station. Both axes go
-/// like a taut string over the durations: first the tilt within half of the cone, then the turn within what
-/// that leaves, anywhere where all of it is within the cone. At the first and last of what is not free the
-/// tool axis points straight down. Of both ways to tilt the one that stays within the limits, then that with
-/// the lesser tilt, then that which holds the tip nearer to axis 1 of the arm.
-/// @throws Unreachable if the table cannot turn a tool axis down; names it
+/// Values of a table, for each station, with which all tool axes point down within the cone. Both axes move
+/// like a taut string over the durations: first the tilt, within half of the cone, then the turn, within what
+/// the tilt leaves of the cone. Where every value of the turn keeps the tool axis within the cone, the turn
+/// is free. At the first and the last station at which it is not free the tool axis points straight down. Of
+/// the two ways to tilt, the one within the limits is chosen, then the one with the lesser tilt, then the one
+/// that brings the tip nearer to axis 1 of the arm.
+/// @throws Unreachable naming the table if it cannot turn a tool axis down
 std::vector<TableValues> tableValues(const GravityTable& table, const std::vector<Station>& stations,
                                      const GravityRule& rule);
 

@@ -9,14 +9,15 @@
 
 namespace lamina {
 
-/// How joint values follow those before them.
+/// How a set of joint values follows the one before.
 struct WindLink {
-  bool is_linked = false;   ///< the shorter way round; else there is no way, and nothing is asked of it
-  bool may_rewind = false;  ///< whole turns may be put in between
-  double rank = 0.0;        ///< of the places where they may, the one of highest rank is preferred
+  /// Whether the joints move there by the shorter way; otherwise there is no motion between the two.
+  bool is_linked = false;
+  bool may_rewind = false;  ///< whether joints may be turned back by whole turns (rewound) between the two
+  double rank = 0.0;        ///< preference as a place for rewinding; higher is better
 };
 
-/// Where a joint runs out of its limits on a way on which it cannot be rewound.
+/// A place where a joint would leave its limits and no rewinding is allowed before it.
 struct WoundUp {
   std::size_t index = 0;
   std::size_t joint = 0;
@@ -26,13 +27,15 @@ struct WoundUp {
 struct Unwound {
   std::vector<JointValues> values;
   std::size_t rewinds = 0;
-  std::vector<WoundUp> wound_up;  ///< the way goes on from there as from a start
+  std::vector<WoundUp> wound_up;  ///< at each, values continue as at a start
 };
 
-/// Chooses whole turns stretch by stretch between rewinds: as few rewinds as can be, each at the place of
-/// highest rank among those that keep them few, none of more turns than needed. Linear time.
-/// @param values  each within the limits next to their middle; of size 0 where there are none
-/// @param links   one per value, from the one before
+/// Chooses the whole turns of rotary joints stretch by stretch between rewinds: with as few rewinds as
+/// possible, each at the place of highest rank that keeps their number least, and none by more turns than
+/// needed. Takes linear time.
+/// @param values  each rotary one the equivalent value within the limits that is nearest to their middle; of
+///   size 0 where there is no solution
+/// @param links   for each set of values, how it follows the one before
 Unwound unwind(std::vector<JointValues> values, const std::vector<WindLink>& links,
                const std::vector<JointRange>& ranges);
 

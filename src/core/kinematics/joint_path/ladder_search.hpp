@@ -14,25 +14,26 @@
 
 namespace lamina {
 
-/// Whether joints that go steadily from one set of values to another, of two branches, lead the nozzle as the
-/// toolpath asks: then they pass a singularity and the branch has no meaning there.
+/// Whether a straight motion in joint space between two sets of values of different branches moves the nozzle
+/// as the toolpath asks. Then the motion passes a singularity at which the branches meet.
 using SteadyCrossing = std::function<bool(const double* from, const double* to)>;
 
-/// The cheapest way along a ladder of rungs, by dynamic programming; a rung is needed only until the next but
-/// one comes, and 2 bytes are kept for each of its nodes.
+/// Finds the cheapest way along a ladder of rungs by dynamic programming. A rung is needed only until the
+/// next but one arrives; 2 bytes are kept for each of its nodes.
 ///
-/// An edge costs the squared turns of the joints over their greatest speeds and the squared turn of the yaw,
-/// over the duration of the motion, and what standing at its end costs for that long. Nodes are joined
-/// - within a branch, their samples `yaw_reach` apart at most, no joint turning by more than `max_turn_deg`
-///   unless on a travel;
-/// - from one branch to another where the crossing is steady, if samples are not yaws;
-/// - on a clear travel between any two, at `branch_change_cost` (from the cheapest node of each branch where
-///   there are so many that the work would show).
+/// The cost of an edge is the sum of the squared turns of the joints over their greatest speeds and of the
+/// squared turn of the yaw, over the duration of the motion, plus the penalty of the node at its end times
+/// the duration. Two nodes are joined
+/// - within a branch, if their samples are at most `yaw_reach` apart and, except on a travel, no joint turns
+///   by more than `max_turn_deg`;
+/// - between branches, if the crossing is steady and samples are not yaws;
+/// - on a clear travel always, at `branch_change_cost`; if nodes are so many that this would take long, only
+///   from the cheapest node of each branch.
 class LadderSearch {
  public:
   LadderSearch(std::vector<JointRange> ranges, const JointPathSettings& settings, SteadyCrossing crossing);
 
-  /// Whether the rung is joined to the one before.
+  /// How a rung is joined to the one before.
   enum class Link : std::uint8_t {
     Start,  ///< nothing is before it
     Joined,
@@ -41,15 +42,15 @@ class LadderSearch {
   };
   Link advance(Rung rung, const StationMotion& motion);
 
-  /// Where a ladder is cut: the least turn of the joint that turns most.
+  /// Gap between two rungs that no edge joins, described by the least turn of the joint that turns most.
   struct Cut {
     std::size_t joint = 0;
     double turn = 0.0;      ///< [mm, rad]; infinite if there is no node of the branch
-    bool is_wound = false;  ///< it would be joined but for a whole turn of the joint
+    bool is_wound = false;  ///< whether a whole turn of the joint is all that is in the way
   };
   const Cut& lastCut() const { return cut_; }
 
-  /// The node of each rung, kNoNode where there is none.
+  /// The chosen node of each rung, kNoNode where there is none.
   std::vector<NodeId> trace() const;
 
  private:

@@ -7,14 +7,14 @@
 
 namespace lamina {
 
-/// What the samples of a rung are.
+/// What the samples of a rung vary.
 enum class SampleKind : std::uint8_t {
-  Single,     ///< one: the pose as it is
-  Yaw,        ///< turns of the nozzle about its tool axis
-  FreeJoint,  ///< values of the joint that is free in a singularity
+  Single,     ///< nothing: there is one sample, the pose as it is
+  Yaw,        ///< the rotation of the nozzle about its tool axis
+  FreeJoint,  ///< the value of the joint that is free at a singularity
 };
 
-/// The number of a node within its rung, which needs 2 bytes: sample * kMostBranches + branch.
+/// Number of a node within its rung, in 2 bytes: sample * kMostBranches + branch.
 using NodeId = std::uint16_t;
 constexpr int kMostBranches = 128;
 constexpr int kMostSamples = 360;
@@ -24,14 +24,14 @@ inline NodeId nodeId(int sample, int branch) { return static_cast<NodeId>(sample
 inline int sampleOf(NodeId node) { return node / kMostBranches; }
 inline int branchOf(NodeId node) { return node % kMostBranches; }
 
-/// All ways to stand at one station: samples times branches, not each of which exists.
+/// All joint values that reach one station: a node for each sample and branch, some of which do not exist.
 struct Rung {
   SampleKind kind = SampleKind::Single;
   int samples = 0;
   int branches = 0;
   int joints = 0;
-  std::vector<double> values;   ///< of the joints, node after node: those of a sample follow each other
-  std::vector<double> penalty;  ///< per second and node; infinite where there is none
+  std::vector<double> values;   ///< joint values, node after node: the branches of a sample follow each other
+  std::vector<double> penalty;  ///< cost per second of each node; infinite if the node does not exist
 
   std::size_t slot(int sample, int branch) const {
     return static_cast<std::size_t>(sample) * static_cast<std::size_t>(branches) +

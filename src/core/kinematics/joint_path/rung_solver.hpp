@@ -16,29 +16,29 @@
 
 namespace lamina {
 
-/// Finds all ways in which a kinematic model stands at a station. Values that never change; calls may be made
-/// from several threads. Kinematic model and guard must outlive it.
+/// Finds all joint values by which a kinematic model reaches a station. Objects are immutable, and calls may
+/// come from several threads. The kinematic model and the guard must outlive it.
 class RungSolver {
  public:
   RungSolver(const GuardedModel& guarded, const JointPathSettings& settings);
 
-  /// Nodes are within the limits, allowed by the guard and no nearer to a singularity than the settings
-  /// allow; rotary values are those next to the middle of the limits. No node at all if the station cannot be
-  /// reached so.
+  /// The rung of a station. Its nodes are within the limits, allowed by the guard, and no nearer to a
+  /// singularity than the settings allow; rotary values are the equivalent ones nearest to the middle of the
+  /// limits. Without nodes if the station cannot be reached so.
   Rung solve(const Station& station) const;
 
-  /// One node of a rung, for a coordinate [rad] that need not be one of the samples.
-  /// @return nothing if there is none
+  /// Joint values for a coordinate [rad] that need not be one of the samples.
+  /// @return nothing if the node does not exist
   std::optional<JointValues> at(const Station& station, SampleKind kind, double coordinate, int branch) const;
 
-  /// What keeps the kinematic model from a station whose rung has no node.
+  /// Reason why the rung of a station has no node.
   struct Hindrance {
     JointFault fault = JointFault::OutOfReach;
     std::string reason;
   };
   Hindrance hindrance(const Station& station) const;
 
-  /// Whether limits and guard let the values in.
+  /// Whether joint values are within the limits and allowed by the guard.
   bool isAllowed(const JointValues& values) const;
 
   double coordinateOf(SampleKind kind, NodeId node) const;

@@ -14,7 +14,7 @@
 
 namespace lamina {
 
-/// What joints are looked for. The values must outlive it.
+/// Input of the search for joint values. What it refers to must outlive it.
 struct StationTask {
   const std::vector<Station>& stations;
   const KinematicModel& model;
@@ -22,12 +22,12 @@ struct StationTask {
   const JointPathSettings& settings;
 };
 
-/// What was found at one station.
+/// Joint values found for one station.
 struct StationJoints {
   SampleKind kind = SampleKind::Single;
   NodeId node = kNoNode;
-  bool is_linked = false;  ///< there is an edge from the station before
-  JointValues values;      ///< of size 0 where there is no node; rotary ones next to the middle of the limits
+  bool is_linked = false;  ///< whether an edge leads here from the station before
+  JointValues values;  ///< of size 0 if there is no node; rotary ones are nearest to the middle of the limits
 };
 
 /// A station that cannot be run.
@@ -37,26 +37,27 @@ struct StationFault {
   std::string reason;
 };
 
-/// The cheapest way through all stations.
+/// The cheapest way through all stations, and the stations at which it is interrupted.
 struct StationWayThrough {
   std::vector<StationJoints> stations;
-  std::vector<StationFault> faults;  ///< stations without a node, and jumps, in their order
+  std::vector<StationFault> faults;  ///< stations without a node, and jumps, in the order of stations
 };
 
-/// Searches the ladder: rungs in parallel and in blocks, so that only few are held at a time.
+/// Searches the cheapest way. Rungs are computed in parallel and in blocks, so that only few are in memory.
 StationWayThrough searchLadder(const StationTask& task, Progress& progress);
 
-/// Evens out the sampled angles of each run of stations of one branch. A run of which a station cannot be
-/// run so, or a joint would turn further than the settings allow, stays as it was.
+/// Smooths the sampled angles of each run of stations in one branch. A run is left unchanged if the smoothed
+/// angles cannot be reached at one of its stations, or would turn a joint by more than the settings allow.
 void smoothSamples(std::vector<StationJoints>& joints, const StationTask& task, Progress& progress);
 
-/// Lets the rotary joint that a machine's tool axis is nearly along swing no further than it must for the
-/// tool axis to stay within `swing_tolerance_deg` of what is asked; the tip stays where it is. A run of which
-/// a station could not be run so stays as it was, as does all on machines of other kinds.
+/// Reduces swings of the rotary joint whose axis is nearly along the tool axis of a machine: the joint turns
+/// no more than needed to keep the tool axis within `swing_tolerance_deg` of the requested one, with the tip
+/// unchanged. A run is left unchanged if one of its stations cannot be reached so, and so is everything on
+/// machines of other kinds.
 void steadySwings(std::vector<StationJoints>& stations, const StationTask& task);
 
-/// Where near a singularity a joint is too slow for the feed, by more than the settings allow.
-/// @param joints  unwound
+/// Stations near a singularity at which a joint would slow down the feed by more than the settings allow.
+/// @param joints  unwound (`unwind`)
 std::vector<StationFault> slowPassages(const std::vector<StationJoints>& joints, const StationTask& task);
 
 }  // namespace lamina

@@ -15,28 +15,29 @@
 
 namespace lamina {
 
-/// A motion in place is counted as one of this time [s].
+/// Least duration of a motion [s]; also used for a motion in place.
 constexpr double kLeastDuration = 1e-3;
 
-/// A motion that is shorter lays nothing, and may take its time [mm].
+/// Length below which a motion counts as in place: it deposits nothing and may take any time [mm].
 constexpr double kInPlace = 1e-6;
 
-/// What a kinematic model may do with its joints on the way to a station.
+/// What the joints may do on the way to a station.
 enum class StationWay : std::uint8_t {
-  Deposition,   ///< or a join of two paths: only what the path asks for
-  Travel,       ///< any turn, but no change of branch
-  ClearTravel,  ///< the motion of a travel on which the nozzle is furthest from the part: anything
+  Deposition,   ///< only what the path asks for; also where two paths join
+  Travel,       ///< turns of any size, but no change of branch
+  ClearTravel,  ///< anything; the motion of a travel on which the nozzle is farthest from the part
 };
 
-/// The way from the station before; that of the first one has no meaning.
+/// The motion from the station before; without meaning for the first station.
 struct StationMotion {
   double length_mm = 0.0;
-  double duration_s = kLeastDuration;  ///< at its feed; no less than this
-  double lift_mm = 0.0;  ///< of a clear travel: by how much all of it is above both ends of the travel
+  double duration_s = kLeastDuration;  ///< at the feed of the motion
+  /// Of a clear travel: height of its lowest point above the higher of the travel's two ends.
+  double lift_mm = 0.0;
   StationWay way = StationWay::Deposition;
 };
 
-/// A pose of the nozzle over the bed that the motion comes through.
+/// A pose of the nozzle over the bed that the motion passes.
 struct Station {
   Point3 position = Point3::Zero();                                        ///< [mm]
   Eigen::Quaterniond orientation{Eigen::Quaterniond(0.0, 1.0, 0.0, 0.0)};  ///< bed_from_nozzle
@@ -47,22 +48,23 @@ struct Station {
   Eigen::Isometry3d pose() const;
 };
 
-/// A toolpath as one motion through stations. Waypoints that follow each other at one pose, as where paths
-/// join, share a station.
+/// A toolpath as one motion through stations. Consecutive waypoints with the same pose share a station, as
+/// where two paths join.
 struct StationList {
   std::vector<Station> stations;
   std::vector<WaypointIndex> waypoints;    ///< in the order of the motion
-  std::vector<std::uint32_t> station_of;   ///< as many as waypoints: index of its station
-  std::vector<std::uint32_t> waypoint_of;  ///< as many as stations: index of its first waypoint
+  std::vector<std::uint32_t> station_of;   ///< index of the station of each waypoint
+  std::vector<std::uint32_t> waypoint_of;  ///< index of the first waypoint of each station
 };
 
 StationList stationsOf(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part);
 
-/// Puts external axes to the values that the settings ask for: rails to 0, a table that follows or obeys
-/// gravity to where the tool axes want it. A tool axis along the axis of a table leaves that axis as it was.
-/// Where gravity leads a table and the yaw is free, the nozzle then stands as it would in the room without
-/// turning about its tool axis. Does nothing on kinematic models without external axes.
-/// @throws InvalidConfig if the table is to follow, and external_1 is no table that turns; as `gravityTable`
+/// Sets the external axes of stations to the values that the settings ask for: rails to 0, and a table that
+/// follows or obeys gravity to the values that the tool axes require. If the tool axis is along the axis of a
+/// table, that axis keeps its value. If gravity moves the table and the yaw is free, the nozzle is turned so
+/// that it does not turn about its tool axis in the room. Does nothing if the kinematic model has no external
+/// axes.
+/// @throws InvalidConfig if the table is to follow but external_1 is no rotary table; as `gravityTable`
 /// @throws Unreachable as `tableValues`
 void setExternalAxes(std::vector<Station>& stations, const KinematicModel& model,
                      const JointPathSettings& settings);

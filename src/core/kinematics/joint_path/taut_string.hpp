@@ -6,15 +6,15 @@
 
 namespace lamina {
 
-/// Between which values a string passes a place; either bound may be infinite.
+/// Range of values through which a string must pass at some position; either bound may be infinite.
 struct Gate {
   double at = 0.0;
   double low = 0.0;
   double high = 0.0;
 };
 
-/// The shortest way through gates: of all ways it also has the least greatest slope and the least variation.
-/// Linear time.
+/// The shortest line through a sequence of gates. Of all lines through them it also has the smallest greatest
+/// slope and the least variation. Takes linear time.
 /// @param gates  ascending by `at`, each no nearer than 1e-12 to the next; both ends are fixed: low = high
 /// @return the value at each gate
 std::vector<double> tautString(const std::vector<Gate>& gates);

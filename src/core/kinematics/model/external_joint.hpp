@@ -6,7 +6,8 @@
 
 namespace lamina {
 
-/// Whether a joint is no function of the nozzle's pose, by its name: external_1 and so on.
+/// Whether a joint is an external axis, which does not follow from the nozzle's pose. Such joints have the
+/// names external_1, external_2, ...
 inline bool isExternal(const std::string& joint) { return joint.rfind("external_", 0) == 0; }
 
 }  // namespace lamina

@@ -9,34 +9,35 @@
 
 namespace lamina {
 
-/// What searching among the values of a joint needs to know of it.
+/// Limits of a joint, as the search among its values needs them.
 struct JointRange {
   bool is_rotary = false;
-  bool winds = false;   ///< it is rotary and can go on by a whole turn
+  bool winds = false;   ///< whether the joint is rotary and can turn on by a whole turn
   double low = 0.0;     ///< [mm, rad]
   double high = 0.0;    ///< [mm, rad]
-  double middle = 0.0;  ///< of the limits; 0 if it has none
+  double middle = 0.0;  ///< middle of the limits; 0 if there are none
   double max_speed = 0.0;
 };
 
-/// @throws InvalidInput if a joint's greatest speed is not positive, naming it
+/// Ranges of joints.
+/// @throws InvalidInput naming the joint if the greatest speed of one is not positive
 std::vector<JointRange> jointRanges(const std::vector<DrivenJoint>& joints);
 
-/// The value of the joint that is the same but for whole turns, next to the middle of its limits: where the
-/// limits let any of them in, they let this one in.
+/// The value equal to the given one but for whole turns that is nearest to the middle of the limits. It is
+/// within the limits if any such value is.
 double nearMiddle(const JointRange& range, double value);
 
-/// Whether the limits let the value in, but for 1e-9 mm or rad.
+/// Whether a value is within the limits, with a tolerance of 1e-9 mm or rad.
 bool isWithin(const JointRange& range, double value);
 
-/// From one value to another: of a joint that winds the shorter way round.
+/// Difference from one value to another; of a joint that winds by the shorter way.
 double stepBetween(const JointRange& range, double from, double to);
 
 /// "12.5 deg".
 std::string angleText(double angle_rad);
 /// "310 mm".
 std::string lengthText(double length_mm);
-/// One of both, as the joint is.
+/// `angleText` or `lengthText`, by the kind of joint.
 std::string jointValueText(const JointRange& range, double value);
 
 }  // namespace lamina

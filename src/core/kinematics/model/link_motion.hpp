@@ -13,32 +13,37 @@
 
 namespace lamina {
 
-// Joints of a machine's URDF.
+// Names of the linear axes in a machine's URDF.
 inline constexpr const char* kAxisNames[] = {"x", "y", "z"};
 inline constexpr const char* kRotaryNames[] = {"a", "b", "c"};
 
-/// @throws InvalidConfig if the text is no URDF; gives the first reason
+/// Parses the URDF of a machine.
+/// @throws InvalidConfig with the first reason if the text is no URDF
 std::shared_ptr<urdf::ModelInterface> parseMachine(const std::string& text);
 
-/// A pose of URDF, in mm.
+/// A pose of URDF, converted from m to mm.
 Eigen::Isometry3d poseOf(const urdf::Pose& pose);
 
-/// @throws InvalidConfig if there is no such link
+/// The link of that name.
+/// @throws InvalidConfig if there is none
 const urdf::Link& requireLink(const urdf::ModelInterface& model, const std::string& link);
 
-/// Axis of a joint, of unit length: any other would be a second scale beside the limits [frame of its child].
-/// @throws InvalidConfig if it has another length
+/// Axis of a joint [frame of its child link]. It must be of unit length, as another length would scale the
+/// joint's values.
+/// @throws InvalidConfig if it is not
 Point3 directionOf(const urdf::ModelInterface& model, const urdf::Joint& joint);
 
-/// A link over the machine's root, with all joints at 0, and how it moves with each linear axis.
+/// Pose of a link over the machine's root with all joints at 0, and how the machine's axes move the link.
 struct LinkMotion {
   Eigen::Isometry3d root_from_link = Eigen::Isometry3d::Identity();  ///< translation [mm]
-  Eigen::Matrix3d axes = Eigen::Matrix3d::Zero();  ///< columns: root frame, per mm of x, y, z
-  std::vector<std::string> rotaries;               ///< joints a, b, c that turn it, its own first
+  /// Columns: displacement in the root frame per mm of x, y and z.
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Zero();
+  /// Those of the joints a, b and c that turn the link, the nearest one first.
+  std::vector<std::string> rotaries;
 };
 
-/// @throws InvalidConfig if there is no such link, or it hangs on a joint that moves other than x, y, z, a, b
-/// and c
+/// How the machine's axes move a link.
+/// @throws InvalidConfig if there is no such link, or a joint other than x, y, z, a, b and c moves it
 LinkMotion motionOf(const urdf::ModelInterface& model, const std::string& link);
 
 }  // namespace lamina

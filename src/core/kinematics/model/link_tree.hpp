@@ -13,15 +13,15 @@
 
 namespace lamina {
 
-/// The links of a URDF, whatever moves them, parents before children.
+/// The links of a URDF, parents before children, with joints of any names.
 class LinkTree {
  public:
   /// @throws InvalidConfig if a joint is neither fixed, prismatic, revolute nor continuous, or its axis is
   ///   not of unit length
   explicit LinkTree(const urdf::ModelInterface& model);
 
-  /// Every link over the root [mm].
-  /// @param joints  by name [mm, rad]; those that are not named are at 0
+  /// Poses of all links over the root, by name [mm].
+  /// @param joints  values by name [mm, rad]; joints that are missing are at 0
   std::map<std::string, Eigen::Isometry3d> rootFromLinks(const std::map<std::string, double>& joints) const;
 
  private:

@@ -7,7 +7,7 @@
 
 namespace lamina {
 
-/// A machine's description as built into the library, whose memory it stands in.
+/// A machine's description that is built into the library; its texts are static.
 struct MachineText {
   std::string_view name;
   std::string_view urdf;
@@ -16,7 +16,7 @@ struct MachineText {
 /// The files of `urdf/` that `machineFromUrdf` reads, in alphabetical order.
 const std::vector<MachineText>& machineTexts();
 
-/// The others: arms and platforms, in alphabetical order.
+/// The files of `urdf/` that are not read by `machineFromUrdf`: arms and platforms, in alphabetical order.
 const std::vector<MachineText>& robotTexts();
 
 }  // namespace lamina

@@ -11,10 +11,10 @@
 
 namespace lamina {
 
-/// A machine of three linear axes x, y and z and up to two rotary ones of a, b and c, wherever they stand
-/// between bed and nozzle and at whatever angles. A branch is a side of the plane of both rotary axes.
-/// @throws InvalidConfig as `serialChain`, if another joint moves, the linear axes do not span space, two
-///   rotary ones are parallel, or the last of them turns about the tool axis
+/// Kinematic model of a machine with three linear axes x, y and z and up to two rotary ones of a, b and c, in
+/// any order between bed and nozzle and at any angles. A branch is a side of the plane of both rotary axes.
+/// @throws InvalidConfig as `serialChain`; if any other joint moves, the linear axes do not span space, two
+///   rotary ones are parallel, or the last rotary one turns about the tool axis
 std::unique_ptr<KinematicModel> multiAxisMachine(const urdf::ModelInterface& model, const std::string& text);
 
 }  // namespace lamina

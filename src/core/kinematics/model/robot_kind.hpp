@@ -9,11 +9,11 @@
 
 namespace lamina {
 
-/// Joint by which platforms are recognised.
+/// Name of a joint by which a platform is recognised.
 inline constexpr const char* kPlatformJoint = "crank_1";
 
-/// "arm" or "platform"; nothing of what has an axis x, or is of no kind that is understood. An arm is what
-/// has three rotary joints or more between its root and its nozzle, whatever their names.
+/// "arm" or "platform"; nothing if the model has an axis x or is of no known kind. A model is an arm if it
+/// has at least three rotary joints between its root and its nozzle, whatever their names.
 std::optional<std::string> robotKind(const urdf::ModelInterface& model);
 
 }  // namespace lamina

@@ -14,65 +14,67 @@
 
 namespace lamina {
 
-/// How a joint moves the nozzle over the bed, seen with all joints at zero [mm, bed frame]. Joints that carry
-/// the bed count against the nozzle: their directions are turned round.
+/// Axis along or about which a joint moves the nozzle relative to the bed, with all joints at zero [mm, bed
+/// frame]. Joints that carry the bed move it the other way, so their directions are reversed.
 struct Screw {
-  Point3 direction = Point3::Zero();  ///< in which (linear) or about which (rotary); of unit length
-  Point3 point = Point3::Zero();      ///< on the axis
+  /// Along which (linear) or about which (rotary) the nozzle moves; of unit length.
+  Point3 direction = Point3::Zero();
+  Point3 point = Point3::Zero();  ///< a point of the axis
 };
 
-/// A link as its parent carries it.
+/// A link, and how its parent carries it.
 struct ChainLink {
   static constexpr int kNone = -1;
 
   std::string name;
-  int parent = kNone;  ///< index of the link; none at the root
+  int parent = kNone;  ///< index of the parent link; none at the root
   Eigen::Isometry3d parent_from_link_at_zero = Eigen::Isometry3d::Identity();  ///< [mm]
   std::string moved_by;                                                        ///< joint of the URDF
-  int joint = kNone;  ///< index of the driven joint it follows; none if it is fixed to its parent
+  int joint = kNone;  ///< index of the driven joint that moves the link; none if it is fixed to its parent
   JointKind kind = JointKind::Linear;
   Point3 axis = Point3::Zero();  ///< [frame of the link]
-  double factor = 1.0;           ///< 1 and 0, but for a joint that mimics the driven one
-  double offset = 0.0;           ///< [mm, rad]
+  /// Of the driven joint's value; 1 with offset 0, unless the link's joint mimics the driven one.
+  double factor = 1.0;
+  double offset = 0.0;  ///< added to that product [mm, rad]
 };
 
-/// The joints between bed and nozzle, and the links that go with them.
+/// The joints between bed and nozzle, and all links.
 struct SerialChain {
   std::string name;
-  std::string urdf;                 ///< the text it was made from
+  std::string urdf;                 ///< the URDF from which the chain was made
   std::vector<DrivenJoint> joints;  ///< in the order of `serialChain`
-  std::vector<Screw> screws;        ///< of the joints
-  std::vector<int> outward;         ///< indices of the joints in their order from the bed to the nozzle
+  std::vector<Screw> screws;        ///< axis of each joint
+  std::vector<int> outward;         ///< indices of the joints from the bed to the nozzle
   Eigen::Isometry3d bed_from_nozzle_at_zero = Eigen::Isometry3d::Identity();  ///< [mm]
   std::vector<ChainLink> links;                                               ///< parents before children
 };
 
-/// Prismatic, revolute and continuous joints between the links bed and nozzle are the driven ones; elsewhere
-/// only joints may move that mimic one of them. Those named external_... are the last, by name; before them,
-/// if there is a joint x, linear ones before rotary ones and by name, else as they follow each other from the
-/// bed. A continuous joint has infinite limits, and a linear one
-/// whose range is 1 km or more has no upper one.
-/// @throws InvalidConfig if a link bed or nozzle is missing, a driven joint has no limits or no speed or an
-///   axis that is not of unit length, or a joint moves in another way; names it
+/// Makes the chain of a URDF. Its driven joints are the prismatic, revolute and continuous ones between the
+/// links bed and nozzle; elsewhere, only joints that mimic one of them may move. The order of joints is:
+/// those not named external_... first, then those that are, by name. If there is a joint x, the former are
+/// sorted with linear ones before rotary ones and by name, otherwise as they follow each other from the bed.
+/// A continuous joint has infinite limits. A linear one whose range is 1 km or more has no upper limit.
+/// @throws InvalidConfig naming the link or joint: a link bed or nozzle is missing, a driven joint has no
+///   limits, no speed, or an axis that is not of unit length, or another joint moves
 SerialChain serialChain(const urdf::ModelInterface& model, const std::string& text);
 
-/// @return [mm]
+/// Pose of the nozzle over the bed [mm].
 Eigen::Isometry3d bedFromNozzle(const SerialChain& chain, const JointValues& values);
 
 Jacobian jacobian(const SerialChain& chain, const JointValues& values);
 
-/// Where the nozzle is, and in which direction, or about which axis, each joint moves it.
+/// Pose of the nozzle, and for each joint the direction along or about which it moves the nozzle.
 struct NozzleAndJoints {
   Eigen::Isometry3d bed_from_nozzle;  ///< [mm]
-  /// A column per joint, of unit length [bed frame].
+  /// One column for each joint, of unit length [bed frame].
   Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, kMostJoints> directions;
 };
 NozzleAndJoints nozzleAndJoints(const SerialChain& chain, const JointValues& values);
 
-/// Every link [mm].
+/// Poses of all links over the bed, by name [mm].
 std::map<std::string, Eigen::Isometry3d> bedFromLinks(const SerialChain& chain, const JointValues& values);
 
-/// Every joint of the URDF that moves [mm, rad].
+/// Values of all joints of the URDF that move, by name [mm, rad].
 std::map<std::string, double> urdfJoints(const SerialChain& chain, const JointValues& values);
 
 }  // namespace lamina

@@ -13,12 +13,12 @@
 
 namespace lamina {
 
-/// As `rusDescriptionFromUrdf`, of a text that is read already.
-/// @throws InvalidConfig as that
+/// The description of a platform, as by `rusDescriptionFromUrdf`, from a parsed URDF.
+/// @throws InvalidConfig as `rusDescriptionFromUrdf`
 RusDescription rusDescription(const urdf::ModelInterface& model, const LinkTree& links);
 
-/// The kinematic model of such a URDF.
-/// @throws InvalidConfig as above
+/// The kinematic model of a platform, from its parsed URDF and its text.
+/// @throws InvalidConfig as `rusDescriptionFromUrdf`
 std::unique_ptr<KinematicModel> rusKinematicModel(const urdf::ModelInterface& model, const std::string& text);
 
 }  // namespace lamina

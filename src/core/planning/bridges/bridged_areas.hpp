@@ -13,7 +13,7 @@ namespace lamina {
 /// Measures that decide where bridges are.
 struct BridgeMeasures {
   BridgeSettings settings;
-  double narrowest_mm = 0.4;  ///< narrower unsupported places are carried by their sides
+  double narrowest_mm = 0.4;  ///< narrower unsupported places are supported from their sides
   double thread_pitch_mm = 0.36;
   double fringe_mm = 0.8;  ///< by which hanging areas extend onto the material that holds them
 };
@@ -43,7 +43,8 @@ BridgedAreas bridgedAreas(const Regions& inside, const Regions& below, const Bri
 /// Pitch of the threads.
 /// @param pitch_mm  distance of neighbouring beads
 double threadPitch(const BridgeSettings& settings, double bead_width_mm, double pitch_mm);
-/// The bead of a thread, in place of that bead.
+/// The bead of a thread.
+/// @param bead  nominal bead, which the thread replaces
 Bead threadBead(const BridgeSettings& settings, const Bead& bead);
 
 }  // namespace lamina

@@ -19,7 +19,7 @@ namespace lamina {
 /// one below costs nothing.
 class LayerBelow {
  public:
-  /// A support of everything: on the bed, and without `bridges.use` and `overhangs.use`.
+  /// Makes a support of everything, as on the bed, and without `bridges.use` and `overhangs.use`.
   LayerBelow() = default;
   /// @param cover     null if everything is supported
   /// @param settings  must outlive this
@@ -34,17 +34,17 @@ class LayerBelow {
   /// @param inside    area within the walls
   /// @param pitch_mm  distance of neighbouring beads
   BridgedAreas bridged(const Regions& inside, double pitch_mm) const;
-  /// The same over other supporting material.
+  /// Divides an area by what is below it, with `carrying` as the supporting material.
   BridgedAreas bridgedOver(const Regions& carrying, const Regions& inside, double pitch_mm) const;
 
-  /// The path as it is deposited over the layer below: overhanging walls changed, others as they are.
+  /// The path as deposited over the layer below: overhanging walls are changed, others are not.
   Path carried(Path path) const;
 
  private:
   const PlanSettings* settings_ = nullptr;
   std::size_t index_ = 0;
   std::optional<Regions> carrying_;
-  std::optional<BorderDistance> border_;  ///< of that
+  std::optional<BorderDistance> border_;  ///< distance from the border of the supporting material
 };
 
 }  // namespace lamina

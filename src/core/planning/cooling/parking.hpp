@@ -22,17 +22,18 @@ struct ParkingGround {
   double highest_mm = -std::numeric_limits<double>::infinity();
 };
 
-/// That of each layer.
+/// The deposition up to each layer.
 std::vector<ParkingGround> parkingGrounds(const Toolpath& toolpath);
 
-/// The place at which the nozzle waits, at its present height.
-/// @param box  of the part
+/// Position at which the nozzle waits, at its present height.
+/// @param box  bounding box of the part
 Point3 parkingPlace(const Point3& here, const Box3& box, ParkPlace place);
 
-/// The path to the parking place and back: retracted, up, over, and the same way back. Its only event is a
-/// dwell of no time before the way back. Where the tool axis leans from the layers' normal, beside the part
-/// is not known to be clear: the nozzle waits 5 mm, or `cooling.lift_mm` if that is more, out along its axis.
-/// @param at        path at one end of which the nozzle is; gives tool and orientation
+/// The path to the parking place and back: retracted, up, across, and back the same way. Its only event is a
+/// dwell of zero time before the way back. If the tool axis leans from the layers' normal, it is not known
+/// whether there is room beside the part. Then the nozzle waits above the bead instead, moved out along its
+/// axis by 5 mm, or by `cooling.lift_mm` if that is more.
+/// @param at        path at one end of which the nozzle is; tool and orientation are taken from it
 /// @param waypoint  of that path
 Path parkedWait(const Path& at, std::size_t waypoint, double travel_feed_mm_s, const ParkingGround& ground,
                 const CoolingSettings& settings);

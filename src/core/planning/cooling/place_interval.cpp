@@ -178,7 +178,7 @@ class PlaceCooler {
     std::vector<std::size_t> as_planned(pieces.visits.size());
     std::iota(as_planned.begin(), as_planned.end(), std::size_t{0});
     const bool is_sorted = std::is_sorted(ready_s.begin(), ready_s.end());
-    if (!pieces.is_free || is_sorted || goesOn(pieces)) return as_planned;
+    if (!pieces.is_free || is_sorted || hasMoreThanWipe(pieces)) return as_planned;
     std::vector<std::size_t> rank(ready_s.size() + 1);
     std::vector<std::size_t> sorted(ready_s.size());
     std::iota(sorted.begin(), sorted.end(), std::size_t{0});
@@ -194,7 +194,7 @@ class PlaceCooler {
   }
 
   /// Whether more than a wipe follows the last visit.
-  static bool goesOn(const LayerPieces& pieces) {
+  static bool hasMoreThanWipe(const LayerPieces& pieces) {
     if (pieces.rest.empty()) return false;
     const bool wipes = pieces.rest.size() == 1 && !pieces.visits.empty() &&
                        isWipeAlong(pieces.visits.back().paths.back(), pieces.rest.front());

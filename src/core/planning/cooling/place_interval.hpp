@@ -6,10 +6,10 @@
 
 namespace lamina {
 
-/// Makes the least layer time pass between the nozzle's leaving an island, of any layer, and its coming back
-/// to the one above. Islands of a layer are deposited in the order in which those below them were left; the
-/// nozzle waits before an island for the time that still lacks. Feeds stay. If paths have marks of parts,
-/// tools change or layers are not plane, the order stays too.
+/// Makes sure that at least the least layer time passes between leaving an island and depositing the island
+/// above it. The islands of a layer are deposited in the order in which those below them were left; before an
+/// island the nozzle waits for the time still missing. Feeds are not changed. The order is not changed either
+/// if paths have part marks, tools change, or layers are not plane.
 CoolingSummary leavePlacesAlone(Toolpath& toolpath, const CoolingSettings& settings,
                                 const MotionLimits& limits, Progress& progress);
 

@@ -12,13 +12,13 @@ namespace lamina {
 /// An island of a layer, identified by its box: all that is deposited of the part at one place.
 struct DepositedPlace {
   Box2 box;                         ///< [mm, in the plane of the layers]
-  std::vector<std::size_t> visits;  ///< stretches of the layer's paths in it, in their order
+  std::vector<std::size_t> visits;  ///< indices of the visits to it, in order
 };
 
 /// Paths that follow each other at one place, with the travels between them.
 struct PlaceVisit {
-  std::size_t begin = 0;  ///< first travel that leads to it
-  std::size_t first = 0;  ///< first path that deposits
+  std::size_t begin = 0;  ///< index of the first travel that leads to it
+  std::size_t first = 0;  ///< index of the first path that deposits
   std::size_t end = 0;    ///< one past the last path that deposits
 };
 
@@ -38,7 +38,7 @@ struct PlaceTimes {
   std::vector<double> left_s;
 };
 
-/// Last time at which a place below a box was left; minus infinity if there is none.
+/// Latest time at which a place below a box was left; minus infinity if there is none.
 double leftBelow(const Box2& box, const PlaceTimes& below);
 
 }  // namespace lamina

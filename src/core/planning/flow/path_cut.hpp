@@ -10,14 +10,14 @@
 
 namespace lamina {
 
-/// A place along a path.
+/// A position along a path.
 struct CutPlace {
   std::size_t motion = 0;
   double share = 0.0;  ///< of that motion's length, between 0 and 1
 };
 
-/// The path with waypoints added at places. Deposition, feeds and places of events stay.
-/// @param places  in their order along the path
+/// The path with additional waypoints. Deposition, feeds and positions of events are unchanged.
+/// @param places  positions of these waypoints, in order along the path
 Path withWaypoints(const Path& path, const std::vector<CutPlace>& places);
 
 /// The two open parts of a path. An event at the cut belongs to the second.

@@ -21,7 +21,7 @@ struct HookCode {
 /// All code that is not empty.
 std::vector<HookCode> hookCodes(const HookSettings& settings);
 
-/// Code by its layer, or by its height [mm].
+/// Code for layers, by the index of the layer or by its height [mm].
 /// @throws InvalidConfig if a name is no number of a layer, or no height
 std::map<std::size_t, HookCode> layerHooks(const HookSettings& settings);
 std::map<double, HookCode> heightHooks(const HookSettings& settings);
@@ -29,7 +29,8 @@ std::map<double, HookCode> heightHooks(const HookSettings& settings);
 /// Whether code holds one of these placeholders.
 bool holdsAny(const std::string& code, const std::vector<std::string>& placeholders);
 
-/// @throws InvalidConfig if code holds an unknown placeholder
+/// Refuses unknown placeholders in code.
+/// @throws InvalidConfig naming the setting
 void requirePlaceholders(const std::string& key, const std::string& code);
 
 }  // namespace lamina

@@ -15,12 +15,12 @@ class LayerPlaces {
  public:
   LayerPlaces(const Toolpath& toolpath, const HookSite& site);
 
-  /// The first layer from that one on that deposits.
+  /// Index of the first layer that deposits, from layer `number` on.
   /// @param what  names the setting, for the error
   /// @throws InvalidConfig if there is none
   std::size_t layer(std::size_t number, const std::string& what) const;
 
-  /// The first layer that deposits and begins at or above that height over the bed.
+  /// Index of the first layer that deposits and begins at or above this height over the bed.
   /// @throws InvalidConfig if there is none
   std::size_t above(double height_mm, const std::string& what) const;
 

@@ -15,7 +15,7 @@ struct MotionLoad {
 
 /// Limits of the loads of a run.
 struct LoadLimits {
-  double fullest = 2.0;   ///< greatest load of a motion, in usual ones
+  double fullest = 2.0;   ///< greatest load of a motion, in multiples of its usual load
   double reach_mm = 0.4;  ///< length over which an excess load is spread
   bool is_closed = false;
 };
@@ -26,10 +26,10 @@ struct BoundedLoads {
   double left_out_mm3 = 0.0;
 };
 
-/// Brings loads within their limits. An excess load is spread over its motion and the neighbours, on
-/// alternate sides, until there is room or their length is the reach; the rest is left out. A longer
-/// neighbour takes only what its part within reach has room for. Motions without an excess near them stay
-/// exactly as they are. The sum of loads and volume left out is kept.
+/// Brings loads within their limits. An excess load is spread over the motion and its neighbours, on
+/// alternate sides, until it has room or the reach is used up; the rest is left out. A neighbour longer than
+/// the remaining reach takes only what its part within reach has room for. Motions without an excess near
+/// them are not changed at all. The sum of loads and volume left out stays the same.
 BoundedLoads boundLoads(const std::vector<MotionLoad>& motions, const LoadLimits& limits);
 
 }  // namespace lamina

@@ -19,7 +19,8 @@ AlongPath<Value> alongPath(std::vector<Value> values, const IsSame& is_same) {
   return AlongPath<Value>(std::move(values));
 }
 
-/// The orientation of the nozzle along a path, likewise.
+/// The orientation of the nozzle along a path, from its values at the waypoints; a single value if they are
+/// all the same.
 inline AlongPath<Eigen::Quaterniond> heldAlong(std::vector<Eigen::Quaterniond> orientations) {
   constexpr double kSameTurn = 1e-9;
   return alongPath(std::move(orientations), [](const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) {

@@ -31,10 +31,10 @@ struct WallRules {
   std::size_t layer = 0;
 };
 
-/// Gives walls of an island the feeds, flow and tool of the pieces through which they run, in place of those
-/// of the plan. A wall gets waypoints where it crosses into another piece, and is cut where the tool changes.
-/// A factor on its feed, as over an overhang, is kept.
-/// @param from  first path that is changed; travels stay as they are
+/// Gives the walls of an island the feeds, flow and tool of the pieces through which they run, instead of
+/// those of the plan. A wall gets a waypoint where it crosses into another piece, and is cut where the tool
+/// changes. A factor that was applied to its feed, as over an overhang, is kept.
+/// @param from  index of the first path that is changed; travels are unchanged
 std::vector<Path> depositedByPieces(std::vector<Path> paths, std::size_t from,
                                     const std::vector<IslandPiece>& pieces, const WallRules& deposited_by);
 

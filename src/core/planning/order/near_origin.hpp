@@ -10,9 +10,9 @@
 
 namespace lamina {
 
-/// Distance of a layer from the origin, in whole metres [mm], by which it is moved to be planned: areas are
-/// refused beyond 10 m, but layers on a belt may be anywhere. Zero within 5 m, so that usual parts are
-/// planned in place.
+/// Shift of a layer from the origin, rounded to whole metres [mm], by which it is moved back for planning:
+/// operations on regions refuse coordinates beyond 10 m, but layers on a belt may be anywhere. Zero for
+/// layers within 5 m, so that usual parts are planned in place.
 Point2 distanceFromOrigin(const Layer& layer);
 Point2 distanceFromOrigin(const Regions& regions);
 

@@ -12,7 +12,7 @@
 
 namespace lamina {
 
-/// Inclined layers as they were sliced, and what carries them.
+/// Inclined layers as sliced, and the supports below them.
 struct CarriedLayers {
   const std::vector<Layer>& layers;
   const std::vector<Regions>& supports;  ///< below each layer, carried up to it; none if empty
@@ -20,8 +20,8 @@ struct CarriedLayers {
   double bead_width_mm = 0.0;
 };
 
-/// How many runs of beads begin with neither bed nor support nor the layer before below them. A run that goes
-/// on where the one before ended does not begin.
+/// Number of runs of beads that begin with neither bed, support nor the layer before below them. A run that
+/// continues where the one before ended is not counted.
 /// @param toolpath  the plan of the layers, in their frame
 std::size_t countStartsInAir(const CarriedLayers& carried, const std::vector<ToolpathLayer>& toolpath);
 

@@ -10,7 +10,7 @@
 
 namespace lamina {
 
-/// What lies below an inclined layer, beside the bed.
+/// The layer and supports below an inclined layer; the bed is considered separately.
 struct BelowLayer {
   const Layer* layer = nullptr;       ///< the layer before; null for the first
   const Regions* supports = nullptr;  ///< carried up to the layer; null for none
@@ -28,7 +28,7 @@ class SupportTest {
   bool carries(const Point2& point) const;
   /// Whether the layer before or a support carries a bead there.
   bool isOnSupport(const Point2& point) const { return isOverMaterial(point); }
-  /// From the bed to the lowest corner of a bead there [mm]; negative in the bed.
+  /// Distance from the bed to the lowest corner of a bead at this point [mm]; negative if it is in the bed.
   double gapToBed(const Point2& point) const;
 
  private:
@@ -37,9 +37,9 @@ class SupportTest {
 
   BedPlane bed_;
   double top_mm_;
-  double reach_mm_;                 ///< of a bead below its waypoint, towards the bed
-  Point2 origin_ = Point2::Zero();  ///< of the edges
-  EdgeBands edges_;                 ///< of what carries, widened
+  double reach_mm_;                 ///< by which a bead extends below its waypoint, towards the bed
+  Point2 origin_ = Point2::Zero();  ///< origin of the edges' coordinates
+  EdgeBands edges_;                 ///< edges of the supporting material, widened
 };
 
 }  // namespace lamina

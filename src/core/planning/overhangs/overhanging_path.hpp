@@ -18,7 +18,7 @@ inline constexpr const char* kUnsupported = "unsupported";
 struct OverhangRules {
   OverhangingWallSettings walls;
   double bridge_feed_mm_s = 0.0;  ///< of walls that span a gap; 0: as other walls
-  double anchor_mm = 0.0;         ///< shorter gaps do not count
+  double anchor_mm = 0.0;         ///< gaps shorter than this are ignored
 };
 
 /// A wall as it is deposited over the layer below. It gets a waypoint where its unsupported share passes an
@@ -29,8 +29,8 @@ struct OverhangRules {
 /// @param layer  index, from 0; in every second layer loops are reversed if the settings say so
 Path overhanging(Path wall, const BorderDistance& below, const OverhangRules& rules, std::size_t layer);
 
-/// Gives the depositing paths after the first `before` ones, which are unsupported as a whole, that feed and
-/// the process value.
+/// Gives the depositing paths after the first `before` ones that feed, and the process value of beads that
+/// are unsupported as a whole.
 void markUnsupportedSince(std::vector<Path>& paths, std::size_t before, double feed_mm_s);
 
 /// The process value of a path; null if it has none.

@@ -15,7 +15,7 @@ namespace {
 constexpr double kSameRunPose = 1e-6;  // mm and rad
 constexpr double kOnAxis = 1e-6;       // mm
 
-bool goesOn(const Path& before, const Path& path) {
+bool continuesRun(const Path& before, const Path& path) {
   return laysBeads(before) && laysBeads(path) &&
          (before.lastPoint() - path.firstPoint()).norm() <= kSameRunPose &&
          endOrientation(before).angularDistance(path.orientation.at(0)) <= kSameRunPose;
@@ -96,7 +96,8 @@ std::vector<RunSpan> beadRunsOf(const Toolpath& toolpath, const std::vector<RunP
   for (std::size_t i = 0; i < places.size();) {
     const std::size_t begin = i++;
     if (!laysBeads(pathAt(toolpath, places[begin]))) continue;
-    while (i < places.size() && goesOn(pathAt(toolpath, places[i - 1]), pathAt(toolpath, places[i]))) ++i;
+    while (i < places.size() && continuesRun(pathAt(toolpath, places[i - 1]), pathAt(toolpath, places[i])))
+      ++i;
     runs.push_back({begin, i});
   }
   return runs;

@@ -12,15 +12,15 @@ namespace lamina {
 
 /// Chooses where the closed loops of one layer start and end.
 ///
-/// Aligned: the vertex nearest to `anchor`, the same point for all layers. Rear: the vertex farthest towards
-/// +y, of several the one farthest towards +x. Random: anywhere along the loop, by seed and layer. Nearest:
-/// the vertex nearest to where the nozzle comes from.
+/// Aligned: the vertex nearest to `anchor`, which is the same point for all layers. Rear: the vertex farthest
+/// towards +y, of several the one farthest towards +x. Random: anywhere along the loop, by seed and layer.
+/// Nearest: the vertex nearest to the position from which the nozzle comes.
 class Seam {
  public:
   Seam(const SeamSettings& settings, const Point2& anchor, std::uint64_t layer);
 
-  /// The loop, starting at its seam. Nearest leaves it as it is, since the position of the nozzle is not
-  /// known yet.
+  /// The loop, rotated to start at its seam. With Nearest it is unchanged, as the position of the nozzle is
+  /// not known yet.
   Polygon placed(Polygon loop);
 
   /// The loop, starting at its seam for a nozzle that comes from `nozzle`. Only Nearest changes it.

@@ -9,11 +9,12 @@
 
 namespace lamina {
 
-/// Whether lines of that role are deposited in one order across them, none between two deposited before.
+/// Whether lines of this role are deposited in one order across them, so that no line is deposited between
+/// two earlier ones.
 bool laysInOneSense(const SkinSettings& settings, PathRole role);
 
 /// Zigzag lines of ironing over visible areas [mm]. Places narrower than twice the inset get none.
-/// @param seen  visible areas of one layer
+/// @param seen  areas of one layer that are visible from above
 std::vector<FillPath> ironingLines(const Regions& seen, const IroningSettings& settings, double angle_rad);
 
 /// The bead of ironing [mm]: as high as the layer, and as narrow as the flow requires. It lies within

@@ -12,7 +12,7 @@
 
 namespace lamina {
 
-/// Regions, shared by layers in which they are the same. Never null.
+/// Regions that layers share if they are equal. Never null.
 using SharedRegions = std::shared_ptr<const Regions>;
 
 /// The material of one layer and what covers it, in the frame of the layers.

@@ -11,16 +11,16 @@
 
 namespace lamina {
 
-/// The height of the layer amid the part [mm], of which there is one at least.
+/// Height of the layer in the middle of the list [mm], which must not be empty.
 double heightAmid(const std::vector<Layer>& layers);
 
-/// How many layers lie between the first layer of an inclined part and the lowest place where what falls from
-/// the part, along gravity, meets the bed. Zero for a part whose first layer is that place, and for no part.
+/// Number of layers between the first layer of an inclined part and the lowest point at which supports,
+/// extended from the part along gravity, meet the bed. Zero if the first layer is there, and without layers.
 /// @param layers  of the part, in their frame
 std::size_t countLayersBelow(const std::vector<Layer>& layers, const BedPlane& bed,
                              const SupportSettings& settings);
 
-/// The layers with as many empty ones before the first, as high as those amid the part.
+/// The layers, preceded by that number of empty ones with the height `heightAmid`.
 std::vector<Layer> withLayersBelow(const std::vector<Layer>& layers, std::size_t count);
 
 }  // namespace lamina

@@ -27,9 +27,10 @@ double ledgeStep(const WallBeads& walls);
 /// @return empty without walls
 Regions hangingWalls(const Regions& overhang, const Regions& layer, const WallBeads& walls);
 
-/// Of hanging walls the stretches that come within a distance of the part, as long again as three beads.
-/// @param hanging  those of `hangingWalls`
-/// @param below    area of the part beside the end of the supports
+/// The stretches of hanging walls that come within a distance of the part, if they are at least three beads
+/// long.
+/// @param hanging  result of `hangingWalls`
+/// @param below    area of the part next to the end of the supports
 Regions nearPart(const Regions& hanging, const Regions& below, double distance_mm, const WallBeads& walls);
 
 /// Ledges: places where walls overhang within the side gap, out of reach of a column that keeps it. They are

@@ -16,7 +16,7 @@ namespace lamina {
 /// to the wall on which it hangs.
 Regions overhangOf(const Regions& layer, const Regions& below, double lean_mm);
 
-/// The part of an overhang that needs support: without what is held otherwise, as by bridges.
+/// The part of an overhang that needs support: without areas that are held otherwise, as by bridges.
 /// @param held  area of the same layer that is held; may be empty
 Regions toHoldUp(const Regions& overhang, const Regions& held);
 

@@ -15,12 +15,14 @@ Regions differenceByPieces(const Regions& regions, const Regions& subtracted);
 /// The regions grown by a distance, at least as with round corners and at most as with mitred ones.
 Regions grownByPieces(const Regions& regions, double distance_mm);
 
-/// Whether a disc of that radius is known to fit into a region. False if that takes a longer search.
+/// Whether a disc of that radius certainly fits into a region. False if finding out would take a longer
+/// search.
 bool surelyHasRoom(const Region& region, double radius_mm);
 
 /// Regions divided by their distance from each other.
 struct NeighbouringRegions {
-  Regions near;   ///< those with a box within the distance of another one's, or with a hole no wider than it
+  /// Those whose bounding box is within the distance of another one's, or that have a hole no wider than it.
+  Regions near;
   Regions alone;  ///< all others
 };
 /// Divides regions.

@@ -19,13 +19,13 @@ struct StackedMaterial {
   std::vector<SharedRegions> material;  ///< of each layer; layers that equal the one before share its regions
   std::vector<LayerBounds> bounds;
   std::optional<BedPlane> bed;  ///< below inclined layers
-  Box2 box;                     ///< of all material
+  Box2 box;                     ///< bounding box of all material
 
   std::size_t size() const { return material.size(); }
   /// Shift of a vertical line in the plane of the layers, per millimetre down their normal. Zero in level
   /// layers.
   Point2 fall() const;
-  /// The part, near the model, of the plane half way up a layer that lies in the bed. Empty in level layers.
+  /// The area of the bed, near the model, that lies in the plane half way up a layer. Empty in level layers.
   Regions bedIn(std::size_t layer) const;
 };
 

@@ -19,7 +19,7 @@ struct SupportSection {
   double bottom_mm = 0.0;
   double top_mm = 0.0;
   SharedRegions lattice;
-  SharedRegions interface;  ///< dense; beside the lattice
+  SharedRegions interface;  ///< dense area; does not overlap the lattice
 };
 
 /// The support of one layer, lowest section first: one as high as the layer, and lower ones where columns end
@@ -55,7 +55,7 @@ struct LayerSpan {
   std::size_t end = 0;
 };
 
-/// Overhangs by layer, and the layers that count for totals.
+/// Overhangs by layer, and the range of layers that totals are taken of.
 struct CountedOverhangs {
   const std::vector<Regions>& areas;
   LayerSpan counted;

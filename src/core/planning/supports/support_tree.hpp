@@ -12,7 +12,7 @@
 
 namespace lamina {
 
-/// The section of a branch in a layer, or in the lower layer in which it ends.
+/// The cross-section of a branch in a layer, or in the lower layer in which it ends.
 struct BranchDisc {
   Point2 at;
   double radius_mm = 0.0;
@@ -25,7 +25,7 @@ struct BranchDisc {
 struct SupportTree {
   std::vector<std::vector<BranchDisc>> layers;
   std::vector<BranchTip> tips;  ///< those that are supported
-  std::size_t dropped = 0;      ///< number of tips whose branch has no foot
+  std::size_t dropped = 0;      ///< number of tips whose branch cannot reach the ground
 };
 
 /// Grows branches from tips down to bed or part, layer by layer. A branch leans by at most

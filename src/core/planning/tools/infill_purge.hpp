@@ -15,17 +15,18 @@ namespace lamina {
 struct ToolRun {
   std::uint32_t tool = 0;
   std::vector<Path> paths;
-  std::optional<std::size_t> purge = std::nullopt;  ///< number of the purge before it in its layer, if any
-  std::size_t purging = 0;  ///< number of its first paths that purge it, which no later run may take
+  /// Index of the purge before it in its layer, if there is one.
+  std::optional<std::size_t> purge = std::nullopt;
+  std::size_t purging = 0;  ///< number of its first paths that purge the tool and so must stay in this run
 };
 
 /// A layer divided by tools, in the order of laying.
 using ToolRuns = std::vector<ToolRun>;
 
-/// Lets a tool lay infill first, which hides the remains of other material in its nozzle. It lays its own
-/// infill, then that of runs before it, of which it takes over whole paths until they hold that volume. Runs
-/// of infill alone keep theirs, and any run keeps the paths that purge it.
-/// @param purged  number of the tool's run
+/// Makes a tool deposit infill first, which hides the remains of other material from its nozzle. It deposits
+/// its own infill, and then that of earlier runs, whose paths it takes over one by one until they hold the
+/// given volume. Runs that consist of infill alone keep theirs, and every run keeps the paths that purge it.
+/// @param purged  index of the tool's run
 ToolRuns withInfillFirst(ToolRuns runs, std::size_t purged, double volume_mm3);
 
 /// Volume of the infill at the start of a run [mm³].

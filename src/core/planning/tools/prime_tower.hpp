@@ -13,7 +13,7 @@ namespace lamina {
 
 /// A purge at a change of tools within a layer.
 struct Purge {
-  std::uint32_t tool = 0;  ///< the one that is taken
+  std::uint32_t tool = 0;  ///< the tool that is changed to
   double volume_mm3 = 0.0;
 };
 
@@ -23,10 +23,12 @@ struct TowerLayer {
   std::vector<Purge> purges;
 };
 
-constexpr double kTowerBesidePart = 5.0;  ///< distance from the part without a place of its own [mm]
+/// Distance from the part if the tower has no position of its own [mm].
+constexpr double kTowerBesidePart = 5.0;
 
-/// A square tower of two walls, filled by the purges of tools. The first purge of a layer lays the walls. In
-/// a layer without purges the walls and a few lines keep it as high as the part.
+/// A square tower of two walls that the purges of tools fill. The first purge of a layer deposits the walls.
+/// In a layer without purges the walls and a few lines are deposited, so that the tower keeps up with the
+/// part.
 class PrimeTower {
  public:
   /// @param layers  all layers; those above the last purge are not deposited

@@ -12,14 +12,14 @@ namespace lamina {
 /// The nominal bead of a role in a layer.
 struct RoleBead {
   Bead bead;
-  double pitch_mm = 0.0;  ///< distance at which neighbours fill the layer, or `bead.pitch_mm`
+  double pitch_mm = 0.0;  ///< distance of neighbours at which they fill the layer, or `bead.pitch_mm`
 };
 
-/// The nominal bead of a role. It has the width stated for infill, skins or supports, by whatever tool. Else
-/// it is `bead.width_mm` wide for the tool of walls, and for other tools, those of supports, brims and rafts
-/// too, wider or narrower in proportion to their nozzles. If a nozzle is not known, and for bridges and
-/// ironing, it has the width of walls.
-/// @param height_mm  of the bead
+/// The nominal bead of a role. Infill, skins and supports have the width that the settings state for them,
+/// with whatever tool. Otherwise the bead is `bead.width_mm` wide with the tool of walls, and with other
+/// tools (those of supports, brims and rafts included) in proportion to the nozzle diameter. If a nozzle
+/// diameter is not known, and for bridges and ironing, it has the width of walls.
+/// @param height_mm  height of the bead
 RoleBead beadOf(PathRole role, const PlanSettings& settings, double height_mm);
 
 /// The nominal beads of a layer.

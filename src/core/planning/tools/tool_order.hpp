@@ -17,20 +17,21 @@ bool usesTools(const PlanSettings& settings);
 /// The tool of a path. A support keeps that of `supports.*`, unless `tool.*` names another.
 std::uint32_t toolOf(const Path& path, const ToolSettings& settings);
 
-/// The same of all paths of a role.
+/// The tool of all paths of a role.
 std::uint32_t toolOf(PathRole role, const PlanSettings& settings);
 
-/// The tools of walls, infill, skins and, if used, brims, rafts and supports by `toolOf`: each once, in that
-/// order.
+/// The tools, by `toolOf`, of walls, infill, skins and, if used, brims, rafts and supports, in this order and
+/// without duplicates.
 std::vector<std::uint32_t> toolsAtWork(const PlanSettings& settings);
 
 /// Orders each layer by tools: first the tool that ended the layer before, then the others by number, each
-/// with its paths in the planned order. Travels are made anew where the order changes, and are retracted to
-/// another tool. With `tools.purge_mm3` a tool that is taken first lays that volume into a prime tower; with
-/// `tools.purge_into_infill` it lays infill first, which tools before it leave to it, and only the rest into
-/// the tower. The tower has no gaps, neither over a raft nor in layers without other paths. Layers of several
-/// parts may lie side by side, as on a plate: layers of the tower then end at the top of each, or take the
-/// purges of one whose top is less than half a layer higher. Layers are not joined yet.
+/// with its paths in the planned order. Travels are made anew where the order changes, and are retracted if
+/// they lead to another tool. With `tools.purge_mm3` a tool that is changed to first deposits that volume
+/// into a prime tower. With `tools.purge_into_infill` it first deposits infill, which earlier tools leave to
+/// it, and only the rest into the tower. The tower has no gaps, neither over a raft nor in layers without
+/// other paths. Layers of several parts may lie side by side, as on a plate. Then a layer of the tower ends
+/// at the top of each, or, if a top is less than half a layer higher than the next, takes the purges of both.
+/// Layers are not joined yet.
 /// @throws InvalidConfig if the tower is too small for its purges, or stands on the part
 void arrangeTools(std::vector<ToolpathLayer>& layers, const PlanSettings& settings,
                   const TravelMaker& travel);

@@ -14,16 +14,16 @@ namespace lamina {
 
 /// Limits of a way.
 struct WayLimits {
-  double longest_mm = 0.0;  ///< length of the whole way
-  double reach_mm = 0.0;    ///< distance from an end outside the area to the area
+  double longest_mm = 0.0;  ///< greatest length of the whole way
+  double reach_mm = 0.0;    ///< greatest distance of an end outside the area from the area
 };
 
 /// The area of a layer to which travels are confined, and the shortest ways in it. A way bends at reflex
-/// corners only. It is found among these by A*; a line between corners is checked when it is the most
-/// promising one, against the edges in the cells of a grid that it crosses.
+/// corners only, and is found among these by A*. A line between two corners is checked only when it is the
+/// most promising one, against the edges in those cells of a grid that it crosses.
 class CombArea {
  public:
-  /// @param area  wound as `unite` winds regions
+  /// @param area  with outlines oriented as `unite` returns them
   explicit CombArea(const Regions& area);
 
   /// The shortest way between two points, both ends included. An end outside the area is joined to its
@@ -54,7 +54,7 @@ class CombArea {
     std::size_t region;
   };
 
-  /// A corner by its coordinate and its place in its region.
+  /// A corner by its x and its index in its region.
   using CornerByX = std::pair<double, std::size_t>;
 
   void addOutline(const Polygon& outline, std::size_t region);

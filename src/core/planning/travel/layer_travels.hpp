@@ -19,7 +19,7 @@ class LayerTravels {
   LayerTravels(const TravelSettings& settings, double bead_width_mm)
       : settings_(settings), bead_width_mm_(bead_width_mm) {}
 
-  /// @param material  of the layer; must outlive the travels
+  /// @param material  material of the layer; must outlive the object
   void setMaterial(const Regions& material) { material_ = &material; }
   /// Adds a top skin that was deposited.
   void addSeen(const Regions& top_skin);

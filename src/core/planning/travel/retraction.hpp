@@ -16,14 +16,14 @@ bool isRetracted(double distance_mm, TravelOver over, const TravelSettings& sett
 /// Whether a combed travel of that length is retracted: beyond `comb_longest_mm`.
 bool isRetractedInside(double way_mm, const TravelSettings& settings);
 
-/// Inserts a wipe before each retracted travel that follows a run of beads. A wipe is a travel of `wipe_mm`
-/// at the run's feed, back along an open run, once more along the start of a closed one; the share
-/// `wipe_share` of the retraction happens on it. The retracted travel then starts where the wipe ends.
-/// Without effect if `wipe_mm` is 0.
+/// Inserts a wipe before each retracted travel that follows a run of beads. A wipe is a travel of length
+/// `wipe_mm` at the run's feed: back along an open run, or once more along the start of a closed one. The
+/// share `wipe_share` of the retraction happens during it. The retracted travel then starts at the end of the
+/// wipe. Without effect if `wipe_mm` is 0.
 /// @param layers  of one plane, joined by travels
 void addWipes(std::vector<ToolpathLayer>& layers, const TravelSettings& settings);
 
-/// Whether a travel is such a wipe along the run that comes before it.
+/// Whether `travel` is a wipe along `run`, which comes before it.
 bool isWipeAlong(const Path& run, const Path& travel);
 
 }  // namespace lamina

@@ -33,7 +33,7 @@ std::optional<Path> makeSpaceTravel(const NozzlePose& from, const NozzlePose& to
                                     const TravelSettings& settings, double highest_mm);
 
 /// Makes travels by `makeSpaceTravel`, over all deposition up to and including the layer to which they lead.
-/// @param standing_mm  highest z of what stands there before
+/// @param standing_mm  highest z of solid material on the bed before the first layer
 TravelMaker spaceTravels(const std::vector<ToolpathLayer>& layers, const TravelSettings& settings,
                          double standing_mm);
 

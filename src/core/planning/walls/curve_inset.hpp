@@ -10,15 +10,15 @@ namespace lamina {
 
 /// Direction in which a curve is moved from the wall's surface into its material.
 enum class InsetWay {
-  AcrossWall,  ///< along the wall's normal
-  Level        ///< level, farther where the wall leans, to the same distance from the wall
+  AcrossWall,  ///< along the normal of the wall
+  Level        ///< horizontally, farther if the wall leans, so that the distance from the wall is the same
 };
 
-/// Moves a curve of a wall into the material. The wall's normal is square to the curve and its axes. Corners
-/// stay sharp: segments that end in one keep their distance. Where moved segments cross, as at sharp edges,
-/// the curve is cut at the crossing seen from above. Pieces that are nearer to the wall than the distance are
-/// left out, since the material is thinner than twice the distance there; and so are loops that enclose less
-/// than the square of the distance.
+/// Moves a curve of a wall into the material. The wall's normal is perpendicular to the curve and its axes.
+/// Corners stay sharp: segments that end in one keep their distance from the wall. Where moved segments
+/// cross, as at sharp edges, the curve is cut at the crossing seen from above. Pieces closer to the wall than
+/// the distance are left out, as the material is thinner than twice the distance there; so are loops that
+/// enclose less than the square of the distance.
 ///
 /// @param distance_mm  0 gives the curve itself
 /// @return of a closed curve the loops that remain: several if a neck is too narrow, none if all of it is; of

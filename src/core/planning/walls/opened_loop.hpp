@@ -9,7 +9,7 @@
 
 namespace lamina {
 
-/// A place on a closed path.
+/// A position on a closed path.
 struct JoinedLoopPlace {
   std::size_t motion = 0;  ///< number of the motion on which it lies
   double part = 0.0;       ///< share of that motion from its start
@@ -28,11 +28,11 @@ struct LoopOpening {
   double left_out_mm = 0.0;  ///< length left out at its end
 };
 
-/// The closed path as an open one. Along motions that are cut the nozzle's orientation is interpolated. The
-/// length left out must be less than that of the path.
+/// The closed path as an open one. On motions that are cut, the nozzle's orientation is interpolated. The
+/// length left out must be less than the length of the path.
 Path opened(const Path& joined_loop, const LoopOpening& opening);
 
-/// The end of that path.
+/// The end point of the path that `opened` returns.
 Point3 endOfOpened(const Path& joined_loop, const LoopOpening& opening);
 
 }  // namespace lamina

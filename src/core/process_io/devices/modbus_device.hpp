@@ -8,8 +8,8 @@
 
 namespace lamina {
 
-/// A Modbus server at the other end, over TCP or a serial line; one request per exchange.
-/// @throws InvalidConfig if registers are none, have gaps, or do not hold the channels' values
+/// A device that is a Modbus server, over TCP or a serial line; one request per exchange.
+/// @throws InvalidConfig if there are no registers, or they have gaps or do not hold the channels' values
 std::unique_ptr<ProcessDevice> makeModbusDevice(const DeviceTable& table);
 
 }  // namespace lamina

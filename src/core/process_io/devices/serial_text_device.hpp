@@ -8,8 +8,8 @@
 
 namespace lamina {
 
-/// A device that takes lines of text over a serial line or TCP, one per channel: those that have changed, and
-/// each once in a while.
+/// A device that reads lines of text over a serial line or TCP, one for each channel: channels that have
+/// changed, and every channel again from time to time.
 /// @throws InvalidConfig if a channel's text has no {value}, or the device has inputs
 std::unique_ptr<ProcessDevice> makeSerialTextDevice(const DeviceTable& table);
 

@@ -15,7 +15,8 @@ namespace lamina {
 /// digits.
 std::string toField(const ToolpathEvent& event);
 
-/// @throws InvalidInput if it is none
+/// The event that a field states.
+/// @throws InvalidInput if the field states none
 ToolpathEvent eventFromField(std::string_view field);
 
 }  // namespace lamina

@@ -9,18 +9,20 @@
 
 namespace lamina {
 
-/// Lines of a program as a Fanuc control takes them: comments in brackets and capitals, and a decimal point
-/// in each word of an axis or feed, without which the control counts in its least increment.
-/// @param lines  whole ones, with comments behind `;`
+/// Lines of a program in the form that a Fanuc control expects: comments in round brackets and capitals, and
+/// a decimal point in every word of an axis or feed, as the control would otherwise count the number in its
+/// least increment.
+/// @param lines  whole lines, with comments after `;`
 std::string fanucText(std::string_view lines);
 
-/// The line that was written so, its comment behind `;` again; any other line as it is.
+/// The inverse of `fanucText` for one line, with its comment after `;`; a line of any other form is
+/// unchanged.
 std::string fromFanucText(std::string_view line);
 
-/// The line behind the first `%`: the letter O with four digits, or eight where four do not hold the number;
-/// or the name in angle brackets.
-/// @throws InvalidConfig if the name is longer than 32 characters or holds others than capitals, digits, + -
-///   _ and .
+/// The line of a Fanuc program that names it, after the first `%`: the letter O with four digits, or eight if
+/// four do not hold the number; or the name in angle brackets.
+/// @throws InvalidConfig if the name is longer than 32 characters or contains any others than capitals,
+///   digits, + - _ and .
 std::string fanucProgramName(const FiveAxisSettings& settings);
 
 }  // namespace lamina

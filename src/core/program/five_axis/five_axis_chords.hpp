@@ -8,19 +8,20 @@
 
 namespace lamina {
 
-/// Joints on the way from one waypoint to the next.
+/// Joint values between two waypoints.
 struct JointsBetween {
-  double share = 0.0;  ///< of the way of the tip, in (0, 1)
+  double share = 0.0;  ///< position between the waypoints, as a share of the tip's way, in (0, 1)
   JointValues values;
 };
 
-/// Joints between two stations such that the tip, while all joints move evenly from one to the next, stays on
-/// its straight line within the tolerance; the tool axis turns evenly. Pieces are halved until every one
-/// keeps it, measured by forward kinematics in seven places. Empty where the two will do, or where a rotary
-/// joint is wound back by more than half a turn, which leaves the line whatever stands between.
+/// Joint values to be inserted between two stations so that the tip stays on its straight line within the
+/// tolerance while all joints move evenly from one set of values to the next. The tool axis turns evenly
+/// along the line. Pieces are halved until forward kinematics at seven places of each shows the tolerance
+/// kept. Empty if nothing needs to be inserted, or if a rotary joint is turned back by more than half a turn,
+/// as then the tip leaves the line whatever is inserted.
 /// @param tolerance_mm  positive
-/// @throws Unreachable if the machine has no joints for a pose between that follow those before steadily, or
-///   the tolerance is not kept by a thousand pieces
+/// @throws Unreachable if the machine has no joint values for a pose on the line that continue the ones
+///   before steadily, or the tolerance is not kept with a thousand pieces
 std::vector<JointsBetween> jointsBetween(const KinematicModel& machine, const JointValues& begin,
                                          const JointValues& end, double tolerance_mm);
 

@@ -9,21 +9,20 @@
 
 namespace lamina {
 
-/// A word of a five-axis program that stands for a joint.
+/// A letter of a five-axis program, and the joint for which it stands.
 struct AxisLetter {
   char letter = 0;  ///< of XYZABCUVW
   JointKind kind = JointKind::Linear;
   Eigen::Index joint = 0;
 };
 
-/// In the order of XYZABCUVW.
-/// @param renamed  `five_axis.letters`: "b=U,c=V" for rotary joints that programs name otherwise
-/// @throws InvalidConfig if a joint has no letter or that of another, if x, y and z are not among them,
-/// linear,
-///   or if what is renamed is no rotary joint, or to no letter of ABCUVW
+/// The letters of a machine's joints, in the order of XYZABCUVW.
+/// @param renamed  `five_axis.letters`: "b=U,c=V" for rotary joints that have other letters than their names
+/// @throws InvalidConfig if a joint has no letter or the letter of another, if x, y and z are not all there
+///   as linear joints, or if a renamed joint is not rotary or its letter is not one of ABCUVW
 std::vector<AxisLetter> axisLetters(const KinematicModel& machine, const std::string& renamed);
 
-/// "X Y Z A C".
+/// The letters separated by spaces: "X Y Z A C".
 std::string toText(const std::vector<AxisLetter>& letters);
 
 }  // namespace lamina

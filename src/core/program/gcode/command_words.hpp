@@ -13,7 +13,7 @@
 
 namespace lamina {
 
-/// Whether a command has that letter and number, whatever follows: isCommand("M104 S200", "M104").
+/// Whether a command begins with that code, and no further digit follows: isCommand("M104 S200", "M104").
 inline bool isCommand(std::string_view command, std::string_view code) {
   return command.substr(0, code.size()) == code &&
          (command.size() == code.size() ||
@@ -26,7 +26,7 @@ bool isAnyCommand(std::string_view command, const std::array<std::string_view, c
                      [command](std::string_view code) { return isCommand(command, code); });
 }
 
-/// The number after a letter that stands after a space: wordValue("M104 S200", 'S').
+/// The number after a letter that is preceded by a space: wordValue("M104 S200", 'S').
 inline std::optional<double> wordValue(std::string_view command, char letter) {
   for (std::size_t at = command.find(letter); at != std::string_view::npos;
        at = command.find(letter, at + 1)) {

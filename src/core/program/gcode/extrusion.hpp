@@ -23,7 +23,7 @@ class PathExtrusion {
         filament_per_volume_(path.role == PathRole::Travel ? 0.0 : filament_per_volume),
         common_(filament_per_volume_ * crossSection(path.bead.at(0))) {}
 
-  /// [mm of filament] deposited by the motion that ends at the waypoint.
+  /// Filament [mm] consumed by the motion of that length that ends at the waypoint.
   double along(double length_mm, std::size_t waypoint) const {
     if (path_.bead.isCommon()) return length_mm * common_;
     return length_mm * filament_per_volume_ * crossSection(path_.bead.at(waypoint));

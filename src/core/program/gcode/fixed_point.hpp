@@ -7,7 +7,7 @@
 
 namespace lamina {
 
-/// The nearest multiple of 1/scale, as a count of them; |value| * scale must be below 2^62.
+/// The number of units of 1/scale that is nearest to a value; |value| * scale must be below 2^62.
 inline std::int64_t toUnits(double value, double scale) {
   return static_cast<std::int64_t>(value * scale + (value < 0.0 ? -0.5 : 0.5));
 }

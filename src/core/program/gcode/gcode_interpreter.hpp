@@ -10,10 +10,10 @@
 
 namespace lamina {
 
-/// The words of one line by letter.
+/// The words of one line, by letter.
 class WordTable {
  public:
-  /// @throws InvalidProgram if a word but G and M stands twice
+  /// @throws InvalidProgram if a letter other than G and M occurs twice
   explicit WordTable(const GcodeLine& line);
 
   bool has(char letter) const { return isSet(letter); }
@@ -31,18 +31,20 @@ class WordTable {
   std::array<double, 26> values_{};
 };
 
-/// The modal state of a program and what each line does to it.
+/// The modal state of a program, which each line read changes.
 class GcodeInterpreter {
  public:
   GcodeInterpreter(GcodeReaderSettings settings, GcodeHandlers handlers);
 
+  /// Interprets a line.
   /// @throws InvalidProgram
   void readLine(std::string_view text, std::size_t number);
 
  private:
   enum class Mode { Absolute, Relative };
 
-  /// Takes in a command that only changes modes. False if it is one that uses the other words of the line.
+  /// Interprets a command that only changes modes; returns false for any command that uses the other words of
+  /// its line.
   bool setMode(const GcodeWord& word);
   void run(int command, const WordTable& words);
   void move(int command, const WordTable& words);
@@ -64,8 +66,8 @@ class GcodeInterpreter {
   SlicerContext context_;
   std::size_t line_ = 0;
 
-  Point3 position_ = Point3::Zero();              ///< [mm, machine]
-  std::array<bool, 3> is_stated_{};               ///< position, by axis
+  Point3 position_ = Point3::Zero();              ///< of the machine [mm]
+  std::array<bool, 3> is_stated_{};               ///< whether the position is stated, by axis
   Point3 machine_from_program_ = Point3::Zero();  ///< shift set by G92 [mm]
   double filament_mm_ = 0.0;                      ///< E as the program counts it
   double feed_mm_s_;
@@ -73,7 +75,7 @@ class GcodeInterpreter {
   Mode position_mode_ = Mode::Absolute;
   Mode filament_mode_ = Mode::Absolute;
   bool is_filament_mode_stated_ = false;  ///< by M82 or M83
-  int motion_ = -1;                       ///< of lines with coordinates alone; -1 before the first motion
+  int motion_ = -1;  ///< mode of lines that have coordinates alone; -1 before the first motion
   int arc_axis_ = 2;
 };
 

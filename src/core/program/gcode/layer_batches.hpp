@@ -10,10 +10,10 @@
 
 namespace lamina {
 
-/// Appends the text of one layer.
+/// Function that appends the text of one layer.
 using AppendLayer = std::function<void(std::size_t layer, std::string& text)>;
 
-/// Hands the layers' texts to the sink in order, written by all threads in bounded memory.
+/// Passes the layers' texts to the sink in order. They are written by all threads, in bounded memory.
 void writeLayers(const Toolpath& toolpath, const AppendLayer& append, const TextSink& sink);
 
 }  // namespace lamina

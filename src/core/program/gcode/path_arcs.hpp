@@ -11,21 +11,22 @@
 
 namespace lamina {
 
-/// Which motions of a path arcs may stand for: those of one bead, of feeds within 1 % of their first, at one
-/// height, without events between them.
+/// Selects the motions of a path that arcs may replace: consecutive ones with one bead, at one height, with
+/// feeds within 1 % of the first one's and no events in between.
 class PathArcs {
  public:
-  /// @param places        where the nozzle is in the program: at the start, and at the end of each motion
-  /// [mm]
+  /// @param places        positions of the nozzle in the program: at the start, and at the end of each motion
+  ///   [mm]
   /// @param tolerance_mm  see `longestArc`
   PathArcs(const Path& path, const std::vector<Point3>& places, double tolerance_mm);
 
-  /// The longest arc that begins with that motion; it ends with motion `last - 1`.
+  /// The longest arc that begins with a motion; its last motion is `last - 1`.
   std::optional<FittedArc> from(std::size_t motion) const;
 
  private:
   std::vector<Point2> places_;
-  std::vector<std::size_t> alike_up_to_;  ///< of each motion: one past the last that is like it
+  /// For each motion one past the last consecutive motion that is like it.
+  std::vector<std::size_t> alike_up_to_;
   double tolerance_mm_;
 };
 

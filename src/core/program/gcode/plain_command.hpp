@@ -6,9 +6,9 @@
 
 namespace lamina {
 
-/// Whether a line is a command as only G-code has it: G or M with its number, then nothing but letters with
-/// numbers, and the flags X, Y, Z and E. Readers know a program by it (`Quotation`); commands that carry free
-/// text are none.
+/// Whether a line is a command of a form that only G-code has: G or M with its number, then only letters with
+/// numbers and the flags X, Y, Z and E. Readers recognise a program by such a line (`Quotation`). Commands
+/// with free text do not count.
 bool isPlainCommand(std::string_view line);
 
 }  // namespace lamina

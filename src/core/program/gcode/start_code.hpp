@@ -9,10 +9,10 @@
 
 namespace lamina {
 
-/// Start or end code with its placeholders replaced, every line ended. Lines whose placeholder stands for 0
-/// are left out, so that the heater is left alone.
-/// @param key    of the setting the code comes from, for the error
-/// @param frame  gives the axis that lifts the nozzle
+/// Start or end code with its placeholders replaced and an end on every line. Lines with a placeholder whose
+/// value is 0 are left out, so that the heater keeps its state.
+/// @param key    name of the setting that holds the code, for the error
+/// @param frame  states the axis that lifts the nozzle
 /// @throws InvalidConfig if a placeholder is unknown or not closed
 std::string expandCode(const std::string& key, const std::string& code, const ProgramSettings& settings,
                        const ProgramFrame& frame);

@@ -11,16 +11,16 @@
 
 namespace lamina {
 
-/// Of the nozzle of a tool from that of tool 0, along the axes that the program speaks [mm]. 0 of tools
-/// beyond the settings' list.
+/// Offset of a tool's nozzle from that of tool 0, along the axes of the program [mm]. 0 for a tool beyond the
+/// settings' list.
 Point3 toolOffset(std::uint32_t tool, const ProgramSettings& settings, const ProgramFrame& frame);
 
-/// Comment lines that state the offsets that positions take into account, with 17 digits: `;TOOL_OFFSET:1 30
-/// 0 0`. None of those that are 0.
+/// Comment lines that state the tool offsets contained in the positions, with 17 digits: `;TOOL_OFFSET:1 30 0
+/// 0`. Offsets of 0 are omitted.
 std::string toolOffsetComments(const ProgramSettings& settings, const ProgramFrame& frame);
 
-/// Takes in a comment without its semicolon; others change nothing.
-/// @throws InvalidProgram if it is one of these, and not the number of a tool and three numbers
+/// Reads the tool offset that a comment, given without its semicolon, states; other comments change nothing.
+/// @throws InvalidProgram if the comment states an offset, but not as the number of a tool and three numbers
 void readToolOffset(std::string_view comment, std::vector<Point3>& offsets_mm);
 
 }  // namespace lamina

@@ -10,17 +10,18 @@
 
 namespace lamina {
 
-/// RAPID does not distinguish upper from lower case.
+/// The name in lower case, as RAPID does not distinguish case.
 std::string lowerCase(std::string_view name);
 
-/// @param key  what the name is for, for the error
-/// @throws InvalidConfig if it is no identifier of RAPID, or a reserved word
+/// Refuses a name that cannot be declared in RAPID.
+/// @param key  what is named, for the error
+/// @throws InvalidConfig if the name is no identifier, or a reserved word
 void requireRapidName(const std::string& key, const std::string& name);
 
-/// Speed of the tool centre [mm/s] if it is a speed that every controller has: v5 to v7000.
+/// Speed [mm/s] of the tool centre of a predefined speed, v5 to v7000; nothing for other names.
 std::optional<double> rapidSpeed(std::string_view name);
 
-/// Whether it is a zone that every controller has: fine, z0 to z200.
+/// Whether a name is that of a predefined zone: fine, z0 to z200.
 bool isRapidZone(std::string_view name);
 
 }  // namespace lamina

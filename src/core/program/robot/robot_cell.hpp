@@ -12,12 +12,13 @@
 
 namespace lamina {
 
-/// The cell of an arm over the frame in which its controller counts: the link `base` of its description where
-/// there is one, which robots with a bed of their own to stand on have beside the root.
+/// The cell of an arm over the frame in which its controller counts positions: the link `base` of its
+/// description, or the root if there is no such link or joints move it. Descriptions whose root is not the
+/// robot's base have a link `base`. If an external axis carries the bed, the cell is that of `armCell`.
 ArmCell controllerCell(const KinematicModel& arm);
 
-/// How a controller counts joints: each with a sign and a zero, and joint 3 perhaps with a share of joint 2,
-/// as one that counts the forearm from level does.
+/// How a controller counts joints: each with a sign and a zero, and joint 3 possibly with a share of joint 2,
+/// as in controllers that count the angle of the forearm from level.
 struct ControllerMap {
   std::array<double, 6> signs = {1, 1, 1, 1, 1, 1};
   std::array<double, 6> zeros_deg{};
@@ -26,11 +27,12 @@ struct ControllerMap {
   bool isPlain() const;
 };
 
+/// Joint values of the model, as the controller counts them.
 /// @throws InvalidConfig if the kinematic model is no six-axis arm
 ControllerJoints controllerJoints(const ControllerMap& map, const KinematicModel& arm,
                                   const JointValues& values);
 
-/// The other way round; external axes that are not given stand at zero.
+/// The inverse of `controllerJoints`; missing values of external axes are taken as zero.
 JointValues armJoints(const ControllerMap& map, const KinematicModel& arm, const ControllerJoints& joints);
 
 }  // namespace lamina

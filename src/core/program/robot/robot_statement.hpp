@@ -14,18 +14,18 @@
 
 namespace lamina {
 
-/// A comment that states what the moves of a program do not: "path outer_wall closed 12".
+/// A note: a comment that states what the moves of a program do not: "path outer_wall closed 12".
 struct NoteLine {
   std::string text;
 };
 
-/// Joints as a controller counts them.
+/// Joint values as a controller counts them.
 struct ControllerJoints {
   std::array<double, 6> arm_deg{};
   std::vector<double> external;  ///< [mm, deg]
 };
 
-/// How an arm stands at a pose.
+/// Joint values and configuration of an arm at a pose.
 struct ArmPosture {
   ControllerJoints joints;
   int branch =
@@ -36,14 +36,16 @@ struct ArmPosture {
 struct TipMove {
   Point3 point = Point3::Zero();                                    ///< [mm]
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< of the nozzle
-  bool is_over_base = false;     ///< of the robot; else over the bed, as in all that is written
-  std::vector<double> external;  ///< [mm, deg]
-  std::optional<ArmPosture> posture = std::nullopt;  ///< where joints are known
+  /// Whether the pose is over the robot's base; otherwise over the bed, as in all programs written.
+  bool is_over_base = false;
+  std::vector<double> external;                      ///< [mm, deg]
+  std::optional<ArmPosture> posture = std::nullopt;  ///< nothing if the joints are not known
   double feed_mm_s = 0.0;
-  bool rests = false;          ///< comes to the very point; others may be rounded
-  bool lays = false;           ///< material
-  double room_mm = 0.0;        ///< to the nearer of the points before and after; 0 where the tip rests
-  std::size_t moves_left = 0;  ///< of its path, this one included
+  /// Whether the tip stops exactly at the point; otherwise the controller may round the corner.
+  bool rests = false;
+  bool lays = false;           ///< whether material is deposited
+  double room_mm = 0.0;        ///< distance to the nearer of the points before and after; 0 if the tip rests
+  std::size_t moves_left = 0;  ///< number of moves of its path from this one on, this one included
 };
 
 /// A move of all joints.
@@ -57,18 +59,18 @@ struct OutputSwitch {
   bool is_on = false;
 };
 
-/// The arc by statements of the controller's own.
+/// Starts or ends the arc by statements of the controller.
 struct ArcSwitch {
   bool is_on = false;
-  int schedule = 1;  ///< kept on the controller
-  int weave = 0;     ///< schedule of the weave while it burns; 0 for none
+  int schedule = 1;  ///< number of the schedule kept on the controller
+  int weave = 0;     ///< number of the weave schedule of the arc; 0 for none
 };
 
-/// An analogue output that holds from the point before the next move.
+/// Sets an analogue output, effective from the point before the next move.
 struct LevelChange {
   int output = 0;
   double value = 0.0;
-  bool is_on_the_way = false;  ///< the tip does not rest
+  bool is_on_the_way = false;  ///< whether it is set without the tip coming to rest
 };
 
 struct ProgramWait {
@@ -79,11 +81,11 @@ struct FileCall {
   std::string name;
 };
 
-/// What a robot's program is made of, in any language.
+/// A statement of a robot's program, in any language.
 using RobotStatement =
     std::variant<NoteLine, JointMove, TipMove, OutputSwitch, ArcSwitch, LevelChange, ProgramWait, FileCall>;
 
-/// A statement of a file, and where it stands.
+/// A statement of a file, and its line.
 struct ReadStatement {
   RobotStatement what;
   std::size_t line = 0;  ///< 1 based

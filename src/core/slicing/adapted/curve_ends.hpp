@@ -6,8 +6,9 @@
 
 namespace lamina {
 
-/// An open curve without the parts at its ends that are lower than a height, cut where it is as high.
-/// @return without points if all of it is lower; closed curves as they are
+/// An open curve without those parts at its ends where the bead is lower than a height; it is cut where the
+/// bead has exactly that height. A closed curve is returned unchanged.
+/// @return without points if all of the curve is lower
 AdaptedCurve withoutThinEnds(const AdaptedCurve& curve, double least_mm);
 
 }  // namespace lamina

@@ -9,7 +9,7 @@
 
 namespace lamina {
 
-/// A curve by its length from its first point.
+/// A curve parameterized by the length from its first point.
 class CurveLength {
  public:
   /// @param curve  must outlive this
@@ -19,7 +19,7 @@ class CurveLength {
   /// Length up to a point of the curve [mm].
   double atPoint(std::size_t i) const { return at_point_[i]; }
   double at(const CurvePlace& place) const;
-  /// @param length_mm  on a closed curve taken round it, on an open one within it
+  /// @param length_mm  modulo the length of a closed curve, clamped to that of an open one
   CurvePlace placeAt(double length_mm) const;
 
  private:

@@ -9,15 +9,15 @@
 
 namespace lamina {
 
-/// A place on a curve: on the way from point `segment` to the one after it.
+/// A place on a curve: on the segment from point `segment` to the next one.
 struct CurvePlace {
   std::size_t segment = 0;
   double fraction = 0.0;
   Point3 point = Point3::Zero();  ///< [mm]
-  double distance_mm = 0.0;       ///< from the point that was asked for
+  double distance_mm = 0.0;       ///< from the point whose nearest place this is
 };
 
-/// Finds the nearest place of a curve in logarithmic time.
+/// Finds the place of a curve that is nearest to a point, in logarithmic time.
 class CurvePlaces {
  public:
   /// @param points  of the curve, two or more
@@ -32,7 +32,7 @@ class CurvePlaces {
   NearestTriangle tree_;
 };
 
-/// The unit vector at a place of a curve, between those of the points beside it.
+/// The direction at a place of a curve, of unit length: interpolated between those of the segment's ends.
 Point3 directionAt(const std::vector<Point3>& directions, const CurvePlace& place);
 
 }  // namespace lamina

@@ -10,12 +10,12 @@
 
 namespace lamina {
 
-/// The curve without loops that it makes seen from above and that are no longer than so much; a point where
-/// it crosses itself takes the place of each. At sharp edges of a wall neighbouring points, each drawn down
-/// the wall by itself, may come to lie in another order than their own.
+/// The curve without its small loops: where it crosses itself seen from above and the loop between is at most
+/// `most_mm` long, the loop is replaced by one point at the crossing. Such loops arise at sharp edges of a
+/// wall, as neighbouring points are drawn down the wall one by one and may come to lie in another order.
 AdaptedCurve withoutSmallLoops(AdaptedCurve curve, double most_mm);
 
-/// Refuses curves of a layer that cross themselves or each other seen from above.
+/// Refuses curves of a layer that cross themselves or each other, seen from above.
 /// @param layer  its number, for the message
 /// @param mesh   the part, whose faces around the crossing are the region
 /// @throws Unsliceable naming the layer and the place

@@ -8,10 +8,10 @@
 
 namespace lamina {
 
-/// Heights over a triangulation that are given on its border and satisfy Laplace's equation inside, by linear
-/// finite elements.
-/// @param border  one per point of the border [mm]
-/// @return one per point [mm]; between the lowest and the highest of the border
+/// Heights over a triangulated region that take given values on its border and satisfy Laplace's equation
+/// inside, by linear finite elements.
+/// @param border  height of each point of the border [mm]
+/// @return height of each point of the region [mm]; between the lowest and the highest of the border
 /// @throws InvalidInput if a triangle beside an inner point has no area
 std::vector<double> harmonicHeights(const RegionTriangulation& region, const std::vector<double>& border);
 

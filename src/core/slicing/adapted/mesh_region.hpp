@@ -6,10 +6,10 @@
 
 namespace lamina {
 
-/// The faces that reach between two heights.
+/// The faces that have a point between two heights [mm].
 Mesh facesBetween(const Mesh& mesh, double low, double high);
 
-/// The faces that come as near to a place.
+/// The faces that come within a distance of a place.
 Mesh facesNear(const Mesh& mesh, const Point3& place, double within_mm);
 
 }  // namespace lamina

@@ -9,26 +9,27 @@
 
 namespace lamina {
 
-/// A place on one of several curves: on the way from point `segment` to the one after it.
+/// A place on one of several curves: on the segment from point `segment` to the next one.
 struct CrossedPlace {
   std::size_t curve = 0;
   std::size_t segment = 0;
   double fraction = 0.0;
 };
 
-/// Two segments that pass through each other seen from above; the lower of curve, then segment, first.
+/// Two segments that cross each other, seen from above. The one with the lower index of curve, then of
+/// segment, is first.
 struct PlanCrossing {
   CrossedPlace first;
   CrossedPlace second;
 };
 
-/// All crossings of curves with themselves and each other, seen from above. Touching is none. Time is
-/// n log n where segments are of about the same length.
+/// All crossings of curves with themselves and each other, seen from above. Curves that only touch do not
+/// cross. Takes time of order n log n if segments are about equally long.
 /// @return in ascending order
 std::vector<PlanCrossing> planCrossings(const std::vector<AdaptedCurve>& curves);
 
-/// The middle between the two places of a crossing, in all that a curve knows of a point: a curve of one
-/// point.
+/// The point midway between the two places of a crossing, as a curve of one point, so that it has all
+/// properties that curves hold for each point, also interpolated.
 AdaptedCurve pointAt(const std::vector<AdaptedCurve>& curves, const PlanCrossing& crossing);
 
 }  // namespace lamina

@@ -4,7 +4,8 @@
 
 namespace lamina {
 
-/// Part of a layer's height below which nothing is deposited where it runs out on the one below.
+/// Least height of a bead as a share of the layer's height: where the layer runs out on the one below,
+/// nothing lower is deposited.
 constexpr double kThinnest = 0.25;
 
 }  // namespace lamina

@@ -10,7 +10,7 @@
 
 namespace lamina {
 
-/// Layers that are computed in one go and divided afterwards.
+/// Height of several layers that are computed in one step and divided into `parts` layers afterwards.
 struct GrowthStep {
   double height_mm = 0.0;
   std::size_t parts = 1;
@@ -19,12 +19,12 @@ struct GrowthStep {
 struct GrowthSteps {
   GrowthStep first;
   GrowthStep other;         ///< its parts are as high as a layer
-  double spacing_mm = 0.0;  ///< of points along contours
+  double spacing_mm = 0.0;  ///< distance of points along contours
 };
 
-/// Grows one wall from its lowest flat contour to its highest, layer by layer. Each layer grows towards the
-/// lowest flat contour that is a step above all of the layer below, and in the end to the top.
-/// @param mesh  the part, to show where it cannot be sliced
+/// Grows one wall from its lowest flat contour to its highest, step by step. Each step grows towards the
+/// lowest flat contour that is a step's height above all of the layer below, the last steps towards the top.
+/// @param mesh  the part, to show the region where it cannot be sliced
 /// @throws Unsliceable if a layer leaves a gap over the one below it, or the top is not reached; Cancelled
 std::vector<AdaptedLayer> growWall(const Mesh& mesh, const WallStrand& strand, const GrowthSteps& steps,
                                    Progress& progress);

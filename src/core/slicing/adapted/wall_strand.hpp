@@ -9,7 +9,8 @@
 
 namespace lamina {
 
-/// A flat contour of a wall: a loop of points at one height and the direction up along the wall at each.
+/// A flat contour of a wall: a loop of points at one height, with the direction upwards along the wall at
+/// each.
 struct WallContour {
   std::vector<Point3> points;
   std::vector<Point3> axis;
@@ -20,8 +21,8 @@ struct WallStrand {
   std::vector<WallContour> levels;
 };
 
-/// The walls of a part cut at these heights. Points are at most `step_mm` apart.
-/// @param heights  ascending, the first at the bottom, the last just below the top
+/// The walls of a part, cut at the given heights. Points of a contour are at most `step_mm` apart.
+/// @param heights  ascending; the first at the bottom of the part, the last just below its top
 /// @throws Unsliceable if the number of loops changes from one height to the next; InvalidMesh if a contour
 /// is open
 std::vector<WallStrand> wallStrands(const Mesh& mesh, const std::vector<double>& heights, double step_mm,

@@ -10,21 +10,22 @@
 
 namespace lamina {
 
-/// How high layers may be, by what they reach over. A limit at a height holds for every layer that touches
-/// it, and the further a layer is from it, the more is allowed: as much more as the ratio of neighbours lets
-/// heights grow on the way. So layers that are as high as they may be keep that ratio, and none is limited
-/// more the later it begins.
+/// Limits of layer height along z, from the slopes that layers span. A limit at some height applies to every
+/// layer that touches this height. A layer farther from it may be higher, by as much as heights may grow from
+/// neighbour to neighbour over that distance. So layers of the greatest allowed height keep the allowed ratio
+/// of neighbours.
 class HeightLimits {
  public:
   HeightLimits(const SlopeProfile& profile, const AdaptiveSettings& settings);
 
-  /// Upside down, for layers that are stacked from above.
+  /// The limits turned upside down, for layers that are stacked from the top.
   HeightLimits mirrored() const;
 
-  /// The greatest height of a layer that begins there. Walks along the profile: ask for ascending bottoms.
+  /// The greatest height of a layer that begins at `bottom_mm`. Each call must have a bottom no lower than
+  /// the call before, as it walks along the profile.
   double above(double bottom_mm);
 
-  /// How much a limit grows per distance.
+  /// Increase of a limit per distance from it [mm/mm].
   double growth() const { return growth_; }
 
  private:
@@ -32,11 +33,12 @@ class HeightLimits {
   void spread();
 
   std::vector<double> z_mm_;
-  std::vector<double> at_mm_;       ///< limit at each z
-  std::vector<double> between_mm_;  ///< limit between z[i] and z[i + 1], nothing else regarded
+  std::vector<double> at_mm_;  ///< limit at each z
+  /// Limit between z[i] and z[i + 1], before those of other heights are regarded.
+  std::vector<double> between_mm_;
   double greatest_mm_ = 0.0;
   double growth_ = 0.0;
-  std::size_t next_ = 0;  ///< first z above the bottom that was asked for last
+  std::size_t next_ = 0;  ///< index of the first z above the bottom of the last call
 };
 
 }  // namespace lamina

@@ -9,14 +9,15 @@
 
 namespace lamina {
 
-/// How a face lies.
+/// Heights and slope of a face.
 struct FaceSlope {
   double low_mm = 0.0;
   double high_mm = 0.0;
   double slope = 0.0;  ///< |n_z|: 0 on walls, 1 on level faces
   double area_mm2 = 0.0;
 
-  /// Within 2.6 deg of level, and within one layer of that height: no step to be lowered.
+  /// Whether the face is within 2.6 deg of level and no higher than a layer, so that lower layers would not
+  /// reduce its steps.
   bool isFlat(double layer_height_mm) const;
 };
 
@@ -24,21 +25,23 @@ FaceSlope slopeOf(const Mesh& mesh, const Triangle& face);
 
 /// The greatest slope of a part at each height.
 struct SlopeProfile {
-  std::vector<double> z_mm;   ///< of the vertices, ascending, each once
-  std::vector<double> slope;  ///< between z_mm[i] and z_mm[i + 1]; 0 where only flats and walls are
+  std::vector<double> z_mm;  ///< heights of the vertices, ascending, without duplicates
+  /// Greatest slope between z_mm[i] and z_mm[i + 1]; 0 if there are only flats and walls.
+  std::vector<double> slope;
 };
 
-/// A level face, or several at one height.
+/// A level face, or several at the same height.
 struct Flat {
   double z_mm = 0.0;
   double area_mm2 = 0.0;
 };
 
-/// @param least_height_mm  of a layer: lower faces near to level are flats
+/// The greatest slope of a mesh by height.
+/// @param least_height_mm  least height of a layer: faces near to level that are lower count as flats
 SlopeProfile slopeProfile(const Mesh& mesh, double least_height_mm);
 
-/// Level faces that a layer could end at, ascending, without those at the bottom of the part. Of those closer
-/// to each other than `least_height_mm` only the largest; `hidden` holds the others.
+/// Level faces at which a layer could end, ascending, without those at the bottom of the part. Of several
+/// that are closer to each other than `least_height_mm`, `kept` has the largest and `hidden` the others.
 struct Flats {
   std::vector<Flat> kept;
   std::vector<Flat> hidden;

@@ -19,10 +19,9 @@ struct LayersToCount {
   const std::vector<LayerSurface>& upper;
 };
 
-/// How often each sample of a part is covered: by how many layers it is between whose lower and upper side
-/// it lies. Of a bent layer every triangle fills the prism between both sides; prisms share their walls, so
-/// that nothing is open or double where a layer bends. What folds back over itself counts as often as it
-/// covers.
+/// For each sample of a part, the number of layers that cover it. A layer covers a sample that lies between
+/// its lower and upper side. The triangles of a bent layer are extruded into prisms that share their walls,
+/// so that there are no gaps or overlaps at edges. A layer that folds back over itself counts several times.
 /// @throws Cancelled if `progress` is cancelled
 std::vector<std::uint32_t> layerCounts(const PartSamples& samples, const LayersToCount& layers,
                                        Progress& progress);

@@ -10,12 +10,13 @@
 
 namespace lamina {
 
-/// Points spread evenly through the inside of a closed mesh, one at a random place of every cell of a cubic
-/// grid; always the same ones for a mesh. They stand in columns: those of one share x and y, and go upwards.
+/// Points spread evenly through the inside of a closed mesh: one at a random position in every cell of a
+/// cubic grid, the same ones for the same mesh. Points are stored in columns: those of a column share x and
+/// y, and ascend in z.
 class PartSamples {
  public:
   /// @param mesh   closed, facing outwards; holds a positive volume
-  /// @param count  about as many points
+  /// @param count  approximate number of points
   PartSamples(const Mesh& mesh, std::size_t count);
 
   const std::vector<Point3>& points() const { return points_; }

@@ -6,14 +6,14 @@
 
 namespace lamina {
 
-/// What is too small to lay [mm²].
+/// Sizes of what is too small to deposit.
 struct TidyLimits {
   double least_piece_mm2 = 0.0;   ///< smaller pieces are dropped
   double largest_hole_mm2 = 0.0;  ///< smaller holes are closed
 };
 
-/// A shell without what cannot be deposited. Holes are closed by triangles from their middle, if these face
-/// as the shell does around them. Cuts along creases and walls leave both.
+/// A shell without its small pieces and small holes, such as arise at cuts along creases and walls. A hole is
+/// closed by triangles from its middle, provided that they face as the shell around it does.
 LayerSurface tidied(const LayerSurface& shell, const TidyLimits& limits);
 
 }  // namespace lamina

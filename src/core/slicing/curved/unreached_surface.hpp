@@ -9,14 +9,15 @@
 
 namespace lamina {
 
-/// The triangles, among `candidates`, that shells of an open surface do not come to: whose middle is nearest
-/// to the surface's border, and farther than `within_mm` to the side of where that border goes.
+/// Those triangles among `candidates` that the shells of an open surface `source` do not reach: the nearest
+/// point of the surface to their middle is on its border, and they lie farther than `within_mm` beyond the
+/// border, to the side.
 TriangleNumbers unreached(const Mesh& mesh, const TriangleNumbers& candidates, const Mesh& source,
                           double within_mm);
 
-/// The points, in front of where a surface faces, that its shells do not come to even if walls beside its
-/// border lean outwards by `steepest_deg`: nearest to the border, and farther to the side of it than
-/// `within_mm` and that.
+/// Those points in front of an open surface `source` that its shells do not reach, even if the walls along
+/// its border lean outwards by `steepest_deg`: the nearest point of the surface is on its border, and they
+/// lie farther beyond the border than `within_mm` and that lean.
 std::vector<Point3> unreached(const std::vector<Point3>& points, const Mesh& source, double within_mm,
                               double steepest_deg);
 

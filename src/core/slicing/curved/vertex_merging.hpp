@@ -11,7 +11,7 @@
 
 namespace lamina {
 
-/// A surface under way, as far as merging needs to know it.
+/// A surface whose vertices move with the offset, as `mergeCollapsed` needs it.
 struct MovingSurface {
   const Mesh& surface;
   const VertexNeighbours& neighbours;
@@ -23,19 +23,22 @@ struct MovingSurface {
   }
 };
 
-/// Where the vertices of a surface are at an offset at which some of them have collapsed.
+/// Positions of the vertices of a surface at an offset at which some of them have collapsed.
 struct MergedVertices {
   static constexpr std::uint32_t kGone = std::numeric_limits<std::uint32_t>::max();
 
-  std::vector<std::uint32_t> root;  ///< the vertex whose place each one takes; `kGone` if nothing lives near
-  std::vector<Point3> place;        ///< of each root [mm]
-  std::vector<char> is_stopped;     ///< whether a root stands where its neighbours collapse, not on its path
+  /// For each vertex the one whose position it takes; `kGone` if no vertex near it is left.
+  std::vector<std::uint32_t> root;
+  std::vector<Point3> place;  ///< position of each root [mm]
+  /// Whether a root stands where its neighbours collapse instead of on its own path.
+  std::vector<char> is_stopped;
 };
 
-/// Living vertices go their way. Collapsed ones are merged into what is left around them: first, beside an
-/// edge that living vertices run along, into that edge (on facets the shell stays exact); then, beside living
-/// ones, they stop where the edges to those collapse at this very offset, which is on the crease that has
-/// come about; the others join the nearest of either, counted in edges.
+/// Moves the vertices of a surface by an offset and merges those that have collapsed into what is left around
+/// them. Vertices that have not collapsed (living ones) move on their paths. A collapsed vertex beside an
+/// edge between living ones is merged into that edge, so that the shell stays exact on facets. A collapsed
+/// vertex beside living ones otherwise stops where the edges to them collapse at this offset, which is on the
+/// crease that has formed. All others join the nearest vertex of either kind, counted in edges.
 MergedVertices mergeCollapsed(const MovingSurface& moving, double offset_mm);
 
 }  // namespace lamina

@@ -13,9 +13,10 @@
 
 namespace lamina {
 
-/// Each cell is cut in two triangles along its rising diagonal: 2 c is the lower right half of cell c, with
-/// its low, right and high corner, 2 c + 1 the upper left one, with its low, left and high corner: each runs
-/// along one axis and then along the other.
+/// The three corners of a triangular half of a cell. Each cell is cut into two triangles along its rising
+/// diagonal: half 2 c is the lower right one of cell c, with its low, right and high corner; half 2 c + 1 is
+/// the upper left one, with its low, left and high corner. From corner to corner it goes along one axis, then
+/// along the other.
 inline std::array<std::size_t, 3> cornersOfHalf(const HeightGrid& cells, std::size_t half) {
   const std::size_t cell = half / 2;
   const auto columns = static_cast<std::size_t>(cells.columns);
@@ -25,21 +26,24 @@ inline std::array<std::size_t, 3> cornersOfHalf(const HeightGrid& cells, std::si
   return {low, low + width, low + width + 1};
 }
 
-/// Length of the slope of what is linear in a half, by its values at the corners [1/mm].
+/// Length of the gradient in a half, of the linear function with these values at the corners [1/mm].
 inline double slopeOfHalf(const std::array<double, 3>& values, double cell_mm) {
   return std::hypot(values[1] - values[0], values[2] - values[1]) / cell_mm;
 }
 
-/// What is seen of a part from above, on a grid. Heights are above the bed [mm].
+/// Surface of a part as seen from above, on a grid. Heights are above the bed [mm].
 struct TopSurface {
-  /// At each corner of the cells, row by row: that of the highest surface; none where there is none.
+  /// For each corner of the cells, row by row, the height of the highest surface; nothing beside the part.
   std::vector<std::optional<double>> at_corner;
-  /// The same with two more rings of corners around it, each in line with two further in; all positive.
+  /// `at_corner` with two more rings of corners around it, extrapolated linearly from two corners further in;
+  /// all heights are positive.
   std::vector<std::optional<double>> prolonged;
-  /// Of each half with material, at its corners: what is linear between them is nowhere lower than the part.
+  /// For each half with material, heights at its corners such that the plane through them is nowhere lower
+  /// than the part.
   std::vector<std::optional<std::array<double, 3>>> over_half;
 };
 
+/// Samples the upper side of a part.
 /// @param mesh     closed, with edges no longer than a cell, inside the grid
 /// @param base_mm  z of the bed
 TopSurface topSurface(const Mesh& mesh, const HeightGrid& cells, double base_mm);

@@ -10,37 +10,39 @@
 
 namespace lamina {
 
-/// What is looked for cuts in.
+/// A part, and the rules for the cuts that are searched in it.
 struct CutQuestion {
   const CellGraph& cells;
   const FacePolygons& faces;
   const DirectionSettings& settings;
   CutRules rules;
-  double first_layer_mm = 0.2;  ///< faces up to there are held by the bed
+  double first_layer_mm = 0.2;  ///< height above the bed up to which the bed holds faces
 };
 
-/// Surface that hangs over more than is taken, in a piece that one direction is printed along [mm²].
+/// Faces that overhang by more than is allowed in a piece printed along one direction, and their area.
 struct HangingFaces {
   std::vector<std::uint32_t> faces;
   double area_mm2 = 0.0;
 };
 
-/// Faces that hang along +z and do not belong to the first layer.
+/// Faces that overhang by more than is allowed if the part is printed along +z, without those in the first
+/// layer.
 HangingFaces hangingFaces(const FacePolygons& faces, const CutQuestion& question);
 
-/// Faces that overhang by more than is taken from a direction.
+/// Faces that overhang by more than is allowed if printed along the direction `up`.
 std::vector<std::uint32_t> facesHangingAlong(const FacePolygons& faces, const Point3& up,
                                              const CutQuestion& question);
 
-/// Cuts in the order in which they are found: the last piece first.
+/// A sequence of cuts in the order in which they are found: the piece printed last is cut off first.
 struct CutSequence {
   std::vector<CuttingPlane> cuts;
-  std::vector<double> hanging_mm2;  ///< of each piece that is cut off, along its direction
-  FacePolygons rest;                ///< of the surface, below all cuts
+  /// Overhanging area of each piece that is cut off, when printed along its direction.
+  std::vector<double> hanging_mm2;
+  FacePolygons rest;  ///< faces below all cuts
   double cut_mm2 = 0.0;
 };
 
-/// The sequence that leaves least, by a beam search (`directedPieces`).
+/// The cut sequence that leaves the least overhanging area, by a beam search (see `directedPieces`).
 /// @throws Cancelled
 CutSequence bestCuts(const CutQuestion& question, Progress& progress);
 

@@ -9,7 +9,7 @@
 
 namespace lamina {
 
-/// The plane in which x · up = from; what lies on it within a millionth of a millimetre is below it.
+/// The plane x · up = from. What lies on it, within 1e-6 mm, counts as below it.
 struct CuttingPlane {
   Point3 up = Point3::UnitZ();
   double from_mm = 0.0;
@@ -18,7 +18,7 @@ struct CuttingPlane {
   bool isBelow(const Point3& point) const { return heightOf(point) <= 1e-6; }
 };
 
-/// Faces of a part, some of them cut: convex polygons [mm].
+/// Faces of a part as convex polygons, some of them cut [mm].
 class FacePolygons {
  public:
   explicit FacePolygons(const Mesh& mesh);
@@ -29,11 +29,11 @@ class FacePolygons {
   const Point3* end(std::uint32_t face) const { return corners_.data() + first_[face + 1]; }
   double area(std::uint32_t face) const { return areas_[face]; }
 
-  /// What of them is below a plane, without what would close the cut.
+  /// The faces, or parts of faces, below a plane. The cut is left open.
   FacePolygons below(const CuttingPlane& plane) const;
-  /// Area of what of a face is above a plane.
+  /// Area of that part of a face that is above a plane [mm²].
   double areaAbove(std::uint32_t face, const CuttingPlane& plane) const;
-  /// Triangles of the chosen faces.
+  /// The chosen faces as triangles.
   Mesh meshOf(const std::vector<std::uint32_t>& faces) const;
 
  private:

@@ -12,36 +12,38 @@
 
 namespace lamina {
 
-/// Which cells of a part are still to be cut, by nodes.
+/// For each node of a part's cells, whether it has not been cut off yet.
 using CellsLeft = std::vector<std::uint8_t>;
 
-/// What a cut has to hold to.
+/// Requirements on a cut.
 struct CutRules {
   double bed_mm = 0.0;
-  double least_base_mm2 = 0.0;  ///< of each part of a piece, on its plane
+  double least_base_mm2 = 0.0;  ///< least area, on the cutting plane, of each connected part of a piece
   std::vector<HeadStage> head;
   double part_mm3 = 0.0;  ///< volume of all cells
 };
 
-/// What a plane cuts off.
+/// Cells that a plane cuts off.
 struct CutCells {
   double volume_mm3 = 0.0;
   double area_mm2 = 0.0;  ///< of the cut
   CellsLeft left;
 };
 
-/// Cells above a plane, cut off; nothing if the plane is no cut: nothing is above it or the bed is, what
-/// stays does not hang together with the bed, a part of the piece lies on less than it must, or the head
-/// would be in the bed. Crumbs, below a ten thousandth of the part, may do as they like.
+/// Cuts off the cells above a plane. Nothing if the plane is not allowed as a cut: no cells are above it; the
+/// bed is above it; what remains is not connected to the bed; a connected part of the piece has too small a
+/// base; or the head would be in the bed. Parts smaller than a ten thousandth of the part's volume are exempt
+/// from this.
 std::optional<CutCells> cutCells(const CellGraph& cells, const CellsLeft& left, const CuttingPlane& plane,
                                  const CutRules& rules);
 
-/// The lowest plane across a direction over which the head is clear of the bed, and the bed itself is not
-/// [mm along it].
+/// Position of the lowest plane across the direction `up`, measured along it, above which the head does not
+/// touch the bed and which does not have the bed above it [mm].
 double lowestClearOfBed(const CellGraph& cells, const CellsLeft& left, const Point3& up,
                         const CutRules& rules);
 
-/// Height of the tip above the bed from which on a head along a direction is clear of it [mm].
+/// Least height of the tip above the bed at which a head along the direction `up` does not touch the bed
+/// [mm].
 double leastTipHeight(const std::vector<HeadStage>& head, const Point3& up);
 
 }  // namespace lamina

@@ -11,41 +11,43 @@
 
 namespace lamina {
 
-/// Where a part stands.
+/// The bed below a part.
 struct GrowthBed {
   double level_mm = 0.0;    ///< z of the bed
-  double contact_mm = 0.1;  ///< above it: what is solid there stands on the bed
+  double contact_mm = 0.1;  ///< height above the bed up to which solid cells count as standing on the bed
 };
 
-/// Growth at a place, and its gradient: across the layers, against the tool axis; its length is 1 / relative
-/// thickness.
+/// Growth at a place, and its gradient: it points across the layers, against the tool axis, and its length is
+/// 1 over the relative thickness of the layer.
 struct GrowthAt {
   double growth_mm = 0.0;
   Point3 gradient = Point3::UnitZ();
 };
 
-/// When growth reaches the nodes of a part: how much nominal layer height has been deposited by then. At each
-/// node the least of all ways through the part from the bed, each as long as `GrowthGauge` says.
+/// Growth at each node of a part: the nominal layer height deposited until the node is reached. It is the
+/// least cost of all ways through the part from the bed to the node, as `GrowthGauge` measures them.
 struct ArrivalField {
-  std::vector<double> growth_mm;  ///< at the middles of the nodes; infinite where no way leads
-  std::vector<Point3> turn;       ///< where the straight end of the way to the node begins
-  std::vector<double> turn_mm;    ///< growth there
-  std::vector<char> is_level;     ///< growth is the height over the bed
-  std::size_t stands = 0;         ///< nodes that stand on the bed
-  double contact_mm2 = 0.0;       ///< of the part with the bed
-  double bed_mm = 0.0;            ///< z
+  std::vector<double> growth_mm;  ///< at the middles of the nodes; infinite if no way leads to the node
+  std::vector<Point3> turn;       ///< point at which the last straight piece of the way to the node begins
+  std::vector<double> turn_mm;    ///< growth at that point
+  std::vector<char> is_level;     ///< whether growth at the node equals the height above the bed
+  std::size_t stands = 0;         ///< number of nodes that stand on the bed
+  double contact_mm2 = 0.0;       ///< area of contact with the bed
+  double bed_mm = 0.0;            ///< z of the bed
 
-  /// As the way to a node goes on to a place near it, which may lie beside the part.
+  /// Growth at a place near a node, which may lie beside the part: as if the way to the node continued to the
+  /// place.
   GrowthAt near(const Point3& place, std::uint32_t node, const Point3& middle,
                 const GrowthGauge& gauge) const;
 };
 
-/// Grows a part from the bed, node by node in the order of arrival. A way to a node is straight as far as it
-/// stays in the part, and turns where it must: at the bits of a node from which the next is seen. So the
-/// field is exact, but for the bits, where the bed is seen from everywhere, and level to 1e-9 mm where a way
-/// that leans no more than the overhang leads up from it. About 1 % of a cell above level counts as level.
+/// Grows a part from the bed, node by node in the order of arrival. A way to a node is straight as long as it
+/// stays in the part, and otherwise turns at bits of a node from which the next node is visible. So the field
+/// is exact up to the size of a bit where the bed is visible from everywhere. It is level to within 1e-9 mm
+/// where a way from the bed leans no more than the overhang. Growth of about 1 % of a cell above level counts
+/// as level.
 ///
-/// Each node is settled once; cost grows with the nodes, by about n log n.
+/// Each node is settled once; time is of order n log n in the number of nodes.
 /// @throws Cancelled
 ArrivalField arrivalField(const CellGraph& cells, const GrowthGauge& gauge, const GrowthBed& bed,
                           Progress& progress);

@@ -12,7 +12,7 @@
 
 namespace lamina {
 
-/// Numbers that stand one after another in a vector.
+/// A contiguous range of numbers in a vector.
 struct NumberRange {
   const std::uint32_t* first = nullptr;
   const std::uint32_t* last = nullptr;
@@ -21,12 +21,12 @@ struct NumberRange {
   std::size_t size() const { return static_cast<std::size_t>(last - first); }
 };
 
-/// A part in cubic cells of 4 x 4 x 4 bits, each bit solid if its middle is inside the part. What of a cell
-/// hangs together (by faces of bits) is a node; most cells have one. Nodes of neighbouring cells (26) are
-/// linked if their bits touch, or are joined by touching nodes within the cells that both share a block of
-/// 2 x 2 x 2 with: what a gap narrower than a cell parts stays apart.
+/// A part in cubic cells of 4 x 4 x 4 bits, each bit solid if its middle is inside the part. A connected set
+/// of bits of a cell, connected by their faces, is a node; most cells have one node. Nodes of neighbouring
+/// cells (26 neighbours) are linked if their bits touch, or if touching nodes in cells of a common block of 2
+/// x 2 x 2 join them. So nodes on both sides of a gap narrower than a cell are not linked.
 ///
-/// Nodes are numbered by their cells, along x first. The frame has an empty cell around the part.
+/// Nodes are numbered by cell, along x first. The frame has a margin of one empty cell around the part.
 class CellGraph {
  public:
   static constexpr std::uint32_t kNone = 0xFFFFFFFF;
@@ -42,27 +42,27 @@ class CellGraph {
   double bitSide() const { return frame_.voxel_mm / kBits; }
   std::uint32_t nodeCount() const { return static_cast<std::uint32_t>(bits_.size()); }
 
-  /// Bit x + 4 y + 16 z is that at x, y, z in its cell.
+  /// Solid bits of the node's cell that belong to it: bit x + 4 y + 16 z is the one at x, y, z in the cell.
   std::uint64_t bits(std::uint32_t node) const { return bits_[node]; }
   std::array<int, 3> cell(std::uint32_t node) const { return placeOf(cell_[node]); }
-  /// Low corner of a node's cell.
+  /// Corner of the node's cell at the lower end of all axes.
   Point3 corner(std::uint32_t node) const;
-  /// Middle of its bits.
+  /// Centroid of the node's bits.
   const Point3& middle(std::uint32_t node) const { return middle_[node]; }
-  /// [mm³]
+  /// Volume of the node's bits [mm³].
   double volume(std::uint32_t node) const;
 
-  /// Nodes of a cell: first, and one past the last. None beyond the frame.
+  /// Nodes of a cell as a range: the first, and one past the last. Empty beyond the frame.
   std::array<std::uint32_t, 2> nodesIn(const std::array<int, 3>& cell) const;
   NumberRange links(std::uint32_t node) const {
     return {links_.data() + link_start_[node], links_.data() + link_start_[node + 1]};
   }
   bool areLinked(std::uint32_t a, std::uint32_t b) const;
 
-  /// The node that has the bit at (i, j, k), counted through all cells; none if it is not solid.
+  /// The node that contains the bit (i, j, k), counted through all cells; `kNone` if that bit is not solid.
   std::uint32_t nodeOfBit(int i, int j, int k) const;
   std::uint32_t nodeAt(const Point3& point) const;
-  /// Whether the straight way from the middle of a node to a point stays in the part to within a bit.
+  /// Whether the straight line from the middle of a node to a point stays in the part, to within a bit.
   bool isClear(std::uint32_t node, const Point3& to) const;
 
  private:

@@ -14,7 +14,7 @@
 
 namespace lamina {
 
-/// Cells, and when growth reaches them.
+/// The cells of a part, and the growth at which each is reached.
 struct GrownCells final : HeadRoom::Growth {
   GrownCells(CellGraph graph, ArrivalField arrival) : cells(std::move(graph)), field(std::move(arrival)) {}
 
@@ -27,30 +27,30 @@ struct GrownCells final : HeadRoom::Growth {
   ArrivalField field;
 };
 
-/// A part's growth by one overhang used, and how that suits the surface and the head.
+/// Growth of a part for one overhang used, and how well it supports the surface and suits the head.
 struct GrownPart {
   const Mesh& mesh;
   const VolumetricRequest& request;
   double bed_mm;
-  double overhang_rad;  ///< used
+  double overhang_rad;  ///< overhang that growth uses on purpose
   GrowthGauge gauge;
   std::shared_ptr<const GrownCells> grown;
   std::shared_ptr<const GrowthLattice> lattice;
   HangingSurface hanging;
   std::shared_ptr<const HeadRoom> room;
-  std::shared_ptr<const HeadLean> lean;  ///< nothing without a head
+  std::shared_ptr<const HeadLean> lean;  ///< nothing if no head is given
 
   const CellGraph& cells() const { return grown->cells; }
   const ArrivalField& field() const { return grown->field; }
   double unsupportedPercent() const { return 100.0 * hanging.grown_mm2 / hanging.surface_mm2; }
-  /// Of the volume: where the head is not clear by any lean.
+  /// Share of the volume in which the head cannot avoid a collision by any lean.
   double shut() const { return lean ? lean->shut() : 0.0; }
 };
 
-/// What of a part no growth leads to.
+/// The part of the volume that no growth reaches.
 struct Pendant {
   double volume_mm3 = 0.0;
-  double whole_mm3 = 0.0;  ///< of the part
+  double whole_mm3 = 0.0;  ///< volume of the whole part
   Point3 lowest = Point3::Constant(std::numeric_limits<double>::infinity());
 
   double percent() const { return 100.0 * volume_mm3 / whole_mm3; }
@@ -58,22 +58,25 @@ struct Pendant {
 
 Pendant pendantOf(const GrownPart& part);
 
-/// What the growth of a part by one overhang fails to print well.
+/// What cannot be printed well if a part grows by one overhang.
 struct GrowthLoss {
   double unsupported_mm2 = 0.0;
   double pendant_mm3 = 0.0;
 };
 
-/// Whether less overhang, by which growth leads to less of the part, is better: some surface is supported
-/// instead, and no more volume is lost than a layer over it.
+/// Whether `next`, with less overhang used and so perhaps more pendant volume, is better than `best`: it
+/// leaves less surface unsupported, and the additional pendant volume is at most one layer over the surface
+/// that is supported instead.
 bool supportsMore(const GrowthLoss& next, const GrowthLoss& best, double layer_height_mm);
 
-/// Grows a part by the overhang that `overhang_used_deg` states. If it states none, by 20 deg less than the
-/// material takes, and then in steps of 2.5 deg: more where the head has no room between fronts that meet, so
-/// that they meet at a wider angle, as long as that makes room, thickness allows it and no more is left
-/// unsupported than is taken; less where much is left unsupported, as long as there is less of it, the head
-/// has room, and no more volume is lost to pendants than a layer over the surface that is supported instead.
-/// @throws Unsliceable if it does not stand on the bed; Cancelled
+/// Grows a part by the overhang that `overhang_used_deg` states. If that is not set, growth starts with 20
+/// deg less than the material allows and is varied in steps of 2.5 deg.
+/// It uses more overhang if the head has no room between fronts that meet, as they then meet at a wider
+/// angle; as long as that makes room, thickness allows it, and no more surface is left unsupported than is
+/// allowed.
+/// It uses less if much surface is left unsupported; as long as that surface shrinks, the head has room, and
+/// the additional pendant volume is at most one layer over the surface that is supported instead.
+/// @throws Unsliceable if the part does not stand on the bed; Cancelled
 GrownPart grownPart(const Mesh& mesh, const VolumetricRequest& request, Progress& progress);
 
 }  // namespace lamina

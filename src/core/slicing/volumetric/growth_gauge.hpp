@@ -8,27 +8,29 @@ namespace lamina {
 
 /// What limits growth. Angles in radians.
 struct GrowthLimits {
-  double overhang_rad = 0.5;   ///< that growth uses up on purpose, below pi/2
-  double max_thickness = 2.0;  ///< of a layer, over its nominal height; at least 1
-  double max_tilt_rad = 1.4;   ///< of the growth direction from up
+  double overhang_rad = 0.5;   ///< overhang that growth uses on purpose, below pi/2
+  double max_thickness = 2.0;  ///< greatest thickness of a layer, relative to its nominal height; at least 1
+  double max_tilt_rad = 1.4;   ///< greatest angle of the growth direction from the vertical
 };
 
-/// What it takes to grow along a straight way: nominal layer height deposited, per length. A way up to the
-/// overhang from upright takes its rise, so that layers are level there. One that leans more takes |way|
-/// cos(overhang) exp(-(lean - overhang) tan(overhang)): the layer's normal lags behind the way by exactly the
-/// overhang, and the layer's thickness is exp((lean - overhang) tan(overhang)). Where that reaches the
-/// greatest thickness the layer's normal stays as it is, and the cost is linear in the way. Convex, and
-/// smooth but at 0, for ways that do not lead down.
+/// Cost of growing along a straight way: the nominal layer height that is deposited. For a way that leans
+/// from the vertical by at most the overhang, the cost is its rise, so that layers are level there. For one
+/// that leans more it is |way| cos(overhang) exp(-(lean - overhang) tan(overhang)): the normal of the layer
+/// lags behind the way by exactly the overhang, and the relative thickness of the layer is exp((lean -
+/// overhang) tan(overhang)). Beyond the lean at which this reaches the greatest thickness, the normal no
+/// longer changes and the cost is linear in the way. For ways that do not lead down the cost is convex, and
+/// smooth except at 0.
 class GrowthGauge {
  public:
   explicit GrowthGauge(const GrowthLimits& limits);
 
-  /// Growth along a way [mm]; infinite for one that leans more than `greatestLean`.
+  /// Cost of a way [mm]; infinite if it leans more than `greatestLean`.
   double cost(const Point3& way) const;
-  /// Gradient of the cost: the layer's normal by the inverse of its relative thickness; up for a zero way.
+  /// Gradient of the cost: the layer's normal times 1 over its relative thickness; straight up for a way of
+  /// length 0.
   Point3 gradient(const Point3& way) const;
 
-  /// [rad]
+  /// Greatest lean of a way with a finite cost [rad].
   double greatestLean() const { return greatest_lean_; }
 
  private:
@@ -36,13 +38,13 @@ class GrowthGauge {
   double tan_overhang_;
   double cos_overhang_;
   double greatest_lean_;
-  double thickest_lean_;  // from which the thickness stays
+  double thickest_lean_;  // lean from which on the thickness is the greatest one
   double thickest_tilt_;
-  Point2 beyond_;  // gradient there: across and up
+  Point2 beyond_;  // gradient beyond that lean: horizontal and vertical component
 };
 
-/// The overhang at which a level underside gets layers no thicker than `max_thickness`; the one given if it
-/// does.
+/// The overhang, at most the one given, for which layers at a level underside are no thicker than
+/// `max_thickness`.
 double overhangWithin(double overhang_rad, double max_thickness);
 
 }  // namespace lamina

@@ -12,37 +12,39 @@
 
 namespace lamina {
 
-/// Growth at the middle of a cell, for one piece of the part.
+/// Growth at the middle of a cell, for one connected piece of the part in it.
 struct GrowthSample {
   double growth_mm = 0.0;
-  Point3 gradient = Point3::UnitZ();  ///< as of `GrowthAt`
-  double steepness = 1.0;             ///< its length; between samples their mean, where fronts meet too
+  Point3 gradient = Point3::UnitZ();  ///< as in `GrowthAt`
+  /// Length of the gradient; between samples the mean of theirs, also where fronts meet.
+  double steepness = 1.0;
   Point3 at = Point3::Zero();
-  std::uint32_t node = CellGraph::kNone;  ///< of the part; none for one beside it
+  std::uint32_t node = CellGraph::kNone;  ///< node of the part; `kNone` if the sample lies beside the part
 };
 
-/// Eight neighbouring cells and one piece of the part in them: a sample a corner. Corner x + 2 y + 4 z is
-/// that at x, y, z.
+/// Eight neighbouring cells with one connected piece of the part in them: a sample for each corner, the one
+/// at x, y, z with index x + 2 y + 4 z.
 struct GrowthCube {
-  std::array<int, 3> cell{};  ///< of corner 0
+  std::array<int, 3> cell{};  ///< the cell of corner 0
   std::array<std::uint32_t, 8> sample{};
 };
 
-/// A growth field on the middles of cells, carried one cell out of the part, so that surfaces of equal growth
-/// reach its skin. Cells have a sample for each piece of the part in or beside them; cubes of samples join
-/// what is linked, and nothing across gaps.
+/// Samples of a growth field at the middles of cells, extrapolated by one cell beyond the part so that
+/// surfaces of equal growth reach its skin. A cell has a sample for each piece of the part in it or beside
+/// it. Cubes join samples of linked nodes only, never across a gap.
 class GrowthLattice {
  public:
   GrowthLattice(const CellGraph& cells, const ArrivalField& field, const GrowthGauge& gauge,
                 Progress& progress);
 
   const std::vector<GrowthSample>& samples() const { return samples_; }
-  /// By their cells, along x first.
+  /// All cubes, sorted by cell, along x first.
   const std::vector<GrowthCube>& cubes() const { return cubes_; }
-  /// First of the cubes whose corner 0 is a cell, and one past the last. None beyond the frame.
+  /// Range of the cubes whose corner 0 is this cell: the first, and one past the last. Empty beyond the
+  /// frame.
   std::array<std::uint32_t, 2> cubesAt(const std::array<int, 3>& cell) const;
 
-  /// Growth at a point within a cube, linear between its corners along each axis; its gradient likewise.
+  /// Growth and gradient at a point in a cube, interpolated trilinearly between its corners.
   GrowthSample within(const GrowthCube& cube, const Point3& point) const;
 
  private:

@@ -12,54 +12,55 @@
 
 namespace lamina {
 
-/// Which overhangs are looked at.
+/// Which part of a surface counts as an overhang.
 struct OverhangQuestion {
   double max_overhang_rad = 0.785;
-  double above_mm = 0.0;  ///< z, below which the surface rests on the bed
+  double above_mm = 0.0;  ///< z up to which the surface rests on the bed
 };
 
-/// What of a part's surface hangs.
+/// Area of a part's surface that overhangs.
 struct HangingSurface {
   double surface_mm2 = 0.0;
-  double level_mm2 = 0.0;                 ///< overhangs by more than is taken, over level layers
-  double grown_mm2 = 0.0;                 ///< over the layers of the growth
-  std::vector<double> grown_by_triangle;  ///< the same of each triangle [mm²]
-  Mesh grown;                             ///< the same as pieces of triangles
+  double level_mm2 = 0.0;  ///< area that overhangs by more than is allowed if layers are level
+  double grown_mm2 = 0.0;  ///< area that overhangs by more than is allowed if layers follow the growth
+  std::vector<double> grown_by_triangle;  ///< `grown_mm2` of each triangle of the mesh [mm²]
+  Mesh grown;                             ///< the triangles, or pieces of triangles, of `grown_mm2`
 };
 
-/// By samples of the surface at most a cell apart, each with the growth that the layers have there. What no
-/// growth leads to hangs.
+/// Measures overhanging surface by samples of it at most a cell apart, each with the growth that the layers
+/// have there. Surface that no growth reaches counts as overhanging.
 /// @throws Cancelled
 HangingSurface hangingSurface(const Mesh& mesh, const CellGraph& cells, const GrowthLattice& lattice,
                               const OverhangQuestion& question, Progress& progress);
 
-/// Thickness of layers as the growth of neighbouring cells gives it, over the nominal height.
+/// Relative thickness of layers, over the nominal height, from the growth of neighbouring cells.
 struct GrownThickness {
   double least = 1.0;
   double greatest = 1.0;
-  double beyond = 0.0;  ///< share of the volume outside of [1, max_thickness] by more than 2 %
+  /// Share of the volume in which the thickness lies outside [1, max_thickness] by more than 2 %.
+  double beyond = 0.0;
 };
 
-/// By least squares over neighbours. Cells one of whose neighbours grows another way are where fronts meet:
-/// they are left out.
+/// Thickness of layers by least squares over neighbouring cells. Cells with a neighbour that grows another
+/// way, where fronts meet, are left out.
 GrownThickness grownThickness(const CellGraph& cells, const GrowthLattice& lattice, double max_thickness);
 
-/// Cells that are reached before all their neighbours.
-/// @param bed_mm  what stands below this z is not counted
+/// Number of cells that are reached before all their neighbours, that is, where growth begins in the air.
+/// @param bed_mm  z up to which such cells rest on the bed and are not counted
 std::size_t growthMinima(const CellGraph& cells, const GrowthLattice& lattice, double bed_mm);
 
-/// How layers lie on what is deposited before them.
+/// Share of a layer that rests on what was deposited before it.
 struct RestingShare {
   double area_mm2 = 0.0;
   double resting_mm2 = 0.0;
-  double least = 1.0;  ///< share of the piece with least
+  double least = 1.0;  ///< least share of all connected pieces
   Point3 least_at = Point3::Zero();
   std::size_t pieces = 0;
 };
 
-/// Of the connected pieces of a layer. A place rests if one height below it there is
-/// part, no farther aside than that height, or the bed.
-/// @param carried_mm2  pieces of which no more than that does not rest are not looked for the least share
+/// Measures how a layer rests, piece by connected piece. A place rests if one layer height below it, and at
+/// most as far to the side, there is the part or the bed.
+/// @param carried_mm2  pieces whose area that does not rest is at most this do not count for the least share
 RestingShare restingShare(const LayerSurface& layer, const CellGraph& cells, double bed_mm,
                           double carried_mm2);
 

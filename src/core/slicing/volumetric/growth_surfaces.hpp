@@ -12,20 +12,21 @@
 
 namespace lamina {
 
-/// Whether each layer, by the growth at which it begins and ends, is level as a whole: the plane at its
-/// height meets nothing but level growth, and no growth of that layer is anywhere else.
+/// For each layer, given by the growth at which it begins and ends, whether it is level as a whole: the plane
+/// at its height meets only level growth, and the growth of the layer occurs nowhere else.
 /// @param bed_mm  z of the bed
 std::vector<char> levelLayers(const CellGraph& cells, const GrowthLattice& lattice,
                               const std::vector<LayerBounds>& layers, double bed_mm);
 
-/// Layers by the growth at which each begins and ends, and those of them that get no surface.
+/// Layers, given by the growth at which each begins and ends, and which of them get no surface.
 struct LayersToCut {
   const std::vector<LayerBounds>& layers;
   const std::vector<char>& is_left;
 };
 
-/// Surfaces of equal growth half way through each layer, by one vertex a cube that they cross, ended at the
-/// part's skin. Heights are those that the gradient gives at each vertex. The same for any number of threads.
+/// Surfaces of equal growth midway through each layer, with one vertex for each cube that they cross, cut off
+/// at the part's skin. Layer heights at the vertices follow from the gradient. The result does not depend on
+/// the number of threads.
 /// @throws Cancelled
 std::vector<LayerSurface> growthSurfaces(const GrowthLattice& lattice, const CellGraph& cells,
                                          const LayersToCut& cut, const SignedDistance& skin,

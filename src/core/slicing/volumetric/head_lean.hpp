@@ -10,26 +10,27 @@
 
 namespace lamina {
 
-/// What leans are looked for.
+/// Parameters of the search for leans.
 struct LeanQuestion {
   double greatest_rad = 0.6;
-  double ahead_mm = 0.2;  ///< growth deposited before a place besides what has grown before it: its layer
+  /// Growth deposited ahead of a place, besides what has grown before it: its own layer.
+  double ahead_mm = 0.2;
 };
 
-/// How far the head leans from a part's layers towards upright, so that it clears bed and part.
+/// Angles by which the head leans from the normal of a part's layers towards upright to avoid bed and part.
 class HeadLean {
  public:
-  /// Looks at one place in every cube of about 2 mm, for leans in steps of 5 deg. Between places the lean is
-  /// evened out, never below what the nearest ones need.
+  /// Searches leans in steps of 5 deg at one place in every cube of about 2 mm. Between places the lean is
+  /// smoothed, but never below what the nearest places need.
   /// @throws Cancelled
   HeadLean(const CellGraph& cells, const GrowthLattice& lattice, const HeadRoom& room,
            const LeanQuestion& question, Progress& progress);
 
-  /// The direction against the tool axis at a place of a layer.
+  /// Direction against the tool axis at a place of a layer with this normal.
   Point3 direction(const Point3& place, const Point3& normal) const;
   /// Greatest lean [rad].
   double greatest() const { return greatest_; }
-  /// Of the volume: where the head is not clear by any lean.
+  /// Share of the volume in which no lean avoids a collision.
   double shut() const { return shut_; }
 
  private:
@@ -45,7 +46,7 @@ class HeadLean {
   double shut_ = 0.0;
 };
 
-/// A direction turned towards up by an angle, at most to up.
+/// A direction turned towards +z by an angle, at most up to +z.
 Point3 turnedUp(const Point3& direction, double angle_rad);
 
 }  // namespace lamina

@@ -21,7 +21,8 @@ class EmulatedHeater {
   void elapse(double seconds);
   double actual() const { return actual_c_; }
   double target() const { return target_c_; }
-  /// Time of heating until the target, or the limit if that is lower; 0 if it is warm enough.
+  /// Time of heating until the target is reached, or the limit if that is lower; 0 if the heater is at least
+  /// as warm.
   double timeToHeat() const;
   /// Time until the target is reached by heating or cooling.
   double timeToReach() const;
@@ -45,7 +46,8 @@ struct EmulatedHeaters {
 
   void elapse(double seconds);
   void switchOff();
-  /// "T:20.00 /0.00 B:20.00 /0.00 @:0 B@:0", as Marlin reports; with a dryer as its heated chamber, C.
+  /// Report of temperatures as Marlin writes it, with a dryer as its heated chamber C: "T:20.00 /0.00 B:20.00
+  /// /0.00 @:0 B@:0".
   std::string report() const;
 
   EmulatedHeater nozzle;

@@ -6,11 +6,12 @@
 
 namespace lamina {
 
-/// A map of the bed as Marlin says it: a bump of Gauss' shape in the middle, probed at 5 by 5 points.
-/// @param bump_mm  its height
+/// A height map of the bed in Marlin's format: a bump of Gaussian shape in the middle, probed at 5 by 5
+/// points.
+/// @param bump_mm  height of the bump
 std::string heightMapText(double bump_mm);
 
-/// Time that probing it takes [s].
+/// Time that the machine takes to probe the map [s].
 double heightMapTime();
 
 }  // namespace lamina

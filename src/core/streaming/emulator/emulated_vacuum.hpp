@@ -8,8 +8,8 @@
 
 namespace lamina {
 
-/// Zones of a vacuum bed: the pressure of each goes exponentially towards that of the pump, of a leak, or of
-/// the air. Zones are numbered from 1.
+/// Zones of a vacuum bed, numbered from 1. The pressure of each approaches that of the pump, of a leak, or of
+/// the atmosphere exponentially.
 class EmulatedVacuum {
  public:
   static constexpr double kAirKpa = 101.325;
@@ -21,7 +21,7 @@ class EmulatedVacuum {
   void close(int zone) { zones_.at(index(zone)).is_open = false; }
   void switchOff();
   void elapse(double seconds);
-  /// Absolute [kPa].
+  /// Absolute pressure of a zone [kPa].
   double pressure(int zone) const { return zones_.at(index(zone)).kpa; }
   bool isOpen(int zone) const { return zones_.at(index(zone)).is_open; }
 

@@ -21,7 +21,7 @@ namespace lamina {
 class ReplyQueue {
  public:
   void say(std::string_view text) { (held_.empty() ? ready_ : held_.back().text) += text; }
-  /// Everything said from now on is held until `wall_s`.
+  /// Holds back all further replies until `wall_s`.
   void holdUntil(double wall_s) { held_.push_back({wall_s, {}}); }
   void elapse(double wall_s) {
     for (; !held_.empty() && held_.front().until <= wall_s; held_.pop_front()) ready_ += held_.front().text;
@@ -121,13 +121,14 @@ class EmulatedFirmware::Board {
   std::string rx_;
   std::string emergency_line_;
   std::deque<Command> commands_;
-  std::optional<Command> current_;         ///< begun and not yet answered
-  std::deque<RequestedMotion> requested_;  ///< of the current command, without room yet
-  bool needs_rest_ = false;                ///< the current command ends when the motions do
-  double wait_s_ = 0.0;                    ///< and then takes this long
+  std::optional<Command> current_;  ///< begun and not yet answered
+  /// Motions of the current command for which the queue has no room yet.
+  std::deque<RequestedMotion> requested_;
+  bool needs_rest_ = false;  ///< whether the current command ends only when all motions have ended
+  double wait_s_ = 0.0;      ///< time that the current command takes after that
   std::optional<double> wait_until_s_;
-  std::string reply_;        ///< said with the ok of the current command
-  std::string reply_in_ok_;  ///< on its line
+  std::string reply_;        ///< sent before the ok of the current command
+  std::string reply_in_ok_;  ///< sent on the line of that ok
 
   Point3 planned_ = Point3::Zero();
   double feed_factor_ = 1.0;

@@ -17,7 +17,7 @@ class HomedAxes {
   void home(std::size_t axis) { is_homed_.at(axis) = true; }
   void forget() { is_homed_ = {}; }
   /// States that motors are switched off.
-  /// @param words  behind the command; without the letter of a motor all are meant
+  /// @param words  the rest of the command; if it names no motor, all are switched off
   void release(std::string_view words) {
     const bool is_all = words.find_first_of("XYZE") == std::string_view::npos;
     for (std::size_t axis = 0; axis < kLetters.size(); ++axis)
@@ -32,7 +32,7 @@ class HomedAxes {
       if (is_homed_[axis]) letters += kLetters[axis];
     return letters;
   }
-  /// The letters of those that a motion needs and that are not.
+  /// Letters of the axes that a motion needs and that are not homed.
   std::string lettersMissing(const GcodeMotion& motion) const {
     std::string letters;
     for (std::size_t axis = 0; axis < kLetters.size(); ++axis) {

@@ -9,7 +9,7 @@
 
 namespace lamina {
 
-/// The number of a line "N<number> ...", even if the rest of it is wrong.
+/// The number of a line "N<number> ...", even if the rest of the line is invalid.
 std::optional<std::uint64_t> lineNumberOf(std::string_view line);
 
 /// The line after its backspaces, each of which erases the character before it.
@@ -17,8 +17,8 @@ std::string withoutErased(std::string_view line);
 
 /// A received line as firmware reads it.
 struct GatedLine {
-  std::string refusal;  ///< why it is not taken; empty if it is
-  std::string command;  ///< without number and checksum
+  std::string refusal;  ///< why the line is refused; empty if it is accepted
+  std::string command;  ///< the line without number and checksum
   std::optional<std::uint64_t> number;
 };
 

@@ -11,21 +11,21 @@
 
 namespace lamina {
 
-/// The command for a change of feed or flow, which Marlin, RepRapFirmware and Klipper have in common; none
-/// for any other change.
+/// The command for a change of feed or flow, which is the same for Marlin, RepRapFirmware and Klipper;
+/// nothing for other changes.
 inline std::optional<std::string> overrideCommand(const LiveChange& change) {
   if (change.setting == LiveSetting::Feed) return "M220 S" + decimal(change.value);
   if (change.setting == LiveSetting::Flow) return "M221 S" + decimal(change.value);
   return std::nullopt;
 }
 
-/// The command by which Marlin and RepRapFirmware leave out a part by its index; none for any other change.
+/// The command by which Marlin and RepRapFirmware leave out a part, by its index; nothing for other changes.
 inline std::optional<std::string> cancelCommand(const LiveChange& change) {
   if (change.setting == LiveSetting::CancelPart) return "M486 P" + decimal(change.value);
   return std::nullopt;
 }
 
-/// The message on a command whose answer did not come.
+/// Message on a command that was not answered.
 inline std::string noAnswerTo(const std::string& command) {
   return "no answer to " + command + ", which may not have been done";
 }
@@ -36,11 +36,11 @@ struct ChangeCommand {
   std::string refusal;
 };
 
-/// That of Klipper, which leaves out a part by the name that the program defines (`EXCLUDE_OBJECT_DEFINE`);
-/// its index counts these definitions from 0.
+/// Command of Klipper for a change. Klipper leaves out a part by the name that the program defines
+/// (`EXCLUDE_OBJECT_DEFINE`); the index of a part counts these definitions from 0.
 ChangeCommand klipperChange(const LiveChange& change, const StreamableProgram& program);
 
-/// That of RepRapFirmware.
+/// Command of RepRapFirmware for a change.
 ChangeCommand reprapChange(const LiveChange& change);
 
 }  // namespace lamina

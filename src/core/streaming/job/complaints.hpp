@@ -9,7 +9,7 @@ namespace lamina {
 /// The kind of complaint in a line of the firmware, received over a link or from a print server.
 enum class Complaint {
   None,
-  NotDone,  ///< a command was not run, or a motor missed steps of it; the firmware goes on
+  NotDone,  ///< a command was not run, or a motor missed steps; the firmware continues
   Error,    ///< a command was refused, or not run to its end
 };
 

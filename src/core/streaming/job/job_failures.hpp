@@ -17,16 +17,16 @@ class RevisedLines;
 constexpr const char* kLinkNotBack =
     "; the link did not come back, so that the machine was not commanded to stop: look after it";
 
-/// Why a program of which the machine has all lines that there are is not complete; nothing if it is.
-/// @param revised  null if the lines are sent unchanged
+/// Why a program is incomplete although the machine has received all lines that exist; nothing if it is
+/// complete.
 std::optional<Failure> shortfall(std::uint64_t lines_read, const JobRecord& record,
                                  const RevisedLines* revised = nullptr);
 
-/// The failure of a job whose machine says nothing any more.
+/// Failure of a job whose machine has stopped responding.
 /// @param duration  of the silence, in words
 Failure fallenSilent(const std::string& duration, const JobRecord& record);
 
-/// The failure of a job at whose beginning no machine says anything.
+/// Failure of a job whose machine does not respond at the start.
 /// @param limit  of the wait, in words
 Failure nobodyThere(const std::string& limit);
 

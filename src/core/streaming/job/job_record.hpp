@@ -30,16 +30,16 @@ class JobRecord {
   bool isStopping() const { return status.state == PackmlState::Aborting; }
   /// Whether lines are under way, or held back by a pause.
   bool isUnderWay() const { return status.state == PackmlState::Execute || isPaused(); }
-  /// Whether the job holds, or is about to.
+  /// Whether the job holds, or is about to hold.
   bool isPaused() const { return status.state == PackmlState::Holding || status.state == PackmlState::Held; }
-  /// Ends a pause, of a machine that takes lines again at once.
+  /// Ends a pause of a machine that accepts lines again at once.
   void goOn() {
     if (status.state == PackmlState::Holding) enter(PackmlState::Held);
     enter(PackmlState::Unholding);
     enter(PackmlState::Execute);
   }
 
-  /// For the end of a message: "; line 3 of 9 was the last acknowledged".
+  /// Position in the program, for the end of a message: "; line 3 of 9 was the last acknowledged".
   std::string whereItStands() const {
     return "; line " + std::to_string(status.lines_acknowledged) + " of " +
            std::to_string(status.lines_total) + " was the last acknowledged";

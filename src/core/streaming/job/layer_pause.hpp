@@ -11,10 +11,10 @@
 
 namespace lamina {
 
-/// The layer, or the next line, before which the job is to hold at the user's request.
+/// A pause requested by the user: before a layer, or before the next line.
 class LayerPause {
  public:
-  /// Takes a change if it is such a request.
+  /// Records a change if it is such a request.
   bool take(const LiveChange& change) {
     if (change.setting != LiveSetting::PauseAtLayer) return false;
     layer_ = static_cast<std::int32_t>(change.value);
@@ -23,10 +23,10 @@ class LayerPause {
 
   enum class Wish : std::uint8_t {
     Refused,
-    Kept,  ///< for the first line
+    Kept,  ///< kept until the first line
     Begun,
   };
-  /// Takes the wish to pause a job at once. One that is Starting keeps it; one in Execute is Holding then.
+  /// Pauses a job at once: in Execute it becomes Holding; in Starting the request is kept.
   Wish pauseNow(JobRecord& record) {
     if (record.isStarting()) is_next_line_ = true;
     if (record.isStarting()) return Wish::Kept;
@@ -35,8 +35,8 @@ class LayerPause {
     record.enter(PackmlState::Holding);
     return Wish::Begun;
   }
-  /// Takes back such a wish of a job that is Starting.
-  /// @return whether it is Starting
+  /// Withdraws such a request of a job in Starting.
+  /// @return whether the job is in Starting
   bool takeBack(const JobRecord& record) {
     if (record.isStarting()) is_next_line_ = false;
     return record.isStarting();
@@ -45,7 +45,7 @@ class LayerPause {
   /// Whether the job is to hold before the layer after this one, or before an earlier one.
   bool isNear(std::int32_t layer) const { return is_next_line_ || (layer_ && layer >= *layer_ - 1); }
 
-  /// Whether a line of this layer must wait; takes the request, so that it is true once.
+  /// Whether a line of this layer must wait. Removes the request, so that the result is true only once.
   bool takeIfDueAt(std::int32_t layer) {
     const bool is_layer = layer_ && layer >= *layer_;
     if (is_layer) layer_.reset();

@@ -7,9 +7,9 @@ namespace lamina {
 /// The wait of a machine at rest for a layer whose lines are not known yet.
 class LayerWait {
  public:
-  /// Sets the time at which the layer is decided, known or not.
+  /// Begins a wait for a layer, which is decided at time `by`, whether its lines are known or not.
   void begin(double by) { by_ = by; }
-  /// States that it was looked whether the lines are known.
+  /// States that it was checked whether the lines are known.
   void look(double now) {
     constexpr double kLookInterval = 0.01;  // s
     next_look_ = now + kLookInterval;
@@ -21,7 +21,7 @@ class LayerWait {
   double nextLook() const { return next_look_; }
 
  private:
-  double by_ = 0.0;  ///< 0 while none is waited for
+  double by_ = 0.0;  ///< 0 if no layer is waited for
   double next_look_ = 0.0;
 };
 

@@ -13,8 +13,8 @@
 
 namespace lamina {
 
-/// The account of a program's lines: those that the machine has taken, those that it did not do, and those
-/// for want of which it stood still. It stands in the status of the job.
+/// Accounts for a program's lines in the status of its job: lines that the machine has accepted, lines that
+/// it did not do, and lines before which it stood still because they came late.
 class LineAccount {
  public:
   /// @param line_base  number of the line before the program's first
@@ -22,12 +22,12 @@ class LineAccount {
   LineAccount(const LineAccount&) = delete;  // it refers to the status of its job
   LineAccount& operator=(const LineAccount&) = delete;
 
-  /// For what is sent to the machine, and for when it stands still.
+  /// The watch that is told what is sent to the machine and when it stands still.
   StarvationWatch& starvation() { return starvation_; }
 
-  /// States that a line was taken, and all before it.
-  /// @param layer        of that line
-  /// @param free_blocks  of the planner, if the firmware reports them
+  /// States that a line and all before it were accepted.
+  /// @param layer        layer of that line
+  /// @param free_blocks  free blocks of the planner, if the firmware reports them
   void taken(std::uint64_t line, std::int32_t layer, std::optional<int> free_blocks, double now) {
     undone_.acknowledge(line);
     starvation_.acknowledged(line, free_blocks, now);
@@ -35,15 +35,15 @@ class LineAccount {
     takenUpTo(line, layer);
   }
   /// States that the lines from this one on are sent again.
-  /// @param layer_before  of the line before
+  /// @param layer_before  layer of the line before
   void rewound(std::uint64_t line, std::int32_t layer_before) {
     undone_.rewind(line);
     starvation_.rewound(line);
     takenUpTo(line - 1, layer_before);
   }
-  /// States that a line that was not taken is sent again.
+  /// States that a line that was not accepted is sent again.
   void repeated(std::uint64_t line) { undone_.rewind(line); }
-  /// States that the machine does not do the line that it acknowledges next.
+  /// States that the machine will not do the line that it acknowledges next.
   void notDone(const std::string& why) {
     if (undone_.count() == 0) status_.first_not_done = why;
     undone_.announce();

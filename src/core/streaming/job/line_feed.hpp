@@ -17,11 +17,11 @@ namespace lamina {
 class LineFeed {
  public:
   using Source = std::function<std::optional<ProgramLine>()>;
-  /// Tells whether the source knows its next line.
+  /// Function that returns whether the source knows its next line.
   using Readiness = std::function<bool()>;
 
   /// @param first         number of the first line
-  /// @param layer_before  of the line before; -1 if there is none
+  /// @param layer_before  layer of the line before; -1 if there is none
   /// @param isReady       empty if the next line is always known
   LineFeed(Source source, std::uint64_t first, std::int32_t layer_before = -1, Readiness isReady = {})
       : source_(std::move(source)),
@@ -51,10 +51,10 @@ class LineFeed {
  private:
   Source source_;
   Readiness isReady_;
-  std::uint64_t line_before_;  ///< the first one
+  std::uint64_t line_before_;  ///< number of the line before the first one
   std::int32_t layer_before_;
   std::deque<ProgramLine> kept_;  ///< lines first_kept_ and following
-  bool has_unsent_ = false;       ///< the last one kept was read and never sent
+  bool has_unsent_ = false;       ///< whether the last line kept was read but never sent
   std::uint64_t first_kept_;
   std::uint64_t next_;
 };
@@ -62,7 +62,7 @@ class LineFeed {
 /// The lines of a program. They end early if its file changes meanwhile.
 LineFeed::Source sourceOf(const StreamableProgram& program);
 
-/// The same without the first lines, each of which is shown to `passed`.
+/// The lines of a program without its first ones; each line left out is passed to `passed`.
 LineFeed::Source restOf(const StreamableProgram& program, std::uint64_t lines_left_out,
                         const std::function<void(const ProgramLine&)>& passed);
 

@@ -18,7 +18,7 @@ class ReplyLines {
     received_ += bytes;
   }
 
-  /// The next complete line, without its end; none if there is none.
+  /// The next complete line, without its end; nothing if there is none.
   std::optional<std::string> next() {
     constexpr std::size_t kLongest = 4096;
     const std::size_t end = received_.find('\n', read_);
@@ -31,7 +31,7 @@ class ReplyLines {
     return line;
   }
 
-  /// The bytes not read yet.
+  /// Removes and returns the bytes not read yet.
   std::string takeRest() {
     std::string rest = received_.substr(read_);
     clear();
@@ -45,7 +45,7 @@ class ReplyLines {
 
  private:
   std::string received_;
-  std::size_t read_ = 0;  ///< bytes of it that were given away
+  std::size_t read_ = 0;  ///< number of bytes returned
 };
 
 }  // namespace lamina

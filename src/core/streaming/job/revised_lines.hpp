@@ -34,12 +34,12 @@ class GrowingCommands {
   ProgramCursor cursor_;
 };
 
-/// The revised lines of a program. At the start of a layer the next line is not known until the revision of
-/// the layer is decided; another program may replace the rest there. The lines end early, with a failure, if
-/// the program's file was changed or a line cannot be revised.
+/// The revised lines of a program. At the beginning of a layer the next line is not known until the revision
+/// of the layer is decided; another program may then replace the rest. The lines end early, with a failure,
+/// if the program's file was changed or a line cannot be revised.
 class RevisedLines {
  public:
-  /// @param defectOf  gives what the firmware would misread in a command, in words; empty if nothing
+  /// @param defectOf  returns what the firmware would misread in a command, in words; empty if nothing
   RevisedLines(const StreamableProgram& program, std::shared_ptr<ProgramRevision> revision,
                std::function<std::string(const std::string&)> defectOf);
 
@@ -48,13 +48,13 @@ class RevisedLines {
   /// The next line; nothing at the end.
   std::optional<ProgramLine> next();
 
-  /// Decides the layer that waits, after the longest wait.
+  /// Decides the layer that is waited for, once the longest wait is over.
   void decide();
   double waitTime() const { return revision_->waitTime(); }
 
-  /// Number of commands of the whole program: revised ones so far, then those that are left.
+  /// Number of commands of the whole program: those returned so far, and those not yet read.
   std::uint64_t total() const { return given_ + program_.lines() - read_; }
-  /// Why the lines ended early; Ok if at the end of the program.
+  /// Why the lines ended early; Ok at the end of the program.
   const Failure& failure() const { return failure_; }
 
  private:
@@ -68,11 +68,11 @@ class RevisedLines {
   std::function<std::string(const std::string&)> defectOf_;
   std::unique_ptr<std::istream> text_;
   std::string raw_;
-  std::uint64_t number_ = 0;  ///< lines of the text that were read
+  std::uint64_t number_ = 0;  ///< number of lines of the text that were read
   GrowingCommands planned_;
   GrowingCommands revised_;
-  std::uint64_t read_ = 0;   ///< commands of the program, or of the one that took its place
-  std::uint64_t given_ = 0;  ///< commands that these became
+  std::uint64_t read_ = 0;   ///< number of commands read of the program, or of the one that replaced it
+  std::uint64_t given_ = 0;  ///< number of commands returned
   MotionTime time_;
   std::optional<ProgramLine> line_;  ///< the next one
   std::optional<std::int32_t> awaited_;

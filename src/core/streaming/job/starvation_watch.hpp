@@ -10,22 +10,25 @@
 
 namespace lamina {
 
-/// Finds the lines before which the machine stood still for want of a motion. If the firmware reports its
-/// planner, that report decides. Otherwise the answers do: firmware that answers late waits for room, so its
-/// planner is full, and the motions taken since then last for their time at their feeds. An answer later than
-/// a full planner lasts counts as starvation too, since a host that was held up reads answers late. Pauses
-/// below 50 ms are not counted, since acceleration lengthens motions by more than that.
+/// Finds the lines before which the machine stood still because no motion had arrived. If the firmware
+/// reports its planner, this decides. Otherwise the time of answers does: a late answer means that the
+/// firmware was waiting for room in a full planner, so that the motions accepted since then keep it busy for
+/// their time at their feeds. An answer later than a full planner lasts also counts as starvation, as a host
+/// that was held up reads answers late. Standstill below 50 ms is not counted, as acceleration lengthens
+/// motions by more than that.
 class StarvationWatch {
  public:
+  /// States that a line was sent.
   /// @param seconds  time of its motions; 0 for a command without motion
   void sent(std::uint64_t line, double seconds, double now) {
     under_way_.push_back({line, seconds, now, false});
   }
-  /// Takes a command for which the machine stands still.
+  /// States that a command was sent for which the machine stands still.
   void sentWait(std::uint64_t line, double now) { under_way_.push_back({line, 0.0, now, true}); }
-  /// @param free_blocks  of the planner, if the firmware reports them
+  /// States that a line was acknowledged.
+  /// @param free_blocks  free blocks of the planner, if the firmware reports them
   void acknowledged(std::uint64_t line, std::optional<int> free_blocks, double now);
-  /// States that the lines from this one on were not taken and will be sent again.
+  /// States that the lines from this one on were not accepted and will be sent again.
   void rewound(std::uint64_t line);
   /// States that the machine reports to be busy.
   void busy(double now) { taken_at_ = now; }
@@ -48,10 +51,10 @@ class StarvationWatch {
 
   Starvation starvation_;
   std::deque<Line> under_way_;
-  std::deque<double> recent_;  ///< durations of the motions taken last [s]
+  std::deque<double> recent_;  ///< durations of the last motions accepted [s]
   double runs_dry_at_ = 0.0;
   double held_up_s_ = 0.0;  ///< delay of the last line beyond the time of a full planner
-  double taken_at_ = 0.0;   ///< of the last line that was
+  double taken_at_ = 0.0;   ///< time at which the last line was accepted
   int most_free_ = 0;
   bool is_moving_ = false;
 };

@@ -9,11 +9,11 @@
 
 namespace lamina {
 
-/// The commands that the firmware acknowledged without running them. A command that is requested again does
+/// Counts commands that the firmware acknowledged without running them. A command that it requests again does
 /// not count.
 class UndoneCommands {
  public:
-  /// States that the firmware has announced such a line, before its ok.
+  /// States that the firmware has announced, before the ok, that it will not run a line.
   void announce() { is_announced_ = true; }
 
   /// States that a line was acknowledged.

@@ -14,7 +14,7 @@ namespace lamina {
 /// bed are left out, since every stop switches them off.
 class UsedOutputs {
  public:
-  /// Takes a command that is sent.
+  /// Evaluates a command that is sent.
   void see(std::string_view command);
 
   /// Commands that switch off laser and spindle ("M5"); empty if none was on.

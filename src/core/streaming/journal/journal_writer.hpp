@@ -13,9 +13,9 @@
 
 namespace lamina {
 
-/// Writes a progress file in a thread of its own. The streamer waits for the disk only before it sends lines
-/// beyond those that the file announces. Lines are announced ahead of sending, by 256 or the number sent in
-/// the last 0.2 s, whichever is more. Acknowledged lines are written ten times a second and at the end of
+/// Writes a progress file in a thread of its own. The file announces lines before they are sent: 256 lines
+/// ahead or the number sent in the last 0.2 s, whichever is more. The streamer waits for the disk only before
+/// it sends lines beyond those announced. Acknowledged lines are written ten times a second and at the end of
 /// layers.
 class JournalWriter {
  public:
@@ -27,7 +27,7 @@ class JournalWriter {
 
   /// Returns when the file announces all lines that the status counts as sent; to be called before they are
   /// sent.
-  /// @param now  [s] since any start
+  /// @param now  [s] since any fixed time
   /// @throws FileError once, if the file can no longer be written; nothing is written from then on
   void record(const StreamStatus& status, double now);
 
@@ -38,20 +38,20 @@ class JournalWriter {
 
   ProgressFile file_;
   const std::uint64_t lines_total_;
-  const std::uint64_t taken_before_;  ///< by earlier sessions
+  const std::uint64_t taken_before_;  ///< number of lines acknowledged in earlier sessions
   std::uint64_t ahead_;
   std::uint64_t measured_from_;      ///< lines sent at measured_since_
   double measured_since_ = -1.0;     ///< [s]; negative before the first call
   double next_acknowledgement_ = 0;  ///< [s]
-  JobProgress asked_;                ///< the last that the thread was given
+  JobProgress asked_;                ///< the last progress passed to the thread
   bool has_failed_ = false;
 
   std::mutex mutex_;  ///< of everything below
   std::condition_variable has_changed_;
   JobProgress wanted_;
-  bool is_outdated_ = false;  ///< the file does not say what is wanted
+  bool is_outdated_ = false;  ///< whether the file lacks the last progress
   bool is_over_ = false;
-  std::uint64_t kept_sent_;  ///< as the file says
+  std::uint64_t kept_sent_;  ///< number of sent lines that the file states
   std::string failure_;
   std::thread thread_;
 };

@@ -17,16 +17,16 @@ namespace lamina {
 
 /// The firmware that answers at a port.
 struct FoundFirmware {
-  std::string protocol;       ///< in `firmwareProtocols`
-  std::string firmware_name;  ///< as it was given; empty if none was
+  std::string protocol;       ///< name in `firmwareProtocols`
+  std::string firmware_name;  ///< as the firmware states it; empty if it states none
 };
 
-/// The protocols that firmware of this name speaks. Marlin's is also spoken by firmware that gives a name of
-/// its maker's, or none: it counts where no other does.
+/// The protocols that firmware with this name speaks. Firmware with a manufacturer's name, or without a name,
+/// speaks Marlin's protocol, unless the name belongs to another one.
 std::vector<std::string> protocolsSpokenBy(const std::string& firmware_name);
 
-/// Identifies the firmware at a port before anything else is sent. It sends `M115`, which firmware answers by
-/// its name, and grbl's kin refuse in a way of their own. It changes nothing in the machine.
+/// Identifies the firmware at a port before anything else is sent. It sends `M115`: firmware answers it by
+/// its name, and the grbl family refuses it in a characteristic way. Nothing is changed in the machine.
 class Identification {
  public:
   explicit Identification(const StreamOrder& order);
@@ -38,7 +38,7 @@ class Identification {
   double nextDeadline() const;
 
   const std::optional<FoundFirmware>& found() const { return found_; }
-  /// Number of questions sent besides the one that was answered.
+  /// Number of oks still to come: questions sent, except for the one that was answered.
   int answersDue() const { return questions_ - 1; }
   /// Bytes received after the answer.
   std::string takeUnread() { return replies_.takeRest(); }

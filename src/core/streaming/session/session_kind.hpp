@@ -15,7 +15,8 @@
 
 namespace lamina {
 
-/// Interface of the kinds of sessions: a job in a thread of its own. All calls may come from any thread.
+/// Interface of the kinds of sessions. A session runs a job in a thread of its own; all calls may come from
+/// any thread.
 class SessionKind {
  public:
   virtual ~SessionKind() = default;
@@ -30,22 +31,22 @@ class SessionKind {
   virtual bool waitFor(double timeout_s) const = 0;
 };
 
-/// The answer of a session's thread to a change; a message if it does not answer in time.
+/// The answer of a session's thread to a change, or a message that it did not answer in time.
 inline std::string answerOf(std::future<std::string> answer) {
   constexpr std::chrono::seconds kPatience{2};
   if (answer.wait_for(kPatience) == std::future_status::ready) return answer.get();
   return "the session did not answer within 2 s; the change may still be done";
 }
 
-/// The status of a session for other threads, and its observer.
+/// The status of a session for other threads, and the observer that is called with it.
 class SessionRecord {
  public:
-  /// @param port  with which messages of failures begin
+  /// @param port  name with which messages of failures begin
   SessionRecord(std::string port, StreamSession::Observer observer)
       : port_(std::move(port)), observer_(std::move(observer)) {}
 
-  /// Takes over the job's status and the states that it has entered, from the session's thread. Progress
-  /// without a change of state is passed on twenty times a second.
+  /// Copies the job's status and the states that it has entered; to be called from the session's thread.
+  /// Progress without a change of state is passed on at most twenty times a second.
   void publish(StreamStatus status, const std::vector<PackmlState>& entered, double now);
   void finish();
 

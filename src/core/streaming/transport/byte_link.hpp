@@ -13,8 +13,8 @@
 
 namespace lamina {
 
-/// Reads and writes an open stream of Asio: a socket, a serial port or a descriptor. It is held by shared
-/// pointers, since operations under way keep it alive.
+/// Reads and writes an open stream of Asio: a socket, a serial port or a descriptor. Held by shared pointers,
+/// as pending operations keep the link alive.
 template <class Stream>
 class ByteLink : public std::enable_shared_from_this<ByteLink<Stream>> {
  public:
@@ -31,7 +31,7 @@ class ByteLink : public std::enable_shared_from_this<ByteLink<Stream>> {
     if (writing_.empty()) write();
   }
 
-  /// Number of bytes not yet taken by the system.
+  /// Number of bytes that the system has not accepted yet.
   std::size_t pending() const { return waiting_.size() + writing_.size(); }
 
   /// Closes the stream without a callback.

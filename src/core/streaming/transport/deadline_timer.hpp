@@ -14,14 +14,14 @@
 
 namespace lamina {
 
-/// A timer for a deadline that nearly every event moves. It is not moved when the deadline becomes later, but
-/// expires early and is set again, which costs less. The callback must therefore tolerate being called early.
+/// A timer for a deadline that nearly every event postpones. A later deadline does not move the timer: it
+/// expires early and is then set again, which costs less. So the callback must tolerate early calls.
 class DeadlineTimer {
  public:
   DeadlineTimer(boost::asio::io_context& context, const Clock& clock, std::function<void()> went_off)
       : clock_(clock), went_off_(std::move(went_off)), timer_(context) {}
 
-  /// @param deadline  [s] of the clock; infinite for never
+  /// @param deadline  time of the clock [s]; infinite for never
   void set(double deadline) {
     if (deadline >= set_for_) return;
     set_for_ = deadline;

@@ -23,19 +23,21 @@ struct HttpAddress {
 /// Whether a port is a web address of any scheme: "http://host".
 bool isWebAddress(const std::string& port);
 
-/// Reads "http://host", "http://host:port" or "http://[address]:port".
-/// @throws InvalidInput if it is none, has a path, or is one of https://, which is not supported
+/// Parses "http://host", "http://host:port" or "http://[address]:port".
+/// @throws InvalidInput if the text is no such address, has a path, or begins with https://, which is not
+///   supported
 HttpAddress httpAddressOf(const std::string& port);
 
 /// Callbacks of a request, from the thread that runs the io_context.
 struct HttpEvents {
-  std::function<void(std::uint64_t bytes)> sent;  ///< sent of the program so far
+  /// Called with the number of bytes of the program sent so far.
+  std::function<void(std::uint64_t bytes)> sent;
   std::function<void(const HttpResponse&)> responded;
   std::function<void(const HttpFailure&)> failed;
 };
 
-/// Sends one request at a time, each over a connection of its own. A response has at most 4 MiB, unless it is
-/// digested; redirects are not followed.
+/// Sends one request at a time, each over a connection of its own. A response may have at most 4 MiB, unless
+/// only its digest is kept (`HttpRequest::digests_answer`). Redirects are not followed.
 class HttpClient {
  public:
   HttpClient(boost::asio::io_context& context, HttpAddress address, HttpEvents events);
@@ -46,9 +48,9 @@ class HttpClient {
   /// Looks up the host and tries a connection. To be called before the io_context runs.
   /// @throws Disconnected if no server listens there
   void open();
-  /// Sends a request, when the last one is over or broken off.
+  /// Sends a request; the last one must be over or broken off.
   void ask(const HttpRequest& request, const ProgramBody& program);
-  /// Closes the connection of the request under way without a callback.
+  /// Closes the connection of the current request without a callback.
   void breakOff();
 
  private:

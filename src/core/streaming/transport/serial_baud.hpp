@@ -4,8 +4,8 @@
 
 namespace lamina {
 
-/// Sets any baud rate, also one without a constant in termios, such as Marlin's 250000.
-/// @throws std::system_error if the port cannot do it
+/// Sets any baud rate of a serial port, also one without a constant in termios, such as Marlin's 250000.
+/// @throws std::system_error if the port does not support it
 void setBaudRate(int descriptor, int baud);
 
 }  // namespace lamina

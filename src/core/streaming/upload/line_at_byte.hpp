@@ -14,7 +14,8 @@ class LineAtByte {
  public:
   explicit LineAtByte(StreamableProgram program);
 
-  /// Number of commands that end at or before that byte. A file that was changed is not read any further.
+  /// Number of commands that end at or before a byte of the file. A file that was changed is not read any
+  /// further.
   std::uint64_t linesBefore(std::uint64_t byte);
   /// Layer of the last of these commands; -1 before the first.
   std::int32_t layer() const { return layer_; }

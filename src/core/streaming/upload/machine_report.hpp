@@ -12,27 +12,27 @@ namespace lamina {
 
 /// State of the print on a machine.
 enum class PrintState : std::uint8_t {
-  None,  ///< there is none
+  None,  ///< there is no print
   Printing,
   Changing,  ///< it pauses, resumes or cancels
   Paused,
-  Complete,  ///< the last one ran to its end
-  Stopped,   ///< the last one was ended by a user
-  Failed,    ///< the last one was ended by an error
+  Complete,  ///< the last print ran to its end
+  Stopped,   ///< a user ended the last print
+  Failed,    ///< an error ended the last print
 };
 
 /// The report of a machine, from one answer or several.
 struct MachineReport {
   bool is_ready = false;
-  bool is_halted = false;  ///< has shut itself and its heaters down
-  std::string condition;   ///< in its own words, if it is not ready or the print has failed
+  bool is_halted = false;  ///< whether the machine has shut down itself and its heaters
+  std::string condition;   ///< in the machine's own words, if it is not ready or the print has failed
   PrintState state = PrintState::None;
-  std::string file;              ///< below the folder of programs; empty without a print
-  std::uint64_t bytes_read = 0;  ///< of that file
-  bool is_moving = false;        ///< motions are under way
-  /// Stalls for want of motions since its start; none if it does not report them.
+  std::string file;              ///< name below the folder of programs; empty without a print
+  std::uint64_t bytes_read = 0;  ///< number of bytes of the file that were read
+  bool is_moving = false;        ///< whether motions are in progress
+  /// Number of stalls for want of motions since the machine's start; nothing if not reported.
   std::optional<std::uint64_t> stalls;
-  bool has_targets = false;  ///< a heater has a target, or may have one
+  bool has_targets = false;  ///< whether a heater has a target, or may have one
   std::optional<ReportedTemperatures> temperatures;
   std::optional<ReportedPosition> position;
 

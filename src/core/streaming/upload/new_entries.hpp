@@ -12,16 +12,17 @@
 namespace lamina {
 
 /// Finds the new entries of a list that is read repeatedly, while entries are added at its end and removed at
-/// its beginning. An entry is recognised by its whole text, since its time may be wrong.
+/// its beginning. Entries are recognised by their whole text, as their times may be wrong.
 class NewEntries {
  public:
-  /// Whether the last entry taken is still in the list, or none was taken yet.
+  /// Whether the list still has the last known entry, or there is no known entry yet.
   bool isKnownIn(const std::vector<std::string>& list) const {
     return !last_ || std::find(list.rbegin(), list.rend(), *last_) != list.rend();
   }
 
-  /// @return index of the first new entry. In the first list none is new; all are if the last known entry was
-  ///   removed
+  /// Takes note of the list's entries.
+  /// @return index of the first new entry. In the first list none is new; if the last known entry was
+  ///   removed, all are
   std::size_t takeNew(const std::vector<std::string>& list) {
     const std::optional<std::string> before = last_;
     const bool is_first = !std::exchange(has_begun_, true);
@@ -33,7 +34,7 @@ class NewEntries {
   }
 
  private:
-  std::optional<std::string> last_;  ///< nothing where every list was empty
+  std::optional<std::string> last_;  ///< the last known entry; nothing as long as every list was empty
   bool has_begun_ = false;
 };
 

@@ -11,8 +11,8 @@
 
 namespace lamina {
 
-/// The account of a print by what is sent and what the machine reports: lines, complaints, stalls. It stands
-/// in the status of the job.
+/// Accounts for a print in the status of its job, by what is sent and what the machine reports: lines,
+/// complaints, stalls.
 class PrintAccount {
  public:
   PrintAccount(StreamStatus& status, const StreamableProgram& program);
@@ -21,9 +21,10 @@ class PrintAccount {
 
   /// States how many bytes of the program were sent.
   void sent(std::uint64_t bytes);
-  /// Takes what the machine has said lately, before the print can have begun.
+  /// Reads the machine's messages since the last call, before the print can have begun.
   void hear(PrintServer& server);
-  /// Likewise once it may have begun. Complaints are counted, as a link does that hears them.
+  /// Reads the machine's messages since the last call, once the print may have begun. Complaints are counted,
+  /// as over a link.
   void hearOfPrint(PrintServer& server);
 
  private:
@@ -32,7 +33,7 @@ class PrintAccount {
   StreamStatus& status_;
   LineAtByte sent_line_;
   LineAtByte read_line_;
-  std::optional<std::uint64_t> stalls_before_;  ///< the print
+  std::optional<std::uint64_t> stalls_before_;  ///< number before the print
 };
 
 }  // namespace lamina

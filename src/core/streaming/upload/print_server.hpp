@@ -23,15 +23,15 @@ enum class UploadStep : std::uint8_t {
   Connect,  ///< identification, and a session if the server has sessions
   Report,   ///< state of machine and print
   Upload,
-  Verify,  ///< comparison of its file with the one sent
+  Verify,  ///< comparison of the server's file with the one sent
   Start,
   Pause,
   Resume,
   Cancel,
-  HeatersOff,     ///< and all other outputs that the program switches on
-  Change,         ///< the command of the last `give`
-  EmergencyStop,  ///< if there is one that does not wait for other commands
-  Remove,         ///< the file
+  HeatersOff,     ///< switches off heaters and all other outputs that the program switches on
+  Change,         ///< sends the command of the last `give`
+  EmergencyStop,  ///< if the server has one that does not wait for other commands
+  Remove,         ///< removes the file
   Disconnect,     ///< the end of the session
 };
 
@@ -40,10 +40,10 @@ struct ServerAnswer {
   enum class Kind : std::uint8_t {
     Done,
     More,       ///< the step has another request
-    Later,      ///< the server cannot answer now; the step may be done
+    Later,      ///< the server cannot answer now; the step may have been done
     NotTaken,   ///< the step is not done, and may be repeated
     LoggedOut,  ///< the session is over: connect again
-    NotMine,    ///< another kind of server
+    NotMine,    ///< the server is of another kind
     Refused,
   };
   Kind kind = Kind::Done;
@@ -55,16 +55,18 @@ using AnswerKind = ServerAnswer::Kind;
 /// A program to upload, and the name of its file.
 struct UploadOrder {
   ProgramBody body;
-  std::string file;                ///< below the server's folder of programs: "lamina/part-0a1b2c3d.gcode"
-  std::string credential;          ///< password or key; empty for none
-  double upload_timeout_s = 60.0;  ///< longest time without a byte either way, and to store the file
+  std::string file;        ///< below the server's folder of programs: "lamina/part-0a1b2c3d.gcode"
+  std::string credential;  ///< password or key; empty for none
+  /// Longest time without a byte in either direction, and for storing the file.
+  double upload_timeout_s = 60.0;
   double command_timeout_s = 10.0;
   JobStart start = JobStart::New;
-  std::string earlier_files = {};  ///< beginning of the names of earlier files with the same program
+  /// Beginning of the names of files that earlier sessions uploaded for this program.
+  std::string earlier_files = {};
 };
 
-/// The protocol of a kind of print server: it gives requests and takes responses, without time. One request
-/// is under way at a time.
+/// The protocol of a kind of print server: a state machine without time that issues requests and evaluates
+/// responses. One request is made at a time.
 class PrintServer {
  public:
   explicit PrintServer(std::shared_ptr<const UploadOrder> order)
@@ -73,21 +75,21 @@ class PrintServer {
   PrintServer(const PrintServer&) = delete;
   PrintServer& operator=(const PrintServer&) = delete;
 
-  /// The firmware behind it, as `stream.firmware` names it.
+  /// Name of the firmware behind the server, as in `stream.firmware`.
   virtual const char* firmware() const = 0;
-  /// The next request of a step; none if the step needs none.
+  /// The next request of a step; nothing if the step needs no further one.
   virtual std::optional<HttpRequest> request(UploadStep step) = 0;
-  /// The meaning of the response to the last request.
+  /// Evaluates the response to the last request.
   virtual ServerAnswer read(UploadStep step, const HttpResponse& response) = 0;
 
   /// The command for a change of the running print.
   virtual ChangeCommand changed(const LiveChange& change) const = 0;
   /// Sets the command for the next step `Change`.
   void give(std::string command) { given_command = std::move(command); }
-  /// How a person stops the machine at once, if it may not react to a stop; empty if it always does.
+  /// How a person stops the machine at once, if it might not react to a stop; empty if it always reacts.
   virtual std::string emergencyStop() const { return {}; }
 
-  /// The file of the print: that of the order, unless another one is followed.
+  /// Name of the file being printed: that of the order, unless another one is followed.
   const std::string& printedFile() const { return printed_file; }
   void follow(std::string file) { printed_file = std::move(file); }
 
@@ -95,14 +97,14 @@ class PrintServer {
   /// cause.
   std::vector<std::string> takeComplaints() { return std::exchange(complaints, {}); }
 
-  const std::string& name() const { return server_name; }  ///< as it gives it, once connected
+  const std::string& name() const { return server_name; }  ///< name that the server states, once connected
   const MachineReport& report() const { return last_report; }
   /// Whether the last report is on the print of the order.
   bool isOurs() const { return last_report.file == printed_file; }
 
  protected:
   const UploadOrder& order() const { return *order_; }
-  /// Lines that switch off outputs that the program may have left on, besides heaters and the part's fan.
+  /// Commands that switch off outputs which the program may have left on, except heaters and the part's fan.
   std::string otherOutputsOff() const;
 
   std::string server_name;

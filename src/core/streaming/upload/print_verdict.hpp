@@ -10,17 +10,17 @@
 
 namespace lamina {
 
-/// Why a machine cannot begin a print, by its report; nothing if it can.
+/// Why a machine cannot begin a print, as its report shows; nothing if it can.
 std::optional<Failure> hindrance(const MachineReport& report);
 
-/// Why a machine has no print of an earlier session to go on with; nothing if it has.
-/// @param earlier_files  beginning of the names that the file of the print may have
+/// Why a machine has no print of an earlier session that can be continued; nothing if it has one.
+/// @param earlier_files  beginning of the names that the file of such a print may have
 std::optional<Failure> hindranceToGoOn(const MachineReport& report, const std::string& earlier_files);
 
-/// Why a print that was asked for will not begin; nothing if it still may.
+/// Why a requested print will not begin; nothing if it still may.
 std::optional<Failure> hindranceToCome(const MachineReport& report);
 
-/// Why a print is under way no more, and not complete; nothing if it is under way or complete.
+/// Why a print has ended without being complete; nothing if it is still running or complete.
 std::optional<Failure> endOfPrint(const PrintServer& server);
 
 }  // namespace lamina

@@ -12,29 +12,32 @@
 
 namespace lamina {
 
-/// A program as it is uploaded: the bytes of its text, and an end of line after the last line if it has none,
-/// since Klipper does not run such a line. It is read once for size and checksums, in constant memory.
+/// A program as it is uploaded: the bytes of its text, with an end of line added to the last line if it has
+/// none, as Klipper does not run such a line. The program is read once for size and checksums, in constant
+/// memory.
 class ProgramBody {
  public:
   /// @throws FileError if the file is gone
-  /// @throws InvalidProgram if it changed since it was checked, or has a line that print servers misread
+  /// @throws InvalidProgram if the program changed since it was checked, or has a line that print servers
+  ///   misread
   explicit ProgramBody(StreamableProgram program);
 
   std::uint64_t bytes() const { return bytes_; }
   std::uint32_t crc32() const { return crc32_; }
   const std::string& sha256() const { return sha256_; }  ///< 64 hexadecimal digits
-  /// The first line that is not UTF-8, from 1; 0 if there is none.
+  /// Number of the first line that is not UTF-8, from 1; 0 if all are.
   std::uint64_t lineNotUtf8() const { return line_not_utf8_; }
   std::size_t longestCommand() const { return longest_bytes_; }       ///< [bytes]
   std::uint64_t longestCommandLine() const { return longest_line_; }  ///< from 1
-  /// The outputs that it switches on.
+  /// The outputs that the program switches on.
   const UsedOutputs& outputs() const { return outputs_; }
   const StreamableProgram& program() const { return program_; }
 
   /// Reads the bytes in order.
   class Reader {
    public:
-    /// @return how many were read into `buffer`; 0 at the end
+    /// Reads the next bytes into `buffer`.
+    /// @return how many were read; 0 at the end
     std::size_t read(char* buffer, std::size_t size);
 
    private:

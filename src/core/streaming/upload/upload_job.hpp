@@ -19,8 +19,8 @@
 namespace lamina {
 
 /// The upload of a program over HTTP to a printer that prints it by itself: a state machine without input,
-/// output or clock of its own. It gives requests, one at a time, and takes responses, failures, times and
-/// commands.
+/// output or clock of its own. It issues requests, one at a time, and processes responses, failures, times
+/// and commands.
 ///
 /// It identifies the server, waits until the machine is ready and idle, uploads the file, verifies it and
 /// starts the print. Then it polls the state of the print until the machine reports that this print is
@@ -34,21 +34,23 @@ class UploadJob {
   UploadJob(const StreamSettings& settings, std::shared_ptr<const UploadOrder> order);
 
   void start(double now);
-  /// The next request; nothing while one is under way, or before `nextDeadline`.
+  /// The next request; nothing while one is being made, or before `nextDeadline`.
   std::optional<HttpRequest> takeRequest(double now);
-  /// States how many bytes of the program the request under way has sent.
+  /// States how many bytes of the program the current request has sent.
   void sent(std::uint64_t bytes);
-  /// Takes the response to the request under way. A response after a break must be dropped.
+  /// Evaluates the response to the current request. A response that arrives after a break must not be passed.
   void receive(const HttpResponse& response, double now);
   void fail(const HttpFailure& failure, double now);
-  /// Whether the request under way is to be broken off; true once.
+  /// Whether the current request is to be broken off; true once.
   bool takeBreak() { return std::exchange(is_to_break_, false); }
   void elapse(double now);
-  /// Time at which to call `elapse`, and `takeRequest` after it; infinite if only a response is due.
+  /// Time at which to call `elapse`, and then `takeRequest`; infinite if only a response is awaited.
   double nextDeadline() const;
 
+  /// Pauses the print.
   /// @return false if the job is not in Execute
   bool pause(double now);
+  /// Resumes the print.
   /// @return false if the job is not in Holding or Held
   bool resume(double now);
   /// Changes a setting of the running print. The machine's answer is in the status's message.
@@ -59,11 +61,11 @@ class UploadJob {
 
   const StreamStatus& status() const { return record_.status; }
   std::vector<PackmlState> takeStateChanges() { return record_.takeStateChanges(); }
-  /// Whether the request to start the print may have left, now or earlier.
+  /// Whether the request to start the print may have been sent, in this session or an earlier one.
   bool mayBeStarted() const { return may_be_started_; }
-  /// The firmware behind the server that answers, as `stream.firmware` names it.
+  /// Name of the firmware behind the server that answers, as in `stream.firmware`.
   const char* firmware() const { return server().firmware(); }
-  /// The file of the print, below the server's folder of programs.
+  /// Name of the printed file, below the server's folder of programs.
   const std::string& printedFile() const { return server().printedFile(); }
 
  private:
@@ -84,8 +86,8 @@ class UploadJob {
   /// Whether a request without an answer may have arrived.
   enum class Arrival : std::uint8_t {
     Never,     ///< nothing of it arrived
-    NotTaken,  ///< the server says that it has not done it
-    Possible,  ///< it may be done
+    NotTaken,  ///< the server has reported that it was not done
+    Possible,  ///< it may have been done
   };
 
   UploadStep nextStep() const;
@@ -118,32 +120,32 @@ class UploadJob {
 
   StreamSettings settings_;
   std::shared_ptr<const UploadOrder> order_;
-  std::vector<std::unique_ptr<PrintServer>> servers_;  ///< that are still in question; the first is asked
+  std::vector<std::unique_ptr<PrintServer>> servers_;  ///< servers that may be there; the first one is asked
   JobRecord record_;
   PrintAccount account_;
   UploadStop stop_;
 
   Phase phase_ = Phase::Connect;
   std::optional<UploadStep> under_way_;
-  std::optional<UploadStep> command_;  ///< to ask next, ahead of a report
+  std::optional<UploadStep> command_;  ///< step to be requested next, before a report
   bool is_to_break_ = false;
   bool is_logged_out_ = false;
-  bool is_stored_ = false;  ///< the file is there, and is the one that was sent
+  bool is_stored_ = false;  ///< whether the file is stored and equals the one sent
   bool may_be_stored_ = false;
   bool may_be_started_ = false;
-  bool was_seen_ = false;      ///< the machine has said that it prints it
-  bool was_complete_ = false;  ///< before it was followed
-  bool is_to_resume_ = false;  ///< once it is paused
-  std::string trouble_;        ///< the last one
-  int attempts_ = 0;           ///< of this step that brought no answer
+  bool was_seen_ = false;      ///< whether the machine has reported that it prints it
+  bool was_complete_ = false;  ///< whether the print was complete when following it began
+  bool is_to_resume_ = false;  ///< whether to resume the print once it is paused
+  std::string trouble_;        ///< the last problem
+  int attempts_ = 0;           ///< number of requests of this step that brought no answer
   double next_at_ = 0.0;
   std::optional<double> busy_since_;
-  double started_at_ = 0.0;  ///< when the start was asked for
-  double heard_at_ = 0.0;    ///< the last report
-  double asked_at_ = 0.0;    ///< to pause or to resume
+  double started_at_ = 0.0;  ///< time at which the start was requested
+  double heard_at_ = 0.0;    ///< time of the last report
+  double asked_at_ = 0.0;    ///< time at which a pause or its end was requested
   double completed_at_ = 0.0;
   std::deque<std::string> changes_;  ///< commands that are still to be sent, in order
-  bool is_report_due_ = false;       ///< before the next change
+  bool is_report_due_ = false;       ///< whether a report is needed before the next change
   LayerPause layer_pause_;
 };
 

@@ -11,44 +11,45 @@
 
 namespace lamina {
 
-/// The safe stop of a print on a server: what to ask for next, by the reports of the machine, and when the
-/// stop is confirmed, or to be given up.
+/// The safe stop of a print on a server: what to request next, according to the machine's reports, and when
+/// the stop is confirmed or to be given up.
 class UploadStop {
  public:
-  /// What follows from a report; nothing if the next one is to be waited for.
+  /// What follows from a report; both empty if the next report is to be awaited.
   struct Verdict {
-    std::optional<UploadStep> next;           ///< to be asked for
+    std::optional<UploadStep> next;           ///< step to be requested
     std::optional<std::string> confirmation;  ///< how the stop has ended, for the end of a message
   };
 
   explicit UploadStop(const StreamSettings& settings) : settings_(settings) {}
 
   void begin(double now) { until_s_ = now + settings_.safe_stop_timeout_s; }
-  /// When to give up.
+  /// Time at which to give up.
   double until() const { return until_s_; }
 
-  /// States that the machine has said that it prints the print.
+  /// States that the machine has reported that it prints the file.
   void seen() { was_seen_ = true; }
-  /// States that the file of the print was removed, or is refused to be.
+  /// States that the file of the print was removed, or that the server refuses to remove it.
   void removed() { is_removed_ = true; }
   bool isRemoved() const { return is_removed_; }
 
-  /// Takes a report.
+  /// Evaluates a report.
   /// @param told  the message so far
   Verdict judge(const PrintServer& server, const std::string& told, double now);
 
-  /// States that heaters are asked to go off.
+  /// States that switching off the heaters was requested.
   void heatersAsked(double now) { heaters_asked_s_ = now; }
   /// States that a step was not done.
   void notDone(UploadStep step);
   void emergencyStopTaken();
-  /// @param answer  to an emergency stop that is not known to be taken, in words
+  /// Sets the answer to the emergency stop, for a message.
+  /// @param answer  to a request that the server may not have accepted, in words
   void emergencyStopAnswered(const std::string& answer) { emergency_.answer = answer; }
-  /// Whether to ask for an emergency stop, again if it may be done: a repeated one does no harm.
+  /// Whether to request an emergency stop; it may be requested again, as repeating it does no harm.
   bool isEmergencyStopDue() const { return emergency_.is_asked && !emergency_.is_taken; }
 
-  /// Decides, when the stop is to be given up, to ask for an emergency stop first.
-  /// @return whether it is
+  /// Whether to request an emergency stop first, now that the stop is to be given up.
+  /// @return whether one is requested
   bool takeEmergencyStop(const PrintServer& server, double now);
   /// What was not confirmed, for the end of a message.
   std::string remark(const PrintServer& server) const;
@@ -56,7 +57,7 @@ class UploadStop {
  private:
   struct AskedEmergencyStop {
     bool is_asked = false;
-    bool is_taken = false;             ///< the server has said so
+    bool is_taken = false;             ///< whether the server has confirmed it
     std::string answer = "no answer";  ///< to the last request, in words
   };
 
@@ -68,7 +69,7 @@ class UploadStop {
   bool was_seen_ = false;
   bool is_removed_ = false;
   std::optional<double> heaters_asked_s_;
-  std::array<int, 2> cancels_{};  ///< asked for while it printed, and while it was paused
+  std::array<int, 2> cancels_{};  ///< number of cancellations requested while printing, and while paused
   AskedEmergencyStop emergency_;
 };
 

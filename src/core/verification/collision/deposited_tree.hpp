@@ -11,18 +11,18 @@
 
 namespace lamina {
 
-/// Finds the boxes near a place among the first so many. A node bounds boxes that are deposited one after the
-/// other, which lie near each other, so that what is not deposited yet is left out by its place in the order:
-/// one tree, never changed, serves all threads. (A tree of collision objects of FCL would have to grow box by
-/// box, one per thread, and takes half a kilobyte a box.)
+/// Finds boxes near a place among those deposited so far. A node of the tree bounds boxes that follow each
+/// other in the order of deposition, which are close to each other. So boxes that are not deposited yet are
+/// excluded by their index, and one immutable tree serves all threads. (A tree of FCL's collision objects
+/// would have to grow box by box, one tree per thread, and needs half a kilobyte for each box.)
 class DepositedTree {
  public:
-  /// @param normal  of the layers [bed frame]
+  /// @param normal  normal of the layers [bed frame]
   DepositedTree(const std::vector<DepositedBox>& boxes, const Point3& normal);
 
   /// Calls visit(index, extents of the box) for each box among the first `count` whose extents meet a region,
   /// in the order of deposition, until it returns true.
-  /// @param region  `Extents`, or what else has their `meets`
+  /// @param region  an `Extents`, or any type with its `meets`
   template <class Region, class Visit>
   void visitMeeting(const Region& region, std::size_t count, const Visit& visit) const {
     if (count > 0) visitNode(levels_.size() - 1, 0, region, count, visit);
@@ -36,7 +36,7 @@ class DepositedTree {
                  const Visit& visit) const;
 
   std::vector<std::vector<Extents>> levels_;  ///< boxes first, one root last
-  std::vector<std::size_t> boxes_per_node_;   ///< of each level
+  std::vector<std::size_t> boxes_per_node_;   ///< for each level
 };
 
 template <class Region, class Visit>

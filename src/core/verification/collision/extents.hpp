@@ -11,8 +11,8 @@
 
 namespace lamina {
 
-/// A box, and an interval along the layers' normal: inclined layers are thin along that alone [mm, bed
-/// frame].
+/// A bounding box, and an interval along the layers' normal, the only direction in which inclined layers are
+/// thin [mm, bed frame].
 struct Extents {
   Box3 box;
   double low_normal = std::numeric_limits<double>::infinity();
@@ -32,13 +32,14 @@ struct Extents {
   }
 };
 
-/// A box along axes of its own [mm, bed frame]: closer around a body that leans than its extents.
+/// An oriented bounding box [mm, bed frame]: closer than `Extents` around a body that leans.
 struct TurnedBox {
   Point3 middle = Point3::Zero();
-  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  ///< in columns
-  Point3 half = Point3::Zero();                        ///< along them
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  ///< unit vectors of its axes, as columns
+  Point3 half = Point3::Zero();                        ///< half lengths along these axes
 
-  /// Whether no plane across an axis of this one separates them. Never false where they meet.
+  /// Whether no plane across one of this box's own axes separates the two boxes. True whenever they meet, and
+  /// sometimes when they do not.
   bool meets(const Box3& box) const {
     const Point3 reach = 0.5 * (box.high - box.low);
     const Point3 way = 0.5 * (box.high + box.low) - middle;

@@ -9,14 +9,14 @@
 
 namespace lamina {
 
-/// A shape as FCL holds it.
+/// A shape in FCL's representation.
 class CollisionShape {
  public:
   virtual ~CollisionShape() = default;
 };
 
-/// What the module `fcl` offers: FCL stays out of commands that check no collisions. Poses are of the shapes
-/// in one frame [mm].
+/// Functions of the module `fcl`, which keeps FCL out of commands that check no collisions. Both poses are in
+/// the same frame [mm].
 struct FclModule {
   std::shared_ptr<const CollisionShape> (*shape)(const BodyShape& shape);
   bool (*meet)(const CollisionShape& a, const Eigen::Isometry3d& pose_a, const CollisionShape& b,

@@ -93,7 +93,7 @@ class Deposition {
 };
 
 /// Whether no layer that has paths is left out between a station and the one before.
-bool goesOn(const JointRun& run, std::size_t station) {
+bool followsPrevious(const JointRun& run, std::size_t station) {
   if (station == 0) return false;
   const std::vector<ToolpathLayer>& layers = run.toolpath.layers;
   for (std::size_t l = run.path.at[station - 1].layer + 1; l < run.path.at[station].layer; ++l)
@@ -107,7 +107,7 @@ std::vector<JointValues> placesBefore(const JointRun& run, std::size_t station,
                                       const ClearanceSettings& settings) {
   const JointValues& to = run.path.values[station];
   if (to.size() == 0) return {};
-  if (!goesOn(run, station) || run.path.values[station - 1].size() == 0) return {to};
+  if (!followsPrevious(run, station) || run.path.values[station - 1].size() == 0) return {to};
   const JointValues& from = run.path.values[station - 1];
   const double way =
       (run.model.bedFromNozzle(to).translation() - run.model.bedFromNozzle(from).translation()).norm();

@@ -13,20 +13,20 @@ namespace lamina {
 
 class CollisionShape;
 
-/// A shape around all that is no farther than the margin [mm] from another; around a cone it is a cylinder,
-/// and around a mesh its hull.
+/// A shape that contains everything within the margin [mm] of another: for a cone a cylinder, for a mesh its
+/// convex hull.
 BodyShape grown(const BodyShape& shape, double margin);
 
-/// A shape that is asked, by FCL, what it is in.
+/// A shape that FCL tests for collisions.
 class Solid {
  public:
   explicit Solid(const BodyShape& shape);
 
-  /// Of the shape at a pose.
-  /// @param normal  of the layers, of unit length [frame of the pose]
+  /// Extents of the shape at a pose.
+  /// @param normal  normal of the layers, of unit length [frame of the pose]
   Extents extentsAt(const Eigen::Isometry3d& pose, const Point3& normal) const;
 
-  /// Around the shape at a pose, along the axes of its own frame.
+  /// Bounding box of the shape at a pose, along the axes of the shape's own frame.
   TurnedBox boxAt(const Eigen::Isometry3d& pose) const;
 
   bool meets(const DepositedBox& box, const Eigen::Isometry3d& pose) const;
@@ -34,7 +34,7 @@ class Solid {
 
  private:
   BodyShape shape_;
-  Box3 bounds_;  ///< of the shape in its own frame
+  Box3 bounds_;  ///< bounding box of the shape in its own frame
   std::shared_ptr<const CollisionShape> geometry_;
 };
 

@@ -12,16 +12,16 @@
 
 namespace lamina {
 
-/// Beads in cells, to find those near a place in a time that does not grow with their number: layers along z
-/// of the layers, each with its cells in order.
+/// Beads sorted into cells, so that those near a place are found in a time that does not grow with the number
+/// of beads: slices along z of the layers' frame, each with its cells in order.
 class BeadGrid {
  public:
-  /// @param margin_mm  how far from the edge of a bead, in the plane of the layers, it must be found
+  /// @param margin_mm  distance from its edge, in the plane of the layers, within which a bead must be found
   BeadGrid(const std::vector<DepositedBead>& beads, double margin_mm);
 
-  /// Calls visit(bead index) for each bead that may have its middle line between the heights and its edge
-  /// within the margin of the place; one may be called twice. Stops when visit returns true.
-  /// @return whether it did
+  /// Calls visit(bead index) for each bead that may have its centre line between two heights and its edge
+  /// within the margin of a place, until visit returns true. A bead may be visited twice.
+  /// @return whether visit returned true
   template <class Visit>
   bool visitNear(const Point2& place, double low_z, double high_z, const Visit& visit) const;
 

@@ -10,14 +10,15 @@
 
 namespace lamina {
 
-/// A straight bead, or a drop, by the line through the middle of its section [mm, frame of the layers].
+/// A straight bead, or a drop, given by the line through the middle of its cross-section [mm, frame of the
+/// layers].
 struct DepositedBead {
   Point3 start = Point3::Zero();
   Point3 end = Point3::Zero();
   Bead section;
 };
 
-/// Whether the path lays anything anywhere.
+/// Whether a path deposits any material.
 bool lays(const Path& path);
 
 /// Calls visit(segment) for each segment of a path that is not empty, in order.
@@ -28,7 +29,7 @@ void forEachBead(const Path& path, const Visit& visit) {
   });
 }
 
-/// All beads in the order in which they are deposited, and which of them are of which layer.
+/// All beads in the order in which they are deposited, and where each layer begins among them.
 struct DepositedBeads {
   std::vector<DepositedBead> beads;
   std::vector<std::size_t> first_of_layer;  ///< index of a layer's first bead; one more entry than layers

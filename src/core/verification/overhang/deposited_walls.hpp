@@ -10,20 +10,21 @@
 
 namespace lamina {
 
-/// What carries a facet: the way its layer grows, and how high and wide its bead is.
+/// Properties of the wall that carries a facet: growth direction of its layer, and height and width of its
+/// bead.
 struct LayerGrowth {
   Point3 direction;
   Bead bead;
 };
 
-/// The motions along which walls are deposited, in the order they are deposited, and how they grow.
+/// The motions along which walls are deposited, in order, and the growth of each.
 struct DepositedWalls {
-  Mesh motions;  ///< each one a triangle without width
+  Mesh motions;  ///< each motion as a triangle without width
   std::vector<LayerGrowth> growth;
   std::size_t in_first_layer = 0;
 };
 
-/// The outer walls, or all walls and infill if there are none.
+/// The motions of outer walls, or of all walls and infill if there are no outer walls.
 /// @throws InvalidInput if nothing is deposited
 DepositedWalls depositedWalls(const Toolpath& toolpath, double width_mm);
 

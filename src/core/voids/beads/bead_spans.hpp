@@ -10,25 +10,27 @@
 
 namespace lamina {
 
-/// Which width of a bead counts.
+/// The width of a bead that is measured.
 enum class BeadMeasure {
-  Reach,  ///< that of its cross-section
-  Plan,   ///< that which it fills
+  Reach,  ///< the width of its cross-section
+  Plan,   ///< the width of the strip that it fills
 };
 
-/// Where beads of one run lie on a row. The arc length along the run changes evenly from one end to the
-/// other.
+/// An interval of a row covered by a bead. The arc length along the bead's run changes evenly from one end of
+/// the interval to the other.
 struct BeadSpan : Span {
   std::uint32_t run = 0;  ///< index of the path in its layer
-  double arc_low = 0.0;   ///< [mm] along the run where the span is lowest
+  double arc_low = 0.0;   ///< [mm] along the run at the lower end of the interval
   double arc_high = 0.0;
 };
 
-/// What a layer deposits, row by row and unsorted; skirt and travel left out.
+/// The intervals covered by the deposition of a layer, row by row and unsorted; skirt and travels are left
+/// out.
 std::vector<std::vector<BeadSpan>> beadSpans(const ToolpathLayer& layer, const ScanRows& rows,
                                              BeadMeasure measure);
 
-/// A drop is a pass of its own: it is this much farther along its run than the drop before [mm].
+/// Arc length by which a drop is farther along its run than the drop before, so that each drop counts as a
+/// pass of its own [mm].
 constexpr double kDropArc = 1e6;
 
 }  // namespace lamina

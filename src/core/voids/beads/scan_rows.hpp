@@ -9,14 +9,14 @@
 
 namespace lamina {
 
-/// Lines along x, evenly apart: row i lies at low + (i + 1/2) spacing and stands for the stripe around it.
+/// Evenly spaced lines along x. Row i is at low + (i + 1/2) spacing and represents the strip around it.
 struct ScanRows {
   double low_mm = 0.0;
   double spacing_mm = 1.0;
   std::size_t count = 0;
 
   double at(std::size_t row) const { return low_mm + (static_cast<double>(row) + 0.5) * spacing_mm; }
-  /// The first row at or above y, at most `count`.
+  /// Index of the first row at or above y, at most `count`.
   std::size_t firstAbove(double y) const;
 };
 
@@ -27,16 +27,16 @@ struct Span {
   double length() const { return high - low; }
 };
 
-/// Pieces of one row, ascending and apart.
+/// Disjoint intervals of one row, ascending.
 using Spans = std::vector<Span>;
 
-/// What lies inside the outlines by the even-odd rule, row by row.
+/// The intervals inside the outlines by the even-odd rule, row by row.
 std::vector<Spans> insideSpans(const std::vector<Polygon>& outlines, const ScanRows& rows);
 
-/// Sorted and joined where they touch.
+/// The intervals sorted, and merged where they touch or overlap.
 Spans united(Spans spans);
 
-/// What is in `spans` and not in `subtracted`.
+/// The parts of `spans` that are outside `subtracted`.
 Spans difference(const Spans& spans, const Spans& subtracted);
 
 }  // namespace lamina

@@ -11,10 +11,10 @@
 
 namespace lamina {
 
-/// Square pixels over a part of the plane.
+/// A raster of square pixels over a rectangle of the plane.
 class PixelWindow {
  public:
-  /// @param pixel_mm  positive; larger where there would be more than `most` of them
+  /// @param pixel_mm  positive; enlarged if there would be more than `most` pixels
   PixelWindow(const Box2& box, double pixel_mm, double most);
 
   int columns() const { return columns_; }
@@ -22,16 +22,17 @@ class PixelWindow {
   double pixelArea() const { return pixel_ * pixel_; }
   std::uint8_t& at(int column, int row) { return values_[index(column, row)]; }
   std::uint8_t at(int column, int row) const { return values_[index(column, row)]; }
-  /// Indices of the pixel that holds the point, within the window.
+  /// Column (or row) of the pixel that contains a point; clamped to the window.
   int column(double x) const { return clamped((x - low_.x()) / pixel_, columns_); }
   int row(double y) const { return clamped((y - low_.y()) / pixel_, rows_); }
 
-  /// Sets pixels whose centres lie in the disc from one value to another.
+  /// Changes those pixels with value `from` whose centres are in the disc to value `to`.
   void paintDisc(const Point2& centre, double radius, std::uint8_t from, std::uint8_t to);
-  /// Sets pixels whose centres lie inside the outlines by the even-odd rule.
+  /// Sets those pixels whose centres are inside the outlines by the even-odd rule.
   void paintInside(const std::vector<Polygon>& outlines, std::uint8_t value);
-  /// Sets the pixels of the value that hang together with this one by their sides to another value.
-  /// @return how many
+  /// Changes the pixels that have the value of this one and are connected to it by their sides to another
+  /// value.
+  /// @return their number
   std::size_t flood(int column, int row, std::uint8_t to);
   std::size_t count(std::uint8_t value) const;
 
@@ -49,17 +50,18 @@ class PixelWindow {
   std::vector<std::uint8_t> values_;
 };
 
-/// A drop's disc drawn for measuring: a little larger, so that drops that touch leave no way through.
+/// Radius with which a drop's disc is drawn: slightly enlarged, so that there is no gap between drops that
+/// touch.
 inline constexpr double kDrawnRadius = 0.5 * (1.0 + 1e-3);  // diameters
-/// Size of a pixel: below a 50th, and no part of a lattice's pitch, so that no row of drops hides between
-/// pixels.
+/// Size of a pixel: below a 50th of the diameter, and no fraction of a lattice's pitch, so that no row of
+/// drops falls between pixels.
 inline constexpr double kPixel = 1.0 / 53.0;  // diameters
 
-/// No pixel is smaller than this part of a void's greatest clearance: drops so small beside a void fill
-/// little.
+/// Least size of a pixel as a share of a void's greatest clearance. Drops that are so small beside a void
+/// fill little of it.
 inline constexpr double kVoidPixel = 1.0 / 100.0;
 
-/// What drops leave uncovered of a void.
+/// Area of a void that drops do not cover.
 struct UncoveredArea {
   double before_mm2 = 0.0;
   double after_mm2 = 0.0;
@@ -71,7 +73,7 @@ class DiscPicture {
   DiscPicture(const std::vector<Point2>& prior, const std::vector<Point2>& added, double diameter_mm,
               const std::vector<Polygon>& borders);
 
-  /// Uncovered material within the clearance of the points that hangs together with one of them.
+  /// Area not covered within the clearance of the given points, as far as it is connected to one of them.
   UncoveredArea around(const std::vector<VoidPoint>& points) const;
 
  private:

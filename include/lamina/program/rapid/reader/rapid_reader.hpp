@@ -15,13 +15,13 @@ namespace lamina {
 
 /// A module of a program.
 struct RapidText {
-  std::string file;  ///< its name, for errors
+  std::string file;  ///< name of the file, for errors
   std::string_view text;
 };
 
 /// Reads a program in the subset of RAPID that `RapidProgram` writes; the toolpath is in coordinates of the
-/// work object. Moves deposit while the process is switched on. Roles, beads, layers and where paths begin
-/// come from the comments.
+/// work object. Moves deposit while the process is switched on. Comments state roles, beads, layers and the
+/// beginnings of paths.
 ///
 /// @param modules  the one with the procedure `main` first
 /// @throws InvalidProgram naming file and line, what was found and what was expected: instructions, data,
@@ -35,18 +35,19 @@ Toolpath readRapid(const std::vector<RapidText>& modules, const std::string& par
 /// @throws InvalidProgram as above
 Toolpath readRapidFile(const std::string& path);
 
-/// Reads a program likewise, and also returns what it states besides the toolpath: outputs, external axes.
+/// Reads a program as `readRapid` does, and also returns what it states besides the toolpath: outputs and
+/// external axes.
 EquippedToolpath readEquippedRapid(const std::vector<RapidText>& modules, const std::string& part_name);
 EquippedToolpath readEquippedRapidFile(const std::string& path);
 
-/// Reads a program likewise, and also returns the joints at which an arm reaches each target. Under
-/// `ConfL\\On` these are the joints in the configuration that the target states. Under `ConfL\\Off` they are
-/// the joints nearest to those at the target before; the first target takes those nearest to the approach's,
-/// or, without an approach by joints, those of its configuration. External axes stand as in the targets. A
-/// target without such joints is listed as a fault, `configuration` or `out_of_reach`; limits, collisions and
-/// singularities are not checked.
-/// @throws InvalidProgram as above; also if the tool or work object that the program declares is another than
-///   that of the arm's description, or a target lacks one of its external axes
+/// Reads a program as `readRapid` does, and also returns the joint values at which an arm reaches each
+/// target. Under `ConfL\\On` these are in the configuration that the target states. Under `ConfL\\Off` they
+/// are the ones nearest to those at the target before; at the first target they are the ones nearest to the
+/// approach's, or, if no joint move approaches the part, in the target's configuration. External axes have
+/// the values of the targets. A target without such joint values is listed as a fault, `configuration` or
+/// `out_of_reach`; limits, collisions and singularities are not checked.
+/// @throws InvalidProgram as `readRapid`; if tool or work object that the program declares differ from those
+///   of the arm's description, or a target does not state one of the arm's external axes
 /// @throws InvalidConfig if the kinematic model is no six-axis arm
 StatedMotion readRapidMotion(const std::vector<RapidText>& modules, const std::string& part_name,
                              const KinematicModel& arm);

@@ -17,19 +17,19 @@ namespace lamina {
 /// A toolpath as a program in RAPID [Flores2018, section 6.1.3]: one module, or a main module and numbered
 /// modules with the points.
 ///
-/// Each point takes two lines, a move and a line for the process, which is empty if the process goes on; so
-/// point k stands on line 2k-1 of its procedure. Paths that deposit are runs with the laser (and wire) on;
+/// Each point has two lines, a move and a line for the process, which is empty if the process continues; so
+/// point k is on line 2k-1 of its procedure. Paths that deposit are runs with the laser (and wire) on;
 /// consecutive ones that meet in one pose form one run. Travels are air moves. Points where the process
-/// starts or ends are in `end_zone`, all others in `zone`. Positions are those of the work object, which is
-/// the bed [mm, 4 decimals]: offsets from the start point with 3 axes, targets with 5, whose orientation (w x
-/// y z, 7 decimals) is bed_from_nozzle. Roles, beads and layers are reported in comments before each
-/// procedure.
+/// starts or ends have the zone `end_zone`, all others `zone`. Positions are relative to the work object,
+/// which is the bed [mm, 4 decimals]: offsets from the start point with 3 axes, targets with 5, whose
+/// orientation (w x y z, 7 decimals) is bed_from_nozzle. Comments before each procedure state roles, beads
+/// and layers.
 ///
 /// The constructor checks everything; writing takes linear time and constant memory. The toolpath, and the
 /// robot's motion, must outlive the program.
 class RapidProgram {
  public:
-  /// @param bed_from_part  where the part stands on the bed [mm]
+  /// @param bed_from_part  pose of the part on the bed [mm]
   /// @param robot  its arm and joints, for `RapidConfiguration::Joints` and for external axes; may be null
   /// @throws InvalidInput, naming layer, path and waypoint: if the toolpath holds no motion, or holds drops,
   ///   process values or events other than dwells; if a position is farther than 100 m, a feed is below 0.001

@@ -8,7 +8,7 @@
 
 namespace lamina {
 
-// Each step takes the mesh and, where it asks for it, the topology of that mesh.
+// Each step takes a mesh and, if it needs it, the topology of that mesh.
 
 /// A mesh after one step of repair, and what the step changed.
 struct RepairStep {
@@ -16,23 +16,23 @@ struct RepairStep {
   std::vector<RepairChange> changes;
 };
 
-/// Drops triangles that name a vertex twice. They close nothing: each of their edges runs there and back.
+/// Drops triangles that have a vertex twice. Their edges cancel each other, so that no hole opens.
 RepairStep dropDegenerateTriangles(Mesh mesh);
 
-/// Of triangles with the same corners in the same turning sense, keeps the first.
+/// Drops repeated triangles with the same corners in the same cyclic order, except the first.
 RepairStep dropRepeatedTriangles(Mesh mesh, const MeshTopology& topology);
 
-/// If every triangle also stands the other way round, keeps the first of each two.
+/// If every triangle also occurs with the opposite orientation, keeps the first of each two.
 RepairStep dropBackOfDoubledSurface(Mesh mesh);
 
-/// Makes border vertices nearer than the tolerance [mm] one.
+/// Merges border vertices that are nearer to each other than the tolerance [mm].
 RepairStep stitchBorders(Mesh mesh, const MeshTopology& topology, double tolerance);
 
 /// Splits triangles at border vertices that lie on their border edges within the tolerance [mm].
 RepairStep splitAtBorderVertices(Mesh mesh, const MeshTopology& topology, double tolerance);
 
-/// Turns triangles so that neighbours run opposite ways along their common edge; the fewer of a connected
-/// patch.
+/// Turns triangles over so that neighbours run in opposite directions along their common edge; of a connected
+/// patch as few as possible.
 RepairStep orientConsistently(Mesh mesh, const MeshTopology& topology);
 
 /// Closes every border loop by new triangles between its vertices.

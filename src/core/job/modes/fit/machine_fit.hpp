@@ -12,24 +12,24 @@
 
 namespace lamina {
 
-/// A toolpath as far as a machine can run it.
+/// A toolpath cut to what a machine can run, and what was cut.
 struct MachineFit {
-  Toolpath toolpath;  ///< its travels led
+  Toolpath toolpath;  ///< with its travels planned
   TravelsOverPart travels;
   double left_out_mm3 = 0.0;
-  std::size_t turns = 0;           ///< pieces before which the nozzle turns off the bead
-  std::size_t hindered = 0;        ///< waypoints that the machine cannot run of what was planned
-  std::size_t still_hindered = 0;  ///< the same of what is given back
+  std::size_t turns = 0;     ///< number of bead pieces before which the nozzle leaves the bead to turn
+  std::size_t hindered = 0;  ///< number of waypoints of the original toolpath that the machine cannot run
+  std::size_t still_hindered = 0;  ///< number of waypoints of `toolpath` that the machine cannot run
 };
 
-/// Checks a toolpath as `checkRun` does and cuts the beads that the machine cannot lay (`cutBeads`), from
-/// check to check: where it would run into something they are left out, and where a joint turns too far
-/// beside a singularity they are deposited in pieces. After a cut only the layers that it changed are checked
-/// again; once they are clear, everything is, and what is given back is as that check found it. No more is
-/// left out than `volumetric.largest_left_out_percent`; what is hindered then stays for the check that
-/// refuses it.
+/// Checks a toolpath as `checkRun` does and cuts the beads that the machine cannot deposit (`cutBeads`),
+/// repeatedly: a bead is left out where the machine would collide, and deposited in pieces where a joint
+/// would turn too far beside a singularity. After each cut only the changed layers are checked again; once
+/// these pass, the whole toolpath is checked, and the result is that of this check. At most
+/// `volumetric.largest_left_out_percent` is left out; what still hinders then remains in the toolpath, for
+/// the later check that refuses it.
 ///
-/// @param beads     its travels not led yet
+/// @param beads     whose travels are not planned yet
 /// @param progress  stages "joints" and "clearance"
 /// @throws as `runOn` and `checkRun`
 MachineFit fitToMachine(Toolpath beads, const PlanningRequest& request, const LeadTravels& lead,

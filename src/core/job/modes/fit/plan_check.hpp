@@ -15,10 +15,10 @@
 
 namespace lamina {
 
-/// Changes the travels of a toolpath whose beads are settled, as `leadTravels`.
+/// Plans the travels of a toolpath whose beads are final, as `leadTravels` does.
 using LeadTravels = std::function<TravelsOverPart(Toolpath&)>;
 
-/// A toolpath whose travels are led, and what the machine cannot run of it.
+/// A toolpath with its travels planned, and what of it the machine cannot run.
 struct CheckedPlan {
   Toolpath toolpath;
   TravelsOverPart travels;
@@ -27,23 +27,24 @@ struct CheckedPlan {
   std::size_t hindered() const { return check.faults.size() + check.collisions.size(); }
 };
 
-/// Checks what is planned as `runOn` and `checkRun` do, a little more strictly: a part that stands elsewhere,
-/// or a layer that is slowed down, is led otherwise.
+/// Checks a plan as `runOn` and `checkRun` do, with slightly tighter limits, because joints take other ways
+/// once the part is placed elsewhere or a layer is slowed down.
 class PlanCheck {
  public:
   /// @param request, lead, progress  must outlive the check
   /// @throws InvalidConfig as `kinematicModelOf`
   PlanCheck(const PlanningRequest& request, const LeadTravels& lead, Progress& progress);
 
-  /// @param beads  its travels not led yet
+  /// Checks a whole toolpath.
+  /// @param beads  whose travels are not planned yet
   /// @throws as `runOn` and `checkRun`
   CheckedPlan whole(Toolpath beads) const;
 
-  /// Looks only at layers that are not as they were, and at those beside them, through which the joints go
-  /// on; of the others the findings are kept. To be trusted as far as nothing is deposited that was not
-  /// before; where joints choose otherwise in layers farther off, only the whole check shows that.
-  /// @param beads   its travels not led yet, with as many layers
-  /// @param before  of the same part, any check
+  /// Checks only the layers that differ from those of an earlier check and their neighbours, through which
+  /// the joints pass; findings for all others are taken over. Valid only if nothing is deposited that was not
+  /// there before. If joints change in layers farther off, only `whole` shows it.
+  /// @param beads   whose travels are not planned yet, with as many layers as `before`
+  /// @param before  result of any check of the same part
   /// @throws as `whole`
   CheckedPlan again(Toolpath beads, const CheckedPlan& before) const;
 

@@ -11,14 +11,14 @@
 
 namespace lamina {
 
-/// A comment and where it stands.
+/// A comment, and the number of its line.
 struct RapidComment {
   std::string_view text;  ///< after the exclamation mark
   std::size_t line = 0;   ///< 1 based
 };
 
-/// Takes the text of a module apart, word by word. Blanks and comments may stand between any two; comments
-/// are kept until they are asked for. Names and words are lower case.
+/// Reads the text of a module word by word. Spaces and comments may be between any two words; comments are
+/// kept until they are asked for. Names and words are returned in lower case.
 class RapidCursor {
  public:
   /// @param name  of the module's file, for errors; both must outlive the cursor
@@ -29,22 +29,22 @@ class RapidCursor {
   /// Whether the next character is this one.
   bool isNext(char symbol) const { return at_ < text_.size() && text_[at_] == symbol; }
 
-  /// Takes the symbol if it comes next.
+  /// Reads past a symbol if it comes next; returns whether it does.
   bool take(std::string_view symbol);
-  /// Takes the word if it comes next.
+  /// Reads past a word if it comes next; returns whether it does.
   bool takeWord(std::string_view word);
 
   void expect(std::string_view symbol);
   void expectWord(std::string_view word);
-  /// A name or a word.
+  /// Reads a name or word.
   std::string takeName(std::string_view expected);
   double takeNumber(std::string_view expected);
-  /// What stands between quotation marks.
+  /// Reads a text in quotation marks; returns it without them.
   std::string takeString(std::string_view expected);
 
   std::vector<RapidComment> takeComments();
 
-  /// The text is a module: from now on messages quote it.
+  /// States that the text has proved to be a module, so that messages may quote it.
   void recognise() { quotation_.recognise(); }
 
   /// @throws InvalidProgram "FILE line N: found '...'; expected EXPECTED"

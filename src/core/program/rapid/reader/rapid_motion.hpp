@@ -12,20 +12,20 @@
 
 namespace lamina {
 
-/// A waypoint of a program's toolpath, and the move that leads there.
+/// A waypoint of a program's toolpath, and the move that ends there.
 struct RapidStation {
   WaypointIndex at;
   RapidMove move;
 };
 
-/// A program as it runs.
+/// A program in the order in which it is run.
 struct RapidRunning {
   Toolpath toolpath;
-  std::vector<RapidStation> stations;  ///< where each path starts, and the end of each of its motions
-  std::optional<RapidJoints> start;    ///< of the approach
+  std::vector<RapidStation> stations;  ///< the start of each path, and the end of each of its motions
+  std::optional<RapidJoints> start;    ///< joints of the approach
 };
 
-/// See `readRapidMotion`.
+/// Motion that a program states; see `readRapidMotion`.
 StatedMotion rapidMotionOf(const RapidSource& source, RapidRunning running, const KinematicModel& arm);
 
 }  // namespace lamina

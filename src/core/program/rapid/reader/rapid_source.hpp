@@ -15,52 +15,52 @@
 
 namespace lamina {
 
-/// A robtarget.
+/// Value of a robtarget.
 struct RapidTarget {
   Point3 point = Point3::Zero();  ///< [mm, work object]
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
   AbbConfiguration configuration;
-  std::vector<double> external;  ///< axes that are there [mm, deg]
+  std::vector<double> external;  ///< values of the external axes that exist [mm, deg]
 };
 
-/// What a move does to the arc.
+/// Effect of a move on the arc.
 enum class RapidArc : std::uint8_t { None, Start, On, End };
 
-/// A move instruction with everything it names looked up.
+/// A move instruction with the data it names already looked up.
 struct RapidMove {
   RapidTarget target;
   double feed_mm_s = 0.0;
   std::size_t line = 0;
-  bool is_heeded = false;  ///< its configuration: under ConfL\On
+  bool is_heeded = false;  ///< whether its configuration is obeyed: it is executed under ConfL\On
   RapidArc arc = RapidArc::None;
 };
 
-/// A jointtarget.
+/// Value of a jointtarget.
 struct RapidJoints {
   std::vector<double> arm_deg;
-  std::vector<double> external;  ///< axes that are there [mm, deg]
+  std::vector<double> external;  ///< values of the external axes that exist [mm, deg]
 };
 
-/// What a module declares of its cell.
+/// Value of a tooldata, as far as it is needed.
 struct RapidTool {
   Eigen::Isometry3d flange_from_tip = Eigen::Isometry3d::Identity();  ///< [mm]
 };
 struct RapidWorkObject {
-  bool is_fixed = true;                                      ///< no mechanical unit carries it
-  std::string carrier;                                       ///< the unit's name
+  bool is_fixed = true;                                      ///< whether no mechanical unit carries it
+  std::string carrier;                                       ///< name of that unit
   Eigen::Isometry3d user = Eigen::Isometry3d::Identity();    ///< [mm]
-  Eigen::Isometry3d object = Eigen::Isometry3d::Identity();  ///< over it [mm]
+  Eigen::Isometry3d object = Eigen::Isometry3d::Identity();  ///< relative to the user frame [mm]
 };
 
 enum class RapidAction : std::uint8_t {
-  Move,        ///< `index` into the moves
-  MoveJoints,  ///< `index` into the joint moves
-  Heed,        ///< configurations of linear moves, if `index` is 1
-  Set,         ///< of an output
-  Reset,       ///< of an output
-  Wait,        ///< that is the toolpath's, `duration_s`
-  Call,        ///< `index` into the names that are called
-  Preparing    ///< nothing that moves or deposits
+  Move,        ///< the move with this `index`
+  MoveJoints,  ///< the joint move with this `index`
+  Heed,        ///< switches the obeying of configurations of linear moves on if `index` is 1, off if 0
+  Set,         ///< sets an output
+  Reset,       ///< resets an output
+  Wait,        ///< a wait of the toolpath's, of `duration_s`
+  Call,        ///< calls the procedure whose name has this `index`
+  Preparing    ///< anything that neither moves nor deposits
 };
 
 struct RapidStatement {
@@ -71,8 +71,8 @@ struct RapidStatement {
 };
 
 struct RapidProcedure {
-  std::size_t module = 0;              ///< that it stands in
-  std::vector<RapidComment> comments;  ///< between the procedure before and this one
+  std::size_t module = 0;              ///< index of its module
+  std::vector<RapidComment> comments;  ///< comments between the procedure before and this one
   std::vector<RapidStatement> statements;
 };
 
@@ -81,9 +81,9 @@ struct RapidSource {
   std::map<std::string, double> numbers;
   std::map<std::string, double> speeds;  ///< [mm/s]
   std::map<std::string, RapidTarget> targets;
-  std::set<std::string> names;  ///< of all data
-  std::string work_object;      ///< that of the first move
-  std::string tool;             ///< that of the first move
+  std::set<std::string> names;  ///< names of all data
+  std::string work_object;      ///< work object of the first move
+  std::string tool;             ///< tool of the first move
   std::map<std::string, RapidTool> tools;
   std::map<std::string, RapidWorkObject> work_objects;
   std::vector<RapidMove> moves;
@@ -92,23 +92,24 @@ struct RapidSource {
   std::map<std::string, RapidProcedure> procedures;
   std::vector<RapidComment> head;  ///< comments before the first procedure of the first module
   std::vector<std::string> files;  ///< names of the modules' files
-  std::set<std::string> process;   ///< statements that switch it, wait for it, or name its data
+  /// Names of statements that switch the process, wait for it, or name its data.
+  std::set<std::string> process;
 };
 
-/// Adds a module.
+/// Reads a module and adds it to the source.
 /// @throws InvalidProgram naming file and line
 void readRapidModule(RapidCursor& cursor, RapidSource& source);
 
-/// A data declaration, after its first word; each kind of data that the writer declares.
+/// Reads a data declaration whose first word has been read, of any kind that the writer declares.
 void readRapidDeclaration(RapidCursor& cursor, RapidSource& source);
 
-/// A robtarget's value: [[x,y,z],[w,x,y,z],[configuration],[external axes]].
+/// Reads the value of a robtarget: [[x,y,z],[w,x,y,z],[configuration],[external axes]].
 RapidTarget readRapidTarget(RapidCursor& cursor);
 
-/// A jointtarget's value: [[joints 1 to 6],[external axes]].
+/// Reads the value of a jointtarget: [[joints 1 to 6],[external axes]].
 RapidJoints readRapidJoints(RapidCursor& cursor);
 
-/// One statement of a procedure, if it does not end here.
+/// Reads one statement of a procedure, unless the procedure ends here.
 void readRapidStatement(RapidCursor& cursor, RapidSource& source, RapidProcedure& procedure);
 
 }  // namespace lamina

@@ -16,29 +16,32 @@
 
 namespace lamina {
 
-/// `[-1,0,0,2]`.
+/// Configuration of the settings: `[-1,0,0,2]`.
 std::string rapidConfiguration(const RapidSettings& settings);
 
-/// `[0.000,9e+09,9e+09,9e+09,9e+09,9e+09]` with these first [mm, deg].
+/// External axes with these values [mm, deg] first, and 9e+09 for the rest:
+/// `[0.000,9e+09,9e+09,9e+09,9e+09,9e+09]`.
 std::string rapidExternalAxes(const std::vector<double>& values, const RapidSettings& settings);
 
-/// Of joints: `[0,-1,0,1]`.
+/// Configuration of joint values: `[0,-1,0,1]`.
 std::string rapidConfiguration(const AbbConfiguration& configuration);
 
-/// `[[x,y,z],[w,x,y,z]` of a pose in the work object [mm], still open.
+/// Pose in the work object [mm] as the beginning of a robtarget, `[[x,y,z],[w,x,y,z]`, without its closing
+/// bracket.
 std::string rapidPose(const Point3& point, const Eigen::Quaterniond& turn);
 
-/// `Offs(START,off_x+1.0000,...)` to a point over the start point [mm].
+/// Position as an offset from the start point [mm]: `Offs(START,off_x+1.0000,...)`.
 std::string rapidOffset(const Point3& point, const RapidSettings& settings);
 
-/// Writes the two lines of each point of a program.
+/// Writes the two lines for each point of a program.
 class RapidLines {
  public:
-  /// The plan is of the toolpath; all must outlive the lines.
+  /// The plan must be that of the toolpath; all arguments must outlive the object.
   RapidLines(const Toolpath& toolpath, const RapidPlan& plan, const RapidSpeeds& speeds,
              const Eigen::Isometry3d& bed_from_part, const RapidSettings& settings);
 
-  /// From here on targets report configuration and external axes of the arm. Both must outlive the lines.
+  /// Makes all further targets state configuration and external axes of the arm. Both arguments must outlive
+  /// the object.
   void setRobot(const KinematicModel& arm, const ProgramStations& stations);
 
   void append(const RapidPlace& place, std::string& text) const;
@@ -65,7 +68,7 @@ class RapidLines {
   RapidSettings settings_;
   std::string tail_;  ///< tool and work object
   std::string fixed_axes_;
-  std::string arc_;  ///< data of arc moves
+  std::string arc_;  ///< arguments of arc moves
   std::string on_;
   std::string off_;
   std::vector<RapidWireStop> wire_stops_;  ///< in the order of their moves

@@ -10,20 +10,20 @@
 
 namespace lamina {
 
-/// Begins a comment that states what the moves of a program do not: `!# path outer_wall closed 12`.
+/// Beginning of a comment that states what the moves of a program do not: `!# path outer_wall closed 12`.
 constexpr std::string_view kRapidNote = "!# ";
 
-/// The notes of procedures that lead to the part and away from it, after the mark.
+/// The note, without that beginning, of procedures that lead to the part and away from it.
 constexpr std::string_view kRapidApproach = "approach";
 constexpr std::string_view kRapidRetract = "retract";
 
-/// Begins the note at a program's head of how long before the end of a run its wire stops [s].
+/// Beginning of the note at a program's head that states how long before the end of a run its wire stops [s].
 constexpr std::string_view kRapidWireStop = "wire_stop";
 
-/// Comments before a procedure: for each of its paths the layer where a new one begins, role, whether it is
-/// closed, retracted or begins with a move of its own, the number of its moves in this procedure, and runs of
-/// motions with one bead.
-/// @param rise_mm  of the part along the layers' normal
+/// Appends the comments before a procedure. For each of its paths they state the layer if a new one begins,
+/// the role, whether the path is closed, retracted or begins with a move of its own, the number of its moves
+/// in this procedure, and runs of motions with one bead.
+/// @param rise_mm  rise of the part's origin along the layers' normal
 void appendRapidNotes(const Toolpath& toolpath, const RapidPlan& plan, const RapidChunk& chunk,
                       double rise_mm, std::string& text);
 

@@ -12,23 +12,23 @@
 
 namespace lamina {
 
-/// How an arm comes to the part and leaves it.
+/// Procedures by which an arm approaches the part and retracts from it.
 struct RapidPassages {
-  std::string procedures;  ///< both of them, with their notes; empty without an arm
-  std::string to_part;     ///< the calls in main
+  std::string procedures;  ///< text of both procedures, with their notes; empty without an arm
+  std::string to_part;     ///< the statements in main that call the approach
   std::string from_part;
-  bool is_wrist_singular = false;  ///< somewhere joint 5 comes within 2 deg of where axes 4 and 6 are in line
+  bool is_wrist_singular = false;  ///< whether joint 5 comes within 2 deg of where axes 4 and 6 are in line
 };
 
-/// What the settings leave open of tool and work object, from the arm's description: both frames, and STN1 as
-/// the mechanical unit where an external axis carries the bed.
+/// The settings with tool and work object completed from the arm's description, where they leave them open:
+/// both frames, and STN1 as the mechanical unit if an external axis carries the bed.
 /// @throws InvalidConfig as `armCell`
 RapidSettings withArmCell(RapidSettings settings, const KinematicModel& arm);
 
-/// An approach by MoveAbsJ to joints from which the tool goes along its axis to the first pose, and a retract
-/// along it from the last.
-/// @param air_speed  its name
-/// @throws Unreachable if the arm cannot stand where it is to start
+/// Plans an approach by MoveAbsJ to joints from which the tool moves along its axis to the first pose, and a
+/// retract along the tool axis from the last pose.
+/// @param air_speed  name of the speed in air
+/// @throws Unreachable if the arm cannot reach the pose at which the approach begins
 RapidPassages rapidPassages(const RobotMotion& robot, const ProgramStations& stations, const RapidPlan& plan,
                             const std::string& air_speed, const RapidSettings& settings);
 

@@ -12,26 +12,28 @@ namespace lamina {
 
 using RapidPath = RobotPath;
 
-/// A place in a program, before a move: `move` may be the path's number of moves nowhere but at the end.
+/// A position in a program, before a move. At the end of the program alone, `move` equals the path's number
+/// of moves.
 struct RapidPlace {
   std::size_t path = 0;
   std::size_t move = 0;
 };
 
-/// What goes into one procedure.
+/// Range of moves that one procedure holds.
 struct RapidChunk {
   RapidPlace begin;
   RapidPlace end;
   std::size_t points = 0;
 };
 
-/// All paths of a program, and how they are shared out to procedures.
+/// All paths of a program, and their division into procedures.
 struct RapidPlan {
   std::vector<RapidPath> paths;
   std::vector<RapidChunk> chunks;
 };
 
-/// Depositing paths that meet in one pose are one run: the process goes on between them.
+/// Plans the procedures of a program. Depositing paths that meet in one pose form one run, during which the
+/// process continues.
 /// @throws InvalidInput naming layer, path and waypoint: see `RapidProgram`
 /// @throws InvalidConfig if modules are loaded in turn and a run is longer than one of them
 RapidPlan planRapid(const Toolpath& toolpath, const RapidSettings& settings);

@@ -12,23 +12,24 @@
 
 namespace lamina {
 
-/// The names of a program's feeds: that of the settings for the first feed of deposition and of travel,
-/// numbered for any further one; a name of RAPID's own stands for its feed alone.
+/// Names of a program's feeds. The first feed of deposition and that of travel have the names of the
+/// settings, any further one such a name with a number. A predefined name of RAPID stands for its own feed
+/// only.
 class RapidSpeeds {
  public:
-  /// A speed to be declared.
+  /// A speed that must be declared.
   struct Declared {
     std::string name;
     double feed_mm_s = 0.0;
   };
 
-  /// @throws InvalidConfig if a name of RAPID's own is to stand for another feed
+  /// @throws InvalidConfig if the settings use a predefined name for another feed
   RapidSpeeds(const std::vector<RapidPath>& paths, const RapidSettings& settings);
 
   const std::string& deposition(double feed_mm_s) const;
   const std::string& air(double feed_mm_s) const;
-  /// Of moves that lead to the start of a path: the feed of the first travel, or of the first path if there
-  /// is no travel.
+  /// Name of the speed of moves that lead to the start of a path: the feed of the first travel, or of the
+  /// first path if there is no travel.
   const std::string& approach() const { return *approach_; }
   const std::vector<Declared>& declared() const { return declared_; }
 

@@ -237,7 +237,7 @@ class FanucParser {
     if (!list_.weaveArc(scheduleNumber(line))) line.refuse("Weave", "Arc Start before it");
   }
 
-  bool goesOn() const { return !text_.isAtEnd() && text_.lineAhead().take(":"); }
+  bool isContinued() const { return !text_.isAtEnd() && text_.lineAhead().take(":"); }
 
   void readStatement(LineCursor& line) {
     if (line.take("J"))
@@ -260,7 +260,7 @@ class FanucParser {
       readFrameNumber(line);
     else
       line.refuse("a statement that is known: J, L, DO, AO, Arc, Weave, WAIT, CALL, UFRAME_NUM, UTOOL_NUM");
-    if (line.isAtEnd() && goesOn()) return;
+    if (line.isAtEnd() && isContinued()) return;
     endStatement(line);
   }
 

@@ -8,8 +8,8 @@
 
 namespace lamina {
 
-/// The statements of a job in INFORM. Joints in pulses are degrees only to who knows how many pulses there
-/// are in one, which the note `pulses` states.
+/// The statements of a job in INFORM. Joints in pulses can be converted to degrees only if the note `pulses`
+/// states the pulses of each joint.
 /// @throws InvalidProgram naming file and line
 std::vector<ReadStatement> parseInform(const RobotSourceText& source);
 

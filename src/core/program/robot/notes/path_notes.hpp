@@ -13,39 +13,39 @@
 
 namespace lamina {
 
-/// So many motions lay this bead.
+/// A number of consecutive motions with one bead.
 struct BeadRun {
   Bead bead;
   std::size_t motions = 0;
 };
 
-/// What the notes of a robot's program report of a path, or of what is left of one.
+/// What the notes of a robot's program state about a path, or about the rest of one.
 struct PathNote {
   std::size_t line = 0;
-  std::optional<ToolpathLayer> layer;  ///< that begins with the path; without paths
-  bool is_resumed = false;             ///< goes on with the last path of the file or procedure before
+  std::optional<ToolpathLayer> layer;  ///< the layer that begins with the path, without paths
+  bool is_resumed = false;             ///< whether it continues the last path of the file or procedure before
   PathRole role = PathRole::Travel;
   bool is_closed = false;
   bool is_retracted = false;
   bool is_turned = false;
-  std::size_t moves = 0;  ///< in this file or procedure
+  std::size_t moves = 0;  ///< number of its moves in this file or procedure
   std::vector<BeadRun> beads;
-  std::vector<std::string> values;  ///< names of the process values that the path states
+  std::vector<std::string> values;  ///< names of the process values that the path has
 };
 
-/// The words of one note.
+/// Reads a note word by word.
 class NoteWords {
  public:
-  /// @param file  for errors; it must outlive the words
+  /// @param file  for errors; must outlive the object
   NoteWords(std::string_view text, std::size_t line, const std::string& file)
       : rest_(text), line_(line), file_(file) {}
 
   std::size_t line() const { return line_; }
 
-  /// Empty at the end.
+  /// The next word; empty at the end.
   std::string_view next();
 
-  /// Takes the word if it is the next one.
+  /// Reads past a word if it comes next; returns whether it does.
   bool take(std::string_view word);
 
   template <class Number>
@@ -58,7 +58,7 @@ class NoteWords {
     return value;
   }
 
-  /// From 0 to 1 km [mm].
+  /// Reads a length from 0 to 1 km [mm].
   double length(const char* expected);
 
   void expectEnd();
@@ -72,15 +72,15 @@ class NoteWords {
   const std::string& file_;
 };
 
-/// Gathers the notes of paths.
+/// Collects the notes of paths.
 class PathNotes {
  public:
-  /// Takes in one note of a path.
+  /// Reads one note of a path.
   /// @throws InvalidProgram naming file and line
   void read(NoteWords words);
 
   const std::vector<PathNote>& paths() const { return paths_; }
-  /// Those so far; none are left.
+  /// Returns the notes collected so far, and removes them.
   std::vector<PathNote> take();
 
  private:

@@ -52,12 +52,12 @@ std::vector<std::string> noteComments(std::string_view note, std::string_view le
   return comments;
 }
 
-bool NoteGathering::goesOn(std::string_view comment) {
+bool NoteGathering::continuesNote(std::string_view comment) {
   return comment.substr(0, kFurther.size()) == kFurther;
 }
 
 bool NoteGathering::add(std::string_view comment, std::size_t line) {
-  const bool goes_on = goesOn(comment);
+  const bool goes_on = continuesNote(comment);
   if (!goes_on && comment.substr(0, kFirst.size()) != kFirst) return false;
   comment.remove_prefix(goes_on ? kFurther.size() : kFirst.size());
   if (!goes_on) {

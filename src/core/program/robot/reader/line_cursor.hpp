@@ -11,17 +11,17 @@
 
 namespace lamina {
 
-/// A file that is being read.
+/// A program file that is being read.
 struct ReadFile {
   std::string name;
-  Quotation quotation;  ///< what messages quote of it: nothing before it has proved to be a program
+  Quotation quotation;  ///< what messages may quote of the file: nothing until it has proved to be a program
 };
 
-/// A line of a program as it is read. Words are compared without regard to case, white space between them is
-/// passed over. All refuse by InvalidProgram, naming file, line, what was found and what was expected.
+/// Reads a line of a program. Words are compared without regard to case, and white space between them is
+/// skipped. All functions throw InvalidProgram, naming file, line, what was found and what was expected.
 class LineCursor {
  public:
-  /// @param file  for errors; it must outlive the cursor
+  /// @param file  for errors; must outlive the cursor
   LineCursor(std::string_view text, std::size_t line, const ReadFile& file)
       : rest_(text), line_(line), file_(&file) {}
 
@@ -30,13 +30,14 @@ class LineCursor {
   bool isAtEnd();
   std::string_view rest() const { return rest_; }
 
-  /// Takes the text if it comes next; a word only if it ends there.
+  /// Reads past a text if it comes next, and returns whether it does. A word must end where the text ends.
   bool take(std::string_view text);
+  /// Reads past a text.
   /// @throws InvalidProgram if it does not come next
   void expect(std::string_view text);
-  /// Letters, digits and underscores, the first no digit.
+  /// Reads a word of letters, digits and underscores that does not begin with a digit.
   std::string word(const char* expected);
-  /// A number within the bounds, both included.
+  /// Reads a number within bounds, both included.
   double number(double low, double high, const char* expected);
   int integer(int low, int high, const char* expected);
   void expectEnd();

@@ -22,44 +22,45 @@ struct AssembledMove {
   Point3 point = Point3::Zero();  ///< [mm, bed]
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
   double feed_mm_s = 0.0;
-  std::map<std::string, double> values;  ///< of the process, by name
-  std::size_t index = 0;                 ///< the reader's own
+  std::map<std::string, double> values;  ///< process values by name
+  std::size_t index = 0;                 ///< index by which the caller identifies the move
 };
 
-/// A waypoint of a program's toolpath, and the move that leads there.
+/// A waypoint of a program's toolpath, and the move that ends there.
 struct AssembledStation {
   WaypointIndex at;
   AssembledMove move;
 };
 
-/// A program as its robot runs it.
+/// A program in the order in which its robot runs it.
 struct AssembledProgram {
   Toolpath toolpath;
-  std::vector<AssembledStation> stations;  ///< where each path starts, and the end of each of its motions
+  std::vector<AssembledStation> stations;  ///< the start of each path, and the end of each of its motions
 };
 
-/// How a language's notes are spoken of in errors.
+/// How error messages refer to the notes of a language.
 struct NoteStyle {
-  std::string mark;   ///< that begins notes: "!# "
-  std::string place;  ///< what they stand before: "the procedure"
-  std::string whole;  ///< what they are of: "the procedure"
+  std::string mark;   ///< beginning of notes: "!# "
+  std::string place;  ///< what notes precede: "the procedure"
+  std::string whole;  ///< what notes describe: "the procedure"
 };
 
-/// Makes a toolpath of moves, in the order in which they are run, and of the notes that describe their paths.
-/// All refuse by InvalidProgram, naming file and line, what does not fit together.
+/// Assembles a toolpath from moves, in the order in which they are run, and from the notes on their paths.
+/// All functions throw InvalidProgram, naming file and line, if these contradict each other.
 class PathAssembly {
  public:
   explicit PathAssembly(NoteStyle style) : style_(std::move(style)) {}
 
-  /// A file or procedure with moves begins, whose notes are these.
+  /// Begins a file or procedure that has moves, with its notes.
   void begin(std::vector<PathNote> notes, const std::string& file);
-  /// A path begins amid a file, or goes on in another.
+  /// Adds the note of a path that begins within a file, or continues in another one.
   void addNote(const PathNote& note, const std::string& file);
-  /// @param process  while it runs
+  /// Adds a move.
+  /// @param process  state of the process during the move
   void add(const AssembledMove& move, ProcessState process, std::size_t line);
-  /// The tool waits where it stands, after the moves so far [s]. Waits at one place are one.
+  /// Adds a wait of the tool after the moves so far [s]. Consecutive waits at one place become one.
   void addDwell(double duration_s, std::size_t line);
-  /// The file or procedure ends.
+  /// Ends the file or procedure.
   void end(std::size_t line);
 
   AssembledProgram finish();
@@ -78,14 +79,14 @@ class PathAssembly {
   NoteStyle style_;
   std::vector<PathNote> notes_;
   std::string file_;
-  std::size_t note_ = 0;   ///< the one whose moves come
-  std::size_t moves_ = 0;  ///< of it, so far
+  std::size_t note_ = 0;   ///< index of the note whose moves come now
+  std::size_t moves_ = 0;  ///< number of its moves so far
   std::optional<AssembledMove> last_;
 
   std::optional<PathNote> open_;  ///< the path that is being read
   std::string open_file_;
-  std::vector<AssembledMove> poses_;  ///< where it starts, and at the end of each motion
-  std::vector<PathEvent> events_;     ///< of the path
+  std::vector<AssembledMove> poses_;  ///< start of the path, and the end of each motion
+  std::vector<PathEvent> events_;     ///< events of the path
   AssembledProgram program_;
 };
 

@@ -27,7 +27,7 @@ RobotGrammar robotGrammar(RobotLanguage language) {
 }
 
 void StatementList::addComment(std::string_view comment, std::size_t line) {
-  if (!NoteGathering::goesOn(comment)) flush();
+  if (!NoteGathering::continuesNote(comment)) flush();
   note_.add(comment, line);
 }
 

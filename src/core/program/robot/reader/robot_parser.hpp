@@ -14,32 +14,32 @@
 
 namespace lamina {
 
-/// A file that is parsed, with what lies beside it. All must outlive what is read of it.
+/// A file to be parsed, with its data file. Everything must outlive the statements read from it.
 struct RobotSourceText {
   std::string file;
   std::string_view text;
-  std::string data_file;                 ///< its name
-  std::optional<std::string> data = {};  ///< of a data file of the same name, where there is one
+  std::string data_file;                 ///< name of the data file
+  std::optional<std::string> data = {};  ///< text of the data file of the same name, if there is one
 };
 
-/// What a language's reader has to do.
+/// What a language's reader needs to define.
 struct RobotGrammar {
   std::vector<ReadStatement> (*parse)(const RobotSourceText& source) = nullptr;
   std::string note_mark;    ///< "; # ", for errors
-  std::string suffix;       ///< of the files that a program runs
-  std::string data_suffix;  ///< of data files; empty for none
+  std::string suffix;       ///< suffix of the files that a program runs
+  std::string data_suffix;  ///< suffix of data files; empty if there are none
 };
 
 RobotGrammar robotGrammar(RobotLanguage language);
 
-/// The statements of a file as they are read, with the notes among its comments.
+/// Collects the statements of a file, with the notes among its comments.
 class StatementList {
  public:
   /// @param comment  without lead
   void addComment(std::string_view comment, std::size_t line);
   void add(RobotStatement statement, std::size_t line);
-  /// The statement before starts an arc, which weaves by this schedule.
-  /// @return whether it does start one
+  /// Sets the weave schedule of the arc that the last statement starts.
+  /// @return false if the last statement starts no arc
   bool weaveArc(int schedule);
   std::vector<ReadStatement> take();
 
@@ -50,7 +50,7 @@ class StatementList {
   NoteGathering note_;
 };
 
-/// Bounds of what is read, beyond those of any robot.
+/// Limits of values read, wider than those of any robot.
 constexpr double kFarthestRead = 1e5;   // mm
 constexpr double kGreatestAngle = 1e5;  // deg
 constexpr double kSlowestRead = 1e-3;   // mm/s

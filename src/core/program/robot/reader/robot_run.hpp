@@ -24,10 +24,10 @@ struct RobotScriptFile {
   std::vector<ReadStatement> statements;
 };
 
-/// What the notes at a program's head state.
+/// What the notes at the beginning of a program state.
 struct RobotHeadNotes {
-  std::optional<Eigen::Isometry3d> tool;  ///< the nozzle over the flange [mm]
-  std::optional<Eigen::Isometry3d> bed;   ///< over what carries it [mm]
+  std::optional<Eigen::Isometry3d> tool;  ///< pose of the nozzle over the flange [mm]
+  std::optional<Eigen::Isometry3d> bed;   ///< pose of the bed over what carries it [mm]
   bool is_bed_carried = false;
   int process_output = 1;
   std::vector<RobotLevel> levels;
@@ -35,26 +35,26 @@ struct RobotHeadNotes {
   Eigen::Quaterniond bed_from_layers = Eigen::Quaterniond::Identity();
 };
 
-/// A move of the part, beyond what its toolpath has of it.
+/// Properties of a move of the part that its toolpath does not hold.
 struct RunMove {
   std::vector<double> external;  ///< [mm, deg]
   std::size_t line = 0;
 };
 
-/// A program as it runs.
+/// A program in the order in which it is run.
 struct RobotRunning {
   AssembledProgram program;
-  std::vector<RunMove> moves;  ///< by the index of the stations' moves
+  std::vector<RunMove> moves;  ///< by the index of the move in the stations
   std::optional<ControllerJoints> start;
   RobotHeadNotes head;
   StatedEquipment equipment;
 };
 
-/// Runs the files in their order.
+/// Runs the files one after the other.
 /// @throws InvalidProgram naming file and line
 RobotRunning runRobot(const std::vector<RobotScriptFile>& files, const std::string& note_mark);
 
-/// See `readRobotMotion`.
+/// Motion that a program states; see `readRobotMotion`.
 StatedMotion robotMotionOf(RobotRunning running, const KinematicModel& arm);
 
 }  // namespace lamina

@@ -8,7 +8,7 @@
 
 namespace lamina {
 
-/// The statements of a file in URScript; its poses are over the robot's base.
+/// The statements of a file in URScript, whose poses are over the robot's base.
 /// @throws InvalidProgram naming file and line
 std::vector<ReadStatement> parseUrScript(const RobotSourceText& source);
 

@@ -10,36 +10,36 @@
 
 namespace lamina {
 
-/// A path as moves of a robot: one that takes the pose it starts in, where the path before ends in another,
-/// and then its motions.
+/// A path as moves of a robot. If the path before ends in another pose, a move to its first pose precedes its
+/// motions.
 struct RobotPath : ListedPath {
-  bool is_turned = false;     ///< begins with a move of its own
-  bool switches_on = false;   ///< the process starts before its first motion
-  bool switches_off = false;  ///< the process stops after its last motion
+  bool is_turned = false;     ///< whether it begins with such a move
+  bool switches_on = false;   ///< whether the process starts before its first motion
+  bool switches_off = false;  ///< whether the process stops after its last motion
 
   bool deposits() const { return path->role != PathRole::Travel; }
   std::size_t turnCount() const { return is_turned ? 1 : 0; }
   std::size_t moveCount() const { return path->motionCount() + turnCount(); }
 };
 
-/// Whether a program's moves turn the tool.
+/// Whether a program's moves may change the orientation of the tool.
 enum class ToolTurns : std::uint8_t { None, Any };
 
-/// All paths of a program. Depositing paths that meet in one pose are one run: the process goes on between
-/// them.
-/// @throws InvalidInput naming layer, path and waypoint: drops, a path of less than two waypoints, a position
-///   that is not within 100 m, a feed, orientation or bead that is no such thing; if there is no path
+/// All paths of a program. Depositing paths that meet in one pose form one run, during which the process
+/// continues.
+/// @throws InvalidInput naming layer, path and waypoint: for drops, a path of fewer than two waypoints, a
+///   position beyond 100 m, or an invalid feed, orientation or bead; if there is no path
 std::vector<RobotPath> robotPaths(const Toolpath& toolpath, ToolTurns turns);
 
-/// Waits of the toolpath between a move and what follows it [s]: those before the next motion of its path,
-/// or, after its last one, those behind it and before the next path, if that begins without a move of its
-/// own. After the last move of all, those at the toolpath's end too.
+/// Duration of the toolpath's waits after a move [s]: those before the next motion of its path; or, after the
+/// last move of a path, those at its end and those before the next path, if that path does not begin with a
+/// move of its own. After the last move of the program, those at the toolpath's end too.
 double dwellAfter(const Toolpath& toolpath, const std::vector<RobotPath>& paths, std::size_t path,
                   std::size_t move);
 
-/// Paths that a split should not come between: travels up to a run, and the run.
+/// A range of paths that should stay in one file: a run, and the travels to it.
 struct RobotStretch {
-  std::size_t begin = 0;  ///< path
+  std::size_t begin = 0;  ///< index of its first path
   std::size_t end = 0;
   std::size_t points = 0;
 };

@@ -18,54 +18,56 @@
 
 namespace lamina {
 
-/// How much of a controller's memory a file takes.
+/// Memory of a controller that a file takes.
 struct RobotFileSize {
   std::size_t lines = 0;
   std::size_t points = 0;
 };
 
-/// What stands at the head of a file.
+/// Contents of the head of a file.
 struct RobotFileHead {
-  std::string name;                ///< of the program in it
-  std::vector<std::string> notes;  ///< of the whole program; in its first file
+  std::string name;                ///< name of the program in the file
+  std::vector<std::string> notes;  ///< notes on the whole program; in its first file only
   std::string part_name;
 };
 
-/// What a file is printed for.
+/// Properties of the robot that a file is printed for.
 struct RobotSite {
   RobotProgramSettings settings;
-  std::optional<ArmCell> cell;  ///< over the controller's base, where an arm is known
+  std::optional<ArmCell> cell;  ///< cell over the controller's base; nothing if no arm is known
   ControllerMap map;
   std::vector<JointKind> external;  ///< kinds of the external axes, in their order
 };
 
-/// Makes one file, or a pair of files, of statements in a language.
+/// Prints statements in a language, as one file or a pair of files.
 class RobotPrinter {
  public:
   virtual ~RobotPrinter() = default;
-  /// @throws InvalidInput if the language has no such value
+  /// Appends a statement.
+  /// @throws InvalidInput if the language cannot express a value
   virtual void print(const RobotStatement& statement) = 0;
   virtual RobotFileSize size() const = 0;
-  /// The text of what has been printed; the file that is loaded comes first.
+  /// The text printed so far; the file to be loaded comes first.
   virtual std::vector<RobotFile> files(const RobotFileHead& head) const = 0;
 };
 
-/// What a file of a language may hold, on any controller.
+/// Limits of a file in a language, on any controller.
 struct RobotLimits {
   std::size_t lines = std::numeric_limits<std::size_t>::max();
   std::size_t points = std::numeric_limits<std::size_t>::max();
   std::size_t bytes_in_all = std::numeric_limits<std::size_t>::max();
 };
 
-/// What the writer has to know of a language.
+/// Properties of a language that the writer needs.
 struct RobotDialect {
   RobotLanguage language = RobotLanguage::Krl;
   RobotLimits limits;
-  std::string limit_key;  ///< that sets them, for errors
-  bool has_calls = true;  ///< a file runs others; else they are run one after the other
+  std::string limit_key;  ///< setting that holds the limits, for errors
+  /// Whether a file can run others; otherwise files are run one after the other by hand.
+  bool has_calls = true;
   std::unique_ptr<RobotPrinter> (*open)(const RobotSite& site) = nullptr;
-  /// The name of a program as the language has it, of one asked for.
-  /// @throws InvalidConfig if there can be none
+  /// The name of a program in the form of the language, made from the requested one.
+  /// @throws InvalidConfig if no name can be made
   std::string (*name)(const std::string& asked, const RobotProgramSettings& settings) = nullptr;
 };
 
@@ -74,27 +76,28 @@ RobotDialect robotDialect(RobotLanguage language, const RobotProgramSettings& se
 /// How the controller of a language counts joints.
 ControllerMap controllerMap(RobotLanguage language, const RobotProgramSettings& settings);
 
-/// Letters, digits and underscores of ASCII, the first of them a letter, so many at most.
+/// Refuses a name unless it consists of ASCII letters, digits and underscores, begins with a letter, and has
+/// at most `longest` characters.
 /// @throws InvalidConfig naming robot_program.name
 void requireProgramName(const std::string& name, std::size_t longest, RobotLanguage language);
 
-/// No word that the language has taken for itself, in capitals or not.
-/// @param reserved  in small letters
+/// Refuses a name that the language reserves, in any case.
+/// @param reserved  names in lower case
 /// @throws InvalidConfig naming robot_program.name
 void requireFreeName(const std::string& name, const std::vector<std::string_view>& reserved,
                      RobotLanguage language);
 
-/// Of a language that numbers outputs from 1.
-/// @throws InvalidInput if it is 0
+/// Refuses output 0 in a language that numbers outputs from 1.
+/// @throws InvalidInput
 void requireOutputNumber(int output, RobotLanguage language);
 
-/// A wait in parts that a language can state, one after the other [s].
+/// A wait divided into waits of at most `longest_s`, to be written one after the other [s].
 std::vector<double> waitParts(double duration_s, double longest_s);
 
-/// The name in capitals of ASCII.
+/// The name with ASCII letters in upper case.
 std::string upperCaseName(const std::string& name);
 
-/// Printable ASCII alone, on one line; question marks for the rest.
+/// The text on one line, with a question mark for every character that is not printable ASCII.
 std::string plainText(const std::string& text);
 
 }  // namespace lamina

@@ -18,28 +18,28 @@
 
 namespace lamina {
 
-/// A toolpath, where it stands, and what runs it.
+/// A toolpath, its pose on the bed, and the robot that runs it.
 struct RobotJob {
   const Toolpath& toolpath;
   const Eigen::Isometry3d& bed_from_part;
   const RobotMotion* robot = nullptr;  ///< may be null
 };
 
-/// A program's statements in their order, whatever its language. The toolpath and the robot's motion must
-/// outlive it.
+/// The statements of a program in their order, independent of the language. The toolpath and the robot's
+/// motion must outlive this object.
 class RobotScript {
  public:
   /// @throws as `robotProgram`
   RobotScript(const RobotJob& job, const RobotProgramSettings& settings, const ControllerMap& map);
 
-  /// Notes on the whole program: cell, outputs, how joints are counted, how layers lie.
+  /// Notes on the whole program: cell, outputs, counting of joints, position of the layers.
   std::vector<std::string> headNotes() const;
 
   std::vector<RobotStatement> approach() const;
   std::vector<RobotStatement> retract() const;
-  /// Between two files that are started one by one: away from the part along the tool axis, and back, the
-  /// way there by a move of the joints.
-  /// @throws Unreachable if the arm cannot stand back there
+  /// Moves between two files that are started one by one: away from the part along the tool axis, and back to
+  /// this posture, first by a joint move.
+  /// @throws Unreachable if the arm cannot reach the pose away from the part
   std::vector<RobotStatement> retractFrom(const ArmPosture& posture) const;
   std::vector<RobotStatement> approachTo(const ArmPosture& posture) const;
 
@@ -48,10 +48,10 @@ class RobotScript {
 
   const std::vector<RobotStretch>& stretches() const { return stretches_; }
   std::vector<RobotStatement> statements(const RobotStretch& stretch) const;
-  /// "layer 3, path 0" where a stretch begins.
+  /// Position of a stretch, for messages: "layer 3, path 0".
   std::string place(const RobotStretch& stretch) const;
 
-  /// How the arm stands where a stretch begins; nothing without an arm.
+  /// Posture of the arm at the start of a stretch; nothing without an arm.
   std::optional<ArmPosture> postureAtStart(const RobotStretch& stretch) const;
 
   const std::optional<ArmCell>& cell() const { return cell_; }

@@ -40,17 +40,17 @@ class EmulatedGrbl::Board {
     Point3 end = Point3::Zero();
     double seconds = 0.0;
   };
-  /// A line that was begun and not answered.
+  /// A line that is being run and has no answer yet.
   struct Pending {
     std::optional<Block> block;
-    bool needs_rest = false;  ///< ends when the motions do
-    bool pauses = false;      ///< and then holds
-    double wait_s = 0.0;      ///< and then takes this long
+    bool needs_rest = false;  ///< whether it ends only when all motions have ended
+    bool pauses = false;      ///< whether the machine holds after that
+    double wait_s = 0.0;      ///< time that it takes after that
     std::optional<double> spindle;
     bool loses_ok = false;
     bool delays_ok = false;
   };
-  /// The effect of the words of a line.
+  /// What the words of a line ask for.
   struct Wish {
     Point3 axes = Point3::Zero();
     std::array<bool, 3> has_axis{};
@@ -88,12 +88,12 @@ class EmulatedGrbl::Board {
   Observer observer_;
   Random random_;
   State state_;
-  std::string rx_;            ///< received, not read
-  std::size_t read_ = 0;      ///< bytes of it that were read
+  std::string rx_;            ///< bytes received
+  std::size_t read_ = 0;      ///< number of bytes of `rx_` that were read
   std::deque<Block> blocks_;  ///< the first one runs
   double block_left_s_ = 0.0;
   double clock_s_ = 0.0;
-  double still_at_s_ = 0.0;  ///< when it has slowed down
+  double still_at_s_ = 0.0;  ///< time at which it has slowed down
   std::optional<Pending> pending_;
   std::optional<double> wait_until_s_;
 
@@ -107,13 +107,13 @@ class EmulatedGrbl::Board {
   double feed_mm_min_ = 0.0;
   double spindle_ = 0.0;
   double speed_ = 0.0;
-  int reports_to_offset_ = 1;  ///< until it is reported again
+  int reports_to_offset_ = 1;  ///< number of reports until the offset is reported again
   GrblOverriding overriding_;
 
   // Faults.
   std::uint64_t arriving_ = 1;     ///< number of the line whose bytes arrive
-  std::size_t arrived_bytes_ = 0;  ///< of it
-  char first_byte_ = '\n';         ///< of it
+  std::size_t arrived_bytes_ = 0;  ///< number of its bytes that have arrived
+  char first_byte_ = '\n';         ///< its first byte
   std::optional<std::size_t> loses_at_;
   std::optional<std::size_t> changes_at_;
   std::uint64_t run_lines_ = 0;

@@ -9,25 +9,27 @@
 
 namespace lamina {
 
-/// Overrides as grbl takes them: flags that are set as bytes arrive, and obeyed when it looks at them.
+/// Overrides in grbl's way: bytes set flags as they arrive, and the flags take effect when grbl looks at
+/// them.
 class GrblOverriding {
  public:
   const GrblPercents& percents() const { return percents_; }
 
-  /// Takes a byte that arrives.
-  /// @return whether it does not wait in the buffer
+  /// Receives a byte.
+  /// @return whether it is a byte for an override, and so not kept in the receive buffer
   bool note(char byte);
-  /// Obeys the bytes that came since it was called last.
+  /// Applies the bytes that have arrived since the last call.
   void apply();
-  /// As after a restart.
+  /// Resets all overrides, as at a restart.
   void reset();
-  /// What a report says of them: "|Ov:100,100,100" in one of ten, and in the next one after a change.
+  /// The part of a report that states the overrides: "|Ov:100,100,100" in one of ten reports and in the next
+  /// one after a change, otherwise empty.
   std::string takeReport();
 
  private:
   GrblPercents percents_;
-  std::set<char> bytes_;  ///< that came since the firmware looked last; equal ones are one
-  int reports_left_ = 1;  ///< until they are reported again
+  std::set<char> bytes_;  ///< bytes since the last `apply`; equal ones count once
+  int reports_left_ = 1;  ///< number of reports until overrides are reported again
 };
 
 }  // namespace lamina

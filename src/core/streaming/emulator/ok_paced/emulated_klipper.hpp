@@ -9,13 +9,13 @@
 
 namespace lamina {
 
-/// Klipper at its pseudo-terminal, as klippy/gcode.py reads and answers. Line numbers and checksums are
-/// ignored. An error is sent before the ok, and the lines after it are run. A halt is a shutdown. A restart
-/// forgets what was read, and is ready at once.
+/// Emulates Klipper at its pseudo-terminal, with the reading and answering of klippy/gcode.py. Line numbers
+/// and checksums are ignored. An error is sent before the ok of its line, and later lines are still run. A
+/// halt is a shutdown. After a restart what was received is discarded, and Klipper is ready at once.
 class EmulatedKlipper final : public EmulatedPacedFirmware {
  public:
   using EmulatedPacedFirmware::EmulatedPacedFirmware;
-  /// Starts in a shutdown for that reason.
+  /// Puts Klipper into a shutdown for this reason.
   void shutDown(const std::string& reason) { reason_ = reason; }
 
  private:

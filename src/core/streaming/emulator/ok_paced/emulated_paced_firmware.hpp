@@ -18,15 +18,15 @@ struct PacedFaults {
   double lost_ok = 0.0;  ///< the command is run, its ok is never sent
   double slow = 0.0;     ///< the command takes `slow_s`, as with a full queue
   double slow_s = 4.0;
-  double refusal = 0.0;     ///< the command is not run, and the firmware says so
+  double refusal = 0.0;     ///< the command is not run, and the firmware reports that
   double halt = 0.0;        ///< the firmware halts by itself
-  double reset = 0.0;       ///< it starts anew and forgets everything
-  double disconnect = 0.0;  ///< the link goes away, and does not come back
+  double reset = 0.0;       ///< the firmware restarts and loses its state
+  double disconnect = 0.0;  ///< the link is lost for good
   std::uint64_t seed = 1;
 };
 
-/// Firmware without a machine that answers each line by one `ok`, in order. It takes bytes and times, and
-/// gives bytes. The derived class defines the meaning of lines.
+/// Firmware without a machine that answers each line by one `ok`, in order. It receives bytes and times, and
+/// returns bytes. Derived classes define the meaning of lines.
 class EmulatedPacedFirmware {
  public:
   /// Called with each command that is run, except questions.
@@ -49,9 +49,9 @@ class EmulatedPacedFirmware {
   double nozzleTarget() const { return nozzle_target_; }  ///< [°C]; 0 is off
 
  protected:
-  /// The answer to a line. Its ok is sent when the command has been run.
+  /// The answer to a line. Its ok is sent once the command was run.
   struct Answer {
-    std::string lines;  ///< in front of the ok, each with its end
+    std::string lines;  ///< lines sent before the ok, each with its end
     std::string ok = "ok";
     bool is_silent = false;  ///< the line gets no answer
   };
@@ -62,8 +62,8 @@ class EmulatedPacedFirmware {
   virtual void halt() = 0;
   virtual void restart() = 0;
 
-  /// Runs a command, unless a fault strikes it.
-  /// @return the answer to it
+  /// Runs a command, unless one of the faults affects it.
+  /// @return the answer to the command
   Answer run(const std::string& command);
   void say(const std::string& text) { output_ += text; }
   void forgetInput() { input_.clear(); }
@@ -81,7 +81,7 @@ class EmulatedPacedFirmware {
   std::string input_;
   std::size_t read_ = 0;
   std::string output_;
-  std::string held_;  ///< answer to the command under way
+  std::string held_;  ///< answer to the command being run
   double busy_until_ = 0.0;
   double resting_s_ = 0.0;
   bool is_cut_ = false;

@@ -11,12 +11,13 @@
 
 namespace lamina {
 
-/// RepRapFirmware 3 in its emulation of Marlin, as GCodeBuffer/StringParser reads lines. Only numbered lines
-/// have a checksum: one to three digits are an exclusive or, five the CRC-16. A line with a wrong checksum,
-/// or without a required one, is dropped without an answer. The position is that of the last motion taken.
+/// Emulates RepRapFirmware 3 in its emulation of Marlin, with the reading of lines of
+/// GCodeBuffer/StringParser. Only numbered lines have a checksum: one to three digits are an exclusive or,
+/// five digits the CRC-16. A line with a wrong checksum, or without a required one, is dropped without an
+/// answer. The position is the end of the last motion accepted.
 class EmulatedRepRap final : public EmulatedPacedFirmware {
  public:
-  /// Which checksums it checks (M575 S0, S4).
+  /// Which checksums the firmware checks (M575 S0, S4).
   enum class Checks : std::uint8_t { IfThere, RequiresCrc };
 
   EmulatedRepRap(const PacedFaults& faults, Checks checks, Observer observer)
@@ -35,7 +36,7 @@ class EmulatedRepRap final : public EmulatedPacedFirmware {
 
   Checks checks_;
   std::string status_ = "idle";
-  std::array<double, 4> at_{};  ///< X, Y, Z, and the filament
+  std::array<double, 4> at_{};  ///< X, Y, Z, and the filament position
   bool is_relative_ = false;
   bool is_filament_relative_ = false;
 };

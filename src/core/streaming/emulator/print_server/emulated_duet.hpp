@@ -10,7 +10,7 @@
 
 namespace lamina {
 
-/// What serves the requests to a Duet.
+/// Who answers requests to a Duet.
 enum class DuetHost : std::uint8_t {
   Board,    ///< the board itself
   Computer  ///< a computer beside it, which also knows how prints ended and which commands were unknown
@@ -19,11 +19,11 @@ enum class DuetHost : std::uint8_t {
 /// The object model of a Duet with a bed, one tool and three axes.
 nlohmann::json objectModelOf(const EmulatedPrinter& printer, DuetHost host);
 
-/// Runs codes as a Duet does, one a line.
-/// @return what it says; begins with "Error:" if it refuses one
+/// Runs codes, one a line, as a Duet does.
+/// @return the Duet's output; begins with "Error:" if it refuses a code
 std::string runCodes(EmulatedPrinter& printer, const std::string& codes);
 
-/// "0:/gcodes/a/b.g" as "a/b.g".
+/// Name of a file on the card relative to its folder of programs: "0:/gcodes/a/b.g" as "a/b.g".
 std::string fileOnCard(const std::string& path);
 
 }  // namespace lamina

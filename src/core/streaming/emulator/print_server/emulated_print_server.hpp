@@ -16,25 +16,26 @@ class EmulatedPrintServer {
  public:
   virtual ~EmulatedPrintServer() = default;
 
-  /// @param body  of the request, whole
+  /// @param body  whole body of the request
   virtual HttpResponse answer(const HttpRequest& request, std::string_view body) = 0;
   /// Ends all sessions.
   virtual void forgetSessions() {}
 
   EmulatedPrinter printer;
-  std::string password;           ///< password or key; empty for none
-  bool has_just_started = false;  ///< it was just started, and has not found its printer yet (Moonraker)
+  std::string password;  ///< password or key; empty for none
+  /// Whether it was just started and has not found its printer yet (Moonraker).
+  bool has_just_started = false;
 };
 
 std::unique_ptr<EmulatedPrintServer> makeEmulatedMoonraker();
 std::unique_ptr<EmulatedPrintServer> makeEmulatedDuet();
 std::unique_ptr<EmulatedPrintServer> makeEmulatedDuetWithComputer();
 
-/// The value of a key in the query of a target, decoded; empty if there is none.
+/// The decoded value of a key in the query of a request target; empty if the key is missing.
 std::string queryValue(const std::string& target, const std::string& key);
-/// A path or value of a URL, decoded. A % that is not followed by two digits stays unchanged.
+/// A path or value of a URL, decoded. A % without two hexadecimal digits after it stays unchanged.
 std::string decodedFromUrl(std::string_view text);
-/// The value of a header, whose name may be in any case; empty if there is none.
+/// The value of a header, whose name is compared without regard to case; empty if it is missing.
 std::string headerValue(const HttpRequest& request, const std::string& name);
 
 }  // namespace lamina

@@ -19,7 +19,7 @@ class ExpectedPosition {
   /// @param modes  answer to `$G`; if empty no axis is ever known
   explicit ExpectedPosition(std::string_view modes);
 
-  /// Takes a line of the program that was sent.
+  /// Follows a line of the program that was sent.
   void follow(std::string_view command);
 
   /// The position axis by axis [mm]; none where unknown.
@@ -28,13 +28,13 @@ class ExpectedPosition {
   /// @param work  position of the machine [mm]
   std::optional<double> distanceFrom(const GrblAxes& work) const;
 
-  /// How the machine's position contradicts this, as "X is 3.000 mm; expected 4.000 mm"; empty if it does
-  /// not.
+  /// How the machine's position contradicts the expected one, as "X is 3.000 mm; expected 4.000 mm"; empty if
+  /// it agrees.
   /// @param work  position of the machine [mm]
   std::string contradictionBy(const GrblAxes& work) const;
 
  private:
-  /// What a line says before it moves.
+  /// What a line states besides its motion.
   struct Line {
     bool moves_along_words = true;
     bool sets_words = false;  ///< G92
@@ -49,9 +49,9 @@ class ExpectedPosition {
   std::array<std::optional<double>, 3> axes_;  ///< [mm]
   bool is_followed_ = false;
   bool is_absolute_ = true;
-  bool moves_ = true;  ///< a motion mode is active
+  bool moves_ = true;  ///< whether a motion mode is active
   double unit_mm_ = 1.0;
-  int work_system_ = 540;  ///< ten times G54
+  int work_system_ = 540;  ///< ten times the number of the G code: 540 for G54
 };
 
 }  // namespace lamina

@@ -77,7 +77,7 @@ void GrblJob::beginChecking(double now) {
 }
 
 void GrblJob::check(double now) {
-  check_->goOn();
+  check_->checkMoreLines();
   record_.status.warning = check_->warning();
   if (!check_->defect().empty()) {
     abort({ErrorCode::InvalidProgram, check_->defect()}, now);
@@ -94,13 +94,14 @@ void GrblJob::beginLocating(double now) {
   heard_s_ = now;
   next_poll_s_ = now;
   locate_by_s_ = now + order_.settings.connect_timeout_s;
-  goOn(now);
+  continueOncePlaced(now);
 }
 
-/// Once the machine is idle, and has reported where it is in the coordinates of the work.
-void GrblJob::goOn(double now) {
+/// Continues the job at the position of the machine once the machine is idle and has reported that position
+/// in coordinates of the work. Asks for it again until then, and aborts after the timeout.
+void GrblJob::continueOncePlaced(double now) {
   const bool is_idle = machine_state_ == GrblState::Idle;
-  if (place_.work() && is_idle) return goOnAt(*place_.work(), now);
+  if (place_.work() && is_idle) return continueAt(*place_.work(), now);
   if (now < locate_by_s_) {
     next_poll_s_ = now + kPlacePoll;
     output_ += grbl_byte::kStatus;
@@ -116,7 +117,7 @@ void GrblJob::goOn(double now) {
   }
 }
 
-void GrblJob::goOnAt(const GrblAxes& work, double now) {
+void GrblJob::continueAt(const GrblAxes& work, double now) {
   const GrblMachine& machine = start_.machine();
   const auto passed = [this](const ProgramLine& line) { record_.status.layer = line.layer; };
   try {
@@ -226,7 +227,7 @@ void GrblJob::elapse(double now) {
   } else if (phase_ == Phase::Checking) {
     check(now);
   } else if (phase_ == Phase::Locating) {
-    if (now >= next_poll_s_) goOn(now);
+    if (now >= next_poll_s_) continueOncePlaced(now);
   } else if (phase_ == Phase::Stopping || phase_ == Phase::Offline) {
     followStop(now);
   } else if (isRunning()) {

@@ -73,8 +73,8 @@ class GrblJob final : public StreamJob {
   void beginChecking(double now);
   void check(double now);
   void beginLocating(double now);
-  void goOn(double now);
-  void goOnAt(const GrblAxes& work, double now);
+  void continueOncePlaced(double now);
+  void continueAt(const GrblAxes& work, double now);
   void execute(double now);
 
   void proceed(double now);
@@ -117,7 +117,7 @@ class GrblJob final : public StreamJob {
   GrblWindow window_;
   GrblOverrides overrides_;
   LayerPause layer_pause_;
-  bool is_at_layer_ = false;  ///< no line is sent until the machine stands still and holds
+  bool is_at_layer_ = false;  ///< whether no line is sent until the machine stands still and holds
   AnswerTimer answers_;
   Phase phase_ = Phase::Idle;
   double next_poll_s_ = 0.0;
@@ -128,7 +128,7 @@ class GrblJob final : public StreamJob {
   GrblPlace place_;
   GrblStandstill standstill_;
   GrblStarvation starvation_;
-  bool has_begun_ = false;  ///< a line of the program may have been sent
+  bool has_begun_ = false;  ///< whether a line of the program may have been sent
   bool is_held_by_user_ = false;
   bool is_resume_wanted_ = false;
   double release_again_s_ = 0.0;

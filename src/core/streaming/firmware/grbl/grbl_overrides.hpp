@@ -10,26 +10,27 @@
 
 namespace lamina {
 
-/// Changes the overrides of grbl to requested values. It sends one byte for each at a time, and the next one
-/// when the machine has reported the effect. grbl may take several equal bytes for one, so that sending them
-/// together would give an unknown value.
+/// Changes the overrides of grbl to requested values. Of each override one byte is sent at a time, and the
+/// next one after the machine has reported the effect of the first. grbl may count several equal bytes as
+/// one, so that several at once would give an unknown value.
 class GrblOverrides {
  public:
-  /// @return why it is refused, in words; empty if it is taken
+  /// Requests a change.
+  /// @return why it is refused, in words; empty if it is accepted
   std::string set(const LiveChange& change, double now);
-  /// Takes the values that the machine reports, after a change and at intervals.
+  /// Evaluates the values that the machine reports, after a change and at intervals.
   void hear(const GrblPercents& reported, double now);
   /// The bytes to send next; empty while a report is due.
   std::string takeBytes();
-  /// Whether a change is under way, so that the machine is to be polled more often.
+  /// Whether a change is in progress, so that the machine should be polled more often.
   bool isUnderWay() const { return feed_ || rapid_ || spindle_; }
-  /// Gives up if the machine reports no overrides for five seconds, or has not reached the values within 30.
-  /// @return what was not reached, in words; empty if nothing is given up
+  /// Gives up if the machine reports no overrides for 5 s, or has not reached the values within 30 s.
+  /// @return what was not reported, in words; empty if nothing is given up
   std::string giveUp(double now);
 
  private:
-  std::optional<GrblPercents> reported_;  ///< and not yet answered by bytes
-  std::optional<int> feed_;               ///< wanted [%]
+  std::optional<GrblPercents> reported_;  ///< values of the last report, if no bytes were sent for it yet
+  std::optional<int> feed_;               ///< requested value [%]
   std::optional<int> rapid_;
   std::optional<int> spindle_;
   double asked_s_ = 0.0;

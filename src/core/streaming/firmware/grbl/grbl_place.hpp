@@ -8,22 +8,22 @@
 
 namespace lamina {
 
-/// The position of a machine by its reports, most of which lack the offset of the work.
+/// The position of a machine from its reports, most of which do not state the work offset.
 class GrblPlace {
  public:
-  /// Takes a report while the machine is prepared.
+  /// Evaluates a report while the machine is being prepared.
   void learn(const GrblReport& report);
-  /// Takes a report of a machine that may move.
-  /// @return whether it stands elsewhere than at the report before
+  /// Evaluates a report of a machine that may move.
+  /// @return whether the machine is at another position than in the report before
   bool follow(const GrblReport& report);
 
-  /// The position in the coordinates of the work, in the unit of the reports; nothing if it is not known.
+  /// The position in work coordinates, in the unit of the reports; nothing if it is not known.
   const std::optional<GrblAxes>& work() const { return work_; }
   void forgetWork() { work_.reset(); }
 
  private:
   std::optional<GrblAxes> work_offset_;
-  std::optional<GrblAxes> place_;  ///< in the coordinates that were reported
+  std::optional<GrblAxes> place_;  ///< position in the coordinates of the reports
   std::optional<GrblAxes> work_;
 };
 

@@ -9,7 +9,7 @@ namespace lamina {
 GrblProgramCheck::GrblProgramCheck(const StreamableProgram& program, const GrblMachine& machine)
     : program_(program), machine_(machine), cursor_(program_.open()) {}
 
-void GrblProgramCheck::goOn() {
+void GrblProgramCheck::checkMoreLines() {
   constexpr int kLinesAtOnce = 20000;
   for (int i = 0; i < kLinesAtOnce && !is_done_ && defect_.empty(); ++i) {
     const auto line = cursor_.next();

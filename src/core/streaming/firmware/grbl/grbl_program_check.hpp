@@ -9,21 +9,21 @@
 
 namespace lamina {
 
-/// The check of a program against a machine, so that what it does not know is named before anything moves. By
-/// pieces, since programs are long.
+/// Checks a program against the abilities of a machine, so that unknown commands are named before anything
+/// moves. The check is done in pieces, as programs are long.
 class GrblProgramCheck {
  public:
   /// @throws FileError if the program is gone
   GrblProgramCheck(const StreamableProgram& program, const GrblMachine& machine);
 
-  /// Checks the next lines, up to the first that the machine does not take.
-  void goOn();
+  /// Checks some more lines, up to the first that the machine does not accept.
+  void checkMoreLines();
 
   /// Whether all lines were checked.
   bool isDone() const { return is_done_; }
-  /// The line that the machine does not take, and why; empty if there is none so far.
+  /// The line that the machine does not accept, and why; empty if there is none so far.
   const std::string& defect() const { return defect_; }
-  /// The first line of which a person should know, and why; empty if there is none so far.
+  /// The first line about which the user should know, and why; empty if there is none so far.
   const std::string& warning() const { return warning_; }
 
  private:

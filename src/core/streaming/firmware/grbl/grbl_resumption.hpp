@@ -13,14 +13,14 @@ namespace lamina {
 
 /// The line at which a program is resumed on a machine that was not reset.
 struct GrblResumption {
-  std::uint64_t line = 0;  ///< the last one that was certainly run, by the machine's position
+  std::uint64_t line = 0;  ///< number of the last line that was certainly run, by the machine's position
   ExpectedPosition expected{""};
   std::string refusal;  ///< why the line is not certain; empty if it is
 };
 
-/// Finds the line at whose end the machine stands, among those that may have been the last one taken. grbl
-/// counts no lines, so the line is certain only if exactly one of them ends at the machine's position, and
-/// the lines after it without a motion may be run twice.
+/// Finds the line at whose end the machine stands, among those that may have been accepted last. grbl does
+/// not count lines. So the line is certain only if exactly one of these lines ends at the machine's position;
+/// lines after it that do not move may be run twice.
 /// @param modes  the machine's answer to `$G`
 /// @param work   position of the idle machine in work coordinates [mm]
 /// @throws FileError if the program is gone

@@ -4,18 +4,18 @@
 
 namespace lamina {
 
-/// Certainty that a machine stands still. One report of Idle may be from before the last command was begun,
-/// so that it takes two that were asked for apart.
+/// Decides when a machine certainly stands still. A single report of Idle may have been made before the last
+/// command was begun, so two reports are needed that were requested at different times.
 class GrblStandstill {
  public:
-  /// Takes a report of Idle.
-  /// @return whether it is certain
+  /// Evaluates a report of Idle.
+  /// @return whether the machine certainly stands still
   bool isCertainAt(double now) {
     constexpr double kApart = 0.05;  // s
     if (idle_since_ < 0.0) idle_since_ = now;
     return now >= idle_since_ + kApart;
   }
-  /// States that the machine may move again, or that an earlier report counts no longer.
+  /// States that the machine may move again, or that earlier reports do not count any longer.
   void restart() { idle_since_ = -1.0; }
 
  private:

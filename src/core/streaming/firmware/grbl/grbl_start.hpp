@@ -13,7 +13,7 @@
 namespace lamina {
 
 /// Prepares a machine for a job: waits until it is idle, unlocks it if the settings say so, and identifies
-/// it. It changes nothing else.
+/// it. Nothing else is changed in the machine.
 class GrblStart {
  public:
   explicit GrblStart(const StreamSettings& settings) : settings_(settings) {}
@@ -54,10 +54,10 @@ class GrblStart {
   bool has_reported_ = false;
   std::string last_state_;
   int idle_reports_ = 0;
-  int alarm_code_ = 0;  ///< 0 if it was not heard
+  int alarm_code_ = 0;  ///< 0 if no code was received
   bool has_unlocked_ = false;
   std::size_t question_ = 0;
-  bool is_answered_ = false;  ///< the question, except for its ok
+  bool is_answered_ = false;  ///< whether the question was answered, except for its ok
   std::string output_;
 };
 

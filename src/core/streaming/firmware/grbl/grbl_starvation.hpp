@@ -10,12 +10,12 @@
 
 namespace lamina {
 
-/// Counts how often a machine ran out of motions, by its reports.
+/// Counts, from its reports, how often a machine ran out of motions.
 class GrblStarvation {
  public:
-  /// Takes a report while lines should come.
-  /// @param blocks  of the motion queue; 0 if the machine does not say
-  /// @param line    that comes next
+  /// Evaluates a report while lines should be arriving.
+  /// @param blocks  number of blocks of the motion queue; 0 if not reported
+  /// @param line    the line that comes next
   void see(const GrblReport& report, int blocks, std::uint64_t line, double now) {
     const bool is_empty =
         report.state == GrblState::Idle || (blocks > 0 && report.free_blocks.value_or(0) >= blocks);
@@ -28,14 +28,14 @@ class GrblStarvation {
     starvation_.longest_s = now - *since_;
     starvation_.line = line;
   }
-  /// States that no lines are due.
+  /// States that no lines are due now.
   void end() { since_.reset(); }
 
   const Starvation& starvation() const { return starvation_; }
 
  private:
   Starvation starvation_;
-  std::optional<double> since_;  ///< the first report of an empty queue
+  std::optional<double> since_;  ///< time of the first report of an empty queue
 };
 
 }  // namespace lamina

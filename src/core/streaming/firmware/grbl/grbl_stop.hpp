@@ -9,9 +9,9 @@
 
 namespace lamina {
 
-/// The safe stop of grbl. A feed hold slows the axes down without losing steps. When they are at rest, a
-/// reset discards all lines and switches off spindle, laser and coolant. The greeting and a report after it
-/// confirm the stop.
+/// The safe stop of grbl. A feed hold slows the axes down without loss of steps. Once they are at rest, a
+/// reset discards all lines and switches off spindle, laser and coolant. The greeting and a report after the
+/// reset confirm the stop.
 class GrblStop {
  public:
   /// Whether anything may still move.
@@ -39,7 +39,7 @@ class GrblStop {
   double reset_at_s_ = 0.0;
   GrblStandstill standstill_;
   bool is_resetting_ = false;
-  bool was_moving_ = false;  ///< when it was reset
+  bool was_moving_ = false;  ///< whether the machine was moving when it was reset
   bool has_greeted_ = false;
   bool is_confirmed_ = false;
   std::string output_;

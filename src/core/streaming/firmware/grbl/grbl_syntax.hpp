@@ -9,20 +9,19 @@
 
 namespace lamina {
 
-/// What every firmware of grbl's kin would refuse or misread in a command; empty if nothing.
-/// @param longest  longest line [characters]; 0 for the longest of any of them
+/// What any firmware of the grbl family would refuse or misread in a command; empty if nothing.
+/// @param longest  length of the longest line allowed [characters]; 0 for the longest of any firmware
 std::string defectForAllGrbl(std::string_view command, int longest);
 
-/// What this machine would refuse or misread in a command, as far as it is known without the lines before;
-/// empty if nothing. For grblHAL and FluidNC, which boards extend, it names only what no board takes.
+/// What this machine would refuse or misread in a command, as far as can be told without the lines before it;
+/// empty if nothing. For grblHAL and FluidNC, which boards extend, only what no board accepts is named.
 std::string defectForGrbl(std::string_view command, const GrblMachine& machine);
 
-/// Whether grbl may report Idle during a command, and takes nothing until its end: dwells, and spindles that
-/// come up to speed.
+/// Whether grbl may report Idle during a command, as in a dwell or while a spindle comes up to speed; grbl
+/// runs no other command until its end.
 bool mayStandStill(std::string_view command);
 
-/// Whether a command turns a beam on at a power of its own (M3), so that it burns on where the lines stop
-/// coming.
+/// Whether a command turns a beam on at a constant power (M3), so that it stays on if no more lines arrive.
 bool keepsLaserOn(std::string_view command);
 
 }  // namespace lamina

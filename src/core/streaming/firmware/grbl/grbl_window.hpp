@@ -10,13 +10,13 @@
 
 namespace lamina {
 
-/// The lines sent and not yet answered, with their number of characters, the most that they fill of the
-/// receive buffer. A question among them has an answer of its own before its ok, by which the count of
-/// answers is verified.
+/// Lines sent and not yet answered, with their sizes. They are the most that can be in grbl's receive buffer.
+/// A question among them has an answer of its own before its ok, which is used to verify the count of
+/// answers.
 class GrblWindow {
  public:
   struct Line {
-    std::uint64_t number = 0;  ///< of the program; 0 for a question of the streamer
+    std::uint64_t number = 0;  ///< line number of the program; 0 for a question of the streamer
     std::string command;
   };
 
@@ -25,7 +25,7 @@ class GrblWindow {
   const Line& front() const { return lines_.front(); }
   bool hasQuestion() const { return questions_ > 0; }
 
-  /// Sets how many bytes may be under way.
+  /// Sets the greatest number of bytes sent and not yet answered.
   void setCapacity(std::size_t bytes) { capacity_ = bytes; }
   bool hasRoom(std::size_t bytes) const {
     // What grbl has answered it has taken from its buffer, so that it reads a line that comes alone at once.
@@ -37,8 +37,8 @@ class GrblWindow {
     if (line.number == 0) ++questions_;
     lines_.push_back(std::move(line));
   }
-  /// Takes the answer to a question, before its ok.
-  /// @return what is wrong with the count then, in words; empty if nothing is
+  /// Evaluates the answer to a question, which comes before its ok.
+  /// @return how the answer contradicts the count, in words; empty if it agrees
   std::string hearAnswer() {
     if (empty()) return {};  // somebody else's question
     if (front().number > 0)
@@ -46,7 +46,8 @@ class GrblWindow {
     is_question_answered_ = true;
     return {};
   }
-  /// Takes an ok, before `take`. Likewise.
+  /// Evaluates an ok; to be called before `take`.
+  /// @return how it contradicts the count, in words; empty if it agrees
   std::string hearOk() {
     if (empty()) return "a line was answered that was not sent";
     if (front().number == 0 && !std::exchange(is_question_answered_, false))
@@ -73,7 +74,7 @@ class GrblWindow {
   std::size_t bytes_ = 0;
   std::size_t capacity_ = 0;
   int questions_ = 0;
-  bool is_question_answered_ = false;  ///< the first line, except for its ok
+  bool is_question_answered_ = false;  ///< whether the first line was answered, except for its ok
 };
 
 }  // namespace lamina

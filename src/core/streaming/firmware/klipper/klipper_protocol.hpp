@@ -19,7 +19,8 @@ std::string klipperQuestion(std::uint64_t number);
 /// What Klipper would misread in a command; empty if nothing.
 std::string klipperDefectOf(std::string_view command, int max_line_bytes);
 
-/// Whether a command has the form of Klipper's own commands and macros: a name, not a letter and a number.
+/// Whether a command has the form of Klipper's extended commands and macros: a name instead of a letter and a
+/// number.
 bool isExtendedCommand(std::string_view command);
 
 }  // namespace lamina

@@ -14,7 +14,8 @@
 
 namespace lamina {
 
-/// Finds out how many lines of an unfinished job the firmware has taken, without changing anything in it.
+/// Finds out how many lines of an unfinished job the firmware has accepted, without changing anything in the
+/// firmware.
 ///
 /// First it empties the firmware's line buffer, which may hold the beginning of a line of the earlier
 /// session. Backspaces erase what they reach; an end of line makes the rest a line without checksum, which is
@@ -31,7 +32,7 @@ class LineEnquiry {
   double nextDeadline() const;
   std::string takeOutput() { return std::exchange(output_, {}); }
 
-  /// Number of the last line taken, once it is known.
+  /// Number of the last line accepted; nothing until it is known.
   const std::optional<std::uint64_t>& taken() const { return taken_; }
   /// Why the number cannot be known, or the job must not be resumed from it; Ok otherwise.
   const Failure& failure() const { return failure_; }
@@ -41,7 +42,7 @@ class LineEnquiry {
     Emptying,   ///< the line buffer; until nothing is heard any more
     Naming,     ///< until the name was heard, and its ok
     Quieting,   ///< until nothing is heard any more
-    Counting,   ///< until a line is asked for
+    Counting,   ///< until the firmware requests a line
     Confirming  ///< until nothing is heard any more
   };
 
@@ -65,7 +66,7 @@ class LineEnquiry {
   Step step_ = Step::Emptying;
   double quiet_at_ = 0.0;
   bool is_named_ = false;
-  std::optional<std::uint64_t> wanted_;  ///< line that the firmware asked for last
+  std::optional<std::uint64_t> wanted_;  ///< line that the firmware requested last
   std::optional<std::uint64_t> taken_;
   Failure failure_;
   std::string output_;

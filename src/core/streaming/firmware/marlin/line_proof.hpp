@@ -8,18 +8,19 @@
 
 namespace lamina {
 
-/// Detects a reset of the firmware whose greeting was not seen: it then requests lines that it must have run
-/// already. An ok alone is no proof of a line, since noise may have turned the answer to a refused line into
-/// one.
+/// Detects a reset of the firmware whose greeting was missed: the firmware then requests lines that it must
+/// have run already. An ok alone does not prove that a line was accepted, as noise may have made one of the
+/// answer to a refused line.
 class LineProof {
  public:
-  /// States that the firmware requests this line, so that it has those before.
+  /// States that the firmware requests this line, so that it has accepted those before.
   void asked(std::uint64_t line);
   /// States that the ok of a line has arrived.
   void acknowledged();
-  /// Allows for that number of oks that were counted for lines which the firmware has not run.
+  /// Allows for that many oks that were counted for lines which the firmware has not run.
   void doubt(int stray_oks);
-  /// Allows for a reply that noise may have made of a request to resend, whose ok then counts for a line.
+  /// Evaluates a reply. One that noise may have made of a request to resend is allowed for, as the ok after
+  /// it then counts for a line.
   void hear(const FirmwareReply& reply);
 
   /// Whether the firmware requests a line that it must have run already: it was reset, or noise has changed
@@ -28,9 +29,9 @@ class LineProof {
   bool contradicts(std::uint64_t wanted, std::uint64_t taken) const;
 
  private:
-  std::uint64_t proven_ = 0;  ///< the highest line asked for
+  std::uint64_t proven_ = 0;  ///< highest number of a line requested
   int stray_oks_ = 0;
-  int clean_oks_ = 0;  ///< since there was a reason to doubt
+  int clean_oks_ = 0;  ///< number of oks since there was a reason for doubt
 };
 
 }  // namespace lamina

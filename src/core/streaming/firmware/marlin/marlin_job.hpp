@@ -127,27 +127,27 @@ class MarlinJob final : public StreamJob {
   ReplyListener heard_;
   JobRecord record_;
   StreamableProgram program_;
-  const std::uint64_t line_base_;          ///< number of the line before the program's first
-  std::unique_ptr<LineEnquiry> enquiry_;   ///< of a job that goes on
-  std::shared_ptr<RevisedLines> revised_;  ///< null if the lines go as they are
+  const std::uint64_t line_base_;          ///< number of the line before the program's first line
+  std::unique_ptr<LineEnquiry> enquiry_;   ///< of a job that is resumed
+  std::shared_ptr<RevisedLines> revised_;  ///< null if the lines are sent unchanged
   LineFeed feed_;
   LineAccount account_;
   MarlinResend resend_;
   AnswerTimer timer_;
-  std::optional<std::string> firmware_name_;  ///< if the machine was asked before
+  std::optional<std::string> firmware_name_;  ///< known if the machine was asked before
   Phase phase_ = Phase::Idle;
-  std::uint64_t base_ = 0;  ///< number after which lines count, while Numbering
-  ReportRequests reports_;  ///< still to be asked for
-  int answers_due_ = 0;     ///< oks to what has no number and was sent before the first line
+  std::uint64_t base_ = 0;  ///< number after which lines are counted; used while Numbering
+  ReportRequests reports_;  ///< reports that are still to be requested
+  int answers_due_ = 0;     ///< number of oks to commands without number that were sent before the first line
   bool has_answered_ = false;
-  bool has_begun_ = false;  ///< a line of the program may have been sent
+  bool has_begun_ = false;  ///< whether a line of the program may have been sent
   bool is_paused_by_machine_ = false;
   UsedOutputs outputs_;
   UnnumberedCommands unnumbered_;
   LayerPause layer_pause_;
   LayerWait layer_wait_;
   double safe_stop_by_ = 0.0;
-  double safe_stop_latest_ = 0.0;  ///< however long the machine says that it is busy
+  double safe_stop_latest_ = 0.0;  ///< latest time, however long the machine reports to be busy
   ReplyLines replies_;
   std::string output_;
 };

@@ -13,8 +13,8 @@
 
 namespace lamina {
 
-/// The lines under way to firmware that requests missing ones again, and its requests: what they say of these
-/// lines, for how long nothing may be sent after them, and which of them cannot be followed.
+/// Lines sent to firmware that requests missing ones again, and its requests: which lines a request confirms,
+/// for how long nothing may be sent after it, and whether it can be followed.
 ///
 /// A probe is a line that the firmware must refuse, so that it names the line for which it waits.
 class MarlinResend {
@@ -25,21 +25,21 @@ class MarlinResend {
 
   /// States that the firmware waits for this line, and that none is under way.
   void beginAt(std::uint64_t line);
-  /// Forgets the lines under way: no answer to them is waited for.
+  /// Forgets the lines sent; their answers are no longer waited for.
   void forget();
 
   bool empty() const { return sent_.empty(); }
   bool hasBlocking() const { return sent_.hasBlocking(); }
-  /// Whether a line may be sent of that many bytes.
+  /// Whether a line of that many bytes may be sent.
   bool hasRoom(std::size_t bytes) const;
   void sent(const SentLine& line);
-  /// Takes an ok.
-  /// @param named  the line that it names, if that one was sent
+  /// Evaluates an ok.
+  /// @param named  number in the ok, if that line was sent
   /// @return the line up to which all are done; nothing if it is not known
   std::optional<std::uint64_t> acknowledge(const std::optional<std::uint64_t>& named);
-  /// States that such a line was not done before.
+  /// States that the acknowledged line was not done before.
   void proven() { proof_.acknowledged(); }
-  /// Allows for answers that come late, to all that was sent.
+  /// Allows for late answers to everything that was sent.
   void doubtAnswers() { proof_.doubt(settings_.window_lines + 2); }
 
   void probed() { ++unanswered_probes_; }
@@ -51,32 +51,33 @@ class MarlinResend {
   /// Whether nothing may be sent.
   bool isWaiting() const { return wait_until_ > 0.0; }
   double waitsUntil() const { return wait_until_; }
-  /// The firmware, refusing a probe, would discard the beginning of the next line.
+  /// Begins a wait for the answers to probes: firmware that refuses a probe would discard the beginning of
+  /// the next line.
   void waitForProbes(double now) { waitFor(unanswered_probes_, now); }
-  /// Ends the wait for the answers to lines when it is over, or none is due any more.
+  /// Ends the wait for answers once its time is over or no answer is due any more.
   void settle(double now);
 
-  /// Takes any reply.
-  /// @return whether it is the ok that belongs to a request
+  /// Evaluates any reply.
+  /// @return whether it is the ok that follows a request
   bool hear(const FirmwareReply& reply, double now);
-  /// Takes a request, whatever it asks for.
+  /// Counts a request, for whatever line.
   /// @return whether it answers a probe
   bool takeRequest();
-  /// Whether that line was asked for last, too.
+  /// Whether the request before was for the same line.
   bool isRepeated(std::uint64_t wanted) const { return wanted == rewound_to_; }
-  /// The standing of a request against what the firmware must have.
+  /// Compares a request with what the firmware must have accepted already.
   /// @param taken  the last line acknowledged
   Contradiction contradictionOf(std::uint64_t wanted, std::uint64_t taken);
-  /// Takes a request as the refusal of a line that was sent after a lost one.
-  /// @return whether it is one
+  /// Counts a request as the refusal of a line that was sent after a lost one.
+  /// @return whether it is such a refusal
   bool absorb(std::uint64_t wanted) { return isRepeated(wanted) && sent_.absorbRefusal(); }
-  /// Takes a request for a line that cannot be sent.
-  /// @return whether there were too many in a row
+  /// Counts a request for a line that cannot be sent.
+  /// @return whether there were too many such requests in a row
   bool isTooOdd();
-  /// Takes a request for a line that is sent again.
-  /// @return why this will not do, in words, if it is refused again and again; empty otherwise
+  /// Counts a request for a line that is sent again.
+  /// @return why this is not possible, in words, if the line is refused again and again; empty otherwise
   std::string follow(std::uint64_t wanted);
-  /// States that a request comes from a refused line. What was sent behind it is refused too or discarded.
+  /// States that a request refuses a line. What was sent after this line is refused too, or discarded.
   void refuse(std::uint64_t wanted, double now);
   /// States that a request answers a probe: the firmware has read all that was sent before.
   void allRead(double now);
@@ -85,10 +86,12 @@ class MarlinResend {
   StreamSettings settings_;
   SentLines sent_;
   LineProof proof_;
-  bool expects_ok_of_request_ = false;  ///< firmware says ok after a request
-  bool is_asking_again_ = false;        ///< a request that contradicts what is known is being verified
-  bool must_send_one_ = false;  ///< despite a full window of discarded lines, which would wait for ever
-  double wait_until_ = 0.0;     ///< nothing is sent while stale lines may be answered; 0 if none is
+  bool expects_ok_of_request_ = false;  ///< whether the firmware sends an ok after a request
+  bool is_asking_again_ = false;  ///< whether a request that contradicts what is known is being verified
+  /// Whether a line is sent despite a full window; its lines were discarded, so that it would never empty.
+  bool must_send_one_ = false;
+  /// Time until which nothing is sent, as stale lines may be answered; 0 if none is stale.
+  double wait_until_ = 0.0;
   std::uint64_t rewound_to_ = 0;
   int unanswered_probes_ = 0;
   int refusals_in_a_row_ = 0;

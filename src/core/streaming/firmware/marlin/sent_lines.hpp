@@ -15,7 +15,8 @@ struct SentLine {
   std::size_t bytes = 0;
   bool is_blocking = false;  ///< may take the machine long
   bool is_resent = false;    ///< was sent before
-  bool is_stale = false;     ///< sent after a lost one: it is refused, or was discarded without an answer
+  /// Sent after a lost line, so that it is refused, or was discarded without an answer.
+  bool is_stale = false;
 };
 
 /// Lines sent and not yet answered, oldest first. The firmware answers each line that it reads once, in
@@ -34,17 +35,17 @@ class SentLines {
 
   bool hasStale() const;
 
-  /// Takes an ok: the oldest line is done.
-  /// @return its number; nothing if it was stale, or there is none
+  /// Counts an ok: the oldest line is done.
+  /// @return its number; nothing if that line was stale, or there is none
   std::optional<std::uint64_t> acknowledge();
-  /// Takes an ok with a number: every line up to that one is done.
+  /// Counts an ok with a number: every line up to this one is done.
   void acknowledgeUpTo(std::uint64_t number);
 
-  /// Takes a repeated request as the refusal of the first stale line.
+  /// Counts a repeated request as the refusal of the first stale line.
   /// @return false if no line is stale
   bool absorbRefusal();
-  /// Takes a request for line `wanted`: the firmware has the lines before it, and those sent from there on
-  /// are stale.
+  /// Evaluates a request for line `wanted`: the firmware has accepted the lines before it, and those sent
+  /// from it on are stale.
   void refuse(std::uint64_t wanted);
   /// Removes the stale lines, to which no answer will come.
   void dropStale();

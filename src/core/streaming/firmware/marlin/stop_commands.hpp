@@ -10,9 +10,9 @@
 
 namespace lamina {
 
-/// Commands, with ends of lines, that stop the machine without line numbers. Firmware that is heating may not
-/// answer for minutes, but runs these as soon as it can. They fit into its receive buffer, those for the
-/// greatest danger first.
+/// Commands without line numbers, with ends of lines, that stop the machine. Firmware that is heating may not
+/// answer for minutes, but runs these as soon as it can. They fit into its receive buffer; those against the
+/// greatest danger come first.
 std::string urgentStop(const MarlinFirmware& firmware, const UsedOutputs& outputs,
                        const StreamSettings& settings);
 
@@ -24,7 +24,7 @@ std::vector<std::string> safeStop(const MarlinFirmware& firmware, const UsedOutp
 /// which it is not known what its program has used.
 std::vector<std::string> reportedHeatersOff(const std::string& report);
 
-/// Whether no heater has a target, by a report that states the targets.
+/// Whether a report that states targets has none above 0.
 bool heatsNothing(const ReportedTemperatures& temperatures);
 
 /// Whether a machine has ended a safe stop, by the temperatures that it reports after the lines of the stop.
@@ -33,7 +33,7 @@ bool isSafe(const ReportedTemperatures& temperatures, const StreamSettings& sett
 /// Commands that switch on the reports of the settings, in reverse order.
 std::vector<std::string> reportsOn(const MarlinFirmware& firmware, const StreamSettings& settings);
 
-/// Commands that switch off these reports, so that the machine sends none after the job.
+/// Commands that switch off the reports of the settings, so that the machine sends none after the job.
 std::vector<std::string> reportsOff(const MarlinFirmware& firmware, const StreamSettings& settings);
 
 }  // namespace lamina

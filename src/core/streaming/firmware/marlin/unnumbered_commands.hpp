@@ -13,15 +13,15 @@
 
 namespace lamina {
 
-/// Commands that go out between the lines of a program, without a number of theirs: changes and questions of
-/// others, and the wait for rest in front of a layer whose lines are not known yet.
+/// Commands sent between the lines of a program, without line numbers: changes and questions from outside,
+/// and the wait for rest before a layer whose lines are not known yet.
 class UnnumberedCommands {
  public:
   bool empty() const { return commands_.empty(); }
   const std::string& front() const { return commands_.front().text; }
   void addChange(std::string command) { commands_.push_back({std::move(command), Kind::Change}); }
 
-  /// Adds a question. Questions wait for nobody: more than a few would stop the lines.
+  /// Adds a question. More than a few are not accepted, as they would hold up the lines.
   /// @return whether it was added
   bool addQuestion(const std::string& question) {
     constexpr std::size_t kMostWaiting = 16;
@@ -29,7 +29,7 @@ class UnnumberedCommands {
     commands_.push_back({question, Kind::Question});
     return true;
   }
-  /// Adds a wait for rest, once until a line is sent.
+  /// Adds a wait for rest, unless one was added since the last line was sent.
   /// @return whether it was added
   bool addRest(const std::string& command) {
     if (std::exchange(is_rest_added_, true)) return false;
@@ -40,9 +40,9 @@ class UnnumberedCommands {
 
   /// States that the first one was answered.
   void answered() { commands_.pop_front(); }
-  /// States that the first one has no answer. The questions behind it are dropped; a wait for rest may be
+  /// States that the first one will get no answer. The questions after it are dropped; a wait for rest may be
   /// added again.
-  /// @return what is to be said of it
+  /// @return message on the command
   std::string lose() {
     const Command lost = commands_.front();
     commands_.pop_front();

@@ -11,27 +11,27 @@
 
 namespace lamina {
 
-/// Whether a command was run, by the machine's position.
+/// Whether a command was run, as judged by the machine's position.
 enum class RunEvidence : std::uint8_t {
   Ran,
   DidNotRun,
-  None,  ///< the position does not show it, or is neither that before nor that after it
+  None,  ///< the position does not show it: it is the same before and after, or the machine is elsewhere
 };
 
-/// Follows the position to which G-code leads, as far as it is known, to decide by the machine's position
-/// whether a command was run. Coordinates are in program units, as the firmware counts them.
+/// Follows the position to which G-code leads, as far as it is known. Comparison with the machine's position
+/// then shows whether a command was run. Coordinates are in program units, as the firmware counts them.
 class MotionTracker {
  public:
   /// Sets the machine's position.
   void locate(const ReportedPosition& position);
   /// Whether the position must be known before this command, to decide later whether it was run.
   bool needsPosition(std::string_view command) const;
-  /// Computes the position to which a command leads that is about to be sent.
+  /// Computes the position after a command that is about to be sent.
   void expect(std::string_view command);
   /// States that the last command was run.
   void confirm() { now_ = next_; }
 
-  /// Whether the last command was run, if the machine is at that position.
+  /// Whether the last command was run, if the machine reports that position.
   RunEvidence evidence(const ReportedPosition& found) const;
   /// Whether running the last command twice in a row is the same as once.
   bool isRepeatable() const { return is_repeatable_; }

@@ -32,9 +32,10 @@ namespace lamina {
 
 /// Streams to firmware that answers `ok` to each line and requests none again.
 ///
-/// On a reliable link oks are counted. When oks are missing, and at the end, the answer to a numbered
-/// question shows that all lines before it were read. On a lossy link only one line is under way. If its ok
-/// is missing, the machine's position decides whether it was run; if that is not certain, the job ends.
+/// On a reliable link oks are counted. If oks are missing, and at the end, the answer to a numbered question
+/// shows that all lines before it were read. On a lossy link only one line is sent at a time. If its ok is
+/// missing, the machine's position decides whether the line was run; if the position is inconclusive, the job
+/// ends.
 class OkPacedJob final : public StreamJob {
  public:
   OkPacedJob(StreamOrder order, std::shared_ptr<const OkPacedFirmware> firmware);
@@ -64,12 +65,12 @@ class OkPacedJob final : public StreamJob {
     Stopping,  ///< confirmation of the safe stop
     Offline,   ///< the link to come back, for the safe stop
   };
-  /// What the answer to the last question decides.
+  /// Purpose of the last question.
   enum class Aim {
-    Begin,  ///< the first line
-    Doubt,  ///< whether the line under way ran
-    Base,   ///< the machine's position before the next line
-    End,    ///< that all was read
+    Begin,  ///< to begin with the first line
+    Doubt,  ///< to find out whether the unanswered line was run
+    Base,   ///< to know the machine's position before the next line
+    End,    ///< to make sure that all lines were read
   };
 
   bool isStopping() const { return record_.isStopping(); }
@@ -134,14 +135,15 @@ class OkPacedJob final : public StreamJob {
   ReplyListener heard_;
   JobRecord record_;
   StreamableProgram checked_program_;
-  std::shared_ptr<RevisedLines> revised_;  ///< null if the lines go as they are
+  std::shared_ptr<RevisedLines> revised_;  ///< null if the lines are sent unchanged
   PacedLines lines_;
   Quotation quotation_;  ///< of the program
   LayerWait layer_wait_;
   LineFeed feed_;
   LineAccount account_;
   LinesUnderWay under_way_;
-  std::deque<std::string> waiting_changes_;  ///< commands that were accepted, on a lossy link
+  /// Commands of changes that were accepted and are not sent yet, on a lossy link.
+  std::deque<std::string> waiting_changes_;
   UnansweredCommands unanswered_;
   UsedOutputs outputs_;
   LayerPause layer_pause_;
@@ -155,11 +157,11 @@ class OkPacedJob final : public StreamJob {
   std::string not_yet_;  ///< why the opening waits
   Phase phase_ = Phase::Idle;
   Aim aim_ = Aim::Begin;
-  bool has_begun_ = false;  ///< a line of the program may have been sent
+  bool has_begun_ = false;  ///< whether a line of the program may have been sent
   bool has_answered_ = false;
   bool is_paused_by_machine_ = false;
   std::uint64_t next_number_ = 1;
-  PacedQuestions questions_;  ///< since the phase began
+  PacedQuestions questions_;  ///< questions since the phase began
   double longest_motion_s_ = 0.0;
   ReplyLines replies_;
   std::string output_;

@@ -9,18 +9,19 @@
 
 namespace lamina {
 
-/// The numbered questions of a job. With the answer to the last one everything before it is answered too, or
-/// never will be.
+/// The numbered questions of a job. Once the last one is answered, everything sent before it was answered
+/// too, or never will be.
 class PacedQuestions {
  public:
-  /// Begins to count questions and oks, with at most one line under way.
+  /// Begins to count questions and oks, while at most one line is unanswered.
   void begin() {
     asked_ = 0;
     oks_ = 0;
     is_line_answered_ = false;
     answer_.reset();
   }
-  /// @return the number of the next question, which is the last one now
+  /// Adds a question.
+  /// @return its number
   std::uint64_t ask() {
     answer_.reset();
     ++asked_;
@@ -28,21 +29,21 @@ class PacedQuestions {
   }
   std::uint64_t last() const { return last_; }
 
-  /// Takes an ok that came ahead of the answer to the last question.
+  /// Counts an ok that came before the answer to the last question.
   void hearOk() { ++oks_; }
-  /// Takes an answer.
-  /// @return whether it is that to the last question
+  /// Evaluates an answer.
+  /// @return whether it belongs to the last question
   bool hear(const SyncAnswer& answer) {
     // The questions before this one have no more oks than they are; one more is that of the line.
     const std::uint64_t first = last_ - asked_ + 1;
     if (answer.question >= first && oks_ > answer.question - first) is_line_answered_ = true;
     return answer.question == last_;
   }
-  /// Keeps the answer to the last question, whose ok is to come.
+  /// Keeps the answer to the last question, whose ok is still to come.
   void keep(const SyncAnswer& answer) { answer_ = answer; }
-  /// The answer kept; nothing once it is asked again.
+  /// The answer kept; nothing once another question was added.
   const std::optional<SyncAnswer>& answer() const { return answer_; }
-  /// Whether the ok of the line was among those heard.
+  /// Whether the ok of the line was among those counted.
   bool isLineAnswered() const { return is_line_answered_; }
 
  private:

@@ -10,7 +10,7 @@
 
 namespace lamina {
 
-/// The commands that ask for temperatures and position at the shorter of their intervals.
+/// The commands that request temperatures and position, at the shorter of their intervals.
 class ReportPoll {
  public:
   explicit ReportPoll(const StreamSettings& settings) {

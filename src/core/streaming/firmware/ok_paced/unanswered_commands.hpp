@@ -8,8 +8,8 @@
 
 namespace lamina {
 
-/// Counts the commands that firmware which answers in order has not answered yet. The answer to a question
-/// makes up for lost answers to commands before it.
+/// Counts commands that firmware has not answered yet; it answers in order. The answer to a question stands
+/// for lost answers to the commands before it.
 class UnansweredCommands {
  public:
   void sent() { ++sent_; }
@@ -19,13 +19,13 @@ class UnansweredCommands {
     sent_at_question_ = sent_;
   }
 
-  /// States that one was answered by its ok.
+  /// States that one command was answered by its ok.
   void onOk() { answered_ = std::min(answered_ + 1, sent_); }
   /// States that a question was answered; its ok is still to come.
   void onAnswer(std::uint64_t question) {
     if (question == question_ && question > 0) answered_ = std::max(answered_, sent_at_question_ - 1);
   }
-  /// States that the firmware has discarded them all.
+  /// States that the firmware has discarded all unanswered commands.
   void forget() { answered_ = sent_; }
 
   std::size_t count() const { return sent_ - answered_; }

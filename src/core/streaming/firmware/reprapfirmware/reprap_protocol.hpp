@@ -14,15 +14,15 @@ namespace lamina {
 /// initial value 0, not reflected (CRC-16/XMODEM) [RepRapFirmware 3.5, GCodeBuffer/StringParser].
 std::uint16_t reprapCrc(std::string_view text);
 
-/// "N<number> <command>*<five digits>\n". By the five digits the firmware knows the check above from an
-/// exclusive or.
+/// A line in the form "N<number> <command>*<five digits>\n". Five digits tell the firmware that the check is
+/// the CRC above and not an exclusive or.
 std::string reprapFrame(std::uint64_t number, std::string_view command);
 
 /// Parses a line of RepRapFirmware in its emulation of Marlin (USB, telnet).
 PacedReply readReprapReply(std::string_view line);
 
-/// The command that makes RepRapFirmware send a number and the end of the last motion taken, twice, since its
-/// answers have no checksum.
+/// The command that makes RepRapFirmware send a number and the end of the last motion accepted. Both are sent
+/// twice, as its answers have no checksum.
 std::string reprapQuestion(std::uint64_t number, LinkKind link);
 
 /// What RepRapFirmware would misread in a command; empty if nothing.
