@@ -122,6 +122,7 @@ PlannedPart planStack(SurfaceStack stack, const PlanningRequest& request, Progre
   const LayerLifting lifting{chartLift(charts, highest, settings.lifting, settings.planning.travel), is_skin,
                              stack.standing_mm,
                              coversOfStack({plans, charts, is_skin}, stack.part, settings, progress)};
+  stack.part = Mesh();
   planned.plan = planPart(request.partName(), plans, settings.planning, lifting, progress);
   for (const ChartedLayer& layer : layers)
     if (layer.left_out_mm3 > kRounding * layer.volume_mm3) planned.plan.unprinted_mm3 += layer.left_out_mm3;
