@@ -16,6 +16,7 @@
 #include "lamina/job/modes/slicing_mode.hpp"
 #include "lamina/kinematics/cartesian/cartesian_machine_settings.hpp"
 #include "lamina/slicing/unsliceable.hpp"
+#include "support/grown_parts.hpp"
 #include "support/scoped_entry.hpp"
 #include "support/scratch_folder.hpp"
 
@@ -354,26 +355,62 @@ TEST_F(SlicingModes, AnUnknownOneIsRefusedNamingThoseThereAre) {
   }
 }
 
-/// Of 25 layers of a box, four from below and four from above are solid.
-TEST_F(SlicingModes, VolumetricLayersTellWhereSkinsLeaveInfillOpen) {
-  usePart("box", {{"x_mm", "8"}, {"y_mm", "6"}, {"z_mm", "12.5"}});
-  const auto skinNotes = [&] {
-    std::vector<std::string> found;
-    for (const std::string& note : slice("volumetric").summary.notes)
-      if (note.find("skins close") != std::string::npos) found.push_back(note);
-    return found;
-  };
-  job_.settings.planning.skins.top_layers = job_.settings.planning.skins.bottom_layers = 4;
-  EXPECT_TRUE(skinNotes().empty()) << "the infill is solid";
+/// Whether beads of a layer lie over a place, seen from above.
+bool isBeadOver(const ToolpathLayer& layer, const Point2& place, double reach_mm) {
+  for (const Path& path : layer.paths) {
+    if (path.role == PathRole::Travel) continue;
+    for (std::size_t i = 1; i < path.points.size(); ++i) {
+      const Point2 from = path.points[i - 1].head<2>();
+      const Point2 along = path.points[i].head<2>() - from;
+      const double share = along.squaredNorm() > 0.0 ? (place - from).dot(along) / along.squaredNorm() : 0.0;
+      if ((from + std::clamp(share, 0.0, 1.0) * along - place).norm() <= reach_mm) return true;
+    }
+  }
+  return false;
+}
+
+/// The share of the step's top, x from 6.8 to 19.2 and y from -4.2 to 4.2, that a layer leaves open: without
+/// a bead's middle within three quarters of its width.
+double openOnStep(const ToolpathLayer& layer, double bead_mm) {
+  int open = 0;
+  int places = 0;
+  for (double x = 6.8; x < 19.2; x += 0.25)
+    for (double y = -4.2; y < 4.2; y += 0.25, ++places)
+      if (!isBeadOver(layer, {x, y}, 0.75 * bead_mm)) ++open;
+  return static_cast<double>(open) / places;
+}
+
+/// A step of 14 mm, 5 mm high, beside a limb that goes on to 12 mm: its top lies amid the stack.
+TEST_F(SlicingModes, StepsBelowHigherLimbsAreClosedInEveryMode) {
+  job_.part = folder_.file("step.stl");
+  writeStl(job_.part, test::lyingPrism({{{0, 0}, {20, 0}, {20, 5}, {6, 5}, {6, 12}, {0, 12}}, {}}, 10.0));
   job_.settings.planning.infill.density = 0.2;
-  const std::vector<std::string> told = skinNotes();
-  ASSERT_EQ(told.size(), 1U);
-  EXPECT_NE(told[0].find("the first 4 and the last 4 layers only"), std::string::npos) << told[0];
-  EXPECT_NE(told[0].find("density 0.2 stays open"), std::string::npos) << told[0];
-  job_.settings.planning.skins.top_layers = 25;
-  EXPECT_TRUE(skinNotes().empty()) << "each layer is a skin";
-  job_.settings.planning.skins.top_layers = job_.settings.planning.skins.bottom_layers = 0;
-  EXPECT_TRUE(skinNotes().empty()) << "none is asked for";
+  for (const char* mode : {"planar", "volumetric", "curved", "heightfield"}) {
+    job_.settings.planning.skins.top_layers = job_.settings.planning.skins.bottom_layers = 3;
+    const Toolpath closed = slice(mode).toolpath;
+    ASSERT_EQ(closed.layers.size(), 24U) << mode;
+    for (const std::size_t layer : {7U, 8U, 9U})
+      EXPECT_EQ(openOnStep(closed.layers[layer], 0.8), 0.0) << mode << ", layer " << layer;
+    EXPECT_GT(openOnStep(closed.layers[6], 0.8), 0.3) << mode << ": four layers below the top";
+    job_.settings.planning.skins.top_layers = job_.settings.planning.skins.bottom_layers = 0;
+    EXPECT_GT(openOnStep(slice(mode).toolpath.layers[9], 0.8), 0.3) << mode << ": no skins";
+  }
+}
+
+/// Amid a box nothing is seen but walls.
+TEST_F(SlicingModes, SkinsOfVolumetricLayersGoNoFartherThanWhatIsSeen) {
+  usePart("box", {{"x_mm", "16"}, {"y_mm", "12"}, {"z_mm", "12.5"}});
+  job_.settings.planning.infill.density = 0.2;
+  job_.settings.planning.skins.top_layers = job_.settings.planning.skins.bottom_layers = 3;
+  const SlicedPart sliced = slice("volumetric");
+  ASSERT_EQ(sliced.toolpath.layers.size(), 25U);
+  for (std::size_t layer = 3; layer < 22; ++layer)
+    for (const Path& path : sliced.toolpath.layers[layer].paths)
+      EXPECT_TRUE(path.role == PathRole::OuterWall || path.role == PathRole::Infill ||
+                  path.role == PathRole::Travel)
+          << layer << ": " << toString(path.role);
+  for (const std::string& note : sliced.summary.notes)
+    EXPECT_EQ(note.find("skins close"), std::string::npos) << note;
 }
 
 /// The plate of a bridge grows from both pillars, and the fronts meet in a fold that the nozzle's cone does

@@ -52,8 +52,7 @@ struct InfillSettings {
   LineLinks links;       ///< of sparse infill
 };
 
-/// Solid layers where the part is visible from above or below, beside a sparse infill of level or inclined
-/// layers.
+/// Solid layers where the part is visible from above or below, beside a sparse infill.
 struct SkinSettings {
   int top_layers = 0;          ///< number; 0 with `top_mm` 0: none
   int bottom_layers = 0;       ///< number; 0 with `bottom_mm` 0: none

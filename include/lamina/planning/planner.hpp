@@ -15,6 +15,7 @@
 #include "lamina/planning/order/anchoring.hpp"
 #include "lamina/planning/order/fill_starts.hpp"
 #include "lamina/planning/plan_settings.hpp"
+#include "lamina/planning/skins/layer_cover.hpp"
 #include "lamina/planning/supports/support_marks.hpp"
 #include "lamina/slicing/layer.hpp"
 #include "lamina/toolpath/toolpath.hpp"
@@ -73,6 +74,9 @@ struct LayerLifting {
   std::vector<bool> is_skin = {};
   /// Highest z on the bed before the first layer, of anything that stands there [mm, part frame].
   double standing_mm = -std::numeric_limits<double>::infinity();
+  /// For each layer what covers it, in its plan, so that skins close what is seen; without material for
+  /// layers that are not divided so. Empty: none is. Only for settings that `takesSkins`.
+  std::vector<LayerCover> covers = {};
 };
 
 /// The plan of a part, with the toolpath of `planToolpath`.
@@ -99,9 +103,9 @@ Plan planPart(const std::string& part_name, std::vector<Layer> layers, const Pla
 Plan planPart(const std::string& part_name, const std::vector<Layer>& layers, const PlanSettings& settings,
               const LayerIncline& incline, Progress& progress);
 
-/// The plan of a part whose layers are planned flat and lifted to their places. It has no skirt; chained
-/// layers and travels between layers are joined in space (`docs/slicing/lifting.md`). All figures but the
-/// toolpath are those of the flat plans.
+/// The plan of a part whose layers are planned flat and lifted to their places. It has no skirt, bridges and
+/// ironing, and overhanging walls are as others; chained layers and travels between layers are joined in
+/// space (`docs/slicing/lifting.md`). All figures but the toolpath are those of the flat plans.
 /// @param layers  the flat plans, with the heights of their beads
 /// @throws as `planToolpath`, and what `lifting.lift` throws; InvalidConfig for strategies that rise from
 /// layer to

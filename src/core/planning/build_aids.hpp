@@ -8,8 +8,8 @@
 
 #include "lamina/infill/fill_path.hpp"
 #include "lamina/infill/strategy.hpp"
+#include "lamina/planning/skins/layer_cover.hpp"
 #include "lamina/toolpath/toolpath.hpp"
-#include "planning/skins/layer_cover.hpp"
 
 namespace lamina {
 

@@ -13,11 +13,11 @@
 #include "lamina/planning/order/fill_starts.hpp"
 #include "lamina/planning/plan_settings.hpp"
 #include "lamina/planning/planner.hpp"
+#include "lamina/planning/skins/layer_cover.hpp"
 #include "lamina/slicing/layer.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 #include "planning/build_aids.hpp"
 #include "planning/infill_group.hpp"
-#include "planning/skins/layer_cover.hpp"
 
 namespace lamina {
 

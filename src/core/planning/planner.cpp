@@ -26,6 +26,7 @@
 #include "lamina/planning/order/anchoring.hpp"
 #include "lamina/planning/plan_consistency.hpp"
 #include "lamina/planning/plan_settings.hpp"
+#include "lamina/planning/skins/layer_cover.hpp"
 #include "lamina/slicing/layer.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 #include "planning/compensation/first_layer.hpp"
@@ -34,7 +35,6 @@
 #include "planning/order/near_origin.hpp"
 #include "planning/order/starts_in_air.hpp"
 #include "planning/planned_aids.hpp"
-#include "planning/skins/layer_cover.hpp"
 #include "planning/skins/roof_branches.hpp"
 #include "planning/skins/stack_covers.hpp"
 #include "planning/supports/layers_below.hpp"
@@ -164,8 +164,9 @@ struct StackCover {
   std::vector<InfillGroup> groups;              ///< none where each layer has an infill of its own
 };
 
+/// @return null where nothing is known of what covers the layer
 const LayerCover* coverAt(const StackCover& stack, std::size_t index) {
-  return stack.covers.empty() ? nullptr : &stack.covers[index];
+  return stack.covers.empty() || !stack.covers[index].material ? nullptr : &stack.covers[index];
 }
 
 /// A variant and what it is planned by.
@@ -417,6 +418,7 @@ struct PlanRegions {
   const SupportMarks* marks = nullptr;
   std::vector<Layer>* spent = nullptr;   ///< the layers, of which no section is needed once it is planned
   std::optional<PlannedAids> aids = {};  ///< if they are planned already
+  std::vector<LayerCover> covers = {};   ///< of lifted layers (`LayerLifting::covers`)
 };
 
 bool usesTools(const PlanContext& context, const PlanRegions& regions) {
@@ -455,7 +457,8 @@ Plan planInContext(const std::vector<Layer>& layers, const PlanContext& of_setti
                    PlanRegions regions = {}) {
   const PlanContext context = wallContext(of_settings);
   StackPlan of_stack;
-  of_stack.stack = stackCover(layers, of_settings, progress);
+  of_stack.stack = context.lift ? StackCover{std::move(regions.covers), {}, {}}
+                                : stackCover(layers, of_settings, progress);
   of_stack.aids = regions.aids ? std::move(*regions.aids)
                                : planAids(layers, of_settings, {regions.variants, regions.marks}, progress);
   if (regions.variants != nullptr)
@@ -551,10 +554,14 @@ Plan planPart(const std::string& part_name, const std::vector<Layer>& layers, co
     throw InvalidConfig("infill.strategy is '" + settings.infill.strategy +
                         "', which rises from one level layer to the next; curved layers need another");
   context.settings.skirt.count = 0;
+  context.settings.bridges.is_used = context.settings.overhangs.is_used = false;
+  context.settings.ironing.is_used = false;
   context.lift = lifting.lift;
   context.is_skin = lifting.is_skin;
   context.standing_mm = lifting.standing_mm;
-  Plan plan = planInContext(layers, context, progress);
+  PlanRegions regions;
+  if (takesSkins(settings)) regions.covers = lifting.covers;
+  Plan plan = planInContext(layers, context, progress, std::move(regions));
   plan.toolpath.part_name = part_name;
   return plan;
 }

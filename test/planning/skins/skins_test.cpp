@@ -11,7 +11,7 @@
 #include "lamina/base/parallel.hpp"
 #include "lamina/base/random.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
-#include "planning/skins/layer_cover.hpp"
+#include "lamina/planning/skins/layer_cover.hpp"
 #include "planning/skins/skin_areas.hpp"
 #include "support/planned_layers.hpp"
 #include "support/shapes.hpp"

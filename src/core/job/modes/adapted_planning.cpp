@@ -25,9 +25,11 @@ PlannedPart planWall(const AdaptedLayers& layers, const PlanningRequest& request
 }
 
 /// Walls and infill on the surfaces that the curves span.
-PlannedPart planFilled(const AdaptedLayers& layers, double bottom_mm, const PlanningRequest& request,
+PlannedPart planFilled(const AdaptedLayers& layers, Mesh part, const PlanningRequest& request,
                        Progress& progress) {
   SurfaceStack stack;
+  const double bottom_mm = boundingBox(part).low.z();
+  stack.part = std::move(part);
   for (LayerSurface& surface :
        adaptedSurfaces(layers, bottom_mm, request.job.settings.adapted.step_mm, progress))
     if (!surface.middle.triangles.empty()) stack.layers.push_back({{}, std::move(surface)});
@@ -44,12 +46,13 @@ std::string noteOnAdapted(const AdaptedLayers& layers) {
 PlannedPart planAdapted(SourcePart source, const PlanningRequest& request, Progress& progress) {
   const JobSettings& settings = request.job.settings;
   Laps laps;
-  const double bottom = boundingBox(source.mesh).low.z();
   const AdaptedLayers layers = adaptedLayers(source.mesh, settings.slicing, settings.adapted, progress);
+  Mesh part = std::move(source.mesh);
   source = {};
   const double slice_s = laps.lap();
-  PlannedPart planned = isLoneWall(settings.planning) ? planWall(layers, request)
-                                                      : planFilled(layers, bottom, request, progress);
+  PlannedPart planned = isLoneWall(settings.planning)
+                            ? planWall(layers, request)
+                            : planFilled(layers, std::move(part), request, progress);
   planned.counts.slice_s += slice_s;
   planned.notes.push_back(noteOnAdapted(layers));
   return planned;

@@ -64,10 +64,11 @@ PlannedPart planConformal(SourcePart source, const PlanningRequest& request, Pro
   Laps laps;
   ConformalLayers layers = conformalLayers(source, settings, progress);
   const double highest_mm = std::max(boundingBox(source.mesh).high.z(), boundingBox(source.base).high.z());
+  SurfaceStack stack;
+  if (!source.base.triangles.empty()) stack.part = std::move(source.mesh);
   source = {};
   const std::string note = noteOnConformal(layers, settings.conformal);
   const double hidden_mm2 = layers.hidden_mm2;
-  SurfaceStack stack;
   stack.standing_mm = highest_mm;
   stack.layers.reserve(layers.layers.size());
   for (LayerSurface& surface : layers.layers) stack.layers.push_back({{}, std::move(surface)});

@@ -79,13 +79,17 @@ PlannedPart planCurved(SourcePart source, const PlanningRequest& request, Progre
   Laps laps;
   CurvedLayers layers =
       curvedLayers(source.mesh, source.topology, settings.curved, settings.slicing.layer_height_mm, progress);
+  Mesh part = std::move(source.mesh);
   source = {};
   const std::string note = noteOnCurved(layers);
   const std::string air = noteOnFirstShell(layers, settings.slicing.layer_height_mm);
   const double bead_mm = settings.planning.bead.width_mm;
   const double left_out = leaveOutSlivers(layers.lower, bead_mm) + leaveOutSlivers(layers.upper, bead_mm);
   const double slice_s = laps.lap();
-  PlannedPart planned = planStack({stacked(std::move(layers))}, request, progress);
+  SurfaceStack stack;
+  stack.layers = stacked(std::move(layers));
+  stack.part = std::move(part);
+  PlannedPart planned = planStack(std::move(stack), request, progress);
   planned.counts.slice_s += slice_s;
   planned.notes.push_back(note);
   if (!air.empty()) planned.notes.push_back(air);

@@ -4,8 +4,10 @@
 
 #include "job/laps.hpp"
 #include "job/modes/part_planning.hpp"
+#include "job/modes/stack_skins.hpp"
 #include "lamina/planning/lift/height_field_lift.hpp"
 #include "lamina/slicing/height_field/height_field_slicer.hpp"
+#include "planning/skins/stack_covers.hpp"
 
 namespace lamina {
 
@@ -21,11 +23,14 @@ PlannedPart planHeightField(SourcePart source, const PlanningRequest& request, P
   planned.notes = notesOf(slices.report, settings.height_field);
   LiftSettings lifting = settings.lifting;
   lifting.tool_axis = ToolAxis::Down;
-  planned.plan = planPart(
-      request.partName(), slices.layers, settings.planning,
-      {heightFieldLift(slices, lifting, settings.planning.travel),
-       skinsOfStack(slices.layers.size(), settings.planning.skins, settings.slicing.layer_height_mm)},
-      progress);
+  LayerLifting lifted{
+      heightFieldLift(slices, lifting, settings.planning.travel),
+      skinsOfStack(slices.layers.size(), settings.planning.skins, settings.slicing.layer_height_mm)};
+  // Bent layers keep their x and y: what covers them does so as if they were level.
+  if (takesSkins(settings.planning))
+    lifted.covers = dividedOnly(
+        stackCovers(slices.layers, settings.planning, StackPlace::NearOrigin, progress), lifted.is_skin);
+  planned.plan = planPart(request.partName(), slices.layers, settings.planning, lifted, progress);
   return planned;
 }
 

@@ -3,12 +3,12 @@
 #include "job/modes/layer_stack_planning.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <string>
 #include <utility>
 
 #include "job/laps.hpp"
+#include "job/modes/stack_skins.hpp"
 #include "lamina/base/layer_error.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/parameterization/chart_outline.hpp"
@@ -99,19 +99,6 @@ std::vector<double> highestUpTo(const std::vector<ChartedLayer>& layers, double 
 
 }  // namespace
 
-std::vector<bool> skinsOfStack(std::size_t layers, const SkinSettings& skins, double layer_height_mm) {
-  const auto count = [layer_height_mm, layers](int asked, double thickness_mm) {
-    const double by_thickness = std::ceil(thickness_mm / layer_height_mm - kRounding);
-    return std::min(layers, static_cast<std::size_t>(std::max(static_cast<double>(asked), by_thickness)));
-  };
-  const std::size_t bottom = count(skins.bottom_layers, skins.bottom_mm);
-  const std::size_t top = count(skins.top_layers, skins.top_mm);
-  std::vector<bool> is_skin(layers, false);
-  std::fill_n(is_skin.begin(), bottom, true);
-  std::fill_n(is_skin.rbegin(), top, true);
-  return is_skin;
-}
-
 PlannedPart planStack(SurfaceStack stack, const PlanningRequest& request, Progress& progress) {
   const JobSettings& settings = request.job.settings;
   Laps laps;
@@ -130,10 +117,12 @@ PlannedPart planStack(SurfaceStack stack, const PlanningRequest& request, Progre
     plans.push_back(std::move(layer.plan));
     charts.push_back(std::move(layer.charts));
   }
-  const LayerLifting lifting{
-      chartLift(charts, highest, settings.lifting, settings.planning.travel),
-      skinsOfStack(plans.size(), settings.planning.skins, settings.slicing.layer_height_mm),
-      stack.standing_mm};
+  const std::vector<bool> is_skin =
+      skinsOfStack(plans.size(), settings.planning.skins, settings.slicing.layer_height_mm);
+  const LayerLifting lifting{chartLift(charts, highest, settings.lifting, settings.planning.travel), is_skin,
+                             stack.standing_mm,
+                             coversOfStack({plans, charts, is_skin}, stack.part, settings, progress)};
+  stack.part = Mesh();
   planned.plan = planPart(request.partName(), plans, settings.planning, lifting, progress);
   for (const ChartedLayer& layer : layers)
     if (layer.left_out_mm3 > kRounding * layer.volume_mm3) planned.plan.unprinted_mm3 += layer.left_out_mm3;

@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstddef>
 #include <limits>
 #include <vector>
 
 #include "job/modes/part_planning.hpp"
+#include "lamina/geometry/mesh/mesh.hpp"
 #include "lamina/parameterization/layer_surface.hpp"
-#include "lamina/planning/plan_settings.hpp"
 
 namespace lamina {
 
@@ -23,16 +22,14 @@ struct SurfaceStack {
   std::vector<StackedSurface> layers;
   /// Highest z of solid material on the bed before the first layer, such as a base [mm, part frame].
   double standing_mm = -std::numeric_limits<double>::infinity();
+  /// The part that the layers fill, for the skins of its steps; empty if they fill none, as a coat does.
+  Mesh part = {};
 };
 
 /// Plans plane layers in their plane, and curved layers on flat charts from which the paths are lifted back.
-/// The surface of a layer is freed once it is flattened. The first and the last layers are skins
-/// (`skinsOfStack`).
+/// The surface of a layer is freed once it is flattened. The first and the last layers are skins as a whole
+/// (`skinsOfStack`); others where the part is seen from above or below (`coversOfStack`).
 /// @throws Unsliceable with the region if a piece of a layer cannot be flattened; as `planPart`
 PlannedPart planStack(SurfaceStack stack, const PlanningRequest& request, Progress& progress);
-
-/// For each layer of a stack whether it is a skin: as many of the first and of the last layers as `skins`
-/// asks for, by number, or by thickness divided by `layer_height_mm`.
-std::vector<bool> skinsOfStack(std::size_t layers, const SkinSettings& skins, double layer_height_mm);
 
 }  // namespace lamina

@@ -93,23 +93,6 @@ std::string noteOnFit(const MachineFit& fit, double deposited_mm3) {
 }
 
 /// Fitted to the machine if its head tilts and is to be clear; else the travels are led, and that is all.
-/// Skins are found from neighbouring layers in parallel planes alone: others are told where they are open.
-void addNoteOnSkins(std::size_t layers, const JobSettings& settings, std::vector<std::string>& notes) {
-  const PlanSettings& planning = settings.planning;
-  if (isSolid(planning.infill) || !hasSkins(planning.skins)) return;
-  const std::vector<bool> is_skin = skinsOfStack(layers, planning.skins, settings.slicing.layer_height_mm);
-  const auto first_open = std::find(is_skin.begin(), is_skin.end(), false);
-  if (first_open == is_skin.end()) return;
-  const auto last_open = std::find(is_skin.rbegin(), is_skin.rend(), false);
-  char text[300];
-  std::snprintf(text, sizeof text,
-                "skins close the first %td and the last %td layers only: wherever else the part is seen from "
-                "above or below within its walls, infill of density %.4g stays open; infill.density 1 closes "
-                "it",
-                first_open - is_skin.begin(), last_open - is_skin.rbegin(), planning.infill.density);
-  notes.emplace_back(text);
-}
-
 MachineFit fitToHead(Toolpath toolpath, const PlanningRequest& request, const LeadTravels& lead,
                      Progress& progress) {
   if (canTurnToolAxis(request.space) && request.job.settings.clearance.need != ClearanceNeed::Never)
@@ -148,6 +131,8 @@ PlannedPart planVolumetric(SourcePart source, const PlanningRequest& request, Pr
   for (Point3& vertex : source.mesh.vertices) vertex.z() -= settings.volumetric.sink_mm;
   VolumetricLayers layers = volumetricLayers(source.mesh, source.topology, growthRequest(request), progress);
   const double bed_mm = boundingBox(source.mesh).low.z() + settings.volumetric.sink_mm;
+  SurfaceStack stack;
+  stack.part = std::move(source.mesh);
   source = {};
   const VolumetricMeasures measures = layers.measures;
   const std::shared_ptr<const HeadRoom> room = layers.room;
@@ -157,7 +142,8 @@ PlannedPart planVolumetric(SourcePart source, const PlanningRequest& request, Pr
   for (Point3& vertex : hanging.vertices) vertex.z() += settings.volumetric.sink_mm;
   const std::size_t bent_layers = layers.layers.size() - measures.level_layers;
   const double slice_s = laps.lap();
-  PlannedPart planned = planStack({stackedLayers(std::move(layers))}, request, progress);
+  stack.layers = stackedLayers(std::move(layers));
+  PlannedPart planned = planStack(std::move(stack), request, progress);
   settleAxes(planned.plan.toolpath, kSettledRad);
   const LeadTravels lead = [&](Toolpath& toolpath) {
     return leadTravels(toolpath, tops_mm, *room, settings.planning.travel.hop_mm, progress);
@@ -174,7 +160,6 @@ PlannedPart planVolumetric(SourcePart source, const PlanningRequest& request, Pr
   planned.notes.push_back(noteOnHead(measures, fit.travels));
   if (fit.hindered > 0) planned.notes.push_back(noteOnFit(fit, deposited_mm3));
   addNotesOnLeftOut(measures, planned.notes);
-  addNoteOnSkins(tops_mm.size(), settings, planned.notes);
   return planned;
 }
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "lamina/geometry/polygon/polygon.hpp"
-#include "planning/skins/layer_cover.hpp"
+#include "lamina/planning/skins/layer_cover.hpp"
 #include "planning/skins/skin_areas.hpp"
 
 namespace lamina {

@@ -7,11 +7,11 @@
 
 #include "lamina/planning/order/anchoring.hpp"
 #include "lamina/planning/plan_settings.hpp"
+#include "lamina/planning/skins/layer_cover.hpp"
 #include "lamina/slicing/layer.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 #include "planning/bridges/bridged_areas.hpp"
 #include "planning/overhangs/border_distance.hpp"
-#include "planning/skins/layer_cover.hpp"
 
 namespace lamina {
 

@@ -6,8 +6,8 @@
 
 #include "lamina/geometry/polygon/polygon.hpp"
 #include "lamina/planning/order/anchoring.hpp"
+#include "lamina/planning/skins/layer_cover.hpp"
 #include "lamina/slicing/layer.hpp"
-#include "planning/skins/layer_cover.hpp"
 
 namespace lamina {
 

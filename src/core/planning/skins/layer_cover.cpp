@@ -1,13 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "planning/skins/layer_cover.hpp"
+#include "lamina/planning/skins/layer_cover.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "geometry/polygon/region_lists.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
+#include "lamina/infill/strategy.hpp"
 #include "planning/order/near_origin.hpp"
 
 namespace lamina {
@@ -16,6 +18,8 @@ namespace {
 /// Stretches of the stack that are worked off apart from each other, of fixed length so that the result does
 /// not depend on threads.
 constexpr std::size_t kStretch = 64;
+
+constexpr double kRounding = 1e-9;
 
 SharedRegions common(const SharedRegions& a, const SharedRegions& b) {
   if (a == b || a->empty()) return a;
@@ -59,7 +63,7 @@ std::vector<std::size_t> skinCounts(const std::vector<double>& heights_mm, int l
   for (std::size_t i = 0; i < heights_mm.size(); ++i) {
     double sum_mm = 0.0;
     std::size_t count = 0;
-    for (std::size_t j = i; j < heights_mm.size() && sum_mm < least_mm - 1e-9; ++j, ++count)
+    for (std::size_t j = i; j < heights_mm.size() && sum_mm < least_mm - kRounding; ++j, ++count)
       sum_mm += heights_mm[j];
     counts[i] = std::max(counts[i], count);
   }
@@ -143,6 +147,17 @@ WholeCovers wholeCovers(const std::vector<SharedRegions>& layers, const std::vec
 }
 
 }  // namespace
+
+bool takesSkins(const PlanSettings& settings) {
+  if (!hasSkins(settings.skins) || isSolid(settings.infill)) return false;
+  const InfillStrategy strategy = infillStrategy(settings.infill.strategy);
+  return strategy.deposit == Deposit::Bead && strategy.link == LayerLink::Travel;
+}
+
+std::size_t skinCount(int layers, double thickness_mm, double layer_height_mm) {
+  const double by_thickness = std::ceil(thickness_mm / layer_height_mm - kRounding);
+  return static_cast<std::size_t>(std::max(static_cast<double>(layers), by_thickness));
+}
 
 LayerCover moved(const LayerCover& cover, const Point2& by) {
   const auto moved_regions = [&by](const SharedRegions& regions) {

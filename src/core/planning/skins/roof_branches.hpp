@@ -6,7 +6,7 @@
 
 #include "lamina/base/progress.hpp"
 #include "lamina/planning/plan_settings.hpp"
-#include "planning/skins/layer_cover.hpp"
+#include "lamina/planning/skins/layer_cover.hpp"
 #include "planning/skins/stack_covers.hpp"
 
 namespace lamina {

@@ -4,7 +4,7 @@
 
 #include "lamina/geometry/polygon/polygon.hpp"
 #include "lamina/planning/plan_settings.hpp"
-#include "planning/skins/layer_cover.hpp"
+#include "lamina/planning/skins/layer_cover.hpp"
 
 namespace lamina {
 

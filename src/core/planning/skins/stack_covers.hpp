@@ -6,8 +6,8 @@
 
 #include "lamina/base/progress.hpp"
 #include "lamina/planning/plan_settings.hpp"
+#include "lamina/planning/skins/layer_cover.hpp"
 #include "lamina/slicing/layer.hpp"
-#include "planning/skins/layer_cover.hpp"
 
 namespace lamina {
 

@@ -26,6 +26,13 @@ struct LayerCover {
   bool isCovered() const { return whole == material; }
 };
 
+/// Whether layers are divided into skins and a sparse infill between their walls: skins are asked for, and
+/// the infill is sparse, of beads, and stays in its layer.
+bool takesSkins(const PlanSettings& settings);
+
+/// How many layers of one height a skin counts: those asked for, or as many as are that thick.
+std::size_t skinCount(int layers, double thickness_mm, double layer_height_mm);
+
 /// The cover, moved in the plane of the layers [mm].
 LayerCover moved(const LayerCover& cover, const Point2& by);
 

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "lamina/geometry/mesh/mesh.hpp"
+#include "lamina/geometry/polygon/polygon.hpp"
+#include "lamina/geometry/spatial/nearest_triangle.hpp"
+#include "lamina/geometry/spatial/solid_angle.hpp"
+#include "lamina/parameterization/layer_surface.hpp"
+#include "lamina/planning/skins/layer_cover.hpp"
+
+namespace lamina {
+
+/// A part in which places are looked up. Queries may be made from several threads.
+struct PartSpace {
+  NearestTriangle surface;
+  SolidAngle inside;
+
+  /// @param mesh  closed; must outlive this
+  /// @throws InvalidInput if it has no triangle
+  explicit PartSpace(const Mesh& mesh) : surface(mesh), inside(mesh) {}
+};
+
+/// How far skins look from a layer that is planned on charts, and how closely.
+struct SkinReach {
+  std::size_t above = 0;  ///< layers that a skin seen from above counts
+  std::size_t below = 0;  ///< the same from below
+  double bead_mm = 0.4;   ///< width of beads; places are sampled at half of that
+  double wall_mm = 0.0;   ///< thickness of the walls, below which nothing is looked up
+};
+
+/// The cover of a layer on charts, in the plane of these. The layer counts as covered from above at a place
+/// if the part is still there one thickness of the layer farther along its growth (from its middle to its
+/// nozzle tips), and the next, up to the number of the reach; from below against it. Borders are true within
+/// half a bead.
+/// @param material  the outlines of all charts, united
+LayerCover coverOnCharts(const std::vector<LayerChart>& charts, Regions material, const PartSpace& part,
+                         const SkinReach& reach);
+
+}  // namespace lamina
