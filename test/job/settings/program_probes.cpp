@@ -102,6 +102,7 @@ SettingProbe rapidValuesProbe() {
            {"rapid.max_points=20"},
            {"rapid.loading=in_turn", "rapid.max_points=20"},
            {"rapid.process=arc"},
+           {"rapid.dry_flag=true"},
            {"rapid.seam_data=seam2", "rapid.process=arc"},
            {"rapid.weld_data=weld2", "rapid.process=arc"},
            {"rapid.weave_data=weave1", "rapid.process=arc"}}};
@@ -124,6 +125,7 @@ std::vector<SettingProbe> robotProbes() {
                       {"robot_program.approach_mm=20"},
                       {"robot_program.corner_mm=1"},
                       {"robot_program.joint_speed_percent=20"},
+                      {"robot_program.dry_flag=3"},
                       {"robot_program.process_output=2"},
                       {"robot_program.process_lead_s=1"},
                       {"robot_program.process_end_s=1"},

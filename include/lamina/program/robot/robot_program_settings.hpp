@@ -137,6 +137,8 @@ struct RobotProgramSettings {
   double corner_mm = 0.5;
   /// Speed of the joint move that begins a file, in percent of the greatest.
   double joint_speed_percent = 10.0;
+  /// Number of the variable on the controller with which a program runs without its process; 0 for none.
+  int dry_flag = 0;
   int process_output = 1;       ///< number of the digital output that is on while material is deposited
   double process_lead_s = 0.0;  ///< wait between process on and the move
   double process_end_s = 0.0;   ///< wait between process off and the next move

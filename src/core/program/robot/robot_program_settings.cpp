@@ -193,6 +193,10 @@ void describe(SettingsSchema& schema, RobotProgramSettings& settings) {
                 "By how much points between may be rounded.");
   schema.number("robot_program.joint_speed_percent", settings.joint_speed_percent, {1.0, 100.0},
                 "Speed of the move of the joints, of the fastest.");
+  schema.integer(
+      "robot_program.dry_flag", settings.dry_flag, {0, 99},
+      "Number of the variable on the controller that switches the process off for a dry run: $FLAG[n] "
+      "in KRL, R[n], B of INFORM; a script has lamina_dry, whatever the number. 0 for none.");
   schema.integer("robot_program.process_output", settings.process_output, {0, 4096},
                  "Digital output that is on while material is deposited.");
   schema.number("robot_program.process_lead_s", settings.process_lead_s, {0.0, 600.0},
@@ -250,6 +254,11 @@ void requireConsistent(const RobotProgramSettings& settings) {
   if (settings.arc.weave_schedule > 0 && settings.arc.process == RobotProcess::Outputs)
     throw InvalidConfig("robot_program.weave_schedule is " + std::to_string(settings.arc.weave_schedule) +
                         " with robot_program.process 'outputs'; expected 0, or 'schedules'");
+  if (settings.dry_flag > 0 && settings.arc.process == RobotProcess::Schedules)
+    throw InvalidConfig(
+        "robot_program.dry_flag is " + std::to_string(settings.dry_flag) +
+        " with robot_program.process 'schedules'; expected 0: the controller's arc package has "
+        "a switch of its own that blocks the process, or 'outputs'");
   if (settings.fanuc.weld_speed == FanucWeldSpeed::Schedule && settings.arc.process == RobotProcess::Outputs)
     throw InvalidConfig(
         "fanuc.weld_speed is 'schedule' with robot_program.process 'outputs'; expected 'stated', or "

@@ -117,6 +117,7 @@ class KrlParser {
         continue;
       }
       is_ended = cursor.take("END");
+      if (is_ended && list_.isConditionOpen()) cursor.refuse("END", "ENDIF before it");
       if (is_ended)
         cursor.expectEnd();
       else
@@ -150,6 +151,10 @@ class KrlParser {
       add(cursor, krlJoints(cursor));
     else if (cursor.take("TRIGGER"))
       readTrigger(cursor);
+    else if (cursor.take("IF"))
+      openCondition(cursor);
+    else if (cursor.take("ENDIF"))
+      closeCondition(cursor);
     else if (cursor.take("WAIT"))
       readWait(cursor);
     else if (cursor.take("BAS"))
@@ -181,6 +186,21 @@ class KrlParser {
   void add(LineCursor& cursor, RobotStatement statement) {
     cursor.expectEnd();
     list_.add(std::move(statement), cursor.line());
+  }
+
+  /// `NOT $FLAG[1] THEN`.
+  void openCondition(LineCursor& cursor) {
+    if (!list_.openDryCondition()) cursor.refuse("IF", "ENDIF before it");
+    for (const char* text : {"NOT", "$", "FLAG", "["}) cursor.expect(text);
+    cursor.integer(1, kMostOutputs, "the number of a flag");
+    cursor.expect("]");
+    cursor.expect("THEN");
+    cursor.expectEnd();
+  }
+
+  void closeCondition(LineCursor& cursor) {
+    if (!list_.closeDryCondition()) cursor.refuse("ENDIF", kOneSwitch);
+    cursor.expectEnd();
   }
 
   TipMove linear(LineCursor& cursor) {

@@ -179,7 +179,16 @@ class KrlPrinter : public RobotPrinter {
 
   void add(const OutputSwitch& output) {
     requireOutputNumber(output.output, RobotLanguage::Krl);
-    addLine("$OUT[" + std::to_string(output.output) + "]=" + (output.is_on ? "TRUE" : "FALSE"));
+    addProcess("$OUT[" + std::to_string(output.output) + "]=" + (output.is_on ? "TRUE" : "FALSE"),
+               output.is_on);
+  }
+
+  /// What starts the process, or sets its level, is passed over in a dry run.
+  void addProcess(const std::string& line, bool starts) {
+    const bool is_conditional = starts && site_.settings.dry_flag > 0;
+    if (is_conditional) addLine("IF NOT $FLAG[" + std::to_string(site_.settings.dry_flag) + "] THEN");
+    addLine(line);
+    if (is_conditional) addLine("ENDIF");
   }
 
   void add(const ArcSwitch& arc) { addLine(krlArc(arc, site_.settings.krl)); }
@@ -187,8 +196,9 @@ class KrlPrinter : public RobotPrinter {
   /// An assignment would stop the controller from looking ahead, and the tip with it.
   void add(const LevelChange& level) {
     requireOutputNumber(level.output, RobotLanguage::Krl);
-    addLine((level.is_on_the_way ? "TRIGGER WHEN DISTANCE=0 DELAY=0 DO " : "") +
-            krlLevel(level.output, level.value));
+    addProcess((level.is_on_the_way ? "TRIGGER WHEN DISTANCE=0 DELAY=0 DO " : "") +
+                   krlLevel(level.output, level.value),
+               level.value != 0.0);
   }
 
   void add(const ProgramWait& wait) { addLine("WAIT SEC " + trimmedDecimals(wait.duration_s, 3)); }

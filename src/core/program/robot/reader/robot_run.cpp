@@ -143,6 +143,10 @@ class RobotRun {
     if (words.take("tool")) return head.tool = notedFrame(words), true;
     if (words.take("bed")) return head.bed = notedFrame(words), true;
     if (words.take("process")) return head.process_output = notedOutput(words), true;
+    if (words.take(kDryFlagNote)) {
+      running_.equipment.process.insert("dry run by variable " + std::to_string(notedOutput(words)));
+      return true;
+    }
     if (words.take("joints")) return head.map = notedMap(words), true;
     if (words.take("layers")) return head.bed_from_layers = notedTurn(words), true;
     if (words.take("level")) {

@@ -79,6 +79,8 @@ std::vector<std::string> RobotScript::headNotes() const {
   }
   if (settings_.arc.process == RobotProcess::Outputs)
     notes.push_back("process " + std::to_string(settings_.process_output));
+  if (settings_.dry_flag > 0)
+    notes.push_back(std::string(kDryFlagNote) + " " + std::to_string(settings_.dry_flag));
   for (const RobotLevel& level : levels_)
     notes.push_back("level " + level.name + " " + std::to_string(level.output) + " " + number(level.per));
   if (cell_ && !map_.isPlain()) {
