@@ -39,6 +39,7 @@ SettingProbe fiveAxisProbe() {
        {"five_axis.dialect=fanuc"},
        {"five_axis.program_number=7", "five_axis.dialect=fanuc"},
        {"five_axis.program_name=BLADE", "five_axis.dialect=fanuc"},
+       {"five_axis.turns=modulo", "five_axis.dialect=fanuc;machine.name=five_axis_table_ac"},
        {"five_axis.extrusion=V"},
        {"five_axis.tip_control_on=G43.4 H1"},
        {"five_axis.tip_control_off=G49 H0"},
