@@ -114,6 +114,9 @@ constexpr char kAtOneSpeed[] =
     "robot_program.process=schedules;feed.outer_wall_mm_s=20;feed.inner_wall_mm_s=20;feed.infill_mm_s=20;"
     "feed.skin_mm_s=20;feed.top_skin_mm_s=20;feed.skirt_mm_s=20";
 
+/// Mass and centre are set together.
+constexpr char kLoaded[] = "robot_program.tool_mass_kg=1;robot_program.tool_centre_of_gravity_mm=0,0,50";
+
 SettingProbe robotProbe(const char* name, const std::string& suffix, std::vector<SettingRow> rows) {
   return {name, std::string(kSmall) + "machine.name=irb_4600", programOf(kPlate, suffix), std::move(rows)};
 }
@@ -122,6 +125,8 @@ std::vector<SettingProbe> robotProbes() {
   return {robotProbe("KRL", ".src",
                      {{"robot_program.name=plate"},
                       {"robot_program.tool_number=2"},
+                      {"robot_program.tool_mass_kg=2", kLoaded},
+                      {"robot_program.tool_centre_of_gravity_mm=0,0,80", kLoaded},
                       {"robot_program.frame_number=2"},
                       {"robot_program.approach_mm=20"},
                       {"robot_program.corner_mm=1"},

@@ -128,8 +128,11 @@ struct InformSettings {
 /// How a toolpath is written as a program for a robot whose language is not RAPID: settings for all
 /// languages, and those of each.
 struct RobotProgramSettings {
-  std::string name;      ///< name of the program; empty for that of the file
-  int tool_number = 1;   ///< number of the tool on the controller
+  std::string name;           ///< name of the program; empty for that of the file
+  int tool_number = 1;        ///< number of the tool on the controller
+  double tool_mass_kg = 0.0;  ///< mass that the flange carries; 0 if the controller's is kept
+  /// Centre of gravity of what the flange carries, in the flange's frame; empty if the controller's is kept.
+  std::vector<double> tool_centre_of_gravity_mm;
   int frame_number = 1;  ///< number of the frame on the controller that is the bed
   /// Distance from the part, back along the tool axis, at which a program starts and ends.
   double approach_mm = 50.0;

@@ -185,6 +185,12 @@ void describe(SettingsSchema& schema, RobotProgramSettings& settings) {
               "Name of a robot's program; empty for that of the file. Further files are numbered.");
   schema.integer("robot_program.tool_number", settings.tool_number, {0, 32},
                  "Number of the tool on the controller.");
+  schema.number(
+      "robot_program.tool_mass_kg", settings.tool_mass_kg, {0.0, 1000.0},
+      "Mass that the flange carries, as written in KRL and URScript; 0 for that of the controller.");
+  schema.numbers("robot_program.tool_centre_of_gravity_mm", settings.tool_centre_of_gravity_mm, 3,
+                 "Centre of gravity of what the flange carries, over the flange; empty for that of the "
+                 "controller.");
   schema.integer("robot_program.frame_number", settings.frame_number, {0, 64},
                  "Number of the frame on the controller that is the bed.");
   schema.number("robot_program.approach_mm", settings.approach_mm, {0.0, 1000.0},
@@ -242,6 +248,12 @@ std::vector<RobotLevel> robotLevels(const std::string& text) {
 }
 
 void requireConsistent(const RobotProgramSettings& settings) {
+  if ((settings.tool_mass_kg > 0.0) != (settings.tool_centre_of_gravity_mm.size() == 3))
+    throw InvalidConfig(
+        "robot_program.tool_mass_kg is " + numberText(settings.tool_mass_kg) + " kg with " +
+        std::to_string(settings.tool_centre_of_gravity_mm.size()) +
+        " numbers in robot_program.tool_centre_of_gravity_mm; expected a mass above 0 with the 3 of "
+        "its centre, or neither");
   for (const double sign : settings.joint_signs)
     if (std::abs(sign) != 1.0)
       throw InvalidConfig("robot_program.joint_signs holds " + numberText(sign) + "; must be 1 or -1");

@@ -21,8 +21,9 @@ constexpr const char* kKrlCoordinate = "a coordinate within 100 m";
 constexpr const char* kKrlAngle = "an angle in degrees";
 
 /// Settings of the controller that change nothing that is read.
-constexpr std::array<std::string_view, 9> kKrlPreparing = {
-    "$ADVANCE", "$IPO_MODE", "$ORI_TYPE", "$TOOL", "$BASE", "$VEL.ORI1", "$VEL.ORI2", "$ACC.CP", "$APO.CDIS"};
+constexpr std::array<std::string_view, 10> kKrlPreparing = {"$ADVANCE", "$IPO_MODE", "$ORI_TYPE", "$TOOL",
+                                                            "$LOAD",    "$BASE",     "$VEL.ORI1", "$VEL.ORI2",
+                                                            "$ACC.CP",  "$APO.CDIS"};
 
 std::vector<double> krlExternal(LineCursor& cursor) {
   std::vector<double> external;

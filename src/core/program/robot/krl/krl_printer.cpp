@@ -205,6 +205,17 @@ class KrlPrinter : public RobotPrinter {
 
   void add(const FileCall& call) { addLine(call.name + "()"); }
 
+  /// That of the tool on the controller, if no other is known: it goes with the tool.
+  std::string load() const {
+    const RobotProgramSettings& settings = site_.settings;
+    if (settings.tool_mass_kg == 0.0) return "LOAD_DATA[" + std::to_string(settings.tool_number) + "]";
+    std::string text = "{M " + trimmedDecimals(settings.tool_mass_kg, kKrlPositionDecimals) + ",CM {";
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      text += std::string(1, "XYZ"[axis]) + " " +
+              decimalText(settings.tool_centre_of_gravity_mm[axis], kKrlPositionDecimals) + ",";
+    return text + "A 0.0,B 0.0,C 0.0},J {X 0.0,Y 0.0,Z 0.0}}";
+  }
+
   std::string preparation() const {
     const RobotProgramSettings& settings = site_.settings;
     const std::string frame = "BASE_DATA[" + std::to_string(settings.frame_number) + "]";
@@ -212,7 +223,7 @@ class KrlPrinter : public RobotPrinter {
     std::string text = "BAS(#INITMOV,0)\nBAS(#VEL_PTP," + trimmedDecimals(settings.joint_speed_percent, 1) +
                        ")\n$ADVANCE=" + std::to_string(settings.krl.advance) +
                        "\n$IPO_MODE=#BASE\n$ORI_TYPE=#VAR\n$TOOL=TOOL_DATA[" +
-                       std::to_string(settings.tool_number) + "]\n";
+                       std::to_string(settings.tool_number) + "]\n$LOAD=" + load() + "\n";
     // The frame of a bed that an external axis carries goes with that axis.
     text += is_carried
                 ? "$BASE=EK(MACHINE_DEF[2].ROOT,MACHINE_DEF[2].MECH_TYPE," + frame + ")\n$ACT_EX_AX=2\n"

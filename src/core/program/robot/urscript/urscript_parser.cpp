@@ -132,12 +132,26 @@ class UrScriptParser {
       list_.add(ProgramWait{cursor.number(0.0, kLongestWait, "a wait in s")}, cursor.line());
     } else if (name == "set_tcp") {
       urPoseOf(cursor);
+    } else if (name == "set_payload") {
+      readPayload(cursor);
     } else if (name != "sync") {
-      cursor.refuse(name,
-                    "a statement that is known: movej, movel, movep, set_tcp, set_standard_digital_out, "
-                    "set_standard_analog_out, sleep, sync");
+      cursor.refuse(
+          name,
+          "a statement that is known: movej, movel, movep, set_tcp, set_payload, set_standard_digital_out, "
+          "set_standard_analog_out, sleep, sync");
     }
     cursor.expect(")");
+  }
+
+  /// `2.5, [0, 0, 0.1]`: nothing of the toolpath.
+  static void readPayload(LineCursor& cursor) {
+    cursor.number(0.0, kFarthestRead, "a mass in kg");
+    for (const char* mark : {",", ",", ","}) {
+      cursor.expect(mark);
+      cursor.take("[");
+      cursor.number(-kFarthestRead, kFarthestRead, "a coordinate in m");
+    }
+    cursor.expect("]");
   }
 
   static JointMove joints(LineCursor& cursor) {

@@ -128,10 +128,22 @@ class UrScriptPrinter : public RobotPrinter {
       for (const std::string& comment : noteComments(note, "  #", kUrNoteWidth)) text += comment + "\n";
     if (site_.settings.dry_flag > 0) text += "  global lamina_dry = False\n";
     if (site_.cell) text += "  set_tcp(" + urPose(site_.cell->flange_from_nozzle) + ")\n";
+    text += payload();
     return {{head.name + ".script", text + whole.body_ + "end\n"}};
   }
 
  private:
+  /// Nothing where the controller's is kept.
+  std::string payload() const {
+    const RobotProgramSettings& settings = site_.settings;
+    if (settings.tool_mass_kg == 0.0) return "";
+    std::string text = "  set_payload(" + trimmedDecimals(settings.tool_mass_kg, 3) + ", [";
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      text += (axis > 0 ? ", " : "") +
+              decimalText(kUrMetre * settings.tool_centre_of_gravity_mm[axis], kUrDecimals);
+    return text + "])\n";
+  }
+
   static std::string urPose(const Eigen::Isometry3d& pose) {
     const Eigen::Vector3d turn = rotationVector(Eigen::Quaterniond(pose.linear()));
     std::string text = "p[";
