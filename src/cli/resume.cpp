@@ -12,6 +12,7 @@
 #include "lamina/streaming/journal/job_journal.hpp"
 #include "lamina/streaming/resume/remaining_program.hpp"
 #include "lamina/streaming/resume/resume_point.hpp"
+#include "robot/resume_robot.hpp"
 #include "subcommand.hpp"
 
 namespace lamina::cli {
@@ -26,6 +27,7 @@ struct ResumeArguments {
   std::optional<std::int32_t> layer;
   std::optional<double> height_mm;
   std::optional<double> nozzle_height_mm;
+  std::string machine;  ///< of a robot's program; empty for that of the settings
   std::vector<std::string> settings;
 };
 
@@ -70,13 +72,26 @@ void showOffer(const ResumeArguments& arguments, OutputFormat format) {
   std::printf("%s\n", json.dump().c_str());
 }
 
+void resumeOnRobot(const ResumeArguments& arguments, OutputFormat format) {
+  if (arguments.nozzle_height_mm)
+    throw InvalidInput("--nozzle-height is given with a program in " + robotLanguageName(arguments.program) +
+                       "; expected none: a robot knows where its nozzle is");
+  resumeRobot({arguments.program,
+               arguments.output,
+               arguments.machine,
+               arguments.line,
+               arguments.layer,
+               arguments.height_mm,
+               {"", arguments.settings}},
+              format);
+}
+
 void runResume(const ResumeArguments& arguments, OutputFormat format) {
   if (!arguments.port.empty()) return showOffer(arguments, format);
-  if (isRobotFile(arguments.program))
-    throw InvalidInput(
-        arguments.program + " is a program in " + robotLanguageName(arguments.program) +
-        "; expected G-code: a robot's program is gone on with from its controller, at a point where "
-        "the process starts");
+  if (isRobotFile(arguments.program)) return resumeOnRobot(arguments, format);
+  if (!arguments.machine.empty())
+    throw InvalidInput("--machine is " + arguments.machine + " with " + arguments.program +
+                       "; expected it with the program of a robot alone");
   if (arguments.output.empty()) throw InvalidInput("--output is not given; expected a file for the rest");
   if (!arguments.nozzle_height_mm)
     throw InvalidInput(
@@ -109,7 +124,7 @@ void addResume(CLI::App& app, Chosen& chosen) {
   CLI::App* command = app.add_subcommand(
       "resume", "Write the rest of a program, for a machine that has lost its position; sends nothing");
   auto arguments = std::make_shared<ResumeArguments>();
-  command->add_option("program", arguments->program, "G-code file")->required();
+  command->add_option("program", arguments->program, "G-code file, or program of a robot")->required();
   auto* const output = command->add_option("-o,--output", arguments->output, "file for the rest");
   auto* const line = command->add_option("--from-line", arguments->line, "command to go on from, from 1");
   auto* const layer =
@@ -128,8 +143,13 @@ void addResume(CLI::App& app, Chosen& chosen) {
       ->excludes(line)
       ->excludes(layer)
       ->excludes(height);
-  command->add_option("--set", arguments->settings,
-                      "key=value, one of resume.*, with --port one of stream.*; may be repeated");
+  command->add_option(
+      "--set", arguments->settings,
+      "key=value, one of resume.*, with --port one of stream.*, of a robot's program any of a "
+      "job; may be repeated");
+  command->add_option(
+      "--machine", arguments->machine,
+      "robot that runs the program: a profile, one of machine.name, or a file (.yaml, .urdf)");
   addJsonFlag(*command, chosen);
   command->callback(
       [arguments, &chosen] { chosen.run = [arguments, &chosen] { runResume(*arguments, chosen.format); }; });

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Lamina authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A maker's description on the command line: xacro expanded, and what the robot is.
+"""Robots on the command line: a maker's description expanded, what the robot is, and the rest of its program.
 
     robot_test.py LAMINA
 """
@@ -9,9 +9,12 @@ import os
 import tempfile
 import unittest
 
-from lamina_command import lamina
+from lamina_command import lamina, reported
 
 JOINT = """<xacro:joint_of number="{0}" parent="{1}" xyz="{2}" axis="{3}"/>"""
+TUBE = ("machine.name=irb_4600", "slicing.layer_height_mm=0.8", "slicing.first_layer_height_mm=0.8", "bead.width_mm=1.6",
+        "infill.density=0", "skirt.count=0", "skins.top_layers=0", "skins.bottom_layers=0", "feed.outer_wall_mm_s=25",
+        "feed.inner_wall_mm_s=25")
 CHAIN = ("0 0 0.1807", "0 0 1"), ("0 0.176 0", "0 1 0"), ("0.6127 -0.137 0", "0 1 0"), ("0.57155 0 0", "0 1 0"), ("0 0.135 0", "0 0 -1"), (
     "0 0 -0.12", "0 1 0")
 MACRO = """<robot xmlns:xacro="http://ros.org/wiki/xacro"><xacro:macro name="joint_of" params="number parent xyz axis
@@ -40,6 +43,43 @@ class Robot(unittest.TestCase):
             self.assertEqual([joint["name"] for joint in report["joints"]], [f"axis_{i}" for i in range(1, 7)])
             self.assertAlmostEqual(report["joints"][0]["speed"], 120.0)
             self.assertTrue(os.path.exists(written))
+
+    def test_the_rest_of_a_program_is_a_program_of_its_own(self):
+        with tempfile.TemporaryDirectory() as folder:
+            part = os.path.join(folder, "tube.stl")
+            lamina("part", "tube", "--set", "radius_mm=50", "--set", "inner_radius_mm=46.8", "--set", "height_mm=2.4", "-o", part)
+            for suffix in ("src", "script", "ls", "jbi", "mod"):
+                whole, rest = (os.path.join(folder, f"{name}.{suffix}") for name in ("whole", "rest"))
+                sliced = lamina("slice", part, *(word for setting in TUBE for word in ("--set", setting)), "-o", whole)
+                self.assertEqual(sliced.returncode, 0, sliced.stderr)
+                resumed = reported("resume", whole, "--from-layer", "1", "--machine", "irb_4600", "-o", rest)
+                self.assertEqual([resumed["from_layer"], resumed["from_path"], resumed["from_waypoint"]], [1, 0, 0])
+                self.assertEqual(resumed["files"], [f"rest.{suffix}"])
+                # Walls of 128 waypoints, travels of 2 between and of 3 between layers; the first travel is left out.
+                self.assertEqual(reported("check", whole, "--machine", "irb_4600")["waypoints"], 258 + 261 + 261, suffix)
+                checked = reported("check", rest, "--machine", "irb_4600")
+                self.assertEqual(checked["waypoints"], 258 + 261, suffix)
+                self.assertEqual(checked["faulty_waypoints"], 0, suffix)
+            self.go_on_amid_a_wall(os.path.join(folder, "whole.src"), os.path.join(folder, "rest.src"))
+
+    def go_on_amid_a_wall(self, whole, rest):
+        with open(whole, encoding="utf-8") as file:
+            lines = file.read().splitlines()
+        second = next(i for i, line in enumerate(lines) if line.startswith(";# layer 1.6"))
+        moves = [i + 1 for i, line in enumerate(lines) if i > second and line.startswith("LIN ")]
+        # Two moves of a travel, then those of the wall: the twentieth sets out from waypoint 17.
+        resumed = reported("resume", whole, "--from-line", str(moves[19]), "--machine", "irb_4600", "-o", rest)
+        self.assertEqual([resumed["from_layer"], resumed["from_path"], resumed["from_waypoint"]], [1, 1, 17])
+        self.assertEqual(reported("check", rest, "--machine", "irb_4600")["waypoints"], 112 + 2 + 128 + 261)
+        with open(rest, encoding="utf-8") as file:
+            moved = [line for line in file.read().splitlines() if line.startswith("LIN ")]
+        # To the waypoint, by the approach; then as before.
+        self.assertEqual(moved[1].split(",A")[0], lines[moves[19] - 1].split(",A")[0])
+        for wrong, says in ((("--from-layer", "3"), "layers 0 to 2"), (("--from-layer", "1", "--nozzle-height", "5"), "--nozzle-height"),
+                            (("--from-layer", "1", "--set", "robot_program.process_output=2"), "output 2")):
+            refused = lamina("resume", whole, *wrong, "--machine", "irb_4600", "-o", rest)
+            self.assertNotEqual(refused.returncode, 0)
+            self.assertIn(says, refused.stderr)
 
 
 if __name__ == "__main__":

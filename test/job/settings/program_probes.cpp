@@ -39,6 +39,7 @@ SettingProbe fiveAxisProbe() {
        {"five_axis.dialect=fanuc"},
        {"five_axis.program_number=7", "five_axis.dialect=fanuc"},
        {"five_axis.program_name=BLADE", "five_axis.dialect=fanuc"},
+       {"five_axis.turns=modulo", "five_axis.dialect=fanuc;machine.name=five_axis_table_ac"},
        {"five_axis.extrusion=V"},
        {"five_axis.tip_control_on=G43.4 H1"},
        {"five_axis.tip_control_off=G49 H0"},
@@ -102,6 +103,7 @@ SettingProbe rapidValuesProbe() {
            {"rapid.max_points=20"},
            {"rapid.loading=in_turn", "rapid.max_points=20"},
            {"rapid.process=arc"},
+           {"rapid.dry_flag=true"},
            {"rapid.seam_data=seam2", "rapid.process=arc"},
            {"rapid.weld_data=weld2", "rapid.process=arc"},
            {"rapid.weave_data=weave1", "rapid.process=arc"}}};
@@ -112,6 +114,9 @@ constexpr char kAtOneSpeed[] =
     "robot_program.process=schedules;feed.outer_wall_mm_s=20;feed.inner_wall_mm_s=20;feed.infill_mm_s=20;"
     "feed.skin_mm_s=20;feed.top_skin_mm_s=20;feed.skirt_mm_s=20";
 
+/// Mass and centre are set together.
+constexpr char kLoaded[] = "robot_program.tool_mass_kg=1;robot_program.tool_centre_of_gravity_mm=0,0,50";
+
 SettingProbe robotProbe(const char* name, const std::string& suffix, std::vector<SettingRow> rows) {
   return {name, std::string(kSmall) + "machine.name=irb_4600", programOf(kPlate, suffix), std::move(rows)};
 }
@@ -120,10 +125,13 @@ std::vector<SettingProbe> robotProbes() {
   return {robotProbe("KRL", ".src",
                      {{"robot_program.name=plate"},
                       {"robot_program.tool_number=2"},
+                      {"robot_program.tool_mass_kg=2", kLoaded},
+                      {"robot_program.tool_centre_of_gravity_mm=0,0,80", kLoaded},
                       {"robot_program.frame_number=2"},
                       {"robot_program.approach_mm=20"},
                       {"robot_program.corner_mm=1"},
                       {"robot_program.joint_speed_percent=20"},
+                      {"robot_program.dry_flag=3"},
                       {"robot_program.process_output=2"},
                       {"robot_program.process_lead_s=1"},
                       {"robot_program.process_end_s=1"},

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 #include <sstream>
@@ -251,6 +252,93 @@ TEST(FiveAxisDialects, FanucWordsHaveEightDigitsAtMost) {
   EXPECT_EQ(fanucText("G1 X-18.6093 C-140.41564 U1418.49524 F1200\nG1 C-1852.58109 U99999.99951 ;via\n"),
             "G1 X-18.6093 C-140.41564 U1418.4952 F1200.\nG1 C-1852.5811 U100000. (VIA)\n");
   EXPECT_EQ(fanucText("G1 C-185241.58102\n"), "G1 C-185241.58\n");
+}
+
+/// A table that turns without end.
+class EndlessTable : public test::TableMachine {
+ public:
+  EndlessTable() : endless_(test::TableMachine::joints()) {
+    endless_[4].low = -std::numeric_limits<double>::infinity();
+    endless_[4].high = std::numeric_limits<double>::infinity();
+  }
+  const std::vector<DrivenJoint>& joints() const override { return endless_; }
+
+ private:
+  std::vector<DrivenJoint> endless_;
+};
+
+const EndlessTable kEndlessTable;
+
+/// A line under which the table turns by 100 deg from waypoint to waypoint, 700 deg in all.
+Toolpath woundLine() {
+  Path line = test::straightPath({20, 0, 0.2}, {27, 0, 0.2});
+  line.points.clear();
+  std::vector<Eigen::Quaterniond> each;
+  for (int k = 0; k < 8; ++k) {
+    line.points.emplace_back(20.0 + k, 0.0, 0.2);
+    each.push_back(Eigen::AngleAxisd(-k * 100.0 / 180.0 * M_PI, Point3::UnitZ()) *
+                   Eigen::AngleAxisd(-0.3, Point3::UnitX()) * nozzleDown());
+  }
+  line.orientation = AlongPath<Eigen::Quaterniond>(std::move(each));
+  return {"line", {{0.2, 0.2, {line}}}};
+}
+
+/// @param turns  whole turns added to the table's at all waypoints from `from` on
+std::string woundText(const ProgramSettings& program, int turns = 0, std::size_t from = 0) {
+  const Toolpath toolpath = woundLine();
+  JointPath joints = test::jointsAlong(toolpath, kEndlessTable);
+  for (std::size_t i = from; i < joints.values.size(); ++i) joints.values[i][4] += turns * 2.0 * M_PI;
+  std::string text;
+  writeFiveAxis({toolpath, Eigen::Isometry3d::Identity(), kEndlessTable, joints}, program.five_axis, program,
+                [&text](std::string_view piece) { text += piece; });
+  return text;
+}
+
+std::string refusedTurns(const ProgramSettings& program, int turns, std::size_t from) {
+  try {
+    woundText(program, turns, from);
+  } catch (const InvalidInput& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(FiveAxisDialects, TurnsWithinOneTurnAreReadBackAsTheyWind) {
+  for (const auto dialect : {FiveAxisDialect::Fanuc, FiveAxisDialect::Siemens})
+    for (const auto coordinates : {FiveAxisCoordinates::ToolTip, FiveAxisCoordinates::Joints}) {
+      ProgramSettings program = programIn(dialect, coordinates);
+      program.five_axis.turns = FiveAxisTurns::Modulo;
+      const std::string text = woundText(program);
+      const bool is_fanuc = dialect == FiveAxisDialect::Fanuc;
+      for (const char* angle : {"0", "100", "200", "300", "40", "140", "240", "340"}) {
+        const std::string word =
+            is_fanuc ? std::string(" C") + angle + "." : std::string(" C=DC(") + angle + ")";
+        EXPECT_NE(text.find(word), std::string::npos) << word << "\n" << text;
+      }
+      const StatedMotion read = readFiveAxisMotion(text, kEndlessTable, program.five_axis, program, "part");
+      EXPECT_NEAR(read.joints.values.back()[4], 700.0 / 180.0 * M_PI, 1e-6);
+      program.five_axis.turns = FiveAxisTurns::Counted;
+      EXPECT_NE(woundText(program).find(is_fanuc ? " C700." : " C700"), std::string::npos);
+    }
+}
+
+TEST(FiveAxisDialects, FanucTakesNoTurnsBeyondItsNumbers) {
+  ProgramSettings program = programIn(FiveAxisDialect::Fanuc, FiveAxisCoordinates::ToolTip);
+  EXPECT_EQ(refusedTurns(program, 275, 0), "");  // 99 000 to 99 700 deg
+  EXPECT_NE(
+      refusedTurns(program, -278, 0).find("axis C is at -100080 deg; a Fanuc control takes 99 999.999 deg"),
+      std::string::npos);
+  program.five_axis.turns = FiveAxisTurns::Modulo;
+  EXPECT_EQ(woundText(program, -278), woundText(program));
+}
+
+TEST(FiveAxisDialects, TurnsWithinOneTurnGoTheShorterWay) {
+  ProgramSettings program = programIn(FiveAxisDialect::Siemens, FiveAxisCoordinates::ToolTip);
+  program.five_axis.turns = FiveAxisTurns::Modulo;
+  EXPECT_NE(refusedTurns(program, 1, 3).find("axis C turns by 460 deg in one line; must be less than 180"),
+            std::string::npos);
+  program.five_axis.dialect = FiveAxisDialect::LinuxCnc;
+  EXPECT_THROW(woundText(program), InvalidConfig);
 }
 
 TEST(FiveAxisDialects, FanucProgramsHaveANumberOrAName) {

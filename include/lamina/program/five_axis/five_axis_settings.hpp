@@ -21,6 +21,12 @@ enum class FiveAxisCoordinates : std::uint8_t {
 /// feed, waits and the end of the program.
 enum class FiveAxisDialect : std::uint8_t { Generic, LinuxCnc, Fanuc, Siemens };
 
+/// What words of rotary joints that turn without end count.
+enum class FiveAxisTurns : std::uint8_t {
+  Counted,  ///< whole turns, from the start on
+  Modulo,   ///< the angle within one turn; each line goes the shorter way
+};
+
 /// Which toolpaths are written as five-axis G-code.
 enum class FiveAxisUse : std::uint8_t {
   Tilted,  ///< those that the linear axes alone cannot run
@@ -39,6 +45,7 @@ struct FiveAxisSettings {
   /// Distance by which the tip is lifted along the tool axis after the last path; less if a joint reaches its
   /// limit. In the generic dialect `program.end_code` does that instead.
   double retract_mm = 10.0;
+  FiveAxisTurns turns = FiveAxisTurns::Counted;
   std::string letters;       ///< letters of rotary joints that programs name differently: "b=U,c=V"
   int program_number = 1;    ///< of a Fanuc program, after its letter O
   std::string program_name;  ///< of a Fanuc program, instead of its number; empty for none

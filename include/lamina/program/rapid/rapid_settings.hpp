@@ -49,6 +49,7 @@ struct RapidSettings {
   double zone_mm = 0.3;             ///< radius of `zone` if that is not the name of a predefined zone
   double turn_speed_deg_s = 500.0;  ///< speed at which the tool rotates, in each declared speed
 
+  bool has_dry_flag = false;  ///< whether the module declares lamina_dry, with which it runs without process
   bool declares_cell = true;  ///< whether the module declares tool, work object and start point
   /// Pose of the tip in the flange's frame: x y z [mm], w x y z. If it is empty, the pose of the arm's
   /// description, or, without an arm, the flange itself.

@@ -128,8 +128,11 @@ struct InformSettings {
 /// How a toolpath is written as a program for a robot whose language is not RAPID: settings for all
 /// languages, and those of each.
 struct RobotProgramSettings {
-  std::string name;      ///< name of the program; empty for that of the file
-  int tool_number = 1;   ///< number of the tool on the controller
+  std::string name;           ///< name of the program; empty for that of the file
+  int tool_number = 1;        ///< number of the tool on the controller
+  double tool_mass_kg = 0.0;  ///< mass that the flange carries; 0 if the controller's is kept
+  /// Centre of gravity of what the flange carries, in the flange's frame; empty if the controller's is kept.
+  std::vector<double> tool_centre_of_gravity_mm;
   int frame_number = 1;  ///< number of the frame on the controller that is the bed
   /// Distance from the part, back along the tool axis, at which a program starts and ends.
   double approach_mm = 50.0;
@@ -137,6 +140,8 @@ struct RobotProgramSettings {
   double corner_mm = 0.5;
   /// Speed of the joint move that begins a file, in percent of the greatest.
   double joint_speed_percent = 10.0;
+  /// Number of the variable on the controller with which a program runs without its process; 0 for none.
+  int dry_flag = 0;
   int process_output = 1;       ///< number of the digital output that is on while material is deposited
   double process_lead_s = 0.0;  ///< wait between process on and the move
   double process_end_s = 0.0;   ///< wait between process off and the next move

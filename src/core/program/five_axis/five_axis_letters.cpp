@@ -3,6 +3,7 @@
 #include "program/five_axis/five_axis_letters.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "lamina/base/error.hpp"
 #include "lamina/base/text.hpp"
@@ -67,6 +68,22 @@ std::vector<AxisLetter> axisLetters(const KinematicModel& machine, const std::st
   const std::string text = toText(letters);
   if (text.substr(0, 5) != "X Y Z")
     throw InvalidConfig("'" + machine.name() + "' has the axes " + text + "; expected X, Y and Z among them");
+  return letters;
+}
+
+std::vector<AxisLetter> moduloLetters(const KinematicModel& machine, const FiveAxisSettings& settings) {
+  if (settings.turns == FiveAxisTurns::Counted) return {};
+  if (settings.dialect != FiveAxisDialect::Fanuc && settings.dialect != FiveAxisDialect::Siemens)
+    throw InvalidConfig(
+        "five_axis.turns is 'modulo' in a dialect other than 'fanuc' and 'siemens'; expected 'counted': only "
+        "these "
+        "take the shorter way to an angle within one turn");
+  std::vector<AxisLetter> letters = axisLetters(machine, settings.letters);
+  const auto hasEnd = [&](const AxisLetter& axis) {
+    const DrivenJoint& joint = machine.joints()[static_cast<std::size_t>(axis.joint)];
+    return axis.kind == JointKind::Linear || std::isfinite(joint.low) || std::isfinite(joint.high);
+  };
+  letters.erase(std::remove_if(letters.begin(), letters.end(), hasEnd), letters.end());
   return letters;
 }
 

@@ -3,11 +3,16 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "lamina/kinematics/model/kinematic_model.hpp"
+#include "lamina/program/five_axis/five_axis_settings.hpp"
 
 namespace lamina {
+
+/// Beginning of the comment that names the axes whose words stand within one turn.
+constexpr std::string_view kModuloMark = ";MODULO:";
 
 /// A letter of a five-axis program, and the joint for which it stands.
 struct AxisLetter {
@@ -21,6 +26,11 @@ struct AxisLetter {
 /// @throws InvalidConfig if a joint has no letter or the letter of another, if x, y and z are not all there
 ///   as linear joints, or if a renamed joint is not rotary or its letter is not one of ABCUVW
 std::vector<AxisLetter> axisLetters(const KinematicModel& machine, const std::string& renamed);
+
+/// Those whose words stand within one turn: none where turns are counted, otherwise those of rotary joints
+/// without limits.
+/// @throws InvalidConfig if the dialect knows no such words
+std::vector<AxisLetter> moduloLetters(const KinematicModel& machine, const FiveAxisSettings& settings);
 
 /// The letters separated by spaces: "X Y Z A C".
 std::string toText(const std::vector<AxisLetter>& letters);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/program/five_axis/five_axis_reader.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -25,8 +26,9 @@ namespace {
 
 constexpr std::string_view kMark = ";FIVE_AXIS:";
 constexpr double kSamePlace = 0.01;  // mm: last decimals of all joints together
-constexpr double kLargest = 1e7;     // mm, deg and their feeds
-constexpr double kShortest = 1e12;   // 1/min: the least motion at the greatest feed that is written
+constexpr double kDegreesOfTurn = 360.0;
+constexpr double kLargest = 1e7;    // mm, deg and their feeds
+constexpr double kShortest = 1e12;  // 1/min: the least motion at the greatest feed that is written
 
 /// Where the nozzle is, and which joints bring it there.
 struct Held {
@@ -92,12 +94,15 @@ class FiveAxisInterpreter {
   void readLine(std::string_view text, std::size_t number) {
     line_ = number;
     if (text.substr(0, kMark.size()) == kMark) return readAxes(text.substr(kMark.size()));
+    if (!is_in_part_ && text.substr(0, kModuloMark.size()) == kModuloMark)
+      return readModulo(text.substr(kModuloMark.size()));
     if (text == "; start of the part") return startPart();
     if (text == "; end of the part") is_in_part_ = false, is_over_ = true;
     if (!is_in_part_) {
       if (!text.empty() && text.front() == ';') builder_.readComment(text.substr(1));
       return;
     }
+    if (!modulo_.empty()) text = plain_ = withoutDirections(text);
     const GcodeLine& line = parser_.parse(text, number);
     remark_ = line.words.empty() || line.comments.empty() ? "" : line.comments.front();
     if (line.words.empty())
@@ -167,6 +172,33 @@ class FiveAxisInterpreter {
     has_axes_ = true;
   }
 
+  void readModulo(std::string_view letters) {
+    for (const char letter : letters) {
+      if (letter == ' ') continue;
+      const auto found = std::find_if(letters_.begin(), letters_.end(), [&](const AxisLetter& axis) {
+        return axis.letter == letter && axis.kind == JointKind::Rotary;
+      });
+      if (found == letters_.end())
+        refuse(std::string("found ") + letter + " among the axes within one turn; expected rotary ones of " +
+               toText(letters_));
+      modulo_ += letter;
+    }
+  }
+
+  /// `C=DC(12.5)` as `C12.5`: the shorter way is that of any axis within one turn.
+  static std::string withoutDirections(std::string_view line) {
+    constexpr std::string_view kShorterWay = "=DC(";
+    std::string text(line);
+    const std::size_t remark = std::min(text.find(';'), text.size());
+    for (std::size_t at = text.find(kShorterWay); at < remark; at = text.find(kShorterWay, at)) {
+      const std::size_t close = text.find(')', at);
+      if (close == std::string::npos) break;
+      text.erase(close, 1);
+      text.erase(at, kShorterWay.size());
+    }
+    return text;
+  }
+
   void startPart() {
     if (!has_axes_) refuse("the part starts; expected '" + std::string(kMark) + "' before it");
     is_in_part_ = true;
@@ -228,7 +260,9 @@ class FiveAxisInterpreter {
   void setAxis(char letter, double value) {
     for (std::size_t i = 0; i < letters_.size(); ++i)
       if (letters_[i].letter == letter) {
-        values_[i] = value;
+        const bool is_modulo = modulo_.find(letter) != std::string::npos && !std::isnan(values_[i]);
+        values_[i] =
+            is_modulo ? value + kDegreesOfTurn * std::round((values_[i] - value) / kDegreesOfTurn) : value;
         return;
       }
     refuse(std::string("found the word ") + letter + "; expected G, " + feeder_.letter +
@@ -373,6 +407,8 @@ class FiveAxisInterpreter {
   double fed_mm_ = 0.0;  ///< since the start of the part, of a feeder that is an axis
   ToolpathBuilder builder_;
   GcodeLineParser parser_;
+  std::string plain_;   ///< the line that is read
+  std::string modulo_;  ///< letters of axes whose words stand within one turn
   SlicerContext context_;
   std::vector<double> values_;  ///< of the words [mm, deg]
   std::vector<Turned> turns_;   ///< of each motion of the nozzle

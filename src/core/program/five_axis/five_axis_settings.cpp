@@ -37,6 +37,11 @@ void describe(SettingsSchema& schema, FiveAxisSettings& settings) {
               "Name of a program in the fanuc dialect in place of its number, for controls that take <NAME>; "
               "empty for "
               "none.");
+  schema.choice<FiveAxisTurns>("five_axis.turns", settings.turns,
+                               {{"counted", FiveAxisTurns::Counted}, {"modulo", FiveAxisTurns::Modulo}},
+                               "Words of rotary joints that turn without end: whole turns counted, or the "
+                               "angle within one turn, for axes "
+                               "with rollover (fanuc: parameter 1008#0) and modulo axes (siemens: DC).");
   schema.text("five_axis.letters", settings.letters,
               "Letters of rotary joints that programs name otherwise: \"b=U,c=V\".");
   schema.text(

@@ -57,6 +57,9 @@ void describeArc(SettingsSchema& schema, RapidSettings& settings) {
                               {{"outputs", RapidProcess::Outputs}, {"arc", RapidProcess::Arc}},
                               "Whether the process is switched by outputs, or by moves of the arc package: "
                               "ArcLStart, ArcL, ArcLEnd.");
+  schema.flag(
+      "rapid.dry_flag", settings.has_dry_flag,
+      "Whether the module declares lamina_dry, a PERS bool: TRUE runs the program without its process.");
   schema.text("rapid.seam_data", settings.seam_data,
               "Name of the seam data of arc moves, on the controller.");
   schema.text("rapid.weld_data", settings.weld_data,
@@ -169,6 +172,7 @@ std::vector<std::pair<std::string, std::string>> namesOf(const RapidSettings& se
           {"rapid.powder_signal", settings.powder_signal},
           {"rapid.gas_signal", settings.gas_signal},
           {"rapid.wire_trigger", settings.wire_trigger},
+          {"the flag", std::string(kRapidDryFlag)},
           {"the wait", "waiting1"},
           {"the wait", "waiting2"},
           {"the wait", "t_capas"}};
@@ -202,6 +206,11 @@ void requireArc(const RapidSettings& settings) {
                           "' with rapid.process 'outputs'; expected none, or 'arc'");
     return;
   }
+  if (settings.has_dry_flag)
+    throw InvalidConfig(
+        "rapid.dry_flag is true with rapid.process 'arc'; expected false: the arc package has a switch of "
+        "its own "
+        "that blocks the process, or 'outputs'");
   if (settings.variant == RapidVariant::Wire3Axes)
     throw InvalidConfig(
         "rapid.process is 'arc' with rapid.variant 'wire_3_axes', which feeds its wire by outputs; expected "

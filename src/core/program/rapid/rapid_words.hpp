@@ -10,6 +10,9 @@
 
 namespace lamina {
 
+/// Name of the variable that switches the process off for a dry run.
+constexpr std::string_view kRapidDryFlag = "lamina_dry";
+
 /// The name in lower case, as RAPID does not distinguish case.
 std::string lowerCase(std::string_view name);
 

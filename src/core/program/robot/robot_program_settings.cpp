@@ -185,6 +185,12 @@ void describe(SettingsSchema& schema, RobotProgramSettings& settings) {
               "Name of a robot's program; empty for that of the file. Further files are numbered.");
   schema.integer("robot_program.tool_number", settings.tool_number, {0, 32},
                  "Number of the tool on the controller.");
+  schema.number(
+      "robot_program.tool_mass_kg", settings.tool_mass_kg, {0.0, 1000.0},
+      "Mass that the flange carries, as written in KRL and URScript; 0 for that of the controller.");
+  schema.numbers("robot_program.tool_centre_of_gravity_mm", settings.tool_centre_of_gravity_mm, 3,
+                 "Centre of gravity of what the flange carries, over the flange; empty for that of the "
+                 "controller.");
   schema.integer("robot_program.frame_number", settings.frame_number, {0, 64},
                  "Number of the frame on the controller that is the bed.");
   schema.number("robot_program.approach_mm", settings.approach_mm, {0.0, 1000.0},
@@ -193,6 +199,10 @@ void describe(SettingsSchema& schema, RobotProgramSettings& settings) {
                 "By how much points between may be rounded.");
   schema.number("robot_program.joint_speed_percent", settings.joint_speed_percent, {1.0, 100.0},
                 "Speed of the move of the joints, of the fastest.");
+  schema.integer(
+      "robot_program.dry_flag", settings.dry_flag, {0, 99},
+      "Number of the variable on the controller that switches the process off for a dry run: $FLAG[n] "
+      "in KRL, R[n], B of INFORM; a script has lamina_dry, whatever the number. 0 for none.");
   schema.integer("robot_program.process_output", settings.process_output, {0, 4096},
                  "Digital output that is on while material is deposited.");
   schema.number("robot_program.process_lead_s", settings.process_lead_s, {0.0, 600.0},
@@ -238,6 +248,12 @@ std::vector<RobotLevel> robotLevels(const std::string& text) {
 }
 
 void requireConsistent(const RobotProgramSettings& settings) {
+  if ((settings.tool_mass_kg > 0.0) != (settings.tool_centre_of_gravity_mm.size() == 3))
+    throw InvalidConfig(
+        "robot_program.tool_mass_kg is " + numberText(settings.tool_mass_kg) + " kg with " +
+        std::to_string(settings.tool_centre_of_gravity_mm.size()) +
+        " numbers in robot_program.tool_centre_of_gravity_mm; expected a mass above 0 with the 3 of "
+        "its centre, or neither");
   for (const double sign : settings.joint_signs)
     if (std::abs(sign) != 1.0)
       throw InvalidConfig("robot_program.joint_signs holds " + numberText(sign) + "; must be 1 or -1");
@@ -250,6 +266,11 @@ void requireConsistent(const RobotProgramSettings& settings) {
   if (settings.arc.weave_schedule > 0 && settings.arc.process == RobotProcess::Outputs)
     throw InvalidConfig("robot_program.weave_schedule is " + std::to_string(settings.arc.weave_schedule) +
                         " with robot_program.process 'outputs'; expected 0, or 'schedules'");
+  if (settings.dry_flag > 0 && settings.arc.process == RobotProcess::Schedules)
+    throw InvalidConfig(
+        "robot_program.dry_flag is " + std::to_string(settings.dry_flag) +
+        " with robot_program.process 'schedules'; expected 0: the controller's arc package has "
+        "a switch of its own that blocks the process, or 'outputs'");
   if (settings.fanuc.weld_speed == FanucWeldSpeed::Schedule && settings.arc.process == RobotProcess::Outputs)
     throw InvalidConfig(
         "fanuc.weld_speed is 'schedule' with robot_program.process 'outputs'; expected 'stated', or "

@@ -5,6 +5,7 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
+#include "program/rapid/rapid_words.hpp"
 #include "program/rapid/reader/rapid_source.hpp"
 
 namespace lamina {
@@ -116,12 +117,22 @@ double takeDeclaredSpeed(RapidCursor& cursor) {
   return feed;
 }
 
+/// That of a dry run, and no other; whether it is TRUE says nothing of the toolpath.
+void takeDryFlag(RapidCursor& cursor, const std::string& name, RapidSource& source) {
+  if (name != kRapidDryFlag)
+    cursor.refuseAt(cursor.line(), "found a bool '" + name + "'; expected lamina_dry alone");
+  takeFlag(cursor);
+  source.process.insert("the flag lamina_dry");
+}
+
 void takeValue(RapidCursor& cursor, const std::string& type, const std::string& name, RapidSource& source) {
   cursor.expect(":=");
   if (type == "num")
     source.numbers[name] = cursor.takeNumber("a number");
   else if (type == "speeddata")
     source.speeds[name] = takeDeclaredSpeed(cursor);
+  else if (type == "bool")
+    takeDryFlag(cursor, name, source);
   else if (type == "robtarget")
     source.targets[name] = readRapidTarget(cursor);
   else if (type == "tooldata")
@@ -133,8 +144,8 @@ void takeValue(RapidCursor& cursor, const std::string& type, const std::string& 
 }
 
 bool isValueType(const std::string& type) {
-  return type == "num" || type == "speeddata" || type == "robtarget" || type == "tooldata" ||
-         type == "wobjdata" || type == "zonedata";
+  return type == "bool" || type == "num" || type == "speeddata" || type == "robtarget" ||
+         type == "tooldata" || type == "wobjdata" || type == "zonedata";
 }
 
 bool isPlainType(const std::string& type) {
@@ -197,7 +208,7 @@ void readRapidDeclaration(RapidCursor& cursor, RapidSource& source) {
   const std::string type = cursor.takeName("a type of data");
   if (!isValueType(type) && !isPlainType(type))
     cursor.refuseAt(line, "found data of type '" + type +
-                              "'; expected num, speeddata, robtarget, tooldata, wobjdata, zonedata, "
+                              "'; expected num, bool, speeddata, robtarget, tooldata, wobjdata, zonedata, "
                               "triggdata, signaldi or signaldo");
   const std::string name = cursor.takeName("a name");
   if (!source.names.insert(name).second)

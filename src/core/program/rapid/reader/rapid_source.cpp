@@ -16,6 +16,7 @@ void readProcedure(RapidCursor& cursor, RapidSource& source) {
   cursor.expect("(");
   cursor.expect(")");
   while (!cursor.takeWord("endproc")) readRapidStatement(cursor, source, procedure);
+  if (source.is_conditional) cursor.refuse("ENDIF before ENDPROC");
   source.procedures.emplace(name, std::move(procedure));
 }
 

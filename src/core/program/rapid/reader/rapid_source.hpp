@@ -94,6 +94,7 @@ struct RapidSource {
   std::vector<std::string> files;  ///< names of the modules' files
   /// Names of statements that switch the process, wait for it, or name its data.
   std::set<std::string> process;
+  bool is_conditional = false;  ///< whether what comes next stands under the condition of a dry run
 };
 
 /// Reads a module and adds it to the source.

@@ -212,6 +212,22 @@ void takeLateCall(RapidCursor& cursor, RapidSource& source, RapidStatement& stat
   cursor.expect("%");
 }
 
+/// `IF NOT lamina_dry`; with THEN it holds up to ENDIF, otherwise for one statement.
+/// @return whether it comes next
+bool takeDryCondition(RapidCursor& cursor, RapidSource& source) {
+  if (!cursor.takeWord("if")) return false;
+  cursor.expectWord("not");
+  cursor.expectWord(kRapidDryFlag);
+  if (source.names.count(std::string(kRapidDryFlag)) == 0)
+    cursor.refuse("lamina_dry declared as a bool, before a condition of it");
+  source.is_conditional = cursor.takeWord("then");
+  return true;
+}
+
+bool switchesProcess(const RapidStatement& statement) {
+  return statement.action == RapidAction::Set || statement.action == RapidAction::Preparing;
+}
+
 /// Waits for the tool to stand are the toolpath's.
 void takeWait(RapidCursor& cursor, RapidStatement& statement) {
   statement.action = RapidAction::Wait;
@@ -224,6 +240,12 @@ void takeWait(RapidCursor& cursor, RapidStatement& statement) {
 }  // namespace
 
 void readRapidStatement(RapidCursor& cursor, RapidSource& source, RapidProcedure& procedure) {
+  if (source.is_conditional && cursor.takeWord("endif")) {
+    source.is_conditional = false;
+    return;
+  }
+  const bool is_condition = !source.is_conditional && takeDryCondition(cursor, source);
+  if (is_condition && source.is_conditional) return;
   RapidStatement statement;
   statement.line = cursor.line();
   if (cursor.take("%")) {
@@ -263,6 +285,11 @@ void readRapidStatement(RapidCursor& cursor, RapidSource& source, RapidProcedure
     }
   }
   cursor.expect(";");
+  if ((is_condition || source.is_conditional) && !switchesProcess(statement))
+    cursor.refuseAt(
+        statement.line,
+        "found a statement that does not start the process under the condition of a dry run; expected "
+        "Set, WaitDI or WaitTime");
   if (statement.action != RapidAction::Preparing) procedure.statements.push_back(statement);
 }
 

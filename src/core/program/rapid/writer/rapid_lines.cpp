@@ -20,8 +20,10 @@ constexpr int kDistanceDecimals = 3;  // mm
 
 std::string startOfProcess(const RapidSettings& settings) {
   if (settings.variant != RapidVariant::Wire3Axes) return settings.laser_on + ";";
-  return "WaitDI " + settings.laser_ready_signal + ",high;Set " + settings.wire_signal +
-         ";WaitTime waiting1;Set " + settings.laser_signal + ";WaitTime waiting2;";
+  const std::string start = "WaitDI " + settings.laser_ready_signal + ",high;Set " + settings.wire_signal +
+                            ";WaitTime waiting1;Set " + settings.laser_signal + ";WaitTime waiting2;";
+  // A laser that is not asked for may never be ready.
+  return settings.has_dry_flag ? "IF NOT " + std::string(kRapidDryFlag) + " THEN " + start + "ENDIF " : start;
 }
 
 std::string endOfProcess(const RapidSettings& settings) {

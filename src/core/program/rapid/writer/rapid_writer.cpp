@@ -101,6 +101,13 @@ std::string cell(const RapidHead& head, const RapidSettings& settings) {
   return text;
 }
 
+/// `Set SIGNAL;`, under the flag of a dry run if there is one.
+std::string setOutput(const std::string& signal, const RapidSettings& settings) {
+  const std::string condition =
+      settings.has_dry_flag ? "IF NOT " + std::string(kRapidDryFlag) + " " : std::string();
+  return condition + "Set " + signal + ";";
+}
+
 std::string motionData(const RapidSpeeds& speeds, const RapidSettings& settings) {
   std::string text;
   for (const RapidSpeeds::Declared& speed : speeds.declared())
@@ -121,6 +128,7 @@ std::string motionData(const RapidSpeeds& speeds, const RapidSettings& settings)
 
 std::string processData(const RapidSettings& settings) {
   std::string text;
+  if (settings.has_dry_flag) text += "  PERS bool " + std::string(kRapidDryFlag) + ":=FALSE;\n";
   for (const RapidAlias& alias : rapidAliases(settings.aliases)) {
     const bool is_input = alias.signal == settings.laser_ready_signal;
     text += std::string("  VAR ") + (is_input ? "signaldi " : "signaldo ") + alias.signal + ";\n";
@@ -134,8 +142,9 @@ std::string processData(const RapidSettings& settings) {
 
 std::string laserProcedures(const RapidSettings& settings) {
   if (isWire(settings) || !hasOutputs(settings)) return "";
-  return "  PROC " + settings.laser_on + "()\n    Set " + settings.laser_signal + ";\n  ENDPROC\n  PROC " +
-         settings.laser_off + "()\n    Reset " + settings.laser_signal + ";\n  ENDPROC\n";
+  return "  PROC " + settings.laser_on + "()\n    " + setOutput(settings.laser_signal, settings) +
+         "\n  ENDPROC\n  PROC " + settings.laser_off + "()\n    Reset " + settings.laser_signal +
+         ";\n  ENDPROC\n";
 }
 
 std::string preparation(const RapidHead& head, const RapidSettings& settings) {
@@ -150,7 +159,8 @@ std::string preparation(const RapidHead& head, const RapidSettings& settings) {
   text += "    Reset " + settings.laser_signal + ";\n";
   if (isWire(settings)) return text + "    Reset " + settings.wire_signal + ";\n" + head.passages.to_part;
   text += head.passages.to_part;
-  text += "    Set " + settings.gas_signal + ";Set " + settings.powder_signal + ";\n";
+  text +=
+      "    " + setOutput(settings.gas_signal, settings) + setOutput(settings.powder_signal, settings) + "\n";
   if (settings.powder_wait_s > 0.0) text += "    WaitTime " + shortestText(settings.powder_wait_s) + ";\n";
   return text;
 }

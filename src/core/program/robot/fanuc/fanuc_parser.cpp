@@ -177,7 +177,10 @@ class FanucParser {
     while (!text_.isAtEnd()) {
       LineCursor line = text_.nextLine();
       if (line.isAtEnd()) continue;
-      if (line.take("/POS")) return line.expectEnd();
+      if (line.take("/POS")) {
+        if (list_.isConditionOpen()) line.refuse("/POS", "the label of the jump before it");
+        return line.expectEnd();
+      }
       // What goes on with the line before has no number.
       if (line.take(":")) {
         list_.add(arc(line), line.line());
@@ -230,6 +233,29 @@ class FanucParser {
     return number;
   }
 
+  /// `R[1]<>0,JMP LBL[1]`, and the label behind what is jumped over.
+  void openCondition(LineCursor& line) {
+    if (!list_.openDryCondition()) line.refuse("IF", "LBL before it");
+    line.expect("R");
+    line.expect("[");
+    line.integer(1, kMostOutputs, "the number of a register");
+    for (const char* text : {"]", "<>", "0", ",", "JMP", "LBL"}) line.expect(text);
+    label_ = labelNumber(line);
+  }
+
+  void closeCondition(LineCursor& line) {
+    const int label = labelNumber(line);
+    if (label != label_ || !list_.closeDryCondition())
+      line.refuse("LBL[" + std::to_string(label) + "]", kOneSwitch);
+  }
+
+  static int labelNumber(LineCursor& line) {
+    line.expect("[");
+    const int number = line.integer(1, kMostFanucPoints, "the number of a label");
+    line.expect("]");
+    return number;
+  }
+
   /// Nothing of the tool's centre line.
   void readWeave(LineCursor& line) {
     if (line.take("End")) return;
@@ -256,10 +282,15 @@ class FanucParser {
       list_.add(arc(line), line.line());
     else if (line.take("Weave"))
       readWeave(line);
+    else if (line.take("IF"))
+      openCondition(line);
+    else if (line.take("LBL"))
+      closeCondition(line);
     else if (line.take("UFRAME_NUM") || line.take("UTOOL_NUM"))
       readFrameNumber(line);
     else
-      line.refuse("a statement that is known: J, L, DO, AO, Arc, Weave, WAIT, CALL, UFRAME_NUM, UTOOL_NUM");
+      line.refuse(
+          "a statement that is known: J, L, DO, AO, Arc, Weave, WAIT, CALL, IF, LBL, UFRAME_NUM, UTOOL_NUM");
     if (line.isAtEnd() && isContinued()) return;
     endStatement(line);
   }
@@ -383,6 +414,7 @@ class FanucParser {
   FanucText text_;
   StatementList list_;
   std::map<int, FanucPoint> points_;
+  int label_ = 0;           ///< of the condition of a dry run before
   double weld_mm_s_ = 0.0;  ///< what WELD_SPEED is; 0 before it is stated
 };
 

@@ -202,7 +202,19 @@ class FanucPrinter : public RobotPrinter {
 
   void add(const OutputSwitch& output) {
     requireOutputNumber(output.output, RobotLanguage::Fanuc);
-    lines_.push_back("  DO[" + std::to_string(output.output) + "]=" + (output.is_on ? "ON" : "OFF"));
+    addProcess("  DO[" + std::to_string(output.output) + "]=" + (output.is_on ? "ON" : "OFF"), output.is_on);
+  }
+
+  /// A dry run jumps over what starts the process or sets its level.
+  void addProcess(const std::string& line, bool starts) {
+    const bool is_conditional = starts && site_.settings.dry_flag > 0;
+    const std::string label = "LBL[" + std::to_string(labels_ + 1) + "]";
+    if (is_conditional)
+      lines_.push_back("  IF R[" + std::to_string(site_.settings.dry_flag) + "]<>0,JMP " + label);
+    lines_.push_back(line);
+    if (!is_conditional) return;
+    lines_.push_back("  " + label);
+    ++labels_;
   }
 
   /// Part of the move before, where one comes right before.
@@ -222,8 +234,8 @@ class FanucPrinter : public RobotPrinter {
     if (!(std::abs(level.value) < kFarthestFanuc))
       throw InvalidInput("analogue output " + std::to_string(level.output) + " is to be set to " +
                          numberText(level.value) + "; must be within 99 999 (robot_program.levels)");
-    lines_.push_back("  AO[" + std::to_string(level.output) +
-                     "]=" + trimmedDecimals(level.value, kFanucDecimals));
+    addProcess("  AO[" + std::to_string(level.output) + "]=" + trimmedDecimals(level.value, kFanucDecimals),
+               level.value != 0.0);
   }
 
   void add(const ProgramWait& wait) {
@@ -241,6 +253,7 @@ class FanucPrinter : public RobotPrinter {
   int rails_ = 0;
   int turns_ = 0;
   double last_x_deg_ = 0.0;
+  std::size_t labels_ = 0;
   double weld_mm_s_ = 0.0;  ///< of beads whose moves do not state it; 0 if all do
 };
 

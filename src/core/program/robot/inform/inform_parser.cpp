@@ -7,6 +7,7 @@
 #include <map>
 #include <utility>
 
+#include "lamina/base/characters.hpp"
 #include "lamina/base/number_text.hpp"
 #include "lamina/program/robot/robot_angles.hpp"
 #include "program/robot/notes/path_notes.hpp"
@@ -183,6 +184,7 @@ class InformParser {
       if (line.take("'")) {
         list_.addComment(line.rest(), line.line());
       } else if (line.take("END")) {
+        if (list_.isConditionOpen()) line.refuse("END", "the label of the jump before it");
         line.expectEnd();
         return requireNothingMore();
       } else {
@@ -219,11 +221,33 @@ class InformParser {
       readWeave(line);
     else if (line.take("WVOF"))
       return;
+    else if (line.take("JUMP"))
+      openCondition(line);
+    else if (line.take("*"))
+      closeCondition(line);
     else if (line.take("CALL"))
       list_.add(call(line), line.line());
     else
       line.refuse(
-          "an instruction that is known: MOVJ, MOVL, DOUT, AOUT, ARCON, ARCOF, WVON, WVOF, TIMER, CALL");
+          "an instruction that is known: MOVJ, MOVL, DOUT, AOUT, ARCON, ARCOF, WVON, WVOF, TIMER, CALL, "
+          "JUMP");
+  }
+
+  /// `*DRY1 IF B001<>0`, and the label behind what is jumped over.
+  void openCondition(LineCursor& line) {
+    if (!list_.openDryCondition()) line.refuse("JUMP", "the label of the jump before it");
+    line.expect("*");
+    label_ = line.word("a label");
+    line.expect("IF");
+    const std::string variable = line.word("a variable as B001");
+    if (upper(variable.front()) != 'B') line.refuse(variable, "a variable as B001");
+    line.expect("<>");
+    line.expect("0");
+  }
+
+  void closeCondition(LineCursor& line) {
+    const std::string label = line.word("a label");
+    if (label != label_ || !list_.closeDryCondition()) line.refuse("*" + label, kOneSwitch);
   }
 
   void readWeave(LineCursor& line) {
@@ -324,6 +348,7 @@ class InformParser {
   InformUnits units_;
   std::map<std::string, InformPoint> points_;
   StatementList list_;
+  std::string label_;  ///< of the jump of a dry run before
 };
 
 }  // namespace

@@ -188,8 +188,18 @@ class InformPrinter : public RobotPrinter {
 
   void add(const OutputSwitch& output) {
     requireOutputNumber(output.output, RobotLanguage::Inform);
-    instructions_.push_back("DOUT OT#(" + std::to_string(output.output) + ") " +
-                            (output.is_on ? "ON" : "OFF"));
+    addProcess("DOUT OT#(" + std::to_string(output.output) + ") " + (output.is_on ? "ON" : "OFF"),
+               output.is_on);
+  }
+
+  /// A dry run jumps over what starts the process or sets its level.
+  void addProcess(const std::string& instruction, bool starts) {
+    if (!starts || site_.settings.dry_flag == 0) return instructions_.push_back(instruction);
+    char variable[24];
+    std::snprintf(variable, sizeof variable, "B%03d", site_.settings.dry_flag);
+    const std::string label = "*DRY" + std::to_string(++labels_);
+    instructions_.insert(instructions_.end(),
+                         {"JUMP " + label + " IF " + variable + "<>0", instruction, label});
   }
 
   void add(const ArcSwitch& arc) {
@@ -205,7 +215,8 @@ class InformPrinter : public RobotPrinter {
     if (!(std::abs(level.value) <= kGreatestInformLevel))
       throw InvalidInput("analogue output " + std::to_string(level.output) + " is to be set to " +
                          numberText(level.value) + " V; INFORM takes -14 to 14 (robot_program.levels)");
-    instructions_.push_back("AOUT AO#(" + std::to_string(level.output) + ") " + decimalText(level.value, 2));
+    addProcess("AOUT AO#(" + std::to_string(level.output) + ") " + decimalText(level.value, 2),
+               level.value != 0.0);
   }
 
   void add(const ProgramWait& wait) {
@@ -221,6 +232,7 @@ class InformPrinter : public RobotPrinter {
   std::string kind_;   ///< of the points before
   std::string rconf_;  ///< of them
   std::size_t points_ = 0;
+  std::size_t labels_ = 0;
   double last_x_deg_ = 0.0;
 };
 

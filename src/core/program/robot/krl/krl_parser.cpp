@@ -21,8 +21,9 @@ constexpr const char* kKrlCoordinate = "a coordinate within 100 m";
 constexpr const char* kKrlAngle = "an angle in degrees";
 
 /// Settings of the controller that change nothing that is read.
-constexpr std::array<std::string_view, 9> kKrlPreparing = {
-    "$ADVANCE", "$IPO_MODE", "$ORI_TYPE", "$TOOL", "$BASE", "$VEL.ORI1", "$VEL.ORI2", "$ACC.CP", "$APO.CDIS"};
+constexpr std::array<std::string_view, 10> kKrlPreparing = {"$ADVANCE", "$IPO_MODE", "$ORI_TYPE", "$TOOL",
+                                                            "$LOAD",    "$BASE",     "$VEL.ORI1", "$VEL.ORI2",
+                                                            "$ACC.CP",  "$APO.CDIS"};
 
 std::vector<double> krlExternal(LineCursor& cursor) {
   std::vector<double> external;
@@ -117,6 +118,7 @@ class KrlParser {
         continue;
       }
       is_ended = cursor.take("END");
+      if (is_ended && list_.isConditionOpen()) cursor.refuse("END", "ENDIF before it");
       if (is_ended)
         cursor.expectEnd();
       else
@@ -150,6 +152,10 @@ class KrlParser {
       add(cursor, krlJoints(cursor));
     else if (cursor.take("TRIGGER"))
       readTrigger(cursor);
+    else if (cursor.take("IF"))
+      openCondition(cursor);
+    else if (cursor.take("ENDIF"))
+      closeCondition(cursor);
     else if (cursor.take("WAIT"))
       readWait(cursor);
     else if (cursor.take("BAS"))
@@ -181,6 +187,21 @@ class KrlParser {
   void add(LineCursor& cursor, RobotStatement statement) {
     cursor.expectEnd();
     list_.add(std::move(statement), cursor.line());
+  }
+
+  /// `NOT $FLAG[1] THEN`.
+  void openCondition(LineCursor& cursor) {
+    if (!list_.openDryCondition()) cursor.refuse("IF", "ENDIF before it");
+    for (const char* text : {"NOT", "$", "FLAG", "["}) cursor.expect(text);
+    cursor.integer(1, kMostOutputs, "the number of a flag");
+    cursor.expect("]");
+    cursor.expect("THEN");
+    cursor.expectEnd();
+  }
+
+  void closeCondition(LineCursor& cursor) {
+    if (!list_.closeDryCondition()) cursor.refuse("ENDIF", kOneSwitch);
+    cursor.expectEnd();
   }
 
   TipMove linear(LineCursor& cursor) {

@@ -179,7 +179,16 @@ class KrlPrinter : public RobotPrinter {
 
   void add(const OutputSwitch& output) {
     requireOutputNumber(output.output, RobotLanguage::Krl);
-    addLine("$OUT[" + std::to_string(output.output) + "]=" + (output.is_on ? "TRUE" : "FALSE"));
+    addProcess("$OUT[" + std::to_string(output.output) + "]=" + (output.is_on ? "TRUE" : "FALSE"),
+               output.is_on);
+  }
+
+  /// What starts the process, or sets its level, is passed over in a dry run.
+  void addProcess(const std::string& line, bool starts) {
+    const bool is_conditional = starts && site_.settings.dry_flag > 0;
+    if (is_conditional) addLine("IF NOT $FLAG[" + std::to_string(site_.settings.dry_flag) + "] THEN");
+    addLine(line);
+    if (is_conditional) addLine("ENDIF");
   }
 
   void add(const ArcSwitch& arc) { addLine(krlArc(arc, site_.settings.krl)); }
@@ -187,13 +196,25 @@ class KrlPrinter : public RobotPrinter {
   /// An assignment would stop the controller from looking ahead, and the tip with it.
   void add(const LevelChange& level) {
     requireOutputNumber(level.output, RobotLanguage::Krl);
-    addLine((level.is_on_the_way ? "TRIGGER WHEN DISTANCE=0 DELAY=0 DO " : "") +
-            krlLevel(level.output, level.value));
+    addProcess((level.is_on_the_way ? "TRIGGER WHEN DISTANCE=0 DELAY=0 DO " : "") +
+                   krlLevel(level.output, level.value),
+               level.value != 0.0);
   }
 
   void add(const ProgramWait& wait) { addLine("WAIT SEC " + trimmedDecimals(wait.duration_s, 3)); }
 
   void add(const FileCall& call) { addLine(call.name + "()"); }
+
+  /// That of the tool on the controller, if no other is known: it goes with the tool.
+  std::string load() const {
+    const RobotProgramSettings& settings = site_.settings;
+    if (settings.tool_mass_kg == 0.0) return "LOAD_DATA[" + std::to_string(settings.tool_number) + "]";
+    std::string text = "{M " + trimmedDecimals(settings.tool_mass_kg, kKrlPositionDecimals) + ",CM {";
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      text += std::string(1, "XYZ"[axis]) + " " +
+              decimalText(settings.tool_centre_of_gravity_mm[axis], kKrlPositionDecimals) + ",";
+    return text + "A 0.0,B 0.0,C 0.0},J {X 0.0,Y 0.0,Z 0.0}}";
+  }
 
   std::string preparation() const {
     const RobotProgramSettings& settings = site_.settings;
@@ -202,7 +223,7 @@ class KrlPrinter : public RobotPrinter {
     std::string text = "BAS(#INITMOV,0)\nBAS(#VEL_PTP," + trimmedDecimals(settings.joint_speed_percent, 1) +
                        ")\n$ADVANCE=" + std::to_string(settings.krl.advance) +
                        "\n$IPO_MODE=#BASE\n$ORI_TYPE=#VAR\n$TOOL=TOOL_DATA[" +
-                       std::to_string(settings.tool_number) + "]\n";
+                       std::to_string(settings.tool_number) + "]\n$LOAD=" + load() + "\n";
     // The frame of a bed that an external axis carries goes with that axis.
     text += is_carried
                 ? "$BASE=EK(MACHINE_DEF[2].ROOT,MACHINE_DEF[2].MECH_TYPE," + frame + ")\n$ACT_EX_AX=2\n"

@@ -23,6 +23,12 @@ constexpr std::string_view kJointsNote = "stands";
 /// Beginning of the note before a wait that belongs to the toolpath, not to the process.
 constexpr std::string_view kDwellNote = "dwell";
 
+/// Beginning of the note of mass and centre of gravity of what the flange carries [kg, mm].
+constexpr std::string_view kLoadNote = "load";
+
+/// Beginning of the note of the variable that switches the process off for a dry run.
+constexpr std::string_view kDryFlagNote = "dry_flag";
+
 /// Beginnings of the notes before statements by which a program in KRL starts and ends its arc.
 constexpr std::string_view kArcOnNote = "arc_on";
 constexpr std::string_view kArcOffNote = "arc_off";

@@ -44,6 +44,22 @@ bool StatementList::weaveArc(int schedule) {
   return true;
 }
 
+bool StatementList::openDryCondition() {
+  flush();
+  if (conditional_) return false;
+  conditional_ = statements_.size();
+  return true;
+}
+
+bool StatementList::closeDryCondition() {
+  flush();
+  if (!conditional_ || statements_.size() != *conditional_ + 1) return false;
+  conditional_.reset();
+  const RobotStatement& last = statements_.back().what;
+  const auto* output = std::get_if<OutputSwitch>(&last);
+  return std::holds_alternative<LevelChange>(last) || (output != nullptr && output->is_on);
+}
+
 void StatementList::flush() {
   if (note_.isEmpty()) return;
   const std::size_t line = note_.line();

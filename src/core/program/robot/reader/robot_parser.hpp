@@ -41,6 +41,12 @@ class StatementList {
   /// Sets the weave schedule of the arc that the last statement starts.
   /// @return false if the last statement starts no arc
   bool weaveArc(int schedule);
+  /// Opens the condition under which the process is switched: a dry run passes over what it encloses.
+  /// @return false if one is open
+  bool openDryCondition();
+  /// @return false unless a condition is open that encloses one switch of the process, and nothing else
+  bool closeDryCondition();
+  bool isConditionOpen() const { return conditional_.has_value(); }
   std::vector<ReadStatement> take();
 
  private:
@@ -48,6 +54,7 @@ class StatementList {
 
   std::vector<ReadStatement> statements_;
   NoteGathering note_;
+  std::optional<std::size_t> conditional_;  ///< number of statements before the condition that is open
 };
 
 /// Limits of values read, wider than those of any robot.
@@ -58,5 +65,8 @@ constexpr double kFastestRead = 1e5;    // mm/s
 constexpr double kLongestWait = 1e6;    // s
 constexpr double kGreatestLevel = 1e9;  // of an analogue output
 constexpr int kMostOutputs = 99999;     // number of the last
+
+/// What a condition of a dry run may enclose, for errors.
+constexpr const char* kOneSwitch = "a condition of a dry run before it, with one switch of the process in it";
 
 }  // namespace lamina

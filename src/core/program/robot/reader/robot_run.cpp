@@ -20,6 +20,7 @@ constexpr double kFarthestFrame = 1e6;  // mm
 constexpr double kUnitTurn = 1e-6;      // by which a quaternion may be off its length
 constexpr double kGreatestJoint = 1e5;  // deg
 constexpr int kLastOutput = 99999;
+constexpr double kHeaviestTool = 1e4;  // kg
 
 double boundedNumber(NoteWords& words, double limit, const char* expected) {
   const auto value = words.number<double>(expected);
@@ -67,6 +68,15 @@ int notedOutput(NoteWords& words) {
   const int output = words.number<int>("the number of an output");
   if (output < 0 || output > kLastOutput) words.refuse(std::to_string(output), "the number of an output");
   return output;
+}
+
+/// In words, as a property of the cell that is to be the same.
+std::string notedLoad(NoteWords& words) {
+  const double mass_kg = boundedNumber(words, kHeaviestTool, "the mass of the tool in kg");
+  std::string text = "a tool of " + shortestText(mass_kg) + " kg with its centre at";
+  for (int axis = 0; axis < 3; ++axis)
+    text += " " + shortestText(boundedNumber(words, kFarthestFrame, "x y z of the tool's centre in mm"));
+  return text + " mm";
 }
 
 RobotLevel notedLevel(NoteWords& words) {
@@ -143,6 +153,11 @@ class RobotRun {
     if (words.take("tool")) return head.tool = notedFrame(words), true;
     if (words.take("bed")) return head.bed = notedFrame(words), true;
     if (words.take("process")) return head.process_output = notedOutput(words), true;
+    if (words.take(kLoadNote)) return running_.equipment.process.insert(notedLoad(words)), true;
+    if (words.take(kDryFlagNote)) {
+      running_.equipment.process.insert("dry run by variable " + std::to_string(notedOutput(words)));
+      return true;
+    }
     if (words.take("joints")) return head.map = notedMap(words), true;
     if (words.take("layers")) return head.bed_from_layers = notedTurn(words), true;
     if (words.take("level")) {

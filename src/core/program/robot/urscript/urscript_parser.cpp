@@ -81,7 +81,11 @@ class UrScriptParser {
         break;
       case Place::Within:
         if (cursor.take("end"))
-          place_ = Place::After;
+          readEnd(cursor);
+        else if (cursor.take("if"))
+          openCondition(cursor);
+        else if (cursor.take("global"))
+          readFlag(cursor);
         else
           readStatement(cursor);
         break;
@@ -89,6 +93,28 @@ class UrScriptParser {
         cursor.refuse("nothing after end");
     }
     cursor.expectEnd();
+  }
+
+  /// Of a condition, or of the program.
+  void readEnd(LineCursor& cursor) {
+    if (!is_conditional_)
+      place_ = Place::After;
+    else if (!list_.closeDryCondition())
+      cursor.refuse("end", kOneSwitch);
+    is_conditional_ = false;
+  }
+
+  void openCondition(LineCursor& cursor) {
+    if (!list_.openDryCondition()) cursor.refuse("if", "the end of the condition before it");
+    for (const char* text : {"not", "lamina_dry", ":"}) cursor.expect(text);
+    is_conditional_ = true;
+  }
+
+  /// `lamina_dry = False`, or True where the program was last run dry.
+  static void readFlag(LineCursor& cursor) {
+    cursor.expect("lamina_dry");
+    cursor.expect("=");
+    if (!cursor.take("True")) cursor.expect("False");
   }
 
   void readStatement(LineCursor& cursor) {
@@ -106,12 +132,26 @@ class UrScriptParser {
       list_.add(ProgramWait{cursor.number(0.0, kLongestWait, "a wait in s")}, cursor.line());
     } else if (name == "set_tcp") {
       urPoseOf(cursor);
+    } else if (name == "set_payload") {
+      readPayload(cursor);
     } else if (name != "sync") {
-      cursor.refuse(name,
-                    "a statement that is known: movej, movel, movep, set_tcp, set_standard_digital_out, "
-                    "set_standard_analog_out, sleep, sync");
+      cursor.refuse(
+          name,
+          "a statement that is known: movej, movel, movep, set_tcp, set_payload, set_standard_digital_out, "
+          "set_standard_analog_out, sleep, sync");
     }
     cursor.expect(")");
+  }
+
+  /// `2.5, [0, 0, 0.1]`: nothing of the toolpath.
+  static void readPayload(LineCursor& cursor) {
+    cursor.number(0.0, kFarthestRead, "a mass in kg");
+    for (const char* mark : {",", ",", ","}) {
+      cursor.expect(mark);
+      cursor.take("[");
+      cursor.number(-kFarthestRead, kFarthestRead, "a coordinate in m");
+    }
+    cursor.expect("]");
   }
 
   static JointMove joints(LineCursor& cursor) {
@@ -158,6 +198,7 @@ class UrScriptParser {
   ReadFile file_;
   StatementList list_;
   Place place_ = Place::Before;
+  bool is_conditional_ = false;  ///< within a condition of a dry run
 };
 
 }  // namespace

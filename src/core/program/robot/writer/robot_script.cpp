@@ -77,8 +77,15 @@ std::vector<std::string> RobotScript::headNotes() const {
     notes.push_back(frameNote("tool", cell_->flange_from_nozzle));
     notes.push_back(frameNote(cell_->is_bed_carried ? "carried_bed" : "bed", cell_->carrier_from_bed));
   }
+  if (settings_.tool_mass_kg > 0.0) {
+    std::string text = std::string(kLoadNote) + " " + number(settings_.tool_mass_kg);
+    for (const double each : settings_.tool_centre_of_gravity_mm) text += " " + number(each);
+    notes.push_back(std::move(text));
+  }
   if (settings_.arc.process == RobotProcess::Outputs)
     notes.push_back("process " + std::to_string(settings_.process_output));
+  if (settings_.dry_flag > 0)
+    notes.push_back(std::string(kDryFlagNote) + " " + std::to_string(settings_.dry_flag));
   for (const RobotLevel& level : levels_)
     notes.push_back("level " + level.name + " " + std::to_string(level.output) + " " + number(level.per));
   if (cell_ && !map_.isPlain()) {

@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The variable that runs a program without its process, in each language.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "lamina/base/error.hpp"
+#include "lamina/program/rapid/reader/rapid_reader.hpp"
+#include "lamina/program/robot/robot_reader.hpp"
+#include "support/rapid_programs.hpp"
+#include "support/robot_programs.hpp"
+#include "support/toolpaths.hpp"
+
+namespace lamina {
+namespace {
+
+using test::robotFiles;
+
+std::size_t timesIn(const std::string& text, const std::string& part) {
+  std::size_t times = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++times;
+  return times;
+}
+
+/// The text with the first place of a part replaced.
+std::string replacedIn(std::string text, const std::string& part, const std::string& by) {
+  const std::size_t at = text.find(part);
+  EXPECT_NE(at, std::string::npos) << part;
+  return at == std::string::npos ? text : text.replace(at, part.size(), by);
+}
+
+RobotProgramSettings withDryFlag() {
+  RobotProgramSettings settings;
+  settings.dry_flag = 3;
+  settings.process_lead_s = 0.5;
+  return settings;
+}
+
+class DryFlag : public testing::TestWithParam<RobotLanguage> {
+ protected:
+  /// What stands round the statement that starts the process.
+  std::string startOf(int number) const {
+    const std::string label = std::to_string(number);
+    switch (GetParam()) {
+      case RobotLanguage::Krl:
+        return "IF NOT $FLAG[3] THEN\n$OUT[1]=TRUE\nENDIF\n";
+      case RobotLanguage::UrScript:
+        return "  if not lamina_dry:\n    set_standard_digital_out(1, True)\n  end\n";
+      case RobotLanguage::Fanuc:
+        return "";  // lines are numbered
+      case RobotLanguage::Inform:
+        return "JUMP *DRY" + label + " IF B003<>0\r\nDOUT OT#(1) ON\r\n*DRY" + label + "\r\n";
+    }
+    return "";
+  }
+};
+
+TEST_P(DryFlag, StandsBeforeEachStartOfTheProcessAndNowhereElse) {
+  const std::string text = robotFiles(GetParam(), test::twoLayers(), withDryFlag())[0].text;
+  if (GetParam() == RobotLanguage::Fanuc) {
+    EXPECT_EQ(timesIn(text, ":  IF R[3]<>0,JMP LBL[1] ;\n  13:  DO[1]=ON ;\n  14:  LBL[1] ;\n"), 1U) << text;
+    EXPECT_EQ(timesIn(text, "JMP LBL["), 2U);
+  } else {
+    EXPECT_EQ(timesIn(text, startOf(1)) + timesIn(text, startOf(2)),
+              GetParam() == RobotLanguage::Inform ? 2U : 4U)
+        << text;
+  }
+  EXPECT_EQ(timesIn(text, "global lamina_dry = False"), GetParam() == RobotLanguage::UrScript ? 1U : 0U);
+}
+
+TEST_P(DryFlag, IsReadBackWithTheSameToolpath) {
+  const Toolpath toolpath = test::withValues(test::twoLayers(), 7);
+  RobotProgramSettings settings = withDryFlag();
+  settings.levels = "laser_power_w=1*0.0025, wire_speed_mm_s=0*0.03";
+  if (GetParam() != RobotLanguage::UrScript)
+    settings.levels = "laser_power_w=1*0.0025, wire_speed_mm_s=2*0.03";
+  const auto dry = readEquippedRobotProgram(robotFiles(GetParam(), toolpath, settings), "part");
+  settings.dry_flag = 0;
+  const auto plain = readEquippedRobotProgram(robotFiles(GetParam(), toolpath, settings), "part");
+  ASSERT_EQ(totals(dry.toolpath).waypoints, totals(plain.toolpath).waypoints);
+  EXPECT_EQ(totals(dry.toolpath).deposition_mm, totals(plain.toolpath).deposition_mm);
+  ASSERT_EQ(dry.toolpath.layers[0].paths[0].values.size(), plain.toolpath.layers[0].paths[0].values.size());
+  EXPECT_EQ(dry.toolpath.layers[0].paths[0].values[0].value.at(1),
+            plain.toolpath.layers[0].paths[0].values[0].value.at(1));
+  EXPECT_EQ(dry.equipment.process.count("dry run by variable 3"), 1U);
+  EXPECT_EQ(plain.equipment.process.count("dry run by variable 3"), 0U);
+}
+
+TEST_P(DryFlag, IsRefusedRoundAnythingButTheProcess) {
+  RobotFile file = robotFiles(GetParam(), test::twoLayers(), withDryFlag())[0];
+  switch (GetParam()) {
+    case RobotLanguage::Krl:
+      file.text = replacedIn(file.text, "$OUT[1]=TRUE\nENDIF\n", "$OUT[1]=TRUE\n");
+      break;
+    case RobotLanguage::UrScript:
+      file.text = replacedIn(file.text, "True)\n  end\n", "True)\n");
+      break;
+    case RobotLanguage::Fanuc:
+      file.text = replacedIn(file.text, ":  LBL[1] ;\n", ":  LBL[2] ;\n");
+      break;
+    case RobotLanguage::Inform:
+      file.text = replacedIn(file.text, "DOUT OT#(1) ON", "DOUT OT#(1) OFF");
+      break;
+  }
+  EXPECT_THROW(readRobotProgram({file}, "part"), InvalidProgram);
+}
+
+TEST_P(DryFlag, IsRefusedWithSchedulesOfTheArcPackage) {
+  RobotProgramSettings settings = withDryFlag();
+  settings.arc.process = RobotProcess::Schedules;
+  EXPECT_THROW(requireConsistent(settings), InvalidConfig);
+}
+
+INSTANTIATE_TEST_SUITE_P(Languages, DryFlag,
+                         testing::Values(RobotLanguage::Krl, RobotLanguage::UrScript, RobotLanguage::Fanuc,
+                                         RobotLanguage::Inform));
+
+TEST(RapidDryFlag, IsTestedByTheProceduresThatStartTheProcess) {
+  RapidSettings settings;
+  settings.variant = RapidVariant::Powder5Axes;
+  settings.has_dry_flag = true;
+  const std::string text = test::rapidModules(test::twoLayers(), settings)[0];
+  EXPECT_EQ(timesIn(text, "  PERS bool lamina_dry:=FALSE;\n"), 1U);
+  EXPECT_EQ(timesIn(text, "  PROC Haz_ON()\n    IF NOT lamina_dry Set SolicitudLaser;\n  ENDPROC\n"), 1U);
+  EXPECT_EQ(timesIn(text, "    IF NOT lamina_dry Set SolicitudGas;IF NOT lamina_dry Set SolicitudPolvo;\n"),
+            1U);
+  EXPECT_EQ(timesIn(text, "IF NOT"), 3U);
+  settings.has_dry_flag = false;
+  const std::string plain = test::rapidModules(test::twoLayers(), settings)[0];
+  EXPECT_EQ(totals(readRapid({{"a.mod", text}}, "part")).deposition_mm,
+            totals(readRapid({{"a.mod", plain}}, "part")).deposition_mm);
+  EXPECT_EQ(readEquippedRapid({{"a.mod", text}}, "part").equipment.process.count("the flag lamina_dry"), 1U);
+}
+
+TEST(RapidDryFlag, PassesOverTheWaitForALaserThatIsNotAskedFor) {
+  RapidSettings settings;
+  settings.variant = RapidVariant::Wire3Axes;
+  settings.has_dry_flag = true;
+  const std::string text = test::rapidModules(test::twoLayers(), settings)[0];
+  EXPECT_EQ(timesIn(text, "IF NOT lamina_dry THEN WaitDI LaserON,high;"), 2U) << text;
+  EXPECT_EQ(timesIn(text, "WaitTime waiting2;ENDIF "), 2U);
+  settings.has_dry_flag = false;
+  const std::string plain = test::rapidModules(test::twoLayers(), settings)[0];
+  EXPECT_EQ(totals(readRapid({{"a.mod", text}}, "part")).deposition_mm,
+            totals(readRapid({{"a.mod", plain}}, "part")).deposition_mm);
+  EXPECT_THROW(
+      readRapid({{"a.mod", replacedIn(text, "WaitTime waiting2;ENDIF ", "WaitTime waiting2;")}}, "part"),
+      InvalidProgram);
+}
+
+TEST(RapidDryFlag, IsRefusedWithArcs) {
+  RapidSettings settings;
+  settings.has_dry_flag = true;
+  settings.process = RapidProcess::Arc;
+  EXPECT_THROW(checkedRapidSettings(settings), InvalidConfig);
+}
+
+}  // namespace
+}  // namespace lamina
