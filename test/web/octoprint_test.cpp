@@ -96,6 +96,17 @@ TEST(OctoPrint, SaysWhereASentFileIsAndLetsItBeSelected) {
   EXPECT_EQ(site.desk.orders().size(), 1U) << "nothing but the upload";
 }
 
+TEST(OctoPrint, GivesNoTemperatureThatIsNoLongerReported) {
+  SiteOfFakes site;
+  site.desk.seen.machine.nozzle_degc = 210.0;
+  site.desk.seen.machine_heard_s = site.now.steady_s;
+  EXPECT_EQ(site.get("/api/printer")["temperature"]["tool0"]["actual"], 210.0);
+  site.now.steady_s += 10.0;
+  EXPECT_TRUE(site.get("/api/printer")["temperature"]["tool0"]["actual"].is_null());
+  const std::string metrics = site.ask(HttpMethod::Get, "/api/v1/metrics", {}).body;
+  EXPECT_EQ(metrics.find("lamina_nozzle_celsius"), std::string::npos) << metrics;
+}
+
 TEST(OctoPrint, SaysHowFarAJobIs) {
   SiteOfFakes site;
   EXPECT_TRUE(site.get("/api/job")["progress"]["printTime"].is_null());

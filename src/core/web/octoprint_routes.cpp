@@ -122,6 +122,7 @@ WebResponse getProfiles(SiteCall& /*call*/) {
 WebResponse getPrinter(SiteCall& call) {
   const CellSnapshot seen = call.parts.desk.snapshot();
   const Mapped state = stateOf(seen, call.now);
+  const ShownMachine machine = presentMachine(seen, call.now);
   const auto heater = [](double actual) {
     return json{{"actual", actual}, {"target", nullptr}, {"offset", 0}};
   };
@@ -138,8 +139,7 @@ WebResponse getPrinter(SiteCall& call) {
                 {"error", state.is_error},
                 {"closedOrError", state.is_error},
                 {"sdReady", false}}}}},
-            {"temperature",
-             {{"tool0", heater(seen.machine.nozzle_degc)}, {"bed", heater(seen.machine.bed_degc)}}}});
+            {"temperature", {{"tool0", heater(machine.nozzle_degc)}, {"bed", heater(machine.bed_degc)}}}});
 }
 
 WebResponse getPrintJob(SiteCall& call) {
