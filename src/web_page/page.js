@@ -85,9 +85,12 @@ function showStale() {
 async function askHistory() {
   if (asksHistory || !rights.see || !state?.unit) return;
   asksHistory = true;
+  // Where the clock was set back, what is stamped later than now is from before.
+  const latest = state.utc_s + 5;
+  if (lastSample() > latest) forgetSamples();
   try {
     const { samples, events } = await history(lastSample() - 30);
-    takeSamples(samples);
+    takeSamples(samples.filter((sample) => sample.utc_s <= latest));
     takeEvents(events);
   } catch {
     // The link reports when nobody answers.

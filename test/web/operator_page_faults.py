@@ -46,13 +46,14 @@ class Cell:
         self.after = {}  # the state that a command leads to
         self.upload_s = 0.0
         self.refused = 0  # questions who is logged in that are answered by 503 first
-        self.events = []
+        self.events, self.samples = [], []
+        self.clock_s = 0.0  # what its clock is ahead by
         self.commands, self.uploads, self.pictures, self.sockets, self.asked = [], 0, 0, 0, 0
 
     def shown(self):
         unit = {"state": self.state, "sequence": self.sequence, "in_state_s": 1, "mode": "Production", "mode_number": 1,
                 "accepted_now": ["Hold", "Stop", "Abort", "Reset", "Start", "Clear"], "resume_waits": False, "is_part_on_plate": False}
-        return {"utc_s": int(time.time()), "is_fresh": True, "age_s": 0, "notices": [], "unit": unit, "job": None, "alarms": [], "queue": [],
+        return {"utc_s": int(time.time() + self.clock_s), "is_fresh": True, "age_s": 0, "notices": [], "unit": unit, "job": None, "alarms": [], "queue": [],
                 "progress": {"lines": 10, "lines_acknowledged": 1, "layer": -1, "fraction": 0.1},
                 "machine": {"nozzle_degc": 210.0, "bed_degc": 60.0, "position_m": [0, 0, 0], "age_s": self.machine_age_s, "failure": ""},
                 "startup": [], "loop": None, "layers": [], "deviation_number": 0, "has_camera": self.has_camera, "parts": 0, "defective": 0,
@@ -92,7 +93,9 @@ class Handler(http.server.BaseHTTPRequestHandler):
             cell.asked += 1
             self.answer(200, cell.shown())
         elif path == "/api/v1/history":
-            self.answer(200, {"samples": [], "events": cell.events})
+            begin = float(self.path.partition("from=")[2] or 0)
+            self.answer(200, {name: [row for row in rows if row["utc_s"] >= begin]
+                              for name, rows in (("samples", cell.samples), ("events", cell.events))})
         elif path == "/api/v1/tokens":
             self.answer(200, {"tokens": []})
         elif path == "/api/v1/camera":
@@ -257,6 +260,20 @@ def check_old_figures(page, cell):
     require(today not in page.text("#event-list"), "the log gives the day of what was today")
 
 
+def check_clock_set_back(page, cell):
+    """What happens after the clock was set back by an hour is in the log."""
+    row = {"nozzle_degc": 210.0, "bed_degc": 60.0, "fraction": 0.1}
+    cell.clock_s = 3600.0
+    cell.samples = [{"utc_s": time.time() + 3600.0 - age, **row} for age in range(60, 0, -1)]
+    cell.events = [{"number": 1, "utc_s": time.time() + 3600.0 - 10, "kind": "state", "text": "before"}]
+    page.open()
+    page.wait(lambda: "before" in page.text("#event-list"), "the log")
+    cell.clock_s = 0.0
+    cell.samples.append({"utc_s": time.time(), **row})
+    cell.events.append({"number": 2, "utc_s": time.time(), "kind": "state", "text": "afterwards"})
+    page.wait(lambda: "afterwards" in page.text("#event-list"), "what happened after the clock was set back")
+
+
 def main():
     source, folder = sys.argv[1:]
     if webdriver is None or not os.access("/usr/bin/chromium", os.X_OK) or not os.access("/usr/bin/chromedriver", os.X_OK):
@@ -272,7 +289,8 @@ def main():
     failed = 0
     try:
         for check, more in ((check_server_started_anew, ()), (check_busy_server, ()), (check_silent_socket, ()), (check_camera_after_loss, ()),
-                            (check_second_press, ()), (check_upload_pressed_twice, (folder,)), (check_old_figures, ())):
+                            (check_second_press, ()), (check_upload_pressed_twice, (folder,)), (check_old_figures, ()),
+                            (check_clock_set_back, ())):
             Handler.cell = Cell()
             try:
                 check(page, Handler.cell, *more)
