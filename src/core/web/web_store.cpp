@@ -92,7 +92,8 @@ std::string randomKey() {
 }
 
 std::string moveDamagedStoreAside(const std::string& path) {
-  if (!std::filesystem::exists(path)) return "";
+  std::error_code unreadable;
+  if (!std::filesystem::exists(path, unreadable)) return "";
   try {
     if (isWhole(openForOwner(path))) return "";
   } catch (const DamagedDatabase&) {
