@@ -1,6 +1,9 @@
 // Requests to the server, and the link over which the state comes.
 
 let csrf = "";
+const pollTimeout = 3000; // ms
+const silentAfter = 2500; // ms: the state comes once a second at least
+const deadAfter = 4000; // ms
 
 export class Refused extends Error {
   constructor(status, body) {
@@ -10,7 +13,7 @@ export class Refused extends Error {
   }
 }
 
-async function request(method, path, body, signal) {
+async function send(method, path, body, signal) {
   const headers = { "X-CSRF-Token": csrf };
   if (body !== undefined) headers["Content-Type"] = "application/json";
   const response = await fetch(path, {
@@ -32,6 +35,17 @@ async function request(method, path, body, signal) {
   return value;
 }
 
+/** A server that was started anew knows the page's key no more: what it refuses for that is asked with its own. */
+async function request(method, path, body, signal) {
+  try {
+    return await send(method, path, body, signal);
+  } catch (error) {
+    if (error.code !== "no_csrf_token") throw error;
+    await session();
+    return send(method, path, body, signal);
+  }
+}
+
 export const get = (path, signal) => request("GET", path, undefined, signal);
 export const post = (path, body = {}) => request("POST", path, body);
 export const remove = (path) => request("DELETE", path, {});
@@ -48,7 +62,8 @@ export async function login(token) {
 }
 
 /** Sends a file as a form, and reports how far it is. */
-export function upload(file, onProgress) {
+export async function upload(file, onProgress) {
+  await session().catch(() => {}); // a refusal might be lost while the file is under way
   return new Promise((resolve, reject) => {
     const form = new FormData();
     form.append("file", file, file.name);
@@ -76,28 +91,48 @@ export class Link {
   constructor(onState, onLoggedOut) {
     this.onState = onState;
     this.onLoggedOut = onLoggedOut;
-    this.isOpen = false;
     this.isWanted = true;
+    this.opened = 0; // connections that have said something
     this.connect();
-    this.poll = setInterval(() => this.ask(), 1000);
+    this.poll = setInterval(() => this.look(), 1000);
   }
 
   connect() {
     const scheme = location.protocol === "https:" ? "wss" : "ws";
-    this.socket = new WebSocket(`${scheme}://${location.host}/api/v1/ws`);
-    this.socket.addEventListener("open", () => { this.isOpen = true; });
-    this.socket.addEventListener("message", (event) => this.onState(JSON.parse(event.data)));
-    this.socket.addEventListener("close", () => {
-      this.isOpen = false;
-      if (this.isWanted) setTimeout(() => this.isWanted && this.connect(), 1000);
+    const socket = new WebSocket(`${scheme}://${location.host}/api/v1/ws`);
+    this.socket = socket;
+    this.heard = Date.now();
+    let isNew = true;
+    const isUsed = () => this.isWanted && this.socket === socket;
+    socket.addEventListener("message", (event) => {
+      if (!isUsed()) return;
+      this.heard = Date.now();
+      if (isNew) this.opened += 1;
+      isNew = false;
+      this.onState(JSON.parse(event.data));
     });
+    socket.addEventListener("close", () => setTimeout(() => isUsed() && this.connect(), 1000));
+  }
+
+  /** A connection whose other end is gone stays open for minutes: the state is asked for beside one that is silent, and it is given up. */
+  look() {
+    const isOpen = this.socket.readyState === WebSocket.OPEN;
+    const silent = Date.now() - this.heard;
+    if (isOpen && silent < silentAfter) return;
+    if (isOpen && silent > deadAfter) {
+      const dead = this.socket;
+      this.connect();
+      dead.close();
+    }
+    this.ask();
   }
 
   async ask() {
-    if (this.isOpen || this.isAsking) return;
+    if (this.isAsking) return;
     this.isAsking = true;
     try {
-      this.onState(await get("/api/v1/state"));
+      const state = await get("/api/v1/state", AbortSignal.timeout(pollTimeout));
+      if (this.isWanted) this.onState(state);
     } catch (error) {
       if (error.status === 401) this.onLoggedOut();
     } finally {

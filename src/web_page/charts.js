@@ -1,8 +1,9 @@
 // Temperatures of ten minutes as a line.
-import { byId, canvasOf, colourOf, setFacts } from "/page/elements.js";
+import { byId, canvasOf, colourOf, duration, setFacts } from "/page/elements.js";
 import { texts } from "/page/texts.js";
 
 const window_s = 600;
+const old_s = 5; // between jobs a machine reports nothing
 let samples = [];
 
 export const lastSample = () => (samples.length ? samples[samples.length - 1].utc_s : 0);
@@ -20,13 +21,15 @@ const rounded = (value) => (value === null || value === undefined ? "–" : valu
 export function showHeat(machine) {
   byId("temperatures").hidden = !machine;
   if (!machine) return;
+  const dated = (text) => (machine.age_s > old_s ? texts.ago(text, duration(machine.age_s)) : text);
   const facts = [
-    [texts.nozzle, texts.degrees(rounded(machine.nozzle_degc))],
-    [texts.bed, texts.degrees(rounded(machine.bed_degc))],
+    [texts.nozzle, dated(texts.degrees(rounded(machine.nozzle_degc)))],
+    [texts.bed, dated(texts.degrees(rounded(machine.bed_degc)))],
   ];
   // A machine that reports no positions leaves them at zero.
   if (machine.position_m.some((value) => value))
-    facts.push([texts.position, texts.millimetres(machine.position_m.map((value) => (value === null ? "–" : (value * 1000).toFixed(1))))]);
+    facts.push([texts.position,
+      dated(texts.millimetres(machine.position_m.map((value) => (value === null ? "–" : (value * 1000).toFixed(1)))))]);
   setFacts(byId("heat"), facts);
 }
 

@@ -4,7 +4,12 @@ import { ask } from "/page/dialogs.js";
 import { byId, setText } from "/page/elements.js";
 import { texts } from "/page/texts.js";
 
+// A second press, or one that was meant for what the button said before, is no order to go on from there.
+const settling = 700; // ms
+
 let state = null;
+let offered = null;
+let offeredSince = 0; // ms
 
 function tell(text) {
   // Guards come as one text; each is a line of its own.
@@ -27,6 +32,7 @@ const sequence = () => ({ if_sequence: state.unit.sequence });
 async function next() {
   const step = state && texts.next[state.unit.state];
   if (!step) return;
+  if (Date.now() - offeredSince < settling) return tell(texts.just_changed(step[1]));
   const [command] = step;
   const seen = sequence();
   if (command !== "Start" || !state.unit.resume_waits) return give(command, seen);
@@ -66,6 +72,9 @@ export function wireCommands() {
 export function showCommands(shown, rights) {
   state = shown;
   const step = texts.next[shown.unit.state];
+  const word = step ? step[1] : "";
+  if (offered !== null && offered !== word) offeredSince = Date.now();
+  offered = word;
   const button = byId("next");
   setText(button, step ? step[1] : texts.no_next);
   // Not `disabled`, which would drop the focus: what is not accepted is answered with its reason.

@@ -72,6 +72,14 @@ export function duration(seconds) {
 
 export const clockTime = (utcSeconds) => new Date(utcSeconds * 1000).toLocaleTimeString();
 
+export const dayOf = (utcSeconds) => new Date(utcSeconds * 1000).toLocaleDateString();
+
+/** The time of day, behind its date if that is not today's. */
+export function dayTime(utcSeconds) {
+  const day = dayOf(utcSeconds);
+  return day === dayOf(Date.now() / 1000) ? clockTime(utcSeconds) : `${day} ${clockTime(utcSeconds)}`;
+}
+
 export const colourOf = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 
 /** The canvas at the resolution of the screen, and its size in CSS pixels. */

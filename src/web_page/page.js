@@ -17,6 +17,7 @@ const historyInterval = 2000; // ms
 let link = null;
 let state = null;
 let heard = 0; // ms, when the last state came
+let opened = 0; // the link's connection that it came by
 let rights = {};
 let asksHistory = false;
 
@@ -32,6 +33,8 @@ function rightsOf(who) {
 }
 
 function onState(next) {
+  const wasLost = Date.now() - heard > staleAfter || link.opened !== opened;
+  opened = link.opened;
   state = next;
   heard = Date.now();
   showStale();
@@ -47,16 +50,17 @@ function onState(next) {
   showStartup(state.startup, rights.operate);
   showLayers(state);
   showPreview(state);
-  showCamera(state.has_camera);
+  showCamera(state.has_camera, wasLost);
   showUnit(state);
 }
 
-function showCamera(isThere) {
+/** The picture of a link that was lost stands still: it is asked for anew. */
+function showCamera(isThere, wasLost) {
   const picture = byId("camera-picture");
   byId("camera").hidden = !isThere;
-  if (isThere && !picture.src) {
+  if (isThere && (!picture.src || wasLost)) {
     picture.alt = texts.camera_picture;
-    picture.src = "/api/v1/camera";
+    picture.src = `/api/v1/camera?${Date.now()}`;
   } else if (!isThere && picture.src) {
     picture.removeAttribute("src");
   }
@@ -81,9 +85,12 @@ function showStale() {
 async function askHistory() {
   if (asksHistory || !rights.see || !state?.unit) return;
   asksHistory = true;
+  // Where the clock was set back, what is stamped later than now is from before.
+  const latest = state.utc_s + 5;
+  if (lastSample() > latest) forgetSamples();
   try {
     const { samples, events } = await history(lastSample() - 30);
-    takeSamples(samples);
+    takeSamples(samples.filter((sample) => sample.utc_s <= latest));
     takeEvents(events);
   } catch {
     // The link reports when nobody answers.
@@ -144,6 +151,17 @@ function redraw() {
   drawDeviation();
 }
 
+/** Who is logged in, however long the server takes to answer. */
+async function known() {
+  while (true) {
+    try {
+      return await session();
+    } catch {
+      await new Promise((resolve) => setTimeout(resolve, 1000));
+    }
+  }
+}
+
 async function begin() {
   fillTexts();
   wireLogin();
@@ -157,7 +175,7 @@ async function begin() {
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", redraw);
   setInterval(() => link && showStale(), 500);
   setInterval(askHistory, historyInterval);
-  const who = await session();
+  const who = await known();
   if (who.is_known) showCell(who);
   else showLogin();
 }

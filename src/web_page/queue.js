@@ -70,11 +70,15 @@ export function showRequests(requests, mayOperate) {
     () => {});
 }
 
+let isUploading = false;
+
 export function wireUpload() {
   byId("upload-form").addEventListener("submit", async (event) => {
     event.preventDefault();
+    if (isUploading) return;
     const file = byId("program").files[0];
     if (!file) return tell(texts.choose_file);
+    isUploading = true;
     const bar = byId("upload-progress");
     bar.hidden = false;
     bar.value = 0;
@@ -90,6 +94,7 @@ export function wireUpload() {
     } catch (error) {
       tell(error.status ? error.message : texts.no_link);
     } finally {
+      isUploading = false;
       bar.hidden = true;
     }
   });

@@ -1,6 +1,6 @@
 // What the unit is at: state, job, alarms, start-up, log.
 import { get, post } from "/page/api.js";
-import { byId, clockTime, duration, element, setFacts, setText, syncRows } from "/page/elements.js";
+import { byId, dayOf, dayTime, duration, element, setFacts, setText, syncRows } from "/page/elements.js";
 import { texts } from "/page/texts.js";
 
 const symbols = {
@@ -130,6 +130,7 @@ export function showStartup(steps, mayOperate) {
 
 let lastEvent = 0;
 let events = [];
+let drawnOn = "";
 
 export function wireLog() {
   byId("log-kind").append(...Object.entries(texts.log_kinds).map(([kind, name]) => element("option", { value: kind }, name)));
@@ -146,18 +147,20 @@ export function takeEvents(fresh) {
   // A server that was started anew counts from one again.
   if (fresh.length && fresh[fresh.length - 1].number < lastEvent) forgetLog();
   const more = fresh.filter((event) => event.number > lastEvent);
-  if (!more.length) return;
+  if (!more.length && drawnOn === dayOf(Date.now() / 1000)) return;
   events = [...events, ...more].slice(-500);
-  lastEvent = events[events.length - 1].number;
+  lastEvent = events.length ? events[events.length - 1].number : 0;
   drawLog();
 }
 
 function drawLog() {
+  drawnOn = dayOf(Date.now() / 1000);
   const kind = byId("log-kind").value;
   const part = byId("log-filter").value.toLowerCase();
   const shown = events.filter((event) => (!kind || event.kind === kind) && event.text.toLowerCase().includes(part)).reverse();
   syncRows(byId("event-list"), shown.slice(0, 200), (event) => event.number,
-    (event) => element("li", {}, element("time", {}, clockTime(event.utc_s)), element("span", {}, event.text)), () => {});
+    (event) => element("li", {}, element("time"), element("span", {}, event.text)),
+    (row, event) => setText(row.firstChild, dayTime(event.utc_s)));
 }
 
 export async function history(from) {

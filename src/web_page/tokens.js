@@ -1,7 +1,7 @@
 // Tokens and the mode: for maintenance.
 import { get, post, remove } from "/page/api.js";
 import { ask } from "/page/dialogs.js";
-import { byId, clockTime, element, setFacts, syncRows } from "/page/elements.js";
+import { byId, clockTime, dayOf, element, setFacts, syncRows } from "/page/elements.js";
 import { texts } from "/page/texts.js";
 
 const tell = (text) => { byId("token-answer").textContent = text; };
@@ -22,7 +22,7 @@ export async function showTokens() {
         texts.remove)),
     (row, token) => {
       const used = token.last_used_utc_s === null ? texts.token_unused
-        : texts.token_used(`${new Date(token.last_used_utc_s * 1000).toLocaleDateString()} ${clockTime(token.last_used_utc_s)}`);
+        : texts.token_used(`${dayOf(token.last_used_utc_s)} ${clockTime(token.last_used_utc_s)}`);
       row.firstChild.lastChild.textContent = `${token.role}, ${used}`;
     });
 }

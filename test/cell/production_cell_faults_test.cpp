@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <sqlite3.h>
 
+#include <fstream>
 #include <limits>
 #include <string>
 #include <vector>
@@ -147,6 +148,22 @@ TEST(ProductionCell, OffersTheJobThatAnEmergencyStopHasStopped) {
   ASSERT_TRUE(cell.reaches(UnitState::Stopped));
   EXPECT_EQ(cell.journal().job(job).state, JobState::Interrupted);
   EXPECT_EQ(cell.command(UnitCommand::Reset), CommandResult::GuardFailed) << "it is still pressed";
+}
+
+TEST(ProductionCell, TakesThePlateToBeOccupiedWhenTheJournalIsLost) {
+  Cell cell;
+  EXPECT_FALSE(cell.run().isPartOnPlate());
+  cell.kill();
+  std::ofstream(cell.folder() + "/cell.db", std::ios::binary) << "this is no database at all";
+  cell.start();
+  EXPECT_EQ(cell.state(), UnitState::Aborted);
+  EXPECT_TRUE(cell.run().isPartOnPlate()) << "what lay on it stood in the journal that is lost";
+  cell.step();
+  cell.kill();
+  cell.start();
+  EXPECT_TRUE(cell.run().isPartOnPlate()) << "until somebody says that it is empty";
+  cell.run().confirmRemoval("anna", cell.now);
+  EXPECT_FALSE(cell.run().isPartOnPlate());
 }
 
 TEST(ProductionCell, WritesOneRowASecondOfWhatIsRefusedAgainAndAgain) {

@@ -63,6 +63,14 @@ TEST(PartRecord, ReportsLayersAsATable) {
   EXPECT_THROW(partRecord(made.journal, 99, {"good", 8.0, {}}), InvalidInput);
 }
 
+TEST(PartRecord, GivesTheMaterialWhereAnExecutorReportsItOnly) {
+  MadePart made;
+  const auto record = [&made] { return partRecord(made.journal, made.execution, {"good", 8.0, {}}).json; };
+  EXPECT_NE(record().find("\"material_mm3\": null"), std::string::npos) << record();
+  made.journal.setProgress(made.execution, {12, 10, 1, 0.0, 12.5}, 7.5);
+  EXPECT_NE(record().find("\"material_mm3\": 12.5"), std::string::npos) << record();
+}
+
 TEST(PartRecord, IsReadWithAllItsDigests) {
   MadePart made;
   const CheckedRecord checked = readRecord(made.journal, made.store, made.job);

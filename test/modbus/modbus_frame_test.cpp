@@ -58,6 +58,22 @@ TEST(FrameReader, ReadsTheProtocolsExamples) {
   EXPECT_EQ(both.written, (std::vector<std::uint16_t>{0xff, 0xfe, 0xfd}));
 }
 
+// "The value 0 is also accepted to communicate directly to a MODBUS/TCP device": guide to Modbus on TCP/IP,
+// section 4.4.2.1, and what pymodbus sends unless told otherwise.
+TEST(FrameReader, TakesTheUnitsThatMeanTheServerItself) {
+  for (const int unit : {0, 1, 255}) {
+    std::string frame = bytes("0001 0000 0006 00 04 0000 0001");
+    frame[6] = static_cast<char>(unit);
+    FrameReader reader;
+    reader.add(frame, 0.0);
+    const auto read = as<ModbusRequest>(reader.next());
+    EXPECT_EQ(read.unit, unit);
+    std::string answer = bytes("0001 0000 0005 00 04 02 0001");
+    answer[6] = static_cast<char>(unit);
+    EXPECT_EQ(modbusAnswer(read, {1}), answer) << unit;
+  }
+}
+
 TEST(FrameReader, AnswersAsInTheProtocolsExamples) {
   const auto read = as<ModbusRequest>(only("0001 0000 0006 01 03 006b 0003"));
   EXPECT_EQ(modbusAnswer(read, {0x022b, 0, 0x64}), bytes("0001 0000 0009 01 03 06 022b 0000 0064"));

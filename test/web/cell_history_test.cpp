@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "lamina/web/rate_limit.hpp"
 
 namespace lamina::test {
@@ -42,6 +44,21 @@ TEST(CellHistory, ReportsWhatHasChanged) {
                        "1001 held by the operator acknowledged by anna", "1001 held by the operator is over",
                        "job 3 part has left the queue", "COASTING: no sight", "heat_bed is DONE"}));
   EXPECT_EQ(history.samples().size(), 5U);
+}
+
+TEST(CellHistory, DrawsNoTemperatureThatIsNoLongerReported) {
+  CellHistory history;
+  CellSnapshot seen;
+  seen.heard_s = 0.0;
+  seen.machine_heard_s = 0.0;
+  seen.machine.nozzle_degc = 210.0;
+  seen.machine.bed_degc = 60.0;
+  for (int second = 1; second <= 8; ++second)
+    history.observe(seen, {static_cast<double>(second), 100.0 + second});
+  ASSERT_EQ(history.samples().size(), 8U);
+  EXPECT_EQ(history.samples()[4].nozzle_degc, 210.0) << "5 s after the report";
+  EXPECT_TRUE(std::isnan(history.samples()[5].nozzle_degc));
+  EXPECT_TRUE(std::isnan(history.samples()[7].bed_degc));
 }
 
 TEST(CellHistory, KeepsTenMinutesOfFiguresAndTheLastEvents) {

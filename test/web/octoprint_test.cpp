@@ -70,6 +70,72 @@ TEST(OctoPrint, ReleasesForOperatorsWhereThatIsAllowed) {
   EXPECT_EQ(site.desk.orders().back(), "change 0 of 7 by octoprint: operator");
 }
 
+std::string headerOf(const WebResponse& response, const std::string& name) {
+  for (const auto& [key, value] : response.headers)
+    if (key == name) return value;
+  return "";
+}
+
+// Cura's plug-in takes what follows "api/" of Location, and selects that where it was told to queue.
+TEST(OctoPrint, SaysWhereASentFileIsAndLetsItBeSelected) {
+  SiteOfFakes site(closedLoopback());
+  const std::string path = site.folder.path() + "/sent";
+  writeFile(path, "G1 X1\n");
+  site.upload = {path, "CE3_h\xc3\xa4lfte 2.gcode", 6, "abc", {}};
+  std::map<std::string, std::string> sender = {{"x-api-key", site.add(WebRole::Sender, "slicer")},
+                                               {"content-type", "multipart/form-data; boundary=b"}};
+  const WebResponse sent = site.ask(HttpMethod::Post, "/api/files/local", sender);
+  ASSERT_EQ(sent.status, 201) << sent.body;
+  const std::string place = headerOf(sent, "Location");
+  EXPECT_EQ(place, "/api/files/local/CE3_h%C3%A4lfte%202.gcode");
+  EXPECT_EQ(nlohmann::json::parse(sent.body)["files"]["local"]["refs"]["resource"], place);
+  sender["content-type"] = "application/json";
+  EXPECT_EQ(site.ask(HttpMethod::Post, place, sender, R"({"command":"select"})").status, 204);
+  EXPECT_EQ(site.ask(HttpMethod::Post, place, sender, R"({"command":"select","print":true})").status, 409);
+  EXPECT_EQ(site.ask(HttpMethod::Post, place, sender, R"({"command":"slice"})").status, 400);
+  EXPECT_EQ(site.desk.orders().size(), 1U) << "nothing but the upload";
+}
+
+TEST(OctoPrint, GivesNoTemperatureThatIsNoLongerReported) {
+  SiteOfFakes site;
+  site.desk.seen.machine.nozzle_degc = 210.0;
+  site.desk.seen.machine_heard_s = site.now.steady_s;
+  EXPECT_EQ(site.get("/api/printer")["temperature"]["tool0"]["actual"], 210.0);
+  site.now.steady_s += 10.0;
+  EXPECT_TRUE(site.get("/api/printer")["temperature"]["tool0"]["actual"].is_null());
+  const std::string metrics = site.ask(HttpMethod::Get, "/api/v1/metrics", {}).body;
+  EXPECT_EQ(metrics.find("lamina_nozzle_celsius"), std::string::npos) << metrics;
+}
+
+TEST(OctoPrint, SaysHowFarAJobIs) {
+  SiteOfFakes site;
+  EXPECT_TRUE(site.get("/api/job")["progress"]["printTime"].is_null());
+  site.desk.seen.unit.job = ShownJob{};
+  site.desk.seen.unit.fraction = 0.25;
+  site.desk.seen.unit.elapsed_s = 90.4;
+  const auto progress = site.get("/api/job")["progress"];
+  EXPECT_EQ(progress["printTime"], 90.0);
+  EXPECT_EQ(progress["completion"], 25.0);
+  site.desk.seen.unit.elapsed_s = -5.0;  // a clock that was set back
+  EXPECT_EQ(site.get("/api/job")["progress"]["printTime"], 0.0);
+}
+
+TEST(OctoPrint, GoesOnFromWhatItWasPausedFor) {
+  SiteOfFakes site(closedLoopback());
+  const std::map<std::string, std::string> key = {{"x-api-key", site.add(WebRole::Operator, "o")}};
+  for (const UnitState state : {UnitState::Suspended, UnitState::Held}) {
+    site.desk.seen.unit.state = state;
+    for (const char* action : {"resume", "toggle"})
+      EXPECT_EQ(site.ask(HttpMethod::Post, "/api/job", key,
+                         std::string(R"({"command":"pause","action":")") + action + "\"}")
+                    .status,
+                204);
+  }
+  EXPECT_EQ(site.desk.orders(),
+            (std::vector<std::string>{"Unsuspend by octoprint: o", "Unsuspend by octoprint: o",
+                                      "Unhold by octoprint: o", "Unhold by octoprint: o"}));
+}
+
 TEST(OctoPrint, RefusesWhatCannotBePrintedAndWhatIsBeingPrinted) {
   SiteOfFakes site;
   const std::string path = site.folder.path() + "/sent";

@@ -88,6 +88,33 @@ TEST(WebStore, FindsTheFirstBadRowOfTheAudit) {
   }
 }
 
+void overwrite(const std::string& path, std::streamoff at, const std::string& bytes) {
+  std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
+  file.seekp(at);
+  file << bytes;
+}
+
+TEST(WebStore, IsBegunAnewWhereItsFileIsDamaged) {
+  const ScratchFolder folder;
+  const std::string path = folder.path() + "/page.db";
+  EXPECT_EQ(moveDamagedStoreAside(path), "") << "there is none yet";
+  int damaged = 0;
+  // The head of the file, then what is behind its first page of 4096 bytes.
+  for (const std::streamoff at : {std::streamoff{0}, std::streamoff{4096}}) {
+    {
+      WebStore store(path);
+      store.add({"anna", WebRole::Operator, std::nullopt}, 1000.0);
+      for (int i = 0; i < 100; ++i) store.add({1.0, "anna", "", std::string(200, 'x'), "done"});
+    }
+    EXPECT_EQ(moveDamagedStoreAside(path), "");
+    overwrite(path, at, std::string(20000, '?'));
+    const std::string aside = moveDamagedStoreAside(path);
+    EXPECT_EQ(aside, path + ".damaged" + std::to_string(++damaged));
+    EXPECT_EQ(std::ifstream(aside).seekg(at).get(), '?');
+    EXPECT_TRUE(WebStore(path).tokens().empty());
+  }
+}
+
 TEST(WebStore, BringsAStoreOfTheFirstVersionForward) {
   const ScratchFolder folder;
   const std::string path = folder.path() + "/page.db";

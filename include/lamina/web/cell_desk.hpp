@@ -46,6 +46,7 @@ struct ShownUnit {
   std::uint32_t lines_acknowledged = 0;
   std::int32_t layer = -1;
   double fraction = 0.0;
+  double elapsed_s = 0.0;  ///< time since the job began
   std::uint32_t parts = 0;
   std::uint32_t defective = 0;
   double running_s = 0.0;  ///< time in the state Execute, in the mode Production

@@ -47,6 +47,11 @@ struct KeptRequest {
 /// @throws FileError if the system provides no random bytes
 std::string randomKey();
 
+/// Moves a store aside whose file is damaged, so that a new one can be begun. Nothing is deleted.
+/// @return its new name; empty if it is whole, or missing
+/// @throws FileError if it can neither be read nor moved
+std::string moveDamagedStoreAside(const std::string& path);
+
 /// Store of the page's tokens, audit and kept answers: a database file (SQLite) beside the journal. It may be
 /// used by several threads and processes at a time. Reading never waits for writing.
 class WebStore {

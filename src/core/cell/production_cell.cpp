@@ -146,8 +146,10 @@ ProductionCell::ProductionCell(const UnitSettings& settings, const CellParts& pa
     bystander_ = seen->phase;
   const auto open = journal_.open();
   if (open && !is_running_ && open->progress.taken_through > 0) is_part_on_plate_ = true;
-  if (!journal_.movedAside().empty())
-    raise(kJournalDamaged, 0.0, "moved to " + journal_.movedAside() + "; a new journal has begun", now);
+  if (journal_.movedAside().empty()) return;
+  // What lies on the plate stood in the journal that is lost.
+  is_part_on_plate_ = true;
+  raise(kJournalDamaged, 0.0, "moved to " + journal_.movedAside() + "; a new journal has begun", now);
 }
 
 std::optional<QueuedJob> ProductionCell::currentJob() const {

@@ -3,7 +3,6 @@
 #include "lamina/journal/cell_journal.hpp"
 
 #include <algorithm>
-#include <filesystem>
 #include <utility>
 
 #include "journal/audit_chain.hpp"
@@ -16,8 +15,6 @@
 namespace lamina {
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr const char* kJobColumns =
     "SELECT id, name, part, machine, digest, state, position, created_by, released_by, layers FROM job ";
 
@@ -29,11 +26,6 @@ Database openDatabase(const std::string& path) {
   return database;
 }
 
-bool isWhole(const Database& database) {
-  Statement check = database.prepare("PRAGMA quick_check");
-  return check.step() && check.text(0) == "ok";
-}
-
 /// The database, with its tables; nothing if it is damaged.
 std::optional<Database> openWhole(const std::string& path) {
   try {
@@ -43,18 +35,6 @@ std::optional<Database> openWhole(const std::string& path) {
   } catch (const DamagedDatabase&) {
     return std::nullopt;
   }
-}
-
-/// Moves a damaged journal and what belongs to it to a name that is free.
-std::string moveAside(const std::string& path) {
-  std::string aside;
-  for (int number = 1; aside.empty() || fs::exists(aside); ++number)
-    aside = path + ".damaged" + std::to_string(number);
-  std::error_code error;
-  fs::rename(path, aside, error);
-  if (error) throw FileError(path + ": is damaged and cannot be moved aside: " + error.message());
-  for (const char* suffix : {"-wal", "-shm"}) fs::rename(path + suffix, aside + suffix, error);
-  return aside;
 }
 
 QueuedJob jobIn(const Statement& row) {

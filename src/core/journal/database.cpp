@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "journal/database.hpp"
 
+#include <filesystem>
+
 namespace lamina {
 namespace {
 
@@ -116,6 +118,23 @@ void Database::copyTo(const std::string& path) const {
   if (backup == nullptr) fail(copy.database_.get());
   sqlite3_backup_step(backup, -1);
   if (sqlite3_backup_finish(backup) != SQLITE_OK) fail(copy.database_.get());
+}
+
+bool isWhole(const Database& database) {
+  Statement check = database.prepare("PRAGMA quick_check");
+  return check.step() && check.text(0) == "ok";
+}
+
+std::string moveAside(const std::string& path) {
+  namespace fs = std::filesystem;
+  std::string aside;
+  for (int number = 1; aside.empty() || fs::exists(aside); ++number)
+    aside = path + ".damaged" + std::to_string(number);
+  std::error_code error;
+  fs::rename(path, aside, error);
+  if (error) throw FileError(path + ": is damaged and cannot be moved aside: " + error.message());
+  for (const char* suffix : {"-wal", "-shm"}) fs::rename(path + suffix, aside + suffix, error);
+  return aside;
 }
 
 Transaction::Transaction(Database& database) : database_(database), is_open_(!database.isInTransaction()) {

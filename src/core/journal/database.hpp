@@ -85,6 +85,14 @@ class Database {
   std::unique_ptr<sqlite3, Close> database_;
 };
 
+/// Whether SQLite's quick check finds nothing wrong.
+bool isWhole(const Database& database);
+
+/// Moves a damaged database and what belongs to it to a name that is free.
+/// @return the name
+/// @throws FileError if it cannot be moved
+std::string moveAside(const std::string& path);
+
 /// A transaction: its statements are kept together, or rolled back unless committed. A transaction within
 /// another one is kept when the outer one is.
 class Transaction {

@@ -36,8 +36,9 @@ std::optional<std::string> headerFault(std::string_view bytes) {
   if (wordAt(bytes, 2) != 0) return "protocol " + std::to_string(wordAt(bytes, 2)) + "; expected 0";
   const std::uint16_t length = wordAt(bytes, 4);
   if (length < 2 || length > 254) return "length " + std::to_string(length) + "; expected 2 to 254";
+  // The guide to Modbus over TCP has clients address a server itself by 255, or by 0.
   const std::uint8_t unit = byteAt(bytes, 6);
-  if (unit != 1 && unit != 255) return "unit " + std::to_string(unit) + "; expected 1 or 255";
+  if (unit != 0 && unit != 1 && unit != 255) return "unit " + std::to_string(unit) + "; expected 1, 0 or 255";
   return std::nullopt;
 }
 

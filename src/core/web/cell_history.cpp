@@ -9,6 +9,7 @@ namespace {
 
 constexpr std::size_t kMostSamples = 600;
 constexpr std::size_t kMostEvents = 500;
+constexpr double kLongestSilence = 5.0;  // [s] of a machine at work, which speaks ten times a second
 
 template <class Row, class Key>
 const Row* rowOf(const std::vector<Row>& rows, const Key& key, Key Row::*field) {
@@ -19,12 +20,21 @@ const Row* rowOf(const std::vector<Row>& rows, const Key& key, Key Row::*field) 
 
 }  // namespace
 
+ShownMachine presentMachine(const CellSnapshot& seen, const CellTime& now) {
+  ShownMachine machine = seen.machine;
+  if (seen.machine_heard_s && now.steady_s - *seen.machine_heard_s <= kLongestSilence) return machine;
+  machine.nozzle_degc = kNotMeasured;
+  machine.bed_degc = kNotMeasured;
+  return machine;
+}
+
 void CellHistory::observe(const CellSnapshot& seen, const CellTime& now) {
   if (!seen.heard_s) return;
   estimate(seen, now.steady_s);
   if (!sampled_s_ || now.steady_s - *sampled_s_ >= 1.0) {
     sampled_s_ = now.steady_s;
-    samples_.push_back({now.utc_s, seen.machine.nozzle_degc, seen.machine.bed_degc, seen.unit.fraction});
+    const ShownMachine machine = presentMachine(seen, now);
+    samples_.push_back({now.utc_s, machine.nozzle_degc, machine.bed_degc, seen.unit.fraction});
     if (samples_.size() > kMostSamples) samples_.pop_front();
   }
   compare(seen, now.utc_s);

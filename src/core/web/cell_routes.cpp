@@ -221,8 +221,9 @@ WebResponse getMetrics(SiteCall& call) {
   line("lamina_parts_total", "counter", seen.unit.parts);
   line("lamina_defective_parts_total", "counter", seen.unit.defective);
   line("lamina_running_seconds_total", "counter", seen.unit.running_s);
-  line("lamina_nozzle_celsius", "gauge", seen.machine.nozzle_degc);
-  line("lamina_bed_celsius", "gauge", seen.machine.bed_degc);
+  const ShownMachine machine = presentMachine(seen, call.now);
+  line("lamina_nozzle_celsius", "gauge", machine.nozzle_degc);
+  line("lamina_bed_celsius", "gauge", machine.bed_degc);
   WebResponse response;
   response.type = "text/plain; version=0.0.4; charset=utf-8";
   response.body = text.str();

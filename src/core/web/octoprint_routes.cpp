@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <cmath>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/percent_encoding.hpp"
 #include "lamina/base/version.hpp"
 #include "web/site_routes.hpp"
 
@@ -120,6 +122,7 @@ WebResponse getProfiles(SiteCall& /*call*/) {
 WebResponse getPrinter(SiteCall& call) {
   const CellSnapshot seen = call.parts.desk.snapshot();
   const Mapped state = stateOf(seen, call.now);
+  const ShownMachine machine = presentMachine(seen, call.now);
   const auto heater = [](double actual) {
     return json{{"actual", actual}, {"target", nullptr}, {"offset", 0}};
   };
@@ -136,8 +139,7 @@ WebResponse getPrinter(SiteCall& call) {
                 {"error", state.is_error},
                 {"closedOrError", state.is_error},
                 {"sdReady", false}}}}},
-            {"temperature",
-             {{"tool0", heater(seen.machine.nozzle_degc)}, {"bed", heater(seen.machine.bed_degc)}}}});
+            {"temperature", {{"tool0", heater(machine.nozzle_degc)}, {"bed", heater(machine.bed_degc)}}}});
 }
 
 WebResponse getPrintJob(SiteCall& call) {
@@ -148,10 +150,12 @@ WebResponse getPrintJob(SiteCall& call) {
     left = call.parts.history.left();
   }
   const json name = seen.unit.job ? json(seen.unit.job->name) : json(nullptr);
+  // Without a time that is gone Cura shows no progress at all.
+  const double gone_s = std::max(0.0, std::round(seen.unit.elapsed_s));
   return jsonAnswer(200, {{"job", {{"file", {{"name", name}, {"origin", "local"}, {"path", name}}}}},
                           {"progress",
                            {{"completion", seen.unit.job ? json(seen.unit.fraction * 100.0) : json(nullptr)},
-                            {"printTime", nullptr},
+                            {"printTime", seen.unit.job ? json(gone_s) : json(nullptr)},
                             {"printTimeLeft", left ? json(std::round(left->seconds)) : json(nullptr)}}},
                           {"state", stateOf(seen, call.now).text}});
 }
@@ -198,7 +202,7 @@ WebResponse addFile(SiteCall& call) {
                            mayDo(*call.who().role, WebRight::Operate) &&
                            call.parts.desk.changeQueue(QueueChange::Release, answer.job, source).outcome ==
                                DeskAnswer::Outcome::Done;
-  const std::string place = "/api/files/local/" + upload.name;
+  const std::string place = "/api/files/local/" + percentEncoded(upload.name, "-._~");
   WebResponse response = jsonAnswer(
       201, {{"files",
              {{"local",
@@ -210,8 +214,29 @@ WebResponse addFile(SiteCall& call) {
             {"effectiveSelect", false},
             {"effectivePrint", false},
             {"lamina", {{"job", answer.job}, {"sha256", upload.sha256}, {"is_released", is_released}}}});
+  // Cura's plug-in reads where the file is, and breaks off where that is not said.
+  response.headers.emplace_back("Location", place);
   response.note = note + " as job " + std::to_string(answer.job) + (is_released ? ", released" : "");
   return response;
+}
+
+/// Cura selects what it has sent while another job was printed. Here it waits in the queue already.
+WebResponse selectFile(SiteCall& call) {
+  const json body = bodyObject(call);
+  const std::string word = textOf(body, "command");
+  if (word != "select") throw InvalidInput("command is '" + word + "'; expected select");
+  const auto print = body.find("print");
+  if (print != body.end() && *print == json(true))
+    return errorAnswer(409, "not_from_here", "a job is released and started at the cell, and waits for it");
+  WebResponse response;
+  response.status = 204;
+  response.note = "select";
+  return response;
+}
+
+/// What lets a paused unit go on, by what it has been paused for.
+UnitCommand continuing(UnitState state) {
+  return state == UnitState::Suspended ? UnitCommand::Unsuspend : UnitCommand::Unhold;
 }
 
 UnitCommand commandOf(const json& body, const CellSnapshot& seen) {
@@ -221,10 +246,10 @@ UnitCommand commandOf(const json& body, const CellSnapshot& seen) {
   if (word != "pause") throw InvalidInput("command is '" + word + "'; expected start, cancel or pause");
   const std::string action = textOf(body, "action");
   if (action == "pause") return UnitCommand::Hold;
-  if (action == "resume") return UnitCommand::Unhold;
+  if (action == "resume") return continuing(seen.unit.state);
   if (!action.empty() && action != "toggle")
     throw InvalidInput("action is '" + action + "'; expected pause, resume or toggle");
-  return seen.unit.state == UnitState::Held ? UnitCommand::Unhold : UnitCommand::Hold;
+  return mapped(seen.unit.state).is_paused ? continuing(seen.unit.state) : UnitCommand::Hold;
 }
 
 WebResponse commandJob(SiteCall& call) {
@@ -291,6 +316,7 @@ std::vector<SiteRoute> octoprintRoutes() {
       {{kPost, "/api/job", WebRight::Hold, Body::Small}, commandJob},
       {{kGet, "/api/files", WebRight::SeeState, Body::None}, getFiles},
       {{kPost, "/api/files/local", WebRight::Upload, Body::Upload}, addFile},
+      {{kPost, "/api/files/local/{name}", WebRight::Upload, Body::Small}, selectFile},
       {{kPost, "/api/printer/command", WebRight::None, Body::Small}, refuseGcode},
       {{kGet, "/plugin/appkeys/probe", WebRight::None, Body::None}, probeKeys},
       {{kPost, "/plugin/appkeys/request", WebRight::None, Body::Small}, requestKey},

@@ -91,6 +91,17 @@ std::string randomKey() {
   return hexText(bytes.data(), bytes.size());
 }
 
+std::string moveDamagedStoreAside(const std::string& path) {
+  std::error_code unreadable;
+  if (!std::filesystem::exists(path, unreadable)) return "";
+  try {
+    if (isWhole(openForOwner(path))) return "";
+  } catch (const DamagedDatabase&) {
+    // It is no database at all.
+  }
+  return moveAside(path);
+}
+
 /// Connections for one thread at a time each. The audit is read, all of it, by one of its own: whoever asks
 /// for anything is looked up by `reading`, and waits for none of that.
 struct WebStore::Connections {

@@ -19,6 +19,7 @@ namespace fs = std::filesystem;
 constexpr double kTick = 0.1;  // [s]
 constexpr int kReachable = 9002;
 constexpr int kAuditBroken = 9003;
+constexpr int kStoreDamaged = 7001;
 
 /// The folder of the page, with an empty one for uploads; both for their owner alone.
 std::string madePageFolder(const std::string& folder) {
@@ -33,14 +34,20 @@ std::string madePageFolder(const std::string& folder) {
   return fs::absolute(folder).string();
 }
 
+std::string lostTokens(const std::string& store) {
+  return "page.db was damaged and moved to " + store + "; a new one without tokens has begun";
+}
+
 }  // namespace
 
 OperatorPage::OperatorPage(ros::NodeHandle node, const OperatorPageSettings& settings)
     : settings_(settings),
       address_(node.advertise<std_msgs::String>(names::kPageAddress, 1, true)),
       desk_(node, settings.patience_s),
-      store_(madePageFolder(settings.folder) + "/page.db") {
+      damaged_store_(moveDamagedStoreAside(madePageFolder(settings.folder) + "/page.db")),
+      store_(fs::absolute(settings.folder).string() + "/page.db") {
   const std::string folder = fs::absolute(settings.folder).string();
+  if (!damaged_store_.empty()) ROS_ERROR_STREAM(lostTokens(damaged_store_));
   site_ = std::make_unique<OperatorSite>(siteOf(settings, folder), desk_, store_, pageFiles());
   camera_ = std::make_unique<CameraIntake>(node, settings.camera_topic,
                                            [this](std::string jpeg) { site_->setFrame(std::move(jpeg)); });
@@ -70,6 +77,7 @@ void OperatorPage::onTick() {
 void OperatorPage::tellExposure() {
   is_exposure_reported_ = true;
   for (const std::string& notice : site_->settings().notices) desk_.report(kReachable, 0.0, notice);
+  if (!damaged_store_.empty()) desk_.report(kStoreDamaged, 0.0, lostTokens(damaged_store_));
   if (const auto bad = store_.firstBadAudit())
     desk_.report(kAuditBroken, static_cast<double>(*bad),
                  "row " + std::to_string(*bad) + " of the page's audit was edited, removed or added");

@@ -29,6 +29,7 @@ class OperatorPage {
   SteadyClock clock_;
   ros::Publisher address_;
   RosDesk desk_;
+  std::string damaged_store_;  ///< where the store of before is; empty if it was whole
   WebStore store_;
   std::unique_ptr<OperatorSite> site_;
   std::unique_ptr<CameraIntake> camera_;

@@ -45,6 +45,7 @@ ShownUnit shown(const lamina_msgs::PackmlStatus& status) {
   unit.lines_acknowledged = status.lines_acknowledged;
   unit.layer = status.layer;
   unit.fraction = status.fraction;
+  unit.elapsed_s = status.elapsed;
   unit.parts = status.parts;
   unit.defective = status.defective;
   unit.running_s = status.running;
