@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What README.md and docs/printing/commands.md tell to type works: every line but those with a device, a bag or a cell and those that take minutes."""
+"""What README.md, docs/printing/commands.md and the pages on programs tell to type works: every line but those with a device, a bag or a cell and those that take minutes."""
 import os
 import pathlib
 import re
@@ -23,12 +23,14 @@ def commands(page):
 
 
 class Pages(unittest.TestCase):
-    def run_all_of(self, page):
+    def run_all_of(self, page, files=None):
         environment = {**os.environ, "PATH": f"{pathlib.Path(LAMINA).parent}:{os.environ['PATH']}"}
         with tempfile.TemporaryDirectory() as scratch:
             (pathlib.Path(scratch) / "examples").symlink_to(SOURCE / "examples")
+            for name, content in (files or {}).items():
+                (pathlib.Path(scratch) / name).write_bytes(content)
             lines = list(commands(page))
-            self.assertGreater(len(lines), 5)
+            self.assertGreater(len(lines), 5 if files is None else 0)
             for line in lines:
                 done = subprocess.run(line, shell=True, cwd=scratch, env=environment, capture_output=True, text=True, check=False)
                 self.assertEqual(done.returncode, 0, f"{page}: {line}\n{done.stderr}")
@@ -38,6 +40,17 @@ class Pages(unittest.TestCase):
 
     def test_commands_of_the_documentation_run(self):
         self.run_all_of("docs/printing/commands.md")
+
+    def test_commands_of_the_pages_on_programs_run(self):
+        with tempfile.TemporaryDirectory() as scratch:
+            part = pathlib.Path(scratch) / "part.stl"
+            subprocess.run([LAMINA, "part", "box", "-o", part], check=True, capture_output=True)
+            files = {"part.stl": part.read_bytes(), "begin.gcode": b"M117 begin\n"}
+        pages = ["docs/planning/runs.md", *sorted(f"docs/programs/{page.name}" for page in (SOURCE / "docs/programs").glob("*.md"))]
+        for page in pages:
+            with self.subTest(page):
+                if list(commands(page)):
+                    self.run_all_of(page, files)
 
     def test_every_command_is_described(self):
         help_text = subprocess.run([LAMINA, "--help"], capture_output=True, text=True, check=True).stdout

@@ -170,6 +170,24 @@ TEST_F(JointProgramTest, TheToolAxisIsRaisedWhereTheHeadWouldBeInTheBed) {
   EXPECT_NE(sliced.summary.notes.back().find("the tool axis leans less"), std::string::npos);
 }
 
+// Targets of RAPID that state no joints are led to with the tool held about its axis as the toolpath has it.
+TEST_F(JointProgramTest, APlanIsCheckedWithTheYawThatItsProgramIsRunWith) {
+  job_.settings.machine.name = "irb_4600";
+  const std::unique_ptr<KinematicModel> arm = kinematicModelOf(job_.settings.machine);
+  const auto yawFor = [&](const std::string& output) {
+    job_.output = output;
+    return jointsOf(job_, *arm).yaw;
+  };
+  job_.settings.joints.yaw = YawChoice::Free;
+  job_.settings.program.rapid.configuration = RapidConfiguration::Joints;
+  EXPECT_EQ(yawFor("part.mod"), YawChoice::Free);
+  job_.settings.program.rapid.configuration = RapidSettings().configuration;
+  ASSERT_NE(job_.settings.program.rapid.configuration, RapidConfiguration::Joints);
+  EXPECT_EQ(yawFor("part.mod"), YawChoice::Held);
+  EXPECT_EQ(yawFor("part.src"), YawChoice::Free);
+  EXPECT_EQ(yawFor("part.csv"), YawChoice::Free);
+}
+
 TEST_F(JointProgramTest, AnotherMachineDoesNotReadTheProgram) {
   lean();
   slice("five_axis_head_ac", "box.gcode");

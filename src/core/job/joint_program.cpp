@@ -7,11 +7,11 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
-#include <map>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "job/raised_axes.hpp"
 #include "joint_program.hpp"
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
@@ -22,64 +22,10 @@
 #include "lamina/job/robot_files.hpp"
 #include "lamina/kinematics/arm/abb_configuration.hpp"
 #include "lamina/kinematics/model/kinematic_model.hpp"
-#include "lamina/kinematics/model/link_bodies.hpp"
 #include "lamina/kinematics/model/toolpath_reach.hpp"
-#include "lamina/orientation/kept_lean.hpp"
 
 namespace lamina {
 namespace {
-
-/// How far what turns with the nozzle may lean before it is in the bed, a plane without end.
-class HeadOverBed {
- public:
-  /// @throws InvalidConfig as `linkBodies`
-  explicit HeadOverBed(const KinematicModel& model);
-
-  /// Greatest lean from upright, in whole degrees up to 120, at which, and below which, nothing of the head
-  /// is deeper in the bed than the tolerance, wherever it leans to; 0 if it is at every lean.
-  double greatestLeanDeg(double tip_mm, double tolerance_mm) const;
-
- private:
-  std::vector<double>
-      depth_mm_;  ///< by degree of lean: of the head below the tip, no less than at smaller leans
-};
-
-constexpr int kMostLeanDeg = 120;
-constexpr int kHeadings = 32;
-
-/// How far a body reaches from the nozzle tip in a direction [nozzle frame].
-double reach(const LinkBody& body, const Eigen::Isometry3d& nozzle_from_body, const Point3& direction) {
-  return direction.dot(nozzle_from_body.translation()) +
-         extent(body.shape, nozzle_from_body.linear().transpose() * direction);
-}
-
-HeadOverBed::HeadOverBed(const KinematicModel& model) : depth_mm_(kMostLeanDeg + 1, 0.0) {
-  const JointValues rest = JointValues::Zero(static_cast<Eigen::Index>(model.joints().size()));
-  const std::map<std::string, Eigen::Isometry3d> places = model.bedFromLinks(rest);
-  const Eigen::Isometry3d nozzle_from_bed = model.bedFromNozzle(rest).inverse();
-  for (const RigidGroup& group : linkBodies(model.urdf()).groups) {
-    if (std::find(group.links.begin(), group.links.end(), "nozzle") == group.links.end()) continue;
-    for (const LinkBody& body : group.bodies) {
-      const Eigen::Isometry3d place = nozzle_from_bed * places.at(body.link) * body.link_from_body;
-      for (int lean = 0; lean <= kMostLeanDeg; ++lean)
-        for (int heading = 0; heading < kHeadings; ++heading) {
-          const double off_axis = toRadians(lean);
-          const double about = 2.0 * M_PI * heading / kHeadings;
-          const Point3 down(std::sin(off_axis) * std::cos(about), std::sin(off_axis) * std::sin(about),
-                            std::cos(off_axis));
-          double& depth = depth_mm_[static_cast<std::size_t>(lean)];
-          depth = std::max(depth, reach(body, place, down));
-        }
-    }
-  }
-  for (std::size_t lean = 1; lean < depth_mm_.size(); ++lean)
-    depth_mm_[lean] = std::max(depth_mm_[lean], depth_mm_[lean - 1]);
-}
-
-double HeadOverBed::greatestLeanDeg(double tip_mm, double tolerance_mm) const {
-  const auto deeper = std::upper_bound(depth_mm_.begin(), depth_mm_.end(), tip_mm + tolerance_mm);
-  return std::max(0.0, static_cast<double>(deeper - depth_mm_.begin()) - 1.0);
-}
 
 /// A toolpath and joints whose nozzle is turned about the tool axis as they turn it.
 struct ToolpathAsRun {
@@ -176,33 +122,16 @@ bool isProgram(const SliceJob& job) { return isGcodeFile(job.output) || isRobotF
 
 /// Of what no joints are led for.
 bool needsClearance(const SliceJob& job, const SlicedPart& sliced) {
-  switch (job.settings.clearance.need) {
-    case ClearanceNeed::Never:
-      return false;
-    case ClearanceNeed::Always:
-      return !job.output.empty();
-    case ClearanceNeed::Turning:
-      return isProgram(job) && !hasPlaneLayers(sliced.summary.mode);
-  }
-  return false;
+  if (job.settings.clearance.need == ClearanceNeed::Turning && hasPlaneLayers(sliced.summary.mode))
+    return false;
+  return isRefusedUnlessClear(job);
 }
-
-constexpr int kMostRaises = 8;  // rounds; a lean is gone after four
 
 /// Whether a tool axis leans that may lean less.
 bool mayRaise(const JobSettings& settings, const SlicedPart& sliced) {
   const BuildSpace space = buildSpaceOf(settings.machine);
   return settings.clearance.raises_tool_axis && canTurnToolAxis(space) &&
          greatestToolAxisTurn(sliced.toolpath, sliced.bed_from_part, space) > kHeldToolAxis;
-}
-
-std::string noteOnRaised(const KeptLean& lean) {
-  char text[200];
-  std::snprintf(text, sizeof text,
-                "at %zu waypoints the tool axis leans less than the layers ask, by up to %.0f %%, for the "
-                "machine to run into nothing",
-                lean.raised(), 100.0 * (1.0 - lean.least()));
-  return text;
 }
 
 /// A run of a part, and what stands in its way.
@@ -219,30 +148,19 @@ CheckedRun checkedRun(const KinematicModel& model, const SliceJob& job, const Sl
 }
 
 /// A part whose tool axis leans, raised where the machine would run into something, or cannot get there, as
-/// long as that leaves less of it: first for the bed, then from check to check.
+/// long as that leaves less of it.
 CheckedRun raisedRun(const KinematicModel& model, const SliceJob& job, SlicedPart& sliced,
                      const JointPathSettings& joints, Progress& progress) {
-  const JobSettings& settings = job.settings;
-  RaiseLimits limits;
-  limits.up = sliced.bed_from_part.linear().transpose() * Point3::UnitZ();
-  limits.most_deg = settings.orientation.limits.max_off_normal_deg;
-  const Toolpath wanted = sliced.toolpath;
-  KeptLean lean(wanted, limits);
-  const HeadOverBed head(model);
-  lean.limit([&](const Point3& tip) {
-    return head.greatestLeanDeg((sliced.bed_from_part * tip).z(), settings.clearance.tolerance_mm);
-  });
-  if (lean.isChanged()) sliced.toolpath = lean.toolpath();
-  CheckedRun checked = checkedRun(model, job, sliced, joints, progress);
-  for (int round = 0; round < kMostRaises && !checked.check.isClear(); ++round) {
-    for (const Finding& finding : checked.check.faults) lean.raiseAt(finding.at);
-    for (const Finding& finding : checked.check.collisions) lean.raiseAt(finding.at);
-    if (!lean.isChanged()) break;
-    sliced.toolpath = lean.toolpath();
-    checked = checkedRun(model, job, sliced, joints, progress);
-  }
-  if (lean.raised() > 0) sliced.summary.notes.push_back(noteOnRaised(lean));
-  return checked;
+  std::optional<KinematicModelRun> last;
+  const Toolpath wanted = std::move(sliced.toolpath);
+  RaisedToolpath raised =
+      raiseToolAxes(wanted, {model, sliced.bed_from_part, job.settings}, [&](const Toolpath& toolpath) {
+        last = runOn(model, toolpath, sliced.bed_from_part, joints, progress);
+        return checkRun(*last, model, job.settings.clearance, progress);
+      });
+  sliced.toolpath = std::move(raised.toolpath);
+  if (raised.waypoints > 0) sliced.summary.notes.push_back(noteOnRaised(raised));
+  return {*std::move(last), std::move(raised.check)};
 }
 
 /// @throws Unreachable if the machine cannot run the part, or would run into something
@@ -299,10 +217,9 @@ JointProgram planMachine(std::unique_ptr<KinematicModel> machine, const SliceJob
 
 std::optional<JointProgram> planArm(std::unique_ptr<KinematicModel> arm, const SliceJob& job,
                                     SlicedPart& sliced, Progress& progress) {
-  JointPathSettings settings = job.settings.joints;
+  const JointPathSettings settings = jointsOf(job, *arm);
   requireStated(settings, job, *arm);
   const bool is_stated = statesJoints(job, *arm);
-  if (!is_stated) settings.yaw = YawChoice::Held;
   KinematicModelRun run = runnable(*arm, job, sliced, settings, progress);
   const auto time = timeOf(run, *arm, job.settings);
   if (!is_stated) return JointProgram{std::move(arm), sliced.toolpath, atWaypointsAskedFor(run), time};
@@ -319,6 +236,25 @@ void requireArm(const SliceJob& job, const BuildSpace& space) {
 }
 
 }  // namespace
+
+JointPathSettings jointsOf(const SliceJob& job, const KinematicModel& model) {
+  JointPathSettings settings = job.settings.joints;
+  if (isRobotFile(job.output) && isSixAxisArm(model) && !statesJoints(job, model))
+    settings.yaw = YawChoice::Held;
+  return settings;
+}
+
+bool isRefusedUnlessClear(const SliceJob& job) {
+  switch (job.settings.clearance.need) {
+    case ClearanceNeed::Never:
+      return false;
+    case ClearanceNeed::Always:
+      return !job.output.empty();
+    case ClearanceNeed::Turning:
+      return isProgram(job);
+  }
+  return false;
+}
 
 void requireProgramFor(const SliceJob& job, const BuildSpace& space) {
   if (programRunner(job.output) == ProgramRunner::OtherRobot) return requireArm(job, space);

@@ -22,6 +22,14 @@ struct JointProgram {
   std::optional<RunTime> time;  ///< of the run within the limits of the joints; nothing if a limit is unknown
 };
 
+/// How the joints of a job's program are planned: `joints.*`, with the rotation about the tool axis held
+/// where an arm's program states no joints.
+JointPathSettings jointsOf(const SliceJob& job, const KinematicModel& model);
+
+/// Whether a job whose layers are not plane is refused if the machine cannot run them: `clearance.need` asks
+/// for it.
+bool isRefusedUnlessClear(const SliceJob& job);
+
 /// Refuses a job that asks for G-code of a robot.
 /// @throws InvalidInput
 void requireProgramFor(const SliceJob& job, const BuildSpace& space);

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -56,6 +57,9 @@ struct PlannedPart {
   std::optional<LayerSupport> support;  ///< only from modes that measure it themselves
   OverhangAngle lean;                   ///< greatest overhang of the walls
   std::vector<std::string> notes;       ///< notes for the user on the layers, a sentence each
+  /// Highest z of solid material on the bed before the first layer, such as a base [mm, part frame].
+  double standing_mm = -std::numeric_limits<double>::infinity();
+  bool is_fitted = false;  ///< whether the mode has fitted the toolpath to the machine itself
 };
 
 /// Slices a part and plans its layers. The source is consumed.

@@ -74,6 +74,7 @@ PlannedPart planConformal(SourcePart source, const PlanningRequest& request, Pro
   for (LayerSurface& surface : layers.layers) stack.layers.push_back({{}, std::move(surface)});
   const double slice_s = laps.lap();
   PlannedPart planned = planStack(std::move(stack), request, progress);
+  planned.standing_mm = highest_mm;
   planned.counts.slice_s += slice_s;
   planned.notes.push_back(note);
   if (hidden_mm2 > 0.0) planned.notes.push_back(noteOnHidden(hidden_mm2));

@@ -12,6 +12,7 @@
 #include "geometry/space_vectors.hpp"
 #include "job/joint_program.hpp"
 #include "job/modes/automatic_planning.hpp"
+#include "job/modes/fit/stack_fit.hpp"
 #include "job/modes/mode_trial.hpp"
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
@@ -173,6 +174,11 @@ Toolpath planOriented(SourcePart source, const PlanningRequest& request, SliceSu
   requireNearNormal(as_sliced, oriented.toolpath, settings.orientation);
   summary.orientation = oriented.report;
   for (std::string& note : notesOn(oriented.report)) summary.notes.push_back(std::move(note));
+  if (!hasPlaneLayers(summary.mode) && (!planned.is_fitted || changesOrientation(settings.orientation))) {
+    StackFit fit = fitStack(std::move(oriented.toolpath), planned.standing_mm, request, progress);
+    oriented.toolpath = std::move(fit.toolpath);
+    for (std::string& note : fit.notes) summary.notes.push_back(std::move(note));
+  }
   if (!part.triangles.empty())
     summary.lean = overhangAngle(part, oriented.toolpath, settings.planning.bead.width_mm);
   return std::move(oriented.toolpath);

@@ -8,18 +8,13 @@
 #include <vector>
 
 #include "job/laps.hpp"
-#include "job/modes/fit/machine_fit.hpp"
+#include "job/modes/fit/stack_fit.hpp"
 #include "job/modes/head_stages.hpp"
 #include "job/modes/layer_stack_planning.hpp"
-#include "job/modes/settled_axis.hpp"
-#include "job/modes/travels_over_part.hpp"
-#include "lamina/base/angle.hpp"
 #include "lamina/slicing/volumetric/volumetric_layers.hpp"
 
 namespace lamina {
 namespace {
-
-constexpr double kSettledRad = toRadians(1.0);
 
 std::string noteOnGrowth(const VolumetricMeasures& measures, double layer_height_mm) {
   char text[400];
@@ -81,28 +76,6 @@ std::string noteOnHead(const VolumetricMeasures& measures, const TravelsOverPart
   return text;
 }
 
-std::string noteOnFit(const MachineFit& fit, double deposited_mm3) {
-  char text[300];
-  std::snprintf(
-      text, sizeof text,
-      "at %zu waypoints the head had no room, or a joint turned too far, with %zu left: %.3g mm³ of beads, "
-      "%.2f %%, are left out there, and the nozzle turns off the bead at %zu places",
-      fit.hindered, fit.still_hindered, fit.left_out_mm3,
-      deposited_mm3 > 0.0 ? 100.0 * fit.left_out_mm3 / deposited_mm3 : 0.0, fit.turns);
-  return text;
-}
-
-/// Fitted to the machine if its head tilts and is to be clear; else the travels are led, and that is all.
-MachineFit fitToHead(Toolpath toolpath, const PlanningRequest& request, const LeadTravels& lead,
-                     Progress& progress) {
-  if (canTurnToolAxis(request.space) && request.job.settings.clearance.need != ClearanceNeed::Never)
-    return fitToMachine(std::move(toolpath), request, lead, progress);
-  MachineFit fit;
-  fit.travels = lead(toolpath);
-  fit.toolpath = std::move(toolpath);
-  return fit;
-}
-
 /// A head that cannot tilt has nothing to lean.
 VolumetricRequest growthRequest(const PlanningRequest& request) {
   const JobSettings& settings = request.job.settings;
@@ -144,13 +117,10 @@ PlannedPart planVolumetric(SourcePart source, const PlanningRequest& request, Pr
   const double slice_s = laps.lap();
   stack.layers = stackedLayers(std::move(layers));
   PlannedPart planned = planStack(std::move(stack), request, progress);
-  settleAxes(planned.plan.toolpath, kSettledRad);
-  const LeadTravels lead = [&](Toolpath& toolpath) {
-    return leadTravels(toolpath, tops_mm, *room, settings.planning.travel.hop_mm, progress);
-  };
   const double deposited_mm3 = totals(planned.plan.toolpath).deposited_mm3;
-  MachineFit fit = fitToHead(std::move(planned.plan.toolpath), request, lead, progress);
+  MachineFit fit = fitGrown(std::move(planned.plan.toolpath), {*room, tops_mm}, request, progress);
   planned.plan.toolpath = std::move(fit.toolpath);
+  planned.is_fitted = fit.still_hindered == 0;
   planned.counts.slice_s += slice_s;
   planned.support = LayerSupport{measures.unsupported_mm2,
                                  bent_layers + (measures.level_layers > 0 ? std::size_t{1} : std::size_t{0}),

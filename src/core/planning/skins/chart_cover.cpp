@@ -15,19 +15,19 @@ namespace {
 constexpr double kFinest = 0.5;  // bead widths, from the middle of a patch to its corners
 
 /// A place in the middle of a layer.
-struct LayerPlace {
+struct SeenPlace {
   Point3 place = Point3::Zero();
   Point3 growth = Point3::Zero();  // to the same place of the next layer
   Point2 plan = Point2::Zero();
 };
 
-using Patch = std::array<LayerPlace, 3>;
+using Patch = std::array<SeenPlace, 3>;
 
-LayerPlace between(const LayerPlace& a, const LayerPlace& b) {
+SeenPlace between(const SeenPlace& a, const SeenPlace& b) {
   return {0.5 * (a.place + b.place), 0.5 * (a.growth + b.growth), 0.5 * (a.plan + b.plan)};
 }
 
-LayerPlace middleOf(const Patch& patch) {
+SeenPlace middleOf(const Patch& patch) {
   const auto& [a, b, c] = patch;
   return {(a.place + b.place + c.place) / 3.0, (a.growth + b.growth + c.growth) / 3.0,
           (a.plan + b.plan + c.plan) / 3.0};
@@ -62,10 +62,10 @@ class SeenPatches {
       : part_(part), reach_(reach), inner_(inner) {}
 
   void add(const Patch& patch) {
-    const LayerPlace middle = middleOf(patch);
+    const SeenPlace middle = middleOf(patch);
     double radius_mm = 0.0;
     double thickness_mm = middle.growth.norm();
-    for (const LayerPlace& corner : patch) {
+    for (const SeenPlace& corner : patch) {
       radius_mm = std::max(radius_mm, (corner.place - middle.place).norm());
       thickness_mm = std::max(thickness_mm, corner.growth.norm());
     }
@@ -76,7 +76,7 @@ class SeenPatches {
     if (is_finest) return look(middle, patch);
     const std::size_t a = longestSide(patch);
     const std::size_t b = (a + 1) % 3;
-    const LayerPlace split = between(patch[a], patch[b]);
+    const SeenPlace split = between(patch[a], patch[b]);
     Patch half = patch;
     half[b] = split;
     add(half);
@@ -90,18 +90,18 @@ class SeenPatches {
   std::vector<Polygon> from_anywhere;  ///< a layer within reach is missing
 
  private:
-  bool goesOn(const LayerPlace& middle, double layers) const {
+  bool goesOn(const SeenPlace& middle, double layers) const {
     return part_.inside.isWithin(middle.place + layers * middle.growth);
   }
 
   /// Whether a layer from the second on is missing.
-  bool endsWithin(const LayerPlace& middle, std::size_t layers, double sense) const {
+  bool endsWithin(const SeenPlace& middle, std::size_t layers, double sense) const {
     for (std::size_t k = 2; k <= layers; ++k)
       if (!goesOn(middle, sense * static_cast<double>(k))) return true;
     return false;
   }
 
-  void look(const LayerPlace& middle, const Patch& patch) {
+  void look(const SeenPlace& middle, const Patch& patch) {
     const Polygon outline = {patch[0].plan, patch[1].plan, patch[2].plan};
     const bool ends_above = reach_.above > 0 && !goesOn(middle, 1.0);
     const bool ends_below = reach_.below > 0 && !goesOn(middle, -1.0);

@@ -3,7 +3,6 @@
 #include "job/modes/fit/machine_fit.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -17,7 +16,6 @@ namespace {
 
 constexpr int kMostCuts = 8;
 constexpr double kHighMm = 5.0;  // of a travel over its bead
-constexpr double kNothingStands = -std::numeric_limits<double>::infinity();
 
 /// Where the bead before a travel ends; nothing if there is none.
 std::optional<WaypointIndex> endBefore(const WaypointIndex& travel, const Toolpath& toolpath) {
@@ -76,10 +74,11 @@ HinderedWaypoints hinderedBy(const MachineCheck& check, const Toolpath& planned,
 /// A plan that is mended bit by bit.
 class Mending {
  public:
-  Mending(Toolpath beads, const JobSettings& settings)
+  Mending(Toolpath beads, const JobSettings& settings, double standing_mm)
       : beads_(std::move(beads)),
         travel_(settings.planning.travel),
         off_mm_(std::max(travel_.hop_mm, settings.planning.bead.width_mm)),
+        standing_mm_(standing_mm),
         most_mm3_(0.01 * settings.volumetric.largest_left_out_percent * totals(beads_).deposited_mm3) {}
 
   /// Its travels not led yet.
@@ -91,7 +90,7 @@ class Mending {
   bool mend(const CheckedPlan& checked) {
     const HinderedWaypoints hindered = hinderedBy(checked.check, beads_, checked.toolpath);
     if (hindered.isEmpty() || cuts_ == kMostCuts) return false;
-    const TravelMaker travels = spaceTravels(beads_.layers, travel_, kNothingStands);
+    const TravelMaker travels = spaceTravels(beads_.layers, travel_, standing_mm_);
     CutBeads cut = cutBeads(beads_, hindered, travels, off_mm_);
     if (left_out_mm3_ + cut.left_out_mm3 > most_mm3_) return false;
     beads_ = std::move(cut.toolpath);
@@ -110,7 +109,8 @@ class Mending {
  private:
   Toolpath beads_;
   TravelSettings travel_;
-  double off_mm_;    ///< by which the nozzle leaves a bead, at least
+  double off_mm_;  ///< by which the nozzle leaves a bead, at least
+  double standing_mm_;
   double most_mm3_;  ///< that may be left out
   double left_out_mm3_ = 0.0;
   std::size_t turns_ = 0;
@@ -120,9 +120,9 @@ class Mending {
 }  // namespace
 
 MachineFit fitToMachine(Toolpath beads, const PlanningRequest& request, const LeadTravels& lead,
-                        Progress& progress) {
+                        Progress& progress, double standing_mm) {
   const PlanCheck check(request, lead, progress);
-  Mending mending(std::move(beads), request.job.settings);
+  Mending mending(std::move(beads), request.job.settings, standing_mm);
   CheckedPlan checked = check.whole(mending.beads());
   const std::size_t hindered = checked.hindered();
   MachineFit best = mending.fit(checked, hindered);

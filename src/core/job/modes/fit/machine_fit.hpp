@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 
 #include "job/modes/fit/plan_check.hpp"
 #include "job/modes/travels_over_part.hpp"
@@ -11,6 +12,9 @@
 #include "lamina/toolpath/toolpath.hpp"
 
 namespace lamina {
+
+/// Height of what stands on an empty bed.
+constexpr double kNothingStands = -std::numeric_limits<double>::infinity();
 
 /// A toolpath cut to what a machine can run, and what was cut.
 struct MachineFit {
@@ -29,10 +33,11 @@ struct MachineFit {
 /// `volumetric.largest_left_out_percent` is left out; what still hinders then remains in the toolpath, for
 /// the later check that refuses it.
 ///
-/// @param beads     whose travels are not planned yet
-/// @param progress  stages "joints" and "clearance"
+/// @param beads        whose travels are not planned yet
+/// @param progress     stages "joints" and "clearance"
+/// @param standing_mm  highest z of solid material on the bed before the first layer [part frame]
 /// @throws as `runOn` and `checkRun`
 MachineFit fitToMachine(Toolpath beads, const PlanningRequest& request, const LeadTravels& lead,
-                        Progress& progress);
+                        Progress& progress, double standing_mm = kNothingStands);
 
 }  // namespace lamina

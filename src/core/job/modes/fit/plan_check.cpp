@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "job/joint_program.hpp"
 #include "lamina/job/kinematic_model_run.hpp"
 #include "lamina/kinematics/cartesian/cartesian_machine_settings.hpp"
 
@@ -65,13 +66,15 @@ std::vector<Finding> replaced(const std::vector<Finding>& before, std::vector<Fi
 
 }  // namespace
 
-PlanCheck::PlanCheck(const PlanningRequest& request, const LeadTravels& lead, Progress& progress)
+PlanCheck::PlanCheck(const PlanningRequest& request, const LeadTravels& lead, Progress& progress,
+                     PlanLimits limits)
     : request_(request),
       lead_(lead),
       progress_(progress),
       model_(kinematicModelOf(request.job.settings.machine)),
-      joints_(request.job.settings.joints),
+      joints_(jointsOf(request.job, *model_)),
       clearance_(request.job.settings.clearance) {
+  if (limits == PlanLimits::AsRun) return;
   joints_.max_slowdown = std::max(1.0, kOfSlowdown * joints_.max_slowdown);
   clearance_.tolerance_mm *= kOfTolerance;
 }

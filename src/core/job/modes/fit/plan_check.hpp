@@ -27,13 +27,21 @@ struct CheckedPlan {
   std::size_t hindered() const { return check.faults.size() + check.collisions.size(); }
 };
 
-/// Checks a plan as `runOn` and `checkRun` do, with slightly tighter limits, because joints take other ways
-/// once the part is placed elsewhere or a layer is slowed down.
+/// Limits by which a plan is checked.
+enum class PlanLimits {
+  Tight,  ///< slightly tighter: joints take other ways once the part is elsewhere or a layer is slowed down
+  AsRun,  ///< those by which a program is refused
+};
+
+/// Checks a plan as `runOn` and `checkRun` do.
 class PlanCheck {
  public:
   /// @param request, lead, progress  must outlive the check
   /// @throws InvalidConfig as `kinematicModelOf`
-  PlanCheck(const PlanningRequest& request, const LeadTravels& lead, Progress& progress);
+  PlanCheck(const PlanningRequest& request, const LeadTravels& lead, Progress& progress,
+            PlanLimits limits = PlanLimits::Tight);
+
+  const KinematicModel& model() const { return *model_; }
 
   /// Checks a whole toolpath.
   /// @param beads  whose travels are not planned yet

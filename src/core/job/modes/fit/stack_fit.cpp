@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "job/modes/fit/stack_fit.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdio>
+#include <utility>
+
+#include "job/joint_program.hpp"
+#include "job/modes/fit/plan_check.hpp"
+#include "job/modes/settled_axis.hpp"
+#include "job/modes/travels_over_part.hpp"
+#include "job/raised_axes.hpp"
+#include "lamina/base/angle.hpp"
+#include "lamina/kinematics/joint_path/joint_path.hpp"
+#include "lamina/kinematics/model/build_space.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kSettledRad = toRadians(1.0);
+
+std::size_t hindered(const MachineCheck& check) { return check.faults.size() + check.collisions.size(); }
+
+/// Whether joints turn too far beside a singularity, if anything is at fault: more room changes nothing where
+/// a place is out of reach.
+bool isMendable(const MachineCheck& check) {
+  return std::all_of(check.faults.begin(), check.faults.end(),
+                     [](const Finding& fault) { return fault.what == toString(JointFault::Singular); });
+}
+
+TravelsOverPart asPlanned(Toolpath& /*toolpath*/) { return {}; }
+
+/// A stack that is changed step by step until the machine can run it.
+class StackFitting {
+ public:
+  StackFitting(const PlanningRequest& request, double standing_mm, Progress& progress)
+      : request_(request),
+        standing_mm_(standing_mm),
+        progress_(progress),
+        check_(request, as_planned_, progress, PlanLimits::AsRun) {}
+
+  StackFit fit(Toolpath planned) {
+    found_ = checked(planned);
+    if (found_.isClear() || !isMendable(found_)) return {std::move(planned), {}};
+    fitted_.toolpath = planned;
+    if (!found_.faults.empty()) settle();
+    if (!found_.collisions.empty()) raise();
+    if (!found_.isClear()) cut();
+    if (found_.isClear()) return std::move(fitted_);
+    return {std::move(planned), {}};
+  }
+
+ private:
+  MachineCheck checked(const Toolpath& toolpath) const { return check_.whole(toolpath).check; }
+
+  /// Not where more joints turn too far then: a motion that ends upright may be the one that turns them.
+  void settle() {
+    Toolpath settled = fitted_.toolpath;
+    settleAxes(settled, kSettledRad);
+    MachineCheck check = checked(settled);
+    if (hindered(check) >= hindered(found_)) return;
+    fitted_.notes.emplace_back(
+        "tool axes that are nearly upright are turned by up to 1 deg: a joint would turn too far there");
+    fitted_.toolpath = std::move(settled);
+    found_ = std::move(check);
+  }
+
+  void raise() {
+    RaisedToolpath raised =
+        raiseToolAxes(fitted_.toolpath, {check_.model(), request_.bed_from_part, request_.job.settings},
+                      [&](const Toolpath& toolpath) { return checked(toolpath); });
+    if (raised.waypoints == 0 || hindered(raised.check) >= hindered(found_)) return;
+    fitted_.notes.push_back(noteOnRaised(raised));
+    fitted_.toolpath = std::move(raised.toolpath);
+    found_ = std::move(raised.check);
+  }
+
+  void cut() {
+    const double deposited_mm3 = totals(fitted_.toolpath).deposited_mm3;
+    MachineFit cut =
+        fitToMachine(std::move(fitted_.toolpath), request_, as_planned_, progress_, standing_mm_);
+    fitted_.toolpath = std::move(cut.toolpath);
+    found_ = checked(fitted_.toolpath);
+    fitted_.notes.push_back(noteOnFit(cut, deposited_mm3));
+  }
+
+  const PlanningRequest& request_;
+  double standing_mm_;
+  Progress& progress_;
+  LeadTravels as_planned_ = asPlanned;
+  PlanCheck check_;
+  MachineCheck found_;
+  StackFit fitted_;
+};
+
+}  // namespace
+
+MachineFit fitGrown(Toolpath planned, const GrownRoom& grown, const PlanningRequest& request,
+                    Progress& progress) {
+  settleAxes(planned, kSettledRad);
+  const JobSettings& settings = request.job.settings;
+  const LeadTravels lead = [&](Toolpath& toolpath) {
+    return leadTravels(toolpath, grown.growth_mm, grown.room, settings.planning.travel.hop_mm, progress);
+  };
+  if (canTurnToolAxis(request.space) && settings.clearance.need != ClearanceNeed::Never)
+    return fitToMachine(std::move(planned), request, lead, progress);
+  MachineFit fit;
+  fit.travels = lead(planned);
+  fit.toolpath = std::move(planned);
+  return fit;
+}
+
+StackFit fitStack(Toolpath planned, double standing_mm, const PlanningRequest& request, Progress& progress) {
+  if (!canTurnToolAxis(request.space) || !isRefusedUnlessClear(request.job)) return {std::move(planned), {}};
+  return StackFitting(request, standing_mm, progress).fit(std::move(planned));
+}
+
+std::string noteOnFit(const MachineFit& fit, double deposited_mm3) {
+  char text[300];
+  std::snprintf(
+      text, sizeof text,
+      "at %zu waypoints the head had no room, or a joint turned too far, with %zu left: %.3g mm³ of beads, "
+      "%.2f %%, are left out there, and the nozzle turns off the bead at %zu places",
+      fit.hindered, fit.still_hindered, fit.left_out_mm3,
+      deposited_mm3 > 0.0 ? 100.0 * fit.left_out_mm3 / deposited_mm3 : 0.0, fit.turns);
+  return text;
+}
+
+}  // namespace lamina

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstddef>
+#include <functional>
+#include <string>
+
+#include "lamina/job/job_settings.hpp"
+#include "lamina/job/machine_check.hpp"
+#include "lamina/kinematics/model/kinematic_model.hpp"
+#include "lamina/toolpath/toolpath.hpp"
+
+namespace lamina {
+
+/// The machine that runs a part, where the part stands on it, and how far its tool axes may be raised.
+struct RaisingSite {
+  const KinematicModel& model;
+  const Eigen::Isometry3d& bed_from_part;
+  const JobSettings& settings;  ///< `orientation.max_off_normal_deg`, `clearance.tolerance_mm`
+};
+
+/// A toolpath whose tool axes lean less than was wanted, and what a machine still cannot run of it.
+struct RaisedToolpath {
+  Toolpath toolpath;
+  MachineCheck check;         ///< of `toolpath`
+  std::size_t waypoints = 0;  ///< number of waypoints of runs that lean less
+  double least_kept = 1.0;    ///< least share of the wanted lean that is kept
+};
+
+/// Raises tool axes towards upright: first to the lean at which nothing of the head is in the bed, then, from
+/// check to check, where the machine would run into something or cannot get there, as long as that leaves
+/// less of the lean.
+/// @param check  finds what the machine cannot run of a toolpath
+/// @throws as `check`; InvalidConfig as `linkBodies`
+RaisedToolpath raiseToolAxes(const Toolpath& wanted, const RaisingSite& site,
+                             const std::function<MachineCheck(const Toolpath&)>& check);
+
+/// Says how many tool axes lean less, and by how much.
+std::string noteOnRaised(const RaisedToolpath& raised);
+
+}  // namespace lamina

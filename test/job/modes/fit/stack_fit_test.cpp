@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "job/modes/fit/stack_fit.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "job/modes/fit/plan_check.hpp"
+#include "lamina/geometry/mesh_io/mesh_writer.hpp"
+#include "lamina/geometry/parts/parts.hpp"
+#include "lamina/job/slice_job.hpp"
+#include "lamina/kinematics/model/build_space.hpp"
+#include "support/scratch_folder.hpp"
+#include "support/toolpaths.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kOverAllMm = 120.0;
+
+Path travelOver(const Point3& from, const Point3& to) {
+  Path travel = test::straightPath(from, to);
+  travel.role = PathRole::Travel;
+  travel.bead = Bead{};
+  travel.points = {from, {from.x(), from.y(), kOverAllMm}, {to.x(), to.y(), kOverAllMm}, to};
+  return travel;
+}
+
+/// Upright beads, one a layer, over the middle of the bed.
+Toolpath uprightBeads(const std::vector<std::pair<Point3, Point3>>& ends) {
+  Toolpath toolpath;
+  Point3 last(0, 0, kOverAllMm);
+  for (const auto& [from, to] : ends) {
+    Path bead = test::straightPath(from, to);
+    bead.bead = Bead{1.0, to.z()};
+    toolpath.layers.push_back({to.z(), to.z(), {travelOver(last, from), bead}});
+    last = to;
+  }
+  return toolpath;
+}
+
+/// Low beads, the last of which leads below the head, over 50 mm wide, from a high one.
+Toolpath lowBeadsBesideAHighOne() {
+  return uprightBeads({{{-60, -60, 5}, {60, -60, 5}},
+                       {{45, -45, 45}, {45, 45, 45}},
+                       {{-60, 60, 5}, {-20, 60, 5}},
+                       {{-60, 0, 5}, {40, 0, 5}}});
+}
+
+struct TiltingHeadPlan {
+  TiltingHeadPlan() {
+    job.settings.machine.name = "five_axis_head_table";
+    job.settings.volumetric.largest_left_out_percent = 10.0;
+    job.output = "beads.gcode";
+  }
+
+  StackFit fit(const Toolpath& planned) {
+    NoProgress nobody;
+    const BuildSpace space = buildSpaceOf(job.settings.machine);
+    const Box3 bed = boundingBox(space);
+    const Point3 middle = 0.5 * (bed.low + bed.high);
+    const PlanningRequest request{
+        job, space,
+        Eigen::Isometry3d(Eigen::Translation3d(middle.x(), middle.y(), std::max(0.0, bed.low.z())))};
+    return fitStack(planned, kNothingStands, request, nobody);
+  }
+
+  SliceJob job;
+};
+
+TEST(StackFit, LeavesOutWhereTheHeadHasNoRoom) {
+  TiltingHeadPlan plan;
+  const Toolpath planned = lowBeadsBesideAHighOne();
+  const StackFit fit = plan.fit(planned);
+  const double left_out = totals(planned).deposited_mm3 - totals(fit.toolpath).deposited_mm3;
+  EXPECT_GT(left_out, 0.0);
+  EXPECT_LE(left_out, 0.10 * totals(planned).deposited_mm3);
+  ASSERT_FALSE(fit.notes.empty());
+  EXPECT_NE(fit.notes.back().find("are left out there"), std::string::npos) << fit.notes.back();
+  EXPECT_EQ(toolpathId(plan.fit(fit.toolpath).toolpath), toolpathId(fit.toolpath)) << "it can be run";
+}
+
+TEST(StackFit, LeavesAsItIsWhatIsNotRefused) {
+  const Toolpath planned = lowBeadsBesideAHighOne();
+  const auto isLeft = [&](TiltingHeadPlan plan) {
+    const StackFit fit = plan.fit(planned);
+    return fit.notes.empty() && toolpathId(fit.toolpath) == toolpathId(planned);
+  };
+  TiltingHeadPlan plan;
+  plan.job.settings.clearance.need = ClearanceNeed::Never;
+  EXPECT_TRUE(isLeft(plan));
+  plan.job.settings.clearance.need = ClearanceNeed::Turning;
+  plan.job.output = "poses.csv";
+  EXPECT_TRUE(isLeft(plan));
+}
+
+TEST(StackFit, LeavesAsItIsWhatIsRefusedNevertheless) {
+  TiltingHeadPlan plan;
+  plan.job.settings.volumetric.largest_left_out_percent = 0.0;
+  const Toolpath planned = lowBeadsBesideAHighOne();
+  const StackFit fit = plan.fit(planned);
+  EXPECT_TRUE(fit.notes.empty());
+  EXPECT_EQ(toolpathId(fit.toolpath), toolpathId(planned));
+}
+
+class FittedStack : public testing::Test {
+ protected:
+  FittedStack() {
+    JobSettings& settings = job_.settings;
+    settings.machine.name = "five_axis_head_table";
+    settings.slicing.layer_height_mm = settings.slicing.first_layer_height_mm = 0.4;
+    settings.cooling.least_layer_time_s = 0.0;
+  }
+
+  SlicedPart slice(const std::string& mode, const std::string& output) {
+    job_.settings.slicing.mode = mode;
+    job_.output = folder_.file(output);
+    NoProgress nobody;
+    return runSliceJob(job_, nobody);
+  }
+
+  static bool isNoted(const SlicedPart& sliced, const std::string& words) {
+    const std::vector<std::string>& notes = sliced.summary.notes;
+    return std::any_of(notes.begin(), notes.end(),
+                       [&](const std::string& note) { return note.find(words) != std::string::npos; });
+  }
+
+  void usePart(const std::string& name, const std::vector<SettingText>& parameters) {
+    job_.part = folder_.file(name + ".stl");
+    writeStl(job_.part, makePart(name, parameters));
+  }
+
+  test::ScratchFolder folder_;
+  SliceJob job_;
+};
+
+Point3 toolAxisAt(const Path& path, std::size_t waypoint) {
+  return path.orientation.at(waypoint) * Point3::UnitZ();
+}
+
+// Its sides lean by less than 5 deg, so that the table follows the azimuth of tool axes that are nearly
+// upright.
+TEST_F(FittedStack, NearlyUprightToolAxesOfAdaptedLayersAreSettled) {
+  usePart("blade", {{"height_mm", "10"}, {"chord_mm", "16"}});
+  const Toolpath planned = slice("adapted", "poses.csv").toolpath;
+  const SlicedPart fitted = slice("adapted", "blade.gcode");
+  EXPECT_TRUE(std::filesystem::exists(job_.output));
+  EXPECT_TRUE(isNoted(fitted, "nearly upright"));
+  ASSERT_EQ(fitted.toolpath.layers.size(), planned.layers.size());
+  double greatest = 0.0;
+  for (std::size_t l = 0; l < planned.layers.size(); ++l) {
+    ASSERT_EQ(fitted.toolpath.layers[l].paths.size(), planned.layers[l].paths.size()) << l;
+    for (std::size_t p = 0; p < planned.layers[l].paths.size(); ++p) {
+      const Path& before = planned.layers[l].paths[p];
+      const Path& after = fitted.toolpath.layers[l].paths[p];
+      ASSERT_EQ(after.points, before.points);
+      for (std::size_t w = 0; w < before.points.size(); ++w)
+        greatest = std::max(greatest, (toolAxisAt(after, w) - toolAxisAt(before, w)).norm());
+    }
+  }
+  EXPECT_GT(greatest, 0.0);
+  EXPECT_LE(greatest, 2.0 * std::sin(0.5 * M_PI / 180.0) + 1e-9) << "by 1 deg at most";
+}
+
+// About its pole, a coat's tool axes point every way.
+TEST_F(FittedStack, TheNozzleTurnsOffTheBeadsOfACoatAtItsPole) {
+  usePart("sphere", {{"radius_mm", "10"}});
+  const SlicedPart planned = slice("conformal", "poses.csv");
+  const SlicedPart fitted = slice("conformal", "sphere.gcode");
+  EXPECT_TRUE(std::filesystem::exists(job_.output));
+  EXPECT_GE(fitted.summary.deposited_mm3, 0.995 * planned.summary.deposited_mm3);
+  EXPECT_TRUE(isNoted(fitted, "nearly upright") || isNoted(fitted, "turns off the bead"));
+}
+
+}  // namespace
+}  // namespace lamina
