@@ -51,7 +51,7 @@ void TaughtPart::begin(const HeightLoop& loop) {
 }
 
 void TaughtPart::end(const HeightLoop& loop, const std::vector<double>& amount) {
-  if (is_abandoned_ || identity_.machine.empty() || identity_.material.empty()) return;
+  if (!teaches()) return;
   Layer layer;
   for (std::size_t i = 0; i < loop.estimates().size(); ++i) {
     const CellEstimate& cell = loop.estimates()[i];
@@ -62,10 +62,15 @@ void TaughtPart::end(const HeightLoop& loop, const std::vector<double>& amount) 
   layers_.at(loop.cells().layer) = std::move(layer);
 }
 
+bool TaughtPart::teaches() const {
+  const bool is_free = settings_.loop.process == LoopProcess::Free;
+  return is_free && !is_abandoned_ && !identity_.machine.empty() && !identity_.material.empty();
+}
+
 void TaughtPart::abandon() { is_abandoned_ = true; }
 
 std::optional<PartMap> TaughtPart::learnt(const Toolpath& toolpath, PartEnd end) const {
-  if (is_abandoned_ || identity_.machine.empty() || identity_.material.empty()) return std::nullopt;
+  if (!teaches()) return std::nullopt;
   std::vector<DepositedLayer> part;
   for (std::size_t k = 0; k < layers_.size(); ++k) {
     DepositedLayer layer{cellsAgain(toolpath, k, settings_.cell_mm), {}, {}};
