@@ -171,6 +171,20 @@ LayerKnowledge HeightLoop::filled(std::vector<double> error_mm, std::vector<doub
 
 LayerKnowledge HeightLoop::knowledge() const { return filled(errorsOf(estimates_), gainsOf(estimates_)); }
 
+std::optional<double> HeightLoop::seenError() const {
+  std::vector<double> seen;
+  std::vector<double> error;
+  seen.reserve(cells_.size());
+  error.reserve(cells_.size());
+  for (const CellEstimate& cell : estimates_) {
+    seen.push_back(cell.isSeen() ? 1.0 : 0.0);
+    error.push_back(cell.isSeen() ? cell.error() : 0.0);
+  }
+  const double coverage = meanOverCells(cells_, seen);
+  if (!(coverage > 0.0) || coverage < settings_.min_coverage) return std::nullopt;
+  return meanOverCells(cells_, error) / coverage;
+}
+
 LayerCorrection HeightLoop::asked(LoopState state, const LayerKnowledge& known,
                                   const std::vector<double>& deficit) const {
   if (settings_.process == LoopProcess::Pressed)
