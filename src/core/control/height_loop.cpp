@@ -262,6 +262,7 @@ ReadingOutcome HeightLoop::see(std::size_t cell, const CellReading& reading) {
   requireCell(cell);
   CellEstimate& estimate = estimates_[cell];
   const bool was_seen = estimate.isSeen();
+  const bool was_known = estimate.isKnown();
   const double prior = estimate.variance();
   const double expected = estimate.gain() * cells_.height_mm[cell];
   const ReadingOutcome outcome = estimate.see(reading, settings_.reading_correlation);
@@ -272,6 +273,7 @@ ReadingOutcome HeightLoop::see(std::size_t cell, const CellReading& reading) {
     ++repeats_;
     return outcome;
   }
+  if (!was_known) return outcome;  // of a guess
   // The first reading of a cell shows its growth, those that follow show the sensor alone.
   const double noise = readingVariance(reading, settings_.reading_correlation);
   const double growth = spread_ * expected;

@@ -15,7 +15,8 @@
 namespace lamina {
 
 /// Collects, layer by layer, what the next part of the same program, machine and material learns from this
-/// one, in eight bytes per cell. From cells that were not seen nothing is learnt.
+/// one, in eight bytes per cell. From cells that were not seen, or lie on ground that was not known, nothing
+/// is learnt.
 class TaughtPart {
  public:
   /// Reads the map of previous parts if the settings name one.
@@ -50,7 +51,8 @@ class TaughtPart {
   PartIdentity identity_;
   PartMap before_;
   bool is_abandoned_ = false;
-  std::vector<double> error_mm_;  ///< height errors of the layer's cells before it was deposited
+  /// Height errors of the layer's cells before it was deposited; NaN where they are not known.
+  std::vector<double> error_mm_;
   std::vector<Layer> layers_;
 };
 

@@ -47,7 +47,8 @@ std::vector<double> TaughtPart::amountsOf(std::size_t layer) const {
 
 void TaughtPart::begin(const HeightLoop& loop) {
   error_mm_.clear();
-  for (const CellEstimate& cell : loop.estimates()) error_mm_.push_back(cell.error());
+  for (const CellEstimate& cell : loop.estimates())
+    error_mm_.push_back(cell.isKnown() ? cell.error() : std::numeric_limits<double>::quiet_NaN());
 }
 
 void TaughtPart::end(const HeightLoop& loop, const std::vector<double>& amount) {
